@@ -1,0 +1,15 @@
+/// Two pulleys joined by a belt or chain that does not slip, with their axes on a carrier.
+///
+/// ```text
+///   a (φ_i − φ_k) − b (φ_j − φ_k) − c = 0      1 row; rad, or m with radii
+/// ```
+///
+/// `a` and `b` are radii or numbers of teeth: positive ones for an open belt (both turn the same
+/// way), one negative for a crossed belt. Angles count from the carrier k, ground unless said, and are
+/// never wrapped. Degenerate case: a = 0 or b = 0 is refused.
+constraint belt(i: Body, j: Body, a: Quantity, b: Quantity, c: Quantity = 0, carrier: Body = ground) {
+    require a != 0: "a pulley without radius turns nothing: the radius of a belt's pulley may not be zero";
+    require b != 0: "a pulley without radius turns nothing: the radius of a belt's pulley may not be zero";
+    require i != j: "a belt joins two different pulleys";
+    a * (i.angle - carrier.angle) == b * (j.angle - carrier.angle) + c;
+}

@@ -1,0 +1,18 @@
+/// A knife-edge follower on a disc cam: the point `F` of the follower stays on the cam's outline.
+///
+/// ```text
+///   |r_F − r_O| − R(ψ) = 0                     1 row, m
+///   ψ = arg(r_F − r_O) − φ_cam
+/// ```
+///
+/// `O` is the centre of the cam, `R` the outline in polar coordinates about `O`: its radius, seen at
+/// the angle ψ from the cam's own x axis. ψ goes backwards as the cam turns; `R` must repeat after a
+/// full turn. Guide the follower with a joint of its own, in a line or about a pivot.
+///
+/// Degenerate case: R = 0, where the outline meets the centre and ψ has no value.
+///
+/// Reference: Norton, Cam Design and Manufacturing Handbook, chapter 7.
+constraint cam_knife(O: Point, F: Point, R: Function(Angle) -> Length) {
+    require O.body != F.body: "cam and follower are the same body";
+    norm(F - O) == R(direction(F - O) - O.body.angle);
+}

@@ -1,0 +1,21 @@
+/// A roller follower on a disc cam: the roller's centre `C` stays on the pitch curve.
+///
+/// ```text
+///   |r_C − r_O| − R(ψ) − ρ = 0                 1 row, m
+///   ψ = arg(r_C − r_O) − φ_cam
+/// ```
+///
+/// `O` is the centre of the cam and ρ the roller's radius. R + ρ is the pitch curve in polar
+/// coordinates about `O`, on which a cutter of the roller's size moves when the cam is made: R is the
+/// base circle's radius plus the follower's rise, the numbers a cam is designed from. The cam's
+/// surface is the inner curve at distance ρ from the pitch curve; for R a constant it is the circle of
+/// radius R. ψ goes backwards as the cam turns; `R` must repeat after a full turn.
+///
+/// Degenerate case: where the pitch curve's radius of curvature falls below ρ the surface is
+/// undercut; the motion of the follower is still the one given here.
+///
+/// Reference: Norton, Cam Design and Manufacturing Handbook, chapter 7.
+constraint cam_roller(O: Point, C: Point, roller: Length, R: Function(Angle) -> Length) {
+    require O.body != C.body: "cam and follower are the same body";
+    norm(C - O) == R(direction(C - O) - O.body.angle) + roller;
+}

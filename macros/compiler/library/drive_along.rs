@@ -1,0 +1,15 @@
+/// The displacement along a translational joint follows a law of time.
+///
+/// ```text
+///   û · (r_Q − r_P) − C(t) = 0                 1 row, m
+/// ```
+///
+/// `slide` is the name of the joint that is driven; û, `P` and `Q` are its axis and points.
+///
+/// ```text
+///   joint slide = translational(ground.u, ground.O, ram.O);
+///   drive push = drive_along(slide, 20mm * sin(speed * t));
+/// ```
+constraint drive_along(slide: Joint(translational), C: Length) {
+    dot(unit(slide.u), slide.Q - slide.P) == C;
+}

@@ -1,0 +1,11 @@
+/// A point's x coordinate in ground follows a law of time.
+///
+/// ```text
+///   x_P − C(t) = 0                             1 row, m
+///   ν = Ċ
+/// ```
+///
+/// Reference: Nikravesh, section 4.2.6; Haug, section 3.5.
+constraint drive_x(P: Point, C: Length) {
+    P.x == C;
+}

@@ -1,0 +1,9 @@
+/// Two bodies do not turn against each other: `relative_angle` with the angle 0.
+///
+/// ```text
+///   φ_j − φ_i = 0                              1 row, rad
+/// ```
+constraint parallel(i: Body, j: Body) {
+    require i != j: "a body cannot turn against itself";
+    j.angle == i.angle;
+}

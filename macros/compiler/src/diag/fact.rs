@@ -1,0 +1,270 @@
+//! Every sentence the compiler says. Rooms report facts with their numbers; this page alone has words.
+//!
+//! A message starts lower-case and ends without a full stop; code stands in backticks; what to
+//! type comes after `help:`, a further fact after `note:`.
+
+use crate::model::Dim;
+use std::fmt;
+
+/// Something wrong with a declaration.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)] // The sentence below is the documentation of each fact.
+pub enum Fact {
+    // Syntax.
+    Syntax { message: String },
+    Expected { what: &'static str, found: String },
+    NotANumber { found: &'static str },
+    TooDeep { limit: u16 },
+    Keyword { word: String },
+    UnknownAttribute { name: String },
+    TokensAfter { what: &'static str },
+    UnknownItem { word: String },
+    UnknownBodyItem { word: String },
+    OneArgument,
+    ExponentTooLarge { limit: u8 },
+    // Names.
+    UnknownName { name: String, near: Option<String> },
+    UnknownField { owner: String, name: String, near: Option<String> },
+    UnknownFunction { name: String, near: Option<String>, is_constraint: bool },
+    UnknownConstraint { name: String, near: Option<String> },
+    UnknownUnit { name: String, near: Option<String> },
+    UnknownDimension { name: String, near: Option<String> },
+    UnknownStart { name: String, near: Option<String> },
+    NotAConstraint { name: String },
+    Duplicate { name: String },
+    Reserved { name: String },
+    Generated { name: String },
+    Cycle { name: String },
+    Recursion { name: String },
+    // Arity.
+    TooManyArguments { signature: String, wanted: usize, found: usize },
+    MissingArgument { name: String, signature: String, found: usize },
+    UnknownArgument { name: String, signature: String, near: Option<String> },
+    DuplicateArgument { name: String },
+    PositionalAfterNamed,
+    FunctionArity { name: String, wanted: usize, found: usize },
+    DefaultBefore { name: String },
+    // Kinds and dimensions.
+    NotA { wanted: &'static str, found: &'static str },
+    WrongArgument { parameter: String, definition: String, wanted: String, found: &'static str },
+    WrongArgumentDimension { parameter: String, definition: String, wanted: Dim, found: Dim },
+    WrongDimension { wanted: Dim, found: Dim },
+    Unlike { action: &'static str, one: Dim, two: Dim },
+    FunctionTakes { wanted: Dim, found: Dim },
+    CannotEquate { one: &'static str, two: &'static str },
+    NotTwoComponents { found: usize },
+    VectorAndNumber,
+    VectorTimesVector,
+    PowerOfDimension { base: Dim },
+    NotAnOutput { found: &'static str },
+    // Values.
+    NumberTooLong { digits: String },
+    DivisionByZero,
+    EqualityInChoice,
+    ListOutsideTable,
+    TableArity { found: usize },
+    TableNeedsList,
+    TableNeedsPairs,
+    TableNotIncreasing,
+    TableTooShort { found: usize },
+    TableNotPeriodic { first: f64, last: f64 },
+    TableEnds,
+    NotConstant { place: &'static str },
+    NotFixed { place: &'static str },
+    FunctionNeedsArgument,
+    ZeroAxis { name: String },
+    // Joints.
+    TimeIn { place: &'static str },
+    TimeInJoint { joint: String },
+    RequirementFails { why: String },
+    RequirementFailsAtDefaults { why: String, value: f64 },
+    RowOfNothing { joint: String, row: usize, of: usize },
+    NoEquations { name: String },
+    GroundStart,
+    InDefinition { definition: String, fact: Box<Fact> },
+    // The whole.
+    NoBodies { name: String },
+    NotSquare { name: String, coordinates: usize, equations: usize, drives: usize },
+}
+
+/// `, did you mean …` as a help line, or nothing.
+fn did_you_mean(near: &Option<String>) -> String {
+    near.as_ref().map_or(String::new(), |near| format!("\nhelp: did you mean `{near}`?"))
+}
+
+fn plural(count: usize, noun: &str) -> String {
+    match (count, noun.strip_suffix('y')) {
+        (1, _) => format!("1 {noun}"),
+        (_, Some(stem)) => format!("{count} {stem}ies"),
+        (_, None) => format!("{count} {noun}s"),
+    }
+}
+
+impl fmt::Display for Fact {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Fact::Syntax { message } => write!(f, "{message}"),
+            Fact::Expected { what, found } => write!(f, "expected {what}, found {found}"),
+            Fact::NotANumber { found } => write!(f, "expected a number, found {found}"),
+            Fact::TooDeep { limit } => {
+                write!(f, "this expression is nested more than {limit} deep\nhelp: name parts of it with `let`")
+            }
+            Fact::Keyword { word } => write!(f, "`{word}` is a word of Rust and cannot be a name\nhelp: write `{word}_`"),
+            Fact::UnknownAttribute { name } => {
+                write!(f, "`#[{name}]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]` before `mechanism`")
+            }
+            Fact::TokensAfter { what } => write!(f, "nothing may follow {what}"),
+            Fact::UnknownItem { word } => {
+                let known = ["param", "let", "ground", "body", "joint", "drive", "output", "function", "use"];
+                let near = crate::model::suggest::nearest(word, known.into_iter());
+                write!(f, "`{word}` is no item of a mechanism{}", did_you_mean(&near))?;
+                write!(f, "\nnote: items are `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `function` and `use`")
+            }
+            Fact::UnknownBodyItem { word } => {
+                let near = crate::model::suggest::nearest(word, ["point", "axis", "start"].into_iter());
+                write!(f, "`{word}` is no item of a body{}\nnote: a body has `point`, `axis` and `start`", did_you_mean(&near))
+            }
+            Fact::OneArgument => write!(f, "a function has one argument"),
+            Fact::ExponentTooLarge { limit } => write!(f, "the exponent of a dimension is at most {limit}"),
+
+            Fact::UnknownName { name, near } => write!(f, "nothing is called `{name}` here{}", did_you_mean(near)),
+            Fact::UnknownField { owner, name, near } => write!(f, "{owner} has no `{name}`{}", did_you_mean(near)),
+            Fact::UnknownFunction { name, is_constraint: true, .. } => {
+                write!(f, "`{name}` is a constraint, not a function\nhelp: write `joint name = {name}(…);`")
+            }
+            Fact::UnknownFunction { name, near, .. } => write!(f, "no function is called `{name}`{}", did_you_mean(near)),
+            Fact::UnknownConstraint { name, near } => {
+                write!(f, "no constraint is called `{name}`{}", did_you_mean(near))?;
+                if near.is_none() {
+                    write!(f, "\nhelp: bring in your own with `use path::to::{name};`")?;
+                }
+                Ok(())
+            }
+            Fact::UnknownUnit { name, near } => {
+                write!(f, "no unit is called `{name}`{}", did_you_mean(near))?;
+                if name == "Hz" {
+                    write!(f, "\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`")?;
+                }
+                Ok(())
+            }
+            Fact::UnknownDimension { name, near } => {
+                write!(f, "no dimension is called `{name}`{}", did_you_mean(near))?;
+                if near.is_none() {
+                    write!(f, "\nnote: there are {}", Dim::names().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "))?;
+                }
+                Ok(())
+            }
+            Fact::UnknownStart { name, near } => {
+                write!(f, "a body does not start with `{name}`{}\nnote: it starts with `x`, `y`, `position` or `angle`", did_you_mean(near))
+            }
+            Fact::NotAConstraint { name } => {
+                write!(f, "`{name}` is not a constraint\nhelp: `use` brings in what `reuleaux::constraint!` defines")
+            }
+            Fact::Duplicate { name } => write!(f, "`{name}` is declared twice"),
+            Fact::Reserved { name } => write!(f, "`{name}` has a meaning of its own in expressions\nhelp: choose another name"),
+            Fact::Generated { name } => write!(f, "an output cannot be called `{name}`: a generated function has that name"),
+            Fact::Cycle { name } => write!(f, "`{name}` depends on itself"),
+            Fact::Recursion { name } => write!(f, "the function `{name}` calls itself"),
+
+            Fact::TooManyArguments { signature, wanted, found } => {
+                write!(f, "{} where at most {wanted} can be taken\nnote: `{signature}`", plural(*found, "argument"))
+            }
+            Fact::MissingArgument { name, signature, found } => {
+                write!(f, "the argument `{name}` is missing, {} found\nnote: `{signature}`", plural(*found, "argument"))
+            }
+            Fact::UnknownArgument { name, signature, near } => {
+                write!(f, "no parameter is called `{name}`{}\nnote: `{signature}`", did_you_mean(near))
+            }
+            Fact::DuplicateArgument { name } => write!(f, "the argument `{name}` is given twice"),
+            Fact::PositionalAfterNamed => write!(f, "an argument without a name cannot follow one with a name"),
+            Fact::FunctionArity { name, wanted, found } => {
+                write!(f, "`{name}` takes {}, found {found}", plural(*wanted, "argument"))
+            }
+            Fact::DefaultBefore { name } => write!(f, "`{name}` needs a default, since the parameter before it has one"),
+
+            Fact::NotA { wanted, found } => write!(f, "expected {wanted}, found {found}"),
+            Fact::WrongArgument { parameter, definition, wanted, found } => {
+                write!(f, "`{parameter}` of `{definition}` takes {wanted}, found {found}")?;
+                match (wanted.as_str(), *found) {
+                    ("a point", "a body") => write!(f, "\nhelp: name a point of the body, such as `body.P`"),
+                    ("a body", "a point") => write!(f, "\nhelp: leave the point out, or write `.body` after it"),
+                    _ => Ok(()),
+                }
+            }
+            Fact::WrongArgumentDimension { parameter, definition, wanted, found } => {
+                write!(f, "`{parameter}` of `{definition}` is {wanted}, found {found}")
+            }
+            Fact::WrongDimension { wanted, found } => write!(f, "expected {wanted}, found {found}"),
+            Fact::Unlike { action, one, two } => {
+                let joint = if *action == "equate" || *action == "compare" { "with" } else { "and" };
+                match *action {
+                    "subtract" => write!(f, "cannot subtract {two} from {one}"),
+                    "add" => write!(f, "cannot add {two} to {one}"),
+                    _ => write!(f, "cannot {action} {one} {joint} {two}"),
+                }
+            }
+            Fact::FunctionTakes { wanted, found } => write!(f, "expected a function of {wanted}, found a function of {found}"),
+            Fact::CannotEquate { one, two } => write!(f, "cannot equate {one} with {two}"),
+            Fact::NotTwoComponents { found } => write!(f, "a vector in the plane has 2 components, found {found}"),
+            Fact::VectorAndNumber => write!(f, "cannot add a vector and a number"),
+            Fact::VectorTimesVector => {
+                write!(f, "there is more than one product of vectors\nhelp: write `dot(a, b)` or `cross(a, b)`")
+            }
+            Fact::PowerOfDimension { base } => {
+                write!(f, "this power of {base} has no dimension\nhelp: exponents of quantities are literal multiples of 1/6")
+            }
+            Fact::NotAnOutput { found } => write!(f, "an output is a number, a vector or a point, found {found}"),
+
+            Fact::NumberTooLong { digits } => write!(f, "`{digits}` has more digits than fit an exact number of 36 digits"),
+            Fact::DivisionByZero => write!(f, "division by zero"),
+            Fact::EqualityInChoice => write!(f, "`if` compares with `<`, `<=`, `>` or `>=`: equality of measured numbers is an accident"),
+            Fact::ListOutsideTable => write!(f, "a list can only be an argument of `table`"),
+            Fact::TableArity { found } => {
+                write!(f, "`table` takes 2 or 3 arguments, found {found}\nnote: `table(x, [(x0, y0), (x1, y1), …], periodic)`")
+            }
+            Fact::TableNeedsList => write!(f, "expected a list of pairs, such as `[(0deg, 0mm), (90deg, 5mm)]`"),
+            Fact::TableNeedsPairs => write!(f, "expected a pair, such as `(90deg, 5mm)`"),
+            Fact::TableNotIncreasing => write!(f, "the first numbers of a table must increase from pair to pair"),
+            Fact::TableTooShort { found } => write!(f, "a table needs at least 2 pairs, found {found}"),
+            Fact::TableNotPeriodic { first, last } => {
+                write!(f, "a periodic table ends with the value it begins with: it begins with {first} and ends with {last}")
+            }
+            Fact::TableEnds => write!(f, "outside its range a table is `periodic`, `linear` or `hold`"),
+            Fact::NotConstant { place } => write!(f, "{place} needs a constant: numbers, units, `pi` and functions of them"),
+            Fact::NotFixed { place } => write!(f, "{place} may depend on parameters only, not on what moves"),
+            Fact::FunctionNeedsArgument => {
+                write!(f, "a function written here names its argument\nhelp: write `function name(x: Angle) -> Length = …;`, or give the path of a Rust function")
+            }
+            Fact::ZeroAxis { name } => write!(f, "the axis `{name}` has no direction: both components are zero"),
+
+            Fact::TimeIn { place } => write!(f, "`t` cannot be used in {place}"),
+            Fact::TimeInJoint { joint } => {
+                write!(f, "the joint `{joint}` depends on `t`\nhelp: a constraint that moves with time is a drive: `drive {joint} = …;`")
+            }
+            Fact::RequirementFails { why } => write!(f, "{why}"),
+            Fact::RequirementFailsAtDefaults { why, value } => write!(f, "{why}\nnote: it is {value} at the declared defaults"),
+            Fact::RowOfNothing { joint, row: _, of: 1 } => {
+                write!(f, "the equation of `{joint}` does not depend on the position of any body")
+            }
+            Fact::RowOfNothing { joint, row, of } => {
+                write!(f, "equation {row} of {of} of `{joint}` does not depend on the position of any body")
+            }
+            Fact::NoEquations { name } => write!(f, "`{name}` has no equations\nhelp: write `lhs == rhs;`"),
+            Fact::GroundStart => write!(f, "ground does not move: it has no start values"),
+            Fact::InDefinition { definition, fact } => write!(f, "in `{definition}`: {fact}"),
+
+            Fact::NoBodies { name } => write!(f, "`{name}` has no bodies\nhelp: declare one with `body name {{ … }}`"),
+            Fact::NotSquare { name, coordinates, equations, drives } => {
+                write!(f, "`{name}` has {} and {}", plural(*coordinates, "coordinate"), plural(*equations, "equation"))?;
+                if coordinates > equations {
+                    let (missing, drives) = (coordinates - equations, plural(*drives, "drive"));
+                    let more = plural(missing, if missing == 1 { "more drive" } else { "more drive or joint equation" });
+                    write!(f, ": with {drives} it is still free to move in {missing} ways\nhelp: {more} would hold it")?;
+                } else {
+                    write!(f, ": {} too many", plural(equations - coordinates, "equation"))?;
+                }
+                write!(f, "\nnote: `#[equations_only]` before `mechanism` gives the equations without a solver")
+            }
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! The sink into which every room puts its refusals, and where they lie.
+//!
+//! In: facts and the tokens they are about. Out: `compile_error!` tokens, one block per refusal.
+//! Not done here: words. `fact.rs` alone turns a fact into a sentence.
+
+mod fact;
+
+pub use fact::Fact;
+
+use proc_macro2::{Ident, Span, TokenStream};
+
+/// The stretch of source a fact is about: from its first token to its last.
+#[derive(Clone, Copy, Debug)]
+pub struct Range {
+    /// Span of the first token.
+    pub first: Span,
+    /// Span of the last token.
+    pub last: Span,
+}
+
+impl Range {
+    /// From the start of this range to the end of another.
+    pub(crate) fn to(self, end: impl Into<Range>) -> Range {
+        Range { first: self.first, last: end.into().last }
+    }
+}
+
+impl From<Span> for Range {
+    fn from(span: Span) -> Range {
+        Range { first: span, last: span }
+    }
+}
+
+impl From<&Ident> for Range {
+    fn from(name: &Ident) -> Range {
+        name.span().into()
+    }
+}
+
+/// One refusal: a fact, and the smallest stretch of source that is to blame.
+#[derive(Clone, Debug)]
+pub struct Refusal {
+    /// What is wrong, with its numbers.
+    pub fact: Fact,
+    /// Where.
+    pub range: Range,
+}
+
+impl From<syn::Error> for Refusal {
+    fn from(error: syn::Error) -> Refusal {
+        Refusal { range: error.span().into(), fact: Fact::Syntax { message: error.to_string() } }
+    }
+}
+
+impl Refusal {
+    /// The refusal as a `syn` error whose underline covers the whole range.
+    pub fn to_error(&self) -> syn::Error {
+        // `Span::join` gives nothing on stable Rust; an error made from two tokens is underlined
+        // from the first to the second.
+        let ends = [Ident::new("a", self.range.first), Ident::new("b", self.range.last)];
+        let tokens: TokenStream = ends.into_iter().map(proc_macro2::TokenTree::from).collect();
+        syn::Error::new_spanned(tokens, self.fact.to_string())
+    }
+}
+
+/// Gathers refusals; a room stops at its door if there are any.
+#[derive(Debug, Default)]
+pub struct Diag {
+    refusals: Vec<Refusal>,
+}
+
+impl Diag {
+    /// Takes note of a refusal and gives `None`, so that a caller can return it at once.
+    pub fn refuse<T>(&mut self, range: impl Into<Range>, fact: Fact) -> Option<T> {
+        self.refusals.push(Refusal { fact, range: range.into() });
+        None
+    }
+
+    /// Nothing was refused so far.
+    pub fn is_clean(&self) -> bool {
+        self.refusals.is_empty()
+    }
+
+    /// Everything refused so far, in the order it was found.
+    pub fn refusals(&self) -> &[Refusal] {
+        &self.refusals
+    }
+
+    /// All refusals as `compile_error!` invocations.
+    pub fn to_tokens(&self) -> TokenStream {
+        self.refusals.iter().map(|refusal| refusal.to_error().to_compile_error()).collect()
+    }
+}

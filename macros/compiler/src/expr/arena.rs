@@ -1,0 +1,219 @@
+//! Where expressions live. Nodes come in, places go out; equal expressions get equal places.
+
+use std::collections::{BTreeSet, HashMap};
+
+use super::{Binary, Exact, Expr, Leaf, Node, RULES, Unary};
+
+/// A hash-consed store of simplified expressions.
+///
+/// Every [`Expr`] handed to a method must come from the same arena.
+#[derive(Clone, Debug, Default)]
+pub struct Arena {
+    nodes: Vec<Node>,
+    // Only looked up, never iterated, so that its order cannot reach the output.
+    places: HashMap<Node, Expr>,
+}
+
+impl Arena {
+    /// An arena with nothing in it.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The operation at a place.
+    #[must_use]
+    pub fn node(&self, expr: Expr) -> &Node {
+        &self.nodes[expr.index()]
+    }
+
+    /// How many nodes have been built.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Whether nothing has been built yet.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// Builds a node: simplified by [`RULES`], and the same place for the same node.
+    ///
+    /// Operands are simplified already, so that a node found in the store needs no rule.
+    pub fn build(&mut self, node: Node) -> Expr {
+        if let Some(&place) = self.places.get(&node) {
+            return place;
+        }
+        for rule in RULES {
+            if let Some(simpler) = (rule.rewrite)(self, &node) {
+                return simpler;
+            }
+        }
+        let place = Expr(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX));
+        self.nodes.push(node);
+        self.places.insert(node, place);
+        place
+    }
+
+    /// An exact number.
+    pub fn constant(&mut self, value: Exact) -> Expr {
+        self.build(Node::Constant(value))
+    }
+
+    /// A whole number.
+    pub fn integer(&mut self, value: i64) -> Expr {
+        self.constant(Exact::integer(value))
+    }
+
+    /// A quantity from outside.
+    pub fn leaf(&mut self, leaf: Leaf) -> Expr {
+        self.build(Node::Leaf(leaf))
+    }
+
+    /// A function of one operand.
+    pub fn unary(&mut self, function: Unary, a: Expr) -> Expr {
+        self.build(Node::Unary(function, a))
+    }
+
+    /// A function of two operands.
+    pub fn binary(&mut self, function: Binary, a: Expr, b: Expr) -> Expr {
+        self.build(Node::Binary(function, a, b))
+    }
+
+    /// −a
+    pub fn neg(&mut self, a: Expr) -> Expr {
+        self.unary(Unary::Neg, a)
+    }
+
+    /// a + b
+    pub fn add(&mut self, a: Expr, b: Expr) -> Expr {
+        self.binary(Binary::Add, a, b)
+    }
+
+    /// a − b
+    pub fn sub(&mut self, a: Expr, b: Expr) -> Expr {
+        self.binary(Binary::Sub, a, b)
+    }
+
+    /// a · b
+    pub fn mul(&mut self, a: Expr, b: Expr) -> Expr {
+        self.binary(Binary::Mul, a, b)
+    }
+
+    /// a / b
+    pub fn div(&mut self, a: Expr, b: Expr) -> Expr {
+        self.binary(Binary::Div, a, b)
+    }
+
+    /// √a
+    pub fn sqrt(&mut self, a: Expr) -> Expr {
+        self.unary(Unary::Sqrt, a)
+    }
+
+    /// sin a
+    pub fn sin(&mut self, a: Expr) -> Expr {
+        self.unary(Unary::Sin, a)
+    }
+
+    /// cos a
+    pub fn cos(&mut self, a: Expr) -> Expr {
+        self.unary(Unary::Cos, a)
+    }
+
+    /// a²
+    pub fn square(&mut self, a: Expr) -> Expr {
+        self.mul(a, a)
+    }
+
+    /// 2 a
+    pub fn twice(&mut self, a: Expr) -> Expr {
+        let two = self.integer(2);
+        self.mul(two, a)
+    }
+
+    /// `baseⁿ` by repeated squaring; 1 for n = 0, and 1/base⁻ⁿ for a negative n.
+    pub fn power(&mut self, base: Expr, exponent: i32) -> Expr {
+        let one = self.integer(1);
+        let mut product = one;
+        let mut square = base;
+        let mut rest = exponent.unsigned_abs();
+        while rest > 0 {
+            if rest & 1 == 1 {
+                product = self.mul(product, square);
+            }
+            rest >>= 1;
+            if rest > 0 {
+                square = self.mul(square, square);
+            }
+        }
+        if exponent < 0 {
+            self.div(one, product)
+        } else {
+            product
+        }
+    }
+
+    /// `if lhs < rhs { then } else { otherwise }`
+    pub fn select(&mut self, lhs: Expr, rhs: Expr, then: Expr, otherwise: Expr) -> Expr {
+        self.build(Node::Select {
+            lhs,
+            rhs,
+            then,
+            otherwise,
+        })
+    }
+
+    /// The derivative of the given order of a numbered function, at `argument`.
+    pub fn call(&mut self, function: u32, order: u8, argument: Expr) -> Expr {
+        self.build(Node::Call {
+            function,
+            order,
+            argument,
+        })
+    }
+
+    /// The exact number at a place, if the node there is one.
+    #[must_use]
+    pub fn as_constant(&self, expr: Expr) -> Option<Exact> {
+        match *self.node(expr) {
+            Node::Constant(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// All nodes under `roots`, the roots among them, each once, children before parents.
+    #[must_use]
+    pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
+        self.reachable_until(roots, |_| false)
+    }
+
+    /// As [`Arena::reachable`], but leaves out what is `known` and does not look below it.
+    pub(crate) fn reachable_until(
+        &self,
+        roots: &[Expr],
+        known: impl Fn(Expr) -> bool,
+    ) -> Vec<Expr> {
+        // The largest pending place has no parent left to be visited, hence each comes out once.
+        let mut pending: BTreeSet<Expr> = roots.iter().copied().filter(|&e| !known(e)).collect();
+        let mut found = Vec::new();
+        while let Some(expr) = pending.pop_last() {
+            found.push(expr);
+            pending.extend(self.node(expr).children().filter(|&e| !known(e)));
+        }
+        found.reverse();
+        found
+    }
+
+    /// The quantities from outside that an expression depends on.
+    #[must_use]
+    pub fn leaves(&self, root: Expr) -> BTreeSet<Leaf> {
+        let under = self.reachable(&[root]);
+        let leaf = |expr: Expr| match *self.node(expr) {
+            Node::Leaf(leaf) => Some(leaf),
+            _ => None,
+        };
+        under.into_iter().filter_map(leaf).collect()
+    }
+}

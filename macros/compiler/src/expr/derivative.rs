@@ -1,0 +1,177 @@
+//! Partial derivatives. An expression and a leaf come in, an expression goes out.
+//!
+//! All other leaves are held fixed, also the rates of the leaf. At a kink (`abs` and `sign` at
+//! 0, the border of a `select`) the derivative is the one of the branch that is evaluated there.
+
+use std::collections::HashMap;
+
+use super::{Arena, Binary, Expr, Leaf, Node, Unary};
+
+/// The partial derivative of `root` by one leaf.
+pub fn derivative(arena: &mut Arena, root: Expr, by: Leaf) -> Expr {
+    Derivatives::new(by).of(arena, root)
+}
+
+/// The partial derivatives by one leaf of all expressions asked for so far, so that many rows
+/// share their work. Belongs to one arena.
+#[derive(Clone, Debug)]
+pub struct Derivatives {
+    by: Leaf,
+    known: HashMap<Expr, Expr>,
+}
+
+impl Derivatives {
+    /// Nothing is derived yet.
+    #[must_use]
+    pub fn new(by: Leaf) -> Self {
+        Derivatives {
+            by,
+            known: HashMap::new(),
+        }
+    }
+
+    /// The derivative of `root`.
+    pub fn of(&mut self, arena: &mut Arena, root: Expr) -> Expr {
+        for expr in arena.reachable_until(&[root], |e| self.known.contains_key(&e)) {
+            let slope = self.slope(arena, expr);
+            self.known.insert(expr, slope);
+        }
+        self.known[&root]
+    }
+
+    /// The derivative of one node whose operands are derived already.
+    fn slope(&self, arena: &mut Arena, expr: Expr) -> Expr {
+        let node = *arena.node(expr);
+        let zero = arena.integer(0);
+        let d = |operand: Expr| self.known[&operand];
+        match node {
+            Node::Leaf(leaf) if leaf == self.by => arena.integer(1),
+            // Without this line, dead nodes would be built only to be multiplied by 0.
+            _ if node.children().all(|operand| d(operand) == zero) => zero,
+            Node::Constant(_) | Node::Leaf(_) => zero,
+            Node::Unary(function, a) => of_unary(arena, function, expr, a, d(a)),
+            Node::Binary(function, a, b) => of_binary(arena, function, expr, [a, b], [d(a), d(b)]),
+            Node::Select {
+                lhs,
+                rhs,
+                then,
+                otherwise,
+            } => arena.select(lhs, rhs, d(then), d(otherwise)),
+            Node::Call {
+                function,
+                order,
+                argument,
+            } => {
+                let outer = arena.call(function, order.saturating_add(1), argument);
+                arena.mul(outer, d(argument))
+            }
+        }
+    }
+}
+
+/// The derivative of v = f(a), given `da`.
+fn of_unary(arena: &mut Arena, function: Unary, v: Expr, a: Expr, da: Expr) -> Expr {
+    match function {
+        Unary::Neg => arena.neg(da),
+        Unary::Sqrt => {
+            let twice = arena.twice(v);
+            arena.div(da, twice)
+        }
+        Unary::Sin => {
+            let cosine = arena.cos(a);
+            arena.mul(cosine, da)
+        }
+        Unary::Cos => {
+            let sine = arena.sin(a);
+            let product = arena.mul(sine, da);
+            arena.neg(product)
+        }
+        Unary::Tan => {
+            let outer = one_plus_square(arena, v);
+            arena.mul(outer, da)
+        }
+        Unary::Asin => {
+            let root = cosine_of_arcsine(arena, a);
+            arena.div(da, root)
+        }
+        Unary::Acos => {
+            let root = cosine_of_arcsine(arena, a);
+            let quotient = arena.div(da, root);
+            arena.neg(quotient)
+        }
+        Unary::Atan => {
+            let below = one_plus_square(arena, a);
+            arena.div(da, below)
+        }
+        Unary::Exp => arena.mul(v, da),
+        Unary::Ln => arena.div(da, a),
+        Unary::Abs => {
+            let sign = arena.unary(Unary::Sign, a);
+            arena.mul(sign, da)
+        }
+        Unary::Sign => arena.integer(0),
+    }
+}
+
+/// The derivative of v = f(a, b), given `da` and `db`.
+fn of_binary(
+    arena: &mut Arena,
+    function: Binary,
+    v: Expr,
+    [a, b]: [Expr; 2],
+    [da, db]: [Expr; 2],
+) -> Expr {
+    match function {
+        Binary::Add => arena.add(da, db),
+        Binary::Sub => arena.sub(da, db),
+        Binary::Mul if a == b => {
+            let half = arena.mul(a, da);
+            arena.twice(half)
+        }
+        Binary::Mul => {
+            let left = arena.mul(da, b);
+            let right = arena.mul(a, db);
+            arena.add(left, right)
+        }
+        Binary::Div => {
+            let drift = arena.mul(v, db);
+            let above = arena.sub(da, drift);
+            arena.div(above, b)
+        }
+        Binary::Atan2 => {
+            let above = turning(arena, [a, b], [da, db]);
+            let below = sum_of_squares(arena, a, b);
+            arena.div(above, below)
+        }
+    }
+}
+
+/// 1 + a²
+pub(super) fn one_plus_square(arena: &mut Arena, a: Expr) -> Expr {
+    let one = arena.integer(1);
+    let square = arena.square(a);
+    arena.add(square, one)
+}
+
+/// √((1 − a)(1 + a)), which keeps its digits near a = ±1 where √(1 − a²) does not.
+pub(super) fn cosine_of_arcsine(arena: &mut Arena, a: Expr) -> Expr {
+    let one = arena.integer(1);
+    let minus = arena.sub(one, a);
+    let plus = arena.add(a, one);
+    let product = arena.mul(minus, plus);
+    arena.sqrt(product)
+}
+
+/// a² + b²
+pub(super) fn sum_of_squares(arena: &mut Arena, a: Expr, b: Expr) -> Expr {
+    let left = arena.square(a);
+    let right = arena.square(b);
+    arena.add(left, right)
+}
+
+/// x ẏ − y ẋ: the rate of the angle of (x, y), times the square of the radius.
+pub(super) fn turning(arena: &mut Arena, [y, x]: [Expr; 2], [dy, dx]: [Expr; 2]) -> Expr {
+    let left = arena.mul(x, dy);
+    let right = arena.mul(y, dx);
+    arena.sub(left, right)
+}

@@ -1,0 +1,174 @@
+//! The interpreter. An expression and the numbers of its leaves come in, an `f64` goes out.
+//!
+//! This page defines what an expression means. Emitted code performs the same operations in the
+//! same association and agrees bit for bit.
+
+use super::{Arena, Binary, Expr, Leaf, Node, Unary};
+
+/// The numbers of all leaves, in SI units. A leaf that is missing here counts as NaN.
+#[derive(Clone, Copy)]
+pub struct Values<'a> {
+    /// t, in seconds.
+    pub time: f64,
+    /// By number of parameter.
+    pub parameters: &'a [f64],
+    /// q, by number of coordinate.
+    pub coordinates: &'a [f64],
+    /// q̇, by number of coordinate.
+    pub velocities: &'a [f64],
+    /// q̈, by number of coordinate.
+    pub accelerations: &'a [f64],
+    /// Value, first and second derivative of the function of this number.
+    pub functions: &'a dyn Fn(u32, f64) -> [f64; 3],
+}
+
+impl Values<'_> {
+    fn of(&self, leaf: Leaf) -> f64 {
+        let (list, number) = match leaf {
+            Leaf::Time => return self.time,
+            Leaf::Parameter(i) => (self.parameters, i),
+            Leaf::Coordinate(i) => (self.coordinates, i),
+            Leaf::Velocity(i) => (self.velocities, i),
+            Leaf::Acceleration(i) => (self.accelerations, i),
+        };
+        list.get(number as usize).copied().unwrap_or(f64::NAN)
+    }
+}
+
+impl Unary {
+    /// The function's value.
+    #[must_use]
+    pub fn apply(self, a: f64) -> f64 {
+        match self {
+            Unary::Neg => -a,
+            Unary::Sqrt => libm::sqrt(a),
+            Unary::Sin => libm::sincos(a).0,
+            Unary::Cos => libm::sincos(a).1,
+            Unary::Tan => libm::tan(a),
+            Unary::Asin => libm::asin(a),
+            Unary::Acos => libm::acos(a),
+            Unary::Atan => libm::atan(a),
+            Unary::Exp => libm::exp(a),
+            Unary::Ln => libm::log(a),
+            Unary::Abs => a.abs(),
+            Unary::Sign if a > 0.0 => 1.0,
+            Unary::Sign if a < 0.0 => -1.0,
+            Unary::Sign => a,
+        }
+    }
+}
+
+impl Binary {
+    /// The function's value.
+    #[must_use]
+    pub fn apply(self, a: f64, b: f64) -> f64 {
+        match self {
+            Binary::Add => a + b,
+            Binary::Sub => a - b,
+            Binary::Mul => a * b,
+            Binary::Div => a / b,
+            Binary::Atan2 => libm::atan2(a, b),
+        }
+    }
+}
+
+/// The values of `roots`, in their order.
+#[must_use]
+pub fn evaluate(arena: &Arena, roots: &[Expr], values: &Values) -> Vec<f64> {
+    let mut found = vec![f64::NAN; roots.len()];
+    Evaluator::new(arena, roots).run(values, &mut found);
+    found
+}
+
+/// The interpreter made ready for some roots, for those who evaluate them often.
+#[derive(Clone, Debug)]
+pub struct Evaluator {
+    steps: Vec<Step>,
+    roots: Vec<usize>,
+    // Scratch: the value of each step.
+    slots: Vec<f64>,
+}
+
+/// One node with its operands as slots.
+#[derive(Clone, Copy, Debug)]
+enum Step {
+    Constant(f64),
+    Leaf(Leaf),
+    Unary(Unary, usize),
+    Binary(Binary, usize, usize),
+    Select([usize; 4]),
+    Call {
+        function: u32,
+        order: usize,
+        argument: usize,
+    },
+}
+
+impl Evaluator {
+    /// Puts the nodes under `roots` in order. The arena is not needed afterwards.
+    #[must_use]
+    pub fn new(arena: &Arena, roots: &[Expr]) -> Self {
+        let order = arena.reachable(roots);
+        // Every operand is in the list, which ascends; the place where it is or would be serves.
+        let slot = |expr: Expr| order.partition_point(|&e| e < expr);
+        let step = |&expr: &Expr| match *arena.node(expr) {
+            Node::Constant(value) => Step::Constant(value.to_f64()),
+            Node::Leaf(leaf) => Step::Leaf(leaf),
+            Node::Unary(function, a) => Step::Unary(function, slot(a)),
+            Node::Binary(function, a, b) => Step::Binary(function, slot(a), slot(b)),
+            Node::Select {
+                lhs,
+                rhs,
+                then,
+                otherwise,
+            } => Step::Select([lhs, rhs, then, otherwise].map(slot)),
+            Node::Call {
+                function,
+                order,
+                argument,
+            } => Step::Call {
+                function,
+                order: usize::from(order),
+                argument: slot(argument),
+            },
+        };
+        Evaluator {
+            steps: order.iter().map(step).collect(),
+            roots: roots.iter().map(|&root| slot(root)).collect(),
+            slots: Vec::with_capacity(order.len()),
+        }
+    }
+
+    /// Writes the values of the roots, in their order, as many as `found` has room for.
+    pub fn run(&mut self, values: &Values, found: &mut [f64]) {
+        self.slots.clear();
+        for step in &self.steps {
+            let slots = &self.slots;
+            let value = match *step {
+                Step::Constant(value) => value,
+                Step::Leaf(leaf) => values.of(leaf),
+                Step::Unary(function, a) => function.apply(slots[a]),
+                Step::Binary(function, a, b) => function.apply(slots[a], slots[b]),
+                Step::Select([lhs, rhs, then, otherwise]) => {
+                    if slots[lhs] < slots[rhs] {
+                        slots[then]
+                    } else {
+                        slots[otherwise]
+                    }
+                }
+                Step::Call {
+                    function,
+                    order,
+                    argument,
+                } => {
+                    let jet = (values.functions)(function, slots[argument]);
+                    jet.get(order).copied().unwrap_or(f64::NAN)
+                }
+            };
+            self.slots.push(value);
+        }
+        for (place, &root) in found.iter_mut().zip(&self.roots) {
+            *place = self.slots[root];
+        }
+    }
+}

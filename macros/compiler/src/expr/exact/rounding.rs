@@ -1,0 +1,58 @@
+//! Leaving exactness. An exact number comes in, the nearest `f64` goes out.
+
+use super::Exact;
+use super::twofold::Twofold;
+
+impl Exact {
+    /// The nearest `f64`, ties to even.
+    ///
+    /// Without a power of π this is proven by integer arithmetic. With one it is computed to
+    /// about 100 bits and then rounded.
+    #[must_use]
+    pub fn to_f64(self) -> f64 {
+        let (numerator, denominator) = (
+            self.numerator.unsigned_abs(),
+            self.denominator.unsigned_abs(),
+        );
+        let magnitude = if self.pi == 0 {
+            nearest(numerator, denominator)
+        } else {
+            let ratio = Twofold::from_integer(numerator).div(Twofold::from_integer(denominator));
+            let power = Twofold::PI.power(self.pi.unsigned_abs());
+            let value = if self.pi > 0 {
+                ratio.mul(power)
+            } else {
+                ratio.div(power)
+            };
+            value.round()
+        };
+        if self.numerator < 0 {
+            -magnitude
+        } else {
+            magnitude
+        }
+    }
+}
+
+/// The `f64` nearest to a quotient. Both operands are below 2¹²⁰, the divisor is not 0.
+fn nearest(mut numerator: u128, mut denominator: u128) -> f64 {
+    if numerator == 0 {
+        return 0.0;
+    }
+    // Shifted to equal lengths, the quotient lies between 1/2 and 2.
+    let exponent = denominator.leading_zeros() as i32 - numerator.leading_zeros() as i32;
+    if exponent >= 0 {
+        denominator <<= exponent;
+    } else {
+        numerator <<= -exponent;
+    }
+    let mut quotient = 0_u64;
+    for _ in 0..64 {
+        let bit = numerator >= denominator;
+        quotient = quotient << 1 | u64::from(bit);
+        numerator = (numerator - if bit { denominator } else { 0 }) << 1;
+    }
+    // 63 bits hold the mantissa and the rounding bit; the last one says whether more follows.
+    quotient |= u64::from(numerator != 0);
+    libm::ldexp(quotient as f64, exponent - 63)
+}

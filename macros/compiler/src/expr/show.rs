@@ -1,0 +1,251 @@
+//! Printing for people. An expression and the names of its leaves come in, a formula goes out.
+//!
+//! The formula is for reading: it shows neither sharing nor the order of association, and what
+//! would make it too long stands as `…`.
+
+use std::collections::HashMap;
+
+use super::{Arena, Binary, Exact, Expr, Leaf, Node, Unary};
+
+/// The formula is not longer than this many characters, unless one name is.
+const LONGEST: usize = 400;
+
+/// How tightly a formula holds together.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Level {
+    Negation,
+    Sum,
+    Product,
+    Power,
+    Atom,
+}
+
+struct Formula {
+    text: String,
+    level: Level,
+    // The formula is `base` to the power `exponent`.
+    base: Expr,
+    exponent: u32,
+}
+
+impl Formula {
+    /// The text, in parentheses unless it holds together at least as tightly as asked.
+    fn within(&self, level: Level) -> Part {
+        let text = &self.text;
+        Part::Operand(if self.level >= level {
+            text.clone()
+        } else {
+            format!("({text})")
+        })
+    }
+}
+
+enum Part {
+    Sign(&'static str),
+    Operand(String),
+}
+
+use Part::Sign;
+
+/// The expression as a formula with few parentheses.
+#[must_use]
+pub fn show(
+    arena: &Arena,
+    root: Expr,
+    name: &dyn Fn(Leaf) -> String,
+    function: &dyn Fn(u32) -> String,
+) -> String {
+    let mut formulas = HashMap::new();
+    for expr in arena.reachable(&[root]) {
+        let formula = compose(arena, expr, &formulas, name, function);
+        formulas.insert(expr, formula);
+    }
+    formulas
+        .remove(&root)
+        .map(|formula| formula.text)
+        .unwrap_or_default()
+}
+
+fn compose(
+    arena: &Arena,
+    expr: Expr,
+    formulas: &HashMap<Expr, Formula>,
+    name: &dyn Fn(Leaf) -> String,
+    function: &dyn Fn(u32) -> String,
+) -> Formula {
+    let f = |operand: Expr| &formulas[&operand];
+    let whole = |operand: Expr| f(operand).within(Level::Negation);
+    let (mut base, mut exponent) = (expr, 1);
+    let (level, parts) = match *arena.node(expr) {
+        Node::Constant(value) => constant(value),
+        Node::Leaf(leaf) => (Level::Atom, vec![Part::Operand(name(leaf))]),
+        Node::Unary(Unary::Neg, a) => (
+            Level::Negation,
+            vec![Sign("-"), f(a).within(Level::Product)],
+        ),
+        Node::Unary(function, a) => (
+            Level::Atom,
+            vec![Sign(word(function)), Sign("("), whole(a), Sign(")")],
+        ),
+        Node::Binary(Binary::Mul, a, b) if f(a).base == f(b).base => {
+            base = f(a).base;
+            exponent = f(a).exponent.saturating_add(f(b).exponent);
+            (
+                Level::Power,
+                vec![
+                    f(base).within(Level::Atom),
+                    Part::Operand(superscript(exponent)),
+                ],
+            )
+        }
+        Node::Binary(function, a, b) => binary(function, f(a), f(b)),
+        Node::Select {
+            lhs,
+            rhs,
+            then,
+            otherwise,
+        } => (
+            Level::Negation,
+            vec![
+                Sign("if "),
+                whole(lhs),
+                Sign(" < "),
+                whole(rhs),
+                Sign(" { "),
+                whole(then),
+                Sign(" } else { "),
+                whole(otherwise),
+                Sign(" }"),
+            ],
+        ),
+        Node::Call {
+            function: number,
+            order,
+            argument,
+        } => {
+            let name = function(number) + &primes(order);
+            (
+                Level::Atom,
+                vec![Part::Operand(name), Sign("("), whole(argument), Sign(")")],
+            )
+        }
+    };
+    Formula {
+        text: join(parts),
+        level,
+        base,
+        exponent,
+    }
+}
+
+fn binary(function: Binary, a: &Formula, b: &Formula) -> (Level, Vec<Part>) {
+    let infix = |level: Level, sign: &'static str, right: Level| {
+        (level, vec![a.within(level), Sign(sign), b.within(right)])
+    };
+    match function {
+        Binary::Add => infix(Level::Sum, " + ", Level::Sum),
+        Binary::Sub => infix(Level::Sum, " - ", Level::Product),
+        Binary::Mul => infix(Level::Product, "·", Level::Product),
+        Binary::Div => infix(Level::Product, "/", Level::Power),
+        Binary::Atan2 => {
+            let (a, b) = (a.within(Level::Negation), b.within(Level::Negation));
+            (
+                Level::Atom,
+                vec![Sign("atan2("), a, Sign(", "), b, Sign(")")],
+            )
+        }
+    }
+}
+
+const fn word(function: Unary) -> &'static str {
+    match function {
+        Unary::Neg => "-",
+        Unary::Sqrt => "√",
+        Unary::Sin => "sin",
+        Unary::Cos => "cos",
+        Unary::Tan => "tan",
+        Unary::Asin => "asin",
+        Unary::Acos => "acos",
+        Unary::Atan => "atan",
+        Unary::Exp => "exp",
+        Unary::Ln => "ln",
+        Unary::Abs => "abs",
+        Unary::Sign => "sign",
+    }
+}
+
+/// A number: `0.25`, `2/3`, `π/6`.
+fn constant(value: Exact) -> (Level, Vec<Part>) {
+    let (level, text) = magnitude(value.abs());
+    if value.signum() < 0 {
+        return (Level::Negation, vec![Sign("-"), Part::Operand(text)]);
+    }
+    (level, vec![Part::Operand(text)])
+}
+
+/// A number that is not negative. Short decimals stay decimals, other short fractions stay
+/// fractions, and what is long is rounded for the eye.
+fn magnitude(value: Exact) -> (Level, String) {
+    let (above, below) = (value.numerator(), value.denominator());
+    let rounded = || (Level::Atom, value.to_f64().to_string());
+    let short = above.max(below) < 10_000_000;
+    let pi = match value.pi_power() {
+        0 if 1_000_000 % below == 0 || !short => return rounded(),
+        0 => String::new(),
+        1 => "π".to_string(),
+        power => format!("π{}", superscript_signed(power)),
+    };
+    let factor = if above == 1 && !pi.is_empty() {
+        String::new()
+    } else {
+        above.to_string()
+    };
+    match (above, below) {
+        (1, 1) if value.pi_power() == 1 => (Level::Atom, pi),
+        (1, 1) => (Level::Power, pi),
+        (_, 1) => (Level::Product, format!("{factor}{pi}")),
+        _ => (Level::Product, format!("{factor}{pi}/{below}")),
+    }
+}
+
+/// Puts parts side by side; the longest operands give way to `…` until the rest is short enough.
+fn join(mut parts: Vec<Part>) -> String {
+    let length = |part: &Part| match part {
+        Part::Sign(text) => text.chars().count(),
+        Part::Operand(text) => text.chars().count(),
+    };
+    while parts.len() > 1 && parts.iter().map(length).sum::<usize>() > LONGEST {
+        let operands = parts
+            .iter_mut()
+            .filter(|part| matches!(part, Part::Operand(_)));
+        match operands.max_by_key(|part| length(part)) {
+            Some(longest) if length(longest) > 1 => *longest = Part::Operand("…".to_string()),
+            _ => break,
+        }
+    }
+    let text = |part: &Part| match part {
+        Part::Sign(text) => (*text).to_string(),
+        Part::Operand(text) => text.clone(),
+    };
+    parts.iter().map(text).collect()
+}
+
+fn primes(order: u8) -> String {
+    match order {
+        0 => String::new(),
+        1 => "′".to_string(),
+        2 => "″".to_string(),
+        _ => format!("⁽{}⁾", superscript(u32::from(order))),
+    }
+}
+
+fn superscript_signed(exponent: i8) -> String {
+    let minus = if exponent < 0 { "⁻" } else { "" };
+    format!("{minus}{}", superscript(u32::from(exponent.unsigned_abs())))
+}
+
+fn superscript(exponent: u32) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raised = |c: char| c.to_digit(10).map_or(c, |digit| DIGITS[digit as usize]);
+    exponent.to_string().chars().map(raised).collect()
+}

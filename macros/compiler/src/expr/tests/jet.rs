@@ -1,0 +1,100 @@
+use super::random::Random;
+use super::{FORMULAS, Point, assert_close, expr};
+use crate::expr::{Arena, Expr, Jets, Leaf, derivative};
+
+#[test]
+fn rates_are_differences_along_the_motion() {
+    rates_are_differences(Jets::new, |point| point);
+}
+
+#[test]
+fn rates_at_constant_velocity_are_differences_along_the_straight_line() {
+    rates_are_differences(Jets::at_constant_velocity, |mut point| {
+        point.accelerations = [0.0; 3];
+        point
+    });
+}
+
+fn rates_are_differences(jets: fn() -> Jets, prepare: fn(Point) -> Point) {
+    const STEP: f64 = 1e-4;
+    let mut random = Random::new(6);
+    for text in FORMULAS {
+        let mut arena = Arena::new();
+        let root = expr(&mut arena, text);
+        let [value, first, second] = jets().of(&mut arena, root);
+        assert_eq!(value, root);
+        for _ in 0..5 {
+            let point = prepare(Point::random(&mut random));
+            let [low, here, high] =
+                [-STEP, 0.0, STEP].map(|s| point.later(s).value_of(&arena, root));
+            let slope = (high - low) / (2.0 * STEP);
+            let bend = (high - 2.0 * here + low) / (STEP * STEP);
+            assert_close(point.value_of(&arena, first), slope, 1e-5, text);
+            assert_close(point.value_of(&arena, second), bend, 1e-4, text);
+        }
+    }
+}
+
+#[test]
+fn rates_are_total_derivatives() {
+    let mut random = Random::new(7);
+    for text in FORMULAS {
+        let mut arena = Arena::new();
+        let root = expr(&mut arena, text);
+        let [_, first, second] = Jets::new().of(&mut arena, root);
+        let slope = total_derivative(&mut arena, root);
+        let bend = total_derivative(&mut arena, slope);
+        for _ in 0..5 {
+            let point = Point::random(&mut random);
+            let value = |e: Expr| point.value_of(&arena, e);
+            assert_close(value(first), value(slope), 1e-12, text);
+            assert_close(value(second), value(bend), 1e-10, text);
+        }
+    }
+}
+
+#[test]
+fn squares_and_sines_have_their_textbook_form() {
+    for (before, first, second) in [
+        ("p", "0", "0"),
+        ("t", "1", "0"),
+        ("x", "u", "a"),
+        ("u", "a", "0"),
+        ("x*x", "2*(x*u)", "2*(x*a + u*u)"),
+        ("sin(x)", "cos(x)*u", "cos(x)*a - sin(x)*(u*u)"),
+        ("cos(x)", "-(sin(x)*u)", "-(sin(x)*a + cos(x)*(u*u))"),
+        ("if(x, y, p, x)", "if(x, y, 0, u)", "if(x, y, 0, a)"),
+    ] {
+        let mut arena = Arena::new();
+        let root = expr(&mut arena, before);
+        let expected = [root, expr(&mut arena, first), expr(&mut arena, second)];
+        assert_eq!(Jets::new().of(&mut arena, root), expected, "{before}");
+    }
+}
+
+#[test]
+fn velocities_are_constant_on_the_straight_line() {
+    let mut arena = Arena::new();
+    let (x, zero) = (expr(&mut arena, "x"), arena.integer(0));
+    let u = expr(&mut arena, "u");
+    let mut jets = Jets::at_constant_velocity();
+    assert_eq!(jets.of(&mut arena, x), [x, u, zero]);
+    assert_eq!(jets.of(&mut arena, u), [u, zero, zero]);
+}
+
+/// Σ ∂f/∂leaf · D(leaf), the chain rule as it stands in the book.
+fn total_derivative(arena: &mut Arena, root: Expr) -> Expr {
+    let mut sum = arena.integer(0);
+    for leaf in arena.leaves(root) {
+        let partial = derivative(arena, root, leaf);
+        let rate = match leaf {
+            Leaf::Time => arena.integer(1),
+            Leaf::Coordinate(i) => arena.leaf(Leaf::Velocity(i)),
+            Leaf::Velocity(i) => arena.leaf(Leaf::Acceleration(i)),
+            Leaf::Parameter(_) | Leaf::Acceleration(_) => arena.integer(0),
+        };
+        let term = arena.mul(partial, rate);
+        sum = arena.add(sum, term);
+    }
+    sum
+}

@@ -1,0 +1,86 @@
+//! The standard library: one file per kind, written in the language itself.
+//!
+//! A new kind is a new file under `library/` and a new line here; no other code knows its name.
+//! Each file's doc comment is its manual page; the runtime shows them all in its rustdoc.
+
+use crate::diag::Diag;
+use crate::syntax::{self, ast::{Definition, Function}};
+use proc_macro2::TokenStream;
+use std::rc::Rc;
+use std::str::FromStr;
+
+macro_rules! pages {
+    ($($name:literal),* $(,)?) => { &[$(($name, include_str!(concat!("../../library/", $name, ".rs")))),*] };
+}
+
+/// Constraints: name and text of the file.
+const CONSTRAINTS: &[(&str, &str)] = pages![
+    "revolute",
+    "translational",
+    "weld",
+    "distance",
+    "point_on_line",
+    "revolute_translational",
+    "relative_angle",
+    "parallel",
+    "absolute_x",
+    "absolute_y",
+    "absolute_angle",
+    "absolute_distance",
+    "gear_pair",
+    "rack_pinion",
+    "belt",
+    "differential",
+    "planetary",
+    "cam_knife",
+    "cam_roller",
+    "cam_flat",
+    "drive_x",
+    "drive_y",
+    "drive_angle",
+    "drive_relative_angle",
+    "drive_distance",
+    "drive_along",
+];
+
+/// Functions of one variable: name and text of the file.
+const FUNCTIONS: &[(&str, &str)] = pages![
+    "harmonic",
+    "cycloidal",
+    "polynomial_345",
+    "polynomial_4567",
+    "modified_trapezoidal",
+    "smooth_step",
+];
+
+/// The names of all constraints of the library.
+pub fn constraints<'a>() -> impl Iterator<Item = &'a str> {
+    CONSTRAINTS.iter().map(|(name, _)| *name)
+}
+
+/// The names of all functions of the library.
+pub fn functions<'a>() -> impl Iterator<Item = &'a str> {
+    FUNCTIONS.iter().map(|(name, _)| *name)
+}
+
+/// Name and text of every page of the library, constraints first.
+pub fn pages() -> impl Iterator<Item = (&'static str, &'static str)> {
+    CONSTRAINTS.iter().chain(FUNCTIONS).copied()
+}
+
+/// The constraint of this name.
+pub(crate) fn find(name: &str) -> Option<Rc<Definition>> {
+    let tokens = tokens(CONSTRAINTS, name)?;
+    // A page that does not parse is found by this crate's tests.
+    syntax::parse_exported(tokens, &mut Diag::default())?.into_iter().next().map(Rc::new)
+}
+
+/// The function of this name.
+pub(crate) fn function(name: &str) -> Option<Rc<Function>> {
+    syntax::parse_function(tokens(FUNCTIONS, name)?, &mut Diag::default()).map(Rc::new)
+}
+
+fn tokens(pages: &[(&str, &str)], name: &str) -> Option<TokenStream> {
+    let (_, text) = pages.iter().find(|(known, _)| *known == name)?;
+    TokenStream::from_str(text).ok()
+}

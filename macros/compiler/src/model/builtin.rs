@@ -1,0 +1,307 @@
+//! Functions that are always there, and functions of one variable that users give.
+
+use super::Function as Numbered;
+use super::dimension::{Dim, Measure};
+use super::elaborate::{Elaborator, Scope};
+use super::spline::{Ends, Table};
+use super::suggest::nearest;
+use super::value::{Function, Scalar, Value, Vector};
+use crate::diag::{Fact, Range};
+use crate::expr::{Expr, Unary};
+use crate::library;
+use crate::syntax::ast::{self, ExprKind};
+use proc_macro2::Ident;
+use std::rc::Rc;
+
+/// All built-in names, for suggestions and the language reference.
+pub(crate) const BUILTINS: &[&str] = &[
+    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "ln", "abs", "min", "max", "dot", "cross", "perp", "norm", "unit",
+    "direction", "table",
+];
+
+impl Elaborator<'_> {
+    /// `function(arguments)`
+    pub(super) fn call(&mut self, range: Range, path: &ast::Path, arguments: &[ast::Expr], scope: &Scope) -> Option<Value> {
+        let Some(name) = &path.name else {
+            let function = self.rust_function(path, Measure::Flexible, Measure::Flexible);
+            return self.apply(range, path, &function, arguments, scope).map(Value::Scalar);
+        };
+        let is_bound = scope.bound.iter().any(|(known, _)| name == known) || (scope.is_mechanism && self.names.is_known(name));
+        if !is_bound && BUILTINS.contains(&name.to_string().as_str()) {
+            return self.builtin(range, name, arguments, scope);
+        }
+        if !is_bound && !self.is_library_function(name) {
+            let near = self.similar_function(name, scope);
+            return self.refuse(name, Fact::UnknownFunction { name: name.to_string(), near, is_constraint: library::find(&name.to_string()).is_some() });
+        }
+        let callee = ast::Expr { kind: ExprKind::Path(path.clone()), range: path.range, depth: 1 };
+        match self.value(&callee, scope)? {
+            Value::Function(function) => self.apply(range, path, &function, arguments, scope).map(Value::Scalar),
+            other => self.refuse(path.range, Fact::NotA { wanted: "a function", found: other.noun() }),
+        }
+    }
+
+    fn similar_function(&self, name: &Ident, scope: &Scope) -> Option<String> {
+        let bound = scope.bound.iter().filter(|(_, value)| matches!(value, Value::Function(_))).map(|(known, _)| known.as_str());
+        let declared = if scope.is_mechanism { self.names.functions() } else { Vec::new() };
+        let known = bound.chain(BUILTINS.iter().copied()).chain(library::functions()).chain(declared.iter().map(String::as_str));
+        nearest(&name.to_string(), known)
+    }
+
+    fn builtin(&mut self, range: Range, name: &Ident, arguments: &[ast::Expr], scope: &Scope) -> Option<Value> {
+        let word = name.to_string();
+        if word == "table" {
+            return self.table(range, name, arguments, scope).map(Value::Scalar);
+        }
+        let wanted = match word.as_str() {
+            "atan2" | "min" | "max" | "dot" | "cross" => 2,
+            _ => 1,
+        };
+        if arguments.len() != wanted {
+            return self.refuse(name, Fact::FunctionArity { name: word, wanted, found: arguments.len() });
+        }
+        match word.as_str() {
+            "dot" | "cross" => self.product(range, &word, arguments, scope).map(Value::Scalar),
+            "perp" | "unit" | "norm" | "direction" => self.of_vector(&word, &arguments[0], scope),
+            "atan2" | "min" | "max" => self.of_two(range, &word, arguments, scope).map(Value::Scalar),
+            _ => self.of_one(&word, &arguments[0], scope).map(Value::Scalar),
+        }
+    }
+
+    fn of_one(&mut self, word: &str, argument: &ast::Expr, scope: &Scope) -> Option<Scalar> {
+        let scalar = self.scalar(argument, scope)?;
+        let plain = |this: &mut Self, wanted: Dim| {
+            let found = scalar.measure.settled();
+            if found.is_plain() { Some(()) } else { this.refuse(argument.range, Fact::WrongDimension { wanted, found }) }
+        };
+        let (function, measure) = match word {
+            "sin" | "cos" | "tan" => {
+                plain(self, Dim::ANGLE)?;
+                let function = match word {
+                    "sin" => Unary::Sin,
+                    "cos" => Unary::Cos,
+                    _ => Unary::Tan,
+                };
+                (function, Measure::Of(Dim::NUMBER))
+            }
+            "asin" | "acos" | "atan" => {
+                plain(self, Dim::NUMBER)?;
+                let function = match word {
+                    "asin" => Unary::Asin,
+                    "acos" => Unary::Acos,
+                    _ => Unary::Atan,
+                };
+                (function, Measure::Of(Dim::ANGLE))
+            }
+            "exp" | "ln" => {
+                plain(self, Dim::NUMBER)?;
+                (if word == "exp" { Unary::Exp } else { Unary::Ln }, Measure::Of(Dim::NUMBER))
+            }
+            "abs" => (Unary::Abs, scalar.measure),
+            _ => match scalar.measure.power(3) {
+                Some(measure) => (Unary::Sqrt, measure),
+                None => return self.refuse(argument.range, Fact::PowerOfDimension { base: scalar.measure.settled() }),
+            },
+        };
+        Some(Scalar { expr: self.arena.unary(function, scalar.expr), measure })
+    }
+
+    fn of_two(&mut self, range: Range, word: &str, arguments: &[ast::Expr], scope: &Scope) -> Option<Scalar> {
+        let (one, two) = (self.scalar(&arguments[0], scope), self.scalar(&arguments[1], scope));
+        let (one, two) = (one?, two?);
+        let Some(measure) = one.measure.common(two.measure) else {
+            return self.refuse(range, Fact::Unlike { action: "compare", one: one.measure.settled(), two: two.measure.settled() });
+        };
+        Some(match word {
+            "min" => Scalar { expr: self.arena.select(one.expr, two.expr, one.expr, two.expr), measure },
+            "max" => Scalar { expr: self.arena.select(one.expr, two.expr, two.expr, one.expr), measure },
+            _ => Scalar { expr: self.arena.binary(crate::expr::Binary::Atan2, one.expr, two.expr), measure: Measure::Of(Dim::ANGLE) },
+        })
+    }
+
+    /// a·b, and the third component of a × b.
+    fn product(&mut self, _range: Range, word: &str, arguments: &[ast::Expr], scope: &Scope) -> Option<Scalar> {
+        let (one, two) = (self.vector(&arguments[0], scope), self.vector(&arguments[1], scope));
+        let (one, two) = (one?, two?);
+        let measure = one.measure.times(two.measure);
+        let arena = &mut self.arena;
+        let expr = if word == "dot" {
+            let (xx, yy) = (arena.mul(one.x, two.x), arena.mul(one.y, two.y));
+            arena.add(xx, yy)
+        } else {
+            let (xy, yx) = (arena.mul(one.x, two.y), arena.mul(one.y, two.x));
+            arena.sub(xy, yx)
+        };
+        Some(Scalar { expr, measure })
+    }
+
+    fn of_vector(&mut self, word: &str, argument: &ast::Expr, scope: &Scope) -> Option<Value> {
+        let value = self.value(argument, scope)?;
+        if let ("unit" | "norm", Value::Axis(axis)) = (word, &value) {
+            // A rotation keeps lengths, so the length of an axis is that of its local coordinates.
+            let mut axis = *axis;
+            let [x, y] = axis.local;
+            let length = self.length(x, y);
+            if word == "norm" {
+                return Some(Value::Scalar(Scalar { expr: length, measure: axis.measure }));
+            }
+            axis.local = [self.arena.div(x, length), self.arena.div(y, length)];
+            axis.measure = Measure::Of(Dim::NUMBER);
+            return Some(Value::Axis(axis));
+        }
+        let noun = value.noun();
+        let Some(Vector { x, y, measure }) = self.as_vector(value) else {
+            return self.refuse(argument.range, Fact::NotA { wanted: "a vector or a point", found: noun });
+        };
+        Some(match word {
+            "perp" => Value::Vector(Vector { x: self.arena.neg(y), y: x, measure }),
+            "norm" => Value::Scalar(Scalar { expr: self.length(x, y), measure }),
+            "direction" => {
+                let expr = self.arena.binary(crate::expr::Binary::Atan2, y, x);
+                Value::Scalar(Scalar { expr, measure: Measure::Of(Dim::ANGLE) })
+            }
+            _ => {
+                let length = self.length(x, y);
+                let [x, y] = [self.arena.div(x, length), self.arena.div(y, length)];
+                Value::Vector(Vector { x, y, measure: Measure::Of(Dim::NUMBER) })
+            }
+        })
+    }
+
+    fn length(&mut self, x: Expr, y: Expr) -> Expr {
+        let (xx, yy) = (self.arena.mul(x, x), self.arena.mul(y, y));
+        let sum = self.arena.add(xx, yy);
+        self.arena.sqrt(sum)
+    }
+
+    /// The function behind a Rust path, the same number each time it is named.
+    pub(super) fn rust_function(&mut self, path: &ast::Path, from: Measure, to: Measure) -> Function {
+        let written = path.tokens.to_string();
+        let known = self.functions.iter().position(|known| matches!(known, Numbered::Rust(tokens) if tokens.to_string() == written));
+        let number = known.unwrap_or_else(|| {
+            self.functions.push(Numbered::Rust(path.tokens.clone()));
+            self.functions.len() - 1
+        });
+        Function::Numbered { number: number as u32, from, to }
+    }
+
+    /// The value of a function at an argument.
+    fn apply(&mut self, range: Range, path: &ast::Path, function: &Function, arguments: &[ast::Expr], scope: &Scope) -> Option<Scalar> {
+        let [argument] = arguments else {
+            let name = path.last.to_string();
+            return self.refuse(path.range, Fact::FunctionArity { name, wanted: 1, found: arguments.len() });
+        };
+        let value = self.scalar(argument, scope)?;
+        let accepts = |this: &mut Self, from: Measure| match from {
+            Measure::Of(wanted) if !value.measure.fits(wanted) => {
+                this.refuse(argument.range, Fact::WrongDimension { wanted, found: value.measure.settled() })
+            }
+            _ => Some(()),
+        };
+        match function {
+            Function::Numbered { number, from, to } => {
+                accepts(self, *from)?;
+                Some(Scalar { expr: self.arena.call(*number, 0, value.expr), measure: *to })
+            }
+            Function::Written(written) => {
+                let from = self.dimension(&written.from)?;
+                accepts(self, Measure::Of(from))?;
+                self.written(range, written, Scalar { measure: Measure::Of(from), ..value })
+            }
+        }
+    }
+
+    /// The body of a function written in the language, at an argument.
+    fn written(&mut self, range: Range, function: &Rc<ast::Function>, argument: Scalar) -> Option<Scalar> {
+        let name = function.name.to_string();
+        if self.names.open_functions.contains(&name) {
+            return self.refuse(range, Fact::Recursion { name });
+        }
+        let to = self.dimension(&function.to)?;
+        // A function sees the parameters and other functions of its mechanism, and its argument.
+        let mut inner = Scope::mechanism().timeless("a function of one variable");
+        if let Some(formal) = &function.argument {
+            inner.bound.push((formal.to_string(), Value::Scalar(argument)));
+        }
+        self.names.open_functions.push(name);
+        let value = self.scalar_of(&function.value, to, &inner);
+        self.names.open_functions.pop();
+        value
+    }
+
+    pub(super) fn is_library_function(&self, name: &Ident) -> bool {
+        library::functions().any(|known| name == known)
+    }
+
+    pub(super) fn library_function(&mut self, name: &Ident) -> Option<Function> {
+        library::function(&name.to_string()).map(Function::Written)
+    }
+
+    /// `table(x, [(x0, y0), …], periodic)`
+    fn table(&mut self, range: Range, name: &Ident, arguments: &[ast::Expr], scope: &Scope) -> Option<Scalar> {
+        let (x, points, ends) = match arguments {
+            [x, points] => (x, points, Ends::Linear),
+            [x, points, ends] => (x, points, self.ends(ends)?),
+            _ => return self.refuse(name, Fact::TableArity { found: arguments.len() }),
+        };
+        let ExprKind::List(items) = &points.kind else {
+            return self.refuse(points.range, Fact::TableNeedsList);
+        };
+        let argument = self.scalar(x, scope)?;
+        let (mut from, mut to) = (argument.measure, Measure::Flexible);
+        let mut pairs: Vec<(f64, f64)> = Vec::new();
+        for item in items {
+            let ExprKind::Tuple(pair) = &item.kind else {
+                return self.refuse(item.range, Fact::TableNeedsPairs);
+            };
+            let [at, value] = pair.as_slice() else {
+                return self.refuse(item.range, Fact::TableNeedsPairs);
+            };
+            let at_number = self.table_entry(at, &mut from, scope)?;
+            let value_number = self.table_entry(value, &mut to, scope)?;
+            if pairs.last().is_some_and(|last| last.0 >= at_number) {
+                return self.refuse(at.range, Fact::TableNotIncreasing);
+            }
+            pairs.push((at_number, value_number));
+        }
+        if pairs.len() < 2 {
+            return self.refuse(points.range, Fact::TableTooShort { found: pairs.len() });
+        }
+        if ends == Ends::Periodic && pairs[0].1 != pairs[pairs.len() - 1].1 {
+            return self.refuse(range, Fact::TableNotPeriodic { first: pairs[0].1, last: pairs[pairs.len() - 1].1 });
+        }
+        let table = Numbered::Table(Table::through(&pairs, ends));
+        let same = |known: &Numbered| matches!((known, &table), (Numbered::Table(one), Numbered::Table(two)) if one == two);
+        let number = self.functions.iter().position(same).unwrap_or_else(|| {
+            self.functions.push(table.clone());
+            self.functions.len() - 1
+        });
+        Some(Scalar { expr: self.arena.call(number as u32, 0, argument.expr), measure: to })
+    }
+
+    fn ends(&mut self, expr: &ast::Expr) -> Option<Ends> {
+        let word = match &expr.kind {
+            ExprKind::Path(path) => path.tokens.to_string(),
+            _ => String::new(),
+        };
+        match word.as_str() {
+            "periodic" => Some(Ends::Periodic),
+            "linear" => Some(Ends::Linear),
+            "hold" => Some(Ends::Hold),
+            _ => self.refuse(expr.range, Fact::TableEnds),
+        }
+    }
+
+    /// One constant of a table; all of a column measure the same.
+    fn table_entry(&mut self, entry: &ast::Expr, column: &mut Measure, scope: &Scope) -> Option<f64> {
+        let scalar = self.scalar(entry, scope)?;
+        let Some(common) = column.common(scalar.measure) else {
+            return self.refuse(entry.range, Fact::WrongDimension { wanted: column.settled(), found: scalar.measure.settled() });
+        };
+        *column = common;
+        match self.arena.as_constant(scalar.expr) {
+            Some(value) => Some(value.to_f64()),
+            None => self.refuse(entry.range, Fact::NotConstant { place: "a table" }),
+        }
+    }
+}

@@ -1,0 +1,226 @@
+//! What a number measures: products of powers of length, angle, time and mass.
+
+use std::fmt;
+
+/// Exponents are kept in sixths, so that square and cube roots stay exact.
+const WHOLE: i16 = 6;
+
+/// A product of powers of length (m), angle (rad), time (s) and mass (kg).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+pub struct Dim {
+    /// Exponents of metre, radian, second and kilogram, in sixths.
+    sixths: [i16; 4],
+}
+
+/// Names a user may write, with whole exponents of m, rad, s, kg.
+const NAMED: &[(&str, [i16; 4])] = &[
+    ("Number", [0, 0, 0, 0]),
+    ("Length", [1, 0, 0, 0]),
+    ("Angle", [0, 1, 0, 0]),
+    ("Time", [0, 0, 1, 0]),
+    ("Mass", [0, 0, 0, 1]),
+    ("Area", [2, 0, 0, 0]),
+    ("Velocity", [1, 0, -1, 0]),
+    ("Acceleration", [1, 0, -2, 0]),
+    ("AngularVelocity", [0, 1, -1, 0]),
+    ("AngularAcceleration", [0, 1, -2, 0]),
+    ("Frequency", [0, 0, -1, 0]),
+    ("Force", [1, 0, -2, 1]),
+    ("Torque", [2, 0, -2, 1]),
+    ("Inertia", [2, 0, 0, 1]),
+    ("Stiffness", [0, 0, -2, 1]),
+];
+
+const UNITS: [&str; 4] = ["m", "rad", "s", "kg"];
+
+impl Dim {
+    /// A pure number.
+    pub(crate) const NUMBER: Dim = Dim::new(0, 0, 0, 0);
+    /// Metres.
+    pub(crate) const LENGTH: Dim = Dim::new(1, 0, 0, 0);
+    /// Radians.
+    pub(crate) const ANGLE: Dim = Dim::new(0, 1, 0, 0);
+    /// Seconds.
+    pub(crate) const TIME: Dim = Dim::new(0, 0, 1, 0);
+
+    /// From whole exponents of metre, radian, second and kilogram.
+    pub(crate) const fn new(length: i16, angle: i16, time: i16, mass: i16) -> Dim {
+        Dim { sixths: [length * WHOLE, angle * WHOLE, time * WHOLE, mass * WHOLE] }
+    }
+
+    /// The dimension of this name.
+    pub(crate) fn named(name: &str) -> Option<Dim> {
+        NAMED.iter().find(|(known, _)| *known == name).map(|(_, [l, a, t, m])| Dim::new(*l, *a, *t, *m))
+    }
+
+    /// All names, for suggestions.
+    pub(crate) fn names<'a>() -> impl Iterator<Item = &'a str> {
+        NAMED.iter().map(|(name, _)| *name)
+    }
+
+    /// The dimension of a product.
+    pub(crate) fn times(self, other: Dim) -> Dim {
+        self.zip(other, i16::saturating_add)
+    }
+
+    /// The dimension of a quotient.
+    pub(crate) fn per(self, other: Dim) -> Dim {
+        self.zip(other, i16::saturating_sub)
+    }
+
+    /// The dimension of a power with exponent `sixths / 6`, if its exponents are sixths again.
+    pub(crate) fn power(self, sixths: i16) -> Option<Dim> {
+        let mut result = self;
+        for exponent in &mut result.sixths {
+            let product = i32::from(*exponent) * i32::from(sixths);
+            if product % i32::from(WHOLE) != 0 {
+                return None;
+            }
+            *exponent = i16::try_from(product / i32::from(WHOLE)).ok()?;
+        }
+        Some(result)
+    }
+
+    /// The same without its radians.
+    pub(crate) fn without_angle(self) -> Dim {
+        let [length, _, time, mass] = self.sixths;
+        Dim { sixths: [length, 0, time, mass] }
+    }
+
+    /// Has no dimension but perhaps radians.
+    pub(crate) fn is_plain(self) -> bool {
+        self.without_angle() == Dim::NUMBER
+    }
+
+    /// Radians aside, both measure the same.
+    pub(crate) fn agrees(self, other: Dim) -> bool {
+        self.without_angle() == other.without_angle()
+    }
+
+    fn zip(self, other: Dim, combine: fn(i16, i16) -> i16) -> Dim {
+        let mut result = self;
+        for (mine, theirs) in result.sixths.iter_mut().zip(other.sixths) {
+            *mine = combine(*mine, theirs);
+        }
+        result
+    }
+
+    /// The SI unit: `m`, `rad/s`, `m²`; empty for a pure number.
+    pub fn unit(self) -> String {
+        let factor = |unit: &str, sixths: i16| {
+            let exponent = sixths.abs();
+            match (exponent % WHOLE, exponent / WHOLE) {
+                (0, 1) => unit.to_owned(),
+                (0, 2) => format!("{unit}²"),
+                (0, 3) => format!("{unit}³"),
+                (0, whole) => format!("{unit}^{whole}"),
+                _ => format!("{unit}^({exponent}/6)"),
+            }
+        };
+        let part = |positive: bool| {
+            let factors = self.sixths.iter().zip(UNITS).filter(|(sixths, _)| **sixths != 0 && (**sixths > 0) == positive);
+            factors.map(|(sixths, unit)| factor(unit, *sixths)).collect::<Vec<_>>()
+        };
+        let (above, below) = (part(true), part(false));
+        match (above.is_empty(), below.len()) {
+            (_, 0) => above.join("·"),
+            (true, 1) => format!("1/{}", below[0]),
+            (false, 1) => format!("{}/{}", above.join("·"), below[0]),
+            (true, _) => format!("1/({})", below.join("·")),
+            (false, _) => format!("{}/({})", above.join("·"), below.join("·")),
+        }
+    }
+}
+
+impl fmt::Display for Dim {
+    /// `a length (m)`, `a pure number`, `a quantity in m²/s`.
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        let name = NAMED.iter().find(|(name, _)| Dim::named(name) == Some(*self)).map(|(name, _)| *name);
+        let words = match name {
+            Some("Number") => return write!(formatter, "a pure number"),
+            Some("Angle") => "an angle",
+            Some("Area") => "an area",
+            Some("Acceleration") => "an acceleration",
+            Some("AngularVelocity") => "an angular velocity",
+            Some("AngularAcceleration") => "an angular acceleration",
+            Some("Inertia") => "an inertia",
+            Some(other) => return write!(formatter, "a {} ({})", other.to_lowercase(), self.unit()),
+            None => return write!(formatter, "a quantity in {}", self.unit()),
+        };
+        write!(formatter, "{words} ({})", self.unit())
+    }
+}
+
+/// What a number measures, as far as it is known: a bare number takes what its place asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Measure {
+    /// Whatever is asked for.
+    Flexible,
+    /// This.
+    Of(Dim),
+}
+
+impl Measure {
+    /// What it measures when no place asks for anything.
+    pub(crate) fn settled(self) -> Dim {
+        match self {
+            Measure::Flexible => Dim::NUMBER,
+            Measure::Of(dim) => dim,
+        }
+    }
+
+    /// The common measure of two numbers that are added or compared.
+    pub(crate) fn common(self, other: Measure) -> Option<Measure> {
+        match (self, other) {
+            (Measure::Flexible, measure) | (measure, Measure::Flexible) => Some(measure),
+            (Measure::Of(one), Measure::Of(two)) if one == two => Some(self),
+            // Radians matter only where there is nothing else: an arc is a length.
+            (Measure::Of(one), Measure::Of(two)) if one.agrees(two) => {
+                Some(Measure::Of(if one.is_plain() { Dim::ANGLE } else { one.without_angle() }))
+            }
+            _ => None,
+        }
+    }
+
+    /// A number of this measure may stand where `wanted` is asked for.
+    ///
+    /// A ratio of lengths may stand for an angle (an arc over its radius); an angle is no ratio.
+    pub(crate) fn fits(self, wanted: Dim) -> bool {
+        match self {
+            Measure::Flexible => true,
+            Measure::Of(found) if found == wanted => true,
+            Measure::Of(found) => found.agrees(wanted) && !(found.is_plain() && wanted == Dim::NUMBER),
+        }
+    }
+
+    /// The measure of a product.
+    pub(crate) fn times(self, other: Measure) -> Measure {
+        match (self, other) {
+            (Measure::Flexible, measure) | (measure, Measure::Flexible) => measure,
+            (Measure::Of(one), Measure::Of(two)) => Measure::Of(one.times(two)),
+        }
+    }
+
+    /// The measure of a quotient.
+    pub(crate) fn per(self, other: Measure) -> Measure {
+        match (self, other) {
+            (measure, Measure::Flexible) => measure,
+            (Measure::Flexible, Measure::Of(dim)) => Measure::Of(Dim::NUMBER.per(dim)),
+            (Measure::Of(one), Measure::Of(two)) => Measure::Of(one.per(two)),
+        }
+    }
+
+    /// The measure of a power with exponent `sixths / 6`.
+    pub(crate) fn power(self, sixths: i16) -> Option<Measure> {
+        match self {
+            Measure::Flexible => Some(Measure::Flexible),
+            Measure::Of(dim) => dim.power(sixths).map(Measure::Of),
+        }
+    }
+}
+
+impl fmt::Display for Measure {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        self.settled().fmt(formatter)
+    }
+}

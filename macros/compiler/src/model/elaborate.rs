@@ -1,0 +1,414 @@
+//! Expressions: from the tree to values in the arena, with dimensions checked on the way.
+
+use super::dimension::{Dim, Measure};
+use super::resolve::Names;
+use super::suggest::nearest;
+use super::unit;
+use super::value::{Fixed, FrameId, Scalar, Value, Vector};
+use super::{Function as Numbered, Requirement};
+use crate::diag::{Diag, Fact, Range};
+use crate::expr::{Arena, Exact, Expr, Leaf};
+use crate::syntax::ast::{self, ExprKind, Operator, Relation};
+use proc_macro2::Ident;
+
+/// Everything that is built while a mechanism or a definition is resolved.
+pub(crate) struct Elaborator<'a> {
+    pub(super) arena: Arena,
+    pub(super) diag: &'a mut Diag,
+    pub(super) names: Names,
+    pub(super) functions: Vec<Numbered>,
+    pub(super) requirements: Vec<Requirement>,
+    /// Where each requirement is to be blamed.
+    pub(super) requirement_places: Vec<Range>,
+    /// The definition being instantiated and the token to blame for what goes wrong in it.
+    pub(super) blame: Option<(Range, String)>,
+}
+
+/// What names mean where an expression stands.
+#[derive(Clone, Default)]
+pub(super) struct Scope {
+    /// Names bound here, innermost last.
+    pub(super) bound: Vec<(String, Value)>,
+    /// Names of the mechanism are visible.
+    pub(super) is_mechanism: bool,
+    /// Why `t` may not be used here, if it may not.
+    pub(super) timeless: Option<&'static str>,
+}
+
+impl Scope {
+    /// Where everything declared in the mechanism is visible.
+    pub(super) fn mechanism() -> Scope {
+        Scope { is_mechanism: true, ..Scope::default() }
+    }
+
+    /// The same, but `t` is refused.
+    pub(super) fn timeless(mut self, place: &'static str) -> Scope {
+        self.timeless = Some(place);
+        self
+    }
+
+    fn bound(&self, name: &Ident) -> Option<&Value> {
+        self.bound.iter().rev().find(|(known, _)| name == known).map(|(_, value)| value)
+    }
+}
+
+impl Elaborator<'_> {
+    /// Takes note of a refusal. Inside a definition that is being instantiated the place to blame
+    /// is the joint that uses it.
+    pub(super) fn refuse<T>(&mut self, range: impl Into<Range>, fact: Fact) -> Option<T> {
+        match self.blame.clone() {
+            None => self.diag.refuse(range, fact),
+            Some((place, definition)) => self.diag.refuse(place, Fact::InDefinition { definition, fact: Box::new(fact) }),
+        }
+    }
+
+    /// The value of any expression.
+    pub(super) fn value(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Value> {
+        match &expr.kind {
+            ExprKind::Number { digits, unit } => self.number(expr.range, digits, unit).map(Value::Scalar),
+            ExprKind::Path(path) => self.named(path, scope),
+            ExprKind::Field(value, field) => self.field(value, field, scope),
+            ExprKind::Call(path, arguments) => self.call(expr.range, path, arguments, scope),
+            ExprKind::Negative(value) => self.negative(value, scope),
+            ExprKind::Binary(operator, lhs, rhs) => self.binary(expr.range, *operator, lhs, rhs, scope),
+            ExprKind::Tuple(items) => self.tuple(expr.range, items, scope).map(Value::Vector),
+            ExprKind::List(_) => self.refuse(expr.range, Fact::ListOutsideTable),
+            ExprKind::If { lhs, relation, rhs, then, otherwise } => self.choice(expr.range, (lhs, *relation, rhs), (then, otherwise), scope),
+        }
+    }
+
+    /// A number, or a refusal.
+    pub(super) fn scalar(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Scalar> {
+        match self.value(expr, scope)? {
+            Value::Scalar(scalar) => Some(scalar),
+            other => self.refuse(expr.range, Fact::NotA { wanted: "a number", found: other.noun() }),
+        }
+    }
+
+    /// A number that measures what its place asks for.
+    pub(super) fn scalar_of(&mut self, expr: &ast::Expr, wanted: Dim, scope: &Scope) -> Option<Scalar> {
+        let scalar = self.scalar(expr, scope)?;
+        if !scalar.measure.fits(wanted) {
+            return self.refuse(expr.range, Fact::WrongDimension { wanted, found: scalar.measure.settled() });
+        }
+        Some(Scalar { measure: Measure::Of(wanted), ..scalar })
+    }
+
+    /// A vector in ground; a point counts as its position and an axis as its direction.
+    pub(super) fn vector(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Vector> {
+        let value = self.value(expr, scope)?;
+        let noun = value.noun();
+        match self.as_vector(value) {
+            Some(vector) => Some(vector),
+            None => self.refuse(expr.range, Fact::NotA { wanted: "a vector or a point", found: noun }),
+        }
+    }
+
+    /// The vector that a value stands for where one is asked for.
+    pub(super) fn as_vector(&mut self, value: Value) -> Option<Vector> {
+        match value {
+            Value::Vector(vector) => Some(vector),
+            Value::Point(point) => Some(self.place(point)),
+            Value::Axis(axis) => Some(self.direction(axis)),
+            _ => None,
+        }
+    }
+
+    /// r_P = r + A(φ) s'
+    fn place(&mut self, point: Fixed) -> Vector {
+        let turned = self.direction(point);
+        let Some([x, y, _]) = self.names.frames[point.frame.0].coordinates else { return turned };
+        Vector { x: self.arena.add(x, turned.x), y: self.arena.add(y, turned.y), measure: point.measure }
+    }
+
+    /// A(φ) s', A = [cos −sin; sin cos]
+    fn direction(&mut self, axis: Fixed) -> Vector {
+        let [sx, sy] = axis.local;
+        let Some([_, _, angle]) = self.names.frames[axis.frame.0].coordinates else {
+            return Vector { x: sx, y: sy, measure: axis.measure };
+        };
+        let arena = &mut self.arena;
+        let (sine, cosine) = (arena.sin(angle), arena.cos(angle));
+        let (cx, sy_) = (arena.mul(cosine, sx), arena.mul(sine, sy));
+        let (sx_, cy) = (arena.mul(sine, sx), arena.mul(cosine, sy));
+        Vector { x: arena.sub(cx, sy_), y: arena.add(sx_, cy), measure: axis.measure }
+    }
+
+    fn number(&mut self, range: Range, digits: &str, unit: &str) -> Option<Scalar> {
+        let Some(value) = Exact::decimal(digits) else {
+            return self.refuse(range, Fact::NumberTooLong { digits: digits.to_owned() });
+        };
+        if unit.is_empty() {
+            return Some(Scalar { expr: self.arena.constant(value), measure: Measure::Flexible });
+        }
+        let Some((size, dim)) = unit::lookup(unit) else {
+            let near = nearest(unit, unit::names());
+            return self.refuse(range, Fact::UnknownUnit { name: unit.to_owned(), near });
+        };
+        let Some(value) = value.checked_mul(size) else {
+            return self.refuse(range, Fact::NumberTooLong { digits: digits.to_owned() });
+        };
+        Some(Scalar { expr: self.arena.constant(value), measure: Measure::Of(dim) })
+    }
+
+    fn named(&mut self, path: &ast::Path, scope: &Scope) -> Option<Value> {
+        let Some(name) = &path.name else {
+            // A path can only be a Rust function; its dimensions follow from where it is used.
+            return Some(Value::Function(self.rust_function(path, Measure::Flexible, Measure::Flexible)));
+        };
+        if let Some(value) = scope.bound(name) {
+            return Some(value.clone());
+        }
+        if name == "pi" {
+            return Some(Value::Scalar(Scalar { expr: self.arena.constant(Exact::PI), measure: Measure::Flexible }));
+        }
+        if scope.is_mechanism {
+            if name == "t" {
+                return self.time(path.range, scope);
+            }
+            if name == "ground" {
+                return Some(Value::Body(FrameId::GROUND));
+            }
+            if self.names.is_known(name) {
+                return self.declared(name);
+            }
+        } else if name == "ground" {
+            return Some(Value::Body(FrameId::GROUND));
+        }
+        if self.is_library_function(name) {
+            return self.library_function(name).map(Value::Function);
+        }
+        let near = self.similar(name, scope);
+        self.refuse(path.range, Fact::UnknownName { name: name.to_string(), near })
+    }
+
+    fn time(&mut self, range: Range, scope: &Scope) -> Option<Value> {
+        if let Some(place) = scope.timeless {
+            return self.refuse(range, Fact::TimeIn { place });
+        }
+        Some(Value::Scalar(Scalar { expr: self.arena.leaf(Leaf::Time), measure: Measure::Of(Dim::TIME) }))
+    }
+
+    /// The known name nearest to a mistyped one.
+    fn similar(&self, name: &Ident, scope: &Scope) -> Option<String> {
+        let own = if scope.is_mechanism { self.names.all() } else { Vec::new() };
+        let bound = scope.bound.iter().map(|(known, _)| known.as_str());
+        let fixed = ["t", "pi", "ground"].into_iter().filter(|_| name.to_string().len() > 1);
+        nearest(&name.to_string(), bound.chain(own.iter().map(String::as_str)).chain(fixed))
+    }
+
+    fn field(&mut self, owner: &ast::Expr, field: &Ident, scope: &Scope) -> Option<Value> {
+        let value = self.value(owner, scope)?;
+        let name = field.to_string();
+        match (&value, name.as_str()) {
+            (Value::Body(frame), _) => return self.body_field(*frame, field),
+            (Value::Point(fixed) | Value::Axis(fixed), "body") => return Some(Value::Body(fixed.frame)),
+            (Value::Joint { kind, arguments }, _) => {
+                if let Some((_, argument)) = arguments.iter().find(|(known, _)| *known == name) {
+                    return Some(argument.clone());
+                }
+                let near = nearest(&name, arguments.iter().map(|(known, _)| known.as_str()));
+                return self.refuse(field, Fact::UnknownField { owner: format!("a `{kind}` joint"), name, near });
+            }
+            (_, "x" | "y") => {}
+            _ => return self.refuse(field, Fact::UnknownField { owner: value.noun().to_owned(), name, near: None }),
+        }
+        let noun = value.noun();
+        let Some(vector) = self.as_vector(value) else {
+            return self.refuse(field, Fact::UnknownField { owner: noun.to_owned(), name, near: None });
+        };
+        let expr = if name == "x" { vector.x } else { vector.y };
+        Some(Value::Scalar(Scalar { expr, measure: vector.measure }))
+    }
+
+    fn body_field(&mut self, frame: FrameId, field: &Ident) -> Option<Value> {
+        let zero = self.arena.integer(0);
+        let [x, y, angle] = self.names.frames[frame.0].coordinates.unwrap_or([zero; 3]);
+        let length = Measure::Of(Dim::LENGTH);
+        let name = field.to_string();
+        match name.as_str() {
+            "angle" => Some(Value::Scalar(Scalar { expr: angle, measure: Measure::Of(Dim::ANGLE) })),
+            "x" => Some(Value::Scalar(Scalar { expr: x, measure: length })),
+            "y" => Some(Value::Scalar(Scalar { expr: y, measure: length })),
+            "position" => Some(Value::Point(Fixed { frame, local: [zero; 2], measure: length })),
+            _ if self.names.frames[frame.0].marks.contains_key(&name) => self.mark(frame, &name),
+            _ => {
+                let known = self.names.frames[frame.0].order.iter().map(String::as_str);
+                let near = nearest(&name, known.chain(["angle", "position"]));
+                let owner = format!("`{}`", self.names.frames[frame.0].name);
+                self.refuse(field, Fact::UnknownField { owner, name, near })
+            }
+        }
+    }
+
+    fn negative(&mut self, value: &ast::Expr, scope: &Scope) -> Option<Value> {
+        let inner = self.value(value, scope)?;
+        if let Value::Scalar(scalar) = inner {
+            return Some(Value::Scalar(Scalar { expr: self.arena.neg(scalar.expr), ..scalar }));
+        }
+        let noun = inner.noun();
+        match self.as_vector(inner) {
+            Some(Vector { x, y, measure }) => Some(Value::Vector(Vector { x: self.arena.neg(x), y: self.arena.neg(y), measure })),
+            None => self.refuse(value.range, Fact::NotA { wanted: "a number or a vector", found: noun }),
+        }
+    }
+
+    fn tuple(&mut self, range: Range, items: &[ast::Expr], scope: &Scope) -> Option<Vector> {
+        let [x, y] = items else {
+            return self.refuse(range, Fact::NotTwoComponents { found: items.len() });
+        };
+        let (x, y) = (self.scalar(x, scope), self.scalar(y, scope));
+        let (x, y) = (x?, y?);
+        match x.measure.common(y.measure) {
+            Some(measure) => Some(Vector { x: x.expr, y: y.expr, measure }),
+            None => self.refuse(range, Fact::Unlike { action: "make one vector of", one: x.measure.settled(), two: y.measure.settled() }),
+        }
+    }
+
+    fn binary(&mut self, range: Range, operator: Operator, lhs: &ast::Expr, rhs: &ast::Expr, scope: &Scope) -> Option<Value> {
+        if operator == Operator::Power {
+            return self.power(range, lhs, rhs, scope).map(Value::Scalar);
+        }
+        let (left, right) = (self.value(lhs, scope), self.value(rhs, scope));
+        let (left, right) = (left?, right?);
+        match (left, right) {
+            (Value::Scalar(one), Value::Scalar(two)) => self.combine(range, operator, one, two).map(Value::Scalar),
+            (left, right) => self.combine_vectors(range, operator, (lhs, left), (rhs, right)),
+        }
+    }
+
+    fn combine(&mut self, range: Range, operator: Operator, one: Scalar, two: Scalar) -> Option<Scalar> {
+        let (expr, measure) = match operator {
+            Operator::Mul => (self.arena.mul(one.expr, two.expr), one.measure.times(two.measure)),
+            Operator::Div => {
+                if self.arena.as_constant(two.expr).is_some_and(|value| value.is_zero()) {
+                    return self.refuse(range, Fact::DivisionByZero);
+                }
+                (self.arena.div(one.expr, two.expr), one.measure.per(two.measure))
+            }
+            Operator::Add | Operator::Sub | Operator::Power => {
+                let Some(measure) = one.measure.common(two.measure) else {
+                    let action = if operator == Operator::Add { "add" } else { "subtract" };
+                    return self.refuse(range, Fact::Unlike { action, one: one.measure.settled(), two: two.measure.settled() });
+                };
+                let expr = if operator == Operator::Add { self.arena.add(one.expr, two.expr) } else { self.arena.sub(one.expr, two.expr) };
+                (expr, measure)
+            }
+        };
+        Some(Scalar { expr, measure })
+    }
+
+    /// Vectors are added to vectors, and multiplied or divided by numbers.
+    fn combine_vectors(&mut self, range: Range, operator: Operator, left: (&ast::Expr, Value), right: (&ast::Expr, Value)) -> Option<Value> {
+        if let (Operator::Mul, Value::Scalar(_)) = (operator, &left.1) {
+            return self.combine_vectors(range, operator, right, left);
+        }
+        let noun = left.1.noun();
+        let Some(one) = self.as_vector(left.1) else {
+            return self.refuse(left.0.range, Fact::NotA { wanted: "a number or a vector", found: noun });
+        };
+        if let Value::Scalar(factor) = right.1 {
+            if matches!(operator, Operator::Add | Operator::Sub) {
+                return self.refuse(range, Fact::VectorAndNumber);
+            }
+            let part = |expr, measure| Scalar { expr, measure };
+            let x = self.combine(range, operator, part(one.x, one.measure), factor)?;
+            let y = self.combine(range, operator, part(one.y, one.measure), factor)?;
+            return Some(Value::Vector(Vector { x: x.expr, y: y.expr, measure: x.measure }));
+        }
+        let noun = right.1.noun();
+        let Some(two) = self.as_vector(right.1) else {
+            return self.refuse(right.0.range, Fact::NotA { wanted: "a number or a vector", found: noun });
+        };
+        if !matches!(operator, Operator::Add | Operator::Sub) {
+            return self.refuse(range, Fact::VectorTimesVector);
+        }
+        let parts = |vector: Vector| [vector.x, vector.y].map(|expr| Scalar { expr, measure: vector.measure });
+        let ([x1, y1], [x2, y2]) = (parts(one), parts(two));
+        let x = self.combine(range, operator, x1, x2)?;
+        let y = self.combine(range, operator, y1, y2)?;
+        Some(Value::Vector(Vector { x: x.expr, y: y.expr, measure: x.measure }))
+    }
+
+    /// Whole powers are multiplications, halves are square roots of them, others exponentials.
+    fn power(&mut self, range: Range, base: &ast::Expr, exponent: &ast::Expr, scope: &Scope) -> Option<Scalar> {
+        let (one, two) = (self.scalar(base, scope), self.scalar(exponent, scope));
+        let (one, two) = (one?, two?);
+        if !two.measure.fits(Dim::NUMBER) {
+            return self.refuse(exponent.range, Fact::WrongDimension { wanted: Dim::NUMBER, found: two.measure.settled() });
+        }
+        let sixths = self.arena.as_constant(two.expr).and_then(|value| value.checked_mul(Exact::integer(6))).map(Exact::to_f64);
+        let sixths = sixths.filter(|value| value.fract() == 0.0 && value.abs() <= 1200.0).map(|value| value as i16);
+        let Some(measure) = sixths.map_or((one.measure.settled() == Dim::NUMBER).then_some(one.measure), |n| one.measure.power(n)) else {
+            return self.refuse(range, Fact::PowerOfDimension { base: one.measure.settled() });
+        };
+        let expr = match sixths {
+            Some(sixths) if sixths % 6 == 0 => self.arena.power(one.expr, i32::from(sixths / 6)),
+            Some(sixths) if sixths % 3 == 0 => {
+                let root = self.arena.sqrt(one.expr);
+                self.arena.power(root, i32::from(sixths / 3))
+            }
+            _ => {
+                let logarithm = self.arena.unary(crate::expr::Unary::Ln, one.expr);
+                let product = self.arena.mul(two.expr, logarithm);
+                self.arena.unary(crate::expr::Unary::Exp, product)
+            }
+        };
+        Some(Scalar { expr, measure })
+    }
+
+    fn choice(
+        &mut self,
+        range: Range,
+        (lhs, relation, rhs): (&ast::Expr, Relation, &ast::Expr),
+        (then, otherwise): (&ast::Expr, &ast::Expr),
+        scope: &Scope,
+    ) -> Option<Value> {
+        let (left, right) = (self.scalar(lhs, scope), self.scalar(rhs, scope));
+        let (yes, no) = (self.scalar(then, scope), self.scalar(otherwise, scope));
+        let (left, right, yes, no) = (left?, right?, yes?, no?);
+        if left.measure.common(right.measure).is_none() {
+            let (one, two) = (left.measure.settled(), right.measure.settled());
+            return self.refuse(lhs.range.to(rhs.range), Fact::Unlike { action: "compare", one, two });
+        }
+        let Some(measure) = yes.measure.common(no.measure) else {
+            return self.refuse(range, Fact::Unlike { action: "choose between", one: yes.measure.settled(), two: no.measure.settled() });
+        };
+        let (l, r, y, n) = (left.expr, right.expr, yes.expr, no.expr);
+        let expr = match relation {
+            Relation::Less => self.arena.select(l, r, y, n),
+            Relation::Greater => self.arena.select(r, l, y, n),
+            Relation::LessOrEqual => self.arena.select(r, l, n, y),
+            Relation::GreaterOrEqual => self.arena.select(l, r, n, y),
+            Relation::Equal | Relation::Different => return self.refuse(lhs.range.to(rhs.range), Fact::EqualityInChoice),
+        };
+        Some(Value::Scalar(Scalar { expr, measure }))
+    }
+
+    /// Left minus right side of an equation, one residual for a number, two for a vector.
+    pub(super) fn residuals(&mut self, lhs: &ast::Expr, rhs: &ast::Expr, scope: &Scope) -> Option<Vec<Scalar>> {
+        let range = lhs.range.to(rhs.range);
+        let (left, right) = (self.value(lhs, scope), self.value(rhs, scope));
+        let (left, right) = (left?, right?);
+        if let (Value::Scalar(one), Value::Scalar(two)) = (&left, &right) {
+            let Some(measure) = one.measure.common(two.measure) else {
+                return self.refuse(range, Fact::Unlike { action: "equate", one: one.measure.settled(), two: two.measure.settled() });
+            };
+            return Some(vec![Scalar { expr: self.arena.sub(one.expr, two.expr), measure }]);
+        }
+        let nouns = (left.noun(), right.noun());
+        let (Some(one), Some(two)) = (self.as_vector(left), self.as_vector(right)) else {
+            return self.refuse(range, Fact::CannotEquate { one: nouns.0, two: nouns.1 });
+        };
+        let Some(measure) = one.measure.common(two.measure) else {
+            return self.refuse(range, Fact::Unlike { action: "equate", one: one.measure.settled(), two: two.measure.settled() });
+        };
+        let [x, y] = [self.arena.sub(one.x, two.x), self.arena.sub(one.y, two.y)];
+        Some([x, y].map(|expr| Scalar { expr, measure }).to_vec())
+    }
+
+    /// The expression depends on nothing that moves and not on time.
+    pub(super) fn is_fixed(&self, expr: Expr) -> bool {
+        self.arena.leaves(expr).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)))
+    }
+}

@@ -1,0 +1,153 @@
+//! From the tree of what was written to a model in which every name is an id and every quantity
+//! has a dimension.
+//!
+//! In: an [`ast::Mechanism`](crate::syntax::ast::Mechanism) and the definitions it uses. Out: a
+//! [`Model`], whose joints are lists of residuals in one arena. Not done here: derivatives.
+//!
+//! Items may stand in any order: parameters, `let`s and points are resolved when first asked for.
+
+mod builtin;
+mod definition;
+pub(crate) mod dimension;
+mod elaborate;
+mod instance;
+mod resolve;
+pub(crate) mod spline;
+pub(crate) mod suggest;
+pub(crate) mod unit;
+pub(crate) mod value;
+
+pub use dimension::Dim;
+pub use spline::{Ends, Table};
+
+use crate::expr::{Arena, Expr};
+use crate::syntax::ast::{Docs, Relation};
+use proc_macro2::{Ident, TokenStream};
+
+pub(crate) use definition::check as check_definition;
+pub(crate) use resolve::resolve;
+
+/// A mechanism in which nothing is only a name any more.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// All expressions.
+    pub arena: Arena,
+    /// Doc attributes of the generated struct.
+    pub docs: Docs,
+    /// `pub` and the like.
+    pub visibility: TokenStream,
+    /// Name of the generated struct.
+    pub name: Ident,
+    /// No `solve` is generated.
+    pub equations_only: bool,
+    /// The fields of the generated struct.
+    pub parameters: Vec<Parameter>,
+    /// The moving bodies, in the order declared.
+    pub bodies: Vec<Body>,
+    /// Local coordinates of all points, from which a characteristic length is taken.
+    pub lengths: Vec<Expr>,
+    /// Joints and drives, in the order declared.
+    pub joints: Vec<Joint>,
+    /// Named outputs, in the order declared.
+    pub outputs: Vec<Output>,
+    /// Functions that the arena knows by number.
+    pub functions: Vec<Function>,
+    /// Conditions on parameters.
+    pub requirements: Vec<Requirement>,
+}
+
+/// A field of the generated struct.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// Doc attributes of the field.
+    pub docs: Docs,
+    /// Its name.
+    pub name: Ident,
+    /// What it measures.
+    pub dim: Dim,
+    /// Its default, a constant.
+    pub default: Expr,
+}
+
+/// A moving body: a list of coordinates with a kind.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Doc attributes of the accessor.
+    pub docs: Docs,
+    /// Its name.
+    pub name: Ident,
+    /// Its coordinates, as numbered in the arena.
+    pub coordinates: Vec<Coordinate>,
+}
+
+/// One coordinate of a body.
+#[derive(Clone, Debug)]
+pub struct Coordinate {
+    /// `x`, `y`, `angle`.
+    pub name: &'static str,
+    /// What it measures: a length or an angle.
+    pub dim: Dim,
+    /// Its declared start value, a function of parameters.
+    pub start: Option<Expr>,
+}
+
+/// A joint or a drive: residuals that must vanish.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    /// Doc attributes, if any.
+    pub docs: Docs,
+    /// Its name.
+    pub name: Ident,
+    /// The constraint it is made of; `equation` if written inline.
+    pub kind: String,
+    /// Declared by `drive`.
+    pub is_drive: bool,
+    /// Left minus right side of each scalar equation.
+    pub residuals: Vec<Residual>,
+}
+
+/// Left minus right side of one scalar equation.
+#[derive(Clone, Copy, Debug)]
+pub struct Residual {
+    /// Its value.
+    pub expr: Expr,
+    /// Its dimension.
+    pub dim: Dim,
+}
+
+/// A named output.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// Doc attributes of the generated method.
+    pub docs: Docs,
+    /// Its name.
+    pub name: Ident,
+    /// One component for a number, two for a vector or a point.
+    pub components: Vec<Expr>,
+    /// What it measures.
+    pub dim: Dim,
+}
+
+/// A function of one variable with its first two derivatives.
+#[derive(Clone, Debug)]
+pub enum Function {
+    /// A Rust function, by its path as written.
+    Rust(TokenStream),
+    /// A cubic spline.
+    Table(Table),
+}
+
+/// A condition on parameters.
+#[derive(Clone, Debug)]
+pub struct Requirement {
+    /// Left side.
+    pub lhs: Expr,
+    /// How they must compare.
+    pub relation: Relation,
+    /// Right side.
+    pub rhs: Expr,
+    /// The joint that asks for it.
+    pub joint: String,
+    /// What to do instead.
+    pub why: String,
+}

@@ -1,0 +1,495 @@
+//! The items of a mechanism: registered by name first, resolved when asked for.
+
+use super::builtin::BUILTINS;
+use super::dimension::{Dim, Measure};
+use super::elaborate::{Elaborator, Scope};
+use super::suggest::nearest;
+use super::value::{Arguments, Fixed, FrameId, Function, Scalar, Value};
+use super::{Body, Coordinate, Joint, Model, Output, Parameter, Residual};
+use crate::diag::{Diag, Fact};
+use crate::expr::{Arena, Expr, Leaf};
+use crate::syntax::ast::{self, Definition, Item};
+use proc_macro2::Ident;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// Names that expressions give a meaning of their own.
+const RESERVED: &[&str] = &["t", "pi", "ground"];
+
+/// Names of generated functions, which an output may not have.
+const GENERATED: &[&str] = &[
+    "phi", "jacobian", "jacobian_entries", "nu", "gamma", "linearize", "solve", "solve_near", "solve_from", "sweep", "start", "validate",
+    "characteristic_length", "with_defaults", "cast", "clone", "default", "state",
+];
+
+/// How far an item has been resolved.
+#[derive(Clone)]
+enum Progress<T> {
+    Untouched,
+    Open,
+    Done(T),
+    /// It was refused; whoever needs it stays silent.
+    Failed,
+}
+
+/// What a name of the mechanism stands for.
+#[derive(Clone)]
+enum Entity {
+    Value(Option<Value>),
+    Let(Rc<ast::Let>, Progress<Value>),
+    Function(Rc<ast::Function>),
+    Joint(Rc<ast::Joint>, Progress<Arguments>),
+}
+
+/// A point or an axis, and how far it has been resolved.
+pub(super) struct Mark {
+    written: Rc<ast::Mark>,
+    progress: Progress<Value>,
+}
+
+/// A frame and what is fixed in it.
+pub(super) struct Frame {
+    pub(super) name: String,
+    /// x, y and angle; ground has none.
+    pub(super) coordinates: Option<[Expr; 3]>,
+    pub(super) marks: BTreeMap<String, Mark>,
+    /// Names of the marks as declared.
+    pub(super) order: Vec<String>,
+}
+
+/// All names of a mechanism.
+#[derive(Default)]
+pub(crate) struct Names {
+    pub(super) frames: Vec<Frame>,
+    pub(super) definitions: BTreeMap<String, Rc<Definition>>,
+    /// Functions whose bodies are being looked at, to stop recursion.
+    pub(super) open_functions: Vec<String>,
+    /// A definition is checked on its own, with bodies and numbers nothing is known of.
+    is_abstract: bool,
+    entities: BTreeMap<String, Entity>,
+    order: Vec<String>,
+}
+
+impl Names {
+    /// With ground as the only frame.
+    pub(super) fn new() -> Names {
+        let ground = Frame { name: "ground".into(), coordinates: None, marks: BTreeMap::new(), order: Vec::new() };
+        Names { frames: vec![ground], ..Names::default() }
+    }
+
+    /// For checking a definition on its own.
+    pub(super) fn abstract_() -> Names {
+        Names { is_abstract: true, ..Names::new() }
+    }
+
+    pub(super) fn is_abstract(&self) -> bool {
+        self.is_abstract
+    }
+
+    pub(super) fn is_known(&self, name: &Ident) -> bool {
+        self.entities.contains_key(&name.to_string())
+    }
+
+    /// Every declared name, in order.
+    pub(super) fn all(&self) -> Vec<String> {
+        self.order.clone()
+    }
+
+    /// The names of declared functions, in order.
+    pub(super) fn functions(&self) -> Vec<String> {
+        let is_function = |name: &&String| matches!(self.entities.get(*name), Some(Entity::Function(_)));
+        self.order.iter().filter(is_function).cloned().collect()
+    }
+}
+
+/// Resolves a whole mechanism; `definitions` are those its `use` items brought in.
+pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definition)>, diag: &mut Diag) -> Option<Model> {
+    let definitions = definitions.into_iter().map(|(name, definition)| (name, Rc::new(definition))).collect();
+    let mut work = Elaborator {
+        arena: Arena::new(),
+        diag,
+        names: Names { definitions, ..Names::new() },
+        functions: Vec::new(),
+        requirements: Vec::new(),
+        requirement_places: Vec::new(),
+        blame: None,
+    };
+    let parameters = work.register(tree);
+    let bodies = work.bodies(tree);
+    let lengths = work.marks();
+    work.unused_items(tree);
+    let joints = work.joints(tree);
+    let outputs = work.outputs(tree);
+    work.requirements_hold(&parameters);
+    let Elaborator { arena, functions, requirements, .. } = work;
+    let model = Model {
+        arena,
+        docs: tree.docs.clone(),
+        visibility: tree.visibility.clone(),
+        name: tree.name.clone(),
+        equations_only: tree.equations_only,
+        parameters,
+        bodies,
+        lengths,
+        joints,
+        outputs,
+        functions,
+        requirements,
+    };
+    diag.is_clean().then_some(model)
+}
+
+impl Elaborator<'_> {
+    /// Gives every item its name; parameters get their defaults.
+    fn register(&mut self, tree: &ast::Mechanism) -> Vec<Parameter> {
+        let mut parameters = Vec::new();
+        let mut has_ground = false;
+        for item in &tree.items {
+            match item {
+                Item::Parameter(parameter) => {
+                    let value = self.parameter(parameter, parameters.len() as u32);
+                    self.declare(&parameter.name, Entity::Value(value.as_ref().map(|value| Value::Scalar(value.0))));
+                    parameters.extend(value.map(|value| value.1));
+                }
+                Item::Let(binding) => self.declare(&binding.name, Entity::Let(Rc::new(binding.clone()), Progress::Untouched)),
+                Item::Function(function) => self.declare(&function.name, Entity::Function(Rc::new(function.clone()))),
+                Item::Ground(frame) => {
+                    if std::mem::replace(&mut has_ground, true) {
+                        self.diag.refuse::<()>(&frame.name, Fact::Duplicate { name: "ground".into() });
+                    }
+                    self.fill(FrameId::GROUND, frame);
+                }
+                Item::Body(frame) => {
+                    let id = self.new_frame(&frame.name.to_string());
+                    self.declare(&frame.name, Entity::Value(Some(Value::Body(id))));
+                    self.fill(id, frame);
+                }
+                Item::Joint(joint) => self.declare(&joint.name, Entity::Joint(Rc::new(joint.clone()), Progress::Untouched)),
+                Item::Use(_) | Item::Output(_) => {}
+            }
+        }
+        parameters
+    }
+
+    fn declare(&mut self, name: &Ident, entity: Entity) {
+        let word = name.to_string();
+        if RESERVED.contains(&word.as_str()) || BUILTINS.contains(&word.as_str()) {
+            self.diag.refuse::<()>(name, Fact::Reserved { name: word });
+        } else if self.names.entities.contains_key(&word) {
+            self.diag.refuse::<()>(name, Fact::Duplicate { name: word });
+        } else {
+            self.names.order.push(word.clone());
+            self.names.entities.insert(word, entity);
+        }
+    }
+
+    fn parameter(&mut self, parameter: &ast::Parameter, number: u32) -> Option<(Scalar, Parameter)> {
+        let dim = self.dimension(&parameter.dimension)?;
+        // A default may be computed from literals, not from anything declared.
+        let default = self.scalar_of(&parameter.default, dim, &Scope::default())?.expr;
+        if !self.arena.leaves(default).is_empty() {
+            return self.refuse(parameter.default.range, Fact::NotConstant { place: "the default of a parameter" });
+        }
+        let leaf = self.arena.leaf(Leaf::Parameter(number));
+        let scalar = Scalar { expr: leaf, measure: Measure::Of(dim) };
+        Some((scalar, Parameter { docs: parameter.docs.clone(), name: parameter.name.clone(), dim, default }))
+    }
+
+    /// A frame with three fresh coordinates.
+    pub(super) fn new_frame(&mut self, name: &str) -> FrameId {
+        let first = 3 * (self.names.frames.len() as u32 - 1);
+        let coordinates = [0, 1, 2].map(|offset| self.arena.leaf(Leaf::Coordinate(first + offset)));
+        self.names.frames.push(Frame { name: name.to_owned(), coordinates: Some(coordinates), marks: BTreeMap::new(), order: Vec::new() });
+        FrameId(self.names.frames.len() - 1)
+    }
+
+    fn fill(&mut self, id: FrameId, frame: &ast::Frame) {
+        for mark in &frame.marks {
+            let word = mark.name.to_string();
+            if matches!(word.as_str(), "x" | "y" | "angle" | "position") {
+                self.diag.refuse::<()>(&mark.name, Fact::Reserved { name: word });
+                continue;
+            }
+            let names = &mut self.names.frames[id.0];
+            if names.marks.contains_key(&word) {
+                self.diag.refuse::<()>(&mark.name, Fact::Duplicate { name: word });
+                continue;
+            }
+            names.order.push(word.clone());
+            names.marks.insert(word, Mark { written: Rc::new(mark.clone()), progress: Progress::Untouched });
+        }
+    }
+
+    /// The dimension behind its names.
+    pub(super) fn dimension(&mut self, written: &ast::Dimension) -> Option<Dim> {
+        let mut dim = Dim::NUMBER;
+        for (name, exponent) in &written.factors {
+            let word = name.to_string();
+            let Some(factor) = Dim::named(&word).and_then(|factor| factor.power(6 * exponent)) else {
+                let near = nearest(&word, Dim::names());
+                return self.refuse(name, Fact::UnknownDimension { name: word, near });
+            };
+            dim = dim.times(factor);
+        }
+        Some(dim)
+    }
+
+    /// The value of a declared name.
+    pub(super) fn declared(&mut self, name: &Ident) -> Option<Value> {
+        let word = name.to_string();
+        match self.names.entities.get(&word)?.clone() {
+            Entity::Value(value) => value,
+            Entity::Function(function) => {
+                // A signature over a Rust path gives the function its dimensions.
+                if let (None, ast::ExprKind::Path(path)) = (&function.argument, &function.value.kind) {
+                    let (from, to) = (self.dimension(&function.from)?, self.dimension(&function.to)?);
+                    return Some(Value::Function(self.rust_function(path, Measure::Of(from), Measure::Of(to))));
+                }
+                Some(Value::Function(Function::Written(function)))
+            }
+            Entity::Let(_, Progress::Done(value)) => Some(value),
+            Entity::Let(_, Progress::Failed) | Entity::Joint(_, Progress::Failed) => None,
+            Entity::Let(binding, Progress::Untouched) => {
+                self.names.entities.insert(word.clone(), Entity::Let(binding.clone(), Progress::Open));
+                let value = self.binding(&binding, &Scope::mechanism());
+                let progress = value.clone().map_or(Progress::Failed, Progress::Done);
+                self.names.entities.insert(word, Entity::Let(binding, progress));
+                value
+            }
+            Entity::Joint(joint, progress) => {
+                let arguments = match progress {
+                    Progress::Done(arguments) => arguments,
+                    Progress::Open => return self.refuse(name, Fact::Cycle { name: word }),
+                    _ => self.joint_arguments(&joint)?,
+                };
+                match &joint.body {
+                    ast::JointBody::Of { kind, .. } => Some(Value::Joint { kind: kind.to_string(), arguments }),
+                    ast::JointBody::Equations(_) => Some(Value::Joint { kind: "equation".into(), arguments }),
+                }
+            }
+            Entity::Let(_, Progress::Open) => self.refuse(name, Fact::Cycle { name: word }),
+        }
+    }
+
+    /// The arguments of a joint, evaluated once.
+    pub(super) fn joint_arguments(&mut self, joint: &Rc<ast::Joint>) -> Option<Arguments> {
+        let word = joint.name.to_string();
+        match self.names.entities.get(&word) {
+            Some(Entity::Joint(_, Progress::Done(arguments))) => return Some(arguments.clone()),
+            Some(Entity::Joint(_, Progress::Failed)) => return None,
+            _ => {}
+        }
+        self.names.entities.insert(word.clone(), Entity::Joint(joint.clone(), Progress::Open));
+        let arguments = self.bind_joint(joint).map(Rc::new);
+        let progress = arguments.clone().map_or(Progress::Failed, Progress::Done);
+        self.names.entities.insert(word, Entity::Joint(joint.clone(), progress));
+        arguments
+    }
+
+    /// A `let`: a bare number becomes a pure number unless a dimension is said.
+    pub(super) fn binding(&mut self, binding: &ast::Let, scope: &Scope) -> Option<Value> {
+        if let Some(written) = &binding.dimension {
+            let dim = self.dimension(written)?;
+            return self.scalar_of(&binding.value, dim, scope).map(Value::Scalar);
+        }
+        let settle = |measure: Measure| Measure::Of(measure.settled());
+        Some(match self.value(&binding.value, scope)? {
+            Value::Scalar(scalar) => Value::Scalar(Scalar { measure: settle(scalar.measure), ..scalar }),
+            other => other,
+        })
+    }
+
+    /// A point or an axis of a frame, evaluated once.
+    pub(super) fn mark(&mut self, frame: FrameId, name: &str) -> Option<Value> {
+        let entry = self.names.frames[frame.0].marks.get(name)?;
+        let mark = entry.written.clone();
+        match &entry.progress {
+            Progress::Done(value) => return Some(value.clone()),
+            Progress::Failed => return None,
+            Progress::Open => return self.refuse(&mark.name, Fact::Cycle { name: name.to_owned() }),
+            Progress::Untouched => {}
+        }
+        self.set_mark(frame, name, Progress::Open);
+        let value = self.fixed(frame, &mark);
+        self.set_mark(frame, name, value.clone().map_or(Progress::Failed, Progress::Done));
+        value
+    }
+
+    fn set_mark(&mut self, frame: FrameId, name: &str, progress: Progress<Value>) {
+        if let Some(entry) = self.names.frames[frame.0].marks.get_mut(name) {
+            entry.progress = progress;
+        }
+    }
+
+    fn fixed(&mut self, frame: FrameId, mark: &ast::Mark) -> Option<Value> {
+        let vector = self.vector(&mark.value, &Scope::mechanism().timeless("a point or an axis"))?;
+        if !self.is_fixed(vector.x) || !self.is_fixed(vector.y) {
+            return self.refuse(mark.value.range, Fact::NotFixed { place: "a point or an axis" });
+        }
+        let local = [vector.x, vector.y];
+        if mark.is_axis {
+            let is_zero = local.iter().all(|part| self.arena.as_constant(*part).is_some_and(|value| value.is_zero()));
+            if is_zero {
+                return self.refuse(mark.value.range, Fact::ZeroAxis { name: mark.name.to_string() });
+            }
+            let measure = Measure::Of(vector.measure.settled());
+            return Some(Value::Axis(Fixed { frame, local, measure }));
+        }
+        if !vector.measure.fits(Dim::LENGTH) {
+            return self.refuse(mark.value.range, Fact::WrongDimension { wanted: Dim::LENGTH, found: vector.measure.settled() });
+        }
+        Some(Value::Point(Fixed { frame, local, measure: Measure::Of(Dim::LENGTH) }))
+    }
+
+    /// All bodies with their coordinates and start values.
+    fn bodies(&mut self, tree: &ast::Mechanism) -> Vec<Body> {
+        let mut bodies = Vec::new();
+        for item in &tree.items {
+            match item {
+                Item::Ground(frame) => {
+                    if let Some(start) = frame.starts.first() {
+                        self.diag.refuse::<()>(&start.what, Fact::GroundStart);
+                    }
+                }
+                Item::Body(frame) => bodies.push(self.body(frame)),
+                _ => {}
+            }
+        }
+        bodies
+    }
+
+    fn body(&mut self, frame: &ast::Frame) -> Body {
+        let mut starts: [Option<Expr>; 3] = [None; 3];
+        let scope = Scope::mechanism().timeless("a start value");
+        for start in &frame.starts {
+            let word = start.what.to_string();
+            let found: Option<Vec<(usize, Expr)>> = match word.as_str() {
+                "x" => self.scalar_of(&start.value, Dim::LENGTH, &scope).map(|value| vec![(0, value.expr)]),
+                "y" => self.scalar_of(&start.value, Dim::LENGTH, &scope).map(|value| vec![(1, value.expr)]),
+                "angle" => self.scalar_of(&start.value, Dim::ANGLE, &scope).map(|value| vec![(2, value.expr)]),
+                "position" => self.vector(&start.value, &scope).and_then(|vector| {
+                    if !vector.measure.fits(Dim::LENGTH) {
+                        return self.refuse(start.value.range, Fact::WrongDimension { wanted: Dim::LENGTH, found: vector.measure.settled() });
+                    }
+                    Some(vec![(0, vector.x), (1, vector.y)])
+                }),
+                _ => {
+                    let near = nearest(&word, ["x", "y", "angle", "position"].into_iter());
+                    self.refuse(&start.what, Fact::UnknownStart { name: word.clone(), near })
+                }
+            };
+            for (which, expr) in found.unwrap_or_default() {
+                if !self.is_fixed(expr) {
+                    self.refuse::<()>(start.value.range, Fact::NotFixed { place: "a start value" });
+                } else if starts[which].replace(expr).is_some() {
+                    self.refuse::<()>(&start.what, Fact::Duplicate { name: word.clone() });
+                    break;
+                }
+            }
+        }
+        let kinds = [("x", Dim::LENGTH), ("y", Dim::LENGTH), ("angle", Dim::ANGLE)];
+        let coordinates = kinds.into_iter().zip(starts).map(|((name, dim), start)| Coordinate { name, dim, start }).collect();
+        Body { docs: frame.docs.clone(), name: frame.name.clone(), coordinates }
+    }
+
+    /// Resolves every point and axis, used or not, and gives the local coordinates of the points.
+    fn marks(&mut self) -> Vec<Expr> {
+        let mut lengths = Vec::new();
+        for frame in 0..self.names.frames.len() {
+            for name in self.names.frames[frame].order.clone() {
+                if let Some(Value::Point(point)) = self.mark(FrameId(frame), &name) {
+                    lengths.extend(point.local);
+                }
+            }
+        }
+        lengths
+    }
+
+    /// Resolves `let`s and functions that nothing uses, so that a mistake in them is found too.
+    fn unused_items(&mut self, tree: &ast::Mechanism) {
+        for item in &tree.items {
+            match item {
+                Item::Let(binding) if self.names.is_known(&binding.name) => {
+                    self.declared(&binding.name);
+                }
+                Item::Function(function) => self.check_function(function),
+                _ => {}
+            }
+        }
+    }
+
+    /// A function is checked once on its own, with an argument that nothing is known of.
+    fn check_function(&mut self, function: &ast::Function) {
+        let (from, to) = (self.dimension(&function.from), self.dimension(&function.to));
+        let (Some(from), Some(to)) = (from, to) else { return };
+        let Some(argument) = &function.argument else {
+            if !matches!(function.value.kind, ast::ExprKind::Path(_)) {
+                self.refuse::<()>(function.value.range, Fact::FunctionNeedsArgument);
+            }
+            return;
+        };
+        let leaf = self.arena.leaf(Leaf::Parameter(u32::MAX));
+        let mut scope = Scope::mechanism().timeless("a function of one variable");
+        scope.bound.push((argument.to_string(), Value::Scalar(Scalar { expr: leaf, measure: Measure::Of(from) })));
+        self.names.open_functions.push(function.name.to_string());
+        self.scalar_of(&function.value, to, &scope);
+        self.names.open_functions.pop();
+    }
+
+    fn joints(&mut self, tree: &ast::Mechanism) -> Vec<Joint> {
+        let mut joints = Vec::new();
+        for item in &tree.items {
+            let Item::Joint(joint) = item else { continue };
+            let Some(residuals) = self.joint_residuals(joint) else { continue };
+            let kind = match &joint.body {
+                ast::JointBody::Of { kind, .. } => kind.to_string(),
+                ast::JointBody::Equations(_) => "equation".to_owned(),
+            };
+            let of = residuals.len();
+            for (row, residual) in residuals.iter().enumerate() {
+                let leaves = self.arena.leaves(residual.expr);
+                if !leaves.iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_))) {
+                    self.diag.refuse::<()>(&joint.name, Fact::RowOfNothing { joint: joint.name.to_string(), row: row + 1, of });
+                    break;
+                }
+                if !joint.is_drive && leaves.contains(&Leaf::Time) {
+                    self.diag.refuse::<()>(&joint.name, Fact::TimeInJoint { joint: joint.name.to_string() });
+                    break;
+                }
+            }
+            let residuals = residuals.into_iter().map(|scalar| Residual { expr: scalar.expr, dim: scalar.measure.settled() }).collect();
+            joints.push(Joint { docs: joint.docs.clone(), name: joint.name.clone(), kind, is_drive: joint.is_drive, residuals });
+        }
+        joints
+    }
+
+    fn outputs(&mut self, tree: &ast::Mechanism) -> Vec<Output> {
+        let mut outputs: Vec<Output> = Vec::new();
+        for item in &tree.items {
+            let Item::Output(output) = item else { continue };
+            let word = output.name.to_string();
+            if GENERATED.contains(&word.as_str()) {
+                self.diag.refuse::<()>(&output.name, Fact::Generated { name: word });
+                continue;
+            }
+            if outputs.iter().any(|known| known.name == word) {
+                self.diag.refuse::<()>(&output.name, Fact::Duplicate { name: word });
+                continue;
+            }
+            let Some(value) = self.value(&output.value, &Scope::mechanism()) else { continue };
+            let noun = value.noun();
+            let (components, measure) = match value {
+                Value::Scalar(scalar) => (vec![scalar.expr], scalar.measure),
+                other => match self.as_vector(other) {
+                    Some(vector) => (vec![vector.x, vector.y], vector.measure),
+                    None => {
+                        self.diag.refuse::<()>(output.value.range, Fact::NotAnOutput { found: noun });
+                        continue;
+                    }
+                },
+            };
+            outputs.push(Output { docs: output.docs.clone(), name: output.name.clone(), components, dim: measure.settled() });
+        }
+        outputs
+    }
+}

@@ -1,0 +1,374 @@
+//! What was written: the tree that the parser gives. Names are still names.
+
+use crate::diag::Range;
+use proc_macro2::{Ident, TokenStream};
+
+/// A whole `mechanism!` declaration.
+#[derive(Clone, Debug)]
+pub struct Mechanism {
+    /// Doc attributes, re-emitted on the generated struct.
+    pub docs: Docs,
+    /// `#[equations_only]`: no `solve` is generated, and the system need not be square.
+    pub equations_only: bool,
+    /// `pub` and the like.
+    pub visibility: TokenStream,
+    /// Name of the generated struct.
+    pub name: Ident,
+    /// Everything between the braces, in the order written.
+    pub items: Vec<Item>,
+}
+
+/// Doc attributes as tokens, and their text.
+#[derive(Clone, Debug, Default)]
+pub struct Docs {
+    /// The attributes, as written.
+    pub tokens: TokenStream,
+    /// Their text, one line per attribute.
+    pub text: Vec<String>,
+}
+
+/// One item of a mechanism.
+#[derive(Clone, Debug)]
+pub enum Item {
+    /// `use path::to::constraint;`
+    Use(Vec<Use>),
+    /// `param name: Dimension = default;`
+    Parameter(Parameter),
+    /// `let name: Dimension = value;`
+    Let(Let),
+    /// `function name(argument: Dimension) -> Dimension = value;`
+    Function(Function),
+    /// `ground { … }`
+    Ground(Frame),
+    /// `body name { … }`
+    Body(Frame),
+    /// `joint name = …;` or `drive name = …;`
+    Joint(Joint),
+    /// `output name = value;`
+    Output(Output),
+}
+
+/// One imported constraint.
+#[derive(Clone, Debug)]
+pub struct Use {
+    /// The path as written.
+    pub path: Path,
+    /// The name it has in this mechanism.
+    pub name: Ident,
+}
+
+/// `a::b::c`, or a single name.
+#[derive(Clone, Debug)]
+pub struct Path {
+    /// The tokens as written.
+    pub tokens: TokenStream,
+    /// The last segment.
+    pub last: Ident,
+    /// The only segment, if there is only one.
+    pub name: Option<Ident>,
+    /// First to last token.
+    pub range: Range,
+}
+
+/// A parameter of a mechanism.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// Doc attributes of the field.
+    pub docs: Docs,
+    /// Name of the field.
+    pub name: Ident,
+    /// What it measures.
+    pub dimension: Dimension,
+    /// Its default.
+    pub default: Expr,
+}
+
+/// A derived quantity.
+#[derive(Clone, Debug)]
+pub struct Let {
+    /// Its name.
+    pub name: Ident,
+    /// What it measures, if said.
+    pub dimension: Option<Dimension>,
+    /// Its value.
+    pub value: Expr,
+}
+
+/// A function of one variable written in the language, or a Rust function given a signature.
+#[derive(Clone, Debug)]
+pub struct Function {
+    /// Its name.
+    pub name: Ident,
+    /// The argument's name; a Rust function has none.
+    pub argument: Option<Ident>,
+    /// What the argument measures.
+    pub from: Dimension,
+    /// What the value measures.
+    pub to: Dimension,
+    /// The value, or the path of a Rust function.
+    pub value: Expr,
+}
+
+/// `Length * Angle / Time^2`: a product of named dimensions.
+#[derive(Clone, Debug)]
+pub struct Dimension {
+    /// Names with their integer exponents.
+    pub factors: Vec<(Ident, i16)>,
+    /// First to last token.
+    pub range: Range,
+}
+
+/// A body, or ground.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// Doc attributes of the accessor.
+    pub docs: Docs,
+    /// Name of the body; `ground` for ground.
+    pub name: Ident,
+    /// Points and axes fixed in it.
+    pub marks: Vec<Mark>,
+    /// Start values.
+    pub starts: Vec<Start>,
+}
+
+/// A point or an axis fixed in a body.
+#[derive(Clone, Debug)]
+pub struct Mark {
+    /// A direction rather than a place.
+    pub is_axis: bool,
+    /// Its name.
+    pub name: Ident,
+    /// `(x, y)` in the body's frame.
+    pub value: Expr,
+}
+
+/// `start angle = …;`
+#[derive(Clone, Debug)]
+pub struct Start {
+    /// `x`, `y`, `angle` or `position`.
+    pub what: Ident,
+    /// Its value.
+    pub value: Expr,
+}
+
+/// A joint or a drive.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    /// Doc attributes.
+    pub docs: Docs,
+    /// Only a drive may contain `t`.
+    pub is_drive: bool,
+    /// Its name.
+    pub name: Ident,
+    /// What it demands.
+    pub body: JointBody,
+}
+
+/// What a joint demands.
+#[derive(Clone, Debug)]
+pub enum JointBody {
+    /// `kind(arguments)`
+    Of {
+        /// Which constraint.
+        kind: Ident,
+        /// Its arguments.
+        arguments: Vec<Argument>,
+        /// Where the closing parenthesis is.
+        range: Range,
+    },
+    /// `{ lhs == rhs; … }`
+    Equations(Vec<Statement>),
+}
+
+/// An argument, positional or named.
+#[derive(Clone, Debug)]
+pub struct Argument {
+    /// `name:` before it.
+    pub name: Option<Ident>,
+    /// Its value.
+    pub value: Expr,
+}
+
+/// A named output.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// Doc attributes of the generated method.
+    pub docs: Docs,
+    /// Its name.
+    pub name: Ident,
+    /// Its value.
+    pub value: Expr,
+}
+
+/// A `constraint!` invocation: definitions that are exported one by one, or bundles of many.
+#[derive(Clone, Debug)]
+pub struct Definitions {
+    /// In the order written.
+    pub exports: Vec<Export>,
+}
+
+/// What one exported name stands for.
+#[derive(Clone, Debug)]
+pub struct Export {
+    /// Doc attributes of the exported macro.
+    pub docs: Docs,
+    /// `pub` and the like.
+    pub visibility: TokenStream,
+    /// The exported name.
+    pub name: Ident,
+    /// One definition, or all those of a bundle.
+    pub definitions: Vec<Definition>,
+    /// The tokens of the definitions, handed over to mechanisms.
+    pub tokens: TokenStream,
+    /// It was written as `bundle name { … }`.
+    pub is_bundle: bool,
+}
+
+/// One `constraint` definition.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// Its manual page.
+    pub docs: Docs,
+    /// Its name.
+    pub name: Ident,
+    /// What it takes.
+    pub parameters: Vec<Formal>,
+    /// Its equations.
+    pub statements: Vec<Statement>,
+}
+
+/// A formal parameter of a definition.
+#[derive(Clone, Debug)]
+pub struct Formal {
+    /// Its name.
+    pub name: Ident,
+    /// What it takes.
+    pub kind: Kind,
+    /// What it is when left out.
+    pub default: Option<Expr>,
+}
+
+/// What a formal parameter takes.
+#[derive(Clone, Debug)]
+pub enum Kind {
+    /// A point of a body or of ground.
+    Point,
+    /// A direction fixed in a body or in ground.
+    Axis,
+    /// A body or ground.
+    Body,
+    /// A number of any dimension.
+    Quantity,
+    /// A function of one variable.
+    Function(Dimension, Dimension),
+    /// A joint of the named kind.
+    Joint(Ident),
+    /// A number of one dimension.
+    Scalar(Dimension),
+}
+
+/// A statement of a definition or of an inline joint.
+#[derive(Clone, Debug)]
+pub enum Statement {
+    /// `let name = value;`
+    Let(Let),
+    /// `lhs == rhs;`
+    Equation(Expr, Expr),
+    /// `require lhs != rhs: "why";`
+    Require(Requirement),
+}
+
+/// A condition on parameters, checked when they are known.
+#[derive(Clone, Debug)]
+pub struct Requirement {
+    /// Left of the relation.
+    pub lhs: Expr,
+    /// How they must compare.
+    pub relation: Relation,
+    /// Right of the relation.
+    pub rhs: Expr,
+    /// What a user should do instead.
+    pub why: String,
+}
+
+/// How two numbers compare.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    /// `<`
+    Less,
+    /// `<=`
+    LessOrEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterOrEqual,
+    /// `==`
+    Equal,
+    /// `!=`
+    Different,
+}
+
+/// An expression.
+#[derive(Clone, Debug)]
+pub struct Expr {
+    /// What it is.
+    pub kind: ExprKind,
+    /// First to last token.
+    pub range: Range,
+    /// Longest way down to a leaf, bounded by the parser.
+    pub depth: u16,
+}
+
+/// What an expression is.
+#[derive(Clone, Debug)]
+pub enum ExprKind {
+    /// `120mm`
+    Number {
+        /// The digits, without unit.
+        digits: String,
+        /// The unit's name, empty if none.
+        unit: String,
+    },
+    /// A name or a path to a Rust item.
+    Path(Path),
+    /// `value.field`
+    Field(Box<Expr>, Ident),
+    /// `function(arguments)`
+    Call(Path, Vec<Expr>),
+    /// `-value`
+    Negative(Box<Expr>),
+    /// `lhs op rhs`
+    Binary(Operator, Box<Expr>, Box<Expr>),
+    /// `(x, y)`
+    Tuple(Vec<Expr>),
+    /// `[a, b, …]`
+    List(Vec<Expr>),
+    /// `if lhs < rhs { then } else { otherwise }`
+    If {
+        /// Left of the relation.
+        lhs: Box<Expr>,
+        /// How they must compare.
+        relation: Relation,
+        /// Right of the relation.
+        rhs: Box<Expr>,
+        /// Value if they do.
+        then: Box<Expr>,
+        /// Value if they do not.
+        otherwise: Box<Expr>,
+    },
+}
+
+/// A binary operator.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operator {
+    /// `+`
+    Add,
+    /// `-`
+    Sub,
+    /// `*`
+    Mul,
+    /// `/`
+    Div,
+    /// `^`
+    Power,
+}

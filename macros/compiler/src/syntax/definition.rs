@@ -1,0 +1,214 @@
+//! Definitions of constraints, and the statements in them.
+
+use super::ast::{Definition, Definitions, Export, Formal, Kind, Requirement, Statement};
+use super::expression::{expression, relation};
+use super::item::{binding, dimension, report};
+use super::tokens::{Parsed, block, docs, equals, expected, name, parentheses, semicolon, skip_item, visibility, wrong};
+use crate::diag::{Diag, Fact};
+use proc_macro2::{Ident, TokenStream};
+use syn::ext::IdentExt;
+use syn::parse::ParseStream;
+use syn::{LitStr, Token, token};
+
+/// `pub constraint name(parameters) { statements }` or `pub bundle name { constraints }`, any number.
+pub(super) fn definitions(input: ParseStream, diag: &mut Diag) -> Option<Definitions> {
+    let mut exports = Vec::new();
+    while !input.is_empty() {
+        match export(input, diag) {
+            Ok(export) => exports.push(export),
+            Err(refusal) => {
+                diag.refuse::<()>(refusal.range, refusal.fact);
+                skip_item(input);
+            }
+        }
+    }
+    Some(Definitions { exports })
+}
+
+/// Definitions without visibility, as handed over by an exported name.
+pub(super) fn exported(input: ParseStream, diag: &mut Diag) -> Option<Vec<Definition>> {
+    let mut definitions = Vec::new();
+    while !input.is_empty() {
+        definitions.push(report(definition(input), diag)?);
+    }
+    Some(definitions)
+}
+
+fn export(input: ParseStream, diag: &mut Diag) -> Parsed<Export> {
+    let docs = docs(input)?;
+    let visibility = visibility(input)?;
+    if word(input)? == "bundle" {
+        Ident::parse_any(input)?;
+        let name = name(input, "the name of the bundle")?;
+        let content = block(input, "`{` and the constraints of the bundle")?;
+        let tokens: TokenStream = content.fork().parse()?;
+        let mut definitions = Vec::new();
+        while !content.is_empty() {
+            match definition(&content) {
+                Ok(definition) => definitions.push(definition),
+                Err(refusal) => {
+                    diag.refuse::<()>(refusal.range, refusal.fact);
+                    skip_item(&content);
+                }
+            }
+        }
+        return Ok(Export { docs, visibility, name, definitions, tokens, is_bundle: true });
+    }
+    // The tokens handed over are those from the word `constraint` to the closing brace.
+    let rest: TokenStream = input.fork().parse()?;
+    let mut definition = definition(input)?;
+    let left = input.fork().parse::<TokenStream>()?.into_iter().count();
+    let all = rest.clone().into_iter().count();
+    let tokens = rest.into_iter().take(all - left).collect();
+    definition.docs = docs.clone();
+    let name = definition.name.clone();
+    Ok(Export { docs, visibility, name, definitions: vec![definition], tokens, is_bundle: false })
+}
+
+fn word(input: ParseStream) -> Parsed<String> {
+    if !input.peek(Ident::peek_any) {
+        return expected(input, "`constraint name(…) { … }`");
+    }
+    Ok(input.fork().call(Ident::parse_any)?.to_string())
+}
+
+/// `constraint name(parameters) { statements }`
+fn definition(input: ParseStream) -> Parsed<Definition> {
+    let docs = docs(input)?;
+    visibility(input)?;
+    if word(input)? != "constraint" {
+        return expected(input, "`constraint name(…) { … }`");
+    }
+    Ident::parse_any(input)?;
+    let name = name(input, "the name of the constraint")?;
+    if !input.peek(token::Paren) {
+        return expected(input, "`(` and the parameters of the constraint");
+    }
+    let (content, _) = parentheses(input)?;
+    let mut parameters = Vec::new();
+    while !content.is_empty() {
+        parameters.push(formal(&content)?);
+        if content.is_empty() {
+            break;
+        }
+        if !content.peek(Token![,]) {
+            return expected(&content, "`,` or `)`");
+        }
+        content.parse::<Token![,]>()?;
+    }
+    let content = block(input, "`{` and the equations of the constraint")?;
+    let mut statements = Vec::new();
+    while !content.is_empty() {
+        statements.push(statement(&content)?);
+    }
+    Ok(Definition { docs, name, parameters, statements })
+}
+
+fn formal(input: ParseStream) -> Parsed<Formal> {
+    docs(input)?;
+    let name = name(input, "the name of a parameter")?;
+    if !input.peek(Token![:]) {
+        return expected(input, "`:` and what the parameter takes, such as `Point` or `Length`");
+    }
+    input.parse::<Token![:]>()?;
+    let kind = kind(input)?;
+    let default = if input.peek(Token![=]) {
+        equals(input)?;
+        Some(expression(input)?)
+    } else {
+        None
+    };
+    Ok(Formal { name, kind, default })
+}
+
+fn kind(input: ParseStream) -> Parsed<Kind> {
+    let word = word_of_kind(input)?;
+    let plain = match word.as_str() {
+        "Point" => Kind::Point,
+        "Axis" => Kind::Axis,
+        "Body" => Kind::Body,
+        "Quantity" => Kind::Quantity,
+        "Function" => return function_kind(input),
+        "Joint" => return joint_kind(input),
+        _ => return dimension(input).map(Kind::Scalar),
+    };
+    input.parse::<Ident>()?;
+    Ok(plain)
+}
+
+fn word_of_kind(input: ParseStream) -> Parsed<String> {
+    if !input.peek(syn::Ident) {
+        return expected(input, "what the parameter takes: `Point`, `Axis`, `Body`, `Length`, `Angle`, `Quantity`, …");
+    }
+    Ok(input.fork().parse::<Ident>()?.to_string())
+}
+
+/// `Function(Angle) -> Length`
+fn function_kind(input: ParseStream) -> Parsed<Kind> {
+    input.parse::<Ident>()?;
+    if !input.peek(token::Paren) {
+        return expected(input, "`(Dimension) -> Dimension`");
+    }
+    let (content, range) = parentheses(input)?;
+    let from = dimension(&content)?;
+    if !content.is_empty() {
+        return wrong(range, Fact::OneArgument);
+    }
+    if !input.peek(Token![->]) {
+        return expected(input, "`->` and the dimension of the value");
+    }
+    input.parse::<Token![->]>()?;
+    Ok(Kind::Function(from, dimension(input)?))
+}
+
+/// `Joint(translational)`
+fn joint_kind(input: ParseStream) -> Parsed<Kind> {
+    input.parse::<Ident>()?;
+    if !input.peek(token::Paren) {
+        return expected(input, "`(` and the kind of the joint");
+    }
+    let (content, range) = parentheses(input)?;
+    let kind = name(&content, "the kind of the joint")?;
+    if !content.is_empty() {
+        return wrong(range, Fact::TokensAfter { what: "the kind of the joint" });
+    }
+    Ok(Kind::Joint(kind))
+}
+
+/// `let name = value;`, `require lhs != rhs: "why";` or `lhs == rhs;`
+pub(super) fn statement(input: ParseStream) -> Parsed<Statement> {
+    docs(input)?;
+    if input.peek(Token![let]) {
+        return binding(input).map(Statement::Let);
+    }
+    let is_requirement = input.peek(syn::Ident) && input.fork().parse::<Ident>()? == "require" && !input.peek2(Token![.]) && !input.peek2(Token![==]);
+    if is_requirement {
+        return requirement(input).map(Statement::Require);
+    }
+    let lhs = expression(input)?;
+    if !input.peek(Token![==]) {
+        return expected(input, "`==`: an equation is `lhs == rhs;`");
+    }
+    input.parse::<Token![==]>()?;
+    let rhs = expression(input)?;
+    semicolon(input)?;
+    Ok(Statement::Equation(lhs, rhs))
+}
+
+fn requirement(input: ParseStream) -> Parsed<Requirement> {
+    input.parse::<Ident>()?;
+    let lhs = expression(input)?;
+    let relation = relation(input)?;
+    let rhs = expression(input)?;
+    if !input.peek(Token![:]) {
+        return expected(input, "`:` and a sentence that says why");
+    }
+    input.parse::<Token![:]>()?;
+    if !input.peek(LitStr) {
+        return expected(input, "a sentence in quotation marks");
+    }
+    let why = input.parse::<LitStr>()?.value();
+    semicolon(input)?;
+    Ok(Requirement { lhs, relation, rhs, why })
+}
+

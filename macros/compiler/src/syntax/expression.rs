@@ -1,0 +1,250 @@
+//! The expression parser: mathematical precedence, `^` binds tighter than a minus before it.
+//!
+//! ```text
+//! sum     = product (("+" | "-") product)*
+//! product = sign (("*" | "/") sign)*
+//! sign    = "-" sign | power
+//! power   = postfix ("^" sign)?              right-associative: a^b^c = a^(b^c)
+//! postfix = atom ("." name)*
+//! atom    = number | path | path "(" sum,* ")" | "(" sum,+ ")" | "[" sum,* "]"
+//!         | "if" sum relation sum "{" sum "}" "else" ("{" sum "}" | if …)
+//! ```
+
+use super::ast::{Expr, ExprKind, Operator, Path, Relation};
+use super::tokens::{Parsed, braces, brackets, expected, is_path, parentheses, path, wrong};
+use crate::diag::{Fact, Range};
+use proc_macro2::Span;
+use syn::parse::ParseStream;
+use syn::{Ident, Lit, Token, token};
+
+/// No expression may be deeper than this, so that no walk over a tree can exhaust the stack.
+const DEPTH: u16 = 200;
+
+/// Parses one expression.
+pub(super) fn expression(input: ParseStream) -> Parsed<Expr> {
+    sum(input, DEPTH)
+}
+
+/// Parses the relation between two expressions.
+pub(super) fn relation(input: ParseStream) -> Parsed<Relation> {
+    // The two-character tokens come first, since `<` is also the start of `<=`.
+    let relation = if input.peek(Token![==]) {
+        input.parse::<Token![==]>().map(|_| Relation::Equal)
+    } else if input.peek(Token![!=]) {
+        input.parse::<Token![!=]>().map(|_| Relation::Different)
+    } else if input.peek(Token![<=]) {
+        input.parse::<Token![<=]>().map(|_| Relation::LessOrEqual)
+    } else if input.peek(Token![>=]) {
+        input.parse::<Token![>=]>().map(|_| Relation::GreaterOrEqual)
+    } else if input.peek(Token![<]) {
+        input.parse::<Token![<]>().map(|_| Relation::Less)
+    } else if input.peek(Token![>]) {
+        input.parse::<Token![>]>().map(|_| Relation::Greater)
+    } else {
+        return expected(input, "a relation such as `<` or `!=`");
+    };
+    Ok(relation?)
+}
+
+fn sum(input: ParseStream, room: u16) -> Parsed<Expr> {
+    let mut left = product(input, room)?;
+    loop {
+        let operator = if input.peek(Token![+]) {
+            input.parse::<Token![+]>()?;
+            Operator::Add
+        } else if input.peek(Token![-]) {
+            input.parse::<Token![-]>()?;
+            Operator::Sub
+        } else {
+            return Ok(left);
+        };
+        left = binary(operator, left, product(input, room)?)?;
+    }
+}
+
+fn product(input: ParseStream, room: u16) -> Parsed<Expr> {
+    let mut left = sign(input, room)?;
+    loop {
+        let operator = if input.peek(Token![*]) {
+            input.parse::<Token![*]>()?;
+            Operator::Mul
+        } else if input.peek(Token![/]) {
+            input.parse::<Token![/]>()?;
+            Operator::Div
+        } else {
+            return Ok(left);
+        };
+        left = binary(operator, left, sign(input, room)?)?;
+    }
+}
+
+fn sign(input: ParseStream, room: u16) -> Parsed<Expr> {
+    if input.peek(Token![-]) {
+        let minus = input.parse::<Token![-]>()?.spans[0];
+        let value = sign(input, deeper(room, minus.into())?)?;
+        let range = Range::from(minus).to(value.range);
+        return node(ExprKind::Negative(Box::new(value)), range);
+    }
+    power(input, room)
+}
+
+fn power(input: ParseStream, room: u16) -> Parsed<Expr> {
+    let base = postfix(input, room)?;
+    if !input.peek(Token![^]) {
+        return Ok(base);
+    }
+    let caret = input.parse::<Token![^]>()?.spans[0];
+    let exponent = sign(input, deeper(room, caret.into())?)?;
+    binary(Operator::Power, base, exponent)
+}
+
+fn postfix(input: ParseStream, room: u16) -> Parsed<Expr> {
+    let mut value = atom(input, room)?;
+    while input.peek(Token![.]) {
+        input.parse::<Token![.]>()?;
+        if !input.peek(Ident) {
+            return expected(input, "a name after `.`");
+        }
+        let field: Ident = input.parse()?;
+        let range = value.range.to(&field);
+        value = node(ExprKind::Field(Box::new(value), field), range)?;
+    }
+    Ok(value)
+}
+
+fn atom(input: ParseStream, room: u16) -> Parsed<Expr> {
+    let room = deeper(room, input.span().into())?;
+    if input.peek(Lit) {
+        return number(input);
+    }
+    if input.peek(Token![if]) {
+        return choice(input, room);
+    }
+    if input.peek(token::Paren) {
+        return parenthesised(input, room);
+    }
+    if input.peek(token::Bracket) {
+        let (content, range) = brackets(input)?;
+        return node(ExprKind::List(list(&content, room)?), range);
+    }
+    if is_path(input) {
+        let path = path(input)?;
+        if input.peek(token::Paren) {
+            return call(input, path, room);
+        }
+        let range = path.range;
+        return node(ExprKind::Path(path), range);
+    }
+    expected(input, "an expression")
+}
+
+fn number(input: ParseStream) -> Parsed<Expr> {
+    let literal: Lit = input.parse()?;
+    let range = Range::from(literal.span());
+    let (digits, unit) = match &literal {
+        Lit::Int(int) => (int.base10_digits().to_owned(), int.suffix().to_owned()),
+        Lit::Float(float) => (float.base10_digits().to_owned(), float.suffix().to_owned()),
+        _ => return wrong(range, Fact::NotANumber { found: literal_kind(&literal) }),
+    };
+    node(ExprKind::Number { digits, unit }, range)
+}
+
+fn literal_kind(literal: &Lit) -> &'static str {
+    match literal {
+        Lit::Str(_) => "a string",
+        Lit::Bool(_) => "a truth value",
+        Lit::Char(_) | Lit::Byte(_) => "a character",
+        _ => "a literal that is no number",
+    }
+}
+
+fn parenthesised(input: ParseStream, room: u16) -> Parsed<Expr> {
+    let (content, range) = parentheses(input)?;
+    let mut items = list(&content, room)?;
+    match items.len() {
+        0 => wrong(range, Fact::Expected { what: "an expression", found: "`()`".into() }),
+        1 => {
+            // Parentheses around one value only group it.
+            let inner = items.remove(0);
+            Ok(Expr { range, ..inner })
+        }
+        _ => node(ExprKind::Tuple(items), range),
+    }
+}
+
+fn call(input: ParseStream, path: Path, room: u16) -> Parsed<Expr> {
+    let (content, range) = parentheses(input)?;
+    let arguments = list(&content, room)?;
+    let range = path.range.to(range);
+    node(ExprKind::Call(path, arguments), range)
+}
+
+fn list(content: ParseStream, room: u16) -> Parsed<Vec<Expr>> {
+    let mut items = Vec::new();
+    while !content.is_empty() {
+        items.push(sum(content, room)?);
+        if content.is_empty() {
+            break;
+        }
+        if !content.peek(Token![,]) {
+            return expected(content, "`,` or the end of the list");
+        }
+        content.parse::<Token![,]>()?;
+    }
+    Ok(items)
+}
+
+fn choice(input: ParseStream, room: u16) -> Parsed<Expr> {
+    let first: Span = input.parse::<Token![if]>()?.span;
+    let lhs = sum(input, room)?;
+    let relation = relation(input)?;
+    let rhs = sum(input, room)?;
+    let then = braced(input, room)?;
+    if !input.peek(Token![else]) {
+        return expected(input, "`else`: a value is needed in both cases");
+    }
+    input.parse::<Token![else]>()?;
+    let otherwise = if input.peek(Token![if]) { choice(input, deeper(room, first.into())?)? } else { braced(input, room)? };
+    let range = Range::from(first).to(otherwise.range);
+    let [lhs, rhs, then, otherwise] = [lhs, rhs, then, otherwise].map(Box::new);
+    node(ExprKind::If { lhs, relation, rhs, then, otherwise }, range)
+}
+
+fn braced(input: ParseStream, room: u16) -> Parsed<Expr> {
+    if !input.peek(token::Brace) {
+        return expected(input, "`{ value }`");
+    }
+    let (content, range) = braces(input)?;
+    let inner = sum(&content, room)?;
+    if !content.is_empty() {
+        return expected(&content, "`}`");
+    }
+    Ok(Expr { range, ..inner })
+}
+
+fn binary(operator: Operator, left: Expr, right: Expr) -> Parsed<Expr> {
+    let range = left.range.to(right.range);
+    node(ExprKind::Binary(operator, Box::new(left), Box::new(right)), range)
+}
+
+fn deeper(room: u16, range: Range) -> Parsed<u16> {
+    match room.checked_sub(1) {
+        Some(room) => Ok(room),
+        None => wrong(range, Fact::TooDeep { limit: DEPTH }),
+    }
+}
+
+/// Makes a node and refuses one that is too deep.
+fn node(kind: ExprKind, range: Range) -> Parsed<Expr> {
+    let below = match &kind {
+        ExprKind::Number { .. } | ExprKind::Path(_) => 0,
+        ExprKind::Field(value, _) | ExprKind::Negative(value) => value.depth,
+        ExprKind::Binary(_, left, right) => left.depth.max(right.depth),
+        ExprKind::Call(_, items) | ExprKind::Tuple(items) | ExprKind::List(items) => items.iter().map(|item| item.depth).max().unwrap_or(0),
+        ExprKind::If { lhs, rhs, then, otherwise, .. } => [lhs, rhs, then, otherwise].iter().map(|item| item.depth).max().unwrap_or(0),
+    };
+    if below >= DEPTH {
+        return wrong(range, Fact::TooDeep { limit: DEPTH });
+    }
+    Ok(Expr { kind, range, depth: below + 1 })
+}

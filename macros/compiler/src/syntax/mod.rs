@@ -1,0 +1,58 @@
+//! From tokens to the tree of what was written.
+//!
+//! In: the tokens between the macro's parentheses. Out: an [`ast::Mechanism`] or
+//! [`ast::Definitions`] that is grammatical. Not done here: any look at what a name means.
+//!
+//! A broken item is reported and skipped, so that the next one is still read; the parser never
+//! gives up after the first mistake.
+
+pub mod ast;
+mod definition;
+mod expression;
+mod item;
+mod tokens;
+
+use crate::diag::{Diag, Refusal};
+use ast::{Definition, Definitions, Function, Mechanism};
+use proc_macro2::TokenStream;
+use syn::parse::{ParseStream, Parser};
+
+/// Parses a `mechanism!` declaration.
+///
+/// The tree is given even if items were refused, so that a stub of the type can be emitted;
+/// `None` only where not even the name could be read.
+pub(crate) fn parse(tokens: TokenStream, diag: &mut Diag) -> Option<Mechanism> {
+    run(tokens, diag, item::mechanism)
+}
+
+/// Parses a `constraint!` invocation.
+pub(crate) fn parse_definitions(tokens: TokenStream, diag: &mut Diag) -> Option<Definitions> {
+    run(tokens, diag, definition::definitions)
+}
+
+/// Parses what an exported name stands for: definitions without visibility.
+pub(crate) fn parse_exported(tokens: TokenStream, diag: &mut Diag) -> Option<Vec<Definition>> {
+    run(tokens, diag, definition::exported)
+}
+
+/// Parses a function of the library.
+pub(crate) fn parse_function(tokens: TokenStream, diag: &mut Diag) -> Option<Function> {
+    run(tokens, diag, item::single_function)
+}
+
+fn run<T>(tokens: TokenStream, diag: &mut Diag, parse: fn(ParseStream, &mut Diag) -> Option<T>) -> Option<T> {
+    let mut tree = None;
+    let read = |input: ParseStream| {
+        tree = parse(input, diag);
+        // What is left was reported already or belongs to an item that was.
+        input.parse::<TokenStream>().map(|_| ())
+    };
+    let result = read.parse2(tokens);
+    if let Err(error) = result
+        && diag.is_clean()
+    {
+        let Refusal { fact, range } = error.into();
+        diag.refuse::<()>(range, fact);
+    }
+    tree
+}

@@ -1,0 +1,144 @@
+//! The one error of this crate, and its sentences.
+
+use core::error::Error;
+use core::fmt;
+
+use crate::{Coordinate, Float, ParameterOutOfRange, Row, State};
+
+/// Why there is no state, in the words of the declaration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Failure<T, const N: usize> {
+    /// The mechanism as declared.
+    pub mechanism: &'static str,
+    /// What happened.
+    pub cause: Cause<T>,
+    /// When, in s.
+    pub time: T,
+    /// The last valid state on the way there.
+    pub last: Option<State<T, N>>,
+}
+
+/// What happened.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cause<T> {
+    /// No position was found that fulfils the equations: from the given start, every way nearer ends.
+    DoesNotClose {
+        /// The row that stays open furthest.
+        row: Row,
+        /// Its residual, in its unit.
+        residual: T,
+        /// Its residual divided by the length of its gradient, in m; of an angle, the arc at L.
+        gap: T,
+    },
+    /// Φ_q is singular, or as good as: a dead point, a change point, or equations that depend on each other.
+    Singular {
+        /// A row that depends on the others.
+        row: Row,
+        /// The coordinate that they leave most undetermined.
+        coordinate: Coordinate,
+        /// Condition at the last position reached.
+        condition: T,
+    },
+    /// The motion jumps: the branch ends, and the next assembly is not near.
+    BranchLost {
+        /// The coordinate that jumps most.
+        coordinate: Coordinate,
+        /// By how much, in m or rad.
+        jump: T,
+    },
+    /// A number is infinite or NaN.
+    NotFinite {
+        /// Where it first appeared.
+        of: Culprit,
+    },
+    /// A parameter has a value for which the mechanism has no meaning.
+    ParameterOutOfRange(ParameterOutOfRange<T>),
+    /// Newton's method went on without settling.
+    NoConvergence {
+        /// Length of the last correction, scaled.
+        correction: T,
+        /// Number of corrections.
+        iterations: usize,
+    },
+    /// The way there takes more steps than one call makes.
+    TooManySteps {
+        /// Number of steps made.
+        steps: usize,
+    },
+}
+
+/// What was not finite.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Culprit {
+    /// The time asked for.
+    Time,
+    /// A coordinate, its correction or its rate.
+    Coordinate(Coordinate),
+    /// A row of Φ, Φ_q, ν or γ.
+    Row(Row),
+}
+
+impl<T: Float, const N: usize> fmt::Display for Failure<T, N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (name, t) = (self.mechanism, self.time.to_f64());
+        match &self.cause {
+            Cause::DoesNotClose { row, residual, gap } => {
+                write!(f, "`{name}` does not close at t = {t} s: {row} stays open by {:.2e} m", gap.to_f64())?;
+                if row.unit == "m" { Ok(()) } else { write!(f, " (residual {:.2e} {})", residual.to_f64(), row.unit) }
+            }
+            Cause::Singular { row, coordinate, condition } => write!(
+                f,
+                "`{name}` is at a dead point or change point at t = {t} s: {row} does not determine {coordinate} (condition {:.1e})",
+                condition.to_f64()
+            ),
+            Cause::BranchLost { coordinate, jump } => write!(
+                f,
+                "`{name}` loses its branch at t = {t} s: {coordinate} would jump by {:.2e} {}",
+                jump.to_f64(),
+                coordinate.kind.unit()
+            ),
+            Cause::NotFinite { of } => write!(f, "`{name}` is not finite at t = {t} s: {of}"),
+            Cause::ParameterOutOfRange(ParameterOutOfRange { name: parameter, value, why }) => {
+                write!(f, "`{name}` cannot be solved with `{parameter}` = {}: it {why}", value.to_f64())
+            }
+            Cause::NoConvergence { correction, iterations } => write!(
+                f,
+                "`{name}` does not settle at t = {t} s: after {iterations} corrections they are still {:.1e} long",
+                correction.to_f64()
+            ),
+            Cause::TooManySteps { steps } => write!(f, "`{name}` does not reach t = {t} s in {steps} steps"),
+        }
+    }
+}
+
+impl fmt::Display for Row {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "joint `{}` ({}, row {} of {})", self.joint, self.kind, self.index, self.of)
+    }
+}
+
+impl fmt::Display for Coordinate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "`{}.{}`", self.body, self.name)
+    }
+}
+
+impl fmt::Display for Culprit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Time => write!(f, "the time itself"),
+            Self::Coordinate(coordinate) => coordinate.fmt(f),
+            Self::Row(row) => row.fmt(f),
+        }
+    }
+}
+
+impl<T: Float, const N: usize> Error for Failure<T, N> {}
+
+impl<T: Float> fmt::Display for ParameterOutOfRange<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "`{}` = {}: it {}", self.name, self.value.to_f64(), self.why)
+    }
+}
+
+impl<T: Float> Error for ParameterOutOfRange<T> {}

@@ -1,0 +1,70 @@
+//! The motion of a mechanism from its constraint equations: positions, velocities and accelerations at the rounding limit,
+//! or one error that says in the words of the declaration why there are none.
+//!
+//! A mechanism declared with `mechanism!` is compiled to the functions of [`Equations`]; this crate runs Newton's method
+//! over them. It needs neither `std` nor an allocator, contains no `unsafe`, and does not panic on any input.
+//!
+//! ```text
+//! position       Φ(q, t) = 0         N equations, N coordinates
+//! velocity       Φ_q q̇ = ν           ν = −Φ_t
+//! acceleration   Φ_q q̈ = γ           γ = −(Φ_q q̇)_q q̇ − 2 Φ_qt q̇ − Φ_tt
+//! ```
+//!
+//! # Symbols
+//!
+//! | symbol | in code | meaning | shape | unit |
+//! | --- | --- | --- | --- | --- |
+//! | t | `t` | time | 1 | s |
+//! | q | `q` | coordinates; of a planar body x, y and φ, angles never wrapped | N | m, rad |
+//! | q̇, q̈ | `qd`, `qdd` | first and second derivative of q by time | N | m/s, rad/s; m/s², rad/s² |
+//! | Φ | `phi` | constraint equations, zero when the mechanism is assembled | M | of the row |
+//! | Φ_q | `jacobian` | ∂Φ/∂q | M × N | of the row per m or rad |
+//! | ν | `nu` | right-hand side of the velocity equation | M | of the row / s |
+//! | γ | `gamma` | right-hand side of the acceleration equation | M | of the row / s² |
+//! | M, N | `M`, `N` | number of equations, number of coordinates | | |
+//! | T | `T` | number type, [`Real`] to evaluate and [`Float`] to solve | | |
+//! | L | `characteristic_length` | length that is worth a radian: scaled coordinates are x/L, y/L and φ | 1 | m |
+//!
+//! # Rooms
+//!
+//! [`Equations`] is what a mechanism gives, [`Mechanism`] what one can ask of it, [`State`] and [`Failure`] the two answers.
+//! Behind them: `position` (Newton's method), `velocity`, `acceleration`, `continuation` (following a branch in time), `linear` (LU).
+
+#![no_std]
+#![deny(missing_docs)]
+#![forbid(unsafe_code)]
+// A failure carries the last valid state by value: there is no allocator to put it elsewhere.
+#![allow(clippy::result_large_err)]
+
+// Emitted code names its types by `::reuleaux`; this lets examples and macros inside the crate do so too.
+extern crate self as reuleaux;
+
+mod acceleration;
+mod continuation;
+mod damping;
+mod equations;
+mod failure;
+mod float;
+mod iterate;
+mod linear;
+mod mechanism;
+mod names;
+mod position;
+mod real;
+mod scale;
+mod state;
+mod sweep;
+mod table;
+mod velocity;
+mod verdict;
+
+pub use equations::{Equations, ParameterOutOfRange};
+pub use failure::{Cause, Culprit, Failure};
+pub use float::Float;
+pub use mechanism::Mechanism;
+pub use nalgebra;
+pub use names::{Coordinate, CoordinateKind, Row};
+pub use real::Real;
+pub use state::{Motion, Orientation, PlanarBody, State};
+pub use sweep::Sweep;
+pub use table::{Ends, Table};

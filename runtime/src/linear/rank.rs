@@ -1,0 +1,43 @@
+//! Which row and which unknown are to blame when a matrix is singular, or nearly so.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::Factors;
+use super::factor::Pivoting;
+use crate::Float;
+
+/// The row that depends on the others and the unknown that they leave undetermined.
+///
+/// With full pivoting the first pivot that is noise, or else the last one, is taken for zero. Then one combination of rows
+/// and one of columns vanish (the left and right null vectors, from L and U by back substitution); named are the row and, in
+/// scaled unknowns, the column with the largest share. None for a matrix without entries or with one that is not finite.
+///
+/// * `matrix`: given.
+/// * `size`: given, what counts as 1 in each unknown.
+pub(crate) fn weakest<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, size: &SVector<T, N>) -> Option<(usize, usize)> {
+    let mut factors = Factors::equilibrated(matrix, size).ok()?;
+    factors.eliminate(Pivoting::Full);
+    let free = factors.rank.min(N.checked_sub(1)?);
+    let lu = &factors.lu;
+
+    let mut left = SVector::<T, N>::from_element(T::of(0.0));
+    let mut right = left;
+    (left[free], right[free]) = (T::of(1.0), T::of(1.0));
+    for k in (0..free).rev() {
+        for other in k + 1..=free {
+            left[k] = left[k] - lu[k][other] * left[other];
+            right[k] = right[k] - lu[other][k] * right[other];
+        }
+        right[k] = right[k] / lu[k][k];
+    }
+
+    for (k, &column) in factors.columns.iter().enumerate() {
+        right[k] = right[k] * factors.column_scale[column] / size[column];
+    }
+    Some((factors.rows[largest(&left)], factors.columns[largest(&right)]))
+}
+
+/// Index of the entry with the largest magnitude, the first of equals.
+fn largest<T: Float, const N: usize>(vector: &SVector<T, N>) -> usize {
+    (0..N).fold(0, |best, i| if vector[i].abs() > vector[best].abs() { i } else { best })
+}

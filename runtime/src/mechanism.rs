@@ -1,0 +1,56 @@
+//! What one can ask of a mechanism.
+
+use nalgebra::SVector;
+
+use crate::continuation::{self, reach};
+use crate::position;
+use crate::scale::Scale;
+use crate::verdict;
+use crate::{Cause, Culprit, Equations, Failure, Float, State, Sweep};
+
+/// A mechanism with as many equations as coordinates, which can be solved. Every such [`Equations`] is one.
+///
+/// Methods that take a time return the state then, with q, q̇ and q̈ at the rounding limit.
+/// They fail with the [`Cause`] and the last valid state, and never panic.
+pub trait Mechanism<T: Float, const N: usize>: Equations<T, N, N> {
+    /// The state at `t` (s) on the branch of the declared start: assembled at t = 0, then followed in time.
+    ///
+    /// # Errors
+    /// Any [`Cause`]. For many times in order, [`sweep`](Self::sweep) does not begin at zero again and again.
+    fn solve(&self, t: T) -> Result<State<T, N>, Failure<T, N>> {
+        let origin = self.solve_near(T::of(0.0), &self.start())?;
+        if t == origin.t { Ok(origin) } else { reach(self, t, &origin) }
+    }
+
+    /// The state at `t` (s) that Newton's method finds from a rough `guess` of q (m, rad), of whatever branch.
+    ///
+    /// # Errors
+    /// Any [`Cause`] but `BranchLost` and `TooManySteps`.
+    fn solve_near(&self, t: T, guess: &SVector<T, N>) -> Result<State<T, N>, Failure<T, N>> {
+        let fail = |cause| Failure { mechanism: Self::NAME, cause, time: t, last: None };
+        self.validate().map_err(|parameter| fail(Cause::ParameterOutOfRange(parameter)))?;
+        if !t.is_finite() {
+            return Err(fail(Cause::NotFinite { of: Culprit::Time }));
+        }
+        let scale = Scale::of(self);
+        let position = position::close(self, t, guess, &scale).map_err(|miss| fail(verdict::open(self, t, miss, &scale)))?;
+        continuation::state(self, t, &position).map_err(|of| fail(Cause::NotFinite { of }))
+    }
+
+    /// The state at `t` (s) on the branch of `from`, a state of this mechanism with these parameters.
+    ///
+    /// # Errors
+    /// Any [`Cause`].
+    fn solve_from(&self, t: T, from: &State<T, N>) -> Result<State<T, N>, Failure<T, N>> {
+        reach(self, t, from)
+    }
+
+    /// The states at these times (s): the first as by [`solve`](Self::solve), each further one from the one before.
+    ///
+    /// The iterator ends after the first failure.
+    fn sweep<I: IntoIterator<Item = T>>(&self, times: I) -> Sweep<'_, Self, I::IntoIter, T, N> {
+        Sweep::new(self, times.into_iter())
+    }
+}
+
+impl<T: Float, const N: usize, E: Equations<T, N, N> + ?Sized> Mechanism<T, N> for E {}

@@ -1,0 +1,129 @@
+//! Φ(q, t) = 0 for q. In: a guess. Out: q at the rounding limit and the factors of Φ_q there, or why not.
+//! Not here: which guess to take (`continuation`), and how to tell the user (`verdict`).
+
+use nalgebra::SVector;
+
+use crate::damping::damped;
+use crate::iterate::{History, Iterate};
+use crate::linear::Factors;
+use crate::scale::{Scale, smaller};
+use crate::{Culprit, Equations, Float};
+
+/// Longest scaled step towards a first assembly: half a radian, or half of L. Within it a revolute is still about linear.
+pub(crate) const LONGEST_STEP: f64 = 0.5;
+
+/// Corrections tried without damping. Over the reference mechanisms with guesses off by 0.6 rad and 0.6 L, 10 are usual.
+const CLOSING_ITERATIONS: usize = 50;
+
+/// Longest first correction of a predicted position, scaled: further away another assembly may be as near.
+const LONGEST_FIRST_CORRECTION: f64 = 0.2;
+
+/// Largest contraction of the first correction of a predicted position; 1/2 is the limit of quadratic convergence.
+const LARGEST_CONTRACTION: f64 = 0.25;
+
+/// Corrections of a predicted position; with that contraction, five reach rounding.
+const FOLLOWING_ITERATIONS: usize = 12;
+
+/// A Jacobian with a condition above 16 / √ε is singular: rounding in Φ then moves q further than the next assembly is away.
+const SINGULAR: f64 = 16.0;
+
+/// A solution of Φ(q, t) = 0.
+pub(crate) struct Position<T, const N: usize> {
+    /// q, at the rounding limit.
+    pub(crate) q: SVector<T, N>,
+    /// Factors of Φ_q at q, of full rank.
+    pub(crate) factors: Factors<T, N>,
+    /// Number of factorisations.
+    pub(crate) iterations: usize,
+}
+
+/// Why there is no solution here.
+pub(crate) enum Miss<T, const N: usize> {
+    /// The equations are not defined at an iterate.
+    NotFinite(Culprit),
+    /// The equations hold here, but Φ_q is singular.
+    Singular(SVector<T, N>),
+    /// No step from here, however short, comes nearer.
+    Stuck(SVector<T, N>),
+    /// Corrections go on at this length.
+    NoConvergence { correction: T, iterations: usize },
+    /// The solution is too far from the prediction to be sure that it is the right one.
+    Far,
+}
+
+/// Assembles from a rough guess: Newton's method with limited steps and, if that does not settle, damped from the same guess.
+///
+/// Limited steps may cross singular positions, which from rough guesses they often must; damped ones never do, but end at
+/// the best position that can be reached without.
+pub(crate) fn close<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
+    equations: &E,
+    t: T,
+    guess: &SVector<T, N>,
+    scale: &Scale<T, N>,
+) -> Result<Position<T, N>, Miss<T, N>> {
+    limited(equations, t, guess, scale).or_else(|_| damped(equations, t, guess, scale))
+}
+
+/// Newton's method with scaled steps of at most [`LONGEST_STEP`].
+fn limited<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
+    equations: &E,
+    t: T,
+    guess: &SVector<T, N>,
+    scale: &Scale<T, N>,
+) -> Result<Position<T, N>, Miss<T, N>> {
+    let mut q = *guess;
+    let mut history = History::new();
+    for iterations in 1..=CLOSING_ITERATIONS {
+        let iterate = Iterate::at(equations, t, q, scale)?;
+        if iterate.has_settled(&history, scale) {
+            return accept(iterate, iterations);
+        }
+        let in_full = iterate.length <= T::of(LONGEST_STEP);
+        q = iterate.moved(smaller(T::of(1.0), T::of(LONGEST_STEP) / iterate.length));
+        history = history.after(iterate.length, in_full);
+    }
+    Err(Miss::NoConvergence { correction: history.previous.unwrap_or(T::of(LONGEST_STEP)), iterations: CLOSING_ITERATIONS })
+}
+
+/// Newton's method from a prediction: full steps only, and none if the solution is far or convergence slow.
+pub(crate) fn follow<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
+    equations: &E,
+    t: T,
+    prediction: &SVector<T, N>,
+    scale: &Scale<T, N>,
+) -> Result<Position<T, N>, Miss<T, N>> {
+    let mut q = *prediction;
+    let mut history = History::new();
+    for iterations in 1..=FOLLOWING_ITERATIONS {
+        let iterate = Iterate::at(equations, t, q, scale)?;
+        if iterate.has_settled(&history, scale) {
+            return accept(iterate, iterations);
+        }
+        let near = match history.contraction(iterate.length) {
+            None => iterate.length <= T::of(LONGEST_FIRST_CORRECTION),
+            Some(theta) => theta <= T::of(LARGEST_CONTRACTION),
+        };
+        if !near {
+            return Err(Miss::Far);
+        }
+        q = iterate.moved(T::of(1.0));
+        history = history.after(iterate.length, true);
+    }
+    Err(Miss::Far)
+}
+
+/// Makes the last correction, with the factors that velocities will use as well.
+pub(crate) fn accept<T: Float, const N: usize>(iterate: Iterate<T, N>, iterations: usize) -> Result<Position<T, N>, Miss<T, N>> {
+    let q = iterate.moved(T::of(1.0));
+    if iterate.factors.condition * T::EPSILON.sqrt() <= T::of(SINGULAR) {
+        Ok(Position { q, factors: iterate.factors, iterations })
+    } else {
+        Err(Miss::Singular(q))
+    }
+}
+
+impl<T, const N: usize> From<Culprit> for Miss<T, N> {
+    fn from(culprit: Culprit) -> Self {
+        Self::NotFinite(culprit)
+    }
+}

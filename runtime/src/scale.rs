@@ -1,0 +1,61 @@
+//! Metres and radians on one scale: a length counts as its share of L, an angle as it is.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::{Coordinate, CoordinateKind, Equations, Float, names};
+
+/// The size of each coordinate: L for lengths, 1 for angles.
+pub(crate) struct Scale<T, const N: usize> {
+    /// L in m.
+    pub(crate) length: T,
+    /// L or 1, by coordinate.
+    pub(crate) column: SVector<T, N>,
+}
+
+impl<T: Float, const N: usize> Scale<T, N> {
+    /// The scale of a mechanism; a characteristic length that is no length counts as 1 m.
+    pub(crate) fn of<E: Equations<T, N, N> + ?Sized>(equations: &E) -> Self {
+        Self::new(equations.characteristic_length(), E::COORDINATES)
+    }
+
+    fn new(length: T, coordinates: &[Coordinate]) -> Self {
+        let one = T::of(1.0);
+        let length = if length > T::of(0.0) && length.is_finite() { length } else { one };
+        let column = SVector::from_fn(|i, _| match names::coordinate(coordinates, i).kind {
+            CoordinateKind::Length => length,
+            CoordinateKind::Angle => one,
+        });
+        Self { length, column }
+    }
+
+    /// The greatest scaled entry, max(|δ_x| / L, |δ_φ|): NaN if one is, 0 if there is none.
+    pub(crate) fn norm(&self, vector: &SVector<T, N>) -> T {
+        vector.iter().zip(self.column.iter()).fold(T::of(0.0), |norm, (&entry, &size)| greater(norm, entry.abs() / size))
+    }
+
+    /// The difference between neighbouring numbers at q, scaled: ε (1 + |q|).
+    pub(crate) fn rounding(&self, q: &SVector<T, N>) -> T {
+        T::EPSILON * (T::of(1.0) + self.norm(q))
+    }
+
+    /// How far row `row` is from being fulfilled, in m: |Φ_i| by the norm of its gradient, an angle counting L metres.
+    pub(crate) fn gap(&self, row: usize, residual: T, jacobian: &SMatrix<T, N, N>) -> T {
+        let squares = (0..N).fold(T::of(0.0), |sum, j| {
+            let entry = jacobian[(row, j)] * self.column[j];
+            sum + entry * entry
+        });
+        residual.abs() * self.length / squares.sqrt()
+    }
+}
+
+/// The greater of two numbers, or NaN if one is.
+pub(crate) fn greater<T: Float>(a: T, b: T) -> T {
+    #[expect(clippy::eq_op, reason = "only NaN differs from itself")]
+    let keep = b <= a || a != a;
+    if keep { a } else { b }
+}
+
+/// The smaller of two numbers; `a` where they cannot be compared.
+pub(crate) fn smaller<T: Float>(a: T, b: T) -> T {
+    if b < a { b } else { a }
+}

@@ -1,0 +1,68 @@
+//! States at many times.
+
+use core::iter::FusedIterator;
+
+use crate::{Failure, Float, Mechanism, State};
+
+/// Iterator over the states of a mechanism at given times; see [`Mechanism::sweep`].
+#[derive(Clone, Debug)]
+pub struct Sweep<'a, E: ?Sized, I, T, const N: usize> {
+    mechanism: &'a E,
+    times: I,
+    progress: Progress<State<T, N>>,
+}
+
+/// How far a sweep has come.
+#[derive(Clone, Debug)]
+enum Progress<S> {
+    Fresh,
+    At(S),
+    Ended,
+}
+
+impl<'a, E: ?Sized, I, T, const N: usize> Sweep<'a, E, I, T, N> {
+    pub(crate) fn new(mechanism: &'a E, times: I) -> Self {
+        Self { mechanism, times, progress: Progress::Fresh }
+    }
+}
+
+impl<E, I, T, const N: usize> Iterator for Sweep<'_, E, I, T, N>
+where
+    E: Mechanism<T, N> + ?Sized,
+    I: Iterator<Item = T>,
+    T: Float,
+{
+    type Item = Result<State<T, N>, Failure<T, N>>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if matches!(self.progress, Progress::Ended) {
+            return None;
+        }
+        let Some(t) = self.times.next() else {
+            self.progress = Progress::Ended;
+            return None;
+        };
+        let result = match &self.progress {
+            Progress::At(state) => self.mechanism.solve_from(t, state),
+            Progress::Fresh | Progress::Ended => self.mechanism.solve(t),
+        };
+        self.progress = result.as_ref().map_or(Progress::Ended, |state| Progress::At(state.clone()));
+        Some(result)
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        match self.progress {
+            Progress::Ended => (0, Some(0)),
+            // A failure may end the sweep at once after the next state.
+            _ => (self.times.size_hint().0.min(1), self.times.size_hint().1),
+        }
+    }
+}
+
+impl<E, I, T, const N: usize> FusedIterator for Sweep<'_, E, I, T, N>
+where
+    E: Mechanism<T, N> + ?Sized,
+    I: Iterator<Item = T>,
+    T: Float,
+{
+}
