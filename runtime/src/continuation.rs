@@ -5,25 +5,17 @@
 //! its sign: two assemblies of one loop have different signs. Otherwise it is halved; after a success it is doubled.
 
 use crate::acceleration::acceleration;
-use crate::position::{self, Miss, Position};
+use crate::position::{self, Position, Refusal};
 use crate::scale::Scale;
 use crate::velocity::velocity;
 use crate::verdict;
-use crate::{Cause, Culprit, Equations, Failure, Float, Orientation, State};
+use crate::{Cause, Culprit, Equations, Failure, Float, State};
 
 /// Steps of one continuation, accepted or not.
 const MOST_STEPS: usize = 1_000_000;
 
-/// The shortest step, in roundings of t.
+/// The shortest step, in roundings of the time it leads to.
 const SHORTEST_STEP: f64 = 8.0;
-
-/// Why a step was not accepted.
-pub(crate) enum Refusal<T, const N: usize> {
-    /// No position.
-    Miss(Miss<T, N>),
-    /// A position on a branch of the other orientation.
-    OtherBranch,
-}
 
 /// The state at `t` on the branch of `from`.
 ///
@@ -54,7 +46,7 @@ pub(crate) fn reach<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
             }
             Err(refusal) => {
                 step = (next - here.t) * T::of(0.5);
-                if step.abs() <= T::of(SHORTEST_STEP) * T::EPSILON * here.t.abs().max(t.abs()) {
+                if step.abs() <= T::of(SHORTEST_STEP) * T::EPSILON * here.t.abs().max(next.abs()) {
                     return fail(verdict::end_of_branch(equations, next, &here, refusal, &scale), next, &here);
                 }
             }
@@ -69,12 +61,12 @@ fn advance<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
     next: T,
     here: &State<T, N>,
     scale: &Scale<T, N>,
-) -> Result<State<T, N>, Refusal<T, N>> {
-    let position = position::follow(equations, next, &here.predict(next), scale).map_err(Refusal::Miss)?;
+) -> Result<State<T, N>, Refusal> {
+    let position = position::follow(equations, next, &here.predict(next), scale)?;
     if position.factors.orientation != here.orientation {
         return Err(Refusal::OtherBranch);
     }
-    state(equations, next, &position).map_err(|culprit| Refusal::Miss(Miss::NotFinite(culprit)))
+    Ok(state(equations, next, &position)?)
 }
 
 /// Completes a position with velocities and accelerations.
@@ -85,6 +77,6 @@ pub(crate) fn state<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
 ) -> Result<State<T, N>, Culprit> {
     let qd = velocity(equations, t, position)?;
     let qdd = acceleration(equations, t, position, &qd)?;
-    let orientation: Orientation = position.factors.orientation;
-    Ok(State { t, q: position.q, qd, qdd, orientation, condition: position.factors.condition, iterations: position.iterations })
+    let &Position { q, ref factors, condition, iterations } = position;
+    Ok(State { t, q, qd, qdd, orientation: factors.orientation, condition, iterations })
 }

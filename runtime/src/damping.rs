@@ -6,8 +6,9 @@
 use nalgebra::SVector;
 
 use crate::iterate::{History, Iterate};
+use crate::order::smaller;
 use crate::position::{LONGEST_STEP, Miss, Position, accept};
-use crate::scale::{Scale, smaller};
+use crate::scale::Scale;
 use crate::{Equations, Float};
 
 /// Steps tried. Damped convergence is slow only next to singular positions.
@@ -32,7 +33,7 @@ pub(crate) fn damped<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
     let mut predicted = one;
     for iterations in 1..=ITERATIONS {
         if iterate.has_settled(&history, scale) {
-            return accept(iterate, iterations);
+            return accept(iterate, iterations, scale);
         }
         let longest = smaller(one, T::of(LONGEST_STEP) / iterate.length);
         let Some(Step { lambda, simplified }) = monotone_step(equations, t, &iterate, smaller(predicted, longest), scale) else {

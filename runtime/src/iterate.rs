@@ -6,11 +6,11 @@ use crate::linear::Factors;
 use crate::scale::Scale;
 use crate::{Culprit, Equations, Float, names};
 
-/// How much longer than the rounding of q a correction may be that counts as rounding: a few roundings in Φ and in the solve.
-const FEW_ROUNDINGS: f64 = 4.0;
+/// Relative change of Φ_q along δ, in ε, up to which Φ_q at q serves at q + δ. It is also the relative error that this leaves in q̇.
+const SAME_JACOBIAN: f64 = 32.0;
 
-/// The same per unit of condition: rounding errors in Φ reach δ multiplied by it, and the pivots underestimate it.
-const MORE_ROUNDINGS: f64 = 64.0;
+/// Corrections that shrink no faster than this, and are short, are rounding errors. Near the solution others shrink quadratically.
+const STALLED: f64 = 0.25;
 
 /// A position with its linearisation.
 pub(crate) struct Iterate<T, const N: usize> {
@@ -24,13 +24,13 @@ pub(crate) struct Iterate<T, const N: usize> {
     pub(crate) length: T,
 }
 
-/// What is known of the corrections before this one.
+/// What is known from the corrections before this one.
 #[derive(Clone, Copy)]
 pub(crate) struct History<T> {
     /// Length of the last correction; None if it was not made in full.
-    pub(crate) previous: Option<T>,
-    /// Length that the next one should have.
-    pub(crate) expected: T,
+    previous: Option<T>,
+    /// ω as it was seen in the contraction before.
+    curvature: Option<T>,
 }
 
 impl<T: Float, const N: usize> Iterate<T, N> {
@@ -44,7 +44,7 @@ impl<T: Float, const N: usize> Iterate<T, N> {
         if let Some(row) = phi.iter().position(|residual| !residual.is_finite()) {
             return Err(first_not_finite::<T, E, N>(&q).unwrap_or(not_finite(row)));
         }
-        let factors = Factors::new(&jacobian, &scale.column).map_err(not_finite)?;
+        let factors = Factors::new(&jacobian).map_err(not_finite)?;
         let correction = factors.solve(&phi.map(|residual| -residual));
         match first_not_finite::<T, E, N>(&correction) {
             Some(coordinate) => Err(coordinate),
@@ -57,22 +57,24 @@ impl<T: Float, const N: usize> Iterate<T, N> {
         SVector::from_fn(|i, _| self.q[i] + lambda * self.correction[i])
     }
 
-    /// Whether δ is nothing but rounding, so that q + δ is the solution and Φ_q at q its Jacobian.
+    /// Whether q + δ is the solution, to rounding, and Φ_q at q its Jacobian.
     ///
-    /// It is if it is no longer than a few roundings of q, or no longer than the condition explains and either expected to be
-    /// shorter than one rounding or no longer getting shorter.
+    /// They are if δ is short, at most √ε, and either Φ_q does not change along it, so that the next correction would be below
+    /// rounding, or corrections no longer get shorter.
     pub(crate) fn has_settled(&self, history: &History<T>, scale: &Scale<T, N>) -> bool {
-        let rounding = scale.rounding(&self.q);
-        let stalled = || history.previous.is_some_and(|previous| self.length * T::of(4.0) >= previous);
-        self.length <= T::of(FEW_ROUNDINGS) * rounding
-            || self.length <= T::of(MORE_ROUNDINGS) * rounding * self.factors.condition && (history.expected <= rounding || stalled())
+        if self.length > T::EPSILON.sqrt() * (T::of(1.0) + scale.norm(&self.q)) {
+            return false;
+        }
+        let stalled = history.contraction(self.length).is_some_and(|theta| theta >= T::of(STALLED));
+        let change = history.curvature(self.length).map(|curvature| curvature * self.length);
+        stalled || self.length == T::of(0.0) || change.is_some_and(|change| change <= T::of(SAME_JACOBIAN) * T::EPSILON)
     }
 }
 
 impl<T: Float> History<T> {
     /// Before the first correction.
     pub(crate) fn new() -> Self {
-        Self { previous: None, expected: T::of(f64::INFINITY) }
+        Self { previous: None, curvature: None }
     }
 
     /// θ = |δ| / |previous δ|, for a correction that follows one made in full.
@@ -80,15 +82,22 @@ impl<T: Float> History<T> {
         self.previous.map(|previous| length / previous)
     }
 
+    /// ω, the relative change of Φ_q per unit of length, from θ ≈ ω/2 |previous δ|; from the contraction before this one if
+    /// there was one, because this one may be rounding already. Deuflhard: Newton Methods for Nonlinear Problems, 2.1.
+    fn curvature(&self, length: T) -> Option<T> {
+        let seen_now = || self.previous.map(|previous| T::of(2.0) * length / (previous * previous));
+        self.curvature.or_else(seen_now)
+    }
+
     /// After a correction of this length, made in full or not.
-    ///
-    /// Newton's method converges quadratically, |next δ| ≈ ω/2 |δ|², so that contractions square: |next δ| ≈ θ² |δ|.
-    /// Deuflhard: Newton Methods for Nonlinear Problems, 2.1.
     pub(crate) fn after(&self, length: T, in_full: bool) -> Self {
-        match self.contraction(length) {
-            Some(theta) if in_full => Self { previous: Some(length), expected: theta * theta * length },
-            _ => Self { previous: in_full.then_some(length), ..Self::new() },
-        }
+        let latest = Self { curvature: None, ..*self };
+        Self { previous: in_full.then_some(length), curvature: latest.curvature(length) }
+    }
+
+    /// Length of the last correction, if it was made in full.
+    pub(crate) fn last(&self) -> Option<T> {
+        self.previous
     }
 }
 

@@ -49,6 +49,7 @@ mod iterate;
 mod linear;
 mod mechanism;
 mod names;
+mod order;
 mod position;
 mod real;
 mod scale;
@@ -68,3 +69,14 @@ pub use real::Real;
 pub use state::{Motion, Orientation, PlanarBody, State};
 pub use sweep::Sweep;
 pub use table::{Ends, Table};
+
+#[doc(hidden)]
+pub use reuleaux_macros::__resume;
+pub use reuleaux_macros::{constraint, mechanism};
+
+/// The standard library of constraints and motion laws, each with its manual page.
+///
+/// The modules are empty: a constraint is used by its name inside [`mechanism!`].
+pub mod library {
+    reuleaux_macros::__library_pages!();
+}

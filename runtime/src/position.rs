@@ -6,7 +6,8 @@ use nalgebra::SVector;
 use crate::damping::damped;
 use crate::iterate::{History, Iterate};
 use crate::linear::Factors;
-use crate::scale::{Scale, smaller};
+use crate::order::smaller;
+use crate::scale::Scale;
 use crate::{Culprit, Equations, Float};
 
 /// Longest scaled step towards a first assembly: half a radian, or half of L. Within it a revolute is still about linear.
@@ -27,12 +28,18 @@ const FOLLOWING_ITERATIONS: usize = 12;
 /// A Jacobian with a condition above 16 / √ε is singular: rounding in Φ then moves q further than the next assembly is away.
 const SINGULAR: f64 = 16.0;
 
+/// Unless the last correction is no longer than this many roundings of q: lengths that differ by many orders of magnitude give
+/// a large condition as well, without harm.
+const HARMLESS: f64 = 64.0;
+
 /// A solution of Φ(q, t) = 0.
 pub(crate) struct Position<T, const N: usize> {
     /// q, at the rounding limit.
     pub(crate) q: SVector<T, N>,
     /// Factors of Φ_q at q, of full rank.
     pub(crate) factors: Factors<T, N>,
+    /// Condition of Φ_q.
+    pub(crate) condition: T,
     /// Number of factorisations.
     pub(crate) iterations: usize,
 }
@@ -47,8 +54,18 @@ pub(crate) enum Miss<T, const N: usize> {
     Stuck(SVector<T, N>),
     /// Corrections go on at this length.
     NoConvergence { correction: T, iterations: usize },
-    /// The solution is too far from the prediction to be sure that it is the right one.
+}
+
+/// Why a predicted position does not lead to one that is surely on the same branch.
+pub(crate) enum Refusal {
+    /// The equations are not defined at an iterate.
+    NotFinite(Culprit),
+    /// Φ_q is singular there.
+    Singular,
+    /// The solution is too far from the prediction.
     Far,
+    /// det Φ_q has the other sign.
+    OtherBranch,
 }
 
 /// Assembles from a rough guess: Newton's method with limited steps and, if that does not settle, damped from the same guess.
@@ -76,13 +93,13 @@ fn limited<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
     for iterations in 1..=CLOSING_ITERATIONS {
         let iterate = Iterate::at(equations, t, q, scale)?;
         if iterate.has_settled(&history, scale) {
-            return accept(iterate, iterations);
+            return accept(iterate, iterations, scale);
         }
         let in_full = iterate.length <= T::of(LONGEST_STEP);
         q = iterate.moved(smaller(T::of(1.0), T::of(LONGEST_STEP) / iterate.length));
         history = history.after(iterate.length, in_full);
     }
-    Err(Miss::NoConvergence { correction: history.previous.unwrap_or(T::of(LONGEST_STEP)), iterations: CLOSING_ITERATIONS })
+    Err(Miss::NoConvergence { correction: history.last().unwrap_or(T::of(LONGEST_STEP)), iterations: CLOSING_ITERATIONS })
 }
 
 /// Newton's method from a prediction: full steps only, and none if the solution is far or convergence slow.
@@ -91,38 +108,47 @@ pub(crate) fn follow<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
     t: T,
     prediction: &SVector<T, N>,
     scale: &Scale<T, N>,
-) -> Result<Position<T, N>, Miss<T, N>> {
+) -> Result<Position<T, N>, Refusal> {
     let mut q = *prediction;
     let mut history = History::new();
     for iterations in 1..=FOLLOWING_ITERATIONS {
         let iterate = Iterate::at(equations, t, q, scale)?;
         if iterate.has_settled(&history, scale) {
-            return accept(iterate, iterations);
+            return accept(iterate, iterations, scale).map_err(|_| Refusal::Singular);
         }
         let near = match history.contraction(iterate.length) {
             None => iterate.length <= T::of(LONGEST_FIRST_CORRECTION),
             Some(theta) => theta <= T::of(LARGEST_CONTRACTION),
         };
         if !near {
-            return Err(Miss::Far);
+            return Err(Refusal::Far);
         }
         q = iterate.moved(T::of(1.0));
         history = history.after(iterate.length, true);
     }
-    Err(Miss::Far)
+    Err(Refusal::Far)
 }
 
 /// Makes the last correction, with the factors that velocities will use as well.
-pub(crate) fn accept<T: Float, const N: usize>(iterate: Iterate<T, N>, iterations: usize) -> Result<Position<T, N>, Miss<T, N>> {
+pub(crate) fn accept<T: Float, const N: usize>(
+    iterate: Iterate<T, N>,
+    iterations: usize,
+    scale: &Scale<T, N>,
+) -> Result<Position<T, N>, Miss<T, N>> {
     let q = iterate.moved(T::of(1.0));
-    if iterate.factors.condition * T::EPSILON.sqrt() <= T::of(SINGULAR) {
-        Ok(Position { q, factors: iterate.factors, iterations })
-    } else {
-        Err(Miss::Singular(q))
-    }
+    let condition = iterate.factors.condition();
+    let resolved = condition * T::EPSILON.sqrt() <= T::of(SINGULAR);
+    let harmless = iterate.factors.rank == N && iterate.length <= T::of(HARMLESS) * T::EPSILON * (T::of(1.0) + scale.norm(&q));
+    if resolved || harmless { Ok(Position { q, factors: iterate.factors, condition, iterations }) } else { Err(Miss::Singular(q)) }
 }
 
 impl<T, const N: usize> From<Culprit> for Miss<T, N> {
+    fn from(culprit: Culprit) -> Self {
+        Self::NotFinite(culprit)
+    }
+}
+
+impl From<Culprit> for Refusal {
     fn from(culprit: Culprit) -> Self {
         Self::NotFinite(culprit)
     }

@@ -2,6 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::order::greater;
 use crate::{Coordinate, CoordinateKind, Equations, Float, names};
 
 /// The size of each coordinate: L for lengths, 1 for angles.
@@ -33,11 +34,6 @@ impl<T: Float, const N: usize> Scale<T, N> {
         vector.iter().zip(self.column.iter()).fold(T::of(0.0), |norm, (&entry, &size)| greater(norm, entry.abs() / size))
     }
 
-    /// The difference between neighbouring numbers at q, scaled: ε (1 + |q|).
-    pub(crate) fn rounding(&self, q: &SVector<T, N>) -> T {
-        T::EPSILON * (T::of(1.0) + self.norm(q))
-    }
-
     /// How far row `row` is from being fulfilled, in m: |Φ_i| by the norm of its gradient, an angle counting L metres.
     pub(crate) fn gap(&self, row: usize, residual: T, jacobian: &SMatrix<T, N, N>) -> T {
         let squares = (0..N).fold(T::of(0.0), |sum, j| {
@@ -46,16 +42,4 @@ impl<T: Float, const N: usize> Scale<T, N> {
         });
         residual.abs() * self.length / squares.sqrt()
     }
-}
-
-/// The greater of two numbers, or NaN if one is.
-pub(crate) fn greater<T: Float>(a: T, b: T) -> T {
-    #[expect(clippy::eq_op, reason = "only NaN differs from itself")]
-    let keep = b <= a || a != a;
-    if keep { a } else { b }
-}
-
-/// The smaller of two numbers; `a` where they cannot be compared.
-pub(crate) fn smaller<T: Float>(a: T, b: T) -> T {
-    if b < a { b } else { a }
 }

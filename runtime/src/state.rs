@@ -17,8 +17,8 @@ pub struct State<T, const N: usize> {
     pub qdd: SVector<T, N>,
     /// The sign of det Φ_q: the name of the branch. It changes only where Φ_q is singular.
     pub orientation: Orientation,
-    /// How near to singular Φ_q is: largest by smallest pivot of the equilibrated matrix. 1 at best; −log10 of it is about the
-    /// number of digits lost. It grows without bound towards a dead point.
+    /// How near to singular Φ_q is: by about how much rounding errors are multiplied in q, q̇ and q̈. 1 at best; its decimal
+    /// logarithm is the number of digits lost. It grows without bound towards a dead point.
     pub condition: T,
     /// How often Φ_q was formed and factored to get here from the predicted or guessed position.
     pub iterations: usize,

@@ -2,11 +2,10 @@
 
 use nalgebra::SVector;
 
-use crate::continuation::Refusal;
 use crate::linear::{Factors, weakest};
-use crate::position::{self, Miss};
+use crate::position::{self, Miss, Refusal};
 use crate::scale::Scale;
-use crate::{Cause, Equations, Float, State, names};
+use crate::{Cause, Coordinate, Equations, Float, State, names};
 
 /// A gap of √ε L times this is closed: at a dead point, where rounding errors in Φ move q by about √ε.
 const CLOSED: f64 = 16.0;
@@ -27,10 +26,8 @@ pub(crate) fn open<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
     match miss {
         Miss::NotFinite(of) => Cause::NotFinite { of },
         Miss::Singular(q) => singular(equations, t, &q, scale),
-        Miss::Stuck(q) => widest_gap(equations, t, &q, scale)
-            .unwrap_or_else(|| singular(equations, t, &q, scale)),
+        Miss::Stuck(q) => widest_gap(equations, t, &q, scale).unwrap_or_else(|| singular(equations, t, &q, scale)),
         Miss::NoConvergence { correction, iterations } => Cause::NoConvergence { correction, iterations },
-        Miss::Far => Cause::NoConvergence { correction: T::of(f64::NAN), iterations: 0 },
     }
 }
 
@@ -39,10 +36,10 @@ pub(crate) fn end_of_branch<T: Float, E: Equations<T, N, N> + ?Sized, const N: u
     equations: &E,
     next: T,
     here: &State<T, N>,
-    refusal: Refusal<T, N>,
+    refusal: Refusal,
     scale: &Scale<T, N>,
 ) -> Cause<T> {
-    if let Refusal::Miss(Miss::NotFinite(of)) = refusal {
+    if let Refusal::NotFinite(of) = refusal {
         return Cause::NotFinite { of };
     }
     if is_dead_point(here) {
@@ -55,10 +52,15 @@ pub(crate) fn end_of_branch<T: Float, E: Equations<T, N, N> + ?Sized, const N: u
 }
 
 /// Which row depends on the others at q, and which coordinate they leave free.
-fn singular<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(equations: &E, t: T, q: &SVector<T, N>, scale: &Scale<T, N>) -> Cause<T> {
+fn singular<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
+    equations: &E,
+    t: T,
+    q: &SVector<T, N>,
+    scale: &Scale<T, N>,
+) -> Cause<T> {
     let jacobian = equations.jacobian(q, t);
     let (row, coordinate) = weakest(&jacobian, &scale.column).unwrap_or((0, 0));
-    let condition = Factors::new(&jacobian, &scale.column).map_or(T::of(f64::NAN), |factors| factors.condition);
+    let condition = Factors::new(&jacobian).map_or(T::of(f64::NAN), |factors| factors.condition());
     Cause::Singular { row: names::row(E::ROWS, row), coordinate: names::coordinate(E::COORDINATES, coordinate), condition }
 }
 
@@ -83,7 +85,7 @@ fn widest_gap<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
 }
 
 /// The coordinate in which two positions differ most.
-fn jump<T: Float, const N: usize>(from: &SVector<T, N>, to: &SVector<T, N>, coordinates: &[crate::Coordinate], scale: &Scale<T, N>) -> Cause<T> {
+fn jump<T: Float, const N: usize>(from: &SVector<T, N>, to: &SVector<T, N>, coordinates: &[Coordinate], scale: &Scale<T, N>) -> Cause<T> {
     let share = |i: usize| ((to[i] - from[i]) / scale.column[i]).abs();
     let most = (0..N).fold(0, |best, i| if share(i) > share(best) { i } else { best });
     let jump = to.get(most).zip(from.get(most)).map_or(T::of(f64::NAN), |(&to, &from)| to - from);

@@ -16,9 +16,9 @@ fn dead_point_is_reported_not_divided_by() {
         let failure = results.last().unwrap().as_ref().unwrap_err();
         println!("{failure}");
         let Cause::Singular { row, coordinate, condition } = failure.cause else { panic!("{failure}") };
-        assert_eq!(row.joint, "input");
+        assert!(["a", "input"].contains(&row.joint), "{failure}");
         assert_eq!((coordinate.body, coordinate.name), ("crank", "angle"));
-        assert!(condition > 1e5, "{condition:e}");
+        assert!(condition > 1e6, "{condition:e}");
 
         // At the dead point crank and coupler are in line: cosine rule for the rocker's angle.
         let reach: f64 = CRANK_ROCKER.crank + CRANK_ROCKER.coupler;
@@ -74,9 +74,7 @@ fn not_a_number_is_named() {
             FourBar { speed: value, ..CRANK_ROCKER },
             FourBar { start: [value; 3], ..CRANK_ROCKER },
         ] {
-            if value.abs() < 1.0 || broken.speed != value {
-                let _ = broken.solve(0.5).map_err(|failure| failure.to_string());
-            }
+            let _ = broken.solve(0.5).map_err(|failure| failure.to_string());
         }
         let time = if value.abs() > 1.0 && value.is_finite() { f64::NAN } else { value };
         assert_eq!(CRANK_ROCKER.solve(time).is_ok(), time.is_finite());
@@ -147,6 +145,14 @@ fn the_end_of_a_law_is_named() {
     println!("{failure}");
     assert!(matches!(failure.cause, Cause::NotFinite { of: Culprit::Row(_) }));
     assert!((failure.time - 0.5).abs() < 1e-14);
+}
+
+#[test]
+fn a_way_that_is_too_long_is_given_up() {
+    let failure = Slider(|t| 1e9 * t).solve(1.0).unwrap_err();
+    println!("{failure}");
+    assert!(matches!(failure.cause, Cause::TooManySteps { .. }));
+    assert!(failure.last.unwrap().t > 1e-6);
 }
 
 /// Two times the same equation.

@@ -1,7 +1,24 @@
-//! The compiler behind reuleaux's macros.
+//! The compiler behind reuleaux's macros, as an ordinary library: from a mechanism's declaration to
+//! its constraint equations, their Jacobian, ν and γ as Rust code.
+//!
+//! ```text
+//! tokens ─parse─▶ Ast ─resolve─▶ Model ─assemble─▶ System ─analyze─▶ Structure ─close─▶ Closure ─schedule─▶ Plan ─emit─▶ tokens
+//! ```
+//!
+//! Each room reads only nouns made before it; `compile.rs` is the whole way on one page. Users
+//! depend on the crate `reuleaux`, which re-exports the macros; this crate is for tests, fuzzers,
+//! benchmarks and build scripts, and its interface may change in any version.
 
+pub mod closure;
+mod compile;
 pub mod diag;
+mod emit;
 pub mod expr;
 pub mod library;
 pub mod model;
+pub mod plan;
+pub mod structure;
 pub mod syntax;
+pub mod system;
+
+pub use compile::{Compiled, check_constraint, compile, constraint, library_pages, mechanism, resume};

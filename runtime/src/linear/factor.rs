@@ -4,7 +4,7 @@ use core::array;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::scale::greater;
+use crate::order::greater;
 use crate::{Float, Orientation};
 
 /// The factors of one matrix. Matrices of plain arrays are stored by columns: `lu[j][i]` is row i, column j.
@@ -21,8 +21,6 @@ pub(crate) struct Factors<T, const N: usize> {
     pub(crate) columns: [usize; N],
     /// Number of pivots that are not rounding noise; N for a regular matrix.
     pub(crate) rank: usize,
-    /// Largest by smallest pivot; infinite when the rank is below N.
-    pub(crate) condition: T,
     /// Sign of the determinant; without meaning when the rank is below N.
     pub(crate) orientation: Orientation,
 }
@@ -40,12 +38,11 @@ impl<T: Float, const N: usize> Factors<T, N> {
     /// Factors a matrix: with partial pivoting and, if a pivot is rounding noise, again with full pivoting.
     ///
     /// * `matrix`: given, A.
-    /// * `size`: given, what counts as 1 in each unknown.
     ///
     /// # Errors
     /// The index of a row that has an entry that is not finite.
-    pub(crate) fn new(matrix: &SMatrix<T, N, N>, size: &SVector<T, N>) -> Result<Self, usize> {
-        let mut factors = Self::equilibrated(matrix, size)?;
+    pub(crate) fn new(matrix: &SMatrix<T, N, N>) -> Result<Self, usize> {
+        let mut factors = Self::equilibrated(matrix)?;
         let scaled = factors.lu;
         factors.eliminate(Pivoting::Partial);
         if factors.rank < N {
@@ -55,18 +52,21 @@ impl<T: Float, const N: usize> Factors<T, N> {
         Ok(factors)
     }
 
-    /// R A C in place of the factors: the largest entry of each row, then of each column, is between 1 and 2 (or zero).
-    pub(super) fn equilibrated(matrix: &SMatrix<T, N, N>, size: &SVector<T, N>) -> Result<Self, usize> {
-        let one = T::of(1.0);
+    /// R A C in place of the factors: the largest entry of each column, then of each row, is brought between 1 and 2.
+    ///
+    /// Columns come first: an entry of a revolute's row by an angle is an arm, and positions are then measured by arms, each by its
+    /// own, whether they are nanometres or kilometres.
+    pub(super) fn equilibrated(matrix: &SMatrix<T, N, N>) -> Result<Self, usize> {
+        let (zero, one) = (T::of(0.0), T::of(1.0));
         let mut lu = matrix.data.0;
-        let mut column_scale = size.map(T::binade);
-        for (column, &scale) in lu.iter_mut().zip(column_scale.iter()) {
-            column.iter_mut().for_each(|entry| *entry = *entry * scale);
+        let mut column_scale = SVector::<T, N>::from_element(one);
+        for (column, scale) in lu.iter_mut().zip(column_scale.iter_mut()) {
+            *scale = one / column.iter().fold(zero, |largest, entry| greater(largest, entry.abs())).binade();
+            column.iter_mut().for_each(|entry| *entry = *entry * *scale);
         }
-
         let mut row_scale = SVector::<T, N>::from_element(one);
         for i in 0..N {
-            let largest = lu.iter().fold(T::of(0.0), |largest, column| greater(largest, column[i].abs()));
+            let largest = lu.iter().fold(zero, |largest, column| greater(largest, column[i].abs()));
             if !largest.is_finite() {
                 return Err(i);
             }
@@ -75,13 +75,6 @@ impl<T: Float, const N: usize> Factors<T, N> {
         for column in &mut lu {
             column.iter_mut().zip(row_scale.iter()).for_each(|(entry, &scale)| *entry = *entry * scale);
         }
-
-        for (column, total) in lu.iter_mut().zip(column_scale.iter_mut()) {
-            let scale = one / column.iter().fold(T::of(0.0), |largest, entry| greater(largest, entry.abs())).binade();
-            column.iter_mut().for_each(|entry| *entry = *entry * scale);
-            *total = *total * scale;
-        }
-
         Ok(Self {
             matrix: *matrix,
             lu,
@@ -90,7 +83,6 @@ impl<T: Float, const N: usize> Factors<T, N> {
             rows: array::from_fn(|i| i),
             columns: array::from_fn(|j| j),
             rank: N,
-            condition: one,
             orientation: Orientation::Positive,
         })
     }
@@ -99,7 +91,6 @@ impl<T: Float, const N: usize> Factors<T, N> {
     pub(super) fn eliminate(&mut self, pivoting: Pivoting) {
         // The matrix is equilibrated, so that its entries are about 1 and carry errors of about N ε after elimination.
         let noise = T::of(8.0 * N as f64) * T::EPSILON;
-        let (mut largest, mut smallest) = (T::of(0.0), T::of(f64::INFINITY));
         let mut odd = false;
         self.rows = array::from_fn(|i| i);
         self.columns = array::from_fn(|j| j);
@@ -112,15 +103,11 @@ impl<T: Float, const N: usize> Factors<T, N> {
             let pivot = self.lu[k][k];
             if pivot.abs() <= noise {
                 self.rank = k;
-                self.condition = T::of(f64::INFINITY);
                 return;
             }
             odd ^= pivot < T::of(0.0);
-            largest = largest.max(pivot.abs());
-            smallest = T::select_less(pivot.abs(), smallest, pivot.abs(), smallest);
             self.clear_below(k, pivot);
         }
-        self.condition = if N == 0 { T::of(1.0) } else { largest / smallest };
         self.orientation = if odd { Orientation::Negative } else { Orientation::Positive };
     }
 

@@ -15,7 +15,7 @@ use crate::Float;
 /// * `matrix`: given.
 /// * `size`: given, what counts as 1 in each unknown.
 pub(crate) fn weakest<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, size: &SVector<T, N>) -> Option<(usize, usize)> {
-    let mut factors = Factors::equilibrated(matrix, size).ok()?;
+    let mut factors = Factors::equilibrated(matrix).ok()?;
     factors.eliminate(Pivoting::Full);
     let free = factors.rank.min(N.checked_sub(1)?);
     let lu = &factors.lu;

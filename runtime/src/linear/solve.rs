@@ -18,6 +18,16 @@ impl<T: Float, const N: usize> Factors<T, N> {
                 y[i] = y[i] - self.lu[k][i] * known;
             }
         }
+        self.substitute_back(&mut y);
+        let mut x = SVector::from_element(T::of(0.0));
+        for (k, &column) in self.columns.iter().enumerate().take(self.rank) {
+            x[column] = y[k] * self.column_scale[column];
+        }
+        x
+    }
+
+    /// y ← U⁻¹ y, as far as the rank goes.
+    pub(super) fn substitute_back(&self, y: &mut SVector<T, N>) {
         for k in (0..self.rank).rev() {
             let known = y[k] / self.lu[k][k];
             y[k] = known;
@@ -25,11 +35,6 @@ impl<T: Float, const N: usize> Factors<T, N> {
                 y[i] = y[i] - self.lu[k][i] * known;
             }
         }
-        let mut x = SVector::from_element(T::of(0.0));
-        for (k, &column) in self.columns.iter().enumerate().take(self.rank) {
-            x[column] = y[k] * self.column_scale[column];
-        }
-        x
     }
 
     /// A x = b with one step of iterative refinement: the residual b − A x is solved for as well and added.

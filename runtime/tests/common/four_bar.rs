@@ -93,15 +93,87 @@ impl<T: Real> Equations<T, 9, 9> for FourBar {
         let (i, z) = (T::of(1.0), T::of(0.0));
         let driven = |column| if self.driven as usize == column { i } else { z };
         SMatrix::from_row_slice(&[
-            i, z, z, z, z, z, z, z, z, //
-            z, i, z, z, z, z, z, z, z, //
-            i, z, -(crank * s1), -i, z, z, z, z, z, //
-            z, i, crank * c1, z, -i, z, z, z, z, //
-            z, z, z, i, z, -(coupler * s2), -i, z, rocker * s3, //
-            z, z, z, z, i, coupler * c2, z, -i, -(rocker * c3), //
-            z, z, z, z, z, z, i, z, z, //
-            z, z, z, z, z, z, z, i, z, //
-            z, z, driven(2), z, z, z, z, z, driven(8),
+            i,
+            z,
+            z,
+            z,
+            z,
+            z,
+            z,
+            z,
+            z, //
+            z,
+            i,
+            z,
+            z,
+            z,
+            z,
+            z,
+            z,
+            z, //
+            i,
+            z,
+            -(crank * s1),
+            -i,
+            z,
+            z,
+            z,
+            z,
+            z, //
+            z,
+            i,
+            crank * c1,
+            z,
+            -i,
+            z,
+            z,
+            z,
+            z, //
+            z,
+            z,
+            z,
+            i,
+            z,
+            -(coupler * s2),
+            -i,
+            z,
+            rocker * s3, //
+            z,
+            z,
+            z,
+            z,
+            i,
+            coupler * c2,
+            z,
+            -i,
+            -(rocker * c3), //
+            z,
+            z,
+            z,
+            z,
+            z,
+            z,
+            i,
+            z,
+            z, //
+            z,
+            z,
+            z,
+            z,
+            z,
+            z,
+            z,
+            i,
+            z, //
+            z,
+            z,
+            driven(2),
+            z,
+            z,
+            z,
+            z,
+            z,
+            driven(8),
         ])
     }
 
@@ -141,4 +213,3 @@ impl<T: Real> Equations<T, 9, 9> for FourBar {
         Ok(())
     }
 }
-

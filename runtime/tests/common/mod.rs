@@ -5,6 +5,8 @@
 pub mod four_bar;
 pub mod jet;
 pub mod planar;
+#[rustfmt::skip]
+#[allow(clippy::approx_constant, reason = "they are results")]
 pub mod reference;
 
 /// Largest difference of two vectors as a share of the largest entry of the second (of 1 where all are zero).

@@ -54,7 +54,9 @@ pub struct Reference<const N: usize> {
 impl Law {
     fn at<T: Real>(self, t: T) -> T {
         let sum = self.polynomial.iter().rev().fold(T::of(0.0), |sum, &c| sum * t + T::of(c));
-        self.harmonics.iter().fold(sum, |sum, &[amplitude, omega, phase]| sum + T::of(amplitude) * (T::of(omega) * t + T::of(phase)).sin_cos().0)
+        self.harmonics
+            .iter()
+            .fold(sum, |sum, &[amplitude, omega, phase]| sum + T::of(amplitude) * (T::of(omega) * t + T::of(phase)).sin_cos().0)
     }
 }
 

@@ -1,0 +1,129 @@
+//! Least squares by the method of Levenberg and Marquardt, dense and small.
+//!
+//! Reference: Moré (1978), The Levenberg-Marquardt algorithm: implementation and theory.
+
+use crate::expr::{Evaluator, Values};
+
+/// min ½ ‖Φ(q)‖², rows that cannot be evaluated left out.
+pub(super) struct Problem<'a> {
+    /// Number of rows.
+    pub(super) rows: usize,
+    /// Row and column of each derivative.
+    pub(super) pattern: Vec<(usize, usize)>,
+    /// Φ, then the derivatives.
+    pub(super) evaluator: Evaluator,
+    /// Parameters and functions; its coordinates are replaced.
+    pub(super) known: Values<'a>,
+    /// What a unit step of each unknown is.
+    pub(super) scales: Vec<f64>,
+}
+
+/// Rows and Jacobian at a place, in scaled unknowns and with rows of comparable size.
+struct Linear {
+    phi: Vec<f64>,
+    jacobian: Vec<Vec<f64>>,
+}
+
+impl Problem<'_> {
+    fn linearize(&mut self, q: &[f64]) -> Linear {
+        let mut values = vec![0.0; self.rows + self.pattern.len()];
+        self.evaluator.run(&Values { coordinates: q, ..self.known }, &mut values);
+        let (phi, entries) = values.split_at(self.rows);
+        let mut linear = Linear { phi: phi.to_vec(), jacobian: vec![vec![0.0; q.len()]; self.rows] };
+        for ((row, column), entry) in self.pattern.iter().zip(entries) {
+            linear.jacobian[*row][*column] = entry * self.scales[*column];
+        }
+        for (value, row) in linear.phi.iter_mut().zip(&mut linear.jacobian) {
+            let size = row.iter().fold(0.0, |size: f64, entry| size.max(entry.abs()));
+            if !value.is_finite() || !size.is_finite() || size == 0.0 {
+                *value = 0.0;
+                row.fill(0.0);
+                continue;
+            }
+            *value /= size;
+            row.iter_mut().for_each(|entry| *entry /= size);
+        }
+        linear
+    }
+}
+
+/// Moves the free unknowns until the rows vanish or no step makes them smaller; whether they vanish.
+pub(super) fn minimise(problem: &mut Problem, q: &mut [f64], free: &[bool]) -> bool {
+    let columns: Vec<usize> = (0..q.len()).filter(|column| free[*column]).collect();
+    let mut damping = 1e-3;
+    let mut here = problem.linearize(q);
+    let mut cost = square(&here.phi);
+    for _ in 0..60 {
+        if cost <= 1e-24 {
+            return true;
+        }
+        let Some(step) = step(&here, &columns, damping) else { return false };
+        let mut trial = q.to_vec();
+        for (column, change) in columns.iter().zip(&step) {
+            trial[*column] -= change * problem.scales[*column];
+        }
+        let there = problem.linearize(&trial);
+        let new_cost = square(&there.phi);
+        if new_cost < cost {
+            let is_stuck = new_cost > 0.999_999 * cost && damping > 1e-8;
+            q.copy_from_slice(&trial);
+            (here, cost) = (there, new_cost);
+            damping = (damping * 0.1).max(1e-15);
+            if is_stuck {
+                break;
+            }
+        } else {
+            damping *= 10.0;
+            if damping > 1e8 {
+                break;
+            }
+        }
+    }
+    cost <= 1e-20
+}
+
+fn square(values: &[f64]) -> f64 {
+    values.iter().map(|value| value * value).sum()
+}
+
+/// (JᵀJ + λ I) δ = JᵀΦ by Cholesky's method.
+fn step(linear: &Linear, columns: &[usize], damping: f64) -> Option<Vec<f64>> {
+    let n = columns.len();
+    let mut matrix = vec![vec![0.0; n]; n];
+    let mut right = vec![0.0; n];
+    for (value, row) in linear.phi.iter().zip(&linear.jacobian) {
+        let entries: Vec<(usize, f64)> = columns.iter().enumerate().map(|(i, column)| (i, row[*column])).filter(|(_, entry)| *entry != 0.0).collect();
+        for (i, a) in &entries {
+            right[*i] += a * value;
+            for (j, b) in &entries {
+                matrix[*i][*j] += a * b;
+            }
+        }
+    }
+    for (i, row) in matrix.iter_mut().enumerate() {
+        row[i] += damping;
+    }
+    for i in 0..n {
+        for j in 0..=i {
+            let sum: f64 = (0..j).map(|k| matrix[i][k] * matrix[j][k]).sum();
+            let value = matrix[i][j] - sum;
+            if i == j {
+                if value <= 0.0 || !value.is_finite() {
+                    return None;
+                }
+                matrix[i][i] = value.sqrt();
+            } else {
+                matrix[i][j] = value / matrix[j][j];
+            }
+        }
+    }
+    for i in 0..n {
+        let sum: f64 = (0..i).map(|k| matrix[i][k] * right[k]).sum();
+        right[i] = (right[i] - sum) / matrix[i][i];
+    }
+    for i in (0..n).rev() {
+        let sum: f64 = (i + 1..n).map(|k| matrix[k][i] * right[k]).sum();
+        right[i] = (right[i] - sum) / matrix[i][i];
+    }
+    Some(right)
+}

@@ -1,0 +1,132 @@
+//! From a system to an assembled configuration at the declared defaults, at t = 0.
+//!
+//! In: a [`System`] and the defaults. Out: a [`Closure`]: the configuration that the generated
+//! `solve` starts from. What the declaration does not say of the start follows from the joints:
+//! the equations are minimised by the method of Levenberg and Marquardt from the declared start
+//! values and, for angles that are not declared, from several guesses; of the assemblies found the
+//! one nearest to what was declared is taken. Not done here: emitting, refusing.
+
+mod levenberg;
+
+use crate::expr::{Evaluator, Expr, Values, evaluate};
+use crate::model::{Dim, Function, Model};
+use crate::system::System;
+use levenberg::{Problem, minimise};
+
+/// Beyond this many coordinates the dense minimisation would be felt in `cargo check`.
+const LARGEST: usize = 240;
+
+/// How many guesses of the undeclared angles are tried.
+const GUESSES: usize = 24;
+
+/// The configuration to start from.
+#[derive(Clone, Debug)]
+pub struct Closure {
+    /// One value for each unknown, in SI.
+    pub start: Vec<f64>,
+    /// All equations that could be evaluated hold to rounding there.
+    pub is_closed: bool,
+}
+
+/// Looks for the assembled configuration nearest to the declared start.
+pub(crate) fn close(model: &Model, system: &System) -> Closure {
+    let functions = |number: u32, x: f64| call(model, number, x);
+    let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
+    let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
+    let parameters = evaluate(&system.arena, &defaults, &nothing);
+    let known = Values { parameters: &parameters, ..nothing };
+    let declared: Vec<Option<f64>> = system
+        .unknowns
+        .iter()
+        .map(|unknown| unknown.start.and_then(|start| evaluate(&system.arena, &[start], &known).pop()).filter(|value| value.is_finite()))
+        .collect();
+    let size = size(model, system, &known);
+    if system.unknowns.len() > LARGEST {
+        return Closure { start: declared.iter().map(|value| value.unwrap_or(0.0)).collect(), is_closed: false };
+    }
+    let mut problem = problem(system, &known, size);
+    search(system, &mut problem, &declared, size)
+}
+
+/// Tries guesses until every declared value is as near as it can be.
+fn search(system: &System, problem: &mut Problem, declared: &[Option<f64>], size: f64) -> Closure {
+    let is_angle: Vec<bool> = system.unknowns.iter().map(|unknown| unknown.dim == Dim::ANGLE).collect();
+    let free_angles = declared.iter().zip(&is_angle).filter(|(value, is_angle)| **is_angle && value.is_none()).count();
+    let guesses = if free_angles == 0 { 1 } else { GUESSES };
+    let mut best: Option<(f64, Vec<f64>)> = None;
+    let mut first = None;
+    for attempt in 0..guesses {
+        let mut q: Vec<f64> = (0..declared.len()).map(|index| declared[index].unwrap_or(if is_angle[index] { guess(attempt, index) } else { 0.0 })).collect();
+        // With the angles given, the places follow from equations that are nearly linear in them.
+        let free: Vec<bool> = declared.iter().zip(&is_angle).map(|(value, is_angle)| value.is_none() && !is_angle).collect();
+        minimise(problem, &mut q, &free);
+        first.get_or_insert_with(|| q.clone());
+        let free: Vec<bool> = declared.iter().map(Option::is_none).collect();
+        minimise(problem, &mut q, &free);
+        let everything = vec![true; q.len()];
+        if !minimise(problem, &mut q, &everything) {
+            continue;
+        }
+        let distance = distance(&q, declared, &is_angle, size);
+        if best.as_ref().is_none_or(|(least, _)| distance < *least * 0.999) {
+            best = Some((distance, q));
+        }
+    }
+    match best {
+        Some((_, start)) => Closure { start, is_closed: true },
+        None => Closure { start: first.unwrap_or_default(), is_closed: false },
+    }
+}
+
+/// How far a configuration is from the declared start; undeclared angles count a little, so that
+/// of two assemblies the less turned one is taken.
+fn distance(q: &[f64], declared: &[Option<f64>], is_angle: &[bool], size: f64) -> f64 {
+    let part = |index: usize| {
+        let scale = if is_angle[index] { 1.0 } else { 1.0 / size };
+        match declared[index] {
+            Some(value) => ((q[index] - value) * scale).powi(2),
+            None if is_angle[index] => 1e-6 * q[index].powi(2),
+            None => 0.0,
+        }
+    };
+    (0..q.len()).map(part).sum()
+}
+
+/// The guess of an undeclared angle: first 0, then spread evenly over a turn, each angle its own way.
+fn guess(attempt: usize, index: usize) -> f64 {
+    // Fractions of the golden section never repeat and fill the circle evenly.
+    let turns = (attempt as f64 * (index as f64 + 1.0) * 0.618_033_988_749_895).fract();
+    let turns = if turns > 0.5 { turns - 1.0 } else { turns };
+    if attempt == 0 { 0.0 } else { turns * core::f64::consts::TAU }
+}
+
+/// The equations and their derivatives at the defaults, as functions of q alone.
+fn problem<'a>(system: &'a System, known: &'a Values<'a>, size: f64) -> Problem<'a> {
+    let rows: Vec<_> = system.equations.iter().filter(|equation| equation.phi.is_some()).collect();
+    let mut roots: Vec<Expr> = rows.iter().filter_map(|equation| equation.phi).collect();
+    roots.extend(rows.iter().flat_map(|equation| equation.jacobian.iter().map(|(_, entry)| *entry)));
+    let entry = |(row, equation): (usize, &&crate::system::Equation)| equation.jacobian.iter().map(|(column, _)| (row, *column)).collect::<Vec<_>>();
+    let scales = system.unknowns.iter().map(|unknown| if unknown.dim == Dim::ANGLE { 1.0 } else { size }).collect();
+    Problem {
+        rows: rows.len(),
+        pattern: rows.iter().enumerate().flat_map(entry).collect(),
+        evaluator: Evaluator::new(&system.arena, &roots),
+        known: *known,
+        scales,
+    }
+}
+
+/// The longest distance of a point from the origin of its body.
+fn size(model: &Model, system: &System, known: &Values) -> f64 {
+    let lengths = evaluate(&system.arena, &model.lengths, known);
+    let longest = lengths.into_iter().filter(|length| length.is_finite()).fold(0.0, |longest: f64, length| longest.max(length.abs()));
+    if longest > 0.0 { longest } else { 1.0 }
+}
+
+/// Tables are known here; Rust functions are not, and their rows are left out.
+fn call(model: &Model, number: u32, x: f64) -> [f64; 3] {
+    match model.functions.get(number as usize) {
+        Some(Function::Table(table)) => table.evaluate(x),
+        _ => [f64::NAN; 3],
+    }
+}

@@ -1,0 +1,168 @@
+//! The whole compiler on one page.
+
+use crate::closure::{self, Closure};
+use crate::diag::{Diag, Refusal};
+use crate::emit;
+use crate::model::{self, Model};
+use crate::plan::{self, Plan};
+use crate::structure::{self, Structure};
+use crate::syntax::{self, ast};
+use crate::system::{self, System};
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use quote::quote;
+
+/// Every noun that is made on the way from tokens to tokens.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    /// Names are ids, quantities have dimensions.
+    pub model: Model,
+    /// Unknowns and equations.
+    pub system: System,
+    /// The order of solution.
+    pub structure: Structure,
+    /// The configuration to start from.
+    pub closure: Closure,
+    /// Straight lines.
+    pub plan: Plan,
+}
+
+/// A definition under the name it has in a mechanism.
+type Known = Vec<(String, ast::Definition)>;
+
+/// Compiles a `mechanism!` declaration to Rust.
+#[must_use]
+pub fn mechanism(tokens: TokenStream) -> TokenStream {
+    continued(tokens, TokenStream::new(), true)
+}
+
+/// Compiles a mechanism as far as its plan, without `use` items; for tests and tools.
+///
+/// # Errors
+/// Everything that is wrong with the declaration.
+pub fn compile(tokens: TokenStream) -> Result<Compiled, Vec<Refusal>> {
+    let mut diag = Diag::default();
+    let tree = syntax::parse(tokens, &mut diag);
+    let compiled = tree.and_then(|tree| rooms(&tree, Known::new(), &mut diag));
+    compiled.ok_or_else(|| diag.refusals().to_vec())
+}
+
+/// Compiles a `constraint!` invocation to the macros that stand for its definitions.
+#[must_use]
+pub fn constraint(tokens: TokenStream) -> TokenStream {
+    let mut diag = Diag::default();
+    let Some(definitions) = syntax::parse_definitions(tokens, &mut diag) else { return diag.to_tokens() };
+    check(&definitions, &mut diag);
+    let (errors, exports) = (diag.to_tokens(), emit::export(&definitions, !diag.is_clean()));
+    quote!(#errors #exports)
+}
+
+/// What is wrong with a `constraint!` invocation; for tests and tools.
+///
+/// # Errors
+/// Everything that is wrong with the definitions.
+pub fn check_constraint(tokens: TokenStream) -> Result<(), Vec<Refusal>> {
+    let mut diag = Diag::default();
+    if let Some(definitions) = syntax::parse_definitions(tokens, &mut diag) {
+        check(&definitions, &mut diag);
+    }
+    if diag.is_clean() { Ok(()) } else { Err(diag.refusals().to_vec()) }
+}
+
+/// Goes on with a mechanism after a definition has been handed over:
+/// `{ definitions } { known } name { mechanism }`.
+#[must_use]
+pub fn resume(tokens: TokenStream) -> TokenStream {
+    let trees: Vec<TokenTree> = tokens.into_iter().collect();
+    let [TokenTree::Group(definitions), TokenTree::Group(known), TokenTree::Ident(name), TokenTree::Group(mechanism)] = trees.as_slice() else {
+        return quote!(::core::compile_error! { "`__resume` is called by `mechanism!` only" });
+    };
+    let (definitions, known) = (definitions.stream(), known.stream());
+    let is_broken = definitions.is_empty();
+    continued(mechanism.stream(), quote!(#known #name { #definitions }), !is_broken)
+}
+
+/// The manual pages of the library as modules.
+#[must_use]
+pub fn library_pages() -> TokenStream {
+    emit::library_pages()
+}
+
+/// Asks for the next definition that is not known yet, or compiles.
+fn continued(tokens: TokenStream, known: TokenStream, is_whole: bool) -> TokenStream {
+    let mut diag = Diag::default();
+    let Some(tree) = syntax::parse(tokens.clone(), &mut diag) else { return diag.to_tokens() };
+    if !is_whole {
+        // The definition has been refused where it stands; nothing is left to say here.
+        return emit::stub(&tree);
+    }
+    let names = names(&known);
+    let wanted = tree.items.iter().filter_map(|item| if let ast::Item::Use(uses) = item { Some(uses) } else { None }).flatten();
+    if let Some(missing) = wanted.into_iter().find(|used| !names.contains(&used.name.to_string()))
+        && diag.is_clean()
+    {
+        return emit::resume(missing, &known, &tokens);
+    }
+    let definitions = definitions(known, &mut diag);
+    match rooms(&tree, definitions, &mut diag) {
+        Some(Compiled { model, system, closure, plan, .. }) => emit::emit(&model, &system, &closure, &plan),
+        None => {
+            let (errors, stub) = (diag.to_tokens(), emit::stub(&tree));
+            quote!(#errors #stub)
+        }
+    }
+}
+
+/// From what was written to straight lines. A room is not entered if the one before refused.
+fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<Compiled> {
+    if !diag.is_clean() {
+        return None;
+    }
+    let model = model::resolve(tree, definitions, diag)?;
+    // Every name is an id, every quantity has a dimension.
+    let system = system::assemble(&model, diag)?;
+    // There are unknowns and equations only, with all their derivatives.
+    let structure = structure::analyze(&system);
+    // Every unknown belongs to a block.
+    let closure = closure::close(&model, &system);
+    // There is a configuration to start from.
+    let plan = plan::schedule(&model, &system);
+    // Nothing is left to decide.
+    Some(Compiled { model, system, structure, closure, plan })
+}
+
+fn check(definitions: &ast::Definitions, diag: &mut Diag) {
+    if !diag.is_clean() {
+        return;
+    }
+    let all: Vec<ast::Definition> = definitions.exports.iter().flat_map(|export| export.definitions.clone()).collect();
+    for definition in &all {
+        model::check_definition(definition, &all, diag);
+    }
+}
+
+/// `name { definitions } …`
+fn entries(known: TokenStream) -> Vec<(String, TokenStream)> {
+    let trees: Vec<TokenTree> = known.into_iter().collect();
+    let entry = |pair: &[TokenTree]| match pair {
+        [TokenTree::Ident(name), TokenTree::Group(group)] if group.delimiter() == Delimiter::Brace => Some((name.to_string(), group.stream())),
+        _ => None,
+    };
+    trees.chunks(2).filter_map(entry).collect()
+}
+
+fn names(known: &TokenStream) -> Vec<String> {
+    entries(known.clone()).into_iter().map(|(name, _)| name).collect()
+}
+
+/// A single definition goes by the name of its `use` item, those of a bundle by their own.
+fn definitions(known: TokenStream, diag: &mut Diag) -> Known {
+    let mut definitions = Known::new();
+    for (name, tokens) in entries(known) {
+        let mut parsed = syntax::parse_exported(tokens, diag).unwrap_or_default();
+        match parsed.len() {
+            1 => definitions.extend(parsed.pop().map(|definition| (name, definition))),
+            _ => definitions.extend(parsed.into_iter().map(|definition| (definition.name.to_string(), definition))),
+        }
+    }
+    definitions
+}

@@ -1,0 +1,70 @@
+//! How a definition crosses from one macro call to another.
+//!
+//! `constraint!` emits a hidden macro that hands the definition's tokens to whatever macro its
+//! caller names; `mechanism!` calls it by the path of its `use` item and goes on in `__resume!`.
+//!
+//! ```text
+//! mechanism! { … use path::rolling; … }
+//!   ─▶ path::rolling! { [::reuleaux::__resume] { known } rolling { … } }
+//!   ─▶ ::reuleaux::__resume! { { constraint rolling … } { known } rolling { … } }
+//! ```
+
+use crate::syntax::ast::{Definitions, Export, Use};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote};
+
+/// The macros that stand for definitions; `is_broken` ones hand over nothing, so that a mistake is
+/// reported once.
+pub(crate) fn export(definitions: &Definitions, is_broken: bool) -> TokenStream {
+    definitions.exports.iter().map(|export| exported(export, is_broken)).collect()
+}
+
+fn exported(export: &Export, is_broken: bool) -> TokenStream {
+    let Export { docs, visibility, name, tokens, .. } = export;
+    let docs = &docs.tokens;
+    let hidden = format_ident!("__reuleaux_{}_{}", plain(name), fingerprint(export), span = Span::call_site());
+    let handed = if is_broken { TokenStream::new() } else { tokens.clone() };
+    let is_public = visibility.to_string() == "pub";
+    let exported = is_public.then(|| quote!(#[macro_export]));
+    quote! {
+        #[doc(hidden)]
+        #exported
+        macro_rules! #hidden {
+            ([$($callback:tt)*] $($rest:tt)*) => { $($callback)* ! { { #handed } $($rest)* } };
+        }
+        #docs
+        #[doc(inline)]
+        #[allow(unused_imports)]
+        #visibility use #hidden as #name;
+    }
+}
+
+fn plain(name: &Ident) -> String {
+    name.to_string().trim_start_matches("r#").to_owned()
+}
+
+/// Keeps apart exports of the same name in different modules. FNV-1a over text and place.
+fn fingerprint(export: &Export) -> String {
+    let place = export.name.span().start();
+    let text = format!("{}{}:{}", export.tokens, place.line, place.column);
+    let hash = text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
+    format!("{hash:016x}")
+}
+
+/// The call that asks for one more definition.
+pub(crate) fn resume(wanted: &Use, known: &TokenStream, mechanism: &TokenStream) -> TokenStream {
+    let (path, name) = (&wanted.path.tokens, &wanted.name);
+    quote! { #path! { [::reuleaux::__resume] { #known } #name { #mechanism } } }
+}
+
+/// The manual pages of the library as modules that rustdoc shows.
+pub(crate) fn library_pages() -> TokenStream {
+    let page = |(name, text): (&str, &str)| {
+        let module = Ident::new(name, Span::call_site());
+        let (docs, code): (Vec<&str>, Vec<&str>) = text.lines().partition(|line| line.starts_with("///"));
+        let docs: Vec<&str> = docs.iter().map(|line| line.trim_start_matches("///").strip_prefix(' ').unwrap_or("")).collect();
+        let page = format!("{}\n\n# Definition\n\n```text\n{}\n```\n", docs.join("\n"), code.join("\n"));
+        quote! { #[doc = #page] pub mod #module {} }
+    };
+    crate::library::pages().map(page).collect()
+}

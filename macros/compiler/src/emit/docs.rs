@@ -1,0 +1,97 @@
+//! What is written above generated items.
+
+use crate::expr::{Evaluator, Leaf, Values, show};
+use crate::model::{Function, Model, Output, Parameter};
+use crate::plan::{Plan, Routine};
+use crate::system::System;
+use std::fmt::Write;
+
+/// The page of the generated struct: tables of parameters, coordinates and equations.
+pub(super) fn mechanism(model: &Model, system: &System, plan: &Plan) -> String {
+    let mut page = String::new();
+    let (n, m) = (system.unknowns.len(), system.equations.len());
+    let drives: usize = model.joints.iter().filter(|joint| joint.is_drive).map(|joint| joint.residuals.len()).sum();
+    let mobility = n as i64 - (m - drives) as i64;
+    let _ = writeln!(page, "\n{n} coordinates, {m} equations, {drives} of them drives: mobility {mobility} without drives, as counted.");
+    parameters(&mut page, model, system);
+    let _ = writeln!(page, "\n# Coordinates\n\n| | body | coordinate | unit |\n| --- | --- | --- | --- |");
+    for (index, unknown) in system.unknowns.iter().enumerate() {
+        let _ = writeln!(page, "| `q[{index}]` | `{}` | {} | {} |", model.bodies[unknown.body].name, unknown.name, unknown.dim.unit());
+    }
+    equations(&mut page, model, system);
+    let _ = writeln!(page, "\n# Operations\n\n| | sums and products | divisions and roots | sine-cosine pairs | other functions |\n| --- | --- | --- | --- | --- |");
+    for (name, routine) in [("Φ", &plan.phi), ("Φ_q", &plan.jacobian), ("Φ and Φ_q", &plan.linearize), ("ν", &plan.nu), ("γ", &plan.gamma)] {
+        let cost = routine.cost;
+        let _ = writeln!(page, "| {name} | {} | {} | {} | {} |", cost.flops, cost.divisions, cost.sines, cost.calls);
+    }
+    page
+}
+
+fn parameters(page: &mut String, model: &Model, system: &System) {
+    if model.parameters.is_empty() {
+        return;
+    }
+    let _ = writeln!(page, "\n# Parameters\n\n| | default | unit |\n| --- | --- | --- |");
+    for (parameter, value) in model.parameters.iter().zip(default_values(model, system)) {
+        let _ = writeln!(page, "| `{}` | {value} | {} |", parameter.name, parameter.dim.unit());
+    }
+}
+
+fn equations(page: &mut String, model: &Model, system: &System) {
+    let _ = writeln!(page, "\n# Equations\n\nEach expression is zero; x, y and φ are the coordinates of the body in the index.\n\n```text");
+    let name = |leaf: Leaf| match leaf {
+        Leaf::Time => "t".to_owned(),
+        Leaf::Parameter(index) => model.parameters.get(index as usize).map_or(String::new(), |parameter| parameter.name.to_string()),
+        Leaf::Coordinate(index) | Leaf::Velocity(index) | Leaf::Acceleration(index) => {
+            let Some(unknown) = system.unknowns.get(index as usize) else { return String::new() };
+            let symbol = if unknown.name == "angle" { "φ" } else { unknown.name };
+            format!("{symbol}_{}", model.bodies[unknown.body].name)
+        }
+    };
+    let function = |number: u32| match model.functions.get(number as usize) {
+        Some(Function::Rust(path)) => path.to_string().replace(' ', ""),
+        _ => "table".to_owned(),
+    };
+    for equation in &system.equations {
+        let joint = &model.joints[equation.joint];
+        let Some(phi) = equation.phi else { continue };
+        let unit = equation.dim.unit();
+        let unit = if unit.is_empty() { String::new() } else { format!("  [{unit}]") };
+        let _ = writeln!(page, "{} ({}, {} of {}):  {}{unit}", joint.name, joint.kind, equation.row + 1, joint.residuals.len(), show(&system.arena, phi, &name, &function));
+    }
+    let _ = writeln!(page, "```");
+}
+
+/// The defaults of the parameters, in SI.
+pub(super) fn default_values(model: &Model, system: &System) -> Vec<f64> {
+    let roots: Vec<_> = model.parameters.iter().map(|parameter| parameter.default).collect();
+    let functions = |_: u32, _: f64| [f64::NAN; 3];
+    let values = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
+    let mut defaults = vec![0.0; roots.len()];
+    Evaluator::new(&system.arena, &roots).run(&values, &mut defaults);
+    // A default such as 1/0 is refused by `validate` when it is used.
+    defaults.into_iter().map(|value| if value.is_finite() { value } else { f64::MAX }).collect()
+}
+
+/// One line for a field.
+pub(super) fn parameter(parameter: &Parameter) -> String {
+    unit_line("A parameter of the mechanism", parameter.dim.unit())
+}
+
+/// One line for an output.
+pub(super) fn output(output: &Output) -> String {
+    unit_line(&format!("The output `{}` with its first and second derivative in time", output.name), output.dim.unit())
+}
+
+fn unit_line(what: &str, unit: String) -> String {
+    if unit.is_empty() { format!("{what}; a pure number.") } else { format!("{what}, in {unit}.") }
+}
+
+/// A routine's first line and its cost.
+pub(super) fn routine(what: &str, routine: &Routine) -> String {
+    let cost = routine.cost;
+    format!(
+        "{what}\n\n{} sums and products, {} divisions and roots, {} sine-cosine pairs, {} other functions.",
+        cost.flops, cost.divisions, cost.sines, cost.calls
+    )
+}

@@ -1,0 +1,150 @@
+//! Expressions as Rust, with the fewest parentheses that keep the order of operations.
+
+use crate::expr::{Arena, Binary, Evaluator, Expr, Node, Unary, Values};
+use crate::plan::Routine;
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::quote;
+
+/// How tightly an expression holds together.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Strength {
+    Sum,
+    Product,
+    Sign,
+    Atom,
+}
+
+/// Prints expressions of one routine.
+pub(super) struct Printer<'a> {
+    pub(super) arena: &'a Arena,
+    pub(super) routine: &'a Routine,
+}
+
+impl Printer<'_> {
+    /// The expression by its name if it has one, else written out.
+    pub(super) fn expression(&self, expr: Expr) -> TokenStream {
+        self.print(expr).0
+    }
+
+    /// The expression written out, even if it has a name.
+    pub(super) fn definition(&self, expr: Expr) -> TokenStream {
+        self.write(expr).0
+    }
+
+    fn print(&self, expr: Expr) -> (TokenStream, Strength) {
+        match self.routine.names.get(&expr) {
+            Some(name) => (named(name), Strength::Atom),
+            None => self.write(expr),
+        }
+    }
+
+    fn write(&self, expr: Expr) -> (TokenStream, Strength) {
+        match *self.arena.node(expr) {
+            Node::Constant(value) => constant(value.to_f64()),
+            _ if self.is_constant(expr) => constant(self.value(expr)),
+            Node::Leaf(_) | Node::Call { .. } => (quote!(), Strength::Atom),
+            Node::Unary(Unary::Neg, value) => {
+                let value = self.at_least(value, Strength::Sign);
+                (quote!(-#value), Strength::Sign)
+            }
+            Node::Unary(function, value) => {
+                let value = self.at_least(value, Strength::Atom);
+                let method = Ident::new(method(function), Span::mixed_site());
+                (quote!(#value.#method()), Strength::Atom)
+            }
+            Node::Binary(Binary::Atan2, y, x) => {
+                let (y, x) = (self.at_least(y, Strength::Atom), self.expression(x));
+                (quote!(#y.atan2(#x)), Strength::Atom)
+            }
+            // The right operand of the same strength is put in parentheses: rounding depends on it.
+            Node::Binary(Binary::Add, one, two) => {
+                let (one, two) = (self.at_least(one, Strength::Sum), self.at_least(two, Strength::Product));
+                (quote!(#one + #two), Strength::Sum)
+            }
+            Node::Binary(Binary::Sub, one, two) => {
+                let (one, two) = (self.at_least(one, Strength::Sum), self.at_least(two, Strength::Product));
+                (quote!(#one - #two), Strength::Sum)
+            }
+            Node::Binary(Binary::Mul, one, two) => {
+                let (one, two) = (self.at_least(one, Strength::Product), self.at_least(two, Strength::Sign));
+                (quote!(#one * #two), Strength::Product)
+            }
+            Node::Binary(Binary::Div, one, two) => {
+                let (one, two) = (self.at_least(one, Strength::Product), self.at_least(two, Strength::Sign));
+                (quote!(#one / #two), Strength::Product)
+            }
+            Node::Select { lhs, rhs, then, otherwise } => {
+                let [lhs, rhs, then, otherwise] = [lhs, rhs, then, otherwise].map(|part| self.expression(part));
+                (quote!(T::select_less(#lhs, #rhs, #then, #otherwise)), Strength::Atom)
+            }
+        }
+    }
+
+    fn at_least(&self, expr: Expr, needed: Strength) -> TokenStream {
+        let (tokens, strength) = self.print(expr);
+        if strength < needed { quote!((#tokens)) } else { tokens }
+    }
+
+    /// Depends on constants only.
+    fn is_constant(&self, expr: Expr) -> bool {
+        let is_open = |below: &Expr| matches!(self.arena.node(*below), Node::Leaf(_) | Node::Call { .. });
+        !self.arena.reachable(&[expr]).iter().any(is_open)
+    }
+
+    /// The value of a constant expression, by the interpreter.
+    fn value(&self, expr: Expr) -> f64 {
+        let functions = |_: u32, _: f64| [f64::NAN; 3];
+        let values = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
+        let mut result = [f64::NAN];
+        Evaluator::new(self.arena, &[expr]).run(&values, &mut result);
+        result[0]
+    }
+}
+
+/// `self.length`, or a local name.
+fn named(name: &str) -> TokenStream {
+    match name.strip_prefix("self.") {
+        Some(field) => {
+            let field = super::identifier(field);
+            quote!(self.#field)
+        }
+        None => {
+            let local = local(name);
+            quote!(#local)
+        }
+    }
+}
+
+/// A local of generated code, which cannot be confused with the user's.
+pub(super) fn local(name: &str) -> Ident {
+    Ident::new(name, Span::mixed_site())
+}
+
+fn constant(value: f64) -> (TokenStream, Strength) {
+    let literal = |value: f64| if value.is_finite() { Literal::f64_unsuffixed(value) } else { Literal::f64_unsuffixed(0.0) };
+    if value.is_nan() {
+        return (quote!(T::of(f64::NAN)), Strength::Atom);
+    }
+    if value.is_infinite() {
+        let sign = if value > 0.0 { quote!(f64::INFINITY) } else { quote!(f64::NEG_INFINITY) };
+        return (quote!(T::of(#sign)), Strength::Atom);
+    }
+    let size = literal(value.abs());
+    if value.is_sign_negative() { (quote!(T::of(-#size)), Strength::Atom) } else { (quote!(T::of(#size)), Strength::Atom) }
+}
+
+fn method(function: Unary) -> &'static str {
+    match function {
+        Unary::Sqrt => "sqrt",
+        Unary::Tan => "tan",
+        Unary::Asin => "asin",
+        Unary::Acos => "acos",
+        Unary::Atan => "atan",
+        Unary::Exp => "exp",
+        Unary::Ln => "ln",
+        Unary::Abs => "abs",
+        Unary::Sign => "sign",
+        // A sine or cosine always has a name, a sign its own operator.
+        Unary::Sin | Unary::Cos | Unary::Neg => "sin_cos",
+    }
+}

@@ -1,0 +1,288 @@
+//! The generated functions of a mechanism.
+
+use super::expression::local;
+use super::routine::{Lines, lines};
+use super::{docs, docs_or, state_name};
+use crate::model::Model;
+use crate::plan::{Plan, Routine};
+use crate::syntax::ast::Relation;
+use crate::system::System;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// Everything that the functions are made from.
+pub(super) struct Emitter<'a> {
+    pub(super) model: &'a Model,
+    pub(super) system: &'a System,
+    pub(super) plan: &'a Plan,
+}
+
+impl Emitter<'_> {
+    fn lines(&self, routine: &Routine) -> Lines {
+        lines(self.model, &self.system.arena, routine)
+    }
+
+    fn sizes(&self) -> (usize, usize) {
+        (self.system.equations.len(), self.system.unknowns.len())
+    }
+
+    /// Φ
+    pub(super) fn phi(&self) -> TokenStream {
+        let Lines { reads, steps, results } = self.lines(&self.plan.phi);
+        let (m, n) = self.sizes();
+        let page = docs::routine("Φ(q, t), the left minus the right side of every equation.", &self.plan.phi);
+        let (q, t) = (local("q"), local("t"));
+        quote! {
+            #[doc = #page]
+            #[must_use]
+            pub fn phi(&self, #q: &::reuleaux::nalgebra::SVector<T, #n>, #t: T) -> ::reuleaux::nalgebra::SVector<T, #m> {
+                #reads
+                #steps
+                ::reuleaux::nalgebra::SVector::from([#(#results),*])
+            }
+        }
+    }
+
+    /// Φ_q, by entries and as a matrix
+    pub(super) fn jacobian(&self) -> TokenStream {
+        let Lines { reads, steps, results } = self.lines(&self.plan.jacobian);
+        let ((m, n), entries) = (self.sizes(), self.plan.pattern.len());
+        let page = docs::routine("The entries of Φ_q(q, t) in the order of `JACOBIAN_PATTERN`.", &self.plan.jacobian);
+        let (q, t) = (local("q"), local("t"));
+        quote! {
+            #[doc = #page]
+            #[must_use]
+            pub fn jacobian_entries(&self, #q: &::reuleaux::nalgebra::SVector<T, #n>, #t: T) -> [T; #entries] {
+                #reads
+                #steps
+                [#(#results),*]
+            }
+            /// Φ_q(q, t) as a dense matrix.
+            #[must_use]
+            pub fn jacobian(&self, q: &::reuleaux::nalgebra::SVector<T, #n>, t: T) -> ::reuleaux::nalgebra::SMatrix<T, #m, #n> {
+                let mut matrix = ::reuleaux::nalgebra::SMatrix::from_element(T::of(0.0));
+                for (place, entry) in ::core::iter::Iterator::zip(Self::JACOBIAN_PATTERN.iter(), self.jacobian_entries(q, t)) {
+                    matrix[*place] = entry;
+                }
+                matrix
+            }
+        }
+    }
+
+    /// Φ and Φ_q together
+    pub(super) fn linearize(&self) -> TokenStream {
+        let Lines { reads, steps, results } = self.lines(&self.plan.linearize);
+        let (m, n) = self.sizes();
+        let (phi, entries) = results.split_at(results.len() - self.plan.pattern.len());
+        let page = docs::routine("Φ(q, t) and Φ_q(q, t), which share most of their work.", &self.plan.linearize);
+        let (q, t, matrix) = (local("q"), local("t"), local("matrix"));
+        let places = self.plan.pattern.iter().map(|(row, column)| {
+            let (row, column) = (Literal::usize_unsuffixed(*row), Literal::usize_unsuffixed(*column));
+            quote!((#row, #column))
+        });
+        quote! {
+            #[doc = #page]
+            #[must_use]
+            pub fn linearize(
+                &self,
+                #q: &::reuleaux::nalgebra::SVector<T, #n>,
+                #t: T,
+            ) -> (::reuleaux::nalgebra::SVector<T, #m>, ::reuleaux::nalgebra::SMatrix<T, #m, #n>) {
+                #reads
+                #steps
+                let mut #matrix = ::reuleaux::nalgebra::SMatrix::from_element(T::of(0.0));
+                #(#matrix[#places] = #entries;)*
+                (::reuleaux::nalgebra::SVector::from([#(#phi),*]), #matrix)
+            }
+        }
+    }
+
+    /// ν
+    pub(super) fn nu(&self) -> TokenStream {
+        let Lines { reads, steps, results } = self.lines(&self.plan.nu);
+        let (m, n) = self.sizes();
+        let page = docs::routine("ν(q, t) = −Φ_t, the right side of Φ_q q̇ = ν.", &self.plan.nu);
+        let (q, t) = (local("q"), local("t"));
+        quote! {
+            #[doc = #page]
+            #[must_use]
+            pub fn nu(&self, #q: &::reuleaux::nalgebra::SVector<T, #n>, #t: T) -> ::reuleaux::nalgebra::SVector<T, #m> {
+                #reads
+                #steps
+                ::reuleaux::nalgebra::SVector::from([#(#results),*])
+            }
+        }
+    }
+
+    /// γ
+    pub(super) fn gamma(&self) -> TokenStream {
+        let Lines { reads, steps, results } = self.lines(&self.plan.gamma);
+        let (m, n) = self.sizes();
+        let page = docs::routine(
+            "γ(q, q̇, t), the right side of Φ_q q̈ = γ: minus the second derivative of s ↦ Φ(q + s q̇, t + s) at s = 0.",
+            &self.plan.gamma,
+        );
+        let (q, qd, t) = (local("q"), local("qd"), local("t"));
+        quote! {
+            #[doc = #page]
+            #[must_use]
+            pub fn gamma(
+                &self,
+                #q: &::reuleaux::nalgebra::SVector<T, #n>,
+                #qd: &::reuleaux::nalgebra::SVector<T, #n>,
+                #t: T,
+            ) -> ::reuleaux::nalgebra::SVector<T, #m> {
+                #reads
+                #steps
+                ::reuleaux::nalgebra::SVector::from([#(#results),*])
+            }
+        }
+    }
+
+    /// The longest distance of a point from its body's origin
+    pub(super) fn characteristic_length(&self) -> TokenStream {
+        let Lines { steps, results, .. } = self.lines(&self.plan.lengths);
+        quote! {
+            /// L, the length (m) that is worth a radian when lengths and angles are compared: the largest
+            /// coordinate of a point in the frame of its body, 1 if there is none.
+            #[must_use]
+            pub fn characteristic_length(&self) -> T {
+                #steps
+                let longest = T::of(0.0);
+                #(let longest = longest.max((#results).abs());)*
+                T::select_less(T::of(0.0), longest, longest, T::of(1.0))
+            }
+        }
+    }
+
+    /// Conditions on parameters
+    pub(super) fn validate(&self) -> TokenStream {
+        let Lines { steps, results, .. } = self.lines(&self.plan.requirements);
+        let finite = self.model.parameters.iter().map(|parameter| {
+            let (field, name) = (&parameter.name, parameter.name.to_string());
+            // x − x is 0 for every finite x and NaN for all others, over any number type.
+            quote! {
+                if (self.#field - self.#field) != T::of(0.0) {
+                    return ::core::result::Result::Err(::reuleaux::ParameterOutOfRange { name: #name, value: self.#field, why: "must be finite" });
+                }
+            }
+        });
+        let checks = self.model.requirements.iter().zip(results.chunks(2)).map(|(requirement, sides)| {
+            let (lhs, rhs) = (&sides[0], &sides[1]);
+            let (zero, one) = (quote!(T::of(0.0)), quote!(T::of(1.0)));
+            // Written without comparison operators, which not every number type has.
+            let fails = match requirement.relation {
+                Relation::Different => quote!((#lhs) == (#rhs)),
+                Relation::Equal => quote!((#lhs) != (#rhs)),
+                Relation::Less => quote!(T::select_less(#lhs, #rhs, #zero, #one) != #zero),
+                Relation::Greater => quote!(T::select_less(#rhs, #lhs, #zero, #one) != #zero),
+                Relation::LessOrEqual => quote!(T::select_less(#rhs, #lhs, #one, #zero) != #zero),
+                Relation::GreaterOrEqual => quote!(T::select_less(#lhs, #rhs, #one, #zero) != #zero),
+            };
+            let (name, why) = (self.parameter_in(requirement), &requirement.why);
+            quote! {
+                if #fails {
+                    return ::core::result::Result::Err(::reuleaux::ParameterOutOfRange { name: #name, value: #lhs, why: #why });
+                }
+            }
+        });
+        quote! {
+            /// Whether every parameter is finite and meets the demands of the joints.
+            ///
+            /// # Errors
+            /// The first parameter that does not.
+            pub fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> {
+                #(#finite)*
+                #steps
+                #(#checks)*
+                ::core::result::Result::Ok(())
+            }
+        }
+    }
+
+    /// The parameter a requirement is about, or the joint that asks for it.
+    fn parameter_in(&self, requirement: &crate::model::Requirement) -> String {
+        let leaves = self.system.arena.leaves(requirement.lhs);
+        let parameters: Vec<_> = leaves.iter().collect();
+        match parameters.as_slice() {
+            [crate::expr::Leaf::Parameter(index)] => self.model.parameters.get(*index as usize).map_or(String::new(), |parameter| parameter.name.to_string()),
+            _ => requirement.joint.clone(),
+        }
+    }
+
+    /// Outputs with value, rate and acceleration
+    pub(super) fn outputs(&self) -> TokenStream {
+        let state = state_name(self.model);
+        let (q, qd, qdd, t) = (local("q"), local("qd"), local("qdd"), local("t"));
+        let output = |(output, routine): (&crate::model::Output, &Routine)| {
+            let Lines { reads, steps, results } = self.lines(routine);
+            let (docs, name) = (docs_or(&output.docs, &docs::output(output)), &output.name);
+            let part = |order: usize| -> TokenStream {
+                let parts: Vec<&TokenStream> = results.iter().skip(order).step_by(3).collect();
+                match parts.as_slice() {
+                    [scalar] => quote!(#scalar),
+                    _ => quote!(::reuleaux::nalgebra::Vector2::from([#(#parts),*])),
+                }
+            };
+            let (value, rate, acceleration) = (part(0), part(1), part(2));
+            let kind = if output.components.len() == 1 { quote!(T) } else { quote!(::reuleaux::nalgebra::Vector2<T>) };
+            quote! {
+                #docs
+                #[must_use]
+                pub fn #name(&self, state: &#state<T>) -> ::reuleaux::Motion<#kind> {
+                    let (#q, #qd, #qdd, #t) = (&state.q, &state.qd, &state.qdd, state.t);
+                    #reads
+                    #steps
+                    ::reuleaux::Motion { value: #value, rate: #rate, acceleration: #acceleration }
+                }
+            }
+        };
+        self.model.outputs.iter().zip(&self.plan.outputs).map(output).collect()
+    }
+
+    /// The runtime's trait, by the functions above
+    pub(super) fn traits(&self) -> TokenStream {
+        let (name, (m, n)) = (&self.model.name, self.sizes());
+        let word = name.to_string();
+        let coordinates = self.system.unknowns.iter().map(|unknown| {
+            let (body, name) = (self.model.bodies[unknown.body].name.to_string(), unknown.name);
+            let kind = if unknown.dim == crate::model::Dim::ANGLE { quote!(Angle) } else { quote!(Length) };
+            quote!(::reuleaux::Coordinate { body: #body, name: #name, kind: ::reuleaux::CoordinateKind::#kind })
+        });
+        let rows = self.system.equations.iter().map(|equation| {
+            let joint = &self.model.joints[equation.joint];
+            let (name, kind, unit) = (joint.name.to_string(), &joint.kind, equation.dim.unit());
+            let (index, of) = (equation.row + 1, joint.residuals.len());
+            quote!(::reuleaux::Row { joint: #name, kind: #kind, index: #index, of: #of, unit: #unit })
+        });
+        quote! {
+            #[automatically_derived]
+            impl<T: ::reuleaux::Real> ::reuleaux::Equations<T, #m, #n> for #name<T> {
+                const NAME: &'static str = #word;
+                const COORDINATES: &'static [::reuleaux::Coordinate] = &[#(#coordinates),*];
+                const ROWS: &'static [::reuleaux::Row] = &[#(#rows),*];
+                fn phi(&self, q: &::reuleaux::nalgebra::SVector<T, #n>, t: T) -> ::reuleaux::nalgebra::SVector<T, #m> { self.phi(q, t) }
+                fn jacobian(&self, q: &::reuleaux::nalgebra::SVector<T, #n>, t: T) -> ::reuleaux::nalgebra::SMatrix<T, #m, #n> { self.jacobian(q, t) }
+                fn linearize(
+                    &self,
+                    q: &::reuleaux::nalgebra::SVector<T, #n>,
+                    t: T,
+                ) -> (::reuleaux::nalgebra::SVector<T, #m>, ::reuleaux::nalgebra::SMatrix<T, #m, #n>) {
+                    self.linearize(q, t)
+                }
+                fn nu(&self, q: &::reuleaux::nalgebra::SVector<T, #n>, t: T) -> ::reuleaux::nalgebra::SVector<T, #m> { self.nu(q, t) }
+                fn gamma(
+                    &self,
+                    q: &::reuleaux::nalgebra::SVector<T, #n>,
+                    qd: &::reuleaux::nalgebra::SVector<T, #n>,
+                    t: T,
+                ) -> ::reuleaux::nalgebra::SVector<T, #m> {
+                    self.gamma(q, qd, t)
+                }
+                fn start(&self) -> ::reuleaux::nalgebra::SVector<T, #n> { self.start() }
+                fn characteristic_length(&self) -> T { self.characteristic_length() }
+                fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> { self.validate() }
+            }
+        }
+    }
+}

@@ -1,0 +1,237 @@
+//! From a plan to tokens. Cannot fail and decides nothing.
+//!
+//! The user's identifiers keep their spans, so that an editor finds its way back; locals of
+//! generated code are hygienic.
+
+mod definition;
+mod docs;
+mod expression;
+mod functions;
+mod routine;
+mod stub;
+
+pub(crate) use definition::{export, library_pages, resume};
+pub(crate) use stub::stub;
+
+use crate::closure::Closure;
+use crate::model::{Function, Model};
+use crate::plan::Plan;
+use crate::syntax::ast::Docs;
+use crate::system::System;
+use functions::Emitter;
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{format_ident, quote};
+
+/// A name of the user as an identifier; raw ones stay raw.
+pub(crate) fn identifier(name: &str) -> Ident {
+    match name.strip_prefix("r#") {
+        Some(raw) => Ident::new_raw(raw, Span::call_site()),
+        None => Ident::new(name, Span::call_site()),
+    }
+}
+
+/// The generated struct, its functions and its traits.
+pub(crate) fn emit(model: &Model, system: &System, closure: &Closure, plan: &Plan) -> TokenStream {
+    let emitter = Emitter { model, system, plan };
+    let (structure, defaults) = (structure(model, &docs::mechanism(model, system, plan)), defaults(model, system));
+    let (constants, tables) = (constants(system, plan), tables(model));
+    let equations = [emitter.phi(), emitter.jacobian(), emitter.linearize(), emitter.nu(), emitter.gamma()];
+    let (start, length, validate) = (start(closure), emitter.characteristic_length(), emitter.validate());
+    let traits = emitter.traits();
+    let outputs = emitter.outputs();
+    let solve = if model.equations_only { quote!() } else { solve(model, system) };
+    let state = if model.equations_only && model.outputs.is_empty() { quote!() } else { state(model, system) };
+    let name = &model.name;
+    quote! {
+        #structure
+        #defaults
+        #[automatically_derived]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
+        impl<T: ::reuleaux::Real> #name<T> {
+            #constants
+            #tables
+            #(#equations)*
+            #start
+            #length
+            #validate
+            #outputs
+        }
+        #traits
+        #solve
+        #state
+    }
+}
+
+fn structure(model: &Model, page: &str) -> TokenStream {
+    let Model { docs, visibility, name, .. } = model;
+    let docs = &docs.tokens;
+    let fields = model.parameters.iter().map(|parameter| {
+        let (docs, name) = (docs_or(&parameter.docs, &docs::parameter(parameter)), &parameter.name);
+        quote!(#docs pub #name: T)
+    });
+    let marker = model.parameters.is_empty().then(|| quote!(#[doc(hidden)] pub _real: ::core::marker::PhantomData<T>));
+    quote! {
+        #docs
+        #[doc = #page]
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #visibility struct #name<T = f64> { #(#fields,)* #marker }
+    }
+}
+
+/// The user's documentation, and below it what is known of the item.
+fn docs_or(docs: &Docs, known: &str) -> TokenStream {
+    let tokens = &docs.tokens;
+    if docs.text.is_empty() { quote!(#[doc = #known]) } else { quote!(#tokens #[doc = ""] #[doc = #known]) }
+}
+
+/// `Default` is for `f64` only, so that `Name::default()` needs no type annotation.
+fn defaults(model: &Model, system: &System) -> TokenStream {
+    let name = &model.name;
+    let values = docs::default_values(model, system);
+    let values: Vec<Literal> = values.iter().map(|value| Literal::f64_unsuffixed(value.abs())).collect();
+    let signs = docs::default_values(model, system).into_iter().map(|value| if value.is_sign_negative() { quote!(-) } else { quote!() });
+    let fields: Vec<_> = model.parameters.iter().map(|parameter| &parameter.name).collect();
+    let marker = model.parameters.is_empty().then(|| quote!(_real: ::core::marker::PhantomData));
+    quote! {
+        #[automatically_derived]
+        impl ::core::default::Default for #name<f64> {
+            fn default() -> Self { Self::with_defaults() }
+        }
+        #[automatically_derived]
+        impl<T: ::reuleaux::Real> #name<T> {
+            /// The parameters at their declared defaults, over any number type.
+            #[must_use]
+            pub fn with_defaults() -> Self { Self { #(#fields: T::of(#signs #values),)* #marker } }
+        }
+    }
+}
+
+fn constants(system: &System, plan: &Plan) -> TokenStream {
+    let (coordinates, equations, entries) = (system.unknowns.len(), system.equations.len(), plan.pattern.len());
+    let pairs = plan.pattern.iter().map(|(row, column)| {
+        let (row, column) = (Literal::usize_unsuffixed(*row), Literal::usize_unsuffixed(*column));
+        quote!((#row, #column))
+    });
+    quote! {
+        /// N, the number of coordinates.
+        pub const COORDINATES: usize = #coordinates;
+        /// M, the number of equations.
+        pub const EQUATIONS: usize = #equations;
+        /// The number of entries of Φ_q that are not identically zero.
+        pub const JACOBIAN_ENTRIES: usize = #entries;
+        /// Row and column of each entry that `jacobian_entries` gives, row by row.
+        pub const JACOBIAN_PATTERN: [(usize, usize); #entries] = [#(#pairs),*];
+    }
+}
+
+fn tables(model: &Model) -> TokenStream {
+    let table = |(number, function): (usize, &Function)| {
+        let Function::Table(table) = function else { return quote!() };
+        let name = expression::local(&format!("TABLE_{number}"));
+        let list = |values: &[f64]| {
+            let values = values.iter().map(|value| signed(*value));
+            quote!([#(#values),*])
+        };
+        let knots = list(&table.knots);
+        let coefficients = table.coefficients.iter().map(|row| list(row));
+        let ends = Ident::new(&format!("{:?}", table.ends), Span::call_site());
+        quote! {
+            const #name: ::reuleaux::Table = ::reuleaux::Table { knots: &#knots, coefficients: &[#(#coefficients),*], ends: ::reuleaux::Ends::#ends };
+        }
+    };
+    model.functions.iter().enumerate().map(table).collect()
+}
+
+/// A literal with its sign.
+fn signed(value: f64) -> TokenStream {
+    let size = Literal::f64_unsuffixed(if value.is_finite() { value.abs() } else { 0.0 });
+    if value.is_sign_negative() { quote!(-#size) } else { quote!(#size) }
+}
+
+fn start(closure: &Closure) -> TokenStream {
+    let n = closure.start.len();
+    let values = closure.start.iter().map(|value| {
+        let value = signed(*value);
+        quote!(T::of(#value))
+    });
+    quote! {
+        /// The assembled configuration at the declared defaults and t = 0, in SI, from which `solve` sets out.
+        #[must_use]
+        pub fn start(&self) -> ::reuleaux::nalgebra::SVector<T, #n> {
+            ::reuleaux::nalgebra::SVector::from([#(#values),*])
+        }
+    }
+}
+
+/// The name of the generated state.
+fn state_name(model: &Model) -> Ident {
+    format_ident!("{}State", model.name, span = Span::call_site())
+}
+
+fn solve(model: &Model, system: &System) -> TokenStream {
+    let (name, state, n) = (&model.name, state_name(model), system.unknowns.len());
+    let result = quote!(::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>>);
+    quote! {
+        #[automatically_derived]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+        impl<T: ::reuleaux::Float> #name<T> {
+            /// The state at time `t` (s): assembled from [`start`](Self::start) at t = 0 and followed
+            /// from there, so that the assembly is kept.
+            ///
+            /// # Errors
+            /// Why there is no such state, with the last valid one on the way.
+            pub fn solve(&self, t: T) -> #result {
+                ::reuleaux::Mechanism::<T, #n>::solve(self, t).map(#state)
+            }
+            /// The state at time `t` (s) that Newton's method finds from a guess of q.
+            ///
+            /// # Errors
+            /// Why there is no such state.
+            pub fn solve_near(&self, t: T, guess: &::reuleaux::nalgebra::SVector<T, #n>) -> #result {
+                ::reuleaux::Mechanism::<T, #n>::solve_near(self, t, guess).map(#state)
+            }
+            /// The state at time `t` (s), followed from another state.
+            ///
+            /// # Errors
+            /// Why there is no such state, with the last valid one on the way.
+            pub fn solve_from(&self, t: T, from: &#state<T>) -> #result {
+                ::reuleaux::Mechanism::<T, #n>::solve_from(self, t, &from.0).map(#state)
+            }
+            /// The states at these times (s), each followed from the one before; ends after a failure.
+            pub fn sweep<I: ::core::iter::IntoIterator<Item = T>>(
+                &self,
+                times: I,
+            ) -> impl ::core::iter::Iterator<Item = #result> + use<'_, T, I> {
+                ::core::iter::Iterator::map(::reuleaux::Mechanism::<T, #n>::sweep(self, times), |result| result.map(#state))
+            }
+        }
+    }
+}
+
+fn state(model: &Model, system: &System) -> TokenStream {
+    let (visibility, state, n) = (&model.visibility, state_name(model), system.unknowns.len());
+    let first_line = format!("A state of [`{}`]: time, position, velocity and acceleration of every body.", model.name);
+    let bodies = model.bodies.iter().enumerate().map(|(index, body)| {
+        let first = system.unknowns.iter().position(|unknown| unknown.body == index).unwrap_or(0);
+        let known = format!("The body `{}`: place of its frame's origin (m) and angle (rad), with their rates.", body.name);
+        let (docs, name) = (docs_or(&body.docs, &known), &body.name);
+        quote! {
+            #docs
+            #[must_use]
+            pub fn #name(&self) -> ::reuleaux::PlanarBody<T> { self.0.planar_body(#first) }
+        }
+    });
+    quote! {
+        #[doc = #first_line]
+        #[derive(Clone, Debug, PartialEq)]
+        #visibility struct #state<T = f64>(pub ::reuleaux::State<T, #n>);
+        #[automatically_derived]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case)]
+        impl<T: ::reuleaux::Real> #state<T> { #(#bodies)* }
+        #[automatically_derived]
+        impl<T> ::core::ops::Deref for #state<T> {
+            type Target = ::reuleaux::State<T, #n>;
+            fn deref(&self) -> &Self::Target { &self.0 }
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! From a model to unknowns and equations; from here on there are no joints, only their names.
+//!
+//! In: a [`Model`]. Out: a [`System`]: for every scalar equation Φ, its row of Φ_q, ν and γ as
+//! expressions in one arena, and for every output its value, rate and acceleration. Not done
+//! here: any decision on how to solve.
+//!
+//! ```text
+//! ν = −Φ_t                 at fixed q
+//! γ = −d²/ds² Φ(q + s q̇, t + s) at s = 0
+//! ```
+
+use crate::diag::{Diag, Fact};
+use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf};
+use crate::model::{Dim, Model};
+
+/// Unknowns and equations.
+#[derive(Clone, Debug)]
+pub struct System {
+    /// All expressions.
+    pub arena: Arena,
+    /// One for each coordinate, in the order of q.
+    pub unknowns: Vec<Unknown>,
+    /// One for each row, in the order declared.
+    pub equations: Vec<Equation>,
+    /// One for each output, in the order declared.
+    pub outputs: Vec<Output>,
+}
+
+/// One coordinate.
+#[derive(Clone, Debug)]
+pub struct Unknown {
+    /// Index of its body in the model.
+    pub body: usize,
+    /// `x`, `y`, `angle`.
+    pub name: &'static str,
+    /// A length or an angle.
+    pub dim: Dim,
+    /// Its declared start value, a function of parameters.
+    pub start: Option<Expr>,
+}
+
+/// One row.
+#[derive(Clone, Debug)]
+pub struct Equation {
+    /// Index of its joint in the model.
+    pub joint: usize,
+    /// Its number within the joint, from 0.
+    pub row: usize,
+    /// What Φ measures.
+    pub dim: Dim,
+    /// Φ; a velocity-level row has none.
+    pub phi: Option<Expr>,
+    /// The entries of its row of Φ_q that are not identically zero, by unknown.
+    pub jacobian: Vec<(usize, Expr)>,
+    /// ν
+    pub nu: Expr,
+    /// γ
+    pub gamma: Expr,
+}
+
+/// An output's components.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// Value, rate and acceleration of each component.
+    pub components: Vec<[Expr; 3]>,
+}
+
+/// Differentiates every residual and output of a model.
+pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
+    let mut arena = model.arena.clone();
+    let unknowns = unknowns(model);
+    let mut equations = Vec::new();
+    let mut by_coordinate: Vec<Derivatives> = (0..unknowns.len()).map(|index| Derivatives::new(Leaf::Coordinate(index as u32))).collect();
+    let mut by_time = Derivatives::new(Leaf::Time);
+    let mut along = Jets::at_constant_velocity();
+    for (joint, declared) in model.joints.iter().enumerate() {
+        for (row, residual) in declared.residuals.iter().enumerate() {
+            let phi = residual.expr;
+            let mut jacobian = Vec::new();
+            for leaf in arena.leaves(phi) {
+                let Leaf::Coordinate(index) = leaf else { continue };
+                let entry = by_coordinate[index as usize].of(&mut arena, phi);
+                if !arena.as_constant(entry).is_some_and(|value| value.is_zero()) {
+                    jacobian.push((index as usize, entry));
+                }
+            }
+            let rate = by_time.of(&mut arena, phi);
+            let nu = arena.neg(rate);
+            let [_, _, second] = along.of(&mut arena, phi);
+            let gamma = arena.neg(second);
+            equations.push(Equation { joint, row, dim: residual.dim, phi: Some(phi), jacobian, nu, gamma });
+        }
+    }
+    let mut motion = Jets::new();
+    let outputs = model.outputs.iter().map(|output| Output { components: output.components.iter().map(|part| motion.of(&mut arena, *part)).collect() });
+    let outputs = outputs.collect();
+    has_bodies(model, diag);
+    is_square(model, unknowns.len(), equations.len(), diag);
+    diag.is_clean().then_some(System { arena, unknowns, equations, outputs })
+}
+
+fn unknowns(model: &Model) -> Vec<Unknown> {
+    let of_body = |(body, declared): (usize, &crate::model::Body)| {
+        declared.coordinates.iter().map(move |coordinate| Unknown { body, name: coordinate.name, dim: coordinate.dim, start: coordinate.start }).collect::<Vec<_>>()
+    };
+    model.bodies.iter().enumerate().flat_map(of_body).collect()
+}
+
+fn has_bodies(model: &Model, diag: &mut Diag) {
+    if model.bodies.is_empty() {
+        diag.refuse::<()>(&model.name, Fact::NoBodies { name: model.name.to_string() });
+    }
+}
+
+/// As many equations as coordinates, unless only the equations are wanted.
+fn is_square(model: &Model, coordinates: usize, equations: usize, diag: &mut Diag) {
+    if coordinates == equations || model.equations_only || !diag.is_clean() {
+        return;
+    }
+    let drives = model.joints.iter().filter(|joint| joint.is_drive).map(|joint| joint.residuals.len()).sum();
+    let name = model.name.to_string();
+    diag.refuse::<()>(&model.name, Fact::NotSquare { name, coordinates, equations, drives });
+}
