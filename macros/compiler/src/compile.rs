@@ -121,7 +121,7 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     // Every name is an id, every quantity has a dimension.
     let system = system::assemble(&model, diag)?;
     // There are unknowns and equations only, with all their derivatives.
-    let structure = structure::analyze(&system);
+    let structure = structure::analyze(&model, &system);
     // Every unknown belongs to a block.
     let closure = closure::close(&model, &system);
     // There is a configuration to start from.

@@ -125,7 +125,7 @@ const BODY: [Coordinate; 3] = [
 
 impl<T: Real, const N: usize> Equations<T, N, N> for Reference<N> {
     const NAME: &'static str = "Reference";
-    const COORDINATES: &'static [Coordinate] = &[BODY; 7].as_flattened().split_at(N).0;
+    const COORDINATES: &'static [Coordinate] = [BODY; 7].as_flattened().split_at(N).0;
     const ROWS: &'static [Row] = &[Row { joint: "joint", kind: "equation", index: 1, of: 1, unit: "m" }; N];
 
     fn phi(&self, q: &SVector<T, N>, t: T) -> SVector<T, N> {

@@ -18,6 +18,9 @@ pub(super) struct Problem<'a> {
     pub(super) scales: Vec<f64>,
 }
 
+/// The rows count as closed when the sum of their squares, in scaled unknowns, is below this.
+const CLOSED: f64 = 1e-20;
+
 /// Rows and Jacobian at a place, in scaled unknowns and with rows of comparable size.
 struct Linear {
     phi: Vec<f64>,
@@ -54,8 +57,8 @@ pub(super) fn minimise(problem: &mut Problem, q: &mut [f64], free: &[bool]) -> b
     let mut here = problem.linearize(q);
     let mut cost = square(&here.phi);
     for _ in 0..60 {
-        if cost <= 1e-24 {
-            return true;
+        if cost <= CLOSED {
+            break;
         }
         let Some(step) = step(&here, &columns, damping) else { return false };
         let mut trial = q.to_vec();
@@ -79,7 +82,27 @@ pub(super) fn minimise(problem: &mut Problem, q: &mut [f64], free: &[bool]) -> b
             }
         }
     }
-    cost <= 1e-20
+    if cost > CLOSED {
+        return false;
+    }
+    polish(problem, q, &columns);
+    true
+}
+
+/// Two steps of Gauss and Newton take what is nearly closed down to rounding.
+fn polish(problem: &mut Problem, q: &mut [f64], columns: &[usize]) {
+    for _ in 0..2 {
+        let here = problem.linearize(q);
+        let Some(step) = step(&here, columns, 1e-15) else { return };
+        let mut trial = q.to_vec();
+        for (column, change) in columns.iter().zip(&step) {
+            trial[*column] -= change * problem.scales[*column];
+        }
+        if square(&problem.linearize(&trial).phi) > square(&here.phi) {
+            return;
+        }
+        q.copy_from_slice(&trial);
+    }
 }
 
 fn square(values: &[f64]) -> f64 {

@@ -1,28 +1,63 @@
 //! From a system to the blocks it is solved in.
 //!
 //! In: a [`System`]. Out: a [`Structure`]: which unknowns are found from which equations, in which
-//! order. Not done here: numbers. Today there is one block, of everything.
+//! order. Only the pattern of Φ_q is looked at, and which of its entries are constants. Not done
+//! here: numbers.
+//!
+//! 1. `incidence`: which equation contains which unknown.
+//! 2. `matching`: every unknown gets an equation of its own, as many as can.
+//! 3. `components`: unknowns that can only be found together make a block; blocks are put in order.
+//! 4. `tearing`: inside a block, what follows explicitly from the rest is not iterated.
+//!
+//! Reference: Duff, Erisman, Reid, Direct Methods for Sparse Matrices, chapter 6.
 
+mod components;
+mod incidence;
+mod matching;
+mod tearing;
+#[cfg(test)]
+mod tests;
+
+use crate::model::Model;
 use crate::system::System;
+use incidence::Incidence;
 
 /// The order of solution.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Structure {
     /// Solved one after the other.
     pub blocks: Vec<Block>,
+    /// Unknowns that no equation is left for, in a system that is not well posed.
+    pub undetermined: Vec<usize>,
+    /// Equations that are left without an unknown.
+    pub superfluous: Vec<usize>,
 }
 
 /// Unknowns that are found together.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct Block {
-    /// Indices of the unknowns.
-    pub unknowns: Vec<usize>,
-    /// Indices of the equations.
-    pub equations: Vec<usize>,
+    /// Unknowns that are computed from the others of the block and from blocks before it, in order.
+    pub explicit: Vec<Explicit>,
+    /// Unknowns that Newton's method finds.
+    pub iterated: Vec<usize>,
+    /// Equations that must vanish for them, as many as there are iterated unknowns.
+    pub residuals: Vec<usize>,
 }
 
-/// Decides which unknowns are found from which equations.
-pub(crate) fn analyze(system: &System) -> Structure {
-    let everything = Block { unknowns: (0..system.unknowns.len()).collect(), equations: (0..system.equations.len()).collect() };
-    Structure { blocks: vec![everything] }
+/// An equation that is linear in an unknown with a coefficient that is never zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Explicit {
+    /// The unknown that is computed.
+    pub unknown: usize,
+    /// The equation that gives it.
+    pub equation: usize,
+}
+
+/// Decides which unknowns are found from which equations, and in which order.
+pub(crate) fn analyze(model: &Model, system: &System) -> Structure {
+    let incidence = Incidence::new(model, system);
+    let matching = matching::maximum(&incidence);
+    let groups = components::in_order(&incidence, &matching);
+    let blocks = groups.iter().map(|group| tearing::tear(&incidence, &matching, group)).collect();
+    Structure { blocks, undetermined: matching.free_unknowns(), superfluous: matching.free_equations() }
 }
