@@ -7,9 +7,11 @@ use nalgebra::SVector;
 
 use crate::iterate::{History, Iterate};
 use crate::order::smaller;
+use crate::linear::Linear;
+use crate::place::Place;
 use crate::position::{LONGEST_STEP, Miss, Position, accept};
-use crate::scale::Scale;
-use crate::{Equations, Float};
+use crate::problem::Problem;
+use crate::Float;
 
 /// Steps tried. Damped convergence is slow only next to singular positions.
 const ITERATIONS: usize = 100;
@@ -21,25 +23,24 @@ const SMALLEST_FACTOR: f64 = 1e-6;
 ///
 /// # Errors
 /// `Stuck` with the best position where no step brings Φ nearer to zero, `Singular`, `NoConvergence` or `NotFinite`.
-pub(crate) fn damped<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
-    equations: &E,
-    t: T,
-    guess: &SVector<T, N>,
-    scale: &Scale<T, N>,
-) -> Result<Position<T, N>, Miss<T, N>> {
+pub(crate) fn damped<T: Float, P: Problem<T, N>, const N: usize>(
+    problem: &P,
+    guess: &Place<T, N>,
+) -> Result<Position<T, P::Factors, N>, Miss<T, N>> {
+    let scale = problem.scale();
     let one = T::of(1.0);
-    let mut iterate = Iterate::at(equations, t, *guess, scale)?;
+    let mut iterate = Iterate::at(problem, *guess)?;
     let mut history = History::new();
     let mut predicted = one;
     for iterations in 1..=ITERATIONS {
         if iterate.has_settled(&history, scale) {
-            return accept(iterate, iterations, scale);
+            return accept(problem, iterate, iterations);
         }
         let longest = smaller(one, T::of(LONGEST_STEP) / iterate.length);
-        let Some(Step { lambda, simplified }) = monotone_step(equations, t, &iterate, smaller(predicted, longest), scale) else {
-            return Err(Miss::Stuck(iterate.q));
+        let Some(Step { lambda, simplified }) = monotone_step(problem, &iterate, smaller(predicted, longest)) else {
+            return Err(Miss::Stuck(iterate.place));
         };
-        let next = Iterate::at(equations, t, iterate.moved(lambda), scale)?;
+        let next = Iterate::at(problem, iterate.moved(lambda, problem))?;
         let change = scale.norm(&SVector::from_fn(|i, _| simplified[i] - next.correction[i]));
         predicted = at_most_one(iterate.length * scale.norm(&simplified) * lambda / (change * next.length));
         history = history.after(iterate.length, lambda == one);
@@ -57,17 +58,16 @@ struct Step<T, const N: usize> {
 }
 
 /// The longest of the steps tried, from λ = `first` down, for which |δ̄| < |δ|.
-fn monotone_step<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
-    equations: &E,
-    t: T,
-    iterate: &Iterate<T, N>,
+fn monotone_step<T: Float, P: Problem<T, N>, const N: usize>(
+    problem: &P,
+    iterate: &Iterate<T, P::Factors, N>,
     first: T,
-    scale: &Scale<T, N>,
 ) -> Option<Step<T, N>> {
+    let scale = problem.scale();
     let (half, one) = (T::of(0.5), T::of(1.0));
     let mut lambda = first;
     while lambda >= T::of(SMALLEST_FACTOR) {
-        let phi = equations.phi(&iterate.moved(lambda), t);
+        let (phi, _) = problem.linearize(&iterate.moved(lambda, problem));
         let simplified = iterate.factors.solve(&phi.map(|residual| -residual));
         if scale.norm(&simplified) < iterate.length {
             return Some(Step { lambda, simplified });

@@ -2,9 +2,11 @@
 
 use nalgebra::SVector;
 
-use crate::linear::Factors;
+use crate::linear::Linear;
+use crate::place::Place;
+use crate::problem::Problem;
 use crate::scale::Scale;
-use crate::{Culprit, Equations, Float, names};
+use crate::{Culprit, Float};
 
 /// Relative change of Φ_q along δ, in ε, up to which Φ_q at q serves at q + δ. It is also the relative error that this leaves in q̇.
 const SAME_JACOBIAN: f64 = 32.0;
@@ -13,11 +15,11 @@ const SAME_JACOBIAN: f64 = 32.0;
 const STALLED: f64 = 0.25;
 
 /// A position with its linearisation.
-pub(crate) struct Iterate<T, const N: usize> {
+pub(crate) struct Iterate<T, L, const N: usize> {
     /// q.
-    pub(crate) q: SVector<T, N>,
+    pub(crate) place: Place<T, N>,
     /// Factors of Φ_q(q, t).
-    pub(crate) factors: Factors<T, N>,
+    pub(crate) factors: L,
     /// δ with Φ_q δ = −Φ, a basic solution if Φ_q is singular.
     pub(crate) correction: SVector<T, N>,
     /// Scaled norm of δ.
@@ -33,36 +35,38 @@ pub(crate) struct History<T> {
     curvature: Option<T>,
 }
 
-impl<T: Float, const N: usize> Iterate<T, N> {
-    /// Linearises at q and solves for the correction.
+impl<T: Float, L: Linear<T, N>, const N: usize> Iterate<T, L, N> {
+    /// Linearises at a place and solves for the correction.
     ///
     /// # Errors
     /// The row or the coordinate that is not finite.
-    pub(crate) fn at<E: Equations<T, N, N> + ?Sized>(equations: &E, t: T, q: SVector<T, N>, scale: &Scale<T, N>) -> Result<Self, Culprit> {
-        let (phi, jacobian) = equations.linearize(&q, t);
-        let not_finite = |row| Culprit::Row(names::row(E::ROWS, row));
+    #[inline]
+    pub(crate) fn at<P: Problem<T, N, Factors = L>>(problem: &P, place: Place<T, N>) -> Result<Self, Culprit> {
+        let (phi, jacobian) = problem.linearize(&place);
         if let Some(row) = phi.iter().position(|residual| !residual.is_finite()) {
-            return Err(first_not_finite::<T, E, N>(&q).unwrap_or(not_finite(row)));
+            return Err(problem.first_not_finite(&place.x).unwrap_or(Culprit::Row(problem.row(row))));
         }
-        let factors = Factors::new(&jacobian).map_err(not_finite)?;
+        let factors = L::factor(&jacobian).map_err(|row| Culprit::Row(problem.row(row)))?;
         let correction = factors.solve(&phi.map(|residual| -residual));
-        match first_not_finite::<T, E, N>(&correction) {
+        match problem.first_not_finite(&correction) {
             Some(coordinate) => Err(coordinate),
-            None => Ok(Self { q, factors, length: scale.norm(&correction), correction }),
+            None => Ok(Self { place, factors, length: problem.scale().norm(&correction), correction }),
         }
     }
 
     /// q + λ δ.
-    pub(crate) fn moved(&self, lambda: T) -> SVector<T, N> {
-        SVector::from_fn(|i, _| self.q[i] + lambda * self.correction[i])
+    #[inline]
+    pub(crate) fn moved<P: Problem<T, N>>(&self, lambda: T, problem: &P) -> Place<T, N> {
+        self.place.moved(lambda, &self.correction, problem.turns())
     }
 
     /// Whether q + δ is the solution, to rounding, and Φ_q at q its Jacobian.
     ///
     /// They are if δ is short, at most √ε, and either Φ_q does not change along it, so that the next correction would be below
     /// rounding, or corrections no longer get shorter.
+    #[inline]
     pub(crate) fn has_settled(&self, history: &History<T>, scale: &Scale<T, N>) -> bool {
-        if self.length > T::EPSILON.sqrt() * (T::of(1.0) + scale.norm(&self.q)) {
+        if self.length > T::EPSILON.sqrt() * (T::of(1.0) + scale.norm(&self.place.x)) {
             return false;
         }
         let stalled = history.contraction(self.length).is_some_and(|theta| theta >= T::of(STALLED));
@@ -99,10 +103,4 @@ impl<T: Float> History<T> {
     pub(crate) fn last(&self) -> Option<T> {
         self.previous
     }
-}
-
-/// The first coordinate in which a vector is not finite.
-pub(crate) fn first_not_finite<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(vector: &SVector<T, N>) -> Option<Culprit> {
-    let index = vector.iter().position(|entry| !entry.is_finite())?;
-    Some(Culprit::Coordinate(names::coordinate(E::COORDINATES, index)))
 }

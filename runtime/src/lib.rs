@@ -28,7 +28,8 @@
 //! # Rooms
 //!
 //! [`Equations`] is what a mechanism gives, [`Mechanism`] what one can ask of it, [`State`] and [`Failure`] the two answers.
-//! Behind them: `position` (Newton's method), `velocity`, `acceleration`, `continuation` (following a branch in time), `linear` (LU).
+//! Behind them: [`Stages`] (which unknowns are found together), [`Pass`] (what they are found from), `position` (Newton's method),
+//! `continuation` (following a branch in time), `linear` (small systems and LU).
 
 #![no_std]
 #![deny(missing_docs)]
@@ -39,7 +40,6 @@
 // Emitted code names its types by `::reuleaux`; this lets examples and macros inside the crate do so too.
 extern crate self as reuleaux;
 
-mod acceleration;
 mod continuation;
 mod damping;
 mod equations;
@@ -50,13 +50,16 @@ mod linear;
 mod mechanism;
 mod names;
 mod order;
+mod pass;
+mod place;
 mod position;
+mod problem;
 mod real;
 mod scale;
+mod stages;
 mod state;
 mod sweep;
 mod table;
-mod velocity;
 mod verdict;
 
 pub use equations::{Equations, ParameterOutOfRange};
@@ -64,8 +67,13 @@ pub use failure::{Cause, Culprit, Failure};
 pub use float::Float;
 pub use mechanism::Mechanism;
 pub use nalgebra;
+pub use linear::{Factors, Linear, Small};
 pub use names::{Coordinate, CoordinateKind, Row};
+pub use pass::{Pass, Solved, Stop};
+pub use place::Place;
+pub use problem::Block;
 pub use real::Real;
+pub use stages::{Coordinates, Stages};
 pub use state::{Motion, Orientation, PlanarBody, State};
 pub use sweep::Sweep;
 pub use table::{Ends, Table};

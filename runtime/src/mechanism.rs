@@ -3,16 +3,16 @@
 use nalgebra::SVector;
 
 use crate::continuation::{self, reach};
-use crate::position;
-use crate::scale::Scale;
+use crate::pass::Pass;
+use crate::stages::Stages;
 use crate::verdict;
-use crate::{Cause, Culprit, Equations, Failure, Float, State, Sweep};
+use crate::{Cause, Culprit, Failure, Float, State, Sweep};
 
-/// A mechanism with as many equations as coordinates, which can be solved. Every such [`Equations`] is one.
+/// A mechanism with as many equations as coordinates, which can be solved. Everything with [`Stages`] is one.
 ///
 /// Methods that take a time return the state then, with q, q̇ and q̈ at the rounding limit.
 /// They fail with the [`Cause`] and the last valid state, and never panic.
-pub trait Mechanism<T: Float, const N: usize>: Equations<T, N, N> {
+pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// The state at `t` (s) on the branch of the declared start: assembled at t = 0, then followed in time.
     ///
     /// # Errors
@@ -32,9 +32,7 @@ pub trait Mechanism<T: Float, const N: usize>: Equations<T, N, N> {
         if !t.is_finite() {
             return Err(fail(Cause::NotFinite { of: Culprit::Time }));
         }
-        let scale = Scale::of(self);
-        let position = position::close(self, t, guess, &scale).map_err(|miss| fail(verdict::open(self, t, miss, &scale)))?;
-        continuation::state(self, t, &position).map_err(|of| fail(Cause::NotFinite { of }))
+        continuation::state(self, t, Pass::close(self, guess)).map_err(|stop| fail(verdict::open(stop)))
     }
 
     /// The state at `t` (s) on the branch of `from`, a state of this mechanism with these parameters.
@@ -53,4 +51,4 @@ pub trait Mechanism<T: Float, const N: usize>: Equations<T, N, N> {
     }
 }
 
-impl<T: Float, const N: usize, E: Equations<T, N, N> + ?Sized> Mechanism<T, N> for E {}
+impl<T: Float, const N: usize, E: Stages<T, N> + ?Sized> Mechanism<T, N> for E {}

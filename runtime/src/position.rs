@@ -1,14 +1,13 @@
 //! Φ(q, t) = 0 for q. In: a guess. Out: q at the rounding limit and the factors of Φ_q there, or why not.
 //! Not here: which guess to take (`continuation`), and how to tell the user (`verdict`).
 
-use nalgebra::SVector;
-
 use crate::damping::damped;
 use crate::iterate::{History, Iterate};
-use crate::linear::Factors;
+use crate::linear::Linear;
 use crate::order::smaller;
-use crate::scale::Scale;
-use crate::{Culprit, Equations, Float};
+use crate::place::Place;
+use crate::problem::Problem;
+use crate::{Culprit, Float};
 
 /// Longest scaled step towards a first assembly: half a radian, or half of L. Within it a revolute is still about linear.
 pub(crate) const LONGEST_STEP: f64 = 0.5;
@@ -33,11 +32,11 @@ const SINGULAR: f64 = 16.0;
 const HARMLESS: f64 = 64.0;
 
 /// A solution of Φ(q, t) = 0.
-pub(crate) struct Position<T, const N: usize> {
+pub(crate) struct Position<T, L, const N: usize> {
     /// q, at the rounding limit.
-    pub(crate) q: SVector<T, N>,
+    pub(crate) place: Place<T, N>,
     /// Factors of Φ_q at q, of full rank.
-    pub(crate) factors: Factors<T, N>,
+    pub(crate) factors: L,
     /// Condition of Φ_q.
     pub(crate) condition: T,
     /// Number of factorisations.
@@ -49,9 +48,9 @@ pub(crate) enum Miss<T, const N: usize> {
     /// The equations are not defined at an iterate.
     NotFinite(Culprit),
     /// The equations hold here, but Φ_q is singular.
-    Singular(SVector<T, N>),
+    Singular(Place<T, N>),
     /// No step from here, however short, comes nearer.
-    Stuck(SVector<T, N>),
+    Stuck(Place<T, N>),
     /// Corrections go on at this length.
     NoConvergence { correction: T, iterations: usize },
 }
@@ -64,57 +63,50 @@ pub(crate) enum Refusal {
     Singular,
     /// The solution is too far from the prediction.
     Far,
-    /// det Φ_q has the other sign.
-    OtherBranch,
 }
 
 /// Assembles from a rough guess: Newton's method with limited steps and, if that does not settle, damped from the same guess.
 ///
 /// Limited steps may cross singular positions, which from rough guesses they often must; damped ones never do, but end at
 /// the best position that can be reached without.
-pub(crate) fn close<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
-    equations: &E,
-    t: T,
-    guess: &SVector<T, N>,
-    scale: &Scale<T, N>,
-) -> Result<Position<T, N>, Miss<T, N>> {
-    limited(equations, t, guess, scale).or_else(|_| damped(equations, t, guess, scale))
+pub(crate) fn close<T: Float, P: Problem<T, N>, const N: usize>(
+    problem: &P,
+    guess: &Place<T, N>,
+) -> Result<Position<T, P::Factors, N>, Miss<T, N>> {
+    limited(problem, guess).or_else(|_| damped(problem, guess))
 }
 
 /// Newton's method with scaled steps of at most [`LONGEST_STEP`].
-fn limited<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
-    equations: &E,
-    t: T,
-    guess: &SVector<T, N>,
-    scale: &Scale<T, N>,
-) -> Result<Position<T, N>, Miss<T, N>> {
-    let mut q = *guess;
+fn limited<T: Float, P: Problem<T, N>, const N: usize>(
+    problem: &P,
+    guess: &Place<T, N>,
+) -> Result<Position<T, P::Factors, N>, Miss<T, N>> {
+    let mut place = *guess;
     let mut history = History::new();
     for iterations in 1..=CLOSING_ITERATIONS {
-        let iterate = Iterate::at(equations, t, q, scale)?;
-        if iterate.has_settled(&history, scale) {
-            return accept(iterate, iterations, scale);
+        let iterate = Iterate::at(problem, place)?;
+        if iterate.has_settled(&history, problem.scale()) {
+            return accept(problem, iterate, iterations);
         }
         let in_full = iterate.length <= T::of(LONGEST_STEP);
-        q = iterate.moved(smaller(T::of(1.0), T::of(LONGEST_STEP) / iterate.length));
+        place = iterate.moved(smaller(T::of(1.0), T::of(LONGEST_STEP) / iterate.length), problem);
         history = history.after(iterate.length, in_full);
     }
     Err(Miss::NoConvergence { correction: history.last().unwrap_or(T::of(LONGEST_STEP)), iterations: CLOSING_ITERATIONS })
 }
 
 /// Newton's method from a prediction: full steps only, and none if the solution is far or convergence slow.
-pub(crate) fn follow<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
-    equations: &E,
-    t: T,
-    prediction: &SVector<T, N>,
-    scale: &Scale<T, N>,
-) -> Result<Position<T, N>, Refusal> {
-    let mut q = *prediction;
+#[inline]
+pub(crate) fn follow<T: Float, P: Problem<T, N>, const N: usize>(
+    problem: &P,
+    prediction: &Place<T, N>,
+) -> Result<Position<T, P::Factors, N>, Refusal> {
+    let mut place = *prediction;
     let mut history = History::new();
     for iterations in 1..=FOLLOWING_ITERATIONS {
-        let iterate = Iterate::at(equations, t, q, scale)?;
-        if iterate.has_settled(&history, scale) {
-            return accept(iterate, iterations, scale).map_err(|_| Refusal::Singular);
+        let iterate = Iterate::at(problem, place)?;
+        if iterate.has_settled(&history, problem.scale()) {
+            return accept(problem, iterate, iterations).map_err(|_| Refusal::Singular);
         }
         let near = match history.contraction(iterate.length) {
             None => iterate.length <= T::of(LONGEST_FIRST_CORRECTION),
@@ -123,23 +115,24 @@ pub(crate) fn follow<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
         if !near {
             return Err(Refusal::Far);
         }
-        q = iterate.moved(T::of(1.0));
+        place = iterate.moved(T::of(1.0), problem);
         history = history.after(iterate.length, true);
     }
     Err(Refusal::Far)
 }
 
 /// Makes the last correction, with the factors that velocities will use as well.
-pub(crate) fn accept<T: Float, const N: usize>(
-    iterate: Iterate<T, N>,
+#[inline]
+pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
+    problem: &P,
+    iterate: Iterate<T, P::Factors, N>,
     iterations: usize,
-    scale: &Scale<T, N>,
-) -> Result<Position<T, N>, Miss<T, N>> {
-    let q = iterate.moved(T::of(1.0));
+) -> Result<Position<T, P::Factors, N>, Miss<T, N>> {
+    let place = iterate.moved(T::of(1.0), problem);
     let condition = iterate.factors.condition();
     let resolved = condition * T::EPSILON.sqrt() <= T::of(SINGULAR);
-    let harmless = iterate.factors.rank == N && iterate.length <= T::of(HARMLESS) * T::EPSILON * (T::of(1.0) + scale.norm(&q));
-    if resolved || harmless { Ok(Position { q, factors: iterate.factors, condition, iterations }) } else { Err(Miss::Singular(q)) }
+    let is_harmless = || iterate.factors.is_regular() && iterate.length <= T::of(HARMLESS) * T::EPSILON * (T::of(1.0) + problem.scale().norm(&place.x));
+    if resolved || is_harmless() { Ok(Position { place, factors: iterate.factors, condition, iterations }) } else { Err(Miss::Singular(place)) }
 }
 
 impl<T, const N: usize> From<Culprit> for Miss<T, N> {

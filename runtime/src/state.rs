@@ -15,8 +15,9 @@ pub struct State<T, const N: usize> {
     pub qd: SVector<T, N>,
     /// Their accelerations q̈ in m/s² and rad/s².
     pub qdd: SVector<T, N>,
-    /// The sign of det Φ_q: the name of the branch. It changes only where Φ_q is singular.
-    pub orientation: Orientation,
+    /// The name of the branch: for each block the sign of the determinant of its Jacobian, at the index of the block's first
+    /// unknown. A sign changes only where the block is singular.
+    pub branch: [Orientation; N],
     /// How near to singular Φ_q is: by about how much rounding errors are multiplied in q, q̇ and q̈. 1 at best; its decimal
     /// logarithm is the number of digits lost. It grows without bound towards a dead point.
     pub condition: T,
@@ -24,12 +25,12 @@ pub struct State<T, const N: usize> {
     pub iterations: usize,
 }
 
-/// The sign of det Φ_q.
+/// The sign of a determinant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Orientation {
-    /// det Φ_q > 0.
+    /// Above zero.
     Positive,
-    /// det Φ_q < 0.
+    /// Below zero.
     Negative,
 }
 

@@ -4,7 +4,7 @@ mod common;
 
 use common::error;
 use common::four_bar::{CRANK_ROCKER, FourBar};
-use reuleaux::{Equations, Mechanism, State};
+use reuleaux::{Mechanism, Stages, State};
 
 fn turn(steps: u32) -> impl Iterator<Item = f64> {
     (0..=steps).map(move |k| f64::from(k) / f64::from(steps))
@@ -38,7 +38,7 @@ fn coarse_steps_stay_on_the_branch_of_fine_ones() {
         for steps in 1..=12 {
             for (coarse, time) in mechanism.sweep(turn(steps)).zip(turn(steps)) {
                 let coarse = coarse.unwrap();
-                assert_eq!(coarse.orientation, fine.orientation);
+                assert_eq!(coarse.branch[0], fine.branch[0]);
                 let direct = mechanism.solve(time).unwrap();
                 assert!(error(coarse.q.as_slice(), direct.q.as_slice()) <= 1e-15);
             }
@@ -51,7 +51,7 @@ fn coarse_steps_stay_on_the_branch_of_fine_ones() {
 #[test]
 fn the_two_assemblies_have_different_orientations() {
     let other = FourBar { start: [0.3, -1.4, -2.0], ..CRANK_ROCKER };
-    assert_ne!(CRANK_ROCKER.solve(0.0).unwrap().orientation, other.solve(0.0).unwrap().orientation);
+    assert_ne!(CRANK_ROCKER.solve(0.0).unwrap().branch[0], other.solve(0.0).unwrap().branch[0]);
 }
 
 #[test]
@@ -94,7 +94,7 @@ fn single_precision_is_at_its_own_rounding_limit() {
 
 #[test]
 fn generic_code_takes_any_mechanism() {
-    fn rows<E: Equations<f64, N, N>, const N: usize>(mechanism: &E) -> (usize, usize) {
+    fn rows<E: Stages<f64, N>, const N: usize>(mechanism: &E) -> (usize, usize) {
         (mechanism.solve(0.1).unwrap().iterations, E::ROWS.len())
     }
     assert_eq!(rows(&CRANK_ROCKER).1, 9);

@@ -13,7 +13,7 @@ fn assert_state<const N: usize>(state: &State<f64, N>, reference: &Reference<N>,
     let (_, q, qd, qdd) = &reference.states[index];
     let errors = [error(state.q.as_slice(), q), error(state.qd.as_slice(), qd), error(state.qdd.as_slice(), qdd)];
     assert!(errors[0] <= 1e-14 && errors[1] <= 2e-14 && errors[2] <= 2e-13, "state {index}: {errors:?}");
-    assert_eq!(state.orientation == Orientation::Positive, reference.orientation > 0.0);
+    assert_eq!(state.branch[0] == Orientation::Positive, reference.orientation > 0.0);
     errors
 }
 

@@ -4,7 +4,7 @@ mod common;
 
 use common::four_bar::{CRANK_ROCKER, Driven, FourBar};
 use reuleaux::nalgebra::{SMatrix, SVector};
-use reuleaux::{Cause, Coordinate, CoordinateKind, Culprit, Equations, Mechanism, ParameterOutOfRange, Row};
+use reuleaux::{Cause, Coordinate, CoordinateKind, Culprit, Equations, Mechanism, ParameterOutOfRange, Row, Stages};
 
 /// The crank-rocker driven at the rocker, which swings outwards into its dead point.
 const ROCKER_DRIVEN: FourBar = FourBar { driven: Driven::Rocker, from: 2.1, speed: -1.0, start: [-0.5, 1.0, 2.1], ..CRANK_ROCKER };
@@ -99,6 +99,8 @@ fn a_sweep_ends_after_a_failure() {
 /// One slider on a line, x = f(t), with whatever f.
 struct Slider(fn(f64) -> f64);
 
+impl Stages<f64, 1> for Slider {}
+
 impl Equations<f64, 1, 1> for Slider {
     const NAME: &'static str = "Slider";
     const COORDINATES: &'static [Coordinate] = &[Coordinate { body: "slider", name: "x", kind: CoordinateKind::Length }];
@@ -158,6 +160,8 @@ fn a_way_that_is_too_long_is_given_up() {
 /// Two times the same equation.
 struct Redundant;
 
+impl Stages<f64, 2> for Redundant {}
+
 impl Equations<f64, 2, 2> for Redundant {
     const NAME: &'static str = "Redundant";
     const COORDINATES: &'static [Coordinate] = &[];
@@ -198,6 +202,8 @@ fn redundant_rows_are_singular() {
 
 /// Nothing moves.
 struct Empty;
+
+impl Stages<f64, 0> for Empty {}
 
 impl Equations<f64, 0, 0> for Empty {
     const NAME: &'static str = "Empty";

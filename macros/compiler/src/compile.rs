@@ -32,7 +32,11 @@ type Known = Vec<(String, ast::Definition)>;
 /// Compiles a `mechanism!` declaration to Rust.
 #[must_use]
 pub fn mechanism(tokens: TokenStream) -> TokenStream {
-    continued(tokens, TokenStream::new(), true)
+    let mut diag = Diag::default();
+    let Some(tree) = syntax::parse(tokens.clone(), &mut diag) else { return diag.to_tokens() };
+    let fallback = missing(&tree, &TokenStream::new()).filter(|_| diag.is_clean()).map(|missing| emit::fallback(&tree, missing));
+    let rest = continued(&tree, tokens, TokenStream::new(), diag);
+    quote!(#fallback #rest)
 }
 
 /// Compiles a mechanism as far as its plan, without `use` items; for tests and tools.
@@ -77,8 +81,13 @@ pub fn resume(tokens: TokenStream) -> TokenStream {
         return quote!(::core::compile_error! { "`__resume` is called by `mechanism!` only" });
     };
     let (definitions, known) = (definitions.stream(), known.stream());
-    let is_broken = definitions.is_empty();
-    continued(mechanism.stream(), quote!(#known #name { #definitions }), !is_broken)
+    let mut diag = Diag::default();
+    let Some(tree) = syntax::parse(mechanism.stream(), &mut diag) else { return diag.to_tokens() };
+    if definitions.is_empty() {
+        // The definition has been refused where it stands; nothing is left to say here.
+        return emit::stub(&tree);
+    }
+    continued(&tree, mechanism.stream(), quote!(#known #name { #definitions }), diag)
 }
 
 /// The manual pages of the library as modules.
@@ -88,28 +97,27 @@ pub fn library_pages() -> TokenStream {
 }
 
 /// Asks for the next definition that is not known yet, or compiles.
-fn continued(tokens: TokenStream, known: TokenStream, is_whole: bool) -> TokenStream {
-    let mut diag = Diag::default();
-    let Some(tree) = syntax::parse(tokens.clone(), &mut diag) else { return diag.to_tokens() };
-    if !is_whole {
-        // The definition has been refused where it stands; nothing is left to say here.
-        return emit::stub(&tree);
-    }
-    let names = names(&known);
-    let wanted = tree.items.iter().filter_map(|item| if let ast::Item::Use(uses) = item { Some(uses) } else { None }).flatten();
-    if let Some(missing) = wanted.into_iter().find(|used| !names.contains(&used.name.to_string()))
+fn continued(tree: &ast::Mechanism, tokens: TokenStream, known: TokenStream, mut diag: Diag) -> TokenStream {
+    if let Some(missing) = missing(tree, &known)
         && diag.is_clean()
     {
         return emit::resume(missing, &known, &tokens);
     }
     let definitions = definitions(known, &mut diag);
-    match rooms(&tree, definitions, &mut diag) {
+    match rooms(tree, definitions, &mut diag) {
         Some(Compiled { model, system, closure, plan, .. }) => emit::emit(&model, &system, &closure, &plan),
         None => {
-            let (errors, stub) = (diag.to_tokens(), emit::stub(&tree));
+            let (errors, stub) = (diag.to_tokens(), emit::stub(tree));
             quote!(#errors #stub)
         }
     }
+}
+
+/// The first constraint in a `use` item that has not been handed over.
+fn missing<'a>(tree: &'a ast::Mechanism, known: &TokenStream) -> Option<&'a ast::Use> {
+    let names = names(known);
+    let uses = tree.items.iter().filter_map(|item| if let ast::Item::Use(uses) = item { Some(uses) } else { None });
+    uses.flatten().find(|used| !names.contains(&used.name.to_string()))
 }
 
 /// From what was written to straight lines. A room is not entered if the one before refused.
@@ -125,7 +133,7 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     // Every unknown belongs to a block.
     let closure = closure::close(&model, &system);
     // There is a configuration to start from.
-    let plan = plan::schedule(&model, &system);
+    let plan = plan::schedule(&model, &system, &structure);
     // Nothing is left to decide.
     Some(Compiled { model, system, structure, closure, plan })
 }

@@ -8,7 +8,8 @@ use crate::order::greater;
 use crate::{Float, Orientation};
 
 /// The factors of one matrix. Matrices of plain arrays are stored by columns: `lu[j][i]` is row i, column j.
-pub(crate) struct Factors<T, const N: usize> {
+#[derive(Clone, Copy, Debug)]
+pub struct Factors<T, const N: usize> {
     /// A as given.
     pub(crate) matrix: SMatrix<T, N, N>,
     /// U on and above the diagonal, L below it (its diagonal is 1).

@@ -9,10 +9,43 @@
 //!
 //! Golub, Van Loan: Matrix Computations, 4th ed., 3.4 (pivoting), 3.5.2 (scaling), 3.5.3 (iterative refinement).
 
+//!
+//! Systems of one to three unknowns have [`Small`] factors instead, in closed form.
+
 mod condition;
 mod factor;
 mod rank;
+mod small;
 mod solve;
 
-pub(crate) use factor::Factors;
+use nalgebra::{SMatrix, SVector};
+
+use crate::{Float, Orientation};
+
+pub use factor::Factors;
 pub(crate) use rank::weakest;
+pub use small::Small;
+
+/// Factors of a square matrix, however they are made.
+pub trait Linear<T: Float, const N: usize>: Sized {
+    /// Factors `matrix`.
+    ///
+    /// # Errors
+    /// The index of a row that has an entry that is not finite.
+    fn factor(matrix: &SMatrix<T, N, N>) -> Result<Self, usize>;
+
+    /// x of A x = b; a basic solution if A is singular.
+    fn solve(&self, b: &SVector<T, N>) -> SVector<T, N>;
+
+    /// x of A x = b with one step of iterative refinement.
+    fn solve_refined(&self, b: &SVector<T, N>) -> SVector<T, N>;
+
+    /// An estimate of ‖ |A⁻¹| |A| ‖ in equilibrated unknowns: 1 at best, infinite if A is singular.
+    fn condition(&self) -> T;
+
+    /// The sign of det A; without meaning if A is singular.
+    fn orientation(&self) -> Orientation;
+
+    /// A has full rank, to rounding.
+    fn is_regular(&self) -> bool;
+}

@@ -1,16 +1,20 @@
 //! Right-hand sides: x = C Q U⁻¹ L⁻¹ P R b.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
-use super::Factors;
-use crate::Float;
+use super::{Factors, Linear};
+use crate::{Float, Orientation};
 
-impl<T: Float, const N: usize> Factors<T, N> {
+impl<T: Float, const N: usize> Linear<T, N> for Factors<T, N> {
+    fn factor(matrix: &SMatrix<T, N, N>) -> Result<Self, usize> {
+        Factors::new(matrix)
+    }
+
     /// A x = b. With rank r below N: a basic solution, fulfilling r independent rows with the other N − r unknowns zero.
     ///
     /// * `b`: given, by row.
     /// * returned: x, by column; not finite where b is not.
-    pub(crate) fn solve(&self, b: &SVector<T, N>) -> SVector<T, N> {
+    fn solve(&self, b: &SVector<T, N>) -> SVector<T, N> {
         let mut y = SVector::<T, N>::from_fn(|i, _| b[self.rows[i]] * self.row_scale[self.rows[i]]);
         for k in 0..self.rank {
             let known = y[k];
@@ -26,6 +30,30 @@ impl<T: Float, const N: usize> Factors<T, N> {
         x
     }
 
+    /// A x = b with one step of iterative refinement: the residual b − A x is solved for as well and added.
+    ///
+    /// In working precision this makes x as good as if the largest error were one rounding of each entry of A (Skeel 1980).
+    fn solve_refined(&self, b: &SVector<T, N>) -> SVector<T, N> {
+        let x = self.solve(b);
+        let residual = SVector::from_fn(|i, _| (0..N).fold(b[i], |rest, j| rest - self.matrix[(i, j)] * x[j]));
+        let correction = self.solve(&residual);
+        SVector::from_fn(|i, _| x[i] + correction[i])
+    }
+
+    fn condition(&self) -> T {
+        Factors::condition(self)
+    }
+
+    fn orientation(&self) -> Orientation {
+        self.orientation
+    }
+
+    fn is_regular(&self) -> bool {
+        self.rank == N
+    }
+}
+
+impl<T: Float, const N: usize> Factors<T, N> {
     /// y ← U⁻¹ y, as far as the rank goes.
     pub(super) fn substitute_back(&self, y: &mut SVector<T, N>) {
         for k in (0..self.rank).rev() {
@@ -35,15 +63,5 @@ impl<T: Float, const N: usize> Factors<T, N> {
                 y[i] = y[i] - self.lu[k][i] * known;
             }
         }
-    }
-
-    /// A x = b with one step of iterative refinement: the residual b − A x is solved for as well and added.
-    ///
-    /// In working precision this makes x as good as if the largest error were one rounding of each entry of A (Skeel 1980).
-    pub(crate) fn solve_refined(&self, b: &SVector<T, N>) -> SVector<T, N> {
-        let x = self.solve(b);
-        let residual = SVector::from_fn(|i, _| (0..N).fold(b[i], |rest, j| rest - self.matrix[(i, j)] * x[j]));
-        let correction = self.solve(&residual);
-        SVector::from_fn(|i, _| x[i] + correction[i])
     }
 }

@@ -9,7 +9,7 @@
 //! ```
 
 use reuleaux::nalgebra::{SMatrix, SVector};
-use reuleaux::{Coordinate, CoordinateKind, Equations, ParameterOutOfRange, Real, Row};
+use reuleaux::{Coordinate, CoordinateKind, Equations, Float, ParameterOutOfRange, Real, Row, Stages};
 
 /// Lengths in m, angles in rad; the driven angle is `from` + `speed` t.
 #[derive(Clone, Copy, Debug)]
@@ -55,6 +55,8 @@ const fn revolute(joint: &'static str) -> [Row; 2] {
     let row = Row { joint, kind: "revolute", index: 1, of: 2, unit: "m" };
     [row, Row { index: 2, ..row }]
 }
+
+impl<T: Float> Stages<T, 9> for FourBar {}
 
 impl<T: Real> Equations<T, 9, 9> for FourBar {
     const NAME: &'static str = "FourBar";

@@ -1,7 +1,7 @@
 //! Planar mechanisms as a list of joints. Φ is written once, over any `Real`; Φ_q, ν and γ are its exact derivatives by [`Jet`]s.
 
 use reuleaux::nalgebra::{SMatrix, SVector};
-use reuleaux::{Coordinate, CoordinateKind, Equations, ParameterOutOfRange, Real, Row};
+use reuleaux::{Coordinate, CoordinateKind, Equations, Float, ParameterOutOfRange, Real, Row, Stages};
 
 use super::jet::Jet;
 
@@ -122,6 +122,8 @@ const BODY: [Coordinate; 3] = [
     Coordinate { body: "body", name: "y", kind: CoordinateKind::Length },
     Coordinate { body: "body", name: "angle", kind: CoordinateKind::Angle },
 ];
+
+impl<T: Float, const N: usize> Stages<T, N> for Reference<N> {}
 
 impl<T: Real, const N: usize> Equations<T, N, N> for Reference<N> {
     const NAME: &'static str = "Reference";

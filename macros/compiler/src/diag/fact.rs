@@ -17,10 +17,15 @@ pub enum Fact {
     TooDeep { limit: u16 },
     Keyword { word: String },
     UnknownAttribute { name: String },
-    TokensAfter { what: &'static str },
+    TokensAfter { what: &'static str, help: &'static str },
     UnknownItem { word: String },
     UnknownBodyItem { word: String },
     OneArgument,
+    PairWithoutParentheses { what: &'static str },
+    PathOfConstraint { path: String, last: String },
+    DoubleStar,
+    MethodCall { name: String },
+    SpaceBeforeUnit { number: String, unit: String },
     ExponentTooLarge { limit: u8 },
     // Names.
     UnknownName { name: String, near: Option<String> },
@@ -113,7 +118,7 @@ impl fmt::Display for Fact {
             Fact::UnknownAttribute { name } => {
                 write!(f, "`#[{name}]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]` before `mechanism`")
             }
-            Fact::TokensAfter { what } => write!(f, "nothing may follow {what}"),
+            Fact::TokensAfter { what, help } => write!(f, "nothing may follow {what}\nhelp: {help}"),
             Fact::UnknownItem { word } => {
                 let known = ["param", "let", "ground", "body", "joint", "drive", "output", "function", "use"];
                 let near = crate::model::suggest::nearest(word, known.into_iter());
@@ -124,7 +129,16 @@ impl fmt::Display for Fact {
                 let near = crate::model::suggest::nearest(word, ["point", "axis", "start"].into_iter());
                 write!(f, "`{word}` is no item of a body{}\nnote: a body has `point`, `axis` and `start`", did_you_mean(&near))
             }
-            Fact::OneArgument => write!(f, "a function has one argument"),
+            Fact::OneArgument => write!(f, "a function here has one argument"),
+            Fact::PairWithoutParentheses { what } => write!(f, "{what} has two coordinates in parentheses\nhelp: write `(x, y)`"),
+            Fact::PathOfConstraint { path, last } => {
+                write!(f, "a joint names its constraint by a single word\nhelp: write `use {path};` above, and `{last}(…)` here")
+            }
+            Fact::DoubleStar => write!(f, "`**` is no operator\nhelp: a power is written `a^b`"),
+            Fact::MethodCall { name } => write!(f, "there are no methods here\nhelp: write `{name}(value)` for `value.{name}()`"),
+            Fact::SpaceBeforeUnit { number, unit } => {
+                write!(f, "a unit stands right behind its number\nhelp: write `{number}{unit}`")
+            }
             Fact::ExponentTooLarge { limit } => write!(f, "the exponent of a dimension is at most {limit}"),
 
             Fact::UnknownName { name, near } => write!(f, "nothing is called `{name}` here{}", did_you_mean(near)),

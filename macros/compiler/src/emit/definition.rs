@@ -11,7 +11,7 @@
 
 use crate::syntax::ast::{Definitions, Export, Use};
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{format_ident, quote};
+use quote::{format_ident, quote, quote_spanned};
 
 /// The macros that stand for definitions; `is_broken` ones hand over nothing, so that a mistake is
 /// reported once.
@@ -54,7 +54,10 @@ fn fingerprint(export: &Export) -> String {
 /// The call that asks for one more definition.
 pub(crate) fn resume(wanted: &Use, known: &TokenStream, mechanism: &TokenStream) -> TokenStream {
     let (path, name) = (&wanted.path.tokens, &wanted.name);
-    quote! { #path! { [::reuleaux::__resume] { #known } #name { #mechanism } } }
+    // A macro that is no constraint is blamed for its first tokens: they lie in the `use` item.
+    let span = wanted.path.last.span();
+    let call = quote_spanned!(span=> [::reuleaux::__resume] { #known } #name { #mechanism });
+    quote! { #path! { #call } }
 }
 
 /// The manual pages of the library as modules that rustdoc shows.

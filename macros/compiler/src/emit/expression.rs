@@ -1,9 +1,9 @@
 //! Expressions as Rust, with the fewest parentheses that keep the order of operations.
 
 use crate::expr::{Arena, Binary, Evaluator, Expr, Node, Unary, Values};
-use crate::plan::Routine;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
+use std::collections::BTreeMap;
 
 /// How tightly an expression holds together.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -14,10 +14,10 @@ enum Strength {
     Atom,
 }
 
-/// Prints expressions of one routine.
+/// Prints expressions in which some have a name.
 pub(super) struct Printer<'a> {
     pub(super) arena: &'a Arena,
-    pub(super) routine: &'a Routine,
+    pub(super) names: &'a BTreeMap<Expr, String>,
 }
 
 impl Printer<'_> {
@@ -32,7 +32,7 @@ impl Printer<'_> {
     }
 
     fn print(&self, expr: Expr) -> (TokenStream, Strength) {
-        match self.routine.names.get(&expr) {
+        match self.names.get(&expr) {
             Some(name) => (named(name), Strength::Atom),
             None => self.write(expr),
         }

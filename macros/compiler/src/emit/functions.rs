@@ -19,7 +19,7 @@ pub(super) struct Emitter<'a> {
 
 impl Emitter<'_> {
     fn lines(&self, routine: &Routine) -> Lines {
-        lines(self.model, &self.system.arena, routine)
+        lines(self.model, &self.plan.arena, routine)
     }
 
     fn sizes(&self) -> (usize, usize) {

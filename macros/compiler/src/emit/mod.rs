@@ -8,10 +8,11 @@ mod docs;
 mod expression;
 mod functions;
 mod routine;
+mod stages;
 mod stub;
 
 pub(crate) use definition::{export, library_pages, resume};
-pub(crate) use stub::stub;
+pub(crate) use stub::{fallback, stub};
 
 use crate::closure::Closure;
 use crate::model::{Function, Model};
@@ -38,6 +39,7 @@ pub(crate) fn emit(model: &Model, system: &System, closure: &Closure, plan: &Pla
     let equations = [emitter.phi(), emitter.jacobian(), emitter.linearize(), emitter.nu(), emitter.gamma()];
     let (start, length, validate) = (start(closure), emitter.characteristic_length(), emitter.validate());
     let traits = emitter.traits();
+    let stages = emitter.stages();
     let outputs = emitter.outputs();
     let solve = if model.equations_only { quote!() } else { solve(model, system) };
     let state = if model.equations_only && model.outputs.is_empty() { quote!() } else { state(model, system) };
@@ -57,6 +59,7 @@ pub(crate) fn emit(model: &Model, system: &System, closure: &Closure, plan: &Pla
             #outputs
         }
         #traits
+        #stages
         #solve
         #state
     }

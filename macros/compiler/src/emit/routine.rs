@@ -19,7 +19,7 @@ pub(super) struct Lines {
 
 /// Prints a routine that reads `q`, `qd`, `qdd` and `t`.
 pub(super) fn lines(model: &Model, arena: &Arena, routine: &Routine) -> Lines {
-    let printer = Printer { arena, routine };
+    let printer = Printer { arena, names: &routine.names };
     let mut steps = TokenStream::new();
     let mut results = Vec::new();
     let mut printed = 0;
@@ -48,14 +48,15 @@ fn reads(routine: &Routine) -> TokenStream {
     tokens
 }
 
-fn statement(model: &Model, printer: &Printer, step: &Step) -> TokenStream {
+/// One step as a `let`.
+pub(super) fn statement(model: &Model, printer: &Printer, step: &Step) -> TokenStream {
     let bound = |name: &Option<String>| name.as_ref().map_or(quote!(_), |name| {
         let name = local(name);
         quote!(#name)
     });
     match step {
         Step::Value(expr) => {
-            let name = local(&printer.routine.names[expr]);
+            let name = local(&printer.names[expr]);
             let value = printer.definition(*expr);
             quote!(let #name = #value;)
         }

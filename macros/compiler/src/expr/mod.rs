@@ -22,6 +22,7 @@ mod jet;
 mod node;
 mod show;
 mod simplify;
+mod substitute;
 
 pub use arena::Arena;
 pub use derivative::{Derivatives, derivative};
@@ -31,6 +32,7 @@ pub use jet::Jets;
 pub use node::{Binary, Expr, Leaf, Node, Unary};
 pub use show::show;
 pub use simplify::{RULES, Rewrite, Rule};
+pub use substitute::Substitution;
 
 #[cfg(test)]
 mod tests;

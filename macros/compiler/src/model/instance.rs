@@ -41,10 +41,10 @@ impl Elaborator<'_> {
 
     /// The arguments of a joint by the names of its definition; none for equations.
     pub(super) fn bind_joint(&mut self, joint: &ast::Joint) -> Option<Vec<(String, Value)>> {
-        let JointBody::Of { kind, arguments, range } = &joint.body else { return Some(Vec::new()) };
+        let JointBody::Of { kind, arguments } = &joint.body else { return Some(Vec::new()) };
         let definition = self.definition(kind)?;
         let scope = self.joint_scope(joint);
-        self.bind(&definition, kind, arguments, *range, &scope)
+        self.bind(&definition, kind, arguments, &scope)
     }
 
     fn definition(&mut self, kind: &Ident) -> Option<Rc<Definition>> {
@@ -61,7 +61,7 @@ impl Elaborator<'_> {
     }
 
     /// Binds every parameter of a definition, or says which argument is to blame.
-    fn bind(&mut self, definition: &Definition, kind: &Ident, given: &[Argument], range: Range, scope: &Scope) -> Option<Vec<(String, Value)>> {
+    fn bind(&mut self, definition: &Definition, kind: &Ident, given: &[Argument], scope: &Scope) -> Option<Vec<(String, Value)>> {
         let wanted = &definition.parameters;
         let signature = signature(definition);
         let mut slots: Vec<Option<&ast::Expr>> = vec![None; wanted.len()];
@@ -90,7 +90,7 @@ impl Elaborator<'_> {
         }
         if let Some(missing) = wanted.iter().zip(&slots).position(|(formal, slot)| slot.is_none() && formal.default.is_none()) {
             let name = wanted[missing].name.to_string();
-            return self.refuse(Range::from(kind).to(range), Fact::MissingArgument { name, signature, found: given.len() });
+            return self.refuse(kind, Fact::MissingArgument { name, signature, found: given.len() });
         }
         let mut bound: Vec<(String, Value)> = Vec::new();
         let mut complete = true;

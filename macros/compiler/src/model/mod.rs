@@ -25,7 +25,7 @@ use crate::syntax::ast::{Docs, Relation};
 use proc_macro2::{Ident, TokenStream};
 
 pub(crate) use definition::check as check_definition;
-pub(crate) use resolve::resolve;
+pub(crate) use resolve::{is_generated, resolve};
 
 /// A mechanism in which nothing is only a name any more.
 #[derive(Clone, Debug)]

@@ -22,6 +22,11 @@ const GENERATED: &[&str] = &[
     "characteristic_length", "with_defaults", "cast", "clone", "default", "state",
 ];
 
+/// A generated function has this name.
+pub(crate) fn is_generated(name: &Ident) -> bool {
+    GENERATED.iter().any(|known| name == known)
+}
+
 /// How far an item has been resolved.
 #[derive(Clone)]
 enum Progress<T> {
@@ -165,7 +170,7 @@ impl Elaborator<'_> {
                     self.fill(id, frame);
                 }
                 Item::Joint(joint) => self.declare(&joint.name, Entity::Joint(Rc::new(joint.clone()), Progress::Untouched)),
-                Item::Use(_) | Item::Output(_) => {}
+                Item::Use(_) | Item::Output(_) | Item::Refused(_) => {}
             }
         }
         parameters
@@ -468,7 +473,7 @@ impl Elaborator<'_> {
         for item in &tree.items {
             let Item::Output(output) = item else { continue };
             let word = output.name.to_string();
-            if GENERATED.contains(&word.as_str()) {
+            if is_generated(&output.name) {
                 self.diag.refuse::<()>(&output.name, Fact::Generated { name: word });
                 continue;
             }

@@ -4,15 +4,25 @@
 //! once, and results that refer to them. Not done here: printing.
 
 mod schedule;
+mod solution;
+mod stages;
+
+pub use solution::{Iterated, Part, Solution};
+pub use stages::{Iteration, Stage};
 
 use crate::expr::{Arena, Expr, Leaf};
 use crate::model::Model;
+use crate::structure::Structure;
 use crate::system::System;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Everything that is generated, as straight lines.
 #[derive(Clone, Debug)]
 pub struct Plan {
+    /// All expressions of the system and those that its solution needs.
+    pub arena: Arena,
+    /// How q, q̇ and q̈ are found; none for equations that are not solved.
+    pub solution: Option<Solution>,
     /// Φ(q, t), one result for each row.
     pub phi: Routine,
     /// The entries of Φ_q that are not identically zero, row by row.
@@ -91,10 +101,12 @@ pub struct Cost {
 }
 
 /// Schedules everything that is generated.
-pub(crate) fn schedule(model: &Model, system: &System) -> Plan {
-    let arena = &system.arena;
+pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure) -> Plan {
+    let mut arena = system.arena.clone();
+    let is_solved = !model.equations_only && structure.undetermined.is_empty() && structure.superfluous.is_empty();
+    let stages = is_solved.then(|| stages::stages(&mut arena, system, structure));
     let words = Words::new(model, system);
-    let line = |results: Vec<Expr>| schedule::routine(arena, results, &words);
+    let line = |results: Vec<Expr>| schedule::routine(&arena, results, &words);
     let phi: Vec<Expr> = system.equations.iter().filter_map(|equation| equation.phi).collect();
     let entries: Vec<Expr> = system.equations.iter().flat_map(|equation| equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
     let row = |(row, equation): (usize, &crate::system::Equation)| equation.jacobian.iter().map(|(column, _)| (row, *column)).collect::<Vec<_>>();
@@ -109,8 +121,10 @@ pub(crate) fn schedule(model: &Model, system: &System) -> Plan {
         pattern,
         outputs: system.outputs.iter().map(|output| line(output.components.iter().flatten().copied().collect())).collect(),
         start: line(system.unknowns.iter().filter_map(|unknown| unknown.start).collect()),
-        lengths: line(distinct(arena, &model.lengths)),
+        lengths: line(distinct(&arena, &model.lengths)),
         requirements: line(sides),
+        solution: stages.map(|stages| solution::solution(&arena, &stages, system.unknowns.len(), &words)),
+        arena,
     }
 }
 
@@ -138,6 +152,13 @@ impl Words {
             coordinates: system.unknowns.iter().map(coordinate).collect(),
             parameters: model.parameters.iter().map(|parameter| parameter.name.to_string()).collect(),
         }
+    }
+
+    /// The names of all leaves but parameters, which no step may have.
+    fn taken(&self) -> BTreeSet<String> {
+        let motion = [Leaf::Coordinate, Leaf::Velocity, Leaf::Acceleration];
+        let of_unknown = |index: usize| motion.map(|leaf| self.leaf(leaf(index as u32)));
+        (0..self.coordinates.len()).flat_map(of_unknown).chain([self.leaf(Leaf::Time)]).collect()
     }
 
     /// The name of a leaf in generated code.

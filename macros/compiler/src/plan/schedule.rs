@@ -10,68 +10,89 @@ const DEPTH: usize = 12;
 
 /// Schedules the computation of `results`, each written once, its steps just before it.
 pub(super) fn routine(arena: &Arena, results: Vec<Expr>, words: &Words) -> Routine {
-    let mut work = Work::new(arena, &results, words);
+    let mut work = Work::new(arena, &results, &BTreeSet::new(), words);
     let mut after = Vec::with_capacity(results.len());
     for result in &results {
         work.serve(*result);
         after.push(work.steps.len());
     }
-    let leaves = work.needed.iter().filter_map(|expr| if let Node::Leaf(leaf) = arena.node(*expr) { Some((*expr, *leaf)) } else { None }).collect();
+    let leaves = leaves(arena, &work.needed);
     let cost = cost(arena, &work.needed, &work.steps);
     Routine { steps: work.steps, results, after, names: work.names, leaves, cost }
 }
 
-struct Work<'a> {
+/// The leaves among some nodes.
+pub(super) fn leaves(arena: &Arena, nodes: &[Expr]) -> Vec<(Expr, Leaf)> {
+    nodes.iter().filter_map(|expr| if let Node::Leaf(leaf) = arena.node(*expr) { Some((*expr, *leaf)) } else { None }).collect()
+}
+
+/// What has been named and computed so far.
+pub(super) struct Work<'a> {
     arena: &'a Arena,
     /// All nodes under the results, children first, constants' insides left out.
-    needed: Vec<Expr>,
+    pub(super) needed: Vec<Expr>,
     /// Nodes that depend on constants only; they are evaluated in the compiler.
     constants: BTreeSet<Expr>,
     /// Nodes that get a name.
     named: BTreeSet<Expr>,
-    names: BTreeMap<Expr, String>,
+    pub(super) names: BTreeMap<Expr, String>,
     taken: BTreeSet<String>,
-    steps: Vec<Step>,
+    pub(super) steps: Vec<Step>,
     done: BTreeSet<Expr>,
     counter: usize,
 }
 
 impl<'a> Work<'a> {
-    fn new(arena: &'a Arena, results: &[Expr], words: &Words) -> Work<'a> {
+    /// Before anything is computed; `forced` nodes get a name however often they are used.
+    pub(super) fn new(arena: &'a Arena, results: &[Expr], forced: &BTreeSet<Expr>, words: &Words) -> Work<'a> {
         let all = arena.reachable(results);
-        let mut constants = BTreeSet::new();
-        for expr in &all {
-            let node = arena.node(*expr);
-            let is_constant = match node {
-                Node::Constant(_) => true,
-                Node::Leaf(_) | Node::Call { .. } => false,
-                _ => node.children().all(|child| constants.contains(&child)),
-            };
-            if is_constant {
-                constants.insert(*expr);
-            }
-        }
+        let constants = constants(arena, &all);
         let needed: Vec<Expr> = all.into_iter().filter(|expr| !constants.contains(expr)).collect();
-        let named = named(arena, &needed, &constants, results);
+        let mut named = named(arena, &needed, &constants, results);
+        named.extend(forced.iter().filter(|expr| !has_own_name(arena.node(**expr))));
         let mut work = Work {
             arena,
             needed,
             constants,
             named,
             names: BTreeMap::new(),
-            taken: BTreeSet::new(),
+            taken: words.taken(),
             steps: Vec::new(),
             done: BTreeSet::new(),
             counter: 0,
         };
-        for expr in work.needed.clone() {
-            if let Node::Leaf(leaf) = arena.node(expr) {
-                let name = words.leaf(*leaf);
-                let name = if matches!(leaf, Leaf::Parameter(_)) { name } else { work.unique(name) };
-                work.names.insert(expr, name);
-            }
-        }
+        work.names = leaves(arena, &work.needed).into_iter().map(|(expr, leaf)| (expr, words.leaf(leaf))).collect();
         work
+    }
+
+    /// Inside a loop over some unknowns: only what depends on them is computed here, what is computed outside keeps its name.
+    pub(super) fn inside(&self, results: &[Expr], moving: &BTreeSet<Expr>) -> Work<'a> {
+        let all = self.arena.reachable(results);
+        let constants = constants(self.arena, &all);
+        let needed: Vec<Expr> = all.into_iter().filter(|expr| moving.contains(expr)).collect();
+        let named = named(self.arena, &needed, &constants, results);
+        Work {
+            arena: self.arena,
+            needed,
+            constants,
+            named,
+            names: self.names.clone(),
+            taken: self.taken.clone(),
+            steps: Vec::new(),
+            done: self.done.clone(),
+            counter: self.counter,
+        }
+    }
+
+    /// A node is computed and has this name.
+    pub(super) fn define(&mut self, expr: Expr, name: String) {
+        self.names.insert(expr, name);
+        self.done.insert(expr);
+    }
+
+    /// The steps since the last time.
+    pub(super) fn take(&mut self) -> Vec<Step> {
+        std::mem::take(&mut self.steps)
     }
 
     fn unique(&mut self, mut name: String) -> String {
@@ -88,9 +109,10 @@ impl<'a> Work<'a> {
     }
 
     /// Adds the steps that one result still lacks.
-    fn serve(&mut self, result: Expr) {
+    pub(super) fn serve(&mut self, result: Expr) {
         for expr in self.arena.reachable(&[result]) {
-            if self.constants.contains(&expr) || !self.done.insert(expr) {
+            let is_elsewhere = self.constants.contains(&expr) || self.needed.binary_search(&expr).is_err();
+            if is_elsewhere || !self.done.insert(expr) {
                 continue;
             }
             match *self.arena.node(expr) {
@@ -108,23 +130,34 @@ impl<'a> Work<'a> {
 
     /// One sine and cosine for each angle, whichever of them is asked for first.
     fn sine_cosine(&mut self, angle: Expr) {
-        let stem = match self.names.get(&angle) {
-            Some(name) => name.replace("self.", ""),
-            None => self.next("a"),
-        };
+        let (mut sine, mut cosine) = (None, None);
+        for (expr, function) in self.turned(angle) {
+            let name = self.turn_name(angle, function);
+            self.define(expr, name.clone());
+            *(if function == Unary::Sin { &mut sine } else { &mut cosine }) = Some(name);
+        }
+        self.steps.push(Step::SineCosine { angle, sine, cosine });
+    }
+
+    /// The sine and the cosine of an angle, as far as they are needed.
+    pub(super) fn turned(&self, angle: Expr) -> Vec<(Expr, Unary)> {
         let wanted = self.needed.iter().filter_map(|expr| match *self.arena.node(*expr) {
             Node::Unary(function @ (Unary::Sin | Unary::Cos), of) if of == angle => Some((*expr, function)),
             _ => None,
         });
-        let (mut sine, mut cosine) = (None, None);
-        for (expr, function) in wanted.collect::<Vec<_>>() {
-            self.done.insert(expr);
-            let prefix = if function == Unary::Sin { "sin" } else { "cos" };
-            let name = self.unique(format!("{prefix}_{stem}"));
-            self.names.insert(expr, name.clone());
-            *(if function == Unary::Sin { &mut sine } else { &mut cosine }) = Some(name);
+        wanted.collect()
+    }
+
+    /// `sin_crank_angle`, or with a number where the angle has no name.
+    pub(super) fn turn_name(&mut self, angle: Expr, function: Unary) -> String {
+        let prefix = if function == Unary::Sin { "sin" } else { "cos" };
+        match self.names.get(&angle) {
+            Some(name) => {
+                let name = format!("{prefix}_{}", name.replace("self.", ""));
+                self.unique(name)
+            }
+            None => self.next(&format!("{prefix}_")),
         }
-        self.steps.push(Step::SineCosine { angle, sine, cosine });
     }
 
     /// One call for each argument, giving all derivatives that are asked for.
@@ -135,13 +168,34 @@ impl<'a> Work<'a> {
             _ => None,
         });
         for (expr, order) in wanted.collect::<Vec<_>>() {
-            self.done.insert(expr);
             let name = self.next(["f", "f_rate", "f_second"][order.min(2)]);
-            self.names.insert(expr, name.clone());
+            self.define(expr, name.clone());
             names[order.min(2)] = Some(name);
         }
         self.steps.push(Step::Call { function, argument, names });
     }
+}
+
+/// Nodes that depend on constants only.
+fn constants(arena: &Arena, all: &[Expr]) -> BTreeSet<Expr> {
+    let mut constants = BTreeSet::new();
+    for expr in all {
+        let node = arena.node(*expr);
+        let is_constant = match node {
+            Node::Constant(_) => true,
+            Node::Leaf(_) | Node::Call { .. } => false,
+            _ => node.children().all(|child| constants.contains(&child)),
+        };
+        if is_constant {
+            constants.insert(*expr);
+        }
+    }
+    constants
+}
+
+/// Leaves are called as the user calls them; calls and sines get their names together.
+fn has_own_name(node: &Node) -> bool {
+    matches!(node, Node::Leaf(_) | Node::Constant(_) | Node::Call { .. } | Node::Unary(Unary::Sin | Unary::Cos, _))
 }
 
 /// Nodes used more than once, and cuts in deep expressions.
@@ -159,7 +213,7 @@ fn named(arena: &Arena, needed: &[Expr], constants: &BTreeSet<Expr>, results: &[
     let mut depth: BTreeMap<Expr, usize> = BTreeMap::new();
     for expr in needed {
         let node = arena.node(*expr);
-        let has_name = matches!(node, Node::Leaf(_) | Node::Call { .. } | Node::Unary(Unary::Sin | Unary::Cos, _));
+        let has_name = has_own_name(node);
         let below = node.children().filter(|child| !constants.contains(child)).map(|child| depth.get(&child).copied().unwrap_or(0)).max().unwrap_or(0);
         let is_cut = below >= DEPTH;
         if !has_name && (uses.get(expr).copied().unwrap_or(0) > 1 || is_cut) {

@@ -46,6 +46,17 @@ pub enum Item {
     Joint(Joint),
     /// `output name = value;`
     Output(Output),
+    /// An item that was refused, as far as its name could be read.
+    Refused(Refused),
+}
+
+/// What a refused item would have declared; the stub of the mechanism has it all the same.
+#[derive(Clone, Debug)]
+pub struct Refused {
+    /// `param`, `body`, …
+    pub keyword: Ident,
+    /// The promised name.
+    pub name: Ident,
 }
 
 /// One imported constraint.
@@ -173,8 +184,6 @@ pub enum JointBody {
         kind: Ident,
         /// Its arguments.
         arguments: Vec<Argument>,
-        /// Where the closing parenthesis is.
-        range: Range,
     },
     /// `{ lhs == rhs; … }`
     Equations(Vec<Statement>),

@@ -1,9 +1,13 @@
 //! Definitions of constraints, and the statements in them.
 
-use super::ast::{Definition, Definitions, Export, Formal, Kind, Requirement, Statement};
+use super::ast::{Definition, Definitions, Docs, Export, Formal, Kind, Requirement, Statement};
+use super::dimension::dimension;
 use super::expression::{expression, relation};
-use super::item::{binding, dimension, report};
-use super::tokens::{Parsed, block, docs, equals, expected, name, parentheses, semicolon, skip_item, visibility, wrong};
+use super::item::binding;
+use super::tokens::{
+    Parsed, arrow, attributes, block, comma, docs, equals, expected, keyword, name, parentheses, report, semicolon, skip_item, visibility,
+    wrong,
+};
 use crate::diag::{Diag, Fact};
 use proc_macro2::{Ident, TokenStream};
 use syn::ext::IdentExt;
@@ -14,11 +18,13 @@ use syn::{LitStr, Token, token};
 pub(super) fn definitions(input: ParseStream, diag: &mut Diag) -> Option<Definitions> {
     let mut exports = Vec::new();
     while !input.is_empty() {
+        let before = input.fork();
         match export(input, diag) {
             Ok(export) => exports.push(export),
             Err(refusal) => {
                 diag.refuse::<()>(refusal.range, refusal.fact);
-                skip_item(input);
+                exports.extend(promised(&before));
+                skip_item(input, &before, is_export);
             }
         }
     }
@@ -34,25 +40,31 @@ pub(super) fn exported(input: ParseStream, diag: &mut Diag) -> Option<Vec<Defini
     Some(definitions)
 }
 
+/// A refused definition keeps its name, so that a `use` of it is not refused as well.
+fn promised(input: ParseStream) -> Option<Export> {
+    attributes(input).ok()?;
+    let visibility = visibility(input).ok()?;
+    keyword(input).filter(is_export_word)?;
+    Ident::parse_any(input).ok()?;
+    let name = input.parse().ok()?;
+    Some(Export { docs: Docs::default(), visibility, name, definitions: Vec::new(), tokens: TokenStream::new(), is_bundle: false })
+}
+
+/// The next export begins here.
+fn is_export(input: ParseStream) -> bool {
+    let ahead = input.fork();
+    visibility(&ahead).is_ok() && keyword(&ahead).filter(is_export_word).is_some() && ahead.peek2(syn::Ident)
+}
+
+fn is_export_word(word: &Ident) -> bool {
+    word == "constraint" || word == "bundle"
+}
+
 fn export(input: ParseStream, diag: &mut Diag) -> Parsed<Export> {
     let docs = docs(input)?;
     let visibility = visibility(input)?;
-    if word(input)? == "bundle" {
-        Ident::parse_any(input)?;
-        let name = name(input, "the name of the bundle")?;
-        let content = block(input, "`{` and the constraints of the bundle")?;
-        let tokens: TokenStream = content.fork().parse()?;
-        let mut definitions = Vec::new();
-        while !content.is_empty() {
-            match definition(&content) {
-                Ok(definition) => definitions.push(definition),
-                Err(refusal) => {
-                    diag.refuse::<()>(refusal.range, refusal.fact);
-                    skip_item(&content);
-                }
-            }
-        }
-        return Ok(Export { docs, visibility, name, definitions, tokens, is_bundle: true });
+    if keyword(input).is_some_and(|word| word == "bundle") {
+        return bundle(input, docs, visibility, diag);
     }
     // The tokens handed over are those from the word `constraint` to the closing brace.
     let rest: TokenStream = input.fork().parse()?;
@@ -65,18 +77,31 @@ fn export(input: ParseStream, diag: &mut Diag) -> Parsed<Export> {
     Ok(Export { docs, visibility, name, definitions: vec![definition], tokens, is_bundle: false })
 }
 
-fn word(input: ParseStream) -> Parsed<String> {
-    if !input.peek(Ident::peek_any) {
-        return expected(input, "`constraint name(…) { … }`");
+/// `bundle name { constraints }`
+fn bundle(input: ParseStream, docs: Docs, visibility: TokenStream, diag: &mut Diag) -> Parsed<Export> {
+    Ident::parse_any(input)?;
+    let name = name(input, "the name of the bundle")?;
+    let content = block(input, "`{` and the constraints of the bundle")?;
+    let tokens: TokenStream = content.fork().parse()?;
+    let mut definitions = Vec::new();
+    while !content.is_empty() {
+        let before = content.fork();
+        match definition(&content) {
+            Ok(definition) => definitions.push(definition),
+            Err(refusal) => {
+                diag.refuse::<()>(refusal.range, refusal.fact);
+                skip_item(&content, &before, is_export);
+            }
+        }
     }
-    Ok(input.fork().call(Ident::parse_any)?.to_string())
+    Ok(Export { docs, visibility, name, definitions, tokens, is_bundle: true })
 }
 
 /// `constraint name(parameters) { statements }`
 fn definition(input: ParseStream) -> Parsed<Definition> {
     let docs = docs(input)?;
     visibility(input)?;
-    if word(input)? != "constraint" {
+    if keyword(input).is_none_or(|word| word != "constraint") {
         return expected(input, "`constraint name(…) { … }`");
     }
     Ident::parse_any(input)?;
@@ -88,13 +113,7 @@ fn definition(input: ParseStream) -> Parsed<Definition> {
     let mut parameters = Vec::new();
     while !content.is_empty() {
         parameters.push(formal(&content)?);
-        if content.is_empty() {
-            break;
-        }
-        if !content.peek(Token![,]) {
-            return expected(&content, "`,` or `)`");
-        }
-        content.parse::<Token![,]>()?;
+        comma(&content, "`,` or `)`")?;
     }
     let content = block(input, "`{` and the equations of the constraint")?;
     let mut statements = Vec::new();
@@ -122,8 +141,10 @@ fn formal(input: ParseStream) -> Parsed<Formal> {
 }
 
 fn kind(input: ParseStream) -> Parsed<Kind> {
-    let word = word_of_kind(input)?;
-    let plain = match word.as_str() {
+    let Some(word) = keyword(input) else {
+        return expected(input, "what the parameter takes: `Point`, `Axis`, `Body`, `Length`, `Angle`, `Quantity`, …");
+    };
+    let plain = match word.to_string().as_str() {
         "Point" => Kind::Point,
         "Axis" => Kind::Axis,
         "Body" => Kind::Body,
@@ -136,29 +157,18 @@ fn kind(input: ParseStream) -> Parsed<Kind> {
     Ok(plain)
 }
 
-fn word_of_kind(input: ParseStream) -> Parsed<String> {
-    if !input.peek(syn::Ident) {
-        return expected(input, "what the parameter takes: `Point`, `Axis`, `Body`, `Length`, `Angle`, `Quantity`, …");
-    }
-    Ok(input.fork().parse::<Ident>()?.to_string())
-}
-
 /// `Function(Angle) -> Length`
 fn function_kind(input: ParseStream) -> Parsed<Kind> {
     input.parse::<Ident>()?;
     if !input.peek(token::Paren) {
         return expected(input, "`(Dimension) -> Dimension`");
     }
-    let (content, range) = parentheses(input)?;
+    let (content, _) = parentheses(input)?;
     let from = dimension(&content)?;
     if !content.is_empty() {
-        return wrong(range, Fact::OneArgument);
+        return wrong(content.span(), Fact::OneArgument);
     }
-    if !input.peek(Token![->]) {
-        return expected(input, "`->` and the dimension of the value");
-    }
-    input.parse::<Token![->]>()?;
-    Ok(Kind::Function(from, dimension(input)?))
+    Ok(Kind::Function(from, arrow(input)?))
 }
 
 /// `Joint(translational)`
@@ -167,10 +177,10 @@ fn joint_kind(input: ParseStream) -> Parsed<Kind> {
     if !input.peek(token::Paren) {
         return expected(input, "`(` and the kind of the joint");
     }
-    let (content, range) = parentheses(input)?;
+    let (content, _) = parentheses(input)?;
     let kind = name(&content, "the kind of the joint")?;
     if !content.is_empty() {
-        return wrong(range, Fact::TokensAfter { what: "the kind of the joint" });
+        return wrong(content.span(), Fact::TokensAfter { what: "the kind of the joint", help: "write `Joint(kind)`" });
     }
     Ok(Kind::Joint(kind))
 }
@@ -181,13 +191,13 @@ pub(super) fn statement(input: ParseStream) -> Parsed<Statement> {
     if input.peek(Token![let]) {
         return binding(input).map(Statement::Let);
     }
-    let is_requirement = input.peek(syn::Ident) && input.fork().parse::<Ident>()? == "require" && !input.peek2(Token![.]) && !input.peek2(Token![==]);
+    let is_requirement = keyword(input).is_some_and(|word| word == "require") && !input.peek2(Token![.]) && !input.peek2(Token![==]);
     if is_requirement {
         return requirement(input).map(Statement::Require);
     }
     let lhs = expression(input)?;
     if !input.peek(Token![==]) {
-        return expected(input, "`==`: an equation is `lhs == rhs;`");
+        return expected(input, "`==` and the other side of the equation");
     }
     input.parse::<Token![==]>()?;
     let rhs = expression(input)?;
@@ -195,6 +205,7 @@ pub(super) fn statement(input: ParseStream) -> Parsed<Statement> {
     Ok(Statement::Equation(lhs, rhs))
 }
 
+/// `require lhs != rhs: "why";`
 fn requirement(input: ParseStream) -> Parsed<Requirement> {
     input.parse::<Ident>()?;
     let lhs = expression(input)?;
@@ -211,4 +222,3 @@ fn requirement(input: ParseStream) -> Parsed<Requirement> {
     semicolon(input)?;
     Ok(Requirement { lhs, relation, rhs, why })
 }
-

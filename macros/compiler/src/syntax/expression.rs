@@ -14,6 +14,7 @@ use super::ast::{Expr, ExprKind, Operator, Path, Relation};
 use super::tokens::{Parsed, braces, brackets, expected, is_path, parentheses, path, wrong};
 use crate::diag::{Fact, Range};
 use proc_macro2::Span;
+use quote::ToTokens;
 use syn::parse::ParseStream;
 use syn::{Ident, Lit, Token, token};
 
@@ -66,7 +67,10 @@ fn product(input: ParseStream, room: u16) -> Parsed<Expr> {
     let mut left = sign(input, room)?;
     loop {
         let operator = if input.peek(Token![*]) {
-            input.parse::<Token![*]>()?;
+            let star = input.parse::<Token![*]>()?.spans[0];
+            if input.peek(Token![*]) {
+                return wrong(Range::from(star).to(input.span()), Fact::DoubleStar);
+            }
             Operator::Mul
         } else if input.peek(Token![/]) {
             input.parse::<Token![/]>()?;
@@ -106,6 +110,9 @@ fn postfix(input: ParseStream, room: u16) -> Parsed<Expr> {
             return expected(input, "a name after `.`");
         }
         let field: Ident = input.parse()?;
+        if input.peek(token::Paren) {
+            return wrong(&field, Fact::MethodCall { name: field.to_string() });
+        }
         let range = value.range.to(&field);
         value = node(ExprKind::Field(Box::new(value), field), range)?;
     }
@@ -146,7 +153,21 @@ fn number(input: ParseStream) -> Parsed<Expr> {
         Lit::Float(float) => (float.base10_digits().to_owned(), float.suffix().to_owned()),
         _ => return wrong(range, Fact::NotANumber { found: literal_kind(&literal) }),
     };
+    if unit.is_empty() && is_unit(input) {
+        let (number, unit) = (literal.to_token_stream().to_string(), input.parse::<Ident>()?);
+        return wrong(range.to(&unit), Fact::SpaceBeforeUnit { number, unit: unit.to_string() });
+    }
     node(ExprKind::Number { digits, unit }, range)
+}
+
+/// A word that ends an expression: after a number it can only be meant as its unit.
+fn is_unit(input: ParseStream) -> bool {
+    let ahead = input.fork();
+    let is_end = |ahead: ParseStream| {
+        ahead.is_empty() || ahead.peek(Token![;]) || ahead.peek(Token![,]) || ahead.peek(Token![+]) || ahead.peek(Token![-]) || ahead.peek(Token![*])
+            || ahead.peek(Token![/])
+    };
+    ahead.parse::<Ident>().is_ok() && is_end(&ahead)
 }
 
 fn literal_kind(literal: &Lit) -> &'static str {

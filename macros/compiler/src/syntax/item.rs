@@ -1,121 +1,95 @@
 //! The items of a mechanism.
 
 use super::ast::{
-    Argument, Dimension, Expr, Frame, Function, Item, Joint, JointBody, Let, Mark, Mechanism, Output, Parameter, Start, Use,
+    Argument, Docs, Expr, Frame, Function, Item, Joint, JointBody, Let, Mark, Mechanism, Output, Parameter, Refused, Start, Use,
 };
 use super::definition::statement;
+use super::dimension::{dimension, required_dimension};
 use super::expression::expression;
 use super::tokens::{
-    Parsed, attributes, block, braces, docs, equals, expected, name, parentheses, path, semicolon, skip_item, visibility, wrong,
+    Parsed, arrow, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, name, parentheses, path, report, semicolon,
+    skip_item, skip_to_block, visibility, wrong,
 };
-use crate::diag::{Diag, Fact, Range};
+use crate::diag::{Diag, Fact};
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
-use syn::{LitInt, Token, token};
+use syn::{Token, token};
 
 /// `pub mechanism Name { items }`
 pub(super) fn mechanism(input: ParseStream, diag: &mut Diag) -> Option<Mechanism> {
-    let read_head = || -> Parsed<Mechanism> {
-        let (docs, options) = attributes(input)?;
-        let mut equations_only = false;
-        for option in options {
-            if option != "equations_only" {
-                return wrong(&option, Fact::UnknownAttribute { name: option.to_string() });
-            }
-            equations_only = true;
-        }
-        let visibility = visibility(input)?;
-        if !input.peek(Ident::peek_any) || input.fork().call(Ident::parse_any)? != "mechanism" {
-            return expected(input, "`mechanism Name { … }`");
-        }
-        Ident::parse_any(input)?;
-        let name = name(input, "the name of the mechanism")?;
-        Ok(Mechanism { docs, equations_only, visibility, name, items: Vec::new() })
-    };
-    let mut mechanism = report(read_head(), diag)?;
-    let content = match block(input, "`{` and the items of the mechanism") {
-        Ok(content) => content,
+    let mut mechanism = match head(input) {
+        Ok(mechanism) => mechanism,
         Err(refusal) => {
             diag.refuse::<()>(refusal.range, refusal.fact);
-            return Some(mechanism);
+            salvaged(skip_to_block(input)?)
         }
     };
-    while !content.is_empty() {
-        match item(&content) {
-            Ok(item) => mechanism.items.push(item),
-            Err(refusal) => {
-                diag.refuse::<()>(refusal.range, refusal.fact);
-                skip_item(&content);
-            }
-        }
-    }
+    let content = report(block(input, "`{` and the items of the mechanism"), diag);
+    let Some(content) = content else { return Some(mechanism) };
+    items(&content, &mut mechanism, diag);
     if !input.is_empty() {
-        let range = input.span();
-        diag.refuse::<()>(range, Fact::TokensAfter { what: "the mechanism" });
+        diag.refuse::<()>(input.span(), Fact::TokensAfter { what: "the mechanism", help: "write one `mechanism!` for each mechanism" });
     }
     Some(mechanism)
 }
 
-pub(super) fn report<T>(parsed: Parsed<T>, diag: &mut Diag) -> Option<T> {
-    match parsed {
-        Ok(value) => Some(value),
-        Err(refusal) => diag.refuse(refusal.range, refusal.fact),
+/// What stands before the items.
+fn head(input: ParseStream) -> Parsed<Mechanism> {
+    let (docs, options) = attributes(input)?;
+    if let Some(unknown) = options.iter().find(|option| *option != "equations_only") {
+        return wrong(unknown, Fact::UnknownAttribute { name: unknown.to_string() });
     }
+    let visibility = visibility(input)?;
+    if keyword(input).is_none_or(|word| word != "mechanism") {
+        return expected(input, "`mechanism Name { … }`");
+    }
+    Ident::parse_any(input)?;
+    let name = name(input, "the name of the mechanism")?;
+    Ok(Mechanism { docs, equations_only: !options.is_empty(), visibility, name, items: Vec::new() })
+}
+
+/// A mechanism of which only the name could be read.
+fn salvaged(name: Ident) -> Mechanism {
+    Mechanism { docs: Docs::default(), equations_only: false, visibility: quote::quote!(pub), name, items: Vec::new() }
+}
+
+/// A refused item leaves its name behind, and the next item is read.
+fn items(content: ParseStream, mechanism: &mut Mechanism, diag: &mut Diag) {
+    while !content.is_empty() {
+        let before = content.fork();
+        match item(content) {
+            Ok(item) => mechanism.items.push(item),
+            Err(refusal) => {
+                diag.refuse::<()>(refusal.range, refusal.fact);
+                mechanism.items.extend(promised(&before).map(Item::Refused));
+                skip_item(content, &before, is_item);
+            }
+        }
+    }
+}
+
+/// What an item that was refused would have declared.
+fn promised(input: ParseStream) -> Option<Refused> {
+    attributes(input).ok()?;
+    let [keyword, name] = [Ident::parse_any(input).ok()?, input.parse().ok()?];
+    Some(Refused { keyword, name })
 }
 
 fn item(input: ParseStream) -> Parsed<Item> {
     let docs = docs(input)?;
-    if input.peek(Token![use]) {
-        return uses(input).map(Item::Use);
-    }
-    if input.peek(Token![let]) {
-        return binding(input).map(Item::Let);
-    }
-    if !input.peek(Ident::peek_any) {
+    let Some(keyword) = keyword(input) else {
         return expected(input, "an item: `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `function` or `use`");
-    }
-    let keyword: Ident = input.fork().call(Ident::parse_any)?;
-    let skip = || input.call(Ident::parse_any);
+    };
     match keyword.to_string().as_str() {
-        "param" => {
-            skip()?;
-            let name = name(input, "the name of the parameter")?;
-            let dimension = required_dimension(input)?;
-            if !input.peek(Token![=]) {
-                return expected(input, "`=` and the default of the parameter");
-            }
-            equals(input)?;
-            let default = expression(input)?;
-            semicolon(input)?;
-            Ok(Item::Parameter(Parameter { docs, name, dimension, default }))
-        }
+        "use" => uses(input).map(Item::Use),
+        "let" => binding(input).map(Item::Let),
+        "param" => parameter(input, docs).map(Item::Parameter),
         "function" => function(input).map(Item::Function),
-        "ground" => {
-            let name = skip()?;
-            frame(input, docs, name).map(Item::Ground)
-        }
-        "body" => {
-            skip()?;
-            let name = name(input, "the name of the body")?;
-            frame(input, docs, name).map(Item::Body)
-        }
-        "joint" | "drive" => {
-            skip()?;
-            let what = if keyword == "drive" { "the name of the drive" } else { "the name of the joint" };
-            let name = name(input, what)?;
-            equals(input)?;
-            let body = joint_body(input)?;
-            Ok(Item::Joint(Joint { docs, is_drive: keyword == "drive", name, body }))
-        }
-        "output" => {
-            skip()?;
-            let name = name(input, "the name of the output")?;
-            equals(input)?;
-            let value = expression(input)?;
-            semicolon(input)?;
-            Ok(Item::Output(Output { docs, name, value }))
-        }
+        "ground" => ground(input, docs).map(Item::Ground),
+        "body" => body(input, docs).map(Item::Body),
+        "joint" | "drive" => joint(input, docs).map(Item::Joint),
+        "output" => output(input, docs).map(Item::Output),
         other => wrong(&keyword, Fact::UnknownItem { word: other.to_owned() }),
     }
 }
@@ -125,39 +99,32 @@ fn uses(input: ParseStream) -> Parsed<Vec<Use>> {
     input.parse::<Token![use]>()?;
     let prefix = path(input)?;
     let mut uses = Vec::new();
-    if input.peek(Token![::]) {
-        input.parse::<Token![::]>()?;
-        if !input.peek(token::Brace) {
-            return expected(input, "a name or `{ … }`");
-        }
-        let (content, _) = braces(input)?;
-        while !content.is_empty() {
-            let mut inner = path(&content)?;
-            let before = &prefix.tokens;
-            let after = &inner.tokens;
-            inner.tokens = quote::quote!(#before::#after);
-            uses.push(renamed(&content, inner)?);
-            if !content.is_empty() {
-                if !content.peek(Token![,]) {
-                    return expected(&content, "`,`");
-                }
-                content.parse::<Token![,]>()?;
-            }
-        }
-    } else {
+    if !input.peek(Token![::]) {
         uses.push(renamed(input, prefix)?);
+        return semicolon(input).map(|()| uses);
+    }
+    input.parse::<Token![::]>()?;
+    if !input.peek(token::Brace) {
+        return expected(input, "the name of a constraint or `{ … }`");
+    }
+    let (content, _) = braces(input)?;
+    while !content.is_empty() {
+        let mut inner = path(&content)?;
+        let (before, after) = (&prefix.tokens, &inner.tokens);
+        inner.tokens = quote::quote!(#before::#after);
+        uses.push(renamed(&content, inner)?);
+        comma(&content, "`,` or `}`")?;
     }
     semicolon(input)?;
     Ok(uses)
 }
 
 fn renamed(input: ParseStream, path: super::ast::Path) -> Parsed<Use> {
-    let mut alias = path.last.clone();
-    if input.peek(Token![as]) {
-        input.parse::<Token![as]>()?;
-        alias = name(input, "a name after `as`")?;
+    if !input.peek(Token![as]) {
+        return Ok(Use { name: path.last.clone(), path });
     }
-    Ok(Use { path, name: alias })
+    input.parse::<Token![as]>()?;
+    Ok(Use { path, name: name(input, "a name after `as`")? })
 }
 
 /// `let name: Dimension = value;`
@@ -165,19 +132,41 @@ pub(super) fn binding(input: ParseStream) -> Parsed<Let> {
     input.parse::<Token![let]>()?;
     let name = name(input, "a name after `let`")?;
     let dimension = if input.peek(Token![:]) { Some(required_dimension(input)?) } else { None };
+    let value = value(input)?;
+    Ok(Let { name, dimension, value })
+}
+
+/// `param name: Dimension = default;`
+fn parameter(input: ParseStream, docs: Docs) -> Parsed<Parameter> {
+    Ident::parse_any(input)?;
+    let name = name(input, "the name of the parameter")?;
+    let dimension = required_dimension(input)?;
+    if !input.peek(Token![=]) {
+        return expected(input, "`=` and the default of the parameter");
+    }
+    let default = value(input)?;
+    Ok(Parameter { docs, name, dimension, default })
+}
+
+/// `output name = value;`
+fn output(input: ParseStream, docs: Docs) -> Parsed<Output> {
+    Ident::parse_any(input)?;
+    let name = name(input, "the name of the output")?;
+    let value = value(input)?;
+    Ok(Output { docs, name, value })
+}
+
+/// `= expression;`
+fn value(input: ParseStream) -> Parsed<Expr> {
     equals(input)?;
     let value = expression(input)?;
     semicolon(input)?;
-    Ok(Let { name, dimension, value })
+    Ok(value)
 }
 
 /// A function alone, after its doc comment.
 pub(super) fn single_function(input: ParseStream, diag: &mut Diag) -> Option<Function> {
-    let read = || -> Parsed<Function> {
-        docs(input)?;
-        function(input)
-    };
-    report(read(), diag)
+    report(docs(input).and_then(|_| function(input)), diag)
 }
 
 /// `function name(argument: Dimension) -> Dimension = value;`
@@ -187,140 +176,119 @@ fn function(input: ParseStream) -> Parsed<Function> {
     if !input.peek(token::Paren) {
         return expected(input, "`(argument: Dimension)`");
     }
-    let (content, range) = parentheses(input)?;
-    let argument = if content.peek2(Token![:]) { Some(self::name(&content, "the name of the argument")?) } else { None };
-    if argument.is_some() {
-        content.parse::<Token![:]>()?;
-    }
-    let from = dimension(&content)?;
+    let (content, _) = parentheses(input)?;
+    let is_named = content.peek2(Token![:]) && !content.peek2(Token![::]);
+    let argument = if is_named { Some(self::name(&content, "the name of the argument")?) } else { None };
+    let from = if is_named { required_dimension(&content)? } else { dimension(&content)? };
     if !content.is_empty() {
-        return wrong(range, Fact::OneArgument);
+        return wrong(content.span(), Fact::OneArgument);
     }
-    if !input.peek(Token![->]) {
-        return expected(input, "`->` and the dimension of the value");
-    }
-    input.parse::<Token![->]>()?;
-    let to = dimension(input)?;
-    equals(input)?;
-    let value = expression(input)?;
-    semicolon(input)?;
+    let to = arrow(input)?;
+    let value = value(input)?;
     Ok(Function { name, argument, from, to, value })
 }
 
-fn required_dimension(input: ParseStream) -> Parsed<Dimension> {
-    if !input.peek(Token![:]) {
-        return expected(input, "`:` and a dimension such as `Length`");
-    }
-    input.parse::<Token![:]>()?;
-    dimension(input)
+fn ground(input: ParseStream, docs: Docs) -> Parsed<Frame> {
+    let name = Ident::parse_any(input)?;
+    frame(input, docs, name, "`{` and the points of ground")
 }
 
-/// `Length * Angle / Time^2`
-pub(super) fn dimension(input: ParseStream) -> Parsed<Dimension> {
-    let mut factors = Vec::new();
-    let mut sign = 1;
-    let mut range = Range::from(input.span());
-    loop {
-        let factor = name(input, "a dimension such as `Length`")?;
-        range = range.to(&factor);
-        let mut exponent = 1;
-        if input.peek(Token![^]) {
-            input.parse::<Token![^]>()?;
-            if !input.peek(LitInt) {
-                return expected(input, "a whole number");
-            }
-            let literal: LitInt = input.parse()?;
-            range = range.to(literal.span());
-            exponent = match literal.base10_parse::<u8>() {
-                Ok(exponent) if exponent <= 6 => i16::from(exponent),
-                _ => return wrong(literal.span(), Fact::ExponentTooLarge { limit: 6 }),
-            };
-        }
-        factors.push((factor, sign * exponent));
-        if input.peek(Token![*]) {
-            input.parse::<Token![*]>()?;
-            sign = 1;
-        } else if input.peek(Token![/]) {
-            input.parse::<Token![/]>()?;
-            sign = -1;
-        } else {
-            return Ok(Dimension { factors, range });
-        }
-    }
+fn body(input: ParseStream, docs: Docs) -> Parsed<Frame> {
+    Ident::parse_any(input)?;
+    let name = name(input, "the name of the body")?;
+    frame(input, docs, name, "`{` and the points of the body")
 }
 
-fn frame(input: ParseStream, docs: super::ast::Docs, name: Ident) -> Parsed<Frame> {
-    let content = block(input, "`{` and the points of the body")?;
+fn frame(input: ParseStream, docs: Docs, name: Ident, what: &'static str) -> Parsed<Frame> {
+    let content = block(input, what)?;
     let mut frame = Frame { docs, name, marks: Vec::new(), starts: Vec::new() };
     while !content.is_empty() {
         // Points may have doc comments; no item is generated that could carry them.
         self::docs(&content)?;
-        if !content.peek(Ident::peek_any) {
+        let Some(keyword) = keyword(&content) else {
             return expected(&content, "`point`, `axis` or `start`");
-        }
-        let keyword: Ident = content.fork().call(Ident::parse_any)?;
+        };
         match keyword.to_string().as_str() {
-            word @ ("point" | "axis") => {
-                content.call(Ident::parse_any)?;
-                let is_axis = word == "axis";
-                let name = self::name(&content, if is_axis { "the name of the axis" } else { "the name of the point" })?;
-                equals(&content)?;
-                let value = expression(&content)?;
-                semicolon(&content)?;
-                frame.marks.push(Mark { is_axis, name, value });
-            }
-            "start" => {
-                content.call(Ident::parse_any)?;
-                let what = self::name(&content, "`x`, `y`, `angle` or `position`")?;
-                equals(&content)?;
-                let value = expression(&content)?;
-                semicolon(&content)?;
-                frame.starts.push(Start { what, value });
-            }
+            "point" | "axis" => frame.marks.push(mark(&content)?),
+            "start" => frame.starts.push(start(&content)?),
             other => return wrong(&keyword, Fact::UnknownBodyItem { word: other.to_owned() }),
         }
     }
     Ok(frame)
 }
 
-fn joint_body(input: ParseStream) -> Parsed<JointBody> {
-    if input.peek(token::Brace) {
-        let (content, _) = braces(input)?;
-        let mut statements = Vec::new();
-        while !content.is_empty() {
-            statements.push(statement(&content)?);
-        }
-        if input.peek(Token![;]) {
-            input.parse::<Token![;]>()?;
-        }
-        return Ok(JointBody::Equations(statements));
+/// `point name = (x, y);` or `axis name = (x, y);`
+fn mark(input: ParseStream) -> Parsed<Mark> {
+    let is_axis = Ident::parse_any(input)? == "axis";
+    let name = name(input, if is_axis { "the name of the axis" } else { "the name of the point" })?;
+    equals(input)?;
+    let value = expression(input)?;
+    if input.peek(Token![,]) {
+        return wrong(value.range, Fact::PairWithoutParentheses { what: if is_axis { "an axis" } else { "a point" } });
     }
+    semicolon(input)?;
+    Ok(Mark { is_axis, name, value })
+}
+
+/// `start angle = value;`
+fn start(input: ParseStream) -> Parsed<Start> {
+    Ident::parse_any(input)?;
+    let what = name(input, "`x`, `y`, `angle` or `position`")?;
+    let value = value(input)?;
+    Ok(Start { what, value })
+}
+
+/// `joint name = …;` or `drive name = …;`
+fn joint(input: ParseStream, docs: Docs) -> Parsed<Joint> {
+    let is_drive = Ident::parse_any(input)? == "drive";
+    let name = name(input, if is_drive { "the name of the drive" } else { "the name of the joint" })?;
+    equals(input)?;
+    let body = if input.peek(token::Brace) { equations(input)? } else { instance(input)? };
+    Ok(Joint { docs, is_drive, name, body })
+}
+
+/// `{ lhs == rhs; … }`, with or without a semicolon after it.
+fn equations(input: ParseStream) -> Parsed<JointBody> {
+    let (content, _) = braces(input)?;
+    let mut statements = Vec::new();
+    while !content.is_empty() {
+        statements.push(statement(&content)?);
+    }
+    if input.peek(Token![;]) {
+        input.parse::<Token![;]>()?;
+    }
+    Ok(JointBody::Equations(statements))
+}
+
+/// `kind(arguments);`
+fn instance(input: ParseStream) -> Parsed<JointBody> {
+    let written = input.fork();
     let kind = name(input, "a constraint such as `revolute(…)`, or `{ lhs == rhs; }`")?;
+    if input.peek(Token![::]) {
+        let path = path(&written)?;
+        let text = path.tokens.to_string().replace(' ', "");
+        return wrong(path.range, Fact::PathOfConstraint { path: text, last: path.last.to_string() });
+    }
     if !input.peek(token::Paren) {
         return expected(input, "`(` and the arguments");
     }
-    let (content, range) = parentheses(input)?;
+    let (content, _) = parentheses(input)?;
     let mut arguments = Vec::new();
     while !content.is_empty() {
         arguments.push(argument(&content)?);
-        if content.is_empty() {
-            break;
-        }
-        if !content.peek(Token![,]) {
-            return expected(&content, "`,` or `)`");
-        }
-        content.parse::<Token![,]>()?;
+        comma(&content, "`,` or `)`")?;
     }
     semicolon(input)?;
-    Ok(JointBody::Of { kind, arguments, range })
+    Ok(JointBody::Of { kind, arguments })
 }
 
+/// `value` or `name: value`
 fn argument(input: ParseStream) -> Parsed<Argument> {
-    let named = input.peek(syn::Ident) && input.peek2(Token![:]) && !input.peek2(Token![::]);
-    let name = if named { Some(self::name(input, "the name of the argument")?) } else { None };
-    if named {
-        input.parse::<Token![:]>()?;
+    let is_named = input.peek(syn::Ident) && input.peek2(Token![:]) && !input.peek2(Token![::]);
+    if !is_named {
+        return Ok(Argument { name: None, value: expression(input)? });
     }
-    let value: Expr = expression(input)?;
-    Ok(Argument { name, value })
+    let name = name(input, "the name of the argument")?;
+    input.parse::<Token![:]>()?;
+    Ok(Argument { name: Some(name), value: expression(input)? })
 }

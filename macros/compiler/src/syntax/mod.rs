@@ -8,13 +8,14 @@
 
 pub mod ast;
 mod definition;
+mod dimension;
 mod expression;
 mod item;
 mod tokens;
 
-use crate::diag::{Diag, Refusal};
+use crate::diag::{Diag, Fact, Refusal};
 use ast::{Definition, Definitions, Function, Mechanism};
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser};
 
 /// Parses a `mechanism!` declaration.
@@ -40,7 +41,27 @@ pub(crate) fn parse_function(tokens: TokenStream, diag: &mut Diag) -> Option<Fun
     run(tokens, diag, item::single_function)
 }
 
+/// No delimiters may be nested deeper than this, so that no walk over tokens can exhaust the stack.
+const DEEPEST: u16 = 250;
+
+/// The first delimiter that is nested too deep.
+fn too_deep(tokens: &TokenStream) -> Option<Span> {
+    let mut open = vec![tokens.clone().into_iter()];
+    while let Some(innermost) = open.last_mut() {
+        match innermost.next() {
+            None => drop(open.pop()),
+            Some(TokenTree::Group(group)) if open.len() > usize::from(DEEPEST) => return Some(group.span_open()),
+            Some(TokenTree::Group(group)) => open.push(group.stream().into_iter()),
+            Some(_) => {}
+        }
+    }
+    None
+}
+
 fn run<T>(tokens: TokenStream, diag: &mut Diag, parse: fn(ParseStream, &mut Diag) -> Option<T>) -> Option<T> {
+    if let Some(span) = too_deep(&tokens) {
+        return diag.refuse(span, Fact::TooDeep { limit: DEEPEST });
+    }
     let mut tree = None;
     let read = |input: ParseStream| {
         tree = parse(input, diag);

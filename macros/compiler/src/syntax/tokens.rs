@@ -1,12 +1,13 @@
 //! Small things every parser here needs: delimiters, paths, doc comments, and refusals in words.
 
-use super::ast::{Docs, Path};
-use crate::diag::{Fact, Range, Refusal};
+use super::ast::{Dimension, Docs, Path};
+use super::dimension::dimension;
+use crate::diag::{Diag, Fact, Range, Refusal};
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
-use syn::{Lit, Token, token};
+use syn::{LitStr, Token, token};
 
 /// What a parser gives: a value, or what is wrong and where.
 pub(super) type Parsed<T> = Result<T, Refusal>;
@@ -76,6 +77,33 @@ pub(super) fn name(input: ParseStream, what: &'static str) -> Parsed<Ident> {
     expected(input, what)
 }
 
+/// The word that an item begins with, without taking it.
+pub(super) fn keyword(input: ParseStream) -> Option<Ident> {
+    // `_` would be read as a word too.
+    if input.peek(Token![_]) { None } else { input.fork().call(Ident::parse_any).ok() }
+}
+
+/// `,` between the items of a list, or its end.
+pub(super) fn comma(content: ParseStream, what: &'static str) -> Parsed<()> {
+    if content.is_empty() {
+        return Ok(());
+    }
+    if !content.peek(Token![,]) {
+        return expected(content, what);
+    }
+    content.parse::<Token![,]>()?;
+    Ok(())
+}
+
+/// `-> Dimension`
+pub(super) fn arrow(input: ParseStream) -> Parsed<Dimension> {
+    if !input.peek(Token![->]) {
+        return expected(input, "`->` and the dimension of the value");
+    }
+    input.parse::<Token![->]>()?;
+    dimension(input)
+}
+
 /// `;` at the end of an item.
 pub(super) fn semicolon(input: ParseStream) -> Parsed<()> {
     if !input.peek(Token![;]) {
@@ -103,37 +131,55 @@ pub(super) fn is_path(input: ParseStream) -> bool {
 pub(super) fn path(input: ParseStream) -> Parsed<Path> {
     let mut tokens = TokenStream::new();
     let mut range = Range::from(input.span());
-    let rooted = input.peek(Token![::]);
-    if rooted {
+    let is_rooted = input.peek(Token![::]);
+    if is_rooted {
         input.parse::<Token![::]>()?.to_tokens(&mut tokens);
     }
     let mut segments = 0;
     loop {
-        if !input.peek(Ident::peek_any) {
-            return expected(input, "a name");
-        }
-        let last = Ident::parse_any(input)?;
+        let last = segment(input, segments == 0 && !is_rooted)?;
         last.to_tokens(&mut tokens);
         segments += 1;
         range = range.to(&last);
         if !input.peek(Token![::]) || input.peek3(token::Brace) || input.peek3(Token![*]) {
-            let name = (segments == 1 && !rooted).then(|| last.clone());
+            let name = (segments == 1 && !is_rooted).then(|| last.clone());
             return Ok(Path { tokens, last, name, range });
         }
         input.parse::<Token![::]>()?.to_tokens(&mut tokens);
     }
 }
 
+/// One name of a path; the first may be `crate`, `self` or `super`, and `super` may be repeated.
+fn segment(input: ParseStream, is_first: bool) -> Parsed<Ident> {
+    let leads = input.peek(Token![super]) || is_first && (input.peek(Token![crate]) || input.peek(Token![self]));
+    if leads { Ok(Ident::parse_any(input)?) } else { name(input, "a name") }
+}
+
 /// `pub`, `pub(crate)` and the like, or nothing.
-pub(super) fn visibility(input: ParseStream) -> syn::Result<TokenStream> {
+pub(super) fn visibility(input: ParseStream) -> Parsed<TokenStream> {
     let mut tokens = TokenStream::new();
-    if input.peek(Token![pub]) {
-        input.parse::<Token![pub]>()?.to_tokens(&mut tokens);
-        if input.peek(token::Paren) {
-            input.parse::<Group>()?.to_tokens(&mut tokens);
-        }
+    if !input.peek(Token![pub]) {
+        return Ok(tokens);
+    }
+    input.parse::<Token![pub]>()?.to_tokens(&mut tokens);
+    if input.peek(token::Paren) {
+        let group: Group = input.parse()?;
+        syn::parse::Parser::parse2(scope, group.stream())?;
+        group.to_tokens(&mut tokens);
     }
     Ok(tokens)
+}
+
+/// What stands in `pub(…)`.
+fn scope(content: ParseStream) -> syn::Result<()> {
+    if content.peek(Token![in]) {
+        content.parse::<Token![in]>()?;
+        return path(content).map(|_| ()).map_err(|refusal| refusal.to_error());
+    }
+    if content.peek(Token![crate]) || content.peek(Token![self]) || content.peek(Token![super]) {
+        return content.call(Ident::parse_any).map(|_| ());
+    }
+    Err(content.error("expected `crate`, `self`, `super` or `in path`"))
 }
 
 /// Doc comments, and the names of all other attributes.
@@ -146,19 +192,7 @@ pub(super) fn attributes(input: ParseStream) -> Parsed<(Docs, Vec<Ident>)> {
             return expected(input, "`[`");
         }
         let group: Group = input.parse()?;
-        let attribute = group.stream();
-        let read = |content: ParseStream| -> syn::Result<(Ident, Option<String>)> {
-            let name = Ident::parse_any(content)?;
-            let text = if content.peek(Token![=]) {
-                content.parse::<Token![=]>()?;
-                if let Ok(Lit::Str(text)) = content.fork().parse::<Lit>() { Some(text.value()) } else { None }
-            } else {
-                None
-            };
-            content.parse::<TokenStream>()?;
-            Ok((name, text))
-        };
-        let (name, text) = syn::parse::Parser::parse2(read, attribute)?;
+        let (name, text) = syn::parse::Parser::parse2(attribute, group.stream())?;
         if name == "doc" {
             pound.to_tokens(&mut docs.tokens);
             group.to_tokens(&mut docs.tokens);
@@ -170,6 +204,26 @@ pub(super) fn attributes(input: ParseStream) -> Parsed<(Docs, Vec<Ident>)> {
     Ok((docs, others))
 }
 
+/// The name of an attribute, and the text of a doc comment.
+fn attribute(content: ParseStream) -> syn::Result<(Ident, Option<String>)> {
+    let name = Ident::parse_any(content)?;
+    if name != "doc" {
+        content.parse::<TokenStream>()?;
+        return Ok((name, None));
+    }
+    if content.peek(token::Paren) {
+        return content.parse::<Group>().map(|_| (name, None));
+    }
+    content.parse::<Token![=]>()?;
+    if content.peek(LitStr) {
+        return content.parse::<LitStr>().map(|text| (name, Some(text.value())));
+    }
+    // `#[doc = include_str!("…")]`
+    path(content).map_err(|refusal| refusal.to_error())?;
+    content.parse::<Token![!]>()?;
+    content.parse::<Group>().map(|_| (name, None))
+}
+
 /// Only doc comments may stand before most items.
 pub(super) fn docs(input: ParseStream) -> Parsed<Docs> {
     let (docs, others) = attributes(input)?;
@@ -179,9 +233,31 @@ pub(super) fn docs(input: ParseStream) -> Parsed<Docs> {
     }
 }
 
-/// Skips what is left of a broken item: up to and with the next `;` or `{ … }`.
-pub(super) fn skip_item(input: ParseStream) {
-    while !input.is_empty() {
+/// Puts a refusal into the sink.
+pub(super) fn report<T>(parsed: Parsed<T>, diag: &mut Diag) -> Option<T> {
+    match parsed {
+        Ok(value) => Some(value),
+        Err(refusal) => diag.refuse(refusal.range, refusal.fact),
+    }
+}
+
+/// An item of a mechanism begins here: a keyword, and a name or a brace.
+pub(super) fn is_item(input: ParseStream) -> bool {
+    let Some(word) = keyword(input) else { return false };
+    match word.to_string().as_str() {
+        "ground" => input.peek2(token::Brace),
+        "use" => true,
+        "param" | "let" | "function" | "body" | "joint" | "drive" | "output" => input.peek2(syn::Ident),
+        _ => false,
+    }
+}
+
+/// Skips what is left of a broken item that began at `start`: up to and with the next `;` or
+/// `{ … }`, or up to where another item begins.
+pub(super) fn skip_item(input: ParseStream, start: ParseStream, is_item: fn(ParseStream) -> bool) {
+    let mut has_moved = input.cursor() != start.cursor();
+    while !input.is_empty() && !(has_moved && is_item(input)) {
+        has_moved = true;
         match input.parse::<TokenTree>() {
             Ok(TokenTree::Punct(punct)) if punct.as_char() == ';' => return,
             Ok(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace => {
@@ -194,4 +270,13 @@ pub(super) fn skip_item(input: ParseStream) {
             Err(_) => return,
         }
     }
+}
+
+/// Goes on to the first `{` and gives the name before it.
+pub(super) fn skip_to_block(input: ParseStream) -> Option<Ident> {
+    let mut name = None;
+    while !input.is_empty() && !input.peek(token::Brace) {
+        name = if input.peek(syn::Ident) { input.parse().ok() } else { input.parse::<TokenTree>().ok().and(None) };
+    }
+    if input.is_empty() { None } else { name }
 }

@@ -1,0 +1,159 @@
+//! Stages as straight lines: what is named before a block, inside its loop, and after it.
+
+use super::schedule::Work;
+use super::stages::{Iteration, Stage};
+use super::{Step, Words};
+use crate::expr::{Arena, Expr, Leaf, Node, Unary};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// How q, q̇ and q̈ are found.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// In order.
+    pub parts: Vec<Part>,
+    /// Names of the nodes that have one outside of loops.
+    pub names: BTreeMap<Expr, String>,
+    /// For each unknown, the names of its value, rate and acceleration.
+    pub unknowns: Vec<[String; 3]>,
+}
+
+/// One stage with the steps it needs.
+#[derive(Clone, Debug)]
+pub enum Part {
+    /// An unknown that is computed.
+    Explicit {
+        /// What is named before it.
+        steps: Vec<Step>,
+        /// Its index in q.
+        unknown: usize,
+        /// Value, rate and acceleration.
+        motion: [Expr; 3],
+    },
+    /// Unknowns that are found together.
+    Block(Box<Iterated>),
+}
+
+/// A system that Newton's method solves, with the steps it needs.
+#[derive(Clone, Debug)]
+pub struct Iterated {
+    /// What is named before the loop.
+    pub before: Vec<Step>,
+    /// The system itself.
+    pub system: Iteration,
+    /// For each unknown the names of its sine and cosine, where needed.
+    pub turns: Vec<[Option<String>; 2]>,
+    /// What is named in the loop.
+    pub inside: Vec<Step>,
+    /// Names of the nodes that have one in the loop.
+    pub names: BTreeMap<Expr, String>,
+    /// What is named before the rates.
+    pub rates: Vec<Step>,
+    /// What is named before the accelerations.
+    pub accelerations: Vec<Step>,
+}
+
+/// Schedules the stages of a mechanism with `n` unknowns.
+pub(super) fn solution(arena: &Arena, stages: &[Stage], n: usize, words: &Words) -> Solution {
+    let moving: Vec<BTreeSet<Expr>> = stages.iter().map(|stage| moving(arena, stage)).collect();
+    let mut roots = Vec::new();
+    let mut hoisted = BTreeSet::new();
+    for (stage, moving) in stages.iter().zip(&moving) {
+        match stage {
+            Stage::Explicit { motion, .. } => roots.extend(motion),
+            Stage::Block(system) => {
+                hoisted.extend(fixed(arena, system, moving));
+                roots.extend(system.rates.iter().chain(&system.accelerations));
+            }
+        }
+    }
+    roots.extend(&hoisted);
+    let mut work = Work::new(arena, &roots, &hoisted, words);
+    let parts = stages.iter().zip(&moving).map(|(stage, moving)| part(arena, &mut work, stage, moving, words)).collect();
+    let name = |index: usize| [Leaf::Coordinate, Leaf::Velocity, Leaf::Acceleration].map(|leaf| words.leaf(leaf(index as u32)));
+    Solution { parts, names: work.names, unknowns: (0..n).map(name).collect() }
+}
+
+fn part(arena: &Arena, work: &mut Work, stage: &Stage, moving: &BTreeSet<Expr>, words: &Words) -> Part {
+    match stage {
+        Stage::Explicit { unknown, motion } => {
+            for expr in motion {
+                work.serve(*expr);
+            }
+            Part::Explicit { steps: work.take(), unknown: *unknown, motion: *motion }
+        }
+        Stage::Block(system) => Part::Block(Box::new(iterated(arena, work, system, moving, words))),
+    }
+}
+
+fn iterated(arena: &Arena, work: &mut Work, system: &Iteration, moving: &BTreeSet<Expr>, words: &Words) -> Iterated {
+    for expr in fixed(arena, system, moving) {
+        work.serve(expr);
+    }
+    let before = work.take();
+    let results = results(system);
+    let mut inner = work.inside(&results, moving);
+    let turns = turns(arena, work, &mut inner, system, words);
+    for expr in &results {
+        inner.serve(*expr);
+    }
+    let serve_all = |work: &mut Work, roots: &[Expr]| {
+        for expr in roots {
+            work.serve(*expr);
+        }
+        work.take()
+    };
+    let rates = serve_all(work, &system.rates);
+    let accelerations = serve_all(work, &system.accelerations);
+    Iterated { before, system: system.clone(), turns, inside: inner.take(), names: inner.names, rates, accelerations }
+}
+
+/// Sine and cosine of the unknowns have the same names in the loop and after it: the loop keeps them.
+fn turns(arena: &Arena, outer: &mut Work, inner: &mut Work, system: &Iteration, words: &Words) -> Vec<[Option<String>; 2]> {
+    let mut turns = Vec::new();
+    for unknown in &system.unknowns {
+        let mut names = [None, None];
+        let leaf = Leaf::Coordinate(*unknown as u32);
+        let Some(angle) = inner.needed.iter().chain(&outer.needed).copied().find(|expr| *arena.node(*expr) == Node::Leaf(leaf)) else {
+            turns.push(names);
+            continue;
+        };
+        outer.names.insert(angle, words.leaf(leaf));
+        inner.names.insert(angle, words.leaf(leaf));
+        let wanted: BTreeMap<Expr, Unary> = outer.turned(angle).into_iter().chain(inner.turned(angle)).collect();
+        for (expr, function) in wanted {
+            let name = outer.turn_name(angle, function);
+            outer.define(expr, name.clone());
+            inner.define(expr, name.clone());
+            names[usize::from(function == Unary::Cos)] = Some(name);
+        }
+        turns.push(names);
+    }
+    turns
+}
+
+/// Everything that is computed in the loop.
+fn results(system: &Iteration) -> Vec<Expr> {
+    system.residuals.iter().chain(system.jacobian.iter().flatten()).copied().collect()
+}
+
+/// The nodes of a block's loop that depend on its unknowns.
+fn moving(arena: &Arena, stage: &Stage) -> BTreeSet<Expr> {
+    let Stage::Block(system) = stage else { return BTreeSet::new() };
+    let mut moving = BTreeSet::new();
+    for expr in arena.reachable(&results(system)) {
+        let node = arena.node(expr);
+        let is_unknown = matches!(node, Node::Leaf(Leaf::Coordinate(index)) if system.unknowns.contains(&(*index as usize)));
+        if is_unknown || node.children().any(|child| moving.contains(&child)) {
+            moving.insert(expr);
+        }
+    }
+    moving
+}
+
+/// The largest parts of a block's loop that do not depend on its unknowns; they are computed before it.
+fn fixed(arena: &Arena, system: &Iteration, moving: &BTreeSet<Expr>) -> BTreeSet<Expr> {
+    let results = results(system);
+    let below = arena.reachable(&results).into_iter().filter(|expr| moving.contains(expr));
+    let children = below.flat_map(|expr| arena.node(expr).children().collect::<Vec<_>>());
+    children.chain(results.iter().copied()).filter(|expr| !moving.contains(expr)).collect()
+}

@@ -1,0 +1,129 @@
+//! From blocks to stages: what is computed for each, as expressions.
+//!
+//! ```text
+//! explicit      q_j = −Φ_i|q_j=0 / (∂Φ_i/∂q_j);  its rates are its first and second derivative along the motion
+//! block         r(x) = 0  with everything before it known and what follows explicitly put in
+//!               r_x ẋ = −ṙ at ẋ = 0
+//!               r_x ẍ = −r̈ at ẍ = 0
+//! ```
+
+use crate::expr::{Arena, Expr, Jets, Leaf, Substitution, derivative};
+use crate::structure::{Block, Explicit, Structure};
+use crate::system::System;
+
+/// One step on the way to q, q̇ and q̈.
+#[derive(Clone, Debug)]
+pub enum Stage {
+    /// An unknown that is computed.
+    Explicit {
+        /// Its index in q.
+        unknown: usize,
+        /// Value, rate and acceleration.
+        motion: [Expr; 3],
+    },
+    /// Unknowns that are found together.
+    Block(Iteration),
+}
+
+/// A system that Newton's method solves.
+#[derive(Clone, Debug)]
+pub struct Iteration {
+    /// Indices in q.
+    pub unknowns: Vec<usize>,
+    /// Indices in Φ.
+    pub equations: Vec<usize>,
+    /// r
+    pub residuals: Vec<Expr>,
+    /// r_x by rows
+    pub jacobian: Vec<Vec<Expr>>,
+    /// Right side of the velocity equation.
+    pub rates: Vec<Expr>,
+    /// Right side of the acceleration equation.
+    pub accelerations: Vec<Expr>,
+}
+
+/// The stages of a mechanism whose every unknown belongs to a block.
+pub(super) fn stages(arena: &mut Arena, system: &System, structure: &Structure) -> Vec<Stage> {
+    let mut work = Work { arena, system, jets: Jets::new(), constants: Substitution::new() };
+    structure.blocks.iter().flat_map(|block| work.block(block)).collect()
+}
+
+struct Work<'a> {
+    arena: &'a mut Arena,
+    system: &'a System,
+    jets: Jets,
+    /// Unknowns, rates and accelerations that were found to be constants.
+    constants: Substitution,
+}
+
+impl Work<'_> {
+    fn block(&mut self, block: &Block) -> Vec<Stage> {
+        let mut stages = Vec::new();
+        if !block.iterated.is_empty() {
+            stages.extend(self.system_of(block).map(Stage::Block));
+        }
+        for explicit in &block.explicit {
+            let Some(value) = self.explicit(explicit) else { continue };
+            let motion = self.jets.of(self.arena, value).map(|expr| self.constants.of(self.arena, expr));
+            self.note_constants(explicit.unknown, &motion);
+            stages.push(Stage::Explicit { unknown: explicit.unknown, motion });
+        }
+        stages
+    }
+
+    /// What is constant is put into everything that follows: a pin on ground costs nothing.
+    fn note_constants(&mut self, unknown: usize, motion: &[Expr; 3]) {
+        let leaves = [Leaf::Coordinate, Leaf::Velocity, Leaf::Acceleration];
+        for (leaf, expr) in leaves.into_iter().zip(motion) {
+            if self.arena.as_constant(*expr).is_some() {
+                self.constants.replace(leaf(unknown as u32), *expr);
+            }
+        }
+    }
+
+    /// The value of an explicit unknown in terms of the others.
+    fn explicit(&mut self, explicit: &Explicit) -> Option<Expr> {
+        let equation = &self.system.equations[explicit.equation];
+        let coefficient = equation.jacobian.iter().find(|(unknown, _)| *unknown == explicit.unknown)?.1;
+        let zero = self.arena.integer(0);
+        let mut without = Substitution::new();
+        without.replace(Leaf::Coordinate(explicit.unknown as u32), zero);
+        let rest = without.of(self.arena, equation.phi?);
+        let quotient = self.arena.div(rest, coefficient);
+        Some(self.arena.neg(quotient))
+    }
+
+    fn system_of(&mut self, block: &Block) -> Option<Iteration> {
+        let mut inside = Substitution::new();
+        for explicit in &block.explicit {
+            let value = self.explicit(explicit)?;
+            let value = inside.of(self.arena, value);
+            inside.replace(Leaf::Coordinate(explicit.unknown as u32), value);
+        }
+        let (mut still, mut unaccelerated) = (Substitution::new(), Substitution::new());
+        let zero = self.arena.integer(0);
+        for unknown in &block.iterated {
+            still.replace(Leaf::Velocity(*unknown as u32), zero);
+            unaccelerated.replace(Leaf::Acceleration(*unknown as u32), zero);
+        }
+        let mut found = Iteration {
+            unknowns: block.iterated.clone(),
+            equations: block.residuals.clone(),
+            residuals: Vec::new(),
+            jacobian: Vec::new(),
+            rates: Vec::new(),
+            accelerations: Vec::new(),
+        };
+        for equation in &block.residuals {
+            let residual = inside.of(self.arena, self.system.equations[*equation].phi?);
+            let [residual, first, second] = self.jets.of(self.arena, residual).map(|expr| self.constants.of(self.arena, expr));
+            let row = block.iterated.iter().map(|unknown| derivative(self.arena, residual, Leaf::Coordinate(*unknown as u32)));
+            found.jacobian.push(row.collect());
+            let (first, second) = (still.of(self.arena, first), unaccelerated.of(self.arena, second));
+            found.rates.push(self.arena.neg(first));
+            found.accelerations.push(self.arena.neg(second));
+            found.residuals.push(residual);
+        }
+        Some(found)
+    }
+}

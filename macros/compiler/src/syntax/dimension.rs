@@ -1,0 +1,57 @@
+//! Dimensions: products of powers of names.
+
+use super::ast::Dimension;
+use super::tokens::{Parsed, expected, name, wrong};
+use crate::diag::{Fact, Range};
+use syn::parse::ParseStream;
+use syn::{LitInt, Token};
+
+/// No power of a dimension needs more.
+const LARGEST_EXPONENT: u8 = 6;
+
+/// `: Dimension`
+pub(super) fn required_dimension(input: ParseStream) -> Parsed<Dimension> {
+    if !input.peek(Token![:]) {
+        return expected(input, "`:` and a dimension such as `Length`");
+    }
+    input.parse::<Token![:]>()?;
+    dimension(input)
+}
+
+/// `Length * Angle / Time^2`
+pub(super) fn dimension(input: ParseStream) -> Parsed<Dimension> {
+    let mut factors = Vec::new();
+    let mut sign = 1;
+    let mut range = Range::from(input.span());
+    loop {
+        let factor = name(input, "a dimension such as `Length`")?;
+        range = range.to(&factor);
+        let mut power = 1;
+        if input.peek(Token![^]) {
+            input.parse::<Token![^]>()?;
+            range = range.to(input.span());
+            power = exponent(input)?;
+        }
+        factors.push((factor, sign * power));
+        if input.peek(Token![*]) {
+            input.parse::<Token![*]>()?;
+            sign = 1;
+        } else if input.peek(Token![/]) {
+            input.parse::<Token![/]>()?;
+            sign = -1;
+        } else {
+            return Ok(Dimension { factors, range });
+        }
+    }
+}
+
+fn exponent(input: ParseStream) -> Parsed<i16> {
+    if !input.peek(LitInt) {
+        return expected(input, "a whole number");
+    }
+    let literal: LitInt = input.parse()?;
+    match literal.base10_parse::<u8>() {
+        Ok(exponent) if exponent <= LARGEST_EXPONENT => Ok(i16::from(exponent)),
+        _ => wrong(literal.span(), Fact::ExponentTooLarge { limit: LARGEST_EXPONENT }),
+    }
+}

@@ -1,0 +1,93 @@
+//! One to three equations in closed form: A⁻¹ by cofactors.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::{Factors, Linear};
+use crate::{Float, Orientation};
+
+/// The inverse of a matrix of up to three rows, whose rows and columns were scaled by powers of two.
+///
+/// Cofactors are products of two entries at most, so that the inverse is as good as the condition allows; velocities and
+/// accelerations get a step of refinement on top.
+#[derive(Clone, Copy, Debug)]
+pub struct Small<T, const N: usize> {
+    matrix: SMatrix<T, N, N>,
+    inverse: SMatrix<T, N, N>,
+    determinant: T,
+    condition: T,
+}
+
+impl<T: Float, const N: usize> Linear<T, N> for Small<T, N> {
+    #[inline]
+    fn factor(matrix: &SMatrix<T, N, N>) -> Result<Self, usize> {
+        let adjugate = adjugate(matrix);
+        let zero = T::of(0.0);
+        // The expansion along the first row; every row gives the same but for rounding.
+        let determinant = (0..N).fold(zero, |sum, j| sum + matrix[(0, j)] * adjugate[(j, 0)]);
+        let inverse = SMatrix::from_fn(|i, j| adjugate[(i, j)] / determinant);
+        let condition = (0..N).fold(T::of(1.0), |largest, i| {
+            // Row i of |A⁻¹| |A| in unknowns scaled by its own size: Skeel's condition of unknown i.
+            let size = (0..N).fold(zero, |sum, k| sum + inverse[(i, k)].abs() * matrix[(k, i)].abs());
+            if size > largest { size } else { largest }
+        });
+        Ok(Self { matrix: *matrix, inverse, determinant, condition })
+    }
+
+    #[inline]
+    fn solve(&self, b: &SVector<T, N>) -> SVector<T, N> {
+        if !self.is_regular() {
+            return self.basic_solution(b);
+        }
+        SVector::from_fn(|i, _| (1..N).fold(self.inverse[(i, 0)] * b[0], |sum, k| sum + self.inverse[(i, k)] * b[k]))
+    }
+
+    #[inline]
+    fn solve_refined(&self, b: &SVector<T, N>) -> SVector<T, N> {
+        let x = self.solve(b);
+        let residual = SVector::from_fn(|i, _| (0..N).fold(b[i], |rest, j| rest - self.matrix[(i, j)] * x[j]));
+        let correction = self.solve(&residual);
+        SVector::from_fn(|i, _| x[i] + correction[i])
+    }
+
+    #[inline]
+    fn condition(&self) -> T {
+        if self.is_regular() { self.condition } else { T::of(f64::INFINITY) }
+    }
+
+    #[inline]
+    fn orientation(&self) -> Orientation {
+        if self.determinant < T::of(0.0) { Orientation::Negative } else { Orientation::Positive }
+    }
+
+    #[inline]
+    fn is_regular(&self) -> bool {
+        self.condition * T::EPSILON < T::of(0.125) && self.determinant != T::of(0.0)
+    }
+}
+
+impl<T: Float, const N: usize> Small<T, N> {
+    /// With a singular matrix: what full pivoting makes of it, so that Newton's method can leave a singular position.
+    #[cold]
+    fn basic_solution(&self, b: &SVector<T, N>) -> SVector<T, N> {
+        let nothing = SVector::from_element(T::of(f64::NAN));
+        Factors::new(&self.matrix).map_or(nothing, |factors| factors.solve(b))
+    }
+}
+
+/// adj A, with A adj A = det A.
+#[inline]
+fn adjugate<T: Float, const N: usize>(a: &SMatrix<T, N, N>) -> SMatrix<T, N, N> {
+    let minor = |i: usize, j: usize| match N {
+        1 => T::of(1.0),
+        2 => {
+            let entry = a[(1 - i, 1 - j)];
+            if i == j { entry } else { -entry }
+        }
+        // Cyclic indices give the sign of the cofactor by themselves.
+        _ => {
+            let ([i1, i2], [j1, j2]) = ([(i + 1) % 3, (i + 2) % 3], [(j + 1) % 3, (j + 2) % 3]);
+            a[(i1, j1)] * a[(i2, j2)] - a[(i1, j2)] * a[(i2, j1)]
+        }
+    };
+    SMatrix::from_fn(|i, j| minor(j, i))
+}

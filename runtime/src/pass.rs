@@ -1,0 +1,215 @@
+//! One pass through the stages of a mechanism: what Newton's method sets out from, and what it leaves behind.
+
+use core::marker::PhantomData;
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::linear::{Factors, Linear, Small};
+use crate::order::greater;
+use crate::place::Place;
+use crate::position::{self, Miss, Position, Refusal};
+use crate::problem::{Block, Part, Problem};
+use crate::scale::Scale;
+use crate::{Cause, Coordinate, CoordinateKind, Culprit, Equations, Float, Orientation, Row, State, names};
+
+/// What Newton's method sets out from in every block.
+enum Mode<'a, T, const N: usize> {
+    /// A prediction from this state, `h` seconds before.
+    Follow { here: &'a State<T, N>, h: T },
+    /// A rough guess of q.
+    Close { guess: &'a SVector<T, N> },
+    /// Nothing is solved: these are the positions, and the block that is nearest to singular is looked for.
+    Inspect { q: &'a SVector<T, N>, worst: Option<Cause<T>> },
+}
+
+/// One pass through the stages of a mechanism.
+pub struct Pass<'a, T, const N: usize> {
+    mode: Mode<'a, T, N>,
+    length: T,
+    rows: &'static [Row],
+    coordinates: &'static [Coordinate],
+    pub(crate) branch: [Orientation; N],
+    pub(crate) condition: T,
+    pub(crate) iterations: usize,
+}
+
+/// Why a pass ended early.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stop<T> {
+    /// A shorter step may do.
+    Far,
+    /// A number is not finite.
+    NotFinite(Culprit),
+    /// The equations do not hold anywhere near, or their Jacobian is singular.
+    Open(Cause<T>),
+}
+
+/// A block with its unknowns found.
+pub struct Solved<T, L, const K: usize> {
+    /// The unknowns, in m and rad.
+    pub x: [T; K],
+    /// (sine, cosine) of those that turn.
+    pub turn: [(T, T); K],
+    factors: L,
+}
+
+impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
+    /// From a state, to a moment h later.
+    pub(crate) fn follow<E: Equations<T, N, N> + ?Sized>(equations: &E, here: &'a State<T, N>, h: T) -> Self {
+        Self::new(equations, Mode::Follow { here, h })
+    }
+
+    /// From a rough guess.
+    pub(crate) fn close<E: Equations<T, N, N> + ?Sized>(equations: &E, guess: &'a SVector<T, N>) -> Self {
+        Self::new(equations, Mode::Close { guess })
+    }
+
+    /// At given positions.
+    pub(crate) fn inspect<E: Equations<T, N, N> + ?Sized>(equations: &E, q: &'a SVector<T, N>) -> Self {
+        Self::new(equations, Mode::Inspect { q, worst: None })
+    }
+
+    #[inline]
+    fn new<E: Equations<T, N, N> + ?Sized>(equations: &E, mode: Mode<'a, T, N>) -> Self {
+        let length = equations.characteristic_length();
+        let length = if length > T::of(0.0) && length.is_finite() { length } else { T::of(1.0) };
+        let branch = [Orientation::Positive; N];
+        Self { mode, length, rows: E::ROWS, coordinates: E::COORDINATES, branch, condition: T::of(1.0), iterations: 0 }
+    }
+
+    /// The block nearest to singular, after an inspection.
+    pub(crate) fn worst(&self) -> Option<Cause<T>> {
+        if let Mode::Inspect { worst, .. } = self.mode { worst } else { None }
+    }
+
+    /// Solves a block of one to three unknowns: in closed form.
+    ///
+    /// `evaluate` gives residuals and their Jacobian, everything before the block known.
+    ///
+    /// # Errors
+    /// Why the block has no solution near.
+    #[inline]
+    pub fn small<const K: usize>(
+        &mut self,
+        block: &Block<K>,
+        evaluate: impl Fn(&Place<T, K>) -> ([T; K], [[T; K]; K]),
+    ) -> Result<Solved<T, Small<T, K>, K>, Stop<T>> {
+        self.block(block, evaluate)
+    }
+
+    /// Solves a larger block: by a pivoted factorisation.
+    ///
+    /// # Errors
+    /// Why the block has no solution near.
+    pub fn large<const K: usize>(
+        &mut self,
+        block: &Block<K>,
+        evaluate: impl Fn(&Place<T, K>) -> ([T; K], [[T; K]; K]),
+    ) -> Result<Solved<T, Factors<T, K>, K>, Stop<T>> {
+        self.block(block, evaluate)
+    }
+
+    #[inline]
+    fn block<L: Linear<T, K>, const K: usize>(
+        &mut self,
+        block: &Block<K>,
+        evaluate: impl Fn(&Place<T, K>) -> ([T; K], [[T; K]; K]),
+    ) -> Result<Solved<T, L, K>, Stop<T>> {
+        let column = SVector::from_fn(|k, _| match names::coordinate(self.coordinates, block.unknowns[k]).kind {
+            CoordinateKind::Length => self.length,
+            CoordinateKind::Angle => T::of(1.0),
+        });
+        let part = Part {
+            evaluate: |place: &Place<T, K>| {
+                let (phi, rows) = evaluate(place);
+                (SVector::from(phi), SMatrix::from_fn(|i, j| rows[i][j]))
+            },
+            block,
+            scale: Scale { length: self.length, column },
+            rows: self.rows,
+            coordinates: self.coordinates,
+            factors: PhantomData::<L>,
+        };
+        let first = block.unknowns.first().copied().unwrap_or(0);
+        let position = self.run(&part, &block.unknowns, first)?;
+        Ok(Solved { x: position.place.x.data.0[0], turn: position.place.turn, factors: position.factors })
+    }
+
+    /// Solves a problem whose unknowns have these indices; its orientation is kept at index `name`.
+    #[inline]
+    pub(crate) fn run<P: Problem<T, K>, const K: usize>(
+        &mut self,
+        problem: &P,
+        unknowns: &[usize; K],
+        name: usize,
+    ) -> Result<Position<T, P::Factors, K>, Stop<T>> {
+        let picked = |q: &SVector<T, N>| Place::at(SVector::from_fn(|k, _| q[unknowns[k]]), problem.turns());
+        let position = match &mut self.mode {
+            Mode::Follow { here, h } => {
+                let x = SVector::from_fn(|k, _| {
+                    let i = unknowns[k];
+                    here.q[i] + *h * (here.qd[i] + *h * T::of(0.5) * here.qdd[i])
+                });
+                let position = position::follow(problem, &Place::at(x, problem.turns()))?;
+                if here.branch.get(name).is_some_and(|before| *before != position.factors.orientation()) {
+                    return Err(Stop::Far);
+                }
+                position
+            }
+            Mode::Close { guess } => {
+                let guess = picked(guess);
+                position::close(problem, &guess).map_err(|miss| open(problem, miss))?
+            }
+            Mode::Inspect { q, worst } => {
+                let place = picked(q);
+                let (_, jacobian) = problem.linearize(&place);
+                let factors = P::Factors::factor(&jacobian).map_err(|row| Stop::NotFinite(Culprit::Row(problem.row(row))))?;
+                let condition = factors.condition();
+                if worst.is_none() || condition > self.condition {
+                    *worst = Some(problem.singular(&place));
+                }
+                Position { place, factors, condition, iterations: 0 }
+            }
+        };
+        if let Some(orientation) = self.branch.get_mut(name) {
+            *orientation = position.factors.orientation();
+        }
+        self.condition = greater(self.condition, position.condition);
+        self.iterations = self.iterations.max(position.iterations);
+        Ok(position)
+    }
+}
+
+impl<T: Float, L: Linear<T, K>, const K: usize> Solved<T, L, K> {
+    /// The rates that the block's Jacobian maps to `b`, with one step of refinement.
+    #[inline]
+    pub fn rates(&self, b: [T; K]) -> [T; K] {
+        self.factors.solve_refined(&SVector::from(b)).data.0[0]
+    }
+}
+
+/// Why a block could not be closed.
+fn open<T: Float, P: Problem<T, K>, const K: usize>(problem: &P, miss: Miss<T, K>) -> Stop<T> {
+    match miss {
+        Miss::NotFinite(of) => Stop::NotFinite(of),
+        Miss::Singular(place) => Stop::Open(problem.singular(&place)),
+        Miss::Stuck(place) => Stop::Open(problem.widest_gap(&place).unwrap_or_else(|| problem.singular(&place))),
+        Miss::NoConvergence { correction, iterations } => Stop::Open(Cause::NoConvergence { correction, iterations }),
+    }
+}
+
+impl<T> From<Refusal> for Stop<T> {
+    #[inline]
+    fn from(refusal: Refusal) -> Self {
+        match refusal {
+            Refusal::NotFinite(of) => Stop::NotFinite(of),
+            Refusal::Singular | Refusal::Far => Stop::Far,
+        }
+    }
+}
+
+impl<T> From<Culprit> for Stop<T> {
+    fn from(culprit: Culprit) -> Self {
+        Self::NotFinite(culprit)
+    }
+}

@@ -1,0 +1,145 @@
+//! What Newton's method is run on: a square system with names.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::linear::{Factors, Linear, weakest};
+use crate::place::Place;
+use crate::scale::Scale;
+use crate::{Cause, Coordinate, Culprit, Equations, Float, Row, names};
+
+/// A square system of K unknowns.
+pub(crate) trait Problem<T: Float, const K: usize> {
+    /// How its matrices are factored.
+    type Factors: Linear<T, K>;
+
+    /// Residuals and their Jacobian.
+    fn linearize(&self, place: &Place<T, K>) -> (SVector<T, K>, SMatrix<T, K, K>);
+
+    /// Of which unknowns sine and cosine are needed.
+    fn turns(&self) -> &[bool; K];
+
+    /// The size of each unknown.
+    fn scale(&self) -> &Scale<T, K>;
+
+    /// The name of a row.
+    fn row(&self, index: usize) -> Row;
+
+    /// The name of an unknown.
+    fn coordinate(&self, index: usize) -> Coordinate;
+
+    /// The first unknown in which a vector is not finite.
+    fn first_not_finite(&self, vector: &SVector<T, K>) -> Option<Culprit> {
+        let index = vector.iter().position(|entry| !entry.is_finite())?;
+        Some(Culprit::Coordinate(self.coordinate(index)))
+    }
+
+    /// Which row depends on the others here, and which unknown they leave free.
+    fn singular(&self, place: &Place<T, K>) -> Cause<T> {
+        let (_, jacobian) = self.linearize(place);
+        let (row, coordinate) = weakest(&jacobian, &self.scale().column).unwrap_or((0, 0));
+        let condition = Factors::new(&jacobian).map_or(T::of(f64::NAN), |factors| factors.condition());
+        Cause::Singular { row: self.row(row), coordinate: self.coordinate(coordinate), condition }
+    }
+
+    /// Which row stays open furthest here; None if all are closed.
+    fn widest_gap(&self, place: &Place<T, K>) -> Option<Cause<T>> {
+        let (phi, jacobian) = self.linearize(place);
+        let mut widest = T::of(CLOSED) * T::EPSILON.sqrt() * self.scale().length;
+        let mut cause = None;
+        for (row, &residual) in phi.iter().enumerate() {
+            let gap = self.scale().gap(row, residual, &jacobian);
+            if gap > widest {
+                widest = gap;
+                cause = Some(Cause::DoesNotClose { row: self.row(row), residual, gap });
+            }
+        }
+        cause
+    }
+}
+
+/// A gap of √ε L times this is closed: at a dead point, where rounding errors in Φ move q by about √ε.
+const CLOSED: f64 = 16.0;
+
+/// All equations of a mechanism at one time.
+pub(crate) struct Whole<'a, E: ?Sized, T, const N: usize> {
+    pub(crate) equations: &'a E,
+    pub(crate) t: T,
+    pub(crate) scale: Scale<T, N>,
+}
+
+impl<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize> Problem<T, N> for Whole<'_, E, T, N> {
+    type Factors = Factors<T, N>;
+
+    fn linearize(&self, place: &Place<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        self.equations.linearize(&place.x, self.t)
+    }
+
+    fn turns(&self) -> &[bool; N] {
+        &[false; N]
+    }
+
+    fn scale(&self) -> &Scale<T, N> {
+        &self.scale
+    }
+
+    fn row(&self, index: usize) -> Row {
+        names::row(E::ROWS, index)
+    }
+
+    fn coordinate(&self, index: usize) -> Coordinate {
+        names::coordinate(E::COORDINATES, index)
+    }
+}
+
+/// A block of a mechanism: some of its equations and unknowns, everything before them known.
+pub(crate) struct Part<'a, F, L, T, const K: usize> {
+    pub(crate) evaluate: F,
+    pub(crate) block: &'a Block<K>,
+    pub(crate) scale: Scale<T, K>,
+    pub(crate) rows: &'static [Row],
+    pub(crate) coordinates: &'static [Coordinate],
+    pub(crate) factors: core::marker::PhantomData<L>,
+}
+
+/// Which equations and unknowns make a block.
+#[derive(Clone, Copy, Debug)]
+pub struct Block<const K: usize> {
+    /// Indices in q.
+    pub unknowns: [usize; K],
+    /// Indices in Φ.
+    pub equations: [usize; K],
+    /// Of which unknowns sine and cosine are needed.
+    pub turns: [bool; K],
+}
+
+impl<T, F, L, const K: usize> Problem<T, K> for Part<'_, F, L, T, K>
+where
+    T: Float,
+    F: Fn(&Place<T, K>) -> (SVector<T, K>, SMatrix<T, K, K>),
+    L: Linear<T, K>,
+{
+    type Factors = L;
+
+    #[inline]
+    fn linearize(&self, place: &Place<T, K>) -> (SVector<T, K>, SMatrix<T, K, K>) {
+        (self.evaluate)(place)
+    }
+
+    #[inline]
+    fn turns(&self) -> &[bool; K] {
+        &self.block.turns
+    }
+
+    #[inline]
+    fn scale(&self) -> &Scale<T, K> {
+        &self.scale
+    }
+
+    fn row(&self, index: usize) -> Row {
+        names::row(self.rows, self.block.equations[index])
+    }
+
+    fn coordinate(&self, index: usize) -> Coordinate {
+        names::coordinate(self.coordinates, self.block.unknowns[index])
+    }
+}
