@@ -7,6 +7,9 @@ pub trait Float: Real + PartialOrd {
     /// The difference between 1 and the next greater number.
     const EPSILON: Self;
 
+    /// √ε, the length of a correction after which the next one is about a rounding.
+    const ROOT_EPSILON: Self;
+
     /// The nearest `f64`, for messages.
     fn to_f64(self) -> f64;
 
@@ -22,6 +25,7 @@ pub trait Float: Real + PartialOrd {
 
 impl Float for f64 {
     const EPSILON: Self = f64::EPSILON;
+    const ROOT_EPSILON: Self = 1.0 / 67_108_864.0;
 
     #[inline]
     fn to_f64(self) -> f64 {
@@ -39,6 +43,7 @@ impl Float for f64 {
 
 impl Float for f32 {
     const EPSILON: Self = f32::EPSILON;
+    const ROOT_EPSILON: Self = 3.452_669_8e-4;
 
     #[inline]
     fn to_f64(self) -> f64 {

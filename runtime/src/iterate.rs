@@ -40,22 +40,18 @@ impl<T: Float, L: Linear<T, N>, const N: usize> Iterate<T, L, N> {
     ///
     /// # Errors
     /// The row or the coordinate that is not finite.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn at<P: Problem<T, N, Factors = L>>(problem: &P, place: Place<T, N>) -> Result<Self, Culprit> {
         let (phi, jacobian) = problem.linearize(&place);
-        if let Some(row) = phi.iter().position(|residual| !residual.is_finite()) {
-            return Err(problem.first_not_finite(&place.x).unwrap_or(Culprit::Row(problem.row(row))));
-        }
         let factors = L::factor(&jacobian).map_err(|row| Culprit::Row(problem.row(row)))?;
         let correction = factors.solve(&phi.map(|residual| -residual));
-        match problem.first_not_finite(&correction) {
-            Some(coordinate) => Err(coordinate),
-            None => Ok(Self { place, factors, length: problem.scale().norm(&correction), correction }),
-        }
+        let length = problem.scale().norm(&correction);
+        // Whatever is not finite in Φ or δ shows in the length.
+        if length.is_finite() { Ok(Self { place, factors, correction, length }) } else { Err(culprit(problem, &place, &phi, &correction)) }
     }
 
     /// q + λ δ.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn moved<P: Problem<T, N>>(&self, lambda: T, problem: &P) -> Place<T, N> {
         self.place.moved(lambda, &self.correction, problem.turns())
     }
@@ -64,9 +60,9 @@ impl<T: Float, L: Linear<T, N>, const N: usize> Iterate<T, L, N> {
     ///
     /// They are if δ is short, at most √ε, and either Φ_q does not change along it, so that the next correction would be below
     /// rounding, or corrections no longer get shorter.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn has_settled(&self, history: &History<T>, scale: &Scale<T, N>) -> bool {
-        if self.length > T::EPSILON.sqrt() * (T::of(1.0) + scale.norm(&self.place.x)) {
+        if self.length > T::ROOT_EPSILON * (T::of(1.0) + scale.norm(&self.place.x)) {
             return false;
         }
         let stalled = history.contraction(self.length).is_some_and(|theta| theta >= T::of(STALLED));
@@ -75,25 +71,37 @@ impl<T: Float, L: Linear<T, N>, const N: usize> Iterate<T, L, N> {
     }
 }
 
+/// What was not finite first: a coordinate, else a row, else a correction.
+#[cold]
+fn culprit<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: &Place<T, N>, phi: &SVector<T, N>, correction: &SVector<T, N>) -> Culprit {
+    let row = || phi.iter().position(|residual| !residual.is_finite()).map(|row| Culprit::Row(problem.row(row)));
+    let place = problem.first_not_finite(&place.x);
+    place.or_else(row).or_else(|| problem.first_not_finite(correction)).unwrap_or(Culprit::Row(problem.row(0)))
+}
+
 impl<T: Float> History<T> {
     /// Before the first correction.
+    #[inline(always)]
     pub(crate) fn new() -> Self {
         Self { previous: None, curvature: None }
     }
 
     /// θ = |δ| / |previous δ|, for a correction that follows one made in full.
+    #[inline(always)]
     pub(crate) fn contraction(&self, length: T) -> Option<T> {
         self.previous.map(|previous| length / previous)
     }
 
     /// ω, the relative change of Φ_q per unit of length, from θ ≈ ω/2 |previous δ|; from the contraction before this one if
     /// there was one, because this one may be rounding already. Deuflhard: Newton Methods for Nonlinear Problems, 2.1.
+    #[inline(always)]
     fn curvature(&self, length: T) -> Option<T> {
         let seen_now = || self.previous.map(|previous| T::of(2.0) * length / (previous * previous));
         self.curvature.or_else(seen_now)
     }
 
     /// After a correction of this length, made in full or not.
+    #[inline(always)]
     pub(crate) fn after(&self, length: T, in_full: bool) -> Self {
         let latest = Self { curvature: None, ..*self };
         Self { previous: in_full.then_some(length), curvature: latest.curvature(length) }

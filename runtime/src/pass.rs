@@ -10,7 +10,7 @@ use crate::place::Place;
 use crate::position::{self, Miss, Position, Refusal};
 use crate::problem::{Block, Part, Problem};
 use crate::scale::Scale;
-use crate::{Cause, Coordinate, CoordinateKind, Culprit, Equations, Float, Orientation, Row, State, names};
+use crate::{Cause, Coordinate, Culprit, Equations, Float, Orientation, Row, State};
 
 /// What Newton's method sets out from in every block.
 enum Mode<'a, T, const N: usize> {
@@ -26,6 +26,7 @@ enum Mode<'a, T, const N: usize> {
 pub struct Pass<'a, T, const N: usize> {
     mode: Mode<'a, T, N>,
     length: T,
+    share: T,
     rows: &'static [Row],
     coordinates: &'static [Coordinate],
     pub(crate) branch: [Orientation; N],
@@ -55,6 +56,7 @@ pub struct Solved<T, L, const K: usize> {
 
 impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
     /// From a state, to a moment h later.
+    #[inline(always)]
     pub(crate) fn follow<E: Equations<T, N, N> + ?Sized>(equations: &E, here: &'a State<T, N>, h: T) -> Self {
         Self::new(equations, Mode::Follow { here, h })
     }
@@ -69,12 +71,12 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
         Self::new(equations, Mode::Inspect { q, worst: None })
     }
 
-    #[inline]
+    #[inline(always)]
     fn new<E: Equations<T, N, N> + ?Sized>(equations: &E, mode: Mode<'a, T, N>) -> Self {
         let length = equations.characteristic_length();
         let length = if length > T::of(0.0) && length.is_finite() { length } else { T::of(1.0) };
         let branch = [Orientation::Positive; N];
-        Self { mode, length, rows: E::ROWS, coordinates: E::COORDINATES, branch, condition: T::of(1.0), iterations: 0 }
+        Self { mode, length, share: T::of(1.0) / length, rows: E::ROWS, coordinates: E::COORDINATES, branch, condition: T::of(1.0), iterations: 0 }
     }
 
     /// The block nearest to singular, after an inspection.
@@ -88,7 +90,7 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
     ///
     /// # Errors
     /// Why the block has no solution near.
-    #[inline]
+    #[inline(always)]
     pub fn small<const K: usize>(
         &mut self,
         block: &Block<K>,
@@ -109,23 +111,19 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
         self.block(block, evaluate)
     }
 
-    #[inline]
+    #[inline(always)]
     fn block<L: Linear<T, K>, const K: usize>(
         &mut self,
         block: &Block<K>,
         evaluate: impl Fn(&Place<T, K>) -> ([T; K], [[T; K]; K]),
     ) -> Result<Solved<T, L, K>, Stop<T>> {
-        let column = SVector::from_fn(|k, _| match names::coordinate(self.coordinates, block.unknowns[k]).kind {
-            CoordinateKind::Length => self.length,
-            CoordinateKind::Angle => T::of(1.0),
-        });
         let part = Part {
             evaluate: |place: &Place<T, K>| {
                 let (phi, rows) = evaluate(place);
                 (SVector::from(phi), SMatrix::from_fn(|i, j| rows[i][j]))
             },
             block,
-            scale: Scale { length: self.length, column },
+            scale: Scale::by_kind(self.length, self.share, &block.kinds),
             rows: self.rows,
             coordinates: self.coordinates,
             factors: PhantomData::<L>,
@@ -135,31 +133,14 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
         Ok(Solved { x: position.place.x.data.0[0], turn: position.place.turn, factors: position.factors })
     }
 
-    /// Solves a problem whose unknowns have these indices; its orientation is kept at index `name`.
-    #[inline]
-    pub(crate) fn run<P: Problem<T, K>, const K: usize>(
-        &mut self,
-        problem: &P,
-        unknowns: &[usize; K],
-        name: usize,
-    ) -> Result<Position<T, P::Factors, K>, Stop<T>> {
+    /// Solves a problem from a guess, or looks at it where it is.
+    #[cold]
+    #[inline(never)]
+    fn assemble<P: Problem<T, K>, const K: usize>(&mut self, problem: &P, unknowns: &[usize; K]) -> Result<Position<T, P::Factors, K>, Stop<T>> {
         let picked = |q: &SVector<T, N>| Place::at(SVector::from_fn(|k, _| q[unknowns[k]]), problem.turns());
-        let position = match &mut self.mode {
-            Mode::Follow { here, h } => {
-                let x = SVector::from_fn(|k, _| {
-                    let i = unknowns[k];
-                    here.q[i] + *h * (here.qd[i] + *h * T::of(0.5) * here.qdd[i])
-                });
-                let position = position::follow(problem, &Place::at(x, problem.turns()))?;
-                if here.branch.get(name).is_some_and(|before| *before != position.factors.orientation()) {
-                    return Err(Stop::Far);
-                }
-                position
-            }
-            Mode::Close { guess } => {
-                let guess = picked(guess);
-                position::close(problem, &guess).map_err(|miss| open(problem, miss))?
-            }
+        match &mut self.mode {
+            Mode::Follow { .. } => Err(Stop::Far),
+            Mode::Close { guess } => position::close(problem, &picked(guess)).map_err(|miss| open(problem, miss)),
             Mode::Inspect { q, worst } => {
                 let place = picked(q);
                 let (_, jacobian) = problem.linearize(&place);
@@ -168,8 +149,32 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
                 if worst.is_none() || condition > self.condition {
                     *worst = Some(problem.singular(&place));
                 }
-                Position { place, factors, condition, iterations: 0 }
+                Ok(Position { place, factors, condition, iterations: 0 })
             }
+        }
+    }
+
+    /// Solves a problem whose unknowns have these indices; its orientation is kept at index `name`.
+    #[inline(always)]
+    pub(crate) fn run<P: Problem<T, K>, const K: usize>(
+        &mut self,
+        problem: &P,
+        unknowns: &[usize; K],
+        name: usize,
+    ) -> Result<Position<T, P::Factors, K>, Stop<T>> {
+        let position = if let Mode::Follow { here, h } = &self.mode {
+            let mut x = SVector::from_element(T::of(0.0));
+            for k in 0..K {
+                let i = unknowns[k];
+                x[k] = here.q[i] + *h * (here.qd[i] + *h * T::of(0.5) * here.qdd[i]);
+            }
+            let position = position::follow(problem, &Place::at(x, problem.turns()))?;
+            if here.branch.get(name).is_some_and(|before| *before != position.factors.orientation()) {
+                return Err(Stop::Far);
+            }
+            position
+        } else {
+            self.assemble(problem, unknowns)?
         };
         if let Some(orientation) = self.branch.get_mut(name) {
             *orientation = position.factors.orientation();

@@ -1,7 +1,5 @@
 //! Where Newton's method stands: the unknowns, and sine and cosine of those that are angles.
 
-use core::array;
-
 use nalgebra::SVector;
 
 use crate::Float;
@@ -20,24 +18,29 @@ pub struct Place<T, const K: usize> {
 
 impl<T: Float, const K: usize> Place<T, K> {
     /// At x; `turns` says of which unknowns sine and cosine are needed.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn at(x: SVector<T, K>, turns: &[bool; K]) -> Self {
-        let none = (T::of(0.0), T::of(1.0));
-        Self { turn: array::from_fn(|k| if turns[k] { x[k].sin_cos() } else { none }), x }
+        let mut turn = [(T::of(0.0), T::of(1.0)); K];
+        for k in 0..K {
+            if turns[k] {
+                turn[k] = x[k].sin_cos();
+            }
+        }
+        Self { x, turn }
     }
 
     /// At x + λ δ.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn moved(&self, lambda: T, correction: &SVector<T, K>, turns: &[bool; K]) -> Self {
-        let x = SVector::from_fn(|k, _| self.x[k] + lambda * correction[k]);
-        let turn = array::from_fn(|k| {
-            if !turns[k] {
-                return self.turn[k];
-            }
+        let mut there = *self;
+        for k in 0..K {
             let by = lambda * correction[k];
-            if by.abs() <= T::of(SMALL_TURN) { turned(self.turn[k], by) } else { x[k].sin_cos() }
-        });
-        Self { x, turn }
+            there.x[k] = self.x[k] + by;
+            if turns[k] {
+                there.turn[k] = if by.abs() <= T::of(SMALL_TURN) { turned(self.turn[k], by) } else { there.x[k].sin_cos() };
+            }
+        }
+        there
     }
 }
 
@@ -45,7 +48,7 @@ impl<T: Float, const K: usize> Place<T, K> {
 ///
 /// sin δ = δ − δ³/6 + δ⁵/120 and cos δ − 1 = −δ²/2 + δ⁴/24 − δ⁶/720 leave out less than 3e-21 and 1e-24; the sum and the
 /// products round once or twice each, as a sine computed anew does.
-#[inline]
+#[inline(always)]
 fn turned<T: Float>((sine, cosine): (T, T), by: T) -> (T, T) {
     let square = by * by;
     let less = square * (T::of(0.5) - square * (T::of(1.0 / 24.0) - square * T::of(1.0 / 720.0)));

@@ -96,33 +96,51 @@ fn limited<T: Float, P: Problem<T, N>, const N: usize>(
 }
 
 /// Newton's method from a prediction: full steps only, and none if the solution is far or convergence slow.
-#[inline]
+///
+/// Two corrections are the usual case, the second below rounding; they are written out, so that rustc makes one straight line
+/// of them, and the rest is left to [`go_on`].
+#[inline(always)]
 pub(crate) fn follow<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
     prediction: &Place<T, N>,
 ) -> Result<Position<T, P::Factors, N>, Refusal> {
-    let mut place = *prediction;
-    let mut history = History::new();
-    for iterations in 1..=FOLLOWING_ITERATIONS {
-        let iterate = Iterate::at(problem, place)?;
+    let first = Iterate::at(problem, *prediction)?;
+    // NaN is not near either.
+    if first.length > T::of(LONGEST_FIRST_CORRECTION) {
+        return Err(Refusal::Far);
+    }
+    let history = History::new().after(first.length, true);
+    let second = Iterate::at(problem, first.moved(T::of(1.0), problem))?;
+    if second.has_settled(&history, problem.scale()) {
+        return accept(problem, second, 2).map_err(|_| Refusal::Singular);
+    }
+    go_on(problem, second, history)
+}
+
+/// The corrections after the first, from the place of the second.
+#[cold]
+#[inline(never)]
+fn go_on<T: Float, P: Problem<T, N>, const N: usize>(
+    problem: &P,
+    second: Iterate<T, P::Factors, N>,
+    mut history: History<T>,
+) -> Result<Position<T, P::Factors, N>, Refusal> {
+    let mut iterate = second;
+    for iterations in 3..=FOLLOWING_ITERATIONS {
+        if history.contraction(iterate.length).is_none_or(|theta| theta > T::of(LARGEST_CONTRACTION)) {
+            return Err(Refusal::Far);
+        }
+        history = history.after(iterate.length, true);
+        iterate = Iterate::at(problem, iterate.moved(T::of(1.0), problem))?;
         if iterate.has_settled(&history, problem.scale()) {
             return accept(problem, iterate, iterations).map_err(|_| Refusal::Singular);
         }
-        let near = match history.contraction(iterate.length) {
-            None => iterate.length <= T::of(LONGEST_FIRST_CORRECTION),
-            Some(theta) => theta <= T::of(LARGEST_CONTRACTION),
-        };
-        if !near {
-            return Err(Refusal::Far);
-        }
-        place = iterate.moved(T::of(1.0), problem);
-        history = history.after(iterate.length, true);
     }
     Err(Refusal::Far)
 }
 
 /// Makes the last correction, with the factors that velocities will use as well.
-#[inline]
+#[inline(always)]
 pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
     iterate: Iterate<T, P::Factors, N>,
@@ -130,7 +148,7 @@ pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
 ) -> Result<Position<T, P::Factors, N>, Miss<T, N>> {
     let place = iterate.moved(T::of(1.0), problem);
     let condition = iterate.factors.condition();
-    let resolved = condition * T::EPSILON.sqrt() <= T::of(SINGULAR);
+    let resolved = condition * T::ROOT_EPSILON <= T::of(SINGULAR);
     let is_harmless = || iterate.factors.is_regular() && iterate.length <= T::of(HARMLESS) * T::EPSILON * (T::of(1.0) + problem.scale().norm(&place.x));
     if resolved || is_harmless() { Ok(Position { place, factors: iterate.factors, condition, iterations }) } else { Err(Miss::Singular(place)) }
 }

@@ -5,7 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use crate::linear::{Factors, Linear, weakest};
 use crate::place::Place;
 use crate::scale::Scale;
-use crate::{Cause, Coordinate, Culprit, Equations, Float, Row, names};
+use crate::{Cause, Coordinate, CoordinateKind, Culprit, Equations, Float, Row, names};
 
 /// A square system of K unknowns.
 pub(crate) trait Problem<T: Float, const K: usize> {
@@ -44,7 +44,7 @@ pub(crate) trait Problem<T: Float, const K: usize> {
     /// Which row stays open furthest here; None if all are closed.
     fn widest_gap(&self, place: &Place<T, K>) -> Option<Cause<T>> {
         let (phi, jacobian) = self.linearize(place);
-        let mut widest = T::of(CLOSED) * T::EPSILON.sqrt() * self.scale().length;
+        let mut widest = T::of(CLOSED) * T::ROOT_EPSILON * self.scale().length;
         let mut cause = None;
         for (row, &residual) in phi.iter().enumerate() {
             let gap = self.scale().gap(row, residual, &jacobian);
@@ -108,6 +108,8 @@ pub struct Block<const K: usize> {
     pub unknowns: [usize; K],
     /// Indices in Φ.
     pub equations: [usize; K],
+    /// What the unknowns measure.
+    pub kinds: [CoordinateKind; K],
     /// Of which unknowns sine and cosine are needed.
     pub turns: [bool; K],
 }

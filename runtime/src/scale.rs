@@ -11,6 +11,8 @@ pub(crate) struct Scale<T, const N: usize> {
     pub(crate) length: T,
     /// L or 1, by coordinate.
     pub(crate) column: SVector<T, N>,
+    /// 1/L or 1, by coordinate.
+    pub(crate) share: SVector<T, N>,
 }
 
 impl<T: Float, const N: usize> Scale<T, N> {
@@ -20,18 +22,26 @@ impl<T: Float, const N: usize> Scale<T, N> {
     }
 
     fn new(length: T, coordinates: &[Coordinate]) -> Self {
-        let one = T::of(1.0);
-        let length = if length > T::of(0.0) && length.is_finite() { length } else { one };
-        let column = SVector::from_fn(|i, _| match names::coordinate(coordinates, i).kind {
-            CoordinateKind::Length => length,
-            CoordinateKind::Angle => one,
-        });
-        Self { length, column }
+        let length = if length > T::of(0.0) && length.is_finite() { length } else { T::of(1.0) };
+        Self::by_kind(length, T::of(1.0) / length, &core::array::from_fn(|i| names::coordinate(coordinates, i).kind))
+    }
+
+    /// The scale of coordinates of these kinds, with L and 1/L.
+    #[inline]
+    pub(crate) fn by_kind(length: T, share: T, kinds: &[CoordinateKind; N]) -> Self {
+        let pick = |of_length: T| {
+            SVector::from_fn(|i, _| match kinds[i] {
+                CoordinateKind::Length => of_length,
+                CoordinateKind::Angle => T::of(1.0),
+            })
+        };
+        Self { length, column: pick(length), share: pick(share) }
     }
 
     /// The greatest scaled entry, max(|δ_x| / L, |δ_φ|): NaN if one is, 0 if there is none.
+    #[inline]
     pub(crate) fn norm(&self, vector: &SVector<T, N>) -> T {
-        vector.iter().zip(self.column.iter()).fold(T::of(0.0), |norm, (&entry, &size)| greater(norm, entry.abs() / size))
+        vector.iter().zip(self.share.iter()).fold(T::of(0.0), |norm, (&entry, &share)| greater(norm, entry.abs() * share))
     }
 
     /// How far row `row` is from being fulfilled, in m: |Φ_i| by the norm of its gradient, an angle counting L metres.

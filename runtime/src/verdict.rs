@@ -11,7 +11,7 @@ use crate::{Cause, Coordinate, Float, State, names};
 /// A branch that ends at a state with a condition above ε to the power −1/4 ends at a dead point: approaching one up to
 /// the rounding of t gives a condition of about ε to the power −1/2.
 fn is_dead_point<T: Float, const N: usize>(state: &State<T, N>) -> bool {
-    state.condition * T::EPSILON.sqrt().sqrt() > T::of(1.0)
+    state.condition * T::ROOT_EPSILON.sqrt() > T::of(1.0)
 }
 
 /// Why the mechanism could not be assembled.

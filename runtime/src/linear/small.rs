@@ -3,37 +3,38 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::{Factors, Linear};
+use crate::order::greater;
 use crate::{Float, Orientation};
 
-/// The inverse of a matrix of up to three rows, whose rows and columns were scaled by powers of two.
+/// The adjugate of a matrix of up to three rows and what one divides it by to have the inverse.
 ///
-/// Cofactors are products of two entries at most, so that the inverse is as good as the condition allows; velocities and
+/// Cofactors are sums of two products at most, so that the inverse is as good as the condition allows; velocities and
 /// accelerations get a step of refinement on top.
 #[derive(Clone, Copy, Debug)]
 pub struct Small<T, const N: usize> {
     matrix: SMatrix<T, N, N>,
     inverse: SMatrix<T, N, N>,
     determinant: T,
-    condition: T,
+    /// The determinant's expansion with all terms positive: what its rounding errors are a share of.
+    magnitude: T,
 }
 
+/// A determinant below this many roundings of its terms is noise.
+const NOISE: f64 = 8.0;
+
 impl<T: Float, const N: usize> Linear<T, N> for Small<T, N> {
-    #[inline]
+    #[inline(always)]
     fn factor(matrix: &SMatrix<T, N, N>) -> Result<Self, usize> {
         let adjugate = adjugate(matrix);
         let zero = T::of(0.0);
         // The expansion along the first row; every row gives the same but for rounding.
-        let determinant = (0..N).fold(zero, |sum, j| sum + matrix[(0, j)] * adjugate[(j, 0)]);
-        let inverse = SMatrix::from_fn(|i, j| adjugate[(i, j)] / determinant);
-        let condition = (0..N).fold(T::of(1.0), |largest, i| {
-            // Row i of |A⁻¹| |A| in unknowns scaled by its own size: Skeel's condition of unknown i.
-            let size = (0..N).fold(zero, |sum, k| sum + inverse[(i, k)].abs() * matrix[(k, i)].abs());
-            if size > largest { size } else { largest }
-        });
-        Ok(Self { matrix: *matrix, inverse, determinant, condition })
+        let determinant = (1..N).fold(matrix[(0, 0)] * adjugate[(0, 0)], |sum, j| sum + matrix[(0, j)] * adjugate[(j, 0)]);
+        let magnitude = (0..N).fold(zero, |sum, j| sum + (matrix[(0, j)] * adjugate[(j, 0)]).abs());
+        let share = T::of(1.0) / determinant;
+        Ok(Self { matrix: *matrix, inverse: adjugate.map(|cofactor| cofactor * share), determinant, magnitude })
     }
 
-    #[inline]
+    #[inline(always)]
     fn solve(&self, b: &SVector<T, N>) -> SVector<T, N> {
         if !self.is_regular() {
             return self.basic_solution(b);
@@ -41,7 +42,7 @@ impl<T: Float, const N: usize> Linear<T, N> for Small<T, N> {
         SVector::from_fn(|i, _| (1..N).fold(self.inverse[(i, 0)] * b[0], |sum, k| sum + self.inverse[(i, k)] * b[k]))
     }
 
-    #[inline]
+    #[inline(always)]
     fn solve_refined(&self, b: &SVector<T, N>) -> SVector<T, N> {
         let x = self.solve(b);
         let residual = SVector::from_fn(|i, _| (0..N).fold(b[i], |rest, j| rest - self.matrix[(i, j)] * x[j]));
@@ -49,19 +50,25 @@ impl<T: Float, const N: usize> Linear<T, N> for Small<T, N> {
         SVector::from_fn(|i, _| x[i] + correction[i])
     }
 
-    #[inline]
+    /// The largest row sum of |A⁻¹| |A|: unlike a norm of A⁻¹ it does not depend on the units of rows.
+    #[inline(always)]
     fn condition(&self) -> T {
-        if self.is_regular() { self.condition } else { T::of(f64::INFINITY) }
+        if !self.is_regular() {
+            return T::of(f64::INFINITY);
+        }
+        let entry = |i: usize, j: usize| (0..N).fold(T::of(0.0), |sum, k| sum + (self.inverse[(i, k)] * self.matrix[(k, j)]).abs());
+        // Unknowns count by their own size, as if columns had been scaled: the diagonal of |A⁻¹| |A| needs no scaling at all.
+        (0..N).fold(T::of(1.0), |largest, i| greater(largest, entry(i, i)))
     }
 
-    #[inline]
+    #[inline(always)]
     fn orientation(&self) -> Orientation {
         if self.determinant < T::of(0.0) { Orientation::Negative } else { Orientation::Positive }
     }
 
-    #[inline]
+    #[inline(always)]
     fn is_regular(&self) -> bool {
-        self.condition * T::EPSILON < T::of(0.125) && self.determinant != T::of(0.0)
+        self.determinant.abs() > T::of(NOISE) * T::EPSILON * self.magnitude
     }
 }
 
@@ -75,7 +82,7 @@ impl<T: Float, const N: usize> Small<T, N> {
 }
 
 /// adj A, with A adj A = det A.
-#[inline]
+#[inline(always)]
 fn adjugate<T: Float, const N: usize>(a: &SMatrix<T, N, N>) -> SMatrix<T, N, N> {
     let minor = |i: usize, j: usize| match N {
         1 => T::of(1.0),

@@ -3,10 +3,10 @@
 use super::expression::local;
 use super::routine::{Lines, lines};
 use super::{docs, docs_or, state_name};
-use crate::model::Model;
+use crate::model::{Dim, Model};
 use crate::plan::{Plan, Routine};
 use crate::syntax::ast::Relation;
-use crate::system::System;
+use crate::system::{System, Unknown};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -210,6 +210,11 @@ impl Emitter<'_> {
         }
     }
 
+    /// What the unknown of this index measures.
+    pub(super) fn kind(&self, unknown: usize) -> TokenStream {
+        kind(&self.system.unknowns[unknown])
+    }
+
     /// Outputs with value, rate and acceleration
     pub(super) fn outputs(&self) -> TokenStream {
         let state = state_name(self.model);
@@ -246,8 +251,8 @@ impl Emitter<'_> {
         let word = name.to_string();
         let coordinates = self.system.unknowns.iter().map(|unknown| {
             let (body, name) = (self.model.bodies[unknown.body].name.to_string(), unknown.name);
-            let kind = if unknown.dim == crate::model::Dim::ANGLE { quote!(Angle) } else { quote!(Length) };
-            quote!(::reuleaux::Coordinate { body: #body, name: #name, kind: ::reuleaux::CoordinateKind::#kind })
+            let kind = kind(unknown);
+            quote!(::reuleaux::Coordinate { body: #body, name: #name, kind: #kind })
         });
         let rows = self.system.equations.iter().map(|equation| {
             let joint = &self.model.joints[equation.joint];
@@ -285,4 +290,9 @@ impl Emitter<'_> {
             }
         }
     }
+}
+
+/// What an unknown measures.
+fn kind(unknown: &Unknown) -> TokenStream {
+    if unknown.dim == Dim::ANGLE { quote!(::reuleaux::CoordinateKind::Angle) } else { quote!(::reuleaux::CoordinateKind::Length) }
 }

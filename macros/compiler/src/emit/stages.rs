@@ -87,6 +87,7 @@ impl Emitter<'_> {
         let (x, xd, xdd) = (motion(0), motion(1), motion(2));
         let indices = |list: &[usize]| -> Vec<Literal> { list.iter().map(|index| Literal::usize_unsuffixed(*index)).collect() };
         let (unknowns, equations) = (indices(&block.system.unknowns), indices(&block.system.equations));
+        let kinds = block.system.unknowns.iter().map(|unknown| self.kind(*unknown));
         let turns = block.turns.iter().map(|names| names.iter().any(Option::is_some));
         let pairs: Vec<TokenStream> = block.turns.iter().map(|names| {
             let [sine, cosine] = names.each_ref().map(|name| name.as_ref().map_or(quote!(_), |name| {
@@ -100,7 +101,7 @@ impl Emitter<'_> {
         quote! {
             #before
             let #solved = #pass.#method(
-                &::reuleaux::Block { unknowns: [#(#unknowns),*], equations: [#(#equations),*], turns: [#(#turns),*] },
+                &::reuleaux::Block { unknowns: [#(#unknowns),*], equations: [#(#equations),*], kinds: [#(#kinds),*], turns: [#(#turns),*] },
                 #[inline(always)]
                 |#place: &::reuleaux::Place<T, #k>| {
                     let [#(#x),*] = #place.x.data.0[0];
