@@ -21,6 +21,14 @@ pub trait Float: Real + PartialOrd {
     /// Multiplying by it and dividing by it are exact, which makes it the right number to scale with.
     #[must_use]
     fn binade(self) -> Self;
+
+    /// (sine, cosine) to within a unit of the last place, for the loops of the solver, where speed counts and bits need not be the
+    /// same as those of [`sin_cos`](Real::sin_cos).
+    #[inline(always)]
+    #[must_use]
+    fn turn(self) -> (Self, Self) {
+        self.sin_cos()
+    }
 }
 
 impl Float for f64 {
@@ -34,6 +42,10 @@ impl Float for f64 {
     #[inline]
     fn is_finite(self) -> bool {
         f64::is_finite(self)
+    }
+    #[inline]
+    fn turn(self) -> (Self, Self) {
+        crate::turn::sin_cos(self)
     }
     #[inline]
     fn binade(self) -> Self {

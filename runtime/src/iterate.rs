@@ -9,7 +9,7 @@ use crate::scale::Scale;
 use crate::{Culprit, Float};
 
 /// Relative change of Φ_q along δ, in ε, up to which Φ_q at q serves at q + δ. It is also the relative error that this leaves in q̇.
-const SAME_JACOBIAN: f64 = 32.0;
+pub(crate) const SAME_JACOBIAN: f64 = 32.0;
 
 /// Corrections that shrink no faster than this, and are short, are rounding errors. Near the solution others shrink quadratically.
 const STALLED: f64 = 0.25;

@@ -60,6 +60,7 @@ mod stages;
 mod state;
 mod sweep;
 mod table;
+mod turn;
 mod verdict;
 
 pub use equations::{Equations, ParameterOutOfRange};

@@ -23,7 +23,7 @@ impl<T: Float, const K: usize> Place<T, K> {
         let mut turn = [(T::of(0.0), T::of(1.0)); K];
         for k in 0..K {
             if turns[k] {
-                turn[k] = x[k].sin_cos();
+                turn[k] = x[k].turn();
             }
         }
         Self { x, turn }
@@ -37,7 +37,21 @@ impl<T: Float, const K: usize> Place<T, K> {
             let by = lambda * correction[k];
             there.x[k] = self.x[k] + by;
             if turns[k] {
-                there.turn[k] = if by.abs() <= T::of(SMALL_TURN) { turned(self.turn[k], by) } else { there.x[k].sin_cos() };
+                there.turn[k] = if by.abs() <= T::of(SMALL_TURN) { turned(self.turn[k], by) } else { there.x[k].turn() };
+            }
+        }
+        there
+    }
+
+    /// At x + δ with δ at most about √ε: its square does not show in sine and cosine.
+    #[inline(always)]
+    pub(crate) fn nudged(&self, correction: &SVector<T, K>, turns: &[bool; K]) -> Self {
+        let mut there = *self;
+        for k in 0..K {
+            there.x[k] = self.x[k] + correction[k];
+            if turns[k] {
+                let (sine, cosine) = self.turn[k];
+                there.turn[k] = (sine + cosine * correction[k], cosine - sine * correction[k]);
             }
         }
         there

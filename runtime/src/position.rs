@@ -2,7 +2,7 @@
 //! Not here: which guess to take (`continuation`), and how to tell the user (`verdict`).
 
 use crate::damping::damped;
-use crate::iterate::{History, Iterate};
+use crate::iterate::{History, Iterate, SAME_JACOBIAN};
 use crate::linear::Linear;
 use crate::order::smaller;
 use crate::place::Place;
@@ -97,44 +97,60 @@ fn limited<T: Float, P: Problem<T, N>, const N: usize>(
 
 /// Newton's method from a prediction: full steps only, and none if the solution is far or convergence slow.
 ///
-/// Two corrections are the usual case, the second below rounding; they are written out, so that rustc makes one straight line
-/// of them, and the rest is left to [`go_on`].
+/// Two corrections are the usual case, the second below rounding. They are written out, so that rustc makes one straight line of
+/// them, and the rest is left to [`go_on`]. The second is taken with the factors of the first (a simplified Newton step), so that
+/// it need not wait for those at the new place, which the rates will use.
 #[inline(always)]
 pub(crate) fn follow<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
     prediction: &Place<T, N>,
 ) -> Result<Position<T, P::Factors, N>, Refusal> {
     let first = Iterate::at(problem, *prediction)?;
-    // NaN is not near either.
     if first.length > T::of(LONGEST_FIRST_CORRECTION) {
         return Err(Refusal::Far);
     }
-    let history = History::new().after(first.length, true);
-    let second = Iterate::at(problem, first.moved(T::of(1.0), problem))?;
-    if second.has_settled(&history, problem.scale()) {
-        return accept(problem, second, 2).map_err(|_| Refusal::Singular);
+    let place = first.moved(T::of(1.0), problem);
+    let (phi, jacobian) = problem.linearize(&place);
+    let correction = first.factors.solve(&phi.map(|residual| -residual));
+    let length = problem.scale().norm(&correction);
+    let factors = P::Factors::factor(&jacobian).map_err(|row| Culprit::Row(problem.row(row)))?;
+    if has_settled_at_once(first.length, length) {
+        return accept(problem, Iterate { place, factors, correction, length }, 2).map_err(|_| Refusal::Singular);
     }
-    go_on(problem, second, history)
+    go_on(problem, place, first.length)
 }
 
-/// The corrections after the first, from the place of the second.
+/// Whether a second correction, by the factors of the first, is the last.
+///
+/// With ω ≈ 2 |δ₂| / |δ₁|² the Jacobian changes by ω |δ₂| along δ₂ and by ω |δ₁| since it was factored: the first must be within
+/// [`SAME_JACOBIAN`](crate::iterate::SAME_JACOBIAN) roundings, the second may leave an error of ω |δ₁| |δ₂| below one. Two
+/// corrections of the size of roundings are as good. Written without quotients, of which zeros would make NaN.
+#[inline(always)]
+fn has_settled_at_once<T: Float>(first: T, second: T) -> bool {
+    let square = T::of(2.0) * second * second;
+    let is_short = second <= T::ROOT_EPSILON;
+    let keeps_jacobian = square <= T::of(SAME_JACOBIAN) * T::EPSILON * first * first;
+    let is_exact = square <= T::EPSILON * first;
+    let is_rounding = first <= T::of(SAME_JACOBIAN) * T::EPSILON && second <= first + T::EPSILON;
+    is_short && ((keeps_jacobian && is_exact) || is_rounding)
+}
+
+/// The corrections after the first, which had this length and led to `place`.
 #[cold]
 #[inline(never)]
-fn go_on<T: Float, P: Problem<T, N>, const N: usize>(
-    problem: &P,
-    second: Iterate<T, P::Factors, N>,
-    mut history: History<T>,
-) -> Result<Position<T, P::Factors, N>, Refusal> {
-    let mut iterate = second;
-    for iterations in 3..=FOLLOWING_ITERATIONS {
-        if history.contraction(iterate.length).is_none_or(|theta| theta > T::of(LARGEST_CONTRACTION)) {
-            return Err(Refusal::Far);
-        }
-        history = history.after(iterate.length, true);
-        iterate = Iterate::at(problem, iterate.moved(T::of(1.0), problem))?;
+fn go_on<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: Place<T, N>, first: T) -> Result<Position<T, P::Factors, N>, Refusal> {
+    let mut history = History::new().after(first, true);
+    let mut place = place;
+    for iterations in 2..=FOLLOWING_ITERATIONS {
+        let iterate = Iterate::at(problem, place)?;
         if iterate.has_settled(&history, problem.scale()) {
             return accept(problem, iterate, iterations).map_err(|_| Refusal::Singular);
         }
+        if history.contraction(iterate.length).is_none_or(|theta| theta > T::of(LARGEST_CONTRACTION)) {
+            return Err(Refusal::Far);
+        }
+        place = iterate.moved(T::of(1.0), problem);
+        history = history.after(iterate.length, true);
     }
     Err(Refusal::Far)
 }
@@ -146,7 +162,7 @@ pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
     iterate: Iterate<T, P::Factors, N>,
     iterations: usize,
 ) -> Result<Position<T, P::Factors, N>, Miss<T, N>> {
-    let place = iterate.moved(T::of(1.0), problem);
+    let place = iterate.place.nudged(&iterate.correction, problem.turns());
     let condition = iterate.factors.condition();
     let resolved = condition * T::ROOT_EPSILON <= T::of(SINGULAR);
     let is_harmless = || iterate.factors.is_regular() && iterate.length <= T::of(HARMLESS) * T::EPSILON * (T::of(1.0) + problem.scale().norm(&place.x));
