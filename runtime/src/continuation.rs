@@ -17,45 +17,62 @@ const MOST_STEPS: usize = 1_000_000;
 /// The shortest step, in roundings of the time it leads to.
 const SHORTEST_STEP: f64 = 8.0;
 
-/// The state at `t` on the branch of `from`.
+/// Takes a state to time `t` on its branch. A state that cannot be taken there stays as it is.
 ///
-/// * `t`: given, s, before or after `from.t`.
-/// * `from`: given, a solved state of the same mechanism with the same parameters.
+/// * `state`: given, a solved state of the same mechanism with the same parameters; returned, the state at `t`.
+/// * `t`: given, s, before or after `state.t`.
 ///
 /// # Errors
 /// Any [`Cause`], with the last valid state on the way.
 #[inline]
-pub(crate) fn reach<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+pub(crate) fn advance<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
+    state: &mut State<T, N>,
     t: T,
-    from: &State<T, N>,
-) -> Result<State<T, N>, Failure<T, N>> {
+) -> Result<(), Failure<T, N>> {
     // One step is the usual case.
-    let h = t - from.t;
-    let one_step = if h.is_finite() { advance(equations, t, from) } else { Err(Stop::NotFinite(Culprit::Time)) };
-    one_step.or_else(|_| reach_by_steps(equations, t, from))
+    let h = t - state.t;
+    if h.is_finite() && step(equations, state, t, h) { Ok(()) } else { advance_by_steps(equations, state, t) }
+}
+
+/// One step; whether it was made.
+#[inline(always)]
+fn step<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, state: &mut State<T, N>, t: T, h: T) -> bool {
+    let mut pass = Pass::follow(equations, state, h);
+    let Ok(Coordinates { q, qd, qdd }) = equations.stages(t, &mut pass) else { return false };
+    if !is_surely_finite(&q, &qd, &qdd) {
+        return false;
+    }
+    let (condition, iterations) = (pass.condition, pass.iterations);
+    // Every block has kept its sign: the branch's name stays.
+    (state.t, state.q, state.qd, state.qdd) = (t, q, qd, qdd);
+    (state.condition, state.iterations) = (condition, iterations);
+    true
 }
 
 /// The same by as many steps as it takes.
 #[cold]
 #[inline(never)]
-fn reach_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
+    state: &mut State<T, N>,
     t: T,
-    from: &State<T, N>,
-) -> Result<State<T, N>, Failure<T, N>> {
+) -> Result<(), Failure<T, N>> {
     let fail = |cause, time, last: &State<T, N>| Err(Failure { mechanism: E::NAME, cause, time, last: Some(last.clone()) });
-    if !t.is_finite() || !from.t.is_finite() {
-        return fail(Cause::NotFinite { of: Culprit::Time }, t, from);
+    if !t.is_finite() || !state.t.is_finite() {
+        return fail(Cause::NotFinite { of: Culprit::Time }, t, state);
     }
-    let mut here = from.clone();
-    let mut step = t - from.t;
+    let mut here = state.clone();
+    let mut step = t - state.t;
     for _ in 0..MOST_STEPS {
         let next = if step.abs() >= (t - here.t).abs() { t } else { here.t + step };
-        match advance(equations, next, &here) {
-            Ok(state) if next == t => return Ok(state),
-            Ok(state) => {
-                here = state;
+        match self::state(equations, next, Pass::follow(equations, &here, next - here.t)) {
+            Ok(reached) if next == t => {
+                *state = reached;
+                return Ok(());
+            }
+            Ok(reached) => {
+                here = reached;
                 step = step + step;
             }
             Err(refusal) => {
@@ -67,12 +84,6 @@ fn reach_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
         }
     }
     fail(Cause::TooManySteps { steps: MOST_STEPS }, t, &here)
-}
-
-/// One step from `here` to time `next`.
-#[inline(always)]
-fn advance<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, next: T, here: &State<T, N>) -> Result<State<T, N>, Stop<T>> {
-    state(equations, next, Pass::follow(equations, here, next - here.t))
 }
 
 /// The state at the end of a pass.

@@ -75,7 +75,8 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
     fn new<E: Equations<T, N, N> + ?Sized>(equations: &E, mode: Mode<'a, T, N>) -> Self {
         let length = equations.characteristic_length();
         let length = if length > T::of(0.0) && length.is_finite() { length } else { T::of(1.0) };
-        let branch = [Orientation::Positive; N];
+        // A state that is followed keeps its branch.
+        let branch = if let Mode::Follow { here, .. } = &mode { here.branch } else { [Orientation::Positive; N] };
         Self { mode, length, share: T::of(1.0) / length, rows: E::ROWS, coordinates: E::COORDINATES, branch, condition: T::of(1.0), iterations: 0 }
     }
 
@@ -174,11 +175,12 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
             }
             position
         } else {
-            self.assemble(problem, unknowns)?
+            let position = self.assemble(problem, unknowns)?;
+            if let Some(orientation) = self.branch.get_mut(name) {
+                *orientation = position.factors.orientation();
+            }
+            position
         };
-        if let Some(orientation) = self.branch.get_mut(name) {
-            *orientation = position.factors.orientation();
-        }
         self.condition = greater(self.condition, position.condition);
         self.iterations = self.iterations.max(position.iterations);
         Ok(position)

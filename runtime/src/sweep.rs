@@ -42,10 +42,14 @@ where
             self.progress = Progress::Ended;
             return None;
         };
-        let result = match &self.progress {
-            Progress::At(state) => self.mechanism.solve_from(t, state),
-            Progress::Fresh | Progress::Ended => self.mechanism.solve(t),
-        };
+        if let Progress::At(state) = &mut self.progress {
+            if let Err(failure) = self.mechanism.advance(state, t) {
+                self.progress = Progress::Ended;
+                return Some(Err(failure));
+            }
+            return Some(Ok(state.clone()));
+        }
+        let result = self.mechanism.solve(t);
         self.progress = result.as_ref().map_or(Progress::Ended, |state| Progress::At(state.clone()));
         Some(result)
     }

@@ -18,6 +18,8 @@ enum Strength {
 pub(super) struct Printer<'a> {
     pub(super) arena: &'a Arena,
     pub(super) names: &'a BTreeMap<Expr, String>,
+    /// How sine and cosine are had together: `sin_cos`, the same bits everywhere, or `turn`, which is faster.
+    pub(super) turn: &'static str,
 }
 
 impl Printer<'_> {

@@ -200,6 +200,15 @@ fn solve(model: &Model, system: &System) -> TokenStream {
             pub fn solve_from(&self, t: T, from: &#state<T>) -> #result {
                 ::reuleaux::Mechanism::<T, #n>::solve_from(self, t, &from.0).map(#state)
             }
+            /// Takes a state to time `t` (s) in place: [`solve_from`](Self::solve_from) without a copy. A state that
+            /// cannot be taken there stays as it is.
+            ///
+            /// # Errors
+            /// Why there is no such state, with the last valid one on the way.
+            #[inline]
+            pub fn advance(&self, state: &mut #state<T>, t: T) -> ::core::result::Result<(), ::reuleaux::Failure<T, #n>> {
+                ::reuleaux::Mechanism::<T, #n>::advance(self, &mut state.0, t)
+            }
             /// The states at these times (s), each followed from the one before; ends after a failure.
             pub fn sweep<I: ::core::iter::IntoIterator<Item = T>>(
                 &self,

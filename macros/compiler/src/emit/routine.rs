@@ -19,7 +19,7 @@ pub(super) struct Lines {
 
 /// Prints a routine that reads `q`, `qd`, `qdd` and `t`.
 pub(super) fn lines(model: &Model, arena: &Arena, routine: &Routine) -> Lines {
-    let printer = Printer { arena, names: &routine.names };
+    let printer = Printer { arena, names: &routine.names, turn: "sin_cos" };
     let mut steps = TokenStream::new();
     let mut results = Vec::new();
     let mut printed = 0;
@@ -63,7 +63,8 @@ pub(super) fn statement(model: &Model, printer: &Printer, step: &Step) -> TokenS
         Step::SineCosine { angle, sine, cosine } => {
             let (sine, cosine) = (bound(sine), bound(cosine));
             let angle = printer.expression(*angle);
-            quote!(let (#sine, #cosine) = (#angle).sin_cos();)
+            let turn = local(printer.turn);
+            quote!(let (#sine, #cosine) = (#angle).#turn();)
         }
         Step::Call { function, argument, names } => {
             let [value, first, second] = names.each_ref().map(bound);

@@ -51,7 +51,7 @@ impl Emitter<'_> {
     }
 
     fn steps(&self, names: &BTreeMap<Expr, String>, steps: &[Step]) -> TokenStream {
-        let printer = Printer { arena: &self.plan.arena, names };
+        let printer = Printer { arena: &self.plan.arena, names, turn: "turn" };
         steps.iter().map(|step| statement(self.model, &printer, step)).collect()
     }
 
@@ -60,7 +60,7 @@ impl Emitter<'_> {
             Part::Block(block) => self.block(solution, number, block),
             Part::Explicit { steps, unknown, motion } => {
                 let steps = self.steps(&solution.names, steps);
-                let printer = Printer { arena: &self.plan.arena, names: &solution.names };
+                let printer = Printer { arena: &self.plan.arena, names: &solution.names, turn: "turn" };
                 let names = solution.unknowns[*unknown].each_ref().map(|name| local(name));
                 let values = motion.map(|expr| printer.expression(expr));
                 quote!(#steps #(let #names = #values;)*)
@@ -73,8 +73,8 @@ impl Emitter<'_> {
         let (before, rates, accelerations) = (&block.before, &block.rates, &block.accelerations);
         let (before, rates, accelerations) =
             (self.steps(&solution.names, before), self.steps(&solution.names, rates), self.steps(&solution.names, accelerations));
-        let outer = Printer { arena: &self.plan.arena, names: &solution.names };
-        let inner = Printer { arena: &self.plan.arena, names: &block.names };
+        let outer = Printer { arena: &self.plan.arena, names: &solution.names, turn: "turn" };
+        let inner = Printer { arena: &self.plan.arena, names: &block.names, turn: "turn" };
         let inside = self.steps(&block.names, &block.inside);
         let list = |printer: &Printer, exprs: &[Expr]| -> Vec<TokenStream> { exprs.iter().map(|expr| printer.expression(*expr)).collect() };
         let residuals = list(&inner, &block.system.residuals);

@@ -3,6 +3,7 @@
 
 use crate::diag::Fact;
 use crate::model::is_generated;
+use crate::model::suggest::nearest;
 use crate::syntax::ast::{Expr, ExprKind, Item, Mechanism, Operator, Use};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
@@ -79,7 +80,7 @@ fn items<'a>(tree: &'a Mechanism, kind: &str) -> Vec<&'a Ident> {
             Item::Parameter(parameter) if kind == "param" => &parameter.name,
             Item::Body(frame) if kind == "body" => &frame.name,
             Item::Output(output) if kind == "output" && !is_generated(&output.name) => &output.name,
-            Item::Refused(refused) if refused.keyword == kind && !is_generated(&refused.name) => &refused.name,
+            Item::Refused(refused) if is_meant(&refused.keyword, kind) && !is_generated(&refused.name) => &refused.name,
             _ => continue,
         };
         if !names.contains(&found) {
@@ -87,6 +88,11 @@ fn items<'a>(tree: &'a Mechanism, kind: &str) -> Vec<&'a Ident> {
         }
     }
     names
+}
+
+/// A keyword that may be mistyped stands for this kind of item.
+fn is_meant(keyword: &Ident, kind: &str) -> bool {
+    nearest(&keyword.to_string(), ["param", "body", "output"].into_iter()).is_some_and(|near| near == kind)
 }
 
 fn structure(tree: &Mechanism, visibility: &TokenStream) -> TokenStream {
