@@ -56,6 +56,6 @@ pub struct ParameterOutOfRange<T> {
     pub name: &'static str,
     /// The value it has, in SI.
     pub value: T,
-    /// What it should be, as it goes on after the name: `"must not be zero"`.
+    /// Why not, or what it should be: `"it must not be zero"`.
     pub why: &'static str,
 }

@@ -99,7 +99,7 @@ impl<T: Float, const N: usize> fmt::Display for Failure<T, N> {
             ),
             Cause::NotFinite { of } => write!(f, "`{name}` is not finite at t = {t} s: {of}"),
             Cause::ParameterOutOfRange(ParameterOutOfRange { name: parameter, value, why }) => {
-                write!(f, "`{name}` cannot be solved with `{parameter}` = {}: it {why}", value.to_f64())
+                write!(f, "`{name}` cannot be solved with `{parameter}` = {}: {why}", value.to_f64())
             }
             Cause::NoConvergence { correction, iterations } => write!(
                 f,
@@ -137,7 +137,7 @@ impl<T: Float, const N: usize> Error for Failure<T, N> {}
 
 impl<T: Float> fmt::Display for ParameterOutOfRange<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}` = {}: it {}", self.name, self.value.to_f64(), self.why)
+        write!(f, "`{}` = {}: {}", self.name, self.value.to_f64(), self.why)
     }
 }
 

@@ -129,8 +129,8 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     // Every name is an id, every quantity has a dimension.
     let system = system::assemble(&model, diag)?;
     // There are unknowns and equations only, with all their derivatives.
-    let structure = structure::analyze(&model, &system);
-    // Every unknown belongs to a block.
+    let structure = structure::analyze(&model, &system, diag)?;
+    // Every unknown belongs to a block, and the blocks are in order.
     let closure = closure::close(&model, &system);
     // There is a configuration to start from.
     let plan = plan::schedule(&model, &system, &structure);
@@ -142,6 +142,7 @@ fn check(definitions: &ast::Definitions, diag: &mut Diag) {
     if !diag.is_clean() {
         return;
     }
+    model::check_names(definitions, diag);
     let all: Vec<ast::Definition> = definitions.exports.iter().flat_map(|export| export.definitions.clone()).collect();
     for definition in &all {
         model::check_definition(definition, &all, diag);

@@ -29,41 +29,50 @@ pub enum Fact {
     ExponentTooLarge { limit: u8 },
     // Names.
     UnknownName { name: String, near: Option<String> },
-    UnknownField { owner: String, name: String, near: Option<String> },
+    UnknownField { owner: String, name: String, near: Option<String>, known: Vec<String> },
     UnknownFunction { name: String, near: Option<String>, is_constraint: bool },
     UnknownConstraint { name: String, near: Option<String> },
     UnknownUnit { name: String, near: Option<String> },
     UnknownDimension { name: String, near: Option<String> },
     UnknownStart { name: String, near: Option<String> },
     NotAConstraint { name: String },
-    Duplicate { name: String },
+    UnknownKind { name: String, near: Option<String> },
+    Duplicate { name: String, first: &'static str },
+    DuplicateMark { name: String, body: String },
+    DuplicateStart { name: String, body: String },
+    DuplicateGround,
     Reserved { name: String },
     Generated { name: String },
     Cycle { name: String },
     Recursion { name: String },
     // Arity.
-    TooManyArguments { signature: String, wanted: usize, found: usize },
-    MissingArgument { name: String, signature: String, found: usize },
-    UnknownArgument { name: String, signature: String, near: Option<String> },
+    TooManyArguments { definition: String, signature: String, takes: [usize; 2], found: usize },
+    MissingArguments { definition: String, signature: String, takes: [usize; 2], found: usize, missing: Vec<String> },
+    UnknownArgument { definition: String, name: String, signature: String, near: Option<String> },
     DuplicateArgument { name: String },
     PositionalAfterNamed,
     FunctionArity { name: String, wanted: usize, found: usize },
     DefaultBefore { name: String },
     // Kinds and dimensions.
     NotA { wanted: &'static str, found: &'static str },
-    WrongArgument { parameter: String, definition: String, wanted: String, found: &'static str },
+    WrongArgument { parameter: String, definition: String, wanted: String, found: String, instead: Option<String> },
     WrongArgumentDimension { parameter: String, definition: String, wanted: Dim, found: Dim },
+    WrongDefault { wanted: String, found: &'static str },
     WrongDimension { wanted: Dim, found: Dim },
     Unlike { action: &'static str, one: Dim, two: Dim },
     FunctionTakes { wanted: Dim, found: Dim },
+    CannotCompare { one: &'static str, two: &'static str },
     CannotEquate { one: &'static str, two: &'static str },
     NotTwoComponents { found: usize },
     VectorAndNumber,
     VectorTimesVector,
+    NumberByVector,
     PowerOfDimension { base: Dim },
     NotAnOutput { found: &'static str },
     // Values.
-    NumberTooLong { digits: String },
+    NumberTooLong { number: String },
+    NotFinite { place: &'static str },
+    TooLarge { limit: usize },
     DivisionByZero,
     EqualityInChoice,
     ListOutsideTable,
@@ -74,27 +83,51 @@ pub enum Fact {
     TableTooShort { found: usize },
     TableNotPeriodic { first: f64, last: f64 },
     TableEnds,
-    NotConstant { place: &'static str },
+    NotConstant { place: &'static str, help: &'static str },
     NotFixed { place: &'static str },
     FunctionNeedsArgument,
     ZeroAxis { name: String },
     // Joints.
     TimeIn { place: &'static str },
+    TimeInDefinition,
     TimeInJoint { joint: String },
     RequirementFails { why: String },
     RequirementFailsAtDefaults { why: String, value: f64 },
     RowOfNothing { joint: String, row: usize, of: usize },
     NoEquations { name: String },
     GroundStart,
-    InDefinition { definition: String, fact: Box<Fact> },
+    InDefinition { definition: String, quantities: Vec<(String, Dim)>, fact: Box<Fact> },
     // The whole.
     NoBodies { name: String },
+    StructurallySingular { joints: Vec<String>, equations: usize, coordinates: Vec<String>, free: Vec<String>, for_free: usize },
     NotSquare { name: String, coordinates: usize, equations: usize, drives: usize },
 }
 
 /// `, did you mean …` as a help line, or nothing.
 fn did_you_mean(near: &Option<String>) -> String {
     near.as_ref().map_or(String::new(), |near| format!("\nhelp: did you mean `{near}`?"))
+}
+
+/// `a`, `b` and `c`
+fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let mut names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
+    match names.pop() {
+        Some(last) if !names.is_empty() => format!("{} and {last}", names.join(", ")),
+        Some(only) => only,
+        None => String::new(),
+    }
+}
+
+/// `a`, `b` and `c`; of many the first few.
+fn list(names: &[String]) -> String {
+    const MOST: usize = 6;
+    let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    match quoted.as_slice() {
+        [] => "nothing".to_owned(),
+        [one] => one.clone(),
+        many if many.len() > MOST => format!("{} and {} more", many[..MOST].join(", "), many.len() - MOST),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
 }
 
 fn plural(count: usize, noun: &str) -> String {
@@ -105,6 +138,15 @@ fn plural(count: usize, noun: &str) -> String {
     }
 }
 
+/// `2 arguments`, `2 or 3 arguments`, `2 to 4 arguments`
+fn range_of([least, most]: &[usize; 2], noun: &str) -> String {
+    match most - least {
+        0 => plural(*most, noun),
+        1 => format!("{least} or {}", plural(*most, noun)),
+        _ => format!("{least} to {}", plural(*most, noun)),
+    }
+}
+
 impl fmt::Display for Fact {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
@@ -112,7 +154,7 @@ impl fmt::Display for Fact {
             Fact::Expected { what, found } => write!(f, "expected {what}, found {found}"),
             Fact::NotANumber { found } => write!(f, "expected a number, found {found}"),
             Fact::TooDeep { limit } => {
-                write!(f, "this expression is nested more than {limit} deep\nhelp: name parts of it with `let`")
+                write!(f, "this is nested more than {limit} deep\nhelp: name parts of it with `let`")
             }
             Fact::Keyword { word } => write!(f, "`{word}` is a word of Rust and cannot be a name\nhelp: write `{word}_`"),
             Fact::UnknownAttribute { name } => {
@@ -142,7 +184,13 @@ impl fmt::Display for Fact {
             Fact::ExponentTooLarge { limit } => write!(f, "the exponent of a dimension is at most {limit}"),
 
             Fact::UnknownName { name, near } => write!(f, "nothing is called `{name}` here{}", did_you_mean(near)),
-            Fact::UnknownField { owner, name, near } => write!(f, "{owner} has no `{name}`{}", did_you_mean(near)),
+            Fact::UnknownField { owner, name, near, known } => {
+                write!(f, "{owner} has no `{name}`{}", did_you_mean(near))?;
+                if near.is_none() && !known.is_empty() {
+                    write!(f, "\nnote: it has {}", listed(known.iter().map(String::as_str)))?;
+                }
+                Ok(())
+            }
             Fact::UnknownFunction { name, is_constraint: true, .. } => {
                 write!(f, "`{name}` is a constraint, not a function\nhelp: write `joint name = {name}(…);`")
             }
@@ -154,17 +202,20 @@ impl fmt::Display for Fact {
                 }
                 Ok(())
             }
+            Fact::UnknownUnit { name, .. } if name == "Hz" => {
+                write!(f, "no unit is called `Hz`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`")
+            }
             Fact::UnknownUnit { name, near } => {
                 write!(f, "no unit is called `{name}`{}", did_you_mean(near))?;
-                if name == "Hz" {
-                    write!(f, "\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`")?;
+                if near.is_none() {
+                    write!(f, "\nnote: there are {}", listed(crate::model::unit::names()))?;
                 }
                 Ok(())
             }
             Fact::UnknownDimension { name, near } => {
                 write!(f, "no dimension is called `{name}`{}", did_you_mean(near))?;
                 if near.is_none() {
-                    write!(f, "\nnote: there are {}", Dim::names().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "))?;
+                    write!(f, "\nnote: there are {}", listed(Dim::names()))?;
                 }
                 Ok(())
             }
@@ -174,40 +225,52 @@ impl fmt::Display for Fact {
             Fact::NotAConstraint { name } => {
                 write!(f, "`{name}` is not a constraint\nhelp: `use` brings in what `reuleaux::constraint!` defines")
             }
-            Fact::Duplicate { name } => write!(f, "`{name}` is declared twice"),
+            Fact::UnknownKind { name, near } => {
+                write!(f, "no parameter can take `{name}`{}", did_you_mean(near))?;
+                if near.is_none() {
+                    write!(f, "\nnote: it takes a `Point`, `Axis`, `Body`, `Quantity`, `Function(…) -> …`, `Joint(…)`, or a dimension such as `Length`")?;
+                }
+                Ok(())
+            }
+            Fact::Duplicate { name, first } => write!(f, "the name `{name}` is taken: {first} has it\nhelp: choose another name"),
+            Fact::DuplicateMark { name, body } => write!(f, "`{body}` has another `{name}` already\nhelp: choose another name"),
+            Fact::DuplicateStart { name, body } => write!(f, "the start of `{body}` gives `{name}` twice"),
+            Fact::DuplicateGround => write!(f, "there is one ground only\nhelp: put all its points and axes into one `ground {{ … }}`"),
             Fact::Reserved { name } => write!(f, "`{name}` has a meaning of its own in expressions\nhelp: choose another name"),
-            Fact::Generated { name } => write!(f, "an output cannot be called `{name}`: a generated function has that name"),
+            Fact::Generated { name } => write!(f, "an output cannot be called `{name}`: a generated function has that name\nhelp: choose another name"),
             Fact::Cycle { name } => write!(f, "`{name}` depends on itself"),
             Fact::Recursion { name } => write!(f, "the function `{name}` calls itself"),
 
-            Fact::TooManyArguments { signature, wanted, found } => {
-                write!(f, "{} where at most {wanted} can be taken\nnote: `{signature}`", plural(*found, "argument"))
+            Fact::TooManyArguments { definition, signature, takes, found } => {
+                write!(f, "`{definition}` takes {}, found {found}\nnote: `{signature}`", range_of(takes, "argument"))
             }
-            Fact::MissingArgument { name, signature, found } => {
-                write!(f, "the argument `{name}` is missing, {} found\nnote: `{signature}`", plural(*found, "argument"))
+            Fact::MissingArguments { definition, signature, takes, found, missing } => {
+                let missing_ones = listed(missing.iter().map(String::as_str));
+                let verb = if missing.len() == 1 { "is" } else { "are" };
+                write!(f, "`{definition}` takes {}, found {found}: {missing_ones} {verb} missing", range_of(takes, "argument"))?;
+                write!(f, "\nnote: `{signature}`")
             }
-            Fact::UnknownArgument { name, signature, near } => {
-                write!(f, "no parameter is called `{name}`{}\nnote: `{signature}`", did_you_mean(near))
+            Fact::UnknownArgument { definition, name, signature, near } => {
+                write!(f, "`{definition}` has no parameter `{name}`{}\nnote: `{signature}`", did_you_mean(near))
             }
             Fact::DuplicateArgument { name } => write!(f, "the argument `{name}` is given twice"),
             Fact::PositionalAfterNamed => write!(f, "an argument without a name cannot follow one with a name"),
             Fact::FunctionArity { name, wanted, found } => {
                 write!(f, "`{name}` takes {}, found {found}", plural(*wanted, "argument"))
             }
-            Fact::DefaultBefore { name } => write!(f, "`{name}` needs a default, since the parameter before it has one"),
+            Fact::DefaultBefore { name } => write!(f, "`{name}` needs a default, since the parameter before it has one\nhelp: put it before those with a default"),
 
             Fact::NotA { wanted, found } => write!(f, "expected {wanted}, found {found}"),
-            Fact::WrongArgument { parameter, definition, wanted, found } => {
+            Fact::WrongArgument { parameter, definition, wanted, found, instead } => {
                 write!(f, "`{parameter}` of `{definition}` takes {wanted}, found {found}")?;
-                match (wanted.as_str(), *found) {
-                    ("a point", "a body") => write!(f, "\nhelp: name a point of the body, such as `body.P`"),
-                    ("a body", "a point") => write!(f, "\nhelp: leave the point out, or write `.body` after it"),
-                    _ => Ok(()),
-                }
+                instead.as_ref().map_or(Ok(()), |instead| write!(f, "\nhelp: write `{instead}`"))
             }
             Fact::WrongArgumentDimension { parameter, definition, wanted, found } => {
-                write!(f, "`{parameter}` of `{definition}` is {wanted}, found {found}")
+                write!(f, "`{parameter}` of `{definition}` is {wanted}, found {found}")?;
+                let is_rate = found.times(Dim::TIME) == *wanted;
+                if is_rate { write!(f, "\nhelp: multiply the rate by `t`") } else { Ok(()) }
             }
+            Fact::WrongDefault { wanted, found } => write!(f, "the parameter takes {wanted}, its default is {found}"),
             Fact::WrongDimension { wanted, found } => write!(f, "expected {wanted}, found {found}"),
             Fact::Unlike { action, one, two } => {
                 let joint = if *action == "equate" || *action == "compare" { "with" } else { "and" };
@@ -218,20 +281,28 @@ impl fmt::Display for Fact {
                 }
             }
             Fact::FunctionTakes { wanted, found } => write!(f, "expected a function of {wanted}, found a function of {found}"),
+            Fact::CannotCompare { one, two } => write!(f, "cannot compare {one} with {two}"),
             Fact::CannotEquate { one, two } => write!(f, "cannot equate {one} with {two}"),
             Fact::NotTwoComponents { found } => write!(f, "a vector in the plane has 2 components, found {found}"),
-            Fact::VectorAndNumber => write!(f, "cannot add a vector and a number"),
+            Fact::VectorAndNumber => write!(f, "cannot add or subtract a vector and a number"),
+            Fact::NumberByVector => write!(f, "nothing can be divided by a vector\nhelp: write `norm(v)` for its length"),
             Fact::VectorTimesVector => {
                 write!(f, "there is more than one product of vectors\nhelp: write `dot(a, b)` or `cross(a, b)`")
             }
             Fact::PowerOfDimension { base } => {
-                write!(f, "this power of {base} has no dimension\nhelp: exponents of quantities are literal multiples of 1/6")
+                write!(f, "{base} can only be raised to a number that is written out, a multiple of 1/6")
             }
             Fact::NotAnOutput { found } => write!(f, "an output is a number, a vector or a point, found {found}"),
 
-            Fact::NumberTooLong { digits } => write!(f, "`{digits}` has more digits than fit an exact number of 36 digits"),
+            Fact::NumberTooLong { number } => {
+                write!(f, "`{number}` cannot be kept exactly\nnote: numbers have up to 36 digits and lie between 1e-36 and 1e36")
+            }
+            Fact::NotFinite { place } => write!(f, "{place} is not a finite number"),
+            Fact::TooLarge { limit } => {
+                write!(f, "the equations grow beyond {limit} operations here\nhelp: a function that calls others several times is written out at every call")
+            }
             Fact::DivisionByZero => write!(f, "division by zero"),
-            Fact::EqualityInChoice => write!(f, "`if` compares with `<`, `<=`, `>` or `>=`: equality of measured numbers is an accident"),
+            Fact::EqualityInChoice => write!(f, "equality of measured numbers is an accident\nhelp: compare with `<`, `<=`, `>` or `>=`"),
             Fact::ListOutsideTable => write!(f, "a list can only be an argument of `table`"),
             Fact::TableArity { found } => {
                 write!(f, "`table` takes 2 or 3 arguments, found {found}\nnote: `table(x, [(x0, y0), (x1, y1), …], periodic)`")
@@ -244,16 +315,22 @@ impl fmt::Display for Fact {
                 write!(f, "a periodic table ends with the value it begins with: it begins with {first} and ends with {last}")
             }
             Fact::TableEnds => write!(f, "outside its range a table is `periodic`, `linear` or `hold`"),
-            Fact::NotConstant { place } => write!(f, "{place} needs a constant: numbers, units, `pi` and functions of them"),
+            Fact::NotConstant { place, help } => {
+                write!(f, "{place} is a constant: numbers, units, `pi` and functions of them")?;
+                if help.is_empty() { Ok(()) } else { write!(f, "\nhelp: {help}") }
+            }
             Fact::NotFixed { place } => write!(f, "{place} may depend on parameters only, not on what moves"),
             Fact::FunctionNeedsArgument => {
                 write!(f, "a function written here names its argument\nhelp: write `function name(x: Angle) -> Length = …;`, or give the path of a Rust function")
             }
             Fact::ZeroAxis { name } => write!(f, "the axis `{name}` has no direction: both components are zero"),
 
-            Fact::TimeIn { place } => write!(f, "`t` cannot be used in {place}"),
+            Fact::TimeIn { place } => write!(f, "{place} does not change with time: `t` cannot be used in it"),
+            Fact::TimeInDefinition => {
+                write!(f, "`t` is not known in a definition\nhelp: take the law as a parameter, such as `C: Length`, and let a `drive` pass it")
+            }
             Fact::TimeInJoint { joint } => {
-                write!(f, "the joint `{joint}` depends on `t`\nhelp: a constraint that moves with time is a drive: `drive {joint} = …;`")
+                write!(f, "a joint does not change with time, `t` is for drives\nhelp: write `drive {joint} = …;` for `joint {joint} = …;`")
             }
             Fact::RequirementFails { why } => write!(f, "{why}"),
             Fact::RequirementFailsAtDefaults { why, value } => write!(f, "{why}\nnote: it is {value} at the declared defaults"),
@@ -265,18 +342,29 @@ impl fmt::Display for Fact {
             }
             Fact::NoEquations { name } => write!(f, "`{name}` has no equations\nhelp: write `lhs == rhs;`"),
             Fact::GroundStart => write!(f, "ground does not move: it has no start values"),
-            Fact::InDefinition { definition, fact } => write!(f, "in `{definition}`: {fact}"),
+            Fact::InDefinition { definition, quantities, fact } => {
+                write!(f, "in {definition}: {fact}")?;
+                let words: Vec<String> = quantities.iter().map(|(name, dim)| format!("`{name}` is {dim}")).collect();
+                if words.is_empty() { Ok(()) } else { write!(f, "\nnote: here {}", words.join(", ")) }
+            }
 
             Fact::NoBodies { name } => write!(f, "`{name}` has no bodies\nhelp: declare one with `body name {{ … }}`"),
+            Fact::StructurallySingular { joints, equations, coordinates, free, for_free } => {
+                let verb = if joints.len() == 1 { "is" } else { "are together" };
+                write!(f, "{} {verb} {} on {}", list(joints), plural(*equations, "equation"), plural(coordinates.len(), "coordinate"))?;
+                write!(f, ": {}", list(coordinates))?;
+                let have = if free.len() == 1 { "has" } else { "have" };
+                let equations = if *for_free == 0 { "no equation".to_owned() } else { format!("only {}", plural(*for_free, "equation")) };
+                write!(f, "\nnote: {} {have} {equations}", list(free))
+            }
             Fact::NotSquare { name, coordinates, equations, drives } => {
                 write!(f, "`{name}` has {} and {}", plural(*coordinates, "coordinate"), plural(*equations, "equation"))?;
-                if coordinates > equations {
-                    let (missing, drives) = (coordinates - equations, plural(*drives, "drive"));
-                    let more = plural(missing, if missing == 1 { "more drive" } else { "more drive or joint equation" });
-                    write!(f, ": with {drives} it is still free to move in {missing} ways\nhelp: {more} would hold it")?;
-                } else {
-                    write!(f, ": {} too many", plural(equations - coordinates, "equation"))?;
+                match coordinates.checked_sub(*equations) {
+                    Some(1) => write!(f, ", 1 too few\nhelp: drive what can still move, such as `drive input = drive_angle(body, speed * t);`")?,
+                    Some(missing) => write!(f, ", {missing} too few\nhelp: add joints, and a drive for every freedom that is left")?,
+                    None => write!(f, ", {} too many\nhelp: take away a joint or a drive", equations - coordinates)?,
                 }
+                write!(f, "\nnote: {drives} of the equations come from drives")?;
                 write!(f, "\nnote: `#[equations_only]` before `mechanism` gives the equations without a solver")
             }
         }

@@ -16,7 +16,10 @@ use quote::{format_ident, quote, quote_spanned};
 /// The macros that stand for definitions; `is_broken` ones hand over nothing, so that a mistake is
 /// reported once.
 pub(crate) fn export(definitions: &Definitions, is_broken: bool) -> TokenStream {
-    definitions.exports.iter().map(|export| exported(export, is_broken)).collect()
+    let exports = &definitions.exports;
+    // A name that is exported twice has been refused; rustc need not say so again.
+    let is_first = |position: usize, export: &Export| !exports[..position].iter().any(|before| before.name == export.name);
+    exports.iter().enumerate().filter(|(position, export)| is_first(*position, export)).map(|(_, export)| exported(export, is_broken)).collect()
 }
 
 fn exported(export: &Export, is_broken: bool) -> TokenStream {

@@ -2,7 +2,7 @@
 
 use crate::expr::{Evaluator, Leaf, Values, show};
 use crate::model::{Function, Model, Output, Parameter};
-use crate::plan::{Plan, Routine};
+use crate::plan::{Cost, Part, Plan, Routine, Solution};
 use crate::system::System;
 use std::fmt::Write;
 
@@ -24,7 +24,46 @@ pub(super) fn mechanism(model: &Model, system: &System, plan: &Plan) -> String {
         let cost = routine.cost;
         let _ = writeln!(page, "| {name} | {} | {} | {} | {} |", cost.flops, cost.divisions, cost.sines, cost.calls);
     }
+    if let Some(solution) = &plan.solution {
+        self::solution(&mut page, model, system, solution);
+    }
     page
+}
+
+/// What is found in which order.
+fn solution(page: &mut String, model: &Model, system: &System, solution: &Solution) {
+    let blocks = solution.parts.iter().filter(|part| matches!(part, Part::Block(_))).count();
+    let iterated: usize = solution.parts.iter().map(|part| if let Part::Block(block) = part { block.system.unknowns.len() } else { 0 }).sum();
+    let explicit = system.unknowns.len() - iterated;
+    let _ = writeln!(page, "\n# Solution\n\n{explicit} coordinates are computed, {iterated} are iterated in {blocks} blocks.\n\n```text");
+    let name = |unknown: &usize| coordinate_name(model, system, *unknown);
+    for part in &solution.parts {
+        let _ = match part {
+            Part::Explicit { unknown, .. } => writeln!(page, "compute  {}", name(unknown)),
+            Part::Block(block) => {
+                let unknowns: Vec<String> = block.system.unknowns.iter().map(name).collect();
+                let rows: Vec<String> = block.system.equations.iter().map(|equation| equation_name(model, system, *equation)).collect();
+                let Cost { flops, divisions, sines, calls } = block.cost;
+                writeln!(page, "iterate  {}  from  {}", unknowns.join(", "), rows.join(", ")).and_then(|()| {
+                    writeln!(page, "         each time {flops} sums and products, {divisions} divisions and roots, {calls} other functions; {sines} sine-cosine pairs once")
+                })
+            }
+        };
+    }
+    let _ = writeln!(page, "```");
+}
+
+/// `crank.angle`
+pub(super) fn coordinate_name(model: &Model, system: &System, unknown: usize) -> String {
+    let unknown = &system.unknowns[unknown];
+    format!("{}.{}", model.bodies[unknown.body].name, unknown.name)
+}
+
+/// `b (2 of 2)`
+pub(super) fn equation_name(model: &Model, system: &System, equation: usize) -> String {
+    let equation = &system.equations[equation];
+    let joint = &model.joints[equation.joint];
+    format!("{} ({} of {})", joint.name, equation.row + 1, joint.residuals.len())
 }
 
 fn parameters(page: &mut String, model: &Model, system: &System) {

@@ -163,7 +163,7 @@ impl Emitter<'_> {
             // x − x is 0 for every finite x and NaN for all others, over any number type.
             quote! {
                 if (self.#field - self.#field) != T::of(0.0) {
-                    return ::core::result::Result::Err(::reuleaux::ParameterOutOfRange { name: #name, value: self.#field, why: "must be finite" });
+                    return ::core::result::Result::Err(::reuleaux::ParameterOutOfRange { name: #name, value: self.#field, why: "it must be finite" });
                 }
             }
         });

@@ -16,7 +16,7 @@ pub(crate) use stub::{fallback, stub};
 
 use crate::closure::Closure;
 use crate::model::{Function, Model};
-use crate::plan::Plan;
+use crate::plan::{Cost, Part, Plan, Solution};
 use crate::syntax::ast::Docs;
 use crate::system::System;
 use functions::Emitter;
@@ -35,7 +35,7 @@ pub(crate) fn identifier(name: &str) -> Ident {
 pub(crate) fn emit(model: &Model, system: &System, closure: &Closure, plan: &Plan) -> TokenStream {
     let emitter = Emitter { model, system, plan };
     let (structure, defaults) = (structure(model, &docs::mechanism(model, system, plan)), defaults(model, system));
-    let (constants, tables) = (constants(system, plan), tables(model));
+    let (constants, tables) = (constants(model, system, plan), tables(model));
     let equations = [emitter.phi(), emitter.jacobian(), emitter.linearize(), emitter.nu(), emitter.gamma()];
     let (start, length, validate) = (start(closure), emitter.characteristic_length(), emitter.validate());
     let traits = emitter.traits();
@@ -109,7 +109,8 @@ fn defaults(model: &Model, system: &System) -> TokenStream {
     }
 }
 
-fn constants(system: &System, plan: &Plan) -> TokenStream {
+fn constants(model: &Model, system: &System, plan: &Plan) -> TokenStream {
+    let solution = plan.solution.as_ref().map(|solution| plan_constant(model, system, solution));
     let (coordinates, equations, entries) = (system.unknowns.len(), system.equations.len(), plan.pattern.len());
     let pairs = plan.pattern.iter().map(|(row, column)| {
         let (row, column) = (Literal::usize_unsuffixed(*row), Literal::usize_unsuffixed(*column));
@@ -124,6 +125,33 @@ fn constants(system: &System, plan: &Plan) -> TokenStream {
         pub const JACOBIAN_ENTRIES: usize = #entries;
         /// Row and column of each entry that `jacobian_entries` gives, row by row.
         pub const JACOBIAN_PATTERN: [(usize, usize); #entries] = [#(#pairs),*];
+        #solution
+    }
+}
+
+/// The plan as data, for tests and tools.
+fn plan_constant(model: &Model, system: &System, solution: &Solution) -> TokenStream {
+    let operations = |cost: Cost| {
+        let Cost { flops, divisions, sines, calls } = cost;
+        quote!(::reuleaux::Operations { flops: #flops, divisions: #divisions, sines: #sines, calls: #calls })
+    };
+    let stage = |part: &Part| match part {
+        Part::Explicit { unknown, .. } => {
+            let name = docs::coordinate_name(model, system, *unknown);
+            quote!(::reuleaux::PlanStage::Computed(#name))
+        }
+        Part::Block(block) => {
+            let unknowns = block.system.unknowns.iter().map(|unknown| docs::coordinate_name(model, system, *unknown));
+            let equations = block.system.equations.iter().map(|equation| docs::equation_name(model, system, *equation));
+            let operations = operations(block.cost);
+            quote!(::reuleaux::PlanStage::Iterated { unknowns: &[#(#unknowns),*], equations: &[#(#equations),*], operations: #operations })
+        }
+    };
+    let stages = solution.parts.iter().map(stage);
+    let operations = operations(solution.cost);
+    quote! {
+        /// How a state is found: which coordinates are computed, which are iterated together, in which order.
+        pub const PLAN: ::reuleaux::Plan = ::reuleaux::Plan { stages: &[#(#stages),*], operations: #operations };
     }
 }
 

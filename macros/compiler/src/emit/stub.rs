@@ -33,7 +33,7 @@ pub(crate) fn fallback(tree: &Mechanism, wanted: &Use) -> TokenStream {
         #[allow(warnings, clippy::all)]
         mod #module { #promise impl<T> #name<T> { #check } }
         #[doc(hidden)]
-        #[allow(unused_imports)]
+        #[allow(unused_imports, unreachable_pub)]
         #visibility use #module::*;
     }
 }
@@ -44,7 +44,8 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
     let state = format_ident!("{}State", name);
     let n = 3 * items(tree, "body").len();
     let (structure, accessors, equations) = (structure(tree, visibility), accessors(tree, &state, body), equations(name, n, body));
-    let (solutions, outputs) = (solutions(&state, n, body), outputs(tree, &state, body));
+    let solutions = (!tree.equations_only).then(|| solutions(&state, n, body));
+    let outputs = outputs(tree, &state, body);
     let state = (!tree.equations_only || !items(tree, "output").is_empty()).then(|| {
         quote! {
             #[derive(Clone, Debug, PartialEq)]
@@ -168,11 +169,16 @@ fn is_vector(expr: &Expr, tree: &Mechanism, lets: usize) -> bool {
         ExprKind::Negative(value) => is_vector(value, tree, lets),
         ExprKind::Binary(Operator::Power, ..) => false,
         ExprKind::Binary(_, one, two) => is_vector(one, tree, lets) || is_vector(two, tree, lets),
-        ExprKind::Path(path) => {
-            let mut bindings = tree.items.iter().filter_map(|item| if let Item::Let(binding) = item { Some(binding) } else { None });
-            let binding = bindings.find(|binding| path.name.as_ref() == Some(&binding.name));
-            binding.is_some_and(|binding| lets > 0 && is_vector(&binding.value, tree, lets - 1))
-        }
+        ExprKind::Path(path) => path.name.as_ref().is_some_and(|name| names_vector(name, tree, lets)),
         ExprKind::Number { .. } | ExprKind::List(_) | ExprKind::If { .. } => false,
     }
+}
+
+/// A `let` that is a vector, or a point whose body was forgotten.
+fn names_vector(name: &Ident, tree: &Mechanism, lets: usize) -> bool {
+    tree.items.iter().any(|item| match item {
+        Item::Let(binding) => binding.name == *name && lets > 0 && is_vector(&binding.value, tree, lets - 1),
+        Item::Body(frame) | Item::Ground(frame) => frame.marks.iter().any(|mark| mark.name == *name),
+        _ => false,
+    })
 }

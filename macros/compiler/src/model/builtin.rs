@@ -51,7 +51,7 @@ impl Elaborator<'_> {
     fn builtin(&mut self, range: Range, name: &Ident, arguments: &[ast::Expr], scope: &Scope) -> Option<Value> {
         let word = name.to_string();
         if word == "table" {
-            return self.table(range, name, arguments, scope).map(Value::Scalar);
+            return self.table(name, arguments, scope).map(Value::Scalar);
         }
         let wanted = match word.as_str() {
             "atan2" | "min" | "max" | "dot" | "cross" => 2,
@@ -61,7 +61,7 @@ impl Elaborator<'_> {
             return self.refuse(name, Fact::FunctionArity { name: word, wanted, found: arguments.len() });
         }
         match word.as_str() {
-            "dot" | "cross" => self.product(range, &word, arguments, scope).map(Value::Scalar),
+            "dot" | "cross" => self.product(&word, arguments, scope).map(Value::Scalar),
             "perp" | "unit" | "norm" | "direction" => self.of_vector(&word, &arguments[0], scope),
             "atan2" | "min" | "max" => self.of_two(range, &word, arguments, scope).map(Value::Scalar),
             _ => self.of_one(&word, &arguments[0], scope).map(Value::Scalar),
@@ -120,7 +120,7 @@ impl Elaborator<'_> {
     }
 
     /// a·b, and the third component of a × b.
-    fn product(&mut self, _range: Range, word: &str, arguments: &[ast::Expr], scope: &Scope) -> Option<Scalar> {
+    fn product(&mut self, word: &str, arguments: &[ast::Expr], scope: &Scope) -> Option<Scalar> {
         let (one, two) = (self.vector(&arguments[0], scope), self.vector(&arguments[1], scope));
         let (one, two) = (one?, two?);
         let measure = one.measure.times(two.measure);
@@ -217,6 +217,10 @@ impl Elaborator<'_> {
         if self.names.open_functions.contains(&name) {
             return self.refuse(range, Fact::Recursion { name });
         }
+        let key = (Rc::as_ptr(function), argument.expr);
+        if let Some((_, known)) = self.calls.get(&key) {
+            return Some(*known);
+        }
         let to = self.dimension(&function.to)?;
         // A function sees the parameters and other functions of its mechanism, and its argument.
         let mut inner = Scope::mechanism().timeless("a function of one variable");
@@ -226,6 +230,7 @@ impl Elaborator<'_> {
         self.names.open_functions.push(name);
         let value = self.scalar_of(&function.value, to, &inner);
         self.names.open_functions.pop();
+        self.calls.extend(value.map(|value| (key, (function.clone(), value))));
         value
     }
 
@@ -238,7 +243,7 @@ impl Elaborator<'_> {
     }
 
     /// `table(x, [(x0, y0), …], periodic)`
-    fn table(&mut self, range: Range, name: &Ident, arguments: &[ast::Expr], scope: &Scope) -> Option<Scalar> {
+    fn table(&mut self, name: &Ident, arguments: &[ast::Expr], scope: &Scope) -> Option<Scalar> {
         let (x, points, ends) = match arguments {
             [x, points] => (x, points, Ends::Linear),
             [x, points, ends] => (x, points, self.ends(ends)?),
@@ -248,27 +253,13 @@ impl Elaborator<'_> {
             return self.refuse(points.range, Fact::TableNeedsList);
         };
         let argument = self.scalar(x, scope)?;
-        let (mut from, mut to) = (argument.measure, Measure::Flexible);
-        let mut pairs: Vec<(f64, f64)> = Vec::new();
-        for item in items {
-            let ExprKind::Tuple(pair) = &item.kind else {
-                return self.refuse(item.range, Fact::TableNeedsPairs);
-            };
-            let [at, value] = pair.as_slice() else {
-                return self.refuse(item.range, Fact::TableNeedsPairs);
-            };
-            let at_number = self.table_entry(at, &mut from, scope)?;
-            let value_number = self.table_entry(value, &mut to, scope)?;
-            if pairs.last().is_some_and(|last| last.0 >= at_number) {
-                return self.refuse(at.range, Fact::TableNotIncreasing);
-            }
-            pairs.push((at_number, value_number));
-        }
-        if pairs.len() < 2 {
+        let mut to = Measure::Flexible;
+        let pairs = self.table_pairs(items, argument.measure, &mut to, scope)?;
+        let (Some(first), Some(last), Some(end)) = (pairs.first(), pairs.last(), items.last().filter(|_| pairs.len() > 1)) else {
             return self.refuse(points.range, Fact::TableTooShort { found: pairs.len() });
-        }
-        if ends == Ends::Periodic && pairs[0].1 != pairs[pairs.len() - 1].1 {
-            return self.refuse(range, Fact::TableNotPeriodic { first: pairs[0].1, last: pairs[pairs.len() - 1].1 });
+        };
+        if ends == Ends::Periodic && first.1 != last.1 {
+            return self.refuse(end.range, Fact::TableNotPeriodic { first: first.1, last: last.1 });
         }
         let table = Numbered::Table(Table::through(&pairs, ends));
         let same = |known: &Numbered| matches!((known, &table), (Numbered::Table(one), Numbered::Table(two)) if one == two);
@@ -277,6 +268,25 @@ impl Elaborator<'_> {
             self.functions.len() - 1
         });
         Some(Scalar { expr: self.arena.call(number as u32, 0, argument.expr), measure: to })
+    }
+
+    /// The numbers of a table, with the first ones in increasing order.
+    fn table_pairs(&mut self, items: &[ast::Expr], mut from: Measure, to: &mut Measure, scope: &Scope) -> Option<Vec<(f64, f64)>> {
+        let mut pairs: Vec<(f64, f64)> = Vec::new();
+        for item in items {
+            let ExprKind::Tuple(pair) = &item.kind else {
+                return self.refuse(item.range, Fact::TableNeedsPairs);
+            };
+            let [at, value] = pair.as_slice() else {
+                return self.refuse(item.range, Fact::TableNeedsPairs);
+            };
+            let (x, y) = (self.table_entry(at, &mut from, scope)?, self.table_entry(value, to, scope)?);
+            if pairs.last().is_some_and(|last| last.0 >= x) {
+                return self.refuse(at.range, Fact::TableNotIncreasing);
+            }
+            pairs.push((x, y));
+        }
+        Some(pairs)
     }
 
     fn ends(&mut self, expr: &ast::Expr) -> Option<Ends> {
@@ -301,7 +311,7 @@ impl Elaborator<'_> {
         *column = common;
         match self.arena.as_constant(scalar.expr) {
             Some(value) => Some(value.to_f64()),
-            None => self.refuse(entry.range, Fact::NotConstant { place: "a table" }),
+            None => self.refuse(entry.range, Fact::NotConstant { place: "an entry of a table", help: "" }),
         }
     }
 }

@@ -3,38 +3,70 @@
 
 use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
-use super::resolve::Names;
-use super::value::{Fixed, Function, Scalar, Value};
 use super::Function as Numbered;
+use super::instance::{Row, noun};
+use super::resolve::{Names, RESERVED};
+use super::suggest::nearest;
+use super::value::{Fixed, Function, Scalar, Value};
 use crate::diag::{Diag, Fact};
-use crate::expr::{Arena, Leaf};
+use crate::expr::Leaf;
 use crate::library;
-use crate::syntax::ast::{Definition, Joint, JointBody, Kind};
+use crate::syntax::ast::{Definition, Definitions, Dimension, Joint, JointBody, Kind};
+use proc_macro2::Ident;
 use std::rc::Rc;
+
+/// What a parameter may take beside a dimension.
+const KINDS: &[&str] = &["Point", "Axis", "Body", "Quantity", "Function", "Joint"];
 
 /// Reports what is wrong with a definition. `others` are definitions it may name as joint kinds.
 pub(crate) fn check(definition: &Definition, others: &[Definition], diag: &mut Diag) {
-    let mut work = Elaborator {
-        arena: Arena::new(),
-        diag,
-        names: Names::abstract_(),
-        functions: Vec::new(),
-        requirements: Vec::new(),
-        requirement_places: Vec::new(),
-        blame: None,
-    };
+    let mut work = Elaborator::new(diag, Names::abstract_());
     work.check(definition, others);
+}
+
+/// Reports names that are exported twice.
+pub(crate) fn check_names(definitions: &Definitions, diag: &mut Diag) {
+    let unique = |names: Vec<&Ident>, diag: &mut Diag| {
+        for (position, name) in names.iter().enumerate() {
+            if names[..position].contains(name) {
+                diag.refuse::<()>(*name, Fact::Duplicate { name: name.to_string(), first: "another constraint" });
+            }
+        }
+    };
+    unique(definitions.exports.iter().map(|export| &export.name).collect(), diag);
+    for bundle in definitions.exports.iter().filter(|export| export.is_bundle) {
+        unique(bundle.definitions.iter().map(|definition| &definition.name).collect(), diag);
+    }
 }
 
 impl Elaborator<'_> {
     fn check(&mut self, definition: &Definition, others: &[Definition]) -> Option<()> {
+        let scope = self.formals(definition, others)?;
+        let place = Joint { docs: definition.docs.clone(), is_drive: false, name: definition.name.clone(), body: JointBody::Equations(Vec::new()) };
+        let rows = self.statements(&definition.statements, scope, &place, &[])?;
+        let of = rows.len();
+        for (row, Row { residual, range }) in rows.into_iter().enumerate() {
+            let depends = self.arena.leaves(residual.expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)));
+            if !depends {
+                return self.refuse(range, Fact::RowOfNothing { joint: definition.name.to_string(), row: row + 1, of });
+            }
+        }
+        Some(())
+    }
+
+    /// Every parameter bound to something that nothing else is known of.
+    fn formals(&mut self, definition: &Definition, others: &[Definition]) -> Option<Scope> {
         let mut scope = Scope::default();
         let mut seen_default = false;
         for formal in &definition.parameters {
             let name = formal.name.to_string();
-            if scope.bound.iter().any(|(known, _)| *known == name) {
-                return self.refuse(&formal.name, Fact::Duplicate { name });
+            if RESERVED.contains(&name.as_str()) {
+                return self.refuse(&formal.name, Fact::Reserved { name });
             }
+            if scope.bound.iter().any(|(known, _)| *known == name) {
+                return self.refuse(&formal.name, Fact::Duplicate { name, first: "another parameter" });
+            }
+            let value = self.unknown(&formal.kind, others)?;
             if let Some(default) = &formal.default {
                 seen_default = true;
                 let found = self.value(default, &scope)?;
@@ -42,19 +74,9 @@ impl Elaborator<'_> {
             } else if seen_default {
                 return self.refuse(&formal.name, Fact::DefaultBefore { name });
             }
-            let value = self.unknown(&formal.kind, others)?;
             scope.bound.push((name, value));
         }
-        let place = Joint { docs: definition.docs.clone(), is_drive: false, name: definition.name.clone(), body: JointBody::Equations(Vec::new()) };
-        let residuals = self.statements(&definition.statements, scope, &place, &[])?;
-        let of = residuals.len();
-        for (row, residual) in residuals.iter().enumerate() {
-            let depends = self.arena.leaves(residual.expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)));
-            if !depends {
-                return self.refuse(&definition.name, Fact::RowOfNothing { joint: definition.name.to_string(), row: row + 1, of });
-            }
-        }
-        Some(())
+        Some(scope)
     }
 
     fn check_default(&mut self, formal: &crate::syntax::ast::Formal, default: &crate::syntax::ast::Expr, found: Value) -> Option<()> {
@@ -67,7 +89,7 @@ impl Elaborator<'_> {
                 self.refuse(default.range, Fact::WrongDimension { wanted, found: scalar.measure.settled() })
             }
             (Kind::Quantity, Value::Scalar(_)) | (Kind::Body, Value::Body(_)) | (Kind::Point, Value::Point(_)) | (Kind::Axis, Value::Axis(_)) => Some(()),
-            (_, other) => self.refuse(default.range, Fact::NotA { wanted: "what the parameter takes", found: other.noun() }),
+            (kind, other) => self.refuse(default.range, Fact::WrongDefault { wanted: noun(kind), found: other.noun() }),
         }
     }
 
@@ -79,7 +101,7 @@ impl Elaborator<'_> {
             Kind::Body => Value::Body(self.new_frame("a body")),
             Kind::Quantity => Value::Scalar(self.unknown_scalar(Measure::Flexible)),
             Kind::Scalar(written) => {
-                let dim = self.dimension(written)?;
+                let dim = self.kind_dimension(written)?;
                 Value::Scalar(self.unknown_scalar(Measure::Of(dim)))
             }
             Kind::Function(from, to) => {
@@ -92,7 +114,9 @@ impl Elaborator<'_> {
                 let word = name.to_string();
                 let known = others.iter().find(|other| *name == other.name).cloned().map(Rc::new);
                 let Some(definition) = known.or_else(|| library::find(&word)) else {
-                    return self.refuse(name, Fact::UnknownConstraint { name: word, near: None });
+                    let own: Vec<String> = others.iter().map(|other| other.name.to_string()).collect();
+                    let near = nearest(&word, own.iter().map(String::as_str).chain(library::constraints()));
+                    return self.refuse(name, Fact::UnknownConstraint { name: word, near });
                 };
                 let mut arguments = Vec::new();
                 for formal in &definition.parameters {
@@ -103,6 +127,18 @@ impl Elaborator<'_> {
                 Value::Joint { kind: word, arguments: Rc::new(arguments) }
             }
         })
+    }
+
+    /// A single word that is no dimension may be a kind that was mistyped.
+    fn kind_dimension(&mut self, written: &Dimension) -> Option<Dim> {
+        if let [(word, 1)] = written.factors.as_slice()
+            && Dim::named(&word.to_string()).is_none()
+        {
+            let name = word.to_string();
+            let near = nearest(&name, KINDS.iter().copied().chain(Dim::names()));
+            return self.refuse(word, Fact::UnknownKind { name, near });
+        }
+        self.dimension(written)
     }
 
     fn unknown_scalar(&mut self, measure: Measure) -> Scalar {

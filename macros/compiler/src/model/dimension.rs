@@ -1,5 +1,6 @@
 //! What a number measures: products of powers of length, angle, time and mass.
 
+use crate::syntax::ast::Dimension;
 use std::fmt;
 
 /// Exponents are kept in sixths, so that square and cube roots stay exact.
@@ -51,6 +52,12 @@ impl Dim {
     /// The dimension of this name.
     pub(crate) fn named(name: &str) -> Option<Dim> {
         NAMED.iter().find(|(known, _)| *known == name).map(|(_, [l, a, t, m])| Dim::new(*l, *a, *t, *m))
+    }
+
+    /// The product of powers that was written, if all its names are known.
+    pub(crate) fn of(written: &Dimension) -> Option<Dim> {
+        let factor = |(name, exponent): &(proc_macro2::Ident, i16)| Dim::named(&name.to_string())?.power(WHOLE * exponent);
+        written.factors.iter().try_fold(Dim::NUMBER, |product, written| Some(product.times(factor(written)?)))
     }
 
     /// All names, for suggestions.
@@ -114,6 +121,8 @@ impl Dim {
                 (0, 2) => format!("{unit}²"),
                 (0, 3) => format!("{unit}³"),
                 (0, whole) => format!("{unit}^{whole}"),
+                (2 | 4, _) => format!("{unit}^({}/3)", exponent / 2),
+                (3, _) => format!("{unit}^({}/2)", exponent / 3),
                 _ => format!("{unit}^({exponent}/6)"),
             }
         };

@@ -10,6 +10,8 @@ use crate::diag::{Diag, Fact, Range};
 use crate::expr::{Arena, Exact, Expr, Leaf};
 use crate::syntax::ast::{self, ExprKind, Operator, Relation};
 use proc_macro2::Ident;
+use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// Everything that is built while a mechanism or a definition is resolved.
 pub(crate) struct Elaborator<'a> {
@@ -21,8 +23,32 @@ pub(crate) struct Elaborator<'a> {
     /// Where each requirement is to be blamed.
     pub(super) requirement_places: Vec<Range>,
     /// The definition being instantiated and the token to blame for what goes wrong in it.
-    pub(super) blame: Option<(Range, String)>,
+    pub(super) blame: Option<Blame>,
+    /// How many values are being looked at, one inside the other.
+    pub(super) depth: u16,
+    /// A limit was met.
+    has_given_up: bool,
+    /// Values of functions that were written out before, by function and argument.
+    pub(super) calls: BTreeMap<(*const ast::Function, Expr), (Rc<ast::Function>, Scalar)>,
 }
+
+/// A definition that is being instantiated.
+#[derive(Clone)]
+pub(super) struct Blame {
+    /// What is underlined: the joint's kind.
+    pub(super) place: Range,
+    /// The definition, or one of its equations, in words.
+    pub(super) definition: String,
+    /// What the arguments measure for which the definition leaves it open.
+    pub(super) quantities: Vec<(String, Dim)>,
+}
+
+/// No chain of names that are used before they are declared may be longer, so that none exhausts
+/// the stack.
+const DEEPEST: u16 = 400;
+
+/// No mechanism that is compiled in reasonable time has more operations.
+const LARGEST: usize = 200_000;
 
 /// What names mean where an expression stands.
 #[derive(Clone, Default)]
@@ -32,7 +58,16 @@ pub(super) struct Scope {
     /// Names of the mechanism are visible.
     pub(super) is_mechanism: bool,
     /// Why `t` may not be used here, if it may not.
-    pub(super) timeless: Option<&'static str>,
+    pub(super) timeless: Option<Timeless>,
+}
+
+/// Where `t` may not be used.
+#[derive(Clone)]
+pub(super) enum Timeless {
+    /// In a start value, a point, and the like.
+    Place(&'static str),
+    /// In the joint of this name.
+    Joint(String),
 }
 
 impl Scope {
@@ -43,7 +78,7 @@ impl Scope {
 
     /// The same, but `t` is refused.
     pub(super) fn timeless(mut self, place: &'static str) -> Scope {
-        self.timeless = Some(place);
+        self.timeless = Some(Timeless::Place(place));
         self
     }
 
@@ -53,17 +88,53 @@ impl Scope {
 }
 
 impl Elaborator<'_> {
+    /// With nothing in it yet.
+    pub(super) fn new(diag: &mut Diag, names: Names) -> Elaborator<'_> {
+        Elaborator {
+            arena: Arena::new(),
+            diag,
+            names,
+            functions: Vec::new(),
+            requirements: Vec::new(),
+            requirement_places: Vec::new(),
+            blame: None,
+            depth: 0,
+            has_given_up: false,
+            calls: BTreeMap::new(),
+        }
+    }
+
     /// Takes note of a refusal. Inside a definition that is being instantiated the place to blame
     /// is the joint that uses it.
     pub(super) fn refuse<T>(&mut self, range: impl Into<Range>, fact: Fact) -> Option<T> {
         match self.blame.clone() {
             None => self.diag.refuse(range, fact),
-            Some((place, definition)) => self.diag.refuse(place, Fact::InDefinition { definition, fact: Box::new(fact) }),
+            Some(Blame { place, definition, quantities }) => {
+                self.diag.refuse(place, Fact::InDefinition { definition, quantities, fact: Box::new(fact) })
+            }
         }
     }
 
     /// The value of any expression.
     pub(super) fn value(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Value> {
+        if self.depth >= DEEPEST {
+            return self.give_up(expr.range, Fact::TooDeep { limit: DEEPEST });
+        }
+        if self.arena.len() > LARGEST {
+            return self.give_up(expr.range, Fact::TooLarge { limit: LARGEST });
+        }
+        self.depth += 1;
+        let value = self.value_of(expr, scope);
+        self.depth -= 1;
+        value
+    }
+
+    /// Refuses once what would be met again and again from here on.
+    fn give_up<T>(&mut self, range: Range, fact: Fact) -> Option<T> {
+        if std::mem::replace(&mut self.has_given_up, true) { None } else { self.refuse(range, fact) }
+    }
+
+    fn value_of(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Value> {
         match &expr.kind {
             ExprKind::Number { digits, unit } => self.number(expr.range, digits, unit).map(Value::Scalar),
             ExprKind::Path(path) => self.named(path, scope),
@@ -136,7 +207,7 @@ impl Elaborator<'_> {
 
     fn number(&mut self, range: Range, digits: &str, unit: &str) -> Option<Scalar> {
         let Some(value) = Exact::decimal(digits) else {
-            return self.refuse(range, Fact::NumberTooLong { digits: digits.to_owned() });
+            return self.refuse(range, Fact::NumberTooLong { number: format!("{digits}{unit}") });
         };
         if unit.is_empty() {
             return Some(Scalar { expr: self.arena.constant(value), measure: Measure::Flexible });
@@ -146,7 +217,7 @@ impl Elaborator<'_> {
             return self.refuse(range, Fact::UnknownUnit { name: unit.to_owned(), near });
         };
         let Some(value) = value.checked_mul(size) else {
-            return self.refuse(range, Fact::NumberTooLong { digits: digits.to_owned() });
+            return self.refuse(range, Fact::NumberTooLong { number: format!("{digits}{unit}") });
         };
         Some(Scalar { expr: self.arena.constant(value), measure: Measure::Of(dim) })
     }
@@ -174,6 +245,8 @@ impl Elaborator<'_> {
             }
         } else if name == "ground" {
             return Some(Value::Body(FrameId::GROUND));
+        } else if name == "t" {
+            return self.refuse(path.range, Fact::TimeInDefinition);
         }
         if self.is_library_function(name) {
             return self.library_function(name).map(Value::Function);
@@ -183,8 +256,10 @@ impl Elaborator<'_> {
     }
 
     fn time(&mut self, range: Range, scope: &Scope) -> Option<Value> {
-        if let Some(place) = scope.timeless {
-            return self.refuse(range, Fact::TimeIn { place });
+        match &scope.timeless {
+            Some(Timeless::Place(place)) => return self.refuse(range, Fact::TimeIn { place }),
+            Some(Timeless::Joint(joint)) => return self.refuse(range, Fact::TimeInJoint { joint: joint.clone() }),
+            None => {}
         }
         Some(Value::Scalar(Scalar { expr: self.arena.leaf(Leaf::Time), measure: Measure::Of(Dim::TIME) }))
     }
@@ -193,7 +268,10 @@ impl Elaborator<'_> {
     fn similar(&self, name: &Ident, scope: &Scope) -> Option<String> {
         let own = if scope.is_mechanism { self.names.all() } else { Vec::new() };
         let bound = scope.bound.iter().map(|(known, _)| known.as_str());
-        let fixed = ["t", "pi", "ground"].into_iter().filter(|_| name.to_string().len() > 1);
+        let fixed = ["t", "pi", "ground"].into_iter();
+        if scope.is_mechanism && let Some(full) = self.names.mark_called(name) {
+            return Some(full);
+        }
         nearest(&name.to_string(), bound.chain(own.iter().map(String::as_str)).chain(fixed))
     }
 
@@ -208,14 +286,15 @@ impl Elaborator<'_> {
                     return Some(argument.clone());
                 }
                 let near = nearest(&name, arguments.iter().map(|(known, _)| known.as_str()));
-                return self.refuse(field, Fact::UnknownField { owner: format!("a `{kind}` joint"), name, near });
+                let known = arguments.iter().map(|(known, _)| known.clone()).collect();
+                return self.refuse(field, Fact::UnknownField { owner: format!("a `{kind}` joint"), name, near, known });
             }
             (_, "x" | "y") => {}
-            _ => return self.refuse(field, Fact::UnknownField { owner: value.noun().to_owned(), name, near: None }),
+            _ => return self.refuse(field, unknown_field(&value, name)),
         }
-        let noun = value.noun();
+        let unknown = unknown_field(&value, name.clone());
         let Some(vector) = self.as_vector(value) else {
-            return self.refuse(field, Fact::UnknownField { owner: noun.to_owned(), name, near: None });
+            return self.refuse(field, unknown);
         };
         let expr = if name == "x" { vector.x } else { vector.y };
         Some(Value::Scalar(Scalar { expr, measure: vector.measure }))
@@ -233,10 +312,11 @@ impl Elaborator<'_> {
             "position" => Some(Value::Point(Fixed { frame, local: [zero; 2], measure: length })),
             _ if self.names.frames[frame.0].marks.contains_key(&name) => self.mark(frame, &name),
             _ => {
-                let known = self.names.frames[frame.0].order.iter().map(String::as_str);
-                let near = nearest(&name, known.chain(["angle", "position"]));
+                let own = self.names.frames[frame.0].order.iter().map(String::as_str);
+                let known: Vec<String> = own.chain(["position", "angle", "x", "y"]).map(str::to_owned).collect();
+                let near = nearest(&name, known.iter().map(String::as_str));
                 let owner = format!("`{}`", self.names.frames[frame.0].name);
-                self.refuse(field, Fact::UnknownField { owner, name, near })
+                self.refuse(field, Fact::UnknownField { owner, name, near, known })
             }
         }
     }
@@ -272,17 +352,18 @@ impl Elaborator<'_> {
         let (left, right) = (self.value(lhs, scope), self.value(rhs, scope));
         let (left, right) = (left?, right?);
         match (left, right) {
-            (Value::Scalar(one), Value::Scalar(two)) => self.combine(range, operator, one, two).map(Value::Scalar),
+            (Value::Scalar(one), Value::Scalar(two)) => self.combine(range, operator, one, (two, rhs.range)).map(Value::Scalar),
             (left, right) => self.combine_vectors(range, operator, (lhs, left), (rhs, right)),
         }
     }
 
-    fn combine(&mut self, range: Range, operator: Operator, one: Scalar, two: Scalar) -> Option<Scalar> {
+    /// `one operator two`; the range of `two` is blamed where only it is wrong.
+    fn combine(&mut self, range: Range, operator: Operator, one: Scalar, (two, second): (Scalar, Range)) -> Option<Scalar> {
         let (expr, measure) = match operator {
             Operator::Mul => (self.arena.mul(one.expr, two.expr), one.measure.times(two.measure)),
             Operator::Div => {
                 if self.arena.as_constant(two.expr).is_some_and(|value| value.is_zero()) {
-                    return self.refuse(range, Fact::DivisionByZero);
+                    return self.refuse(second, Fact::DivisionByZero);
                 }
                 (self.arena.div(one.expr, two.expr), one.measure.per(two.measure))
             }
@@ -303,6 +384,14 @@ impl Elaborator<'_> {
         if let (Operator::Mul, Value::Scalar(_)) = (operator, &left.1) {
             return self.combine_vectors(range, operator, right, left);
         }
+        if !right.1.is_combinable() {
+            return self.refuse(right.0.range, Fact::NotA { wanted: "a number or a vector", found: right.1.noun() });
+        }
+        match (operator, &left.1) {
+            (Operator::Div, Value::Scalar(_)) => return self.refuse(range, Fact::NumberByVector),
+            (_, Value::Scalar(_)) => return self.refuse(range, Fact::VectorAndNumber),
+            _ => {}
+        }
         let noun = left.1.noun();
         let Some(one) = self.as_vector(left.1) else {
             return self.refuse(left.0.range, Fact::NotA { wanted: "a number or a vector", found: noun });
@@ -312,8 +401,8 @@ impl Elaborator<'_> {
                 return self.refuse(range, Fact::VectorAndNumber);
             }
             let part = |expr, measure| Scalar { expr, measure };
-            let x = self.combine(range, operator, part(one.x, one.measure), factor)?;
-            let y = self.combine(range, operator, part(one.y, one.measure), factor)?;
+            let x = self.combine(range, operator, part(one.x, one.measure), (factor, right.0.range))?;
+            let y = self.combine(range, operator, part(one.y, one.measure), (factor, right.0.range))?;
             return Some(Value::Vector(Vector { x: x.expr, y: y.expr, measure: x.measure }));
         }
         let noun = right.1.noun();
@@ -325,8 +414,8 @@ impl Elaborator<'_> {
         }
         let parts = |vector: Vector| [vector.x, vector.y].map(|expr| Scalar { expr, measure: vector.measure });
         let ([x1, y1], [x2, y2]) = (parts(one), parts(two));
-        let x = self.combine(range, operator, x1, x2)?;
-        let y = self.combine(range, operator, y1, y2)?;
+        let x = self.combine(range, operator, x1, (x2, right.0.range))?;
+        let y = self.combine(range, operator, y1, (y2, right.0.range))?;
         Some(Value::Vector(Vector { x: x.expr, y: y.expr, measure: x.measure }))
     }
 
@@ -337,18 +426,24 @@ impl Elaborator<'_> {
         if !two.measure.fits(Dim::NUMBER) {
             return self.refuse(exponent.range, Fact::WrongDimension { wanted: Dim::NUMBER, found: two.measure.settled() });
         }
-        let sixths = self.arena.as_constant(two.expr).and_then(|value| value.checked_mul(Exact::integer(6))).map(Exact::to_f64);
-        let sixths = sixths.filter(|value| value.fract() == 0.0 && value.abs() <= 1200.0).map(|value| value as i16);
-        let Some(measure) = sixths.map_or((one.measure.settled() == Dim::NUMBER).then_some(one.measure), |n| one.measure.power(n)) else {
+        let constant = self.arena.as_constant(two.expr).map(Exact::to_f64);
+        let whole_multiple_of = |unit: f64| constant.map(|value| value * unit).filter(|value| value.fract() == 0.0);
+        let sixths = whole_multiple_of(6.0).filter(|value| value.abs() <= f64::from(i16::MAX)).map(|value| value as i16);
+        let measure = match one.measure {
+            Measure::Of(base) if base != Dim::NUMBER => sixths.and_then(|sixths| one.measure.power(sixths)),
+            plain => Some(plain),
+        };
+        let Some(measure) = measure else {
             return self.refuse(range, Fact::PowerOfDimension { base: one.measure.settled() });
         };
-        let expr = match sixths {
-            Some(sixths) if sixths % 6 == 0 => self.arena.power(one.expr, i32::from(sixths / 6)),
-            Some(sixths) if sixths % 3 == 0 => {
+        let halves = whole_multiple_of(2.0).filter(|value| value.abs() <= f64::from(i32::MAX)).map(|value| value as i32);
+        let expr = match halves {
+            Some(halves) if halves % 2 == 0 => self.arena.power(one.expr, halves / 2),
+            Some(halves) => {
                 let root = self.arena.sqrt(one.expr);
-                self.arena.power(root, i32::from(sixths / 3))
+                self.arena.power(root, halves)
             }
-            _ => {
+            None => {
                 let logarithm = self.arena.unary(crate::expr::Unary::Ln, one.expr);
                 let product = self.arena.mul(two.expr, logarithm);
                 self.arena.unary(crate::expr::Unary::Exp, product)
@@ -411,4 +506,13 @@ impl Elaborator<'_> {
     pub(super) fn is_fixed(&self, expr: Expr) -> bool {
         self.arena.leaves(expr).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)))
     }
+}
+
+fn unknown_field(value: &Value, name: String) -> Fact {
+    let known: &[&str] = match value {
+        Value::Point(_) | Value::Axis(_) => &["x", "y", "body"],
+        Value::Vector(_) => &["x", "y"],
+        _ => &[],
+    };
+    Fact::UnknownField { owner: value.noun().to_owned(), name, near: None, known: known.iter().map(|known| (*known).to_owned()).collect() }
 }

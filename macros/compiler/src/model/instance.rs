@@ -1,22 +1,27 @@
 //! Joints: a definition with its parameters bound to arguments, or equations written inline.
 
 use super::dimension::{Dim, Measure};
-use super::elaborate::{Elaborator, Scope};
+use super::elaborate::{Blame, Elaborator, Scope, Timeless};
 use super::suggest::nearest;
 use super::value::{Fixed, FrameId, Function, Scalar, Value};
 use super::{Parameter, Requirement};
 use crate::diag::{Fact, Range};
-use crate::expr::{Values, evaluate};
+use crate::expr::{Leaf, Values, evaluate};
 use crate::library;
 use crate::syntax::ast::{self, Argument, Definition, Formal, JointBody, Kind, Relation, Statement};
 use proc_macro2::Ident;
 use std::rc::Rc;
 
-const JOINT: &str = "a joint; only a `drive` may contain `t`";
+/// One scalar equation: left minus right side, and what to blame for it.
+#[derive(Clone, Copy)]
+pub(super) struct Row {
+    pub(super) residual: Scalar,
+    pub(super) range: Range,
+}
 
 impl Elaborator<'_> {
     /// The scalar equations of a joint.
-    pub(super) fn joint_residuals(&mut self, joint: &ast::Joint) -> Option<Vec<Scalar>> {
+    pub(super) fn joint_rows(&mut self, joint: &ast::Joint) -> Option<Vec<Row>> {
         let shared = Rc::new(joint.clone());
         match &joint.body {
             JointBody::Equations(statements) => {
@@ -27,16 +32,27 @@ impl Elaborator<'_> {
                 let arguments = self.joint_arguments(&shared)?;
                 let definition = self.definition(kind)?;
                 let scope = Scope { bound: arguments.to_vec(), ..Scope::default() };
-                let outer = self.blame.replace((kind.into(), definition.name.to_string()));
-                let residuals = self.statements(&definition.statements, scope, joint, &places(&definition, given));
+                let outer = self.blame.replace(self.blame_for(&definition, kind, &arguments));
+                let rows = self.statements(&definition.statements, scope, joint, &places(&definition, given));
                 self.blame = outer;
-                residuals
+                rows
             }
         }
     }
 
+    fn blame_for(&self, definition: &Definition, kind: &Ident, arguments: &[(String, Value)]) -> Blame {
+        let is_open = |name: &String| definition.parameters.iter().any(|formal| formal.name == *name && matches!(formal.kind, Kind::Quantity));
+        let quantity = |(name, value): &(String, Value)| match value {
+            Value::Scalar(scalar) if is_open(name) => Some((name.clone(), scalar.measure.settled())),
+            _ => None,
+        };
+        let quantities = arguments.iter().filter_map(quantity).collect();
+        Blame { place: kind.into(), definition: format!("`{}`", definition.name), quantities }
+    }
+
     fn joint_scope(&self, joint: &ast::Joint) -> Scope {
-        if joint.is_drive { Scope::mechanism() } else { Scope::mechanism().timeless(JOINT) }
+        let timeless = (!joint.is_drive).then(|| Timeless::Joint(joint.name.to_string()));
+        Scope { timeless, ..Scope::mechanism() }
     }
 
     /// The arguments of a joint by the names of its definition; none for equations.
@@ -45,6 +61,18 @@ impl Elaborator<'_> {
         let definition = self.definition(kind)?;
         let scope = self.joint_scope(joint);
         self.bind(&definition, kind, arguments, &scope)
+    }
+
+    /// The first argument of a joint that depends on time.
+    pub(super) fn time_dependent_argument(&self, joint: &ast::Joint) -> Option<Range> {
+        let JointBody::Of { kind, arguments } = &joint.body else { return None };
+        let definition = self.names.definitions.get(&kind.to_string()).cloned().or_else(|| library::find(&kind.to_string()))?;
+        let bound = self.names.arguments_of(&joint.name)?;
+        let is_time_dependent = |name: &String| {
+            let value = bound.iter().find(|(known, _)| known == name).map(|(_, value)| value);
+            matches!(value, Some(Value::Scalar(scalar)) if self.arena.leaves(scalar.expr).contains(&Leaf::Time))
+        };
+        places(&definition, arguments).into_iter().find(|(name, _)| is_time_dependent(name)).map(|(_, range)| range)
     }
 
     fn definition(&mut self, kind: &Ident) -> Option<Rc<Definition>> {
@@ -62,39 +90,10 @@ impl Elaborator<'_> {
 
     /// Binds every parameter of a definition, or says which argument is to blame.
     fn bind(&mut self, definition: &Definition, kind: &Ident, given: &[Argument], scope: &Scope) -> Option<Vec<(String, Value)>> {
-        let wanted = &definition.parameters;
-        let signature = signature(definition);
-        let mut slots: Vec<Option<&ast::Expr>> = vec![None; wanted.len()];
-        let mut named_before = false;
-        for (position, argument) in given.iter().enumerate() {
-            let slot = match &argument.name {
-                None if named_before => return self.refuse(argument.value.range, Fact::PositionalAfterNamed),
-                None if position >= wanted.len() => {
-                    return self.refuse(argument.value.range, Fact::TooManyArguments { signature, wanted: wanted.len(), found: given.len() });
-                }
-                None => position,
-                Some(name) => {
-                    named_before = true;
-                    let Some(slot) = wanted.iter().position(|formal| formal.name == *name) else {
-                        let names: Vec<String> = wanted.iter().map(|formal| formal.name.to_string()).collect();
-                        let near = nearest(&name.to_string(), names.iter().map(String::as_str));
-                        return self.refuse(name, Fact::UnknownArgument { name: name.to_string(), signature, near });
-                    };
-                    slot
-                }
-            };
-            if slots[slot].replace(&argument.value).is_some() {
-                let blamed = argument.name.as_ref().map_or(argument.value.range, Range::from);
-                return self.refuse(blamed, Fact::DuplicateArgument { name: wanted[slot].name.to_string() });
-            }
-        }
-        if let Some(missing) = wanted.iter().zip(&slots).position(|(formal, slot)| slot.is_none() && formal.default.is_none()) {
-            let name = wanted[missing].name.to_string();
-            return self.refuse(kind, Fact::MissingArgument { name, signature, found: given.len() });
-        }
+        let slots = self.slots(definition, kind, given)?;
         let mut bound: Vec<(String, Value)> = Vec::new();
         let mut complete = true;
-        for (formal, slot) in wanted.iter().zip(slots) {
+        for (formal, slot) in definition.parameters.iter().zip(slots) {
             let value = match (slot, &formal.default) {
                 (Some(argument), _) => self.argument(definition, formal, argument, scope),
                 // A default stands in the definition and sees the parameters before it.
@@ -110,13 +109,45 @@ impl Elaborator<'_> {
         complete.then_some(bound)
     }
 
+    /// What was written for each parameter of a definition, if anything.
+    fn slots<'a>(&mut self, definition: &Definition, kind: &Ident, given: &'a [Argument]) -> Option<Vec<Option<&'a ast::Expr>>> {
+        let wanted = &definition.parameters;
+        let mut slots: Vec<Option<&ast::Expr>> = vec![None; wanted.len()];
+        let mut named_before = false;
+        for (position, argument) in given.iter().enumerate() {
+            let slot = match &argument.name {
+                None if named_before => return self.refuse(argument.value.range, Fact::PositionalAfterNamed),
+                None if position >= wanted.len() => return self.refuse(argument.value.range, too_many(definition, given.len())),
+                None => position,
+                Some(name) => {
+                    named_before = true;
+                    match wanted.iter().position(|formal| formal.name == *name) {
+                        Some(slot) => slot,
+                        None => return self.refuse(name, unknown_argument(definition, name)),
+                    }
+                }
+            };
+            if slots[slot].replace(&argument.value).is_some() {
+                let blamed = argument.name.as_ref().map_or(argument.value.range, Range::from);
+                return self.refuse(blamed, Fact::DuplicateArgument { name: wanted[slot].name.to_string() });
+            }
+        }
+        let missing = wanted.iter().zip(&slots).filter(|(formal, slot)| slot.is_none() && formal.default.is_none());
+        let missing: Vec<String> = missing.map(|(formal, _)| formal.name.to_string()).collect();
+        if missing.is_empty() { Some(slots) } else { self.refuse(kind, too_few(definition, given.len(), missing)) }
+    }
+
     /// One argument, of the kind its parameter takes.
     fn argument(&mut self, definition: &Definition, formal: &Formal, argument: &ast::Expr, scope: &Scope) -> Option<Value> {
         let value = self.value(argument, scope)?;
-        let found = value.noun();
+        let found = match &value {
+            Value::Joint { kind, .. } => format!("a `{kind}` joint"),
+            other => other.noun().to_owned(),
+        };
+        let instead = self.instead(&formal.kind, argument, &value);
         let wrong = |this: &mut Self, wanted: String| {
-            let fact = Fact::WrongArgument { parameter: formal.name.to_string(), definition: definition.name.to_string(), wanted, found };
-            this.refuse(argument.range, fact)
+            let (parameter, definition) = (formal.name.to_string(), definition.name.to_string());
+            this.refuse(argument.range, Fact::WrongArgument { parameter, definition, wanted, found: found.clone(), instead: instead.clone() })
         };
         match (&formal.kind, value) {
             (Kind::Point, value @ Value::Point(_)) | (Kind::Axis, value @ Value::Axis(_)) | (Kind::Body, value @ Value::Body(_)) => Some(value),
@@ -160,6 +191,18 @@ impl Elaborator<'_> {
         }
     }
 
+    /// What might have been meant by an argument of another kind.
+    fn instead(&self, wanted: &Kind, argument: &ast::Expr, found: &Value) -> Option<String> {
+        match (wanted, found, &argument.kind) {
+            (Kind::Point, Value::Body(frame), ast::ExprKind::Path(path)) => {
+                Some(format!("{}.{}", path.last, self.names.a_point_of(*frame).unwrap_or("position")))
+            }
+            (Kind::Body, Value::Point(point), _) => Some(self.names.frames[point.frame.0].name.clone()),
+            (Kind::Axis, Value::Body(_) | Value::Point(_), _) => Some("(1, 0)".to_owned()),
+            _ => None,
+        }
+    }
+
     fn function_argument(&mut self, range: Range, function: Function, from: Dim, to: Dim) -> Option<Function> {
         let (takes, gives) = match &function {
             Function::Written(written) => (Measure::Of(self.dimension(&written.from)?), Measure::Of(self.dimension(&written.to)?)),
@@ -179,8 +222,10 @@ impl Elaborator<'_> {
     }
 
     /// The residuals of a list of statements.
-    pub(super) fn statements(&mut self, statements: &[Statement], mut scope: Scope, joint: &ast::Joint, places: &[(String, Range)]) -> Option<Vec<Scalar>> {
-        let mut residuals = Vec::new();
+    pub(super) fn statements(&mut self, statements: &[Statement], mut scope: Scope, joint: &ast::Joint, places: &[(String, Range)]) -> Option<Vec<Row>> {
+        let mut rows: Vec<Row> = Vec::new();
+        let of = statements.iter().filter(|statement| matches!(statement, Statement::Equation(..))).count();
+        let mut number = 0;
         let mut complete = true;
         for statement in statements {
             match statement {
@@ -188,10 +233,16 @@ impl Elaborator<'_> {
                     let value = self.binding(binding, &scope)?;
                     scope.bound.push((binding.name.to_string(), value));
                 }
-                Statement::Equation(lhs, rhs) => match self.residuals(lhs, rhs, &scope) {
-                    Some(rows) => residuals.extend(rows),
-                    None => complete = false,
-                },
+                Statement::Equation(lhs, rhs) => {
+                    number += 1;
+                    match self.numbered(number, of, |this| this.residuals(lhs, rhs, &scope)) {
+                        Some(residuals) => {
+                            let range = self.blame.as_ref().map_or(lhs.range.to(rhs.range), |blame| blame.place);
+                            rows.extend(residuals.into_iter().map(|residual| Row { residual, range }));
+                        }
+                        None => complete = false,
+                    }
+                }
                 Statement::Require(requirement) => complete &= self.requirement(requirement, &scope, joint, places).is_some(),
             }
             // Inside an instance one error is enough: the next would blame the same token.
@@ -199,10 +250,21 @@ impl Elaborator<'_> {
                 return None;
             }
         }
-        if complete && residuals.is_empty() {
+        if complete && rows.is_empty() {
             return self.refuse(&joint.name, Fact::NoEquations { name: joint.name.to_string() });
         }
-        complete.then_some(residuals)
+        complete.then_some(rows)
+    }
+
+    /// Inside a definition that is being instantiated, names the equation in what is refused.
+    fn numbered<T>(&mut self, number: usize, of: usize, read: impl FnOnce(&mut Self) -> T) -> T {
+        let outer = self.blame.clone();
+        if let (Some(Blame { definition, .. }), true) = (&mut self.blame, of > 1) {
+            *definition = format!("equation {number} of {definition}");
+        }
+        let value = read(self);
+        self.blame = outer;
+        value
     }
 
     /// A condition: on bodies it is decided here, on numbers it is kept until defaults are known.
@@ -223,7 +285,7 @@ impl Elaborator<'_> {
             return self.refuse_at(place, range, Fact::RequirementFails { why: requirement.why.clone() });
         }
         let (Value::Scalar(one), Value::Scalar(two)) = (&left, &right) else {
-            return self.refuse(range, Fact::CannotEquate { one: left.noun(), two: right.noun() });
+            return self.refuse(range, Fact::CannotCompare { one: left.noun(), two: right.noun() });
         };
         if one.measure.common(two.measure).is_none() {
             return self.refuse(range, Fact::Unlike { action: "compare", one: one.measure.settled(), two: two.measure.settled() });
@@ -245,20 +307,14 @@ impl Elaborator<'_> {
         }
         let (joint, why) = (joint.name.to_string(), requirement.why.clone());
         self.requirements.push(Requirement { lhs, relation: requirement.relation, rhs, joint, why });
-        self.requirement_places.push(place.or(self.blame.as_ref().map(|blame| blame.0)).unwrap_or(range));
+        self.requirement_places.push(place.or(self.blame.as_ref().map(|blame| blame.place)).unwrap_or(range));
         Some(())
     }
 
     /// Refuses at an argument if one is to blame.
     fn refuse_at<T>(&mut self, place: Option<Range>, range: Range, fact: Fact) -> Option<T> {
-        match (place, &self.blame) {
-            (Some(place), _) => self.diag.refuse(place, fact),
-            (None, Some((kind, _))) => {
-                let kind = *kind;
-                self.diag.refuse(kind, fact)
-            }
-            (None, None) => self.diag.refuse(range, fact),
-        }
+        let place = place.or(self.blame.as_ref().map(|blame| blame.place));
+        self.diag.refuse(place.unwrap_or(range), fact)
     }
 
     /// Conditions on parameters must hold at the declared defaults.
@@ -280,7 +336,7 @@ impl Elaborator<'_> {
     }
 
     /// The values of expressions of parameters alone.
-    fn numbers(&self, parameters: &[f64], roots: &[crate::expr::Expr]) -> Vec<f64> {
+    pub(super) fn numbers(&self, parameters: &[f64], roots: &[crate::expr::Expr]) -> Vec<f64> {
         let functions = |number: u32, x: f64| match self.functions.get(number as usize) {
             Some(super::Function::Table(table)) => table.evaluate(x),
             _ => [f64::NAN; 3],
@@ -303,6 +359,27 @@ fn holds(relation: Relation, lhs: f64, rhs: f64) -> bool {
         Relation::Equal => lhs == rhs,
         Relation::Different => lhs != rhs,
     }
+}
+
+fn too_many(definition: &Definition, found: usize) -> Fact {
+    Fact::TooManyArguments { definition: definition.name.to_string(), signature: signature(definition), takes: takes(definition), found }
+}
+
+fn too_few(definition: &Definition, found: usize, missing: Vec<String>) -> Fact {
+    let (name, signature) = (definition.name.to_string(), signature(definition));
+    Fact::MissingArguments { definition: name, signature, takes: takes(definition), found, missing }
+}
+
+/// How many arguments a definition takes, at least and at most.
+fn takes(definition: &Definition) -> [usize; 2] {
+    let required = definition.parameters.iter().filter(|formal| formal.default.is_none()).count();
+    [required, definition.parameters.len()]
+}
+
+fn unknown_argument(definition: &Definition, name: &Ident) -> Fact {
+    let names: Vec<String> = definition.parameters.iter().map(|formal| formal.name.to_string()).collect();
+    let near = nearest(&name.to_string(), names.iter().map(String::as_str));
+    Fact::UnknownArgument { definition: definition.name.to_string(), name: name.to_string(), signature: signature(definition), near }
 }
 
 /// Where the argument for each parameter was written.
@@ -350,7 +427,7 @@ fn dimension_name(dimension: &ast::Dimension) -> String {
     text
 }
 
-fn noun(kind: &Kind) -> String {
+pub(super) fn noun(kind: &Kind) -> String {
     match kind {
         Kind::Point => "a point".into(),
         Kind::Axis => "an axis".into(),

@@ -24,7 +24,7 @@ use crate::expr::{Arena, Expr};
 use crate::syntax::ast::{Docs, Relation};
 use proc_macro2::{Ident, TokenStream};
 
-pub(crate) use definition::check as check_definition;
+pub(crate) use definition::{check as check_definition, check_names};
 pub(crate) use resolve::{is_generated, resolve};
 
 /// A mechanism in which nothing is only a name any more.

@@ -3,22 +3,23 @@
 use super::builtin::BUILTINS;
 use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
+use super::instance::Row;
 use super::suggest::nearest;
 use super::value::{Arguments, Fixed, FrameId, Function, Scalar, Value};
 use super::{Body, Coordinate, Joint, Model, Output, Parameter, Residual};
 use crate::diag::{Diag, Fact};
-use crate::expr::{Arena, Expr, Leaf};
+use crate::expr::{Expr, Leaf};
 use crate::syntax::ast::{self, Definition, Item};
 use proc_macro2::Ident;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// Names that expressions give a meaning of their own.
-const RESERVED: &[&str] = &["t", "pi", "ground"];
+pub(super) const RESERVED: &[&str] = &["t", "pi", "ground"];
 
 /// Names of generated functions, which an output may not have.
 const GENERATED: &[&str] = &[
-    "phi", "jacobian", "jacobian_entries", "nu", "gamma", "linearize", "solve", "solve_near", "solve_from", "sweep", "start", "validate",
+    "phi", "jacobian", "jacobian_entries", "nu", "gamma", "linearize", "solve", "solve_near", "solve_from", "advance", "sweep", "start", "validate",
     "characteristic_length", "with_defaults", "cast", "clone", "default", "state",
 ];
 
@@ -71,8 +72,11 @@ pub(crate) struct Names {
     pub(super) open_functions: Vec<String>,
     /// A definition is checked on its own, with bodies and numbers nothing is known of.
     is_abstract: bool,
-    entities: BTreeMap<String, Entity>,
+    /// Everything declared, and what it is in words.
+    entities: BTreeMap<String, (Entity, &'static str)>,
     order: Vec<String>,
+    /// Names that `use` items brought in.
+    used: Vec<String>,
 }
 
 impl Names {
@@ -100,9 +104,41 @@ impl Names {
         self.order.clone()
     }
 
+    /// `body.name` for a point or an axis of this name.
+    pub(super) fn mark_called(&self, name: &Ident) -> Option<String> {
+        let owner = self.frames.iter().find(|frame| frame.marks.contains_key(&name.to_string()))?;
+        Some(format!("{}.{name}", owner.name))
+    }
+
+    /// The name of a joint stands for a joint, not for another item declared before it.
+    fn is_declared_as(&self, joint: &ast::Joint) -> bool {
+        matches!(self.entities.get(&joint.name.to_string()), Some((Entity::Joint(declared, _), _)) if declared.is_drive == joint.is_drive)
+    }
+
+    /// What a joint was made with, once that is known.
+    pub(super) fn arguments_of(&self, joint: &Ident) -> Option<Arguments> {
+        match self.entities.get(&joint.to_string()) {
+            Some((Entity::Joint(_, Progress::Done(arguments)), _)) => Some(arguments.clone()),
+            _ => None,
+        }
+    }
+
+    /// The first point of a frame.
+    pub(super) fn a_point_of(&self, frame: FrameId) -> Option<&str> {
+        let frame = &self.frames[frame.0];
+        frame.order.iter().map(String::as_str).find(|name| frame.marks.get(*name).is_some_and(|mark| !mark.written.is_axis))
+    }
+
+    /// Notes how far an item has been resolved.
+    fn set(&mut self, name: String, entity: Entity) {
+        if let Some(known) = self.entities.get_mut(&name) {
+            known.0 = entity;
+        }
+    }
+
     /// The names of declared functions, in order.
     pub(super) fn functions(&self) -> Vec<String> {
-        let is_function = |name: &&String| matches!(self.entities.get(*name), Some(Entity::Function(_)));
+        let is_function = |name: &&String| matches!(self.entities.get(*name), Some((Entity::Function(_), _)));
         self.order.iter().filter(is_function).cloned().collect()
     }
 }
@@ -110,19 +146,12 @@ impl Names {
 /// Resolves a whole mechanism; `definitions` are those its `use` items brought in.
 pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definition)>, diag: &mut Diag) -> Option<Model> {
     let definitions = definitions.into_iter().map(|(name, definition)| (name, Rc::new(definition))).collect();
-    let mut work = Elaborator {
-        arena: Arena::new(),
-        diag,
-        names: Names { definitions, ..Names::new() },
-        functions: Vec::new(),
-        requirements: Vec::new(),
-        requirement_places: Vec::new(),
-        blame: None,
-    };
-    let parameters = work.register(tree);
+    let mut work = Elaborator::new(diag, Names { definitions, ..Names::new() });
+    work.register(tree);
+    let parameters = work.parameters(tree);
+    work.lets_and_functions(tree);
     let bodies = work.bodies(tree);
     let lengths = work.marks();
-    work.unused_items(tree);
     let joints = work.joints(tree);
     let outputs = work.outputs(tree);
     work.requirements_hold(&parameters);
@@ -145,59 +174,85 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
 }
 
 impl Elaborator<'_> {
-    /// Gives every item its name; parameters get their defaults.
-    fn register(&mut self, tree: &ast::Mechanism) -> Vec<Parameter> {
-        let mut parameters = Vec::new();
+    /// Gives every item its name.
+    fn register(&mut self, tree: &ast::Mechanism) {
+        let mut parameters = 0;
         let mut has_ground = false;
         for item in &tree.items {
             match item {
                 Item::Parameter(parameter) => {
-                    let value = self.parameter(parameter, parameters.len() as u32);
-                    self.declare(&parameter.name, Entity::Value(value.as_ref().map(|value| Value::Scalar(value.0))));
-                    parameters.extend(value.map(|value| value.1));
+                    let leaf = self.arena.leaf(Leaf::Parameter(parameters));
+                    parameters += 1;
+                    let dim = self.dimension(&parameter.dimension);
+                    let value = dim.map(|dim| Value::Scalar(Scalar { expr: leaf, measure: Measure::Of(dim) }));
+                    self.declare(&parameter.name, Entity::Value(value), "a parameter");
                 }
-                Item::Let(binding) => self.declare(&binding.name, Entity::Let(Rc::new(binding.clone()), Progress::Untouched)),
-                Item::Function(function) => self.declare(&function.name, Entity::Function(Rc::new(function.clone()))),
+                Item::Let(binding) => self.declare(&binding.name, Entity::Let(Rc::new(binding.clone()), Progress::Untouched), "a `let`"),
+                Item::Function(function) => self.declare(&function.name, Entity::Function(Rc::new(function.clone())), "a function"),
                 Item::Ground(frame) => {
                     if std::mem::replace(&mut has_ground, true) {
-                        self.diag.refuse::<()>(&frame.name, Fact::Duplicate { name: "ground".into() });
+                        self.diag.refuse::<()>(&frame.name, Fact::DuplicateGround);
                     }
                     self.fill(FrameId::GROUND, frame);
                 }
                 Item::Body(frame) => {
                     let id = self.new_frame(&frame.name.to_string());
-                    self.declare(&frame.name, Entity::Value(Some(Value::Body(id))));
+                    self.declare(&frame.name, Entity::Value(Some(Value::Body(id))), "a body");
                     self.fill(id, frame);
                 }
-                Item::Joint(joint) => self.declare(&joint.name, Entity::Joint(Rc::new(joint.clone()), Progress::Untouched)),
-                Item::Use(_) | Item::Output(_) | Item::Refused(_) => {}
+                Item::Joint(joint) => {
+                    let what = if joint.is_drive { "a drive" } else { "a joint" };
+                    self.declare(&joint.name, Entity::Joint(Rc::new(joint.clone()), Progress::Untouched), what);
+                }
+                Item::Use(uses) => self.names_are_new(uses),
+                Item::Output(_) | Item::Refused(_) => {}
             }
         }
-        parameters
     }
 
-    fn declare(&mut self, name: &Ident, entity: Entity) {
+    fn declare(&mut self, name: &Ident, entity: Entity, what: &'static str) {
         let word = name.to_string();
         if RESERVED.contains(&word.as_str()) || BUILTINS.contains(&word.as_str()) {
             self.diag.refuse::<()>(name, Fact::Reserved { name: word });
-        } else if self.names.entities.contains_key(&word) {
-            self.diag.refuse::<()>(name, Fact::Duplicate { name: word });
+        } else if let Some((_, first)) = self.names.entities.get(&word) {
+            self.diag.refuse::<()>(name, Fact::Duplicate { name: word, first });
         } else {
             self.names.order.push(word.clone());
-            self.names.entities.insert(word, entity);
+            self.names.entities.insert(word, (entity, what));
         }
     }
 
-    fn parameter(&mut self, parameter: &ast::Parameter, number: u32) -> Option<(Scalar, Parameter)> {
-        let dim = self.dimension(&parameter.dimension)?;
-        // A default may be computed from literals, not from anything declared.
-        let default = self.scalar_of(&parameter.default, dim, &Scope::default())?.expr;
-        if !self.arena.leaves(default).is_empty() {
-            return self.refuse(parameter.default.range, Fact::NotConstant { place: "the default of a parameter" });
+    /// No two `use` items bring in the same name.
+    fn names_are_new(&mut self, uses: &[ast::Use]) {
+        for used in uses {
+            let name = used.name.to_string();
+            if self.names.used.contains(&name) {
+                self.diag.refuse::<()>(&used.name, Fact::Duplicate { name, first: "another `use`" });
+            } else {
+                self.names.used.push(name);
+            }
         }
-        let leaf = self.arena.leaf(Leaf::Parameter(number));
-        let scalar = Scalar { expr: leaf, measure: Measure::Of(dim) };
-        Some((scalar, Parameter { docs: parameter.docs.clone(), name: parameter.name.clone(), dim, default }))
+    }
+
+    /// The fields of the generated struct.
+    fn parameters(&mut self, tree: &ast::Mechanism) -> Vec<Parameter> {
+        let parameters = tree.items.iter().filter_map(|item| if let Item::Parameter(parameter) = item { Some(parameter) } else { None });
+        parameters.filter_map(|parameter| self.parameter(parameter)).collect()
+    }
+
+    fn parameter(&mut self, parameter: &ast::Parameter) -> Option<Parameter> {
+        // An unknown dimension has been refused by `register`.
+        let dim = Dim::of(&parameter.dimension)?;
+        let scope = Scope::mechanism().timeless("the default of a parameter");
+        let default = self.scalar_of(&parameter.default, dim, &scope)?.expr;
+        if !self.arena.leaves(default).is_empty() {
+            let help = "a quantity that follows from others is declared with `let`";
+            return self.refuse(parameter.default.range, Fact::NotConstant { place: "the default of a parameter", help });
+        }
+        if !self.numbers(&[], &[default])[0].is_finite() {
+            return self.refuse(parameter.default.range, Fact::NotFinite { place: "the default" });
+        }
+        Some(Parameter { docs: parameter.docs.clone(), name: parameter.name.clone(), dim, default })
     }
 
     /// A frame with three fresh coordinates.
@@ -217,7 +272,8 @@ impl Elaborator<'_> {
             }
             let names = &mut self.names.frames[id.0];
             if names.marks.contains_key(&word) {
-                self.diag.refuse::<()>(&mark.name, Fact::Duplicate { name: word });
+                let body = names.name.clone();
+                self.diag.refuse::<()>(&mark.name, Fact::DuplicateMark { name: word, body });
                 continue;
             }
             names.order.push(word.clone());
@@ -227,22 +283,18 @@ impl Elaborator<'_> {
 
     /// The dimension behind its names.
     pub(super) fn dimension(&mut self, written: &ast::Dimension) -> Option<Dim> {
-        let mut dim = Dim::NUMBER;
-        for (name, exponent) in &written.factors {
-            let word = name.to_string();
-            let Some(factor) = Dim::named(&word).and_then(|factor| factor.power(6 * exponent)) else {
-                let near = nearest(&word, Dim::names());
-                return self.refuse(name, Fact::UnknownDimension { name: word, near });
-            };
-            dim = dim.times(factor);
+        if let Some((unknown, _)) = written.factors.iter().find(|(name, _)| Dim::named(&name.to_string()).is_none()) {
+            let name = unknown.to_string();
+            let near = nearest(&name, Dim::names());
+            return self.refuse(unknown, Fact::UnknownDimension { name, near });
         }
-        Some(dim)
+        Dim::of(written)
     }
 
     /// The value of a declared name.
     pub(super) fn declared(&mut self, name: &Ident) -> Option<Value> {
         let word = name.to_string();
-        match self.names.entities.get(&word)?.clone() {
+        match self.names.entities.get(&word)?.0.clone() {
             Entity::Value(value) => value,
             Entity::Function(function) => {
                 // A signature over a Rust path gives the function its dimensions.
@@ -255,10 +307,10 @@ impl Elaborator<'_> {
             Entity::Let(_, Progress::Done(value)) => Some(value),
             Entity::Let(_, Progress::Failed) | Entity::Joint(_, Progress::Failed) => None,
             Entity::Let(binding, Progress::Untouched) => {
-                self.names.entities.insert(word.clone(), Entity::Let(binding.clone(), Progress::Open));
+                self.names.set(word.clone(), Entity::Let(binding.clone(), Progress::Open));
                 let value = self.binding(&binding, &Scope::mechanism());
                 let progress = value.clone().map_or(Progress::Failed, Progress::Done);
-                self.names.entities.insert(word, Entity::Let(binding, progress));
+                self.names.set(word, Entity::Let(binding, progress));
                 value
             }
             Entity::Joint(joint, progress) => {
@@ -280,14 +332,14 @@ impl Elaborator<'_> {
     pub(super) fn joint_arguments(&mut self, joint: &Rc<ast::Joint>) -> Option<Arguments> {
         let word = joint.name.to_string();
         match self.names.entities.get(&word) {
-            Some(Entity::Joint(_, Progress::Done(arguments))) => return Some(arguments.clone()),
-            Some(Entity::Joint(_, Progress::Failed)) => return None,
+            Some((Entity::Joint(_, Progress::Done(arguments)), _)) => return Some(arguments.clone()),
+            Some((Entity::Joint(_, Progress::Failed), _)) => return None,
             _ => {}
         }
-        self.names.entities.insert(word.clone(), Entity::Joint(joint.clone(), Progress::Open));
+        self.names.set(word.clone(), Entity::Joint(joint.clone(), Progress::Open));
         let arguments = self.bind_joint(joint).map(Rc::new);
         let progress = arguments.clone().map_or(Progress::Failed, Progress::Done);
-        self.names.entities.insert(word, Entity::Joint(joint.clone(), progress));
+        self.names.set(word, Entity::Joint(joint.clone(), progress));
         arguments
     }
 
@@ -387,7 +439,7 @@ impl Elaborator<'_> {
                 if !self.is_fixed(expr) {
                     self.refuse::<()>(start.value.range, Fact::NotFixed { place: "a start value" });
                 } else if starts[which].replace(expr).is_some() {
-                    self.refuse::<()>(&start.what, Fact::Duplicate { name: word.clone() });
+                    self.refuse::<()>(&start.what, Fact::DuplicateStart { name: word.clone(), body: frame.name.to_string() });
                     break;
                 }
             }
@@ -410,8 +462,9 @@ impl Elaborator<'_> {
         lengths
     }
 
-    /// Resolves `let`s and functions that nothing uses, so that a mistake in them is found too.
-    fn unused_items(&mut self, tree: &ast::Mechanism) {
+    /// Resolves `let`s and functions in the order written: whether anything uses them or not, a
+    /// mistake in them is found.
+    fn lets_and_functions(&mut self, tree: &ast::Mechanism) {
         for item in &tree.items {
             match item {
                 Item::Let(binding) if self.names.is_known(&binding.name) => {
@@ -445,27 +498,34 @@ impl Elaborator<'_> {
         let mut joints = Vec::new();
         for item in &tree.items {
             let Item::Joint(joint) = item else { continue };
-            let Some(residuals) = self.joint_residuals(joint) else { continue };
+            if !self.names.is_declared_as(joint) || joints.iter().any(|known: &Joint| known.name == joint.name) {
+                // The name belongs to another item; that has been refused.
+                continue;
+            }
+            let Some(rows) = self.joint_rows(joint) else { continue };
             let kind = match &joint.body {
                 ast::JointBody::Of { kind, .. } => kind.to_string(),
                 ast::JointBody::Equations(_) => "equation".to_owned(),
             };
-            let of = residuals.len();
-            for (row, residual) in residuals.iter().enumerate() {
-                let leaves = self.arena.leaves(residual.expr);
-                if !leaves.iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_))) {
-                    self.diag.refuse::<()>(&joint.name, Fact::RowOfNothing { joint: joint.name.to_string(), row: row + 1, of });
-                    break;
-                }
-                if !joint.is_drive && leaves.contains(&Leaf::Time) {
-                    self.diag.refuse::<()>(&joint.name, Fact::TimeInJoint { joint: joint.name.to_string() });
-                    break;
-                }
-            }
-            let residuals = residuals.into_iter().map(|scalar| Residual { expr: scalar.expr, dim: scalar.measure.settled() }).collect();
+            self.rows_are_sound(joint, &rows);
+            let residual = |row: Row| Residual { expr: row.residual.expr, dim: row.residual.measure.settled() };
+            let residuals = rows.into_iter().map(residual).collect();
             joints.push(Joint { docs: joint.docs.clone(), name: joint.name.clone(), kind, is_drive: joint.is_drive, residuals });
         }
         joints
+    }
+
+    /// Every row depends on a position, and those of a joint not on time; one refusal is enough.
+    fn rows_are_sound(&mut self, joint: &ast::Joint, rows: &[Row]) {
+        let (name, of) = (joint.name.to_string(), rows.len());
+        let leaves = |row: &Row| self.arena.leaves(row.residual.expr);
+        let is_of_nothing = |row: &Row| !leaves(row).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)));
+        if let Some(row) = rows.iter().position(is_of_nothing) {
+            self.diag.refuse::<()>(rows[row].range, Fact::RowOfNothing { joint: name, row: row + 1, of });
+        } else if let Some(row) = rows.iter().find(|row| !joint.is_drive && leaves(row).contains(&Leaf::Time)) {
+            let range = self.time_dependent_argument(joint).unwrap_or(row.range);
+            self.diag.refuse::<()>(range, Fact::TimeInJoint { joint: name });
+        }
     }
 
     fn outputs(&mut self, tree: &ast::Mechanism) -> Vec<Output> {
@@ -478,7 +538,7 @@ impl Elaborator<'_> {
                 continue;
             }
             if outputs.iter().any(|known| known.name == word) {
-                self.diag.refuse::<()>(&output.name, Fact::Duplicate { name: word });
+                self.diag.refuse::<()>(&output.name, Fact::Duplicate { name: word, first: "another output" });
                 continue;
             }
             let Some(value) = self.value(&output.value, &Scope::mechanism()) else { continue };

@@ -2,10 +2,12 @@
 
 /// The known name nearest to a mistyped one, if it is near enough to be meant.
 pub(crate) fn nearest<'a>(typed: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
-    let limit = (typed.chars().count() / 3).max(1);
-    let scored = known.map(|name| (distance(typed, name), name)).filter(|(distance, _)| *distance <= limit);
+    // Any two single letters are one replacement apart; that is no reason to mix them up.
+    let length = typed.chars().count();
+    let limit = if length < 2 { 0 } else { (length / 3).max(1) };
+    let scored = known.map(|name| ((distance(typed, name), name.chars().count().abs_diff(length)), name));
     // The order of declaration decides between equals, so that messages are the same on every run.
-    scored.min_by_key(|(distance, _)| *distance).map(|(_, name)| name.to_owned())
+    scored.filter(|((distance, _), _)| *distance <= limit).min_by_key(|(score, _)| *score).map(|(_, name)| name.to_owned())
 }
 
 /// Optimal string alignment distance: insertions, deletions, replacements, swaps of neighbours;

@@ -62,6 +62,11 @@ pub(crate) enum Value {
 }
 
 impl Value {
+    /// Sums and products can be made of it.
+    pub(crate) fn is_combinable(&self) -> bool {
+        matches!(self, Value::Scalar(_) | Value::Vector(_) | Value::Point(_) | Value::Axis(_))
+    }
+
     /// What it is, in words: `a point`.
     pub(crate) fn noun(&self) -> &'static str {
         match self {

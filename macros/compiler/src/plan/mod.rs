@@ -103,8 +103,7 @@ pub struct Cost {
 /// Schedules everything that is generated.
 pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure) -> Plan {
     let mut arena = system.arena.clone();
-    let is_solved = !model.equations_only && structure.undetermined.is_empty() && structure.superfluous.is_empty();
-    let stages = is_solved.then(|| stages::stages(&mut arena, system, structure));
+    let stages = (!model.equations_only).then(|| stages::stages(&mut arena, system, structure));
     let words = Words::new(model, system);
     let line = |results: Vec<Expr>| schedule::routine(&arena, results, &words);
     let phi: Vec<Expr> = system.equations.iter().filter_map(|equation| equation.phi).collect();

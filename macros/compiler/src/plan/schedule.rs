@@ -17,7 +17,7 @@ pub(super) fn routine(arena: &Arena, results: Vec<Expr>, words: &Words) -> Routi
         after.push(work.steps.len());
     }
     let leaves = leaves(arena, &work.needed);
-    let cost = cost(arena, &work.needed, &work.steps);
+    let cost = cost(arena, &work.needed);
     Routine { steps: work.steps, results, after, names: work.names, leaves, cost }
 }
 
@@ -224,18 +224,20 @@ fn named(arena: &Arena, needed: &[Expr], constants: &BTreeSet<Expr>, results: &[
     named
 }
 
-fn cost(arena: &Arena, needed: &[Expr], steps: &[Step]) -> Cost {
+/// The operations behind some nodes; one sine-cosine pair for each angle, one call for each argument.
+pub(super) fn cost(arena: &Arena, needed: &[Expr]) -> Cost {
     let mut cost = Cost::default();
+    let (mut angles, mut arguments) = (BTreeSet::new(), BTreeSet::new());
     for expr in needed {
-        match arena.node(*expr) {
+        match *arena.node(*expr) {
             Node::Binary(Binary::Add | Binary::Sub | Binary::Mul, ..) | Node::Unary(Unary::Neg | Unary::Abs | Unary::Sign, _) => cost.flops += 1,
             Node::Binary(Binary::Div, ..) | Node::Unary(Unary::Sqrt, _) => cost.divisions += 1,
             Node::Select { .. } => cost.flops += 2,
-            Node::Constant(_) | Node::Leaf(_) | Node::Unary(Unary::Sin | Unary::Cos, _) | Node::Call { .. } => {}
+            Node::Constant(_) | Node::Leaf(_) => {}
+            Node::Unary(Unary::Sin | Unary::Cos, angle) => cost.sines += usize::from(angles.insert(angle)),
+            Node::Call { function, argument, .. } => cost.calls += usize::from(arguments.insert((function, argument))),
             Node::Unary(..) | Node::Binary(Binary::Atan2, ..) => cost.calls += 1,
         }
     }
-    cost.sines = steps.iter().filter(|step| matches!(step, Step::SineCosine { .. })).count();
-    cost.calls += steps.iter().filter(|step| matches!(step, Step::Call { .. })).count();
     cost
 }

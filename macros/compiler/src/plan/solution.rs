@@ -1,8 +1,8 @@
 //! Stages as straight lines: what is named before a block, inside its loop, and after it.
 
-use super::schedule::Work;
+use super::schedule::{Work, cost};
 use super::stages::{Iteration, Stage};
-use super::{Step, Words};
+use super::{Cost, Step, Words};
 use crate::expr::{Arena, Expr, Leaf, Node, Unary};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -15,6 +15,8 @@ pub struct Solution {
     pub names: BTreeMap<Expr, String>,
     /// For each unknown, the names of its value, rate and acceleration.
     pub unknowns: Vec<[String; 3]>,
+    /// Operations outside of loops, once for each state.
+    pub cost: Cost,
 }
 
 /// One stage with the steps it needs.
@@ -46,6 +48,8 @@ pub struct Iterated {
     pub inside: Vec<Step>,
     /// Names of the nodes that have one in the loop.
     pub names: BTreeMap<Expr, String>,
+    /// Operations of one Newton step, without the solution of its system.
+    pub cost: Cost,
     /// What is named before the rates.
     pub rates: Vec<Step>,
     /// What is named before the accelerations.
@@ -70,7 +74,8 @@ pub(super) fn solution(arena: &Arena, stages: &[Stage], n: usize, words: &Words)
     let mut work = Work::new(arena, &roots, &hoisted, words);
     let parts = stages.iter().zip(&moving).map(|(stage, moving)| part(arena, &mut work, stage, moving, words)).collect();
     let name = |index: usize| [Leaf::Coordinate, Leaf::Velocity, Leaf::Acceleration].map(|leaf| words.leaf(leaf(index as u32)));
-    Solution { parts, names: work.names, unknowns: (0..n).map(name).collect() }
+    let cost = cost(arena, &work.needed);
+    Solution { parts, names: work.names, unknowns: (0..n).map(name).collect(), cost }
 }
 
 fn part(arena: &Arena, work: &mut Work, stage: &Stage, moving: &BTreeSet<Expr>, words: &Words) -> Part {
@@ -104,7 +109,8 @@ fn iterated(arena: &Arena, work: &mut Work, system: &Iteration, moving: &BTreeSe
     };
     let rates = serve_all(work, &system.rates);
     let accelerations = serve_all(work, &system.accelerations);
-    Iterated { before, system: system.clone(), turns, inside: inner.take(), names: inner.names, rates, accelerations }
+    let cost = cost(arena, &inner.needed);
+    Iterated { before, system: system.clone(), turns, inside: inner.take(), names: inner.names, cost, rates, accelerations }
 }
 
 /// Sine and cosine of the unknowns have the same names in the loop and after it: the loop keeps them.

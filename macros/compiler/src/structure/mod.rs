@@ -14,23 +14,23 @@
 mod components;
 mod incidence;
 mod matching;
+mod parts;
 mod tearing;
 #[cfg(test)]
 mod tests;
 
+use crate::diag::{Diag, Fact};
 use crate::model::Model;
 use crate::system::System;
 use incidence::Incidence;
+use matching::Matching;
+use std::collections::BTreeSet;
 
 /// The order of solution.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Structure {
     /// Solved one after the other.
     pub blocks: Vec<Block>,
-    /// Unknowns that no equation is left for, in a system that is not well posed.
-    pub undetermined: Vec<usize>,
-    /// Equations that are left without an unknown.
-    pub superfluous: Vec<usize>,
 }
 
 /// Unknowns that are found together.
@@ -54,10 +54,42 @@ pub struct Explicit {
 }
 
 /// Decides which unknowns are found from which equations, and in which order.
-pub(crate) fn analyze(model: &Model, system: &System) -> Structure {
+///
+/// Where only equations are wanted they need not fit the unknowns, and what does not fit is in no block.
+pub(crate) fn analyze(model: &Model, system: &System, diag: &mut Diag) -> Option<Structure> {
     let incidence = Incidence::new(model, system);
     let matching = matching::maximum(&incidence);
+    if !model.equations_only {
+        every_unknown_has_an_equation(model, system, &incidence, &matching, diag);
+    }
     let groups = components::in_order(&incidence, &matching);
     let blocks = groups.iter().map(|group| tearing::tear(&incidence, &matching, group)).collect();
-    Structure { blocks, undetermined: matching.free_unknowns(), superfluous: matching.free_equations() }
+    diag.is_clean().then_some(Structure { blocks })
+}
+
+/// There are as many equations as unknowns; in some place there may still be too many of them, and too few elsewhere.
+fn every_unknown_has_an_equation(model: &Model, system: &System, incidence: &Incidence, matching: &Matching, diag: &mut Diag) {
+    if matching.free_unknowns().is_empty() {
+        return;
+    }
+    let over = parts::overdetermined(incidence, matching);
+    let under = parts::underdetermined(incidence, matching);
+    let names = |unknowns: &BTreeSet<usize>| {
+        let name = |unknown: &usize| {
+            let unknown = &system.unknowns[*unknown];
+            format!("{}.{}", model.bodies[unknown.body].name, unknown.name)
+        };
+        unknowns.iter().map(name).collect()
+    };
+    let joints: BTreeSet<usize> = over.equations.iter().map(|equation| system.equations[*equation].joint).collect();
+    // The joint declared last is the one that was added to what stood before.
+    let Some(last) = joints.last() else { return };
+    let fact = Fact::StructurallySingular {
+        joints: joints.iter().map(|joint| model.joints[*joint].name.to_string()).collect(),
+        equations: over.equations.len(),
+        coordinates: names(&over.unknowns),
+        free: names(&under.unknowns),
+        for_free: under.equations.len(),
+    };
+    diag.refuse::<()>(&model.joints[*last].name, fact);
 }

@@ -124,6 +124,16 @@ fn gears_are_explicit_through_ratios_that_are_checked() {
 }
 
 #[test]
+fn a_joint_too_many_here_and_one_too_few_there_is_named() {
+    let declaration = FOUR_BAR.replace("joint b = revolute(coupler.B, rocker.B);", "joint b = revolute(ground.O, crank.A);");
+    let refusals = compile(declaration.parse().expect("tokens")).expect_err("a crank with two pivots");
+    assert_eq!(refusals.len(), 1);
+    let message = refusals[0].fact.to_string();
+    assert!(message.contains("`o`, `b` and `input` are together 5 equations on 3 coordinates"), "{message}");
+    assert!(message.contains("`rocker.angle`"), "{message}");
+}
+
+#[test]
 fn every_unknown_is_found_once_and_after_what_it_needs() {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     for _ in 0..500 {

@@ -40,11 +40,11 @@ pub(super) fn exported(input: ParseStream, diag: &mut Diag) -> Option<Vec<Defini
     Some(definitions)
 }
 
-/// A refused definition keeps its name, so that a `use` of it is not refused as well.
+/// A refused definition keeps its name, so that a `use` of it is not refused as well; the word
+/// before it may be the mistake.
 fn promised(input: ParseStream) -> Option<Export> {
     attributes(input).ok()?;
     let visibility = visibility(input).ok()?;
-    keyword(input).filter(is_export_word)?;
     Ident::parse_any(input).ok()?;
     let name = input.parse().ok()?;
     Some(Export { docs: Docs::default(), visibility, name, definitions: Vec::new(), tokens: TokenStream::new(), is_bundle: false })

@@ -18,12 +18,17 @@ use quote::ToTokens;
 use syn::parse::ParseStream;
 use syn::{Ident, Lit, Token, token};
 
-/// No expression may be deeper than this, so that no walk over a tree can exhaust the stack.
+/// No tree may be deeper than this, so that no walk over it can exhaust the stack; a sum of as many
+/// terms is that deep.
 const DEPTH: u16 = 200;
+
+/// Parentheses, signs and powers may not be nested deeper than this: a level of the parser takes much
+/// more of the stack than one of a walk.
+const NESTING: u16 = 50;
 
 /// Parses one expression.
 pub(super) fn expression(input: ParseStream) -> Parsed<Expr> {
-    sum(input, DEPTH)
+    sum(input, NESTING)
 }
 
 /// Parses the relation between two expressions.
@@ -222,7 +227,7 @@ fn choice(input: ParseStream, room: u16) -> Parsed<Expr> {
     let rhs = sum(input, room)?;
     let then = braced(input, room)?;
     if !input.peek(Token![else]) {
-        return expected(input, "`else`: a value is needed in both cases");
+        return expected(input, "`else { value }`");
     }
     input.parse::<Token![else]>()?;
     let otherwise = if input.peek(Token![if]) { choice(input, deeper(room, first.into())?)? } else { braced(input, room)? };
@@ -251,7 +256,7 @@ fn binary(operator: Operator, left: Expr, right: Expr) -> Parsed<Expr> {
 fn deeper(room: u16, range: Range) -> Parsed<u16> {
     match room.checked_sub(1) {
         Some(room) => Ok(room),
-        None => wrong(range, Fact::TooDeep { limit: DEPTH }),
+        None => wrong(range, Fact::TooDeep { limit: NESTING }),
     }
 }
 

@@ -262,13 +262,12 @@ fn equations(input: ParseStream) -> Parsed<JointBody> {
 
 /// `kind(arguments);`
 fn instance(input: ParseStream) -> Parsed<JointBody> {
-    let written = input.fork();
-    let kind = name(input, "a constraint such as `revolute(…)`, or `{ lhs == rhs; }`")?;
-    if input.peek(Token![::]) {
-        let path = path(&written)?;
+    if input.peek(Token![::]) || input.peek2(Token![::]) {
+        let path = path(input)?;
         let text = path.tokens.to_string().replace(' ', "");
         return wrong(path.range, Fact::PathOfConstraint { path: text, last: path.last.to_string() });
     }
+    let kind = name(input, "a constraint such as `revolute(…)`, or `{ lhs == rhs; }`")?;
     if !input.peek(token::Paren) {
         return expected(input, "`(` and the arguments");
     }

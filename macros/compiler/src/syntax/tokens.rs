@@ -107,7 +107,8 @@ pub(super) fn arrow(input: ParseStream) -> Parsed<Dimension> {
 /// `;` at the end of an item.
 pub(super) fn semicolon(input: ParseStream) -> Parsed<()> {
     if !input.peek(Token![;]) {
-        return expected(input, "`;`");
+        let what = if input.cursor().punct().is_some() { "an operator or `;`" } else { "`;`" };
+        return expected(input, what);
     }
     input.parse::<Token![;]>()?;
     Ok(())
@@ -261,6 +262,9 @@ pub(super) fn skip_item(input: ParseStream, start: ParseStream, is_item: fn(Pars
         match input.parse::<TokenTree>() {
             Ok(TokenTree::Punct(punct)) if punct.as_char() == ';' => return,
             Ok(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace => {
+                if input.peek(Token![else]) {
+                    continue;
+                }
                 if input.peek(Token![;]) {
                     let _ = input.parse::<Token![;]>();
                 }

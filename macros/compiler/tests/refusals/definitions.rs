@@ -1,0 +1,28 @@
+//! Mistakes inside `constraint!`.
+
+crate::refusals! {
+    constraint row_of_nothing: "constraint c(P: Point, a: Length) { «a == 2 * a»; }" => "the equation of `c` does not depend on the position of any body";
+    constraint second_row_of_nothing: "constraint c(P: Point, a: Length) { P.x == a; «a == 1mm»; }" => "equation 2 of 2 of `c` does not depend on the position of any body";
+    constraint no_equations: "constraint «c»(P: Point) { let a = P.x; }" => "`c` has no equations\nhelp: write `lhs == rhs;`";
+    constraint time_in_a_definition: "constraint c(P: Point) { P.x == 1mm / 1s * «t»; }" => "`t` is not known in a definition\nhelp: take the law as a parameter, such as `C: Length`, and let a `drive` pass it";
+    constraint name_is_mistyped: "constraint c(P: Point, radius: Length) { P.x == «raduis»; }" => "nothing is called `raduis` here\nhelp: did you mean `radius`?";
+    constraint kind_is_mistyped: "constraint c(P: «Pont») { P.x == 0; }" => "no parameter can take `Pont`\nhelp: did you mean `Point`?";
+    constraint kind_is_unknown: "constraint c(P: «Sphere») { P.x == 0; }" => "no parameter can take `Sphere`\nnote: it takes a `Point`, `Axis`, `Body`, `Quantity`, `Function(…) -> …`, `Joint(…)`, or a dimension such as `Length`";
+    constraint joint_kind_is_unknown: "constraint c(j: Joint(«translation»)) { j.P.x == 0; }" => "no constraint is called `translation`\nhelp: did you mean `translational`?";
+    constraint field_of_a_joint: "constraint c(j: Joint(translational)) { j.«R».x == 0; }" => "a `translational` joint has no `R`\nnote: it has `u`, `P`, `Q` and `c`";
+    constraint dimensions_differ: "constraint c(P: Point, a: Angle) { «P.x == a»; }" => "cannot equate a length (m) with an angle (rad)";
+    constraint default_of_another_dimension: "constraint c(P: Point, a: Length = «1deg») { P.x == a; }" => "expected a length (m), found an angle (rad)";
+    constraint default_of_another_kind: "constraint c(P: Point, b: Body = «0») { P.x == b.x; }" => "the parameter takes a body, its default is a number";
+    constraint default_before_none: "constraint c(a: Length = 0, «P»: Point) { P.x == a; }" => "`P` needs a default, since the parameter before it has one\nhelp: put it before those with a default";
+    constraint parameter_twice: "constraint c(P: Point, «P»: Point) { P.x == 0; }" => "the name `P` is taken: another parameter has it\nhelp: choose another name";
+    constraint parameter_with_a_meaning: "constraint c(P: Point, «t»: Length) { P.x == t; }" => "`t` has a meaning of its own in expressions\nhelp: choose another name";
+    constraint constraint_twice: "pub constraint c(P: Point) { P.x == 0; } pub constraint «c»(P: Point) { P.y == 0; }" => "the name `c` is taken: another constraint has it\nhelp: choose another name";
+    constraint constraint_twice_in_a_bundle: "pub bundle all { constraint c(P: Point) { P.x == 0; } constraint «c»(P: Point) { P.y == 0; } }" => "the name `c` is taken: another constraint has it\nhelp: choose another name";
+    constraint requirement_without_reason: "constraint c(P: Point, a: Length) { require a != 0«;» P.x == a; }" => "expected `:` and a sentence that says why, found `;`";
+    constraint requirement_without_relation: "constraint c(P: Point, a: Length) { require a«:» \"why\"; P.x == a; }" => "expected a relation such as `<` or `!=`, found `:`";
+    constraint requirement_of_unlike: "constraint c(P: Point, a: Length) { require «a != P»: \"why\"; P.x == a; }" => "cannot compare a number with a point";
+    constraint parameter_without_kind: "constraint c(P«)» { P.x == 0; }" => "expected `:` and what the parameter takes, such as `Point` or `Length`, found the end";
+    constraint no_constraint: "pub «fn» c(P: Point) { P.x == 0; }" => "expected `constraint name(…) { … }`, found `fn`";
+    constraint function_without_result: "constraint c(P: Point, f: Function(Angle)«,» b: Body) { P.x == f(b.angle); }" => "expected `->` and the dimension of the value, found `,`";
+    constraint broken_in_a_bundle: "pub bundle all { constraint c(P: Point) { P.x == «;» } constraint d(P: Point) { P.y == 0; } }" => "expected an expression, found `;`";
+}

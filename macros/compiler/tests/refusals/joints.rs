@@ -1,0 +1,22 @@
+//! Joints that say nothing, or what only a drive may say.
+
+crate::refusals! {
+    item time_in_a_joint: "joint a = absolute_angle(crank, speed * «t»);" => "a joint does not change with time, `t` is for drives\nhelp: write `drive a = …;` for `joint a = …;`";
+    item time_behind_a_let: "let angle = speed * t; joint a = absolute_angle(crank, «angle»);" => "a joint does not change with time, `t` is for drives\nhelp: write `drive a = …;` for `joint a = …;`";
+    item time_in_an_equation: "joint a = { crank.angle == speed * «t»; }" => "a joint does not change with time, `t` is for drives\nhelp: write `drive a = …;` for `joint a = …;`";
+    item time_behind_a_let_in_an_equation: "let angle = speed * t; joint a = { «crank.angle == angle»; }" => "a joint does not change with time, `t` is for drives\nhelp: write `drive a = …;` for `joint a = …;`";
+    item equation_of_nothing: "joint a = { «length == 2 * length»; }" => "the equation of `a` does not depend on the position of any body";
+    item second_equation_of_nothing: "joint a = { crank.x == 0; «length == 1m»; }" => "equation 2 of 2 of `a` does not depend on the position of any body";
+    item difference_of_the_same: "joint a = { «crank.x - crank.x == 0»; }" => "the equation of `a` does not depend on the position of any body";
+    item joint_between_points_of_ground: "joint a = «point_on_line»(ground.C, ground.u, ground.O);" => "the point on the line and the line lie on the same body";
+    item no_equations: "joint «a» = {}" => "`a` has no equations\nhelp: write `lhs == rhs;`";
+    item revolute_on_one_body: "joint a = «revolute»(crank.O, crank.A);" => "the two points of a revolute joint lie on the same body";
+    item distance_on_one_body: "joint a = «distance»(crank.O, crank.A, 100mm);" => "the two points of a distance constraint lie on the same body";
+    item weld_of_one_body: "joint a = «weld»(crank.O, crank.A);" => "the two points of a weld lie on the same body";
+    item gear_with_itself: "joint a = gear_pair(«crank», crank, 1, 2);" => "a gear cannot mesh with itself";
+    mechanism start_of_ground: "mechanism Crank { ground { start «angle» = 0; } body crank {} }" => "ground does not move: it has no start values";
+    mechanism no_bodies: "mechanism «Crank» { param length: Length = 1m; }" => "`Crank` has no bodies\nhelp: declare one with `body name { … }`";
+    mechanism drive_is_missing: "mechanism «Crank» { body crank {} joint o = revolute((0mm, 0mm), crank.position); }" => "`Crank` has 3 coordinates and 2 equations, 1 too few\nhelp: drive what can still move, such as `drive input = drive_angle(body, speed * t);`\nnote: 0 of the equations come from drives\nnote: `#[equations_only]` before `mechanism` gives the equations without a solver";
+    mechanism nothing_holds: "mechanism «Crank» { body crank {} body rod {} joint o = revolute((0mm, 0mm), crank.position); }" => "`Crank` has 6 coordinates and 2 equations, 4 too few\nhelp: add joints, and a drive for every freedom that is left\nnote: 0 of the equations come from drives\nnote: `#[equations_only]` before `mechanism` gives the equations without a solver";
+    mechanism drive_too_many: "mechanism «Crank» { body crank {} joint o = revolute((0mm, 0mm), crank.position); drive a = drive_angle(crank, t * 1rpm); drive b = drive_angle(crank, t * 2rpm); }" => "`Crank` has 3 coordinates and 4 equations, 1 too many\nhelp: take away a joint or a drive\nnote: 2 of the equations come from drives\nnote: `#[equations_only]` before `mechanism` gives the equations without a solver";
+}

@@ -1,0 +1,62 @@
+//! Mistakes of grammar.
+
+crate::refusals! {
+    item semicolon_is_missing: "param a: Length = 10mm «param» b: Length = 20mm;" => "expected `;`, found `param`";
+    mechanism semicolon_is_missing_at_the_end: "mechanism Crank { param a: Length = 10mm «}»" => "expected `;`, found the end";
+    item dimension_is_missing: "param a «=» 10mm;" => "expected `:` and a dimension such as `Length`, found `=`";
+    item default_is_missing: "param a: Length«;»" => "expected `=` and the default of the parameter, found `;`";
+    item name_is_missing: "param «:» Length = 10mm;" => "expected the name of the parameter, found `:`";
+    item name_is_a_keyword: "joint «in» = revolute(ground.O, crank.O);" => "`in` is a word of Rust and cannot be a name\nhelp: write `in_`";
+    item item_is_unknown: "«parm» a: Length = 10mm;" => "`parm` is no item of a mechanism\nhelp: did you mean `param`?\nnote: items are `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `function` and `use`";
+    item item_is_no_word: "«5» a: Length = 10mm;" => "expected an item: `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `function` or `use`, found `5`";
+    item item_of_a_body_is_unknown: "body b { «pointt» P = (0mm, 0mm); }" => "`pointt` is no item of a body\nhelp: did you mean `point`?\nnote: a body has `point`, `axis` and `start`";
+    item mass_is_to_come: "body b { «mass» = 2kg; }" => "`mass` is no item of a body\nnote: a body has `point`, `axis` and `start`";
+    item body_without_braces: "body b«;»" => "expected `{` and the points of the body, found `;`";
+    item equal_sign_is_missing: "output b «crank»;" => "expected `=`, found `crank`";
+    item operand_is_missing: "output b = 2 * «;»" => "expected an expression, found `;`";
+    item plus_before_a_number: "output b = «+»5;" => "expected an expression, found `+`";
+    item operator_is_unknown: "output b = 5 «%» 2;" => "expected an operator or `;`, found `%`";
+    item power_is_a_caret: "output b = length«**»2;" => "`**` is no operator\nhelp: a power is written `a^b`";
+    item functions_are_no_methods: "output b = crank.angle.«sin»();" => "there are no methods here\nhelp: write `sin(value)` for `value.sin()`";
+    item unit_stands_behind_its_number: "param a: Length = «120 mm»;" => "a unit stands right behind its number\nhelp: write `120mm`";
+    item text_is_no_number: "param a: Length = «\"120mm\"»;" => "expected a number, found a string";
+    item comma_is_missing: "joint a = revolute(ground.C «crank».A);" => "expected `,` or `)`, found `crank`";
+    item call_is_missing: "joint a = revolute«;»" => "expected `(` and the arguments, found `;`";
+    item constraint_by_its_path: "joint a = «crate::rolling»(crank);" => "a joint names its constraint by a single word\nhelp: write `use crate::rolling;` above, and `rolling(…)` here";
+    item equation_with_a_single_equal_sign: "joint a = { crank.x «=» 0; }" => "expected `==` and the other side of the equation, found `=`";
+    item equation_without_right_side: "joint a = { crank.x == «;» }" => "expected an expression, found `;`";
+    item choice_without_else: "output b = if length < 1 { 1 }«;»" => "expected `else { value }`, found `;`";
+    item choice_without_relation: "output b = if length «{» 1 } else { 2 };" => "expected a relation such as `<` or `!=`, found `{`";
+    item pair_without_parentheses: "body b { point P = «0mm», 0mm; }" => "a point has two coordinates in parentheses\nhelp: write `(x, y)`";
+    item empty_parentheses: "output b = «()»;" => "expected an expression, found `()`";
+    item field_is_no_number: "output b = crank.«5»;" => "expected a name after `.`, found `5`";
+    item function_of_two: "function f(a: Angle«,» b: Angle) -> Length = 1mm;" => "a function here has one argument";
+    item function_without_result: "function f(a: Angle) «=» 1mm;" => "expected `->` and the dimension of the value, found `=`";
+    item exponent_of_a_dimension: "param a: Length^«99» = 1;" => "the exponent of a dimension is at most 6";
+    item attribute_is_unknown: "#[«inline»] output b = crank.x;" => "`#[inline]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]` before `mechanism`";
+    item glob_use: "use crate::«*»;" => "expected the name of a constraint or `{ … }`, found `*`";
+    mechanism keyword_is_misspelled: "pub «mechansim» Crank { body crank {} }" => "expected `mechanism Name { … }`, found `mechansim`";
+    mechanism mechanism_without_a_name: "pub mechanism «{» body crank {} }" => "expected the name of the mechanism, found `{`";
+    mechanism mechanism_without_items: "pub mechanism Crank«;»" => "expected `{` and the items of the mechanism, found `;`";
+    mechanism nothing_follows: "#[equations_only] mechanism Crank { body crank {} joint a = { crank.x == 0; } } «mechanism» Rocker {}" => "nothing may follow the mechanism\nhelp: write one `mechanism!` for each mechanism";
+    mechanism option_is_unknown: "#[«equation_only»] mechanism Crank { body crank {} }" => "`#[equation_only]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]` before `mechanism`";
+}
+
+/// Deeper than anyone writes, and less deep than exhausts a stack.
+#[test]
+fn nesting_has_a_limit() {
+    let words = "this is nested more than 50 deep\nhelp: name parts of it with `let`";
+    crate::item(&format!("output b = {}«(»{}1{}){};", "(".repeat(50), "(".repeat(30), ")".repeat(30), ")".repeat(50)), words);
+    let words = "this is nested more than 250 deep\nhelp: name parts of it with `let`";
+    crate::item(&format!("output b = {}«(»{}1{}){};", "(".repeat(249), "(".repeat(30), ")".repeat(30), ")".repeat(249)), words);
+}
+
+/// A chain of names that are used before they are declared.
+#[test]
+fn chains_have_a_limit() {
+    let chain: Vec<String> = (0..150).map(|link| format!("let a{link} = a{} + 1;", link + 1)).collect();
+    crate::item(&format!("{} let a150 = 1 + «nothing»;", chain.join("\n")), "nothing is called `nothing` here");
+    let chain: Vec<String> = (0..1000).map(|link| format!("let a{link} = a{} + 1;", link + 1)).collect();
+    let text = chain.join("\n").replace("a201 + 1", "«a201 + 1»");
+    crate::item(&format!("{text} let a1000 = 1;"), "this is nested more than 400 deep\nhelp: name parts of it with `let`");
+}

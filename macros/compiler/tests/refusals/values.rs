@@ -1,0 +1,39 @@
+//! Numbers that make no sense.
+
+crate::refusals! {
+    item distance_of_zero: "joint a = distance(ground.O, crank.A, «0mm»);" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together";
+    item distance_of_a_zero_parameter: "param zero: Length = 0mm; joint a = distance(ground.O, crank.A, «zero»);" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together\nnote: it is 0 at the declared defaults";
+    item absolute_distance_of_zero: "joint a = absolute_distance(crank.A, (0mm, 0mm), «0»);" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep a point in place";
+    item gear_without_radius: "joint a = gear_pair(crank, ram, 1, «0»);" => "a gear without radius or teeth turns nothing: the ratio of a gear pair may not be zero";
+    item gear_without_radius_by_name: "joint a = gear_pair(crank, ram, a: «0mm», b: 1mm);" => "a gear without radius or teeth turns nothing: the ratio of a gear pair may not be zero";
+    item pinion_without_radius: "joint a = rack_pinion(crank, ram.B, ground.u, ground.C, «0mm»);" => "a pinion without radius moves nothing: the radius of a rack and pinion may not be zero";
+    item pulley_without_radius: "joint a = belt(crank, ram, «0mm», 10mm);" => "a pulley without radius turns nothing: the radius of a belt's pulley may not be zero";
+    item axis_without_direction: "body b { axis u = «(0, 0)»; }" => "the axis `u` has no direction: both components are zero";
+    item division_by_zero: "output b = length / «0»;" => "division by zero";
+    item division_by_hidden_zero: "output b = length / «(1mm - 1mm)»;" => "division by zero";
+    item vector_by_zero: "output b = crank.A / «0»;" => "division by zero";
+    item default_is_infinite: "param a: Number = «-ln(0)»;" => "the default is not a finite number";
+    item default_is_no_number: "param a: Number = «sqrt(-1)»;" => "the default is not a finite number";
+    item default_from_a_parameter: "param a: Length = «2 * length»;" => "the default of a parameter is a constant: numbers, units, `pi` and functions of them\nhelp: a quantity that follows from others is declared with `let`";
+    item default_from_time: "param a: Time = 2 * «t»;" => "the default of a parameter does not change with time: `t` cannot be used in it";
+    item number_too_large: "param a: Length = «1e60mm»;" => "`1e60mm` cannot be kept exactly\nnote: numbers have up to 36 digits and lie between 1e-36 and 1e36";
+    item number_too_long: "param a: Length = «3.1415926535897932384626433832795028841971693993751mm»;" => "`3.1415926535897932384626433832795028841971693993751mm` cannot be kept exactly\nnote: numbers have up to 36 digits and lie between 1e-36 and 1e36";
+    item point_that_moves: "body b { point P = «(crank.x, 0mm)»; }" => "a point or an axis may depend on parameters only, not on what moves";
+    item point_in_time: "body b { point P = (1mm / 1s * «t», 0mm); }" => "a point or an axis does not change with time: `t` cannot be used in it";
+    item start_in_time: "body b { start angle = speed * «t»; }" => "a start value does not change with time: `t` cannot be used in it";
+    item start_that_moves: "body b { start angle = «crank.angle»; }" => "a start value may depend on parameters only, not on what moves";
+    item function_of_time: "function f(a: Angle) -> Length = 1mm / 1s * «t»;" => "a function of one variable does not change with time: `t` cannot be used in it";
+    item function_without_argument: "function f(Angle) -> Length = «2mm»;" => "a function written here names its argument\nhelp: write `function name(x: Angle) -> Length = …;`, or give the path of a Rust function";
+    item equality_in_a_choice: "output b = if «length == 1» { 1 } else { 2 };" => "equality of measured numbers is an accident\nhelp: compare with `<`, `<=`, `>` or `>=`";
+    item list_outside_a_table: "output b = «[1, 2]»;" => "a list can only be an argument of `table`";
+    item table_of_no_list: "output b = table(crank.angle, «5»);" => "expected a list of pairs, such as `[(0deg, 0mm), (90deg, 5mm)]`";
+    item table_of_no_pairs: "output b = table(crank.angle, [«1», 2]);" => "expected a pair, such as `(90deg, 5mm)`";
+    item table_of_triples: "output b = table(crank.angle, [«(0deg, 1mm, 2mm)»]);" => "expected a pair, such as `(90deg, 5mm)`";
+    item table_of_one: "output b = table(crank.angle, «[(0deg, 1mm)]»);" => "a table needs at least 2 pairs, found 1";
+    item table_that_does_not_increase: "output b = table(crank.angle, [(0deg, 1mm), (90deg, 2mm), («45deg», 3mm)]);" => "the first numbers of a table must increase from pair to pair";
+    item table_that_repeats_an_abscissa: "output b = table(crank.angle, [(0deg, 1mm), («0deg», 2mm)]);" => "the first numbers of a table must increase from pair to pair";
+    item periodic_table_with_a_jump: "output b = table(crank.angle, [(0deg, 1mm), (180deg, 5mm), «(360deg, 2mm)»], periodic);" => "a periodic table ends with the value it begins with: it begins with 0.001 and ends with 0.002";
+    item table_of_a_parameter: "output b = table(crank.angle, [(0deg, 1mm), (90deg, «length»)]);" => "an entry of a table is a constant: numbers, units, `pi` and functions of them";
+    item table_with_unknown_ends: "output b = table(crank.angle, [(0deg, 1mm), (90deg, 2mm)], «cyclic»);" => "outside its range a table is `periodic`, `linear` or `hold`";
+    item modified_trapezoidal_is_a_function: "output b = «modified_trapezoidal» + 1;" => "expected a number or a vector, found a function";
+}

@@ -1,0 +1,83 @@
+//! How a mechanism is solved, as data that one can read.
+
+use core::fmt;
+
+/// The stages of a solution, in order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Plan {
+    /// In the order in which they are done.
+    pub stages: &'static [PlanStage],
+    /// Operations of a whole state outside of the loops.
+    pub operations: Operations,
+}
+
+/// One stage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PlanStage {
+    /// This coordinate, `"crank.x"`, is computed from those before it.
+    Computed(&'static str),
+    /// Coordinates that Newton's method finds together.
+    Iterated {
+        /// Their names.
+        unknowns: &'static [&'static str],
+        /// The equations that must vanish, `"b (2 of 2)"`.
+        equations: &'static [&'static str],
+        /// Operations of one Newton step, without the solution of its linear system.
+        operations: Operations,
+    },
+}
+
+/// Operation counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Operations {
+    /// Additions, subtractions and multiplications.
+    pub flops: usize,
+    /// Divisions and square roots.
+    pub divisions: usize,
+    /// Pairs of sine and cosine.
+    pub sines: usize,
+    /// Other functions.
+    pub calls: usize,
+}
+
+impl Plan {
+    /// The number of unknowns of each iterated block, in order.
+    pub fn blocks(&self) -> impl Iterator<Item = usize> {
+        self.stages.iter().filter_map(|stage| match stage {
+            PlanStage::Computed(_) => None,
+            PlanStage::Iterated { unknowns, .. } => Some(unknowns.len()),
+        })
+    }
+}
+
+impl fmt::Display for Plan {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for stage in self.stages {
+            match stage {
+                PlanStage::Computed(name) => writeln!(f, "compute  {name}")?,
+                PlanStage::Iterated { unknowns, equations, operations } => {
+                    write!(f, "iterate  ")?;
+                    list(f, unknowns)?;
+                    write!(f, "  from  ")?;
+                    list(f, equations)?;
+                    writeln!(f, "  ({operations} each time)")?;
+                }
+            }
+        }
+        write!(f, "once     {}", self.operations)
+    }
+}
+
+fn list(f: &mut fmt::Formatter<'_>, names: &[&str]) -> fmt::Result {
+    for (position, name) in names.iter().enumerate() {
+        write!(f, "{}{name}", if position == 0 { "" } else { ", " })?;
+    }
+    Ok(())
+}
+
+impl fmt::Display for Operations {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { flops, divisions, sines, calls } = self;
+        write!(f, "{flops} sums and products, {divisions} divisions and roots, {sines} sine-cosine pairs, {calls} other functions")
+    }
+}
