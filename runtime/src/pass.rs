@@ -175,7 +175,7 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
             }
             position
         } else {
-            let position = self.assemble(problem, unknowns)?;
+            let position = self.assemble(&problem.erased(), unknowns)?;
             if let Some(orientation) = self.branch.get_mut(name) {
                 *orientation = position.factors.orientation();
             }

@@ -117,7 +117,7 @@ pub(crate) fn follow<T: Float, P: Problem<T, N>, const N: usize>(
     if has_settled_at_once(first.length, length) {
         return accept(problem, Iterate { place, factors, correction, length }, 2).map_err(|_| Refusal::Singular);
     }
-    go_on(problem, place, first.length)
+    go_on(&problem.erased(), place, first.length)
 }
 
 /// Whether a second correction, by the factors of the first, is the last.

@@ -12,6 +12,14 @@ pub(crate) trait Problem<T: Float, const K: usize> {
     /// How its matrices are factored.
     type Factors: Linear<T, K>;
 
+    /// The same problem for code that is seldom run, which is then compiled once and not for every block anew.
+    type Erased<'b>: Problem<T, K, Factors = Self::Factors>
+    where
+        Self: 'b;
+
+    /// This problem, erased.
+    fn erased(&self) -> Self::Erased<'_>;
+
     /// Residuals and their Jacobian.
     fn linearize(&self, place: &Place<T, K>) -> (SVector<T, K>, SMatrix<T, K, K>);
 
@@ -69,6 +77,14 @@ pub(crate) struct Whole<'a, E: ?Sized, T, const N: usize> {
 
 impl<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize> Problem<T, N> for Whole<'_, E, T, N> {
     type Factors = Factors<T, N>;
+    type Erased<'b>
+        = &'b Self
+    where
+        Self: 'b;
+
+    fn erased(&self) -> &Self {
+        self
+    }
 
     fn linearize(&self, place: &Place<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
         self.equations.linearize(&place.x, self.t)
@@ -88,6 +104,41 @@ impl<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize> Problem<T, N> for
 
     fn coordinate(&self, index: usize) -> Coordinate {
         names::coordinate(E::COORDINATES, index)
+    }
+}
+
+/// Residuals and their Jacobian at a place.
+pub(crate) type Evaluate<'b, T, const K: usize> = dyn Fn(&Place<T, K>) -> (SVector<T, K>, SMatrix<T, K, K>) + 'b;
+
+impl<T: Float, P: Problem<T, K>, const K: usize> Problem<T, K> for &P {
+    type Factors = P::Factors;
+    type Erased<'b>
+        = P::Erased<'b>
+    where
+        Self: 'b;
+
+    fn erased(&self) -> P::Erased<'_> {
+        (**self).erased()
+    }
+
+    fn linearize(&self, place: &Place<T, K>) -> (SVector<T, K>, SMatrix<T, K, K>) {
+        (**self).linearize(place)
+    }
+
+    fn turns(&self) -> &[bool; K] {
+        (**self).turns()
+    }
+
+    fn scale(&self) -> &Scale<T, K> {
+        (**self).scale()
+    }
+
+    fn row(&self, index: usize) -> Row {
+        (**self).row(index)
+    }
+
+    fn coordinate(&self, index: usize) -> Coordinate {
+        (**self).coordinate(index)
     }
 }
 
@@ -121,6 +172,15 @@ where
     L: Linear<T, K>,
 {
     type Factors = L;
+    type Erased<'b>
+        = Part<'b, &'b Evaluate<'b, T, K>, L, T, K>
+    where
+        Self: 'b;
+
+    fn erased(&self) -> Self::Erased<'_> {
+        let Self { block, ref scale, rows, coordinates, .. } = *self;
+        Part { evaluate: &self.evaluate, block, scale: scale.clone(), rows, coordinates, factors: core::marker::PhantomData }
+    }
 
     #[inline]
     fn linearize(&self, place: &Place<T, K>) -> (SVector<T, K>, SMatrix<T, K, K>) {

@@ -6,6 +6,7 @@ use crate::order::greater;
 use crate::{Coordinate, CoordinateKind, Equations, Float, names};
 
 /// The size of each coordinate: L for lengths, 1 for angles.
+#[derive(Clone)]
 pub(crate) struct Scale<T, const N: usize> {
     /// L in m.
     pub(crate) length: T,
