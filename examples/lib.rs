@@ -1,1 +1,46 @@
-//! To come.
+//! Drawing for the gallery. In: places in m as an example solves them. Out: `gallery/<name>.svg`, the same bytes on every run.
+//!
+//! A [`Plate`] is one picture: a [`Scene`], the mechanism at a few phases with equal scales, and below it [`Diagram`]s that
+//! share one abscissa. Each example draws its own mechanism with the few shapes of a textbook: links, pins, pivots, walls.
+
+use reuleaux::PlanarBody;
+
+mod drawing;
+
+pub use drawing::{Abscissa, Diagram, Ink, Place, Plate, Scene, gear, meshing, place, polar, rectangle};
+
+/// `count` + 1 numbers from `first` to `last` (both included) at equal steps.
+pub fn steps(first: f64, last: f64, count: u32) -> impl Iterator<Item = f64> + Clone {
+    (0..=count).map(move |i| first + (last - first) * f64::from(i) / f64::from(count))
+}
+
+/// The largest |a − b| of the pairs; not a number where one of them is not.
+pub fn largest_difference(pairs: impl IntoIterator<Item = (f64, f64)>) -> f64 {
+    pairs.into_iter().map(|(a, b)| (a - b).abs()).fold(0.0, |largest: f64, d| if largest.is_nan() || d <= largest { largest } else { d })
+}
+
+/// The third corner of a triangle over `p` and `q`, at distance `to_p` (m) from `p` and `to_q` (m) from `q`, on the left of the
+/// way from `p` to `q`: a pair of links in closed form. Not a number where the links do not reach.
+pub fn apex(p: Place, q: Place, to_p: f64, to_q: f64) -> Place {
+    let base = (q - p).norm();
+    let along = (base * base + to_p * to_p - to_q * to_q) / (2.0 * base);
+    let across = (to_p * to_p - along * along).sqrt();
+    let unit = (q - p) / base;
+    p + unit * along + place(-unit.y, unit.x) * across
+}
+
+/// Where `local` (m, in the body's frame) lies in ground.
+pub fn on(body: &PlanarBody<f64>, local: Place) -> Place {
+    body.position + turned(local, polar(1.0, body.angle))
+}
+
+/// Where `local` lies if the body's origin is at `pivot` and its `arm` points to `seen`: all in m, `local` and `arm` in its frame.
+pub fn carried(local: Place, pivot: Place, arm: Place, seen: Place) -> Place {
+    let direction = turned(seen - pivot, place(arm.x, -arm.y)) / arm.norm_squared();
+    pivot + turned(local, direction)
+}
+
+/// The product of two places as complex numbers: one is turned and stretched by the other.
+fn turned(a: Place, b: Place) -> Place {
+    place(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x)
+}

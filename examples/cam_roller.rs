@@ -1,0 +1,166 @@
+//! A disc cam with a roller follower that rests above and below: rise, dwell, return, dwell.
+//!
+//! ```text
+//!       │ │ follower
+//!       ( C ) roller, radius ρ          0° … 120°   rise, cycloidal
+//!      ╱     ╲                        120° … 180°   dwell above
+//!     │   O   │ cam                   180° … 300°   return, 3-4-5 polynomial
+//!      ╲_____╱                        300° … 360°   dwell below
+//! ```
+//!
+//! The law is written over the cam's turn u and wrapped to one turn by the arc tangent of its own sine and cosine. The lift is
+//! checked against the same law in plain Rust, the peaks against the numbers of the tables: velocity 2 and acceleration 2π of
+//! the cycloid, 15/8 and 10/√3 of the polynomial.
+//!
+//! Source: R. L. Norton, Cam Design and Manufacturing Handbook, chapters 2, 3 and 7.
+
+use std::error::Error;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use reuleaux::{Motion, mechanism};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, largest_difference, place, polar, rectangle, steps};
+
+mechanism! {
+    /// A valve gear, slow enough to watch.
+    pub mechanism RollerCam {
+        param speed: AngularVelocity = 60rpm;
+        param base: Length = 30mm;
+        param roller: Length = 10mm;
+        param lift: Length = 15mm;
+
+        // The angle wrapped to one turn, from −30° to 330°: it jumps in the middle of the lower dwell.
+        function turn(u: Angle) -> Angle = 5 * pi / 6 + atan2(sin(u - 5 * pi / 6), cos(u - 5 * pi / 6));
+        function law(u: Angle) -> Length =
+            lift * (cycloidal(turn(u) / 120deg) - polynomial_345((turn(u) - 180deg) / 120deg));
+        // Seen from the cam, the follower goes backwards from a quarter of a turn.
+        function outline(psi: Angle) -> Length = base + law(90deg - psi);
+
+        ground {
+            point O = (0mm, 0mm);
+            axis up = (0, 1);
+        }
+        body cam { point O = (0mm, 0mm); }
+        body follower { point C = (0mm, 0mm);  start position = (0mm, base + roller); }
+
+        joint shaft = revolute(ground.O, cam.O);
+        joint guide = translational(ground.up, ground.O, follower.C);
+        joint contact = cam_roller(cam.O, follower.C, roller, outline);
+        drive motor = drive_angle(cam, speed * t);
+
+        output O = cam.O;
+        output C = follower.C;
+        output travel = follower.y;
+    }
+}
+
+type State = RollerCamState<f64>;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mechanism = RollerCam::default();
+    let turn: Vec<State> = mechanism.sweep(steps(0.0, 1.0, 360)).collect::<Result<_, _>>()?;
+
+    assert_lift(&mechanism)?;
+    assert_peaks(&mechanism)?;
+    print(&mechanism, &turn);
+    println!("{}", picture(&mechanism, &turn).save("cam_roller")?.display());
+    Ok(())
+}
+
+/// The lift (m) at the cam's turn (rad), any number of turns.
+fn lift(m: &RollerCam, angle: f64) -> f64 {
+    let degrees = angle.to_degrees().rem_euclid(360.0);
+    m.lift
+        * match degrees {
+            d if d < 120.0 => d / 120.0 - (TAU * d / 120.0).sin() / TAU,
+            d if d < 180.0 => 1.0,
+            d if d < 300.0 => {
+                let u = (d - 180.0) / 120.0;
+                1.0 - u.powi(3) * (10.0 - 15.0 * u + 6.0 * u * u)
+            }
+            _ => 0.0,
+        }
+}
+
+/// Three turns of the cam, the last as good as the first.
+fn assert_lift(m: &RollerCam) -> Result<(), Box<dyn Error>> {
+    for state in m.sweep(steps(0.0, 3.0, 1000)) {
+        let state = state?;
+        let expected = m.base + m.roller + lift(m, state.cam().angle);
+        assert!((m.travel(&state).value - expected).abs() < 1e-15);
+    }
+    Ok(())
+}
+
+/// Velocity is largest in the middle of a stroke; acceleration at a quarter of the cycloid, and at (1 − 1/√3)/2 of the polynomial.
+fn assert_peaks(m: &RollerCam) -> Result<(), Box<dyn Error>> {
+    let stroke = TAU / 3.0;
+    let (velocity, acceleration) = (m.lift * m.speed / stroke, m.lift * (m.speed / stroke).powi(2));
+    let at = |angle: f64| -> Result<Motion<f64>, Box<dyn Error>> { Ok(m.travel(&m.solve(angle / m.speed)?)) };
+    let early = (1.0 - 1.0 / 3_f64.sqrt()) / 2.0;
+    let velocities = [(at(stroke / 2.0)?.rate, 2.0 * velocity), (at(PI + stroke / 2.0)?.rate, -15.0 / 8.0 * velocity)];
+    let accelerations = [
+        (at(stroke / 4.0)?.acceleration, TAU * acceleration),
+        (at(PI + stroke * early)?.acceleration, -10.0 / 3_f64.sqrt() * acceleration),
+    ];
+    assert!(largest_difference(velocities) < 1e-15 && largest_difference(accelerations) < 1e-13);
+    println!(
+        "peaks: {:.1} mm/s and {:.1} mm/s up, {:.1} mm/s and {:.1} mm/s² down\n",
+        velocities[0].0 * 1e3,
+        accelerations[0].0 * 1e3,
+        velocities[1].0 * 1e3,
+        accelerations[1].0 * 1e3
+    );
+    Ok(())
+}
+
+fn print(m: &RollerCam, turn: &[State]) {
+    println!("cam °   lift mm   velocity mm/s   acceleration mm/s²");
+    for state in turn.iter().step_by(20) {
+        let (angle, travel) = (state.cam().angle.to_degrees(), m.travel(state));
+        let lift = travel.value - m.base - m.roller;
+        println!("{angle:5.0}   {:7.3}   {:13.2}   {:18.1}", lift * 1e3, travel.rate * 1e3, travel.acceleration * 1e3);
+    }
+}
+
+fn picture(m: &RollerCam, turn: &[State]) -> Plate {
+    let mut scene = Scene::new();
+    let shown = &turn[75];
+    let [o, c] = [m.O(shown), m.C(shown)].map(|point| point.value);
+    let [low, high] = [0.080, 0.095].map(|y| move |x: f64| place(x, y));
+    scene.wall(low(0.007), high(0.007)).wall(high(-0.007), low(-0.007));
+    scene.line(Ink::Trace, steps(0.0, TAU, 180).map(|angle| pitch(m, angle, shown.cam().angle)));
+    scene.faint(|scene| {
+        scene.surface(Ink::Input, surface(m, 0.0));
+    });
+    scene.surface(Ink::Input, surface(m, shown.cam().angle));
+    scene.surface(Ink::Output, rectangle(c + place(0.0, 0.025), 0.0, 0.0115, 0.05));
+    scene.disc(Ink::Coupler, c, m.roller).pin(c).pivot(o);
+    scene.name(o, "O", [-16.0, 2.0]).name(c, "C", [26.0, 10.0]);
+
+    let angle = |state: &State| state.cam().angle.to_degrees();
+    let over = |of: fn(&RollerCam, &State) -> f64| turn.iter().map(move |state| (angle(state), of(m, state)));
+    let exact = turn.iter().step_by(15).map(|state| (angle(state), lift(m, state.cam().angle) * 1e3));
+    Plate::new("Disc cam with roller follower", scene, Abscissa { name: "cam angle in °", range: 0.0..360.0, step: 60.0 })
+        .diagram(
+            Diagram::new("lift in mm")
+                .curve(Ink::Output, "reuleaux", over(|m, state| (m.travel(state).value - m.base - m.roller) * 1e3))
+                .circles("closed form", exact),
+        )
+        .diagram(Diagram::new("velocity in m/s").curve(Ink::Output, "", over(|m, state| m.travel(state).rate)))
+        .diagram(Diagram::new("acceleration in m/s²").curve(Ink::Output, "", over(|m, state| m.travel(state).acceleration)))
+}
+
+/// The point of the pitch curve that meets the follower at the turn `angle` (rad), of the cam turned by `turned` (rad).
+fn pitch(m: &RollerCam, angle: f64, turned: f64) -> Place {
+    polar(m.base + m.roller + lift(m, angle), FRAC_PI_2 - angle + turned)
+}
+
+/// The cam's outline: the inner curve at the roller's radius beside the pitch curve.
+fn surface(m: &RollerCam, turned: f64) -> Vec<Place> {
+    let small = 1e-4;
+    let point = |angle: f64| {
+        let along = (pitch(m, angle + small, turned) - pitch(m, angle - small, turned)).normalize();
+        pitch(m, angle, turned) + place(along.y, -along.x) * m.roller
+    };
+    steps(0.0, TAU, 180).map(point).collect()
+}

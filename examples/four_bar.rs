@@ -1,0 +1,145 @@
+//! The crank-rocker four-bar: a turning crank makes a rocker swing.
+//!
+//! ```text
+//!              coupler      B
+//!        A ───────P────────(o)
+//!       (o)                 │ rocker        OA = a, AB = b, BC = c, OC = d
+//! crank /                   │
+//!     (o)                  (o)
+//!  ════O════════════════════C════
+//! ```
+//!
+//! By Grashof the crank turns fully: a + b < c + d with a the shortest and b the longest link. The rocker's angle ψ is
+//! checked against Freudenstein's equation, k₁ cos ψ − k₂ cos φ + k₃ = cos(φ − ψ), solved for ψ in closed form.
+//!
+//! Source: R. L. Norton, Design of Machinery, the four-bar carried through the chapters on position, velocity and
+//! acceleration; F. Freudenstein, An analytical approach to the design of four-link mechanisms, 1954.
+
+use std::error::Error;
+
+use reuleaux::mechanism;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, steps};
+
+mechanism! {
+    /// A Grashof crank-rocker.
+    pub mechanism CrankRocker {
+        param crank_length: Length = 40mm;
+        param coupler_length: Length = 120mm;
+        param rocker_length: Length = 80mm;
+        param base: Length = 100mm;
+        /// Of the crank, at t = 0.
+        param angle: Angle = 0deg;
+        param speed: AngularVelocity = 60rpm;
+        param acceleration: AngularAcceleration = 0;
+
+        ground {
+            point O = (0mm, 0mm);
+            point C = (base, 0mm);
+        }
+        body crank   { point O = (0mm, 0mm);  point A = (crank_length, 0mm); }
+        body coupler { point A = (0mm, 0mm);  point B = (coupler_length, 0mm);  point P = (60mm, 45mm); }
+        body rocker  { point C = (0mm, 0mm);  point B = (rocker_length, 0mm);  start angle = 60deg; }
+
+        joint o = revolute(ground.O, crank.O);
+        joint a = revolute(crank.A, coupler.A);
+        joint b = revolute(coupler.B, rocker.B);
+        joint c = revolute(rocker.C, ground.C);
+        drive motor = drive_angle(crank, angle + speed * t + acceleration * t^2 / 2);
+
+        output A = crank.A;
+        output B = rocker.B;
+        output P = coupler.P;
+        output O = ground.O;
+        output C = ground.C;
+        output transmission = rocker.angle - coupler.angle;
+    }
+}
+
+type State = CrankRockerState<f64>;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mechanism = CrankRocker::default();
+    let turn: Vec<State> = mechanism.sweep(steps(0.0, 1.0, 180)).collect::<Result<_, _>>()?;
+
+    assert_freudenstein(&mechanism, &turn);
+    assert_norton()?;
+    print(&mechanism, &turn);
+    println!("{}", picture(&mechanism, &turn).save("four_bar")?.display());
+    Ok(())
+}
+
+/// The rocker's angle ψ (rad) at the crank's angle φ (rad) with the coupler above: Freudenstein's equation in tan(ψ/2).
+fn freudenstein(m: &CrankRocker, crank: f64) -> f64 {
+    let (a, b, c, d) = (m.crank_length, m.coupler_length, m.rocker_length, m.base);
+    let (k1, k2, k3) = (d / a, d / c, (a * a - b * b + c * c + d * d) / (2.0 * a * c));
+    let (sin, cos) = crank.sin_cos();
+    let (p, q, r) = (cos - k1 - k2 * cos + k3, -2.0 * sin, k1 - (k2 + 1.0) * cos + k3);
+    2.0 * ((-q - (q * q - 4.0 * p * r).sqrt()) / (2.0 * p)).atan()
+}
+
+fn assert_freudenstein(m: &CrankRocker, turn: &[State]) {
+    let angles = |s: &State| (s.rocker().angle, freudenstein(m, s.crank().angle));
+    let error = largest_difference(turn.iter().map(angles));
+    assert!(error < 1e-13, "the rocker is {error:e} beside Freudenstein's equation");
+}
+
+/// Norton's open four-bar at 40° with 25 rad/s and 15 rad/s²: the numbers are his, to the last digit printed.
+fn assert_norton() -> Result<(), Box<dyn Error>> {
+    let mechanism = CrankRocker { angle: 40_f64.to_radians(), speed: 25.0, acceleration: 15.0, ..Default::default() };
+    let state = mechanism.solve(0.0)?;
+    let (coupler, rocker) = (state.coupler(), state.rocker());
+    let angles = [(coupler.angle.to_degrees(), 20.298), (rocker.angle.to_degrees(), 57.325)];
+    let rates = [(coupler.angular_velocity, -4.121), (rocker.angular_velocity, 6.998)];
+    let accelerations = [(coupler.angular_acceleration, 296.089), (rocker.angular_acceleration, 470.134)];
+    assert!(largest_difference([angles, rates, accelerations].concat()) < 0.5e-3);
+    Ok(())
+}
+
+fn print(m: &CrankRocker, turn: &[State]) {
+    println!("crank °   rocker °   rocker rad/s   rocker rad/s²   transmission °");
+    for state in turn.iter().step_by(15) {
+        let (crank, rocker, transmission) = (state.crank(), state.rocker(), m.transmission(state).value);
+        println!(
+            "{:7.1}   {:8.3}   {:12.4}   {:13.3}   {:14.2}",
+            crank.angle.to_degrees(),
+            rocker.angle.to_degrees(),
+            rocker.angular_velocity,
+            rocker.angular_acceleration,
+            transmission.to_degrees()
+        );
+    }
+}
+
+fn picture(m: &CrankRocker, turn: &[State]) -> Plate {
+    let mut scene = Scene::new();
+    for state in turn.iter().step_by(30).skip(1) {
+        scene.faint(|scene| draw(scene, m, state));
+    }
+    draw(&mut scene, m, &turn[25]);
+    scene.line(Ink::Trace, turn.iter().map(|state| m.P(state).value));
+    name(&mut scene, m, &turn[25]);
+
+    let crank = |state: &State| state.crank().angle.to_degrees();
+    let over = |of: fn(&State) -> f64| turn.iter().map(move |state| (crank(state), of(state)));
+    let exact = turn.iter().step_by(9).map(|state| (crank(state), freudenstein(m, state.crank().angle).to_degrees()));
+    Plate::new("Crank-rocker four-bar", scene, Abscissa { name: "crank angle in °", range: 0.0..360.0, step: 60.0 })
+        .diagram(
+            Diagram::new("rocker angle in °")
+                .curve(Ink::Output, "reuleaux", over(|state| state.rocker().angle.to_degrees()))
+                .circles("Freudenstein's equation", exact),
+        )
+        .diagram(Diagram::new("velocity in rad/s").curve(Ink::Output, "", over(|state| state.rocker().angular_velocity)))
+        .diagram(Diagram::new("acceleration in rad/s²").curve(Ink::Output, "", over(|state| state.rocker().angular_acceleration)))
+}
+
+fn draw(scene: &mut Scene, m: &CrankRocker, state: &State) {
+    let [o, a, b, c, p] = [m.O(state), m.A(state), m.B(state), m.C(state), m.P(state)].map(|point| point.value);
+    scene.link(Ink::Coupler, &[a, b, p]).link(Ink::Input, &[o, a]).link(Ink::Output, &[c, b]);
+    scene.pin(a).pin(b).pin(p).pivot(o).pivot(c);
+}
+
+fn name(scene: &mut Scene, m: &CrankRocker, state: &State) {
+    let [o, a, b, c, p] = [m.O(state), m.A(state), m.B(state), m.C(state), m.P(state)].map(|point| point.value);
+    scene.name(o, "O", [-16.0, 2.0]).name(c, "C", [16.0, 2.0]);
+    scene.name(a, "A", [-14.0, 6.0]).name(b, "B", [15.0, 5.0]).name(p, "P", [0.0, 16.0]);
+}

@@ -1,0 +1,161 @@
+//! A planetary gear: sun, three planets on a carrier, and a ring around them.
+//!
+//! ```text
+//!        ┌───── ring, 60 teeth ─────┐
+//!        │  (planet 18)             │        z_s (ω_s − ω_c) + z_r (ω_r − ω_c) = 0
+//!        │     │ carrier            │
+//!        │  (sun 24)                │
+//! ```
+//!
+//! With two of the three shafts given Willis' equation gives the third: the gear is a gearbox with four ratios. With the ring
+//! at rest a pitch point of a planet draws a hypocycloid, and stands still where it touches the ring: planets roll.
+//!
+//! Source: R. Willis, Principles of Mechanism, 1841; H. W. Müller, Epicyclic Drive Trains.
+
+use std::error::Error;
+use std::f64::consts::{PI, TAU};
+
+use reuleaux::mechanism;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, gear, largest_difference, meshing, polar, steps};
+
+mechanism! {
+    /// Sun and ring are driven, the carrier follows.
+    pub mechanism Planetary {
+        param sun_speed: AngularVelocity = 210rpm;
+        param ring_speed: AngularVelocity = 0;
+        let module = 5mm;
+        let arm_length = module * (24 + 18) / 2;
+        let planet_radius = module * 18 / 2;
+
+        ground { point O = (0mm, 0mm); }
+        body sun  { point O = (0mm, 0mm); }
+        body ring { point O = (0mm, 0mm); }
+        body carrier {
+            point O = (0mm, 0mm);
+            point A = (arm_length, 0mm);
+            point B = (arm_length * cos(120deg), arm_length * sin(120deg));
+            point C = (arm_length * cos(240deg), arm_length * sin(240deg));
+        }
+        body a { point A = (0mm, 0mm);  point P = (planet_radius, 0mm); }
+        body b { point B = (0mm, 0mm); }
+        body c { point C = (0mm, 0mm); }
+
+        joint s = revolute(ground.O, sun.O);
+        joint r = revolute(ground.O, ring.O);
+        joint k = revolute(ground.O, carrier.O);
+        joint pin_a = revolute(carrier.A, a.A);
+        joint pin_b = revolute(carrier.B, b.B);
+        joint pin_c = revolute(carrier.C, c.C);
+        joint willis = planetary(sun, ring, carrier, 24, 60);
+        joint mesh_a = gear_pair(sun, a, 24, 18, carrier: carrier);
+        joint mesh_b = gear_pair(sun, b, 24, 18, carrier: carrier);
+        joint mesh_c = gear_pair(sun, c, 24, 18, carrier: carrier);
+        drive motor = drive_angle(sun, sun_speed * t);
+        drive brake = drive_angle(ring, ring_speed * t);
+
+        output P = a.P;
+    }
+}
+
+type State = PlanetaryState<f64>;
+
+/// Module (m).
+const MODULE: f64 = 0.005;
+/// Teeth of sun, planets and ring.
+const TEETH: [f64; 3] = [24.0, 18.0, 60.0];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mechanism = Planetary::default();
+    let turn: Vec<State> = mechanism.sweep(steps(0.0, 1.0, 360)).collect::<Result<_, _>>()?;
+
+    print_ratios()?;
+    assert_hypocycloid(&mechanism, &turn);
+    assert_rolling(&turn);
+    println!("{}", picture(&mechanism, &turn).save("planetary")?.display());
+    Ok(())
+}
+
+/// The four gears of the gearbox, each with its ratio as the tables of the books give it.
+fn print_ratios() -> Result<(), Box<dyn Error>> {
+    let [sun, _, ring] = TEETH;
+    let gears = [
+        ("ring held", 1.0, 0.0, sun / (sun + ring)),
+        ("sun held", 0.0, 1.0, ring / (sun + ring)),
+        ("locked", 1.0, 1.0, 1.0),
+        ("carrier held", 1.0, -sun / ring, 0.0),
+    ];
+    println!("gear           sun   ring   carrier   planet   (rad/s)");
+    for (name, sun_speed, ring_speed, expected) in gears {
+        let state = Planetary { sun_speed, ring_speed }.solve(1.0)?;
+        let [carrier, planet] = [state.carrier(), state.a()].map(|body| body.angular_velocity);
+        println!("{name:12}  {sun_speed:4}   {ring_speed:4}   {carrier:7.4}   {planet:6.3}");
+        assert!((carrier - expected).abs() < 1e-15);
+    }
+    Ok(())
+}
+
+/// The place (m) of the planets' pitch point when the carrier stands at `angle` (rad), rolling in the ring.
+fn hypocycloid(angle: f64) -> Place {
+    let [planet, ring] = [TEETH[1], TEETH[2]].map(|teeth| teeth * MODULE / 2.0);
+    polar(ring - planet, angle) + polar(planet, -angle * (ring - planet) / planet)
+}
+
+fn assert_hypocycloid(m: &Planetary, turn: &[State]) {
+    let error = largest_difference(turn.iter().map(|state| ((m.P(state).value - hypocycloid(state.carrier().angle)).norm(), 0.0)));
+    assert!(error < 1e-14, "the pitch point is {error:e} m beside the hypocycloid");
+}
+
+/// The point of a planet that touches the ring at rest has no velocity.
+fn assert_rolling(turn: &[State]) {
+    let radius = TEETH[1] * MODULE / 2.0;
+    for planet in turn.iter().flat_map(|state| [state.a(), state.b(), state.c()]) {
+        let arm = planet.position.normalize() * radius;
+        let velocity = planet.velocity + Place::new(-arm.y, arm.x) * planet.angular_velocity;
+        assert!(velocity.norm() < 1e-14);
+    }
+}
+
+fn picture(m: &Planetary, turn: &[State]) -> Plate {
+    let mut scene = Scene::new();
+    draw(&mut scene, &turn[66]);
+    // Ten thirds of a turn close the curve: three turns of the carrier.
+    scene.line(Ink::Trace, steps(0.0, 3.0 * TAU, 400).map(hypocycloid));
+    scene.pin(m.P(&turn[66]).value).name(m.P(&turn[66]).value, "P", [12.0, 0.0]);
+
+    let angle = |state: &State| state.carrier().angle.to_degrees();
+    let over = |of: fn(&Planetary, &State) -> f64| turn.iter().map(move |state| (angle(state), of(m, state)));
+    let turns = |of: fn(&State) -> f64| turn.iter().map(move |state| (angle(state), of(state) / TAU));
+    Plate::new("Planetary gear", scene, Abscissa { name: "carrier angle in °", range: 0.0..360.0, step: 60.0 })
+        .diagram(
+            Diagram::new("turns")
+                .curve(Ink::Input, "sun", turns(|state| state.sun().angle))
+                .curve(Ink::Output, "carrier", turns(|state| state.carrier().angle))
+                .curve(Ink::Second, "planet", turns(|state| state.a().angle)),
+        )
+        .diagram(Diagram::new("speed of P in m/s").curve(Ink::Trace, "", over(|m, state| m.P(state).rate.norm())))
+}
+
+fn draw(scene: &mut Scene, state: &State) {
+    let [sun, planet, ring] = TEETH;
+    let carrier = state.carrier();
+    scene.disc(Ink::Ground, carrier.position, ring * MODULE / 2.0 + 3.0 * MODULE);
+    // Seen from the carrier each planet has its tooth at 0 where the train is assembled.
+    let inner = meshing(0.0, planet, -ring, 0.0) + PI;
+    scene.surface(Ink::Hole, gear(carrier.position, 60, -MODULE, state.ring().angle + inner));
+    for (k, body) in [state.a(), state.b(), state.c()].into_iter().enumerate() {
+        let direction = k as f64 * TAU / 3.0;
+        let tooth = meshing(direction, sun, planet, sun_tooth());
+        scene.surface(Ink::Second, gear(body.position, 18, MODULE, body.angle + tooth));
+    }
+    scene.surface(Ink::Input, gear(carrier.position, 24, MODULE, state.sun().angle + sun_tooth()));
+    let pins = [state.a(), state.b(), state.c()].map(|body| body.position);
+    for pin in pins {
+        scene.link(Ink::Output, &[carrier.position, pin]).pin(pin);
+    }
+    scene.pivot(carrier.position);
+}
+
+/// Where the sun has a tooth (rad) so that planet `a` has one in the direction of its own x axis.
+fn sun_tooth() -> f64 {
+    PI / 24.0
+}
