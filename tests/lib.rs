@@ -1,1 +1,18 @@
-//! To come.
+//! What the tests share: reference numbers, declarations that the compiler and its interpreter both read, and the comparison of
+//! doubles with decimal strings.
+
+pub mod common {
+    //! Reading, declaring, evaluating.
+
+    pub mod decimal;
+    pub mod declared;
+    pub mod interpreter;
+    pub mod reference;
+    pub mod text;
+}
+pub mod laws;
+pub mod library;
+pub mod mechanisms;
+#[allow(non_snake_case)] // Parameters are called by points, which are capitals.
+pub mod stress;
+pub mod units;

@@ -33,6 +33,8 @@ pub(crate) struct History<T> {
     previous: Option<T>,
     /// ω as it was seen in the contraction before.
     curvature: Option<T>,
+    /// θ of the last two corrections.
+    ratio: Option<T>,
 }
 
 impl<T: Float, L: Linear<T, N>, const N: usize> Iterate<T, L, N> {
@@ -83,7 +85,7 @@ impl<T: Float> History<T> {
     /// Before the first correction.
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        Self { previous: None, curvature: None }
+        Self { previous: None, curvature: None, ratio: None }
     }
 
     /// θ = |δ| / |previous δ|, for a correction that follows one made in full.
@@ -104,7 +106,14 @@ impl<T: Float> History<T> {
     #[inline(always)]
     pub(crate) fn after(&self, length: T, in_full: bool) -> Self {
         let latest = Self { curvature: None, ..*self };
-        Self { previous: in_full.then_some(length), curvature: latest.curvature(length) }
+        Self { previous: in_full.then_some(length), curvature: latest.curvature(length), ratio: self.contraction(length) }
+    }
+
+    /// The corrections became shorter by the same factor each time, not quadratically, and the last was no rounding: this is
+    /// how Newton's method approaches a place where two solutions meet.
+    pub(crate) fn is_linear(&self) -> bool {
+        let was_long = self.previous.is_some_and(|previous| previous > T::of(4.0 * SAME_JACOBIAN) * T::EPSILON);
+        was_long && self.ratio.is_some_and(|ratio| ratio >= T::of(STALLED))
     }
 
     /// Length of the last correction, if it was made in full.

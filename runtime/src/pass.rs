@@ -87,7 +87,8 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
 
     /// Solves a block of one to three unknowns: in closed form.
     ///
-    /// `evaluate` gives residuals and their Jacobian, everything before the block known.
+    /// `evaluate` gives residuals and their Jacobian, everything before the block known; rounding errors of the residuals are a
+    /// share of `sizes`.
     ///
     /// # Errors
     /// Why the block has no solution near.
@@ -95,9 +96,10 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
     pub fn small<const K: usize>(
         &mut self,
         block: &Block<K>,
+        sizes: [T; K],
         evaluate: impl Fn(&Place<T, K>) -> ([T; K], [[T; K]; K]),
     ) -> Result<Solved<T, Small<T, K>, K>, Stop<T>> {
-        self.block(block, evaluate)
+        self.block(block, sizes, evaluate)
     }
 
     /// Solves a larger block: by a pivoted factorisation.
@@ -107,15 +109,17 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
     pub fn large<const K: usize>(
         &mut self,
         block: &Block<K>,
+        sizes: [T; K],
         evaluate: impl Fn(&Place<T, K>) -> ([T; K], [[T; K]; K]),
     ) -> Result<Solved<T, Factors<T, K>, K>, Stop<T>> {
-        self.block(block, evaluate)
+        self.block(block, sizes, evaluate)
     }
 
     #[inline(always)]
     fn block<L: Linear<T, K>, const K: usize>(
         &mut self,
         block: &Block<K>,
+        sizes: [T; K],
         evaluate: impl Fn(&Place<T, K>) -> ([T; K], [[T; K]; K]),
     ) -> Result<Solved<T, L, K>, Stop<T>> {
         let part = Part {
@@ -125,6 +129,7 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
             },
             block,
             scale: Scale::by_kind(self.length, self.share, &block.kinds),
+            sizes: SVector::from(sizes),
             rows: self.rows,
             coordinates: self.coordinates,
             factors: PhantomData::<L>,
@@ -146,7 +151,7 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
                 let place = picked(q);
                 let (_, jacobian) = problem.linearize(&place);
                 let factors = P::Factors::factor(&jacobian).map_err(|row| Stop::NotFinite(Culprit::Row(problem.row(row))))?;
-                let condition = factors.condition();
+                let condition = factors.condition(&problem.sizes(), &problem.scale().share);
                 if worst.is_none() || condition > self.condition {
                     *worst = Some(problem.singular(&place));
                 }

@@ -24,8 +24,9 @@ const LARGEST_CONTRACTION: f64 = 0.25;
 /// Corrections of a predicted position; with that contraction, five reach rounding.
 const FOLLOWING_ITERATIONS: usize = 12;
 
-/// A Jacobian with a condition above 16 / √ε is singular: rounding in Φ then moves q further than the next assembly is away.
-const SINGULAR: f64 = 16.0;
+/// A Jacobian with a condition above 1 / √ε is singular: at a fold, where two assemblies meet, q is known to about √ε and the
+/// condition there is about 1 / √ε.
+const SINGULAR: f64 = 1.0;
 
 /// Unless the last correction is no longer than this many roundings of q: lengths that differ by many orders of magnitude give
 /// a large condition as well, without harm.
@@ -86,7 +87,7 @@ fn limited<T: Float, P: Problem<T, N>, const N: usize>(
     for iterations in 1..=CLOSING_ITERATIONS {
         let iterate = Iterate::at(problem, place)?;
         if iterate.has_settled(&history, problem.scale()) {
-            return accept(problem, iterate, iterations);
+            return accept(problem, iterate, iterations, history.is_linear());
         }
         let in_full = iterate.length <= T::of(LONGEST_STEP);
         place = iterate.moved(smaller(T::of(1.0), T::of(LONGEST_STEP) / iterate.length), problem);
@@ -115,7 +116,7 @@ pub(crate) fn follow<T: Float, P: Problem<T, N>, const N: usize>(
     let length = problem.scale().norm(&correction);
     let factors = P::Factors::factor(&jacobian).map_err(|row| Culprit::Row(problem.row(row)))?;
     if has_settled_at_once(first.length, length) {
-        return accept(problem, Iterate { place, factors, correction, length }, 2).map_err(|_| Refusal::Singular);
+        return accept(problem, Iterate { place, factors, correction, length }, 2, false).map_err(|_| Refusal::Singular);
     }
     go_on(&problem.erased(), place, first.length)
 }
@@ -144,7 +145,7 @@ fn go_on<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: Place<T
     for iterations in 2..=FOLLOWING_ITERATIONS {
         let iterate = Iterate::at(problem, place)?;
         if iterate.has_settled(&history, problem.scale()) {
-            return accept(problem, iterate, iterations).map_err(|_| Refusal::Singular);
+            return accept(problem, iterate, iterations, false).map_err(|_| Refusal::Singular);
         }
         if history.contraction(iterate.length).is_none_or(|theta| theta > T::of(LARGEST_CONTRACTION)) {
             return Err(Refusal::Far);
@@ -161,12 +162,13 @@ pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
     iterate: Iterate<T, P::Factors, N>,
     iterations: usize,
+    is_linear: bool,
 ) -> Result<Position<T, P::Factors, N>, Miss<T, N>> {
     let place = iterate.place.nudged(&iterate.correction, problem.turns());
-    let condition = iterate.factors.condition();
+    let condition = iterate.factors.condition(&problem.sizes(), &problem.scale().share);
     let resolved = condition * T::ROOT_EPSILON <= T::of(SINGULAR);
     let is_harmless = || iterate.factors.is_regular() && iterate.length <= T::of(HARMLESS) * T::EPSILON * (T::of(1.0) + problem.scale().norm(&place.x));
-    if resolved || is_harmless() { Ok(Position { place, factors: iterate.factors, condition, iterations }) } else { Err(Miss::Singular(place)) }
+    if resolved || (!is_linear && is_harmless()) { Ok(Position { place, factors: iterate.factors, condition, iterations }) } else { Err(Miss::Singular(place)) }
 }
 
 impl<T, const N: usize> From<Culprit> for Miss<T, N> {

@@ -3,6 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::linear::{Factors, Linear, weakest};
+use crate::order::smaller;
 use crate::place::Place;
 use crate::scale::Scale;
 use crate::{Cause, Coordinate, CoordinateKind, Culprit, Equations, Float, Row, names};
@@ -29,6 +30,9 @@ pub(crate) trait Problem<T: Float, const K: usize> {
     /// The size of each unknown.
     fn scale(&self) -> &Scale<T, K>;
 
+    /// What the rounding errors of each residual are a share of; 0 where the Jacobian tells.
+    fn sizes(&self) -> SVector<T, K>;
+
     /// The name of a row.
     fn row(&self, index: usize) -> Row;
 
@@ -45,7 +49,8 @@ pub(crate) trait Problem<T: Float, const K: usize> {
     fn singular(&self, place: &Place<T, K>) -> Cause<T> {
         let (_, jacobian) = self.linearize(place);
         let (row, coordinate) = weakest(&jacobian, &self.scale().column).unwrap_or((0, 0));
-        let condition = Factors::new(&jacobian).map_or(T::of(f64::NAN), |factors| factors.condition());
+        let factors = Self::Factors::factor(&jacobian);
+        let condition = factors.map_or(T::of(f64::NAN), |factors| factors.condition(&self.sizes(), &self.scale().share));
         Cause::Singular { row: self.row(row), coordinate: self.coordinate(coordinate), condition }
     }
 
@@ -55,13 +60,25 @@ pub(crate) trait Problem<T: Float, const K: usize> {
         let mut widest = T::of(CLOSED) * T::ROOT_EPSILON * self.scale().length;
         let mut cause = None;
         for (row, &residual) in phi.iter().enumerate() {
-            let gap = self.scale().gap(row, residual, &jacobian);
+            let gap = at_most(self.scale().gap(row, residual, &jacobian), residual, self.row(row).unit, self.scale().length);
             if gap > widest {
                 widest = gap;
                 cause = Some(Cause::DoesNotClose { row: self.row(row), residual, gap });
             }
         }
         cause
+    }
+}
+
+/// A gap is no larger than its residual allows: at a dead point the gradient that it was divided by vanishes.
+fn at_most<T: Float>(gap: T, residual: T, unit: &str, length: T) -> T {
+    let residual = residual.abs();
+    match unit {
+        "m" => smaller(residual, gap),
+        "rad" => smaller(residual * length, gap),
+        // |d − c| ≤ √|d² − c²| for lengths d and c.
+        "m²" => smaller(residual.sqrt(), gap),
+        _ => gap,
     }
 }
 
@@ -96,6 +113,10 @@ impl<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize> Problem<T, N> for
 
     fn scale(&self) -> &Scale<T, N> {
         &self.scale
+    }
+
+    fn sizes(&self) -> SVector<T, N> {
+        SVector::from_element(T::of(0.0))
     }
 
     fn row(&self, index: usize) -> Row {
@@ -133,6 +154,10 @@ impl<T: Float, P: Problem<T, K>, const K: usize> Problem<T, K> for &P {
         (**self).scale()
     }
 
+    fn sizes(&self) -> SVector<T, K> {
+        (**self).sizes()
+    }
+
     fn row(&self, index: usize) -> Row {
         (**self).row(index)
     }
@@ -147,6 +172,7 @@ pub(crate) struct Part<'a, F, L, T, const K: usize> {
     pub(crate) evaluate: F,
     pub(crate) block: &'a Block<K>,
     pub(crate) scale: Scale<T, K>,
+    pub(crate) sizes: SVector<T, K>,
     pub(crate) rows: &'static [Row],
     pub(crate) coordinates: &'static [Coordinate],
     pub(crate) factors: core::marker::PhantomData<L>,
@@ -178,8 +204,8 @@ where
         Self: 'b;
 
     fn erased(&self) -> Self::Erased<'_> {
-        let Self { block, ref scale, rows, coordinates, .. } = *self;
-        Part { evaluate: &self.evaluate, block, scale: scale.clone(), rows, coordinates, factors: core::marker::PhantomData }
+        let Self { block, ref scale, sizes, rows, coordinates, .. } = *self;
+        Part { evaluate: &self.evaluate, block, scale: scale.clone(), sizes, rows, coordinates, factors: core::marker::PhantomData }
     }
 
     #[inline]
@@ -195,6 +221,11 @@ where
     #[inline]
     fn scale(&self) -> &Scale<T, K> {
         &self.scale
+    }
+
+    #[inline(always)]
+    fn sizes(&self) -> SVector<T, K> {
+        self.sizes
     }
 
     fn row(&self, index: usize) -> Row {

@@ -13,7 +13,9 @@ impl<T: Float, const N: usize> Factors<T, N> {
     /// A z = ± |A| c is solved with the signs that make the forward substitution grow.
     /// Skeel: Scaling for numerical stability in Gaussian elimination, 1979; Cline, Moler, Stewart, Wilkinson: An estimate for the
     /// condition number of a matrix, 1979.
-    pub(crate) fn condition(&self) -> T {
+    ///
+    /// * `sizes`: given, by row, what the rounding errors of b are a share of; it counts where it is larger than the row of |A| c.
+    pub(crate) fn growth(&self, sizes: &SVector<T, N>) -> T {
         if self.rank < N {
             return T::of(f64::INFINITY);
         }
@@ -21,7 +23,7 @@ impl<T: Float, const N: usize> Factors<T, N> {
         let size = SVector::<T, N>::from_fn(|i, _| {
             let row = self.rows[i];
             let sum = (0..N).fold(zero, |sum, j| sum + self.matrix[(row, j)].abs() * self.column_scale[j]);
-            sum * self.row_scale[row]
+            greater(sum, sizes[row]) * self.row_scale[row]
         });
         let mut y = SVector::<T, N>::from_element(zero);
         for k in 0..N {

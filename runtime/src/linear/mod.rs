@@ -40,8 +40,11 @@ pub trait Linear<T: Float, const N: usize>: Sized {
     /// x of A x = b with one step of iterative refinement.
     fn solve_refined(&self, b: &SVector<T, N>) -> SVector<T, N>;
 
-    /// An estimate of ‖ |A⁻¹| |A| ‖ in equilibrated unknowns: 1 at best, infinite if A is singular.
-    fn condition(&self) -> T;
+    /// By how much rounding errors grow on their way from A x − b to x, at least about 1; infinite if A is singular.
+    ///
+    /// * `sizes`: given, by row, what the rounding errors of b are a share of; the row of A counts where it is larger.
+    /// * `shares`: given, by unknown, one over what counts as 1 in it.
+    fn condition(&self, sizes: &SVector<T, N>, shares: &SVector<T, N>) -> T;
 
     /// The sign of det A; without meaning if A is singular.
     fn orientation(&self) -> Orientation;

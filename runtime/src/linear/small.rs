@@ -57,15 +57,15 @@ impl<T: Float, const N: usize> Linear<T, N> for Small<T, N> {
         SVector::from_fn(|i, _| x[i] + correction[i])
     }
 
-    /// The largest row sum of |A⁻¹| |A|: unlike a norm of A⁻¹ it does not depend on the units of rows.
     #[inline(always)]
-    fn condition(&self) -> T {
+    fn condition(&self, sizes: &SVector<T, N>, shares: &SVector<T, N>) -> T {
         if !self.is_regular() {
             return T::of(f64::INFINITY);
         }
-        let entry = |i: usize, j: usize| (0..N).fold(T::of(0.0), |sum, k| sum + (self.inverse[(i, k)] * self.matrix[(k, j)]).abs());
-        // Unknowns count by their own size, as if columns had been scaled: the diagonal of |A⁻¹| |A| needs no scaling at all.
-        (0..N).fold(T::of(1.0), |largest, i| greater(largest, entry(i, i)))
+        (0..N).fold(T::of(1.0), |largest, i| {
+            let growth = (0..N).fold(T::of(0.0), |sum, k| sum + self.inverse[(i, k)].abs() * sizes[k]);
+            greater(largest, growth * shares[i])
+        })
     }
 
     #[inline(always)]

@@ -40,8 +40,8 @@ impl<T: Float, const N: usize> Linear<T, N> for Factors<T, N> {
         SVector::from_fn(|i, _| x[i] + correction[i])
     }
 
-    fn condition(&self) -> T {
-        Factors::condition(self)
+    fn condition(&self, sizes: &SVector<T, N>, _: &SVector<T, N>) -> T {
+        self.growth(sizes)
     }
 
     fn orientation(&self) -> Orientation {

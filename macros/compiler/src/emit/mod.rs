@@ -101,6 +101,7 @@ fn defaults(model: &Model, system: &System) -> TokenStream {
             fn default() -> Self { Self::with_defaults() }
         }
         #[automatically_derived]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         impl<T: ::reuleaux::Real> #name<T> {
             /// The parameters at their declared defaults, over any number type.
             #[must_use]

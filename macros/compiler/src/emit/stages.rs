@@ -82,6 +82,7 @@ impl Emitter<'_> {
             let entries = list(&inner, row);
             quote!([#(#entries),*])
         });
+        let sizes = list(&outer, &block.system.sizes);
         let (rate_sides, acceleration_sides) = (list(&outer, &block.system.rates), list(&outer, &block.system.accelerations));
         let motion = |order: usize| -> Vec<Ident> { block.system.unknowns.iter().map(|unknown| local(&solution.unknowns[*unknown][order])).collect() };
         let (x, xd, xdd) = (motion(0), motion(1), motion(2));
@@ -102,6 +103,7 @@ impl Emitter<'_> {
             #before
             let #solved = #pass.#method(
                 &::reuleaux::Block { unknowns: [#(#unknowns),*], equations: [#(#equations),*], kinds: [#(#kinds),*], turns: [#(#turns),*] },
+                [#(#sizes),*],
                 #[inline(always)]
                 |#place: &::reuleaux::Place<T, #k>| {
                     let [#(#x),*] = #place.x.data.0[0];

@@ -3,6 +3,7 @@
 //! In: a [`System`] and what is to be computed. Out: [`Routine`]s: named steps, each used more than
 //! once, and results that refer to them. Not done here: printing.
 
+mod magnitude;
 mod schedule;
 mod solution;
 mod stages;

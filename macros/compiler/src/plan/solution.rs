@@ -66,7 +66,7 @@ pub(super) fn solution(arena: &Arena, stages: &[Stage], n: usize, words: &Words)
             Stage::Explicit { motion, .. } => roots.extend(motion),
             Stage::Block(system) => {
                 hoisted.extend(fixed(arena, system, moving));
-                roots.extend(system.rates.iter().chain(&system.accelerations));
+                roots.extend(system.sizes.iter().chain(&system.rates).chain(&system.accelerations));
             }
         }
     }
@@ -91,8 +91,8 @@ fn part(arena: &Arena, work: &mut Work, stage: &Stage, moving: &BTreeSet<Expr>, 
 }
 
 fn iterated(arena: &Arena, work: &mut Work, system: &Iteration, moving: &BTreeSet<Expr>, words: &Words) -> Iterated {
-    for expr in fixed(arena, system, moving) {
-        work.serve(expr);
+    for expr in fixed(arena, system, moving).iter().chain(&system.sizes) {
+        work.serve(*expr);
     }
     let before = work.take();
     let results = results(system);

@@ -7,6 +7,7 @@
 //!               r_x ẍ = −r̈ at ẍ = 0
 //! ```
 
+use super::magnitude::magnitude;
 use crate::expr::{Arena, Expr, Jets, Leaf, Substitution, derivative};
 use crate::structure::{Block, Explicit, Structure};
 use crate::system::System;
@@ -36,6 +37,8 @@ pub struct Iteration {
     pub residuals: Vec<Expr>,
     /// r_x by rows
     pub jacobian: Vec<Vec<Expr>>,
+    /// What the rounding errors of r are a share of: the sum of the magnitudes of its terms.
+    pub sizes: Vec<Expr>,
     /// Right side of the velocity equation.
     pub rates: Vec<Expr>,
     /// Right side of the acceleration equation.
@@ -111,6 +114,7 @@ impl Work<'_> {
             equations: block.residuals.clone(),
             residuals: Vec::new(),
             jacobian: Vec::new(),
+            sizes: Vec::new(),
             rates: Vec::new(),
             accelerations: Vec::new(),
         };
@@ -122,6 +126,7 @@ impl Work<'_> {
             let (first, second) = (still.of(self.arena, first), unaccelerated.of(self.arena, second));
             found.rates.push(self.arena.neg(first));
             found.accelerations.push(self.arena.neg(second));
+            found.sizes.push(magnitude(self.arena, residual, &block.iterated));
             found.residuals.push(residual);
         }
         Some(found)

@@ -9,7 +9,7 @@ use super::tokens::{
     wrong,
 };
 use crate::diag::{Diag, Fact};
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{LitStr, Token, token};
@@ -67,11 +67,12 @@ fn export(input: ParseStream, diag: &mut Diag) -> Parsed<Export> {
         return bundle(input, docs, visibility, diag);
     }
     // The tokens handed over are those from the word `constraint` to the closing brace.
-    let rest: TokenStream = input.fork().parse()?;
+    let begin = input.fork();
     let mut definition = definition(input)?;
-    let left = input.fork().parse::<TokenStream>()?.into_iter().count();
-    let all = rest.clone().into_iter().count();
-    let tokens = rest.into_iter().take(all - left).collect();
+    let mut tokens = TokenStream::new();
+    while begin.cursor() < input.cursor() {
+        tokens.extend([begin.parse::<TokenTree>()?]);
+    }
     definition.docs = docs.clone();
     let name = definition.name.clone();
     Ok(Export { docs, visibility, name, definitions: vec![definition], tokens, is_bundle: false })

@@ -1,0 +1,136 @@
+//! What a mechanism costs its users at compile time: `cargo run -p reuleaux-benches --bin compile_time [runs]`.
+//!
+//! In: nothing. Out: a table for `README.md` beside this file: seconds of `cargo check` and `cargo build --release` for crates
+//! without a mechanism and with many, dependencies built, without incremental compilation; each the median of several runs.
+//! It fails if a four-bar adds more than a second to `cargo check`.
+
+use std::error::Error;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Instant;
+
+/// How many times each command is run, if nothing is said.
+const RUNS: usize = 5;
+
+/// What a four-bar may add to `cargo check`, in s.
+const LIMIT: f64 = 1.0;
+
+/// How the macros are compiled: by default they are not optimised, which a user may change.
+const SETTINGS: [(&str, &str); 2] = [
+    ("as it comes", ""),
+    ("optimised compiler", "[profile.dev.build-override]\nopt-level = 1\n[profile.release.build-override]\nopt-level = 1\n"),
+];
+
+const COMMANDS: [(&str, &[&str]); 2] = [("check", &["check"]), ("build --release", &["build", "--release"])];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let runs = std::env::args().nth(1).map_or(Ok(RUNS), |runs| runs.parse())?;
+    let crates = [
+        ("no mechanism".to_owned(), String::new()),
+        ("a four-bar".to_owned(), chain(0, 1)),
+        ("a chain of 3 four-bars".to_owned(), chains(1)),
+        ("10 such chains".to_owned(), chains(10)),
+        ("40 such chains".to_owned(), chains(40)),
+    ];
+    let mut columns = Vec::new();
+    for (setting, profile) in SETTINGS {
+        let package = Package::new(setting, profile)?;
+        for (command, arguments) in COMMANDS {
+            let seconds = crates.iter().map(|(_, source)| package.median(source, arguments, runs));
+            columns.push((format!("`{command}`, {setting}"), seconds.collect::<Result<Vec<f64>, _>>()?));
+        }
+    }
+
+    let names: Vec<&String> = crates.iter().map(|(name, _)| name).collect();
+    print!("{}", table(&names, &columns));
+    let (_, check) = &columns[0];
+    let added = check[1] - check[0];
+    println!("\nA four-bar adds {added:.2} s to `cargo check` (at most {LIMIT} s is wanted). Medians of {runs} runs.");
+    if added <= LIMIT { Ok(()) } else { Err("a four-bar takes too long to check".into()) }
+}
+
+/// Rows of seconds, in Markdown.
+fn table(rows: &[&String], columns: &[(String, Vec<f64>)]) -> String {
+    let mut text = "| crate, s".to_owned();
+    for (name, _) in columns {
+        let _ = write!(text, " | {name}");
+    }
+    let _ = writeln!(text, " |\n| --- {}|", "| ---: ".repeat(columns.len()));
+    for (row, name) in rows.iter().enumerate() {
+        let _ = write!(text, "| {name}");
+        for (_, seconds) in columns {
+            let _ = write!(text, " | {:.2}", seconds[row]);
+        }
+        text += " |\n";
+    }
+    text
+}
+
+/// A crate that depends on reuleaux, away from the workspace.
+struct Package {
+    folder: PathBuf,
+}
+
+impl Package {
+    fn new(setting: &str, profile: &str) -> Result<Package, Box<dyn Error>> {
+        let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize()?;
+        let target = std::env::var_os("CARGO_TARGET_DIR").map_or(workspace.join("target"), PathBuf::from);
+        let folder = target.join("compile_time").join(setting.replace(' ', "_"));
+        fs::create_dir_all(folder.join("src"))?;
+        let manifest = format!(
+            "[package]\nname = \"measured\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[dependencies]\nreuleaux = {{ path = {:?} }}\n[workspace]\n{profile}",
+            workspace.join("runtime")
+        );
+        fs::write(folder.join("Cargo.toml"), manifest)?;
+        // The same versions as here, and no look at a registry.
+        fs::copy(workspace.join("Cargo.lock"), folder.join("Cargo.lock"))?;
+        fs::copy(workspace.join("rust-toolchain.toml"), folder.join("rust-toolchain.toml"))?;
+        Ok(Package { folder })
+    }
+
+    /// Seconds that `cargo` takes for the crate with this source; dependencies are built before.
+    fn median(&self, source: &str, arguments: &[&str], runs: usize) -> Result<f64, Box<dyn Error>> {
+        self.seconds(source, 0, arguments)?;
+        let mut seconds = (1..=runs.max(1)).map(|run| self.seconds(source, run, arguments)).collect::<Result<Vec<f64>, _>>()?;
+        seconds.sort_by(f64::total_cmp);
+        Ok(seconds[seconds.len() / 2])
+    }
+
+    fn seconds(&self, source: &str, run: usize, arguments: &[&str]) -> Result<f64, Box<dyn Error>> {
+        // The comment makes cargo see another crate each time.
+        fs::write(self.folder.join("src/lib.rs"), format!("{source}// run {run}\n"))?;
+        let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
+        cargo.args(arguments).args(["--quiet", "--offline", "--target-dir", "target"]);
+        cargo.current_dir(&self.folder).env("CARGO_INCREMENTAL", "0").env_remove("CARGO_TARGET_DIR");
+        let begin = Instant::now();
+        let output = cargo.output()?;
+        let seconds = begin.elapsed().as_secs_f64();
+        if output.status.success() { Ok(seconds) } else { Err(String::from_utf8_lossy(&output.stderr).into()) }
+    }
+}
+
+fn chains(count: usize) -> String {
+    (0..count).map(|number| chain(number, 3)).collect()
+}
+
+/// A mechanism of this many four-bars in a row, and a function that solves it: neighbouring cranks of length 1 on pivots at
+/// (i, 0), their tips joined by couplers of length 1.
+fn chain(number: usize, four_bars: usize) -> String {
+    let mut text = format!("reuleaux::mechanism! {{ pub mechanism Chain{number} {{\n    param speed: AngularVelocity = 1rad_s;\n");
+    for i in 0..=four_bars {
+        let _ = writeln!(text, "    body crank_{i} {{ point O = (0m, 0m); point A = (1m, 0m); start angle = 1rad; }}");
+        let _ = writeln!(text, "    joint pivot_{i} = revolute(({i}m, 0m), crank_{i}.O);");
+    }
+    for i in 0..four_bars {
+        let next = i + 1;
+        let _ = writeln!(text, "    body coupler_{i} {{ point A = (0m, 0m); point B = (1m, 0m); start angle = 0rad; }}");
+        let _ = writeln!(text, "    joint a_{i} = revolute(crank_{i}.A, coupler_{i}.A);");
+        let _ = writeln!(text, "    joint b_{i} = revolute(coupler_{i}.B, crank_{next}.A);");
+    }
+    let _ = writeln!(text, "    drive motor = drive_angle(crank_0, 1rad + speed * t);\n    output tip = crank_{four_bars}.A;\n}} }}");
+    let _ = writeln!(text, "pub fn tip_{number}(t: f64) -> Option<[f64; 2]> {{");
+    let _ = writeln!(text, "    let chain = Chain{number}::default();\n    Some(chain.tip(&chain.solve(t).ok()?).value.into())\n}}");
+    text
+}

@@ -1,0 +1,7 @@
+//! Reference numbers that were computed elsewhere, with 60 digits.
+
+mod files;
+mod mechanisms;
+mod stress;
+mod turns;
+mod unit_constraints;

@@ -1,0 +1,3 @@
+//! The program of the README, as it stands there.
+
+include!("crank_rocker.rs");
