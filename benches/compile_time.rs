@@ -12,18 +12,17 @@ use std::process::Command;
 use std::time::Instant;
 
 /// How many times each command is run, if nothing is said.
-const RUNS: usize = 5;
+const RUNS: usize = 3;
 
 /// What a four-bar may add to `cargo check`, in s.
 const LIMIT: f64 = 1.0;
 
-/// How the macros are compiled: by default they are not optimised, which a user may change.
-const SETTINGS: [(&str, &str); 2] = [
-    ("as it comes", ""),
-    ("optimised compiler", "[profile.dev.build-override]\nopt-level = 1\n[profile.release.build-override]\nopt-level = 1\n"),
+/// What is measured: heading, profile and command. By default macros are not optimised, which a user may change.
+const COLUMNS: [(&str, &str, &[&str]); 3] = [
+    ("`check`", "", &["check"]),
+    ("`check`, compiler optimised", "[profile.dev.build-override]\nopt-level = 1\n", &["check"]),
+    ("`build --release`", "", &["build", "--release"]),
 ];
-
-const COMMANDS: [(&str, &[&str]); 2] = [("check", &["check"]), ("build --release", &["build", "--release"])];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let runs = std::env::args().nth(1).map_or(Ok(RUNS), |runs| runs.parse())?;
@@ -35,12 +34,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("40 such chains".to_owned(), chains(40)),
     ];
     let mut columns = Vec::new();
-    for (setting, profile) in SETTINGS {
-        let package = Package::new(setting, profile)?;
-        for (command, arguments) in COMMANDS {
-            let seconds = crates.iter().map(|(_, source)| package.median(source, arguments, runs));
-            columns.push((format!("`{command}`, {setting}"), seconds.collect::<Result<Vec<f64>, _>>()?));
-        }
+    for (name, profile, command) in COLUMNS {
+        let package = Package::new(profile)?;
+        let seconds = crates.iter().map(|(_, source)| package.median(source, command, runs));
+        columns.push((name, seconds.collect::<Result<Vec<f64>, _>>()?));
     }
 
     let names: Vec<&String> = crates.iter().map(|(name, _)| name).collect();
@@ -52,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// Rows of seconds, in Markdown.
-fn table(rows: &[&String], columns: &[(String, Vec<f64>)]) -> String {
+fn table(rows: &[&String], columns: &[(&str, Vec<f64>)]) -> String {
     let mut text = "| crate, s".to_owned();
     for (name, _) in columns {
         let _ = write!(text, " | {name}");
@@ -74,10 +71,10 @@ struct Package {
 }
 
 impl Package {
-    fn new(setting: &str, profile: &str) -> Result<Package, Box<dyn Error>> {
+    fn new(profile: &str) -> Result<Package, Box<dyn Error>> {
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize()?;
         let target = std::env::var_os("CARGO_TARGET_DIR").map_or(workspace.join("target"), PathBuf::from);
-        let folder = target.join("compile_time").join(setting.replace(' ', "_"));
+        let folder = target.join("compile_time").join(if profile.is_empty() { "plain" } else { "optimised" });
         fs::create_dir_all(folder.join("src"))?;
         let manifest = format!(
             "[package]\nname = \"measured\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[dependencies]\nreuleaux = {{ path = {:?} }}\n[workspace]\n{profile}",

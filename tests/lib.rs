@@ -4,6 +4,7 @@
 pub mod common {
     //! Reading, declaring, evaluating.
 
+    pub mod all;
     pub mod decimal;
     pub mod declared;
     pub mod interpreter;

@@ -85,6 +85,29 @@ impl<T: Real, const N: usize> State<T, N> {
     }
 }
 
+impl<T: Real> PlanarBody<T> {
+    /// The motion of the point of this body with the local coordinates s' (m).
+    ///
+    /// ```text
+    /// r_P = r + A s'      A = [cos φ  −sin φ; sin φ  cos φ],  B = dA/dφ
+    /// ṙ_P = ṙ + B s' φ̇
+    /// r̈_P = r̈ + B s' φ̈ − A s' φ̇²
+    /// ```
+    #[must_use]
+    pub fn point(&self, local: Vector2<T>) -> Motion<Vector2<T>> {
+        let (sine, cosine) = self.angle.sin_cos();
+        let turned = [cosine * local[0] - sine * local[1], sine * local[0] + cosine * local[1]];
+        let across = [-turned[1], turned[0]];
+        let square = self.angular_velocity * self.angular_velocity;
+        let vector = |entry: &dyn Fn(usize) -> T| Vector2::new(entry(0), entry(1));
+        Motion {
+            value: vector(&|i| self.position[i] + turned[i]),
+            rate: vector(&|i| self.velocity[i] + across[i] * self.angular_velocity),
+            acceleration: vector(&|i| self.acceleration[i] + (across[i] * self.angular_acceleration - turned[i] * square)),
+        }
+    }
+}
+
 impl<T: Float, const N: usize> State<T, N> {
     /// Where the mechanism is at `t` (s) as far as this state knows: q + h q̇ + h² q̈ / 2, h = `t` − `self.t`.
     pub(crate) fn predict(&self, t: T) -> SVector<T, N> {

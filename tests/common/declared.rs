@@ -54,8 +54,26 @@ pub trait Declared: Copy + Debug {
     /// The emitted Φ over another number type.
     fn phi_over<T: Real>(&self, q: &[T], t: T) -> Vec<T>;
 
-    /// Value, rate and acceleration of every component of every output.
-    fn outputs(&self, at: &Instant) -> Vec<[f64; 3]>;
+    /// Value, rate and acceleration of every component of every output, over any number type.
+    fn outputs_over<T: Real>(&self, state: Moving<T>) -> Vec<[T; 3]>;
+
+    /// The same in doubles.
+    fn outputs(&self, at: &Instant) -> Vec<[f64; 3]> {
+        self.outputs_over(Moving { t: at.t, q: at.q.clone(), qd: at.qd.clone(), qdd: at.qdd.clone() })
+    }
+}
+
+/// A time and a position with first and second rates.
+#[derive(Clone, Debug)]
+pub struct Moving<T> {
+    /// t
+    pub t: T,
+    /// q
+    pub q: Vec<T>,
+    /// q̇
+    pub qd: Vec<T>,
+    /// q̈
+    pub qdd: Vec<T>,
 }
 
 /// Declares a mechanism for `mechanism!` and as text.
@@ -107,11 +125,12 @@ macro_rules! declared {
                 let lifted = $name::<T> { $($parameter: T::of(self.$parameter),)* ..$name::<T>::with_defaults() };
                 $crate::common::declared::phi(&lifted, q, t)
             }
-            fn outputs(&self, at: &$crate::common::declared::Instant) -> Vec<[f64; 3]> {
+            fn outputs_over<T: ::reuleaux::Real>(&self, state: $crate::common::declared::Moving<T>) -> Vec<[T; 3]> {
+                let lifted = $name::<T> { $($parameter: T::of(self.$parameter),)* ..$name::<T>::with_defaults() };
                 let mut parts = Vec::new();
                 $(
-                    let state = $state($crate::common::declared::state(at));
-                    $(parts.extend($crate::common::declared::Parts::parts(self.$output(&state)));)*
+                    let state = $state($crate::common::declared::state(&state));
+                    $(parts.extend($crate::common::declared::Parts::parts(lifted.$output(&state)));)*
                 )?
                 parts
             }
@@ -120,19 +139,19 @@ macro_rules! declared {
 }
 
 /// The numbers of an output.
-pub trait Parts {
+pub trait Parts<T> {
     /// Value, rate and acceleration of each component.
-    fn parts(self) -> Vec<[f64; 3]>;
+    fn parts(self) -> Vec<[T; 3]>;
 }
 
-impl Parts for Motion<f64> {
-    fn parts(self) -> Vec<[f64; 3]> {
+impl<T: Real> Parts<T> for Motion<T> {
+    fn parts(self) -> Vec<[T; 3]> {
         vec![[self.value, self.rate, self.acceleration]]
     }
 }
 
-impl Parts for Motion<Vector2<f64>> {
-    fn parts(self) -> Vec<[f64; 3]> {
+impl<T: Real> Parts<T> for Motion<Vector2<T>> {
+    fn parts(self) -> Vec<[T; 3]> {
         [0, 1].map(|i| [self.value[i], self.rate[i], self.acceleration[i]]).into()
     }
 }
@@ -169,14 +188,14 @@ pub fn phi<T: Real, E: Equations<T, M, N>, const M: usize, const N: usize>(mecha
 
 /// A state that nobody solved for, at which outputs can be taken.
 #[must_use]
-pub fn state<const N: usize>(at: &Instant) -> reuleaux::State<f64, N> {
+pub fn state<T: Real, const N: usize>(at: &Moving<T>) -> reuleaux::State<T, N> {
     reuleaux::State {
         t: at.t,
         q: vector(&at.q),
         qd: vector(&at.qd),
         qdd: vector(&at.qdd),
         branch: [reuleaux::Orientation::Positive; N],
-        condition: 1.0,
+        condition: T::of(1.0),
         iterations: 0,
     }
 }

@@ -1,1 +1,9 @@
-//! Laws.
+//! Laws that hold for every mechanism, tried at random states.
+
+mod bits;
+mod derivatives;
+mod dual;
+mod invariance;
+mod laws;
+mod random;
+mod tables;

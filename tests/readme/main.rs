@@ -55,6 +55,14 @@ fn the_message_is_what_the_compiler_says() {
 }
 
 #[test]
+fn seven_coordinates_are_computed_and_two_are_iterated() {
+    let blocks = reuleaux_compiler::compile(declaration(PROGRAM)).expect("the program compiles").structure.blocks;
+    let count = |of: fn(&reuleaux_compiler::structure::Block) -> usize| blocks.iter().map(of).collect::<Vec<_>>();
+    assert_eq!(count(|block| block.explicit.len()).iter().sum::<usize>(), 7);
+    assert_eq!(count(|block| block.iterated.len()).into_iter().filter(|iterated| *iterated > 0).collect::<Vec<_>>(), [2]);
+}
+
+#[test]
 fn every_kind_of_the_library_has_its_row() {
     for name in reuleaux_compiler::library::constraints().chain(reuleaux_compiler::library::functions()) {
         assert!(README.contains(&format!("\n| `{name}(")), "`{name}` is missing in the README's tables");

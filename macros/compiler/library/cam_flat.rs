@@ -11,6 +11,13 @@
 /// rise. The point of contact lies h'(ψ) beside the foot of the normal through `O`. ψ goes backwards as
 /// the cam turns; `h` must repeat after a full turn.
 ///
+/// A law over the cam's own angle θ, which counts from the moment the follower stands on the cam's x axis, is written with
+/// θ = −ψ; where the follower stands in another direction δ, with θ = δ − ψ. For a follower above the cam:
+///
+/// ```text
+///   function h(psi: Angle) -> Length = 20mm + 8mm * cycloidal(wrap(90deg - psi) / 120deg);
+/// ```
+///
 /// Degenerate case: where h + h'' ≤ 0 the outline is not convex and the face would cut into it.
 ///
 /// Reference: Norton, Cam Design and Manufacturing Handbook, chapter 7.

@@ -9,6 +9,13 @@
 /// the angle ψ from the cam's own x axis. ψ goes backwards as the cam turns; `R` must repeat after a
 /// full turn. Guide the follower with a joint of its own, in a line or about a pivot.
 ///
+/// A law over the cam's own angle θ, which counts from the moment the follower stands on the cam's x axis, is written with
+/// θ = −ψ; where the follower stands in another direction δ, with θ = δ − ψ. For a follower above the cam:
+///
+/// ```text
+///   function R(psi: Angle) -> Length = 20mm + 8mm * cycloidal(wrap(90deg - psi) / 120deg);
+/// ```
+///
 /// Degenerate case: R = 0, where the outline meets the centre and ψ has no value.
 ///
 /// Reference: Norton, Cam Design and Manufacturing Handbook, chapter 7.

@@ -11,6 +11,13 @@
 /// surface is the inner curve at distance ρ from the pitch curve; for R a constant it is the circle of
 /// radius R. ψ goes backwards as the cam turns; `R` must repeat after a full turn.
 ///
+/// A law over the cam's own angle θ, which counts from the moment the follower stands on the cam's x axis, is written with
+/// θ = −ψ; where the follower stands in another direction δ, with θ = δ − ψ. For a follower above the cam:
+///
+/// ```text
+///   function R(psi: Angle) -> Length = 20mm + 8mm * cycloidal(wrap(90deg - psi) / 120deg);
+/// ```
+///
 /// Degenerate case: where the pitch curve's radius of curvature falls below ρ the surface is
 /// undercut; the motion of the follower is still the one given here.
 ///

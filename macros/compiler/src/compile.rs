@@ -77,7 +77,8 @@ pub fn check_constraint(tokens: TokenStream) -> Result<(), Vec<Refusal>> {
 #[must_use]
 pub fn resume(tokens: TokenStream) -> TokenStream {
     let trees: Vec<TokenTree> = tokens.into_iter().collect();
-    let [TokenTree::Group(definitions), TokenTree::Group(known), TokenTree::Ident(name), TokenTree::Group(mechanism)] = trees.as_slice() else {
+    let [TokenTree::Group(definitions), TokenTree::Group(known), TokenTree::Ident(name), TokenTree::Group(mechanism)] = trees.as_slice()
+    else {
         return quote!(::core::compile_error! { "`__resume` is called by `mechanism!` only" });
     };
     let (definitions, known) = (definitions.stream(), known.stream());
@@ -153,7 +154,9 @@ fn check(definitions: &ast::Definitions, diag: &mut Diag) {
 fn entries(known: TokenStream) -> Vec<(String, TokenStream)> {
     let trees: Vec<TokenTree> = known.into_iter().collect();
     let entry = |pair: &[TokenTree]| match pair {
-        [TokenTree::Ident(name), TokenTree::Group(group)] if group.delimiter() == Delimiter::Brace => Some((name.to_string(), group.stream())),
+        [TokenTree::Ident(name), TokenTree::Group(group)] if group.delimiter() == Delimiter::Brace => {
+            Some((name.to_string(), group.stream()))
+        }
         _ => None,
     };
     trees.chunks(2).filter_map(entry).collect()

@@ -73,9 +73,14 @@ fn search(system: &System, problem: &mut Problem, declared: &[Option<f64>], size
         }
     }
     match best {
-        Some((_, start)) => Closure { start, is_closed: true },
+        Some((_, start)) => Closure { start: start.iter().zip(&problem.scales).map(|(value, scale)| without_noise(*value, *scale)).collect(), is_closed: true },
         None => Closure { start: first.unwrap_or_default(), is_closed: false },
     }
+}
+
+/// What is zero to rounding is zero, for the eye that reads generated code.
+fn without_noise(value: f64, scale: f64) -> f64 {
+    if value.abs() <= 1e-13 * scale { 0.0 } else { value }
 }
 
 /// How far a configuration is from the declared start; undeclared angles count a little, so that

@@ -158,7 +158,10 @@ impl fmt::Display for Fact {
             }
             Fact::Keyword { word } => write!(f, "`{word}` is a word of Rust and cannot be a name\nhelp: write `{word}_`"),
             Fact::UnknownAttribute { name } => {
-                write!(f, "`#[{name}]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]` before `mechanism`")
+                write!(
+                    f,
+                    "`#[{name}]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]` before `mechanism`"
+                )
             }
             Fact::TokensAfter { what, help } => write!(f, "nothing may follow {what}\nhelp: {help}"),
             Fact::UnknownItem { word } => {
@@ -228,7 +231,10 @@ impl fmt::Display for Fact {
             Fact::UnknownKind { name, near } => {
                 write!(f, "no parameter can take `{name}`{}", did_you_mean(near))?;
                 if near.is_none() {
-                    write!(f, "\nnote: it takes a `Point`, `Axis`, `Body`, `Quantity`, `Function(…) -> …`, `Joint(…)`, or a dimension such as `Length`")?;
+                    write!(
+                        f,
+                        "\nnote: it takes a `Point`, `Axis`, `Body`, `Quantity`, `Function(…) -> …`, `Joint(…)`, or a dimension such as `Length`"
+                    )?;
                 }
                 Ok(())
             }
@@ -237,7 +243,9 @@ impl fmt::Display for Fact {
             Fact::DuplicateStart { name, body } => write!(f, "the start of `{body}` gives `{name}` twice"),
             Fact::DuplicateGround => write!(f, "there is one ground only\nhelp: put all its points and axes into one `ground {{ … }}`"),
             Fact::Reserved { name } => write!(f, "`{name}` has a meaning of its own in expressions\nhelp: choose another name"),
-            Fact::Generated { name } => write!(f, "an output cannot be called `{name}`: a generated function has that name\nhelp: choose another name"),
+            Fact::Generated { name } => {
+                write!(f, "an output cannot be called `{name}`: a generated function has that name\nhelp: choose another name")
+            }
             Fact::Cycle { name } => write!(f, "`{name}` depends on itself"),
             Fact::Recursion { name } => write!(f, "the function `{name}` calls itself"),
 
@@ -258,7 +266,9 @@ impl fmt::Display for Fact {
             Fact::FunctionArity { name, wanted, found } => {
                 write!(f, "`{name}` takes {}, found {found}", plural(*wanted, "argument"))
             }
-            Fact::DefaultBefore { name } => write!(f, "`{name}` needs a default, since the parameter before it has one\nhelp: put it before those with a default"),
+            Fact::DefaultBefore { name } => {
+                write!(f, "`{name}` needs a default, since the parameter before it has one\nhelp: put it before those with a default")
+            }
 
             Fact::NotA { wanted, found } => write!(f, "expected {wanted}, found {found}"),
             Fact::WrongArgument { parameter, definition, wanted, found, instead } => {
@@ -299,7 +309,10 @@ impl fmt::Display for Fact {
             }
             Fact::NotFinite { place } => write!(f, "{place} is not a finite number"),
             Fact::TooLarge { limit } => {
-                write!(f, "the equations grow beyond {limit} operations here\nhelp: a function that calls others several times is written out at every call")
+                write!(
+                    f,
+                    "the equations grow beyond {limit} operations here\nhelp: a function that calls others several times is written out at every call"
+                )
             }
             Fact::DivisionByZero => write!(f, "division by zero"),
             Fact::EqualityInChoice => write!(f, "equality of measured numbers is an accident\nhelp: compare with `<`, `<=`, `>` or `>=`"),
@@ -321,13 +334,19 @@ impl fmt::Display for Fact {
             }
             Fact::NotFixed { place } => write!(f, "{place} may depend on parameters only, not on what moves"),
             Fact::FunctionNeedsArgument => {
-                write!(f, "a function written here names its argument\nhelp: write `function name(x: Angle) -> Length = …;`, or give the path of a Rust function")
+                write!(
+                    f,
+                    "a function written here names its argument\nhelp: write `function name(x: Angle) -> Length = …;`, or give the path of a Rust function"
+                )
             }
             Fact::ZeroAxis { name } => write!(f, "the axis `{name}` has no direction: both components are zero"),
 
             Fact::TimeIn { place } => write!(f, "{place} does not change with time: `t` cannot be used in it"),
             Fact::TimeInDefinition => {
-                write!(f, "`t` is not known in a definition\nhelp: take the law as a parameter, such as `C: Length`, and let a `drive` pass it")
+                write!(
+                    f,
+                    "`t` is not known in a definition\nhelp: take the law as a parameter, such as `C: Length`, and let a `drive` pass it"
+                )
             }
             Fact::TimeInJoint { joint } => {
                 write!(f, "a joint does not change with time, `t` is for drives\nhelp: write `drive {joint} = …;` for `joint {joint} = …;`")
@@ -360,7 +379,9 @@ impl fmt::Display for Fact {
             Fact::NotSquare { name, coordinates, equations, drives } => {
                 write!(f, "`{name}` has {} and {}", plural(*coordinates, "coordinate"), plural(*equations, "equation"))?;
                 match coordinates.checked_sub(*equations) {
-                    Some(1) => write!(f, ", 1 too few\nhelp: drive what can still move, such as `drive input = drive_angle(body, speed * t);`")?,
+                    Some(1) => {
+                        write!(f, ", 1 too few\nhelp: drive what can still move, such as `drive input = drive_angle(body, speed * t);`")?
+                    }
                     Some(missing) => write!(f, ", {missing} too few\nhelp: add joints, and a drive for every freedom that is left")?,
                     None => write!(f, ", {} too many\nhelp: take away a joint or a drive", equations - coordinates)?,
                 }

@@ -52,6 +52,12 @@ impl From<syn::Error> for Refusal {
     }
 }
 
+impl From<syn::Error> for Box<Refusal> {
+    fn from(error: syn::Error) -> Box<Refusal> {
+        Box::new(error.into())
+    }
+}
+
 impl Refusal {
     /// The refusal as a `syn` error whose underline covers the whole range.
     pub fn to_error(&self) -> syn::Error {

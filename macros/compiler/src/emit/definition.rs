@@ -19,7 +19,12 @@ pub(crate) fn export(definitions: &Definitions, is_broken: bool) -> TokenStream 
     let exports = &definitions.exports;
     // A name that is exported twice has been refused; rustc need not say so again.
     let is_first = |position: usize, export: &Export| !exports[..position].iter().any(|before| before.name == export.name);
-    exports.iter().enumerate().filter(|(position, export)| is_first(*position, export)).map(|(_, export)| exported(export, is_broken)).collect()
+    exports
+        .iter()
+        .enumerate()
+        .filter(|(position, export)| is_first(*position, export))
+        .map(|(_, export)| exported(export, is_broken))
+        .collect()
 }
 
 fn exported(export: &Export, is_broken: bool) -> TokenStream {

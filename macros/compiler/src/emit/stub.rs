@@ -66,6 +66,9 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
         impl<T: ::reuleaux::Real> #name<T> {
             pub const COORDINATES: usize = #n;
             pub const EQUATIONS: usize = #n;
+            pub const JACOBIAN_ENTRIES: usize = 0;
+            pub const JACOBIAN_PATTERN: [(usize, usize); 0] = [];
+            pub fn jacobian_entries(&self, _: &::reuleaux::nalgebra::SVector<T, #n>, _: T) -> [T; 0] { #body }
             pub fn with_defaults() -> Self { #body }
             #solutions
             #outputs
@@ -155,8 +158,12 @@ fn solutions(state: &Ident, n: usize, body: &TokenStream) -> TokenStream {
 
 fn outputs(tree: &Mechanism, state: &Ident, body: &TokenStream) -> TokenStream {
     let output = |name: &Ident| {
-        let value = tree.items.iter().find_map(|item| if let Item::Output(output) = item { (output.name == *name).then_some(&output.value) } else { None });
-        let kind = if value.is_some_and(|value| is_vector(value, tree, LETS)) { quote!(::reuleaux::nalgebra::Vector2<T>) } else { quote!(T) };
+        let value = tree
+            .items
+            .iter()
+            .find_map(|item| if let Item::Output(output) = item { (output.name == *name).then_some(&output.value) } else { None });
+        let kind =
+            if value.is_some_and(|value| is_vector(value, tree, LETS)) { quote!(::reuleaux::nalgebra::Vector2<T>) } else { quote!(T) };
         quote!(pub fn #name(&self, _: &#state<T>) -> ::reuleaux::Motion<#kind> { #body })
     };
     items(tree, "output").into_iter().map(output).collect()

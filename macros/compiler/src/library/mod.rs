@@ -51,6 +51,7 @@ const FUNCTIONS: &[(&str, &str)] = pages![
     "polynomial_4567",
     "modified_trapezoidal",
     "smooth_step",
+    "wrap",
 ];
 
 /// The names of all constraints of the library.

@@ -15,8 +15,26 @@ use std::rc::Rc;
 
 /// All built-in names, for suggestions and the language reference.
 pub(crate) const BUILTINS: &[&str] = &[
-    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "ln", "abs", "min", "max", "dot", "cross", "perp", "norm", "unit",
-    "direction", "table",
+    "sin",
+    "cos",
+    "tan",
+    "asin",
+    "acos",
+    "atan",
+    "atan2",
+    "sqrt",
+    "exp",
+    "ln",
+    "abs",
+    "min",
+    "max",
+    "dot",
+    "cross",
+    "perp",
+    "norm",
+    "unit",
+    "direction",
+    "table",
 ];
 
 impl Elaborator<'_> {
@@ -32,7 +50,10 @@ impl Elaborator<'_> {
         }
         if !is_bound && !self.is_library_function(name) {
             let near = self.similar_function(name, scope);
-            return self.refuse(name, Fact::UnknownFunction { name: name.to_string(), near, is_constraint: library::find(&name.to_string()).is_some() });
+            return self.refuse(
+                name,
+                Fact::UnknownFunction { name: name.to_string(), near, is_constraint: library::find(&name.to_string()).is_some() },
+            );
         }
         let callee = ast::Expr { kind: ExprKind::Path(path.clone()), range: path.range, depth: 1 };
         match self.value(&callee, scope)? {

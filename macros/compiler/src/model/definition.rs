@@ -1,11 +1,12 @@
 //! A definition is checked where it is written: with arguments that nothing is known of but their
 //! kind.
 
+use super::Function as Numbered;
 use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
-use super::Function as Numbered;
-use super::instance::{Row, noun};
-use super::resolve::{Names, RESERVED};
+use super::names::{Names, RESERVED};
+use super::signature::noun;
+use super::statement::Row;
 use super::suggest::nearest;
 use super::value::{Fixed, Function, Scalar, Value};
 use crate::diag::{Diag, Fact};
@@ -42,7 +43,8 @@ pub(crate) fn check_names(definitions: &Definitions, diag: &mut Diag) {
 impl Elaborator<'_> {
     fn check(&mut self, definition: &Definition, others: &[Definition]) -> Option<()> {
         let scope = self.formals(definition, others)?;
-        let place = Joint { docs: definition.docs.clone(), is_drive: false, name: definition.name.clone(), body: JointBody::Equations(Vec::new()) };
+        let place =
+            Joint { docs: definition.docs.clone(), is_drive: false, name: definition.name.clone(), body: JointBody::Equations(Vec::new()) };
         let rows = self.statements(&definition.statements, scope, &place, &[])?;
         let of = rows.len();
         for (row, Row { residual, range }) in rows.into_iter().enumerate() {
@@ -88,7 +90,10 @@ impl Elaborator<'_> {
                 }
                 self.refuse(default.range, Fact::WrongDimension { wanted, found: scalar.measure.settled() })
             }
-            (Kind::Quantity, Value::Scalar(_)) | (Kind::Body, Value::Body(_)) | (Kind::Point, Value::Point(_)) | (Kind::Axis, Value::Axis(_)) => Some(()),
+            (Kind::Quantity, Value::Scalar(_))
+            | (Kind::Body, Value::Body(_))
+            | (Kind::Point, Value::Point(_))
+            | (Kind::Axis, Value::Axis(_)) => Some(()),
             (kind, other) => self.refuse(default.range, Fact::WrongDefault { wanted: noun(kind), found: other.noun() }),
         }
     }
@@ -152,4 +157,3 @@ impl Elaborator<'_> {
         Fixed { frame, local, measure }
     }
 }
-

@@ -1,14 +1,14 @@
 //! Expressions: from the tree to values in the arena, with dimensions checked on the way.
 
 use super::dimension::{Dim, Measure};
-use super::resolve::Names;
+use super::names::Names;
 use super::suggest::nearest;
 use super::unit;
 use super::value::{Fixed, FrameId, Scalar, Value, Vector};
 use super::{Function as Numbered, Requirement};
 use crate::diag::{Diag, Fact, Range};
 use crate::expr::{Arena, Exact, Expr, Leaf};
-use crate::syntax::ast::{self, ExprKind, Operator, Relation};
+use crate::syntax::ast::{self, ExprKind};
 use proc_macro2::Ident;
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -144,7 +144,9 @@ impl Elaborator<'_> {
             ExprKind::Binary(operator, lhs, rhs) => self.binary(expr.range, *operator, lhs, rhs, scope),
             ExprKind::Tuple(items) => self.tuple(expr.range, items, scope).map(Value::Vector),
             ExprKind::List(_) => self.refuse(expr.range, Fact::ListOutsideTable),
-            ExprKind::If { lhs, relation, rhs, then, otherwise } => self.choice(expr.range, (lhs, *relation, rhs), (then, otherwise), scope),
+            ExprKind::If { lhs, relation, rhs, then, otherwise } => {
+                self.choice(expr.range, (lhs, *relation, rhs), (then, otherwise), scope)
+            }
         }
     }
 
@@ -269,7 +271,9 @@ impl Elaborator<'_> {
         let own = if scope.is_mechanism { self.names.all() } else { Vec::new() };
         let bound = scope.bound.iter().map(|(known, _)| known.as_str());
         let fixed = ["t", "pi", "ground"].into_iter();
-        if scope.is_mechanism && let Some(full) = self.names.mark_called(name) {
+        if scope.is_mechanism
+            && let Some(full) = self.names.mark_called(name)
+        {
             return Some(full);
         }
         nearest(&name.to_string(), bound.chain(own.iter().map(String::as_str)).chain(fixed))
@@ -319,187 +323,6 @@ impl Elaborator<'_> {
                 self.refuse(field, Fact::UnknownField { owner, name, near, known })
             }
         }
-    }
-
-    fn negative(&mut self, value: &ast::Expr, scope: &Scope) -> Option<Value> {
-        let inner = self.value(value, scope)?;
-        if let Value::Scalar(scalar) = inner {
-            return Some(Value::Scalar(Scalar { expr: self.arena.neg(scalar.expr), ..scalar }));
-        }
-        let noun = inner.noun();
-        match self.as_vector(inner) {
-            Some(Vector { x, y, measure }) => Some(Value::Vector(Vector { x: self.arena.neg(x), y: self.arena.neg(y), measure })),
-            None => self.refuse(value.range, Fact::NotA { wanted: "a number or a vector", found: noun }),
-        }
-    }
-
-    fn tuple(&mut self, range: Range, items: &[ast::Expr], scope: &Scope) -> Option<Vector> {
-        let [x, y] = items else {
-            return self.refuse(range, Fact::NotTwoComponents { found: items.len() });
-        };
-        let (x, y) = (self.scalar(x, scope), self.scalar(y, scope));
-        let (x, y) = (x?, y?);
-        match x.measure.common(y.measure) {
-            Some(measure) => Some(Vector { x: x.expr, y: y.expr, measure }),
-            None => self.refuse(range, Fact::Unlike { action: "make one vector of", one: x.measure.settled(), two: y.measure.settled() }),
-        }
-    }
-
-    fn binary(&mut self, range: Range, operator: Operator, lhs: &ast::Expr, rhs: &ast::Expr, scope: &Scope) -> Option<Value> {
-        if operator == Operator::Power {
-            return self.power(range, lhs, rhs, scope).map(Value::Scalar);
-        }
-        let (left, right) = (self.value(lhs, scope), self.value(rhs, scope));
-        let (left, right) = (left?, right?);
-        match (left, right) {
-            (Value::Scalar(one), Value::Scalar(two)) => self.combine(range, operator, one, (two, rhs.range)).map(Value::Scalar),
-            (left, right) => self.combine_vectors(range, operator, (lhs, left), (rhs, right)),
-        }
-    }
-
-    /// `one operator two`; the range of `two` is blamed where only it is wrong.
-    fn combine(&mut self, range: Range, operator: Operator, one: Scalar, (two, second): (Scalar, Range)) -> Option<Scalar> {
-        let (expr, measure) = match operator {
-            Operator::Mul => (self.arena.mul(one.expr, two.expr), one.measure.times(two.measure)),
-            Operator::Div => {
-                if self.arena.as_constant(two.expr).is_some_and(|value| value.is_zero()) {
-                    return self.refuse(second, Fact::DivisionByZero);
-                }
-                (self.arena.div(one.expr, two.expr), one.measure.per(two.measure))
-            }
-            Operator::Add | Operator::Sub | Operator::Power => {
-                let Some(measure) = one.measure.common(two.measure) else {
-                    let action = if operator == Operator::Add { "add" } else { "subtract" };
-                    return self.refuse(range, Fact::Unlike { action, one: one.measure.settled(), two: two.measure.settled() });
-                };
-                let expr = if operator == Operator::Add { self.arena.add(one.expr, two.expr) } else { self.arena.sub(one.expr, two.expr) };
-                (expr, measure)
-            }
-        };
-        Some(Scalar { expr, measure })
-    }
-
-    /// Vectors are added to vectors, and multiplied or divided by numbers.
-    fn combine_vectors(&mut self, range: Range, operator: Operator, left: (&ast::Expr, Value), right: (&ast::Expr, Value)) -> Option<Value> {
-        if let (Operator::Mul, Value::Scalar(_)) = (operator, &left.1) {
-            return self.combine_vectors(range, operator, right, left);
-        }
-        if !right.1.is_combinable() {
-            return self.refuse(right.0.range, Fact::NotA { wanted: "a number or a vector", found: right.1.noun() });
-        }
-        match (operator, &left.1) {
-            (Operator::Div, Value::Scalar(_)) => return self.refuse(range, Fact::NumberByVector),
-            (_, Value::Scalar(_)) => return self.refuse(range, Fact::VectorAndNumber),
-            _ => {}
-        }
-        let noun = left.1.noun();
-        let Some(one) = self.as_vector(left.1) else {
-            return self.refuse(left.0.range, Fact::NotA { wanted: "a number or a vector", found: noun });
-        };
-        if let Value::Scalar(factor) = right.1 {
-            if matches!(operator, Operator::Add | Operator::Sub) {
-                return self.refuse(range, Fact::VectorAndNumber);
-            }
-            let part = |expr, measure| Scalar { expr, measure };
-            let x = self.combine(range, operator, part(one.x, one.measure), (factor, right.0.range))?;
-            let y = self.combine(range, operator, part(one.y, one.measure), (factor, right.0.range))?;
-            return Some(Value::Vector(Vector { x: x.expr, y: y.expr, measure: x.measure }));
-        }
-        let noun = right.1.noun();
-        let Some(two) = self.as_vector(right.1) else {
-            return self.refuse(right.0.range, Fact::NotA { wanted: "a number or a vector", found: noun });
-        };
-        if !matches!(operator, Operator::Add | Operator::Sub) {
-            return self.refuse(range, Fact::VectorTimesVector);
-        }
-        let parts = |vector: Vector| [vector.x, vector.y].map(|expr| Scalar { expr, measure: vector.measure });
-        let ([x1, y1], [x2, y2]) = (parts(one), parts(two));
-        let x = self.combine(range, operator, x1, (x2, right.0.range))?;
-        let y = self.combine(range, operator, y1, (y2, right.0.range))?;
-        Some(Value::Vector(Vector { x: x.expr, y: y.expr, measure: x.measure }))
-    }
-
-    /// Whole powers are multiplications, halves are square roots of them, others exponentials.
-    fn power(&mut self, range: Range, base: &ast::Expr, exponent: &ast::Expr, scope: &Scope) -> Option<Scalar> {
-        let (one, two) = (self.scalar(base, scope), self.scalar(exponent, scope));
-        let (one, two) = (one?, two?);
-        if !two.measure.fits(Dim::NUMBER) {
-            return self.refuse(exponent.range, Fact::WrongDimension { wanted: Dim::NUMBER, found: two.measure.settled() });
-        }
-        let constant = self.arena.as_constant(two.expr).map(Exact::to_f64);
-        let whole_multiple_of = |unit: f64| constant.map(|value| value * unit).filter(|value| value.fract() == 0.0);
-        let sixths = whole_multiple_of(6.0).filter(|value| value.abs() <= f64::from(i16::MAX)).map(|value| value as i16);
-        let measure = match one.measure {
-            Measure::Of(base) if base != Dim::NUMBER => sixths.and_then(|sixths| one.measure.power(sixths)),
-            plain => Some(plain),
-        };
-        let Some(measure) = measure else {
-            return self.refuse(range, Fact::PowerOfDimension { base: one.measure.settled() });
-        };
-        let halves = whole_multiple_of(2.0).filter(|value| value.abs() <= f64::from(i32::MAX)).map(|value| value as i32);
-        let expr = match halves {
-            Some(halves) if halves % 2 == 0 => self.arena.power(one.expr, halves / 2),
-            Some(halves) => {
-                let root = self.arena.sqrt(one.expr);
-                self.arena.power(root, halves)
-            }
-            None => {
-                let logarithm = self.arena.unary(crate::expr::Unary::Ln, one.expr);
-                let product = self.arena.mul(two.expr, logarithm);
-                self.arena.unary(crate::expr::Unary::Exp, product)
-            }
-        };
-        Some(Scalar { expr, measure })
-    }
-
-    fn choice(
-        &mut self,
-        range: Range,
-        (lhs, relation, rhs): (&ast::Expr, Relation, &ast::Expr),
-        (then, otherwise): (&ast::Expr, &ast::Expr),
-        scope: &Scope,
-    ) -> Option<Value> {
-        let (left, right) = (self.scalar(lhs, scope), self.scalar(rhs, scope));
-        let (yes, no) = (self.scalar(then, scope), self.scalar(otherwise, scope));
-        let (left, right, yes, no) = (left?, right?, yes?, no?);
-        if left.measure.common(right.measure).is_none() {
-            let (one, two) = (left.measure.settled(), right.measure.settled());
-            return self.refuse(lhs.range.to(rhs.range), Fact::Unlike { action: "compare", one, two });
-        }
-        let Some(measure) = yes.measure.common(no.measure) else {
-            return self.refuse(range, Fact::Unlike { action: "choose between", one: yes.measure.settled(), two: no.measure.settled() });
-        };
-        let (l, r, y, n) = (left.expr, right.expr, yes.expr, no.expr);
-        let expr = match relation {
-            Relation::Less => self.arena.select(l, r, y, n),
-            Relation::Greater => self.arena.select(r, l, y, n),
-            Relation::LessOrEqual => self.arena.select(r, l, n, y),
-            Relation::GreaterOrEqual => self.arena.select(l, r, n, y),
-            Relation::Equal | Relation::Different => return self.refuse(lhs.range.to(rhs.range), Fact::EqualityInChoice),
-        };
-        Some(Value::Scalar(Scalar { expr, measure }))
-    }
-
-    /// Left minus right side of an equation, one residual for a number, two for a vector.
-    pub(super) fn residuals(&mut self, lhs: &ast::Expr, rhs: &ast::Expr, scope: &Scope) -> Option<Vec<Scalar>> {
-        let range = lhs.range.to(rhs.range);
-        let (left, right) = (self.value(lhs, scope), self.value(rhs, scope));
-        let (left, right) = (left?, right?);
-        if let (Value::Scalar(one), Value::Scalar(two)) = (&left, &right) {
-            let Some(measure) = one.measure.common(two.measure) else {
-                return self.refuse(range, Fact::Unlike { action: "equate", one: one.measure.settled(), two: two.measure.settled() });
-            };
-            return Some(vec![Scalar { expr: self.arena.sub(one.expr, two.expr), measure }]);
-        }
-        let nouns = (left.noun(), right.noun());
-        let (Some(one), Some(two)) = (self.as_vector(left), self.as_vector(right)) else {
-            return self.refuse(range, Fact::CannotEquate { one: nouns.0, two: nouns.1 });
-        };
-        let Some(measure) = one.measure.common(two.measure) else {
-            return self.refuse(range, Fact::Unlike { action: "equate", one: one.measure.settled(), two: two.measure.settled() });
-        };
-        let [x, y] = [self.arena.sub(one.x, two.x), self.arena.sub(one.y, two.y)];
-        Some([x, y].map(|expr| Scalar { expr, measure }).to_vec())
     }
 
     /// The expression depends on nothing that moves and not on time.

@@ -2,22 +2,16 @@
 
 use super::dimension::{Dim, Measure};
 use super::elaborate::{Blame, Elaborator, Scope, Timeless};
+use super::signature::{noun, places, too_few, too_many, unknown_argument};
+use super::statement::Row;
 use super::suggest::nearest;
 use super::value::{Fixed, FrameId, Function, Scalar, Value};
-use super::{Parameter, Requirement};
 use crate::diag::{Fact, Range};
-use crate::expr::{Leaf, Values, evaluate};
+use crate::expr::Leaf;
 use crate::library;
-use crate::syntax::ast::{self, Argument, Definition, Formal, JointBody, Kind, Relation, Statement};
+use crate::syntax::ast::{self, Argument, Definition, Formal, JointBody, Kind};
 use proc_macro2::Ident;
 use std::rc::Rc;
-
-/// One scalar equation: left minus right side, and what to blame for it.
-#[derive(Clone, Copy)]
-pub(super) struct Row {
-    pub(super) residual: Scalar,
-    pub(super) range: Range,
-}
 
 impl Elaborator<'_> {
     /// The scalar equations of a joint.
@@ -41,7 +35,8 @@ impl Elaborator<'_> {
     }
 
     fn blame_for(&self, definition: &Definition, kind: &Ident, arguments: &[(String, Value)]) -> Blame {
-        let is_open = |name: &String| definition.parameters.iter().any(|formal| formal.name == *name && matches!(formal.kind, Kind::Quantity));
+        let is_open =
+            |name: &String| definition.parameters.iter().any(|formal| formal.name == *name && matches!(formal.kind, Kind::Quantity));
         let quantity = |(name, value): &(String, Value)| match value {
             Value::Scalar(scalar) if is_open(name) => Some((name.clone(), scalar.measure.settled())),
             _ => None,
@@ -147,10 +142,15 @@ impl Elaborator<'_> {
         let instead = self.instead(&formal.kind, argument, &value);
         let wrong = |this: &mut Self, wanted: String| {
             let (parameter, definition) = (formal.name.to_string(), definition.name.to_string());
-            this.refuse(argument.range, Fact::WrongArgument { parameter, definition, wanted, found: found.clone(), instead: instead.clone() })
+            this.refuse(
+                argument.range,
+                Fact::WrongArgument { parameter, definition, wanted, found: found.clone(), instead: instead.clone() },
+            )
         };
         match (&formal.kind, value) {
-            (Kind::Point, value @ Value::Point(_)) | (Kind::Axis, value @ Value::Axis(_)) | (Kind::Body, value @ Value::Body(_)) => Some(value),
+            (Kind::Point, value @ Value::Point(_)) | (Kind::Axis, value @ Value::Axis(_)) | (Kind::Body, value @ Value::Body(_)) => {
+                Some(value)
+            }
             // A constant vector is a place or a direction in ground.
             (Kind::Point, Value::Vector(vector)) if self.is_fixed(vector.x) && self.is_fixed(vector.y) => {
                 if !vector.measure.fits(Dim::LENGTH) {
@@ -219,222 +219,5 @@ impl Elaborator<'_> {
             Function::Numbered { number, .. } => Function::Numbered { number, from, to },
             written => written,
         })
-    }
-
-    /// The residuals of a list of statements.
-    pub(super) fn statements(&mut self, statements: &[Statement], mut scope: Scope, joint: &ast::Joint, places: &[(String, Range)]) -> Option<Vec<Row>> {
-        let mut rows: Vec<Row> = Vec::new();
-        let of = statements.iter().filter(|statement| matches!(statement, Statement::Equation(..))).count();
-        let mut number = 0;
-        let mut complete = true;
-        for statement in statements {
-            match statement {
-                Statement::Let(binding) => {
-                    let value = self.binding(binding, &scope)?;
-                    scope.bound.push((binding.name.to_string(), value));
-                }
-                Statement::Equation(lhs, rhs) => {
-                    number += 1;
-                    match self.numbered(number, of, |this| this.residuals(lhs, rhs, &scope)) {
-                        Some(residuals) => {
-                            let range = self.blame.as_ref().map_or(lhs.range.to(rhs.range), |blame| blame.place);
-                            rows.extend(residuals.into_iter().map(|residual| Row { residual, range }));
-                        }
-                        None => complete = false,
-                    }
-                }
-                Statement::Require(requirement) => complete &= self.requirement(requirement, &scope, joint, places).is_some(),
-            }
-            // Inside an instance one error is enough: the next would blame the same token.
-            if !complete && self.blame.is_some() {
-                return None;
-            }
-        }
-        if complete && rows.is_empty() {
-            return self.refuse(&joint.name, Fact::NoEquations { name: joint.name.to_string() });
-        }
-        complete.then_some(rows)
-    }
-
-    /// Inside a definition that is being instantiated, names the equation in what is refused.
-    fn numbered<T>(&mut self, number: usize, of: usize, read: impl FnOnce(&mut Self) -> T) -> T {
-        let outer = self.blame.clone();
-        if let (Some(Blame { definition, .. }), true) = (&mut self.blame, of > 1) {
-            *definition = format!("equation {number} of {definition}");
-        }
-        let value = read(self);
-        self.blame = outer;
-        value
-    }
-
-    /// A condition: on bodies it is decided here, on numbers it is kept until defaults are known.
-    fn requirement(&mut self, requirement: &ast::Requirement, scope: &Scope, joint: &ast::Joint, places: &[(String, Range)]) -> Option<()> {
-        let (left, right) = (self.value(&requirement.lhs, scope), self.value(&requirement.rhs, scope));
-        let (left, right) = (left?, right?);
-        let place = match &requirement.lhs.kind {
-            ast::ExprKind::Path(path) => places.iter().find(|(name, _)| path.name.as_ref().is_some_and(|known| known == name)),
-            _ => None,
-        };
-        let place = place.map(|(_, range)| *range);
-        let range = requirement.lhs.range.to(requirement.rhs.range);
-        if let (Value::Body(one), Value::Body(two)) = (&left, &right) {
-            let holds = (one == two) == (requirement.relation == Relation::Equal);
-            if holds || self.names.is_abstract() {
-                return Some(());
-            }
-            return self.refuse_at(place, range, Fact::RequirementFails { why: requirement.why.clone() });
-        }
-        let (Value::Scalar(one), Value::Scalar(two)) = (&left, &right) else {
-            return self.refuse(range, Fact::CannotCompare { one: left.noun(), two: right.noun() });
-        };
-        if one.measure.common(two.measure).is_none() {
-            return self.refuse(range, Fact::Unlike { action: "compare", one: one.measure.settled(), two: two.measure.settled() });
-        }
-        let (lhs, rhs) = (one.expr, two.expr);
-        if self.names.is_abstract() {
-            return Some(());
-        }
-        if !self.is_fixed(lhs) || !self.is_fixed(rhs) {
-            // A law of time can be zero at times; that is for the solver to notice.
-            return Some(());
-        }
-        if self.arena.leaves(lhs).is_empty() && self.arena.leaves(rhs).is_empty() {
-            let values = self.numbers(&[], &[lhs, rhs]);
-            if !holds(requirement.relation, values[0], values[1]) {
-                return self.refuse_at(place, range, Fact::RequirementFails { why: requirement.why.clone() });
-            }
-            return Some(());
-        }
-        let (joint, why) = (joint.name.to_string(), requirement.why.clone());
-        self.requirements.push(Requirement { lhs, relation: requirement.relation, rhs, joint, why });
-        self.requirement_places.push(place.or(self.blame.as_ref().map(|blame| blame.place)).unwrap_or(range));
-        Some(())
-    }
-
-    /// Refuses at an argument if one is to blame.
-    fn refuse_at<T>(&mut self, place: Option<Range>, range: Range, fact: Fact) -> Option<T> {
-        let place = place.or(self.blame.as_ref().map(|blame| blame.place));
-        self.diag.refuse(place.unwrap_or(range), fact)
-    }
-
-    /// Conditions on parameters must hold at the declared defaults.
-    pub(super) fn requirements_hold(&mut self, parameters: &[Parameter]) {
-        if !self.diag.is_clean() {
-            return;
-        }
-        let defaults: Vec<_> = parameters.iter().map(|parameter| parameter.default).collect();
-        let defaults = self.numbers(&[], &defaults);
-        for index in 0..self.requirements.len() {
-            let Requirement { lhs, relation, rhs, ref why, .. } = self.requirements[index];
-            let why = why.clone();
-            let values = self.numbers(&defaults, &[lhs, rhs]);
-            if !holds(relation, values[0], values[1]) {
-                let place = self.requirement_places[index];
-                self.diag.refuse::<()>(place, Fact::RequirementFailsAtDefaults { why, value: values[0] });
-            }
-        }
-    }
-
-    /// The values of expressions of parameters alone.
-    pub(super) fn numbers(&self, parameters: &[f64], roots: &[crate::expr::Expr]) -> Vec<f64> {
-        let functions = |number: u32, x: f64| match self.functions.get(number as usize) {
-            Some(super::Function::Table(table)) => table.evaluate(x),
-            _ => [f64::NAN; 3],
-        };
-        let values = Values { time: 0.0, parameters, coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
-        evaluate(&self.arena, roots, &values)
-    }
-}
-
-/// A comparison that cannot be decided (a Rust function is not run in the compiler) counts as true.
-fn holds(relation: Relation, lhs: f64, rhs: f64) -> bool {
-    if lhs.is_nan() || rhs.is_nan() {
-        return true;
-    }
-    match relation {
-        Relation::Less => lhs < rhs,
-        Relation::LessOrEqual => lhs <= rhs,
-        Relation::Greater => lhs > rhs,
-        Relation::GreaterOrEqual => lhs >= rhs,
-        Relation::Equal => lhs == rhs,
-        Relation::Different => lhs != rhs,
-    }
-}
-
-fn too_many(definition: &Definition, found: usize) -> Fact {
-    Fact::TooManyArguments { definition: definition.name.to_string(), signature: signature(definition), takes: takes(definition), found }
-}
-
-fn too_few(definition: &Definition, found: usize, missing: Vec<String>) -> Fact {
-    let (name, signature) = (definition.name.to_string(), signature(definition));
-    Fact::MissingArguments { definition: name, signature, takes: takes(definition), found, missing }
-}
-
-/// How many arguments a definition takes, at least and at most.
-fn takes(definition: &Definition) -> [usize; 2] {
-    let required = definition.parameters.iter().filter(|formal| formal.default.is_none()).count();
-    [required, definition.parameters.len()]
-}
-
-fn unknown_argument(definition: &Definition, name: &Ident) -> Fact {
-    let names: Vec<String> = definition.parameters.iter().map(|formal| formal.name.to_string()).collect();
-    let near = nearest(&name.to_string(), names.iter().map(String::as_str));
-    Fact::UnknownArgument { definition: definition.name.to_string(), name: name.to_string(), signature: signature(definition), near }
-}
-
-/// Where the argument for each parameter was written.
-fn places(definition: &Definition, given: &[Argument]) -> Vec<(String, Range)> {
-    let place = |(position, argument): (usize, &Argument)| {
-        let name = argument.name.as_ref().or(definition.parameters.get(position).map(|formal| &formal.name))?;
-        Some((name.to_string(), argument.value.range))
-    };
-    given.iter().enumerate().filter_map(place).collect()
-}
-
-/// `revolute(P: Point, Q: Point)`
-pub(crate) fn signature(definition: &Definition) -> String {
-    let parameter = |formal: &Formal| {
-        let optional = if formal.default.is_some() { " = …" } else { "" };
-        format!("{}: {}{optional}", formal.name, kind_name(&formal.kind))
-    };
-    let parameters: Vec<String> = definition.parameters.iter().map(parameter).collect();
-    format!("{}({})", definition.name, parameters.join(", "))
-}
-
-fn kind_name(kind: &Kind) -> String {
-    match kind {
-        Kind::Point => "Point".into(),
-        Kind::Axis => "Axis".into(),
-        Kind::Body => "Body".into(),
-        Kind::Quantity => "Quantity".into(),
-        Kind::Function(from, to) => format!("Function({}) -> {}", dimension_name(from), dimension_name(to)),
-        Kind::Joint(kind) => format!("Joint({kind})"),
-        Kind::Scalar(dimension) => dimension_name(dimension),
-    }
-}
-
-fn dimension_name(dimension: &ast::Dimension) -> String {
-    let mut text = String::new();
-    for (position, (name, exponent)) in dimension.factors.iter().enumerate() {
-        let separator = match (position, *exponent > 0) {
-            (0, _) => "",
-            (_, true) => " * ",
-            (_, false) => " / ",
-        };
-        let power = if exponent.abs() == 1 { String::new() } else { format!("^{}", exponent.abs()) };
-        text += &format!("{separator}{name}{power}");
-    }
-    text
-}
-
-pub(super) fn noun(kind: &Kind) -> String {
-    match kind {
-        Kind::Point => "a point".into(),
-        Kind::Axis => "an axis".into(),
-        Kind::Body => "a body".into(),
-        Kind::Quantity => "a number".into(),
-        Kind::Function(..) => "a function of one variable".into(),
-        Kind::Joint(kind) => format!("a `{kind}` joint"),
-        Kind::Scalar(dimension) => format!("a number ({})", dimension_name(dimension)),
     }
 }

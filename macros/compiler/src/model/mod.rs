@@ -6,13 +6,19 @@
 //!
 //! Items may stand in any order: parameters, `let`s and points are resolved when first asked for.
 
+mod arithmetic;
 mod builtin;
 mod definition;
 pub(crate) mod dimension;
 mod elaborate;
+mod frames;
 mod instance;
+mod items;
+mod names;
 mod resolve;
+mod signature;
 pub(crate) mod spline;
+mod statement;
 pub(crate) mod suggest;
 pub(crate) mod unit;
 pub(crate) mod value;
@@ -25,7 +31,8 @@ use crate::syntax::ast::{Docs, Relation};
 use proc_macro2::{Ident, TokenStream};
 
 pub(crate) use definition::{check as check_definition, check_names};
-pub(crate) use resolve::{is_generated, resolve};
+pub(crate) use names::is_generated;
+pub(crate) use resolve::resolve;
 
 /// A mechanism in which nothing is only a name any more.
 #[derive(Clone, Debug)]

@@ -126,7 +126,13 @@ fn periodic_slopes(rows: &[(f64, f64, f64, f64)]) -> Vec<f64> {
     main[n - 1].1 -= corner_left * corner_right / gamma;
     let mut correction = main.clone();
     for (i, row) in correction.iter_mut().enumerate() {
-        row.3 = if i == 0 { gamma } else if i == n - 1 { corner_left } else { 0.0 };
+        row.3 = if i == 0 {
+            gamma
+        } else if i == n - 1 {
+            corner_left
+        } else {
+            0.0
+        };
     }
     let (mut solution, column) = (tridiagonal(&main), tridiagonal(&correction));
     let numerator = solution[0] + corner_right * solution[n - 1] / gamma;

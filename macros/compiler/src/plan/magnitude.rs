@@ -4,14 +4,17 @@
 //! position is badly determined: at a dead point.
 
 use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
+use crate::model::Dim;
+use crate::system::System;
 use std::collections::BTreeMap;
 
-/// An upper bound of the sum of the magnitudes of an expression's terms that does not depend on the given unknowns: sines and
-/// cosines count as 1, and so do unknowns themselves.
-pub(super) fn magnitude(arena: &mut Arena, root: Expr, unknowns: &[usize]) -> Expr {
+/// About the sum of the magnitudes of an expression's terms, without the given unknowns: sines and cosines count as 1, and so do
+/// unknown angles. An unknown length counts as nothing: where the residual vanishes, its other terms are as large.
+pub(super) fn magnitude(arena: &mut Arena, root: Expr, unknowns: &[usize], system: &System) -> Expr {
     let mut sizes: BTreeMap<Expr, Expr> = BTreeMap::new();
     let mut is_moving: BTreeMap<Expr, bool> = BTreeMap::new();
-    let one = arena.integer(1);
+    let (zero, one) = (arena.integer(0), arena.integer(1));
+    let is_length = |index: u32| system.unknowns[index as usize].dim == Dim::LENGTH;
     for expr in arena.reachable(&[root]) {
         let node = *arena.node(expr);
         let moves = match node {
@@ -43,6 +46,7 @@ pub(super) fn magnitude(arena: &mut Arena, root: Expr, unknowns: &[usize]) -> Ex
                 let (then, otherwise) = (of(then), of(otherwise));
                 arena.add(then, otherwise)
             }
+            Node::Leaf(Leaf::Coordinate(index)) if moves && is_length(index) => zero,
             _ if moves => one,
             _ => arena.unary(Unary::Abs, expr),
         };

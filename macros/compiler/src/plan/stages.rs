@@ -126,7 +126,7 @@ impl Work<'_> {
             let (first, second) = (still.of(self.arena, first), unaccelerated.of(self.arena, second));
             found.rates.push(self.arena.neg(first));
             found.accelerations.push(self.arena.neg(second));
-            found.sizes.push(magnitude(self.arena, residual, &block.iterated));
+            found.sizes.push(magnitude(self.arena, residual, &block.iterated, self.system));
             found.residuals.push(residual);
         }
         Some(found)

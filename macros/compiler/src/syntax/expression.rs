@@ -169,7 +169,12 @@ fn number(input: ParseStream) -> Parsed<Expr> {
 fn is_unit(input: ParseStream) -> bool {
     let ahead = input.fork();
     let is_end = |ahead: ParseStream| {
-        ahead.is_empty() || ahead.peek(Token![;]) || ahead.peek(Token![,]) || ahead.peek(Token![+]) || ahead.peek(Token![-]) || ahead.peek(Token![*])
+        ahead.is_empty()
+            || ahead.peek(Token![;])
+            || ahead.peek(Token![,])
+            || ahead.peek(Token![+])
+            || ahead.peek(Token![-])
+            || ahead.peek(Token![*])
             || ahead.peek(Token![/])
     };
     ahead.parse::<Ident>().is_ok() && is_end(&ahead)

@@ -10,11 +10,11 @@ use syn::parse::{ParseBuffer, ParseStream};
 use syn::{LitStr, Token, token};
 
 /// What a parser gives: a value, or what is wrong and where.
-pub(super) type Parsed<T> = Result<T, Refusal>;
+pub(super) type Parsed<T> = Result<T, Box<Refusal>>;
 
 /// A refusal as the result of a parser.
 pub(super) fn wrong<T>(range: impl Into<Range>, fact: Fact) -> Parsed<T> {
-    Err(Refusal { fact, range: range.into() })
+    Err(Box::new(Refusal { fact, range: range.into() }))
 }
 
 /// The refusal that something else was expected here.
@@ -257,7 +257,7 @@ pub(super) fn is_item(input: ParseStream) -> bool {
 /// `{ … }`, or up to where another item begins.
 pub(super) fn skip_item(input: ParseStream, start: ParseStream, is_item: fn(ParseStream) -> bool) {
     let mut has_moved = input.cursor() != start.cursor();
-    while !input.is_empty() && !(has_moved && is_item(input)) {
+    while !(input.is_empty() || has_moved && is_item(input)) {
         has_moved = true;
         match input.parse::<TokenTree>() {
             Ok(TokenTree::Punct(punct)) if punct.as_char() == ';' => return,

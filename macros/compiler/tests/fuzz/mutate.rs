@@ -44,7 +44,13 @@ pub(crate) fn mutilated(tokens: TokenStream, random: &mut Random) -> TokenStream
 
 /// A change that leaves the grammar whole.
 fn gentle(flat: &mut Vec<Flat>, random: &mut Random) {
-    const ALIKE: &[&str] = &["+ - * / ^", "sin cos tan asin acos atan sqrt exp ln abs", "x y angle", "crank coupler rocker cam follower sun planet", "0 1 2 0mm 0deg 5mm -"];
+    const ALIKE: &[&str] = &[
+        "+ - * / ^",
+        "sin cos tan asin acos atan sqrt exp ln abs",
+        "x y angle",
+        "crank coupler rocker cam follower sun planet",
+        "0 1 2 0mm 0deg 5mm -",
+    ];
     match random.below(6) {
         0 => numbers(flat, random),
         1 => append(flat, random),
@@ -52,7 +58,9 @@ fn gentle(flat: &mut Vec<Flat>, random: &mut Random) {
         _ => {
             let alike: Vec<&str> = random.of::<&str>(ALIKE).split_whitespace().collect();
             let at: Vec<usize> = (0..flat.len()).filter(|at| alike.contains(&flat[*at].to_string().as_str())).collect();
-            if let (false, Some(tree)) = (at.is_empty(), TokenStream::from_str(random.of::<&str>(&alike)).unwrap_or_default().into_iter().next()) {
+            if let (false, Some(tree)) =
+                (at.is_empty(), TokenStream::from_str(random.of::<&str>(&alike)).unwrap_or_default().into_iter().next())
+            {
                 flat[*random.of(&at)] = Flat::Tree(tree);
             }
         }
@@ -134,7 +142,20 @@ fn word(random: &mut Random) -> Flat {
 
 /// Some numbers become extreme.
 fn numbers(flat: &mut [Flat], random: &mut Random) {
-    const EXTREME: &[&str] = &["0", "0mm", "1e36", "1e-36", "1e35mm", "1e36km", "1e36turn", "1e-30s", "1e308", "123456789012345678901234567890123456", "0.0", "1000"];
+    const EXTREME: &[&str] = &[
+        "0",
+        "0mm",
+        "1e36",
+        "1e-36",
+        "1e35mm",
+        "1e36km",
+        "1e36turn",
+        "1e-30s",
+        "1e308",
+        "123456789012345678901234567890123456",
+        "0.0",
+        "1000",
+    ];
     for token in flat.iter_mut() {
         let is_number = matches!(token, Flat::Tree(TokenTree::Literal(_)));
         if is_number && random.below(4) == 0 {
@@ -146,7 +167,10 @@ fn numbers(flat: &mut [Flat], random: &mut Random) {
 
 /// One name becomes another one everywhere.
 fn names(flat: &mut [Flat], random: &mut Random) {
-    let idents: Vec<TokenTree> = flat.iter().filter_map(|token| if let Flat::Tree(tree @ TokenTree::Ident(_)) = token { Some(tree.clone()) } else { None }).collect();
+    let idents: Vec<TokenTree> = flat
+        .iter()
+        .filter_map(|token| if let Flat::Tree(tree @ TokenTree::Ident(_)) = token { Some(tree.clone()) } else { None })
+        .collect();
     if idents.is_empty() {
         return;
     }
@@ -167,7 +191,8 @@ fn deep(flat: &mut Vec<Flat>, at: usize, end: usize, random: &mut Random) {
             minus.cycle().take(times).chain(stretch).collect()
         }
         2 => {
-            let call = TokenStream::from_str("sin").unwrap_or_default().into_iter().map(Flat::Tree).chain([Flat::Open(Delimiter::Parenthesis)]);
+            let call =
+                TokenStream::from_str("sin").unwrap_or_default().into_iter().map(Flat::Tree).chain([Flat::Open(Delimiter::Parenthesis)]);
             let calls = call.collect::<Vec<_>>().into_iter().cycle().take(2 * times);
             calls.chain(stretch).chain(std::iter::repeat_n(Flat::Close, times)).collect()
         }

@@ -1,0 +1,197 @@
+//! Sums, products, powers and choices of numbers and vectors, and equations between them.
+
+use super::dimension::{Dim, Measure};
+use super::elaborate::{Elaborator, Scope};
+use super::value::{Scalar, Value, Vector};
+use crate::diag::{Fact, Range};
+use crate::expr::{Exact, Unary};
+use crate::syntax::ast::{self, Operator, Relation};
+
+impl Elaborator<'_> {
+    pub(super) fn negative(&mut self, value: &ast::Expr, scope: &Scope) -> Option<Value> {
+        let inner = self.value(value, scope)?;
+        if let Value::Scalar(scalar) = inner {
+            return Some(Value::Scalar(Scalar { expr: self.arena.neg(scalar.expr), ..scalar }));
+        }
+        let noun = inner.noun();
+        match self.as_vector(inner) {
+            Some(Vector { x, y, measure }) => Some(Value::Vector(Vector { x: self.arena.neg(x), y: self.arena.neg(y), measure })),
+            None => self.refuse(value.range, Fact::NotA { wanted: "a number or a vector", found: noun }),
+        }
+    }
+
+    pub(super) fn tuple(&mut self, range: Range, items: &[ast::Expr], scope: &Scope) -> Option<Vector> {
+        let [x, y] = items else {
+            return self.refuse(range, Fact::NotTwoComponents { found: items.len() });
+        };
+        let (x, y) = (self.scalar(x, scope), self.scalar(y, scope));
+        let (x, y) = (x?, y?);
+        match x.measure.common(y.measure) {
+            Some(measure) => Some(Vector { x: x.expr, y: y.expr, measure }),
+            None => self.refuse(range, Fact::Unlike { action: "make one vector of", one: x.measure.settled(), two: y.measure.settled() }),
+        }
+    }
+
+    pub(super) fn binary(&mut self, range: Range, operator: Operator, lhs: &ast::Expr, rhs: &ast::Expr, scope: &Scope) -> Option<Value> {
+        if operator == Operator::Power {
+            return self.power(range, lhs, rhs, scope).map(Value::Scalar);
+        }
+        let (left, right) = (self.value(lhs, scope), self.value(rhs, scope));
+        let (left, right) = (left?, right?);
+        match (left, right) {
+            (Value::Scalar(one), Value::Scalar(two)) => self.combine(range, operator, one, (two, rhs.range)).map(Value::Scalar),
+            (left, right) => self.combine_vectors(range, operator, (lhs, left), (rhs, right)),
+        }
+    }
+
+    /// `one operator two`; the range of `two` is blamed where only it is wrong.
+    pub(super) fn combine(&mut self, range: Range, operator: Operator, one: Scalar, (two, second): (Scalar, Range)) -> Option<Scalar> {
+        let (expr, measure) = match operator {
+            Operator::Mul => (self.arena.mul(one.expr, two.expr), one.measure.times(two.measure)),
+            Operator::Div => {
+                if self.arena.as_constant(two.expr).is_some_and(|value| value.is_zero()) {
+                    return self.refuse(second, Fact::DivisionByZero);
+                }
+                (self.arena.div(one.expr, two.expr), one.measure.per(two.measure))
+            }
+            Operator::Add | Operator::Sub | Operator::Power => {
+                let Some(measure) = one.measure.common(two.measure) else {
+                    let action = if operator == Operator::Add { "add" } else { "subtract" };
+                    return self.refuse(range, Fact::Unlike { action, one: one.measure.settled(), two: two.measure.settled() });
+                };
+                let expr = if operator == Operator::Add { self.arena.add(one.expr, two.expr) } else { self.arena.sub(one.expr, two.expr) };
+                (expr, measure)
+            }
+        };
+        Some(Scalar { expr, measure })
+    }
+
+    /// Vectors are added to vectors, and multiplied or divided by numbers.
+    pub(super) fn combine_vectors(
+        &mut self,
+        range: Range,
+        operator: Operator,
+        left: (&ast::Expr, Value),
+        right: (&ast::Expr, Value),
+    ) -> Option<Value> {
+        if let (Operator::Mul, Value::Scalar(_)) = (operator, &left.1) {
+            return self.combine_vectors(range, operator, right, left);
+        }
+        if !right.1.is_combinable() {
+            return self.refuse(right.0.range, Fact::NotA { wanted: "a number or a vector", found: right.1.noun() });
+        }
+        match (operator, &left.1) {
+            (Operator::Div, Value::Scalar(_)) => return self.refuse(range, Fact::NumberByVector),
+            (_, Value::Scalar(_)) => return self.refuse(range, Fact::VectorAndNumber),
+            _ => {}
+        }
+        let noun = left.1.noun();
+        let Some(one) = self.as_vector(left.1) else {
+            return self.refuse(left.0.range, Fact::NotA { wanted: "a number or a vector", found: noun });
+        };
+        if let Value::Scalar(factor) = right.1 {
+            if matches!(operator, Operator::Add | Operator::Sub) {
+                return self.refuse(range, Fact::VectorAndNumber);
+            }
+            let part = |expr, measure| Scalar { expr, measure };
+            let x = self.combine(range, operator, part(one.x, one.measure), (factor, right.0.range))?;
+            let y = self.combine(range, operator, part(one.y, one.measure), (factor, right.0.range))?;
+            return Some(Value::Vector(Vector { x: x.expr, y: y.expr, measure: x.measure }));
+        }
+        let noun = right.1.noun();
+        let Some(two) = self.as_vector(right.1) else {
+            return self.refuse(right.0.range, Fact::NotA { wanted: "a number or a vector", found: noun });
+        };
+        if !matches!(operator, Operator::Add | Operator::Sub) {
+            return self.refuse(range, Fact::VectorTimesVector);
+        }
+        let parts = |vector: Vector| [vector.x, vector.y].map(|expr| Scalar { expr, measure: vector.measure });
+        let ([x1, y1], [x2, y2]) = (parts(one), parts(two));
+        let x = self.combine(range, operator, x1, (x2, right.0.range))?;
+        let y = self.combine(range, operator, y1, (y2, right.0.range))?;
+        Some(Value::Vector(Vector { x: x.expr, y: y.expr, measure: x.measure }))
+    }
+
+    /// Whole powers are multiplications, halves are square roots of them, others exponentials.
+    pub(super) fn power(&mut self, range: Range, base: &ast::Expr, exponent: &ast::Expr, scope: &Scope) -> Option<Scalar> {
+        let (one, two) = (self.scalar(base, scope), self.scalar(exponent, scope));
+        let (one, two) = (one?, two?);
+        if !two.measure.fits(Dim::NUMBER) {
+            return self.refuse(exponent.range, Fact::WrongDimension { wanted: Dim::NUMBER, found: two.measure.settled() });
+        }
+        let constant = self.arena.as_constant(two.expr).map(Exact::to_f64);
+        let whole_multiple_of = |unit: f64| constant.map(|value| value * unit).filter(|value| value.fract() == 0.0);
+        let sixths = whole_multiple_of(6.0).filter(|value| value.abs() <= f64::from(i16::MAX)).map(|value| value as i16);
+        let measure = match one.measure {
+            Measure::Of(base) if base != Dim::NUMBER => sixths.and_then(|sixths| one.measure.power(sixths)),
+            plain => Some(plain),
+        };
+        let Some(measure) = measure else {
+            return self.refuse(range, Fact::PowerOfDimension { base: one.measure.settled() });
+        };
+        let halves = whole_multiple_of(2.0).filter(|value| value.abs() <= f64::from(i32::MAX)).map(|value| value as i32);
+        let expr = match halves {
+            Some(halves) if halves % 2 == 0 => self.arena.power(one.expr, halves / 2),
+            Some(halves) => {
+                let root = self.arena.sqrt(one.expr);
+                self.arena.power(root, halves)
+            }
+            None => {
+                let logarithm = self.arena.unary(Unary::Ln, one.expr);
+                let product = self.arena.mul(two.expr, logarithm);
+                self.arena.unary(Unary::Exp, product)
+            }
+        };
+        Some(Scalar { expr, measure })
+    }
+
+    pub(super) fn choice(
+        &mut self,
+        range: Range,
+        (lhs, relation, rhs): (&ast::Expr, Relation, &ast::Expr),
+        (then, otherwise): (&ast::Expr, &ast::Expr),
+        scope: &Scope,
+    ) -> Option<Value> {
+        let (left, right) = (self.scalar(lhs, scope), self.scalar(rhs, scope));
+        let (yes, no) = (self.scalar(then, scope), self.scalar(otherwise, scope));
+        let (left, right, yes, no) = (left?, right?, yes?, no?);
+        if left.measure.common(right.measure).is_none() {
+            let (one, two) = (left.measure.settled(), right.measure.settled());
+            return self.refuse(lhs.range.to(rhs.range), Fact::Unlike { action: "compare", one, two });
+        }
+        let Some(measure) = yes.measure.common(no.measure) else {
+            return self.refuse(range, Fact::Unlike { action: "choose between", one: yes.measure.settled(), two: no.measure.settled() });
+        };
+        let (l, r, y, n) = (left.expr, right.expr, yes.expr, no.expr);
+        let expr = match relation {
+            Relation::Less => self.arena.select(l, r, y, n),
+            Relation::Greater => self.arena.select(r, l, y, n),
+            Relation::LessOrEqual => self.arena.select(r, l, n, y),
+            Relation::GreaterOrEqual => self.arena.select(l, r, n, y),
+            Relation::Equal | Relation::Different => return self.refuse(lhs.range.to(rhs.range), Fact::EqualityInChoice),
+        };
+        Some(Value::Scalar(Scalar { expr, measure }))
+    }
+
+    /// Left minus right side of an equation, one residual for a number, two for a vector.
+    pub(super) fn residuals(&mut self, lhs: &ast::Expr, rhs: &ast::Expr, scope: &Scope) -> Option<Vec<Scalar>> {
+        let range = lhs.range.to(rhs.range);
+        let (left, right) = (self.value(lhs, scope), self.value(rhs, scope));
+        let (left, right) = (left?, right?);
+        if let (Value::Scalar(one), Value::Scalar(two)) = (&left, &right) {
+            let Some(measure) = one.measure.common(two.measure) else {
+                return self.refuse(range, Fact::Unlike { action: "equate", one: one.measure.settled(), two: two.measure.settled() });
+            };
+            return Some(vec![Scalar { expr: self.arena.sub(one.expr, two.expr), measure }]);
+        }
+        let nouns = (left.noun(), right.noun());
+        let (Some(one), Some(two)) = (self.as_vector(left), self.as_vector(right)) else {
+            return self.refuse(range, Fact::CannotEquate { one: nouns.0, two: nouns.1 });
+        };
+        let Some(measure) = one.measure.common(two.measure) else {
+            return self.refuse(range, Fact::Unlike { action: "equate", one: one.measure.settled(), two: two.measure.settled() });
+        };
+        let [x, y] = [self.arena.sub(one.x, two.x), self.arena.sub(one.y, two.y)];
+        Some([x, y].map(|expr| Scalar { expr, measure }).to_vec())
+    }
+}

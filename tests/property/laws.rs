@@ -1,0 +1,174 @@
+//! The motion laws of the library are what their pages say.
+
+use std::f64::consts::PI;
+
+use reuleaux_tests::common::declared::{Declared, Instant};
+use reuleaux_tests::laws::Laws;
+
+/// A law in closed form: value, first and second derivative.
+type Form = fn(f64) -> [f64; 3];
+
+/// What the page of a law says.
+struct Page {
+    name: &'static str,
+    /// Peak velocity and peak acceleration.
+    peaks: [f64; 2],
+    /// How many derivatives are continuous at both ends.
+    continuous: usize,
+    /// The formula between the ends; a law in pieces has none here.
+    form: Option<Form>,
+}
+
+/// In the order of the outputs.
+fn pages() -> [Page; 6] {
+    let modified = 8.0 * PI / (2.0 + PI);
+    [
+        Page {
+            name: "harmonic",
+            peaks: [PI / 2.0, PI * PI / 2.0],
+            continuous: 1,
+            form: Some(|u| [(1.0 - (PI * u).cos()) / 2.0, PI / 2.0 * (PI * u).sin(), PI * PI / 2.0 * (PI * u).cos()]),
+        },
+        Page {
+            name: "cycloidal",
+            peaks: [2.0, 2.0 * PI],
+            continuous: 2,
+            form: Some(|u| [u - (2.0 * PI * u).sin() / (2.0 * PI), 1.0 - (2.0 * PI * u).cos(), 2.0 * PI * (2.0 * PI * u).sin()]),
+        },
+        Page {
+            name: "polynomial_345",
+            peaks: [15.0 / 8.0, 10.0 / 3.0_f64.sqrt()],
+            continuous: 2,
+            form: Some(|u| {
+                let (square, rest) = (u * u, 1.0 - u);
+                [square * u * (10.0 - 15.0 * u + 6.0 * square), 30.0 * square * rest * rest, 60.0 * u * rest * (1.0 - 2.0 * u)]
+            }),
+        },
+        Page {
+            name: "polynomial_4567",
+            peaks: [35.0 / 16.0, 84.0 * 5.0_f64.sqrt() / 25.0],
+            continuous: 3,
+            form: Some(|u| {
+                let (square, rest) = (u * u, 1.0 - u);
+                let value = square * square * (35.0 - 84.0 * u + 70.0 * square - 20.0 * square * u);
+                [value, 140.0 * (u * rest).powi(3), 420.0 * (u * rest).powi(2) * (1.0 - 2.0 * u)]
+            }),
+        },
+        Page { name: "modified_trapezoidal", peaks: [2.0, modified], continuous: 2, form: None },
+        Page {
+            name: "smooth_step",
+            peaks: [1.5, 6.0],
+            continuous: 1,
+            form: Some(|u| [u * u * (3.0 - 2.0 * u), 6.0 * u * (1.0 - u), 6.0 - 12.0 * u]),
+        },
+    ]
+}
+
+/// Value, rate and acceleration of every law at u.
+fn laws(u: f64) -> [[f64; 3]; 6] {
+    let at = Instant { t: u, q: vec![0.0; 3], qd: vec![0.0; 3], qdd: vec![0.0; 3] };
+    Laws::default().outputs(&at).try_into().expect("six laws")
+}
+
+/// Numbers from 0 to 1, both included, among them all where a law changes its piece.
+fn grid() -> impl Iterator<Item = f64> {
+    (0..=4000).map(|step| f64::from(step) / 4000.0)
+}
+
+#[test]
+fn laws_rise_from_zero_to_one_and_stay() {
+    for (law, page) in pages().iter().enumerate() {
+        for (u, value) in [(-1e9, 0.0), (-1e-300, 0.0), (0.0, 0.0), (1.0, 1.0), (1.0 + f64::EPSILON, 1.0), (1e9, 1.0)] {
+            assert_eq!(laws(u)[law][0], value, "{} at {u}", page.name);
+        }
+        for u in [-3.0, 2.0] {
+            assert_eq!(laws(u)[law][1..], [0.0, 0.0], "{} at {u}", page.name);
+        }
+        // Never backwards, but for a rounding.
+        for (u, next) in grid().zip(grid().skip(1)) {
+            assert!(laws(next)[law][0] >= laws(u)[law][0] - f64::EPSILON, "{} at {u}", page.name);
+            assert!(laws(u)[law][1] >= -1e-15, "{} at {u}", page.name);
+        }
+    }
+}
+
+#[test]
+fn laws_are_their_formulas() {
+    for (law, page) in pages().iter().enumerate() {
+        let Some(form) = page.form else { continue };
+        for u in grid().filter(|u| (1e-9..1.0 - 1e-9).contains(u)) {
+            for (order, (found, exact)) in laws(u)[law].into_iter().zip(form(u)).enumerate() {
+                // Sums of terms up to 84 and, derived twice, up to 84 · 42.
+                let allowed = f64::EPSILON * [84.0, 84.0 * 7.0, 84.0 * 42.0][order];
+                assert!((found - exact).abs() <= allowed, "{} order {order} at {u}: {found} for {exact}", page.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn laws_are_symmetric_about_their_middle() {
+    for (law, page) in pages().iter().enumerate() {
+        // Multiples of 1/4096, whose complements are exact.
+        for u in (1..4096).map(|step| f64::from(step) / 4096.0) {
+            let (here, there) = (laws(u)[law], laws(1.0 - u)[law]);
+            assert!((here[0] + there[0] - 1.0).abs() <= 1e-14, "{} at {u}", page.name);
+            assert!((here[1] - there[1]).abs() <= 1e-13, "{} at {u}", page.name);
+            // The acceleration of a law in pieces belongs to one side of the middle.
+            assert!((here[2] + there[2]).abs() <= 1e-12 || u == 0.5, "{} at {u}", page.name);
+        }
+    }
+}
+
+#[test]
+fn peaks_are_as_documented() {
+    for (law, page) in pages().iter().enumerate() {
+        for order in [1, 2] {
+            let peak = grid().map(|u| laws(u)[law][order].abs()).fold(0.0, f64::max);
+            let documented = page.peaks[order - 1];
+            // The grid misses a smooth peak by at most half a step, a flat parabola there.
+            assert!(peak <= documented * (1.0 + 1e-12) && peak >= documented * (1.0 - 1e-3), "{} order {order}: {peak}", page.name);
+        }
+    }
+}
+
+#[test]
+fn as_many_derivatives_are_continuous_as_documented() {
+    let step = 1e-7;
+    for (law, page) in pages().iter().enumerate() {
+        for (end, outside, side) in [(0.0, [0.0, 0.0, 0.0], 1.0), (1.0, [1.0, 0.0, 0.0], -1.0)] {
+            let inside = laws(end + side * step)[law];
+            // The third derivative inside, as the acceleration grows.
+            let jumps = [inside[0] - outside[0], inside[1], inside[2], inside[2] / step];
+            for (order, jump) in jumps.iter().enumerate() {
+                // Continuous ones are as small as the step, times derivatives of at most a thousand.
+                let is_continuous = jump.abs() <= 1e3 * step;
+                assert_eq!(is_continuous, order <= page.continuous, "{} order {order} at {end}: {jump}", page.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn pieces_of_modified_trapezoidal_fit_together() {
+    let law = |u: f64| laws(u)[4];
+    for knot in [1.0, 3.0, 5.0, 7.0].map(|eighths: f64| eighths / 8.0) {
+        let (before, after) = (law(knot - 1e-12), law(knot + 1e-12));
+        for order in 0..3 {
+            assert!((before[order] - after[order]).abs() <= 1e-9, "order {order} at {knot}: {before:?} {after:?}");
+        }
+    }
+    // Its acceleration is 8π/(2+π) from 1/8 to 3/8.
+    assert!((law(0.2)[2] - 8.0 * PI / (2.0 + PI)).abs() <= 1e-14);
+    // Velocity and acceleration are the derivatives of the value: Simpson's rule over each eighth.
+    for eighth in 0..8 {
+        let (a, b) = (f64::from(eighth) / 8.0, f64::from(eighth + 1) / 8.0);
+        for order in [0, 1] {
+            let n = 64;
+            let node = |k: i32| law((a + (b - a) * f64::from(k) / f64::from(n)).clamp(a + 1e-15, b - 1e-15))[order + 1];
+            let sum: f64 = (0..=n).map(|k| node(k) * if k == 0 || k == n { 1.0 } else { f64::from(2 + 2 * (k % 2)) }).sum();
+            let integral = sum * (b - a) / f64::from(3 * n);
+            assert!((integral - (law(b)[order] - law(a)[order])).abs() <= 1e-9, "order {order} in eighth {eighth}");
+        }
+    }
+}
