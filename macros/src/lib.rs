@@ -254,7 +254,8 @@ use proc_macro::TokenStream;
 /// # Functions of one variable
 ///
 /// **Motion laws** of the library rise from 0 to 1 while their argument does: `harmonic`, `cycloidal`, `polynomial_345`,
-/// `polynomial_4567`, `modified_trapezoidal`, `smooth_step`. Give them time over duration and multiply by the rise.
+/// `polynomial_4567`, `modified_trapezoidal`, `smooth_step`. Give them time over duration and multiply by the rise. Over an angle that
+/// goes on turning, such as a cam's, take `wrap(angle)`, which is the same angle between −π and π.
 ///
 /// **Written here**, a function has one argument and an expression; it sees the parameters and the other functions.
 ///

@@ -36,8 +36,7 @@ const COSINE: [f64; 6] = [
 /// (sin x, cos x), each within one unit of its last place or 2⁻⁶⁵, whichever is larger.
 #[inline(always)]
 pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
-    // NaN takes this way too.
-    if !(x.abs() < LARGEST) {
+    if x.is_nan() || x.abs() >= LARGEST {
         return libm::sincos(x);
     }
     let shifted = x * core::f64::consts::FRAC_2_PI + ROUNDER;

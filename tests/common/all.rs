@@ -11,7 +11,8 @@ pub trait Visitor {
 }
 
 /// The functions in Rust that declarations name by path.
-pub const FUNCTIONS: [(&str, Jet); 2] = [("crate::library::oval", library::oval::<f64>), ("crate::library::measured", library::measured::<f64>)];
+pub const FUNCTIONS: [(&str, Jet); 2] =
+    [("crate::library::oval", library::oval::<f64>), ("crate::library::measured", library::measured::<f64>)];
 
 macro_rules! visit {
     ($visitor:ident: $($declaration:path),* $(,)?) => { $($visitor.visit::<$declaration>(stringify!($declaration));)* };

@@ -75,7 +75,9 @@ fn joint(constraint: &Value, name: &str, marks: &mut Vec<(String, String)>) -> S
         "absolute_x" => format!("absolute_x({}, {});", mark("point", "i"), value("value")),
         "absolute_y" => format!("absolute_y({}, {});", mark("point", "i"), value("value")),
         "absolute_angle" => format!("absolute_angle({}, {});", body("i"), value("value")),
-        "absolute_distance" => format!("absolute_distance({}, {}, {});", mark("point", "i"), pair(&constraint["center"]), value("distance")),
+        "absolute_distance" => {
+            format!("absolute_distance({}, {}, {});", mark("point", "i"), pair(&constraint["center"]), value("distance"))
+        }
         "driver_absolute_x" => format!("drive_x({}, {});", mark("point", "i"), law("m")),
         "driver_absolute_y" => format!("drive_y({}, {});", mark("point", "i"), law("m")),
         "driver_absolute_angle" => format!("drive_angle({}, {});", body("i"), law("rad")),

@@ -5,7 +5,8 @@ use crate::declared;
 declared! {
     /// Offset slider-crank whose crank speeds up.
     SliderCrank (
-        rod_length: Length = 0.26, offset: Length = 0.02, speed: AngularVelocity = 6.283185307179586, acceleration: AngularAcceleration = 0.5
+        rod_length: Length = 0.26, offset: Length = 0.02,
+        speed: AngularVelocity = 6.283185307179586, acceleration: AngularAcceleration = 0.5
     ) {
         ground { point O = (0, 0);  point G = (0, offset);  axis along = (1, 0); }
         body crank  { point O = (-0.06, 0);  point A = (0.06, 0);  start angle = 0; }

@@ -163,10 +163,11 @@ fn moments(points: &[(f64, f64)], ends: &str) -> Vec<f64> {
     for k in 0..n {
         let pivot = (k..n).max_by(|i, j| rows[*i][k].abs().total_cmp(&rows[*j][k].abs())).unwrap();
         rows.swap(k, pivot);
+        let row = rows[k].clone();
         for i in (0..n).filter(|i| *i != k) {
-            let factor = rows[i][k] / rows[k][k];
-            for j in k..=n {
-                rows[i][j] -= factor * rows[k][j];
+            let factor = rows[i][k] / row[k];
+            for (entry, above) in rows[i].iter_mut().zip(&row).skip(k) {
+                *entry -= factor * above;
             }
         }
     }

@@ -3,7 +3,6 @@
 //! A parameter is called by its place in the model: `coupler_C_x` is the first coordinate of the coupler's point C, `c1` the
 //! coefficient of t in the law of the drive.
 
-
 use crate::common::declared::Declared;
 use crate::common::reference::{Value, list, number, text};
 use crate::declared;

@@ -30,7 +30,10 @@ macro_rules! pairs {
 
             /// Its rows for a case of the reference.
             #[must_use]
-            pub fn rows(constraint: &$crate::common::reference::Value, at: &$crate::common::declared::Instant) -> $crate::common::declared::Rows {
+            pub fn rows(
+                constraint: &$crate::common::reference::Value,
+                at: &$crate::common::declared::Instant,
+            ) -> $crate::common::declared::Rows {
                 match (constraint["body_i"].as_str(), constraint["body_j"].as_str()) {
                     (Some("ground"), _) => $crate::units::rows_of::<FromGround>(constraint, at),
                     (_, Some("ground")) => $crate::units::rows_of::<ToGround>(constraint, at),

@@ -7,8 +7,8 @@ mod emitted;
 mod literal;
 mod multiples;
 
-use reuleaux_tests::common::declared::{Instant, Rows};
 use reuleaux_tests::common::decimal::Decimal;
+use reuleaux_tests::common::declared::{Instant, Rows};
 use reuleaux_tests::common::reference::{Value, decimals, file, list, number, numbers, text};
 
 /// 2⁻⁵³
@@ -34,7 +34,12 @@ fn share(case: &Value, found: &Rows, rows: &[usize]) -> f64 {
     for (at, row) in rows.iter().enumerate() {
         let line = |key: &str| (vec![Decimal::parse(text(&case[key][row]))], vec![number(&case[format!("{key}_bound")][row])]);
         let jacobian = (decimals(&case["J"][row]), numbers(&case["J_bound"][row]));
-        let lines = [(vec![found.phi[at]], line("Phi")), (found.jacobian[at].clone(), jacobian), (vec![found.nu[at]], line("nu")), (vec![found.gamma[at]], line("gamma"))];
+        let lines = [
+            (vec![found.phi[at]], line("Phi")),
+            (found.jacobian[at].clone(), jacobian),
+            (vec![found.nu[at]], line("nu")),
+            (vec![found.gamma[at]], line("gamma")),
+        ];
         for (line, (found, (reference, bounds))) in ["Φ", "Φ_q", "ν", "γ"].iter().zip(lines) {
             let greatest = reference.iter().map(|entry| entry.value.abs()).fold(0.0, f64::max);
             assert_eq!(found.len(), reference.len());

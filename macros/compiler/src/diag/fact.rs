@@ -61,6 +61,7 @@ pub enum Fact {
     WrongDimension { wanted: Dim, found: Dim },
     Unlike { action: &'static str, one: Dim, two: Dim },
     FunctionTakes { wanted: Dim, found: Dim },
+    OrderOfBodies,
     CannotCompare { one: &'static str, two: &'static str },
     CannotEquate { one: &'static str, two: &'static str },
     NotTwoComponents { found: usize },
@@ -95,12 +96,22 @@ pub enum Fact {
     RequirementFailsAtDefaults { why: String, value: f64 },
     RowOfNothing { joint: String, row: usize, of: usize },
     NoEquations { name: String },
+    EmptyBundle { name: String },
     GroundStart,
     InDefinition { definition: String, quantities: Vec<(String, Dim)>, fact: Box<Fact> },
     // The whole.
     NoBodies { name: String },
-    StructurallySingular { joints: Vec<String>, equations: usize, coordinates: Vec<String>, free: Vec<String>, for_free: usize },
-    NotSquare { name: String, coordinates: usize, equations: usize, drives: usize },
+    BodyIsFree { body: String },
+    Repeats { joint: String, other: String },
+    TooFewEquations { name: String, coordinates: usize, equations: usize, missing: usize, drives: usize, candidates: Vec<String> },
+    TooManyEquations {
+        joint: String,
+        others: Vec<String>,
+        equations: usize,
+        coordinates: Vec<String>,
+        free: Vec<String>,
+        for_free: usize,
+    },
 }
 
 /// `, did you mean …` as a help line, or nothing.
@@ -121,12 +132,11 @@ fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
 /// `a`, `b` and `c`; of many the first few.
 fn list(names: &[String]) -> String {
     const MOST: usize = 6;
-    let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-    match quoted.as_slice() {
-        [] => "nothing".to_owned(),
-        [one] => one.clone(),
-        many if many.len() > MOST => format!("{} and {} more", many[..MOST].join(", "), many.len() - MOST),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    let first = names.iter().take(MOST).map(String::as_str);
+    match names.len() {
+        0 => "nothing".to_owned(),
+        many if many > MOST => format!("{} and {} more", first.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "), many - MOST),
+        _ => listed(first),
     }
 }
 
@@ -291,6 +301,7 @@ impl fmt::Display for Fact {
                 }
             }
             Fact::FunctionTakes { wanted, found } => write!(f, "expected a function of {wanted}, found a function of {found}"),
+            Fact::OrderOfBodies => write!(f, "bodies have no order\nhelp: compare them with `==` or `!=`"),
             Fact::CannotCompare { one, two } => write!(f, "cannot compare {one} with {two}"),
             Fact::CannotEquate { one, two } => write!(f, "cannot equate {one} with {two}"),
             Fact::NotTwoComponents { found } => write!(f, "a vector in the plane has 2 components, found {found}"),
@@ -360,6 +371,9 @@ impl fmt::Display for Fact {
                 write!(f, "equation {row} of {of} of `{joint}` does not depend on the position of any body")
             }
             Fact::NoEquations { name } => write!(f, "`{name}` has no equations\nhelp: write `lhs == rhs;`"),
+            Fact::EmptyBundle { name } => {
+                write!(f, "the bundle `{name}` has no constraints\nhelp: put `constraint name(…) {{ … }}` into it")
+            }
             Fact::GroundStart => write!(f, "ground does not move: it has no start values"),
             Fact::InDefinition { definition, quantities, fact } => {
                 write!(f, "in {definition}: {fact}")?;
@@ -368,25 +382,30 @@ impl fmt::Display for Fact {
             }
 
             Fact::NoBodies { name } => write!(f, "`{name}` has no bodies\nhelp: declare one with `body name {{ … }}`"),
-            Fact::StructurallySingular { joints, equations, coordinates, free, for_free } => {
-                let verb = if joints.len() == 1 { "is" } else { "are together" };
-                write!(f, "{} {verb} {} on {}", list(joints), plural(*equations, "equation"), plural(coordinates.len(), "coordinate"))?;
-                write!(f, ": {}", list(coordinates))?;
+            Fact::BodyIsFree { body } => {
+                write!(f, "nothing holds `{body}`: it is in no equation")?;
+                write!(f, "\nhelp: join it to another body, such as `joint name = revolute({body}.P, other.Q);`, or take it away")
+            }
+            Fact::Repeats { joint, other } => write!(f, "`{joint}` demands the same as `{other}`\nhelp: take one of them away"),
+            Fact::TooFewEquations { name, coordinates, equations, missing, drives, candidates } => {
+                let ways = if *missing == 1 { "1 freedom".to_owned() } else { format!("{missing} freedoms") };
+                write!(f, "`{name}` is left with {ways}: {} and {}", plural(*coordinates, "coordinate"), plural(*equations, "equation"))?;
+                write!(f, ", {drives} from drives")?;
+                let (what, which) = if *missing == 1 { ("drive", "one") } else { ("add joints, or drive", "some") };
+                write!(f, "\nhelp: {what} {which} of {}", list(candidates))?;
+                write!(f, ", such as `drive input = drive_angle(body, speed * t);`")
+            }
+            Fact::TooManyEquations { joint, others, equations, coordinates, free, for_free } => {
+                let with = if others.is_empty() { String::new() } else { format!(" with {}", list(others)) };
+                let surplus = equations - coordinates.len();
+                write!(f, "`{joint}` is {} too many:{with} there are {}", if surplus == 1 { "one equation".into() } else { plural(surplus, "equation") }, plural(*equations, "equation"))?;
+                write!(f, " on {}, {}", plural(coordinates.len(), "coordinate"), list(coordinates))?;
+                if free.is_empty() {
+                    return write!(f, "\nhelp: take away a joint or a drive");
+                }
                 let have = if free.len() == 1 { "has" } else { "have" };
                 let equations = if *for_free == 0 { "no equation".to_owned() } else { format!("only {}", plural(*for_free, "equation")) };
                 write!(f, "\nnote: {} {have} {equations}", list(free))
-            }
-            Fact::NotSquare { name, coordinates, equations, drives } => {
-                write!(f, "`{name}` has {} and {}", plural(*coordinates, "coordinate"), plural(*equations, "equation"))?;
-                match coordinates.checked_sub(*equations) {
-                    Some(1) => {
-                        write!(f, ", 1 too few\nhelp: drive what can still move, such as `drive input = drive_angle(body, speed * t);`")?
-                    }
-                    Some(missing) => write!(f, ", {missing} too few\nhelp: add joints, and a drive for every freedom that is left")?,
-                    None => write!(f, ", {} too many\nhelp: take away a joint or a drive", equations - coordinates)?,
-                }
-                write!(f, "\nnote: {drives} of the equations come from drives")?;
-                write!(f, "\nnote: `#[equations_only]` before `mechanism` gives the equations without a solver")
             }
         }
     }

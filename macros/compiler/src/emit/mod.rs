@@ -202,8 +202,13 @@ fn state_name(model: &Model) -> Ident {
 
 fn solve(model: &Model, system: &System) -> TokenStream {
     let (name, state, n) = (&model.name, state_name(model), system.unknowns.len());
+    let (visibility, failure) = (&model.visibility, format_ident!("{}Failure", model.name, span = Span::call_site()));
+    let failure_page = format!("Why there is no state of [`{name}`].");
     let result = quote!(::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>>);
     quote! {
+        #[doc = #failure_page]
+        #[allow(dead_code)]
+        #visibility type #failure<T = f64> = ::reuleaux::Failure<T, #n>;
         #[automatically_derived]
         #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         impl<T: ::reuleaux::Float> #name<T> {

@@ -41,7 +41,7 @@ pub(crate) fn fallback(tree: &Mechanism, wanted: &Use) -> TokenStream {
 /// All that a mechanism promises; `body` stands in every function.
 fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> TokenStream {
     let Mechanism { name, .. } = tree;
-    let state = format_ident!("{}State", name);
+    let (state, failure) = (format_ident!("{}State", name), format_ident!("{}Failure", name));
     let n = 3 * items(tree, "body").len();
     let (structure, accessors, equations) = (structure(tree, visibility), accessors(tree, &state, body), equations(name, n, body));
     let solutions = (!tree.equations_only).then(|| solutions(&state, n, body));
@@ -51,6 +51,9 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
             #[derive(Clone, Debug, PartialEq)]
             #[doc(hidden)]
             #visibility struct #state<T = f64>(pub ::reuleaux::State<T, #n>);
+            #[doc(hidden)]
+            #[allow(dead_code)]
+            #visibility type #failure<T = f64> = ::reuleaux::Failure<T, #n>;
             impl<T> ::core::ops::Deref for #state<T> {
                 type Target = ::reuleaux::State<T, #n>;
                 fn deref(&self) -> &Self::Target { &self.0 }

@@ -45,7 +45,7 @@ impl Elaborator<'_> {
     }
 
     /// `one operator two`; the range of `two` is blamed where only it is wrong.
-    pub(super) fn combine(&mut self, range: Range, operator: Operator, one: Scalar, (two, second): (Scalar, Range)) -> Option<Scalar> {
+    fn combine(&mut self, range: Range, operator: Operator, one: Scalar, (two, second): (Scalar, Range)) -> Option<Scalar> {
         let (expr, measure) = match operator {
             Operator::Mul => (self.arena.mul(one.expr, two.expr), one.measure.times(two.measure)),
             Operator::Div => {
@@ -67,7 +67,7 @@ impl Elaborator<'_> {
     }
 
     /// Vectors are added to vectors, and multiplied or divided by numbers.
-    pub(super) fn combine_vectors(
+    fn combine_vectors(
         &mut self,
         range: Range,
         operator: Operator,
@@ -113,7 +113,7 @@ impl Elaborator<'_> {
     }
 
     /// Whole powers are multiplications, halves are square roots of them, others exponentials.
-    pub(super) fn power(&mut self, range: Range, base: &ast::Expr, exponent: &ast::Expr, scope: &Scope) -> Option<Scalar> {
+    fn power(&mut self, range: Range, base: &ast::Expr, exponent: &ast::Expr, scope: &Scope) -> Option<Scalar> {
         let (one, two) = (self.scalar(base, scope), self.scalar(exponent, scope));
         let (one, two) = (one?, two?);
         if !two.measure.fits(Dim::NUMBER) {

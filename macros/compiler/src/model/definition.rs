@@ -25,7 +25,7 @@ pub(crate) fn check(definition: &Definition, others: &[Definition], diag: &mut D
     work.check(definition, others);
 }
 
-/// Reports names that are exported twice.
+/// Reports names that are exported twice, and those that stand for nothing.
 pub(crate) fn check_names(definitions: &Definitions, diag: &mut Diag) {
     let unique = |names: Vec<&Ident>, diag: &mut Diag| {
         for (position, name) in names.iter().enumerate() {
@@ -36,6 +36,9 @@ pub(crate) fn check_names(definitions: &Definitions, diag: &mut Diag) {
     };
     unique(definitions.exports.iter().map(|export| &export.name).collect(), diag);
     for bundle in definitions.exports.iter().filter(|export| export.is_bundle) {
+        if bundle.definitions.is_empty() {
+            diag.refuse::<()>(&bundle.name, Fact::EmptyBundle { name: bundle.name.to_string() });
+        }
         unique(bundle.definitions.iter().map(|definition| &definition.name).collect(), diag);
     }
 }

@@ -55,13 +55,13 @@ impl Elaborator<'_> {
         value
     }
 
-    pub(super) fn set_mark(&mut self, frame: FrameId, name: &str, progress: Progress<Value>) {
+    fn set_mark(&mut self, frame: FrameId, name: &str, progress: Progress<Value>) {
         if let Some(entry) = self.names.frames[frame.0].marks.get_mut(name) {
             entry.progress = progress;
         }
     }
 
-    pub(super) fn fixed(&mut self, frame: FrameId, mark: &ast::Mark) -> Option<Value> {
+    fn fixed(&mut self, frame: FrameId, mark: &ast::Mark) -> Option<Value> {
         let vector = self.vector(&mark.value, &Scope::mechanism().timeless("a point or an axis"))?;
         if !self.is_fixed(vector.x) || !self.is_fixed(vector.y) {
             return self.refuse(mark.value.range, Fact::NotFixed { place: "a point or an axis" });
@@ -111,7 +111,7 @@ impl Elaborator<'_> {
         bodies
     }
 
-    pub(super) fn body(&mut self, frame: &ast::Frame) -> Body {
+    fn body(&mut self, frame: &ast::Frame) -> Body {
         let mut starts: [Option<Expr>; 3] = [None; 3];
         let scope = Scope::mechanism().timeless("a start value");
         for start in &frame.starts {

@@ -26,7 +26,7 @@ impl Elaborator<'_> {
     }
 
     /// A function is checked once on its own, with an argument that nothing is known of.
-    pub(super) fn check_function(&mut self, function: &ast::Function) {
+    fn check_function(&mut self, function: &ast::Function) {
         let (from, to) = (self.dimension(&function.from), self.dimension(&function.to));
         let (Some(from), Some(to)) = (from, to) else { return };
         let Some(argument) = &function.argument else {
@@ -65,7 +65,7 @@ impl Elaborator<'_> {
     }
 
     /// Every row depends on a position, and those of a joint not on time; one refusal is enough.
-    pub(super) fn rows_are_sound(&mut self, joint: &ast::Joint, rows: &[Row]) {
+    fn rows_are_sound(&mut self, joint: &ast::Joint, rows: &[Row]) {
         let (name, of) = (joint.name.to_string(), rows.len());
         let leaves = |row: &Row| self.arena.leaves(row.residual.expr);
         let is_of_nothing = |row: &Row| !leaves(row).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)));

@@ -57,7 +57,7 @@ impl Elaborator<'_> {
     }
 
     /// Inside a definition that is being instantiated, names the equation in what is refused.
-    pub(super) fn numbered<T>(&mut self, number: usize, of: usize, read: impl FnOnce(&mut Self) -> T) -> T {
+    fn numbered<T>(&mut self, number: usize, of: usize, read: impl FnOnce(&mut Self) -> T) -> T {
         let outer = self.blame.clone();
         if let (Some(Blame { definition, .. }), true) = (&mut self.blame, of > 1) {
             *definition = format!("equation {number} of {definition}");
@@ -68,13 +68,7 @@ impl Elaborator<'_> {
     }
 
     /// A condition: on bodies it is decided here, on numbers it is kept until defaults are known.
-    pub(super) fn requirement(
-        &mut self,
-        requirement: &ast::Requirement,
-        scope: &Scope,
-        joint: &ast::Joint,
-        places: &[(String, Range)],
-    ) -> Option<()> {
+    fn requirement(&mut self, requirement: &ast::Requirement, scope: &Scope, joint: &ast::Joint, places: &[(String, Range)]) -> Option<()> {
         let (left, right) = (self.value(&requirement.lhs, scope), self.value(&requirement.rhs, scope));
         let (left, right) = (left?, right?);
         let place = match &requirement.lhs.kind {
@@ -82,43 +76,57 @@ impl Elaborator<'_> {
             _ => None,
         };
         let place = place.map(|(_, range)| *range);
-        let range = requirement.lhs.range.to(requirement.rhs.range);
-        if let (Value::Body(one), Value::Body(two)) = (&left, &right) {
-            let holds = (one == two) == (requirement.relation == Relation::Equal);
-            if holds || self.names.is_abstract() {
-                return Some(());
-            }
-            return self.refuse_at(place, range, Fact::RequirementFails { why: requirement.why.clone() });
+        match (left, right) {
+            (Value::Body(one), Value::Body(two)) => self.body_requirement(requirement, one == two, place),
+            (Value::Scalar(one), Value::Scalar(two)) => self.number_requirement(requirement, one, two, joint, place),
+            (left, right) => self.refuse(range(requirement), Fact::CannotCompare { one: left.noun(), two: right.noun() }),
         }
-        let (Value::Scalar(one), Value::Scalar(two)) = (&left, &right) else {
-            return self.refuse(range, Fact::CannotCompare { one: left.noun(), two: right.noun() });
+    }
+
+    /// Two bodies must be the same, or must not be.
+    fn body_requirement(&mut self, requirement: &ast::Requirement, is_same: bool, place: Option<Range>) -> Option<()> {
+        let holds = match requirement.relation {
+            Relation::Equal => is_same,
+            Relation::Different => !is_same,
+            _ => return self.refuse(range(requirement), Fact::OrderOfBodies),
         };
-        if one.measure.common(two.measure).is_none() {
-            return self.refuse(range, Fact::Unlike { action: "compare", one: one.measure.settled(), two: two.measure.settled() });
-        }
-        let (lhs, rhs) = (one.expr, two.expr);
-        if self.names.is_abstract() {
+        if holds || self.names.is_abstract() {
             return Some(());
         }
-        if !self.is_fixed(lhs) || !self.is_fixed(rhs) {
+        self.refuse_at(place, range(requirement), Fact::RequirementFails { why: requirement.why.clone() })
+    }
+
+    fn number_requirement(
+        &mut self,
+        requirement: &ast::Requirement,
+        one: Scalar,
+        two: Scalar,
+        joint: &ast::Joint,
+        place: Option<Range>,
+    ) -> Option<()> {
+        if one.measure.common(two.measure).is_none() {
+            let (one, two) = (one.measure.settled(), two.measure.settled());
+            return self.refuse(range(requirement), Fact::Unlike { action: "compare", one, two });
+        }
+        let (lhs, rhs) = (one.expr, two.expr);
+        if self.names.is_abstract() || !self.is_fixed(lhs) || !self.is_fixed(rhs) {
             // A law of time can be zero at times; that is for the solver to notice.
             return Some(());
         }
+        let why = requirement.why.clone();
         if self.arena.leaves(lhs).is_empty() && self.arena.leaves(rhs).is_empty() {
             let values = self.numbers(&[], &[lhs, rhs]);
-            if !holds(requirement.relation, values[0], values[1]) {
-                return self.refuse_at(place, range, Fact::RequirementFails { why: requirement.why.clone() });
-            }
-            return Some(());
+            let holds = holds(requirement.relation, values[0], values[1]);
+            return if holds { Some(()) } else { self.refuse_at(place, range(requirement), Fact::RequirementFails { why }) };
         }
-        let (joint, why) = (joint.name.to_string(), requirement.why.clone());
-        self.requirements.push(Requirement { lhs, relation: requirement.relation, rhs, joint, why });
-        self.requirement_places.push(place.or(self.blame.as_ref().map(|blame| blame.place)).unwrap_or(range));
+        self.requirements.push(Requirement { lhs, relation: requirement.relation, rhs, joint: joint.name.to_string(), why });
+        let blamed = place.or(self.blame.as_ref().map(|blame| blame.place));
+        self.requirement_places.push(blamed.unwrap_or(range(requirement)));
         Some(())
     }
 
     /// Refuses at an argument if one is to blame.
-    pub(super) fn refuse_at<T>(&mut self, place: Option<Range>, range: Range, fact: Fact) -> Option<T> {
+    fn refuse_at<T>(&mut self, place: Option<Range>, range: Range, fact: Fact) -> Option<T> {
         let place = place.or(self.blame.as_ref().map(|blame| blame.place));
         self.diag.refuse(place.unwrap_or(range), fact)
     }
@@ -150,6 +158,11 @@ impl Elaborator<'_> {
         let values = Values { time: 0.0, parameters, coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
         evaluate(&self.arena, roots, &values)
     }
+}
+
+/// From the first token of a condition to the last.
+fn range(requirement: &ast::Requirement) -> Range {
+    requirement.lhs.range.to(requirement.rhs.range)
 }
 
 /// A comparison that cannot be decided (a Rust function is not run in the compiler) counts as true.

@@ -7,7 +7,8 @@
 //! 1. `incidence`: which equation contains which unknown.
 //! 2. `matching`: every unknown gets an equation of its own, as many as can.
 //! 3. `components`: unknowns that can only be found together make a block; blocks are put in order.
-//! 4. `tearing`: inside a block, what follows explicitly from the rest is not iterated.
+//! 4. `verdict`: where there are too many equations, or too few, the mechanism is refused.
+//! 5. `tearing`: inside a block, what follows explicitly from the rest is not iterated.
 //!
 //! Reference: Duff, Erisman, Reid, Direct Methods for Sparse Matrices, chapter 6.
 
@@ -18,13 +19,12 @@ mod parts;
 mod tearing;
 #[cfg(test)]
 mod tests;
+mod verdict;
 
-use crate::diag::{Diag, Fact};
+use crate::diag::Diag;
 use crate::model::Model;
 use crate::system::System;
 use incidence::Incidence;
-use matching::Matching;
-use std::collections::BTreeSet;
 
 /// The order of solution.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -60,36 +60,9 @@ pub(crate) fn analyze(model: &Model, system: &System, diag: &mut Diag) -> Option
     let incidence = Incidence::new(model, system);
     let matching = matching::maximum(&incidence);
     if !model.equations_only {
-        every_unknown_has_an_equation(model, system, &incidence, &matching, diag);
+        verdict::equations_fit(model, system, &incidence, &matching, diag);
     }
     let groups = components::in_order(&incidence, &matching);
     let blocks = groups.iter().map(|group| tearing::tear(&incidence, &matching, group)).collect();
     diag.is_clean().then_some(Structure { blocks })
-}
-
-/// There are as many equations as unknowns; in some place there may still be too many of them, and too few elsewhere.
-fn every_unknown_has_an_equation(model: &Model, system: &System, incidence: &Incidence, matching: &Matching, diag: &mut Diag) {
-    if matching.free_unknowns().is_empty() {
-        return;
-    }
-    let over = parts::overdetermined(incidence, matching);
-    let under = parts::underdetermined(incidence, matching);
-    let names = |unknowns: &BTreeSet<usize>| {
-        let name = |unknown: &usize| {
-            let unknown = &system.unknowns[*unknown];
-            format!("{}.{}", model.bodies[unknown.body].name, unknown.name)
-        };
-        unknowns.iter().map(name).collect()
-    };
-    let joints: BTreeSet<usize> = over.equations.iter().map(|equation| system.equations[*equation].joint).collect();
-    // The joint declared last is the one that was added to what stood before.
-    let Some(last) = joints.last() else { return };
-    let fact = Fact::StructurallySingular {
-        joints: joints.iter().map(|joint| model.joints[*joint].name.to_string()).collect(),
-        equations: over.equations.len(),
-        coordinates: names(&over.unknowns),
-        free: names(&under.unknowns),
-        for_free: under.equations.len(),
-    };
-    diag.refuse::<()>(&model.joints[*last].name, fact);
 }

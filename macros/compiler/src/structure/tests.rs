@@ -129,7 +129,7 @@ fn a_joint_too_many_here_and_one_too_few_there_is_named() {
     let refusals = compile(declaration.parse().expect("tokens")).expect_err("a crank with two pivots");
     assert_eq!(refusals.len(), 1);
     let message = refusals[0].fact.to_string();
-    assert!(message.contains("`o`, `b` and `input` are together 5 equations on 3 coordinates"), "{message}");
+    assert!(message.contains("`b` is 2 equations too many: with `o` and `input` there are 5 equations on 3 coordinates"), "{message}");
     assert!(message.contains("`rocker.angle`"), "{message}");
 }
 

@@ -12,6 +12,7 @@
 use crate::diag::{Diag, Fact};
 use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf};
 use crate::model::{Dim, Model};
+use std::collections::BTreeMap;
 
 /// Unknowns and equations.
 #[derive(Clone, Debug)]
@@ -95,7 +96,7 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     let outputs = model.outputs.iter().map(|output| Output { components: output.components.iter().map(|part| motion.of(&mut arena, *part)).collect() });
     let outputs = outputs.collect();
     has_bodies(model, diag);
-    is_square(model, unknowns.len(), equations.len(), diag);
+    no_joint_repeats_another(model, &mut arena, diag);
     diag.is_clean().then_some(System { arena, unknowns, equations, outputs })
 }
 
@@ -112,12 +113,23 @@ fn has_bodies(model: &Model, diag: &mut Diag) {
     }
 }
 
-/// As many equations as coordinates, unless only the equations are wanted.
-fn is_square(model: &Model, coordinates: usize, equations: usize, diag: &mut Diag) {
-    if coordinates == equations || model.equations_only || !diag.is_clean() {
+/// A joint whose every equation stands already in another one adds nothing.
+fn no_joint_repeats_another(model: &Model, arena: &mut Arena, diag: &mut Diag) {
+    if !diag.is_clean() || model.equations_only {
         return;
     }
-    let drives = model.joints.iter().filter(|joint| joint.is_drive).map(|joint| joint.residuals.len()).sum();
-    let name = model.name.to_string();
-    diag.refuse::<()>(&model.name, Fact::NotSquare { name, coordinates, equations, drives });
+    let mut owners: BTreeMap<Expr, usize> = BTreeMap::new();
+    for (index, joint) in model.joints.iter().enumerate() {
+        let earlier: Option<Vec<usize>> = joint.residuals.iter().map(|residual| owners.get(&residual.expr).copied()).collect();
+        if let Some(other) = earlier.and_then(|earlier| earlier.first().copied()) {
+            let other = model.joints[other].name.to_string();
+            diag.refuse::<()>(&joint.name, Fact::Repeats { joint: joint.name.to_string(), other });
+        }
+        for residual in &joint.residuals {
+            owners.entry(residual.expr).or_insert(index);
+            // With its sides exchanged an equation demands the same.
+            let exchanged = arena.neg(residual.expr);
+            owners.entry(exchanged).or_insert(index);
+        }
+    }
 }

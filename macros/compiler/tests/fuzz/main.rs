@@ -21,7 +21,7 @@ use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 /// Cases of the usual run.
-const CASES: u64 = 1_000;
+const CASES: u64 = 600;
 
 /// Cases that share a thread: the fallback of `proc_macro2` keeps every source a thread has read.
 const CHUNK: u64 = 100;

@@ -24,5 +24,7 @@ crate::refusals! {
     constraint parameter_without_kind: "constraint c(P«)» { P.x == 0; }" => "expected `:` and what the parameter takes, such as `Point` or `Length`, found the end";
     constraint no_constraint: "pub «fn» c(P: Point) { P.x == 0; }" => "expected `constraint name(…) { … }`, found `fn`";
     constraint function_without_result: "constraint c(P: Point, f: Function(Angle)«,» b: Body) { P.x == f(b.angle); }" => "expected `->` and the dimension of the value, found `,`";
+    constraint order_of_bodies: "constraint c(b: Body, d: Body) { require «b < d»: \"why\"; b.x == d.x; }" => "bodies have no order\nhelp: compare them with `==` or `!=`";
+    constraint empty_bundle: "pub bundle «nothing» {}" => "the bundle `nothing` has no constraints\nhelp: put `constraint name(…) { … }` into it";
     constraint broken_in_a_bundle: "pub bundle all { constraint c(P: Point) { P.x == «;» } constraint d(P: Point) { P.y == 0; } }" => "expected an expression, found `;`";
 }
