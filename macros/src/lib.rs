@@ -339,7 +339,7 @@ use proc_macro::TokenStream;
 /// | `advance(&mut state, t)` | the same in place |
 /// | `sweep(times)` | an iterator over states, each followed from the one before |
 /// | `struct NameState<T = f64>` | t, q, q̇, q̈ and more by `Deref` to `reuleaux::State` |
-/// | a body's name`()` on the state | `PlanarBody`: position, angle, velocities, accelerations |
+/// | a body's name`()` on the state | `PlanarBody`: position, angle, velocities, accelerations, and the motion of any `point` of it |
 ///
 /// The order of q is that of the bodies, x, y and φ of each; the order of Φ is that of the joints and drives. The traits
 /// `reuleaux::Equations` and `reuleaux::Mechanism` are implemented, so that generic code can take any mechanism. Doc comments reach

@@ -12,6 +12,9 @@ use crate::problem::{Block, Part, Problem};
 use crate::scale::Scale;
 use crate::{Cause, Coordinate, Culprit, Equations, Float, Orientation, Row, State};
 
+/// Longest part of a prediction, scaled; a tenth of a turn, so that it cannot be mistaken for another turn.
+const LONGEST_PREDICTION: f64 = 0.6;
+
 /// What Newton's method sets out from in every block.
 enum Mode<'a, T, const N: usize> {
     /// A prediction from this state, `h` seconds before.
@@ -170,9 +173,17 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
     ) -> Result<Position<T, P::Factors, K>, Stop<T>> {
         let position = if let Mode::Follow { here, h } = &self.mode {
             let mut x = SVector::from_element(T::of(0.0));
+            let (mut first, mut second) = (x, x);
             for k in 0..K {
                 let i = unknowns[k];
-                x[k] = here.q[i] + *h * (here.qd[i] + *h * T::of(0.5) * here.qdd[i]);
+                first[k] = *h * here.qd[i];
+                second[k] = *h * *h * T::of(0.5) * here.qdd[i];
+                x[k] = here.q[i] + (first[k] + second[k]);
+            }
+            // Angles repeat: a prediction that goes far may come to the solution of another turn.
+            let scale = problem.scale();
+            if scale.norm(&first) > T::of(LONGEST_PREDICTION) || scale.norm(&second) > T::of(LONGEST_PREDICTION) {
+                return Err(Stop::Far);
             }
             let position = position::follow(problem, &Place::at(x, problem.turns()))?;
             if here.branch.get(name).is_some_and(|before| *before != position.factors.orientation()) {
@@ -204,8 +215,7 @@ impl<T: Float, L: Linear<T, K>, const K: usize> Solved<T, L, K> {
 fn open<T: Float, P: Problem<T, K>, const K: usize>(problem: &P, miss: Miss<T, K>) -> Stop<T> {
     match miss {
         Miss::NotFinite(of) => Stop::NotFinite(of),
-        Miss::Singular(place) => Stop::Open(problem.singular(&place)),
-        Miss::Stuck(place) => Stop::Open(problem.widest_gap(&place).unwrap_or_else(|| problem.singular(&place))),
+        Miss::Singular(place) | Miss::Stuck(place) => Stop::Open(problem.widest_gap(&place).unwrap_or_else(|| problem.singular(&place))),
         Miss::NoConvergence { correction, iterations } => Stop::Open(Cause::NoConvergence { correction, iterations }),
     }
 }
