@@ -11,4 +11,4 @@
 ///
 /// Reference: Norton, Cam Design and Manufacturing Handbook, chapters 2 and 3.
 function cycloidal(u: Number) -> Number =
-    if u <= 0 { 0 } else if u < 1 { u - sin(2 * pi * u) / (2 * pi) } else { 1 };
+    min(max(u, 0), 1) - sin(2 * pi * min(max(u, 0), 1)) / (2 * pi);

@@ -11,4 +11,4 @@
 ///
 /// Reference: Norton, Cam Design and Manufacturing Handbook, chapters 2 and 3.
 function harmonic(u: Number) -> Number =
-    if u <= 0 { 0 } else if u < 1 { (1 - cos(pi * u)) / 2 } else { 1 };
+    (1 - cos(pi * min(max(u, 0), 1))) / 2;

@@ -16,10 +16,8 @@
 ///
 /// Reference: Norton, Cam Design and Manufacturing Handbook, chapters 2 and 3.
 function modified_trapezoidal(u: Number) -> Number =
-    if u <= 0 { 0 }
-    else if u < 1/8 { 2 / (2 + pi) * (u - sin(4 * pi * u) / (4 * pi)) }
+    if u < 1/8 { 2 / (2 + pi) * (max(u, 0) - sin(4 * pi * max(u, 0)) / (4 * pi)) }
     else if u < 3/8 { 2 / (2 + pi) * (u - 1 / (4 * pi) + 2 * pi * (u - 1/8)^2) }
     else if u < 5/8 { 2 / (2 + pi) * (u + pi / 8 + pi * (u - 3/8) - cos(4 * pi * (u - 3/8)) / (4 * pi)) }
     else if u < 7/8 { 1 - 2 / (2 + pi) * (1 - u - 1 / (4 * pi) + 2 * pi * (7/8 - u)^2) }
-    else if u < 1 { 1 - 2 / (2 + pi) * (1 - u - sin(4 * pi * (1 - u)) / (4 * pi)) }
-    else { 1 };
+    else { 1 - 2 / (2 + pi) * (max(1 - u, 0) - sin(4 * pi * max(1 - u, 0)) / (4 * pi)) };

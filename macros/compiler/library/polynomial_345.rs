@@ -11,4 +11,4 @@
 ///
 /// Reference: Norton, Cam Design and Manufacturing Handbook, chapters 2 and 3.
 function polynomial_345(u: Number) -> Number =
-    if u <= 0 { 0 } else if u < 1 { u^3 * (10 + u * (6 * u - 15)) } else { 1 };
+    if u < 1/2 { max(u, 0)^3 * (10 + max(u, 0) * (6 * max(u, 0) - 15)) } else { 1 - max(1 - u, 0)^3 * (10 + max(1 - u, 0) * (6 * max(1 - u, 0) - 15)) };

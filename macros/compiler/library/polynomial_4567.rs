@@ -11,4 +11,4 @@
 ///
 /// Reference: Norton, Cam Design and Manufacturing Handbook, chapters 2 and 3.
 function polynomial_4567(u: Number) -> Number =
-    if u <= 0 { 0 } else if u < 1 { u^4 * (35 + u * (u * (70 - 20 * u) - 84)) } else { 1 };
+    if u < 1/2 { max(u, 0)^4 * (35 + max(u, 0) * (max(u, 0) * (70 - 20 * max(u, 0)) - 84)) } else { 1 - max(1 - u, 0)^4 * (35 + max(1 - u, 0) * (max(1 - u, 0) * (70 - 20 * max(1 - u, 0)) - 84)) };

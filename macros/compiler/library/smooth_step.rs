@@ -11,4 +11,4 @@
 ///
 /// Reference: Norton, Cam Design and Manufacturing Handbook, chapters 2 and 3.
 function smooth_step(u: Number) -> Number =
-    if u <= 0 { 0 } else if u < 1 { u^2 * (3 - 2 * u) } else { 1 };
+    if u < 1/2 { max(u, 0)^2 * (3 - 2 * max(u, 0)) } else { 1 - max(1 - u, 0)^2 * (3 - 2 * max(1 - u, 0)) };

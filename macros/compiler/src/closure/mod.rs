@@ -16,7 +16,7 @@ use levenberg::{Problem, minimise};
 /// Beyond this many coordinates the dense minimisation would be felt in `cargo check`.
 const LARGEST: usize = 240;
 
-/// How many guesses of the undeclared angles are tried.
+/// How many guesses of what is not declared are tried.
 const GUESSES: usize = 24;
 
 /// The configuration to start from.
@@ -51,12 +51,13 @@ pub(crate) fn close(model: &Model, system: &System) -> Closure {
 /// Tries guesses until every declared value is as near as it can be.
 fn search(system: &System, problem: &mut Problem, declared: &[Option<f64>], size: f64) -> Closure {
     let is_angle: Vec<bool> = system.unknowns.iter().map(|unknown| unknown.dim == Dim::ANGLE).collect();
-    let free_angles = declared.iter().zip(&is_angle).filter(|(value, is_angle)| **is_angle && value.is_none()).count();
-    let guesses = if free_angles == 0 { 1 } else { GUESSES };
+    let free = declared.iter().filter(|value| value.is_none()).count();
+    let guesses = if free == 0 { 1 } else { GUESSES };
     let mut best: Option<(f64, Vec<f64>)> = None;
     let mut first = None;
     for attempt in 0..guesses {
-        let mut q: Vec<f64> = (0..declared.len()).map(|index| declared[index].unwrap_or(if is_angle[index] { guess(attempt, index) } else { 0.0 })).collect();
+        let free = |index: usize| guess(attempt, index) * if is_angle[index] { 1.0 } else { size / core::f64::consts::PI };
+        let mut q: Vec<f64> = (0..declared.len()).map(|index| declared[index].unwrap_or_else(|| free(index))).collect();
         // With the angles given, the places follow from equations that are nearly linear in them.
         let free: Vec<bool> = declared.iter().zip(&is_angle).map(|(value, is_angle)| value.is_none() && !is_angle).collect();
         minimise(problem, &mut q, &free);
@@ -97,7 +98,7 @@ fn distance(q: &[f64], declared: &[Option<f64>], is_angle: &[bool], size: f64) -
     (0..q.len()).map(part).sum()
 }
 
-/// The guess of an undeclared angle: first 0, then spread evenly over a turn, each angle its own way.
+/// The guess of an undeclared angle: first 0, then spread evenly over a turn, each angle its own way; places likewise.
 fn guess(attempt: usize, index: usize) -> f64 {
     // Fractions of the golden section never repeat and fill the circle evenly.
     let turns = (attempt as f64 * (index as f64 + 1.0) * 0.618_033_988_749_895).fract();

@@ -104,14 +104,7 @@ pub enum Fact {
     BodyIsFree { body: String },
     Repeats { joint: String, other: String },
     TooFewEquations { name: String, coordinates: usize, equations: usize, missing: usize, drives: usize, candidates: Vec<String> },
-    TooManyEquations {
-        joint: String,
-        others: Vec<String>,
-        equations: usize,
-        coordinates: Vec<String>,
-        free: Vec<String>,
-        for_free: usize,
-    },
+    TooManyEquations { joint: String, others: Vec<String>, equations: usize, coordinates: Vec<String>, free: Vec<String>, for_free: usize },
 }
 
 /// `, did you mean …` as a help line, or nothing.
@@ -391,14 +384,23 @@ impl fmt::Display for Fact {
                 let ways = if *missing == 1 { "1 freedom".to_owned() } else { format!("{missing} freedoms") };
                 write!(f, "`{name}` is left with {ways}: {} and {}", plural(*coordinates, "coordinate"), plural(*equations, "equation"))?;
                 write!(f, ", {drives} from drives")?;
-                let (what, which) = if *missing == 1 { ("drive", "one") } else { ("add joints, or drive", "some") };
-                write!(f, "\nhelp: {what} {which} of {}", list(candidates))?;
+                let what = match (missing, candidates.len()) {
+                    (1, 1) => "drive",
+                    (1, _) => "drive one of",
+                    _ => "add joints, or drive some of",
+                };
+                write!(f, "\nhelp: {what} {}", list(candidates))?;
                 write!(f, ", such as `drive input = drive_angle(body, speed * t);`")
             }
             Fact::TooManyEquations { joint, others, equations, coordinates, free, for_free } => {
                 let with = if others.is_empty() { String::new() } else { format!(" with {}", list(others)) };
                 let surplus = equations - coordinates.len();
-                write!(f, "`{joint}` is {} too many:{with} there are {}", if surplus == 1 { "one equation".into() } else { plural(surplus, "equation") }, plural(*equations, "equation"))?;
+                write!(
+                    f,
+                    "`{joint}` is {} too many:{with} there are {}",
+                    if surplus == 1 { "one equation".into() } else { plural(surplus, "equation") },
+                    plural(*equations, "equation")
+                )?;
                 write!(f, " on {}, {}", plural(coordinates.len(), "coordinate"), list(coordinates))?;
                 if free.is_empty() {
                     return write!(f, "\nhelp: take away a joint or a drive");

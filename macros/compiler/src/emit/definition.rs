@@ -10,7 +10,7 @@
 //! ```
 
 use crate::syntax::ast::{Definitions, Export, Use};
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote, quote_spanned};
 
 /// The macros that stand for definitions; `is_broken` ones hand over nothing, so that a mistake is
@@ -31,7 +31,7 @@ fn exported(export: &Export, is_broken: bool) -> TokenStream {
     let Export { docs, visibility, name, tokens, .. } = export;
     let docs = &docs.tokens;
     let hidden = format_ident!("__reuleaux_{}_{}", plain(name), fingerprint(export), span = Span::call_site());
-    let handed = if is_broken { TokenStream::new() } else { tokens.clone() };
+    let handed = if is_broken { TokenStream::new() } else { at_home(tokens.clone()) };
     let is_public = visibility.to_string() == "pub";
     let exported = is_public.then(|| quote!(#[macro_export]));
     quote! {
@@ -45,6 +45,23 @@ fn exported(export: &Export, is_broken: bool) -> TokenStream {
         #[allow(unused_imports)]
         #visibility use #hidden as #name;
     }
+}
+
+/// Paths that begin with `crate` mean the crate of the definition, wherever it is used.
+fn at_home(tokens: TokenStream) -> TokenStream {
+    let inner = |tree: TokenTree| match tree {
+        TokenTree::Group(group) => {
+            let mut anew = Group::new(group.delimiter(), at_home(group.stream()));
+            anew.set_span(group.span());
+            TokenTree::Group(anew).into()
+        }
+        TokenTree::Ident(name) if name == "crate" => {
+            let dollar = Punct::new('$', Spacing::Joint);
+            quote!(#dollar #name)
+        }
+        other => TokenStream::from(other),
+    };
+    tokens.into_iter().map(inner).collect()
 }
 
 fn plain(name: &Ident) -> String {

@@ -170,14 +170,16 @@ impl Emitter<'_> {
         let checks = self.model.requirements.iter().zip(results.chunks(2)).map(|(requirement, sides)| {
             let (lhs, rhs) = (&sides[0], &sides[1]);
             let (zero, one) = (quote!(T::of(0.0)), quote!(T::of(1.0)));
-            // Written without comparison operators, which not every number type has.
+            // Written without comparison operators, which not every number type has; what cannot be compared fails.
+            let less = quote!(T::select_less(#lhs, #rhs, #one, #zero));
+            let greater = quote!(T::select_less(#rhs, #lhs, #one, #zero));
             let fails = match requirement.relation {
-                Relation::Different => quote!((#lhs) == (#rhs)),
+                Relation::Different => quote!(#less + #greater == #zero),
                 Relation::Equal => quote!((#lhs) != (#rhs)),
-                Relation::Less => quote!(T::select_less(#lhs, #rhs, #zero, #one) != #zero),
-                Relation::Greater => quote!(T::select_less(#rhs, #lhs, #zero, #one) != #zero),
-                Relation::LessOrEqual => quote!(T::select_less(#rhs, #lhs, #one, #zero) != #zero),
-                Relation::GreaterOrEqual => quote!(T::select_less(#lhs, #rhs, #one, #zero) != #zero),
+                Relation::Less => quote!(#less == #zero),
+                Relation::Greater => quote!(#greater == #zero),
+                Relation::LessOrEqual => quote!(#less == #zero && (#lhs) != (#rhs)),
+                Relation::GreaterOrEqual => quote!(#greater == #zero && (#lhs) != (#rhs)),
             };
             let (name, why) = (self.parameter_in(requirement), &requirement.why);
             quote! {

@@ -134,7 +134,8 @@ impl Elaborator<'_> {
             return self.refuse(range, Fact::Unlike { action: "compare", one: one.measure.settled(), two: two.measure.settled() });
         };
         Some(match word {
-            "min" => Scalar { expr: self.arena.select(one.expr, two.expr, one.expr, two.expr), measure },
+            // Where nothing is less, as with NaN, the first one stays.
+            "min" => Scalar { expr: self.arena.select(two.expr, one.expr, two.expr, one.expr), measure },
             "max" => Scalar { expr: self.arena.select(one.expr, two.expr, two.expr, one.expr), measure },
             _ => Scalar { expr: self.arena.binary(crate::expr::Binary::Atan2, one.expr, two.expr), measure: Measure::Of(Dim::ANGLE) },
         })

@@ -99,6 +99,16 @@ impl Dim {
         self.without_angle() == Dim::NUMBER
     }
 
+    /// Has lengths or masses, beside which radians do not count.
+    pub(crate) fn is_extended(self) -> bool {
+        self.sixths[0] != 0 || self.sixths[3] != 0
+    }
+
+    /// An angle, or its change in time: has radians once.
+    pub(crate) fn is_of_turning(self) -> bool {
+        self.sixths[1] == WHOLE
+    }
+
     /// Radians aside, both measure the same.
     pub(crate) fn agrees(self, other: Dim) -> bool {
         self.without_angle() == other.without_angle()
@@ -184,21 +194,22 @@ impl Measure {
             (Measure::Flexible, measure) | (measure, Measure::Flexible) => Some(measure),
             (Measure::Of(one), Measure::Of(two)) if one == two => Some(self),
             // Radians matter only where there is nothing else: an arc is a length.
-            (Measure::Of(one), Measure::Of(two)) if one.agrees(two) => {
-                Some(Measure::Of(if one.is_plain() { Dim::ANGLE } else { one.without_angle() }))
-            }
+            (Measure::Of(one), Measure::Of(two)) if one.agrees(two) && one.is_extended() => Some(Measure::Of(one.without_angle())),
+            (Measure::Of(one), Measure::Of(two)) if one.agrees(two) => Some(if two.is_of_turning() { other } else { self }),
             _ => None,
         }
     }
 
     /// A number of this measure may stand where `wanted` is asked for.
     ///
-    /// A ratio of lengths may stand for an angle (an arc over its radius); an angle is no ratio.
+    /// A ratio of lengths may stand for an angle, an arc over its radius, and a speed over a radius for an angular velocity; an
+    /// angle is no ratio, and an angular velocity no frequency.
     pub(crate) fn fits(self, wanted: Dim) -> bool {
         match self {
             Measure::Flexible => true,
             Measure::Of(found) if found == wanted => true,
-            Measure::Of(found) => found.agrees(wanted) && !(found.is_plain() && wanted == Dim::NUMBER),
+            Measure::Of(found) if found.agrees(wanted) && wanted.is_extended() => true,
+            Measure::Of(found) => found.agrees(wanted) && found == found.without_angle() && wanted.is_of_turning(),
         }
     }
 

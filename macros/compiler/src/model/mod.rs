@@ -153,7 +153,7 @@ pub struct Requirement {
     pub relation: Relation,
     /// Right side.
     pub rhs: Expr,
-    /// The joint that asks for it.
+    /// The joint that asks for it, with the name of what is compared: `g.a`.
     pub joint: String,
     /// What to do instead.
     pub why: String,

@@ -119,7 +119,12 @@ impl Elaborator<'_> {
             let holds = holds(requirement.relation, values[0], values[1]);
             return if holds { Some(()) } else { self.refuse_at(place, range(requirement), Fact::RequirementFails { why }) };
         }
-        self.requirements.push(Requirement { lhs, relation: requirement.relation, rhs, joint: joint.name.to_string(), why });
+        // What is compared goes by the name it has in the definition.
+        let joint = match &requirement.lhs.kind {
+            ast::ExprKind::Path(path) => format!("{}.{}", joint.name, path.last),
+            _ => joint.name.to_string(),
+        };
+        self.requirements.push(Requirement { lhs, relation: requirement.relation, rhs, joint, why });
         let blamed = place.or(self.blame.as_ref().map(|blame| blame.place));
         self.requirement_places.push(blamed.unwrap_or(range(requirement)));
         Some(())

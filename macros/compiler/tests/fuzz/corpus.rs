@@ -59,7 +59,7 @@ const EQUATIONS: &str = "
         body one { point P = (a, -a); axis u = (1, 1); start x = a; start y = -2 * a; }
         body two { point Q = v; axis w = unit((3, 4)); }
         joint ellipse = { let F = (0mm, 0mm); norm(one.P - F) + norm(one.P - (a, 0mm)) == 4 * a; require a > 0: \"a is positive\"; }
-        joint angle = { atan2(two.w.y, one.u.x) == acos(0.5)^1.5 + asin(0.1)^(1/2); dot(one.P, two.Q) == cross(one.P, two.Q) * ln(exp(1)) ; }
+        joint angle = { atan2(two.w.y, one.u.x) == sin(acos(0.5))^1.5 * asin(0.1); dot(one.P, two.Q) == cross(one.P, two.Q) * ln(exp(1)) ; }
         drive push = { direction(one.P - two.Q) == 3rad_s * t; }
         output where_ = one.P - two.Q;
         output x = abs(two.x)^1000 * sin(t / 1s)^3;
