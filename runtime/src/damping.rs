@@ -5,13 +5,13 @@
 
 use nalgebra::SVector;
 
+use crate::Float;
 use crate::iterate::{History, Iterate};
-use crate::order::smaller;
 use crate::linear::Linear;
+use crate::order::smaller;
 use crate::place::Place;
 use crate::position::{LONGEST_STEP, Miss, Position, accept};
 use crate::problem::Problem;
-use crate::Float;
 
 /// Steps tried. Damped convergence is slow only next to singular positions.
 const ITERATIONS: usize = 100;

@@ -75,7 +75,12 @@ impl<T: Float, L: Linear<T, N>, const N: usize> Iterate<T, L, N> {
 
 /// What was not finite first: a coordinate, else a row, else a correction.
 #[cold]
-fn culprit<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: &Place<T, N>, phi: &SVector<T, N>, correction: &SVector<T, N>) -> Culprit {
+fn culprit<T: Float, P: Problem<T, N>, const N: usize>(
+    problem: &P,
+    place: &Place<T, N>,
+    phi: &SVector<T, N>,
+    correction: &SVector<T, N>,
+) -> Culprit {
     let row = || phi.iter().position(|residual| !residual.is_finite()).map(|row| Culprit::Row(problem.row(row)));
     let place = problem.first_not_finite(&place.x);
     place.or_else(row).or_else(|| problem.first_not_finite(correction)).unwrap_or(Culprit::Row(problem.row(0)))

@@ -40,6 +40,7 @@
 // Emitted code names its types by `::reuleaux`; this lets examples and macros inside the crate do so too.
 extern crate self as reuleaux;
 
+mod assembly;
 mod continuation;
 mod damping;
 mod equations;
@@ -67,9 +68,9 @@ mod verdict;
 pub use equations::{Equations, ParameterOutOfRange};
 pub use failure::{Cause, Culprit, Failure};
 pub use float::Float;
+pub use linear::{Factors, Linear, Small};
 pub use mechanism::Mechanism;
 pub use nalgebra;
-pub use linear::{Factors, Linear, Small};
 pub use names::{Coordinate, CoordinateKind, Row};
 pub use pass::{Pass, Solved, Stop};
 pub use place::Place;

@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use crate::assembly::assemble;
 use crate::continuation;
 use crate::pass::Pass;
 use crate::place::Place;
@@ -17,12 +18,16 @@ use crate::{Cause, Culprit, Failure, Float, State, Sweep};
 /// Methods that take a time return the state then, with q, q̇ and q̈ at the rounding limit.
 /// They fail with the [`Cause`] and the last valid state, and never panic.
 pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
-    /// The state at `t` (s) on the branch of the declared start: assembled at t = 0, then followed in time.
+    /// The state at `t` (s) on the branch of the declared start: assembled at t = 0, then followed in time, which takes the longer
+    /// the further `t` is. Parameters that differ from the defaults are followed from there as well.
     ///
     /// # Errors
     /// Any [`Cause`]. For many times in order, [`sweep`](Self::sweep) does not begin at zero again and again.
-    fn solve(&self, t: T) -> Result<State<T, N>, Failure<T, N>> {
-        let mut state = self.solve_near(T::of(0.0), &self.start())?;
+    fn solve(&self, t: T) -> Result<State<T, N>, Failure<T, N>>
+    where
+        Self: Sized,
+    {
+        let mut state = assemble(self)?;
         if t != state.t {
             continuation::advance(self, &mut state, t)?;
         }
@@ -66,7 +71,10 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// The states at these times (s): the first as by [`solve`](Self::solve), each further one from the one before.
     ///
     /// The iterator ends after the first failure.
-    fn sweep<I: IntoIterator<Item = T>>(&self, times: I) -> Sweep<'_, Self, I::IntoIter, T, N> {
+    fn sweep<I: IntoIterator<Item = T>>(&self, times: I) -> Sweep<'_, Self, I::IntoIter, T, N>
+    where
+        Self: Sized,
+    {
         Sweep::new(self, times.into_iter())
     }
 }

@@ -80,7 +80,16 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
         let length = if length > T::of(0.0) && length.is_finite() { length } else { T::of(1.0) };
         // A state that is followed keeps its branch.
         let branch = if let Mode::Follow { here, .. } = &mode { here.branch } else { [Orientation::Positive; N] };
-        Self { mode, length, share: T::of(1.0) / length, rows: E::ROWS, coordinates: E::COORDINATES, branch, condition: T::of(1.0), iterations: 0 }
+        Self {
+            mode,
+            length,
+            share: T::of(1.0) / length,
+            rows: E::ROWS,
+            coordinates: E::COORDINATES,
+            branch,
+            condition: T::of(1.0),
+            iterations: 0,
+        }
     }
 
     /// The block nearest to singular, after an inspection.
@@ -145,7 +154,11 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
     /// Solves a problem from a guess, or looks at it where it is.
     #[cold]
     #[inline(never)]
-    fn assemble<P: Problem<T, K>, const K: usize>(&mut self, problem: &P, unknowns: &[usize; K]) -> Result<Position<T, P::Factors, K>, Stop<T>> {
+    fn assemble<P: Problem<T, K>, const K: usize>(
+        &mut self,
+        problem: &P,
+        unknowns: &[usize; K],
+    ) -> Result<Position<T, P::Factors, K>, Stop<T>> {
         let picked = |q: &SVector<T, N>| Place::at(SVector::from_fn(|k, _| q[unknowns[k]]), problem.turns());
         match &mut self.mode {
             Mode::Follow { .. } => Err(Stop::Far),

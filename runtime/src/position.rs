@@ -78,10 +78,7 @@ pub(crate) fn close<T: Float, P: Problem<T, N>, const N: usize>(
 }
 
 /// Newton's method with scaled steps of at most [`LONGEST_STEP`].
-fn limited<T: Float, P: Problem<T, N>, const N: usize>(
-    problem: &P,
-    guess: &Place<T, N>,
-) -> Result<Position<T, P::Factors, N>, Miss<T, N>> {
+fn limited<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, guess: &Place<T, N>) -> Result<Position<T, P::Factors, N>, Miss<T, N>> {
     let mut place = *guess;
     let mut history = History::new();
     for iterations in 1..=CLOSING_ITERATIONS {
@@ -139,7 +136,11 @@ fn has_settled_at_once<T: Float>(first: T, second: T) -> bool {
 /// The corrections after the first, which had this length and led to `place`.
 #[cold]
 #[inline(never)]
-fn go_on<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: Place<T, N>, first: T) -> Result<Position<T, P::Factors, N>, Refusal> {
+fn go_on<T: Float, P: Problem<T, N>, const N: usize>(
+    problem: &P,
+    place: Place<T, N>,
+    first: T,
+) -> Result<Position<T, P::Factors, N>, Refusal> {
     let mut history = History::new().after(first, true);
     let mut place = place;
     for iterations in 2..=FOLLOWING_ITERATIONS {
@@ -167,8 +168,13 @@ pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
     let place = iterate.place.nudged(&iterate.correction, problem.turns());
     let condition = iterate.factors.condition(&problem.sizes(), &problem.scale().share);
     let resolved = condition * T::ROOT_EPSILON <= T::of(SINGULAR);
-    let is_harmless = || iterate.factors.is_regular() && iterate.length <= T::of(HARMLESS) * T::EPSILON * (T::of(1.0) + problem.scale().norm(&place.x));
-    if resolved || (!is_linear && is_harmless()) { Ok(Position { place, factors: iterate.factors, condition, iterations }) } else { Err(Miss::Singular(place)) }
+    let is_harmless =
+        || iterate.factors.is_regular() && iterate.length <= T::of(HARMLESS) * T::EPSILON * (T::of(1.0) + problem.scale().norm(&place.x));
+    if resolved || (!is_linear && is_harmless()) {
+        Ok(Position { place, factors: iterate.factors, condition, iterations })
+    } else {
+        Err(Miss::Singular(place))
+    }
 }
 
 impl<T, const N: usize> From<Culprit> for Miss<T, N> {

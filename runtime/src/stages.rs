@@ -21,6 +21,16 @@ pub struct Coordinates<T, const N: usize> {
 /// The way a mechanism is solved. Emitted code goes block by block; the provided way takes all equations as one system, and is
 /// what a mechanism written by hand gets with an empty `impl`.
 pub trait Stages<T: Float, const N: usize>: Equations<T, N, N> {
+    /// The mechanism with parameters that are this share of the way from their declared defaults, for which
+    /// [`start`](Equations::start) is assembled, to these. None if they are the defaults, or have none.
+    fn toward(&self, share: T) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        let _ = share;
+        None
+    }
+
     /// q, q̇ and q̈ at time `t` (s).
     ///
     /// # Errors
@@ -37,7 +47,11 @@ pub trait Stages<T: Float, const N: usize>: Equations<T, N, N> {
 }
 
 /// Φ_q x = b for the rates x of first or second order, with one step of refinement.
-fn rates<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, factors: &P::Factors, b: &SVector<T, N>) -> Result<SVector<T, N>, Stop<T>> {
+fn rates<T: Float, P: Problem<T, N>, const N: usize>(
+    problem: &P,
+    factors: &P::Factors,
+    b: &SVector<T, N>,
+) -> Result<SVector<T, N>, Stop<T>> {
     if let Some(row) = b.iter().position(|entry| !entry.is_finite()) {
         return Err(Stop::NotFinite(crate::Culprit::Row(problem.row(row))));
     }

@@ -28,7 +28,7 @@ impl<'a, E: ?Sized, I, T, const N: usize> Sweep<'a, E, I, T, N> {
 
 impl<E, I, T, const N: usize> Iterator for Sweep<'_, E, I, T, N>
 where
-    E: Mechanism<T, N> + ?Sized,
+    E: Mechanism<T, N>,
     I: Iterator<Item = T>,
     T: Float,
 {
@@ -65,7 +65,7 @@ where
 
 impl<E, I, T, const N: usize> FusedIterator for Sweep<'_, E, I, T, N>
 where
-    E: Mechanism<T, N> + ?Sized,
+    E: Mechanism<T, N>,
     I: Iterator<Item = T>,
     T: Float,
 {

@@ -8,7 +8,8 @@
 const LARGEST: f64 = 1.0e6;
 
 /// The first 33 bits of π/2, the next 33, and the rest.
-const HALF_PI: [f64; 3] = [f64::from_bits(0x3FF9_21FB_5440_0000), f64::from_bits(0x3DD0_B461_1A60_0000), f64::from_bits(0x3BA3_198A_2E03_7073)];
+const HALF_PI: [f64; 3] =
+    [f64::from_bits(0x3FF9_21FB_5440_0000), f64::from_bits(0x3DD0_B461_1A60_0000), f64::from_bits(0x3BA3_198A_2E03_7073)];
 
 /// 1.5 · 2⁵²: adding and subtracting it rounds to the nearest whole number.
 const ROUNDER: f64 = 6_755_399_441_055_744.0;

@@ -6,7 +6,7 @@ use crate::continuation;
 use crate::pass::{Pass, Stop};
 use crate::scale::Scale;
 use crate::stages::Stages;
-use crate::{Cause, Coordinate, Float, State, names};
+use crate::{Cause, Float, State, names};
 
 /// A branch that ends at a state with a condition above ε to the power −1/4 ends at a dead point: approaching one up to
 /// the rounding of t gives a condition of about ε to the power −1/2.
@@ -42,15 +42,20 @@ pub(crate) fn end_of_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
         }
     }
     match continuation::state(equations, next, Pass::close(equations, &here.predict(next))) {
-        Ok(other) => jump(&here.q, &other.q, E::COORDINATES, &Scale::of(equations)),
+        Ok(other) => jump(equations, &here.q, &other.q),
         Err(stop) => open(stop),
     }
 }
 
 /// The coordinate in which two positions differ most.
-fn jump<T: Float, const N: usize>(from: &SVector<T, N>, to: &SVector<T, N>, coordinates: &[Coordinate], scale: &Scale<T, N>) -> Cause<T> {
+pub(crate) fn jump<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    from: &SVector<T, N>,
+    to: &SVector<T, N>,
+) -> Cause<T> {
+    let scale = Scale::of(equations);
     let share = |i: usize| ((to[i] - from[i]) / scale.column[i]).abs();
     let most = (0..N).fold(0, |best, i| if share(i) > share(best) { i } else { best });
     let jump = to.get(most).zip(from.get(most)).map_or(T::of(f64::NAN), |(&to, &from)| to - from);
-    Cause::BranchLost { coordinate: names::coordinate(coordinates, most), jump }
+    Cause::BranchLost { coordinate: names::coordinate(E::COORDINATES, most), jump }
 }

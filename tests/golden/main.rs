@@ -15,7 +15,8 @@ fn expansion(declaration: &str) -> String {
 fn declarations() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden");
     let files = fs::read_dir(folder).expect("the folder is there").map(|entry| entry.expect("an entry").path());
-    let mut declarations: Vec<PathBuf> = files.filter(|path| path.extension().is_some_and(|extension| extension == "declaration")).collect();
+    let mut declarations: Vec<PathBuf> =
+        files.filter(|path| path.extension().is_some_and(|extension| extension == "declaration")).collect();
     declarations.sort();
     declarations
 }

@@ -8,6 +8,8 @@ use crate::expr::{Evaluator, Values};
 pub(super) struct Problem<'a> {
     /// Number of rows.
     pub(super) rows: usize,
+    /// Whether every function in a row is known in the compiler.
+    pub(super) is_known: Vec<bool>,
     /// Row and column of each derivative.
     pub(super) pattern: Vec<(usize, usize)>,
     /// Φ, then the derivatives.
@@ -36,10 +38,11 @@ impl Problem<'_> {
         for ((row, column), entry) in self.pattern.iter().zip(entries) {
             linear.jacobian[*row][*column] = entry * self.scales[*column];
         }
-        for (value, row) in linear.phi.iter_mut().zip(&mut linear.jacobian) {
+        for ((value, row), is_known) in linear.phi.iter_mut().zip(&mut linear.jacobian).zip(&self.is_known) {
             let size = row.iter().fold(0.0, |size: f64, entry| size.max(entry.abs()));
             if !value.is_finite() || !size.is_finite() || size == 0.0 {
-                *value = 0.0;
+                // A row with a function that is not known here is left out; one that has no value or no slope at this place is open.
+                *value = f64::from(u8::from(*is_known));
                 row.fill(0.0);
                 continue;
             }
@@ -115,7 +118,8 @@ fn step(linear: &Linear, columns: &[usize], damping: f64) -> Option<Vec<f64>> {
     let mut matrix = vec![vec![0.0; n]; n];
     let mut right = vec![0.0; n];
     for (value, row) in linear.phi.iter().zip(&linear.jacobian) {
-        let entries: Vec<(usize, f64)> = columns.iter().enumerate().map(|(i, column)| (i, row[*column])).filter(|(_, entry)| *entry != 0.0).collect();
+        let entries: Vec<(usize, f64)> =
+            columns.iter().enumerate().map(|(i, column)| (i, row[*column])).filter(|(_, entry)| *entry != 0.0).collect();
         for (i, a) in &entries {
             right[*i] += a * value;
             for (j, b) in &entries {

@@ -8,7 +8,7 @@
 
 mod levenberg;
 
-use crate::expr::{Evaluator, Expr, Values, evaluate};
+use crate::expr::{Evaluator, Expr, Node, Values, evaluate};
 use crate::model::{Dim, Function, Model};
 use crate::system::System;
 use levenberg::{Problem, minimise};
@@ -44,7 +44,7 @@ pub(crate) fn close(model: &Model, system: &System) -> Closure {
     if system.unknowns.len() > LARGEST {
         return Closure { start: declared.iter().map(|value| value.unwrap_or(0.0)).collect(), is_closed: false };
     }
-    let mut problem = problem(system, &known, size);
+    let mut problem = problem(model, system, &known, size);
     search(system, &mut problem, &declared, size)
 }
 
@@ -74,7 +74,10 @@ fn search(system: &System, problem: &mut Problem, declared: &[Option<f64>], size
         }
     }
     match best {
-        Some((_, start)) => Closure { start: start.iter().zip(&problem.scales).map(|(value, scale)| without_noise(*value, *scale)).collect(), is_closed: true },
+        Some((_, start)) => Closure {
+            start: start.iter().zip(&problem.scales).map(|(value, scale)| without_noise(*value, *scale)).collect(),
+            is_closed: true,
+        },
         None => Closure { start: first.unwrap_or_default(), is_closed: false },
     }
 }
@@ -107,19 +110,31 @@ fn guess(attempt: usize, index: usize) -> f64 {
 }
 
 /// The equations and their derivatives at the defaults, as functions of q alone.
-fn problem<'a>(system: &'a System, known: &'a Values<'a>, size: f64) -> Problem<'a> {
+fn problem<'a>(model: &Model, system: &'a System, known: &'a Values<'a>, size: f64) -> Problem<'a> {
     let rows: Vec<_> = system.equations.iter().filter(|equation| equation.phi.is_some()).collect();
     let mut roots: Vec<Expr> = rows.iter().filter_map(|equation| equation.phi).collect();
     roots.extend(rows.iter().flat_map(|equation| equation.jacobian.iter().map(|(_, entry)| *entry)));
-    let entry = |(row, equation): (usize, &&crate::system::Equation)| equation.jacobian.iter().map(|(column, _)| (row, *column)).collect::<Vec<_>>();
+    let entry = |(row, equation): (usize, &&crate::system::Equation)| {
+        equation.jacobian.iter().map(|(column, _)| (row, *column)).collect::<Vec<_>>()
+    };
     let scales = system.unknowns.iter().map(|unknown| if unknown.dim == Dim::ANGLE { 1.0 } else { size }).collect();
     Problem {
         rows: rows.len(),
+        is_known: rows.iter().map(|equation| equation.phi.is_some_and(|phi| is_known(model, system, phi))).collect(),
         pattern: rows.iter().enumerate().flat_map(entry).collect(),
         evaluator: Evaluator::new(&system.arena, &roots),
         known: *known,
         scales,
     }
+}
+
+/// An expression without Rust functions.
+fn is_known(model: &Model, system: &System, root: Expr) -> bool {
+    let is_rust = |expr: &Expr| {
+        let Node::Call { function, .. } = system.arena.node(*expr) else { return false };
+        matches!(model.functions.get(*function as usize), Some(Function::Rust(_)))
+    };
+    !system.arena.reachable(&[root]).iter().any(is_rust)
 }
 
 /// The longest distance of a point from the origin of its body.

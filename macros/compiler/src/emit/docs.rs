@@ -19,8 +19,12 @@ pub(super) fn mechanism(model: &Model, system: &System, plan: &Plan) -> String {
         let _ = writeln!(page, "| `q[{index}]` | `{}` | {} | {} |", model.bodies[unknown.body].name, unknown.name, unknown.dim.unit());
     }
     equations(&mut page, model, system);
-    let _ = writeln!(page, "\n# Operations\n\n| | sums and products | divisions and roots | sine-cosine pairs | other functions |\n| --- | --- | --- | --- | --- |");
-    for (name, routine) in [("Φ", &plan.phi), ("Φ_q", &plan.jacobian), ("Φ and Φ_q", &plan.linearize), ("ν", &plan.nu), ("γ", &plan.gamma)] {
+    let _ = writeln!(
+        page,
+        "\n# Operations\n\n| | sums and products | divisions and roots | sine-cosine pairs | other functions |\n| --- | --- | --- | --- | --- |"
+    );
+    for (name, routine) in [("Φ", &plan.phi), ("Φ_q", &plan.jacobian), ("Φ and Φ_q", &plan.linearize), ("ν", &plan.nu), ("γ", &plan.gamma)]
+    {
         let cost = routine.cost;
         let _ = writeln!(page, "| {name} | {} | {} | {} | {} |", cost.flops, cost.divisions, cost.sines, cost.calls);
     }
@@ -33,7 +37,8 @@ pub(super) fn mechanism(model: &Model, system: &System, plan: &Plan) -> String {
 /// What is found in which order.
 fn solution(page: &mut String, model: &Model, system: &System, solution: &Solution) {
     let blocks = solution.parts.iter().filter(|part| matches!(part, Part::Block(_))).count();
-    let iterated: usize = solution.parts.iter().map(|part| if let Part::Block(block) = part { block.system.unknowns.len() } else { 0 }).sum();
+    let iterated: usize =
+        solution.parts.iter().map(|part| if let Part::Block(block) = part { block.system.unknowns.len() } else { 0 }).sum();
     let explicit = system.unknowns.len() - iterated;
     let _ = writeln!(page, "\n# Solution\n\n{explicit} coordinates are computed, {iterated} are iterated in {blocks} blocks.\n\n```text");
     let name = |unknown: &usize| coordinate_name(model, system, *unknown);
@@ -96,7 +101,15 @@ fn equations(page: &mut String, model: &Model, system: &System) {
         let Some(phi) = equation.phi else { continue };
         let unit = equation.dim.unit();
         let unit = if unit.is_empty() { String::new() } else { format!("  [{unit}]") };
-        let _ = writeln!(page, "{} ({}, {} of {}):  {}{unit}", joint.name, joint.kind, equation.row + 1, joint.residuals.len(), show(&system.arena, phi, &name, &function));
+        let _ = writeln!(
+            page,
+            "{} ({}, {} of {}):  {}{unit}",
+            joint.name,
+            joint.kind,
+            equation.row + 1,
+            joint.residuals.len(),
+            show(&system.arena, phi, &name, &function)
+        );
     }
     let _ = writeln!(page, "```");
 }

@@ -207,7 +207,9 @@ impl Emitter<'_> {
         let leaves = self.system.arena.leaves(requirement.lhs);
         let parameters: Vec<_> = leaves.iter().collect();
         match parameters.as_slice() {
-            [crate::expr::Leaf::Parameter(index)] => self.model.parameters.get(*index as usize).map_or(String::new(), |parameter| parameter.name.to_string()),
+            [crate::expr::Leaf::Parameter(index)] => {
+                self.model.parameters.get(*index as usize).map_or(String::new(), |parameter| parameter.name.to_string())
+            }
             _ => requirement.joint.clone(),
         }
     }

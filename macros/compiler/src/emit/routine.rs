@@ -50,10 +50,12 @@ fn reads(routine: &Routine) -> TokenStream {
 
 /// One step as a `let`.
 pub(super) fn statement(model: &Model, printer: &Printer, step: &Step) -> TokenStream {
-    let bound = |name: &Option<String>| name.as_ref().map_or(quote!(_), |name| {
-        let name = local(name);
-        quote!(#name)
-    });
+    let bound = |name: &Option<String>| {
+        name.as_ref().map_or(quote!(_), |name| {
+            let name = local(name);
+            quote!(#name)
+        })
+    };
     match step {
         Step::Value(expr) => {
             let name = local(&printer.names[expr]);

@@ -19,11 +19,30 @@ impl Emitter<'_> {
         if self.model.equations_only {
             return quote!();
         }
+        let toward = self.toward();
         let body = self.plan.solution.as_ref().map(|solution| self.solution(solution));
         quote! {
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
-            impl<T: ::reuleaux::Float> ::reuleaux::Stages<T, #n> for #name<T> { #body }
+            impl<T: ::reuleaux::Float> ::reuleaux::Stages<T, #n> for #name<T> { #toward #body }
+        }
+    }
+
+    /// Parameters between the defaults and these
+    fn toward(&self) -> TokenStream {
+        if self.model.parameters.is_empty() {
+            return quote!();
+        }
+        let fields: Vec<&Ident> = self.model.parameters.iter().map(|parameter| &parameter.name).collect();
+        let share = local("share");
+        quote! {
+            fn toward(&self, #share: T) -> ::core::option::Option<Self> {
+                let defaults = Self::with_defaults();
+                if self == &defaults {
+                    return ::core::option::Option::None;
+                }
+                ::core::option::Option::Some(Self { #(#fields: defaults.#fields + #share * (self.#fields - defaults.#fields),)* })
+            }
         }
     }
 
@@ -84,19 +103,27 @@ impl Emitter<'_> {
         });
         let sizes = list(&outer, &block.system.sizes);
         let (rate_sides, acceleration_sides) = (list(&outer, &block.system.rates), list(&outer, &block.system.accelerations));
-        let motion = |order: usize| -> Vec<Ident> { block.system.unknowns.iter().map(|unknown| local(&solution.unknowns[*unknown][order])).collect() };
+        let motion = |order: usize| -> Vec<Ident> {
+            block.system.unknowns.iter().map(|unknown| local(&solution.unknowns[*unknown][order])).collect()
+        };
         let (x, xd, xdd) = (motion(0), motion(1), motion(2));
         let indices = |list: &[usize]| -> Vec<Literal> { list.iter().map(|index| Literal::usize_unsuffixed(*index)).collect() };
         let (unknowns, equations) = (indices(&block.system.unknowns), indices(&block.system.equations));
         let kinds = block.system.unknowns.iter().map(|unknown| self.kind(*unknown));
         let turns = block.turns.iter().map(|names| names.iter().any(Option::is_some));
-        let pairs: Vec<TokenStream> = block.turns.iter().map(|names| {
-            let [sine, cosine] = names.each_ref().map(|name| name.as_ref().map_or(quote!(_), |name| {
-                let name = local(name);
-                quote!(#name)
-            }));
-            quote!((#sine, #cosine))
-        }).collect();
+        let pairs: Vec<TokenStream> = block
+            .turns
+            .iter()
+            .map(|names| {
+                let [sine, cosine] = names.each_ref().map(|name| {
+                    name.as_ref().map_or(quote!(_), |name| {
+                        let name = local(name);
+                        quote!(#name)
+                    })
+                });
+                quote!((#sine, #cosine))
+            })
+            .collect();
         let method = local(if k <= SMALL { "small" } else { "large" });
         let (pass, place, solved) = (local("pass"), local("place"), local(&format!("block_{number}")));
         quote! {

@@ -148,30 +148,17 @@ impl Arena {
                 square = self.mul(square, square);
             }
         }
-        if exponent < 0 {
-            self.div(one, product)
-        } else {
-            product
-        }
+        if exponent < 0 { self.div(one, product) } else { product }
     }
 
     /// `if lhs < rhs { then } else { otherwise }`
     pub fn select(&mut self, lhs: Expr, rhs: Expr, then: Expr, otherwise: Expr) -> Expr {
-        self.build(Node::Select {
-            lhs,
-            rhs,
-            then,
-            otherwise,
-        })
+        self.build(Node::Select { lhs, rhs, then, otherwise })
     }
 
     /// The derivative of the given order of a numbered function, at `argument`.
     pub fn call(&mut self, function: u32, order: u8, argument: Expr) -> Expr {
-        self.build(Node::Call {
-            function,
-            order,
-            argument,
-        })
+        self.build(Node::Call { function, order, argument })
     }
 
     /// The exact number at a place, if the node there is one.
@@ -190,11 +177,7 @@ impl Arena {
     }
 
     /// As [`Arena::reachable`], but leaves out what is `known` and does not look below it.
-    pub(crate) fn reachable_until(
-        &self,
-        roots: &[Expr],
-        known: impl Fn(Expr) -> bool,
-    ) -> Vec<Expr> {
+    pub(crate) fn reachable_until(&self, roots: &[Expr], known: impl Fn(Expr) -> bool) -> Vec<Expr> {
         // The largest pending place has no parent left to be visited, hence each comes out once.
         let mut pending: BTreeSet<Expr> = roots.iter().copied().filter(|&e| !known(e)).collect();
         let mut found = Vec::new();

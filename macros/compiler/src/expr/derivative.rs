@@ -24,10 +24,7 @@ impl Derivatives {
     /// Nothing is derived yet.
     #[must_use]
     pub fn new(by: Leaf) -> Self {
-        Derivatives {
-            by,
-            known: HashMap::new(),
-        }
+        Derivatives { by, known: HashMap::new() }
     }
 
     /// The derivative of `root`.
@@ -51,17 +48,8 @@ impl Derivatives {
             Node::Constant(_) | Node::Leaf(_) => zero,
             Node::Unary(function, a) => of_unary(arena, function, expr, a, d(a)),
             Node::Binary(function, a, b) => of_binary(arena, function, expr, [a, b], [d(a), d(b)]),
-            Node::Select {
-                lhs,
-                rhs,
-                then,
-                otherwise,
-            } => arena.select(lhs, rhs, d(then), d(otherwise)),
-            Node::Call {
-                function,
-                order,
-                argument,
-            } => {
+            Node::Select { lhs, rhs, then, otherwise } => arena.select(lhs, rhs, d(then), d(otherwise)),
+            Node::Call { function, order, argument } => {
                 let outer = arena.call(function, order.saturating_add(1), argument);
                 arena.mul(outer, d(argument))
             }
@@ -114,13 +102,7 @@ fn of_unary(arena: &mut Arena, function: Unary, v: Expr, a: Expr, da: Expr) -> E
 }
 
 /// The derivative of v = f(a, b), given `da` and `db`.
-fn of_binary(
-    arena: &mut Arena,
-    function: Binary,
-    v: Expr,
-    [a, b]: [Expr; 2],
-    [da, db]: [Expr; 2],
-) -> Expr {
+fn of_binary(arena: &mut Arena, function: Binary, v: Expr, [a, b]: [Expr; 2], [da, db]: [Expr; 2]) -> Expr {
     match function {
         Binary::Add => arena.add(da, db),
         Binary::Sub => arena.sub(da, db),

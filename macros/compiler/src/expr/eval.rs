@@ -97,11 +97,7 @@ enum Step {
     Unary(Unary, usize),
     Binary(Binary, usize, usize),
     Select([usize; 4]),
-    Call {
-        function: u32,
-        order: usize,
-        argument: usize,
-    },
+    Call { function: u32, order: usize, argument: usize },
 }
 
 impl Evaluator {
@@ -116,21 +112,8 @@ impl Evaluator {
             Node::Leaf(leaf) => Step::Leaf(leaf),
             Node::Unary(function, a) => Step::Unary(function, slot(a)),
             Node::Binary(function, a, b) => Step::Binary(function, slot(a), slot(b)),
-            Node::Select {
-                lhs,
-                rhs,
-                then,
-                otherwise,
-            } => Step::Select([lhs, rhs, then, otherwise].map(slot)),
-            Node::Call {
-                function,
-                order,
-                argument,
-            } => Step::Call {
-                function,
-                order: usize::from(order),
-                argument: slot(argument),
-            },
+            Node::Select { lhs, rhs, then, otherwise } => Step::Select([lhs, rhs, then, otherwise].map(slot)),
+            Node::Call { function, order, argument } => Step::Call { function, order: usize::from(order), argument: slot(argument) },
         };
         Evaluator {
             steps: order.iter().map(step).collect(),
@@ -156,11 +139,7 @@ impl Evaluator {
                         slots[otherwise]
                     }
                 }
-                Step::Call {
-                    function,
-                    order,
-                    argument,
-                } => {
+                Step::Call { function, order, argument } => {
                     let jet = (values.functions)(function, slots[argument]);
                     jet.get(order).copied().unwrap_or(f64::NAN)
                 }

@@ -22,32 +22,16 @@ const LIMIT: u128 = 1 << 120;
 
 impl Exact {
     /// 0
-    pub const ZERO: Exact = Exact {
-        numerator: 0,
-        denominator: 1,
-        pi: 0,
-    };
+    pub const ZERO: Exact = Exact { numerator: 0, denominator: 1, pi: 0 };
     /// 1
-    pub const ONE: Exact = Exact {
-        numerator: 1,
-        denominator: 1,
-        pi: 0,
-    };
+    pub const ONE: Exact = Exact { numerator: 1, denominator: 1, pi: 0 };
     /// π
-    pub const PI: Exact = Exact {
-        numerator: 1,
-        denominator: 1,
-        pi: 1,
-    };
+    pub const PI: Exact = Exact { numerator: 1, denominator: 1, pi: 1 };
 
     /// A whole number.
     #[must_use]
     pub const fn integer(value: i64) -> Exact {
-        Exact {
-            numerator: value as i128,
-            denominator: 1,
-            pi: 0,
-        }
+        Exact { numerator: value as i128, denominator: 1, pi: 0 }
     }
 
     /// A quotient of whole numbers; `None` when the divisor is 0 or the result does not fit.
@@ -95,19 +79,13 @@ impl Exact {
     /// −x
     #[must_use]
     pub const fn neg(self) -> Exact {
-        Exact {
-            numerator: -self.numerator,
-            ..self
-        }
+        Exact { numerator: -self.numerator, ..self }
     }
 
     /// |x|
     #[must_use]
     pub const fn abs(self) -> Exact {
-        Exact {
-            numerator: self.numerator.abs(),
-            ..self
-        }
+        Exact { numerator: self.numerator.abs(), ..self }
     }
 
     /// x + y; `None` when it does not fit, as the sum of different powers of π does not.
@@ -171,24 +149,13 @@ impl Exact {
             return Some(Exact::ZERO);
         }
         let common = gcd(numerator.unsigned_abs(), denominator.unsigned_abs());
-        let (above, below) = (
-            numerator.unsigned_abs() / common,
-            denominator.unsigned_abs() / common,
-        );
+        let (above, below) = (numerator.unsigned_abs() / common, denominator.unsigned_abs() / common);
         if above >= LIMIT || below >= LIMIT {
             return None;
         }
         let negative = (numerator < 0) != (denominator < 0);
-        let numerator = if negative {
-            -(above as i128)
-        } else {
-            above as i128
-        };
-        Some(Exact {
-            numerator,
-            denominator: below as i128,
-            pi,
-        })
+        let numerator = if negative { -(above as i128) } else { above as i128 };
+        Some(Exact { numerator, denominator: below as i128, pi })
     }
 }
 

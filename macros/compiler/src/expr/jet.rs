@@ -33,10 +33,7 @@ impl Jets {
     /// The second rate of Φ along this line is −γ.
     #[must_use]
     pub fn at_constant_velocity() -> Self {
-        Jets {
-            constant_velocity: true,
-            known: HashMap::new(),
-        }
+        Jets { constant_velocity: true, known: HashMap::new() }
     }
 
     /// Value, first and second rate of `root`.
@@ -57,29 +54,15 @@ impl Jets {
             Node::Constant(_) => [expr, zero, zero],
             Node::Leaf(leaf) => self.of_leaf(arena, expr, leaf),
             // Without this line, dead nodes would be built only to be multiplied by 0.
-            _ if node
-                .children()
-                .all(|operand| j(operand)[1..] == [zero, zero]) =>
-            {
-                [expr, zero, zero]
-            }
+            _ if node.children().all(|operand| j(operand)[1..] == [zero, zero]) => [expr, zero, zero],
             Node::Unary(function, a) => of_unary(arena, function, expr, j(a)),
             Node::Binary(function, a, b) => of_binary(arena, function, expr, j(a), j(b)),
-            Node::Select {
-                lhs,
-                rhs,
-                then,
-                otherwise,
-            } => {
+            Node::Select { lhs, rhs, then, otherwise } => {
                 let (a, b) = (j(then), j(otherwise));
                 let first = arena.select(lhs, rhs, a[1], b[1]);
                 [expr, first, arena.select(lhs, rhs, a[2], b[2])]
             }
-            Node::Call {
-                function,
-                order,
-                argument,
-            } => {
+            Node::Call { function, order, argument } => {
                 let slope = arena.call(function, order.saturating_add(1), argument);
                 let curvature = arena.call(function, order.saturating_add(2), argument);
                 chain(arena, expr, [slope, curvature], j(argument))
@@ -92,14 +75,8 @@ impl Jets {
         match leaf {
             Leaf::Time => [expr, arena.integer(1), zero],
             Leaf::Parameter(_) | Leaf::Acceleration(_) => [expr, zero, zero],
-            Leaf::Coordinate(i) if self.constant_velocity => {
-                [expr, arena.leaf(Leaf::Velocity(i)), zero]
-            }
-            Leaf::Coordinate(i) => [
-                expr,
-                arena.leaf(Leaf::Velocity(i)),
-                arena.leaf(Leaf::Acceleration(i)),
-            ],
+            Leaf::Coordinate(i) if self.constant_velocity => [expr, arena.leaf(Leaf::Velocity(i)), zero],
+            Leaf::Coordinate(i) => [expr, arena.leaf(Leaf::Velocity(i)), arena.leaf(Leaf::Acceleration(i))],
             Leaf::Velocity(_) if self.constant_velocity => [expr, zero, zero],
             Leaf::Velocity(i) => [expr, arena.leaf(Leaf::Acceleration(i)), zero],
         }

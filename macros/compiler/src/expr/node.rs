@@ -114,12 +114,7 @@ impl Node {
             Node::Constant(_) | Node::Leaf(_) => [None; 4],
             Node::Unary(_, a) | Node::Call { argument: a, .. } => [Some(a), None, None, None],
             Node::Binary(_, a, b) => [Some(a), Some(b), None, None],
-            Node::Select {
-                lhs,
-                rhs,
-                then,
-                otherwise,
-            } => [Some(lhs), Some(rhs), Some(then), Some(otherwise)],
+            Node::Select { lhs, rhs, then, otherwise } => [Some(lhs), Some(rhs), Some(then), Some(otherwise)],
         };
         operands.into_iter().flatten()
     }

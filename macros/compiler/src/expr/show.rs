@@ -32,11 +32,7 @@ impl Formula {
     /// The text, in parentheses unless it holds together at least as tightly as asked.
     fn within(&self, level: Level) -> Part {
         let text = &self.text;
-        Part::Operand(if self.level >= level {
-            text.clone()
-        } else {
-            format!("({text})")
-        })
+        Part::Operand(if self.level >= level { text.clone() } else { format!("({text})") })
     }
 }
 
@@ -49,21 +45,13 @@ use Part::Sign;
 
 /// The expression as a formula with few parentheses.
 #[must_use]
-pub fn show(
-    arena: &Arena,
-    root: Expr,
-    name: &dyn Fn(Leaf) -> String,
-    function: &dyn Fn(u32) -> String,
-) -> String {
+pub fn show(arena: &Arena, root: Expr, name: &dyn Fn(Leaf) -> String, function: &dyn Fn(u32) -> String) -> String {
     let mut formulas = HashMap::new();
     for expr in arena.reachable(&[root]) {
         let formula = compose(arena, expr, &formulas, name, function);
         formulas.insert(expr, formula);
     }
-    formulas
-        .remove(&root)
-        .map(|formula| formula.text)
-        .unwrap_or_default()
+    formulas.remove(&root).map(|formula| formula.text).unwrap_or_default()
 }
 
 fn compose(
@@ -79,32 +67,15 @@ fn compose(
     let (level, parts) = match *arena.node(expr) {
         Node::Constant(value) => constant(value),
         Node::Leaf(leaf) => (Level::Atom, vec![Part::Operand(name(leaf))]),
-        Node::Unary(Unary::Neg, a) => (
-            Level::Negation,
-            vec![Sign("-"), f(a).within(Level::Product)],
-        ),
-        Node::Unary(function, a) => (
-            Level::Atom,
-            vec![Sign(word(function)), Sign("("), whole(a), Sign(")")],
-        ),
+        Node::Unary(Unary::Neg, a) => (Level::Negation, vec![Sign("-"), f(a).within(Level::Product)]),
+        Node::Unary(function, a) => (Level::Atom, vec![Sign(word(function)), Sign("("), whole(a), Sign(")")]),
         Node::Binary(Binary::Mul, a, b) if f(a).base == f(b).base => {
             base = f(a).base;
             exponent = f(a).exponent.saturating_add(f(b).exponent);
-            (
-                Level::Power,
-                vec![
-                    f(base).within(Level::Atom),
-                    Part::Operand(superscript(exponent)),
-                ],
-            )
+            (Level::Power, vec![f(base).within(Level::Atom), Part::Operand(superscript(exponent))])
         }
         Node::Binary(function, a, b) => binary(function, f(a), f(b)),
-        Node::Select {
-            lhs,
-            rhs,
-            then,
-            otherwise,
-        } => (
+        Node::Select { lhs, rhs, then, otherwise } => (
             Level::Negation,
             vec![
                 Sign("if "),
@@ -118,30 +89,16 @@ fn compose(
                 Sign(" }"),
             ],
         ),
-        Node::Call {
-            function: number,
-            order,
-            argument,
-        } => {
+        Node::Call { function: number, order, argument } => {
             let name = function(number) + &primes(order);
-            (
-                Level::Atom,
-                vec![Part::Operand(name), Sign("("), whole(argument), Sign(")")],
-            )
+            (Level::Atom, vec![Part::Operand(name), Sign("("), whole(argument), Sign(")")])
         }
     };
-    Formula {
-        text: join(parts),
-        level,
-        base,
-        exponent,
-    }
+    Formula { text: join(parts), level, base, exponent }
 }
 
 fn binary(function: Binary, a: &Formula, b: &Formula) -> (Level, Vec<Part>) {
-    let infix = |level: Level, sign: &'static str, right: Level| {
-        (level, vec![a.within(level), Sign(sign), b.within(right)])
-    };
+    let infix = |level: Level, sign: &'static str, right: Level| (level, vec![a.within(level), Sign(sign), b.within(right)]);
     match function {
         Binary::Add => infix(Level::Sum, " + ", Level::Sum),
         Binary::Sub => infix(Level::Sum, " - ", Level::Product),
@@ -149,10 +106,7 @@ fn binary(function: Binary, a: &Formula, b: &Formula) -> (Level, Vec<Part>) {
         Binary::Div => infix(Level::Product, "/", Level::Power),
         Binary::Atan2 => {
             let (a, b) = (a.within(Level::Negation), b.within(Level::Negation));
-            (
-                Level::Atom,
-                vec![Sign("atan2("), a, Sign(", "), b, Sign(")")],
-            )
+            (Level::Atom, vec![Sign("atan2("), a, Sign(", "), b, Sign(")")])
         }
     }
 }
@@ -195,11 +149,7 @@ fn magnitude(value: Exact) -> (Level, String) {
         1 => "π".to_string(),
         power => format!("π{}", superscript_signed(power)),
     };
-    let factor = if above == 1 && !pi.is_empty() {
-        String::new()
-    } else {
-        above.to_string()
-    };
+    let factor = if above == 1 && !pi.is_empty() { String::new() } else { above.to_string() };
     match (above, below) {
         (1, 1) if value.pi_power() == 1 => (Level::Atom, pi),
         (1, 1) => (Level::Power, pi),
@@ -215,9 +165,7 @@ fn join(mut parts: Vec<Part>) -> String {
         Part::Operand(text) => text.chars().count(),
     };
     while parts.len() > 1 && parts.iter().map(length).sum::<usize>() > LONGEST {
-        let operands = parts
-            .iter_mut()
-            .filter(|part| matches!(part, Part::Operand(_)));
+        let operands = parts.iter_mut().filter(|part| matches!(part, Part::Operand(_)));
         match operands.max_by_key(|part| length(part)) {
             Some(longest) if length(longest) > 1 => *longest = Part::Operand("…".to_string()),
             _ => break,

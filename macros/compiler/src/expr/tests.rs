@@ -81,10 +81,7 @@ impl Point {
 fn assert_close(found: f64, expected: f64, tolerance: f64, what: &str) {
     let scale = expected.abs().max(1.0);
     let difference = (found - expected).abs();
-    assert!(
-        difference <= tolerance * scale,
-        "{what}: found {found}, expected {expected}"
-    );
+    assert!(difference <= tolerance * scale, "{what}: found {found}, expected {expected}");
 }
 
 /// Formulas in which every operation occurs, alone and composed.

@@ -4,7 +4,10 @@
 //! Each file's doc comment is its manual page; the runtime shows them all in its rustdoc.
 
 use crate::diag::Diag;
-use crate::syntax::{self, ast::{Definition, Function}};
+use crate::syntax::{
+    self,
+    ast::{Definition, Function},
+};
 use proc_macro2::TokenStream;
 use std::rc::Rc;
 use std::str::FromStr;
@@ -44,15 +47,8 @@ const CONSTRAINTS: &[(&str, &str)] = pages![
 ];
 
 /// Functions of one variable: name and text of the file.
-const FUNCTIONS: &[(&str, &str)] = pages![
-    "harmonic",
-    "cycloidal",
-    "polynomial_345",
-    "polynomial_4567",
-    "modified_trapezoidal",
-    "smooth_step",
-    "wrap",
-];
+const FUNCTIONS: &[(&str, &str)] =
+    pages!["harmonic", "cycloidal", "polynomial_345", "polynomial_4567", "modified_trapezoidal", "smooth_step", "wrap",];
 
 /// The names of all constraints of the library.
 pub fn constraints<'a>() -> impl Iterator<Item = &'a str> {

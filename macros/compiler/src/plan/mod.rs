@@ -109,7 +109,8 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure) ->
     let line = |results: Vec<Expr>| schedule::routine(&arena, results, &words);
     let phi: Vec<Expr> = system.equations.iter().filter_map(|equation| equation.phi).collect();
     let entries: Vec<Expr> = system.equations.iter().flat_map(|equation| equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
-    let row = |(row, equation): (usize, &crate::system::Equation)| equation.jacobian.iter().map(|(column, _)| (row, *column)).collect::<Vec<_>>();
+    let row =
+        |(row, equation): (usize, &crate::system::Equation)| equation.jacobian.iter().map(|(column, _)| (row, *column)).collect::<Vec<_>>();
     let pattern = system.equations.iter().enumerate().flat_map(row).collect();
     let sides = model.requirements.iter().flat_map(|requirement| [requirement.lhs, requirement.rhs]).collect();
     Plan {

@@ -214,7 +214,12 @@ fn named(arena: &Arena, needed: &[Expr], constants: &BTreeSet<Expr>, results: &[
     for expr in needed {
         let node = arena.node(*expr);
         let has_name = has_own_name(node);
-        let below = node.children().filter(|child| !constants.contains(child)).map(|child| depth.get(&child).copied().unwrap_or(0)).max().unwrap_or(0);
+        let below = node
+            .children()
+            .filter(|child| !constants.contains(child))
+            .map(|child| depth.get(&child).copied().unwrap_or(0))
+            .max()
+            .unwrap_or(0);
         let is_cut = below >= DEPTH;
         if !has_name && (uses.get(expr).copied().unwrap_or(0) > 1 || is_cut) {
             named.insert(*expr);
@@ -230,7 +235,9 @@ pub(super) fn cost(arena: &Arena, needed: &[Expr]) -> Cost {
     let (mut angles, mut arguments) = (BTreeSet::new(), BTreeSet::new());
     for expr in needed {
         match *arena.node(*expr) {
-            Node::Binary(Binary::Add | Binary::Sub | Binary::Mul, ..) | Node::Unary(Unary::Neg | Unary::Abs | Unary::Sign, _) => cost.flops += 1,
+            Node::Binary(Binary::Add | Binary::Sub | Binary::Mul, ..) | Node::Unary(Unary::Neg | Unary::Abs | Unary::Sign, _) => {
+                cost.flops += 1
+            }
             Node::Binary(Binary::Div, ..) | Node::Unary(Unary::Sqrt, _) => cost.divisions += 1,
             Node::Select { .. } => cost.flops += 2,
             Node::Constant(_) | Node::Leaf(_) => {}

@@ -27,7 +27,10 @@ impl Incidence {
     pub(super) fn new(model: &Model, system: &System) -> Incidence {
         let nonzero = nonzero_parameters(model, &system.arena);
         let entry = |(unknown, value): &(usize, Expr)| Entry { unknown: *unknown, is_pivot: is_pivot(&system.arena, *value, &nonzero) };
-        let rows = system.equations.iter().map(|equation| steady(equation.jacobian.iter().map(entry).collect(), &equation.jacobian, &system.arena));
+        let rows = system
+            .equations
+            .iter()
+            .map(|equation| steady(equation.jacobian.iter().map(entry).collect(), &equation.jacobian, &system.arena));
         Incidence { unknowns: system.unknowns.len(), rows: rows.collect() }
     }
 }

@@ -56,7 +56,8 @@ impl<'a> Tearing<'a> {
             lacks.insert(*equation, count);
         }
         let ready = lacks.iter().filter(|(_, count)| **count == 1).map(|(equation, _)| *equation).collect();
-        let mut work = Tearing { incidence, missing: missing.clone(), lacks, holders, used: BTreeSet::new(), ready, block: Block::default() };
+        let mut work =
+            Tearing { incidence, missing: missing.clone(), lacks, holders, used: BTreeSet::new(), ready, block: Block::default() };
         for unknown in missing.difference(&can_be_explicit) {
             work.iterate(*unknown);
         }

@@ -53,7 +53,7 @@ fn too_many(model: &Model, system: &System, over: &Part, under: &Part, diag: &mu
     let joints: BTreeSet<usize> = over.equations.iter().map(|equation| system.equations[*equation].joint).collect();
     let drives: Vec<usize> = joints.iter().copied().filter(|joint| model.joints[*joint].is_drive).collect();
     // Of two drives on one freedom the later one is to blame, else the joint that was added last to what stood before.
-    let last_joint = joints.iter().copied().filter(|joint| !model.joints[*joint].is_drive).next_back();
+    let last_joint = joints.iter().copied().rfind(|joint| !model.joints[*joint].is_drive);
     let blamed = if drives.len() > 1 { drives.last().copied() } else { last_joint.or(drives.last().copied()) };
     let Some(blamed) = blamed else { return };
     let fact = Fact::TooManyEquations {

@@ -93,7 +93,10 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
         }
     }
     let mut motion = Jets::new();
-    let outputs = model.outputs.iter().map(|output| Output { components: output.components.iter().map(|part| motion.of(&mut arena, *part)).collect() });
+    let outputs = model
+        .outputs
+        .iter()
+        .map(|output| Output { components: output.components.iter().map(|part| motion.of(&mut arena, *part)).collect() });
     let outputs = outputs.collect();
     has_bodies(model, diag);
     no_joint_repeats_another(model, &mut arena, diag);
@@ -102,7 +105,11 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
 
 fn unknowns(model: &Model) -> Vec<Unknown> {
     let of_body = |(body, declared): (usize, &crate::model::Body)| {
-        declared.coordinates.iter().map(move |coordinate| Unknown { body, name: coordinate.name, dim: coordinate.dim, start: coordinate.start }).collect::<Vec<_>>()
+        declared
+            .coordinates
+            .iter()
+            .map(move |coordinate| Unknown { body, name: coordinate.name, dim: coordinate.dim, start: coordinate.start })
+            .collect::<Vec<_>>()
     };
     model.bodies.iter().enumerate().flat_map(of_body).collect()
 }

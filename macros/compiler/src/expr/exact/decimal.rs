@@ -18,11 +18,7 @@ impl Exact {
         let mut rest = exponent.checked_add(shift)?;
         // A number other than 0 leaves the range after at most 120 factors.
         while rest != 0 && !exact.is_zero() {
-            exact = if rest > 0 {
-                exact.checked_mul(ten)?
-            } else {
-                exact.checked_div(ten)?
-            };
+            exact = if rest > 0 { exact.checked_mul(ten)? } else { exact.checked_div(ten)? };
             rest -= rest.signum();
         }
         Some(exact)

@@ -10,27 +10,16 @@ impl Exact {
     /// about 100 bits and then rounded.
     #[must_use]
     pub fn to_f64(self) -> f64 {
-        let (numerator, denominator) = (
-            self.numerator.unsigned_abs(),
-            self.denominator.unsigned_abs(),
-        );
+        let (numerator, denominator) = (self.numerator.unsigned_abs(), self.denominator.unsigned_abs());
         let magnitude = if self.pi == 0 {
             nearest(numerator, denominator)
         } else {
             let ratio = Twofold::from_integer(numerator).div(Twofold::from_integer(denominator));
             let power = Twofold::PI.power(self.pi.unsigned_abs());
-            let value = if self.pi > 0 {
-                ratio.mul(power)
-            } else {
-                ratio.div(power)
-            };
+            let value = if self.pi > 0 { ratio.mul(power) } else { ratio.div(power) };
             value.round()
         };
-        if self.numerator < 0 {
-            -magnitude
-        } else {
-            magnitude
-        }
+        if self.numerator < 0 { -magnitude } else { magnitude }
     }
 }
 

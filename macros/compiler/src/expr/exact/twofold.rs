@@ -12,10 +12,7 @@ pub(super) struct Twofold {
 
 impl Twofold {
     /// π
-    pub(super) const PI: Twofold = Twofold {
-        high: std::f64::consts::PI,
-        low: 1.224_646_799_147_353_2e-16,
-    };
+    pub(super) const PI: Twofold = Twofold { high: std::f64::consts::PI, low: 1.224_646_799_147_353_2e-16 };
 
     /// A whole number below 2¹²⁰.
     pub(super) fn from_integer(value: u128) -> Twofold {
@@ -43,10 +40,7 @@ impl Twofold {
 
     /// xⁿ
     pub(super) fn power(self, exponent: u8) -> Twofold {
-        let one = Twofold {
-            high: 1.0,
-            low: 0.0,
-        };
+        let one = Twofold { high: 1.0, low: 0.0 };
         (0..exponent).fold(one, |product, _| product.mul(self))
     }
 
@@ -56,10 +50,7 @@ impl Twofold {
     }
 
     fn times(self, factor: f64) -> Twofold {
-        self.mul(Twofold {
-            high: factor,
-            low: 0.0,
-        })
+        self.mul(Twofold { high: factor, low: 0.0 })
     }
 
     fn minus(self, other: Twofold) -> Twofold {
@@ -71,18 +62,12 @@ impl Twofold {
     fn sum(a: f64, b: f64) -> Twofold {
         let high = a + b;
         let from_b = high - a;
-        Twofold {
-            high,
-            low: (a - (high - from_b)) + (b - from_b),
-        }
+        Twofold { high, low: (a - (high - from_b)) + (b - from_b) }
     }
 
     /// a · b without error.
     fn product(a: f64, b: f64) -> Twofold {
         let high = a * b;
-        Twofold {
-            high,
-            low: a.mul_add(b, -high),
-        }
+        Twofold { high, low: a.mul_add(b, -high) }
     }
 }

@@ -47,23 +47,11 @@ pub(super) fn take_sign(arena: &mut Arena, node: &Node) -> Option<Expr> {
 }
 
 pub(super) fn decide(arena: &mut Arena, node: &Node) -> Option<Expr> {
-    let &Node::Select {
-        lhs,
-        rhs,
-        then,
-        otherwise,
-    } = node
-    else {
+    let &Node::Select { lhs, rhs, then, otherwise } = node else {
         return None;
     };
-    let difference = arena
-        .as_constant(lhs)?
-        .checked_sub(arena.as_constant(rhs)?)?;
-    Some(if difference.signum() < 0 {
-        then
-    } else {
-        otherwise
-    })
+    let difference = arena.as_constant(lhs)?.checked_sub(arena.as_constant(rhs)?)?;
+    Some(if difference.signum() < 0 { then } else { otherwise })
 }
 
 pub(super) fn divide_by_power_of_two(arena: &mut Arena, node: &Node) -> Option<Expr> {
@@ -88,9 +76,7 @@ pub(super) fn merge_factors(arena: &mut Arena, node: &Node) -> Option<Expr> {
     let &Node::Binary(Binary::Mul, inner, x) = arena.node(b) else {
         return None;
     };
-    let value = arena
-        .as_constant(a)?
-        .checked_mul(arena.as_constant(inner)?)?;
+    let value = arena.as_constant(a)?.checked_mul(arena.as_constant(inner)?)?;
     let factor = arena.constant(value);
     Some(arena.mul(factor, x))
 }
@@ -102,9 +88,7 @@ pub(super) fn merge_divisors(arena: &mut Arena, node: &Node) -> Option<Expr> {
     let &Node::Binary(Binary::Div, x, inner) = arena.node(a) else {
         return None;
     };
-    let value = arena
-        .as_constant(b)?
-        .checked_mul(arena.as_constant(inner)?)?;
+    let value = arena.as_constant(b)?.checked_mul(arena.as_constant(inner)?)?;
     // A division by 0 stays as it was written, so that messages can point at it.
     if value.is_zero() {
         return None;
@@ -113,12 +97,7 @@ pub(super) fn merge_divisors(arena: &mut Arena, node: &Node) -> Option<Expr> {
     Some(arena.div(x, divisor))
 }
 
-fn fold(
-    arena: &mut Arena,
-    node: &Node,
-    function: Binary,
-    exact: fn(Exact, Exact) -> Option<Exact>,
-) -> Option<Expr> {
+fn fold(arena: &mut Arena, node: &Node, function: Binary, exact: fn(Exact, Exact) -> Option<Exact>) -> Option<Expr> {
     let &Node::Binary(own, a, b) = node else {
         return None;
     };

@@ -86,23 +86,14 @@ pub(super) fn divide_zero(arena: &mut Arena, node: &Node) -> Option<Expr> {
 }
 
 pub(super) fn equal_branches(_: &mut Arena, node: &Node) -> Option<Expr> {
-    let &Node::Select {
-        then, otherwise, ..
-    } = node
-    else {
+    let &Node::Select { then, otherwise, .. } = node else {
         return None;
     };
     (then == otherwise).then_some(then)
 }
 
 pub(super) fn equal_sides(_: &mut Arena, node: &Node) -> Option<Expr> {
-    let &Node::Select {
-        lhs,
-        rhs,
-        otherwise,
-        ..
-    } = node
-    else {
+    let &Node::Select { lhs, rhs, otherwise, .. } = node else {
         return None;
     };
     (lhs == rhs).then_some(otherwise)

@@ -92,14 +92,7 @@ pub(super) fn odd_function(arena: &mut Arena, node: &Node) -> Option<Expr> {
     let &Node::Unary(function, a) = node else {
         return None;
     };
-    let odd = [
-        Unary::Sin,
-        Unary::Tan,
-        Unary::Asin,
-        Unary::Atan,
-        Unary::Sign,
-    ]
-    .contains(&function);
+    let odd = [Unary::Sin, Unary::Tan, Unary::Asin, Unary::Atan, Unary::Sign].contains(&function);
     let a = if odd {
         without_minus(arena, a)?
     } else {

@@ -46,20 +46,8 @@ fn leaves_are_what_an_expression_depends_on() {
 fn powers_are_products() {
     let mut arena = Arena::new();
     let x = expr(&mut arena, "x");
-    for (exponent, product) in [
-        (0, "1"),
-        (1, "x"),
-        (2, "x*x"),
-        (3, "x*(x*x)"),
-        (5, "x*((x*x)*(x*x))"),
-        (-1, "1/x"),
-        (-2, "1/(x*x)"),
-    ] {
-        assert_eq!(
-            arena.power(x, exponent),
-            expr(&mut arena, product),
-            "{exponent}"
-        );
+    for (exponent, product) in [(0, "1"), (1, "x"), (2, "x*x"), (3, "x*(x*x)"), (5, "x*((x*x)*(x*x))"), (-1, "1/x"), (-2, "1/(x*x)")] {
+        assert_eq!(arena.power(x, exponent), expr(&mut arena, product), "{exponent}");
     }
     let two = arena.integer(2);
     let kibi = arena.power(two, -10);
@@ -77,11 +65,7 @@ fn exact_or_not_folded() {
     assert_eq!(arena.as_constant(product), None);
     let sum = expr(&mut arena, "1 + pi");
     assert_eq!(arena.as_constant(sum), None);
-    let found = evaluate(
-        &arena,
-        &[product, sum],
-        &super::Point::random(&mut super::random::Random::new(3)).values(),
-    );
+    let found = evaluate(&arena, &[product, sum], &super::Point::random(&mut super::random::Random::new(3)).values());
     assert_eq!(found, [libm::ldexp(1.0, 121), 1.0 + std::f64::consts::PI]);
 }
 

@@ -13,8 +13,7 @@ fn derivatives_are_central_differences() {
             let slope = derivative(&mut arena, root, leaf);
             for _ in 0..5 {
                 let point = Point::random(&mut random);
-                let [low, high] =
-                    [-STEP, STEP].map(|h| shifted(&point, leaf, h).value_of(&arena, root));
+                let [low, high] = [-STEP, STEP].map(|h| shifted(&point, leaf, h).value_of(&arena, root));
                 let expected = (high - low) / (2.0 * STEP);
                 assert_close(point.value_of(&arena, slope), expected, 1e-6, text);
             }
@@ -54,11 +53,7 @@ fn derivatives_have_their_textbook_form() {
         let mut arena = Arena::new();
         let root = expr(&mut arena, before);
         let expected = expr(&mut arena, after);
-        assert_eq!(
-            derivative(&mut arena, root, Leaf::Coordinate(0)),
-            expected,
-            "{before}"
-        );
+        assert_eq!(derivative(&mut arena, root, Leaf::Coordinate(0)), expected, "{before}");
     }
 }
 

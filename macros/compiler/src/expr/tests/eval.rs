@@ -31,11 +31,7 @@ fn values_are_those_of_the_formula_written_by_hand() {
 #[test]
 fn an_evaluator_can_be_used_again() {
     let mut arena = Arena::new();
-    let roots = [
-        expr(&mut arena, "sin(x)*y"),
-        expr(&mut arena, "y"),
-        expr(&mut arena, "y"),
-    ];
+    let roots = [expr(&mut arena, "sin(x)*y"), expr(&mut arena, "y"), expr(&mut arena, "y")];
     let mut evaluator = Evaluator::new(&arena, &roots);
     let mut random = Random::new(9);
     for _ in 0..10 {
@@ -53,18 +49,9 @@ fn an_evaluator_can_be_used_again() {
 fn what_is_missing_is_nan() {
     let mut arena = Arena::new();
     let x = expr(&mut arena, "x");
-    let roots = [
-        arena.leaf(Leaf::Parameter(2)),
-        arena.leaf(Leaf::Acceleration(u32::MAX)),
-        arena.call(0, 3, x),
-        arena.call(9, 0, x),
-    ];
+    let roots = [arena.leaf(Leaf::Parameter(2)), arena.leaf(Leaf::Acceleration(u32::MAX)), arena.call(0, 3, x), arena.call(9, 0, x)];
     let point = Point::random(&mut Random::new(10));
-    assert!(
-        evaluate(&arena, &roots, &point.values())
-            .iter()
-            .all(|value| value.is_nan())
-    );
+    assert!(evaluate(&arena, &roots, &point.values()).iter().all(|value| value.is_nan()));
 }
 
 #[test]
@@ -73,17 +60,11 @@ fn orders_of_a_call_are_its_derivatives() {
     let x = expr(&mut arena, "x");
     let roots: Vec<Expr> = (0..3).map(|order| arena.call(1, order, x)).collect();
     let point = Point::random(&mut Random::new(11));
-    assert_eq!(
-        evaluate(&arena, &roots, &point.values()),
-        functions(1, point.coordinates[0])
-    );
+    assert_eq!(evaluate(&arena, &roots, &point.values()), functions(1, point.coordinates[0]));
 }
 
 #[test]
 fn sign_keeps_zero_and_nan() {
-    assert_eq!(
-        [2.0, 0.0, -3.0].map(|x| Unary::Sign.apply(x)),
-        [1.0, 0.0, -1.0]
-    );
+    assert_eq!([2.0, 0.0, -3.0].map(|x| Unary::Sign.apply(x)), [1.0, 0.0, -1.0]);
     assert!(Unary::Sign.apply(f64::NAN).is_nan());
 }

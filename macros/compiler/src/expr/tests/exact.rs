@@ -9,10 +9,7 @@ const LARGE: i128 = (1 << 120) - 1;
 fn fractions_are_reduced_with_the_sign_above() {
     let half = Exact::ratio(-3, 6);
     assert_eq!(half, Exact::ratio(1, -2));
-    assert_eq!(
-        half.map(|e| (e.numerator(), e.denominator())),
-        Some((-1, 2))
-    );
+    assert_eq!(half.map(|e| (e.numerator(), e.denominator())), Some((-1, 2)));
     assert_eq!(Exact::ratio(0, -5), Some(Exact::ZERO));
     assert_eq!(Exact::ratio(1, 0), None);
     assert_eq!(Exact::ratio(i128::MIN, i128::MIN), Some(Exact::ONE));
@@ -29,9 +26,7 @@ fn what_does_not_fit_is_none() {
     assert_eq!(Exact::ratio(1, LARGE).unwrap().checked_div(large), None);
     assert_eq!(Exact::ONE.checked_div(Exact::ZERO), None);
     assert_eq!(Exact::PI.checked_add(Exact::ONE), None);
-    let powers = (0..127)
-        .try_fold(Exact::ONE, |power, _| power.checked_mul(Exact::PI))
-        .unwrap();
+    let powers = (0..127).try_fold(Exact::ONE, |power, _| power.checked_mul(Exact::PI)).unwrap();
     assert_eq!(powers.checked_mul(Exact::PI), None);
 }
 
@@ -40,10 +35,7 @@ fn operations_on_large_numbers_fit_when_the_result_does() {
     let large = Exact::ratio(LARGE, 7).unwrap();
     assert_eq!(large.checked_div(large), Some(Exact::ONE));
     assert_eq!(large.checked_sub(large), Some(Exact::ZERO));
-    assert_eq!(
-        large.checked_mul(Exact::ratio(7, LARGE).unwrap()),
-        Some(Exact::ONE)
-    );
+    assert_eq!(large.checked_mul(Exact::ratio(7, LARGE).unwrap()), Some(Exact::ONE));
 }
 
 #[test]
@@ -57,10 +49,7 @@ fn zero_is_neutral_also_with_powers_of_pi() {
 #[test]
 fn roots_are_taken_of_squares_only() {
     let pi_squared = Exact::PI.checked_mul(Exact::PI).unwrap();
-    assert_eq!(
-        Exact::ratio(9, 4).unwrap().checked_sqrt(),
-        Exact::ratio(3, 2)
-    );
+    assert_eq!(Exact::ratio(9, 4).unwrap().checked_sqrt(), Exact::ratio(3, 2));
     assert_eq!(pi_squared.checked_sqrt(), Some(Exact::PI));
     assert_eq!(Exact::integer(2).checked_sqrt(), None);
     assert_eq!(Exact::integer(-4).checked_sqrt(), None);
@@ -76,14 +65,8 @@ fn decimals_are_read_exactly() {
     assert_eq!(Exact::decimal("2."), ratio(2, 1));
     assert_eq!(Exact::decimal("3E+2"), ratio(300, 1));
     assert_eq!(Exact::decimal("0e999999999"), Some(Exact::ZERO));
-    assert_eq!(
-        Exact::decimal(&format!("1.{}", "0".repeat(500))),
-        Some(Exact::ONE)
-    );
-    assert_eq!(
-        Exact::decimal(&format!("1{}e-500", "0".repeat(500))),
-        Some(Exact::ONE)
-    );
+    assert_eq!(Exact::decimal(&format!("1.{}", "0".repeat(500))), Some(Exact::ONE));
+    assert_eq!(Exact::decimal(&format!("1{}e-500", "0".repeat(500))), Some(Exact::ONE));
 }
 
 #[test]
@@ -111,18 +94,8 @@ fn what_is_no_decimal_or_does_not_fit_is_none() {
 
 #[test]
 fn decimals_are_rounded_as_rust_rounds_them() {
-    let mut texts: Vec<String> = [
-        "0.1",
-        "120e-3",
-        "25.4",
-        "9007199254740993",
-        "9007199254740995",
-        "1e-30",
-        "0.3",
-        "1e23",
-    ]
-    .map(String::from)
-    .to_vec();
+    let mut texts: Vec<String> =
+        ["0.1", "120e-3", "25.4", "9007199254740993", "9007199254740995", "1e-30", "0.3", "1e23"].map(String::from).to_vec();
     let mut random = Random::new(1);
     for _ in 0..2000 {
         let (whole, part) = (random.below(1 << 40), random.below(1 << 50));
@@ -139,10 +112,7 @@ fn decimals_are_rounded_as_rust_rounds_them() {
 fn quotients_of_floats_are_rounded_as_the_machine_rounds_them() {
     let mut random = Random::new(2);
     for _ in 0..2000 {
-        let (a, b) = (
-            random.below(1 << 53) as i128,
-            random.below(1 << 53) as i128 + 1,
-        );
+        let (a, b) = (random.below(1 << 53) as i128, random.below(1 << 53) as i128 + 1);
         assert_eq!(Exact::ratio(a, b).unwrap().to_f64(), a as f64 / b as f64);
     }
 }
@@ -157,26 +127,14 @@ fn ties_go_to_even_and_anything_above_a_tie_goes_up() {
     assert_eq!(value(tie + 2), (libm::ldexp(1.0, 53) + 4.0) * scale);
     let barely_more = Exact::ratio((tie << 60) + 1, 1 << 60).unwrap();
     assert_eq!(barely_more.to_f64(), libm::ldexp(1.0, 53) + 2.0);
-    assert_eq!(
-        Exact::ratio(LARGE, 1).unwrap().to_f64(),
-        libm::ldexp(1.0, 120)
-    );
-    assert_eq!(
-        Exact::ratio(1, LARGE).unwrap().to_f64(),
-        libm::ldexp(1.0, -120)
-    );
+    assert_eq!(Exact::ratio(LARGE, 1).unwrap().to_f64(), libm::ldexp(1.0, 120));
+    assert_eq!(Exact::ratio(1, LARGE).unwrap().to_f64(), libm::ldexp(1.0, -120));
     assert_eq!(Exact::ratio(-1, 3).unwrap().to_f64(), -1.0 / 3.0);
 }
 
 #[test]
 fn multiples_of_pi_are_rounded_once() {
-    let times_pi = |a, b| {
-        Exact::ratio(a, b)
-            .unwrap()
-            .checked_mul(Exact::PI)
-            .unwrap()
-            .to_f64()
-    };
+    let times_pi = |a, b| Exact::ratio(a, b).unwrap().checked_mul(Exact::PI).unwrap().to_f64();
     assert_eq!(times_pi(1, 1), consts::PI);
     assert_eq!(times_pi(2, 1), consts::TAU);
     assert_eq!(times_pi(-1, 2), -consts::FRAC_PI_2);
@@ -195,17 +153,11 @@ fn multiples_of_pi_are_rounded_once() {
 fn powers_of_pi_are_rounded_once() {
     let inverse = Exact::ONE.checked_div(Exact::PI).unwrap();
     assert_eq!(inverse.to_f64(), consts::FRAC_1_PI);
-    assert_eq!(
-        Exact::integer(2).checked_mul(inverse).unwrap().to_f64(),
-        consts::FRAC_2_PI
-    );
+    assert_eq!(Exact::integer(2).checked_mul(inverse).unwrap().to_f64(), consts::FRAC_2_PI);
     let squared = Exact::PI.checked_mul(Exact::PI).unwrap();
     assert_eq!(squared.to_f64(), 9.869_604_401_089_358);
     let hundredth = (0..100).try_fold(Exact::ONE, |power, _| power.checked_mul(Exact::PI));
     assert_eq!(hundredth.unwrap().to_f64(), 5.187_848_314_319_613e49);
-    let large = Exact::ratio(LARGE, 1)
-        .unwrap()
-        .checked_mul(Exact::PI)
-        .unwrap();
+    let large = Exact::ratio(LARGE, 1).unwrap().checked_mul(Exact::PI).unwrap();
     assert_eq!(large.to_f64(), libm::ldexp(consts::PI, 120));
 }

@@ -36,20 +36,11 @@ impl Tree {
             }
             Tree::Select(operands) => {
                 let [lhs, rhs, then, otherwise] = operands.each_ref().map(|o| o.build(arena));
-                Node::Select {
-                    lhs,
-                    rhs,
-                    then,
-                    otherwise,
-                }
+                Node::Select { lhs, rhs, then, otherwise }
             }
             Tree::Call(function, argument) => {
                 let argument = argument.build(arena);
-                Node::Call {
-                    function: *function,
-                    order: 0,
-                    argument,
-                }
+                Node::Call { function: *function, order: 0, argument }
             }
         }
     }
@@ -59,11 +50,7 @@ impl Tree {
 pub(super) fn parse(text: &str) -> Tree {
     let mut reader = Reader { rest: text };
     let tree = reader.sum();
-    assert!(
-        reader.rest.trim().is_empty(),
-        "`{}` is left of `{text}`",
-        reader.rest
-    );
+    assert!(reader.rest.trim().is_empty(), "`{}` is left of `{text}`", reader.rest);
     tree
 }
 
@@ -128,9 +115,7 @@ impl Reader<'_> {
 
     fn word(&mut self) -> String {
         let rest = self.rest.trim_start();
-        let end = rest
-            .find(|c: char| !c.is_alphanumeric() && c != '.')
-            .unwrap_or(rest.len());
+        let end = rest.find(|c: char| !c.is_alphanumeric() && c != '.').unwrap_or(rest.len());
         self.rest = &rest[end..];
         rest[..end].to_string()
     }

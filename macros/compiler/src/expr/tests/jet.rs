@@ -25,8 +25,7 @@ fn rates_are_differences(jets: fn() -> Jets, prepare: fn(Point) -> Point) {
         assert_eq!(value, root);
         for _ in 0..5 {
             let point = prepare(Point::random(&mut random));
-            let [low, here, high] =
-                [-STEP, 0.0, STEP].map(|s| point.later(s).value_of(&arena, root));
+            let [low, here, high] = [-STEP, 0.0, STEP].map(|s| point.later(s).value_of(&arena, root));
             let slope = (high - low) / (2.0 * STEP);
             let bend = (high - 2.0 * here + low) / (STEP * STEP);
             assert_close(point.value_of(&arena, first), slope, 1e-5, text);

@@ -57,39 +57,13 @@ impl Random {
             let leaf = Leaf::Coordinate(self.below(3) as u32);
             return Tree::Leaf(leaf);
         }
-        let (above, below) = (
-            self.below(9) as i128 - 4,
-            self.one_of(&[1, 1, 1, 2, 3, 10, 12]),
-        );
+        let (above, below) = (self.below(9) as i128 - 4, self.one_of(&[1, 1, 1, 2, 3, 10, 12]));
         let ratio = Exact::ratio(above, below).unwrap_or(Exact::ZERO);
         let angle = self.below(4) == 0;
-        Tree::Constant(if angle {
-            ratio.checked_mul(Exact::PI).unwrap_or(ratio)
-        } else {
-            ratio
-        })
+        Tree::Constant(if angle { ratio.checked_mul(Exact::PI).unwrap_or(ratio) } else { ratio })
     }
 }
 
-const BINARY: &[Binary] = &[
-    Binary::Add,
-    Binary::Add,
-    Binary::Sub,
-    Binary::Sub,
-    Binary::Mul,
-    Binary::Mul,
-    Binary::Div,
-    Binary::Atan2,
-];
+const BINARY: &[Binary] = &[Binary::Add, Binary::Add, Binary::Sub, Binary::Sub, Binary::Mul, Binary::Mul, Binary::Div, Binary::Atan2];
 
-const UNARY: &[Unary] = &[
-    Unary::Sqrt,
-    Unary::Sin,
-    Unary::Cos,
-    Unary::Tan,
-    Unary::Asin,
-    Unary::Acos,
-    Unary::Atan,
-    Unary::Exp,
-    Unary::Ln,
-];
+const UNARY: &[Unary] = &[Unary::Sqrt, Unary::Sin, Unary::Cos, Unary::Tan, Unary::Asin, Unary::Acos, Unary::Atan, Unary::Exp, Unary::Ln];

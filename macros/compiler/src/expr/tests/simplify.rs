@@ -138,10 +138,7 @@ fn every_law_is_tested() {
     let names: BTreeSet<&str> = RULES.iter().map(|rule| rule.name).collect();
     assert_eq!(names.len(), RULES.len(), "two rules have one name");
     let tested: BTreeSet<&str> = LAWS.iter().map(|law| law.0).collect();
-    assert_eq!(
-        names.difference(&tested).collect::<Vec<_>>(),
-        Vec::<&&str>::new()
-    );
+    assert_eq!(names.difference(&tested).collect::<Vec<_>>(), Vec::<&&str>::new());
 }
 
 #[test]
@@ -165,12 +162,7 @@ fn no_rule_matches_in_a_finished_expression() {
     for expr in (0..size as u32).map(crate::expr::Expr) {
         let node = *arena.node(expr);
         for rule in RULES {
-            assert_eq!(
-                (rule.rewrite)(&mut arena, &node),
-                None,
-                "{}: {node:?}",
-                rule.name
-            );
+            assert_eq!((rule.rewrite)(&mut arena, &node), None, "{}: {node:?}", rule.name);
         }
     }
 }
@@ -190,10 +182,7 @@ fn values_do_not_change() {
         let root = tree.build(&mut arena);
         let found = point.value_of(&arena, root);
         let difference = (found - expected).abs();
-        assert!(
-            difference <= 4.0 * bound,
-            "{tree:?}: {found} is not {expected} ± {bound}"
-        );
+        assert!(difference <= 4.0 * bound, "{tree:?}: {found} is not {expected} ± {bound}");
         compared += 1;
     }
     // The rest has a pole, a kink or a negative root somewhere.
@@ -211,10 +200,7 @@ fn reference(tree: &Tree, point: &Point) -> Option<(f64, f64)> {
         Tree::Unary(function, a) => {
             let (a, error) = reference(a, point)?;
             let slope = slope_of(*function, a, error)?;
-            (
-                function.apply(a),
-                if error == 0.0 { 0.0 } else { slope * error },
-            )
+            (function.apply(a), if error == 0.0 { 0.0 } else { slope * error })
         }
         Tree::Binary(function, a, b) => {
             let ((a, da), (b, db)) = (reference(a, point)?, reference(b, point)?);
