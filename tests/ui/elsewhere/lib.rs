@@ -4,9 +4,18 @@ reuleaux::constraint! {
     /// `P` stays at the height `h` above ground.
     pub constraint at_height(P: Point, h: Length) { P.y == h; }
 
+    /// `P` rises by the law of this crate as `b` turns.
+    pub constraint lifted(P: Point, b: Body) { P.y == 10mm * crate::law(b.angle); }
+
     /// Several at once.
     pub bundle columns {
         constraint left_of(P: Point, Q: Point, d: Length) { Q.x - P.x == d; }
         constraint below(P: Point, Q: Point, d: Length) { Q.y - P.y == d; }
     }
+}
+
+/// A law: 1 − cos x with its first and second derivative.
+pub fn law<T: reuleaux::Real>(x: T) -> (T, T, T) {
+    let (sine, cosine) = x.sin_cos();
+    (T::of(1.0) - cosine, sine, cosine)
 }

@@ -16,6 +16,7 @@ pub enum Fact {
     NotANumber { found: &'static str },
     TooDeep { limit: u16 },
     Keyword { word: String },
+    NumberType,
     UnknownAttribute { name: String },
     TokensAfter { what: &'static str, help: &'static str },
     UnknownItem { word: String },
@@ -160,6 +161,7 @@ impl fmt::Display for Fact {
                 write!(f, "this is nested more than {limit} deep\nhelp: name parts of it with `let`")
             }
             Fact::Keyword { word } => write!(f, "`{word}` is a word of Rust and cannot be a name\nhelp: write `{word}_`"),
+            Fact::NumberType => write!(f, "`T` is the number type of generated code\nhelp: choose another name for the mechanism"),
             Fact::UnknownAttribute { name } => {
                 write!(
                     f,

@@ -46,6 +46,9 @@ fn head(input: ParseStream) -> Parsed<Mechanism> {
     }
     Ident::parse_any(input)?;
     let name = name(input, "the name of the mechanism")?;
+    if name == "T" {
+        return wrong(&name, Fact::NumberType);
+    }
     Ok(Mechanism { docs, equations_only: !options.is_empty(), visibility, name, items: Vec::new() })
 }
 

@@ -15,6 +15,7 @@ crate::refusals! {
     item weld_of_one_body: "joint a = «weld»(crank.O, crank.A);" => "the two points of a weld lie on the same body";
     item gear_with_itself: "joint a = gear_pair(«crank», crank, 1, 2);" => "a gear cannot mesh with itself";
     mechanism start_of_ground: "mechanism Crank { ground { start «angle» = 0; } body crank {} }" => "ground does not move: it has no start values";
+    mechanism named_as_the_number_type: "mechanism «T» { body crank {} }" => "`T` is the number type of generated code\nhelp: choose another name for the mechanism";
     mechanism no_bodies: "mechanism «Crank» { param length: Length = 1m; }" => "`Crank` has no bodies\nhelp: declare one with `body name { … }`";
     mechanism drive_is_missing: "mechanism «Crank» { body crank {} joint o = revolute((0mm, 0mm), crank.position); }" => "`Crank` is left with 1 freedom: 3 coordinates and 2 equations, 0 from drives\nhelp: drive `crank.angle`, such as `drive input = drive_angle(body, speed * t);`";
     mechanism nothing_holds: "mechanism Crank { body crank {} body «rod» {} joint o = revolute((0mm, 0mm), crank.position); }" => "nothing holds `rod`: it is in no equation\nhelp: join it to another body, such as `joint name = revolute(rod.P, other.Q);`, or take it away";

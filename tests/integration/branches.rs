@@ -1,0 +1,86 @@
+//! The assembly that was declared is kept, however far times and parameters are from where they began.
+
+use reuleaux::mechanism;
+use std::f64::consts::TAU;
+
+mechanism! {
+    /// A crank-rocker whose rocker turns a wheel three times as fast: a wrong turn of the rocker would show in the wheel.
+    pub mechanism Geared {
+        param crank_length: Length = 100mm;
+        param coupler_length: Length = 350mm;
+        param rocker_length: Length = 300mm;
+        param base: Length = 400mm;
+        ground { point O = (0mm, 0mm); point C = (base, 0mm); point W = (600mm, 0mm); }
+        body crank { point O = (0mm, 0mm); point A = (crank_length, 0mm); start angle = 0deg; }
+        body coupler { point A = (0mm, 0mm); point B = (coupler_length, 0mm); }
+        body rocker { point C = (0mm, 0mm); point B = (rocker_length, 0mm); start angle = 70deg; }
+        body wheel { point W = (0mm, 0mm); point rim = (50mm, 0mm); }
+        joint o = revolute(ground.O, crank.O);
+        joint a = revolute(crank.A, coupler.A);
+        joint b = revolute(coupler.B, rocker.B);
+        joint c = revolute(rocker.C, ground.C);
+        joint w = revolute(ground.W, wheel.W);
+        joint mesh = gear_pair(rocker, wheel, 3, 1);
+        drive input = drive_angle(crank, 1turn * t / 1s);
+        output rim = wheel.rim;
+    }
+}
+
+/// The rocker's angle in closed form, with B to the left of the way from A to C.
+fn rocker_angle(m: &Geared, crank: f64) -> f64 {
+    let (x, y) = (m.base - m.crank_length * crank.cos(), -m.crank_length * crank.sin());
+    let square = x * x + y * y;
+    let along = (m.coupler_length.powi(2) - m.rocker_length.powi(2) + square) / (2.0 * square);
+    let across = (m.coupler_length.powi(2) / square - along * along).sqrt();
+    let (bx, by) = (x * along - y * across - x, y * along + x * across - y);
+    by.atan2(bx)
+}
+
+#[test]
+fn long_steps_come_to_the_same_turn() {
+    let mechanism = Geared::default();
+    let mut random = fastrand::Rng::with_seed(7);
+    let mut state = mechanism.solve(0.0).expect("an assembly");
+    for _ in 0..300 {
+        // Anything up to a hundred turns ahead or back, and exact numbers of turns, which look as if nothing had moved.
+        let t = if random.bool() { random.f64() * 200.0 - 100.0 } else { f64::from(random.i32(-100..100)) };
+        state = mechanism.solve_from(t, &state).expect("a Grashof crank turns for ever");
+        let angle = rocker_angle(&mechanism, TAU * t);
+        assert!((state.rocker().angle - angle).abs() < 1e-11, "rocker at {} for {angle} at {t} s", state.rocker().angle);
+        let rim = mechanism.rim(&state).value;
+        let expected = (0.6 + 0.05 * (3.0 * angle).cos(), -0.05 * (3.0 * angle).sin());
+        assert!((rim.x - expected.0).abs() < 1e-11 && (rim.y - expected.1).abs() < 1e-11, "rim at {t} s");
+    }
+}
+
+#[test]
+fn one_long_step_is_many_short_ones() {
+    let mechanism = Geared::default();
+    for turns in [19, 150, 300] {
+        let angle = mechanism.solve(f64::from(turns)).expect("a Grashof crank turns for ever").rocker().angle;
+        assert!((angle - rocker_angle(&mechanism, 0.0)).abs() < 1e-11, "{angle} after {turns} turns");
+    }
+}
+
+#[test]
+fn other_lengths_keep_the_declared_assembly() {
+    let mut random = fastrand::Rng::with_seed(11);
+    let mut solved = 0;
+    for _ in 0..2000 {
+        let mut length = |least: f64, most: f64| least + (most - least) * random.f64();
+        let (crank_length, coupler_length) = (length(0.02, 0.3), length(0.05, 1.0));
+        let mechanism = Geared { crank_length, coupler_length, rocker_length: length(0.05, 1.0), base: length(0.05, 1.0) };
+        let reach = (mechanism.base - crank_length).abs();
+        let closes =
+            reach < 0.999 * (coupler_length + mechanism.rocker_length) && reach > 1.001 * (coupler_length - mechanism.rocker_length).abs();
+        // Where the base is shorter than the crank, the way there leads through a fold or round it.
+        if !closes || mechanism.base < crank_length {
+            continue;
+        }
+        let state = mechanism.solve(0.0).unwrap_or_else(|failure| panic!("{failure} with {mechanism:?}"));
+        let off = (state.rocker().angle - rocker_angle(&mechanism, 0.0)).rem_euclid(TAU);
+        assert!(off.min(TAU - off) < 1e-6, "mirrored with {mechanism:?}");
+        solved += 1;
+    }
+    assert!(solved > 500, "{solved} of the random linkages close");
+}
