@@ -187,7 +187,10 @@ impl fmt::Display for Fact {
             Fact::DoubleStar => write!(f, "`**` is no operator\nhelp: a power is written `a^b`"),
             Fact::MethodCall { name } => write!(f, "there are no methods here\nhelp: write `{name}(value)` for `value.{name}()`"),
             Fact::SpaceBeforeUnit { number, unit } => {
-                write!(f, "a unit stands right behind its number\nhelp: write `{number}{unit}`")
+                if crate::model::unit::lookup(unit).is_some() {
+                    return write!(f, "a unit stands right behind its number\nhelp: write `{number}{unit}`");
+                }
+                write!(f, "an operator is missing between `{number}` and `{unit}`\nhelp: write `{number} * {unit}`")
             }
             Fact::ExponentTooLarge { limit } => write!(f, "the exponent of a dimension is at most {limit}"),
 

@@ -18,6 +18,7 @@ crate::refusals! {
     item operator_is_unknown: "output b = 5 «%» 2;" => "expected an operator or `;`, found `%`";
     item power_is_a_caret: "output b = length«**»2;" => "`**` is no operator\nhelp: a power is written `a^b`";
     item functions_are_no_methods: "output b = crank.angle.«sin»();" => "there are no methods here\nhelp: write `sin(value)` for `value.sin()`";
+    item operator_between_number_and_name: "let a = 180mm + «2 length»;" => "an operator is missing between `2` and `length`\nhelp: write `2 * length`";
     item unit_stands_behind_its_number: "param a: Length = «120 mm»;" => "a unit stands right behind its number\nhelp: write `120mm`";
     item text_is_no_number: "param a: Length = «\"120mm\"»;" => "expected a number, found a string";
     item comma_is_missing: "joint a = revolute(ground.C «crank».A);" => "expected `,` or `)`, found `crank`";
