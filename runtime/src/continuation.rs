@@ -9,7 +9,7 @@ use nalgebra::SVector;
 use crate::pass::{Pass, Stop};
 use crate::stages::{Coordinates, Stages};
 use crate::verdict;
-use crate::{Cause, Coordinate, CoordinateKind, Culprit, Failure, Float, State, names};
+use crate::{Cause, Culprit, Failure, Float, State, names};
 
 /// Steps of one continuation, accepted or not.
 const MOST_STEPS: usize = 1_000_000;
@@ -43,7 +43,7 @@ pub(crate) fn advance<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
 fn step<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, state: &mut State<T, N>, t: T, h: T) -> bool {
     let mut pass = Pass::follow(equations, state, h);
     let Ok(Coordinates { q, qd, qdd }) = equations.stages(t, &mut pass) else { return false };
-    if !is_surely_finite(&q, &qd, &qdd) || !is_resolved(state, &q, h, E::COORDINATES) {
+    if !is_surely_finite(&q, &qd, &qdd) || !is_resolved(state, &q, h, E::COMPUTED_ANGLES) {
         return false;
     }
     let (condition, iterations) = (pass.condition, pass.iterations);
@@ -70,7 +70,7 @@ fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     for _ in 0..MOST_STEPS {
         let next = if step.abs() >= (t - here.t).abs() { t } else { here.t + step };
         match self::state(equations, next, Pass::follow(equations, &here, next - here.t)) {
-            Ok(reached) if !is_resolved(&here, &reached.q, next - here.t, E::COORDINATES) && halves(&mut step, next, &here) => {}
+            Ok(reached) if !is_resolved(&here, &reached.q, next - here.t, E::COMPUTED_ANGLES) && halves(&mut step, next, &here) => {}
             Ok(reached) if next == t => {
                 *state = reached;
                 return Ok(());
@@ -95,12 +95,12 @@ fn halves<T: Float, const N: usize>(step: &mut T, next: T, here: &State<T, N>) -
     step.abs() > T::of(SHORTEST_STEP) * T::EPSILON * here.t.abs().max(next.abs())
 }
 
-/// Every angle came to where it was expected: a drive that goes on after a rest may turn anything in one long step.
+/// Every computed angle came to where it was expected: a drive that goes on after a rest may turn anything in one long step.
 #[inline(always)]
-fn is_resolved<T: Float, const N: usize>(here: &State<T, N>, q: &SVector<T, N>, h: T, coordinates: &[Coordinate]) -> bool {
+fn is_resolved<T: Float, const N: usize>(here: &State<T, N>, q: &SVector<T, N>, h: T, angles: &[usize]) -> bool {
     let mut farthest = T::of(0.0);
-    for i in 0..N {
-        if matches!(coordinates.get(i), Some(Coordinate { kind: CoordinateKind::Angle, .. })) {
+    for &i in angles {
+        if i < N {
             let off = (q[i] - (here.q[i] + h * (here.qd[i] + h * T::of(0.5) * here.qdd[i]))).abs();
             farthest = if off > farthest { off } else { farthest };
         }

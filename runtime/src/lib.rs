@@ -84,6 +84,7 @@ pub use table::{Ends, Table};
 
 #[doc(hidden)]
 pub use reuleaux_macros::__resume;
+#[doc(inline)]
 pub use reuleaux_macros::{constraint, mechanism};
 
 /// The standard library of constraints and motion laws, each with its manual page.

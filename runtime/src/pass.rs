@@ -12,8 +12,8 @@ use crate::problem::{Block, Part, Problem};
 use crate::scale::Scale;
 use crate::{Cause, Coordinate, Culprit, Equations, Float, Orientation, Row, State};
 
-/// Longest part of a prediction, scaled; a tenth of a turn, so that it cannot be mistaken for another turn.
-const LONGEST_PREDICTION: f64 = 0.6;
+/// Longest way of a prediction, scaled; an eighth of a turn, so that it cannot be mistaken for another turn.
+const LONGEST_PREDICTION: f64 = 0.8;
 
 /// What Newton's method sets out from in every block.
 enum Mode<'a, T, const N: usize> {
@@ -186,16 +186,15 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
     ) -> Result<Position<T, P::Factors, K>, Stop<T>> {
         let position = if let Mode::Follow { here, h } = &self.mode {
             let mut x = SVector::from_element(T::of(0.0));
-            let (mut first, mut second) = (x, x);
+            let mut way = x;
             for k in 0..K {
                 let i = unknowns[k];
-                first[k] = *h * here.qd[i];
-                second[k] = *h * *h * T::of(0.5) * here.qdd[i];
-                x[k] = here.q[i] + (first[k] + second[k]);
+                let (first, second) = (*h * here.qd[i], *h * *h * T::of(0.5) * here.qdd[i]);
+                x[k] = here.q[i] + (first + second);
+                way[k] = first.abs() + second.abs();
             }
             // Angles repeat: a prediction that goes far may come to the solution of another turn.
-            let scale = problem.scale();
-            if scale.norm(&first) > T::of(LONGEST_PREDICTION) || scale.norm(&second) > T::of(LONGEST_PREDICTION) {
+            if problem.scale().norm(&way) > T::of(LONGEST_PREDICTION) {
                 return Err(Stop::Far);
             }
             let position = position::follow(problem, &Place::at(x, problem.turns()))?;

@@ -21,6 +21,10 @@ pub struct Coordinates<T, const N: usize> {
 /// The way a mechanism is solved. Emitted code goes block by block; the provided way takes all equations as one system, and is
 /// what a mechanism written by hand gets with an empty `impl`.
 pub trait Stages<T: Float, const N: usize>: Equations<T, N, N> {
+    /// The angles that are computed rather than iterated. Those that are iterated never go far in one step; of these it is checked
+    /// that they came to where they were expected.
+    const COMPUTED_ANGLES: &'static [usize] = &[];
+
     /// The mechanism with parameters that are this share of the way from their declared defaults, for which
     /// [`start`](Equations::start) is assembled, to these. None if they are the defaults, or have none.
     fn toward(&self, share: T) -> Option<Self>

@@ -7,6 +7,12 @@ reuleaux::constraint! {
     /// `P` rises by the law of this crate as `b` turns.
     pub constraint lifted(P: Point, b: Body) { P.y == 10mm * crate::law(b.angle); }
 
+    /// `Q` slides along the line through `P`.
+    pub constraint rail(u: Axis, P: Point, Q: Point) { dot(perp(u), Q - P) == 0; }
+
+    /// The place of a point on its rail.
+    pub constraint push(slide: Joint(rail), C: Length) { dot(unit(slide.u), slide.Q - slide.P) == C; }
+
     /// Several at once.
     pub bundle columns {
         constraint left_of(P: Point, Q: Point, d: Length) { Q.x - P.x == d; }

@@ -4,6 +4,7 @@ use super::expression::{Printer, local};
 use super::functions::Emitter;
 use super::routine::statement;
 use crate::expr::Expr;
+use crate::model::Dim;
 use crate::plan::{Iterated, Part, Solution, Step};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -19,13 +20,25 @@ impl Emitter<'_> {
         if self.model.equations_only {
             return quote!();
         }
-        let toward = self.toward();
+        let (toward, angles) = (self.toward(), self.plan.solution.as_ref().map(|solution| self.computed_angles(solution)));
         let body = self.plan.solution.as_ref().map(|solution| self.solution(solution));
         quote! {
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
-            impl<T: ::reuleaux::Float> ::reuleaux::Stages<T, #n> for #name<T> { #toward #body }
+            impl<T: ::reuleaux::Float> ::reuleaux::Stages<T, #n> for #name<T> { #angles #toward #body }
         }
+    }
+
+    /// Computed angles that move
+    fn computed_angles(&self, solution: &Solution) -> TokenStream {
+        let angle = |part: &Part| match part {
+            Part::Explicit { unknown, motion, .. } if self.system.unknowns[*unknown].dim == Dim::ANGLE => {
+                self.plan.arena.as_constant(motion[0]).is_none().then(|| Literal::usize_unsuffixed(*unknown))
+            }
+            _ => None,
+        };
+        let angles = solution.parts.iter().filter_map(angle);
+        quote!(const COMPUTED_ANGLES: &'static [usize] = &[#(#angles),*];)
     }
 
     /// Parameters between the defaults and these

@@ -70,7 +70,7 @@ impl Elaborator<'_> {
         places(&definition, arguments).into_iter().find(|(name, _)| is_time_dependent(name)).map(|(_, range)| range)
     }
 
-    fn definition(&mut self, kind: &Ident) -> Option<Rc<Definition>> {
+    pub(super) fn definition(&mut self, kind: &Ident) -> Option<Rc<Definition>> {
         let word = kind.to_string();
         if let Some(definition) = self.names.definitions.get(&word) {
             return Some(definition.clone());

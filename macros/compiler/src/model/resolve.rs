@@ -164,7 +164,11 @@ impl Elaborator<'_> {
                     _ => self.joint_arguments(&joint)?,
                 };
                 match &joint.body {
-                    ast::JointBody::Of { kind, .. } => Some(Value::Joint { kind: kind.to_string(), arguments }),
+                    // A definition that was renamed by `use` is still of its own kind.
+                    ast::JointBody::Of { kind, .. } => {
+                        let kind = self.definition(kind)?.name.to_string();
+                        Some(Value::Joint { kind, arguments })
+                    }
                     ast::JointBody::Equations(_) => Some(Value::Joint { kind: "equation".into(), arguments }),
                 }
             }
