@@ -131,7 +131,8 @@ use proc_macro::TokenStream;
 /// ## `use`
 ///
 /// Brings in constraints defined by [`constraint!`], in this crate or another, by the path at which Rust finds them. A bundle
-/// brings in all its constraints under their own names. The library needs no `use`.
+/// brings in all its constraints under their own names; one of them alone is `use path::bundle::constraint;`. The library needs no
+/// `use`.
 ///
 /// ## `#[equations_only]`
 ///

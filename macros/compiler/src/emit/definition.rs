@@ -30,20 +30,53 @@ pub(crate) fn export(definitions: &Definitions, is_broken: bool) -> TokenStream 
 fn exported(export: &Export, is_broken: bool) -> TokenStream {
     let Export { docs, visibility, name, tokens, .. } = export;
     let docs = &docs.tokens;
+    let (hidden, macro_) = handing_over(export, name, tokens, is_broken);
+    let members = (!export.members.is_empty()).then(|| members(export, is_broken));
+    quote! {
+        #macro_
+        #docs
+        #[doc(inline)]
+        #[allow(unused_imports)]
+        #visibility use #hidden as #name;
+        #members
+    }
+}
+
+/// The hidden macro that hands tokens over, and its name.
+fn handing_over(export: &Export, name: &Ident, tokens: &TokenStream, is_broken: bool) -> (Ident, TokenStream) {
     let hidden = format_ident!("__reuleaux_{}_{}", plain(name), fingerprint(export), span = Span::call_site());
     let handed = if is_broken { TokenStream::new() } else { at_home(tokens.clone()) };
-    let is_public = visibility.to_string() == "pub";
-    let exported = is_public.then(|| quote!(#[macro_export]));
-    quote! {
+    let exported = is_public(export).then(|| quote!(#[macro_export]));
+    let macro_ = quote! {
         #[doc(hidden)]
         #exported
         macro_rules! #hidden {
             ([$($callback:tt)*] $($rest:tt)*) => { $($callback)* ! { { #handed } $($rest)* } };
         }
-        #docs
-        #[doc(inline)]
+    };
+    (hidden, macro_)
+}
+
+fn is_public(export: &Export) -> bool {
+    export.visibility.to_string() == "pub"
+}
+
+/// The constraints of a bundle one by one, in a module of the bundle's name.
+fn members(export: &Export, is_broken: bool) -> TokenStream {
+    let Export { visibility, name, .. } = export;
+    let handed = export.members.iter().map(|(member, tokens)| (member, handing_over(export, member, tokens, is_broken)));
+    let (macros, uses): (Vec<TokenStream>, Vec<TokenStream>) = handed
+        .map(|(member, (hidden, macro_))| {
+            let visibility = if is_public(export) { quote!(pub) } else { quote!(pub(crate)) };
+            (macro_, quote!(#visibility use #hidden as #member;))
+        })
+        .unzip();
+    let page = format!("The constraints of the bundle `{name}`, to be used one by one.");
+    quote! {
+        #(#macros)*
+        #[doc = #page]
         #[allow(unused_imports)]
-        #visibility use #hidden as #name;
+        #visibility mod #name { #(#uses)* }
     }
 }
 

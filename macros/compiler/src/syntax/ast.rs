@@ -231,6 +231,8 @@ pub struct Export {
     pub tokens: TokenStream,
     /// It was written as `bundle name { … }`.
     pub is_bundle: bool,
+    /// The constraints of a bundle one by one, each with its own tokens.
+    pub members: Vec<(Ident, TokenStream)>,
 }
 
 /// One `constraint` definition.

@@ -47,7 +47,15 @@ fn promised(input: ParseStream) -> Option<Export> {
     let visibility = visibility(input).ok()?;
     Ident::parse_any(input).ok()?;
     let name = input.parse().ok()?;
-    Some(Export { docs: Docs::default(), visibility, name, definitions: Vec::new(), tokens: TokenStream::new(), is_bundle: false })
+    Some(Export {
+        docs: Docs::default(),
+        visibility,
+        name,
+        definitions: Vec::new(),
+        tokens: TokenStream::new(),
+        is_bundle: false,
+        members: Vec::new(),
+    })
 }
 
 /// The next export begins here.
@@ -69,13 +77,19 @@ fn export(input: ParseStream, diag: &mut Diag) -> Parsed<Export> {
     // The tokens handed over are those from the word `constraint` to the closing brace.
     let begin = input.fork();
     let mut definition = definition(input)?;
-    let mut tokens = TokenStream::new();
-    while begin.cursor() < input.cursor() {
-        tokens.extend([begin.parse::<TokenTree>()?]);
-    }
+    let tokens = between(&begin, input)?;
     definition.docs = docs.clone();
     let name = definition.name.clone();
-    Ok(Export { docs, visibility, name, definitions: vec![definition], tokens, is_bundle: false })
+    Ok(Export { docs, visibility, name, definitions: vec![definition], tokens, is_bundle: false, members: Vec::new() })
+}
+
+/// The tokens from one place in the input to another.
+fn between(begin: ParseStream, end: ParseStream) -> Parsed<TokenStream> {
+    let mut tokens = TokenStream::new();
+    while begin.cursor() < end.cursor() {
+        tokens.extend([begin.parse::<TokenTree>()?]);
+    }
+    Ok(tokens)
 }
 
 /// `bundle name { constraints }`
@@ -84,18 +98,21 @@ fn bundle(input: ParseStream, docs: Docs, visibility: TokenStream, diag: &mut Di
     let name = name(input, "the name of the bundle")?;
     let content = block(input, "`{` and the constraints of the bundle")?;
     let tokens: TokenStream = content.fork().parse()?;
-    let mut definitions = Vec::new();
+    let (mut definitions, mut members) = (Vec::new(), Vec::new());
     while !content.is_empty() {
         let before = content.fork();
         match definition(&content) {
-            Ok(definition) => definitions.push(definition),
+            Ok(definition) => {
+                members.push((definition.name.clone(), between(&before, &content)?));
+                definitions.push(definition);
+            }
             Err(refusal) => {
                 diag.refuse::<()>(refusal.range, refusal.fact);
                 skip_item(&content, &before, is_export);
             }
         }
     }
-    Ok(Export { docs, visibility, name, definitions, tokens, is_bundle: true })
+    Ok(Export { docs, visibility, name, definitions, tokens, is_bundle: true, members })
 }
 
 /// `constraint name(parameters) { statements }`
