@@ -1,8 +1,9 @@
 //! From one state to another along the branch. In: a state and a time. Out: the state then, reached by steps that are each short
 //! enough to be sure of the branch.
 //!
-//! A step is accepted if in every block the predicted position is near the solution, Newton's method contracts well from it,
-//! and the determinant keeps its sign: two assemblies of one loop have different signs. Otherwise it is halved; after a success it is doubled.
+//! A step is accepted if in every block the prediction does not go far, the solution is near it, Newton's method contracts well,
+//! and the determinant keeps its sign: two assemblies of one loop have different signs; and if computed angles came to where they
+//! were expected. Otherwise it is halved; after a success it is doubled.
 
 use nalgebra::SVector;
 

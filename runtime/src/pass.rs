@@ -216,7 +216,7 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
 }
 
 impl<T: Float, L: Linear<T, K>, const K: usize> Solved<T, L, K> {
-    /// The rates that the block's Jacobian maps to `b`, with one step of refinement.
+    /// The rates that the block's Jacobian maps to `b`, refined where that makes them better.
     #[inline]
     pub fn rates(&self, b: [T; K]) -> [T; K] {
         self.factors.solve_refined(&SVector::from(b)).data.0[0]

@@ -6,10 +6,10 @@ use super::{Factors, Linear};
 use crate::order::greater;
 use crate::{Float, Orientation};
 
-/// The adjugate of a matrix of up to three rows and what one divides it by to have the inverse.
+/// The inverse of a matrix of up to three rows, from its adjugate and its determinant.
 ///
-/// Cofactors are sums of two products at most, so that the inverse is as good as the condition allows; velocities and
-/// accelerations get a step of refinement on top.
+/// Cofactors are sums of two products at most, so that the inverse is as good as the condition allows; with three rows velocities
+/// and accelerations get a step of refinement on top.
 #[derive(Clone, Copy, Debug)]
 pub struct Small<T, const N: usize> {
     matrix: SMatrix<T, N, N>,
