@@ -27,10 +27,8 @@ const GENERATED: &[&str] = &[
     "validate",
     "characteristic_length",
     "with_defaults",
-    "cast",
     "clone",
     "default",
-    "state",
 ];
 
 /// A generated function has this name.
