@@ -1,7 +1,6 @@
 //! Ill-conditioned families, each solved from the guess of its file.
 //!
-//! A coordinate of q may be off by what the file says is attainable, half a unit of its own last place, and what the solver's
-//! sine gives up near its zeros; of q̇ and q̈ by what is attainable and four roundings of the largest entry.
+//! A coordinate of q may be off by what the file says is attainable, one of q̇ and q̈ by that and four roundings of the largest entry.
 //! Where the branches cannot be told apart in doubles, a warning is asked for instead of digits.
 
 use reuleaux::{Cause, Mechanism, State};
@@ -11,9 +10,6 @@ use reuleaux_tests::stress::*;
 
 /// 2⁻⁵³
 const ROUNDING: f64 = f64::EPSILON / 2.0;
-
-/// 2⁻⁶⁵, by which a sine or cosine near zero may be off in the loops of the solver (`turn.rs` of the runtime).
-const SMALL_SINE: f64 = 1.0 / (1_u128 << 65) as f64;
 
 /// A condition at which half of the digits are lost.
 const ALARMING: f64 = 1e8;
@@ -29,7 +25,7 @@ fn shares<const N: usize>(case: &Value, state: &State<f64, N>) -> [f64; 3] {
         let greatest = reference.iter().map(|entry| entry.value.abs()).fold(0.0, f64::max);
         let entries = found.iter().zip(reference).zip(attainable);
         let shares = entries.map(|((x, entry), attainable)| {
-            let at_rest = if key == "q" { ROUNDING * entry.value.abs() + SMALL_SINE * greatest } else { 4.0 * ROUNDING * greatest };
+            let at_rest = if key == "q" { 0.0 } else { 4.0 * ROUNDING * greatest };
             let error = entry.error_of(*x);
             if error == 0.0 { 0.0 } else { error / (attainable + at_rest) }
         });
