@@ -54,6 +54,34 @@ macro_rules! follow {
     }};
 }
 
+/// Our contender: a state is taken along; the acceleration read at the end keeps it from being removed.
+macro_rules! ours {
+    ($mechanism:ident, $origin:ident, $coordinate:literal) => {
+        (
+            "reuleaux",
+            Box::new(|| {
+                let mut state = $origin.clone();
+                times().for_each(|t| $mechanism.advance(&mut state, black_box(t)).expect("a turn"));
+                state.qdd[$coordinate]
+            }),
+        )
+    };
+}
+
+/// Newton's method on all coordinates, with or without a predictor.
+macro_rules! absolute {
+    ($name:literal, $solve:ident, $mechanism:ident, $origin:ident, $has_predictor:literal, $coordinate:literal) => {
+        (
+            $name,
+            Box::new(|| {
+                let mut state = $origin.0.clone();
+                times().for_each(|t| $solve(&$mechanism, &mut state, black_box(t), $has_predictor));
+                state.qdd[$coordinate]
+            }),
+        )
+    };
+}
+
 fn four_bar() {
     let mechanism = FourBar::default();
     let exact = |t: f64| dyad(&crank(1.0, turning(t)), 3.5, &fixed(4.0, 0.0), 3.0, 1.0);
@@ -71,30 +99,9 @@ fn four_bar() {
                 at.q[1]
             }),
         ),
-        (
-            "reuleaux",
-            Box::new(|| {
-                let mut state = origin.clone();
-                times().for_each(|t| mechanism.advance(&mut state, black_box(t)).expect("a turn"));
-                state.qdd[8]
-            }),
-        ),
-        (
-            "absolute coordinates, LU, predictor",
-            Box::new(|| {
-                let mut state = origin.0.clone();
-                times().for_each(|t| absolute_9(&mechanism, &mut state, black_box(t), true));
-                state.qdd[8]
-            }),
-        ),
-        (
-            "absolute coordinates, LU",
-            Box::new(|| {
-                let mut state = origin.0.clone();
-                times().for_each(|t| absolute_9(&mechanism, &mut state, black_box(t), false));
-                state.qdd[8]
-            }),
-        ),
+        ours!(mechanism, origin, 8),
+        absolute!("absolute coordinates, LU, predictor", absolute_9, mechanism, origin, true, 8),
+        absolute!("absolute coordinates, LU", absolute_9, mechanism, origin, false, 8),
     ];
     report("W1 four-bar", runs, error);
 }
@@ -111,22 +118,8 @@ fn slider_crank() {
     let (origin, error) = follow!(mechanism, pin, exact);
     let runs: Vec<(&str, Run)> = vec![
         ("closed form of the tracked point", Box::new(|| closed(exact))),
-        (
-            "reuleaux",
-            Box::new(|| {
-                let mut state = origin.clone();
-                times().for_each(|t| mechanism.advance(&mut state, black_box(t)).expect("a turn"));
-                state.qdd[6]
-            }),
-        ),
-        (
-            "absolute coordinates, LU, predictor",
-            Box::new(|| {
-                let mut state = origin.0.clone();
-                times().for_each(|t| absolute_9(&mechanism, &mut state, black_box(t), true));
-                state.qdd[6]
-            }),
-        ),
+        ours!(mechanism, origin, 6),
+        absolute!("absolute coordinates, LU, predictor", absolute_9, mechanism, origin, true, 6),
     ];
     report("W2 slider-crank", runs, error);
 }
@@ -144,22 +137,8 @@ fn jansen() {
     let (origin, error) = follow!(mechanism, toe, exact);
     let runs: Vec<(&str, Run)> = vec![
         ("closed form of the tracked point", Box::new(|| closed(exact))),
-        (
-            "reuleaux",
-            Box::new(|| {
-                let mut state = origin.clone();
-                times().for_each(|t| mechanism.advance(&mut state, black_box(t)).expect("a turn"));
-                state.qdd[20]
-            }),
-        ),
-        (
-            "absolute coordinates, LU, predictor",
-            Box::new(|| {
-                let mut state = origin.0.clone();
-                times().for_each(|t| absolute_21(&mechanism, &mut state, black_box(t), true));
-                state.qdd[20]
-            }),
-        ),
+        ours!(mechanism, origin, 20),
+        absolute!("absolute coordinates, LU, predictor", absolute_21, mechanism, origin, true, 20),
     ];
     report("W3 Jansen's leg", runs, error);
 }
@@ -175,17 +154,7 @@ fn chain() {
         tip
     };
     let (origin, error) = follow!(mechanism, tip, exact);
-    let runs: Vec<(&str, Run)> = vec![
-        ("closed form of the tracked point", Box::new(|| closed(exact))),
-        (
-            "reuleaux",
-            Box::new(|| {
-                let mut state = origin.clone();
-                times().for_each(|t| mechanism.advance(&mut state, black_box(t)).expect("a turn"));
-                state.qdd[32]
-            }),
-        ),
-    ];
+    let runs: Vec<(&str, Run)> = vec![("closed form of the tracked point", Box::new(|| closed(exact))), ours!(mechanism, origin, 32)];
     report("W4 chain of 10", runs, error);
 }
 

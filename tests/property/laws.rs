@@ -93,6 +93,13 @@ fn laws_rise_from_zero_to_one_and_stay() {
 }
 
 #[test]
+fn what_is_no_number_does_not_become_one() {
+    for (law, page) in pages().iter().enumerate() {
+        assert!(laws(f64::NAN)[law][0].is_nan(), "{}", page.name);
+    }
+}
+
+#[test]
 fn laws_are_their_formulas() {
     for (law, page) in pages().iter().enumerate() {
         let Some(form) = page.form else { continue };

@@ -10,6 +10,8 @@ crate::refusals! {
     item root_of_a_length_is_no_length: "let a: Length = «sqrt(length)»;" => "expected a length (m), found a quantity in m^(1/2)";
     item exponential_of_a_time: "output b = exp(«t»);" => "expected a pure number, found a time (s)";
     item minimum_of_unlike: "output b = «min(length, crank.angle)»;" => "cannot compare a length (m) with an angle (rad)";
+    item angular_velocity_is_no_frequency: "param f: Frequency = «60rpm»;" => "expected a frequency (1/s), found an angular velocity (rad/s)";
+    item square_of_an_angle_is_no_angle: "param a: Angle = «2deg * 3deg»;" => "expected an angle (rad), found a quantity in rad²";
     item argument_of_a_joint: "drive a = drive_x(crank.A, «speed * t»);" => "`C` of `drive_x` is a length (m), found an angle (rad)";
     item argument_of_a_drive: "drive a = drive_angle(crank, «speed»);" => "`C` of `drive_angle` is an angle (rad), found an angular velocity (rad/s)\nhelp: multiply the rate by `t`";
     item argument_of_a_function: "output b = lift(«length»);" => "expected an angle (rad), found a length (m)";
