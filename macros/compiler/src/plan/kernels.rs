@@ -175,7 +175,8 @@ fn kernel(shape: Shape, runs: Vec<&Run>, turned: &BTreeSet<usize>, words: &Words
 impl Run<'_> {
     /// The equation of this number of its block.
     fn equation(&self, row: usize) -> u32 {
-        let of_stage = |stage: &&Stage| if let Stage::Block(Iteration { equations, .. }) = stage { equations.get(row).copied() } else { None };
+        let of_stage =
+            |stage: &&Stage| if let Stage::Block(Iteration { equations, .. }) = stage { equations.get(row).copied() } else { None };
         self.stages.iter().find_map(of_stage).unwrap_or(0) as u32
     }
 }

@@ -4,6 +4,7 @@
 //! once, and results that refer to them. Not done here: printing.
 
 mod kernels;
+mod linear;
 mod magnitude;
 mod rolled;
 mod schedule;
@@ -178,9 +179,8 @@ impl<'a> Joints<'a> {
 
     /// One result for each equation.
     fn rows(&self, of: impl Fn(&Equation) -> Option<Expr>) -> Vec<Cell> {
-        let cell = |joint: &Vec<(u32, &Equation)>| {
-            joint.iter().filter_map(|(row, equation)| Some((Target::Row(*row), of(equation)?))).collect()
-        };
+        let cell =
+            |joint: &Vec<(u32, &Equation)>| joint.iter().filter_map(|(row, equation)| Some((Target::Row(*row), of(equation)?))).collect();
         self.joints.iter().map(cell).collect()
     }
 

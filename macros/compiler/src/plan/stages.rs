@@ -7,6 +7,7 @@
 //!               r_x ẍ = −r̈ at ẍ = 0
 //! ```
 
+use super::linear;
 use super::magnitude::magnitude;
 use crate::expr::{Arena, Expr, Jets, Leaf, Substitution, derivative};
 use crate::structure::{Block, Explicit, Structure};
@@ -87,16 +88,31 @@ struct Work<'a> {
 impl Work<'_> {
     fn block(&mut self, block: &Block) -> Vec<Stage> {
         let mut stages = Vec::new();
-        if !block.iterated.is_empty() {
-            stages.extend(self.system_of(block).map(Stage::Block));
+        if !block.iterated.is_empty()
+            && let Some(system) = self.system_of(block)
+        {
+            match linear::solution(self.arena, &system) {
+                Some(values) => {
+                    for ((unknown, equation), value) in block.iterated.iter().zip(&block.residuals).zip(values) {
+                        stages.push(self.computed(*unknown, *equation, value));
+                    }
+                }
+                None => stages.push(Stage::Block(system)),
+            }
         }
         for explicit in &block.explicit {
-            let Some(value) = self.explicit(explicit) else { continue };
-            let motion = self.jets.of(self.arena, value).map(|expr| self.constants.of(self.arena, expr));
-            self.note_constants(explicit.unknown, &motion);
-            stages.push(Stage::Explicit { unknown: explicit.unknown, equation: explicit.equation, motion });
+            if let Some(value) = self.explicit(explicit) {
+                stages.push(self.computed(explicit.unknown, explicit.equation, value));
+            }
         }
         stages
+    }
+
+    /// An unknown with this value.
+    fn computed(&mut self, unknown: usize, equation: usize, value: Expr) -> Stage {
+        let motion = self.jets.of(self.arena, value).map(|expr| self.constants.of(self.arena, expr));
+        self.note_constants(unknown, &motion);
+        Stage::Explicit { unknown, equation, motion }
     }
 
     /// What is constant is put into everything that follows: a pin on ground costs nothing.
@@ -105,6 +121,16 @@ impl Work<'_> {
         for (leaf, expr) in leaves.into_iter().zip(motion) {
             if self.arena.as_constant(*expr).is_some() {
                 self.constants.replace(leaf(unknown as u32), *expr);
+            }
+        }
+    }
+
+    /// If all right sides are zero, the rates of some unknowns are zero in everything that follows.
+    fn note_rest(&mut self, sides: &[Expr], unknowns: &[usize], rate: fn(u32) -> Leaf) {
+        let zero = self.arena.integer(0);
+        if sides.iter().all(|side| *side == zero) {
+            for unknown in unknowns {
+                self.constants.replace(rate(*unknown as u32), zero);
             }
         }
     }
@@ -143,17 +169,26 @@ impl Work<'_> {
             rates: Vec::new(),
             accelerations: Vec::new(),
         };
+        let mut seconds = Vec::new();
         for equation in &block.residuals {
             let residual = inside.of(self.arena, self.system.equations[*equation].phi?);
             let [residual, first, second] = self.jets.of(self.arena, residual).map(|expr| self.constants.of(self.arena, expr));
             let row = block.iterated.iter().map(|unknown| derivative(self.arena, residual, Leaf::Coordinate(*unknown as u32)));
             found.jacobian.push(row.collect());
-            let (first, second) = (still.of(self.arena, first), unaccelerated.of(self.arena, second));
+            let first = still.of(self.arena, first);
             found.rates.push(self.arena.neg(first));
-            found.accelerations.push(self.arena.neg(second));
+            seconds.push(second);
             found.sizes.push(magnitude(self.arena, residual, &block.iterated, self.system));
             found.residuals.push(residual);
         }
+        // What nothing moves rests: its equations are not solved for rates, and its rates are in nobody's accelerations.
+        self.note_rest(&found.rates, &block.iterated, Leaf::Velocity);
+        for second in seconds {
+            let second = self.constants.of(self.arena, second);
+            let second = unaccelerated.of(self.arena, second);
+            found.accelerations.push(self.arena.neg(second));
+        }
+        self.note_rest(&found.accelerations, &block.iterated, Leaf::Acceleration);
         Some(found)
     }
 }
