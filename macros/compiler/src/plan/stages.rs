@@ -11,7 +11,7 @@ use super::linear;
 use super::magnitude::magnitude;
 use crate::expr::{Arena, Expr, Jets, Leaf, Substitution, derivative};
 use crate::structure::{Block, Explicit, Structure};
-use crate::system::System;
+use crate::system::{Output, System};
 
 /// One step on the way to q, q̇ and q̈.
 #[derive(Clone, Debug)]
@@ -30,6 +30,23 @@ pub enum Stage {
 }
 
 impl Stage {
+    /// The unknowns that it finds.
+    pub(super) fn unknowns(&self) -> &[usize] {
+        match self {
+            Stage::Explicit { unknown, .. } => std::slice::from_ref(unknown),
+            Stage::Block(system) => &system.unknowns,
+        }
+    }
+
+    /// Nothing moves what it finds.
+    pub(super) fn rests(&self, arena: &Arena) -> bool {
+        let is_zero = |expr: &Expr| arena.as_constant(*expr).is_some_and(|value| value.is_zero());
+        match self {
+            Stage::Explicit { motion: [_, rate, acceleration], .. } => is_zero(rate) && is_zero(acceleration),
+            Stage::Block(system) => system.rates.iter().chain(&system.accelerations).all(is_zero),
+        }
+    }
+
     /// Everything that is computed for it.
     pub(super) fn results(&self) -> Vec<Expr> {
         match self {
@@ -71,10 +88,12 @@ pub struct Iteration {
     pub accelerations: Vec<Expr>,
 }
 
-/// The stages of a mechanism whose every unknown belongs to a block.
-pub(super) fn stages(arena: &mut Arena, system: &System, structure: &Structure) -> Vec<Stage> {
+/// The stages of a mechanism whose every unknown belongs to a block, and the outputs after them, in terms of what moves.
+pub(super) fn stages(arena: &mut Arena, system: &System, structure: &Structure) -> (Vec<Stage>, Vec<Output>) {
     let mut work = Work { arena, system, jets: Jets::new(), constants: Substitution::new() };
-    structure.blocks.iter().flat_map(|block| work.block(block)).collect()
+    let stages = structure.blocks.iter().flat_map(|block| work.block(block)).collect();
+    let outputs = system.outputs.iter().map(|output| work.output(output)).collect();
+    (stages, outputs)
 }
 
 struct Work<'a> {
@@ -113,6 +132,12 @@ impl Work<'_> {
         let motion = self.jets.of(self.arena, value).map(|expr| self.constants.of(self.arena, expr));
         self.note_constants(unknown, &motion);
         Stage::Explicit { unknown, equation, motion }
+    }
+
+    /// An output, constants put in.
+    fn output(&mut self, output: &Output) -> Output {
+        let component = |motion: &[Expr; 3]| motion.map(|expr| self.constants.of(self.arena, expr));
+        Output { components: output.components.iter().map(component).collect() }
     }
 
     /// What is constant is put into everything that follows: a pin on ground costs nothing.
