@@ -2,11 +2,9 @@
 
 use nalgebra::SVector;
 
-use crate::linear::Linear;
 use crate::pass::{Pass, Stop};
-use crate::problem::{Problem, Whole};
-use crate::scale::Scale;
-use crate::{Equations, Float};
+use crate::problem::Block;
+use crate::{Equations, Lanes, names};
 
 /// Position, velocity and acceleration of all coordinates.
 pub struct Coordinates<T, const N: usize> {
@@ -29,7 +27,7 @@ impl<T: Float, const N: usize> Coordinates<T, N> {
 
 /// The way a mechanism is solved. Emitted code goes block by block; the provided way takes all equations as one system, and is
 /// what a mechanism written by hand gets with an empty `impl`.
-pub trait Stages<T: Float, const N: usize>: Equations<T, N, N> {
+pub trait Stages<T: Lanes, const N: usize>: Equations<T, N, N> {
     /// The angles that are computed rather than iterated. Those that are iterated never go far in one step; of these it is checked
     /// that they came to where they were expected.
     const COMPUTED_ANGLES: &'static [usize] = &[];
@@ -49,25 +47,17 @@ pub trait Stages<T: Float, const N: usize>: Equations<T, N, N> {
     /// # Errors
     /// Why there are none near what the pass sets out from.
     fn stages(&self, t: T, pass: &mut Pass<'_, T, N>) -> Result<Coordinates<T, N>, Stop<T>> {
-        let whole = Whole { equations: self, t, scale: Scale::of(self) };
         let all = core::array::from_fn(|index| index);
-        let position = pass.run(&whole, &all, 0)?;
-        let q = position.place.x;
-        let qd = rates(&whole, &position.factors, &self.nu(&q, t))?;
-        let qdd = rates(&whole, &position.factors, &self.gamma(&q, &qd, t))?;
+        let kinds = core::array::from_fn(|index| names::coordinate(Self::COORDINATES, index).kind);
+        let block = Block { unknowns: all, equations: all, kinds, turns: [false; N] };
+        let solved = pass.large(&block, [T::of(0.0); N], |place| {
+            let (phi, jacobian) = self.linearize(&place.x, t);
+            (phi.data.0[0], jacobian.transpose().data.0)
+        })?;
+        let q = SVector::from(solved.x);
+        let rates = |b: SVector<T, N>| SVector::from(solved.rates(b.data.0[0]));
+        let qd = rates(self.nu(&q, t));
+        let qdd = rates(self.gamma(&q, &qd, t));
         Ok(Coordinates { q, qd, qdd })
     }
-}
-
-/// Φ_q x = b for the rates x of first or second order, with one step of refinement.
-fn rates<T: Float, P: Problem<T, N>, const N: usize>(
-    problem: &P,
-    factors: &P::Factors,
-    b: &SVector<T, N>,
-) -> Result<SVector<T, N>, Stop<T>> {
-    if let Some(row) = b.iter().position(|entry| !entry.is_finite()) {
-        return Err(Stop::NotFinite(crate::Culprit::Row(problem.row(row))));
-    }
-    let x = factors.solve_refined(b);
-    problem.first_not_finite(&x).map_or(Ok(x), |of| Err(Stop::NotFinite(of)))
 }
