@@ -68,7 +68,7 @@ mod table;
 mod turn;
 mod verdict;
 
-pub use equations::{Equations, ParameterOutOfRange};
+pub use equations::{Description, Equations, ParameterOutOfRange};
 pub use failure::{Cause, Culprit, Failure};
 pub use float::Float;
 pub use lanes::{Lanes, Mask};
@@ -81,7 +81,7 @@ pub use place::Place;
 pub use plan::{Operations, Plan, PlanStage};
 pub use problem::Block;
 pub use real::Real;
-pub use stages::{Coordinates, Stages};
+pub use stages::{Coordinates, Stages, at_once, improved_at_once};
 pub use state::{Motion, Orientation, PlanarBody, State};
 pub use sweep::Sweep;
 pub use table::{Ends, Table};

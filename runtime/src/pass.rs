@@ -8,7 +8,7 @@ use crate::place::Place;
 use crate::problem::{Block, Linearized};
 use crate::scale::{Scale, length_of};
 use crate::straight::{Departure, Scene};
-use crate::{Cause, Coordinate, Culprit, Equations, Float, Lanes, Row, State};
+use crate::{Cause, Coordinate, Culprit, Description, Float, Lanes, Row, State};
 
 /// What a block is solved from.
 pub(crate) enum Mode<'a, T: Lanes, const N: usize> {
@@ -58,17 +58,17 @@ pub struct Solved<T, L, const K: usize> {
 
 impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
     /// From a state, to a moment h later.
-    pub(crate) fn follow<E: Equations<T, N, N> + ?Sized>(equations: &E, here: &'a State<T, N>, h: T) -> Self {
+    pub(crate) fn follow<E: Description<T, N> + ?Sized>(equations: &E, here: &'a State<T, N>, h: T) -> Self {
         Self { branch: here.branch, ..Self::new(equations, Mode::Follow { here, h }) }
     }
 
     /// From a rough guess.
-    pub(crate) fn close<E: Equations<T, N, N> + ?Sized>(equations: &E, guess: &'a SVector<T, N>) -> Self {
+    pub(crate) fn close<E: Description<T, N> + ?Sized>(equations: &E, guess: &'a SVector<T, N>) -> Self {
         Self::new(equations, Mode::Close { guess })
     }
 
     /// At given positions.
-    pub(crate) fn inspect<E: Equations<T, N, N> + ?Sized>(equations: &E, q: &'a SVector<T, N>) -> Self {
+    pub(crate) fn inspect<E: Description<T, N> + ?Sized>(equations: &E, q: &'a SVector<T, N>) -> Self {
         Self::new(equations, Mode::Inspect { q, worst: None })
     }
 
@@ -81,12 +81,12 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
 impl<'a, T: Lanes, const N: usize> Pass<'a, T, N> {
     /// From a state to a moment h later, straight on.
     #[inline(always)]
-    pub(crate) fn straight<E: Equations<T, N, N> + ?Sized>(equations: &E, from: Departure<'a, T, N>) -> Self {
+    pub(crate) fn straight<E: Description<T, N> + ?Sized>(equations: &E, from: Departure<'a, T, N>) -> Self {
         Self::new(equations, Mode::Straight { from, found: T::Mask::of(true) })
     }
 
     #[inline(always)]
-    fn new<E: Equations<T, N, N> + ?Sized>(equations: &E, mode: Mode<'a, T, N>) -> Self {
+    fn new<E: Description<T, N> + ?Sized>(equations: &E, mode: Mode<'a, T, N>) -> Self {
         let length = length_of(equations.characteristic_length());
         let (one, rows, coordinates) = (T::of(1.0), E::ROWS, E::COORDINATES);
         Self { mode, length, share: one / length, rows, coordinates, branch: [one.sides(); N], condition: one, iterations: 0 }

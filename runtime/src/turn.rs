@@ -78,7 +78,8 @@ pub(crate) fn sin_cos_of_each<const K: usize>(angles: [f64; K]) -> [(f64, f64); 
 }
 
 /// Cosine and sine of n quarter turns, twice each and one of them negative, as the sum of angles needs them.
-const QUARTERS: [[[f64; 2]; 2]; 4] = [[[1.0, 1.0], [0.0, 0.0]], [[0.0, 0.0], [1.0, -1.0]], [[-1.0, -1.0], [0.0, 0.0]], [[0.0, 0.0], [-1.0, 1.0]]];
+const QUARTERS: [[[f64; 2]; 2]; 4] =
+    [[[1.0, 1.0], [0.0, 0.0]], [[0.0, 0.0], [1.0, -1.0]], [[-1.0, -1.0], [0.0, 0.0]], [[0.0, 0.0], [-1.0, 1.0]]];
 
 /// [`within_range`] for one angle: the polynomials of sine and cosine side by side, and products with 1, 0 and −1 for the quarter
 /// turns, which are known long before.

@@ -22,6 +22,7 @@ impl Emitter<'_> {
         }
         let Some(solution) = &self.plan.solution else { return quote!() };
         let (toward, angles) = (self.toward(), self.computed_angles(solution));
+        let improved = self.improved();
         let (body, kernels) = match &solution.solving {
             Solving::Straight(lines) => (self.straight(lines), quote!()),
             Solving::Shared(kernels) => (self.in_order(kernels), self.kernels(kernels)),
@@ -30,7 +31,7 @@ impl Emitter<'_> {
             #kernels
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
-            impl<T: ::reuleaux::Float> ::reuleaux::Stages<T, #n> for #name<T> { #angles #toward #body }
+            impl<T: ::reuleaux::Float> ::reuleaux::Stages<T, #n> for #name<T> { #angles #toward #improved #body }
         }
     }
 
@@ -60,6 +61,19 @@ impl Emitter<'_> {
                     return ::core::option::Option::None;
                 }
                 ::core::option::Option::Some(Self { #(#fields: defaults.#fields + #share * (self.#fields - defaults.#fields),)* })
+            }
+        }
+    }
+
+    /// A guess improved with all equations
+    fn improved(&self) -> TokenStream {
+        let n = self.system.unknowns.len();
+        quote! {
+            fn improved(&self, t: T, guess: &::reuleaux::nalgebra::SVector<T, #n>) -> ::reuleaux::nalgebra::SVector<T, #n>
+            where
+                T: ::reuleaux::Float,
+            {
+                ::reuleaux::improved_at_once(self, t, guess)
             }
         }
     }
