@@ -18,6 +18,15 @@ pub struct Coordinates<T, const N: usize> {
     pub qdd: SVector<T, N>,
 }
 
+impl<T: Float, const N: usize> Coordinates<T, N> {
+    /// All zero.
+    #[must_use]
+    pub fn zero() -> Self {
+        let zero = SVector::from_element(T::of(0.0));
+        Self { q: zero, qd: zero, qdd: zero }
+    }
+}
+
 /// The way a mechanism is solved. Emitted code goes block by block; the provided way takes all equations as one system, and is
 /// what a mechanism written by hand gets with an empty `impl`.
 pub trait Stages<T: Float, const N: usize>: Equations<T, N, N> {

@@ -2,7 +2,7 @@
 
 use crate::expr::{Evaluator, Leaf, Values, show};
 use crate::model::{Function, Model, Output, Parameter};
-use crate::plan::{Cost, Part, Plan, Routine, Solution};
+use crate::plan::{Code, Cost, Plan, Solution, Summary};
 use crate::system::System;
 use std::fmt::Write;
 
@@ -25,7 +25,7 @@ pub(super) fn mechanism(model: &Model, system: &System, plan: &Plan) -> String {
     );
     for (name, routine) in [("Φ", &plan.phi), ("Φ_q", &plan.jacobian), ("Φ and Φ_q", &plan.linearize), ("ν", &plan.nu), ("γ", &plan.gamma)]
     {
-        let cost = routine.cost;
+        let cost = routine.cost();
         let _ = writeln!(page, "| {name} | {} | {} | {} | {} |", cost.flops, cost.divisions, cost.sines, cost.calls);
     }
     if let Some(solution) = &plan.solution {
@@ -36,19 +36,19 @@ pub(super) fn mechanism(model: &Model, system: &System, plan: &Plan) -> String {
 
 /// What is found in which order.
 fn solution(page: &mut String, model: &Model, system: &System, solution: &Solution) {
-    let blocks = solution.parts.iter().filter(|part| matches!(part, Part::Block(_))).count();
-    let iterated: usize =
-        solution.parts.iter().map(|part| if let Part::Block(block) = part { block.system.unknowns.len() } else { 0 }).sum();
-    let explicit = system.unknowns.len() - iterated;
+    let blocks: Vec<&Vec<usize>> =
+        solution.stages.iter().filter_map(|stage| if let Summary::Block { unknowns, .. } = stage { Some(unknowns) } else { None }).collect();
+    let iterated: usize = blocks.iter().map(|unknowns| unknowns.len()).sum();
+    let (explicit, blocks) = (system.unknowns.len() - iterated, blocks.len());
     let _ = writeln!(page, "\n# Solution\n\n{explicit} coordinates are computed, {iterated} are iterated in {blocks} blocks.\n\n```text");
     let name = |unknown: &usize| coordinate_name(model, system, *unknown);
-    for part in &solution.parts {
-        let _ = match part {
-            Part::Explicit { unknown, .. } => writeln!(page, "compute  {}", name(unknown)),
-            Part::Block(block) => {
-                let unknowns: Vec<String> = block.system.unknowns.iter().map(name).collect();
-                let rows: Vec<String> = block.system.equations.iter().map(|equation| equation_name(model, system, *equation)).collect();
-                let Cost { flops, divisions, sines, calls } = block.cost;
+    for stage in &solution.stages {
+        let _ = match stage {
+            Summary::Explicit { unknown, .. } => writeln!(page, "compute  {}", name(unknown)),
+            Summary::Block { unknowns, equations, cost, .. } => {
+                let unknowns: Vec<String> = unknowns.iter().map(name).collect();
+                let rows: Vec<String> = equations.iter().map(|equation| equation_name(model, system, *equation)).collect();
+                let Cost { flops, divisions, sines, calls } = *cost;
                 writeln!(page, "iterate  {}  from  {}", unknowns.join(", "), rows.join(", ")).and_then(|()| {
                     writeln!(page, "         each time {flops} sums and products, {divisions} divisions and roots, {calls} other functions; {sines} sine-cosine pairs once")
                 })
@@ -85,6 +85,7 @@ fn equations(page: &mut String, model: &Model, system: &System) {
     let _ = writeln!(page, "\n# Equations\n\nEach expression is zero; x, y and φ are the coordinates of the body in the index.\n\n```text");
     let name = |leaf: Leaf| match leaf {
         Leaf::Time => "t".to_owned(),
+        Leaf::Datum(index) => format!("d{index}"),
         Leaf::Parameter(index) => model.parameters.get(index as usize).map_or(String::new(), |parameter| parameter.name.to_string()),
         Leaf::Coordinate(index) | Leaf::Velocity(index) | Leaf::Acceleration(index) => {
             let Some(unknown) = system.unknowns.get(index as usize) else { return String::new() };
@@ -140,8 +141,8 @@ fn unit_line(what: &str, unit: String) -> String {
 }
 
 /// A routine's first line and its cost.
-pub(super) fn routine(what: &str, routine: &Routine) -> String {
-    let cost = routine.cost;
+pub(super) fn routine(what: &str, code: &Code) -> String {
+    let cost = code.cost();
     format!(
         "{what}\n\n{} sums and products, {} divisions and roots, {} sine-cosine pairs, {} other functions.",
         cost.flops, cost.divisions, cost.sines, cost.calls

@@ -104,7 +104,7 @@ impl Printer<'_> {
 }
 
 /// `self.length`, or a local name.
-fn named(name: &str) -> TokenStream {
+pub(super) fn named(name: &str) -> TokenStream {
     match name.strip_prefix("self.") {
         Some(field) => {
             let field = super::identifier(field);

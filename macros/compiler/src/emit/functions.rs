@@ -2,12 +2,13 @@
 
 use super::expression::local;
 use super::routine::{Lines, lines};
+use super::stages::number;
 use super::{docs, docs_or, state_name};
 use crate::model::{Dim, Model};
-use crate::plan::{Plan, Routine};
+use crate::plan::{Code, Plan, Routine, Target};
 use crate::syntax::ast::Relation;
 use crate::system::{System, Unknown};
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 /// Everything that the functions are made from.
@@ -28,35 +29,38 @@ impl Emitter<'_> {
 
     /// Φ
     pub(super) fn phi(&self) -> TokenStream {
-        let Lines { reads, steps, results } = self.lines(&self.plan.phi);
         let (m, n) = self.sizes();
         let page = docs::routine("Φ(q, t), the left minus the right side of every equation.", &self.plan.phi);
         let (q, t) = (local("q"), local("t"));
+        let body = self.vector(&self.plan.phi, m);
         quote! {
             #[doc = #page]
             #[must_use]
-            pub fn phi(&self, #q: &::reuleaux::nalgebra::SVector<T, #n>, #t: T) -> ::reuleaux::nalgebra::SVector<T, #m> {
-                #reads
-                #steps
-                ::reuleaux::nalgebra::SVector::from([#(#results),*])
-            }
+            pub fn phi(&self, #q: &::reuleaux::nalgebra::SVector<T, #n>, #t: T) -> ::reuleaux::nalgebra::SVector<T, #m> { #body }
         }
     }
 
     /// Φ_q, by entries and as a matrix
     pub(super) fn jacobian(&self) -> TokenStream {
-        let Lines { reads, steps, results } = self.lines(&self.plan.jacobian);
         let ((m, n), entries) = (self.sizes(), self.plan.pattern.len());
         let page = docs::routine("The entries of Φ_q(q, t) in the order of `JACOBIAN_PATTERN`.", &self.plan.jacobian);
-        let (q, t) = (local("q"), local("t"));
+        let (q, t, list) = (local("q"), local("t"), local("entries"));
+        let body = match &self.plan.jacobian {
+            Code::Straight(routine) => {
+                let Lines { reads, steps, results } = self.lines(routine);
+                quote!(#reads #steps [#(#results),*])
+            }
+            Code::Grouped(groups) => {
+                let groups = self.groups(groups, |target, value| match target {
+                    Target::Row(row) | Target::Entry(row, _) => quote!(#list[#row] = #value;),
+                });
+                quote!(let mut #list = [T::of(0.0); #entries]; #groups #list)
+            }
+        };
         quote! {
             #[doc = #page]
             #[must_use]
-            pub fn jacobian_entries(&self, #q: &::reuleaux::nalgebra::SVector<T, #n>, #t: T) -> [T; #entries] {
-                #reads
-                #steps
-                [#(#results),*]
-            }
+            pub fn jacobian_entries(&self, #q: &::reuleaux::nalgebra::SVector<T, #n>, #t: T) -> [T; #entries] { #body }
             /// Φ_q(q, t) as a dense matrix.
             #[must_use]
             pub fn jacobian(&self, q: &::reuleaux::nalgebra::SVector<T, #n>, t: T) -> ::reuleaux::nalgebra::SMatrix<T, #m, #n> {
@@ -71,15 +75,34 @@ impl Emitter<'_> {
 
     /// Φ and Φ_q together
     pub(super) fn linearize(&self) -> TokenStream {
-        let Lines { reads, steps, results } = self.lines(&self.plan.linearize);
         let (m, n) = self.sizes();
-        let (phi, entries) = results.split_at(results.len() - self.plan.pattern.len());
         let page = docs::routine("Φ(q, t) and Φ_q(q, t), which share most of their work.", &self.plan.linearize);
-        let (q, t, matrix) = (local("q"), local("t"), local("matrix"));
-        let places = self.plan.pattern.iter().map(|(row, column)| {
-            let (row, column) = (Literal::usize_unsuffixed(*row), Literal::usize_unsuffixed(*column));
-            quote!((#row, #column))
-        });
+        let (q, t, matrix, phi) = (local("q"), local("t"), local("matrix"), local("phi"));
+        let body = match &self.plan.linearize {
+            Code::Straight(routine) => {
+                let Lines { reads, steps, results } = self.lines(routine);
+                let (rows, writes) = self.linearized(results);
+                quote! {
+                    #reads
+                    #steps
+                    let mut #matrix = ::reuleaux::nalgebra::SMatrix::from_element(T::of(0.0));
+                    #writes
+                    (::reuleaux::nalgebra::SVector::from([#(#rows),*]), #matrix)
+                }
+            }
+            Code::Grouped(groups) => {
+                let groups = self.groups(groups, |target, value| match target {
+                    Target::Row(row) => quote!(#phi[#row] = #value;),
+                    Target::Entry(row, column) => quote!(#matrix[(#row, #column)] = #value;),
+                });
+                quote! {
+                    let mut #phi = ::reuleaux::nalgebra::SVector::from_element(T::of(0.0));
+                    let mut #matrix = ::reuleaux::nalgebra::SMatrix::from_element(T::of(0.0));
+                    #groups
+                    (#phi, #matrix)
+                }
+            }
+        };
         quote! {
             #[doc = #page]
             #[must_use]
@@ -87,42 +110,48 @@ impl Emitter<'_> {
                 &self,
                 #q: &::reuleaux::nalgebra::SVector<T, #n>,
                 #t: T,
-            ) -> (::reuleaux::nalgebra::SVector<T, #m>, ::reuleaux::nalgebra::SMatrix<T, #m, #n>) {
-                #reads
-                #steps
-                let mut #matrix = ::reuleaux::nalgebra::SMatrix::from_element(T::of(0.0));
-                #(#matrix[#places] = #entries;)*
-                (::reuleaux::nalgebra::SVector::from([#(#phi),*]), #matrix)
+            ) -> (::reuleaux::nalgebra::SVector<T, #m>, ::reuleaux::nalgebra::SMatrix<T, #m, #n>) { #body }
+        }
+    }
+
+    /// Residuals, and the entries of the matrix as assignments; they come joint by joint.
+    fn linearized(&self, results: Vec<TokenStream>) -> (Vec<TokenStream>, TokenStream) {
+        let matrix = local("matrix");
+        let (mut rows, mut writes) = (Vec::new(), TokenStream::new());
+        for (target, result) in self.plan.linearized.iter().zip(results) {
+            match *target {
+                Target::Row(_) => rows.push(result),
+                Target::Entry(row, column) => {
+                    let (row, column) = (number(row as usize), number(column as usize));
+                    writes.extend(quote!(#matrix[(#row, #column)] = #result;));
+                }
             }
         }
+        (rows, writes)
     }
 
     /// ν
     pub(super) fn nu(&self) -> TokenStream {
-        let Lines { reads, steps, results } = self.lines(&self.plan.nu);
         let (m, n) = self.sizes();
         let page = docs::routine("ν(q, t) = −Φ_t, the right side of Φ_q q̇ = ν.", &self.plan.nu);
         let (q, t) = (local("q"), local("t"));
+        let body = self.vector(&self.plan.nu, m);
         quote! {
             #[doc = #page]
             #[must_use]
-            pub fn nu(&self, #q: &::reuleaux::nalgebra::SVector<T, #n>, #t: T) -> ::reuleaux::nalgebra::SVector<T, #m> {
-                #reads
-                #steps
-                ::reuleaux::nalgebra::SVector::from([#(#results),*])
-            }
+            pub fn nu(&self, #q: &::reuleaux::nalgebra::SVector<T, #n>, #t: T) -> ::reuleaux::nalgebra::SVector<T, #m> { #body }
         }
     }
 
     /// γ
     pub(super) fn gamma(&self) -> TokenStream {
-        let Lines { reads, steps, results } = self.lines(&self.plan.gamma);
         let (m, n) = self.sizes();
         let page = docs::routine(
             "γ(q, q̇, t), the right side of Φ_q q̈ = γ: minus the second derivative of s ↦ Φ(q + s q̇, t + s) at s = 0.",
             &self.plan.gamma,
         );
         let (q, qd, t) = (local("q"), local("qd"), local("t"));
+        let body = self.vector(&self.plan.gamma, m);
         quote! {
             #[doc = #page]
             #[must_use]
@@ -131,10 +160,27 @@ impl Emitter<'_> {
                 #q: &::reuleaux::nalgebra::SVector<T, #n>,
                 #qd: &::reuleaux::nalgebra::SVector<T, #n>,
                 #t: T,
-            ) -> ::reuleaux::nalgebra::SVector<T, #m> {
-                #reads
-                #steps
-                ::reuleaux::nalgebra::SVector::from([#(#results),*])
+            ) -> ::reuleaux::nalgebra::SVector<T, #m> { #body }
+        }
+    }
+
+    /// A vector of m rows
+    fn vector(&self, code: &Code, m: usize) -> TokenStream {
+        match code {
+            Code::Straight(routine) => {
+                let Lines { reads, steps, results } = self.lines(routine);
+                quote!(#reads #steps ::reuleaux::nalgebra::SVector::from([#(#results),*]))
+            }
+            Code::Grouped(groups) => {
+                let rows = local("rows");
+                let groups = self.groups(groups, |target, value| match target {
+                    Target::Row(row) | Target::Entry(row, _) => quote!(#rows[#row] = #value;),
+                });
+                quote! {
+                    let mut #rows = ::reuleaux::nalgebra::SVector::<T, #m>::from_element(T::of(0.0));
+                    #groups
+                    #rows
+                }
             }
         }
     }

@@ -3,10 +3,13 @@
 //! The user's identifiers keep their spans, so that an editor finds its way back; locals of
 //! generated code are hygienic.
 
+mod columns;
 mod definition;
 mod docs;
 mod expression;
 mod functions;
+mod kernels;
+mod rolled;
 mod routine;
 mod stages;
 mod stub;
@@ -16,7 +19,7 @@ pub(crate) use stub::{fallback, stub};
 
 use crate::closure::Closure;
 use crate::model::{Function, Model};
-use crate::plan::{Cost, Part, Plan, Solution};
+use crate::plan::{Cost, Plan, Solution, Summary};
 use crate::syntax::ast::Docs;
 use crate::system::System;
 use functions::Emitter;
@@ -136,19 +139,21 @@ fn plan_constant(model: &Model, system: &System, solution: &Solution) -> TokenSt
         let Cost { flops, divisions, sines, calls } = cost;
         quote!(::reuleaux::Operations { flops: #flops, divisions: #divisions, sines: #sines, calls: #calls })
     };
-    let stage = |part: &Part| match part {
-        Part::Explicit { unknown, .. } => {
+    let stage = |stage: &Summary| match stage {
+        Summary::Explicit { unknown, .. } => {
             let name = docs::coordinate_name(model, system, *unknown);
             quote!(::reuleaux::PlanStage::Computed(#name))
         }
-        Part::Block(block) => {
-            let unknowns = block.system.unknowns.iter().map(|unknown| docs::coordinate_name(model, system, *unknown));
-            let equations = block.system.equations.iter().map(|equation| docs::equation_name(model, system, *equation));
-            let operations = operations(block.cost);
-            quote!(::reuleaux::PlanStage::Iterated { unknowns: &[#(#unknowns),*], equations: &[#(#equations),*], operations: #operations })
+        Summary::Block { unknowns, equations, cost, shape } => {
+            let unknowns = unknowns.iter().map(|unknown| docs::coordinate_name(model, system, *unknown));
+            let equations = equations.iter().map(|equation| docs::equation_name(model, system, *equation));
+            let operations = operations(*cost);
+            quote! {
+                ::reuleaux::PlanStage::Iterated { unknowns: &[#(#unknowns),*], equations: &[#(#equations),*], operations: #operations, shape: #shape }
+            }
         }
     };
-    let stages = solution.parts.iter().map(stage);
+    let stages = solution.stages.iter().map(stage);
     let operations = operations(solution.cost);
     quote! {
         /// How a state is found: which coordinates are computed, which are iterated together, in which order.

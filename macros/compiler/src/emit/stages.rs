@@ -3,9 +3,9 @@
 use super::expression::{Printer, local};
 use super::functions::Emitter;
 use super::routine::statement;
-use crate::expr::Expr;
-use crate::model::Dim;
-use crate::plan::{Iterated, Part, Solution, Step};
+use crate::expr::{Arena, Expr};
+use crate::model::{Dim, Model};
+use crate::plan::{Iterated, Lines, Part, Solution, Solving, Step, Summary};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use std::collections::BTreeMap;
@@ -14,15 +14,20 @@ use std::collections::BTreeMap;
 const SMALL: usize = 3;
 
 impl Emitter<'_> {
-    /// The runtime's trait `Stages`; without a plan, its provided way.
+    /// The runtime's trait `Stages`.
     pub(super) fn stages(&self) -> TokenStream {
         let (name, n) = (&self.model.name, self.system.unknowns.len());
         if self.model.equations_only {
             return quote!();
         }
-        let (toward, angles) = (self.toward(), self.plan.solution.as_ref().map(|solution| self.computed_angles(solution)));
-        let body = self.plan.solution.as_ref().map(|solution| self.solution(solution));
+        let Some(solution) = &self.plan.solution else { return quote!() };
+        let (toward, angles) = (self.toward(), self.computed_angles(solution));
+        let (body, kernels) = match &solution.solving {
+            Solving::Straight(lines) => (self.straight(lines), quote!()),
+            Solving::Shared(kernels) => (self.in_order(kernels), self.kernels(kernels)),
+        };
         quote! {
+            #kernels
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
             impl<T: ::reuleaux::Float> ::reuleaux::Stages<T, #n> for #name<T> { #angles #toward #body }
@@ -31,13 +36,13 @@ impl Emitter<'_> {
 
     /// Computed angles that move
     fn computed_angles(&self, solution: &Solution) -> TokenStream {
-        let angle = |part: &Part| match part {
-            Part::Explicit { unknown, motion, .. } if self.system.unknowns[*unknown].dim == Dim::ANGLE => {
-                self.plan.arena.as_constant(motion[0]).is_none().then(|| Literal::usize_unsuffixed(*unknown))
+        let angle = |stage: &Summary| match *stage {
+            Summary::Explicit { unknown, moves: true } if self.system.unknowns[unknown].dim == Dim::ANGLE => {
+                Some(Literal::usize_unsuffixed(unknown))
             }
             _ => None,
         };
-        let angles = solution.parts.iter().filter_map(angle);
+        let angles = solution.stages.iter().filter_map(angle);
         quote!(const COMPUTED_ANGLES: &'static [usize] = &[#(#angles),*];)
     }
 
@@ -59,11 +64,15 @@ impl Emitter<'_> {
         }
     }
 
-    fn solution(&self, solution: &Solution) -> TokenStream {
-        let n = solution.unknowns.len();
+    /// All stages one after the other
+    fn straight(&self, lines: &Lines) -> TokenStream {
+        let n = lines.unknowns.len();
         let (t, pass) = (local("t"), local("pass"));
-        let parts = solution.parts.iter().enumerate().map(|(number, part)| self.part(solution, number, part));
-        let column = |order: usize| -> Vec<Ident> { solution.unknowns.iter().map(|names| local(&names[order])).collect() };
+        let indices: Vec<Index> = (0..n).map(|unknown| self.index(unknown)).collect();
+        let equations: Vec<TokenStream> = (0..self.system.equations.len()).map(number).collect();
+        let scene = Scene { model: self.model, arena: &self.plan.arena, lines, unknowns: &indices, equations: &equations, kept: &[] };
+        let parts = lines.parts.iter().enumerate().map(|(number, part)| scene.part(number, part));
+        let column = |order: usize| -> Vec<Ident> { lines.unknowns.iter().map(|names| local(&names[order])).collect() };
         let (q, qd, qdd) = (column(0), column(1), column(2));
         quote! {
             #[inline]
@@ -82,31 +91,65 @@ impl Emitter<'_> {
         }
     }
 
+    /// An unknown by its index in q
+    pub(super) fn index(&self, unknown: usize) -> Index {
+        Index { place: number(unknown), kind: self.kind(unknown) }
+    }
+}
+
+/// A whole number.
+pub(super) fn number(value: usize) -> TokenStream {
+    let literal = Literal::usize_unsuffixed(value);
+    quote!(#literal)
+}
+
+/// An unknown in generated code.
+pub(super) struct Index {
+    /// Its index in q.
+    pub(super) place: TokenStream,
+    /// What it measures.
+    pub(super) kind: TokenStream,
+}
+
+/// Lines with what their numbers stand for.
+pub(super) struct Scene<'a> {
+    pub(super) model: &'a Model,
+    pub(super) arena: &'a Arena,
+    pub(super) lines: &'a Lines,
+    /// By number of the unknown in these lines.
+    pub(super) unknowns: &'a [Index],
+    /// By number of the equation in these lines.
+    pub(super) equations: &'a [TokenStream],
+    /// Unknowns whose sine and cosine are wanted afterwards.
+    pub(super) kept: &'a [usize],
+}
+
+impl Scene<'_> {
     fn steps(&self, names: &BTreeMap<Expr, String>, steps: &[Step]) -> TokenStream {
-        let printer = Printer { arena: &self.plan.arena, names, turn: "turn" };
+        let printer = Printer { arena: self.arena, names, turn: "turn" };
         steps.iter().map(|step| statement(self.model, &printer, step)).collect()
     }
 
-    fn part(&self, solution: &Solution, number: usize, part: &Part) -> TokenStream {
+    pub(super) fn part(&self, number: usize, part: &Part) -> TokenStream {
         match part {
-            Part::Block(block) => self.block(solution, number, block),
+            Part::Block(block) => self.block(number, block),
             Part::Explicit { steps, unknown, motion } => {
-                let steps = self.steps(&solution.names, steps);
-                let printer = Printer { arena: &self.plan.arena, names: &solution.names, turn: "turn" };
-                let names = solution.unknowns[*unknown].each_ref().map(|name| local(name));
+                let steps = self.steps(&self.lines.names, steps);
+                let printer = Printer { arena: self.arena, names: &self.lines.names, turn: "turn" };
+                let names = self.lines.unknowns[*unknown].each_ref().map(|name| local(name));
                 let values = motion.map(|expr| printer.expression(expr));
                 quote!(#steps #(let #names = #values;)*)
             }
         }
     }
 
-    fn block(&self, solution: &Solution, number: usize, block: &Iterated) -> TokenStream {
+    fn block(&self, number: usize, block: &Iterated) -> TokenStream {
         let k = block.system.unknowns.len();
-        let (before, rates, accelerations) = (&block.before, &block.rates, &block.accelerations);
+        let names = &self.lines.names;
         let (before, rates, accelerations) =
-            (self.steps(&solution.names, before), self.steps(&solution.names, rates), self.steps(&solution.names, accelerations));
-        let outer = Printer { arena: &self.plan.arena, names: &solution.names, turn: "turn" };
-        let inner = Printer { arena: &self.plan.arena, names: &block.names, turn: "turn" };
+            (self.steps(names, &block.before), self.steps(names, &block.rates), self.steps(names, &block.accelerations));
+        let outer = Printer { arena: self.arena, names, turn: "turn" };
+        let inner = Printer { arena: self.arena, names: &block.names, turn: "turn" };
         let inside = self.steps(&block.names, &block.inside);
         let list = |printer: &Printer, exprs: &[Expr]| -> Vec<TokenStream> { exprs.iter().map(|expr| printer.expression(*expr)).collect() };
         let residuals = list(&inner, &block.system.residuals);
@@ -117,26 +160,16 @@ impl Emitter<'_> {
         let sizes = list(&outer, &block.system.sizes);
         let (rate_sides, acceleration_sides) = (list(&outer, &block.system.rates), list(&outer, &block.system.accelerations));
         let motion = |order: usize| -> Vec<Ident> {
-            block.system.unknowns.iter().map(|unknown| local(&solution.unknowns[*unknown][order])).collect()
+            block.system.unknowns.iter().map(|unknown| local(&self.lines.unknowns[*unknown][order])).collect()
         };
         let (x, xd, xdd) = (motion(0), motion(1), motion(2));
-        let indices = |list: &[usize]| -> Vec<Literal> { list.iter().map(|index| Literal::usize_unsuffixed(*index)).collect() };
-        let (unknowns, equations) = (indices(&block.system.unknowns), indices(&block.system.equations));
-        let kinds = block.system.unknowns.iter().map(|unknown| self.kind(*unknown));
-        let turns = block.turns.iter().map(|names| names.iter().any(Option::is_some));
-        let pairs: Vec<TokenStream> = block
-            .turns
-            .iter()
-            .map(|names| {
-                let [sine, cosine] = names.each_ref().map(|name| {
-                    name.as_ref().map_or(quote!(_), |name| {
-                        let name = local(name);
-                        quote!(#name)
-                    })
-                });
-                quote!((#sine, #cosine))
-            })
-            .collect();
+        let unknowns = block.system.unknowns.iter().map(|unknown| &self.unknowns[*unknown].place);
+        let kinds = block.system.unknowns.iter().map(|unknown| &self.unknowns[*unknown].kind);
+        let equations = block.system.equations.iter().map(|equation| &self.equations[*equation]);
+        let turns = block.system.unknowns.iter().zip(&block.turns).map(|(unknown, names)| {
+            names.iter().any(Option::is_some) || self.kept.contains(unknown)
+        });
+        let pairs: Vec<TokenStream> = block.turns.iter().map(pair).collect();
         let method = local(if k <= SMALL { "small" } else { "large" });
         let (pass, place, solved) = (local("pass"), local("place"), local(&format!("block_{number}")));
         quote! {
@@ -160,4 +193,15 @@ impl Emitter<'_> {
             let [#(#xdd),*] = #solved.rates([#(#acceleration_sides),*]);
         }
     }
+}
+
+/// A pattern for sine and cosine, of which a name may be missing.
+pub(super) fn pair(names: &[Option<String>; 2]) -> TokenStream {
+    let [sine, cosine] = names.each_ref().map(|name| {
+        name.as_ref().map_or(quote!(_), |name| {
+            let name = local(name);
+            quote!(#name)
+        })
+    });
+    quote!((#sine, #cosine))
 }

@@ -19,11 +19,36 @@ pub enum Stage {
     Explicit {
         /// Its index in q.
         unknown: usize,
+        /// Index in Φ of the equation that gives it.
+        equation: usize,
         /// Value, rate and acceleration.
         motion: [Expr; 3],
     },
     /// Unknowns that are found together.
     Block(Iteration),
+}
+
+impl Stage {
+    /// Everything that is computed for it.
+    pub(super) fn results(&self) -> Vec<Expr> {
+        match self {
+            Stage::Explicit { motion, .. } => motion.to_vec(),
+            Stage::Block(Iteration { residuals, jacobian, sizes, rates, accelerations, .. }) => {
+                [residuals, sizes, rates, accelerations].into_iter().chain(jacobian).flatten().copied().collect()
+            }
+        }
+    }
+}
+
+impl Iteration {
+    /// The system with other unknowns, equations and expressions, these in the order of [`Stage::results`].
+    pub(super) fn with(&self, unknowns: Vec<usize>, equations: Vec<usize>, results: &[Expr]) -> Iteration {
+        let k = self.residuals.len();
+        let mut lists = results.chunks(k.max(1)).map(<[Expr]>::to_vec);
+        let mut next = || lists.next().unwrap_or_default();
+        let [residuals, sizes, rates, accelerations] = [next(), next(), next(), next()];
+        Iteration { unknowns, equations, residuals, sizes, rates, accelerations, jacobian: lists.collect() }
+    }
 }
 
 /// A system that Newton's method solves.
@@ -69,7 +94,7 @@ impl Work<'_> {
             let Some(value) = self.explicit(explicit) else { continue };
             let motion = self.jets.of(self.arena, value).map(|expr| self.constants.of(self.arena, expr));
             self.note_constants(explicit.unknown, &motion);
-            stages.push(Stage::Explicit { unknown: explicit.unknown, motion });
+            stages.push(Stage::Explicit { unknown: explicit.unknown, equation: explicit.equation, motion });
         }
         stages
     }
