@@ -195,7 +195,10 @@ impl fmt::Display for Fact {
             Fact::TokensAfter { what, help } => write!(f, "nothing may follow {what}\nhelp: {help}"),
             Fact::UnknownItem { word } => {
                 let known = ["param", "let", "ground", "body", "joint", "drive", "output", "part", "for", "component", "function", "use"];
-                let near = crate::model::suggest::nearest(word, known.into_iter());
+                // Words as short as `for` are near to many others: they come last.
+                let (rare, often): (Vec<&str>, Vec<&str>) = known.iter().partition(|known| matches!(**known, "part" | "for"));
+                let near = crate::model::suggest::nearest;
+                let near = near(word, often.into_iter()).or_else(|| near(word, rare.into_iter()));
                 write!(f, "`{word}` is no item of a mechanism{}", did_you_mean(&near))?;
                 write!(f, "\nnote: items are {}", listed(known.into_iter()))
             }
@@ -399,7 +402,7 @@ impl fmt::Display for Fact {
             Fact::PowerOfDimension { base } => {
                 write!(f, "{base} can only be raised to a number that is written out, a multiple of 1/6")
             }
-            Fact::NotAnOutput { found } => write!(f, "an output is a number, a vector or a point, found {found}"),
+            Fact::NotAnOutput { found } => write!(f, "an output is a number, a vector, a point or a body that moves, found {found}"),
 
             Fact::NumberTooLong { number } => {
                 write!(f, "`{number}` cannot be kept exactly\nnote: numbers have up to 36 digits and lie between 1e-36 and 1e36")

@@ -4,6 +4,7 @@
 use super::Function as Numbered;
 use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
+use super::Name;
 use super::names::{Names, RESERVED};
 use super::signature::noun;
 use super::statement::Row;

@@ -348,7 +348,7 @@ impl Elaborator<'_> {
             _ => {
                 let space = self.names.frames[frame.0].space;
                 if let Some(group) = self.names.find(space, &name) {
-                    return self.of_group(group);
+                    return self.of_group(group, field);
                 }
                 let own = self.names.words(space).into_iter();
                 let known: Vec<String> = own.chain(["position", "angle", "x", "y"].map(str::to_owned)).collect();

@@ -7,7 +7,7 @@ use super::register::Register;
 use super::suggest::nearest;
 use super::value::{Fixed, FrameId, Value};
 use super::{Body, Coordinate, Name};
-use crate::diag::Fact;
+use crate::diag::{Fact, Range};
 use crate::expr::{Expr, Leaf};
 use crate::syntax::ast;
 use std::rc::Rc;
@@ -47,7 +47,8 @@ impl Elaborator<'_> {
     pub(super) fn marks(&mut self, register: &Register) -> Vec<Expr> {
         let mut lengths = Vec::new();
         for mark in &register.marks {
-            if let Some(Value::Point(point)) = self.entity(*mark) {
+            let range = Range::from(&self.names.declared[mark.0].name);
+            if let Some(Value::Point(point)) = self.entity(*mark, range) {
                 lengths.extend(point.local);
             }
         }

@@ -37,20 +37,20 @@ impl Elaborator<'_> {
             return self.refuse(index.range, Fact::IndexOutOfRange { name, index: number, ends });
         };
         at.push(number);
-        self.member(group, at)
+        self.member(group, at, index.range)
     }
 
     /// What a name stands for: an item, or an array that still wants its indices.
-    pub(super) fn of_group(&mut self, group: GroupId) -> Option<Value> {
-        self.member(group, Vec::new())
+    pub(super) fn of_group(&mut self, group: GroupId, range: impl Into<Range>) -> Option<Value> {
+        self.member(group, Vec::new(), range.into())
     }
 
-    fn member(&mut self, group: GroupId, at: Vec<usize>) -> Option<Value> {
+    fn member(&mut self, group: GroupId, at: Vec<usize>, range: Range) -> Option<Value> {
         if at.len() < self.names.group(group).ranks {
             return Some(Value::Array { group, at });
         }
         let entity = *self.names.group(group).members.get(&at)?;
-        self.entity(entity)
+        self.entity(entity, range)
     }
 
     /// `leg[3]`, or as much of it as there are indices.
@@ -64,7 +64,7 @@ impl Elaborator<'_> {
         let known = self.names.group(group);
         let is_own = space == SpaceId::MECHANISM || self.names.find(space, &known.word) == Some(group);
         if is_own || matches!(known.what, "a parameter" | "a `let`" | "a function") {
-            return self.of_group(group);
+            return self.of_group(group, range);
         }
         let (name, what) = (known.word.clone(), known.what);
         self.refuse(range, Fact::OutsideOfComponent { name, what })
@@ -74,7 +74,7 @@ impl Elaborator<'_> {
     pub(super) fn part_field(&mut self, space: SpaceId, field: &Ident) -> Option<Value> {
         let name = field.to_string();
         if let Some(group) = self.names.find(space, &name) {
-            return self.of_group(group);
+            return self.of_group(group, field);
         }
         let known = self.names.words(space);
         let near = nearest(&name, known.iter().map(String::as_str));

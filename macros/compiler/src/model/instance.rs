@@ -24,7 +24,7 @@ impl Elaborator<'_> {
                 self.statements(statements, scope, name, &[])
             }
             JointBody::Of { kind, arguments: given, .. } => {
-                let Value::Joint { arguments, .. } = self.entity(id)? else { return None };
+                let Value::Joint { arguments, .. } = self.entity(id, (&joint.name).into())? else { return None };
                 let definition = self.definition(kind)?;
                 let scope = Scope { bound: arguments.to_vec(), ..Scope::default() };
                 let outer = self.blame.replace(self.blame_for(&definition, kind, &arguments));
@@ -63,7 +63,7 @@ impl Elaborator<'_> {
     pub(super) fn time_dependent_argument(&mut self, id: EntityId, joint: &ast::Joint) -> Option<Range> {
         let JointBody::Of { kind, arguments } = &joint.body else { return None };
         let definition = self.known_definition(&kind.to_string())?;
-        let Value::Joint { arguments: bound, .. } = self.entity(id)? else { return None };
+        let Value::Joint { arguments: bound, .. } = self.entity(id, (&joint.name).into())? else { return None };
         let is_time_dependent = |name: &String| {
             let value = bound.iter().find(|(known, _)| known == name).map(|(_, value)| value);
             matches!(value, Some(Value::Scalar(scalar)) if self.arena.leaves(scalar.expr).contains(&Leaf::Time))

@@ -7,7 +7,7 @@ use super::register::Register;
 use super::statement::Row;
 use super::value::{FrameId, Scalar, Value};
 use super::{Joint, Layout, Method, Name, Of, Output, Residual};
-use crate::diag::Fact;
+use crate::diag::{Fact, Range};
 use crate::expr::Leaf;
 use crate::syntax::ast;
 use proc_macro2::Ident;
@@ -19,7 +19,8 @@ impl Elaborator<'_> {
     /// mistake in them is found.
     pub(super) fn lets_and_functions(&mut self, register: &Register) {
         for binding in &register.lets {
-            self.entity(*binding);
+            let range = Range::from(&self.names.declared[binding.0].name);
+            self.entity(*binding, range);
         }
         for function in &register.functions {
             self.check_function(function);
@@ -85,11 +86,8 @@ impl Elaborator<'_> {
     }
 
     fn output(&mut self, output: &ast::Output, name: &Name, context: &Context) -> Option<Output> {
-        if is_generated(&output.name) {
-            return self.refuse(&output.name, Fact::Generated { name: output.name.to_string() });
-        }
         let value = self.value(&output.value, &Scope::of(context))?;
-        let noun = value.noun();
+        let noun = if matches!(value, Value::Body(FrameId::GROUND)) { "ground" } else { value.noun() };
         let (components, measure) = match value {
             Value::Scalar(scalar) => (vec![scalar.expr], scalar.measure),
             Value::Body(frame) if frame != FrameId::GROUND => {

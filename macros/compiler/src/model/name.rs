@@ -27,14 +27,17 @@ impl Name {
         Name { word: word.clone(), indices: Vec::new(), path, local }
     }
 
+    /// Its word and its own indices: `coupler[2]`.
+    pub(super) fn own(&self) -> String {
+        self.indices.iter().fold(self.word.to_string(), |name, index| format!("{name}[{index}]"))
+    }
+
     /// A name in a space whose names begin with `prefix`.
     pub(super) fn within(prefix: &str, word: &Ident, indices: &[usize]) -> Name {
-        let mut path = format!("{prefix}{word}");
-        for index in indices {
-            path += &format!("[{index}]");
-        }
-        let local = path.replace(['.', '['], "_").replace(']', "").replace("r#", "");
-        Name { word: word.clone(), indices: indices.to_vec(), path, local }
+        let mut name = Name { indices: indices.to_vec(), ..Name::plain(word) };
+        name.path = format!("{prefix}{}", name.own());
+        name.local = name.path.replace(['.', '['], "_").replace(']', "").replace("r#", "");
+        name
     }
 }
 

@@ -15,6 +15,7 @@ use crate::diag::Fact;
 use crate::expr::Leaf;
 use crate::syntax::ast::{self, Item, Marks};
 use proc_macro2::Ident;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// No mechanism has more items, loops gone through and parts taken apart.
@@ -34,6 +35,7 @@ pub(super) struct Register {
     pub(super) marks: Vec<EntityId>,
     pub(super) joints: Vec<(EntityId, Rc<ast::Joint>)>,
     pub(super) outputs: Vec<(EntityId, Rc<ast::Output>)>,
+    output_names: BTreeMap<(SpaceId, String), BTreeSet<Vec<usize>>>,
     /// The parts as written, the mechanism's place left out.
     pub(super) parts: Vec<Rc<ast::Part>>,
     /// The mechanism and its parts.
@@ -78,7 +80,7 @@ impl Elaborator<'_> {
     fn items(&mut self, items: &[Item], context: &Context, place: usize, register: &mut Register) {
         // Whole numbers come first: they say how often everything else stands.
         for item in items {
-            self.number(item, context, place, register);
+            self.number_item(item, context, place, register);
         }
         for item in items {
             if register.count > MOST {
@@ -88,7 +90,7 @@ impl Elaborator<'_> {
         }
     }
 
-    fn number(&mut self, item: &Item, context: &Context, place: usize, register: &mut Register) {
+    fn number_item(&mut self, item: &Item, context: &Context, place: usize, register: &mut Register) {
         match item {
             Item::Parameter(parameter) => {
                 let leaf = self.arena.leaf(Leaf::Parameter(register.parameters.len() as u32));
@@ -142,14 +144,7 @@ impl Elaborator<'_> {
                 let id = self.declare(written, Entity::Joint(joint.clone()), Progress::Untouched, what, context, register);
                 register.joints.extend(id.map(|id| (id, joint.clone())));
             }
-            Item::Output(output) => {
-                let Some(indices) = self.written_indices(&output.indices, Rc::as_ptr(output), context) else { return };
-                let name = self.full_name(context.space, &output.name, &indices);
-                let declared = Declared { entity: Entity::Known, progress: Progress::Failed, name, context: context.clone() };
-                let id = self.insert(declared, register);
-                register.places[place].items.push((Of::Output, id, register.outputs.len()));
-                register.outputs.push((id, output.clone()));
-            }
+            Item::Output(output) => self.output_item(output, context, place, register),
             Item::Part(part) => self.part(part, context, place, register),
             Item::For(repeated) => {
                 let bound = self.repeat(Rc::as_ptr(repeated), &repeated.variable, &repeated.bounds, context, register);
@@ -162,6 +157,23 @@ impl Elaborator<'_> {
             Item::Use(uses) => self.names_are_new(uses),
             _ => {}
         }
+    }
+
+    /// Outputs are a set of names of their own.
+    fn output_item(&mut self, output: &Rc<ast::Output>, context: &Context, place: usize, register: &mut Register) {
+        let Some(indices) = self.written_indices(&output.indices, Rc::as_ptr(output), context) else { return };
+        let name = self.full_name(context.space, &output.name, &indices);
+        let known = register.output_names.entry((context.space, output.name.to_string())).or_default();
+        let is_like_others = known.first().is_none_or(|other| other.len() == indices.len());
+        if !is_like_others || !known.insert(indices) {
+            let fact = duplicate(name.to_string(), "another output", context.bound.last().filter(|_| is_like_others));
+            self.once(Rc::as_ptr(output), |this| this.refuse::<()>(&output.name, fact));
+            return;
+        }
+        let declared = Declared { entity: Entity::Known, progress: Progress::Failed, name, context: context.clone() };
+        let id = self.insert(declared, register);
+        register.places[place].items.push((Of::Output, id, register.outputs.len()));
+        register.outputs.push((id, output.clone()));
     }
 
     /// One context for each round of a loop.
@@ -316,10 +328,7 @@ impl Elaborator<'_> {
         match self.join(context.space, &word, what, indices, id) {
             Ok(()) => Some(id),
             Err(first) => {
-                let fact = match context.bound.last() {
-                    Some((variable, _)) if first == what => Fact::DuplicateInLoop { name: shown, variable: variable.clone() },
-                    _ => Fact::Duplicate { name: shown, first },
-                };
+                let fact = duplicate(shown, first, context.bound.last().filter(|_| first == what));
                 self.once(item, |this| this.refuse(name, fact))
             }
         }
@@ -390,6 +399,14 @@ impl Elaborator<'_> {
                 self.names.used.push(name);
             }
         }
+    }
+}
+
+/// A name is taken, perhaps by the same item in another round of a loop.
+fn duplicate(name: String, first: &'static str, in_loop: Option<&(String, Value)>) -> Fact {
+    match in_loop {
+        Some((variable, _)) => Fact::DuplicateInLoop { name, variable: variable.clone() },
+        None => Fact::Duplicate { name, first },
     }
 }
 

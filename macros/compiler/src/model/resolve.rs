@@ -2,14 +2,14 @@
 
 use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
-use super::names::{Context, Declared, Entity, EntityId, Made, Names, Progress};
+use super::names::{Context, Declared, Entity, EntityId, Made, Names, Progress, is_generated};
 use super::register::{Register, is_one_of_many};
 use super::suggest::nearest;
 use super::value::{Function, Scalar, Value};
-use super::{Layout, Model, Name, Parameter};
-use crate::diag::{Diag, Fact};
+use super::{Layout, Method, Model, Name, Parameter};
+use crate::diag::{Diag, Fact, Range};
 use crate::syntax::ast::{self, Definition};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// Resolves a whole mechanism; `definitions` are those its `use` items brought in.
@@ -46,12 +46,26 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     diag.is_clean().then_some(model)
 }
 
-/// What a mechanism promises as far as it can be read, whatever is wrong with it: for its stub.
-pub(crate) fn outline(tree: &ast::Mechanism) -> Layout {
+/// What a mechanism promises, as far as it can be read.
+pub(crate) struct Outline {
+    pub(crate) layout: Layout,
+    pub(crate) methods: Vec<Method>,
+    /// The outputs by number.
+    pub(crate) outputs: Vec<Rc<ast::Output>>,
+    /// How many bodies there are.
+    pub(crate) bodies: usize,
+}
+
+/// The outline of a mechanism, whatever is wrong with it: for its stub.
+pub(crate) fn outline(tree: &ast::Mechanism) -> Outline {
     let mut diag = Diag::default();
     let mut work = Elaborator::new(&mut diag, Names::new(BTreeMap::new()));
     let register = work.register(&tree.items);
-    work.layout(&register)
+    let layout = work.layout(&register);
+    let mut methods = work.methods(&layout, &vec![None; register.outputs.len()]);
+    let mut taken = BTreeSet::new();
+    methods.retain(|method| !is_generated(&method.name) && taken.insert(method.name.to_string()));
+    Outline { layout, methods, outputs: register.outputs.into_iter().map(|(_, output)| output).collect(), bodies: register.bodies.len() }
 }
 
 impl Elaborator<'_> {
@@ -123,15 +137,16 @@ impl Elaborator<'_> {
         Dim::of(written)
     }
 
-    /// The value of a declared item, resolved when it is first asked for.
-    pub(super) fn entity(&mut self, id: EntityId) -> Option<Value> {
+    /// The value of a declared item, resolved when it is first asked for; `range` is where it is asked for.
+    pub(super) fn entity(&mut self, id: EntityId, range: Range) -> Option<Value> {
         let declared = &self.names.declared[id.0];
         match &declared.progress {
             Progress::Done(value) => return Some(value.clone()),
             Progress::Failed => return None,
             Progress::Open => {
-                let (word, path) = (declared.name.word.clone(), declared.name.path.clone());
-                return self.refuse(&word, Fact::Cycle { name: path });
+                let range = if let Entity::Mark(..) = declared.entity { Range::from(&declared.name) } else { range };
+                let name = declared.name.own();
+                return self.refuse(range, Fact::Cycle { name });
             }
             Progress::Untouched => {}
         }
