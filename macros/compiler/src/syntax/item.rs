@@ -81,7 +81,7 @@ pub(super) fn items(content: ParseStream, place: Place, diag: &mut Diag) -> Vec<
             Ok(item) => items.push(item),
             Err(refusal) => {
                 diag.refuse::<()>(refusal.range, refusal.fact);
-                items.extend(promised(&before).map(Item::Refused));
+                items.extend(promised(&before.fork()).map(Item::Refused));
                 skip_item(content, &before, is_item);
             }
         }
