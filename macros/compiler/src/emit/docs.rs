@@ -1,7 +1,7 @@
 //! What is written above generated items.
 
 use crate::expr::{Evaluator, Leaf, Values, show};
-use crate::model::{Function, Model, Output, Parameter};
+use crate::model::{Function, Method, Model, Output, Parameter};
 use crate::plan::{Code, Cost, Plan, Solution, Summary};
 use crate::system::System;
 use std::fmt::Write;
@@ -135,8 +135,11 @@ pub(super) fn parameter(parameter: &Parameter) -> String {
 }
 
 /// One line for an output.
-pub(super) fn output(output: &Output) -> String {
-    unit_line(&format!("The output `{}` with its first and second derivative in time", output.name), output.dim.unit())
+pub(super) fn output(method: &Method, first: &Output) -> String {
+    if first.body.is_some() {
+        return format!("The output `{}`: place of its frame's origin (m) and angle (rad), with their rates.", method.name);
+    }
+    unit_line(&format!("The output `{}` with its first and second derivative in time", method.name), first.dim.unit())
 }
 
 fn unit_line(what: &str, unit: String) -> String {

@@ -1,9 +1,9 @@
 //! The generated functions of a mechanism.
 
-use super::expression::local;
+use super::expression::{local, place};
 use super::routine::{Lines, lines};
 use super::stages::number;
-use super::{docs, docs_or, state_name};
+use super::docs;
 use crate::model::{Dim, Model};
 use crate::plan::{Code, Plan, Routine, Target};
 use crate::syntax::ast::Relation;
@@ -19,7 +19,7 @@ pub(super) struct Emitter<'a> {
 }
 
 impl Emitter<'_> {
-    fn lines(&self, routine: &Routine) -> Lines {
+    pub(super) fn lines(&self, routine: &Routine) -> Lines {
         lines(self.model, &self.plan.arena, routine)
     }
 
@@ -204,15 +204,7 @@ impl Emitter<'_> {
     /// Conditions on parameters
     pub(super) fn validate(&self) -> TokenStream {
         let Lines { steps, results, .. } = self.lines(&self.plan.requirements);
-        let finite = self.model.parameters.iter().map(|parameter| {
-            let (field, name) = (&parameter.name, parameter.name.to_string());
-            // x − x is 0 for every finite x and NaN for all others, over any number type.
-            quote! {
-                if (self.#field - self.#field) != T::of(0.0) {
-                    return ::core::result::Result::Err(::reuleaux::ParameterOutOfRange { name: #name, value: self.#field, why: "it must be finite" });
-                }
-            }
-        });
+        let finite = self.finite();
         let checks = self.model.requirements.iter().zip(results.chunks(2)).map(|(requirement, sides)| {
             let (lhs, rhs) = (&sides[0], &sides[1]);
             let (zero, one) = (quote!(T::of(0.0)), quote!(T::of(1.0)));
@@ -240,12 +232,34 @@ impl Emitter<'_> {
             /// # Errors
             /// The first parameter that does not.
             pub fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> {
-                #(#finite)*
+                #finite
                 #steps
                 #(#checks)*
                 ::core::result::Result::Ok(())
             }
         }
+    }
+
+    /// Every parameter is finite; x − x is 0 for every finite x and NaN for all others, over any number type.
+    fn finite(&self) -> TokenStream {
+        let refused = |name: &TokenStream, value: &TokenStream| {
+            quote! {
+                if (#value - #value) != T::of(0.0) {
+                    return ::core::result::Result::Err(::reuleaux::ParameterOutOfRange { name: #name, value: #value, why: "it must be finite" });
+                }
+            }
+        };
+        let parameters = self.model.parameters.iter().map(|parameter| {
+            let (path, place) = (&parameter.name.path, place(&parameter.name.path));
+            (quote!(#path), quote!(self.#place))
+        });
+        // One by one they read better; those of parts may be very many.
+        if self.model.layout.parts.len() == 1 && self.model.parameters.iter().all(|parameter| parameter.name.indices.is_empty()) {
+            return parameters.map(|(name, value)| refused(&name, &value)).collect();
+        }
+        let (name, value) = (local("name"), local("value"));
+        let (pairs, check) = (parameters.map(|(name, value)| quote!((#name, #value))), refused(&quote!(#name), &quote!(#value)));
+        quote!(for (#name, #value) in [#(#pairs),*] { #check })
     }
 
     /// The parameter a requirement is about, or the joint that asks for it.
@@ -263,36 +277,6 @@ impl Emitter<'_> {
     /// What the unknown of this index measures.
     pub(super) fn kind(&self, unknown: usize) -> TokenStream {
         kind(&self.system.unknowns[unknown])
-    }
-
-    /// Outputs with value, rate and acceleration
-    pub(super) fn outputs(&self) -> TokenStream {
-        let state = state_name(self.model);
-        let (q, qd, qdd, t) = (local("q"), local("qd"), local("qdd"), local("t"));
-        let output = |(output, routine): (&crate::model::Output, &Routine)| {
-            let Lines { reads, steps, results } = self.lines(routine);
-            let (docs, name) = (docs_or(&output.docs, &docs::output(output)), &output.name);
-            let part = |order: usize| -> TokenStream {
-                let parts: Vec<&TokenStream> = results.iter().skip(order).step_by(3).collect();
-                match parts.as_slice() {
-                    [scalar] => quote!(#scalar),
-                    _ => quote!(::reuleaux::nalgebra::Vector2::from([#(#parts),*])),
-                }
-            };
-            let (value, rate, acceleration) = (part(0), part(1), part(2));
-            let kind = if output.components.len() == 1 { quote!(T) } else { quote!(::reuleaux::nalgebra::Vector2<T>) };
-            quote! {
-                #docs
-                #[must_use]
-                pub fn #name(&self, state: &#state<T>) -> ::reuleaux::Motion<#kind> {
-                    let (#q, #qd, #qdd, #t) = (&state.q, &state.qd, &state.qdd, state.t);
-                    #reads
-                    #steps
-                    ::reuleaux::Motion { value: #value, rate: #rate, acceleration: #acceleration }
-                }
-            }
-        };
-        self.model.outputs.iter().zip(&self.plan.outputs).map(output).collect()
     }
 
     /// The runtime's trait, by the functions above

@@ -3,15 +3,19 @@
 //! The user's identifiers keep their spans, so that an editor finds its way back; locals of
 //! generated code are hygienic.
 
+mod arrays;
 mod columns;
 mod definition;
 mod docs;
 mod expression;
 mod functions;
 mod kernels;
+mod outputs;
+mod parameters;
 mod rolled;
 mod routine;
 mod stages;
+mod state;
 mod stub;
 
 pub(crate) use definition::{export, library_pages, resume};
@@ -23,8 +27,10 @@ use crate::plan::{Cost, Plan, Solution, Summary};
 use crate::syntax::ast::Docs;
 use crate::system::System;
 use functions::Emitter;
+use parameters::Parameters;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
+use state::Accessors;
 
 /// A name of the user as an identifier; raw ones stay raw.
 pub(crate) fn identifier(name: &str) -> Ident {
@@ -71,16 +77,13 @@ pub(crate) fn emit(model: &Model, system: &System, closure: &Closure, plan: &Pla
 fn structure(model: &Model, page: &str) -> TokenStream {
     let Model { docs, visibility, name, .. } = model;
     let docs = &docs.tokens;
-    let fields = model.parameters.iter().map(|parameter| {
-        let (docs, name) = (docs_or(&parameter.docs, &docs::parameter(parameter)), &parameter.name);
-        quote!(#docs pub #name: T)
-    });
+    let fields = Parameters::new(&model.layout, name).documented(model, 0);
     let marker = model.parameters.is_empty().then(|| quote!(#[doc(hidden)] pub _real: ::core::marker::PhantomData<T>));
     quote! {
         #docs
         #[doc = #page]
         #[derive(Clone, Copy, Debug, PartialEq)]
-        #visibility struct #name<T = f64> { #(#fields,)* #marker }
+        #visibility struct #name<T = f64> { #fields #marker }
     }
 }
 
@@ -93,10 +96,8 @@ fn docs_or(docs: &Docs, known: &str) -> TokenStream {
 /// `Default` is for `f64` only, so that `Name::default()` needs no type annotation.
 fn defaults(model: &Model, system: &System) -> TokenStream {
     let name = &model.name;
-    let values = docs::default_values(model, system);
-    let values: Vec<Literal> = values.iter().map(|value| Literal::f64_unsuffixed(value.abs())).collect();
-    let signs = docs::default_values(model, system).into_iter().map(|value| if value.is_sign_negative() { quote!(-) } else { quote!() });
-    let fields: Vec<_> = model.parameters.iter().map(|parameter| &parameter.name).collect();
+    let parameters = Parameters::new(&model.layout, name);
+    let (fields, components) = (parameters.defaults(&docs::default_values(model, system)), parameters.components(model, system));
     let marker = model.parameters.is_empty().then(|| quote!(_real: ::core::marker::PhantomData));
     quote! {
         #[automatically_derived]
@@ -108,8 +109,9 @@ fn defaults(model: &Model, system: &System) -> TokenStream {
         impl<T: ::reuleaux::Real> #name<T> {
             /// The parameters at their declared defaults, over any number type.
             #[must_use]
-            pub fn with_defaults() -> Self { Self { #(#fields: T::of(#signs #values),)* #marker } }
+            pub fn with_defaults() -> Self { Self { #fields #marker } }
         }
+        #components
     }
 }
 
@@ -201,12 +203,12 @@ fn start(closure: &Closure) -> TokenStream {
 }
 
 /// The name of the generated state.
-fn state_name(model: &Model) -> Ident {
-    format_ident!("{}State", model.name, span = Span::call_site())
+fn state_name(mechanism: &Ident) -> Ident {
+    format_ident!("{}State", mechanism, span = Span::call_site())
 }
 
 fn solve(model: &Model, system: &System) -> TokenStream {
-    let (name, state, n) = (&model.name, state_name(model), system.unknowns.len());
+    let (name, state, n) = (&model.name, state_name(&model.name), system.unknowns.len());
     let (visibility, failure) = (&model.visibility, format_ident!("{}Failure", model.name, span = Span::call_site()));
     let failure_page = format!("Why there is no state of [`{name}`].");
     let result = quote!(::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>>);
@@ -260,29 +262,22 @@ fn solve(model: &Model, system: &System) -> TokenStream {
 }
 
 fn state(model: &Model, system: &System) -> TokenStream {
-    let (visibility, state, n) = (&model.visibility, state_name(model), system.unknowns.len());
+    let (visibility, state, n) = (&model.visibility, state_name(&model.name), system.unknowns.len());
     let first_line = format!("A state of [`{}`]: time, position, velocity and acceleration of every body.", model.name);
-    let bodies = model.bodies.iter().enumerate().map(|(index, body)| {
-        let first = system.unknowns.iter().position(|unknown| unknown.body == index).unwrap_or(0);
-        let known = format!("The body `{}`: place of its frame's origin (m) and angle (rad), with their rates.", body.name);
-        let (docs, name) = (docs_or(&body.docs, &known), &body.name);
-        quote! {
-            #docs
-            #[must_use]
-            pub fn #name(&self) -> ::reuleaux::PlanarBody<T> { self.0.planar_body(#first) }
-        }
-    });
+    let accessors = Accessors::new(&model.layout, &model.name, visibility, None);
+    let (own, views) = (accessors.of_mechanism(), accessors.views(n));
     quote! {
         #[doc = #first_line]
         #[derive(Clone, Debug, PartialEq)]
         #visibility struct #state<T = f64>(pub ::reuleaux::State<T, #n>);
         #[automatically_derived]
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case)]
-        impl<T: ::reuleaux::Real> #state<T> { #(#bodies)* }
+        impl<T: ::reuleaux::Real> #state<T> { #own }
         #[automatically_derived]
         impl<T> ::core::ops::Deref for #state<T> {
             type Target = ::reuleaux::State<T, #n>;
             fn deref(&self) -> &Self::Target { &self.0 }
         }
+        #views
     }
 }

@@ -2,6 +2,7 @@
 
 use super::expression::{Printer, local};
 use super::functions::Emitter;
+use super::parameters::Parameters;
 use super::routine::statement;
 use crate::expr::{Arena, Expr};
 use crate::model::{Dim, Model};
@@ -52,15 +53,15 @@ impl Emitter<'_> {
         if self.model.parameters.is_empty() {
             return quote!();
         }
-        let fields: Vec<&Ident> = self.model.parameters.iter().map(|parameter| &parameter.name).collect();
         let share = local("share");
+        let fields = Parameters::new(&self.model.layout, &self.model.name).blended(0, &quote!(self));
         quote! {
             fn toward(&self, #share: T) -> ::core::option::Option<Self> {
                 let defaults = Self::with_defaults();
                 if self == &defaults {
                     return ::core::option::Option::None;
                 }
-                ::core::option::Option::Some(Self { #(#fields: defaults.#fields + #share * (self.#fields - defaults.#fields),)* })
+                ::core::option::Option::Some(Self { #fields })
             }
         }
     }

@@ -6,6 +6,7 @@
 mod kernels;
 mod linear;
 mod magnitude;
+mod outputs;
 mod rolled;
 mod schedule;
 mod shape;
@@ -14,6 +15,7 @@ mod solution;
 mod stages;
 
 pub use kernels::{Kernel, Kernels};
+pub use outputs::Outputs;
 pub use rolled::{Code, Group, Target};
 pub use shape::{Column, Shape};
 pub use slice::Slice;
@@ -54,8 +56,8 @@ pub struct Plan {
     pub gamma: Code,
     /// Row and column of each entry of Φ_q.
     pub pattern: Vec<(usize, usize)>,
-    /// For each output: value, rate and acceleration of each component.
-    pub outputs: Vec<Routine>,
+    /// For each method that gives outputs.
+    pub outputs: Vec<Outputs>,
     /// The declared start values, by unknown; those not declared have no result.
     pub start: Routine,
     /// The local coordinates of points that depend on parameters or are constants.
@@ -158,7 +160,7 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure) ->
         nu: code(joints.rows(|equation| Some(equation.nu))),
         gamma: code(joints.rows(|equation| Some(equation.gamma))),
         pattern: joints.pattern(),
-        outputs: system.outputs.iter().map(|output| line(output.components.iter().flatten().copied().collect())).collect(),
+        outputs: outputs::outputs(&arena, &tracer, model, system, &words),
         start: line(system.unknowns.iter().filter_map(|unknown| unknown.start).collect()),
         lengths: line(distinct(&arena, &model.lengths)),
         requirements: line(sides),
@@ -268,8 +270,7 @@ pub(crate) struct Words {
 impl Words {
     /// From the names of bodies, coordinates and parameters.
     pub(crate) fn new(model: &Model, system: &System) -> Words {
-        let plain = |name: &proc_macro2::Ident| name.to_string().trim_start_matches("r#").to_owned();
-        let coordinate = |unknown: &crate::system::Unknown| format!("{}_{}", plain(&model.bodies[unknown.body].name), unknown.name);
+        let coordinate = |unknown: &crate::system::Unknown| format!("{}_{}", model.bodies[unknown.body].name.local, unknown.name);
         Words {
             coordinates: system.unknowns.iter().map(coordinate).collect(),
             parameters: model.parameters.iter().map(|parameter| format!("self.{}", parameter.name)).collect(),

@@ -41,7 +41,7 @@ pub enum Column<V> {
 
 impl Column<u32> {
     /// The shortest way to write some values.
-    pub(super) fn of(values: Vec<u32>) -> Column<u32> {
+    pub(crate) fn of(values: Vec<u32>) -> Column<u32> {
         let first = values.first().copied().unwrap_or(0);
         match values.get(1) {
             None => Column::Same(first),
