@@ -4,11 +4,11 @@ use core::marker::PhantomData;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::linear::{Factors, Linear, Small};
+use crate::linear::{Elimination, Entries, Factors, Linear, Small, Sparse};
 use crate::order::greater;
 use crate::place::Place;
 use crate::position::{self, Miss, Position, Refusal};
-use crate::problem::{Block, Part, Problem};
+use crate::problem::{Block, Linearized, Part, Problem};
 use crate::scale::Scale;
 use crate::{Cause, Coordinate, Culprit, Equations, Float, Orientation, Row, State};
 
@@ -111,7 +111,7 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
         sizes: [T; K],
         evaluate: impl Fn(&Place<T, K>) -> ([T; K], [[T; K]; K]),
     ) -> Result<Solved<T, Small<T, K>, K>, Stop<T>> {
-        self.block(block, sizes, evaluate)
+        self.block(block, sizes, |place| dense(evaluate(place)))
     }
 
     /// Solves a larger block: by a pivoted factorisation.
@@ -124,7 +124,29 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
         sizes: [T; K],
         evaluate: impl Fn(&Place<T, K>) -> ([T; K], [[T; K]; K]),
     ) -> Result<Solved<T, Factors<T, K>, K>, Stop<T>> {
-        self.block(block, sizes, evaluate)
+        self.block(block, sizes, |place| dense(evaluate(place)))
+    }
+
+    /// Solves a larger block of whose Jacobian `evaluate` gives the entries that are not always zero, in the order of the
+    /// elimination's pattern: by elimination in its order, and where that meets a small pivot by a pivoted factorisation.
+    ///
+    /// # Errors
+    /// Why the block has no solution near.
+    #[inline]
+    pub fn sparse<E: Elimination<T, K, ENTRIES, FACTORS>, const K: usize, const ENTRIES: usize, const FACTORS: usize>(
+        &mut self,
+        elimination: E,
+        block: &Block<K>,
+        sizes: [T; K],
+        evaluate: impl Fn(&Place<T, K>) -> ([T; K], [T; ENTRIES]),
+    ) -> Result<Solved<T, Sparse<T, E, K, ENTRIES, FACTORS>, K>, Stop<T>> {
+        // Of the elimination only the type is needed.
+        let _ = elimination;
+        let columns = Scale::by_kind(self.length, self.share, &block.kinds).column.data.0[0];
+        self.block(block, sizes, |place| {
+            let (phi, values) = evaluate(place);
+            (SVector::from(phi), Entries { values, columns })
+        })
     }
 
     #[inline(always)]
@@ -132,13 +154,10 @@ impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
         &mut self,
         block: &Block<K>,
         sizes: [T; K],
-        evaluate: impl Fn(&Place<T, K>) -> ([T; K], [[T; K]; K]),
+        evaluate: impl Fn(&Place<T, K>) -> Linearized<T, L, K>,
     ) -> Result<Solved<T, L, K>, Stop<T>> {
         let part = Part {
-            evaluate: |place: &Place<T, K>| {
-                let (phi, rows) = evaluate(place);
-                (SVector::from(phi), SMatrix::from_fn(|i, j| rows[i][j]))
-            },
+            evaluate,
             block,
             scale: Scale::by_kind(self.length, self.share, &block.kinds),
             sizes: SVector::from(sizes),
@@ -221,6 +240,12 @@ impl<T: Float, L: Linear<T, K>, const K: usize> Solved<T, L, K> {
     pub fn rates(&self, b: [T; K]) -> [T; K] {
         self.factors.solve_refined(&SVector::from(b)).data.0[0]
     }
+}
+
+/// Residuals and a Jacobian by rows.
+#[inline(always)]
+fn dense<T: Float, const K: usize>((phi, rows): ([T; K], [[T; K]; K])) -> (SVector<T, K>, SMatrix<T, K, K>) {
+    (SVector::from(phi), SMatrix::from_fn(|i, j| rows[i][j]))
 }
 
 /// Why a block could not be closed.

@@ -22,7 +22,7 @@ pub(crate) trait Problem<T: Float, const K: usize> {
     fn erased(&self) -> Self::Erased<'_>;
 
     /// Residuals and their Jacobian.
-    fn linearize(&self, place: &Place<T, K>) -> (SVector<T, K>, SMatrix<T, K, K>);
+    fn linearize(&self, place: &Place<T, K>) -> Linearized<T, Self::Factors, K>;
 
     /// Of which unknowns sine and cosine are needed.
     fn turns(&self) -> &[bool; K];
@@ -48,7 +48,7 @@ pub(crate) trait Problem<T: Float, const K: usize> {
     /// Which row depends on the others here, and which unknown they leave free.
     fn singular(&self, place: &Place<T, K>) -> Cause<T> {
         let (_, jacobian) = self.linearize(place);
-        let (row, coordinate) = weakest(&jacobian, &self.scale().column).unwrap_or((0, 0));
+        let (row, coordinate) = weakest(&Self::Factors::dense(&jacobian), &self.scale().column).unwrap_or((0, 0));
         let factors = Self::Factors::factor(&jacobian);
         let condition = factors.map_or(T::of(f64::NAN), |factors| factors.condition(&self.sizes(), &self.scale().share));
         Cause::Singular { row: self.row(row), coordinate: self.coordinate(coordinate), condition }
@@ -57,6 +57,7 @@ pub(crate) trait Problem<T: Float, const K: usize> {
     /// Which row stays open furthest here; None if all are closed.
     fn widest_gap(&self, place: &Place<T, K>) -> Option<Cause<T>> {
         let (phi, jacobian) = self.linearize(place);
+        let jacobian = Self::Factors::dense(&jacobian);
         let mut widest = T::of(CLOSED) * T::ROOT_EPSILON * self.scale().length;
         let mut cause = None;
         for (row, &residual) in phi.iter().enumerate() {
@@ -128,8 +129,11 @@ impl<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize> Problem<T, N> for
     }
 }
 
+/// Residuals and their Jacobian, in the form that is factored.
+pub(crate) type Linearized<T, L, const K: usize> = (SVector<T, K>, <L as Linear<T, K>>::Matrix);
+
 /// Residuals and their Jacobian at a place.
-pub(crate) type Evaluate<'b, T, const K: usize> = dyn Fn(&Place<T, K>) -> (SVector<T, K>, SMatrix<T, K, K>) + 'b;
+pub(crate) type Evaluate<'b, T, L, const K: usize> = dyn Fn(&Place<T, K>) -> Linearized<T, L, K> + 'b;
 
 impl<T: Float, P: Problem<T, K>, const K: usize> Problem<T, K> for &P {
     type Factors = P::Factors;
@@ -142,7 +146,7 @@ impl<T: Float, P: Problem<T, K>, const K: usize> Problem<T, K> for &P {
         (**self).erased()
     }
 
-    fn linearize(&self, place: &Place<T, K>) -> (SVector<T, K>, SMatrix<T, K, K>) {
+    fn linearize(&self, place: &Place<T, K>) -> Linearized<T, P::Factors, K> {
         (**self).linearize(place)
     }
 
@@ -194,12 +198,12 @@ pub struct Block<const K: usize> {
 impl<T, F, L, const K: usize> Problem<T, K> for Part<'_, F, L, T, K>
 where
     T: Float,
-    F: Fn(&Place<T, K>) -> (SVector<T, K>, SMatrix<T, K, K>),
+    F: Fn(&Place<T, K>) -> Linearized<T, L, K>,
     L: Linear<T, K>,
 {
     type Factors = L;
     type Erased<'b>
-        = Part<'b, &'b Evaluate<'b, T, K>, L, T, K>
+        = Part<'b, &'b Evaluate<'b, T, L, K>, L, T, K>
     where
         Self: 'b;
 
@@ -209,7 +213,7 @@ where
     }
 
     #[inline]
-    fn linearize(&self, place: &Place<T, K>) -> (SVector<T, K>, SMatrix<T, K, K>) {
+    fn linearize(&self, place: &Place<T, K>) -> Linearized<T, L, K> {
         (self.evaluate)(place)
     }
 

@@ -27,6 +27,8 @@ const EXACT: usize = 2;
 const NOISE: f64 = 8.0;
 
 impl<T: Float, const N: usize> Linear<T, N> for Small<T, N> {
+    type Matrix = SMatrix<T, N, N>;
+
     #[inline(always)]
     fn factor(matrix: &SMatrix<T, N, N>) -> Result<Self, usize> {
         let adjugate = adjugate(matrix);
@@ -36,6 +38,10 @@ impl<T: Float, const N: usize> Linear<T, N> for Small<T, N> {
         let magnitude = (0..N).fold(zero, |sum, j| sum + (matrix[(0, j)] * adjugate[(j, 0)]).abs());
         let share = T::of(1.0) / determinant;
         Ok(Self { matrix: *matrix, inverse: adjugate.map(|cofactor| cofactor * share), determinant, magnitude })
+    }
+
+    fn dense(matrix: &SMatrix<T, N, N>) -> SMatrix<T, N, N> {
+        *matrix
     }
 
     #[inline(always)]

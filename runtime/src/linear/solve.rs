@@ -6,8 +6,14 @@ use super::{Factors, Linear};
 use crate::{Float, Orientation};
 
 impl<T: Float, const N: usize> Linear<T, N> for Factors<T, N> {
+    type Matrix = SMatrix<T, N, N>;
+
     fn factor(matrix: &SMatrix<T, N, N>) -> Result<Self, usize> {
         Factors::new(matrix)
+    }
+
+    fn dense(matrix: &SMatrix<T, N, N>) -> SMatrix<T, N, N> {
+        *matrix
     }
 
     /// A x = b. With rank r below N: a basic solution, fulfilling r independent rows with the other N − r unknowns zero.
@@ -41,7 +47,7 @@ impl<T: Float, const N: usize> Linear<T, N> for Factors<T, N> {
     }
 
     fn condition(&self, sizes: &SVector<T, N>, _: &SVector<T, N>) -> T {
-        self.growth(sizes)
+        self.growth(sizes, &self.column_scale, &self.column_scale.map(|scale| T::of(1.0) / scale))
     }
 
     fn orientation(&self) -> Orientation {
