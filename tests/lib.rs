@@ -11,6 +11,7 @@ pub mod common {
     pub mod reference;
     pub mod text;
 }
+pub mod blocks;
 pub mod laws;
 pub mod library;
 pub mod mechanisms;

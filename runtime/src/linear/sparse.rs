@@ -53,9 +53,10 @@ where
     #[inline]
     fn factor(matrix: &Entries<T, K, ENTRIES>) -> Result<Self, usize> {
         let Eliminated { lu, pivots, grown, sizes } = E::eliminate(&matrix.values, &matrix.columns);
-        // Without a branch for each row, and false where anything is not a number.
         let (limit, smallest) = (largest_growth::<T>(), T::ROOT_EPSILON);
-        let is_stable = (0..K).fold(true, |good, i| good & (grown[i] <= limit * sizes[i]) & (pivots[i] >= smallest * sizes[i]));
+        // Without a branch for each row, and false where anything is not finite.
+        let is_good = |i: usize| sizes[i].is_finite() & (grown[i] <= limit * sizes[i]) & (pivots[i] >= smallest * sizes[i]);
+        let is_stable = (0..K).fold(true, |good, i| good & is_good(i));
         let factors = Self { matrix: *matrix, lu, sizes, is_stable, elimination: PhantomData };
         if !is_stable {
             factors.pivoted()?;

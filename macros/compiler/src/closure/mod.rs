@@ -7,6 +7,9 @@
 //! one nearest to what was declared is taken. Not done here: emitting, refusing.
 
 mod levenberg;
+mod poses;
+
+pub(crate) use poses::Poses;
 
 use crate::expr::{Evaluator, Expr, Node, Values, evaluate};
 use crate::model::{Dim, Function, Model};

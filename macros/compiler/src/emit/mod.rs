@@ -5,6 +5,7 @@
 
 mod definition;
 mod docs;
+mod elimination;
 mod expression;
 mod functions;
 mod routine;

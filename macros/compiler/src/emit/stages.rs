@@ -10,9 +10,6 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use std::collections::BTreeMap;
 
-/// Blocks of up to this many unknowns are solved in closed form.
-const SMALL: usize = 3;
-
 impl Emitter<'_> {
     /// The runtime's trait `Stages`; without a plan, its provided way.
     pub(super) fn stages(&self) -> TokenStream {
@@ -110,10 +107,6 @@ impl Emitter<'_> {
         let inside = self.steps(&block.names, &block.inside);
         let list = |printer: &Printer, exprs: &[Expr]| -> Vec<TokenStream> { exprs.iter().map(|expr| printer.expression(*expr)).collect() };
         let residuals = list(&inner, &block.system.residuals);
-        let rows = block.system.jacobian.iter().map(|row| {
-            let entries = list(&inner, row);
-            quote!([#(#entries),*])
-        });
         let sizes = list(&outer, &block.system.sizes);
         let (rate_sides, acceleration_sides) = (list(&outer, &block.system.rates), list(&outer, &block.system.accelerations));
         let motion = |order: usize| -> Vec<Ident> {
@@ -137,11 +130,27 @@ impl Emitter<'_> {
                 quote!((#sine, #cosine))
             })
             .collect();
-        let method = local(if k <= SMALL { "small" } else { "large" });
+        let order = local(&format!("Elimination{number}"));
+        let (elimination, method, jacobian) = match &block.elimination {
+            None => {
+                let row = |row: &Vec<Expr>| {
+                    let entries = list(&inner, row);
+                    quote!([#(#entries),*])
+                };
+                (quote!(), quote!(small), block.system.jacobian.iter().map(row).collect())
+            }
+            Some(elimination) => {
+                let entry = |(i, j): &(usize, usize)| inner.expression(block.system.jacobian[*i][*j]);
+                (self.elimination(&order, block, elimination), quote!(sparse), elimination.pattern.iter().map(entry).collect::<Vec<_>>())
+            }
+        };
+        let order = block.elimination.as_ref().map(|_| quote!(#order,));
         let (pass, place, solved) = (local("pass"), local("place"), local(&format!("block_{number}")));
         quote! {
             #before
+            #elimination
             let #solved = #pass.#method(
+                #order
                 &::reuleaux::Block { unknowns: [#(#unknowns),*], equations: [#(#equations),*], kinds: [#(#kinds),*], turns: [#(#turns),*] },
                 [#(#sizes),*],
                 #[inline(always)]
@@ -149,7 +158,7 @@ impl Emitter<'_> {
                     let [#(#x),*] = #place.x.data.0[0];
                     let [#(#pairs),*] = #place.turn;
                     #inside
-                    ([#(#residuals),*], [#(#rows),*])
+                    ([#(#residuals),*], [#(#jacobian),*])
                 },
             )?;
             let [#(#x),*] = #solved.x;

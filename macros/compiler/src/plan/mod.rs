@@ -3,14 +3,17 @@
 //! In: a [`System`] and what is to be computed. Out: [`Routine`]s: named steps, each used more than
 //! once, and results that refer to them. Not done here: printing.
 
+mod elimination;
 mod magnitude;
 mod schedule;
 mod solution;
 mod stages;
 
+pub use elimination::Elimination;
 pub use solution::{Iterated, Part, Solution};
 pub use stages::{Iteration, Stage};
 
+use crate::closure::{Closure, Poses};
 use crate::expr::{Arena, Expr, Leaf};
 use crate::model::Model;
 use crate::structure::Structure;
@@ -102,7 +105,7 @@ pub struct Cost {
 }
 
 /// Schedules everything that is generated.
-pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure) -> Plan {
+pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, closure: &Closure) -> Plan {
     let mut arena = system.arena.clone();
     let stages = (!model.equations_only).then(|| stages::stages(&mut arena, system, structure));
     let words = Words::new(model, system);
@@ -124,8 +127,25 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure) ->
         start: line(system.unknowns.iter().filter_map(|unknown| unknown.start).collect()),
         lengths: line(distinct(&arena, &model.lengths)),
         requirements: line(sides),
-        solution: stages.map(|stages| solution::solution(&arena, &stages, system.unknowns.len(), &words)),
+        solution: stages.map(|stages| {
+            let mut solution = solution::solution(&arena, &stages, system.unknowns.len(), &words);
+            eliminations(&arena, model, system, closure, &mut solution);
+            solution
+        }),
         arena,
+    }
+}
+
+/// Chooses how large blocks are eliminated; most mechanisms have none.
+fn eliminations(arena: &Arena, model: &Model, system: &System, closure: &Closure, solution: &mut Solution) {
+    let mut poses = None;
+    for part in &mut solution.parts {
+        if let Part::Block(block) = part
+            && block.system.unknowns.len() > elimination::CLOSED_FORM
+        {
+            let poses = poses.get_or_insert_with(|| Poses::new(model, system, closure));
+            block.elimination = Some(elimination::elimination(arena, system, &block.system, poses));
+        }
     }
 }
 

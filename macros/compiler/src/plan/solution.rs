@@ -2,7 +2,7 @@
 
 use super::schedule::{Work, cost};
 use super::stages::{Iteration, Stage};
-use super::{Cost, Step, Words};
+use super::{Cost, Elimination, Step, Words};
 use crate::expr::{Arena, Expr, Leaf, Node, Unary};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -50,6 +50,8 @@ pub struct Iterated {
     pub names: BTreeMap<Expr, String>,
     /// Operations of one Newton step, without the solution of its system.
     pub cost: Cost,
+    /// How its system is eliminated, if not in closed form.
+    pub elimination: Option<Elimination>,
     /// What is named before the rates.
     pub rates: Vec<Step>,
     /// What is named before the accelerations.
@@ -110,7 +112,7 @@ fn iterated(arena: &Arena, work: &mut Work, system: &Iteration, moving: &BTreeSe
     let rates = serve_all(work, &system.rates);
     let accelerations = serve_all(work, &system.accelerations);
     let cost = cost(arena, &inner.needed);
-    Iterated { before, system: system.clone(), turns, inside: inner.take(), names: inner.names, cost, rates, accelerations }
+    Iterated { before, system: system.clone(), turns, inside: inner.take(), names: inner.names, cost, elimination: None, rates, accelerations }
 }
 
 /// Sine and cosine of the unknowns have the same names in the loop and after it: the loop keeps them.

@@ -1,0 +1,216 @@
+//! Mechanisms whose loops do not come apart: blocks of three to twelve unknowns.
+//!
+//! ```text
+//!      C       C       C
+//!   A══╧══B═A══╧══B═A══╧══B      plates pinned in a row, one rod more than needs be to hang each on, and two at the ends;
+//!   │  │       │       │  │      the first rod stands on a crank
+//! ```
+//!
+//! Rods are distances, so that the first place and all angles of the plates are found together: plates + 2 unknowns.
+
+use crate::declared;
+
+declared! {
+    /// One plate on three rods.
+    Plate (
+        rod_1: Length = 1.3, rod_2: Length = 1.5, rod_3: Length = 1.5
+    ) {
+        ground { point O = (-0.5, -1.5);  point G2 = (1.2, -1.1);  point G3 = (1.5, -1.3); }
+        body crank { point O = (0, 0);  point T = (0.1, 0); }
+        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.1; }
+        joint o = revolute(ground.O, crank.O);
+        joint r1 = distance(crank.T, plate_1.A, rod_1);
+        joint r2 = distance(ground.G2, plate_1.C, rod_2);
+        joint r3 = distance(ground.G3, plate_1.B, rod_3);
+        drive motor = drive_angle(crank, 0.4 + 1rad_s * t);
+    }
+}
+declared! {
+    /// Two plates in a row on four rods.
+    TwoPlates (
+        rod_1: Length = 1.3, rod_2: Length = 1.5, rod_3: Length = 1.5, rod_4: Length = 1.5
+    ) {
+        ground { point O = (-0.5, -1.5);  point G2 = (1.2, -1.1);  point G3 = (0.6, -1);  point G4 = (2.5, -1.3); }
+        body crank { point O = (0, 0);  point T = (0.1, 0); }
+        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.1; }
+        body plate_2 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (1, 0);  start angle = -0.1; }
+        joint o = revolute(ground.O, crank.O);
+        joint pin_1 = revolute(plate_1.B, plate_2.A);
+        joint r1 = distance(crank.T, plate_1.A, rod_1);
+        joint r2 = distance(ground.G2, plate_1.C, rod_2);
+        joint r3 = distance(ground.G3, plate_2.C, rod_3);
+        joint r4 = distance(ground.G4, plate_2.B, rod_4);
+        drive motor = drive_angle(crank, 0.4 + 1rad_s * t);
+    }
+}
+declared! {
+    /// Three plates on five rods.
+    ThreePlates (
+        rod_1: Length = 1.3, rod_2: Length = 1.5, rod_3: Length = 1.5, rod_4: Length = 1.5, rod_5: Length = 1.5
+    ) {
+        ground { point O = (-0.5, -1.5);  point G2 = (1.2, -1.1);  point G3 = (1.9, -1.1);  point G4 = (1.6, -1);
+                 point G5 = (3.5, -1.3); }
+        body crank { point O = (0, 0);  point T = (0.1, 0); }
+        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.1; }
+        body plate_2 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (1, 0);  start angle = -0.1; }
+        body plate_3 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (2, 0);  start angle = 0.1; }
+        joint o = revolute(ground.O, crank.O);
+        joint pin_1 = revolute(plate_1.B, plate_2.A);
+        joint pin_2 = revolute(plate_2.B, plate_3.A);
+        joint r1 = distance(crank.T, plate_1.A, rod_1);
+        joint r2 = distance(ground.G2, plate_1.C, rod_2);
+        joint r3 = distance(ground.G3, plate_2.C, rod_3);
+        joint r4 = distance(ground.G4, plate_3.C, rod_4);
+        joint r5 = distance(ground.G5, plate_3.B, rod_5);
+        drive motor = drive_angle(crank, 0.4 + 1rad_s * t);
+    }
+}
+declared! {
+    /// Four plates on six rods.
+    FourPlates (
+        rod_1: Length = 1.3, rod_2: Length = 1.5, rod_3: Length = 1.5, rod_4: Length = 1.5, rod_5: Length = 1.5,
+        rod_6: Length = 1.5
+    ) {
+        ground { point O = (-0.5, -1.5);  point G2 = (1.2, -1.1);  point G3 = (1.9, -1.1);  point G4 = (2.1, -1.1);
+                 point G5 = (2.6, -1);  point G6 = (4.5, -1.3); }
+        body crank { point O = (0, 0);  point T = (0.1, 0); }
+        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.1; }
+        body plate_2 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (1, 0);  start angle = -0.1; }
+        body plate_3 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (2, 0);  start angle = 0.1; }
+        body plate_4 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (3, 0);  start angle = -0.1; }
+        joint o = revolute(ground.O, crank.O);
+        joint pin_1 = revolute(plate_1.B, plate_2.A);
+        joint pin_2 = revolute(plate_2.B, plate_3.A);
+        joint pin_3 = revolute(plate_3.B, plate_4.A);
+        joint r1 = distance(crank.T, plate_1.A, rod_1);
+        joint r2 = distance(ground.G2, plate_1.C, rod_2);
+        joint r3 = distance(ground.G3, plate_2.C, rod_3);
+        joint r4 = distance(ground.G4, plate_3.C, rod_4);
+        joint r5 = distance(ground.G5, plate_4.C, rod_5);
+        joint r6 = distance(ground.G6, plate_4.B, rod_6);
+        drive motor = drive_angle(crank, 0.4 + 1rad_s * t);
+    }
+}
+declared! {
+    /// Six plates on eight rods.
+    SixPlates (
+        rod_1: Length = 1.3, rod_2: Length = 1.5, rod_3: Length = 1.5, rod_4: Length = 1.5, rod_5: Length = 1.5,
+        rod_6: Length = 1.5, rod_7: Length = 1.5, rod_8: Length = 1.5
+    ) {
+        ground { point O = (-0.5, -1.5);  point G2 = (1.2, -1.1);  point G3 = (1.9, -1.1);  point G4 = (2.1, -1.1);
+                 point G5 = (3.9, -1.1);  point G6 = (4.1, -1.1);  point G7 = (4.6, -1);  point G8 = (6.5, -1.3); }
+        body crank { point O = (0, 0);  point T = (0.1, 0); }
+        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.1; }
+        body plate_2 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (1, 0);  start angle = -0.1; }
+        body plate_3 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (2, 0);  start angle = 0.1; }
+        body plate_4 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (3, 0);  start angle = -0.1; }
+        body plate_5 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (4, 0);  start angle = 0.1; }
+        body plate_6 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (5, 0);  start angle = -0.1; }
+        joint o = revolute(ground.O, crank.O);
+        joint pin_1 = revolute(plate_1.B, plate_2.A);
+        joint pin_2 = revolute(plate_2.B, plate_3.A);
+        joint pin_3 = revolute(plate_3.B, plate_4.A);
+        joint pin_4 = revolute(plate_4.B, plate_5.A);
+        joint pin_5 = revolute(plate_5.B, plate_6.A);
+        joint r1 = distance(crank.T, plate_1.A, rod_1);
+        joint r2 = distance(ground.G2, plate_1.C, rod_2);
+        joint r3 = distance(ground.G3, plate_2.C, rod_3);
+        joint r4 = distance(ground.G4, plate_3.C, rod_4);
+        joint r5 = distance(ground.G5, plate_4.C, rod_5);
+        joint r6 = distance(ground.G6, plate_5.C, rod_6);
+        joint r7 = distance(ground.G7, plate_6.C, rod_7);
+        joint r8 = distance(ground.G8, plate_6.B, rod_8);
+        drive motor = drive_angle(crank, 0.4 + 1rad_s * t);
+    }
+}
+declared! {
+    /// Ten plates on twelve rods.
+    TenPlates (
+        rod_1: Length = 1.3, rod_2: Length = 1.5, rod_3: Length = 1.5, rod_4: Length = 1.5, rod_5: Length = 1.5,
+        rod_6: Length = 1.5, rod_7: Length = 1.5, rod_8: Length = 1.5, rod_9: Length = 1.5, rod_10: Length = 1.5,
+        rod_11: Length = 1.5, rod_12: Length = 1.5
+    ) {
+        ground { point O = (-0.5, -1.5);  point G2 = (1.2, -1.1);  point G3 = (1.9, -1.1);  point G4 = (2.1, -1.1);
+                 point G5 = (3.9, -1.1);  point G6 = (4.1, -1.1);  point G7 = (5.9, -1.1);  point G8 = (6.1, -1.1);
+                 point G9 = (7.9, -1.1);  point G10 = (8.1, -1.1);  point G11 = (8.6, -1);  point G12 = (10.5, -1.3); }
+        body crank { point O = (0, 0);  point T = (0.1, 0); }
+        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.1; }
+        body plate_2 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (1, 0);  start angle = -0.1; }
+        body plate_3 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (2, 0);  start angle = 0.1; }
+        body plate_4 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (3, 0);  start angle = -0.1; }
+        body plate_5 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (4, 0);  start angle = 0.1; }
+        body plate_6 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (5, 0);  start angle = -0.1; }
+        body plate_7 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (6, 0);  start angle = 0.1; }
+        body plate_8 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (7, 0);  start angle = -0.1; }
+        body plate_9 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (8, 0);  start angle = 0.1; }
+        body plate_10 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (9, 0);  start angle = -0.1; }
+        joint o = revolute(ground.O, crank.O);
+        joint pin_1 = revolute(plate_1.B, plate_2.A);
+        joint pin_2 = revolute(plate_2.B, plate_3.A);
+        joint pin_3 = revolute(plate_3.B, plate_4.A);
+        joint pin_4 = revolute(plate_4.B, plate_5.A);
+        joint pin_5 = revolute(plate_5.B, plate_6.A);
+        joint pin_6 = revolute(plate_6.B, plate_7.A);
+        joint pin_7 = revolute(plate_7.B, plate_8.A);
+        joint pin_8 = revolute(plate_8.B, plate_9.A);
+        joint pin_9 = revolute(plate_9.B, plate_10.A);
+        joint r1 = distance(crank.T, plate_1.A, rod_1);
+        joint r2 = distance(ground.G2, plate_1.C, rod_2);
+        joint r3 = distance(ground.G3, plate_2.C, rod_3);
+        joint r4 = distance(ground.G4, plate_3.C, rod_4);
+        joint r5 = distance(ground.G5, plate_4.C, rod_5);
+        joint r6 = distance(ground.G6, plate_5.C, rod_6);
+        joint r7 = distance(ground.G7, plate_6.C, rod_7);
+        joint r8 = distance(ground.G8, plate_7.C, rod_8);
+        joint r9 = distance(ground.G9, plate_8.C, rod_9);
+        joint r10 = distance(ground.G10, plate_9.C, rod_10);
+        joint r11 = distance(ground.G11, plate_10.C, rod_11);
+        joint r12 = distance(ground.G12, plate_10.B, rod_12);
+        drive motor = drive_angle(crank, 0.4 + 1rad_s * t);
+    }
+}
+declared! {
+    /// A plate on three bars, one of them standing on a crank: Stephenson's third linkage driven where it does not come apart.
+    Triad (bar_1_length: Length = 1.3, bar_2_length: Length = 1.5, bar_3_length: Length = 1.5) {
+        ground { point O = (-0.5, -1.5);  point G2 = (1.2, -1.1);  point G3 = (1.5, -1.3); }
+        body crank { point O = (0, 0);  point T = (0.1, 0); }
+        body plate { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.1; }
+        body bar_1 { point G = (0, 0);  point P = (bar_1_length, 0); }
+        body bar_2 { point G = (0, 0);  point P = (bar_2_length, 0); }
+        body bar_3 { point G = (0, 0);  point P = (bar_3_length, 0); }
+        joint o = revolute(ground.O, crank.O);
+        joint g1 = revolute(crank.T, bar_1.G);
+        joint g2 = revolute(ground.G2, bar_2.G);
+        joint g3 = revolute(ground.G3, bar_3.G);
+        joint p1 = revolute(bar_1.P, plate.A);
+        joint p2 = revolute(bar_2.P, plate.C);
+        joint p3 = revolute(bar_3.P, plate.B);
+        drive motor = drive_angle(crank, 0.4 + 1rad_s * t);
+    }
+}
+declared! {
+    /// Two plates pinned to each other on four bars.
+    DoubleTriad (
+        bar_1_length: Length = 1.3, bar_2_length: Length = 1.5, bar_3_length: Length = 1.5, bar_4_length: Length = 1.5
+    ) {
+        ground { point O = (-0.5, -1.5);  point G2 = (1.2, -1.1);  point G3 = (0.6, -1);  point G4 = (2.5, -1.3); }
+        body crank { point O = (0, 0);  point T = (0.1, 0); }
+        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.1; }
+        body plate_2 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (1, 0);  start angle = -0.1; }
+        body bar_1 { point G = (0, 0);  point P = (bar_1_length, 0); }
+        body bar_2 { point G = (0, 0);  point P = (bar_2_length, 0); }
+        body bar_3 { point G = (0, 0);  point P = (bar_3_length, 0); }
+        body bar_4 { point G = (0, 0);  point P = (bar_4_length, 0); }
+        joint o = revolute(ground.O, crank.O);
+        joint pin = revolute(plate_1.B, plate_2.A);
+        joint g1 = revolute(crank.T, bar_1.G);
+        joint g2 = revolute(ground.G2, bar_2.G);
+        joint g3 = revolute(ground.G3, bar_3.G);
+        joint g4 = revolute(ground.G4, bar_4.G);
+        joint p1 = revolute(bar_1.P, plate_1.A);
+        joint p2 = revolute(bar_2.P, plate_1.C);
+        joint p3 = revolute(bar_3.P, plate_2.C);
+        joint p4 = revolute(bar_4.P, plate_2.B);
+        drive motor = drive_angle(crank, 0.4 + 1rad_s * t);
+    }
+}
