@@ -13,11 +13,11 @@ use crate::declared;
 declared! {
     /// One plate on three rods.
     Plate (
-        rod_1: Length = 1.3, rod_2: Length = 1.5, rod_3: Length = 1.5
+        rod_1: Length = 1.517, rod_2: Length = 1.331, rod_3: Length = 1.571
     ) {
-        ground { point O = (-0.5, -1.5);  point G2 = (1.2, -1.1);  point G3 = (1.5, -1.3); }
+        ground { point O = (-0.5, -1.5);  point G2 = (-0.8, 0.9);  point G3 = (2.1, 1.3); }
         body crank { point O = (0, 0);  point T = (0.1, 0); }
-        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.1; }
+        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.2; }
         joint o = revolute(ground.O, crank.O);
         joint r1 = distance(crank.T, plate_1.A, rod_1);
         joint r2 = distance(ground.G2, plate_1.C, rod_2);
@@ -28,12 +28,12 @@ declared! {
 declared! {
     /// Two plates in a row on four rods.
     TwoPlates (
-        rod_1: Length = 1.3, rod_2: Length = 1.5, rod_3: Length = 1.5, rod_4: Length = 1.5
+        rod_1: Length = 1.517, rod_2: Length = 0.947, rod_3: Length = 1.454, rod_4: Length = 1.609
     ) {
-        ground { point O = (-0.5, -1.5);  point G2 = (1.2, -1.1);  point G3 = (0.6, -1);  point G4 = (2.5, -1.3); }
+        ground { point O = (-0.5, -1.5);  point G2 = (-0.2, 1.1);  point G3 = (2.8, 1.1);  point G4 = (0.7, -1); }
         body crank { point O = (0, 0);  point T = (0.1, 0); }
-        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.1; }
-        body plate_2 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (1, 0);  start angle = -0.1; }
+        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.2; }
+        body plate_2 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (1, 0);  start angle = -0.2; }
         joint o = revolute(ground.O, crank.O);
         joint pin_1 = revolute(plate_1.B, plate_2.A);
         joint r1 = distance(crank.T, plate_1.A, rod_1);
@@ -46,14 +46,14 @@ declared! {
 declared! {
     /// Three plates on five rods.
     ThreePlates (
-        rod_1: Length = 1.3, rod_2: Length = 1.5, rod_3: Length = 1.5, rod_4: Length = 1.5, rod_5: Length = 1.5
+        rod_1: Length = 1.517, rod_2: Length = 2.037, rod_3: Length = 1.007, rod_4: Length = 1.624, rod_5: Length = 1.533
     ) {
-        ground { point O = (-0.5, -1.5);  point G2 = (1.2, -1.1);  point G3 = (1.9, -1.1);  point G4 = (1.6, -1);
-                 point G5 = (3.5, -1.3); }
+        ground { point O = (-0.5, -1.5);  point G2 = (1.7, -1.2);  point G3 = (2.4, 0.9);  point G4 = (3.8, 1.2);
+                 point G5 = (1.7, 1.1); }
         body crank { point O = (0, 0);  point T = (0.1, 0); }
-        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.1; }
-        body plate_2 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (1, 0);  start angle = -0.1; }
-        body plate_3 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (2, 0);  start angle = 0.1; }
+        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.2; }
+        body plate_2 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (1, 0);  start angle = -0.2; }
+        body plate_3 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (2, 0);  start angle = 0.2; }
         joint o = revolute(ground.O, crank.O);
         joint pin_1 = revolute(plate_1.B, plate_2.A);
         joint pin_2 = revolute(plate_2.B, plate_3.A);
@@ -68,16 +68,16 @@ declared! {
 declared! {
     /// Four plates on six rods.
     FourPlates (
-        rod_1: Length = 1.3, rod_2: Length = 1.5, rod_3: Length = 1.5, rod_4: Length = 1.5, rod_5: Length = 1.5,
-        rod_6: Length = 1.5
+        rod_1: Length = 1.517, rod_2: Length = 1.168, rod_3: Length = 1.408, rod_4: Length = 1.074, rod_5: Length = 1.96,
+        rod_6: Length = 1.541
     ) {
-        ground { point O = (-0.5, -1.5);  point G2 = (1.2, -1.1);  point G3 = (1.9, -1.1);  point G4 = (2.1, -1.1);
-                 point G5 = (2.6, -1);  point G6 = (4.5, -1.3); }
+        ground { point O = (-0.5, -1.5);  point G2 = (-0.5, 1.1);  point G3 = (2.8, 1);  point G4 = (3.2, 1.1);
+                 point G5 = (2.7, -1.4);  point G6 = (5, 1.1); }
         body crank { point O = (0, 0);  point T = (0.1, 0); }
-        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.1; }
-        body plate_2 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (1, 0);  start angle = -0.1; }
-        body plate_3 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (2, 0);  start angle = 0.1; }
-        body plate_4 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (3, 0);  start angle = -0.1; }
+        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.2; }
+        body plate_2 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (1, 0);  start angle = -0.2; }
+        body plate_3 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (2, 0);  start angle = 0.2; }
+        body plate_4 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (3, 0);  start angle = -0.2; }
         joint o = revolute(ground.O, crank.O);
         joint pin_1 = revolute(plate_1.B, plate_2.A);
         joint pin_2 = revolute(plate_2.B, plate_3.A);
@@ -94,18 +94,18 @@ declared! {
 declared! {
     /// Six plates on eight rods.
     SixPlates (
-        rod_1: Length = 1.3, rod_2: Length = 1.5, rod_3: Length = 1.5, rod_4: Length = 1.5, rod_5: Length = 1.5,
-        rod_6: Length = 1.5, rod_7: Length = 1.5, rod_8: Length = 1.5
+        rod_1: Length = 1.517, rod_2: Length = 1.09, rod_3: Length = 1.408, rod_4: Length = 1.91, rod_5: Length = 1.721,
+        rod_6: Length = 1.348, rod_7: Length = 2.025, rod_8: Length = 1.259
     ) {
-        ground { point O = (-0.5, -1.5);  point G2 = (1.2, -1.1);  point G3 = (1.9, -1.1);  point G4 = (2.1, -1.1);
-                 point G5 = (3.9, -1.1);  point G6 = (4.1, -1.1);  point G7 = (4.6, -1);  point G8 = (6.5, -1.3); }
+        ground { point O = (-0.5, -1.5);  point G2 = (-0.4, 1.1);  point G3 = (2.8, 1);  point G4 = (1.2, -1.1);
+                 point G5 = (4.5, -1);  point G6 = (5.6, 0.9);  point G7 = (4.2, -1.2);  point G8 = (5.5, -1.2); }
         body crank { point O = (0, 0);  point T = (0.1, 0); }
-        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.1; }
-        body plate_2 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (1, 0);  start angle = -0.1; }
-        body plate_3 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (2, 0);  start angle = 0.1; }
-        body plate_4 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (3, 0);  start angle = -0.1; }
-        body plate_5 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (4, 0);  start angle = 0.1; }
-        body plate_6 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (5, 0);  start angle = -0.1; }
+        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.2; }
+        body plate_2 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (1, 0);  start angle = -0.2; }
+        body plate_3 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (2, 0);  start angle = 0.2; }
+        body plate_4 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (3, 0);  start angle = -0.2; }
+        body plate_5 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (4, 0);  start angle = 0.2; }
+        body plate_6 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (5, 0);  start angle = -0.2; }
         joint o = revolute(ground.O, crank.O);
         joint pin_1 = revolute(plate_1.B, plate_2.A);
         joint pin_2 = revolute(plate_2.B, plate_3.A);
@@ -126,24 +126,24 @@ declared! {
 declared! {
     /// Ten plates on twelve rods.
     TenPlates (
-        rod_1: Length = 1.3, rod_2: Length = 1.5, rod_3: Length = 1.5, rod_4: Length = 1.5, rod_5: Length = 1.5,
-        rod_6: Length = 1.5, rod_7: Length = 1.5, rod_8: Length = 1.5, rod_9: Length = 1.5, rod_10: Length = 1.5,
-        rod_11: Length = 1.5, rod_12: Length = 1.5
+        rod_1: Length = 1.517, rod_2: Length = 1.456, rod_3: Length = 1.573, rod_4: Length = 1.849, rod_5: Length = 1.219,
+        rod_6: Length = 1.464, rod_7: Length = 1.6, rod_8: Length = 1.516, rod_9: Length = 1.607, rod_10: Length = 0.81,
+        rod_11: Length = 1.421, rod_12: Length = 1.641
     ) {
-        ground { point O = (-0.5, -1.5);  point G2 = (1.2, -1.1);  point G3 = (1.9, -1.1);  point G4 = (2.1, -1.1);
-                 point G5 = (3.9, -1.1);  point G6 = (4.1, -1.1);  point G7 = (5.9, -1.1);  point G8 = (6.1, -1.1);
-                 point G9 = (7.9, -1.1);  point G10 = (8.1, -1.1);  point G11 = (8.6, -1);  point G12 = (10.5, -1.3); }
+        ground { point O = (-0.5, -1.5);  point G2 = (1.1, -0.9);  point G3 = (0.8, -1);  point G4 = (1.3, -1.1);
+                 point G5 = (4, 1.5);  point G6 = (5.5, 1.3);  point G7 = (5.3, -1.2);  point G8 = (7.7, 1);
+                 point G9 = (7.2, -1.2);  point G10 = (8.2, 1.2);  point G11 = (8.2, 1.2);  point G12 = (8.8, -1.3); }
         body crank { point O = (0, 0);  point T = (0.1, 0); }
-        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.1; }
-        body plate_2 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (1, 0);  start angle = -0.1; }
-        body plate_3 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (2, 0);  start angle = 0.1; }
-        body plate_4 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (3, 0);  start angle = -0.1; }
-        body plate_5 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (4, 0);  start angle = 0.1; }
-        body plate_6 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (5, 0);  start angle = -0.1; }
-        body plate_7 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (6, 0);  start angle = 0.1; }
-        body plate_8 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (7, 0);  start angle = -0.1; }
-        body plate_9 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (8, 0);  start angle = 0.1; }
-        body plate_10 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (9, 0);  start angle = -0.1; }
+        body plate_1 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (0, 0);  start angle = 0.2; }
+        body plate_2 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (1, 0);  start angle = -0.2; }
+        body plate_3 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (2, 0);  start angle = 0.2; }
+        body plate_4 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (3, 0);  start angle = -0.2; }
+        body plate_5 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (4, 0);  start angle = 0.2; }
+        body plate_6 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (5, 0);  start angle = -0.2; }
+        body plate_7 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (6, 0);  start angle = 0.2; }
+        body plate_8 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (7, 0);  start angle = -0.2; }
+        body plate_9 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (8, 0);  start angle = 0.2; }
+        body plate_10 { point A = (0, 0);  point B = (1, 0);  point C = (0.5, 0.3);  start position = (9, 0);  start angle = -0.2; }
         joint o = revolute(ground.O, crank.O);
         joint pin_1 = revolute(plate_1.B, plate_2.A);
         joint pin_2 = revolute(plate_2.B, plate_3.A);

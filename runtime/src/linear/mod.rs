@@ -19,8 +19,6 @@ mod rank;
 mod small;
 mod solve;
 mod sparse;
-#[cfg(test)]
-mod tests;
 
 use nalgebra::{SMatrix, SVector};
 

@@ -2,6 +2,9 @@
 //!
 //! A fixed order may meet a small pivot, although the matrix is regular: there elimination with pivoting takes its place.
 
+#[cfg(test)]
+mod tests;
+
 use core::marker::PhantomData;
 
 use nalgebra::{SMatrix, SVector};
