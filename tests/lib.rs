@@ -10,6 +10,7 @@ pub mod common {
     pub mod interpreter;
     pub mod reference;
     pub mod text;
+    pub mod twofold;
 }
 pub mod blocks;
 pub mod laws;

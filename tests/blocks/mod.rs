@@ -1,4 +1,4 @@
-//! Mechanisms whose loops do not come apart: blocks of three to twelve unknowns.
+//! Mechanisms whose loops do not come apart: blocks of two to twelve unknowns.
 //!
 //! ```text
 //!      C       C       C
@@ -10,6 +10,20 @@
 
 use crate::declared;
 
+declared! {
+    /// A four-bar.
+    Loop (crank_length: Length = 0.5, coupler_length: Length = 1.5, rocker_length: Length = 1.2) {
+        ground { point O = (0, 0);  point C = (1.6, 0); }
+        body crank   { point O = (0, 0);  point A = (crank_length, 0); }
+        body coupler { point A = (0, 0);  point B = (coupler_length, 0); }
+        body rocker  { point C = (0, 0);  point B = (rocker_length, 0);  start angle = 1.8; }
+        joint o = revolute(ground.O, crank.O);
+        joint a = revolute(crank.A, coupler.A);
+        joint b = revolute(coupler.B, rocker.B);
+        joint c = revolute(rocker.C, ground.C);
+        drive motor = drive_angle(crank, 0.4 + 1rad_s * t);
+    }
+}
 declared! {
     /// One plate on three rods.
     Plate (
