@@ -2,7 +2,7 @@
 
 use crate::expr::{Evaluator, Leaf, Values, show};
 use crate::model::{Function, Model, Output, Parameter};
-use crate::plan::{Cost, Part, Plan, Routine, Solution};
+use crate::plan::{Cost, Elimination, Part, Plan, Routine, Solution};
 use crate::system::System;
 use std::fmt::Write;
 
@@ -52,10 +52,18 @@ fn solution(page: &mut String, model: &Model, system: &System, solution: &Soluti
                 writeln!(page, "iterate  {}  from  {}", unknowns.join(", "), rows.join(", ")).and_then(|()| {
                     writeln!(page, "         each time {flops} sums and products, {divisions} divisions and roots, {calls} other functions; {sines} sine-cosine pairs once")
                 })
+                .and_then(|()| block.elimination.as_ref().map_or(Ok(()), |elimination| eliminated(page, elimination)))
             }
         };
     }
     let _ = writeln!(page, "```");
+}
+
+/// What becomes of a large block's Jacobian.
+fn eliminated(page: &mut String, elimination: &Elimination) -> std::fmt::Result {
+    let (entries, factors) = (elimination.pattern.len(), elimination.factors.len());
+    let Cost { flops, divisions, .. } = elimination.cost;
+    writeln!(page, "         its Jacobian of {entries} entries is eliminated to {factors} by {flops} sums and products, {divisions} divisions")
 }
 
 /// `crank.angle`

@@ -145,8 +145,22 @@ fn plan_constant(model: &Model, system: &System, solution: &Solution) -> TokenSt
         Part::Block(block) => {
             let unknowns = block.system.unknowns.iter().map(|unknown| docs::coordinate_name(model, system, *unknown));
             let equations = block.system.equations.iter().map(|equation| docs::equation_name(model, system, *equation));
+            let elimination = match &block.elimination {
+                Some(elimination) => {
+                    let operations = operations(elimination.cost);
+                    quote!(::core::option::Option::Some(#operations))
+                }
+                None => quote!(::core::option::Option::None),
+            };
             let operations = operations(block.cost);
-            quote!(::reuleaux::PlanStage::Iterated { unknowns: &[#(#unknowns),*], equations: &[#(#equations),*], operations: #operations })
+            quote! {
+                ::reuleaux::PlanStage::Iterated {
+                    unknowns: &[#(#unknowns),*],
+                    equations: &[#(#equations),*],
+                    operations: #operations,
+                    elimination: #elimination,
+                }
+            }
         }
     };
     let stages = solution.parts.iter().map(stage);
