@@ -5,10 +5,11 @@ use core::fmt::Debug;
 
 use nalgebra::SMatrix;
 
+use crate::careful::{self, Care};
 use crate::linear::{Factors, Linear};
-use crate::pass::{Pass, Solved, Stop};
+use crate::pass::{Solved, Stop};
 use crate::problem::{Block, Evaluate};
-use crate::{Orientation, Real, careful, turn};
+use crate::{Orientation, Real, turn};
 
 /// The answer to a comparison, by lane.
 pub trait Mask: Copy + Debug {
@@ -82,7 +83,7 @@ pub trait Lanes: Real {
     /// Why the block has no solution near.
     #[doc(hidden)]
     fn carefully<L: Linear<Self, K>, const K: usize, const N: usize>(
-        pass: &mut Pass<'_, Self, N>,
+        care: &Care<'_, Self, N>,
         block: &Block<K>,
         sizes: [Self; K],
         evaluate: &Evaluate<'_, Self, L, K>,
@@ -146,12 +147,12 @@ macro_rules! scalar {
             #[cold]
             #[inline(never)]
             fn carefully<L: Linear<Self, K>, const K: usize, const N: usize>(
-                pass: &mut Pass<'_, Self, N>,
+                care: &Care<'_, Self, N>,
                 block: &Block<K>,
                 sizes: [Self; K],
                 evaluate: &Evaluate<'_, Self, L, K>,
             ) -> Result<Solved<Self, L, K>, Stop<Self>> {
-                careful::solve(pass, block, sizes, evaluate)
+                careful::solve(care, block, sizes, evaluate)
             }
         }
     };

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use crate::assembly::assemble;
 use crate::continuation;
-use crate::pass::Pass;
+use crate::careful::Care;
 use crate::place::Place;
 use crate::position;
 use crate::problem::{Problem, Whole};
@@ -45,7 +45,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
             return Err(fail(Cause::NotFinite { of: Culprit::Time }));
         }
         let guess = all_at_once(self, t, guess);
-        continuation::state(self, t, Pass::close(self, &guess)).map_err(|stop| fail(verdict::open(stop)))
+        continuation::state(self, t, Care::close(self, &guess)).map_err(|stop| fail(verdict::open(stop)))
     }
 
     /// The state at `t` (s) on the branch of `from`, a state of this mechanism with these parameters.

@@ -74,7 +74,11 @@ pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
 /// (sin x, cos x) of several angles.
 #[inline(always)]
 pub(crate) fn sin_cos_of_each<const K: usize>(angles: [f64; K]) -> [(f64, f64); K] {
-    angles.map(sin_cos)
+    let mut turns = [(0.0, 1.0); K];
+    for k in 0..K {
+        turns[k] = sin_cos(angles[k]);
+    }
+    turns
 }
 
 /// Cosine and sine of n quarter turns, twice each and one of them negative, as the sum of angles needs them.
@@ -92,9 +96,10 @@ fn near(x: f64) -> (f64, f64) {
     let zz = z * z;
     let pair = |k: usize| [SINE[k] + z * SINE[k + 1], COSINE[k] + z * COSINE[k + 1]];
     let [low, middle, high] = [pair(0), pair(2), pair(4)];
-    let tail = both(|i| low[i] + zz * (middle[i] + zz * high[i]));
-    let (first, factor, less) = ([y, 1.0], [y * z, zz], [0.0, 0.5 * z]);
-    let turn = both(|i| first[i] + (factor[i] * tail[i] - less[i]));
+    let fourth = zz * zz;
+    let tail = both(|i| (low[i] + zz * middle[i]) + fourth * high[i]);
+    let (first, factor) = ([y, 1.0 - 0.5 * z], [y * z, zz]);
+    let turn = both(|i| first[i] + factor[i] * tail[i]);
     let [sine, cosine] = both(|i| turn[i] * cosines[i] + turn[1 - i] * sines[i]);
     (sine, cosine)
 }

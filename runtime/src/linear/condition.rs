@@ -15,7 +15,7 @@ impl<T: Float, const N: usize> Factors<T, N> {
     /// condition number of a matrix, 1979.
     ///
     /// * `sizes`: given, by row, what the rounding errors of b are a share of; it counts where it is larger than the row of |A| c.
-    pub(crate) fn growth(&self, sizes: &SVector<T, N>) -> T {
+    pub(super) fn amplification(&self, sizes: &SVector<T, N>) -> T {
         if self.rank < N {
             return T::of(f64::INFINITY);
         }

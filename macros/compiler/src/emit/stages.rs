@@ -21,11 +21,12 @@ impl Emitter<'_> {
             return quote!();
         }
         let (toward, angles) = (self.toward(), self.plan.solution.as_ref().map(|solution| self.computed_angles(solution)));
+        let iterated = self.plan.solution.as_ref().map(iterated);
         let body = self.plan.solution.as_ref().map(|solution| self.solution(solution));
         quote! {
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
-            impl<T: ::reuleaux::Float> ::reuleaux::Stages<T, #n> for #name<T> { #angles #toward #body }
+            impl<T: ::reuleaux::Float> ::reuleaux::Stages<T, #n> for #name<T> { #angles #iterated #toward #body }
         }
     }
 
@@ -66,7 +67,7 @@ impl Emitter<'_> {
         let column = |order: usize| -> Vec<Ident> { solution.unknowns.iter().map(|names| local(&names[order])).collect() };
         let (q, qd, qdd) = (column(0), column(1), column(2));
         quote! {
-            #[inline]
+            #[inline(always)]
             fn stages(
                 &self,
                 #t: T,
@@ -160,4 +161,14 @@ impl Emitter<'_> {
             let [#(#xdd),*] = #solved.rates([#(#acceleration_sides),*]);
         }
     }
+}
+
+/// Unknowns that are iterated
+fn iterated(solution: &Solution) -> TokenStream {
+    let blocks = solution.parts.iter().filter_map(|part| match part {
+        Part::Block(block) => Some(&block.system.unknowns),
+        Part::Explicit { .. } => None,
+    });
+    let unknowns = blocks.flatten().map(|unknown| Literal::usize_unsuffixed(*unknown));
+    quote!(const ITERATED: &'static [usize] = &[#(#unknowns),*];)
 }
