@@ -65,7 +65,7 @@ pub trait Lanes: Real {
     /// Where signs are the same.
     fn same(a: Self::Sides, b: Self::Sides) -> Self::Mask;
 
-    /// (sine, cosine) to within a unit of the last place, for the loops of the solver, where speed counts and bits need not be the
+    /// (sine, cosine) with a relative error of 2 ε at most, for the loops of the solver, where speed counts and bits need not be the
     /// same as those of [`sin_cos`](Real::sin_cos).
     #[must_use]
     fn turn(self) -> (Self, Self);
