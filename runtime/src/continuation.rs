@@ -12,7 +12,7 @@ use crate::pass::{Pass, Stop, Walk};
 use crate::stages::{Coordinates, Stages};
 use crate::straight::Departure;
 use crate::verdict;
-use crate::{Cause, Culprit, Failure, Float, State, names};
+use crate::{Cause, Culprit, Failure, Float, Lanes, Mask, State, names};
 
 /// Steps of one continuation, accepted or not.
 const MOST_STEPS: usize = 1_000_000;
@@ -45,17 +45,40 @@ pub(crate) fn advance<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
 /// A function of its own for each mechanism, so that its stages are compiled into it and their results never leave the registers.
 #[inline(never)]
 fn step<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, state: &mut State<T, N>, t: T) -> bool {
-    let h = t - state.t;
-    let mut pass = Pass::straight(equations, Departure::new(state, &state.branch, h));
-    let Ok(there) = equations.stages(t, &mut pass) else { return false };
-    let Some(Walk { found, condition, iterations }) = pass.walk() else { return false };
-    if !found || !is_surely_finite(h, &there) || !is_resolved(state, &there.q, h, E::COMPUTED_ANGLES) {
-        return false;
-    }
+    let Some(stride) = stride(equations, state, &state.branch, t, true) else { return false };
     // Every block has kept its sign: the branch's name stays.
-    state.follow_on(t, h, there, E::ITERATED);
-    (state.condition, state.iterations) = (condition, iterations);
+    state.follow_on(t, stride, E::ITERATED);
     true
+}
+
+/// What a step straight on comes to.
+pub(crate) struct Stride<T: Lanes, const N: usize> {
+    /// The time it takes, s.
+    pub(crate) h: T,
+    pub(crate) there: Coordinates<T, N>,
+    /// The lanes in which it was made, one at least.
+    pub(crate) found: T::Mask,
+    pub(crate) condition: T,
+    pub(crate) iterations: usize,
+}
+
+/// One step straight on, in the lanes that are `moving`; None where no lane made it.
+///
+/// * `sides`: given, the branch: by block, at the index of its first unknown.
+#[inline(always)]
+pub(crate) fn stride<T: Lanes, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    state: &State<T, N>,
+    sides: &[T::Sides; N],
+    t: T,
+    moving: T::Mask,
+) -> Option<Stride<T, N>> {
+    let h = t - state.t;
+    let mut pass = Pass::straight(equations, Departure::new(state, sides, h, moving));
+    let there = equations.stages(t, &mut pass).ok()?;
+    let Walk { found, condition, iterations } = pass.walk()?;
+    let found = found.and(moving).and(is_surely_finite(h, &there)).and(is_resolved(state, &there.q, h, E::COMPUTED_ANGLES));
+    (!found.not().all()).then_some(Stride { h, there, found, condition, iterations })
 }
 
 /// The same by as many steps as it takes.
@@ -102,15 +125,15 @@ fn halves<T: Float, const N: usize>(step: &mut T, next: T, here: &State<T, N>) -
 
 /// Every computed angle came to where it was expected: a drive that goes on after a rest may turn anything in one long step.
 #[inline(always)]
-fn is_resolved<T: Float, const N: usize>(here: &State<T, N>, q: &SVector<T, N>, h: T, angles: &[usize]) -> bool {
-    let mut farthest = T::of(0.0);
+fn is_resolved<T: Lanes, const N: usize>(here: &State<T, N>, q: &SVector<T, N>, h: T, angles: &[usize]) -> T::Mask {
+    let mut resolved = T::Mask::of(true);
     for &i in angles {
         if i < N {
-            let off = (q[i] - (here.q[i] + h * (here.qd[i] + h * T::of(0.5) * here.qdd[i]))).abs();
-            farthest = if off > farthest { off } else { farthest };
+            let off = q[i] - (here.q[i] + h * (here.qd[i] + h * T::of(0.5) * here.qdd[i]));
+            resolved = resolved.and(off.abs().at_most(T::of(LARGEST_SURPRISE)));
         }
     }
-    farthest <= T::of(LARGEST_SURPRISE)
+    resolved
 }
 
 /// The state at the end of a careful pass.
@@ -138,7 +161,7 @@ pub(crate) fn state<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
 
 /// A sum is not finite if a term is not. Four sums side by side, so that none has to wait long for the one before.
 #[inline(always)]
-fn is_surely_finite<T: Float, const N: usize>(time: T, there: &Coordinates<T, N>) -> bool {
+fn is_surely_finite<T: Lanes, const N: usize>(time: T, there: &Coordinates<T, N>) -> T::Mask {
     let mut sums = [time, T::of(0.0), T::of(0.0), T::of(0.0)];
     for vector in [&there.q, &there.qd, &there.qdd] {
         for k in 0..N / 4 {
@@ -150,5 +173,7 @@ fn is_surely_finite<T: Float, const N: usize>(time: T, there: &Coordinates<T, N>
             sums[i - N / 4 * 4] = sums[i - N / 4 * 4] + vector[i];
         }
     }
-    ((sums[0] + sums[1]) + (sums[2] + sums[3])).is_finite()
+    let sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    // ∞ − ∞ is NaN.
+    (sum - sum).at_most(T::of(0.0))
 }

@@ -29,10 +29,7 @@ pub trait Mask: Copy + Debug {
 
     /// Yes in one at least.
     #[must_use]
-    #[inline(always)]
-    fn or(self, other: Self) -> Self {
-        self.not().and(other.not()).not()
-    }
+    fn or(self, other: Self) -> Self;
 }
 
 /// A [`Real`] with which a mechanism can be followed in time: `f64` and `f32`, which are one lane each, and numbers of several lanes.
@@ -44,7 +41,7 @@ pub trait Lanes: Real {
     type Dense<const K: usize>: Linear<Self, K, Matrix = SMatrix<Self, K, K>>;
 
     /// The signs of determinants.
-    type Sides: Copy + Debug + PartialEq;
+    type Sides: Copy + Debug;
 
     /// The difference between 1 and the next greater number.
     const EPSILON: Self;
@@ -102,6 +99,10 @@ impl Mask for bool {
     #[inline(always)]
     fn and(self, other: Self) -> Self {
         self & other
+    }
+    #[inline(always)]
+    fn or(self, other: Self) -> Self {
+        self | other
     }
     #[inline(always)]
     fn not(self) -> Self {

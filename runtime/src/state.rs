@@ -2,7 +2,8 @@
 
 use nalgebra::{SVector, Vector2};
 
-use crate::{Coordinates, Float, Lanes, Real};
+use crate::continuation::Stride;
+use crate::{Coordinates, Float, Lanes, Mask, Real};
 
 /// Position, velocity and acceleration of a mechanism at one instant.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,7 +39,7 @@ pub struct State<T, const N: usize> {
 #[derive(Clone, Debug)]
 pub(crate) struct Trend<T, const N: usize> {
     /// s, in s; 0 if there was no step.
-    span: T,
+    pub(crate) span: T,
     /// e but for the term with q̈, in m and rad.
     pub(crate) rest: SVector<T, N>,
 }
@@ -160,18 +161,29 @@ impl<T: Lanes, const N: usize> Trend<T, N> {
 }
 
 impl<T: Lanes, const N: usize> State<T, N> {
-    /// Becomes the state there, `h` later, on the same branch; `iterated` unknowns get a trend.
+    /// Becomes the state at `t`, on the same branch, in the lanes in which it was found; `iterated` unknowns get a trend.
     #[inline(always)]
-    pub(crate) fn follow_on(&mut self, t: T, h: T, there: Coordinates<T, N>, iterated: &[usize]) {
+    pub(crate) fn follow_on(&mut self, t: T, stride: Stride<T, N>, iterated: &[usize]) {
+        let Stride { h, there: Coordinates { q, qd, qdd }, found, condition, iterations } = stride;
         let twice = T::of(2.0) * (h * h);
         for &i in iterated {
             if i < N {
-                let rates = T::of(17.0) * there.qd[i] + T::of(14.0) * self.qd[i];
-                self.trend.rest[i] = (T::of(31.0) * (there.q[i] - self.q[i]) - twice * self.qdd[i]) - h * rates;
+                let rates = T::of(17.0) * qd[i] + T::of(14.0) * self.qd[i];
+                let rest = (T::of(31.0) * (q[i] - self.q[i]) - twice * self.qdd[i]) - h * rates;
+                self.trend.rest[i] = T::pick(found, rest, self.trend.rest[i]);
             }
         }
-        self.trend.span = h;
-        (self.t, self.q, self.qd, self.qdd) = (t, there.q, there.qd, there.qdd);
+        self.iterations = iterations;
+        if found.all() {
+            (self.trend.span, self.condition) = (h, condition);
+            (self.t, self.q, self.qd, self.qdd) = (t, q, qd, qdd);
+        } else {
+            let pick = |then, otherwise| T::pick(found, then, otherwise);
+            (self.trend.span, self.condition) = (pick(h, self.trend.span), pick(condition, self.condition));
+            self.t = pick(t, self.t);
+            (self.q, self.qd, self.qdd) =
+                (q.zip_map(&self.q, pick), qd.zip_map(&self.qd, pick), qdd.zip_map(&self.qdd, pick));
+        }
     }
 }
 

@@ -41,6 +41,8 @@ const MOST_CORRECTIONS: usize = 4;
 pub(crate) struct Departure<'a, T: Lanes, const N: usize> {
     here: &'a State<T, N>,
     sides: &'a [T::Sides; N],
+    /// The lanes that set out.
+    moving: T::Mask,
     /// What q̇, q̈ and the rest of the trend are multiplied by.
     weights: [T; 3],
 }
@@ -69,10 +71,10 @@ pub(crate) struct Arrival<T: Lanes, L, const K: usize> {
 }
 
 impl<'a, T: Lanes, const N: usize> Departure<'a, T, N> {
-    /// From a state, whose signs of determinants are `sides`, to a moment h later.
+    /// From a state, whose signs of determinants are `sides`, to a moment h later, in the lanes that are `moving`.
     #[inline(always)]
-    pub(crate) fn new(here: &'a State<T, N>, sides: &'a [T::Sides; N], h: T) -> Self {
-        Self { here, sides, weights: here.trend.weights(h) }
+    pub(crate) fn new(here: &'a State<T, N>, sides: &'a [T::Sides; N], h: T, moving: T::Mask) -> Self {
+        Self { here, sides, moving, weights: here.trend.weights(h) }
     }
 
     /// Predictions of these unknowns, and the scaled length of the way there.
@@ -101,7 +103,7 @@ impl<'a, T: Lanes, const N: usize> Departure<'a, T, N> {
     ) -> Option<Arrival<T, L, K>> {
         let (x, way) = self.predict(scene);
         let side = *self.sides.get(name)?;
-        let mut follows = way.at_most(T::of(LONGEST_PREDICTION));
+        let mut follows = self.moving.and(way.at_most(T::of(LONGEST_PREDICTION)));
         let mut place = Place::at(x, scene.turns);
         let mut longest = T::of(LONGEST_FIRST_CORRECTION);
         let mut iterations = 0;

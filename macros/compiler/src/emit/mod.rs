@@ -107,6 +107,14 @@ fn defaults(model: &Model, system: &System) -> TokenStream {
             #[must_use]
             pub fn with_defaults() -> Self { Self { #(#fields: T::of(#signs #values),)* #marker } }
         }
+        #[automatically_derived]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, unused_variables)]
+        impl<T: ::reuleaux::Real> ::reuleaux::Family<T> for #name<T> {
+            type Over<U: ::reuleaux::Real> = #name<U>;
+            fn gather<U: ::reuleaux::Real, const L: usize>(each: [&Self; L], combine: impl Fn([T; L]) -> U) -> #name<U> {
+                #name { #(#fields: combine(each.map(|one| one.#fields)),)* #marker }
+            }
+        }
     }
 }
 

@@ -26,7 +26,7 @@ impl Emitter<'_> {
         quote! {
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
-            impl<T: ::reuleaux::Float> ::reuleaux::Stages<T, #n> for #name<T> { #angles #iterated #toward #body }
+            impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> { #angles #iterated #toward #body }
         }
     }
 
