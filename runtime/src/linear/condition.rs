@@ -34,8 +34,8 @@ impl<T: Float, const N: usize> Factors<T, N> {
             }
         }
         self.substitute_back(&mut y);
-        y.iter().zip(&self.columns).fold(T::of(1.0), |largest, (entry, &column)| {
-            greater(largest, entry.abs() * (self.column_scale[column] * shares[column]))
-        })
+        y.iter()
+            .zip(&self.columns)
+            .fold(T::of(1.0), |largest, (entry, &column)| greater(largest, entry.abs() * (self.column_scale[column] * shares[column])))
     }
 }

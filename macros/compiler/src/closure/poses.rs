@@ -41,7 +41,8 @@ impl<'a> Poses<'a> {
         if closure.is_closed
             && let Some(rates) = rates(system, &known, &closure.start)
         {
-            let scaled = |(rate, unknown): (&f64, &crate::system::Unknown)| if unknown.dim == Dim::ANGLE { rate.abs() } else { rate.abs() / size };
+            let scaled =
+                |(rate, unknown): (&f64, &crate::system::Unknown)| if unknown.dim == Dim::ANGLE { rate.abs() } else { rate.abs() / size };
             let fastest = rates.iter().zip(&system.unknowns).map(scaled).fold(0.0, f64::max);
             if fastest > 0.0 && fastest.is_finite() {
                 poses.extend(WAYS.map(|way| moved(model, system, &known, size, &closure.start, &rates, way / fastest)));
@@ -57,7 +58,8 @@ impl<'a> Poses<'a> {
         let values = |pose: &Pose| {
             let mut found = vec![f64::NAN; exprs.len()];
             let (time, parameters, coordinates) = (pose.time, self.parameters.as_slice(), pose.q.as_slice());
-            evaluator.run(&Values { time, parameters, coordinates, velocities: &[], accelerations: &[], functions: &functions }, &mut found);
+            evaluator
+                .run(&Values { time, parameters, coordinates, velocities: &[], accelerations: &[], functions: &functions }, &mut found);
             found
         };
         self.poses.iter().map(values).collect()

@@ -63,7 +63,10 @@ fn solution(page: &mut String, model: &Model, system: &System, solution: &Soluti
 fn eliminated(page: &mut String, elimination: &Elimination) -> std::fmt::Result {
     let (entries, factors) = (elimination.pattern.len(), elimination.factors.len());
     let Cost { flops, divisions, .. } = elimination.cost;
-    writeln!(page, "         its Jacobian of {entries} entries is eliminated to {factors} by {flops} sums and products, {divisions} divisions")
+    writeln!(
+        page,
+        "         its Jacobian of {entries} entries is eliminated to {factors} by {flops} sums and products, {divisions} divisions"
+    )
 }
 
 /// `crank.angle`

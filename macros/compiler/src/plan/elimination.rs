@@ -83,7 +83,10 @@ impl Elimination {
 
     /// The columns of the entries of L in a row, or of those of U right of the diagonal.
     pub(crate) fn row(&self, i: usize, of_lower: bool) -> impl Iterator<Item = usize> {
-        self.factors.iter().filter(move |(row, column)| *row == i && if of_lower { *column < i } else { *column > i }).map(|(_, column)| *column)
+        self.factors
+            .iter()
+            .filter(move |(row, column)| *row == i && if of_lower { *column < i } else { *column > i })
+            .map(|(_, column)| *column)
     }
 }
 
@@ -118,5 +121,9 @@ fn cost(factors: &[(usize, usize)], is_unit: &[bool]) -> Cost {
         right[*row] += usize::from(column > row);
     }
     let lower = factors.iter().filter(|(row, column)| column < row);
-    Cost { flops: lower.map(|(_, column)| 1 + 2 * right[*column]).sum(), divisions: is_unit.iter().filter(|unit| !**unit).count(), ..Cost::default() }
+    Cost {
+        flops: lower.map(|(_, column)| 1 + 2 * right[*column]).sum(),
+        divisions: is_unit.iter().filter(|unit| !**unit).count(),
+        ..Cost::default()
+    }
 }

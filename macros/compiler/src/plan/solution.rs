@@ -112,7 +112,17 @@ fn iterated(arena: &Arena, work: &mut Work, system: &Iteration, moving: &BTreeSe
     let rates = serve_all(work, &system.rates);
     let accelerations = serve_all(work, &system.accelerations);
     let cost = cost(arena, &inner.needed);
-    Iterated { before, system: system.clone(), turns, inside: inner.take(), names: inner.names, cost, elimination: None, rates, accelerations }
+    Iterated {
+        before,
+        system: system.clone(),
+        turns,
+        inside: inner.take(),
+        names: inner.names,
+        cost,
+        elimination: None,
+        rates,
+        accelerations,
+    }
 }
 
 /// Sine and cosine of the unknowns have the same names in the loop and after it: the loop keeps them.

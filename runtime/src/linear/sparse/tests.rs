@@ -101,7 +101,8 @@ fn a_pivot_that_vanishes_is_seen_and_costs_no_accuracy() {
 #[test]
 fn a_pivot_that_cancels_is_seen() {
     // The second pivot is 2 · 0.5 − 1 · (1 + δ).
-    let mut values: [f64; 16] = core::array::from_fn(|n| [3.0, -1.0, 0.5, 2.0, 1.5, -0.7, 0.9, 1.1, 0.4, -2.5, 0.8, 1.3, 2.2, 0.6, -1.9, 0.3][n]);
+    let mut values: [f64; 16] =
+        core::array::from_fn(|n| [3.0, -1.0, 0.5, 2.0, 1.5, -0.7, 0.9, 1.1, 0.4, -2.5, 0.8, 1.3, 2.2, 0.6, -1.9, 0.3][n]);
     for delta in [0.0, 1e-15, 1e-12, 1e-6] {
         // Row 2, column 1 is the first pivot, row 0, column 0 the second.
         (values[9], values[8], values[1]) = (2.0, 1.0, 1.0 + delta);
@@ -158,9 +159,8 @@ fn a_row_that_is_not_finite_is_named() {
 #[test]
 fn the_sign_of_the_determinant_counts_the_exchanges() {
     // The identity, eliminated by rows 2, 0, 3, 1 and columns 1, 0, 2, 3, has zero pivots; a full matrix near a permutation has none.
-    let at = |places: [(usize, usize); 4]| -> [f64; 16] {
-        core::array::from_fn(|n| if places.contains(&(n / 4, n % 4)) { 4.0 } else { 0.5 })
-    };
+    let at =
+        |places: [(usize, usize); 4]| -> [f64; 16] { core::array::from_fn(|n| if places.contains(&(n / 4, n % 4)) { 4.0 } else { 0.5 }) };
     let sparse = full_of(at([(2, 1), (0, 0), (3, 2), (1, 3)])).unwrap();
     assert!(sparse.is_stable);
     // Columns 0, 3, 1, 2 by row: two inversions.
