@@ -60,11 +60,10 @@ where
         // Without a branch for each row, and false where anything is not finite.
         let is_good = |i: usize| sizes[i].is_finite() & (grown[i] <= limit * sizes[i]) & (pivots[i] >= smallest * sizes[i]);
         let is_stable = (0..K).fold(true, |good, i| good & is_good(i));
-        let factors = Self { matrix: *matrix, lu, sizes, is_stable, elimination: PhantomData };
         if !is_stable {
-            factors.pivoted()?;
+            all_finite(&matrix.values, &E::ORDER.pattern)?;
         }
-        Ok(factors)
+        Ok(Self { matrix: *matrix, lu, sizes, is_stable, elimination: PhantomData })
     }
 
     fn dense(matrix: &Entries<T, K, ENTRIES>) -> SMatrix<T, K, K> {
@@ -143,6 +142,12 @@ where
     fn with_pivoting(&self, solve: impl Fn(&Factors<T, K>) -> SVector<T, K>) -> SVector<T, K> {
         self.pivoted().map_or(SVector::from_element(T::of(f64::NAN)), |factors| solve(&factors))
     }
+}
+
+/// Refuses the first row with an entry that is not finite.
+#[cold]
+fn all_finite<T: Float>(values: &[T], pattern: &[(usize, usize)]) -> Result<(), usize> {
+    values.iter().zip(pattern).find(|(value, _)| !value.is_finite()).map_or(Ok(()), |(_, &(row, _))| Err(row))
 }
 
 /// A power of two next to ε^(−1/4).
