@@ -29,7 +29,7 @@
 //!
 //! [`Equations`] is what a mechanism gives, [`Mechanism`] what one can ask of it, [`State`] and [`Failure`] the two answers.
 //! Behind them: [`Stages`] (which unknowns are found together), [`Pass`] (what they are found from), `position` (Newton's method),
-//! `continuation` (following a branch in time), `linear` (small systems and LU).
+//! `continuation` (following a branch in time), `linear` (small systems, and larger ones with and without known zeros).
 
 #![no_std]
 #![deny(missing_docs)]

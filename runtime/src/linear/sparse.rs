@@ -62,11 +62,10 @@ where
             grown[i].at_most(limit * sizes[i]).and((smallest * sizes[i]).at_most(pivots[i])).and(sizes[i].at_most(T::of(f64::MAX)))
         };
         let is_stable = (0..K).fold(T::Mask::of(true), |good, i| good.and(is_good(i)));
-        let factors = Self { matrix: *matrix, lu, sizes, is_stable, elimination: PhantomData };
         if !is_stable.all() {
-            factors.pivoted()?;
+            any_finite(&matrix.values, &E::ORDER.pattern)?;
         }
-        Ok(factors)
+        Ok(Self { matrix: *matrix, lu, sizes, is_stable, elimination: PhantomData })
     }
 
     fn dense(matrix: &Entries<T, K, ENTRIES>) -> SMatrix<T, K, K> {
@@ -159,6 +158,13 @@ where
     fn with_pivoting(&self, solve: impl Fn(&T::Dense<K>) -> SVector<T, K>) -> SVector<T, K> {
         self.pivoted().map_or(SVector::from_element(T::of(f64::NAN)), |factors| solve(&factors))
     }
+}
+
+/// Refuses the first row with an entry that is not finite in any lane; where it is in some, the others go on.
+#[cold]
+fn any_finite<T: Lanes>(values: &[T], pattern: &[(usize, usize)]) -> Result<(), usize> {
+    let is_bad = |value: &T| value.abs().at_most(T::of(f64::MAX)).not().all();
+    values.iter().zip(pattern).find(|(value, _)| is_bad(value)).map_or(Ok(()), |(_, &(row, _))| Err(row))
 }
 
 /// A power of two next to ε^(−1/4).

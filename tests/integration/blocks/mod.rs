@@ -141,3 +141,25 @@ meets_vanishing_pivots! {
     in_a_block_of_twelve: TenPlates (rod_1, rod_2, rod_3, rod_4, rod_5, rod_6, rod_7, rod_8, rod_9, rod_10, rod_11, rod_12),
         12 unknowns;
 }
+
+#[test]
+fn single_precision_follows_double_precision() {
+    let (double, single) = (SixPlates::<f64>::with_defaults(), SixPlates::<f32>::with_defaults());
+    let times = || (0..=60).map(|step| f64::from(step) / 10.0);
+    let singles = single.sweep(times().map(|t| t as f32));
+    for (exact, found) in double.sweep(times()).zip(singles) {
+        let (exact, found) = (exact.unwrap(), found.unwrap());
+        let unit = exact.condition * f64::from(f32::EPSILON);
+        let error = |exact: &[f64], found: &[f32], least: f64| {
+            let size = exact.iter().fold(least, |size, value| size.max(value.abs()));
+            exact.iter().zip(found).fold(0.0, |error: f64, (a, b)| error.max((a - f64::from(*b)).abs())) / (size * unit)
+        };
+        let errors = [
+            error(exact.q.as_slice(), found.q.as_slice(), 1.0),
+            error(exact.qd.as_slice(), found.qd.as_slice(), 0.0),
+            error(exact.qdd.as_slice(), found.qdd.as_slice(), 0.0),
+        ];
+        assert!(errors.iter().all(|error| *error <= 16.0), "{errors:?} at {}", exact.t);
+        assert_eq!(exact.branch, found.branch);
+    }
+}

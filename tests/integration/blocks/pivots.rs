@@ -50,12 +50,11 @@ impl Pivots {
             matrix[place(rows, *row)][place(columns, *column)] = value;
         }
         for k in 0..size {
-            for i in k + 1..size {
-                let multiplier = matrix[i][k] / matrix[k][k];
+            let (above, below) = matrix.split_at_mut(k + 1);
+            for row in below {
+                let multiplier = row[k] / above[k][k];
                 if multiplier != 0.0 {
-                    for j in k + 1..size {
-                        matrix[i][j] -= multiplier * matrix[k][j];
-                    }
+                    row.iter_mut().zip(&above[k]).skip(k + 1).for_each(|(entry, source)| *entry -= multiplier * source);
                 }
             }
         }

@@ -34,6 +34,21 @@ pub(super) fn in_order(size: usize, entries: &[Entry]) -> Vec<Pivot> {
     (0..size).map(|_| work.step()).collect()
 }
 
+/// An entry that may be the next pivot.
+struct Candidate {
+    /// Class of growth, whether it is no unit, and how many zeros it may fill: the least is the best.
+    rank: (usize, bool, usize),
+    growth: f64,
+    place: (usize, usize),
+}
+
+impl Candidate {
+    /// Of equals the one that grows least is better, and of those the first in the matrix.
+    fn is_better_than(&self, other: &Self) -> bool {
+        self.rank.cmp(&other.rank).then(self.growth.total_cmp(&other.growth)).then(self.place.cmp(&other.place)).is_lt()
+    }
+}
+
 struct Work {
     /// What is left to eliminate.
     rows: BTreeSet<usize>,
@@ -77,24 +92,21 @@ impl Work {
     fn best(&self) -> Option<(usize, usize)> {
         let count = |row: usize| self.columns.iter().filter(|column| self.entries[row][**column].is_some()).count();
         let of_row: Vec<usize> = (0..self.entries.len()).map(count).collect();
-        let mut best: Option<((usize, bool, usize), f64, (usize, usize))> = None;
+        let mut best: Option<Candidate> = None;
         for &column in &self.columns {
             let holders: Vec<usize> = self.rows.iter().copied().filter(|row| self.entries[*row][column].is_some()).collect();
             for &row in &holders {
                 let growth = self.growth(row, column, &holders);
                 let class = GROWTHS.iter().position(|limit| growth <= *limit).unwrap_or(GROWTHS.len());
                 let is_unit = self.entries[row][column].as_ref().is_some_and(|entry| entry.is_unit);
-                let rank = (class, !is_unit, (of_row[row] - 1) * (holders.len() - 1));
-                let is_better = best.as_ref().is_none_or(|(other, least, place)| {
-                    // Of equals the one that grows least, and of those the first in the matrix.
-                    rank.cmp(other).then(growth.total_cmp(least)).then((row, column).cmp(place)).is_lt()
-                });
-                if is_better {
-                    best = Some((rank, growth, (row, column)));
+                let fill = (of_row[row] - 1) * (holders.len() - 1);
+                let candidate = Candidate { rank: (class, !is_unit, fill), growth, place: (row, column) };
+                if best.as_ref().is_none_or(|best| candidate.is_better_than(best)) {
+                    best = Some(candidate);
                 }
             }
         }
-        best.map(|(_, _, place)| place)
+        best.map(|best| best.place)
     }
 
     /// How many times its size the worst row of |L| |U| becomes by this pivot, in the worst pose.

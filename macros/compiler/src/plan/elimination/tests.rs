@@ -30,7 +30,7 @@ fn random(size: usize, rarity: u64, numbers: &mut Numbers) -> Vec<Entry> {
     let mut found = Vec::new();
     for place in (0..size).flat_map(|i| (0..size).map(move |j| (i, j))) {
         let value = numbers.next();
-        if place.0 == place.1 || (numbers.0 >> 33) % rarity == 0 {
+        if place.0 == place.1 || (numbers.0 >> 33).is_multiple_of(rarity) {
             found.push(Entry { place, values: vec![value], is_unit: false });
         }
     }
