@@ -9,6 +9,7 @@ use nalgebra::SVector;
 
 use crate::pass::{Pass, Stop};
 use crate::stages::{Coordinates, Stages};
+use crate::straight::Departure;
 use crate::verdict;
 use crate::{Cause, Culprit, Failure, Float, State, names};
 
@@ -39,17 +40,17 @@ pub(crate) fn advance<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     if h.is_finite() && step(equations, state, t, h) { Ok(()) } else { advance_by_steps(equations, state, t) }
 }
 
-/// One step; whether it was made.
+/// One step straight on; whether it was made.
 #[inline(always)]
 fn step<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, state: &mut State<T, N>, t: T, h: T) -> bool {
-    let mut pass = Pass::follow(equations, state, h);
-    let Ok(Coordinates { q, qd, qdd }) = equations.stages(t, &mut pass) else { return false };
-    if !is_surely_finite(&q, &qd, &qdd) || !is_resolved(state, &q, h, E::COMPUTED_ANGLES) {
+    let mut pass = Pass::straight(equations, Departure::new(state, &state.branch, h));
+    let Ok(there) = equations.stages(t, &mut pass) else { return false };
+    let (found, condition, iterations) = (pass.found(), pass.condition, pass.iterations);
+    if !found || !is_surely_finite(&there) || !is_resolved(state, &there.q, h, E::COMPUTED_ANGLES) {
         return false;
     }
-    let (condition, iterations) = (pass.condition, pass.iterations);
     // Every block has kept its sign: the branch's name stays.
-    (state.t, state.q, state.qd, state.qdd) = (t, q, qd, qdd);
+    state.follow_on(t, h, there);
     (state.condition, state.iterations) = (condition, iterations);
     true
 }
@@ -109,15 +110,16 @@ fn is_resolved<T: Float, const N: usize>(here: &State<T, N>, q: &SVector<T, N>, 
     farthest <= T::of(LARGEST_SURPRISE)
 }
 
-/// The state at the end of a pass.
-#[inline(always)]
+/// The state at the end of a pass with care.
+#[inline(never)]
 pub(crate) fn state<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
     t: T,
     mut pass: Pass<'_, T, N>,
 ) -> Result<State<T, N>, Stop<T>> {
-    let Coordinates { q, qd, qdd } = equations.stages(t, &mut pass)?;
-    if !is_surely_finite(&q, &qd, &qdd) {
+    let there = equations.stages(t, &mut pass)?;
+    let Coordinates { q, qd, qdd } = there;
+    if !is_surely_finite(&there) {
         for vector in [&q, &qd, &qdd] {
             if let Some(index) = vector.iter().position(|entry| !entry.is_finite()) {
                 return Err(Stop::NotFinite(Culprit::Coordinate(names::coordinate(E::COORDINATES, index))));
@@ -125,15 +127,15 @@ pub(crate) fn state<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
         }
     }
     let Pass { branch, condition, iterations, .. } = pass;
-    Ok(State { t, q, qd, qdd, branch, condition, iterations })
+    Ok(State { branch, condition, iterations, ..State::new(t, q, qd, qdd) })
 }
 
 /// A sum is not finite if a term is not. Four sums side by side, so that none has to wait for the one before.
 #[inline(always)]
-fn is_surely_finite<T: Float, const N: usize>(q: &SVector<T, N>, qd: &SVector<T, N>, qdd: &SVector<T, N>) -> bool {
+fn is_surely_finite<T: Float, const N: usize>(there: &Coordinates<T, N>) -> bool {
     let mut sums = [T::of(0.0); 4];
     for i in 0..N {
-        sums[i % 4] = sums[i % 4] + (q[i] + (qd[i] + qdd[i]));
+        sums[i % 4] = sums[i % 4] + (there.q[i] + (there.qd[i] + there.qdd[i]));
     }
     ((sums[0] + sums[1]) + (sums[2] + sums[3])).is_finite()
 }

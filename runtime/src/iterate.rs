@@ -9,7 +9,7 @@ use crate::scale::Scale;
 use crate::{Culprit, Float};
 
 /// Relative change of Φ_q along δ, in ε, up to which Φ_q at q serves at q + δ. It is also the relative error that this leaves in q̇.
-pub(crate) const SAME_JACOBIAN: f64 = 32.0;
+const SAME_JACOBIAN: f64 = 32.0;
 
 /// Corrections that shrink no faster than this, and are short, are rounding errors. Near the solution others shrink quadratically.
 const STALLED: f64 = 0.25;
@@ -42,7 +42,6 @@ impl<T: Float, L: Linear<T, N>, const N: usize> Iterate<T, L, N> {
     ///
     /// # Errors
     /// The row or the coordinate that is not finite.
-    #[inline(always)]
     pub(crate) fn at<P: Problem<T, N, Factors = L>>(problem: &P, place: Place<T, N>) -> Result<Self, Culprit> {
         let (phi, jacobian) = problem.linearize(&place);
         let factors = L::factor(&jacobian).map_err(|row| Culprit::Row(problem.row(row)))?;
@@ -53,7 +52,6 @@ impl<T: Float, L: Linear<T, N>, const N: usize> Iterate<T, L, N> {
     }
 
     /// q + λ δ.
-    #[inline(always)]
     pub(crate) fn moved<P: Problem<T, N>>(&self, lambda: T, problem: &P) -> Place<T, N> {
         self.place.moved(lambda, &self.correction, problem.turns())
     }
@@ -62,7 +60,6 @@ impl<T: Float, L: Linear<T, N>, const N: usize> Iterate<T, L, N> {
     ///
     /// They are if δ is short, at most √ε, and either Φ_q does not change along it, so that the next correction would be below
     /// rounding, or corrections no longer get shorter.
-    #[inline(always)]
     pub(crate) fn has_settled(&self, history: &History<T>, scale: &Scale<T, N>) -> bool {
         if self.length > T::ROOT_EPSILON * (T::of(1.0) + scale.norm(&self.place.x)) {
             return false;
@@ -88,27 +85,23 @@ fn culprit<T: Float, P: Problem<T, N>, const N: usize>(
 
 impl<T: Float> History<T> {
     /// Before the first correction.
-    #[inline(always)]
     pub(crate) fn new() -> Self {
         Self { previous: None, curvature: None, ratio: None }
     }
 
     /// θ = |δ| / |previous δ|, for a correction that follows one made in full.
-    #[inline(always)]
     pub(crate) fn contraction(&self, length: T) -> Option<T> {
         self.previous.map(|previous| length / previous)
     }
 
     /// ω, the relative change of Φ_q per unit of length, from θ ≈ ω/2 |previous δ|; from the contraction before this one if
     /// there was one, because this one may be rounding already. Deuflhard: Newton Methods for Nonlinear Problems, 2.1.
-    #[inline(always)]
     fn curvature(&self, length: T) -> Option<T> {
         let seen_now = || self.previous.map(|previous| T::of(2.0) * length / (previous * previous));
         self.curvature.or_else(seen_now)
     }
 
     /// After a correction of this length, made in full or not.
-    #[inline(always)]
     pub(crate) fn after(&self, length: T, in_full: bool) -> Self {
         let latest = Self { curvature: None, ..*self };
         Self { previous: in_full.then_some(length), curvature: latest.curvature(length), ratio: self.contraction(length) }

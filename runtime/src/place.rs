@@ -2,7 +2,8 @@
 
 use nalgebra::SVector;
 
-use crate::Float;
+use crate::Lanes;
+use crate::lanes::Mask;
 
 /// Up to this length a correction turns sine and cosine instead of having them computed again.
 const SMALL_TURN: f64 = 1.0 / 256.0;
@@ -16,14 +17,22 @@ pub struct Place<T, const K: usize> {
     pub turn: [(T, T); K],
 }
 
-impl<T: Float, const K: usize> Place<T, K> {
+impl<T: Lanes, const K: usize> Place<T, K> {
     /// At x; `turns` says of which unknowns sine and cosine are needed.
     #[inline(always)]
     pub(crate) fn at(x: SVector<T, K>, turns: &[bool; K]) -> Self {
         let mut turn = [(T::of(0.0), T::of(1.0)); K];
-        for k in 0..K {
-            if turns[k] {
-                turn[k] = x[k].turn();
+        // Two at a time, which take as long as one.
+        for k in (0..K).step_by(2) {
+            if k + 1 < K && turns[k] && turns[k + 1] {
+                [turn[k], turn[k + 1]] = T::turns([x[k], x[k + 1]]);
+            } else {
+                if turns[k] {
+                    turn[k] = x[k].turn();
+                }
+                if k + 1 < K && turns[k + 1] {
+                    turn[k + 1] = x[k + 1].turn();
+                }
             }
         }
         Self { x, turn }
@@ -37,7 +46,8 @@ impl<T: Float, const K: usize> Place<T, K> {
             let by = lambda * correction[k];
             there.x[k] = self.x[k] + by;
             if turns[k] {
-                there.turn[k] = if by.abs() <= T::of(SMALL_TURN) { turned(self.turn[k], by) } else { there.x[k].turn() };
+                let is_small = by.abs().at_most(T::of(SMALL_TURN)).all();
+                there.turn[k] = if is_small { turned(self.turn[k], by) } else { there.x[k].turn() };
             }
         }
         there
@@ -56,6 +66,16 @@ impl<T: Float, const K: usize> Place<T, K> {
         }
         there
     }
+
+    /// `then` in the lanes where the answer is yes, `self` in the others.
+    #[inline(always)]
+    pub(crate) fn replaced(&self, mask: T::Mask, then: &Self) -> Self {
+        let pick = |then, otherwise| T::pick(mask, then, otherwise);
+        Self {
+            x: SVector::from_fn(|k, _| pick(then.x[k], self.x[k])),
+            turn: core::array::from_fn(|k| (pick(then.turn[k].0, self.turn[k].0), pick(then.turn[k].1, self.turn[k].1))),
+        }
+    }
 }
 
 /// Sine and cosine of an angle that is larger by δ, |δ| ≤ 1/256.
@@ -63,7 +83,7 @@ impl<T: Float, const K: usize> Place<T, K> {
 /// sin δ = δ − δ³/6 + δ⁵/120 and cos δ − 1 = −δ²/2 + δ⁴/24 − δ⁶/720 leave out less than 3e-21 and 1e-24; the sum and the
 /// products round once or twice each, as a sine computed anew does.
 #[inline(always)]
-fn turned<T: Float>((sine, cosine): (T, T), by: T) -> (T, T) {
+fn turned<T: Lanes>((sine, cosine): (T, T), by: T) -> (T, T) {
     let square = by * by;
     let less = square * (T::of(0.5) - square * (T::of(1.0 / 24.0) - square * T::of(1.0 / 720.0)));
     let small = by - by * square * (T::of(1.0 / 6.0) - square * T::of(1.0 / 120.0));

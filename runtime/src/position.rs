@@ -2,11 +2,12 @@
 //! Not here: which guess to take (`continuation`), and how to tell the user (`verdict`).
 
 use crate::damping::damped;
-use crate::iterate::{History, Iterate, SAME_JACOBIAN};
+use crate::iterate::{History, Iterate};
 use crate::linear::Linear;
 use crate::order::smaller;
 use crate::place::Place;
 use crate::problem::Problem;
+use crate::straight::{LARGEST_CONTRACTION, LONGEST_FIRST_CORRECTION};
 use crate::{Culprit, Float};
 
 /// Longest scaled step towards a first assembly: half a radian, or half of L. Within it a revolute is still about linear.
@@ -14,12 +15,6 @@ pub(crate) const LONGEST_STEP: f64 = 0.5;
 
 /// Corrections tried without damping. Over the reference mechanisms with guesses off by 0.6 rad and 0.6 L, 10 are usual.
 const CLOSING_ITERATIONS: usize = 50;
-
-/// Longest first correction of a predicted position, scaled: further away another assembly may be as near.
-const LONGEST_FIRST_CORRECTION: f64 = 0.2;
-
-/// Largest contraction of the first correction of a predicted position; 1/2 is the limit of quadratic convergence.
-const LARGEST_CONTRACTION: f64 = 0.25;
 
 /// Corrections of a predicted position; with that contraction, five reach rounding.
 const FOLLOWING_ITERATIONS: usize = 12;
@@ -94,61 +89,22 @@ fn limited<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, guess: &Plac
 }
 
 /// Newton's method from a prediction: full steps only, and none if the solution is far or convergence slow.
-///
-/// Two corrections are the usual case, the second below rounding. They are written out, so that rustc makes one straight line of
-/// them, and the rest is left to [`go_on`]. The second is taken with the factors of the first (a simplified Newton step), so that
-/// it need not wait for those at the new place, which the rates will use.
-#[inline(always)]
 pub(crate) fn follow<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
     prediction: &Place<T, N>,
 ) -> Result<Position<T, P::Factors, N>, Refusal> {
-    let first = Iterate::at(problem, *prediction)?;
-    if first.length > T::of(LONGEST_FIRST_CORRECTION) {
-        return Err(Refusal::Far);
-    }
-    let place = first.moved(T::of(1.0), problem);
-    let (phi, jacobian) = problem.linearize(&place);
-    let correction = first.factors.solve(&phi.map(|residual| -residual));
-    let length = problem.scale().norm(&correction);
-    let factors = P::Factors::factor(&jacobian).map_err(|row| Culprit::Row(problem.row(row)))?;
-    if has_settled_at_once(first.length, length) {
-        return accept(problem, Iterate { place, factors, correction, length }, 2, false).map_err(|_| Refusal::Singular);
-    }
-    go_on(&problem.erased(), place, first.length)
-}
-
-/// Whether a second correction, by the factors of the first, is the last.
-///
-/// With ω ≈ 2 |δ₂| / |δ₁|² the Jacobian changes by ω |δ₂| along δ₂ and by ω |δ₁| since it was factored: the first must be within
-/// [`SAME_JACOBIAN`](crate::iterate::SAME_JACOBIAN) roundings, the second may leave an error of ω |δ₁| |δ₂| below one. Two
-/// corrections of the size of roundings are as good. Written without quotients, of which zeros would make NaN.
-#[inline(always)]
-fn has_settled_at_once<T: Float>(first: T, second: T) -> bool {
-    let square = T::of(2.0) * second * second;
-    let is_short = second <= T::ROOT_EPSILON;
-    let keeps_jacobian = square <= T::of(SAME_JACOBIAN) * T::EPSILON * first * first;
-    let is_exact = square <= T::EPSILON * first;
-    let is_rounding = first <= T::of(SAME_JACOBIAN) * T::EPSILON && second <= first + T::EPSILON;
-    is_short && ((keeps_jacobian && is_exact) || is_rounding)
-}
-
-/// The corrections after the first, which had this length and led to `place`.
-#[cold]
-#[inline(never)]
-fn go_on<T: Float, P: Problem<T, N>, const N: usize>(
-    problem: &P,
-    place: Place<T, N>,
-    first: T,
-) -> Result<Position<T, P::Factors, N>, Refusal> {
-    let mut history = History::new().after(first, true);
-    let mut place = place;
-    for iterations in 2..=FOLLOWING_ITERATIONS {
+    let mut history = History::new();
+    let mut place = *prediction;
+    for iterations in 1..=FOLLOWING_ITERATIONS {
         let iterate = Iterate::at(problem, place)?;
         if iterate.has_settled(&history, problem.scale()) {
             return accept(problem, iterate, iterations, false).map_err(|_| Refusal::Singular);
         }
-        if history.contraction(iterate.length).is_none_or(|theta| theta > T::of(LARGEST_CONTRACTION)) {
+        let is_far = match history.contraction(iterate.length) {
+            Some(theta) => theta > T::of(LARGEST_CONTRACTION),
+            None => iterate.length > T::of(LONGEST_FIRST_CORRECTION),
+        };
+        if is_far {
             return Err(Refusal::Far);
         }
         place = iterate.moved(T::of(1.0), problem);
@@ -158,7 +114,6 @@ fn go_on<T: Float, P: Problem<T, N>, const N: usize>(
 }
 
 /// Makes the last correction, with the factors that velocities will use as well.
-#[inline(always)]
 pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
     iterate: Iterate<T, P::Factors, N>,

@@ -13,16 +13,8 @@ pub(crate) trait Problem<T: Float, const K: usize> {
     /// How its matrices are factored.
     type Factors: Linear<T, K>;
 
-    /// The same problem for code that is seldom run, which is then compiled once and not for every block anew.
-    type Erased<'b>: Problem<T, K, Factors = Self::Factors>
-    where
-        Self: 'b;
-
-    /// This problem, erased.
-    fn erased(&self) -> Self::Erased<'_>;
-
     /// Residuals and their Jacobian.
-    fn linearize(&self, place: &Place<T, K>) -> (SVector<T, K>, SMatrix<T, K, K>);
+    fn linearize(&self, place: &Place<T, K>) -> Linearized<T, Self::Factors, K>;
 
     /// Of which unknowns sine and cosine are needed.
     fn turns(&self) -> &[bool; K];
@@ -48,7 +40,7 @@ pub(crate) trait Problem<T: Float, const K: usize> {
     /// Which row depends on the others here, and which unknown they leave free.
     fn singular(&self, place: &Place<T, K>) -> Cause<T> {
         let (_, jacobian) = self.linearize(place);
-        let (row, coordinate) = weakest(&jacobian, &self.scale().column).unwrap_or((0, 0));
+        let (row, coordinate) = weakest(&Self::Factors::dense(&jacobian), &self.scale().column).unwrap_or((0, 0));
         let factors = Self::Factors::factor(&jacobian);
         let condition = factors.map_or(T::of(f64::NAN), |factors| factors.condition(&self.sizes(), &self.scale().share));
         Cause::Singular { row: self.row(row), coordinate: self.coordinate(coordinate), condition }
@@ -57,6 +49,7 @@ pub(crate) trait Problem<T: Float, const K: usize> {
     /// Which row stays open furthest here; None if all are closed.
     fn widest_gap(&self, place: &Place<T, K>) -> Option<Cause<T>> {
         let (phi, jacobian) = self.linearize(place);
+        let jacobian = Self::Factors::dense(&jacobian);
         let mut widest = T::of(CLOSED) * T::ROOT_EPSILON * self.scale().length;
         let mut cause = None;
         for (row, &residual) in phi.iter().enumerate() {
@@ -94,14 +87,6 @@ pub(crate) struct Whole<'a, E: ?Sized, T, const N: usize> {
 
 impl<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize> Problem<T, N> for Whole<'_, E, T, N> {
     type Factors = Factors<T, N>;
-    type Erased<'b>
-        = &'b Self
-    where
-        Self: 'b;
-
-    fn erased(&self) -> &Self {
-        self
-    }
 
     fn linearize(&self, place: &Place<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
         self.equations.linearize(&place.x, self.t)
@@ -128,54 +113,24 @@ impl<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize> Problem<T, N> for
     }
 }
 
+/// Residuals and their Jacobian, in the form that is factored.
+pub type Linearized<T, L, const K: usize> = (SVector<T, K>, <L as Linear<T, K>>::Matrix);
+
 /// Residuals and their Jacobian at a place.
-pub(crate) type Evaluate<'b, T, const K: usize> = dyn Fn(&Place<T, K>) -> (SVector<T, K>, SMatrix<T, K, K>) + 'b;
-
-impl<T: Float, P: Problem<T, K>, const K: usize> Problem<T, K> for &P {
-    type Factors = P::Factors;
-    type Erased<'b>
-        = P::Erased<'b>
-    where
-        Self: 'b;
-
-    fn erased(&self) -> P::Erased<'_> {
-        (**self).erased()
-    }
-
-    fn linearize(&self, place: &Place<T, K>) -> (SVector<T, K>, SMatrix<T, K, K>) {
-        (**self).linearize(place)
-    }
-
-    fn turns(&self) -> &[bool; K] {
-        (**self).turns()
-    }
-
-    fn scale(&self) -> &Scale<T, K> {
-        (**self).scale()
-    }
-
-    fn sizes(&self) -> SVector<T, K> {
-        (**self).sizes()
-    }
-
-    fn row(&self, index: usize) -> Row {
-        (**self).row(index)
-    }
-
-    fn coordinate(&self, index: usize) -> Coordinate {
-        (**self).coordinate(index)
-    }
-}
+pub type Evaluate<'b, T, L, const K: usize> = dyn Fn(&Place<T, K>) -> Linearized<T, L, K> + 'b;
 
 /// A block of a mechanism: some of its equations and unknowns, everything before them known.
-pub(crate) struct Part<'a, F, L, T, const K: usize> {
-    pub(crate) evaluate: F,
+pub(crate) struct Part<'a, T, L: Linear<T, K>, const K: usize>
+where
+    T: Float,
+{
+    /// Called through a pointer, so that what is done with it is compiled once and not for every block anew.
+    pub(crate) evaluate: &'a Evaluate<'a, T, L, K>,
     pub(crate) block: &'a Block<K>,
     pub(crate) scale: Scale<T, K>,
     pub(crate) sizes: SVector<T, K>,
     pub(crate) rows: &'static [Row],
     pub(crate) coordinates: &'static [Coordinate],
-    pub(crate) factors: core::marker::PhantomData<L>,
 }
 
 /// Which equations and unknowns make a block.
@@ -191,39 +146,21 @@ pub struct Block<const K: usize> {
     pub turns: [bool; K],
 }
 
-impl<T, F, L, const K: usize> Problem<T, K> for Part<'_, F, L, T, K>
-where
-    T: Float,
-    F: Fn(&Place<T, K>) -> (SVector<T, K>, SMatrix<T, K, K>),
-    L: Linear<T, K>,
-{
+impl<T: Float, L: Linear<T, K>, const K: usize> Problem<T, K> for Part<'_, T, L, K> {
     type Factors = L;
-    type Erased<'b>
-        = Part<'b, &'b Evaluate<'b, T, K>, L, T, K>
-    where
-        Self: 'b;
 
-    fn erased(&self) -> Self::Erased<'_> {
-        let Self { block, ref scale, sizes, rows, coordinates, .. } = *self;
-        Part { evaluate: &self.evaluate, block, scale: scale.clone(), sizes, rows, coordinates, factors: core::marker::PhantomData }
-    }
-
-    #[inline]
-    fn linearize(&self, place: &Place<T, K>) -> (SVector<T, K>, SMatrix<T, K, K>) {
+    fn linearize(&self, place: &Place<T, K>) -> Linearized<T, L, K> {
         (self.evaluate)(place)
     }
 
-    #[inline]
     fn turns(&self) -> &[bool; K] {
         &self.block.turns
     }
 
-    #[inline]
     fn scale(&self) -> &Scale<T, K> {
         &self.scale
     }
 
-    #[inline(always)]
     fn sizes(&self) -> SVector<T, K> {
         self.sizes
     }

@@ -2,8 +2,9 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::lanes::Mask;
 use crate::order::greater;
-use crate::{Coordinate, CoordinateKind, Equations, Float, names};
+use crate::{Coordinate, CoordinateKind, Description, Float, Lanes, names};
 
 /// The size of each coordinate: L for lengths, 1 for angles.
 #[derive(Clone)]
@@ -18,29 +19,16 @@ pub(crate) struct Scale<T, const N: usize> {
 
 impl<T: Float, const N: usize> Scale<T, N> {
     /// The scale of a mechanism; a characteristic length that is no length counts as 1 m.
-    pub(crate) fn of<E: Equations<T, N, N> + ?Sized>(equations: &E) -> Self {
+    pub(crate) fn of<E: Description<T, N> + ?Sized>(equations: &E) -> Self {
         Self::new(equations.characteristic_length(), E::COORDINATES)
     }
 
     fn new(length: T, coordinates: &[Coordinate]) -> Self {
-        let length = if length > T::of(0.0) && length.is_finite() { length } else { T::of(1.0) };
+        let length = length_of(length);
         Self::by_kind(length, T::of(1.0) / length, &core::array::from_fn(|i| names::coordinate(coordinates, i).kind))
     }
 
-    /// The scale of coordinates of these kinds, with L and 1/L.
-    #[inline]
-    pub(crate) fn by_kind(length: T, share: T, kinds: &[CoordinateKind; N]) -> Self {
-        let pick = |of_length: T| {
-            SVector::from_fn(|i, _| match kinds[i] {
-                CoordinateKind::Length => of_length,
-                CoordinateKind::Angle => T::of(1.0),
-            })
-        };
-        Self { length, column: pick(length), share: pick(share) }
-    }
-
     /// The greatest scaled entry, max(|δ_x| / L, |δ_φ|): NaN if one is, 0 if there is none.
-    #[inline]
     pub(crate) fn norm(&self, vector: &SVector<T, N>) -> T {
         vector.iter().zip(self.share.iter()).fold(T::of(0.0), |norm, (&entry, &share)| greater(norm, entry.abs() * share))
     }
@@ -53,4 +41,25 @@ impl<T: Float, const N: usize> Scale<T, N> {
         });
         residual.abs() * self.length / squares.sqrt()
     }
+}
+
+impl<T: Lanes, const N: usize> Scale<T, N> {
+    /// The scale of coordinates of these kinds, with L and 1/L.
+    #[inline(always)]
+    pub(crate) fn by_kind(length: T, share: T, kinds: &[CoordinateKind; N]) -> Self {
+        let pick = |of_length: T| {
+            SVector::from_fn(|i, _| match kinds[i] {
+                CoordinateKind::Length => of_length,
+                CoordinateKind::Angle => T::of(1.0),
+            })
+        };
+        Self { length, column: pick(length), share: pick(share) }
+    }
+}
+
+/// L; a characteristic length that is no length counts as 1 m.
+#[inline(always)]
+pub(crate) fn length_of<T: Lanes>(length: T) -> T {
+    let is_length = T::of(f64::from(f32::MIN_POSITIVE)).at_most(length).and(length.at_most(T::of(f64::from(f32::MAX))));
+    T::pick(is_length, length, T::of(1.0))
 }

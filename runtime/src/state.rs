@@ -2,7 +2,7 @@
 
 use nalgebra::{SVector, Vector2};
 
-use crate::{Float, Real};
+use crate::{Coordinates, Float, Lanes, Real};
 
 /// Position, velocity and acceleration of a mechanism at one instant.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +23,17 @@ pub struct State<T, const N: usize> {
     pub condition: T,
     /// How often Φ_q was formed and factored to get here from the predicted or guessed position.
     pub iterations: usize,
+    pub(crate) trend: Trend<T, N>,
+}
+
+/// What the step to a state tells about the next, beyond the state itself: a share of a prediction, and no part of what the state is,
+/// so that all of them are equal.
+#[derive(Clone, Debug)]
+pub(crate) struct Trend<T, const N: usize> {
+    /// Length of the step, in s; 0 if there was none.
+    span: T,
+    /// What q + h q̇ + h² q̈ / 2 leaves out in a step of the same length, in m and rad.
+    pub(crate) beyond: SVector<T, N>,
 }
 
 /// The sign of a determinant.
@@ -105,6 +116,57 @@ impl<T: Real> PlanarBody<T> {
             rate: vector(&|i| self.velocity[i] + across[i] * self.angular_velocity),
             acceleration: vector(&|i| self.acceleration[i] + (across[i] * self.angular_acceleration - turned[i] * square)),
         }
+    }
+}
+
+impl<T: Real, const N: usize> State<T, N> {
+    /// A state that was not solved for: a moment (s), positions (m, rad), rates and accelerations.
+    #[must_use]
+    pub fn new(t: T, q: SVector<T, N>, qd: SVector<T, N>, qdd: SVector<T, N>) -> Self {
+        let (branch, condition, trend) = ([Orientation::Positive; N], T::of(1.0), Trend::none());
+        Self { t, q, qd, qdd, branch, condition, iterations: 0, trend }
+    }
+}
+
+impl<T, const N: usize> PartialEq for Trend<T, N> {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl<T: Real, const N: usize> Trend<T, N> {
+    /// Nothing is known.
+    pub(crate) fn none() -> Self {
+        Self { span: T::of(0.0), beyond: SVector::from_element(T::of(0.0)) }
+    }
+}
+
+impl<T: Lanes, const N: usize> Trend<T, N> {
+    /// How much of `beyond` there is in a step of length `h`: the cube of the quotient of the lengths. Nothing in one that is more
+    /// than twice as long, as far as one cannot see.
+    #[inline(always)]
+    pub(crate) fn weight(&self, h: T) -> T {
+        let quotient = h / self.span;
+        T::pick(quotient.abs().at_most(T::of(2.0)), quotient * quotient * quotient, T::of(0.0))
+    }
+}
+
+impl<T: Lanes, const N: usize> State<T, N> {
+    /// Becomes the state there, `h` later, on the same branch.
+    ///
+    /// The trend is the polynomial of fifth degree through this state and that one, each with its rates and accelerations, less the
+    /// part up to the second degree, at `h` beyond. It leaves out h⁶ / 90 times the sixth derivative.
+    #[inline(always)]
+    pub(crate) fn follow_on(&mut self, t: T, h: T, there: Coordinates<T, N>) {
+        let square = h * h;
+        for i in 0..N {
+            let way = T::of(31.0) * (there.q[i] - self.q[i]);
+            let rates = h * (T::of(17.0) * there.qd[i] + T::of(14.0) * self.qd[i]);
+            let accelerations = square * (T::of(3.5) * there.qdd[i] - T::of(2.0) * self.qdd[i]);
+            self.trend.beyond[i] = (way - rates) + accelerations;
+        }
+        self.trend.span = h;
+        (self.t, self.q, self.qd, self.qdd) = (t, there.q, there.qd, there.qdd);
     }
 }
 

@@ -189,13 +189,5 @@ pub fn phi<T: Real, E: Equations<T, M, N>, const M: usize, const N: usize>(mecha
 /// A state that nobody solved for, at which outputs can be taken.
 #[must_use]
 pub fn state<T: Real, const N: usize>(at: &Moving<T>) -> reuleaux::State<T, N> {
-    reuleaux::State {
-        t: at.t,
-        q: vector(&at.q),
-        qd: vector(&at.qd),
-        qdd: vector(&at.qdd),
-        branch: [reuleaux::Orientation::Positive; N],
-        condition: T::of(1.0),
-        iterations: 0,
-    }
+    reuleaux::State::new(at.t, vector(&at.q), vector(&at.qd), vector(&at.qdd))
 }

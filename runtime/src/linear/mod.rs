@@ -8,7 +8,6 @@
 //! ```
 //!
 //! Golub, Van Loan: Matrix Computations, 4th ed., 3.4 (pivoting), 3.5.2 (scaling), 3.5.3 (iterative refinement).
-
 //!
 //! Systems of one to three unknowns have [`Small`] factors instead, in closed form.
 
@@ -20,24 +19,35 @@ mod solve;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::{Float, Orientation};
+use crate::{Float, Lanes};
 
 pub use factor::Factors;
 pub(crate) use rank::weakest;
 pub use small::Small;
 
 /// Factors of a square matrix, however they are made.
-pub trait Linear<T: Float, const N: usize>: Sized {
+pub trait Linear<T: Lanes, const N: usize>: Sized {
+    /// How the matrix is given.
+    type Matrix;
+
     /// Factors `matrix`.
     ///
     /// # Errors
-    /// The index of a row that has an entry that is not finite.
-    fn factor(matrix: &SMatrix<T, N, N>) -> Result<Self, usize>;
+    /// The index of a row that has an entry that is not finite, unless this shows in every solution.
+    fn factor(matrix: &Self::Matrix) -> Result<Self, usize>;
+
+    /// The matrix with all its zeros.
+    fn dense(matrix: &Self::Matrix) -> SMatrix<T, N, N>;
+
+    /// x of A x = b; without meaning if A is singular.
+    fn solve_regular(&self, b: &SVector<T, N>) -> SVector<T, N>;
 
     /// x of A x = b; a basic solution if A is singular.
-    fn solve(&self, b: &SVector<T, N>) -> SVector<T, N>;
+    fn solve(&self, b: &SVector<T, N>) -> SVector<T, N>
+    where
+        T: Float;
 
-    /// x of A x = b with one step of iterative refinement.
+    /// x of A x = b, with a step of iterative refinement where this makes it better; without meaning if A is singular.
     fn solve_refined(&self, b: &SVector<T, N>) -> SVector<T, N>;
 
     /// By how much rounding errors grow on their way from A x − b to x, at least about 1; infinite if A is singular.
@@ -47,8 +57,8 @@ pub trait Linear<T: Float, const N: usize>: Sized {
     fn condition(&self, sizes: &SVector<T, N>, shares: &SVector<T, N>) -> T;
 
     /// The sign of det A; without meaning if A is singular.
-    fn orientation(&self) -> Orientation;
+    fn sides(&self) -> T::Sides;
 
     /// A has full rank, to rounding.
-    fn is_regular(&self) -> bool;
+    fn is_regular(&self) -> T::Mask;
 }

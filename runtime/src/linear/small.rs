@@ -1,20 +1,21 @@
-//! One to three equations in closed form: A⁻¹ by cofactors.
+//! One to three equations in closed form: A⁻¹ = adj A / det A.
 
 use nalgebra::{SMatrix, SVector};
 
 use super::{Factors, Linear};
-use crate::order::greater;
-use crate::{Float, Orientation};
+use crate::{Float, Lanes};
 
-/// The inverse of a matrix of up to three rows, from its adjugate and its determinant.
+/// The adjugate and the determinant of a matrix of up to three rows.
 ///
-/// Cofactors are sums of two products at most, so that the inverse is as good as the condition allows; with three rows velocities
+/// Cofactors are sums of two products at most, so that x is as good as the condition allows; with three rows velocities
 /// and accelerations get a step of refinement on top.
 #[derive(Clone, Copy, Debug)]
 pub struct Small<T, const N: usize> {
     matrix: SMatrix<T, N, N>,
-    inverse: SMatrix<T, N, N>,
+    adjugate: SMatrix<T, N, N>,
     determinant: T,
+    /// One over the determinant.
+    share: T,
     /// The determinant's expansion with all terms positive: what its rounding errors are a share of.
     magnitude: T,
 }
@@ -26,56 +27,70 @@ const EXACT: usize = 2;
 /// A determinant below this many roundings of its terms is noise.
 const NOISE: f64 = 8.0;
 
-impl<T: Float, const N: usize> Linear<T, N> for Small<T, N> {
+/// And one below this: the smallest normal number that every type has.
+const NOTHING: f64 = f32::MIN_POSITIVE as f64;
+
+impl<T: Lanes, const N: usize> Linear<T, N> for Small<T, N> {
+    type Matrix = SMatrix<T, N, N>;
+
     #[inline(always)]
     fn factor(matrix: &SMatrix<T, N, N>) -> Result<Self, usize> {
         let adjugate = adjugate(matrix);
-        let zero = T::of(0.0);
         // The expansion along the first row; every row gives the same but for rounding.
-        let determinant = (1..N).fold(matrix[(0, 0)] * adjugate[(0, 0)], |sum, j| sum + matrix[(0, j)] * adjugate[(j, 0)]);
-        let magnitude = (0..N).fold(zero, |sum, j| sum + (matrix[(0, j)] * adjugate[(j, 0)]).abs());
-        let share = T::of(1.0) / determinant;
-        Ok(Self { matrix: *matrix, inverse: adjugate.map(|cofactor| cofactor * share), determinant, magnitude })
+        let term = |j: usize| matrix[(0, j)] * adjugate[(j, 0)];
+        let determinant = (1..N).fold(term(0), |sum, j| sum + term(j));
+        let magnitude = (1..N).fold(term(0).abs(), |sum, j| sum + term(j).abs());
+        Ok(Self { matrix: *matrix, adjugate, determinant, share: T::of(1.0) / determinant, magnitude })
     }
 
     #[inline(always)]
-    fn solve(&self, b: &SVector<T, N>) -> SVector<T, N> {
-        if !self.is_regular() {
-            return self.basic_solution(b);
-        }
-        SVector::from_fn(|i, _| (1..N).fold(self.inverse[(i, 0)] * b[0], |sum, k| sum + self.inverse[(i, k)] * b[k]))
+    fn dense(matrix: &SMatrix<T, N, N>) -> SMatrix<T, N, N> {
+        *matrix
+    }
+
+    #[inline(always)]
+    fn solve_regular(&self, b: &SVector<T, N>) -> SVector<T, N> {
+        // The quotient is taken last: it need not wait for b, nor b for it.
+        SVector::from_fn(|i, _| (1..N).fold(self.adjugate[(i, 0)] * b[0], |sum, k| sum + self.adjugate[(i, k)] * b[k]) * self.share)
+    }
+
+    #[inline]
+    fn solve(&self, b: &SVector<T, N>) -> SVector<T, N>
+    where
+        T: Float,
+    {
+        if self.is_regular() { self.solve_regular(b) } else { self.basic_solution(b) }
     }
 
     #[inline(always)]
     fn solve_refined(&self, b: &SVector<T, N>) -> SVector<T, N> {
-        let x = self.solve(b);
+        let x = self.solve_regular(b);
         if N <= EXACT {
             return x;
         }
         let residual = SVector::from_fn(|i, _| (0..N).fold(b[i], |rest, j| rest - self.matrix[(i, j)] * x[j]));
-        let correction = self.solve(&residual);
+        let correction = self.solve_regular(&residual);
         SVector::from_fn(|i, _| x[i] + correction[i])
     }
 
     #[inline(always)]
     fn condition(&self, sizes: &SVector<T, N>, shares: &SVector<T, N>) -> T {
-        if !self.is_regular() {
-            return T::of(f64::INFINITY);
-        }
-        (0..N).fold(T::of(1.0), |largest, i| {
-            let growth = (0..N).fold(T::of(0.0), |sum, k| sum + self.inverse[(i, k)].abs() * sizes[k]);
-            greater(largest, growth * shares[i])
-        })
+        let share = self.share.abs();
+        let condition = (0..N).fold(T::of(1.0), |largest, i| {
+            let growth = (1..N).fold(self.adjugate[(i, 0)].abs() * sizes[0], |sum, k| sum + self.adjugate[(i, k)].abs() * sizes[k]);
+            largest.max((growth * share) * shares[i])
+        });
+        T::pick(self.is_regular(), condition, T::of(f64::INFINITY))
     }
 
     #[inline(always)]
-    fn orientation(&self) -> Orientation {
-        if self.determinant < T::of(0.0) { Orientation::Negative } else { Orientation::Positive }
+    fn sides(&self) -> T::Sides {
+        self.determinant.sides()
     }
 
     #[inline(always)]
-    fn is_regular(&self) -> bool {
-        self.determinant.abs() > T::of(NOISE) * T::EPSILON * self.magnitude
+    fn is_regular(&self) -> T::Mask {
+        (T::of(NOISE) * T::EPSILON * self.magnitude + T::of(NOTHING)).at_most(self.determinant.abs())
     }
 }
 
@@ -90,7 +105,7 @@ impl<T: Float, const N: usize> Small<T, N> {
 
 /// adj A, with A adj A = det A.
 #[inline(always)]
-fn adjugate<T: Float, const N: usize>(a: &SMatrix<T, N, N>) -> SMatrix<T, N, N> {
+fn adjugate<T: Lanes, const N: usize>(a: &SMatrix<T, N, N>) -> SMatrix<T, N, N> {
     let minor = |i: usize, j: usize| match N {
         1 => T::of(1.0),
         2 => {

@@ -6,8 +6,18 @@ use super::{Factors, Linear};
 use crate::{Float, Orientation};
 
 impl<T: Float, const N: usize> Linear<T, N> for Factors<T, N> {
+    type Matrix = SMatrix<T, N, N>;
+
     fn factor(matrix: &SMatrix<T, N, N>) -> Result<Self, usize> {
         Factors::new(matrix)
+    }
+
+    fn dense(matrix: &SMatrix<T, N, N>) -> SMatrix<T, N, N> {
+        *matrix
+    }
+
+    fn solve_regular(&self, b: &SVector<T, N>) -> SVector<T, N> {
+        self.solve(b)
     }
 
     /// A x = b. With rank r below N: a basic solution, fulfilling r independent rows with the other N − r unknowns zero.
@@ -44,7 +54,7 @@ impl<T: Float, const N: usize> Linear<T, N> for Factors<T, N> {
         self.growth(sizes)
     }
 
-    fn orientation(&self) -> Orientation {
+    fn sides(&self) -> Orientation {
         self.orientation
     }
 

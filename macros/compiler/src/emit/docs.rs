@@ -36,8 +36,11 @@ pub(super) fn mechanism(model: &Model, system: &System, plan: &Plan) -> String {
 
 /// What is found in which order.
 fn solution(page: &mut String, model: &Model, system: &System, solution: &Solution) {
-    let blocks: Vec<&Vec<usize>> =
-        solution.stages.iter().filter_map(|stage| if let Summary::Block { unknowns, .. } = stage { Some(unknowns) } else { None }).collect();
+    let blocks: Vec<&Vec<usize>> = solution
+        .stages
+        .iter()
+        .filter_map(|stage| if let Summary::Block { unknowns, .. } = stage { Some(unknowns) } else { None })
+        .collect();
     let iterated: usize = blocks.iter().map(|unknowns| unknowns.len()).sum();
     let (explicit, blocks) = (system.unknowns.len() - iterated, blocks.len());
     let _ = writeln!(page, "\n# Solution\n\n{explicit} coordinates are computed, {iterated} are iterated in {blocks} blocks.\n\n```text");

@@ -296,10 +296,16 @@ impl Emitter<'_> {
         });
         quote! {
             #[automatically_derived]
-            impl<T: ::reuleaux::Real> ::reuleaux::Equations<T, #m, #n> for #name<T> {
+            impl<T: ::reuleaux::Real> ::reuleaux::Description<T, #n> for #name<T> {
                 const NAME: &'static str = #word;
                 const COORDINATES: &'static [::reuleaux::Coordinate] = &[#(#coordinates),*];
                 const ROWS: &'static [::reuleaux::Row] = &[#(#rows),*];
+                fn start(&self) -> ::reuleaux::nalgebra::SVector<T, #n> { self.start() }
+                fn characteristic_length(&self) -> T { self.characteristic_length() }
+                fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> { self.validate() }
+            }
+            #[automatically_derived]
+            impl<T: ::reuleaux::Real> ::reuleaux::Equations<T, #m, #n> for #name<T> {
                 fn phi(&self, q: &::reuleaux::nalgebra::SVector<T, #n>, t: T) -> ::reuleaux::nalgebra::SVector<T, #m> { self.phi(q, t) }
                 fn jacobian(&self, q: &::reuleaux::nalgebra::SVector<T, #n>, t: T) -> ::reuleaux::nalgebra::SMatrix<T, #m, #n> { self.jacobian(q, t) }
                 fn linearize(
@@ -318,9 +324,6 @@ impl Emitter<'_> {
                 ) -> ::reuleaux::nalgebra::SVector<T, #m> {
                     self.gamma(q, qd, t)
                 }
-                fn start(&self) -> ::reuleaux::nalgebra::SVector<T, #n> { self.start() }
-                fn characteristic_length(&self) -> T { self.characteristic_length() }
-                fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> { self.validate() }
             }
         }
     }

@@ -1,10 +1,10 @@
 //! Straight lines as statements.
 
 use super::expression::{Printer, local};
+use super::stages::number;
 use crate::expr::{Arena, Leaf};
 use crate::model::{Function, Model};
 use crate::plan::{Routine, Step};
-use super::stages::number;
 use proc_macro2::TokenStream;
 use quote::quote;
 

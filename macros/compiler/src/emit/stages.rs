@@ -23,6 +23,7 @@ impl Emitter<'_> {
         }
         let Some(solution) = &self.plan.solution else { return quote!() };
         let (toward, angles) = (self.toward(), self.computed_angles(solution));
+        let improved = self.improved();
         let (body, kernels) = match &solution.solving {
             Solving::Straight(lines) => (self.straight(lines), quote!()),
             Solving::Shared(kernels) => (self.in_order(kernels), self.kernels(kernels)),
@@ -31,7 +32,7 @@ impl Emitter<'_> {
             #kernels
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
-            impl<T: ::reuleaux::Float> ::reuleaux::Stages<T, #n> for #name<T> { #angles #toward #body }
+            impl<T: ::reuleaux::Float> ::reuleaux::Stages<T, #n> for #name<T> { #angles #toward #improved #body }
         }
     }
 
@@ -61,6 +62,19 @@ impl Emitter<'_> {
                     return ::core::option::Option::None;
                 }
                 ::core::option::Option::Some(Self { #fields })
+            }
+        }
+    }
+
+    /// A guess improved with all equations
+    fn improved(&self) -> TokenStream {
+        let n = self.system.unknowns.len();
+        quote! {
+            fn improved(&self, t: T, guess: &::reuleaux::nalgebra::SVector<T, #n>) -> ::reuleaux::nalgebra::SVector<T, #n>
+            where
+                T: ::reuleaux::Float,
+            {
+                ::reuleaux::improved_at_once(self, t, guess)
             }
         }
     }
@@ -159,17 +173,20 @@ impl Scene<'_> {
             quote!([#(#entries),*])
         });
         let sizes = list(&outer, &block.system.sizes);
-        let (rate_sides, acceleration_sides) = (list(&outer, &block.system.rates), list(&outer, &block.system.accelerations));
         let motion = |order: usize| -> Vec<Ident> {
             block.system.unknowns.iter().map(|unknown| local(&self.lines.unknowns[*unknown][order])).collect()
         };
         let (x, xd, xdd) = (motion(0), motion(1), motion(2));
+        let (first, second) = (self.rates(number, &xd, &block.system.rates), self.rates(number, &xdd, &block.system.accelerations));
         let unknowns = block.system.unknowns.iter().map(|unknown| &self.unknowns[*unknown].place);
         let kinds = block.system.unknowns.iter().map(|unknown| &self.unknowns[*unknown].kind);
         let equations = block.system.equations.iter().map(|equation| &self.equations[*equation]);
-        let turns = block.system.unknowns.iter().zip(&block.turns).map(|(unknown, names)| {
-            names.iter().any(Option::is_some) || self.kept.contains(unknown)
-        });
+        let turns = block
+            .system
+            .unknowns
+            .iter()
+            .zip(&block.turns)
+            .map(|(unknown, names)| names.iter().any(Option::is_some) || self.kept.contains(unknown));
         let pairs: Vec<TokenStream> = block.turns.iter().map(pair).collect();
         let method = local(if k <= SMALL { "small" } else { "large" });
         let (pass, place, solved) = (local("pass"), local("place"), local(&format!("block_{number}")));
@@ -189,10 +206,23 @@ impl Scene<'_> {
             let [#(#x),*] = #solved.x;
             let [#(#pairs),*] = #solved.turn;
             #rates
-            let [#(#xd),*] = #solved.rates([#(#rate_sides),*]);
+            #first
             #accelerations
-            let [#(#xdd),*] = #solved.rates([#(#acceleration_sides),*]);
+            #second
         }
+    }
+}
+
+impl Scene<'_> {
+    /// Rates or accelerations of a block from their right sides; zero where nothing moves it.
+    fn rates(&self, number: usize, names: &[Ident], sides: &[Expr]) -> TokenStream {
+        let zero = |side: &Expr| self.arena.as_constant(*side).is_some_and(|value| value.is_zero());
+        if sides.iter().all(zero) {
+            return quote!(#(let #names = T::of(0.0);)*);
+        }
+        let printer = Printer { arena: self.arena, names: &self.lines.names, turn: "turn" };
+        let (solved, sides) = (local(&format!("block_{number}")), sides.iter().map(|side| printer.expression(*side)));
+        quote!(let [#(#names),*] = #solved.rates([#(#sides),*]);)
     }
 }
 

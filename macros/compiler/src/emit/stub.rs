@@ -155,7 +155,7 @@ fn accessors(tree: &Mechanism, layout: &Layout, visibility: &TokenStream, n: usi
     }
 }
 
-/// The functions of the runtime's trait, with and without it.
+/// The functions of the runtime's traits, with and without them.
 fn equations(name: &Ident, n: usize, body: &TokenStream) -> TokenStream {
     let vector = quote!(::reuleaux::nalgebra::SVector<T, #n>);
     let matrix = quote!(::reuleaux::nalgebra::SMatrix<T, #n, #n>);
@@ -165,19 +165,22 @@ fn equations(name: &Ident, n: usize, body: &TokenStream) -> TokenStream {
         quote!(fn linearize(&self, _: &#vector, _: T) -> (#vector, #matrix) { #body }),
         quote!(fn nu(&self, _: &#vector, _: T) -> #vector { #body }),
         quote!(fn gamma(&self, _: &#vector, _: &#vector, _: T) -> #vector { #body }),
+    ];
+    let description = [
         quote!(fn start(&self) -> #vector { #body }),
         quote!(fn characteristic_length(&self) -> T { #body }),
         quote!(fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> { #body }),
     ];
     quote! {
         #[allow(missing_docs, dead_code, clippy::all)]
-        impl<T: ::reuleaux::Real> #name<T> { #(pub #functions)* }
-        impl<T: ::reuleaux::Real> ::reuleaux::Equations<T, #n, #n> for #name<T> {
+        impl<T: ::reuleaux::Real> #name<T> { #(pub #functions)* #(pub #description)* }
+        impl<T: ::reuleaux::Real> ::reuleaux::Description<T, #n> for #name<T> {
             const NAME: &'static str = "";
             const COORDINATES: &'static [::reuleaux::Coordinate] = &[];
             const ROWS: &'static [::reuleaux::Row] = &[];
-            #(#functions)*
+            #(#description)*
         }
+        impl<T: ::reuleaux::Real> ::reuleaux::Equations<T, #n, #n> for #name<T> { #(#functions)* }
     }
 }
 

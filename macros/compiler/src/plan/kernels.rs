@@ -4,13 +4,11 @@
 //! has and, in columns, what its unknowns are. Stages hand values on in arrays: q, q̇, q̈, and sine and cosine of angles that
 //! more than one of them turns by. Not done here: printing.
 
-use super::shape::{Column, Piece, Shape, Tracer};
-use super::solution::{Lines, Part, lines};
+use super::shape::{Column, Piece, Shape};
+use super::solution::{Frame, Lines, Part, lines};
 use super::stages::{Iteration, Stage};
 use super::{Cost, Words};
-use crate::expr::{Arena, Leaf, Node, Unary};
-use crate::model::Dim;
-use crate::system::System;
+use crate::expr::{Leaf, Node, Unary};
 use std::collections::BTreeSet;
 
 /// The stages of a mechanism by their shapes.
@@ -48,10 +46,11 @@ struct Run<'a> {
 }
 
 impl Kernels {
-    pub(super) fn new(arena: &Arena, tracer: &Tracer, system: &System, stages: &[Stage], words: &Words) -> Kernels {
-        let (runs, constants) = runs(arena, system, stages);
-        let pieces: Vec<Piece> = runs.iter().map(|run| run.piece(system)).collect();
-        let (shapes, order) = tracer.shapes(&pieces);
+    pub(super) fn new(frame: &Frame, stages: &[Stage]) -> Kernels {
+        let words = frame.words;
+        let (runs, constants) = runs(frame, stages);
+        let pieces: Vec<Piece> = runs.iter().map(|run| run.piece(frame)).collect();
+        let (shapes, order) = frame.tracer.shapes(&pieces);
         let turned: Vec<BTreeSet<usize>> = shapes.iter().map(turned).collect();
         let member = |number: usize| runs.iter().zip(&order).filter(move |(_, of)| **of == number).map(|(run, _)| run);
         let mut kernels: Vec<Kernel> =
@@ -81,7 +80,7 @@ impl Kernel {
 }
 
 impl Run<'_> {
-    fn piece(&self, system: &System) -> Piece {
+    fn piece(&self, frame: &Frame) -> Piece {
         let mut tag = vec![self.stages.len() as u32];
         let mut first = Vec::new();
         for stage in &self.stages {
@@ -93,7 +92,7 @@ impl Run<'_> {
                 }
             }
         }
-        tag.extend(first.iter().map(|unknown| u32::from(system.unknowns[*unknown as usize].dim == Dim::ANGLE)));
+        tag.extend(first.iter().map(|unknown| u32::from(frame.is_angle[*unknown as usize])));
         Piece { tag, first, results: self.stages.iter().flat_map(|stage| stage.results()).collect() }
     }
 }
@@ -114,18 +113,18 @@ fn blocks(kernels: &[Kernel], order: &[usize], runs: &[Run]) -> Vec<(usize, Cost
 }
 
 /// Blocks one by one; computed unknowns together if they follow each other and one joint gives them. Constants are apart.
-fn runs<'a>(arena: &Arena, system: &System, stages: &'a [Stage]) -> (Vec<Run<'a>>, Vec<(usize, f64)>) {
+fn runs<'a>(frame: &Frame, stages: &'a [Stage]) -> (Vec<Run<'a>>, Vec<(usize, f64)>) {
     let (mut runs, mut constants): (Vec<Run>, Vec<(usize, f64)>) = (Vec::new(), Vec::new());
     for stage in stages {
         let Stage::Explicit { unknown, equation, motion } = stage else {
             runs.push(Run { stages: vec![stage], joint: None });
             continue;
         };
-        if let [Some(value), Some(_), Some(_)] = motion.map(|expr| arena.as_constant(expr)) {
+        if let [Some(value), Some(_), Some(_)] = motion.map(|expr| frame.arena.as_constant(expr)) {
             constants.push((*unknown, value.to_f64()));
             continue;
         }
-        let joint = Some(system.equations[*equation].joint);
+        let joint = Some(frame.joints.get(*equation).copied().unwrap_or(usize::MAX));
         match runs.last_mut() {
             Some(run) if run.joint == joint => run.stages.push(stage),
             _ => runs.push(Run { stages: vec![stage], joint }),
@@ -175,7 +174,8 @@ fn kernel(shape: Shape, runs: Vec<&Run>, turned: &BTreeSet<usize>, words: &Words
 impl Run<'_> {
     /// The equation of this number of its block.
     fn equation(&self, row: usize) -> u32 {
-        let of_stage = |stage: &&Stage| if let Stage::Block(Iteration { equations, .. }) = stage { equations.get(row).copied() } else { None };
+        let of_stage =
+            |stage: &&Stage| if let Stage::Block(Iteration { equations, .. }) = stage { equations.get(row).copied() } else { None };
         self.stages.iter().find_map(of_stage).unwrap_or(0) as u32
     }
 }

@@ -4,11 +4,13 @@
 //! once, and results that refer to them. Not done here: printing.
 
 mod kernels;
+mod linear;
 mod magnitude;
 mod outputs;
 mod rolled;
 mod schedule;
 mod shape;
+mod slice;
 mod solution;
 mod stages;
 
@@ -16,15 +18,17 @@ pub use kernels::{Kernel, Kernels};
 pub use outputs::Outputs;
 pub use rolled::{Code, Group, Target};
 pub use shape::{Column, Shape};
+pub use slice::Slice;
 pub use solution::{Iterated, Lines, Part, Solution, Solving, Summary};
 pub use stages::{Iteration, Stage};
 
 use crate::expr::{Arena, Expr, Leaf};
-use crate::model::Model;
+use crate::model::{Dim, Model};
 use crate::structure::Structure;
-use crate::system::{Equation, System};
+use crate::system::{Equation, Output, System};
 use rolled::Cell;
 use shape::Tracer;
+use solution::Frame;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Everything that is generated, as straight lines.
@@ -34,6 +38,10 @@ pub struct Plan {
     pub arena: Arena,
     /// How q, q̇ and q̈ are found; none for equations that are not solved.
     pub solution: Option<Solution>,
+    /// For each output what is upstream of it.
+    pub slices: Vec<Slice>,
+    /// What moves, where that is worth its own code.
+    pub moving: Option<Slice>,
     /// Φ(q, t), one result for each row.
     pub phi: Code,
     /// The entries of Φ_q that are not identically zero, row by row.
@@ -136,12 +144,13 @@ pub struct Cost {
 /// Schedules everything that is generated.
 pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure) -> Plan {
     let mut arena = system.arena.clone();
-    let stages = (!model.equations_only).then(|| stages::stages(&mut arena, system, structure));
+    let solved = (!model.equations_only).then(|| stages::stages(&mut arena, system, structure));
     let words = Words::new(model, system);
     let tracer = Tracer::new(&arena);
     let line = |results: Vec<Expr>| schedule::routine(&arena, results, &words);
     let code = |cells: Vec<Cell>| rolled::code(&arena, &tracer, cells, &words);
     let joints = Joints::new(system);
+    let solving = solved.map(|(stages, outputs)| solving(&arena, &tracer, system, &words, &stages, &outputs));
     let sides = model.requirements.iter().flat_map(|requirement| [requirement.lhs, requirement.rhs]).collect();
     Plan {
         linearized: joints.linearized().iter().flatten().map(|(target, _)| *target).collect(),
@@ -155,9 +164,32 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure) ->
         start: line(system.unknowns.iter().filter_map(|unknown| unknown.start).collect()),
         lengths: line(distinct(&arena, &model.lengths)),
         requirements: line(sides),
-        solution: stages.map(|stages| solution::solution(&arena, &tracer, system, &stages, &words)),
+        solution: solving.as_ref().map(|(solution, _, _)| solution.clone()),
+        slices: solving.as_ref().map_or(Vec::new(), |(_, slices, _)| slices.clone()),
+        moving: solving.and_then(|(_, _, moving)| moving),
         arena,
     }
+}
+
+/// How everything is found, what is upstream of each output, and what moves.
+fn solving(
+    arena: &Arena,
+    tracer: &Tracer,
+    system: &System,
+    words: &Words,
+    stages: &[Stage],
+    outputs: &[Output],
+) -> (Solution, Vec<Slice>, Option<Slice>) {
+    let is_angle: Vec<bool> = system.unknowns.iter().map(|unknown| unknown.dim == Dim::ANGLE).collect();
+    let joints: Vec<usize> = system.equations.iter().map(|equation| equation.joint).collect();
+    let frame = Frame { arena, tracer, words, is_angle: &is_angle, joints: &joints };
+    let slice = |output: &Output| {
+        let is_angle: Vec<bool> = is_angle.iter().copied().chain(output.components.iter().map(|_| false)).collect();
+        let words = words.with_outputs(output.components.len());
+        slice::upstream(&Frame { words: &words, is_angle: &is_angle, ..frame }, stages, output, system.unknowns.len())
+    };
+    let slices = outputs.iter().map(slice).collect();
+    (solution::solution(&frame, stages), slices, slice::moving(&frame, stages))
 }
 
 /// The equations of a system, joint by joint.
@@ -180,9 +212,8 @@ impl<'a> Joints<'a> {
 
     /// One result for each equation.
     fn rows(&self, of: impl Fn(&Equation) -> Option<Expr>) -> Vec<Cell> {
-        let cell = |joint: &Vec<(u32, &Equation)>| {
-            joint.iter().filter_map(|(row, equation)| Some((Target::Row(*row), of(equation)?))).collect()
-        };
+        let cell =
+            |joint: &Vec<(u32, &Equation)>| joint.iter().filter_map(|(row, equation)| Some((Target::Row(*row), of(equation)?))).collect();
         self.joints.iter().map(cell).collect()
     }
 
@@ -229,6 +260,7 @@ fn distinct(arena: &Arena, lengths: &[Expr]) -> Vec<Expr> {
 }
 
 /// The user's words for leaves.
+#[derive(Clone)]
 pub(crate) struct Words {
     coordinates: Vec<String>,
     /// `self.` before those that are fields.
@@ -243,6 +275,19 @@ impl Words {
             coordinates: system.unknowns.iter().map(coordinate).collect(),
             parameters: model.parameters.iter().map(|parameter| format!("self.{}", parameter.name)).collect(),
         }
+    }
+
+    /// With words for the components of an output.
+    fn with_outputs(&self, components: usize) -> Words {
+        let mut words = self.clone();
+        for index in 0..components {
+            let mut name = format!("output_{index}");
+            while words.coordinates.contains(&name) {
+                name.push('_');
+            }
+            words.coordinates.push(name);
+        }
+        words
     }
 
     /// The words for a shape: what its first piece is called, without the numbers.

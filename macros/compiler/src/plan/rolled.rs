@@ -60,8 +60,11 @@ pub(super) fn code(arena: &Arena, tracer: &Tracer, cells: Vec<Cell>, words: &Wor
         return Code::Straight(schedule::routine(arena, results, words));
     }
     let is_zero = |result: &Expr| arena.as_constant(*result).is_some_and(|value| value.is_zero());
-    let cells: Vec<Cell> =
-        cells.into_iter().map(|cell| cell.into_iter().filter(|(_, result)| !is_zero(result)).collect()).filter(|cell: &Cell| !cell.is_empty()).collect();
+    let cells: Vec<Cell> = cells
+        .into_iter()
+        .map(|cell| cell.into_iter().filter(|(_, result)| !is_zero(result)).collect())
+        .filter(|cell: &Cell| !cell.is_empty())
+        .collect();
     let pieces: Vec<Piece> = cells.iter().map(|cell| piece(cell)).collect();
     let (shapes, of_piece) = tracer.shapes(&pieces);
     let members = |number: usize| cells.iter().zip(&of_piece).filter(move |(_, of)| **of == number).map(|(cell, _)| cell);
@@ -81,8 +84,13 @@ fn piece(cell: &Cell) -> Piece {
 /// Where the result of this number goes in each of some cells of the same shape.
 fn target<'a>(cells: impl Iterator<Item = &'a Cell>, result: usize) -> Target<Column<u32>> {
     let targets: Vec<Target<u32>> = cells.map(|cell| cell[result].0).collect();
-    let (first, second): (Vec<u32>, Vec<u32>) =
-        targets.iter().map(|target| match *target { Target::Row(row) => (row, 0), Target::Entry(row, column) => (row, column) }).unzip();
+    let (first, second): (Vec<u32>, Vec<u32>) = targets
+        .iter()
+        .map(|target| match *target {
+            Target::Row(row) => (row, 0),
+            Target::Entry(row, column) => (row, column),
+        })
+        .unzip();
     match targets.first() {
         Some(Target::Entry(..)) => Target::Entry(Column::of(first), Column::of(second)),
         _ => Target::Row(Column::of(first)),

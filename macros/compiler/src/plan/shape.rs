@@ -227,7 +227,8 @@ impl<'a> Tracer<'a> {
             return copy.places.push(place);
         }
         let values: Vec<f64> = members.iter().map(|trace| self.value(trace.data[occurrence])).collect();
-        let same = copy.data.iter().position(|column| column.iter().map(|value| value.to_bits()).eq(values.iter().map(|value| value.to_bits())));
+        let same =
+            copy.data.iter().position(|column| column.iter().map(|value| value.to_bits()).eq(values.iter().map(|value| value.to_bits())));
         let number = same.unwrap_or_else(|| {
             copy.data.push(values);
             copy.data.len() - 1

@@ -7,7 +7,6 @@ use super::shape::Tracer;
 use super::stages::{Iteration, Stage};
 use super::{Cost, Step, Words};
 use crate::expr::{Arena, Expr, Leaf, Node, Unary};
-use crate::system::System;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// How q, q̇ and q̈ are found.
@@ -105,23 +104,31 @@ pub struct Iterated {
     pub accelerations: Vec<Step>,
 }
 
-/// Schedules the stages of a mechanism.
-pub(super) fn solution(arena: &Arena, tracer: &Tracer, system: &System, stages: &[Stage], words: &Words) -> Solution {
-    let n = system.unknowns.len();
-    let kernels = Kernels::new(arena, tracer, system, stages, words);
+/// What is known of the numbers in stages.
+pub(super) struct Frame<'a> {
+    pub(super) arena: &'a Arena,
+    pub(super) tracer: &'a Tracer<'a>,
+    pub(super) words: &'a Words,
+    /// By unknown.
+    pub(super) is_angle: &'a [bool],
+    /// By equation.
+    pub(super) joints: &'a [usize],
+}
+
+/// Schedules stages.
+pub(super) fn solution(frame: &Frame, stages: &[Stage]) -> Solution {
+    let Frame { arena, words, .. } = *frame;
+    let kernels = Kernels::new(frame, stages);
     let (of_kernels, all) = (kernels.size(), size(arena, stages));
-    let solving = if all <= STRAIGHT || 2 * of_kernels > all && all <= LONGEST {
-        Solving::Straight(lines(arena, stages, n, &BTreeSet::new(), words))
-    } else {
-        Solving::Shared(kernels.clone())
-    };
-    let cost = match &solving {
-        Solving::Straight(lines) => lines.cost,
-        Solving::Shared(kernels) => kernels.cost(),
-    };
     let mut blocks = kernels.blocks.iter().copied();
-    let stages = stages.iter().map(|stage| summary(arena, stage, &mut blocks)).collect();
-    Solution { stages, cost, solving }
+    let summaries = stages.iter().map(|stage| summary(arena, stage, &mut blocks)).collect();
+    let (cost, solving) = if all <= STRAIGHT || 2 * of_kernels > all && all <= LONGEST {
+        let lines = lines(arena, stages, frame.is_angle.len(), &BTreeSet::new(), words);
+        (lines.cost, Solving::Straight(lines))
+    } else {
+        (kernels.cost(), Solving::Shared(kernels))
+    };
+    Solution { stages: summaries, cost, solving }
 }
 
 /// Beyond this many operations in one function rustc takes more than its time.

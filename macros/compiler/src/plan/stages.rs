@@ -7,10 +7,11 @@
 //!               r_x ẍ = −r̈ at ẍ = 0
 //! ```
 
+use super::linear;
 use super::magnitude::magnitude;
 use crate::expr::{Arena, Expr, Jets, Leaf, Substitution, derivative};
 use crate::structure::{Block, Explicit, Structure};
-use crate::system::System;
+use crate::system::{Output, System};
 
 /// One step on the way to q, q̇ and q̈.
 #[derive(Clone, Debug)]
@@ -29,6 +30,23 @@ pub enum Stage {
 }
 
 impl Stage {
+    /// The unknowns that it finds.
+    pub(super) fn unknowns(&self) -> &[usize] {
+        match self {
+            Stage::Explicit { unknown, .. } => std::slice::from_ref(unknown),
+            Stage::Block(system) => &system.unknowns,
+        }
+    }
+
+    /// Nothing moves what it finds.
+    pub(super) fn rests(&self, arena: &Arena) -> bool {
+        let is_zero = |expr: &Expr| arena.as_constant(*expr).is_some_and(|value| value.is_zero());
+        match self {
+            Stage::Explicit { motion: [_, rate, acceleration], .. } => is_zero(rate) && is_zero(acceleration),
+            Stage::Block(system) => system.rates.iter().chain(&system.accelerations).all(is_zero),
+        }
+    }
+
     /// Everything that is computed for it.
     pub(super) fn results(&self) -> Vec<Expr> {
         match self {
@@ -70,10 +88,12 @@ pub struct Iteration {
     pub accelerations: Vec<Expr>,
 }
 
-/// The stages of a mechanism whose every unknown belongs to a block.
-pub(super) fn stages(arena: &mut Arena, system: &System, structure: &Structure) -> Vec<Stage> {
+/// The stages of a mechanism whose every unknown belongs to a block, and the outputs after them, in terms of what moves.
+pub(super) fn stages(arena: &mut Arena, system: &System, structure: &Structure) -> (Vec<Stage>, Vec<Output>) {
     let mut work = Work { arena, system, jets: Jets::new(), constants: Substitution::new() };
-    structure.blocks.iter().flat_map(|block| work.block(block)).collect()
+    let stages = structure.blocks.iter().flat_map(|block| work.block(block)).collect();
+    let outputs = system.outputs.iter().map(|output| work.output(output)).collect();
+    (stages, outputs)
 }
 
 struct Work<'a> {
@@ -87,16 +107,37 @@ struct Work<'a> {
 impl Work<'_> {
     fn block(&mut self, block: &Block) -> Vec<Stage> {
         let mut stages = Vec::new();
-        if !block.iterated.is_empty() {
-            stages.extend(self.system_of(block).map(Stage::Block));
+        if !block.iterated.is_empty()
+            && let Some(system) = self.system_of(block)
+        {
+            match linear::solution(self.arena, &system) {
+                Some(values) => {
+                    for ((unknown, equation), value) in block.iterated.iter().zip(&block.residuals).zip(values) {
+                        stages.push(self.computed(*unknown, *equation, value));
+                    }
+                }
+                None => stages.push(Stage::Block(system)),
+            }
         }
         for explicit in &block.explicit {
-            let Some(value) = self.explicit(explicit) else { continue };
-            let motion = self.jets.of(self.arena, value).map(|expr| self.constants.of(self.arena, expr));
-            self.note_constants(explicit.unknown, &motion);
-            stages.push(Stage::Explicit { unknown: explicit.unknown, equation: explicit.equation, motion });
+            if let Some(value) = self.explicit(explicit) {
+                stages.push(self.computed(explicit.unknown, explicit.equation, value));
+            }
         }
         stages
+    }
+
+    /// An unknown with this value.
+    fn computed(&mut self, unknown: usize, equation: usize, value: Expr) -> Stage {
+        let motion = self.jets.of(self.arena, value).map(|expr| self.constants.of(self.arena, expr));
+        self.note_constants(unknown, &motion);
+        Stage::Explicit { unknown, equation, motion }
+    }
+
+    /// An output, constants put in.
+    fn output(&mut self, output: &Output) -> Output {
+        let component = |motion: &[Expr; 3]| motion.map(|expr| self.constants.of(self.arena, expr));
+        Output { components: output.components.iter().map(component).collect() }
     }
 
     /// What is constant is put into everything that follows: a pin on ground costs nothing.
@@ -105,6 +146,16 @@ impl Work<'_> {
         for (leaf, expr) in leaves.into_iter().zip(motion) {
             if self.arena.as_constant(*expr).is_some() {
                 self.constants.replace(leaf(unknown as u32), *expr);
+            }
+        }
+    }
+
+    /// If all right sides are zero, the rates of some unknowns are zero in everything that follows.
+    fn note_rest(&mut self, sides: &[Expr], unknowns: &[usize], rate: fn(u32) -> Leaf) {
+        let zero = self.arena.integer(0);
+        if sides.iter().all(|side| *side == zero) {
+            for unknown in unknowns {
+                self.constants.replace(rate(*unknown as u32), zero);
             }
         }
     }
@@ -143,17 +194,26 @@ impl Work<'_> {
             rates: Vec::new(),
             accelerations: Vec::new(),
         };
+        let mut seconds = Vec::new();
         for equation in &block.residuals {
             let residual = inside.of(self.arena, self.system.equations[*equation].phi?);
             let [residual, first, second] = self.jets.of(self.arena, residual).map(|expr| self.constants.of(self.arena, expr));
             let row = block.iterated.iter().map(|unknown| derivative(self.arena, residual, Leaf::Coordinate(*unknown as u32)));
             found.jacobian.push(row.collect());
-            let (first, second) = (still.of(self.arena, first), unaccelerated.of(self.arena, second));
+            let first = still.of(self.arena, first);
             found.rates.push(self.arena.neg(first));
-            found.accelerations.push(self.arena.neg(second));
+            seconds.push(second);
             found.sizes.push(magnitude(self.arena, residual, &block.iterated, self.system));
             found.residuals.push(residual);
         }
+        // What nothing moves rests: its equations are not solved for rates, and its rates are in nobody's accelerations.
+        self.note_rest(&found.rates, &block.iterated, Leaf::Velocity);
+        for second in seconds {
+            let second = self.constants.of(self.arena, second);
+            let second = unaccelerated.of(self.arena, second);
+            found.accelerations.push(self.arena.neg(second));
+        }
+        self.note_rest(&found.accelerations, &block.iterated, Leaf::Acceleration);
         Some(found)
     }
 }

@@ -1,0 +1,151 @@
+//! A block straight on: from a prediction that is nearly right to the solution next to it, the usual case in a sweep.
+//!
+//! In: what the last states tell. Out: the unknowns and the factors of the Jacobian there, or nothing, and then the step is done
+//! again [`carefully`](crate::careful), which also knows why. There are no names and no failures here, and every comparison has
+//! an answer for each lane.
+//!
+//! ```text
+//! x₀ = q + h q̇ + h² q̈ / 2 + e      e: what such a sum left out in the step before, carried on (Trend)
+//! A₀ δ = −Φ(x₀)                     A₀ = Φ_q(x₀)
+//! x  = x₀ + δ                       the solution if |δ| ≤ √ε, for then |δ|² is below rounding
+//! A  η = −Φ(x)                      and if |η|, which nothing waits for, is a rounding
+//! ```
+//!
+//! A longer δ is made as well, and the next one is looked at.
+
+use nalgebra::SVector;
+
+use crate::Lanes;
+use crate::lanes::Mask;
+use crate::linear::Linear;
+use crate::place::Place;
+use crate::problem::Linearized;
+use crate::state::State;
+
+/// Longest way of a prediction, scaled; an eighth of a turn, so that it cannot be mistaken for another turn.
+pub(crate) const LONGEST_PREDICTION: f64 = 0.8;
+
+/// Longest first correction of a predicted position, scaled: further away another assembly may be as near.
+pub(crate) const LONGEST_FIRST_CORRECTION: f64 = 0.2;
+
+/// Largest contraction of the first correction of a predicted position; 1/2 is the limit of quadratic convergence.
+pub(crate) const LARGEST_CONTRACTION: f64 = 0.25;
+
+/// A correction after the last may have this many roundings times the condition.
+const ROUNDINGS: f64 = 2.0;
+
+/// How much more a prediction's e counts than the rest of its way: it is trusted up to a tenth of a radian.
+const GUESSED: f64 = 8.0;
+
+/// Corrections, each of which squares the error: from 0.2 the fourth is below √ε, and more are a case for care.
+const MOST_CORRECTIONS: usize = 4;
+
+/// Where a pass sets out from, and how far it goes.
+pub(crate) struct Departure<'a, T: Lanes, const N: usize> {
+    here: &'a State<T, N>,
+    sides: &'a [T::Sides; N],
+    /// h, h² / 2, and how much of e there is in a step of this length.
+    powers: [T; 3],
+}
+
+/// What solving a block straight on needs to know of it.
+pub(crate) struct Scene<'a, T, const K: usize> {
+    /// Indices of the unknowns in q.
+    pub(crate) unknowns: &'a [usize; K],
+    /// Which unknowns turn.
+    pub(crate) turns: &'a [bool; K],
+    /// One over what counts as 1 in each unknown.
+    pub(crate) share: &'a SVector<T, K>,
+    /// What rounding errors of Φ are a share of.
+    pub(crate) sizes: &'a SVector<T, K>,
+}
+
+/// A solution.
+pub(crate) struct Arrival<T: Lanes, L, const K: usize> {
+    pub(crate) place: Place<T, K>,
+    pub(crate) factors: L,
+    pub(crate) condition: T,
+    /// Number of factorisations.
+    pub(crate) iterations: usize,
+    /// The lanes in which it is one.
+    pub(crate) found: T::Mask,
+}
+
+impl<'a, T: Lanes, const N: usize> Departure<'a, T, N> {
+    /// From a state, whose signs of determinants are `sides`, to a moment h later.
+    #[inline(always)]
+    pub(crate) fn new(here: &'a State<T, N>, sides: &'a [T::Sides; N], h: T) -> Self {
+        Self { here: core::hint::black_box(here), sides, powers: [h, h * h * T::of(0.5), here.trend.weight(h)] }
+    }
+
+    /// Predictions of these unknowns, and the scaled length of the way there.
+    #[inline(always)]
+    fn predict<const K: usize>(&self, scene: &Scene<'_, T, K>) -> (SVector<T, K>, T) {
+        let [h, half_square, weight] = self.powers;
+        let mut x = SVector::from_element(T::of(0.0));
+        let mut way = T::of(0.0);
+        for k in 0..K {
+            let i = scene.unknowns[k];
+            let first = h * self.here.qd[i];
+            let second = half_square * self.here.qdd[i];
+            let third = weight * self.here.trend.beyond[i];
+            x[k] = (self.here.q[i] + third) + (first + second);
+            way = way + (first.abs() + second.abs() + T::of(GUESSED) * third.abs()) * scene.share[k];
+        }
+        (x, way)
+    }
+
+    /// Solves a block whose orientation is kept at index `name`; None where no lane arrives.
+    #[inline(always)]
+    pub(crate) fn solve<L: Linear<T, K>, const K: usize>(
+        &self,
+        scene: &Scene<'_, T, K>,
+        name: usize,
+        evaluate: impl Fn(&Place<T, K>) -> Linearized<T, L, K>,
+    ) -> Option<Arrival<T, L, K>> {
+        let (x, way) = self.predict(scene);
+        let side = *self.sides.get(name)?;
+        let mut follows = way.at_most(T::of(LONGEST_PREDICTION));
+        let mut place = Place::at(x, scene.turns);
+        let mut longest = T::of(LONGEST_FIRST_CORRECTION);
+        let mut iterations = 0;
+        loop {
+            iterations += 2;
+            let (phi, jacobian) = evaluate(&place);
+            let correction = L::factor(&jacobian).ok()?.solve_regular(&phi).map(|entry| -entry);
+            let there = place.nudged(&correction, scene.turns);
+
+            let (phi, jacobian) = evaluate(&there);
+            let factors = L::factor(&jacobian).ok()?;
+            let next = norm(&factors.solve_regular(&phi), scene.share);
+            let condition = factors.condition(scene.sizes, scene.share);
+
+            let length = norm(&correction, scene.share);
+            let is_short = length.at_most(T::ROOT_EPSILON);
+            let is_last = next.at_most(T::of(ROUNDINGS) * T::EPSILON * condition);
+            let is_resolved = (condition * T::ROOT_EPSILON).at_most(T::of(1.0)).and(factors.is_regular());
+            let found = is_short.and(is_last).and(is_resolved).and(follows).and(T::same(factors.sides(), side));
+            if found.or(follows.not()).all() || iterations >= 2 * MOST_CORRECTIONS {
+                let arrival = Arrival { place: there, factors, condition, iterations, found };
+                return (!found.not().all()).then_some(arrival);
+            }
+            // Lanes that have arrived stand still: they come to the same again.
+            follows = follows.and(found.or(length.at_most(longest)));
+            place = further(place, correction, scene.turns).replaced(found, &place);
+            longest = length * T::of(LARGEST_CONTRACTION);
+        }
+    }
+}
+
+/// After a correction that was not the last.
+#[cold]
+#[inline(never)]
+fn further<T: Lanes, const K: usize>(place: Place<T, K>, correction: SVector<T, K>, turns: &[bool; K]) -> Place<T, K> {
+    place.moved(T::of(1.0), &correction, turns)
+}
+
+/// The sum of scaled magnitudes; NaN if one is.
+#[inline(always)]
+fn norm<T: Lanes, const K: usize>(vector: &SVector<T, K>, share: &SVector<T, K>) -> T {
+    (0..K).fold(T::of(0.0), |sum, k| sum + vector[k].abs() * share[k])
+}
