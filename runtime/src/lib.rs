@@ -72,7 +72,7 @@ pub use equations::{Description, Equations, ParameterOutOfRange};
 pub use failure::{Cause, Culprit, Failure};
 pub use float::Float;
 pub use lanes::{Lanes, Mask};
-pub use linear::{Factors, Linear, Small};
+pub use linear::{Eliminated, Elimination, Entries, Factors, Linear, Order, Small, Sparse};
 pub use mechanism::Mechanism;
 pub use nalgebra;
 pub use names::{Coordinate, CoordinateKind, Row};

@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::lanes::Mask;
-use crate::linear::{Linear, Small};
+use crate::linear::{Elimination, Entries, Linear, Small, Sparse};
 use crate::place::Place;
 use crate::problem::{Block, Linearized};
 use crate::scale::{Scale, length_of};
@@ -126,6 +126,28 @@ impl<'a, T: Lanes, const N: usize> Pass<'a, T, N> {
         evaluate: impl Fn(&Place<T, K>) -> ([T; K], [[T; K]; K]),
     ) -> Result<Solved<T, T::Dense<K>, K>, Stop<T>> {
         self.block(block, sizes, |place| dense(evaluate(place)))
+    }
+
+    /// Solves a larger block of whose Jacobian `evaluate` gives the entries that are not always zero, in the order of the
+    /// elimination's pattern: by elimination in its order, and where that meets a small pivot by a pivoted factorisation.
+    ///
+    /// # Errors
+    /// Why the block has no solution near.
+    #[inline]
+    pub fn sparse<E: Elimination<T, K, ENTRIES, FACTORS>, const K: usize, const ENTRIES: usize, const FACTORS: usize>(
+        &mut self,
+        elimination: E,
+        block: &Block<K>,
+        sizes: [T; K],
+        evaluate: impl Fn(&Place<T, K>) -> ([T; K], [T; ENTRIES]),
+    ) -> Result<Solved<T, Sparse<T, E, K, ENTRIES, FACTORS>, K>, Stop<T>> {
+        // Of the elimination only the type is needed.
+        let _ = elimination;
+        let columns = Scale::by_kind(self.length, self.share, &block.kinds).column.data.0[0];
+        self.block(block, sizes, |place| {
+            let (phi, values) = evaluate(place);
+            (SVector::from(phi), Entries { values, columns })
+        })
     }
 
     #[inline(always)]

@@ -24,6 +24,8 @@ pub enum PlanStage {
         equations: &'static [&'static str],
         /// Operations of one Newton step, without the solution of its linear system.
         operations: Operations,
+        /// Operations of one factorisation of its Jacobian; None for the closed form that up to three unknowns have.
+        elimination: Option<Operations>,
         /// Blocks with the same number do the same operations, each on its own bodies.
         shape: usize,
     },
@@ -64,12 +66,16 @@ impl fmt::Display for Plan {
         for stage in self.stages {
             match stage {
                 PlanStage::Computed(name) => writeln!(f, "compute  {name}")?,
-                PlanStage::Iterated { unknowns, equations, operations, .. } => {
+                PlanStage::Iterated { unknowns, equations, operations, elimination, .. } => {
                     write!(f, "iterate  ")?;
                     list(f, unknowns)?;
                     write!(f, "  from  ")?;
                     list(f, equations)?;
-                    writeln!(f, "  ({operations} each time)")?;
+                    write!(f, "  ({operations} each time")?;
+                    if let Some(Operations { flops, divisions, .. }) = elimination {
+                        write!(f, ", and for its elimination {flops} sums and products, {divisions} divisions")?;
+                    }
+                    writeln!(f, ")")?;
                 }
             }
         }

@@ -1,5 +1,6 @@
 //! Reference numbers that were computed elsewhere, with 60 digits.
 
+mod blocks;
 mod branches;
 mod components;
 mod files;

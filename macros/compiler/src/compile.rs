@@ -139,7 +139,7 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     // Every unknown belongs to a block, and the blocks are in order.
     let closure = closure::close(&model, &system, &structure);
     // There is a configuration to start from.
-    let plan = plan::schedule(&model, &system, &structure);
+    let plan = plan::schedule(&model, &system, &structure, &closure);
     // Nothing is left to decide.
     Some(Compiled { model, system, structure, closure, plan })
 }

@@ -2,7 +2,7 @@
 
 mod walker;
 
-use reuleaux::Equations;
+use reuleaux::Description;
 use walker::{Walker, WalkerKnee, WalkerLeg, WrittenOut};
 
 /// The walker with a longer shin in its second leg, in both forms.
@@ -32,15 +32,19 @@ fn a_component_is_what_one_would_write_out() {
     }
     let (one, two) = (walker.solve(1.0).expect("the walker walks"), written.solve(1.0).expect("the walker walks"));
     assert_eq!((walker.phi(&one.q, 1.0), walker.jacobian(&one.q, 1.0)), (written.phi(&two.q, 1.0), written.jacobian(&two.q, 1.0)));
-    assert_eq!((walker.nu(&one.q, 1.0), walker.gamma(&one.q, &one.qd, 1.0)), (written.nu(&two.q, 1.0), written.gamma(&two.q, &two.qd, 1.0)));
+    assert_eq!(
+        (walker.nu(&one.q, 1.0), walker.gamma(&one.q, &one.qd, 1.0)),
+        (written.nu(&two.q, 1.0), written.gamma(&two.q, &two.qd, 1.0))
+    );
 }
 
 #[test]
 fn items_of_parts_are_called_by_the_way_to_them() {
-    let coordinates: Vec<&str> = <Walker as Equations<f64, 39, 39>>::COORDINATES.iter().step_by(3).map(|coordinate| coordinate.body).collect();
+    let coordinates: Vec<&str> =
+        <Walker as Description<f64, 39>>::COORDINATES.iter().step_by(3).map(|coordinate| coordinate.body).collect();
     assert_eq!(coordinates[..4], ["crank", "leg[0].bar_j", "leg[0].upper", "leg[0].knee.bar[0]"]);
     assert_eq!(coordinates[12], "leg[1].knee.foot");
-    let rows: Vec<&str> = <Walker as Equations<f64, 39, 39>>::ROWS.iter().map(|row| row.joint).collect();
+    let rows: Vec<&str> = <Walker as Description<f64, 39>>::ROWS.iter().map(|row| row.joint).collect();
     assert_eq!((rows[3], rows[10], rows[38]), ("leg[0].x", "leg[0].knee.x", "leg[1].knee.g"));
 }
 

@@ -8,6 +8,9 @@
 //! Not done here: emitting, refusing.
 
 mod levenberg;
+mod poses;
+
+pub(crate) use poses::Poses;
 
 use crate::expr::{Evaluator, Expr, Node, Values, evaluate};
 use crate::model::{Dim, Function, Model};
@@ -61,8 +64,7 @@ struct Room<'a> {
 impl Room<'_> {
     /// All equations together.
     fn at_once(&self) -> Closure {
-        let all = |count: usize| (0..count).collect::<Vec<usize>>();
-        let mut problem = self.problem(&all(self.system.equations.len()), all(self.declared.len()), vec![0.0; self.declared.len()]);
+        let mut problem = self.whole();
         let guesses = if self.declared.iter().all(Option::is_some) { 1 } else { GUESSES };
         let (start, is_closed) = self.search(&mut problem, guesses);
         Closure { start, is_closed }
@@ -122,6 +124,13 @@ impl Room<'_> {
             Some((_, start)) => (start.iter().zip(&problem.scales).map(|(value, scale)| without_noise(*value, *scale)).collect(), true),
             None => (first.unwrap_or_default(), false),
         }
+    }
+
+    /// All equations for all unknowns.
+    fn whole(&self) -> Problem<'_> {
+        let (equations, unknowns): (Vec<usize>, Vec<usize>) =
+            ((0..self.system.equations.len()).collect(), (0..self.declared.len()).collect());
+        self.problem(&equations, unknowns, vec![0.0; self.declared.len()])
     }
 
     /// Some equations and their derivatives at the defaults, as functions of some unknowns alone.

@@ -251,7 +251,10 @@ impl fmt::Display for Fact {
                 write!(f, "there is `{known}` but no `{missing}`\nhelp: the indices of an array run from 0 without gaps")
             }
             Fact::NotWhole { found } => {
-                write!(f, "expected a whole number, found {found}\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %")
+                write!(
+                    f,
+                    "expected a whole number, found {found}\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %"
+                )
             }
             Fact::NotKnownWhole => {
                 write!(f, "how many there are cannot change at run time\nhelp: declare the number with `let`, such as `let count = 6;`")

@@ -2,7 +2,7 @@
 
 use crate::expr::{Evaluator, Leaf, Values, show};
 use crate::model::{Function, Method, Model, Output, Parameter};
-use crate::plan::{Code, Cost, Plan, Solution, Summary};
+use crate::plan::{Code, Cost, Elimination, Plan, Solution, Summary};
 use crate::system::System;
 use std::fmt::Write;
 
@@ -48,17 +48,28 @@ fn solution(page: &mut String, model: &Model, system: &System, solution: &Soluti
     for stage in &solution.stages {
         let _ = match stage {
             Summary::Explicit { unknown, .. } => writeln!(page, "compute  {}", name(unknown)),
-            Summary::Block { unknowns, equations, cost, .. } => {
+            Summary::Block { unknowns, equations, cost, elimination, .. } => {
                 let unknowns: Vec<String> = unknowns.iter().map(name).collect();
                 let rows: Vec<String> = equations.iter().map(|equation| equation_name(model, system, *equation)).collect();
                 let Cost { flops, divisions, sines, calls } = *cost;
                 writeln!(page, "iterate  {}  from  {}", unknowns.join(", "), rows.join(", ")).and_then(|()| {
                     writeln!(page, "         each time {flops} sums and products, {divisions} divisions and roots, {calls} other functions; {sines} sine-cosine pairs once")
                 })
+                .and_then(|()| elimination.as_ref().map_or(Ok(()), |elimination| eliminated(page, elimination)))
             }
         };
     }
     let _ = writeln!(page, "```");
+}
+
+/// What becomes of a large block's Jacobian.
+fn eliminated(page: &mut String, elimination: &Elimination) -> std::fmt::Result {
+    let (entries, factors) = (elimination.pattern.len(), elimination.factors.len());
+    let Cost { flops, divisions, .. } = elimination.cost;
+    writeln!(
+        page,
+        "         its Jacobian of {entries} entries is eliminated to {factors} by {flops} sums and products, {divisions} divisions"
+    )
 }
 
 /// `crank.angle`

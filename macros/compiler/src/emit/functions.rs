@@ -1,9 +1,9 @@
 //! The generated functions of a mechanism.
 
+use super::docs;
 use super::expression::{local, place};
 use super::routine::{Lines, lines};
 use super::stages::number;
-use super::docs;
 use crate::model::{Dim, Model};
 use crate::plan::{Code, Plan, Routine, Target};
 use crate::syntax::ast::Relation;

@@ -69,7 +69,7 @@ impl Emitter<'_> {
             .shape
             .unknowns
             .iter()
-            .map(|column| Index { place: columns.place(column), kind: self.kind(column.at(0) as usize) })
+            .map(|column| Index { place: columns.place(column), ..self.index(column.at(0) as usize) })
             .collect();
         let equations: Vec<TokenStream> = kernel.equations.iter().map(|column| columns.place(column)).collect();
         let scene = Scene {

@@ -7,6 +7,7 @@ mod arrays;
 mod columns;
 mod definition;
 mod docs;
+mod elimination;
 mod expression;
 mod functions;
 mod kernels;
@@ -146,12 +147,25 @@ fn plan_constant(model: &Model, system: &System, solution: &Solution) -> TokenSt
             let name = docs::coordinate_name(model, system, *unknown);
             quote!(::reuleaux::PlanStage::Computed(#name))
         }
-        Summary::Block { unknowns, equations, cost, shape } => {
+        Summary::Block { unknowns, equations, cost, elimination, shape } => {
             let unknowns = unknowns.iter().map(|unknown| docs::coordinate_name(model, system, *unknown));
             let equations = equations.iter().map(|equation| docs::equation_name(model, system, *equation));
+            let elimination = match elimination {
+                Some(elimination) => {
+                    let operations = operations(elimination.cost);
+                    quote!(::core::option::Option::Some(#operations))
+                }
+                None => quote!(::core::option::Option::None),
+            };
             let operations = operations(*cost);
             quote! {
-                ::reuleaux::PlanStage::Iterated { unknowns: &[#(#unknowns),*], equations: &[#(#equations),*], operations: #operations, shape: #shape }
+                ::reuleaux::PlanStage::Iterated {
+                    unknowns: &[#(#unknowns),*],
+                    equations: &[#(#equations),*],
+                    operations: #operations,
+                    elimination: #elimination,
+                    shape: #shape,
+                }
             }
         }
     };

@@ -56,7 +56,9 @@ impl<'a> Parameters<'a> {
 
     /// The components that have a struct of their own, by number.
     pub(super) fn structures(&self) -> impl Iterator<Item = (usize, Ident)> {
-        (1..self.layout.components.len()).filter(|component| self.has_any[*component]).map(|component| (component, self.structure(component)))
+        (1..self.layout.components.len())
+            .filter(|component| self.has_any[*component])
+            .map(|component| (component, self.structure(component)))
     }
 
     /// Fields with their documentation.
@@ -169,7 +171,8 @@ impl<'a> Parameters<'a> {
 
     /// Every field between that of `defaults` and that of `to`, at `share` of the way.
     pub(super) fn blended(&self, component: usize, to: &TokenStream) -> TokenStream {
-        let (defaults, share) = (if component == 0 { Ident::new("defaults", Span::call_site()) } else { local("defaults") }, local("share"));
+        let (defaults, share) =
+            (if component == 0 { Ident::new("defaults", Span::call_site()) } else { local("defaults") }, local("share"));
         let field = |(_, field): (usize, &Field)| {
             let (name, rounds) = (&field.name, (0..field.sizes.len()).map(|rank| local(&format!("i{rank}"))).collect::<Vec<_>>());
             let (one, two) = (quote!(#defaults.#name #([#rounds])*), quote!(#to.#name #([#rounds])*));

@@ -11,9 +11,6 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use std::collections::BTreeMap;
 
-/// Blocks of up to this many unknowns are solved in closed form.
-const SMALL: usize = 3;
-
 impl Emitter<'_> {
     /// The runtime's trait `Stages`.
     pub(super) fn stages(&self) -> TokenStream {
@@ -108,7 +105,7 @@ impl Emitter<'_> {
 
     /// An unknown by its index in q
     pub(super) fn index(&self, unknown: usize) -> Index {
-        Index { place: number(unknown), kind: self.kind(unknown) }
+        Index { place: number(unknown), kind: self.kind(unknown), is_length: self.system.unknowns[unknown].dim != Dim::ANGLE }
     }
 }
 
@@ -124,6 +121,8 @@ pub(super) struct Index {
     pub(super) place: TokenStream,
     /// What it measures.
     pub(super) kind: TokenStream,
+    /// It is no angle.
+    pub(super) is_length: bool,
 }
 
 /// Lines with what their numbers stand for.
@@ -168,10 +167,6 @@ impl Scene<'_> {
         let inside = self.steps(&block.names, &block.inside);
         let list = |printer: &Printer, exprs: &[Expr]| -> Vec<TokenStream> { exprs.iter().map(|expr| printer.expression(*expr)).collect() };
         let residuals = list(&inner, &block.system.residuals);
-        let rows = block.system.jacobian.iter().map(|row| {
-            let entries = list(&inner, row);
-            quote!([#(#entries),*])
-        });
         let sizes = list(&outer, &block.system.sizes);
         let motion = |order: usize| -> Vec<Ident> {
             block.system.unknowns.iter().map(|unknown| local(&self.lines.unknowns[*unknown][order])).collect()
@@ -188,11 +183,32 @@ impl Scene<'_> {
             .zip(&block.turns)
             .map(|(unknown, names)| names.iter().any(Option::is_some) || self.kept.contains(unknown));
         let pairs: Vec<TokenStream> = block.turns.iter().map(pair).collect();
-        let method = local(if k <= SMALL { "small" } else { "large" });
+        let order = local(&format!("Elimination{number}"));
+        let (elimination, method, jacobian) = match &block.system.elimination {
+            None => {
+                let row = |row: &Vec<Expr>| {
+                    let entries = list(&inner, row);
+                    quote!([#(#entries),*])
+                };
+                (quote!(), quote!(small), block.system.jacobian.iter().map(row).collect())
+            }
+            Some(elimination) => {
+                let is_length = block.system.unknowns.iter().map(|unknown| self.unknowns[*unknown].is_length).collect();
+                let entry = |(i, j): &(usize, usize)| inner.expression(block.system.jacobian[*i][*j]);
+                (
+                    super::elimination::elimination(&order, is_length, elimination),
+                    quote!(sparse),
+                    elimination.pattern.iter().map(entry).collect::<Vec<_>>(),
+                )
+            }
+        };
+        let order = block.system.elimination.as_ref().map(|_| quote!(#order,));
         let (pass, place, solved) = (local("pass"), local("place"), local(&format!("block_{number}")));
         quote! {
             #before
+            #elimination
             let #solved = #pass.#method(
+                #order
                 &::reuleaux::Block { unknowns: [#(#unknowns),*], equations: [#(#equations),*], kinds: [#(#kinds),*], turns: [#(#turns),*] },
                 [#(#sizes),*],
                 #[inline(always)]
@@ -200,7 +216,7 @@ impl Scene<'_> {
                     let [#(#x),*] = #place.x.data.0[0];
                     let [#(#pairs),*] = #place.turn;
                     #inside
-                    ([#(#residuals),*], [#(#rows),*])
+                    ([#(#residuals),*], [#(#jacobian),*])
                 },
             )?;
             let [#(#x),*] = #solved.x;

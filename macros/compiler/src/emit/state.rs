@@ -19,7 +19,12 @@ pub(super) struct Accessors<'a> {
 }
 
 impl<'a> Accessors<'a> {
-    pub(super) fn new(layout: &'a Layout, mechanism: &'a Ident, visibility: &'a TokenStream, body: Option<&'a TokenStream>) -> Accessors<'a> {
+    pub(super) fn new(
+        layout: &'a Layout,
+        mechanism: &'a Ident,
+        visibility: &'a TokenStream,
+        body: Option<&'a TokenStream>,
+    ) -> Accessors<'a> {
         Accessors { layout, mechanism, visibility, has_any: holders(layout, Of::Body), body }
     }
 
@@ -73,7 +78,8 @@ impl<'a> Accessors<'a> {
             let name = &field.name;
             let (known, kind, value) = match field.of {
                 Of::Body => {
-                    let known = format!("{} place of its frame's origin (m) and angle (rad), with their rates.", called("body", "bodies", field));
+                    let known =
+                        format!("{} place of its frame's origin (m) and angle (rad), with their rates.", called("body", "bodies", field));
                     let places = self.places(first, &first.members[number], |body| body);
                     (known, quote!(::reuleaux::PlanarBody<T>), array_at(&places, &field.sizes, &body))
                 }

@@ -1,10 +1,10 @@
 //! What is emitted in place of a refused mechanism: the same items without content, so that one
 //! mistake gives one error.
 
-use crate::diag::Fact;
 use super::arrays::array_type;
 use super::parameters::Parameters;
 use super::state::Accessors;
+use crate::diag::Fact;
 use crate::model::suggest::nearest;
 use crate::model::{Layout, Method, Of, Outline, is_generated, outline};
 use crate::syntax::ast::{Expr, ExprKind, Item, Marks, Mechanism, Operator, Use};
@@ -228,7 +228,13 @@ fn kind(expr: &Expr, tree: &Mechanism, lets: usize) -> Kind {
         ExprKind::Tuple(_) => Kind::Vector,
         ExprKind::Index(owner, _) => kind(owner, tree, lets),
         ExprKind::Field(_, name) if ["x", "y", "angle", "c"].contains(&name.to_string().as_str()) => Kind::Number,
-        ExprKind::Field(owner, name) => if names(name, tree, lets) == Some(Kind::Body) && !is_frame(owner, tree) { Kind::Body } else { Kind::Vector },
+        ExprKind::Field(owner, name) => {
+            if names(name, tree, lets) == Some(Kind::Body) && !is_frame(owner, tree) {
+                Kind::Body
+            } else {
+                Kind::Vector
+            }
+        }
         ExprKind::Call(path, _) => vector_if(path.name.as_ref().is_some_and(|name| name == "perp" || name == "unit")),
         ExprKind::Negative(value) => kind(value, tree, lets),
         ExprKind::Binary(Operator::Power | Operator::Rem, ..) => Kind::Number,

@@ -44,7 +44,8 @@ impl Elaborator<'_> {
             let function = self.rust_function(path, Measure::Flexible, Measure::Flexible);
             return self.apply(range, path, &function, arguments, scope).map(Value::Scalar);
         };
-        let is_bound = scope.bound.iter().any(|(known, _)| name == known) || scope.space.is_some_and(|space| self.names.visible(space, &name.to_string()).is_some());
+        let is_bound = scope.bound.iter().any(|(known, _)| name == known)
+            || scope.space.is_some_and(|space| self.names.visible(space, &name.to_string()).is_some());
         if !is_bound && BUILTINS.contains(&name.to_string().as_str()) {
             return self.builtin(range, name, arguments, scope);
         }

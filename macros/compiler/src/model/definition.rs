@@ -2,9 +2,9 @@
 //! kind.
 
 use super::Function as Numbered;
+use super::Name;
 use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
-use super::Name;
 use super::names::{Names, RESERVED};
 use super::signature::noun;
 use super::statement::Row;

@@ -1,7 +1,7 @@
 //! Joints: a definition with its parameters bound to arguments, or equations written inline.
 
-use super::dimension::{Dim, Measure};
 use super::Name;
+use super::dimension::{Dim, Measure};
 use super::elaborate::{Blame, Elaborator, Scope, Timeless};
 use super::names::{Context, EntityId};
 use super::signature::{noun, places, too_few, too_many, unknown_argument};
@@ -99,8 +99,11 @@ impl Elaborator<'_> {
 
     /// Binds every parameter of a definition, or says which argument is to blame.
     fn bind(&mut self, definition: &Definition, kind: &Ident, given: &[Argument], scope: &Scope) -> Option<Vec<(String, Value)>> {
-        let slots: Vec<Option<&ast::Expr>> =
-            self.slots(definition, kind, given)?.into_iter().map(|slot| slot.and_then(|slot| given.get(slot)).map(|given| &given.value)).collect();
+        let slots: Vec<Option<&ast::Expr>> = self
+            .slots(definition, kind, given)?
+            .into_iter()
+            .map(|slot| slot.and_then(|slot| given.get(slot)).map(|given| &given.value))
+            .collect();
         let mut bound: Vec<(String, Value)> = Vec::new();
         let mut complete = true;
         for (formal, slot) in definition.parameters.iter().zip(slots) {

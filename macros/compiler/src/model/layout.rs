@@ -146,7 +146,8 @@ impl Elaborator<'_> {
         let mut wanted = vec![0; ranks];
         for indices in field.members.keys() {
             if *indices != wanted {
-                let (first, group) = (field.first, |indices: &[usize]| indices.iter().map(|index| format!("[{index}]")).collect::<String>());
+                let (first, group) =
+                    (field.first, |indices: &[usize]| indices.iter().map(|index| format!("[{index}]")).collect::<String>());
                 let declared = &self.names.declared[first.0].name;
                 let stem = declared.path.trim_end_matches(&group(&declared.indices)).to_owned();
                 let (missing, known) = (format!("{stem}{}", group(&wanted)), format!("{stem}{}", group(indices)));

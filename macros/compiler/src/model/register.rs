@@ -260,12 +260,7 @@ impl Elaborator<'_> {
         let number = register.places.len();
         register.places[place].items.push((Of::Part(0), id, number));
         register.parts.push(part.clone());
-        register.places.push(Place {
-            component: Some(component.clone()),
-            first: register.bodies.len(),
-            items: Vec::new(),
-            id: Some(id),
-        });
+        register.places.push(Place { component: Some(component.clone()), first: register.bodies.len(), items: Vec::new(), id: Some(id) });
         register.open.push(word);
         let loops = std::mem::take(&mut register.loops);
         self.items(&component.items, &inner, number, register);

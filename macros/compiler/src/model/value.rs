@@ -59,11 +59,17 @@ pub(crate) enum Value {
     Axis(Fixed),
     Body(FrameId),
     Function(Function),
-    Joint { kind: String, arguments: Arguments },
+    Joint {
+        kind: String,
+        arguments: Arguments,
+    },
     /// A component's instance, by the space of its names.
     Part(SpaceId),
     /// Some of the indices of a name that has more of them.
-    Array { group: GroupId, at: Vec<usize> },
+    Array {
+        group: GroupId,
+        at: Vec<usize>,
+    },
 }
 
 impl Value {

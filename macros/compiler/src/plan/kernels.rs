@@ -88,6 +88,7 @@ impl Run<'_> {
                 Stage::Explicit { unknown, .. } => first.push(*unknown as u32),
                 Stage::Block(system) => {
                     tag.push(system.unknowns.len() as u32);
+                    tag.extend(system.elimination.iter().flat_map(|elimination| elimination.features(frame.arena, &system.jacobian)));
                     first.extend(system.unknowns.iter().map(|unknown| *unknown as u32));
                 }
             }

@@ -3,6 +3,7 @@
 //! In: a [`System`] and what is to be computed. Out: [`Routine`]s: named steps, each used more than
 //! once, and results that refer to them. Not done here: printing.
 
+mod elimination;
 mod kernels;
 mod linear;
 mod magnitude;
@@ -14,6 +15,7 @@ mod slice;
 mod solution;
 mod stages;
 
+pub use elimination::Elimination;
 pub use kernels::{Kernel, Kernels};
 pub use outputs::Outputs;
 pub use rolled::{Code, Group, Target};
@@ -22,6 +24,7 @@ pub use slice::Slice;
 pub use solution::{Iterated, Lines, Part, Solution, Solving, Summary};
 pub use stages::{Iteration, Stage};
 
+use crate::closure::{Closure, Poses};
 use crate::expr::{Arena, Expr, Leaf};
 use crate::model::{Dim, Model};
 use crate::structure::Structure;
@@ -142,9 +145,13 @@ pub struct Cost {
 }
 
 /// Schedules everything that is generated.
-pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure) -> Plan {
+pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, closure: &Closure) -> Plan {
     let mut arena = system.arena.clone();
-    let solved = (!model.equations_only).then(|| stages::stages(&mut arena, system, structure));
+    let solved = (!model.equations_only).then(|| {
+        let (mut stages, outputs) = stages::stages(&mut arena, system, structure);
+        eliminations(&arena, model, system, closure, &mut stages);
+        (stages, outputs)
+    });
     let words = Words::new(model, system);
     let tracer = Tracer::new(&arena);
     let line = |results: Vec<Expr>| schedule::routine(&arena, results, &words);
@@ -168,6 +175,19 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure) ->
         slices: solving.as_ref().map_or(Vec::new(), |(_, slices, _)| slices.clone()),
         moving: solving.and_then(|(_, _, moving)| moving),
         arena,
+    }
+}
+
+/// Chooses how large blocks are eliminated; most mechanisms have none.
+fn eliminations(arena: &Arena, model: &Model, system: &System, closure: &Closure, stages: &mut [Stage]) {
+    let mut poses = None;
+    for stage in stages {
+        if let Stage::Block(block) = stage
+            && block.unknowns.len() > elimination::CLOSED_FORM
+        {
+            let poses = poses.get_or_insert_with(|| Poses::new(model, system, closure));
+            block.elimination = Some(elimination::elimination(arena, system, block, poses));
+        }
     }
 }
 

@@ -5,7 +5,7 @@ use super::rolled::STRAIGHT;
 use super::schedule::{Work, cost};
 use super::shape::Tracer;
 use super::stages::{Iteration, Stage};
-use super::{Cost, Step, Words};
+use super::{Cost, Elimination, Step, Words};
 use crate::expr::{Arena, Expr, Leaf, Node, Unary};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -38,6 +38,8 @@ pub enum Summary {
         equations: Vec<usize>,
         /// Operations of one Newton step, without the solution of its system.
         cost: Cost,
+        /// How its system is eliminated, if not in closed form.
+        elimination: Option<Elimination>,
         /// The number of its shape: blocks with the same number do the same operations.
         shape: usize,
     },
@@ -146,9 +148,9 @@ fn summary(arena: &Arena, stage: &Stage, blocks: &mut impl Iterator<Item = (usiz
         Stage::Explicit { unknown, motion, .. } => {
             Summary::Explicit { unknown: *unknown, moves: motion.iter().any(|expr| arena.as_constant(*expr).is_none()) }
         }
-        Stage::Block(Iteration { unknowns, equations, .. }) => {
+        Stage::Block(Iteration { unknowns, equations, elimination, .. }) => {
             let (shape, cost) = blocks.next().unwrap_or_default();
-            Summary::Block { unknowns: unknowns.clone(), equations: equations.clone(), cost, shape }
+            Summary::Block { unknowns: unknowns.clone(), equations: equations.clone(), cost, elimination: elimination.clone(), shape }
         }
     }
 }

@@ -7,8 +7,8 @@
 //!               r_x ẍ = −r̈ at ẍ = 0
 //! ```
 
-use super::linear;
 use super::magnitude::magnitude;
+use super::{Elimination, linear};
 use crate::expr::{Arena, Expr, Jets, Leaf, Substitution, derivative};
 use crate::structure::{Block, Explicit, Structure};
 use crate::system::{Output, System};
@@ -65,7 +65,8 @@ impl Iteration {
         let mut lists = results.chunks(k.max(1)).map(<[Expr]>::to_vec);
         let mut next = || lists.next().unwrap_or_default();
         let [residuals, sizes, rates, accelerations] = [next(), next(), next(), next()];
-        Iteration { unknowns, equations, residuals, sizes, rates, accelerations, jacobian: lists.collect() }
+        let elimination = self.elimination.clone();
+        Iteration { unknowns, equations, residuals, sizes, elimination, rates, accelerations, jacobian: lists.collect() }
     }
 }
 
@@ -82,6 +83,8 @@ pub struct Iteration {
     pub jacobian: Vec<Vec<Expr>>,
     /// What the rounding errors of r are a share of: the sum of the magnitudes of its terms.
     pub sizes: Vec<Expr>,
+    /// How its Jacobian is eliminated, if not in closed form.
+    pub elimination: Option<Elimination>,
     /// Right side of the velocity equation.
     pub rates: Vec<Expr>,
     /// Right side of the acceleration equation.
@@ -191,6 +194,7 @@ impl Work<'_> {
             residuals: Vec::new(),
             jacobian: Vec::new(),
             sizes: Vec::new(),
+            elimination: None,
             rates: Vec::new(),
             accelerations: Vec::new(),
         };

@@ -143,9 +143,7 @@ fn has_indices(item: &Item, place: Place) -> Parsed<()> {
 /// The same for any name.
 pub(super) fn indexed(name: &Ident, indices: &[Expr], place: Place) -> Parsed<()> {
     match place.variable {
-        Some(variable) if indices.is_empty() => {
-            wrong(name, Fact::WithoutIndex { name: name.to_string(), variable: variable.to_string() })
-        }
+        Some(variable) if indices.is_empty() => wrong(name, Fact::WithoutIndex { name: name.to_string(), variable: variable.to_string() }),
         _ => Ok(()),
     }
 }
