@@ -3,8 +3,8 @@
 //! At the declared defaults the start is an assembled configuration. Parameters that differ are changed step by step, as time is in
 //! `continuation`: a step is accepted if in every block Newton's method has a short way and the determinant keeps its sign.
 
+use crate::careful::Care;
 use crate::continuation;
-use crate::pass::Pass;
 use crate::stages::Stages;
 use crate::verdict;
 use crate::{Failure, Float, Mechanism, State};
@@ -28,8 +28,8 @@ pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E)
         let next = if reached + step < one { reached + step } else { one };
         let stage = if next < one { equations.toward(next) } else { None };
         let followed = match &stage {
-            Some(between) => continuation::state(between, zero, Pass::follow(between, &here, zero)),
-            None => continuation::state(equations, zero, Pass::follow(equations, &here, zero)),
+            Some(between) => continuation::state(between, zero, Care::follow(between, &here, zero)),
+            None => continuation::state(equations, zero, Care::follow(equations, &here, zero)),
         };
         match followed {
             Ok(state) => (here, reached, step) = (state, next, step + step),

@@ -2,24 +2,95 @@
 //!
 //! Seldom run, so it is compiled once for each size of block and takes the equations through a pointer.
 
+use core::cell::Cell;
+
 use nalgebra::SVector;
 
 use crate::linear::Linear;
 use crate::order::greater;
-use crate::pass::{Mode, Pass, Solved, Stop};
+use crate::pass::{Solved, Stop};
 use crate::place::Place;
 use crate::position::{self, Miss, Position, Refusal};
 use crate::problem::{Block, Evaluate, Part, Problem};
-use crate::scale::Scale;
+use crate::scale::{Scale, length_of};
 use crate::straight::LONGEST_PREDICTION;
-use crate::{Culprit, Float, State};
+use crate::{Cause, Coordinate, Culprit, Description, Float, Lanes, Orientation, Row, State};
+
+/// What a careful pass sets out from and what it has found.
+pub struct Care<'a, T: Lanes, const N: usize> {
+    mode: Mode<'a, T, N>,
+    /// L and 1/L.
+    length: T,
+    share: T,
+    rows: &'static [Row],
+    coordinates: &'static [Coordinate],
+    found: Cell<Found<T, N>>,
+}
+
+impl<T: Lanes, const N: usize> Care<'_, T, N> {
+    /// L and 1/L.
+    pub(crate) fn lengths(&self) -> (T, T) {
+        (self.length, self.share)
+    }
+}
+
+/// What a careful pass has found so far.
+#[derive(Clone, Copy)]
+pub(crate) struct Found<T, const N: usize> {
+    pub(crate) branch: [Orientation; N],
+    /// The worst condition of a block.
+    pub(crate) condition: T,
+    /// The most factorisations of a block.
+    pub(crate) iterations: usize,
+    /// The block nearest to singular, if that was asked for.
+    pub(crate) worst: Option<Cause<T>>,
+}
+
+/// What a block is solved from.
+enum Mode<'a, T, const N: usize> {
+    /// A prediction from this state, `h` seconds before.
+    Follow { here: &'a State<T, N>, h: T },
+    /// A rough guess of q.
+    Close { guess: &'a SVector<T, N> },
+    /// Nothing is solved: these are the positions, and the block that is nearest to singular is looked for.
+    Inspect { q: &'a SVector<T, N> },
+}
+
+impl<'a, T: Float, const N: usize> Care<'a, T, N> {
+    /// From a state, to a moment h later.
+    pub(crate) fn follow<E: Description<T, N> + ?Sized>(equations: &E, here: &'a State<T, N>, h: T) -> Self {
+        Self::new(equations, Mode::Follow { here, h }, here.branch)
+    }
+
+    /// From a rough guess.
+    pub(crate) fn close<E: Description<T, N> + ?Sized>(equations: &E, guess: &'a SVector<T, N>) -> Self {
+        Self::new(equations, Mode::Close { guess }, [Orientation::Positive; N])
+    }
+
+    /// At given positions.
+    pub(crate) fn inspect<E: Description<T, N> + ?Sized>(equations: &E, q: &'a SVector<T, N>) -> Self {
+        Self::new(equations, Mode::Inspect { q }, [Orientation::Positive; N])
+    }
+
+    fn new<E: Description<T, N> + ?Sized>(equations: &E, mode: Mode<'a, T, N>, branch: [Orientation; N]) -> Self {
+        let length = length_of(equations.characteristic_length());
+        let one = T::of(1.0);
+        let found = Cell::new(Found { branch, condition: one, iterations: 0, worst: None });
+        Self { mode, length, share: one / length, rows: E::ROWS, coordinates: E::COORDINATES, found }
+    }
+
+    /// What was found.
+    pub(crate) fn found(&self) -> Found<T, N> {
+        self.found.get()
+    }
+}
 
 /// Solves a block, or looks at it where it is.
 ///
 /// # Errors
 /// Why the block has no solution near what the pass sets out from.
 pub(crate) fn solve<T: Float, L: Linear<T, K>, const K: usize, const N: usize>(
-    pass: &mut Pass<'_, T, N>,
+    care: &Care<'_, T, N>,
     block: &Block<K>,
     sizes: [T; K],
     evaluate: &Evaluate<'_, T, L, K>,
@@ -27,15 +98,15 @@ pub(crate) fn solve<T: Float, L: Linear<T, K>, const K: usize, const N: usize>(
     let part: Part<'_, T, L, K> = Part {
         evaluate,
         block,
-        scale: Scale::by_kind(pass.length, pass.share, &block.kinds),
+        scale: Scale::by_kind(care.length, care.share, &block.kinds),
         sizes: SVector::from(sizes),
-        rows: pass.rows,
-        coordinates: pass.coordinates,
+        rows: care.rows,
+        coordinates: care.coordinates,
     };
     let first = block.unknowns.first().copied().unwrap_or(0);
     let picked = |q: &SVector<T, N>| Place::at(SVector::from_fn(|k, _| q[block.unknowns[k]]), &block.turns);
-    let position = match &mut pass.mode {
-        Mode::Straight { .. } => return Err(Stop::Far),
+    let mut found = care.found.get();
+    let position = match &care.mode {
         Mode::Follow { here, h } => {
             let position = follow(&part, here, *h, &block.unknowns)?;
             if here.branch.get(first).is_some_and(|before| *before != position.factors.sides()) {
@@ -44,22 +115,23 @@ pub(crate) fn solve<T: Float, L: Linear<T, K>, const K: usize, const N: usize>(
             position
         }
         Mode::Close { guess } => position::close(&part, &picked(guess)).map_err(|miss| open(&part, miss))?,
-        Mode::Inspect { q, worst } => {
+        Mode::Inspect { q } => {
             let place = picked(q);
             let (_, jacobian) = part.linearize(&place);
             let factors = L::factor(&jacobian).map_err(|row| Stop::NotFinite(Culprit::Row(part.row(row))))?;
             let condition = factors.condition(&part.sizes, &part.scale.share);
-            if worst.is_none() || condition > pass.condition {
-                *worst = Some(part.singular(&place));
+            if found.worst.is_none() || condition > found.condition {
+                found.worst = Some(part.singular(&place));
             }
             Position { place, factors, condition, iterations: 0 }
         }
     };
-    if let Some(orientation) = pass.branch.get_mut(first) {
+    if let Some(orientation) = found.branch.get_mut(first) {
         *orientation = position.factors.sides();
     }
-    pass.condition = greater(pass.condition, position.condition);
-    pass.iterations = pass.iterations.max(position.iterations);
+    found.condition = greater(found.condition, position.condition);
+    found.iterations = found.iterations.max(position.iterations);
+    care.found.set(found);
     Ok(Solved { x: position.place.x.data.0[0], turn: position.place.turn, factors: position.factors })
 }
 
@@ -90,7 +162,7 @@ fn open<T: Float, P: Problem<T, K>, const K: usize>(problem: &P, miss: Miss<T, K
     match miss {
         Miss::NotFinite(of) => Stop::NotFinite(of),
         Miss::Singular(place) | Miss::Stuck(place) => Stop::Open(problem.widest_gap(&place).unwrap_or_else(|| problem.singular(&place))),
-        Miss::NoConvergence { correction, iterations } => Stop::Open(crate::Cause::NoConvergence { correction, iterations }),
+        Miss::NoConvergence { correction, iterations } => Stop::Open(Cause::NoConvergence { correction, iterations }),
     }
 }
 

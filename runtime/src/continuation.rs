@@ -7,11 +7,12 @@
 
 use nalgebra::SVector;
 
-use crate::pass::{Pass, Stop};
+use crate::careful::{Care, Found};
+use crate::pass::{Pass, Stop, Walk};
 use crate::stages::{Coordinates, Stages};
 use crate::straight::Departure;
 use crate::verdict;
-use crate::{Cause, Culprit, Failure, Float, State, names};
+use crate::{Cause, Culprit, Failure, Float, Lanes, Mask, State, names};
 
 /// Steps of one continuation, accepted or not.
 const MOST_STEPS: usize = 1_000_000;
@@ -36,23 +37,48 @@ pub(crate) fn advance<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     t: T,
 ) -> Result<(), Failure<T, N>> {
     // One step is the usual case.
-    let h = t - state.t;
-    if h.is_finite() && step(equations, state, t, h) { Ok(()) } else { advance_by_steps(equations, state, t) }
+    if step(equations, state, t) { Ok(()) } else { advance_by_steps(equations, state, t) }
 }
 
 /// One step straight on; whether it was made.
-#[inline(always)]
-fn step<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, state: &mut State<T, N>, t: T, h: T) -> bool {
-    let mut pass = Pass::straight(equations, Departure::new(state, &state.branch, h));
-    let Ok(there) = equations.stages(t, &mut pass) else { return false };
-    let (found, condition, iterations) = (pass.found(), pass.condition, pass.iterations);
-    if !found || !is_surely_finite(&there) || !is_resolved(state, &there.q, h, E::COMPUTED_ANGLES) {
-        return false;
-    }
+///
+/// A function of its own for each mechanism, so that its stages are compiled into it and their results never leave the registers.
+#[inline(never)]
+fn step<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, state: &mut State<T, N>, t: T) -> bool {
+    let Some(stride) = stride(equations, state, &state.branch, t, true) else { return false };
     // Every block has kept its sign: the branch's name stays.
-    state.follow_on(t, h, there);
-    (state.condition, state.iterations) = (condition, iterations);
+    state.follow_on(t, stride, E::ITERATED);
     true
+}
+
+/// What a step straight on comes to.
+pub(crate) struct Stride<T: Lanes, const N: usize> {
+    /// The time it takes, s.
+    pub(crate) h: T,
+    pub(crate) there: Coordinates<T, N>,
+    /// The lanes in which it was made, one at least.
+    pub(crate) found: T::Mask,
+    pub(crate) condition: T,
+    pub(crate) iterations: usize,
+}
+
+/// One step straight on, in the lanes that are `moving`; None where no lane made it.
+///
+/// * `sides`: given, the branch: by block, at the index of its first unknown.
+#[inline(always)]
+pub(crate) fn stride<T: Lanes, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    state: &State<T, N>,
+    sides: &[T::Sides; N],
+    t: T,
+    moving: T::Mask,
+) -> Option<Stride<T, N>> {
+    let h = t - state.t;
+    let mut pass = Pass::straight(equations, Departure::new(state, sides, h, moving));
+    let there = equations.stages(t, &mut pass).ok()?;
+    let Walk { found, condition, iterations } = pass.walk()?;
+    let found = found.and(moving).and(is_surely_finite(h, &there)).and(is_resolved(state, &there.q, h, E::COMPUTED_ANGLES));
+    (!found.not().all()).then_some(Stride { h, there, found, condition, iterations })
 }
 
 /// The same by as many steps as it takes.
@@ -71,7 +97,7 @@ fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     let mut step = t - state.t;
     for _ in 0..MOST_STEPS {
         let next = if step.abs() >= (t - here.t).abs() { t } else { here.t + step };
-        match self::state(equations, next, Pass::follow(equations, &here, next - here.t)) {
+        match self::state(equations, next, Care::follow(equations, &here, next - here.t)) {
             Ok(reached) if !is_resolved(&here, &reached.q, next - here.t, E::COMPUTED_ANGLES) && halves(&mut step, next, &here) => {}
             Ok(reached) if next == t => {
                 *state = reached;
@@ -99,43 +125,55 @@ fn halves<T: Float, const N: usize>(step: &mut T, next: T, here: &State<T, N>) -
 
 /// Every computed angle came to where it was expected: a drive that goes on after a rest may turn anything in one long step.
 #[inline(always)]
-fn is_resolved<T: Float, const N: usize>(here: &State<T, N>, q: &SVector<T, N>, h: T, angles: &[usize]) -> bool {
-    let mut farthest = T::of(0.0);
+fn is_resolved<T: Lanes, const N: usize>(here: &State<T, N>, q: &SVector<T, N>, h: T, angles: &[usize]) -> T::Mask {
+    let mut resolved = T::Mask::of(true);
     for &i in angles {
         if i < N {
-            let off = (q[i] - (here.q[i] + h * (here.qd[i] + h * T::of(0.5) * here.qdd[i]))).abs();
-            farthest = if off > farthest { off } else { farthest };
+            let off = q[i] - (here.q[i] + h * (here.qd[i] + h * T::of(0.5) * here.qdd[i]));
+            resolved = resolved.and(off.abs().at_most(T::of(LARGEST_SURPRISE)));
         }
     }
-    farthest <= T::of(LARGEST_SURPRISE)
+    resolved
 }
 
-/// The state at the end of a pass with care.
+/// The state at the end of a careful pass.
+///
+/// # Errors
+/// Why there is none.
 #[inline(never)]
 pub(crate) fn state<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
     t: T,
-    mut pass: Pass<'_, T, N>,
+    care: Care<'_, T, N>,
 ) -> Result<State<T, N>, Stop<T>> {
-    let there = equations.stages(t, &mut pass)?;
+    let there = equations.stages(t, &mut Pass::careful(&care))?;
     let Coordinates { q, qd, qdd } = there;
-    if !is_surely_finite(&there) {
+    if !is_surely_finite(t, &there) {
         for vector in [&q, &qd, &qdd] {
             if let Some(index) = vector.iter().position(|entry| !entry.is_finite()) {
                 return Err(Stop::NotFinite(Culprit::Coordinate(names::coordinate(E::COORDINATES, index))));
             }
         }
     }
-    let Pass { branch, condition, iterations, .. } = pass;
+    let Found { branch, condition, iterations, .. } = care.found();
     Ok(State { branch, condition, iterations, ..State::new(t, q, qd, qdd) })
 }
 
-/// A sum is not finite if a term is not. Four sums side by side, so that none has to wait for the one before.
+/// A sum is not finite if a term is not. Four sums side by side, so that none has to wait long for the one before.
 #[inline(always)]
-fn is_surely_finite<T: Float, const N: usize>(there: &Coordinates<T, N>) -> bool {
-    let mut sums = [T::of(0.0); 4];
-    for i in 0..N {
-        sums[i % 4] = sums[i % 4] + (there.q[i] + (there.qd[i] + there.qdd[i]));
+fn is_surely_finite<T: Lanes, const N: usize>(time: T, there: &Coordinates<T, N>) -> T::Mask {
+    let mut sums = [time, T::of(0.0), T::of(0.0), T::of(0.0)];
+    for vector in [&there.q, &there.qd, &there.qdd] {
+        for k in 0..N / 4 {
+            for (i, sum) in sums.iter_mut().enumerate() {
+                *sum = *sum + vector[4 * k + i];
+            }
+        }
+        for i in N / 4 * 4..N {
+            sums[i - N / 4 * 4] = sums[i - N / 4 * 4] + vector[i];
+        }
     }
-    ((sums[0] + sums[1]) + (sums[2] + sums[3])).is_finite()
+    let sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    // ∞ − ∞ is NaN.
+    (sum - sum).at_most(T::of(0.0))
 }

@@ -5,10 +5,11 @@ use core::fmt::Debug;
 
 use nalgebra::SMatrix;
 
+use crate::careful::{self, Care};
 use crate::linear::{Factors, Linear};
-use crate::pass::{Pass, Solved, Stop};
+use crate::pass::{Solved, Stop};
 use crate::problem::{Block, Evaluate};
-use crate::{Orientation, Real, careful, turn};
+use crate::{Orientation, Real, turn};
 
 /// The answer to a comparison, by lane.
 pub trait Mask: Copy + Debug {
@@ -28,10 +29,7 @@ pub trait Mask: Copy + Debug {
 
     /// Yes in one at least.
     #[must_use]
-    #[inline(always)]
-    fn or(self, other: Self) -> Self {
-        self.not().and(other.not()).not()
-    }
+    fn or(self, other: Self) -> Self;
 }
 
 /// A [`Real`] with which a mechanism can be followed in time: `f64` and `f32`, which are one lane each, and numbers of several lanes.
@@ -43,7 +41,7 @@ pub trait Lanes: Real {
     type Dense<const K: usize>: Linear<Self, K, Matrix = SMatrix<Self, K, K>>;
 
     /// The signs of determinants.
-    type Sides: Copy + Debug + PartialEq;
+    type Sides: Copy + Debug;
 
     /// The difference between 1 and the next greater number.
     const EPSILON: Self;
@@ -64,7 +62,7 @@ pub trait Lanes: Real {
     /// Where signs are the same.
     fn same(a: Self::Sides, b: Self::Sides) -> Self::Mask;
 
-    /// (sine, cosine) to within a unit of the last place, for the loops of the solver, where speed counts and bits need not be the
+    /// (sine, cosine) with a relative error of 2 ε at most, for the loops of the solver, where speed counts and bits need not be the
     /// same as those of [`sin_cos`](Real::sin_cos).
     #[must_use]
     fn turn(self) -> (Self, Self);
@@ -82,7 +80,7 @@ pub trait Lanes: Real {
     /// Why the block has no solution near.
     #[doc(hidden)]
     fn carefully<L: Linear<Self, K>, const K: usize, const N: usize>(
-        pass: &mut Pass<'_, Self, N>,
+        care: &Care<'_, Self, N>,
         block: &Block<K>,
         sizes: [Self; K],
         evaluate: &Evaluate<'_, Self, L, K>,
@@ -101,6 +99,10 @@ impl Mask for bool {
     #[inline(always)]
     fn and(self, other: Self) -> Self {
         self & other
+    }
+    #[inline(always)]
+    fn or(self, other: Self) -> Self {
+        self | other
     }
     #[inline(always)]
     fn not(self) -> Self {
@@ -146,12 +148,12 @@ macro_rules! scalar {
             #[cold]
             #[inline(never)]
             fn carefully<L: Linear<Self, K>, const K: usize, const N: usize>(
-                pass: &mut Pass<'_, Self, N>,
+                care: &Care<'_, Self, N>,
                 block: &Block<K>,
                 sizes: [Self; K],
                 evaluate: &Evaluate<'_, Self, L, K>,
             ) -> Result<Solved<Self, L, K>, Stop<Self>> {
-                careful::solve(pass, block, sizes, evaluate)
+                careful::solve(care, block, sizes, evaluate)
             }
         }
     };

@@ -46,6 +46,7 @@ mod continuation;
 mod damping;
 mod equations;
 mod failure;
+mod family;
 mod float;
 mod iterate;
 mod lanes;
@@ -67,9 +68,12 @@ mod sweep;
 mod table;
 mod turn;
 mod verdict;
+#[cfg(feature = "wide")]
+pub mod wide;
 
 pub use equations::{Description, Equations, ParameterOutOfRange};
 pub use failure::{Cause, Culprit, Failure};
+pub use family::Family;
 pub use float::Float;
 pub use lanes::{Lanes, Mask};
 pub use linear::{Eliminated, Elimination, Entries, Factors, Linear, Order, Small, Sparse};

@@ -3,8 +3,8 @@
 use nalgebra::SVector;
 
 use crate::assembly::assemble;
+use crate::careful::Care;
 use crate::continuation;
-use crate::pass::Pass;
 use crate::stages::Stages;
 use crate::verdict;
 use crate::{Cause, Culprit, Failure, Float, State, Sweep};
@@ -41,7 +41,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
             return Err(fail(Cause::NotFinite { of: Culprit::Time }));
         }
         let guess = self.improved(t, guess);
-        continuation::state(self, t, Pass::close(self, &guess)).map_err(|stop| fail(verdict::open(stop)))
+        continuation::state(self, t, Care::close(self, &guess)).map_err(|stop| fail(verdict::open(stop)))
     }
 
     /// The state at `t` (s) on the branch of `from`, a state of this mechanism with these parameters.

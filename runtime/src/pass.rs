@@ -2,37 +2,44 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::careful::Care;
 use crate::lanes::Mask;
 use crate::linear::{Elimination, Entries, Linear, Small, Sparse};
 use crate::place::Place;
 use crate::problem::{Block, Linearized};
 use crate::scale::{Scale, length_of};
 use crate::straight::{Departure, Scene};
-use crate::{Cause, Coordinate, Culprit, Description, Float, Lanes, Row, State};
-
-/// What a block is solved from.
-pub(crate) enum Mode<'a, T: Lanes, const N: usize> {
-    /// What the last states tell; the usual case.
-    Straight { from: Departure<'a, T, N>, found: T::Mask },
-    /// A prediction from this state, `h` seconds before.
-    Follow { here: &'a State<T, N>, h: T },
-    /// A rough guess of q.
-    Close { guess: &'a SVector<T, N> },
-    /// Nothing is solved: these are the positions, and the block that is nearest to singular is looked for.
-    Inspect { q: &'a SVector<T, N>, worst: Option<Cause<T>> },
-}
+use crate::{Cause, Culprit, Description, Lanes};
 
 /// One pass through the stages of a mechanism.
-pub struct Pass<'a, T: Lanes, const N: usize> {
-    pub(crate) mode: Mode<'a, T, N>,
+///
+/// What is needed for care lies elsewhere, so that a pass straight on can stay in registers, and of the two ways through a block
+/// rustc compiles only the one that is gone.
+pub struct Pass<'a, T: Lanes, const N: usize>(Way<'a, T, N>);
+
+/// How blocks are solved.
+enum Way<'a, T: Lanes, const N: usize> {
+    Straight(Straight<'a, T, N>),
+    Careful(&'a Care<'a, T, N>),
+}
+
+/// A pass straight on, the usual case.
+struct Straight<'a, T: Lanes, const N: usize> {
+    from: Departure<'a, T, N>,
     /// L and 1/L.
-    pub(crate) length: T,
-    pub(crate) share: T,
-    pub(crate) rows: &'static [Row],
-    pub(crate) coordinates: &'static [Coordinate],
-    /// Of blocks that were not solved straight on: those that were have kept the sign they had.
-    pub(crate) branch: [T::Sides; N],
+    length: T,
+    share: T,
+    walk: Walk<T>,
+}
+
+/// What a pass straight on leaves behind.
+#[derive(Clone, Copy)]
+pub(crate) struct Walk<T: Lanes> {
+    /// The lanes in which all blocks were solved.
+    pub(crate) found: T::Mask,
+    /// The worst condition of a block.
     pub(crate) condition: T,
+    /// The most factorisations of a block.
     pub(crate) iterations: usize,
 }
 
@@ -56,46 +63,35 @@ pub struct Solved<T, L, const K: usize> {
     pub(crate) factors: L,
 }
 
-impl<'a, T: Float, const N: usize> Pass<'a, T, N> {
-    /// From a state, to a moment h later.
-    pub(crate) fn follow<E: Description<T, N> + ?Sized>(equations: &E, here: &'a State<T, N>, h: T) -> Self {
-        Self { branch: here.branch, ..Self::new(equations, Mode::Follow { here, h }) }
-    }
-
-    /// From a rough guess.
-    pub(crate) fn close<E: Description<T, N> + ?Sized>(equations: &E, guess: &'a SVector<T, N>) -> Self {
-        Self::new(equations, Mode::Close { guess })
-    }
-
-    /// At given positions.
-    pub(crate) fn inspect<E: Description<T, N> + ?Sized>(equations: &E, q: &'a SVector<T, N>) -> Self {
-        Self::new(equations, Mode::Inspect { q, worst: None })
-    }
-
-    /// The block nearest to singular, after an inspection.
-    pub(crate) fn worst(&self) -> Option<Cause<T>> {
-        if let Mode::Inspect { worst, .. } = self.mode { worst } else { None }
-    }
-}
-
 impl<'a, T: Lanes, const N: usize> Pass<'a, T, N> {
-    /// From a state to a moment h later, straight on.
+    /// From a state to a moment later, straight on.
     #[inline(always)]
     pub(crate) fn straight<E: Description<T, N> + ?Sized>(equations: &E, from: Departure<'a, T, N>) -> Self {
-        Self::new(equations, Mode::Straight { from, found: T::Mask::of(true) })
-    }
-
-    #[inline(always)]
-    fn new<E: Description<T, N> + ?Sized>(equations: &E, mode: Mode<'a, T, N>) -> Self {
         let length = length_of(equations.characteristic_length());
-        let (one, rows, coordinates) = (T::of(1.0), E::ROWS, E::COORDINATES);
-        Self { mode, length, share: one / length, rows, coordinates, branch: [one.sides(); N], condition: one, iterations: 0 }
+        let one = T::of(1.0);
+        let walk = Walk { found: T::Mask::of(true), condition: one, iterations: 0 };
+        Self(Way::Straight(Straight { from, length, share: one / length, walk }))
     }
 
-    /// The lanes in which everything was found, after a pass straight on.
+    /// With care.
     #[inline(always)]
-    pub(crate) fn found(&self) -> T::Mask {
-        if let Mode::Straight { found, .. } = self.mode { found } else { T::Mask::of(false) }
+    pub(crate) fn careful(care: &'a Care<'a, T, N>) -> Self {
+        Self(Way::Careful(care))
+    }
+
+    /// What a pass straight on leaves behind.
+    #[inline(always)]
+    pub(crate) fn walk(&self) -> Option<Walk<T>> {
+        if let Way::Straight(straight) = &self.0 { Some(straight.walk) } else { None }
+    }
+
+    /// L and 1/L
+    #[inline(always)]
+    fn lengths(&self) -> (T, T) {
+        match &self.0 {
+            Way::Straight(straight) => (straight.length, straight.share),
+            Way::Careful(care) => care.lengths(),
+        }
     }
 
     /// Solves a block of one to three unknowns: in closed form.
@@ -143,7 +139,8 @@ impl<'a, T: Lanes, const N: usize> Pass<'a, T, N> {
     ) -> Result<Solved<T, Sparse<T, E, K, ENTRIES, FACTORS>, K>, Stop<T>> {
         // Of the elimination only the type is needed.
         let _ = elimination;
-        let columns = Scale::by_kind(self.length, self.share, &block.kinds).column.data.0[0];
+        let (length, share) = self.lengths();
+        let columns = Scale::by_kind(length, share, &block.kinds).column.data.0[0];
         self.block(block, sizes, |place| {
             let (phi, values) = evaluate(place);
             (SVector::from(phi), Entries { values, columns })
@@ -157,20 +154,21 @@ impl<'a, T: Lanes, const N: usize> Pass<'a, T, N> {
         sizes: [T; K],
         evaluate: impl Fn(&Place<T, K>) -> Linearized<T, L, K>,
     ) -> Result<Solved<T, L, K>, Stop<T>> {
-        let Mode::Straight { from, found } = &mut self.mode else {
-            return T::carefully(self, block, sizes, &evaluate);
+        let Straight { from, length, share, walk } = match &mut self.0 {
+            Way::Straight(straight) => straight,
+            Way::Careful(care) => return T::carefully(care, block, sizes, &evaluate),
         };
         let scene = Scene {
             unknowns: &block.unknowns,
             turns: &block.turns,
-            share: &Scale::by_kind(self.length, self.share, &block.kinds).share,
+            share: &Scale::by_kind(*length, *share, &block.kinds).share,
             sizes: &SVector::from(sizes),
         };
         let name = block.unknowns.first().copied().unwrap_or(0);
         let Some(arrival) = from.solve(&scene, name, evaluate) else { return Err(Stop::Far) };
-        *found = found.and(arrival.found);
-        self.condition = self.condition.max(arrival.condition);
-        self.iterations = self.iterations.max(arrival.iterations);
+        walk.found = walk.found.and(arrival.found);
+        walk.condition = walk.condition.max(arrival.condition);
+        walk.iterations = walk.iterations.max(arrival.iterations);
         Ok(Solved { x: arrival.place.x.data.0[0], turn: arrival.place.turn, factors: arrival.factors })
     }
 }

@@ -54,14 +54,19 @@ impl<T: Lanes, const K: usize> Place<T, K> {
     }
 
     /// At x + δ with δ at most about √ε: its square does not show in sine and cosine.
-    #[inline(always)]
     pub(crate) fn nudged(&self, correction: &SVector<T, K>, turns: &[bool; K]) -> Self {
+        self.nudged_back(&correction.map(|entry| -entry), turns)
+    }
+
+    /// At x − δ with δ at most about √ε.
+    #[inline(always)]
+    pub(crate) fn nudged_back(&self, correction: &SVector<T, K>, turns: &[bool; K]) -> Self {
         let mut there = *self;
         for k in 0..K {
-            there.x[k] = self.x[k] + correction[k];
+            there.x[k] = self.x[k] - correction[k];
             if turns[k] {
                 let (sine, cosine) = self.turn[k];
-                there.turn[k] = (sine + cosine * correction[k], cosine - sine * correction[k]);
+                there.turn[k] = (sine - cosine * correction[k], cosine + sine * correction[k]);
             }
         }
         there

@@ -114,10 +114,10 @@ impl<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize> Problem<T, N> for
 }
 
 /// Residuals and their Jacobian, in the form that is factored.
-pub type Linearized<T, L, const K: usize> = (SVector<T, K>, <L as Linear<T, K>>::Matrix);
+pub(crate) type Linearized<T, L, const K: usize> = (SVector<T, K>, <L as Linear<T, K>>::Matrix);
 
 /// Residuals and their Jacobian at a place.
-pub type Evaluate<'b, T, L, const K: usize> = dyn Fn(&Place<T, K>) -> Linearized<T, L, K> + 'b;
+pub(crate) type Evaluate<'b, T, L, const K: usize> = dyn Fn(&Place<T, K>) -> Linearized<T, L, K> + 'b;
 
 /// A block of a mechanism: some of its equations and unknowns, everything before them known.
 pub(crate) struct Part<'a, T, L: Linear<T, K>, const K: usize>

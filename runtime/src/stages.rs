@@ -34,6 +34,9 @@ pub trait Stages<T: Lanes, const N: usize>: Description<T, N> {
     /// that they came to where they were expected.
     const COMPUTED_ANGLES: &'static [usize] = &[];
 
+    /// The unknowns that are iterated, of which a prediction is needed.
+    const ITERATED: &'static [usize] = &ALL;
+
     /// The mechanism with parameters that are this share of the way from their declared defaults, for which
     /// [`start`](Description::start) is assembled, to these. None if they are the defaults, or have none.
     fn toward(&self, share: T) -> Option<Self>
@@ -102,3 +105,17 @@ pub fn improved_at_once<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize
     let whole = Whole { equations, t, scale: Scale::of(equations) };
     position::close(&whole, &Place::at(*guess, whole.turns())).map_or(*guess, |position| position.place.x)
 }
+
+/// The first indices there are; those beyond the number of coordinates are passed over.
+static ALL: [usize; MOST] = {
+    let mut indices = [0; MOST];
+    let mut index = 0;
+    while index < MOST {
+        indices[index] = index;
+        index += 1;
+    }
+    indices
+};
+
+/// Of a mechanism written by hand, as many unknowns as this get a better prediction.
+const MOST: usize = 256;

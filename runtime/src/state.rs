@@ -2,7 +2,8 @@
 
 use nalgebra::{SVector, Vector2};
 
-use crate::{Coordinates, Float, Lanes, Real};
+use crate::continuation::Stride;
+use crate::{Coordinates, Float, Lanes, Mask, Real};
 
 /// Position, velocity and acceleration of a mechanism at one instant.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,14 +27,21 @@ pub struct State<T, const N: usize> {
     pub(crate) trend: Trend<T, N>,
 }
 
-/// What the step to a state tells about the next, beyond the state itself: a share of a prediction, and no part of what the state is,
+/// What the step to a state tells about the next, beyond the state itself: a help for predictions, and no part of what the state is,
 /// so that all of them are equal.
+///
+/// ```text
+/// e = 31 (q − q₀) − s (17 q̇ + 14 q̇₀) + s² (7 q̈ / 2 − 2 q̈₀)      s: length of the step, from q₀, q̇₀, q̈₀
+/// ```
+///
+/// is what q + s q̇ + s² q̈ / 2 leaves out one such step further on, by the polynomial of fifth degree through both states, their
+/// rates and their accelerations; it is wrong by s⁶ / 90 times the sixth derivative.
 #[derive(Clone, Debug)]
 pub(crate) struct Trend<T, const N: usize> {
-    /// Length of the step, in s; 0 if there was none.
-    span: T,
-    /// What q + h q̇ + h² q̈ / 2 leaves out in a step of the same length, in m and rad.
-    pub(crate) beyond: SVector<T, N>,
+    /// s, in s; 0 if there was no step.
+    pub(crate) span: T,
+    /// e but for the term with q̈, in m and rad.
+    pub(crate) rest: SVector<T, N>,
 }
 
 /// The sign of a determinant.
@@ -137,36 +145,44 @@ impl<T, const N: usize> PartialEq for Trend<T, N> {
 impl<T: Real, const N: usize> Trend<T, N> {
     /// Nothing is known.
     pub(crate) fn none() -> Self {
-        Self { span: T::of(0.0), beyond: SVector::from_element(T::of(0.0)) }
+        Self { span: T::of(0.0), rest: SVector::from_element(T::of(0.0)) }
     }
 }
 
 impl<T: Lanes, const N: usize> Trend<T, N> {
-    /// How much of `beyond` there is in a step of length `h`: the cube of the quotient of the lengths. Nothing in one that is more
-    /// than twice as long, as far as one cannot see.
+    /// What q̇, q̈ and `rest` are multiplied by in a step of length `h`: e counts with the cube of the quotient of the lengths, and not
+    /// at all where the step is more than twice as long, as far as one cannot see.
     #[inline(always)]
-    pub(crate) fn weight(&self, h: T) -> T {
+    pub(crate) fn weights(&self, h: T) -> [T; 3] {
         let quotient = h / self.span;
-        T::pick(quotient.abs().at_most(T::of(2.0)), quotient * quotient * quotient, T::of(0.0))
+        let weight = T::pick(quotient.abs().at_most(T::of(2.0)), quotient * quotient * quotient, T::of(0.0));
+        [h, T::of(0.5) * (h * h) + weight * (T::of(3.5) * (self.span * self.span)), weight]
     }
 }
 
 impl<T: Lanes, const N: usize> State<T, N> {
-    /// Becomes the state there, `h` later, on the same branch.
-    ///
-    /// The trend is the polynomial of fifth degree through this state and that one, each with its rates and accelerations, less the
-    /// part up to the second degree, at `h` beyond. It leaves out h⁶ / 90 times the sixth derivative.
+    /// Becomes the state at `t`, on the same branch, in the lanes in which it was found; `iterated` unknowns get a trend.
     #[inline(always)]
-    pub(crate) fn follow_on(&mut self, t: T, h: T, there: Coordinates<T, N>) {
-        let square = h * h;
-        for i in 0..N {
-            let way = T::of(31.0) * (there.q[i] - self.q[i]);
-            let rates = h * (T::of(17.0) * there.qd[i] + T::of(14.0) * self.qd[i]);
-            let accelerations = square * (T::of(3.5) * there.qdd[i] - T::of(2.0) * self.qdd[i]);
-            self.trend.beyond[i] = (way - rates) + accelerations;
+    pub(crate) fn follow_on(&mut self, t: T, stride: Stride<T, N>, iterated: &[usize]) {
+        let Stride { h, there: Coordinates { q, qd, qdd }, found, condition, iterations } = stride;
+        let twice = T::of(2.0) * (h * h);
+        for &i in iterated {
+            if i < N {
+                let rates = T::of(17.0) * qd[i] + T::of(14.0) * self.qd[i];
+                let rest = (T::of(31.0) * (q[i] - self.q[i]) - twice * self.qdd[i]) - h * rates;
+                self.trend.rest[i] = T::pick(found, rest, self.trend.rest[i]);
+            }
         }
-        self.trend.span = h;
-        (self.t, self.q, self.qd, self.qdd) = (t, there.q, there.qd, there.qdd);
+        self.iterations = iterations;
+        if found.all() {
+            (self.trend.span, self.condition) = (h, condition);
+            (self.t, self.q, self.qd, self.qdd) = (t, q, qd, qdd);
+        } else {
+            let pick = |then, otherwise| T::pick(found, then, otherwise);
+            (self.trend.span, self.condition) = (pick(h, self.trend.span), pick(condition, self.condition));
+            self.t = pick(t, self.t);
+            (self.q, self.qd, self.qdd) = (q.zip_map(&self.q, pick), qd.zip_map(&self.qd, pick), qdd.zip_map(&self.qdd, pick));
+        }
     }
 }
 

@@ -5,10 +5,10 @@
 //! an answer for each lane.
 //!
 //! ```text
-//! x₀ = q + h q̇ + h² q̈ / 2 + e      e: what such a sum left out in the step before, carried on (Trend)
-//! A₀ δ = −Φ(x₀)                     A₀ = Φ_q(x₀)
-//! x  = x₀ + δ                       the solution if |δ| ≤ √ε, for then |δ|² is below rounding
-//! A  η = −Φ(x)                      and if |η|, which nothing waits for, is a rounding
+//! x₀ = q + h q̇ + h² q̈ / 2 + e      e: what this leaves out, from the step before (Trend)
+//! A₀ δ = Φ(x₀)                      A₀ = Φ_q(x₀)
+//! x  = x₀ − δ                       the solution if |δ| ≤ √ε, for then |δ|² is below rounding
+//! A  η = Φ(x)                       and if |η|, which nothing waits for, is a rounding
 //! ```
 //!
 //! A longer δ is made as well, and the next one is looked at.
@@ -34,9 +34,6 @@ pub(crate) const LARGEST_CONTRACTION: f64 = 0.25;
 /// A correction after the last may have this many roundings times the condition.
 const ROUNDINGS: f64 = 2.0;
 
-/// How much more a prediction's e counts than the rest of its way: it is trusted up to a tenth of a radian.
-const GUESSED: f64 = 8.0;
-
 /// Corrections, each of which squares the error: from 0.2 the fourth is below √ε, and more are a case for care.
 const MOST_CORRECTIONS: usize = 4;
 
@@ -44,8 +41,10 @@ const MOST_CORRECTIONS: usize = 4;
 pub(crate) struct Departure<'a, T: Lanes, const N: usize> {
     here: &'a State<T, N>,
     sides: &'a [T::Sides; N],
-    /// h, h² / 2, and how much of e there is in a step of this length.
-    powers: [T; 3],
+    /// The lanes that set out.
+    moving: T::Mask,
+    /// What q̇, q̈ and the rest of the trend are multiplied by.
+    weights: [T; 3],
 }
 
 /// What solving a block straight on needs to know of it.
@@ -72,25 +71,24 @@ pub(crate) struct Arrival<T: Lanes, L, const K: usize> {
 }
 
 impl<'a, T: Lanes, const N: usize> Departure<'a, T, N> {
-    /// From a state, whose signs of determinants are `sides`, to a moment h later.
+    /// From a state, whose signs of determinants are `sides`, to a moment h later, in the lanes that are `moving`.
     #[inline(always)]
-    pub(crate) fn new(here: &'a State<T, N>, sides: &'a [T::Sides; N], h: T) -> Self {
-        Self { here: core::hint::black_box(here), sides, powers: [h, h * h * T::of(0.5), here.trend.weight(h)] }
+    pub(crate) fn new(here: &'a State<T, N>, sides: &'a [T::Sides; N], h: T, moving: T::Mask) -> Self {
+        Self { here, sides, moving, weights: here.trend.weights(h) }
     }
 
     /// Predictions of these unknowns, and the scaled length of the way there.
     #[inline(always)]
     fn predict<const K: usize>(&self, scene: &Scene<'_, T, K>) -> (SVector<T, K>, T) {
-        let [h, half_square, weight] = self.powers;
+        let [first, second, rest] = self.weights;
         let mut x = SVector::from_element(T::of(0.0));
         let mut way = T::of(0.0);
         for k in 0..K {
             let i = scene.unknowns[k];
-            let first = h * self.here.qd[i];
-            let second = half_square * self.here.qdd[i];
-            let third = weight * self.here.trend.beyond[i];
-            x[k] = (self.here.q[i] + third) + (first + second);
-            way = way + (first.abs() + second.abs() + T::of(GUESSED) * third.abs()) * scene.share[k];
+            let terms = [first * self.here.qd[i], second * self.here.qdd[i], rest * self.here.trend.rest[i]];
+            // q̈ comes last.
+            x[k] = ((self.here.q[i] + terms[2]) + terms[0]) + terms[1];
+            way = way + (terms[0].abs() + terms[1].abs() + terms[2].abs()) * scene.share[k];
         }
         (x, way)
     }
@@ -105,27 +103,27 @@ impl<'a, T: Lanes, const N: usize> Departure<'a, T, N> {
     ) -> Option<Arrival<T, L, K>> {
         let (x, way) = self.predict(scene);
         let side = *self.sides.get(name)?;
-        let mut follows = way.at_most(T::of(LONGEST_PREDICTION));
+        let mut follows = self.moving.and(way.at_most(T::of(LONGEST_PREDICTION)));
         let mut place = Place::at(x, scene.turns);
         let mut longest = T::of(LONGEST_FIRST_CORRECTION);
         let mut iterations = 0;
         loop {
             iterations += 2;
             let (phi, jacobian) = evaluate(&place);
-            let correction = L::factor(&jacobian).ok()?.solve_regular(&phi).map(|entry| -entry);
-            let there = place.nudged(&correction, scene.turns);
+            let correction = L::factor(&jacobian).ok()?.solve_regular(&phi);
+            let there = place.nudged_back(&correction, scene.turns);
 
             let (phi, jacobian) = evaluate(&there);
             let factors = L::factor(&jacobian).ok()?;
             let next = norm(&factors.solve_regular(&phi), scene.share);
-            let condition = factors.condition(scene.sizes, scene.share);
+            let condition = factors.growth(scene.sizes, scene.share);
 
             let length = norm(&correction, scene.share);
             let is_short = length.at_most(T::ROOT_EPSILON);
             let is_last = next.at_most(T::of(ROUNDINGS) * T::EPSILON * condition);
             let is_resolved = (condition * T::ROOT_EPSILON).at_most(T::of(1.0)).and(factors.is_regular());
             let found = is_short.and(is_last).and(is_resolved).and(follows).and(T::same(factors.sides(), side));
-            if found.or(follows.not()).all() || iterations >= 2 * MOST_CORRECTIONS {
+            if found.all() || found.or(follows.not()).all() || iterations >= 2 * MOST_CORRECTIONS {
                 let arrival = Arrival { place: there, factors, condition, iterations, found };
                 return (!found.not().all()).then_some(arrival);
             }
@@ -141,7 +139,7 @@ impl<'a, T: Lanes, const N: usize> Departure<'a, T, N> {
 #[cold]
 #[inline(never)]
 fn further<T: Lanes, const K: usize>(place: Place<T, K>, correction: SVector<T, K>, turns: &[bool; K]) -> Place<T, K> {
-    place.moved(T::of(1.0), &correction, turns)
+    place.moved(T::of(-1.0), &correction, turns)
 }
 
 /// The sum of scaled magnitudes; NaN if one is.

@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use crate::careful::Care;
 use crate::continuation;
 use crate::pass::{Pass, Stop};
 use crate::scale::Scale;
@@ -34,14 +35,14 @@ pub(crate) fn end_of_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
         return Cause::NotFinite { of };
     }
     if is_dead_point(here) {
-        let mut pass = Pass::inspect(equations, &here.q);
+        let care = Care::inspect(equations, &here.q);
         // Only what the pass saw is wanted, not the rates it ends with.
-        let _ = equations.stages(here.t, &mut pass);
-        if let Some(cause) = pass.worst() {
+        let _ = equations.stages(here.t, &mut Pass::careful(&care));
+        if let Some(cause) = care.found().worst {
             return cause;
         }
     }
-    match continuation::state(equations, next, Pass::close(equations, &here.predict(next))) {
+    match continuation::state(equations, next, Care::close(equations, &here.predict(next))) {
         Ok(other) => jump(equations, &here.q, &other.q),
         Err(stop) => open(stop),
     }

@@ -16,7 +16,7 @@ impl<T: Float, const N: usize> Factors<T, N> {
     ///
     /// * `sizes`: given, by row, what the rounding errors of b are a share of; it counts where it is larger than the row of |A| c.
     /// * `columns`, `shares`: given, what counts as 1 in each unknown, c, and one over it.
-    pub(crate) fn growth(&self, sizes: &SVector<T, N>, columns: &SVector<T, N>, shares: &SVector<T, N>) -> T {
+    pub(super) fn amplification(&self, sizes: &SVector<T, N>, columns: &SVector<T, N>, shares: &SVector<T, N>) -> T {
         if self.rank < N {
             return T::of(f64::INFINITY);
         }

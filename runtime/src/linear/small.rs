@@ -74,13 +74,12 @@ impl<T: Lanes, const N: usize> Linear<T, N> for Small<T, N> {
     }
 
     #[inline(always)]
-    fn condition(&self, sizes: &SVector<T, N>, shares: &SVector<T, N>) -> T {
+    fn growth(&self, sizes: &SVector<T, N>, shares: &SVector<T, N>) -> T {
         let share = self.share.abs();
-        let condition = (0..N).fold(T::of(1.0), |largest, i| {
+        (0..N).fold(T::of(1.0), |largest, i| {
             let growth = (1..N).fold(self.adjugate[(i, 0)].abs() * sizes[0], |sum, k| sum + self.adjugate[(i, k)].abs() * sizes[k]);
             largest.max((growth * share) * shares[i])
-        });
-        T::pick(self.is_regular(), condition, T::of(f64::INFINITY))
+        })
     }
 
     #[inline(always)]

@@ -50,8 +50,8 @@ impl<T: Float, const N: usize> Linear<T, N> for Factors<T, N> {
         SVector::from_fn(|i, _| x[i] + correction[i])
     }
 
-    fn condition(&self, sizes: &SVector<T, N>, _: &SVector<T, N>) -> T {
-        self.growth(sizes, &self.column_scale, &self.column_scale.map(|scale| T::of(1.0) / scale))
+    fn growth(&self, sizes: &SVector<T, N>, _: &SVector<T, N>) -> T {
+        self.amplification(sizes, &self.column_scale, &self.column_scale.map(|scale| T::of(1.0) / scale))
     }
 
     fn sides(&self) -> Orientation {

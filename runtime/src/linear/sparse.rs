@@ -103,9 +103,9 @@ where
 
     /// As dense factors estimate it, in unknowns by their own size.
     #[inline]
-    fn condition(&self, sizes: &SVector<T, K>, shares: &SVector<T, K>) -> T {
+    fn growth(&self, sizes: &SVector<T, K>, shares: &SVector<T, K>) -> T {
         if !self.is_stable.all() {
-            return self.pivoted().map_or(T::of(f64::NAN), |factors| factors.condition(sizes, shares));
+            return self.pivoted().map_or(T::of(f64::NAN), |factors| factors.growth(sizes, shares));
         }
         let zero = T::of(0.0);
         let mut b = [zero; K];

@@ -101,6 +101,7 @@ fn defaults(model: &Model, system: &System) -> TokenStream {
     let parameters = Parameters::new(&model.layout, name);
     let (fields, components) = (parameters.defaults(&docs::default_values(model, system)), parameters.components(model, system));
     let marker = model.parameters.is_empty().then(|| quote!(_real: ::core::marker::PhantomData));
+    let gathered = parameters.gathered(0);
     quote! {
         #[automatically_derived]
         impl ::core::default::Default for #name<f64> {
@@ -114,6 +115,15 @@ fn defaults(model: &Model, system: &System) -> TokenStream {
             pub fn with_defaults() -> Self { Self { #fields #marker } }
         }
         #components
+        #[automatically_derived]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, unused_variables)]
+        impl<T: ::reuleaux::Real> ::reuleaux::Family<T> for #name<T> {
+            type Over<U: ::reuleaux::Real> = #name<U>;
+            fn gather<U: ::reuleaux::Real, const L: usize>(each: [&Self; L], combine: impl Fn([T; L]) -> U) -> #name<U> {
+                let combine = &combine;
+                #name { #gathered #marker }
+            }
+        }
     }
 }
 

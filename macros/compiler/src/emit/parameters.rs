@@ -84,7 +84,8 @@ impl<'a> Parameters<'a> {
             let declared = &self.layout.components[component];
             let docs = docs_or(&declared.docs, &self.page(declared));
             let fields = self.documented(model, component);
-            let (defaults, between) = (self.component_defaults(component, &name, &values), self.between(component));
+            let defaults = self.component_defaults(component, &name, &values);
+            let (between, gathering) = (self.between(component), self.gathering(component, &name));
             quote! {
                 #docs
                 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,7 +93,7 @@ impl<'a> Parameters<'a> {
                 #defaults
                 #[automatically_derived]
                 #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code)]
-                impl<T: ::reuleaux::Real> #name<T> { #between }
+                impl<T: ::reuleaux::Real> #name<T> { #between #gathering }
             }
         };
         self.structures().map(structure).collect()
@@ -187,6 +188,41 @@ impl<'a> Parameters<'a> {
             quote!(#name: #value,)
         };
         self.fields(component).map(field).collect()
+    }
+}
+
+impl Parameters<'_> {
+    /// Every field combined from those of several, for `Family`.
+    pub(super) fn gathered(&self, component: usize) -> TokenStream {
+        // In the mechanism's own function the names are written by hand.
+        let name = |name: &str| if component == 0 { Ident::new(name, Span::call_site()) } else { local(name) };
+        let (each, combine, one) = (name("each"), name("combine"), local("one"));
+        let field = |(_, field): (usize, &Field)| {
+            let (name, rounds) = (&field.name, (0..field.sizes.len()).map(|rank| local(&format!("i{rank}"))).collect::<Vec<_>>());
+            let place = quote!(#one.#name #([#rounds])*);
+            let element = match field.of {
+                Of::Part(inner) => {
+                    let structure = self.structure(inner);
+                    quote!(#structure::gathered(#each.map(|#one| &#place), #combine))
+                }
+                _ => quote!(#combine(#each.map(|#one| #place))),
+            };
+            let value = rounds.iter().rev().fold(element, |inner, round| quote!(::core::array::from_fn(|#round| #inner)));
+            quote!(#name: #value,)
+        };
+        self.fields(component).map(field).collect()
+    }
+
+    /// The same as a function of a component.
+    fn gathering(&self, component: usize, name: &Ident) -> TokenStream {
+        let (each, combine) = (local("each"), local("combine"));
+        let fields = self.gathered(component);
+        quote! {
+            #[inline]
+            fn gathered<U: ::reuleaux::Real, const L: usize>(#each: [&Self; L], #combine: &impl Fn([T; L]) -> U) -> #name<U> {
+                #name { #fields }
+            }
+        }
     }
 }
 

@@ -19,7 +19,7 @@ impl Emitter<'_> {
             return quote!();
         }
         let Some(solution) = &self.plan.solution else { return quote!() };
-        let (toward, angles) = (self.toward(), self.computed_angles(solution));
+        let (toward, angles, iterated) = (self.toward(), self.computed_angles(solution), iterated(solution));
         let improved = self.improved();
         let (body, kernels) = match &solution.solving {
             Solving::Straight(lines) => (self.straight(lines), quote!()),
@@ -29,7 +29,7 @@ impl Emitter<'_> {
             #kernels
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
-            impl<T: ::reuleaux::Float> ::reuleaux::Stages<T, #n> for #name<T> { #angles #toward #improved #body }
+            impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> { #angles #iterated #toward #improved #body }
         }
     }
 
@@ -87,7 +87,7 @@ impl Emitter<'_> {
         let column = |order: usize| -> Vec<Ident> { lines.unknowns.iter().map(|names| local(&names[order])).collect() };
         let (q, qd, qdd) = (column(0), column(1), column(2));
         quote! {
-            #[inline]
+            #[inline(always)]
             fn stages(
                 &self,
                 #t: T,
@@ -251,4 +251,14 @@ pub(super) fn pair(names: &[Option<String>; 2]) -> TokenStream {
         })
     });
     quote!((#sine, #cosine))
+}
+
+/// Unknowns that are iterated
+fn iterated(solution: &Solution) -> TokenStream {
+    let blocks = solution.stages.iter().filter_map(|stage| match stage {
+        Summary::Block { unknowns, .. } => Some(unknowns),
+        Summary::Explicit { .. } => None,
+    });
+    let unknowns = blocks.flatten().map(|unknown| Literal::usize_unsuffixed(*unknown));
+    quote!(const ITERATED: &'static [usize] = &[#(#unknowns),*];)
 }

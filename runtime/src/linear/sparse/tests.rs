@@ -60,7 +60,7 @@ fn agrees<E: Elimination<f64, 4, A, F>, const A: usize, const F: usize>(sparse: 
     let sizes = SVector::from_element(0.0);
     assert_eq!(sparse.sides(), pivoted.sides());
     assert!(sparse.is_regular());
-    let (condition, reference) = (sparse.condition(&sizes, &ones), pivoted.growth(&sizes, &ones, &ones));
+    let (condition, reference) = (sparse.condition(&sizes, &ones), pivoted.amplification(&sizes, &ones, &ones));
     // Both are estimates from below: of random matrices, one in a hundred by more than 4 and one in ten thousand by more than 16.
     assert!(condition <= 256.0 * reference && reference <= 256.0 * condition, "{condition} is not about {reference}");
     let condition = condition.max(reference);
