@@ -1,5 +1,6 @@
 //! What is written above generated items.
 
+use super::abridged::{Abridged, list};
 use crate::expr::{Evaluator, Leaf, Values, show};
 use crate::model::{Function, Method, Model, Output, Parameter};
 use crate::plan::{Code, Cost, Elimination, Plan, Solution, Summary};
@@ -15,9 +16,14 @@ pub(super) fn mechanism(model: &Model, system: &System, plan: &Plan) -> String {
     let _ = writeln!(page, "\n{n} coordinates, {m} equations, {drives} of them drives: mobility {mobility} without drives, as counted.");
     parameters(&mut page, model, system);
     let _ = writeln!(page, "\n# Coordinates\n\n| | body | coordinate | unit |\n| --- | --- | --- | --- |");
+    let mut table = Abridged::new(model);
     for (index, unknown) in system.unknowns.iter().enumerate() {
+        if !table.shows([&model.bodies[unknown.body].name].into_iter()) {
+            continue;
+        }
         let _ = writeln!(page, "| `q[{index}]` | `{}` | {} | {} |", model.bodies[unknown.body].name, unknown.name, unknown.dim.unit());
     }
+    table.rest(&mut page, |more| format!("| | {more} | | |"));
     equations(&mut page, model, system);
     let _ = writeln!(
         page,
@@ -45,20 +51,30 @@ fn solution(page: &mut String, model: &Model, system: &System, solution: &Soluti
     let (explicit, blocks) = (system.unknowns.len() - iterated, blocks.len());
     let _ = writeln!(page, "\n# Solution\n\n{explicit} coordinates are computed, {iterated} are iterated in {blocks} blocks.\n\n```text");
     let name = |unknown: &usize| coordinate_name(model, system, *unknown);
+    let mut table = Abridged::new(model);
+    let body = |unknown: &usize| &model.bodies[system.unknowns[*unknown].body].name;
     for stage in &solution.stages {
+        let is_shown = match stage {
+            Summary::Explicit { unknown, .. } => table.shows([body(unknown)].into_iter()),
+            Summary::Block { unknowns, .. } => table.shows(unknowns.iter().map(body)),
+        };
+        if !is_shown {
+            continue;
+        }
         let _ = match stage {
             Summary::Explicit { unknown, .. } => writeln!(page, "compute  {}", name(unknown)),
             Summary::Block { unknowns, equations, cost, elimination, .. } => {
                 let unknowns: Vec<String> = unknowns.iter().map(name).collect();
                 let rows: Vec<String> = equations.iter().map(|equation| equation_name(model, system, *equation)).collect();
                 let Cost { flops, divisions, sines, calls } = *cost;
-                writeln!(page, "iterate  {}  from  {}", unknowns.join(", "), rows.join(", ")).and_then(|()| {
+                writeln!(page, "iterate  {}  from  {}", list(&unknowns), list(&rows)).and_then(|()| {
                     writeln!(page, "         each time {flops} sums and products, {divisions} divisions and roots, {calls} other functions; {sines} sine-cosine pairs once")
                 })
                 .and_then(|()| elimination.as_ref().map_or(Ok(()), |elimination| eliminated(page, elimination)))
             }
         };
     }
+    table.rest(page, str::to_owned);
     let _ = writeln!(page, "```");
 }
 
@@ -90,9 +106,14 @@ fn parameters(page: &mut String, model: &Model, system: &System) {
         return;
     }
     let _ = writeln!(page, "\n# Parameters\n\n| | default | unit |\n| --- | --- | --- |");
+    let mut table = Abridged::new(model);
     for (parameter, value) in model.parameters.iter().zip(default_values(model, system)) {
+        if !table.shows([&parameter.name].into_iter()) {
+            continue;
+        }
         let _ = writeln!(page, "| `{}` | {value} | {} |", parameter.name, parameter.dim.unit());
     }
+    table.rest(page, |more| format!("| {more} | | |"));
 }
 
 fn equations(page: &mut String, model: &Model, system: &System) {
@@ -111,9 +132,13 @@ fn equations(page: &mut String, model: &Model, system: &System) {
         Some(Function::Rust(path)) => path.to_string().replace(' ', ""),
         _ => "table".to_owned(),
     };
+    let mut table = Abridged::new(model);
     for equation in &system.equations {
         let joint = &model.joints[equation.joint];
         let Some(phi) = equation.phi else { continue };
+        if !table.shows([&joint.name].into_iter()) {
+            continue;
+        }
         let unit = equation.dim.unit();
         let unit = if unit.is_empty() { String::new() } else { format!("  [{unit}]") };
         let _ = writeln!(
@@ -126,6 +151,7 @@ fn equations(page: &mut String, model: &Model, system: &System) {
             show(&system.arena, phi, &name, &function)
         );
     }
+    table.rest(page, str::to_owned);
     let _ = writeln!(page, "```");
 }
 

@@ -3,6 +3,7 @@
 //! The user's identifiers keep their spans, so that an editor finds its way back; locals of
 //! generated code are hygienic.
 
+mod abridged;
 mod arrays;
 mod columns;
 mod definition;

@@ -10,6 +10,7 @@ use crate::model::{Layout, Method, Of, Outline, is_generated, outline};
 use crate::syntax::ast::{Expr, ExprKind, Item, Marks, Mechanism, Operator, Use};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
+use std::collections::BTreeSet;
 
 /// How many `let`s a guess follows.
 const LETS: usize = 20;
@@ -92,14 +93,14 @@ fn refused<'a>(tree: &'a Mechanism, kind: &str) -> Vec<(&'a Ident, usize)> {
     while let Some(item) = pending.pop() {
         match item {
             Item::Refused(refused) if is_meant(&refused.keyword, kind) && !is_generated(&refused.name) => {
-                if !names.iter().any(|(known, _)| **known == refused.name) {
-                    names.push((&refused.name, refused.indices.len()));
-                }
+                names.push((&refused.name, refused.indices.len()));
             }
             Item::For(repeated) => pending.extend(repeated.items.iter().rev()),
             _ => {}
         }
     }
+    let mut taken = BTreeSet::new();
+    names.retain(|(name, _)| taken.insert(name.to_string()));
     names
 }
 

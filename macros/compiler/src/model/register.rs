@@ -222,14 +222,8 @@ impl Elaborator<'_> {
 
     /// A part: its arguments and the items of its component, in a space of their own.
     fn part(&mut self, part: &Rc<ast::Part>, context: &Context, place: usize, register: &mut Register) {
-        let word = part.kind.to_string();
-        let Some(component) = self.names.components.get(&word).cloned() else {
-            let near = nearest(&word, self.names.components.keys().map(String::as_str));
-            let is_constraint = self.known_definition(&word).is_some();
-            let fact = Fact::UnknownComponent { name: word, near, is_constraint };
-            self.once(Rc::as_ptr(part), |this| this.refuse::<()>(&part.kind, fact));
-            return;
-        };
+        let Some(component) = self.component_called(part) else { return };
+        let word = component.head.name.to_string();
         if self.refused.contains(&(Rc::as_ptr(&component) as usize)) {
             return;
         }
@@ -247,7 +241,8 @@ impl Elaborator<'_> {
         let slots = self.at(Some(path.clone()).filter(|_| is_one_of_many(context)), |this| {
             this.once(Rc::as_ptr(part), |this| this.slots(&component.head, &part.kind, &part.arguments))
         });
-        let Some(slots) = slots else { return };
+        // Without its arguments it is still there, for its own names.
+        let slots = slots.unwrap_or_else(|| vec![None; component.head.parameters.len()]);
         let space = self.names.new_space(format!("{path}."));
         self.names.declared[id.0].progress = Progress::Done(Value::Part(space));
         let inner = Context { space, bound: Rc::default() };
@@ -266,6 +261,19 @@ impl Elaborator<'_> {
         self.items(&component.items, &inner, number, register);
         register.loops = loops;
         register.open.pop();
+    }
+
+    /// The component of a part; where there is none of this name, the one that was meant.
+    fn component_called(&mut self, part: &Rc<ast::Part>) -> Option<Rc<ast::Component>> {
+        let word = part.kind.to_string();
+        if let Some(component) = self.names.components.get(&word) {
+            return Some(component.clone());
+        }
+        let near = nearest(&word, self.names.components.keys().map(String::as_str));
+        let meant = near.as_ref().and_then(|near| self.names.components.get(near)).cloned();
+        let is_constraint = self.known_definition(&word).is_some();
+        self.once(Rc::as_ptr(part), |this| this.refuse::<()>(&part.kind, Fact::UnknownComponent { name: word, near, is_constraint }));
+        meant
     }
 
     /// The points and axes of a frame.
