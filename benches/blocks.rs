@@ -50,7 +50,7 @@ fn turn<M: Mechanism<f64, N>, const N: usize>(mechanism: &M) -> f64 {
     time
 }
 
-fn report<M: Mechanism<f64, N> + Default, const N: usize>(name: &str, unknowns: Option<usize>) {
+fn report<M: Equations<f64, N, N> + Mechanism<f64, N> + Default, const N: usize>(name: &str, unknowns: Option<usize>) {
     let (apart, at_once) = (M::default(), AtOnce(M::default()));
     let (mut times, mut ratios) = (Vec::new(), Vec::new());
     for _ in 0..ROUNDS {
