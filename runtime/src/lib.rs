@@ -71,6 +71,8 @@ mod verdict;
 #[cfg(feature = "wide")]
 pub mod wide;
 
+#[doc(hidden)]
+pub use continuation::step_in_part;
 pub use equations::{Description, Equations, ParameterOutOfRange};
 pub use failure::{Cause, Culprit, Failure};
 pub use family::Family;

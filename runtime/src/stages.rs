@@ -2,12 +2,13 @@
 
 use nalgebra::SVector;
 
+use crate::continuation;
 use crate::pass::{Pass, Stop};
 use crate::place::Place;
 use crate::position;
 use crate::problem::{Block, Problem, Whole};
 use crate::scale::Scale;
-use crate::{Description, Equations, Float, Lanes, Real, names};
+use crate::{Description, Equations, Float, Lanes, Real, State, names};
 
 /// Position, velocity and acceleration of all coordinates.
 pub struct Coordinates<T, const N: usize> {
@@ -54,6 +55,16 @@ pub trait Stages<T: Lanes, const N: usize>: Description<T, N> {
     {
         let _ = t;
         *guess
+    }
+
+    /// One step straight on, in place; whether it was made. Emitted code has its own where a part of the mechanism rests.
+    #[doc(hidden)]
+    #[inline]
+    fn step(&self, state: &mut State<T, N>, t: T) -> bool
+    where
+        T: Float,
+    {
+        continuation::step(self, state, t)
     }
 
     /// q, q̇ and q̈ at time `t` (s).

@@ -90,8 +90,11 @@ fn eliminated(page: &mut String, elimination: &Elimination) -> std::fmt::Result 
 
 /// `crank.angle`
 pub(super) fn coordinate_name(model: &Model, system: &System, unknown: usize) -> String {
-    let unknown = &system.unknowns[unknown];
-    format!("{}.{}", model.bodies[unknown.body].name, unknown.name)
+    match system.unknowns.get(unknown) {
+        Some(unknown) => format!("{}.{}", model.bodies[unknown.body].name, unknown.name),
+        // What a slice is for comes after all unknowns.
+        None => format!("output {}", unknown - system.unknowns.len() + 1),
+    }
 }
 
 /// `b (2 of 2)`

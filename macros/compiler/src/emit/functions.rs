@@ -274,11 +274,6 @@ impl Emitter<'_> {
         }
     }
 
-    /// What the unknown of this index measures.
-    pub(super) fn kind(&self, unknown: usize) -> TokenStream {
-        kind(&self.system.unknowns[unknown])
-    }
-
     /// The runtime's trait, by the functions above
     pub(super) fn traits(&self) -> TokenStream {
         let (name, (m, n)) = (&self.model.name, self.sizes());

@@ -3,39 +3,39 @@
 use super::columns::Columns;
 use super::expression::local;
 use super::functions::Emitter;
-use super::stages::{Index, Scene, number, pair};
+use super::stages::{Index, Scene, Shelf, number, pair};
 use crate::expr::{Leaf, Node};
 use crate::plan::{Kernel, Kernels, Part, Words};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 impl Emitter<'_> {
-    /// `stages`: one call after the other
-    pub(super) fn in_order(&self, kernels: &Kernels) -> TokenStream {
-        let (n, count) = (self.system.unknowns.len(), kernels.kernels.len());
+    /// The body of `stages`: one call after the other
+    pub(super) fn in_order(&self, kernels: &Kernels, shelf: &Shelf) -> TokenStream {
+        let (n, count) = (shelf.held.len(), kernels.kernels.len());
         let (t, pass, found, turns, piece) = (local("t"), local("pass"), local("found"), local("turns"), local("piece"));
         let order = kernels.order.iter().map(|kernel| Literal::usize_unsuffixed(*kernel));
         let length = kernels.order.len();
         let arms = (0..count).map(|kernel| {
-            let (pattern, name) = (Literal::usize_unsuffixed(kernel), name(kernel));
+            let (pattern, name) = (Literal::usize_unsuffixed(kernel), name(shelf, kernel));
             quote!(#pattern => self.#name(#piece, #t, #pass, &mut #found, &mut #turns)?,)
         });
-        let constants = kernels.constants.iter().filter(|(_, value)| value.to_bits() != 0).map(|(unknown, value)| {
-            let (unknown, value) = (Literal::usize_unsuffixed(*unknown), super::signed(*value));
-            quote!((#unknown, #value))
+        let constants = kernels.constants.iter().filter(|(_, value)| value.to_bits() != 0).filter_map(|(unknown, value)| {
+            let (place, value) = (Literal::usize_unsuffixed(shelf.place(*unknown)?), super::signed(*value));
+            Some(quote!((#place, #value)))
+        });
+        let given = shelf.given.iter().enumerate().filter_map(|(index, unknown)| {
+            let (given, index, place) = (local("given"), number(index), number(shelf.place(*unknown)?));
+            Some(quote!(#found.q[#place] = #given[#index];))
         });
         quote! {
-            fn stages(
-                &self,
-                #t: T,
-                #pass: &mut ::reuleaux::Pass<'_, T, #n>,
-            ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>> {
                 const ORDER: [u16; #length] = [#(#order),*];
                 const CONSTANTS: &[(usize, f64)] = &[#(#constants),*];
                 let mut #found = ::reuleaux::Coordinates::zero();
                 for (unknown, value) in CONSTANTS {
                     #found.q[*unknown] = T::of(*value);
                 }
+                #(#given)*
                 let mut #turns = [(T::of(0.0), T::of(1.0)); #n];
                 let mut pieces = [0usize; #count];
                 for shape in ORDER {
@@ -47,29 +47,31 @@ impl Emitter<'_> {
                     }
                 }
                 ::core::result::Result::Ok(#found)
-            }
         }
     }
 
     /// One function for each shape
-    pub(super) fn kernels(&self, kernels: &Kernels) -> TokenStream {
+    pub(super) fn kernels(&self, kernels: &Kernels, shelf: &Shelf) -> TokenStream {
         let name = &self.model.name;
-        let functions = kernels.kernels.iter().enumerate().map(|(number, kernel)| self.kernel(number, kernel));
+        let functions = kernels.kernels.iter().enumerate().map(|(number, kernel)| self.kernel(number, kernel, shelf));
         quote! {
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
-            impl<T: ::reuleaux::Float> #name<T> { #(#functions)* }
+            impl<T: ::reuleaux::Lanes> #name<T> { #(#functions)* }
         }
     }
 
-    fn kernel(&self, index: usize, kernel: &Kernel) -> TokenStream {
-        let n = self.system.unknowns.len();
+    fn kernel(&self, index: usize, kernel: &Kernel, shelf: &Shelf) -> TokenStream {
+        let n = shelf.held.len();
         let mut columns = Columns::new(kernel.shape.count);
         let unknowns: Vec<Index> = kernel
             .shape
             .unknowns
             .iter()
-            .map(|column| Index { place: columns.place(column), ..self.index(column.at(0) as usize) })
+            .map(|column| {
+                let place = column.mapped(kernel.shape.count, |unknown| shelf.place(unknown as usize).unwrap_or(0) as u32);
+                Index { place: columns.place(&place), ..self.index(column.at(0) as usize) }
+            })
             .collect();
         let equations: Vec<TokenStream> = kernel.equations.iter().map(|column| columns.place(column)).collect();
         let scene = Scene {
@@ -84,7 +86,7 @@ impl Emitter<'_> {
         let parts: TokenStream = kernel.lines.parts.iter().enumerate().map(|(number, part)| scene.part(number, part)).collect();
         let (reads, writes) = (reads(kernel, &unknowns), writes(kernel, &unknowns));
         let (t, pass, found, turns) = (local("t"), local("pass"), local("found"), local("turns"));
-        let (tables, name, piece) = (columns.tables(), name(index), local("piece"));
+        let (tables, name, piece) = (columns.tables(), name(shelf, index), local("piece"));
         quote! {
             #[inline]
             fn #name(
@@ -106,8 +108,8 @@ impl Emitter<'_> {
     }
 }
 
-fn name(kernel: usize) -> Ident {
-    local(&format!("shape_{kernel}"))
+fn name(shelf: &Shelf, kernel: usize) -> Ident {
+    local(&format!("shape_{}{kernel}", shelf.prefix))
 }
 
 /// What is known of unknowns that other kernels found.

@@ -16,6 +16,7 @@ mod outputs;
 mod parameters;
 mod rolled;
 mod routine;
+mod slices;
 mod stages;
 mod state;
 mod stub;
@@ -53,6 +54,7 @@ pub(crate) fn emit(model: &Model, system: &System, closure: &Closure, plan: &Pla
     let stages = emitter.stages();
     let outputs = emitter.outputs();
     let solve = if model.equations_only { quote!() } else { solve(model, system) };
+    let slices = if model.equations_only { quote!() } else { emitter.slices() };
     let state = if model.equations_only && model.outputs.is_empty() { quote!() } else { state(model, system) };
     let name = &model.name;
     quote! {
@@ -73,6 +75,7 @@ pub(crate) fn emit(model: &Model, system: &System, closure: &Closure, plan: &Pla
         #stages
         #solve
         #state
+        #slices
     }
 }
 
@@ -232,9 +235,29 @@ fn state_name(mechanism: &Ident) -> Ident {
     format_ident!("{}State", mechanism, span = Span::call_site())
 }
 
+/// The functions that solve a mechanism.
 fn solve(model: &Model, system: &System) -> TokenStream {
     let (name, state, n) = (&model.name, state_name(&model.name), system.unknowns.len());
-    let (visibility, failure) = (&model.visibility, format_ident!("{}Failure", model.name, span = Span::call_site()));
+    let failure = format_ident!("{}Failure", name, span = Span::call_site());
+    let solving = solving(name, &state, &failure, &model.visibility, n);
+    quote! {
+        #solving
+        #[automatically_derived]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code)]
+        impl<T: ::reuleaux::Float> #name<T> {
+            /// The state at time `t` (s) that Newton's method finds from a guess of q.
+            ///
+            /// # Errors
+            /// Why there is no such state.
+            pub fn solve_near(&self, t: T, guess: &::reuleaux::nalgebra::SVector<T, #n>) -> ::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>> {
+                ::reuleaux::Mechanism::<T, #n>::solve_near(self, t, guess).map(#state)
+            }
+        }
+    }
+}
+
+/// The functions that solve a mechanism or a slice of one.
+fn solving(name: &Ident, state: &Ident, failure: &Ident, visibility: &TokenStream, n: usize) -> TokenStream {
     let failure_page = format!("Why there is no state of [`{name}`].");
     let result = quote!(::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>>);
     quote! {
@@ -242,22 +265,15 @@ fn solve(model: &Model, system: &System) -> TokenStream {
         #[allow(dead_code)]
         #visibility type #failure<T = f64> = ::reuleaux::Failure<T, #n>;
         #[automatically_derived]
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code)]
         impl<T: ::reuleaux::Float> #name<T> {
-            /// The state at time `t` (s): assembled from [`start`](Self::start) at t = 0 and followed
-            /// from there, so that the assembly is kept.
+            /// The state at time `t` (s): assembled from the declared start at t = 0 and followed from there, so that the
+            /// assembly is kept.
             ///
             /// # Errors
             /// Why there is no such state, with the last valid one on the way.
             pub fn solve(&self, t: T) -> #result {
                 ::reuleaux::Mechanism::<T, #n>::solve(self, t).map(#state)
-            }
-            /// The state at time `t` (s) that Newton's method finds from a guess of q.
-            ///
-            /// # Errors
-            /// Why there is no such state.
-            pub fn solve_near(&self, t: T, guess: &::reuleaux::nalgebra::SVector<T, #n>) -> #result {
-                ::reuleaux::Mechanism::<T, #n>::solve_near(self, t, guess).map(#state)
             }
             /// The state at time `t` (s), followed from another state.
             ///

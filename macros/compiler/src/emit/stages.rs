@@ -19,30 +19,51 @@ impl Emitter<'_> {
             return quote!();
         }
         let Some(solution) = &self.plan.solution else { return quote!() };
-        let (toward, angles, iterated) = (self.toward(), self.computed_angles(solution), iterated(solution));
+        let (toward, angles, iterated) =
+            (self.toward(), self.computed_angles(solution, &Shelf::whole(n)), iterated(solution, &Shelf::whole(n)));
         let improved = self.improved();
-        let (body, kernels) = match &solution.solving {
-            Solving::Straight(lines) => (self.straight(lines), quote!()),
-            Solving::Shared(kernels) => (self.in_order(kernels), self.kernels(kernels)),
-        };
+        let shelf = Shelf::whole(n);
+        let (body, kernels) = self.solving(&solution.solving, &shelf);
+        let (step, moving) = self.moving();
+        let (t, pass) = (local("t"), local("pass"));
         quote! {
             #kernels
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
-            impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> { #angles #iterated #toward #improved #body }
+            impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> {
+                #angles
+                #iterated
+                #toward
+                #improved
+                #step
+                #[inline]
+                fn stages(
+                    &self,
+                    #t: T,
+                    #pass: &mut ::reuleaux::Pass<'_, T, #n>,
+                ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>> { #body }
+            }
+            #moving
         }
     }
 
     /// Computed angles that move
-    fn computed_angles(&self, solution: &Solution) -> TokenStream {
+    pub(super) fn computed_angles(&self, solution: &Solution, shelf: &Shelf) -> TokenStream {
+        let is_angle = |unknown: usize| self.system.unknowns.get(unknown).is_some_and(|unknown| unknown.dim == Dim::ANGLE);
         let angle = |stage: &Summary| match *stage {
-            Summary::Explicit { unknown, moves: true } if self.system.unknowns[unknown].dim == Dim::ANGLE => {
-                Some(Literal::usize_unsuffixed(unknown))
-            }
+            Summary::Explicit { unknown, moves: true } if is_angle(unknown) => shelf.place(unknown).map(Literal::usize_unsuffixed),
             _ => None,
         };
         let angles = solution.stages.iter().filter_map(angle);
         quote!(const COMPUTED_ANGLES: &'static [usize] = &[#(#angles),*];)
+    }
+
+    /// The body of `stages`, and the functions that it calls
+    pub(super) fn solving(&self, solving: &Solving, shelf: &Shelf) -> (TokenStream, TokenStream) {
+        match solving {
+            Solving::Straight(lines) => (self.straight(lines, shelf), quote!()),
+            Solving::Shared(kernels) => (self.in_order(kernels, shelf), self.kernels(kernels, shelf)),
+        }
     }
 
     /// Parameters between the defaults and these
@@ -77,36 +98,71 @@ impl Emitter<'_> {
     }
 
     /// All stages one after the other
-    fn straight(&self, lines: &Lines) -> TokenStream {
-        let n = lines.unknowns.len();
-        let (t, pass) = (local("t"), local("pass"));
-        let indices: Vec<Index> = (0..n).map(|unknown| self.index(unknown)).collect();
+    fn straight(&self, lines: &Lines, shelf: &Shelf) -> TokenStream {
+        let indices: Vec<Index> = (0..lines.unknowns.len()).map(|unknown| self.index_on(unknown, shelf)).collect();
         let equations: Vec<TokenStream> = (0..self.system.equations.len()).map(number).collect();
         let scene = Scene { model: self.model, arena: &self.plan.arena, lines, unknowns: &indices, equations: &equations, kept: &[] };
+        let given = shelf.given.iter().enumerate().map(|(index, unknown)| {
+            let (name, given, index) = (local(&lines.unknowns[*unknown][0]), local("given"), number(index));
+            quote!(let #name = #given[#index];)
+        });
         let parts = lines.parts.iter().enumerate().map(|(number, part)| scene.part(number, part));
-        let column = |order: usize| -> Vec<Ident> { lines.unknowns.iter().map(|names| local(&names[order])).collect() };
+        let column = |order: usize| -> Vec<Ident> { shelf.held.iter().map(|unknown| local(&lines.unknowns[*unknown][order])).collect() };
         let (q, qd, qdd) = (column(0), column(1), column(2));
         quote! {
-            #[inline(always)]
-            fn stages(
-                &self,
-                #t: T,
-                #pass: &mut ::reuleaux::Pass<'_, T, #n>,
-            ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>> {
-                #(#parts)*
-                ::core::result::Result::Ok(::reuleaux::Coordinates {
-                    q: ::reuleaux::nalgebra::SVector::from([#(#q),*]),
-                    qd: ::reuleaux::nalgebra::SVector::from([#(#qd),*]),
-                    qdd: ::reuleaux::nalgebra::SVector::from([#(#qdd),*]),
-                })
-            }
+            #(#given)*
+            #(#parts)*
+            ::core::result::Result::Ok(::reuleaux::Coordinates {
+                q: ::reuleaux::nalgebra::SVector::from([#(#q),*]),
+                qd: ::reuleaux::nalgebra::SVector::from([#(#qd),*]),
+                qdd: ::reuleaux::nalgebra::SVector::from([#(#qdd),*]),
+            })
         }
     }
 
-    /// An unknown by its index in q
+    /// An unknown by its index in q; components of outputs, which follow, are never solved for.
     pub(super) fn index(&self, unknown: usize) -> Index {
-        Index { place: number(unknown), kind: self.kind(unknown), is_length: self.system.unknowns[unknown].dim != Dim::ANGLE }
+        let is_length = self.system.unknowns.get(unknown).is_some_and(|unknown| unknown.dim != Dim::ANGLE);
+        Index { place: number(unknown), kind: kind(is_length), is_length }
     }
+
+    /// An unknown by its place on a shelf.
+    fn index_on(&self, unknown: usize, shelf: &Shelf) -> Index {
+        Index { place: number(shelf.place(unknown).unwrap_or(0)), ..self.index(unknown) }
+    }
+}
+
+/// Where a state holds which unknowns.
+pub(super) struct Shelf {
+    /// The unknowns in order.
+    pub(super) held: Vec<usize>,
+    /// Unknowns whose values are given.
+    pub(super) given: Vec<usize>,
+    /// Begins the names of functions.
+    pub(super) prefix: String,
+    places: BTreeMap<usize, usize>,
+}
+
+impl Shelf {
+    pub(super) fn new(held: &[usize], given: &[usize], prefix: String) -> Shelf {
+        let places = held.iter().enumerate().map(|(place, unknown)| (*unknown, place)).collect();
+        Shelf { held: held.to_vec(), given: given.to_vec(), prefix, places }
+    }
+
+    /// All unknowns, each at its own index.
+    pub(super) fn whole(n: usize) -> Shelf {
+        Shelf::new(&(0..n).collect::<Vec<usize>>(), &[], String::new())
+    }
+
+    /// Where an unknown is held.
+    pub(super) fn place(&self, unknown: usize) -> Option<usize> {
+        self.places.get(&unknown).copied()
+    }
+}
+
+/// What an unknown measures.
+fn kind(is_length: bool) -> TokenStream {
+    if is_length { quote!(::reuleaux::CoordinateKind::Length) } else { quote!(::reuleaux::CoordinateKind::Angle) }
 }
 
 /// A whole number.
@@ -254,11 +310,11 @@ pub(super) fn pair(names: &[Option<String>; 2]) -> TokenStream {
 }
 
 /// Unknowns that are iterated
-fn iterated(solution: &Solution) -> TokenStream {
+pub(super) fn iterated(solution: &Solution, shelf: &Shelf) -> TokenStream {
     let blocks = solution.stages.iter().filter_map(|stage| match stage {
         Summary::Block { unknowns, .. } => Some(unknowns),
         Summary::Explicit { .. } => None,
     });
-    let unknowns = blocks.flatten().map(|unknown| Literal::usize_unsuffixed(*unknown));
+    let unknowns = blocks.flatten().filter_map(|unknown| shelf.place(*unknown)).map(Literal::usize_unsuffixed);
     quote!(const ITERATED: &'static [usize] = &[#(#unknowns),*];)
 }

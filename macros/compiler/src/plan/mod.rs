@@ -41,7 +41,7 @@ pub struct Plan {
     pub arena: Arena,
     /// How q, q̇ and q̈ are found; none for equations that are not solved.
     pub solution: Option<Solution>,
-    /// For each output what is upstream of it.
+    /// For each method of outputs what is upstream of it.
     pub slices: Vec<Slice>,
     /// What moves, where that is worth its own code.
     pub moving: Option<Slice>,
@@ -148,7 +148,8 @@ pub struct Cost {
 pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, closure: &Closure) -> Plan {
     let mut arena = system.arena.clone();
     let solved = (!model.equations_only).then(|| {
-        let (mut stages, outputs) = stages::stages(&mut arena, system, structure);
+        let outputs = method_outputs(&mut arena, model, system);
+        let (mut stages, outputs) = stages::stages(&mut arena, system, structure, &outputs);
         eliminations(&arena, model, system, closure, &mut stages);
         (stages, outputs)
     });
@@ -176,6 +177,16 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, cl
         moving: solving.and_then(|(_, _, moving)| moving),
         arena,
     }
+}
+
+/// All components of each method's outputs; those of a body are its coordinates.
+fn method_outputs(arena: &mut Arena, model: &Model, system: &System) -> Vec<Output> {
+    let mut components = |member: &usize| -> Vec<[Expr; 3]> {
+        let Some(body) = model.outputs[*member].body else { return system.outputs[*member].components.clone() };
+        let own = (0..system.unknowns.len()).filter(|unknown| system.unknowns[*unknown].body == body);
+        own.map(|unknown| [Leaf::Coordinate, Leaf::Velocity, Leaf::Acceleration].map(|leaf| arena.leaf(leaf(unknown as u32)))).collect()
+    };
+    model.methods.iter().map(|method| Output { components: method.members.iter().flat_map(&mut components).collect() }).collect()
 }
 
 /// Chooses how large blocks are eliminated; most mechanisms have none.

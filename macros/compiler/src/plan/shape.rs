@@ -53,6 +53,11 @@ impl Column<u32> {
         }
     }
 
+    /// With other values for the same.
+    pub(crate) fn mapped(&self, pieces: usize, to: impl Fn(u32) -> u32) -> Column<u32> {
+        Column::of((0..pieces).map(|piece| to(self.at(piece))).collect())
+    }
+
     /// The value for one piece.
     pub(crate) fn at(&self, piece: usize) -> u32 {
         match self {

@@ -55,8 +55,14 @@ pub(super) fn moving(frame: &Frame, stages: &[Stage]) -> Option<Slice> {
     let chosen: Vec<Stage> = stages.iter().filter(|stage| !rests(stage)).cloned().collect();
     let found: BTreeSet<usize> = chosen.iter().flat_map(Stage::unknowns).copied().collect();
     let needed: BTreeSet<usize> = chosen.iter().flat_map(|stage| leaves(frame.arena, stage)).collect();
-    let given = needed.difference(&found).copied().collect();
-    Some(Slice { given, held: found.into_iter().collect(), solution: solution(frame, &chosen) })
+    let given: Vec<usize> = needed.difference(&found).copied().collect();
+    let solution = solution(frame, &chosen);
+    let mut held: BTreeSet<usize> = found;
+    if matches!(solution.solving, Solving::Shared(_)) {
+        // Shared code takes everything from arrays.
+        held.extend(&given);
+    }
+    Some(Slice { given, held: held.into_iter().collect(), solution })
 }
 
 /// The unknowns in the expressions of a stage.

@@ -91,11 +91,11 @@ pub struct Iteration {
     pub accelerations: Vec<Expr>,
 }
 
-/// The stages of a mechanism whose every unknown belongs to a block, and the outputs after them, in terms of what moves.
-pub(super) fn stages(arena: &mut Arena, system: &System, structure: &Structure) -> (Vec<Stage>, Vec<Output>) {
+/// The stages of a mechanism whose every unknown belongs to a block, and outputs in terms of what moves.
+pub(super) fn stages(arena: &mut Arena, system: &System, structure: &Structure, outputs: &[Output]) -> (Vec<Stage>, Vec<Output>) {
     let mut work = Work { arena, system, jets: Jets::new(), constants: Substitution::new() };
     let stages = structure.blocks.iter().flat_map(|block| work.block(block)).collect();
-    let outputs = system.outputs.iter().map(|output| work.output(output)).collect();
+    let outputs = outputs.iter().map(|output| work.output(output)).collect();
     (stages, outputs)
 }
 
