@@ -5,6 +5,7 @@ mod branches;
 mod components;
 mod files;
 mod mechanisms;
+mod shapes;
 mod stress;
 mod turns;
 mod unit_constraints;

@@ -81,7 +81,7 @@ fn held(frame: &Frame, stages: &[Stage], solving: &Solving, n: usize) -> Vec<usi
         Stage::Explicit { unknown, motion, .. } => {
             let is_constant = motion.iter().all(|expr| frame.arena.as_constant(*expr).is_some());
             let is_shared = matches!(solving, Solving::Shared(_));
-            *unknown >= n || !is_constant && (is_shared || frame.is_angle[*unknown])
+            *unknown >= n || !is_constant && (is_shared || frame.is_angle[*unknown] && !stage.rests(frame.arena))
         }
     };
     let mut held: Vec<usize> = stages.iter().filter(is_held).flat_map(Stage::unknowns).copied().collect();

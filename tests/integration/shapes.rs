@@ -1,0 +1,230 @@
+//! Mechanisms of many alike parts, whose code is shared, and what of them is not solved.
+
+use reuleaux::{Description, Mechanism, PlanStage, Stages, mechanism};
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+mechanism! {
+    /// Forty parallelograms in a row: every crank turns like the first.
+    pub mechanism Chain {
+        let n = 40;
+        ground { for i in 0..=n { point P[i] = (i * 1m, 0m); } }
+        for i in 0..=n {
+            body crank[i] { point O = (0m, 0m); point A = (1m, 0m); start angle = 90deg; }
+            joint o[i] = revolute(ground.P[i], crank[i].O);
+        }
+        for i in 0..n {
+            body coupler[i] { point A = (0m, 0m); point B = (1m, 0m); start angle = 0deg; }
+            joint a[i] = revolute(crank[i].A, coupler[i].A);
+            joint b[i] = revolute(coupler[i].B, crank[i + 1].A);
+        }
+        drive input = drive_angle(crank[0], 90deg + 0.8 * sin(2 * pi * t / 1s));
+        output last = crank[n].A;
+    }
+}
+
+/// The driver's angle, rate and acceleration.
+fn driver(t: f64) -> [f64; 3] {
+    let (sine, cosine) = (TAU * t).sin_cos();
+    [FRAC_PI_2 + 0.8 * sine, 0.8 * TAU * cosine, -0.8 * TAU * TAU * sine]
+}
+
+#[test]
+fn blocks_of_one_shape_are_counted_as_one() {
+    let plan = Chain::<f64>::PLAN;
+    assert_eq!(plan.blocks().collect::<Vec<_>>(), [2; 40]);
+    assert_eq!(plan.shapes(), 1);
+}
+
+#[test]
+fn every_crank_of_a_chain_turns_like_the_first() {
+    let chain = Chain::default();
+    let mut state = chain.solve(0.0).unwrap();
+    for k in 1..=200 {
+        let t = f64::from(k) / 200.0;
+        chain.advance(&mut state, t).unwrap();
+        let [angle, rate, acceleration] = driver(t);
+        for crank in state.crank() {
+            assert!((crank.angle - angle).abs() <= 1e-13, "{t}: {}", crank.angle - angle);
+            assert!((crank.angular_velocity - rate).abs() <= 1e-12, "{t}: {}", crank.angular_velocity - rate);
+            assert!((crank.angular_acceleration - acceleration).abs() <= 1e-10, "{t}: {}", crank.angular_acceleration - acceleration);
+        }
+        for coupler in state.coupler() {
+            assert!(coupler.angle.abs() <= 1e-13 && coupler.angular_velocity.abs() <= 1e-12);
+        }
+    }
+}
+
+#[test]
+fn shared_code_has_small_residuals_everywhere() {
+    let chain = Chain::default();
+    let state = chain.solve(0.3).unwrap();
+    assert!(chain.phi(&state.q, 0.3).amax() <= 1e-14);
+    let entries = chain.jacobian_entries(&state.q, 0.3);
+    let mut rates = -chain.nu(&state.q, 0.3);
+    let mut accelerations = -chain.gamma(&state.q, &state.qd, 0.3);
+    for ((row, column), entry) in Chain::<f64>::JACOBIAN_PATTERN.into_iter().zip(entries) {
+        rates[row] += entry * state.qd[column];
+        accelerations[row] += entry * state.qdd[column];
+    }
+    assert!(rates.amax() <= 1e-13, "{}", rates.amax());
+    assert!(accelerations.amax() <= 1e-12, "{}", accelerations.amax());
+}
+
+#[test]
+fn a_slice_of_shared_code_gives_the_output() {
+    let chain = Chain::default();
+    let last = chain.solve_for_last();
+    for t in [0.1, 0.6] {
+        let (whole, alone) = (chain.last(&chain.solve(t).unwrap()), last.solve(t).unwrap().last());
+        assert!((whole.value - alone.value).amax() <= 1e-13);
+        assert!((whole.rate - alone.rate).amax() <= 1e-12);
+        assert!((whole.acceleration - alone.acceleration).amax() <= 1e-10);
+    }
+}
+
+/// Links of different lengths, so that shared code has tables; the first of a long row and the whole of a short one.
+macro_rules! row {
+    ($name:ident, $n:literal) => {
+        mechanism! {
+            /// Four-bars in a row, each a little larger than the one before.
+            pub mechanism $name {
+                let n = $n;
+                ground { for i in 0..=n { point P[i] = (i * 1m, i * i * 1mm); } }
+                for i in 0..=n {
+                    body crank[i] { point O = (0m, 0m); point A = ((1 + 0.003 * i) * 1m, 0m); start angle = 90deg; }
+                    joint o[i] = revolute(ground.P[i], crank[i].O);
+                }
+                for i in 0..n {
+                    body coupler[i] { point A = (0m, 0m); point B = ((1.01 + 0.002 * i * i / 30) * 1m, 0m); start angle = 0deg; }
+                    joint a[i] = revolute(crank[i].A, coupler[i].A);
+                    joint b[i] = revolute(coupler[i].B, crank[i + 1].A);
+                }
+                drive input = drive_angle(crank[0], 90deg + 0.3 * sin(2 * pi * t / 1s));
+            }
+        }
+    };
+}
+row!(LongRow, 30);
+row!(ShortRow, 3);
+
+#[test]
+fn shared_code_with_tables_gives_what_straight_lines_give() {
+    let (long, short) = (LongRow::default(), ShortRow::default());
+    assert_eq!(LongRow::<f64>::PLAN.shapes(), 1);
+    for t in [0.0, 0.2, 0.7] {
+        let (long, short) = (long.solve(t).unwrap(), short.solve(t).unwrap());
+        for (one, other) in long.crank().into_iter().zip(short.crank()) {
+            assert!((one.angle - other.angle).abs() <= 1e-13, "{t}: {}", one.angle - other.angle);
+            assert!((one.angular_velocity - other.angular_velocity).abs() <= 1e-12);
+            assert!((one.angular_acceleration - other.angular_acceleration).abs() <= 1e-10);
+        }
+    }
+}
+
+mechanism! {
+    /// A hundred four-bars side by side, of which one is driven and the others are held.
+    pub mechanism Scene {
+        param held: Angle = 50deg;
+        component FourBar(P: Point, Q: Point) {
+            body crank { point O = (0mm, 0mm); point A = (100mm, 0mm); }
+            body coupler { point A = (0mm, 0mm); point B = (350mm, 0mm); start angle = 30deg; }
+            body rocker { point C = (0mm, 0mm); point B = (300mm, 0mm); start angle = 70deg; }
+            joint o = revolute(P, crank.O);
+            joint a = revolute(crank.A, coupler.A);
+            joint b = revolute(coupler.B, rocker.B);
+            joint c = revolute(rocker.C, Q);
+        }
+        ground { for i in 0..100 { point O[i] = (i * 1m, 0m); point C[i] = (i * 1m + 400mm, 0m); } }
+        for i in 0..100 { part bar[i] = FourBar(ground.O[i], ground.C[i]); }
+        for i in 0..99 { drive hold[i] = drive_angle(bar[i].crank, held); }
+        drive input = drive_angle(bar[99].crank, 60rpm * t);
+    }
+}
+
+#[test]
+fn what_rests_is_taken_from_the_state_before() {
+    let scene = Scene { held: 0.9, ..Scene::default() };
+    let mut state = scene.solve(0.0).unwrap();
+    // A mark that a solution would remove.
+    let mark = state.0.q[5] + 1e-3;
+    state.0.q[5] = mark;
+    scene.advance(&mut state, 0.01).unwrap();
+    assert_eq!(state.q[5], mark);
+}
+
+#[test]
+fn what_moves_of_a_scene_moves_as_it_does_alone() {
+    let scene = Scene::default();
+    let mut state = scene.solve(0.0).unwrap();
+    for k in 1..=100 {
+        scene.advance(&mut state, f64::from(k) / 100.0).unwrap();
+        let directly = scene.solve(f64::from(k) / 100.0).unwrap();
+        assert!((state.q - directly.q).amax() <= 1e-12);
+        assert!((state.qd - directly.qd).amax() <= 1e-11);
+        assert!((state.qdd - directly.qdd).amax() <= 1e-9);
+    }
+}
+
+mechanism! {
+    /// Two wheels of which the sum and the difference of the angles are given: a constant Jacobian that is not triangular.
+    pub mechanism SumAndDifference {
+        body one { point P = (10mm, 0mm); }
+        body two { point P = (20mm, 0mm); }
+        joint a = revolute(ground.position, one.position);
+        joint b = revolute(ground.position, two.position);
+        drive sum = { one.angle + two.angle == 3rad_s * t; }
+        drive difference = { 3 * one.angle - 4 * two.angle == 1rad_s * t + 1rad; }
+    }
+}
+
+#[test]
+fn a_constant_jacobian_is_solved_in_the_compiler() {
+    assert_eq!(SumAndDifference::<f64>::PLAN.blocks().count(), 0);
+    let state = SumAndDifference::default().solve(2.0).unwrap();
+    // 7 φ₁ = 4 · 3 t + t + 1
+    assert!((state.one().angle - 27.0 / 7.0).abs() <= 1e-15 * 8.0);
+    assert!((state.two().angle - 15.0 / 7.0).abs() <= 1e-15 * 8.0);
+    assert!((state.one().angular_velocity - 13.0 / 7.0).abs() <= 1e-15 * 8.0);
+    assert_eq!(state.one().angular_acceleration, 0.0);
+}
+
+mechanism! {
+    /// A four-bar that nothing moves.
+    pub mechanism Truss {
+        param angle: Angle = 1rad;
+        ground { point C = (400mm, 0mm); }
+        body crank { point A = (100mm, 0mm); }
+        body coupler { point B = (350mm, 0mm); }
+        body rocker { point B = (300mm, 0mm); start angle = 70deg; }
+        joint o = revolute(ground.position, crank.position);
+        joint a = revolute(crank.A, coupler.position);
+        joint b = revolute(coupler.B, rocker.B);
+        joint c = revolute(rocker.position, ground.C);
+        drive hold = drive_angle(crank, angle);
+        output tip = rocker.B;
+    }
+}
+
+#[test]
+fn what_nothing_moves_has_no_rates() {
+    let truss = Truss { angle: 0.7, ..Truss::default() };
+    let state = truss.solve(3.0).unwrap();
+    assert!(state.qd.iter().chain(state.qdd.iter()).all(|rate| *rate == 0.0));
+    assert_eq!(truss.tip(&state).rate.amax(), 0.0);
+}
+
+/// A mechanism and its slice have states of their own and names of one declaration.
+#[test]
+fn a_slice_says_what_it_holds() {
+    fn names<E: Stages<f64, N>, const N: usize>(_: &E) -> Vec<String> {
+        E::COORDINATES.iter().map(|coordinate| format!("{}.{}", coordinate.body, coordinate.name)).collect()
+    }
+    let truss = Truss::default();
+    assert_eq!(names(&truss.solve_for_tip()), ["coupler.angle", "rocker.angle", "tip.component 1", "tip.component 2"]);
+    assert_eq!(<TrussForTip as Description<f64, 4>>::NAME, "Truss");
+    let alone = Mechanism::solve(&truss.solve_for_tip(), 0.0).unwrap();
+    let whole = truss.solve(0.0).unwrap();
+    assert!((alone.point(2).value - truss.tip(&whole).value).amax() <= 1e-15);
+    let is_block = |stage: &&PlanStage| matches!(stage, PlanStage::Iterated { .. });
+    assert_eq!(TrussForTip::<f64>::PLAN.stages.iter().filter(is_block).count(), 1);
+}
