@@ -10,6 +10,7 @@ use super::{Body, Coordinate, Name};
 use crate::diag::{Fact, Range};
 use crate::expr::{Expr, Leaf};
 use crate::syntax::ast;
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 impl Elaborator<'_> {
@@ -60,7 +61,15 @@ impl Elaborator<'_> {
         let body = |(id, frame): &(EntityId, Rc<ast::Frame>)| {
             self.of(*id, Rc::as_ptr(frame), |this, name, context| Some(this.body(frame, name, context)))
         };
-        register.bodies.iter().filter_map(body).collect()
+        let mut bodies: Vec<Body> = register.bodies.iter().filter_map(body).collect();
+        // `leg[0]` and `leg_0` would be one name in generated code.
+        let mut taken = BTreeSet::new();
+        for body in &mut bodies {
+            while !taken.insert(body.name.local.clone()) {
+                body.name.local.push('_');
+            }
+        }
+        bodies
     }
 
     fn body(&mut self, frame: &ast::Frame, name: &Name, context: &Context) -> Body {

@@ -8,6 +8,7 @@
 
 mod arithmetic;
 mod builtin;
+mod declare;
 mod definition;
 pub(crate) mod dimension;
 mod elaborate;

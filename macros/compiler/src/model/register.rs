@@ -3,12 +3,11 @@
 //! Bodies, parameters, joints and outputs are numbered in the order in which they come to stand, a part's own next to each
 //! other. Nothing is resolved here but whole numbers.
 
-use super::Name;
-use super::builtin::BUILTINS;
+use super::declare::{duplicate, is_reserved};
 use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
 use super::layout::{Of, Place};
-use super::names::{Context, Declared, Entity, EntityId, Group, GroupId, Made, Progress, RESERVED, SpaceId};
+use super::names::{Context, Declared, Entity, EntityId, Made, Progress, SpaceId};
 use super::suggest::nearest;
 use super::value::{FrameId, Scalar, Value};
 use crate::diag::Fact;
@@ -19,7 +18,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// No mechanism has more items, loops gone through and parts taken apart.
-const MOST: usize = 100_000;
+pub(super) const MOST: usize = 100_000;
 
 /// Parts are not nested deeper.
 const DEEPEST: usize = 20;
@@ -44,7 +43,7 @@ pub(super) struct Register {
     open: Vec<String>,
     /// How many loops are being gone through.
     loops: usize,
-    count: usize,
+    pub(super) count: usize,
     has_ground: bool,
 }
 
@@ -309,89 +308,6 @@ impl Elaborator<'_> {
         }
     }
 
-    /// Gives an item its name in the space where it stands.
-    fn declare(
-        &mut self,
-        (name, indices): (&Ident, &[ast::Expr]),
-        entity: Entity,
-        progress: Progress,
-        what: &'static str,
-        context: &Context,
-        register: &mut Register,
-    ) -> Option<EntityId> {
-        let item = std::ptr::from_ref(name);
-        let indices = self.written_indices(indices, item, context)?;
-        let word = name.to_string();
-        if is_reserved(&word) {
-            return self.once(item, |this| this.refuse(name, Fact::Reserved { name: word }));
-        }
-        let full = self.full_name(context.space, name, &indices);
-        let shown = if indices.is_empty() { word.clone() } else { full.path.clone() };
-        let id = self.insert(Declared { entity, progress, name: full, context: context.clone() }, register);
-        match self.join(context.space, &word, what, indices, id) {
-            Ok(()) => Some(id),
-            Err(first) => {
-                let fact = duplicate(shown, first, context.bound.last().filter(|_| first == what));
-                self.once(item, |this| this.refuse(name, fact))
-            }
-        }
-    }
-
-    fn insert(&mut self, declared: Declared, register: &mut Register) -> EntityId {
-        register.count += 1;
-        if register.count == MOST + 1 {
-            self.refuse::<()>(&declared.name, Fact::TooManyItems { limit: MOST });
-        }
-        self.names.declared.push(declared);
-        EntityId(self.names.declared.len() - 1)
-    }
-
-    /// Puts an item among those of its name, or says what has the name already.
-    fn join(&mut self, space: SpaceId, word: &str, what: &'static str, indices: Vec<usize>, id: EntityId) -> Result<(), &'static str> {
-        let Some(group) = self.names.find(space, word) else {
-            let path = format!("{}{word}", self.names.spaces[space.0].prefix);
-            let (ranks, number) = (indices.len(), GroupId(self.names.groups.len()));
-            self.names.groups.push(Group { word: word.to_owned(), path, what, ranks, members: [(indices, id)].into() });
-            self.names.spaces[space.0].groups.insert(word.to_owned(), number);
-            self.names.spaces[space.0].order.push(number);
-            return Ok(());
-        };
-        let group = &mut self.names.groups[group.0];
-        if group.what != what || group.ranks != indices.len() || group.members.contains_key(&indices) {
-            return Err(group.what);
-        }
-        group.members.insert(indices, id);
-        Ok(())
-    }
-
-    fn written_indices<I>(&mut self, indices: &[ast::Expr], item: *const I, context: &Context) -> Option<Vec<usize>> {
-        if indices.is_empty() {
-            return Some(Vec::new());
-        }
-        let scope = Scope::of(context).timeless("an index");
-        self.at(self.situation(context), |this| this.once(item, |this| this.indices(indices, &scope)))
-    }
-
-    fn full_name(&self, space: SpaceId, word: &Ident, indices: &[usize]) -> Name {
-        Name::within(&self.names.spaces[space.0].prefix, word, indices)
-    }
-
-    /// Which of many is being registered, in words.
-    fn situation(&self, context: &Context) -> Option<String> {
-        let owner = self.names.spaces[context.space.0].prefix.trim_end_matches('.');
-        let value = |value: &Value| match value {
-            Value::Scalar(scalar) => self.arena.as_constant(scalar.expr).map_or(0, |value| value.numerator()),
-            _ => 0,
-        };
-        let bound: Vec<String> = context.bound.iter().map(|(name, known)| format!("`{name}` is {}", value(known))).collect();
-        match (owner.is_empty(), bound.is_empty()) {
-            (true, true) => None,
-            (true, false) => Some(format!("here {}", bound.join(" and "))),
-            (false, true) => Some(format!("in `{owner}`")),
-            (false, false) => Some(format!("in `{owner}`, where {}", bound.join(" and "))),
-        }
-    }
-
     /// No two `use` items bring in the same name.
     fn names_are_new(&mut self, uses: &[ast::Use]) {
         for used in uses {
@@ -405,19 +321,7 @@ impl Elaborator<'_> {
     }
 }
 
-/// A name is taken, perhaps by the same item in another round of a loop.
-fn duplicate(name: String, first: &'static str, in_loop: Option<&(String, Value)>) -> Fact {
-    match in_loop {
-        Some((variable, _)) => Fact::DuplicateInLoop { name, variable: variable.clone() },
-        None => Fact::Duplicate { name, first },
-    }
-}
-
 /// It has a name of its own beside others that were declared with it.
 pub(super) fn is_one_of_many(context: &Context) -> bool {
     context.space != SpaceId::MECHANISM || !context.bound.is_empty()
-}
-
-fn is_reserved(word: &str) -> bool {
-    RESERVED.contains(&word) || BUILTINS.contains(&word)
 }

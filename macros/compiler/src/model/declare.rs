@@ -1,0 +1,115 @@
+//! Names for items: which space they belong to, with which indices, and whether they are taken.
+
+use super::Name;
+use super::builtin::BUILTINS;
+use super::elaborate::{Elaborator, Scope};
+use super::names::{Context, Declared, Entity, EntityId, Group, GroupId, Progress, RESERVED, SpaceId};
+use super::register::{MOST, Register};
+use super::value::Value;
+use crate::diag::Fact;
+use crate::syntax::ast;
+use proc_macro2::Ident;
+
+impl Elaborator<'_> {
+    /// Gives an item its name in the space where it stands.
+    pub(super) fn declare(
+        &mut self,
+        (name, indices): (&Ident, &[ast::Expr]),
+        entity: Entity,
+        progress: Progress,
+        what: &'static str,
+        context: &Context,
+        register: &mut Register,
+    ) -> Option<EntityId> {
+        let item = std::ptr::from_ref(name);
+        let indices = self.written_indices(indices, item, context)?;
+        let word = name.to_string();
+        if is_reserved(&word) {
+            return self.once(item, |this| this.refuse(name, Fact::Reserved { name: word }));
+        }
+        let full = self.full_name(context.space, name, &indices);
+        let shown = if indices.is_empty() { word.clone() } else { full.path.clone() };
+        let id = self.insert(Declared { entity, progress, name: full, context: context.clone() }, register);
+        match self.join(context.space, &word, what, indices, id) {
+            Ok(()) => Some(id),
+            Err(first) => {
+                let fact = duplicate(shown, first, context.bound.last().filter(|_| first == what));
+                self.once(item, |this| this.refuse(name, fact))
+            }
+        }
+    }
+
+    pub(super) fn insert(&mut self, declared: Declared, register: &mut Register) -> EntityId {
+        register.count += 1;
+        if register.count == MOST + 1 {
+            self.refuse::<()>(&declared.name, Fact::TooManyItems { limit: MOST });
+        }
+        self.names.declared.push(declared);
+        EntityId(self.names.declared.len() - 1)
+    }
+
+    /// Puts an item among those of its name, or says what has the name already.
+    pub(super) fn join(
+        &mut self,
+        space: SpaceId,
+        word: &str,
+        what: &'static str,
+        indices: Vec<usize>,
+        id: EntityId,
+    ) -> Result<(), &'static str> {
+        let Some(group) = self.names.find(space, word) else {
+            let path = format!("{}{word}", self.names.spaces[space.0].prefix);
+            let (ranks, number) = (indices.len(), GroupId(self.names.groups.len()));
+            self.names.groups.push(Group { word: word.to_owned(), path, what, ranks, members: [(indices, id)].into() });
+            self.names.spaces[space.0].groups.insert(word.to_owned(), number);
+            self.names.spaces[space.0].order.push(number);
+            return Ok(());
+        };
+        let group = &mut self.names.groups[group.0];
+        if group.what != what || group.ranks != indices.len() || group.members.contains_key(&indices) {
+            return Err(group.what);
+        }
+        group.members.insert(indices, id);
+        Ok(())
+    }
+
+    pub(super) fn written_indices<I>(&mut self, indices: &[ast::Expr], item: *const I, context: &Context) -> Option<Vec<usize>> {
+        if indices.is_empty() {
+            return Some(Vec::new());
+        }
+        let scope = Scope::of(context).timeless("an index");
+        self.at(self.situation(context), |this| this.once(item, |this| this.indices(indices, &scope)))
+    }
+
+    pub(super) fn full_name(&self, space: SpaceId, word: &Ident, indices: &[usize]) -> Name {
+        Name::within(&self.names.spaces[space.0].prefix, word, indices)
+    }
+
+    /// Which of many is being registered, in words.
+    pub(super) fn situation(&self, context: &Context) -> Option<String> {
+        let owner = self.names.spaces[context.space.0].prefix.trim_end_matches('.');
+        let value = |value: &Value| match value {
+            Value::Scalar(scalar) => self.arena.as_constant(scalar.expr).map_or(0, |value| value.numerator()),
+            _ => 0,
+        };
+        let bound: Vec<String> = context.bound.iter().map(|(name, known)| format!("`{name}` is {}", value(known))).collect();
+        match (owner.is_empty(), bound.is_empty()) {
+            (true, true) => None,
+            (true, false) => Some(format!("here {}", bound.join(" and "))),
+            (false, true) => Some(format!("in `{owner}`")),
+            (false, false) => Some(format!("in `{owner}`, where {}", bound.join(" and "))),
+        }
+    }
+}
+
+/// A name is taken, perhaps by the same item in another round of a loop.
+pub(super) fn duplicate(name: String, first: &'static str, in_loop: Option<&(String, Value)>) -> Fact {
+    match in_loop {
+        Some((variable, _)) => Fact::DuplicateInLoop { name, variable: variable.clone() },
+        None => Fact::Duplicate { name, first },
+    }
+}
+
+pub(super) fn is_reserved(word: &str) -> bool {
+    RESERVED.contains(&word) || BUILTINS.contains(&word)
+}

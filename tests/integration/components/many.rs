@@ -1,0 +1,63 @@
+//! Very many parts: what is written of them does not grow with their number.
+
+use std::str::FromStr;
+
+use proc_macro2::TokenStream;
+
+/// Pairs of links on a row of pivots, moved by one crank.
+fn row(legs: usize) -> TokenStream {
+    let source = format!(
+        "pub mechanism Row {{
+            param speed: AngularVelocity = 1rad_s;
+            let legs = {legs};
+            ground {{ for i in 0..=legs {{ point P[i] = (i * 1m, 0m); }} }}
+            body crank {{ point A = (1m, 0m); }}
+            joint axle = revolute(ground.P[0], crank.position);
+            drive motor = drive_angle(crank, speed * t);
+            component Leg(pivot: Point, pin: Point) {{
+                param reach: Length = 700m;
+                body upper {{ point U = (reach, 0m);  start angle = 1rad;  start position = (0m, 0m); }}
+                body lower {{ point U = (700m, 0m);  start angle = 2rad;  start position = (0m, 0m); }}
+                joint hip = revolute(pivot, upper.position);
+                joint knee = revolute(upper.U, lower.U);
+                joint foot = revolute(pin, lower.position);
+                output knee = upper.U;
+            }}
+            for i in 0..legs {{ part leg[i] = Leg(ground.P[i + 1], crank.A); }}
+        }}"
+    );
+    TokenStream::from_str(&source).expect("the source consists of tokens")
+}
+
+/// How often a word occurs.
+fn count(tokens: TokenStream, word: &str) -> usize {
+    let of_tree = |tree: proc_macro2::TokenTree| match tree {
+        proc_macro2::TokenTree::Group(group) => count(group.stream(), word),
+        tree => usize::from(tree.to_string() == word),
+    };
+    tokens.into_iter().map(of_tree).sum()
+}
+
+#[test]
+fn functions_do_not_grow_in_number_with_parts() {
+    let functions = |legs: usize| count(reuleaux_compiler::mechanism(row(legs)), "fn");
+    assert_eq!(functions(200), functions(100));
+}
+
+#[test]
+fn five_hundred_parts_stand_one_after_the_other() {
+    let compiled = reuleaux_compiler::compile(row(500)).expect("the row is accepted");
+    let names: Vec<&str> = compiled.model.bodies.iter().map(|body| body.name.path.as_str()).collect();
+    assert_eq!((names.len(), names[1], names[2], names[1000]), (1001, "leg[0].upper", "leg[0].lower", "leg[499].lower"));
+    let locals: std::collections::BTreeSet<&str> = compiled.model.bodies.iter().map(|body| body.name.local.as_str()).collect();
+    assert_eq!(locals.len(), names.len());
+}
+
+#[test]
+fn names_of_generated_code_stay_apart() {
+    let source = "#[equations_only] mechanism Odd { body a[0] {} body a_0 {} joint j = revolute(a[0].position, a_0.position); }";
+    let compiled =
+        reuleaux_compiler::compile(TokenStream::from_str(source).expect("the source consists of tokens")).expect("it is accepted");
+    let locals: Vec<&str> = compiled.model.bodies.iter().map(|body| body.name.local.as_str()).collect();
+    assert_eq!(locals, ["a_0", "a_0_"]);
+}
