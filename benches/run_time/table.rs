@@ -18,7 +18,8 @@ pub(crate) fn table(workloads: &[(&str, Vec<Line>)]) -> String {
     for contender in contenders {
         let strictest = |(_, lines): &'_ (&str, Vec<Line>)| strictest(lines, contender).cloned();
         let lines: Vec<Option<Line>> = workloads.iter().map(strictest).collect();
-        let cell = |line: &Option<Line>| line.as_ref().map_or(String::new(), |line| format!("{}, {}", duration(line.time), Ratio(line.ratio)));
+        let cell =
+            |line: &Option<Line>| line.as_ref().map_or(String::new(), |line| format!("{}, {}", duration(line.time), Ratio(line.ratio)));
         let cells: Vec<String> = lines.iter().map(cell).collect();
         let position = lines.iter().flatten().map(|line| line.errors.position).reduce(f64::max);
         let acceleration = lines.iter().flatten().filter_map(|line| line.errors.acceleration).reduce(f64::max);

@@ -18,8 +18,8 @@ pub struct Workload {
     pub linkage: Linkage,
     /// The mechanism generated from its declaration.
     pub generated: fn() -> Box<dyn Contender>,
-    /// How that one is solved, in words.
-    pub plan: fn() -> String,
+    /// How that one is solved.
+    pub plan: fn() -> reuleaux::Plan,
     /// All contenders; ratios are to the first.
     pub contenders: fn(&Linkage) -> Vec<Entry>,
 }
@@ -60,8 +60,8 @@ macro_rules! generated {
             Box::new($crate::contender::Generated::new($mechanism::default(), output))
         }
 
-        fn plan() -> String {
-            format!("{}", $mechanism::<f64>::PLAN)
+        fn plan() -> reuleaux::Plan {
+            $mechanism::<f64>::PLAN
         }
     };
 }
