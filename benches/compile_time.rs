@@ -45,8 +45,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut columns = Vec::new();
     for (name, profile, command) in COLUMNS {
         let package = Package::new(profile)?;
-        let seconds = crates.iter().map(|(_, source)| package.median(source, command, runs));
-        columns.push((name, seconds.collect::<Result<Vec<f64>, _>>()?));
+        let mut column = Vec::new();
+        for (words, source) in &crates {
+            column.push(package.median(source, command, runs)?);
+            eprintln!("{words}, {name}: {:.2} s", column[column.len() - 1]);
+        }
+        columns.push((name, column));
     }
 
     let names: Vec<&String> = crates.iter().map(|(name, _)| name).collect();

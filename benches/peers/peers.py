@@ -25,7 +25,7 @@ METHODS = {
     "SymPy C, KLU, predictor": 2,
     "CasADi fast_newton, predictor": 3,
 }
-TURN = 0.02
+TURN = 0.005
 """How long a contender may take in one round, in s; a slower one goes through the beginning of the period only."""
 
 

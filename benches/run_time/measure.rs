@@ -7,7 +7,7 @@ use reuleaux_benches::workloads::Workload;
 use reuleaux_benches::{exact, times};
 
 /// How long one contender may take in one round; a slower one goes through the beginning of the period only.
-const TURN: Duration = Duration::from_millis(20);
+const TURN: Duration = Duration::from_millis(5);
 
 /// What was measured of one contender.
 #[derive(Clone, Debug)]
