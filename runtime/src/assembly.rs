@@ -3,8 +3,8 @@
 //! At the declared defaults the start is an assembled configuration. Parameters that differ are changed step by step, as time is in
 //! `continuation`: a step is accepted if in every block Newton's method has a short way and the determinant keeps its sign.
 
-use crate::continuation;
 use crate::careful::Care;
+use crate::continuation;
 use crate::stages::Stages;
 use crate::verdict;
 use crate::{Failure, Float, Mechanism, State};

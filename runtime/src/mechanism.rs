@@ -3,8 +3,8 @@
 use nalgebra::SVector;
 
 use crate::assembly::assemble;
-use crate::continuation;
 use crate::careful::Care;
+use crate::continuation;
 use crate::place::Place;
 use crate::position;
 use crate::problem::{Problem, Whole};

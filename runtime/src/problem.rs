@@ -13,7 +13,6 @@ pub(crate) trait Problem<T: Float, const K: usize> {
     /// How its matrices are factored.
     type Factors: Linear<T, K>;
 
-
     /// Residuals and their Jacobian.
     fn linearize(&self, place: &Place<T, K>) -> Linearized<T, Self::Factors, K>;
 

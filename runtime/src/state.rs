@@ -181,8 +181,7 @@ impl<T: Lanes, const N: usize> State<T, N> {
             let pick = |then, otherwise| T::pick(found, then, otherwise);
             (self.trend.span, self.condition) = (pick(h, self.trend.span), pick(condition, self.condition));
             self.t = pick(t, self.t);
-            (self.q, self.qd, self.qdd) =
-                (q.zip_map(&self.q, pick), qd.zip_map(&self.qd, pick), qdd.zip_map(&self.qdd, pick));
+            (self.q, self.qd, self.qdd) = (q.zip_map(&self.q, pick), qd.zip_map(&self.qd, pick), qdd.zip_map(&self.qdd, pick));
         }
     }
 }

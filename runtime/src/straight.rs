@@ -15,12 +15,12 @@
 
 use nalgebra::SVector;
 
+use crate::Lanes;
 use crate::lanes::Mask;
 use crate::linear::Linear;
 use crate::place::Place;
 use crate::problem::Linearized;
 use crate::state::State;
-use crate::Lanes;
 
 /// Longest way of a prediction, scaled; an eighth of a turn, so that it cannot be mistaken for another turn.
 pub(crate) const LONGEST_PREDICTION: f64 = 0.8;

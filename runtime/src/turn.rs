@@ -75,7 +75,8 @@ pub(crate) fn sin_cos_of_each<const K: usize>(angles: [f64; K]) -> [(f64, f64); 
 }
 
 /// Cosine and sine of n quarter turns, twice each and one of them negative, as the sum of angles needs them.
-const QUARTERS: [[[f64; 2]; 2]; 4] = [[[1.0, 1.0], [0.0, 0.0]], [[0.0, 0.0], [1.0, -1.0]], [[-1.0, -1.0], [0.0, 0.0]], [[0.0, 0.0], [-1.0, 1.0]]];
+const QUARTERS: [[[f64; 2]; 2]; 4] =
+    [[[1.0, 1.0], [0.0, 0.0]], [[0.0, 0.0], [1.0, -1.0]], [[-1.0, -1.0], [0.0, 0.0]], [[0.0, 0.0], [-1.0, 1.0]]];
 
 /// (sin x, cos x) for |x| < [`LARGEST`], each with a relative error of 2 ε at most, also where it is nearly zero.
 ///

@@ -2,8 +2,8 @@
 
 use nalgebra::SVector;
 
-use crate::continuation;
 use crate::careful::Care;
+use crate::continuation;
 use crate::pass::{Pass, Stop};
 use crate::scale::Scale;
 use crate::stages::Stages;

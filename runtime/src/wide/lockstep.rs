@@ -69,7 +69,8 @@ where
         let wide = M::gather(each.each_ref(), W::from_lanes);
         let nothing = SVector::from_element(W::of(f64::NAN));
         let (state, ended) = (State::new(W::from_lanes(times), nothing, nothing, nothing), core::array::from_fn(|_| None));
-        let mut this = Self { each, wide, state, branches: [W::from_sides([Orientation::Positive; L]); N], moving: W::Mask::of(true), ended };
+        let mut this =
+            Self { each, wide, state, branches: [W::from_sides([Orientation::Positive; L]); N], moving: W::Mask::of(true), ended };
         for lane in 0..L {
             match this.each[lane].solve(times[lane]) {
                 Ok(state) => this.put(lane, &state),
