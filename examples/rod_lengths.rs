@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             for state in engine {
                 peak = peak.max(state?.qdd[TRAVEL].abs());
             }
-            Ok::<f64, EngineFailure>(peak)
+            Ok::<f64, Box<dyn Error + Send + Sync>>(peak)
         },
         |progress| bar.set_position(progress.done as u64),
     );

@@ -174,6 +174,6 @@ fn is_surely_finite<T: Lanes, const N: usize>(time: T, there: &Coordinates<T, N>
         }
     }
     let sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
-    // ∞ − ∞ is NaN.
-    (sum - sum).at_most(T::of(0.0))
+    // Nothing is left of a number; ∞ and NaN stay NaN.
+    (T::of(0.0) * sum).at_most(T::of(0.0))
 }
