@@ -35,7 +35,7 @@ mechanism! {
 /// The coordinate x of the piston.
 const TRAVEL: usize = 6;
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
     let engines: Vec<Engine> = steps(0.16, 0.36, 200).map(|rod_length| Engine { rod_length }).collect();
     let times: Vec<f64> = steps(0.0, TAU / SPEED, 720).collect();
 
