@@ -10,7 +10,9 @@ pub mod common {
     pub mod interpreter;
     pub mod reference;
     pub mod text;
+    pub mod twofold;
 }
+pub mod blocks;
 pub mod laws;
 pub mod library;
 pub mod mechanisms;

@@ -1,7 +1,7 @@
 //! What one would write by hand: dyads in closed form, and Newton's method.
 
 use reuleaux::nalgebra::{SVector, Vector2};
-use reuleaux::{Stages, State};
+use reuleaux::{Equations, State};
 
 /// A point with its velocity and acceleration.
 #[derive(Clone, Copy)]
@@ -78,7 +78,7 @@ impl Angles {
 /// generated ones, which nobody writes better.
 macro_rules! absolute {
     ($name:ident, $n:literal) => {
-        pub(crate) fn $name<E: Stages<f64, $n>>(equations: &E, state: &mut State<f64, $n>, t: f64, has_predictor: bool) {
+        pub(crate) fn $name<E: Equations<f64, $n, $n>>(equations: &E, state: &mut State<f64, $n>, t: f64, has_predictor: bool) {
             let h = if has_predictor { t - state.t } else { 0.0 };
             let mut q: SVector<f64, $n> = state.q + (state.qd + state.qdd * (0.5 * h)) * h;
             loop {

@@ -53,16 +53,22 @@ use proc_macro::TokenStream;
 /// ```text
 /// mechanism  = doc* ["#[equations_only]"] [visibility] "mechanism" Name "{" item* "}"
 /// item       = "use" path ";"  |  "use" path "::" "{" path ["as" name], … "}" ";"
-///            | doc* "param" name ":" dimension "=" expression ";"
-///            | "let" name [":" dimension] "=" expression ";"
+///            | doc* "param" array ":" dimension "=" expression ";"
+///            | "let" array [":" dimension] "=" expression ";"
 ///            | "function" name "(" name ":" dimension ")" "->" dimension "=" expression ";"
 ///            | "function" name "(" dimension ")" "->" dimension "=" rust-path ";"
 ///            | "ground" "{" mark* "}"
-///            | doc* "body" name "{" (mark | start)* "}"
-///            | doc* ("joint" | "drive") name "=" constraint "(" argument, … ")" ";"
-///            | doc* ("joint" | "drive") name "=" "{" statement* "}"
-///            | doc* "output" name "=" expression ";"
-/// mark       = ("point" | "axis") name "=" "(" expression "," expression ")" ";"
+///            | doc* "body" array "{" (mark | start)* "}"
+///            | doc* ("joint" | "drive") array "=" constraint "(" argument, … ")" ";"
+///            | doc* ("joint" | "drive") array "=" "{" statement* "}"
+///            | doc* "output" array "=" expression ";"
+///            | doc* "component" Name "(" parameter, … ")" "{" item* "}"
+///            | doc* "part" array "=" Name "(" argument, … ")" ";"
+///            | "for" name "in" range "{" item* "}"
+/// mark       = ("point" | "axis") array "=" "(" expression "," expression ")" ";"
+///            | "for" name "in" range "{" mark* "}"
+/// array      = name ("[" expression "]")*
+/// range      = expression (".." | "..=") expression
 /// start      = "start" ("x" | "y" | "position" | "angle") "=" expression ";"
 /// argument   = [name ":"] expression
 /// statement  = "let" name [":" dimension] "=" expression ";"
@@ -72,7 +78,7 @@ use proc_macro::TokenStream;
 /// relation   = "<" | "<=" | ">" | ">=" | "==" | "!="
 /// ```
 ///
-/// Parameters, `let`s, functions, bodies, joints and drives share one set of names, in which `t`, `pi`, `ground` and the built-in
+/// Parameters, `let`s, functions, bodies, joints, drives and parts share one set of names, in which `t`, `pi`, `ground` and the built-in
 /// functions are taken. Points and axes belong to their body, outputs are a set of their own.
 ///
 /// ## `param`
@@ -126,7 +132,93 @@ use proc_macro::TokenStream;
 ///
 /// ## `output`
 ///
-/// A number, a vector or a point, generated as a method that gives it with its first and second derivative in time.
+/// A number, a vector or a point, generated as a method that gives it with its first and second derivative in time; or a whole
+/// body, given as its accessor gives it.
+///
+/// ## `for` and arrays
+///
+/// A loop repeats items. Its variable is a whole number and may stand in any expression; every name declared in a loop carries an
+/// index for it, as in `body link[i]`. Indices and ranges are made of whole numbers, `let`s of them and loop variables with
+/// + − * / and %, the remainder, which is never negative; a quotient must be whole. Loops nest, and names have as many indices as
+/// they need. An array can also be declared member by member. Bodies, parameters, outputs and parts become arrays in Rust, whose
+/// indices run from 0 without gaps; joints, points and `let`s need not begin at 0.
+///
+/// ```
+/// reuleaux::mechanism! {
+///     /// A chain of four-bars: each crank drives the next.
+///     pub mechanism Chain {
+///         param length[0]: Length = 50mm;
+///         for i in 1..=3 { param length[i]: Length = 50mm + i * 1mm; }
+///         let bars = 3;
+///
+///         ground { for i in 0..=bars { point P[i] = (i * 100mm, 0mm); } }
+///         for i in 0..=bars { body crank[i] { point A = (length[i], 0mm);  start angle = 80deg; } }
+///         for i in 0..bars { body coupler[i] { point B = (100mm, 0mm); } }
+///
+///         for i in 0..=bars { joint axle[i] = revolute(ground.P[i], crank[i].position); }
+///         for i in 0..bars {
+///             joint a[i] = revolute(crank[i].A, coupler[i].position);
+///             joint b[i] = revolute(coupler[i].B, crank[i + 1].A);
+///         }
+///         drive motor = drive_angle(crank[0], 80deg + 20deg * sin(1rad_s * t));
+///         for i in 0..=bars { output tip[i] = crank[i].A; }
+///     }
+/// }
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let mut chain = Chain::default();
+/// chain.length = [0.05; 4];                               // now it is made of parallelograms
+/// let state = chain.solve(1.0)?;
+/// let [first, .., last] = state.crank();
+/// assert!((first.angle - last.angle).abs() < 1e-14);
+/// assert_eq!(chain.tip(&state).len(), 4);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// ## `component` and `part`
+///
+/// A component is declared once and used as often as there are parts of it. It takes what a constraint takes (see
+/// [`constraint!`]); its items are parameters, `let`s, bodies, joints, drives, outputs, loops and parts of other components. Beside
+/// its arguments and its own items it sees the parameters, `let`s, functions, ground and components of the mechanism, but no
+/// body of it: a body comes in as an argument. From outside a part's items, arguments among them, are `part.name`.
+///
+/// ```
+/// reuleaux::mechanism! {
+///     /// A folding rule: each arm turns on the end of the one before.
+///     pub mechanism Rule {
+///         let arms = 4;
+///         part arm[0] = Arm(ground.position, 10deg);
+///         for i in 1..arms { part arm[i] = Arm(arm[i - 1].limb.end, 10deg * (i + 1)); }
+///
+///         component Arm(hinge: Point, angle: Angle) {
+///             param length: Length = 250mm;
+///             body limb { point end = (length, 0mm); }
+///             joint pin = revolute(hinge, limb.position);
+///             drive fold = drive_angle(limb, angle * (t / 1s));
+///             output end = limb.end;
+///         }
+///         output end = arm[arms - 1].limb.end;
+///     }
+/// }
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let mut rule = Rule::default();
+/// rule.arm[3].length = 0.125;
+/// assert_eq!(rule.arm[0], RuleArm { length: 0.25 });
+/// let state = rule.solve(0.0)?;
+/// assert_eq!(rule.end(&state).value.x, 0.875);
+/// assert_eq!(rule.arm_end(&state).map(|end| end.value.x), [0.25, 0.5, 0.75, 0.875]);
+/// for arm in state.arm() {
+///     assert_eq!(arm.limb().angle, 0.0);
+/// }
+/// # Ok(())
+/// # }
+/// ```
+///
+/// All parts of a component have the same bodies, parameters, outputs and parts; numbers and joints may differ. In q the bodies of a
+/// part stand next to each other, where the part stands; in messages and in `COORDINATES` and `ROWS` they are called
+/// `arm[3].limb`.
 ///
 /// ## `use`
 ///
@@ -157,10 +249,10 @@ use proc_macro::TokenStream;
 ///
 /// ```text
 /// a + b   a − b            sums, of numbers or of vectors
-/// a * b   a / b            products; a vector times or by a number
+/// a * b   a / b   a % b    products; a vector times or by a number; a remainder
 /// −a
 /// a ^ b                    power, from the right: a^b^c = a^(b^c), −a^2 = −(a^2), a^−b = a^(−b)
-/// a.name                   a part of a
+/// a.name   a[i]            a part of a, a member of it
 /// ```
 ///
 /// | | |
@@ -179,6 +271,8 @@ use proc_macro::TokenStream;
 /// | `perp(a)` | a turned to the left by a right angle, (−a_y, a_x) |
 /// | `norm(a)`, `unit(a)` | the length of a, a divided by it |
 /// | `direction(a)` | the angle of a against the x axis of ground, from −π to π |
+/// | `body[i]`, `body[i].P[j]`, `part[i].body`, `part[i].joint` | members of arrays, what a part has |
+/// | `i % n` | the remainder of whole numbers that are known to the compiler |
 /// | `if a < b { x } else { y }` | a number that depends on a comparison with `<`, `<=`, `>` or `>=`; `else if` may follow |
 /// | `table(x, [(x0, y0), …], ends)` | a spline through measured points |
 /// | `f(x)`, `path::to::f(x)` | a function declared here, one of the library, a Rust function |
@@ -327,7 +421,7 @@ use proc_macro::TokenStream;
 /// | `start()`: the assembled configuration at t = 0 | N | m, rad |
 /// | `characteristic_length()`: what is worth a radian when lengths and angles are compared | 1 | m |
 /// | `validate()`: whether the parameters are finite and meet every `require` | | |
-/// | an output's name`(&state)`: `Motion { value, rate, acceleration }` of `T` or `Vector2<T>` | 1 or 2 | SI |
+/// | an output's name`(&state)`: `Motion { value, rate, acceleration }` of `T` or `Vector2<T>`, or `PlanarBody` | 1 or 2 | SI |
 ///
 /// and unless it is `#[equations_only]`, for `T: Float`, which is `f64` and `f32`:
 ///
@@ -341,6 +435,19 @@ use proc_macro::TokenStream;
 /// | `sweep(times)` | an iterator over states, each followed from the one before |
 /// | `struct NameState<T = f64>` | t, q, q̇, q̈ and more by `Deref` to `reuleaux::State` |
 /// | a body's name`()` on the state | `PlanarBody`: position, angle, velocities, accelerations, and the motion of any `point` of it |
+///
+/// With components and arrays:
+///
+/// | | |
+/// | --- | --- |
+/// | `struct NameLeg<T = f64>` | the parameters of a component `Leg`, if it has any; those of its parts are fields of it |
+/// | the field `leg: [NameLeg<T>; 6]` | the parameters of its parts; `leg: NameLeg<T>` for a single one |
+/// | `NameLeg::default()` | if the defaults are the same for all its parts |
+/// | `state.leg()[3]` | a view of a part, `NameStateLeg`, with its bodies and parts by their names |
+/// | `state.link()` | an array of bodies, `[PlanarBody<T>; n]` |
+/// | `mechanism.leg_foot(&state)` | the output `foot` of all parts `leg`, `[Motion; 6]` |
+///
+/// An index that is out of range in Rust is refused by rustc where it is a constant.
 ///
 /// The order of q is that of the bodies, x, y and φ of each; the order of Φ is that of the joints and drives. The traits
 /// `reuleaux::Equations` and `reuleaux::Mechanism` are implemented, so that generic code can take any mechanism. Doc comments reach
@@ -367,7 +474,7 @@ use proc_macro::TokenStream;
 /// # Limits
 ///
 /// Names of mechanisms, parameters, bodies and outputs are Rust identifiers and no keywords. Parentheses nest up to 50 deep, a sum
-/// has up to 200 terms, a mechanism up to 200,000 operations, a number up to 36 digits between 1e-36 and 1e36. Beyond 240
+/// has up to 200 terms, a loop 10,000 rounds, a mechanism up to 100,000 items and 200,000 operations, a number up to 36 digits between 1e-36 and 1e36. Beyond 240
 /// coordinates the compiler takes the start as it is declared and does not assemble it.
 #[proc_macro]
 pub fn mechanism(tokens: TokenStream) -> TokenStream {

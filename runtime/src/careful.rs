@@ -14,7 +14,7 @@ use crate::position::{self, Miss, Position, Refusal};
 use crate::problem::{Block, Evaluate, Part, Problem};
 use crate::scale::{Scale, length_of};
 use crate::straight::LONGEST_PREDICTION;
-use crate::{Cause, Coordinate, Culprit, Equations, Float, Lanes, Orientation, Row, State};
+use crate::{Cause, Coordinate, Culprit, Description, Float, Lanes, Orientation, Row, State};
 
 /// What a careful pass sets out from and what it has found.
 pub struct Care<'a, T: Lanes, const N: usize> {
@@ -25,6 +25,13 @@ pub struct Care<'a, T: Lanes, const N: usize> {
     rows: &'static [Row],
     coordinates: &'static [Coordinate],
     found: Cell<Found<T, N>>,
+}
+
+impl<T: Lanes, const N: usize> Care<'_, T, N> {
+    /// L and 1/L.
+    pub(crate) fn lengths(&self) -> (T, T) {
+        (self.length, self.share)
+    }
 }
 
 /// What a careful pass has found so far.
@@ -51,21 +58,21 @@ enum Mode<'a, T, const N: usize> {
 
 impl<'a, T: Float, const N: usize> Care<'a, T, N> {
     /// From a state, to a moment h later.
-    pub(crate) fn follow<E: Equations<T, N, N> + ?Sized>(equations: &E, here: &'a State<T, N>, h: T) -> Self {
+    pub(crate) fn follow<E: Description<T, N> + ?Sized>(equations: &E, here: &'a State<T, N>, h: T) -> Self {
         Self::new(equations, Mode::Follow { here, h }, here.branch)
     }
 
     /// From a rough guess.
-    pub(crate) fn close<E: Equations<T, N, N> + ?Sized>(equations: &E, guess: &'a SVector<T, N>) -> Self {
+    pub(crate) fn close<E: Description<T, N> + ?Sized>(equations: &E, guess: &'a SVector<T, N>) -> Self {
         Self::new(equations, Mode::Close { guess }, [Orientation::Positive; N])
     }
 
     /// At given positions.
-    pub(crate) fn inspect<E: Equations<T, N, N> + ?Sized>(equations: &E, q: &'a SVector<T, N>) -> Self {
+    pub(crate) fn inspect<E: Description<T, N> + ?Sized>(equations: &E, q: &'a SVector<T, N>) -> Self {
         Self::new(equations, Mode::Inspect { q }, [Orientation::Positive; N])
     }
 
-    fn new<E: Equations<T, N, N> + ?Sized>(equations: &E, mode: Mode<'a, T, N>, branch: [Orientation; N]) -> Self {
+    fn new<E: Description<T, N> + ?Sized>(equations: &E, mode: Mode<'a, T, N>, branch: [Orientation; N]) -> Self {
         let length = length_of(equations.characteristic_length());
         let one = T::of(1.0);
         let found = Cell::new(Found { branch, condition: one, iterations: 0, worst: None });

@@ -37,18 +37,37 @@ pub(crate) fn advance<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     t: T,
 ) -> Result<(), Failure<T, N>> {
     // One step is the usual case.
-    if step(equations, state, t) { Ok(()) } else { advance_by_steps(equations, state, t) }
+    if equations.step(state, t) { Ok(()) } else { advance_by_steps(equations, state, t) }
 }
 
 /// One step straight on; whether it was made.
 ///
 /// A function of its own for each mechanism, so that its stages are compiled into it and their results never leave the registers.
 #[inline(never)]
-fn step<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, state: &mut State<T, N>, t: T) -> bool {
+pub(crate) fn step<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, state: &mut State<T, N>, t: T) -> bool {
     let Some(stride) = stride(equations, state, &state.branch, t, true) else { return false };
     // Every block has kept its sign: the branch's name stays.
     state.follow_on(t, stride, E::ITERATED);
     true
+}
+
+/// One step straight on of those coordinates that move; whether it was made.
+///
+/// * `part`: given, what moves, as a mechanism of its own.
+/// * `held`: given, the indices in q of its coordinates.
+#[doc(hidden)]
+pub fn step_in_part<T: Float, E: Stages<T, P>, const P: usize, const N: usize>(
+    part: &E,
+    state: &mut State<T, N>,
+    held: &[usize; P],
+    t: T,
+) -> bool {
+    let mut moving = state.part(held);
+    let is_made = step(part, &mut moving, t);
+    if is_made {
+        state.take(held, &moving);
+    }
+    is_made
 }
 
 /// What a step straight on comes to.

@@ -35,7 +35,7 @@
 //! [`Equations`] is what a mechanism gives, [`Mechanism`] what one can ask of it, [`State`] and [`Failure`] the two answers.
 //! Behind them: [`Stages`] (which unknowns are found together), [`Pass`] (what they are found from), `straight` (the usual step of a
 //! sweep), `careful` and `position` (Newton's method wherever that is not enough), `continuation` (following a branch in time),
-//! `linear` (small systems and LU).
+//! `linear` (small systems, and larger ones with and without known zeros).
 
 #![no_std]
 #![deny(missing_docs)]
@@ -82,12 +82,14 @@ mod verdict;
 #[cfg(feature = "wide")]
 pub mod wide;
 
-pub use equations::{Equations, ParameterOutOfRange};
+#[doc(hidden)]
+pub use continuation::step_in_part;
+pub use equations::{Description, Equations, ParameterOutOfRange};
 pub use failure::{Cause, Culprit, Failure};
 pub use family::Family;
 pub use float::Float;
 pub use lanes::{Lanes, Mask};
-pub use linear::{Factors, Linear, Small};
+pub use linear::{Eliminated, Elimination, Entries, Factors, Linear, Order, Small, Sparse};
 pub use mechanism::Mechanism;
 pub use nalgebra;
 pub use names::{Coordinate, CoordinateKind, Row};
@@ -96,7 +98,7 @@ pub use place::Place;
 pub use plan::{Operations, Plan, PlanStage};
 pub use problem::Block;
 pub use real::Real;
-pub use stages::{Coordinates, Stages};
+pub use stages::{Coordinates, Stages, at_once, improved_at_once};
 pub use state::{Motion, Orientation, PlanarBody, State};
 pub use sweep::Sweep;
 pub use table::{Ends, Table};

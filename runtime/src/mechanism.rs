@@ -5,10 +5,6 @@ use nalgebra::SVector;
 use crate::assembly::assemble;
 use crate::careful::Care;
 use crate::continuation;
-use crate::place::Place;
-use crate::position;
-use crate::problem::{Problem, Whole};
-use crate::scale::Scale;
 use crate::stages::Stages;
 use crate::verdict;
 use crate::{Cause, Culprit, Failure, Float, State, Sweep};
@@ -44,7 +40,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
         if !t.is_finite() {
             return Err(fail(Cause::NotFinite { of: Culprit::Time }));
         }
-        let guess = all_at_once(self, t, guess);
+        let guess = self.improved(t, guess);
         continuation::state(self, t, Care::close(self, &guess)).map_err(|stop| fail(verdict::open(stop)))
     }
 
@@ -77,21 +73,6 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     {
         Sweep::new(self, times.into_iter())
     }
-}
-
-/// Up to this many coordinates a guess is first improved with all equations as one dense system.
-const LARGEST_WHOLE: usize = 48;
-
-/// A guess of q improved by Newton's method on all coordinates; the guess itself where that leads nowhere.
-///
-/// Taken all at once, equations share the error of the guess, and the assembly that is found is the one near it. Block by block,
-/// what is solved first pulls what comes after.
-fn all_at_once<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, t: T, guess: &SVector<T, N>) -> SVector<T, N> {
-    if N > LARGEST_WHOLE {
-        return *guess;
-    }
-    let whole = Whole { equations, t, scale: Scale::of(equations) };
-    position::close(&whole, &Place::at(*guess, whole.turns())).map_or(*guess, |position| position.place.x)
 }
 
 impl<T: Float, const N: usize, E: Stages<T, N> + ?Sized> Mechanism<T, N> for E {}

@@ -4,12 +4,12 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::careful::Care;
 use crate::lanes::Mask;
-use crate::linear::{Linear, Small};
+use crate::linear::{Elimination, Entries, Linear, Small, Sparse};
 use crate::place::Place;
 use crate::problem::{Block, Linearized};
 use crate::scale::{Scale, length_of};
 use crate::straight::{Departure, Scene};
-use crate::{Cause, Culprit, Equations, Lanes};
+use crate::{Cause, Culprit, Description, Lanes};
 
 /// One pass through the stages of a mechanism.
 ///
@@ -66,7 +66,7 @@ pub struct Solved<T, L, const K: usize> {
 impl<'a, T: Lanes, const N: usize> Pass<'a, T, N> {
     /// From a state to a moment later, straight on.
     #[inline(always)]
-    pub(crate) fn straight<E: Equations<T, N, N> + ?Sized>(equations: &E, from: Departure<'a, T, N>) -> Self {
+    pub(crate) fn straight<E: Description<T, N> + ?Sized>(equations: &E, from: Departure<'a, T, N>) -> Self {
         let length = length_of(equations.characteristic_length());
         let one = T::of(1.0);
         let walk = Walk { found: T::Mask::of(true), condition: one, iterations: 0 };
@@ -83,6 +83,15 @@ impl<'a, T: Lanes, const N: usize> Pass<'a, T, N> {
     #[inline(always)]
     pub(crate) fn walk(&self) -> Option<Walk<T>> {
         if let Way::Straight(straight) = &self.0 { Some(straight.walk) } else { None }
+    }
+
+    /// L and 1/L
+    #[inline(always)]
+    fn lengths(&self) -> (T, T) {
+        match &self.0 {
+            Way::Straight(straight) => (straight.length, straight.share),
+            Way::Careful(care) => care.lengths(),
+        }
     }
 
     /// Solves a block of one to three unknowns: in closed form.
@@ -113,6 +122,29 @@ impl<'a, T: Lanes, const N: usize> Pass<'a, T, N> {
         evaluate: impl Fn(&Place<T, K>) -> ([T; K], [[T; K]; K]),
     ) -> Result<Solved<T, T::Dense<K>, K>, Stop<T>> {
         self.block(block, sizes, |place| dense(evaluate(place)))
+    }
+
+    /// Solves a larger block of whose Jacobian `evaluate` gives the entries that are not always zero, in the order of the
+    /// elimination's pattern: by elimination in its order, and where that meets a small pivot by a pivoted factorisation.
+    ///
+    /// # Errors
+    /// Why the block has no solution near.
+    #[inline]
+    pub fn sparse<E: Elimination<T, K, ENTRIES, FACTORS>, const K: usize, const ENTRIES: usize, const FACTORS: usize>(
+        &mut self,
+        elimination: E,
+        block: &Block<K>,
+        sizes: [T; K],
+        evaluate: impl Fn(&Place<T, K>) -> ([T; K], [T; ENTRIES]),
+    ) -> Result<Solved<T, Sparse<T, E, K, ENTRIES, FACTORS>, K>, Stop<T>> {
+        // Of the elimination only the type is needed.
+        let _ = elimination;
+        let (length, share) = self.lengths();
+        let columns = Scale::by_kind(length, share, &block.kinds).column.data.0[0];
+        self.block(block, sizes, |place| {
+            let (phi, values) = evaluate(place);
+            (SVector::from(phi), Entries { values, columns })
+        })
     }
 
     #[inline(always)]

@@ -24,6 +24,10 @@ pub enum PlanStage {
         equations: &'static [&'static str],
         /// Operations of one Newton step, without the solution of its linear system.
         operations: Operations,
+        /// Operations of one factorisation of its Jacobian; None for the closed form that up to three unknowns have.
+        elimination: Option<Operations>,
+        /// Blocks with the same number do the same operations, each on its own bodies.
+        shape: usize,
     },
 }
 
@@ -41,6 +45,13 @@ pub struct Operations {
 }
 
 impl Plan {
+    /// How many different shapes the iterated blocks have: what is compiled grows with this number.
+    #[must_use]
+    pub fn shapes(&self) -> usize {
+        let number = |stage: &PlanStage| if let PlanStage::Iterated { shape, .. } = stage { shape + 1 } else { 0 };
+        self.stages.iter().map(number).max().unwrap_or(0)
+    }
+
     /// The number of unknowns of each iterated block, in order.
     pub fn blocks(&self) -> impl Iterator<Item = usize> {
         self.stages.iter().filter_map(|stage| match stage {
@@ -55,12 +66,16 @@ impl fmt::Display for Plan {
         for stage in self.stages {
             match stage {
                 PlanStage::Computed(name) => writeln!(f, "compute  {name}")?,
-                PlanStage::Iterated { unknowns, equations, operations } => {
+                PlanStage::Iterated { unknowns, equations, operations, elimination, .. } => {
                     write!(f, "iterate  ")?;
                     list(f, unknowns)?;
                     write!(f, "  from  ")?;
                     list(f, equations)?;
-                    writeln!(f, "  ({operations} each time)")?;
+                    write!(f, "  ({operations} each time")?;
+                    if let Some(Operations { flops, divisions, .. }) = elimination {
+                        write!(f, ", and for its elimination {flops} sums and products, {divisions} divisions")?;
+                    }
+                    writeln!(f, ")")?;
                 }
             }
         }

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::lanes::Mask;
 use crate::order::greater;
-use crate::{Coordinate, CoordinateKind, Equations, Float, Lanes, names};
+use crate::{Coordinate, CoordinateKind, Description, Float, Lanes, names};
 
 /// The size of each coordinate: L for lengths, 1 for angles.
 #[derive(Clone)]
@@ -19,7 +19,7 @@ pub(crate) struct Scale<T, const N: usize> {
 
 impl<T: Float, const N: usize> Scale<T, N> {
     /// The scale of a mechanism; a characteristic length that is no length counts as 1 m.
-    pub(crate) fn of<E: Equations<T, N, N> + ?Sized>(equations: &E) -> Self {
+    pub(crate) fn of<E: Description<T, N> + ?Sized>(equations: &E) -> Self {
         Self::new(equations.characteristic_length(), E::COORDINATES)
     }
 

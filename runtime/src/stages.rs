@@ -2,9 +2,13 @@
 
 use nalgebra::SVector;
 
+use crate::continuation;
 use crate::pass::{Pass, Stop};
-use crate::problem::Block;
-use crate::{Equations, Lanes, names};
+use crate::place::Place;
+use crate::position;
+use crate::problem::{Block, Problem, Whole};
+use crate::scale::Scale;
+use crate::{Description, Equations, Float, Lanes, Real, State, names};
 
 /// Position, velocity and acceleration of all coordinates.
 pub struct Coordinates<T, const N: usize> {
@@ -16,9 +20,17 @@ pub struct Coordinates<T, const N: usize> {
     pub qdd: SVector<T, N>,
 }
 
-/// The way a mechanism is solved. Emitted code goes block by block; the provided way takes all equations as one system, and is
-/// what a mechanism written by hand gets with an empty `impl`.
-pub trait Stages<T: Lanes, const N: usize>: Equations<T, N, N> {
+impl<T: Real, const N: usize> Coordinates<T, N> {
+    /// All zero.
+    #[must_use]
+    pub fn zero() -> Self {
+        let zero = SVector::from_element(T::of(0.0));
+        Self { q: zero, qd: zero, qdd: zero }
+    }
+}
+
+/// The way a mechanism is solved: block by block in emitted code. What is written by hand can have [`at_once`].
+pub trait Stages<T: Lanes, const N: usize>: Description<T, N> {
     /// The angles that are computed rather than iterated. Those that are iterated never go far in one step; of these it is checked
     /// that they came to where they were expected.
     const COMPUTED_ANGLES: &'static [usize] = &[];
@@ -27,7 +39,7 @@ pub trait Stages<T: Lanes, const N: usize>: Equations<T, N, N> {
     const ITERATED: &'static [usize] = &ALL;
 
     /// The mechanism with parameters that are this share of the way from their declared defaults, for which
-    /// [`start`](Equations::start) is assembled, to these. None if they are the defaults, or have none.
+    /// [`start`](Description::start) is assembled, to these. None if they are the defaults, or have none.
     fn toward(&self, share: T) -> Option<Self>
     where
         Self: Sized,
@@ -36,24 +48,73 @@ pub trait Stages<T: Lanes, const N: usize>: Equations<T, N, N> {
         None
     }
 
+    /// A rough guess of q (m, rad) at time `t` (s), made better if there is a way.
+    fn improved(&self, t: T, guess: &SVector<T, N>) -> SVector<T, N>
+    where
+        T: Float,
+    {
+        let _ = t;
+        *guess
+    }
+
+    /// One step straight on, in place; whether it was made. Emitted code has its own where a part of the mechanism rests.
+    #[doc(hidden)]
+    #[inline]
+    fn step(&self, state: &mut State<T, N>, t: T) -> bool
+    where
+        T: Float,
+    {
+        continuation::step(self, state, t)
+    }
+
     /// q, q̇ and q̈ at time `t` (s).
     ///
     /// # Errors
     /// Why there are none near what the pass sets out from.
-    fn stages(&self, t: T, pass: &mut Pass<'_, T, N>) -> Result<Coordinates<T, N>, Stop<T>> {
-        let all = core::array::from_fn(|index| index);
-        let kinds = core::array::from_fn(|index| names::coordinate(Self::COORDINATES, index).kind);
-        let block = Block { unknowns: all, equations: all, kinds, turns: [false; N] };
-        let solved = pass.large(&block, [T::of(0.0); N], |place| {
-            let (phi, jacobian) = self.linearize(&place.x, t);
-            (phi.data.0[0], jacobian.transpose().data.0)
-        })?;
-        let q = SVector::from(solved.x);
-        let rates = |b: SVector<T, N>| SVector::from(solved.rates(b.data.0[0]));
-        let qd = rates(self.nu(&q, t));
-        let qdd = rates(self.gamma(&q, &qd, t));
-        Ok(Coordinates { q, qd, qdd })
+    fn stages(&self, t: T, pass: &mut Pass<'_, T, N>) -> Result<Coordinates<T, N>, Stop<T>>;
+}
+
+/// All equations of a mechanism as one system.
+///
+/// # Errors
+/// Why there is no solution near what the pass sets out from.
+pub fn at_once<T: Lanes, E: Equations<T, N, N> + ?Sized, const N: usize>(
+    equations: &E,
+    t: T,
+    pass: &mut Pass<'_, T, N>,
+) -> Result<Coordinates<T, N>, Stop<T>> {
+    let all = core::array::from_fn(|index| index);
+    let kinds = core::array::from_fn(|index| names::coordinate(E::COORDINATES, index).kind);
+    let block = Block { unknowns: all, equations: all, kinds, turns: [false; N] };
+    let solved = pass.large(&block, [T::of(0.0); N], |place| {
+        let (phi, jacobian) = equations.linearize(&place.x, t);
+        (phi.data.0[0], jacobian.transpose().data.0)
+    })?;
+    let q = SVector::from(solved.x);
+    let rates = |b: SVector<T, N>| SVector::from(solved.rates(b.data.0[0]));
+    let qd = rates(equations.nu(&q, t));
+    let qdd = rates(equations.gamma(&q, &qd, t));
+    Ok(Coordinates { q, qd, qdd })
+}
+
+/// Up to this many coordinates a guess is improved with all equations as one dense system.
+const LARGEST_WHOLE: usize = 48;
+
+/// A guess of q improved by Newton's method on all coordinates; the guess itself where that leads nowhere.
+///
+/// Taken all at once, equations share the error of the guess, and the assembly that is found is the one near it. Block by block,
+/// what is solved first pulls what comes after.
+pub fn improved_at_once<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
+    equations: &E,
+    t: T,
+    guess: &SVector<T, N>,
+) -> SVector<T, N> {
+    // A constant condition: for large N the dense system is not even compiled.
+    if const { N > LARGEST_WHOLE } {
+        return *guess;
     }
+    let whole = Whole { equations, t, scale: Scale::of(equations) };
+    position::close(&whole, &Place::at(*guess, whole.turns())).map_or(*guess, |position| position.place.x)
 }
 
 /// The first indices there are; those beyond the number of coordinates are passed over.

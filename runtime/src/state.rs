@@ -89,6 +89,35 @@ impl<T: Real, const N: usize> State<T, N> {
         Motion { value: of(&self.q), rate: of(&self.qd), acceleration: of(&self.qdd) }
     }
 
+    /// The motion of the point whose x and y begin at index `first`; NaN where there is none.
+    #[must_use]
+    pub fn point(&self, first: usize) -> Motion<Vector2<T>> {
+        let [x, y] = [0, 1].map(|offset| self.coordinate(first.saturating_add(offset)));
+        let vector = |of: fn(&Motion<T>) -> T| Vector2::new(of(&x), of(&y));
+        Motion { value: vector(|part| part.value), rate: vector(|part| part.rate), acceleration: vector(|part| part.acceleration) }
+    }
+
+    /// The state of these coordinates alone.
+    pub(crate) fn part<const P: usize>(&self, held: &[usize; P]) -> State<T, P> {
+        let pick = |vector: &SVector<T, N>| SVector::from_fn(|k, _| vector.get(held[k]).copied().unwrap_or(T::of(f64::NAN)));
+        let branch = held.map(|i| self.branch.get(i).copied().unwrap_or(Orientation::Positive));
+        let trend = Trend { span: self.trend.span, rest: pick(&self.trend.rest) };
+        let Self { t, condition, iterations, .. } = *self;
+        State { t, q: pick(&self.q), qd: pick(&self.qd), qdd: pick(&self.qdd), branch, condition, iterations, trend }
+    }
+
+    /// Takes back what became of a part; the rest rests.
+    pub(crate) fn take<const P: usize>(&mut self, held: &[usize; P], part: &State<T, P>) {
+        for (k, &i) in held.iter().enumerate() {
+            if i < N {
+                (self.q[i], self.qd[i], self.qdd[i]) = (part.q[k], part.qd[k], part.qdd[k]);
+                self.trend.rest[i] = part.trend.rest[k];
+            }
+        }
+        (self.t, self.condition, self.iterations) = (part.t, part.condition, part.iterations);
+        self.trend.span = part.trend.span;
+    }
+
     /// The motion of the body whose x, y and φ begin at index `first`.
     #[must_use]
     pub fn planar_body(&self, first: usize) -> PlanarBody<T> {

@@ -4,7 +4,10 @@ mod common;
 
 use common::four_bar::{CRANK_ROCKER, Driven, FourBar};
 use reuleaux::nalgebra::{SMatrix, SVector};
-use reuleaux::{Cause, Coordinate, CoordinateKind, Culprit, Equations, Mechanism, ParameterOutOfRange, Row, Stages};
+use reuleaux::{
+    Cause, Coordinate, CoordinateKind, Coordinates, Culprit, Description, Equations, Mechanism, ParameterOutOfRange, Pass, Row, Stages,
+    Stop,
+};
 
 /// The crank-rocker driven at the rocker, which swings outwards into its dead point.
 const ROCKER_DRIVEN: FourBar = FourBar { driven: Driven::Rocker, from: 2.1, speed: -1.0, start: [-0.5, 1.0, 2.1], ..CRANK_ROCKER };
@@ -99,13 +102,33 @@ fn a_sweep_ends_after_a_failure() {
 /// One slider on a line, x = f(t), with whatever f.
 struct Slider(fn(f64) -> f64);
 
-impl Stages<f64, 1> for Slider {}
+impl Stages<f64, 1> for Slider {
+    fn stages(&self, t: f64, pass: &mut Pass<'_, f64, 1>) -> Result<Coordinates<f64, 1>, Stop<f64>> {
+        reuleaux::at_once(self, t, pass)
+    }
 
-impl Equations<f64, 1, 1> for Slider {
+    fn improved(&self, t: f64, guess: &SVector<f64, 1>) -> SVector<f64, 1> {
+        reuleaux::improved_at_once(self, t, guess)
+    }
+}
+
+impl Description<f64, 1> for Slider {
     const NAME: &'static str = "Slider";
     const COORDINATES: &'static [Coordinate] = &[Coordinate { body: "slider", name: "x", kind: CoordinateKind::Length }];
     const ROWS: &'static [Row] = &[Row { joint: "rail", kind: "drive_x", index: 1, of: 1, unit: "m" }];
 
+    fn start(&self) -> SVector<f64, 1> {
+        SVector::from([0.0])
+    }
+    fn characteristic_length(&self) -> f64 {
+        1.0
+    }
+    fn validate(&self) -> Result<(), ParameterOutOfRange<f64>> {
+        Ok(())
+    }
+}
+
+impl Equations<f64, 1, 1> for Slider {
     fn phi(&self, q: &SVector<f64, 1>, t: f64) -> SVector<f64, 1> {
         SVector::from([q[0] - (self.0)(t)])
     }
@@ -120,15 +143,6 @@ impl Equations<f64, 1, 1> for Slider {
     }
     fn gamma(&self, _: &SVector<f64, 1>, _: &SVector<f64, 1>, _: f64) -> SVector<f64, 1> {
         SVector::from([0.0])
-    }
-    fn start(&self) -> SVector<f64, 1> {
-        SVector::from([0.0])
-    }
-    fn characteristic_length(&self) -> f64 {
-        1.0
-    }
-    fn validate(&self) -> Result<(), ParameterOutOfRange<f64>> {
-        Ok(())
     }
 }
 
@@ -160,13 +174,33 @@ fn a_way_that_is_too_long_is_given_up() {
 /// Two times the same equation.
 struct Redundant;
 
-impl Stages<f64, 2> for Redundant {}
+impl Stages<f64, 2> for Redundant {
+    fn stages(&self, t: f64, pass: &mut Pass<'_, f64, 2>) -> Result<Coordinates<f64, 2>, Stop<f64>> {
+        reuleaux::at_once(self, t, pass)
+    }
 
-impl Equations<f64, 2, 2> for Redundant {
+    fn improved(&self, t: f64, guess: &SVector<f64, 2>) -> SVector<f64, 2> {
+        reuleaux::improved_at_once(self, t, guess)
+    }
+}
+
+impl Description<f64, 2> for Redundant {
     const NAME: &'static str = "Redundant";
     const COORDINATES: &'static [Coordinate] = &[];
     const ROWS: &'static [Row] = &[];
 
+    fn start(&self) -> SVector<f64, 2> {
+        SVector::from([1.0, 0.0])
+    }
+    fn characteristic_length(&self) -> f64 {
+        f64::NAN
+    }
+    fn validate(&self) -> Result<(), ParameterOutOfRange<f64>> {
+        Ok(())
+    }
+}
+
+impl Equations<f64, 2, 2> for Redundant {
     fn phi(&self, q: &SVector<f64, 2>, _: f64) -> SVector<f64, 2> {
         SVector::from([q[0] - q[1], q[1] - q[0]])
     }
@@ -182,15 +216,6 @@ impl Equations<f64, 2, 2> for Redundant {
     fn gamma(&self, _: &SVector<f64, 2>, _: &SVector<f64, 2>, _: f64) -> SVector<f64, 2> {
         SVector::from([0.0; 2])
     }
-    fn start(&self) -> SVector<f64, 2> {
-        SVector::from([1.0, 0.0])
-    }
-    fn characteristic_length(&self) -> f64 {
-        f64::NAN
-    }
-    fn validate(&self) -> Result<(), ParameterOutOfRange<f64>> {
-        Ok(())
-    }
 }
 
 #[test]
@@ -203,13 +228,33 @@ fn redundant_rows_are_singular() {
 /// Nothing moves.
 struct Empty;
 
-impl Stages<f64, 0> for Empty {}
+impl Stages<f64, 0> for Empty {
+    fn stages(&self, t: f64, pass: &mut Pass<'_, f64, 0>) -> Result<Coordinates<f64, 0>, Stop<f64>> {
+        reuleaux::at_once(self, t, pass)
+    }
 
-impl Equations<f64, 0, 0> for Empty {
+    fn improved(&self, t: f64, guess: &SVector<f64, 0>) -> SVector<f64, 0> {
+        reuleaux::improved_at_once(self, t, guess)
+    }
+}
+
+impl Description<f64, 0> for Empty {
     const NAME: &'static str = "Empty";
     const COORDINATES: &'static [Coordinate] = &[];
     const ROWS: &'static [Row] = &[];
 
+    fn start(&self) -> SVector<f64, 0> {
+        SVector::from([])
+    }
+    fn characteristic_length(&self) -> f64 {
+        1.0
+    }
+    fn validate(&self) -> Result<(), ParameterOutOfRange<f64>> {
+        Ok(())
+    }
+}
+
+impl Equations<f64, 0, 0> for Empty {
     fn phi(&self, _: &SVector<f64, 0>, _: f64) -> SVector<f64, 0> {
         SVector::from([])
     }
@@ -224,15 +269,6 @@ impl Equations<f64, 0, 0> for Empty {
     }
     fn gamma(&self, _: &SVector<f64, 0>, _: &SVector<f64, 0>, _: f64) -> SVector<f64, 0> {
         SVector::from([])
-    }
-    fn start(&self) -> SVector<f64, 0> {
-        SVector::from([])
-    }
-    fn characteristic_length(&self) -> f64 {
-        1.0
-    }
-    fn validate(&self) -> Result<(), ParameterOutOfRange<f64>> {
-        Ok(())
     }
 }
 

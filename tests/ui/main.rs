@@ -4,7 +4,8 @@
 //! `TRYBUILD=overwrite cargo test -p reuleaux-tests --test ui` writes the expected output anew.
 
 /// Mistakes by family.
-const FAMILIES: [&str; 9] = ["syntax", "names", "arity", "dimensions", "duplicates", "values", "uses", "definitions", "joints"];
+const FAMILIES: [&str; 10] =
+    ["syntax", "names", "arity", "dimensions", "duplicates", "values", "uses", "definitions", "joints", "components"];
 
 #[test]
 fn one_mistake_gives_one_error() {

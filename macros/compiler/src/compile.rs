@@ -3,6 +3,7 @@
 use crate::closure::{self, Closure};
 use crate::diag::{Diag, Refusal};
 use crate::emit;
+use crate::expansion;
 use crate::model::{self, Model};
 use crate::plan::{self, Plan};
 use crate::structure::{self, Structure};
@@ -106,7 +107,11 @@ fn continued(tree: &ast::Mechanism, tokens: TokenStream, known: TokenStream, mut
     }
     let definitions = definitions(known, &mut diag);
     match rooms(tree, definitions, &mut diag) {
-        Some(Compiled { model, system, closure, plan, .. }) => emit::emit(&model, &system, &closure, &plan),
+        Some(Compiled { model, system, closure, plan, .. }) => {
+            let tokens = emit::emit(&model, &system, &closure, &plan);
+            let unwritten = expansion::write(&model.name.to_string(), &tokens);
+            quote!(#tokens #unwritten)
+        }
         None => {
             let (errors, stub) = (diag.to_tokens(), emit::stub(tree));
             quote!(#errors #stub)
@@ -132,9 +137,9 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     // There are unknowns and equations only, with all their derivatives.
     let structure = structure::analyze(&model, &system, diag)?;
     // Every unknown belongs to a block, and the blocks are in order.
-    let closure = closure::close(&model, &system);
+    let closure = closure::close(&model, &system, &structure);
     // There is a configuration to start from.
-    let plan = plan::schedule(&model, &system, &structure);
+    let plan = plan::schedule(&model, &system, &structure, &closure);
     // Nothing is left to decide.
     Some(Compiled { model, system, structure, closure, plan })
 }

@@ -13,6 +13,7 @@ pub mod closure;
 mod compile;
 pub mod diag;
 mod emit;
+mod expansion;
 pub mod expr;
 pub mod library;
 pub mod model;

@@ -7,7 +7,7 @@ use crate::Float;
 use crate::order::greater;
 
 impl<T: Float, const N: usize> Factors<T, N> {
-    /// An estimate, from below, of ‖ |A⁻¹| |A| ‖ in equilibrated unknowns: by how much one rounding of each entry of A is multiplied
+    /// An estimate, from below, of ‖ |A⁻¹| |A| ‖ in scaled unknowns: by how much one rounding of each entry of A is multiplied
     /// on its way to x. 1 at best, infinite for a singular matrix; it does not depend on the units of rows.
     ///
     /// A z = ± |A| c is solved with the signs that make the forward substitution grow.
@@ -15,14 +15,15 @@ impl<T: Float, const N: usize> Factors<T, N> {
     /// condition number of a matrix, 1979.
     ///
     /// * `sizes`: given, by row, what the rounding errors of b are a share of; it counts where it is larger than the row of |A| c.
-    pub(super) fn amplification(&self, sizes: &SVector<T, N>) -> T {
+    /// * `columns`, `shares`: given, what counts as 1 in each unknown, c, and one over it.
+    pub(super) fn amplification(&self, sizes: &SVector<T, N>, columns: &SVector<T, N>, shares: &SVector<T, N>) -> T {
         if self.rank < N {
             return T::of(f64::INFINITY);
         }
         let zero = T::of(0.0);
         let size = SVector::<T, N>::from_fn(|i, _| {
             let row = self.rows[i];
-            let sum = (0..N).fold(zero, |sum, j| sum + self.matrix[(row, j)].abs() * self.column_scale[j]);
+            let sum = (0..N).fold(zero, |sum, j| sum + self.matrix[(row, j)].abs() * columns[j]);
             greater(sum, sizes[row]) * self.row_scale[row]
         });
         let mut y = SVector::<T, N>::from_element(zero);
@@ -33,6 +34,8 @@ impl<T: Float, const N: usize> Factors<T, N> {
             }
         }
         self.substitute_back(&mut y);
-        y.iter().fold(T::of(1.0), |largest, entry| greater(largest, entry.abs()))
+        y.iter()
+            .zip(&self.columns)
+            .fold(T::of(1.0), |largest, (entry, &column)| greater(largest, entry.abs() * (self.column_scale[column] * shares[column])))
     }
 }

@@ -1,4 +1,4 @@
-//! Dense systems on the stack: A x = b with A an N × N matrix.
+//! Systems on the stack: A x = b with A an N × N matrix.
 //!
 //! In: a matrix. Out: its factors, from which many right-hand sides are solved, its rank, the sign of
 //! its determinant, and an estimate of its condition. Not here: what to do about a singular matrix.
@@ -9,21 +9,26 @@
 //!
 //! Golub, Van Loan: Matrix Computations, 4th ed., 3.4 (pivoting), 3.5.2 (scaling), 3.5.3 (iterative refinement).
 //!
-//! Systems of one to three unknowns have [`Small`] factors instead, in closed form.
+//! Systems of one to three unknowns have [`Small`] factors instead, in closed form, and the larger ones of which the compiler knows
+//! the zeros have [`Sparse`] ones, in an order that it chose.
 
 mod condition;
+mod elimination;
 mod factor;
 mod rank;
 mod small;
 mod solve;
+mod sparse;
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::{Float, Lanes};
 
+pub use elimination::{Eliminated, Elimination, Order};
 pub use factor::Factors;
 pub(crate) use rank::weakest;
 pub use small::Small;
+pub use sparse::{Entries, Sparse};
 
 /// Factors of a square matrix, however they are made.
 pub trait Linear<T: Lanes, const N: usize>: Sized {

@@ -51,7 +51,7 @@ impl<T: Float, const N: usize> Linear<T, N> for Factors<T, N> {
     }
 
     fn growth(&self, sizes: &SVector<T, N>, _: &SVector<T, N>) -> T {
-        self.amplification(sizes)
+        self.amplification(sizes, &self.column_scale, &self.column_scale.map(|scale| T::of(1.0) / scale))
     }
 
     fn sides(&self) -> Orientation {

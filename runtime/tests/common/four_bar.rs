@@ -9,7 +9,9 @@
 //! ```
 
 use reuleaux::nalgebra::{SMatrix, SVector};
-use reuleaux::{Coordinate, CoordinateKind, Equations, Float, ParameterOutOfRange, Real, Row, Stages};
+use reuleaux::{
+    Coordinate, CoordinateKind, Coordinates, Description, Equations, Float, ParameterOutOfRange, Pass, Real, Row, Stages, Stop,
+};
 
 /// Lengths in m, angles in rad; the driven angle is `from` + `speed` t.
 #[derive(Clone, Copy, Debug)]
@@ -56,9 +58,17 @@ const fn revolute(joint: &'static str) -> [Row; 2] {
     [row, Row { index: 2, ..row }]
 }
 
-impl<T: Float> Stages<T, 9> for FourBar {}
+impl<T: Float> Stages<T, 9> for FourBar {
+    fn stages(&self, t: T, pass: &mut Pass<'_, T, 9>) -> Result<Coordinates<T, 9>, Stop<T>> {
+        reuleaux::at_once(self, t, pass)
+    }
 
-impl<T: Real> Equations<T, 9, 9> for FourBar {
+    fn improved(&self, t: T, guess: &SVector<T, 9>) -> SVector<T, 9> {
+        reuleaux::improved_at_once(self, t, guess)
+    }
+}
+
+impl<T: Real> Description<T, 9> for FourBar {
     const NAME: &'static str = "FourBar";
     const COORDINATES: &'static [Coordinate] = [coordinates("crank"), coordinates("coupler"), coordinates("rocker")].as_flattened();
     const ROWS: &'static [Row] = &[
@@ -73,6 +83,24 @@ impl<T: Real> Equations<T, 9, 9> for FourBar {
         Row { joint: "input", kind: "drive_angle", index: 1, of: 1, unit: "rad" },
     ];
 
+    fn start(&self) -> SVector<T, 9> {
+        let [crank, coupler, rocker] = self.start;
+        SVector::from([0.0, 0.0, crank, self.crank * crank.cos(), self.crank * crank.sin(), coupler, self.ground, 0.0, rocker].map(T::of))
+    }
+
+    fn characteristic_length(&self) -> T {
+        T::of(self.ground)
+    }
+
+    fn validate(&self) -> Result<(), ParameterOutOfRange<T>> {
+        if self.coupler == 0.0 {
+            return Err(ParameterOutOfRange { name: "coupler", value: T::of(self.coupler), why: "it must not be zero" });
+        }
+        Ok(())
+    }
+}
+
+impl<T: Real> Equations<T, 9, 9> for FourBar {
     fn phi(&self, q: &SVector<T, 9>, t: T) -> SVector<T, 9> {
         let [crank, coupler, rocker] = [self.crank, self.coupler, self.rocker].map(T::of);
         let ((s1, c1), (s2, c2), (s3, c3)) = (q[2].sin_cos(), q[5].sin_cos(), q[8].sin_cos());
@@ -197,21 +225,5 @@ impl<T: Real> Equations<T, 9, 9> for FourBar {
         let (crank, coupler, rocker) = (arm(self.crank, 2), arm(self.coupler, 5), arm(self.rocker, 8));
         let z = T::of(0.0);
         SVector::from([z, z, crank.0, crank.1, coupler.0 - rocker.0, coupler.1 - rocker.1, z, z, z])
-    }
-
-    fn start(&self) -> SVector<T, 9> {
-        let [crank, coupler, rocker] = self.start;
-        SVector::from([0.0, 0.0, crank, self.crank * crank.cos(), self.crank * crank.sin(), coupler, self.ground, 0.0, rocker].map(T::of))
-    }
-
-    fn characteristic_length(&self) -> T {
-        T::of(self.ground)
-    }
-
-    fn validate(&self) -> Result<(), ParameterOutOfRange<T>> {
-        if self.coupler == 0.0 {
-            return Err(ParameterOutOfRange { name: "coupler", value: T::of(self.coupler), why: "it must not be zero" });
-        }
-        Ok(())
     }
 }

@@ -1,7 +1,9 @@
 //! Planar mechanisms as a list of joints. Φ is written once, over any `Real`; Φ_q, ν and γ are its exact derivatives by [`Jet`]s.
 
 use reuleaux::nalgebra::{SMatrix, SVector};
-use reuleaux::{Coordinate, CoordinateKind, Equations, Float, ParameterOutOfRange, Real, Row, Stages};
+use reuleaux::{
+    Coordinate, CoordinateKind, Coordinates, Description, Equations, Float, ParameterOutOfRange, Pass, Real, Row, Stages, Stop,
+};
 
 use super::jet::Jet;
 
@@ -123,13 +125,33 @@ const BODY: [Coordinate; 3] = [
     Coordinate { body: "body", name: "angle", kind: CoordinateKind::Angle },
 ];
 
-impl<T: Float, const N: usize> Stages<T, N> for Reference<N> {}
+impl<T: Float, const N: usize> Stages<T, N> for Reference<N> {
+    fn stages(&self, t: T, pass: &mut Pass<'_, T, N>) -> Result<Coordinates<T, N>, Stop<T>> {
+        reuleaux::at_once(self, t, pass)
+    }
 
-impl<T: Real, const N: usize> Equations<T, N, N> for Reference<N> {
+    fn improved(&self, t: T, guess: &SVector<T, N>) -> SVector<T, N> {
+        reuleaux::improved_at_once(self, t, guess)
+    }
+}
+
+impl<T: Real, const N: usize> Description<T, N> for Reference<N> {
     const NAME: &'static str = "Reference";
     const COORDINATES: &'static [Coordinate] = [BODY; 7].as_flattened().split_at(N).0;
     const ROWS: &'static [Row] = &[Row { joint: "joint", kind: "equation", index: 1, of: 1, unit: "m" }; N];
 
+    fn start(&self) -> SVector<T, N> {
+        SVector::from_fn(|i, _| T::of(self.start[i]))
+    }
+    fn characteristic_length(&self) -> T {
+        T::of(self.length)
+    }
+    fn validate(&self) -> Result<(), ParameterOutOfRange<T>> {
+        Ok(())
+    }
+}
+
+impl<T: Real, const N: usize> Equations<T, N, N> for Reference<N> {
     fn phi(&self, q: &SVector<T, N>, t: T) -> SVector<T, N> {
         self.residual(q, t)
     }
@@ -152,14 +174,5 @@ impl<T: Real, const N: usize> Equations<T, N, N> for Reference<N> {
         let (zero, one) = (T::of(0.0), T::of(1.0));
         let along = SVector::from_fn(|i, _| Jet(q[i], qd[i], zero));
         self.residual(&along, Jet(t, one, zero)).map(|jet| -jet.2)
-    }
-    fn start(&self) -> SVector<T, N> {
-        SVector::from_fn(|i, _| T::of(self.start[i]))
-    }
-    fn characteristic_length(&self) -> T {
-        T::of(self.length)
-    }
-    fn validate(&self) -> Result<(), ParameterOutOfRange<T>> {
-        Ok(())
     }
 }

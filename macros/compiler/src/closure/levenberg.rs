@@ -10,12 +10,16 @@ pub(super) struct Problem<'a> {
     pub(super) rows: usize,
     /// Whether every function in a row is known in the compiler.
     pub(super) is_known: Vec<bool>,
-    /// Row and column of each derivative.
+    /// Row of each derivative, and its column among the unknowns.
     pub(super) pattern: Vec<(usize, usize)>,
     /// Φ, then the derivatives.
     pub(super) evaluator: Evaluator,
     /// Parameters and functions; its coordinates are replaced.
     pub(super) known: Values<'a>,
+    /// The indices in q of the unknowns that are looked for.
+    pub(super) unknowns: Vec<usize>,
+    /// All of q, of which the unknowns are replaced.
+    pub(super) coordinates: Vec<f64>,
     /// What a unit step of each unknown is.
     pub(super) scales: Vec<f64>,
 }
@@ -32,7 +36,10 @@ struct Linear {
 impl Problem<'_> {
     fn linearize(&mut self, q: &[f64]) -> Linear {
         let mut values = vec![0.0; self.rows + self.pattern.len()];
-        self.evaluator.run(&Values { coordinates: q, ..self.known }, &mut values);
+        for (unknown, value) in self.unknowns.iter().zip(q) {
+            self.coordinates[*unknown] = *value;
+        }
+        self.evaluator.run(&Values { coordinates: &self.coordinates, ..self.known }, &mut values);
         let (phi, entries) = values.split_at(self.rows);
         let mut linear = Linear { phi: phi.to_vec(), jacobian: vec![vec![0.0; q.len()]; self.rows] };
         for ((row, column), entry) in self.pattern.iter().zip(entries) {

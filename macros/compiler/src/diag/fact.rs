@@ -28,6 +28,30 @@ pub enum Fact {
     MethodCall { name: String },
     SpaceBeforeUnit { number: String, unit: String },
     ExponentTooLarge { limit: u8 },
+    OnlyAtTheTop { word: String },
+    StartInLoop,
+    IndexInEquations { name: String },
+    // Arrays and parts.
+    WithoutIndex { name: String, variable: String },
+    DuplicateInLoop { name: String, variable: String },
+    ArrayWithoutIndex { name: String },
+    NoArray { found: &'static str, is_member: bool },
+    IndexOutOfRange { name: String, index: i64, ends: Option<(usize, usize)> },
+    NegativeIndex { index: i64 },
+    MissingIndex { missing: String, known: String },
+    NotWhole { found: String },
+    NotKnownWhole,
+    EmptyRange { from: i64, end: i64 },
+    LongRange { limit: usize },
+    TooManyItems { limit: usize },
+    UnknownComponent { name: String, near: Option<String>, is_constraint: bool },
+    ComponentAsConstraint { name: String },
+    ComponentRecursion { name: String },
+    OutsideOfComponent { name: String, what: &'static str },
+    UnlikeParts { name: String, component: String },
+    UnlikeOutputs { name: String },
+    GeneratedType { name: String },
+    InInstance { place: String, fact: Box<Fact> },
     // Names.
     UnknownName { name: String, near: Option<String> },
     UnknownField { owner: String, name: String, near: Option<String>, known: Vec<String> },
@@ -170,10 +194,13 @@ impl fmt::Display for Fact {
             }
             Fact::TokensAfter { what, help } => write!(f, "nothing may follow {what}\nhelp: {help}"),
             Fact::UnknownItem { word } => {
-                let known = ["param", "let", "ground", "body", "joint", "drive", "output", "function", "use"];
-                let near = crate::model::suggest::nearest(word, known.into_iter());
+                let known = ["param", "let", "ground", "body", "joint", "drive", "output", "part", "for", "component", "function", "use"];
+                // Words as short as `for` are near to many others: they come last.
+                let (rare, often): (Vec<&str>, Vec<&str>) = known.iter().partition(|known| matches!(**known, "part" | "for"));
+                let near = crate::model::suggest::nearest;
+                let near = near(word, often.into_iter()).or_else(|| near(word, rare.into_iter()));
                 write!(f, "`{word}` is no item of a mechanism{}", did_you_mean(&near))?;
-                write!(f, "\nnote: items are `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `function` and `use`")
+                write!(f, "\nnote: items are {}", listed(known.into_iter()))
             }
             Fact::UnknownBodyItem { word } => {
                 let near = crate::model::suggest::nearest(word, ["point", "axis", "start"].into_iter());
@@ -193,6 +220,73 @@ impl fmt::Display for Fact {
                 write!(f, "an operator is missing between `{number}` and `{unit}`\nhelp: write `{number} * {unit}`")
             }
             Fact::ExponentTooLarge { limit } => write!(f, "the exponent of a dimension is at most {limit}"),
+
+            Fact::OnlyAtTheTop { word } => {
+                write!(f, "`{word}` stands in the mechanism itself, not in a component or a loop\nhelp: move it out")
+            }
+            Fact::StartInLoop => write!(f, "a body starts once: `start` cannot be repeated\nhelp: move it out of the loop"),
+            Fact::IndexInEquations { name } => {
+                write!(f, "`{name}` cannot have an index: there are no arrays among equations\nhelp: declare the array in the mechanism")
+            }
+
+            Fact::WithoutIndex { name, variable } => {
+                write!(f, "every round of the loop would declare another `{name}`\nhelp: write `{name}[{variable}]`")
+            }
+            Fact::DuplicateInLoop { name, variable } => {
+                write!(f, "`{name}` is declared twice\nhelp: every loop around it needs an index of its own, such as `[{variable}]`")
+            }
+            Fact::ArrayWithoutIndex { name } => write!(f, "`{name}` is an array\nhelp: say which one, such as `{name}[0]`"),
+            Fact::NoArray { found, is_member: false } => write!(f, "{found} has no index\nhelp: take `[…]` away"),
+            Fact::NoArray { found, is_member: true } => write!(f, "{found} has no further index\nhelp: take the last `[…]` away"),
+            Fact::IndexOutOfRange { name, index, ends } => {
+                write!(f, "there is no `{name}[{index}]`")?;
+                match ends {
+                    Some((first, last)) if first == last => write!(f, "\nnote: there is `{name}[{first}]` only"),
+                    Some((first, last)) => write!(f, "\nnote: there are `{name}[{first}]` to `{name}[{last}]`"),
+                    None => Ok(()),
+                }
+            }
+            Fact::NegativeIndex { index } => write!(f, "an index counts from 0, this one is {index}"),
+            Fact::MissingIndex { missing, known } => {
+                write!(f, "there is `{known}` but no `{missing}`\nhelp: the indices of an array run from 0 without gaps")
+            }
+            Fact::NotWhole { found } => {
+                write!(
+                    f,
+                    "expected a whole number, found {found}\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %"
+                )
+            }
+            Fact::NotKnownWhole => {
+                write!(f, "how many there are cannot change at run time\nhelp: declare the number with `let`, such as `let count = 6;`")
+            }
+            Fact::EmptyRange { from, end } => write!(f, "this loop runs over nothing: from {from} to below {end}"),
+            Fact::LongRange { limit } => write!(f, "a loop has at most {limit} rounds"),
+            Fact::TooManyItems { limit } => write!(f, "loops and parts make more than {limit} items"),
+            Fact::UnknownComponent { name, is_constraint: true, .. } => {
+                write!(f, "`{name}` is a constraint, not a component\nhelp: write `joint name = {name}(…);`")
+            }
+            Fact::UnknownComponent { name, near, .. } => {
+                write!(f, "no component is called `{name}`{}", did_you_mean(near))?;
+                if near.is_none() { write!(f, "\nhelp: declare it with `component {name}(…) {{ … }}`") } else { Ok(()) }
+            }
+            Fact::ComponentAsConstraint { name } => {
+                write!(f, "`{name}` is a component, not a constraint\nhelp: write `part name = {name}(…);`")
+            }
+            Fact::ComponentRecursion { name } => write!(f, "the component `{name}` contains itself"),
+            Fact::OutsideOfComponent { name, what } => {
+                write!(f, "a component does not see `{name}`, {what} outside of it\nhelp: take it as an argument")
+            }
+            Fact::UnlikeParts { name, component } => {
+                write!(f, "`{name}` has not the same bodies, parameters, parts and outputs as the first `{component}`")?;
+                write!(f, "\nhelp: loops and indices in a component may not depend on its arguments in such a way")
+            }
+            Fact::UnlikeOutputs { name } => {
+                write!(f, "the outputs `{name}` measure different things\nhelp: give outputs of another kind another name")
+            }
+            Fact::GeneratedType { name } => {
+                write!(f, "a component cannot be called `{name}`: a generated type would have that name\nhelp: choose another name")
+            }
+            Fact::InInstance { place, fact } => write!(f, "{fact}\nnote: {place}"),
 
             Fact::UnknownName { name, near } => write!(f, "nothing is called `{name}` here{}", did_you_mean(near)),
             Fact::UnknownField { owner, name, near, known } => {
@@ -311,7 +405,7 @@ impl fmt::Display for Fact {
             Fact::PowerOfDimension { base } => {
                 write!(f, "{base} can only be raised to a number that is written out, a multiple of 1/6")
             }
-            Fact::NotAnOutput { found } => write!(f, "an output is a number, a vector or a point, found {found}"),
+            Fact::NotAnOutput { found } => write!(f, "an output is a number, a vector, a point or a body that moves, found {found}"),
 
             Fact::NumberTooLong { number } => {
                 write!(f, "`{number}` cannot be kept exactly\nnote: numbers have up to 36 digits and lie between 1e-36 and 1e36")

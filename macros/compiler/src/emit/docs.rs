@@ -1,8 +1,9 @@
 //! What is written above generated items.
 
+use super::abridged::{Abridged, list};
 use crate::expr::{Evaluator, Leaf, Values, show};
-use crate::model::{Function, Model, Output, Parameter};
-use crate::plan::{Cost, Part, Plan, Routine, Solution};
+use crate::model::{Function, Method, Model, Output, Parameter};
+use crate::plan::{Code, Cost, Elimination, Plan, Solution, Summary};
 use crate::system::System;
 use std::fmt::Write;
 
@@ -15,9 +16,14 @@ pub(super) fn mechanism(model: &Model, system: &System, plan: &Plan) -> String {
     let _ = writeln!(page, "\n{n} coordinates, {m} equations, {drives} of them drives: mobility {mobility} without drives, as counted.");
     parameters(&mut page, model, system);
     let _ = writeln!(page, "\n# Coordinates\n\n| | body | coordinate | unit |\n| --- | --- | --- | --- |");
+    let mut table = Abridged::new(model);
     for (index, unknown) in system.unknowns.iter().enumerate() {
+        if !table.shows([&model.bodies[unknown.body].name].into_iter()) {
+            continue;
+        }
         let _ = writeln!(page, "| `q[{index}]` | `{}` | {} | {} |", model.bodies[unknown.body].name, unknown.name, unknown.dim.unit());
     }
+    table.rest(&mut page, |more| format!("| | {more} | | |"));
     equations(&mut page, model, system);
     let _ = writeln!(
         page,
@@ -25,7 +31,7 @@ pub(super) fn mechanism(model: &Model, system: &System, plan: &Plan) -> String {
     );
     for (name, routine) in [("Φ", &plan.phi), ("Φ_q", &plan.jacobian), ("Φ and Φ_q", &plan.linearize), ("ν", &plan.nu), ("γ", &plan.gamma)]
     {
-        let cost = routine.cost;
+        let cost = routine.cost();
         let _ = writeln!(page, "| {name} | {} | {} | {} | {} |", cost.flops, cost.divisions, cost.sines, cost.calls);
     }
     if let Some(solution) = &plan.solution {
@@ -36,32 +42,59 @@ pub(super) fn mechanism(model: &Model, system: &System, plan: &Plan) -> String {
 
 /// What is found in which order.
 fn solution(page: &mut String, model: &Model, system: &System, solution: &Solution) {
-    let blocks = solution.parts.iter().filter(|part| matches!(part, Part::Block(_))).count();
-    let iterated: usize =
-        solution.parts.iter().map(|part| if let Part::Block(block) = part { block.system.unknowns.len() } else { 0 }).sum();
-    let explicit = system.unknowns.len() - iterated;
+    let blocks: Vec<&Vec<usize>> = solution
+        .stages
+        .iter()
+        .filter_map(|stage| if let Summary::Block { unknowns, .. } = stage { Some(unknowns) } else { None })
+        .collect();
+    let iterated: usize = blocks.iter().map(|unknowns| unknowns.len()).sum();
+    let (explicit, blocks) = (system.unknowns.len() - iterated, blocks.len());
     let _ = writeln!(page, "\n# Solution\n\n{explicit} coordinates are computed, {iterated} are iterated in {blocks} blocks.\n\n```text");
     let name = |unknown: &usize| coordinate_name(model, system, *unknown);
-    for part in &solution.parts {
-        let _ = match part {
-            Part::Explicit { unknown, .. } => writeln!(page, "compute  {}", name(unknown)),
-            Part::Block(block) => {
-                let unknowns: Vec<String> = block.system.unknowns.iter().map(name).collect();
-                let rows: Vec<String> = block.system.equations.iter().map(|equation| equation_name(model, system, *equation)).collect();
-                let Cost { flops, divisions, sines, calls } = block.cost;
-                writeln!(page, "iterate  {}  from  {}", unknowns.join(", "), rows.join(", ")).and_then(|()| {
+    let mut table = Abridged::new(model);
+    let body = |unknown: &usize| &model.bodies[system.unknowns[*unknown].body].name;
+    for stage in &solution.stages {
+        let is_shown = match stage {
+            Summary::Explicit { unknown, .. } => table.shows([body(unknown)].into_iter()),
+            Summary::Block { unknowns, .. } => table.shows(unknowns.iter().map(body)),
+        };
+        if !is_shown {
+            continue;
+        }
+        let _ = match stage {
+            Summary::Explicit { unknown, .. } => writeln!(page, "compute  {}", name(unknown)),
+            Summary::Block { unknowns, equations, cost, elimination, .. } => {
+                let unknowns: Vec<String> = unknowns.iter().map(name).collect();
+                let rows: Vec<String> = equations.iter().map(|equation| equation_name(model, system, *equation)).collect();
+                let Cost { flops, divisions, sines, calls } = *cost;
+                writeln!(page, "iterate  {}  from  {}", list(&unknowns), list(&rows)).and_then(|()| {
                     writeln!(page, "         each time {flops} sums and products, {divisions} divisions and roots, {calls} other functions; {sines} sine-cosine pairs once")
                 })
+                .and_then(|()| elimination.as_ref().map_or(Ok(()), |elimination| eliminated(page, elimination)))
             }
         };
     }
+    table.rest(page, str::to_owned);
     let _ = writeln!(page, "```");
+}
+
+/// What becomes of a large block's Jacobian.
+fn eliminated(page: &mut String, elimination: &Elimination) -> std::fmt::Result {
+    let (entries, factors) = (elimination.pattern.len(), elimination.factors.len());
+    let Cost { flops, divisions, .. } = elimination.cost;
+    writeln!(
+        page,
+        "         its Jacobian of {entries} entries is eliminated to {factors} by {flops} sums and products, {divisions} divisions"
+    )
 }
 
 /// `crank.angle`
 pub(super) fn coordinate_name(model: &Model, system: &System, unknown: usize) -> String {
-    let unknown = &system.unknowns[unknown];
-    format!("{}.{}", model.bodies[unknown.body].name, unknown.name)
+    match system.unknowns.get(unknown) {
+        Some(unknown) => format!("{}.{}", model.bodies[unknown.body].name, unknown.name),
+        // What a slice is for comes after all unknowns.
+        None => format!("output {}", unknown - system.unknowns.len() + 1),
+    }
 }
 
 /// `b (2 of 2)`
@@ -76,15 +109,21 @@ fn parameters(page: &mut String, model: &Model, system: &System) {
         return;
     }
     let _ = writeln!(page, "\n# Parameters\n\n| | default | unit |\n| --- | --- | --- |");
+    let mut table = Abridged::new(model);
     for (parameter, value) in model.parameters.iter().zip(default_values(model, system)) {
+        if !table.shows([&parameter.name].into_iter()) {
+            continue;
+        }
         let _ = writeln!(page, "| `{}` | {value} | {} |", parameter.name, parameter.dim.unit());
     }
+    table.rest(page, |more| format!("| {more} | | |"));
 }
 
 fn equations(page: &mut String, model: &Model, system: &System) {
     let _ = writeln!(page, "\n# Equations\n\nEach expression is zero; x, y and φ are the coordinates of the body in the index.\n\n```text");
     let name = |leaf: Leaf| match leaf {
         Leaf::Time => "t".to_owned(),
+        Leaf::Datum(index) => format!("d{index}"),
         Leaf::Parameter(index) => model.parameters.get(index as usize).map_or(String::new(), |parameter| parameter.name.to_string()),
         Leaf::Coordinate(index) | Leaf::Velocity(index) | Leaf::Acceleration(index) => {
             let Some(unknown) = system.unknowns.get(index as usize) else { return String::new() };
@@ -96,9 +135,13 @@ fn equations(page: &mut String, model: &Model, system: &System) {
         Some(Function::Rust(path)) => path.to_string().replace(' ', ""),
         _ => "table".to_owned(),
     };
+    let mut table = Abridged::new(model);
     for equation in &system.equations {
         let joint = &model.joints[equation.joint];
         let Some(phi) = equation.phi else { continue };
+        if !table.shows([&joint.name].into_iter()) {
+            continue;
+        }
         let unit = equation.dim.unit();
         let unit = if unit.is_empty() { String::new() } else { format!("  [{unit}]") };
         let _ = writeln!(
@@ -111,6 +154,7 @@ fn equations(page: &mut String, model: &Model, system: &System) {
             show(&system.arena, phi, &name, &function)
         );
     }
+    table.rest(page, str::to_owned);
     let _ = writeln!(page, "```");
 }
 
@@ -131,8 +175,11 @@ pub(super) fn parameter(parameter: &Parameter) -> String {
 }
 
 /// One line for an output.
-pub(super) fn output(output: &Output) -> String {
-    unit_line(&format!("The output `{}` with its first and second derivative in time", output.name), output.dim.unit())
+pub(super) fn output(method: &Method, first: &Output) -> String {
+    if first.body.is_some() {
+        return format!("The output `{}`: place of its frame's origin (m) and angle (rad), with their rates.", method.name);
+    }
+    unit_line(&format!("The output `{}` with its first and second derivative in time", method.name), first.dim.unit())
 }
 
 fn unit_line(what: &str, unit: String) -> String {
@@ -140,8 +187,8 @@ fn unit_line(what: &str, unit: String) -> String {
 }
 
 /// A routine's first line and its cost.
-pub(super) fn routine(what: &str, routine: &Routine) -> String {
-    let cost = routine.cost;
+pub(super) fn routine(what: &str, code: &Code) -> String {
+    let cost = code.cost();
     format!(
         "{what}\n\n{} sums and products, {} divisions and roots, {} sine-cosine pairs, {} other functions.",
         cost.flops, cost.divisions, cost.sines, cost.calls

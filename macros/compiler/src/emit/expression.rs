@@ -103,18 +103,30 @@ impl Printer<'_> {
     }
 }
 
-/// `self.length`, or a local name.
-fn named(name: &str) -> TokenStream {
+/// `self.leg[3].length`, or a local name.
+pub(super) fn named(name: &str) -> TokenStream {
     match name.strip_prefix("self.") {
-        Some(field) => {
-            let field = super::identifier(field);
-            quote!(self.#field)
+        Some(path) => {
+            let place = place(path);
+            quote!(self.#place)
         }
         None => {
             let local = local(name);
             quote!(#local)
         }
     }
+}
+
+/// `leg[3].length`
+pub(super) fn place(path: &str) -> TokenStream {
+    let segment = |segment: &str| {
+        let mut parts = segment.split('[');
+        let name = super::identifier(parts.next().unwrap_or_default());
+        let indices = parts.filter_map(|index| index.trim_end_matches(']').parse().ok().map(Literal::usize_unsuffixed));
+        quote!(#name #([#indices])*)
+    };
+    let segments = path.split('.').map(segment);
+    quote!(#(#segments).*)
 }
 
 /// A local of generated code, which cannot be confused with the user's.

@@ -1,13 +1,14 @@
 //! The generated functions of a mechanism.
 
-use super::expression::local;
+use super::docs;
+use super::expression::{local, place};
 use super::routine::{Lines, lines};
-use super::{docs, docs_or, state_name};
+use super::stages::number;
 use crate::model::{Dim, Model};
-use crate::plan::{Plan, Routine};
+use crate::plan::{Code, Plan, Routine, Target};
 use crate::syntax::ast::Relation;
 use crate::system::{System, Unknown};
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 /// Everything that the functions are made from.
@@ -18,7 +19,7 @@ pub(super) struct Emitter<'a> {
 }
 
 impl Emitter<'_> {
-    fn lines(&self, routine: &Routine) -> Lines {
+    pub(super) fn lines(&self, routine: &Routine) -> Lines {
         lines(self.model, &self.plan.arena, routine)
     }
 
@@ -28,35 +29,38 @@ impl Emitter<'_> {
 
     /// Φ
     pub(super) fn phi(&self) -> TokenStream {
-        let Lines { reads, steps, results } = self.lines(&self.plan.phi);
         let (m, n) = self.sizes();
         let page = docs::routine("Φ(q, t), the left minus the right side of every equation.", &self.plan.phi);
         let (q, t) = (local("q"), local("t"));
+        let body = self.vector(&self.plan.phi, m);
         quote! {
             #[doc = #page]
             #[must_use]
-            pub fn phi(&self, #q: &::reuleaux::nalgebra::SVector<T, #n>, #t: T) -> ::reuleaux::nalgebra::SVector<T, #m> {
-                #reads
-                #steps
-                ::reuleaux::nalgebra::SVector::from([#(#results),*])
-            }
+            pub fn phi(&self, #q: &::reuleaux::nalgebra::SVector<T, #n>, #t: T) -> ::reuleaux::nalgebra::SVector<T, #m> { #body }
         }
     }
 
     /// Φ_q, by entries and as a matrix
     pub(super) fn jacobian(&self) -> TokenStream {
-        let Lines { reads, steps, results } = self.lines(&self.plan.jacobian);
         let ((m, n), entries) = (self.sizes(), self.plan.pattern.len());
         let page = docs::routine("The entries of Φ_q(q, t) in the order of `JACOBIAN_PATTERN`.", &self.plan.jacobian);
-        let (q, t) = (local("q"), local("t"));
+        let (q, t, list) = (local("q"), local("t"), local("entries"));
+        let body = match &self.plan.jacobian {
+            Code::Straight(routine) => {
+                let Lines { reads, steps, results } = self.lines(routine);
+                quote!(#reads #steps [#(#results),*])
+            }
+            Code::Grouped(groups) => {
+                let groups = self.groups(groups, |target, value| match target {
+                    Target::Row(row) | Target::Entry(row, _) => quote!(#list[#row] = #value;),
+                });
+                quote!(let mut #list = [T::of(0.0); #entries]; #groups #list)
+            }
+        };
         quote! {
             #[doc = #page]
             #[must_use]
-            pub fn jacobian_entries(&self, #q: &::reuleaux::nalgebra::SVector<T, #n>, #t: T) -> [T; #entries] {
-                #reads
-                #steps
-                [#(#results),*]
-            }
+            pub fn jacobian_entries(&self, #q: &::reuleaux::nalgebra::SVector<T, #n>, #t: T) -> [T; #entries] { #body }
             /// Φ_q(q, t) as a dense matrix.
             #[must_use]
             pub fn jacobian(&self, q: &::reuleaux::nalgebra::SVector<T, #n>, t: T) -> ::reuleaux::nalgebra::SMatrix<T, #m, #n> {
@@ -71,15 +75,34 @@ impl Emitter<'_> {
 
     /// Φ and Φ_q together
     pub(super) fn linearize(&self) -> TokenStream {
-        let Lines { reads, steps, results } = self.lines(&self.plan.linearize);
         let (m, n) = self.sizes();
-        let (phi, entries) = results.split_at(results.len() - self.plan.pattern.len());
         let page = docs::routine("Φ(q, t) and Φ_q(q, t), which share most of their work.", &self.plan.linearize);
-        let (q, t, matrix) = (local("q"), local("t"), local("matrix"));
-        let places = self.plan.pattern.iter().map(|(row, column)| {
-            let (row, column) = (Literal::usize_unsuffixed(*row), Literal::usize_unsuffixed(*column));
-            quote!((#row, #column))
-        });
+        let (q, t, matrix, phi) = (local("q"), local("t"), local("matrix"), local("phi"));
+        let body = match &self.plan.linearize {
+            Code::Straight(routine) => {
+                let Lines { reads, steps, results } = self.lines(routine);
+                let (rows, writes) = self.linearized(results);
+                quote! {
+                    #reads
+                    #steps
+                    let mut #matrix = ::reuleaux::nalgebra::SMatrix::from_element(T::of(0.0));
+                    #writes
+                    (::reuleaux::nalgebra::SVector::from([#(#rows),*]), #matrix)
+                }
+            }
+            Code::Grouped(groups) => {
+                let groups = self.groups(groups, |target, value| match target {
+                    Target::Row(row) => quote!(#phi[#row] = #value;),
+                    Target::Entry(row, column) => quote!(#matrix[(#row, #column)] = #value;),
+                });
+                quote! {
+                    let mut #phi = ::reuleaux::nalgebra::SVector::from_element(T::of(0.0));
+                    let mut #matrix = ::reuleaux::nalgebra::SMatrix::from_element(T::of(0.0));
+                    #groups
+                    (#phi, #matrix)
+                }
+            }
+        };
         quote! {
             #[doc = #page]
             #[must_use]
@@ -87,42 +110,48 @@ impl Emitter<'_> {
                 &self,
                 #q: &::reuleaux::nalgebra::SVector<T, #n>,
                 #t: T,
-            ) -> (::reuleaux::nalgebra::SVector<T, #m>, ::reuleaux::nalgebra::SMatrix<T, #m, #n>) {
-                #reads
-                #steps
-                let mut #matrix = ::reuleaux::nalgebra::SMatrix::from_element(T::of(0.0));
-                #(#matrix[#places] = #entries;)*
-                (::reuleaux::nalgebra::SVector::from([#(#phi),*]), #matrix)
+            ) -> (::reuleaux::nalgebra::SVector<T, #m>, ::reuleaux::nalgebra::SMatrix<T, #m, #n>) { #body }
+        }
+    }
+
+    /// Residuals, and the entries of the matrix as assignments; they come joint by joint.
+    fn linearized(&self, results: Vec<TokenStream>) -> (Vec<TokenStream>, TokenStream) {
+        let matrix = local("matrix");
+        let (mut rows, mut writes) = (Vec::new(), TokenStream::new());
+        for (target, result) in self.plan.linearized.iter().zip(results) {
+            match *target {
+                Target::Row(_) => rows.push(result),
+                Target::Entry(row, column) => {
+                    let (row, column) = (number(row as usize), number(column as usize));
+                    writes.extend(quote!(#matrix[(#row, #column)] = #result;));
+                }
             }
         }
+        (rows, writes)
     }
 
     /// ν
     pub(super) fn nu(&self) -> TokenStream {
-        let Lines { reads, steps, results } = self.lines(&self.plan.nu);
         let (m, n) = self.sizes();
         let page = docs::routine("ν(q, t) = −Φ_t, the right side of Φ_q q̇ = ν.", &self.plan.nu);
         let (q, t) = (local("q"), local("t"));
+        let body = self.vector(&self.plan.nu, m);
         quote! {
             #[doc = #page]
             #[must_use]
-            pub fn nu(&self, #q: &::reuleaux::nalgebra::SVector<T, #n>, #t: T) -> ::reuleaux::nalgebra::SVector<T, #m> {
-                #reads
-                #steps
-                ::reuleaux::nalgebra::SVector::from([#(#results),*])
-            }
+            pub fn nu(&self, #q: &::reuleaux::nalgebra::SVector<T, #n>, #t: T) -> ::reuleaux::nalgebra::SVector<T, #m> { #body }
         }
     }
 
     /// γ
     pub(super) fn gamma(&self) -> TokenStream {
-        let Lines { reads, steps, results } = self.lines(&self.plan.gamma);
         let (m, n) = self.sizes();
         let page = docs::routine(
             "γ(q, q̇, t), the right side of Φ_q q̈ = γ: minus the second derivative of s ↦ Φ(q + s q̇, t + s) at s = 0.",
             &self.plan.gamma,
         );
         let (q, qd, t) = (local("q"), local("qd"), local("t"));
+        let body = self.vector(&self.plan.gamma, m);
         quote! {
             #[doc = #page]
             #[must_use]
@@ -131,10 +160,27 @@ impl Emitter<'_> {
                 #q: &::reuleaux::nalgebra::SVector<T, #n>,
                 #qd: &::reuleaux::nalgebra::SVector<T, #n>,
                 #t: T,
-            ) -> ::reuleaux::nalgebra::SVector<T, #m> {
-                #reads
-                #steps
-                ::reuleaux::nalgebra::SVector::from([#(#results),*])
+            ) -> ::reuleaux::nalgebra::SVector<T, #m> { #body }
+        }
+    }
+
+    /// A vector of m rows
+    fn vector(&self, code: &Code, m: usize) -> TokenStream {
+        match code {
+            Code::Straight(routine) => {
+                let Lines { reads, steps, results } = self.lines(routine);
+                quote!(#reads #steps ::reuleaux::nalgebra::SVector::from([#(#results),*]))
+            }
+            Code::Grouped(groups) => {
+                let rows = local("rows");
+                let groups = self.groups(groups, |target, value| match target {
+                    Target::Row(row) | Target::Entry(row, _) => quote!(#rows[#row] = #value;),
+                });
+                quote! {
+                    let mut #rows = ::reuleaux::nalgebra::SVector::<T, #m>::from_element(T::of(0.0));
+                    #groups
+                    #rows
+                }
             }
         }
     }
@@ -158,15 +204,7 @@ impl Emitter<'_> {
     /// Conditions on parameters
     pub(super) fn validate(&self) -> TokenStream {
         let Lines { steps, results, .. } = self.lines(&self.plan.requirements);
-        let finite = self.model.parameters.iter().map(|parameter| {
-            let (field, name) = (&parameter.name, parameter.name.to_string());
-            // x − x is 0 for every finite x and NaN for all others, over any number type.
-            quote! {
-                if (self.#field - self.#field) != T::of(0.0) {
-                    return ::core::result::Result::Err(::reuleaux::ParameterOutOfRange { name: #name, value: self.#field, why: "it must be finite" });
-                }
-            }
-        });
+        let finite = self.finite();
         let checks = self.model.requirements.iter().zip(results.chunks(2)).map(|(requirement, sides)| {
             let (lhs, rhs) = (&sides[0], &sides[1]);
             let (zero, one) = (quote!(T::of(0.0)), quote!(T::of(1.0)));
@@ -194,12 +232,34 @@ impl Emitter<'_> {
             /// # Errors
             /// The first parameter that does not.
             pub fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> {
-                #(#finite)*
+                #finite
                 #steps
                 #(#checks)*
                 ::core::result::Result::Ok(())
             }
         }
+    }
+
+    /// Every parameter is finite; x − x is 0 for every finite x and NaN for all others, over any number type.
+    fn finite(&self) -> TokenStream {
+        let refused = |name: &TokenStream, value: &TokenStream| {
+            quote! {
+                if (#value - #value) != T::of(0.0) {
+                    return ::core::result::Result::Err(::reuleaux::ParameterOutOfRange { name: #name, value: #value, why: "it must be finite" });
+                }
+            }
+        };
+        let parameters = self.model.parameters.iter().map(|parameter| {
+            let (path, place) = (&parameter.name.path, place(&parameter.name.path));
+            (quote!(#path), quote!(self.#place))
+        });
+        // One by one they read better; those of parts may be very many.
+        if self.model.layout.parts.len() == 1 && self.model.parameters.iter().all(|parameter| parameter.name.indices.is_empty()) {
+            return parameters.map(|(name, value)| refused(&name, &value)).collect();
+        }
+        let (name, value) = (local("name"), local("value"));
+        let (pairs, check) = (parameters.map(|(name, value)| quote!((#name, #value))), refused(&quote!(#name), &quote!(#value)));
+        quote!(for (#name, #value) in [#(#pairs),*] { #check })
     }
 
     /// The parameter a requirement is about, or the joint that asks for it.
@@ -212,41 +272,6 @@ impl Emitter<'_> {
             }
             _ => requirement.joint.clone(),
         }
-    }
-
-    /// What the unknown of this index measures.
-    pub(super) fn kind(&self, unknown: usize) -> TokenStream {
-        kind(&self.system.unknowns[unknown])
-    }
-
-    /// Outputs with value, rate and acceleration
-    pub(super) fn outputs(&self) -> TokenStream {
-        let state = state_name(self.model);
-        let (q, qd, qdd, t) = (local("q"), local("qd"), local("qdd"), local("t"));
-        let output = |(output, routine): (&crate::model::Output, &Routine)| {
-            let Lines { reads, steps, results } = self.lines(routine);
-            let (docs, name) = (docs_or(&output.docs, &docs::output(output)), &output.name);
-            let part = |order: usize| -> TokenStream {
-                let parts: Vec<&TokenStream> = results.iter().skip(order).step_by(3).collect();
-                match parts.as_slice() {
-                    [scalar] => quote!(#scalar),
-                    _ => quote!(::reuleaux::nalgebra::Vector2::from([#(#parts),*])),
-                }
-            };
-            let (value, rate, acceleration) = (part(0), part(1), part(2));
-            let kind = if output.components.len() == 1 { quote!(T) } else { quote!(::reuleaux::nalgebra::Vector2<T>) };
-            quote! {
-                #docs
-                #[must_use]
-                pub fn #name(&self, state: &#state<T>) -> ::reuleaux::Motion<#kind> {
-                    let (#q, #qd, #qdd, #t) = (&state.q, &state.qd, &state.qdd, state.t);
-                    #reads
-                    #steps
-                    ::reuleaux::Motion { value: #value, rate: #rate, acceleration: #acceleration }
-                }
-            }
-        };
-        self.model.outputs.iter().zip(&self.plan.outputs).map(output).collect()
     }
 
     /// The runtime's trait, by the functions above
@@ -266,10 +291,16 @@ impl Emitter<'_> {
         });
         quote! {
             #[automatically_derived]
-            impl<T: ::reuleaux::Real> ::reuleaux::Equations<T, #m, #n> for #name<T> {
+            impl<T: ::reuleaux::Real> ::reuleaux::Description<T, #n> for #name<T> {
                 const NAME: &'static str = #word;
                 const COORDINATES: &'static [::reuleaux::Coordinate] = &[#(#coordinates),*];
                 const ROWS: &'static [::reuleaux::Row] = &[#(#rows),*];
+                fn start(&self) -> ::reuleaux::nalgebra::SVector<T, #n> { self.start() }
+                fn characteristic_length(&self) -> T { self.characteristic_length() }
+                fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> { self.validate() }
+            }
+            #[automatically_derived]
+            impl<T: ::reuleaux::Real> ::reuleaux::Equations<T, #m, #n> for #name<T> {
                 fn phi(&self, q: &::reuleaux::nalgebra::SVector<T, #n>, t: T) -> ::reuleaux::nalgebra::SVector<T, #m> { self.phi(q, t) }
                 fn jacobian(&self, q: &::reuleaux::nalgebra::SVector<T, #n>, t: T) -> ::reuleaux::nalgebra::SMatrix<T, #m, #n> { self.jacobian(q, t) }
                 fn linearize(
@@ -288,9 +319,6 @@ impl Emitter<'_> {
                 ) -> ::reuleaux::nalgebra::SVector<T, #m> {
                     self.gamma(q, qd, t)
                 }
-                fn start(&self) -> ::reuleaux::nalgebra::SVector<T, #n> { self.start() }
-                fn characteristic_length(&self) -> T { self.characteristic_length() }
-                fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> { self.validate() }
             }
         }
     }

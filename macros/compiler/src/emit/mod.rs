@@ -3,12 +3,22 @@
 //! The user's identifiers keep their spans, so that an editor finds its way back; locals of
 //! generated code are hygienic.
 
+mod abridged;
+mod arrays;
+mod columns;
 mod definition;
 mod docs;
+mod elimination;
 mod expression;
 mod functions;
+mod kernels;
+mod outputs;
+mod parameters;
+mod rolled;
 mod routine;
+mod slices;
 mod stages;
+mod state;
 mod stub;
 
 pub(crate) use definition::{export, library_pages, resume};
@@ -16,12 +26,14 @@ pub(crate) use stub::{fallback, stub};
 
 use crate::closure::Closure;
 use crate::model::{Function, Model};
-use crate::plan::{Cost, Part, Plan, Solution};
+use crate::plan::{Cost, Plan, Solution, Summary};
 use crate::syntax::ast::Docs;
 use crate::system::System;
 use functions::Emitter;
+use parameters::Parameters;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
+use state::Accessors;
 
 /// A name of the user as an identifier; raw ones stay raw.
 pub(crate) fn identifier(name: &str) -> Ident {
@@ -42,6 +54,7 @@ pub(crate) fn emit(model: &Model, system: &System, closure: &Closure, plan: &Pla
     let stages = emitter.stages();
     let outputs = emitter.outputs();
     let solve = if model.equations_only { quote!() } else { solve(model, system) };
+    let slices = if model.equations_only { quote!() } else { emitter.slices() };
     let state = if model.equations_only && model.outputs.is_empty() { quote!() } else { state(model, system) };
     let name = &model.name;
     quote! {
@@ -62,22 +75,20 @@ pub(crate) fn emit(model: &Model, system: &System, closure: &Closure, plan: &Pla
         #stages
         #solve
         #state
+        #slices
     }
 }
 
 fn structure(model: &Model, page: &str) -> TokenStream {
     let Model { docs, visibility, name, .. } = model;
     let docs = &docs.tokens;
-    let fields = model.parameters.iter().map(|parameter| {
-        let (docs, name) = (docs_or(&parameter.docs, &docs::parameter(parameter)), &parameter.name);
-        quote!(#docs pub #name: T)
-    });
+    let fields = Parameters::new(&model.layout, name).documented(model, 0);
     let marker = model.parameters.is_empty().then(|| quote!(#[doc(hidden)] pub _real: ::core::marker::PhantomData<T>));
     quote! {
         #docs
         #[doc = #page]
         #[derive(Clone, Copy, Debug, PartialEq)]
-        #visibility struct #name<T = f64> { #(#fields,)* #marker }
+        #visibility struct #name<T = f64> { #fields #marker }
     }
 }
 
@@ -90,11 +101,10 @@ fn docs_or(docs: &Docs, known: &str) -> TokenStream {
 /// `Default` is for `f64` only, so that `Name::default()` needs no type annotation.
 fn defaults(model: &Model, system: &System) -> TokenStream {
     let name = &model.name;
-    let values = docs::default_values(model, system);
-    let values: Vec<Literal> = values.iter().map(|value| Literal::f64_unsuffixed(value.abs())).collect();
-    let signs = docs::default_values(model, system).into_iter().map(|value| if value.is_sign_negative() { quote!(-) } else { quote!() });
-    let fields: Vec<_> = model.parameters.iter().map(|parameter| &parameter.name).collect();
+    let parameters = Parameters::new(&model.layout, name);
+    let (fields, components) = (parameters.defaults(&docs::default_values(model, system)), parameters.components(model, system));
     let marker = model.parameters.is_empty().then(|| quote!(_real: ::core::marker::PhantomData));
+    let gathered = parameters.gathered(0);
     quote! {
         #[automatically_derived]
         impl ::core::default::Default for #name<f64> {
@@ -105,14 +115,16 @@ fn defaults(model: &Model, system: &System) -> TokenStream {
         impl<T: ::reuleaux::Real> #name<T> {
             /// The parameters at their declared defaults, over any number type.
             #[must_use]
-            pub fn with_defaults() -> Self { Self { #(#fields: T::of(#signs #values),)* #marker } }
+            pub fn with_defaults() -> Self { Self { #fields #marker } }
         }
+        #components
         #[automatically_derived]
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, unused_variables)]
         impl<T: ::reuleaux::Real> ::reuleaux::Family<T> for #name<T> {
             type Over<T2: ::reuleaux::Real> = #name<T2>;
             fn gather<T2: ::reuleaux::Real, const LANES: usize>(each: [&Self; LANES], combine: impl Fn([T; LANES]) -> T2) -> #name<T2> {
-                #name { #(#fields: combine(each.map(|one| one.#fields)),)* #marker }
+                let combine = &combine;
+                #name { #gathered #marker }
             }
         }
     }
@@ -144,19 +156,34 @@ fn plan_constant(model: &Model, system: &System, solution: &Solution) -> TokenSt
         let Cost { flops, divisions, sines, calls } = cost;
         quote!(::reuleaux::Operations { flops: #flops, divisions: #divisions, sines: #sines, calls: #calls })
     };
-    let stage = |part: &Part| match part {
-        Part::Explicit { unknown, .. } => {
+    let stage = |stage: &Summary| match stage {
+        Summary::Explicit { unknown, .. } => {
             let name = docs::coordinate_name(model, system, *unknown);
             quote!(::reuleaux::PlanStage::Computed(#name))
         }
-        Part::Block(block) => {
-            let unknowns = block.system.unknowns.iter().map(|unknown| docs::coordinate_name(model, system, *unknown));
-            let equations = block.system.equations.iter().map(|equation| docs::equation_name(model, system, *equation));
-            let operations = operations(block.cost);
-            quote!(::reuleaux::PlanStage::Iterated { unknowns: &[#(#unknowns),*], equations: &[#(#equations),*], operations: #operations })
+        Summary::Block { unknowns, equations, cost, elimination, shape } => {
+            let unknowns = unknowns.iter().map(|unknown| docs::coordinate_name(model, system, *unknown));
+            let equations = equations.iter().map(|equation| docs::equation_name(model, system, *equation));
+            let elimination = match elimination {
+                Some(elimination) => {
+                    let operations = operations(elimination.cost);
+                    quote!(::core::option::Option::Some(#operations))
+                }
+                None => quote!(::core::option::Option::None),
+            };
+            let operations = operations(*cost);
+            quote! {
+                ::reuleaux::PlanStage::Iterated {
+                    unknowns: &[#(#unknowns),*],
+                    equations: &[#(#equations),*],
+                    operations: #operations,
+                    elimination: #elimination,
+                    shape: #shape,
+                }
+            }
         }
     };
-    let stages = solution.parts.iter().map(stage);
+    let stages = solution.stages.iter().map(stage);
     let operations = operations(solution.cost);
     quote! {
         /// How a state is found: which coordinates are computed, which are iterated together, in which order.
@@ -204,13 +231,33 @@ fn start(closure: &Closure) -> TokenStream {
 }
 
 /// The name of the generated state.
-fn state_name(model: &Model) -> Ident {
-    format_ident!("{}State", model.name, span = Span::call_site())
+fn state_name(mechanism: &Ident) -> Ident {
+    format_ident!("{}State", mechanism, span = Span::call_site())
 }
 
+/// The functions that solve a mechanism.
 fn solve(model: &Model, system: &System) -> TokenStream {
-    let (name, state, n) = (&model.name, state_name(model), system.unknowns.len());
-    let (visibility, failure) = (&model.visibility, format_ident!("{}Failure", model.name, span = Span::call_site()));
+    let (name, state, n) = (&model.name, state_name(&model.name), system.unknowns.len());
+    let failure = format_ident!("{}Failure", name, span = Span::call_site());
+    let solving = solving(name, &state, &failure, &model.visibility, n);
+    quote! {
+        #solving
+        #[automatically_derived]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code)]
+        impl<T: ::reuleaux::Float> #name<T> {
+            /// The state at time `t` (s) that Newton's method finds from a guess of q.
+            ///
+            /// # Errors
+            /// Why there is no such state.
+            pub fn solve_near(&self, t: T, guess: &::reuleaux::nalgebra::SVector<T, #n>) -> ::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>> {
+                ::reuleaux::Mechanism::<T, #n>::solve_near(self, t, guess).map(#state)
+            }
+        }
+    }
+}
+
+/// The functions that solve a mechanism or a slice of one.
+fn solving(name: &Ident, state: &Ident, failure: &Ident, visibility: &TokenStream, n: usize) -> TokenStream {
     let failure_page = format!("Why there is no state of [`{name}`].");
     let result = quote!(::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>>);
     quote! {
@@ -218,22 +265,15 @@ fn solve(model: &Model, system: &System) -> TokenStream {
         #[allow(dead_code)]
         #visibility type #failure<T = f64> = ::reuleaux::Failure<T, #n>;
         #[automatically_derived]
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code)]
         impl<T: ::reuleaux::Float> #name<T> {
-            /// The state at time `t` (s): assembled from [`start`](Self::start) at t = 0 and followed
-            /// from there, so that the assembly is kept.
+            /// The state at time `t` (s): assembled from the declared start at t = 0 and followed from there, so that the
+            /// assembly is kept.
             ///
             /// # Errors
             /// Why there is no such state, with the last valid one on the way.
             pub fn solve(&self, t: T) -> #result {
                 ::reuleaux::Mechanism::<T, #n>::solve(self, t).map(#state)
-            }
-            /// The state at time `t` (s) that Newton's method finds from a guess of q.
-            ///
-            /// # Errors
-            /// Why there is no such state.
-            pub fn solve_near(&self, t: T, guess: &::reuleaux::nalgebra::SVector<T, #n>) -> #result {
-                ::reuleaux::Mechanism::<T, #n>::solve_near(self, t, guess).map(#state)
             }
             /// The state at time `t` (s), followed from another state.
             ///
@@ -263,29 +303,22 @@ fn solve(model: &Model, system: &System) -> TokenStream {
 }
 
 fn state(model: &Model, system: &System) -> TokenStream {
-    let (visibility, state, n) = (&model.visibility, state_name(model), system.unknowns.len());
+    let (visibility, state, n) = (&model.visibility, state_name(&model.name), system.unknowns.len());
     let first_line = format!("A state of [`{}`]: time, position, velocity and acceleration of every body.", model.name);
-    let bodies = model.bodies.iter().enumerate().map(|(index, body)| {
-        let first = system.unknowns.iter().position(|unknown| unknown.body == index).unwrap_or(0);
-        let known = format!("The body `{}`: place of its frame's origin (m) and angle (rad), with their rates.", body.name);
-        let (docs, name) = (docs_or(&body.docs, &known), &body.name);
-        quote! {
-            #docs
-            #[must_use]
-            pub fn #name(&self) -> ::reuleaux::PlanarBody<T> { self.0.planar_body(#first) }
-        }
-    });
+    let accessors = Accessors::new(&model.layout, &model.name, visibility, None);
+    let (own, views) = (accessors.of_mechanism(), accessors.views(n));
     quote! {
         #[doc = #first_line]
         #[derive(Clone, Debug, PartialEq)]
         #visibility struct #state<T = f64>(pub ::reuleaux::State<T, #n>);
         #[automatically_derived]
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case)]
-        impl<T: ::reuleaux::Real> #state<T> { #(#bodies)* }
+        impl<T: ::reuleaux::Real> #state<T> { #own }
         #[automatically_derived]
         impl<T> ::core::ops::Deref for #state<T> {
             type Target = ::reuleaux::State<T, #n>;
             fn deref(&self) -> &Self::Target { &self.0 }
         }
+        #views
     }
 }

@@ -1,10 +1,11 @@
 //! Straight lines as statements.
 
 use super::expression::{Printer, local};
+use super::stages::number;
 use crate::expr::{Arena, Leaf};
 use crate::model::{Function, Model};
 use crate::plan::{Routine, Step};
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 /// The statements of a routine, and an expression for each result.
@@ -19,6 +20,11 @@ pub(super) struct Lines {
 
 /// Prints a routine that reads `q`, `qd`, `qdd` and `t`.
 pub(super) fn lines(model: &Model, arena: &Arena, routine: &Routine) -> Lines {
+    lines_at(model, arena, routine, number)
+}
+
+/// The same where the unknown of a number stands elsewhere.
+pub(super) fn lines_at(model: &Model, arena: &Arena, routine: &Routine, place: impl Fn(usize) -> TokenStream) -> Lines {
     let printer = Printer { arena, names: &routine.names, turn: "sin_cos" };
     let mut steps = TokenStream::new();
     let mut results = Vec::new();
@@ -30,20 +36,20 @@ pub(super) fn lines(model: &Model, arena: &Arena, routine: &Routine) -> Lines {
         printed = *after;
         results.push(printer.expression(*result));
     }
-    Lines { reads: reads(routine), steps, results }
+    Lines { reads: reads(routine, place), steps, results }
 }
 
-fn reads(routine: &Routine) -> TokenStream {
+fn reads(routine: &Routine, place: impl Fn(usize) -> TokenStream) -> TokenStream {
     let mut tokens = TokenStream::new();
     for (expr, leaf) in &routine.leaves {
         let (source, index) = match *leaf {
             Leaf::Coordinate(index) => ("q", index),
             Leaf::Velocity(index) => ("qd", index),
             Leaf::Acceleration(index) => ("qdd", index),
-            Leaf::Time | Leaf::Parameter(_) => continue,
+            Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_) => continue,
         };
-        let (name, source, index) = (local(&routine.names[expr]), local(source), Literal::u32_unsuffixed(index));
-        tokens.extend(quote!(let #name = #source[#index];));
+        let (name, source, place) = (local(&routine.names[expr]), local(source), place(index as usize));
+        tokens.extend(quote!(let #name = #source[#place];));
     }
     tokens
 }

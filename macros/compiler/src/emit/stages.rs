@@ -2,44 +2,68 @@
 
 use super::expression::{Printer, local};
 use super::functions::Emitter;
+use super::parameters::Parameters;
 use super::routine::statement;
-use crate::expr::Expr;
-use crate::model::Dim;
-use crate::plan::{Iterated, Part, Solution, Step};
+use crate::expr::{Arena, Expr};
+use crate::model::{Dim, Model};
+use crate::plan::{Iterated, Lines, Part, Solution, Solving, Step, Summary};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use std::collections::BTreeMap;
 
-/// Blocks of up to this many unknowns are solved in closed form.
-const SMALL: usize = 3;
-
 impl Emitter<'_> {
-    /// The runtime's trait `Stages`; without a plan, its provided way.
+    /// The runtime's trait `Stages`.
     pub(super) fn stages(&self) -> TokenStream {
         let (name, n) = (&self.model.name, self.system.unknowns.len());
         if self.model.equations_only {
             return quote!();
         }
-        let (toward, angles) = (self.toward(), self.plan.solution.as_ref().map(|solution| self.computed_angles(solution)));
-        let iterated = self.plan.solution.as_ref().map(iterated);
-        let body = self.plan.solution.as_ref().map(|solution| self.solution(solution));
+        let Some(solution) = &self.plan.solution else { return quote!() };
+        let (toward, angles, iterated) =
+            (self.toward(), self.computed_angles(solution, &Shelf::whole(n)), iterated(solution, &Shelf::whole(n)));
+        let improved = self.improved();
+        let shelf = Shelf::whole(n);
+        let (body, kernels) = self.solving(&solution.solving, &shelf);
+        let (step, moving) = self.moving();
+        let (t, pass) = (local("t"), local("pass"));
         quote! {
+            #kernels
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
-            impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> { #angles #iterated #toward #body }
+            impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> {
+                #angles
+                #iterated
+                #toward
+                #improved
+                #step
+                #[inline]
+                fn stages(
+                    &self,
+                    #t: T,
+                    #pass: &mut ::reuleaux::Pass<'_, T, #n>,
+                ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>> { #body }
+            }
+            #moving
         }
     }
 
     /// Computed angles that move
-    fn computed_angles(&self, solution: &Solution) -> TokenStream {
-        let angle = |part: &Part| match part {
-            Part::Explicit { unknown, motion, .. } if self.system.unknowns[*unknown].dim == Dim::ANGLE => {
-                self.plan.arena.as_constant(motion[0]).is_none().then(|| Literal::usize_unsuffixed(*unknown))
-            }
+    pub(super) fn computed_angles(&self, solution: &Solution, shelf: &Shelf) -> TokenStream {
+        let is_angle = |unknown: usize| self.system.unknowns.get(unknown).is_some_and(|unknown| unknown.dim == Dim::ANGLE);
+        let angle = |stage: &Summary| match *stage {
+            Summary::Explicit { unknown, moves: true } if is_angle(unknown) => shelf.place(unknown).map(Literal::usize_unsuffixed),
             _ => None,
         };
-        let angles = solution.parts.iter().filter_map(angle);
+        let angles = solution.stages.iter().filter_map(angle);
         quote!(const COMPUTED_ANGLES: &'static [usize] = &[#(#angles),*];)
+    }
+
+    /// The body of `stages`, and the functions that it calls
+    pub(super) fn solving(&self, solving: &Solving, shelf: &Shelf) -> (TokenStream, TokenStream) {
+        match solving {
+            Solving::Straight(lines) => (self.straight(lines, shelf), quote!()),
+            Solving::Shared(kernels) => (self.in_order(kernels, shelf), self.kernels(kernels, shelf)),
+        }
     }
 
     /// Parameters between the defaults and these
@@ -47,102 +71,200 @@ impl Emitter<'_> {
         if self.model.parameters.is_empty() {
             return quote!();
         }
-        let fields: Vec<&Ident> = self.model.parameters.iter().map(|parameter| &parameter.name).collect();
         let share = local("share");
+        let fields = Parameters::new(&self.model.layout, &self.model.name).blended(0, &quote!(self));
         quote! {
             fn toward(&self, #share: T) -> ::core::option::Option<Self> {
                 let defaults = Self::with_defaults();
                 if self == &defaults {
                     return ::core::option::Option::None;
                 }
-                ::core::option::Option::Some(Self { #(#fields: defaults.#fields + #share * (self.#fields - defaults.#fields),)* })
+                ::core::option::Option::Some(Self { #fields })
             }
         }
     }
 
-    fn solution(&self, solution: &Solution) -> TokenStream {
-        let n = solution.unknowns.len();
-        let (t, pass) = (local("t"), local("pass"));
-        let parts = solution.parts.iter().enumerate().map(|(number, part)| self.part(solution, number, part));
-        let column = |order: usize| -> Vec<Ident> { solution.unknowns.iter().map(|names| local(&names[order])).collect() };
+    /// A guess improved with all equations
+    fn improved(&self) -> TokenStream {
+        let n = self.system.unknowns.len();
+        quote! {
+            fn improved(&self, t: T, guess: &::reuleaux::nalgebra::SVector<T, #n>) -> ::reuleaux::nalgebra::SVector<T, #n>
+            where
+                T: ::reuleaux::Float,
+            {
+                ::reuleaux::improved_at_once(self, t, guess)
+            }
+        }
+    }
+
+    /// All stages one after the other
+    fn straight(&self, lines: &Lines, shelf: &Shelf) -> TokenStream {
+        let indices: Vec<Index> = (0..lines.unknowns.len()).map(|unknown| self.index_on(unknown, shelf)).collect();
+        let equations: Vec<TokenStream> = (0..self.system.equations.len()).map(number).collect();
+        let scene = Scene { model: self.model, arena: &self.plan.arena, lines, unknowns: &indices, equations: &equations, kept: &[] };
+        let given = shelf.given.iter().enumerate().map(|(index, unknown)| {
+            let (name, given, index) = (local(&lines.unknowns[*unknown][0]), local("given"), number(index));
+            quote!(let #name = #given[#index];)
+        });
+        let parts = lines.parts.iter().enumerate().map(|(number, part)| scene.part(number, part));
+        let column = |order: usize| -> Vec<Ident> { shelf.held.iter().map(|unknown| local(&lines.unknowns[*unknown][order])).collect() };
         let (q, qd, qdd) = (column(0), column(1), column(2));
         quote! {
-            #[inline(always)]
-            fn stages(
-                &self,
-                #t: T,
-                #pass: &mut ::reuleaux::Pass<'_, T, #n>,
-            ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>> {
-                #(#parts)*
-                ::core::result::Result::Ok(::reuleaux::Coordinates {
-                    q: ::reuleaux::nalgebra::SVector::from([#(#q),*]),
-                    qd: ::reuleaux::nalgebra::SVector::from([#(#qd),*]),
-                    qdd: ::reuleaux::nalgebra::SVector::from([#(#qdd),*]),
-                })
-            }
+            #(#given)*
+            #(#parts)*
+            ::core::result::Result::Ok(::reuleaux::Coordinates {
+                q: ::reuleaux::nalgebra::SVector::from([#(#q),*]),
+                qd: ::reuleaux::nalgebra::SVector::from([#(#qd),*]),
+                qdd: ::reuleaux::nalgebra::SVector::from([#(#qdd),*]),
+            })
         }
     }
 
+    /// An unknown by its index in q; components of outputs, which follow, are never solved for.
+    pub(super) fn index(&self, unknown: usize) -> Index {
+        let is_length = self.system.unknowns.get(unknown).is_some_and(|unknown| unknown.dim != Dim::ANGLE);
+        Index { place: number(unknown), kind: kind(is_length), is_length }
+    }
+
+    /// An unknown by its place on a shelf.
+    fn index_on(&self, unknown: usize, shelf: &Shelf) -> Index {
+        Index { place: number(shelf.place(unknown).unwrap_or(0)), ..self.index(unknown) }
+    }
+}
+
+/// Where a state holds which unknowns.
+pub(super) struct Shelf {
+    /// The unknowns in order.
+    pub(super) held: Vec<usize>,
+    /// Unknowns whose values are given.
+    pub(super) given: Vec<usize>,
+    /// Begins the names of functions.
+    pub(super) prefix: String,
+    places: BTreeMap<usize, usize>,
+}
+
+impl Shelf {
+    pub(super) fn new(held: &[usize], given: &[usize], prefix: String) -> Shelf {
+        let places = held.iter().enumerate().map(|(place, unknown)| (*unknown, place)).collect();
+        Shelf { held: held.to_vec(), given: given.to_vec(), prefix, places }
+    }
+
+    /// All unknowns, each at its own index.
+    pub(super) fn whole(n: usize) -> Shelf {
+        Shelf::new(&(0..n).collect::<Vec<usize>>(), &[], String::new())
+    }
+
+    /// Where an unknown is held.
+    pub(super) fn place(&self, unknown: usize) -> Option<usize> {
+        self.places.get(&unknown).copied()
+    }
+}
+
+/// What an unknown measures.
+fn kind(is_length: bool) -> TokenStream {
+    if is_length { quote!(::reuleaux::CoordinateKind::Length) } else { quote!(::reuleaux::CoordinateKind::Angle) }
+}
+
+/// A whole number.
+pub(super) fn number(value: usize) -> TokenStream {
+    let literal = Literal::usize_unsuffixed(value);
+    quote!(#literal)
+}
+
+/// An unknown in generated code.
+pub(super) struct Index {
+    /// Its index in q.
+    pub(super) place: TokenStream,
+    /// What it measures.
+    pub(super) kind: TokenStream,
+    /// It is no angle.
+    pub(super) is_length: bool,
+}
+
+/// Lines with what their numbers stand for.
+pub(super) struct Scene<'a> {
+    pub(super) model: &'a Model,
+    pub(super) arena: &'a Arena,
+    pub(super) lines: &'a Lines,
+    /// By number of the unknown in these lines.
+    pub(super) unknowns: &'a [Index],
+    /// By number of the equation in these lines.
+    pub(super) equations: &'a [TokenStream],
+    /// Unknowns whose sine and cosine are wanted afterwards.
+    pub(super) kept: &'a [usize],
+}
+
+impl Scene<'_> {
     fn steps(&self, names: &BTreeMap<Expr, String>, steps: &[Step]) -> TokenStream {
-        let printer = Printer { arena: &self.plan.arena, names, turn: "turn" };
+        let printer = Printer { arena: self.arena, names, turn: "turn" };
         steps.iter().map(|step| statement(self.model, &printer, step)).collect()
     }
 
-    fn part(&self, solution: &Solution, number: usize, part: &Part) -> TokenStream {
+    pub(super) fn part(&self, number: usize, part: &Part) -> TokenStream {
         match part {
-            Part::Block(block) => self.block(solution, number, block),
+            Part::Block(block) => self.block(number, block),
             Part::Explicit { steps, unknown, motion } => {
-                let steps = self.steps(&solution.names, steps);
-                let printer = Printer { arena: &self.plan.arena, names: &solution.names, turn: "turn" };
-                let names = solution.unknowns[*unknown].each_ref().map(|name| local(name));
+                let steps = self.steps(&self.lines.names, steps);
+                let printer = Printer { arena: self.arena, names: &self.lines.names, turn: "turn" };
+                let names = self.lines.unknowns[*unknown].each_ref().map(|name| local(name));
                 let values = motion.map(|expr| printer.expression(expr));
                 quote!(#steps #(let #names = #values;)*)
             }
         }
     }
 
-    fn block(&self, solution: &Solution, number: usize, block: &Iterated) -> TokenStream {
+    fn block(&self, number: usize, block: &Iterated) -> TokenStream {
         let k = block.system.unknowns.len();
-        let (before, rates, accelerations) = (&block.before, &block.rates, &block.accelerations);
+        let names = &self.lines.names;
         let (before, rates, accelerations) =
-            (self.steps(&solution.names, before), self.steps(&solution.names, rates), self.steps(&solution.names, accelerations));
-        let outer = Printer { arena: &self.plan.arena, names: &solution.names, turn: "turn" };
-        let inner = Printer { arena: &self.plan.arena, names: &block.names, turn: "turn" };
+            (self.steps(names, &block.before), self.steps(names, &block.rates), self.steps(names, &block.accelerations));
+        let outer = Printer { arena: self.arena, names, turn: "turn" };
+        let inner = Printer { arena: self.arena, names: &block.names, turn: "turn" };
         let inside = self.steps(&block.names, &block.inside);
         let list = |printer: &Printer, exprs: &[Expr]| -> Vec<TokenStream> { exprs.iter().map(|expr| printer.expression(*expr)).collect() };
         let residuals = list(&inner, &block.system.residuals);
-        let rows = block.system.jacobian.iter().map(|row| {
-            let entries = list(&inner, row);
-            quote!([#(#entries),*])
-        });
         let sizes = list(&outer, &block.system.sizes);
-        let (rate_sides, acceleration_sides) = (list(&outer, &block.system.rates), list(&outer, &block.system.accelerations));
         let motion = |order: usize| -> Vec<Ident> {
-            block.system.unknowns.iter().map(|unknown| local(&solution.unknowns[*unknown][order])).collect()
+            block.system.unknowns.iter().map(|unknown| local(&self.lines.unknowns[*unknown][order])).collect()
         };
         let (x, xd, xdd) = (motion(0), motion(1), motion(2));
-        let indices = |list: &[usize]| -> Vec<Literal> { list.iter().map(|index| Literal::usize_unsuffixed(*index)).collect() };
-        let (unknowns, equations) = (indices(&block.system.unknowns), indices(&block.system.equations));
-        let kinds = block.system.unknowns.iter().map(|unknown| self.kind(*unknown));
-        let turns = block.turns.iter().map(|names| names.iter().any(Option::is_some));
-        let pairs: Vec<TokenStream> = block
-            .turns
+        let (first, second) = (self.rates(number, &xd, &block.system.rates), self.rates(number, &xdd, &block.system.accelerations));
+        let unknowns = block.system.unknowns.iter().map(|unknown| &self.unknowns[*unknown].place);
+        let kinds = block.system.unknowns.iter().map(|unknown| &self.unknowns[*unknown].kind);
+        let equations = block.system.equations.iter().map(|equation| &self.equations[*equation]);
+        let turns = block
+            .system
+            .unknowns
             .iter()
-            .map(|names| {
-                let [sine, cosine] = names.each_ref().map(|name| {
-                    name.as_ref().map_or(quote!(_), |name| {
-                        let name = local(name);
-                        quote!(#name)
-                    })
-                });
-                quote!((#sine, #cosine))
-            })
-            .collect();
-        let method = local(if k <= SMALL { "small" } else { "large" });
+            .zip(&block.turns)
+            .map(|(unknown, names)| names.iter().any(Option::is_some) || self.kept.contains(unknown));
+        let pairs: Vec<TokenStream> = block.turns.iter().map(pair).collect();
+        let order = local(&format!("Elimination{number}"));
+        let (elimination, method, jacobian) = match &block.system.elimination {
+            None => {
+                let row = |row: &Vec<Expr>| {
+                    let entries = list(&inner, row);
+                    quote!([#(#entries),*])
+                };
+                (quote!(), quote!(small), block.system.jacobian.iter().map(row).collect())
+            }
+            Some(elimination) => {
+                let is_length = block.system.unknowns.iter().map(|unknown| self.unknowns[*unknown].is_length).collect();
+                let entry = |(i, j): &(usize, usize)| inner.expression(block.system.jacobian[*i][*j]);
+                (
+                    super::elimination::elimination(&order, is_length, elimination),
+                    quote!(sparse),
+                    elimination.pattern.iter().map(entry).collect::<Vec<_>>(),
+                )
+            }
+        };
+        let order = block.system.elimination.as_ref().map(|_| quote!(#order,));
         let (pass, place, solved) = (local("pass"), local("place"), local(&format!("block_{number}")));
         quote! {
             #before
+            #elimination
             let #solved = #pass.#method(
+                #order
                 &::reuleaux::Block { unknowns: [#(#unknowns),*], equations: [#(#equations),*], kinds: [#(#kinds),*], turns: [#(#turns),*] },
                 [#(#sizes),*],
                 #[inline(always)]
@@ -150,25 +272,49 @@ impl Emitter<'_> {
                     let [#(#x),*] = #place.x.data.0[0];
                     let [#(#pairs),*] = #place.turn;
                     #inside
-                    ([#(#residuals),*], [#(#rows),*])
+                    ([#(#residuals),*], [#(#jacobian),*])
                 },
             )?;
             let [#(#x),*] = #solved.x;
             let [#(#pairs),*] = #solved.turn;
             #rates
-            let [#(#xd),*] = #solved.rates([#(#rate_sides),*]);
+            #first
             #accelerations
-            let [#(#xdd),*] = #solved.rates([#(#acceleration_sides),*]);
+            #second
         }
     }
 }
 
-/// Unknowns that are iterated
-fn iterated(solution: &Solution) -> TokenStream {
-    let blocks = solution.parts.iter().filter_map(|part| match part {
-        Part::Block(block) => Some(&block.system.unknowns),
-        Part::Explicit { .. } => None,
+impl Scene<'_> {
+    /// Rates or accelerations of a block from their right sides; zero where nothing moves it.
+    fn rates(&self, number: usize, names: &[Ident], sides: &[Expr]) -> TokenStream {
+        let zero = |side: &Expr| self.arena.as_constant(*side).is_some_and(|value| value.is_zero());
+        if sides.iter().all(zero) {
+            return quote!(#(let #names = T::of(0.0);)*);
+        }
+        let printer = Printer { arena: self.arena, names: &self.lines.names, turn: "turn" };
+        let (solved, sides) = (local(&format!("block_{number}")), sides.iter().map(|side| printer.expression(*side)));
+        quote!(let [#(#names),*] = #solved.rates([#(#sides),*]);)
+    }
+}
+
+/// A pattern for sine and cosine, of which a name may be missing.
+pub(super) fn pair(names: &[Option<String>; 2]) -> TokenStream {
+    let [sine, cosine] = names.each_ref().map(|name| {
+        name.as_ref().map_or(quote!(_), |name| {
+            let name = local(name);
+            quote!(#name)
+        })
     });
-    let unknowns = blocks.flatten().map(|unknown| Literal::usize_unsuffixed(*unknown));
+    quote!((#sine, #cosine))
+}
+
+/// Unknowns that are iterated
+pub(super) fn iterated(solution: &Solution, shelf: &Shelf) -> TokenStream {
+    let blocks = solution.stages.iter().filter_map(|stage| match stage {
+        Summary::Block { unknowns, .. } => Some(unknowns),
+        Summary::Explicit { .. } => None,
+    });
+    let unknowns = blocks.flatten().filter_map(|unknown| shelf.place(*unknown)).map(Literal::usize_unsuffixed);
     quote!(const ITERATED: &'static [usize] = &[#(#unknowns),*];)
 }

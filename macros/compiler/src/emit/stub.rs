@@ -1,12 +1,16 @@
 //! What is emitted in place of a refused mechanism: the same items without content, so that one
 //! mistake gives one error.
 
+use super::arrays::array_type;
+use super::parameters::Parameters;
+use super::state::Accessors;
 use crate::diag::Fact;
-use crate::model::is_generated;
 use crate::model::suggest::nearest;
-use crate::syntax::ast::{Expr, ExprKind, Item, Mechanism, Operator, Use};
+use crate::model::{Layout, Method, Of, Outline, is_generated, outline};
+use crate::syntax::ast::{Expr, ExprKind, Item, Marks, Mechanism, Operator, Use};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
+use std::collections::BTreeSet;
 
 /// How many `let`s a guess follows.
 const LETS: usize = 20;
@@ -42,11 +46,14 @@ pub(crate) fn fallback(tree: &Mechanism, wanted: &Use) -> TokenStream {
 fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> TokenStream {
     let Mechanism { name, .. } = tree;
     let (state, failure) = (format_ident!("{}State", name), format_ident!("{}Failure", name));
-    let n = 3 * items(tree, "body").len();
-    let (structure, accessors, equations) = (structure(tree, visibility), accessors(tree, &state, body), equations(name, n, body));
+    let promised = outline(tree);
+    let n = 3 * promised.bodies;
+    let (structure, equations) = (structure(tree, &promised.layout, visibility), equations(name, n, body));
+    let accessors = accessors(tree, &promised.layout, visibility, n, body);
     let solutions = (!tree.equations_only).then(|| solutions(&state, n, body));
-    let outputs = outputs(tree, &state, body);
-    let state = (!tree.equations_only || !items(tree, "output").is_empty()).then(|| {
+    let has_outputs = !promised.methods.is_empty() || !refused(tree, "output").is_empty();
+    let outputs = outputs(tree, &promised, &state, body);
+    let state = (!tree.equations_only || has_outputs).then(|| {
         quote! {
             #[derive(Clone, Debug, PartialEq)]
             #[doc(hidden)]
@@ -79,21 +86,21 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
     }
 }
 
-/// The names of all items of a kind, each once, also of those that were refused.
-fn items<'a>(tree: &'a Mechanism, kind: &str) -> Vec<&'a Ident> {
-    let mut names: Vec<&Ident> = Vec::new();
-    for item in &tree.items {
-        let found = match item {
-            Item::Parameter(parameter) if kind == "param" => &parameter.name,
-            Item::Body(frame) if kind == "body" => &frame.name,
-            Item::Output(output) if kind == "output" && !is_generated(&output.name) => &output.name,
-            Item::Refused(refused) if is_meant(&refused.keyword, kind) && !is_generated(&refused.name) => &refused.name,
-            _ => continue,
-        };
-        if !names.contains(&found) {
-            names.push(found);
+/// The names of refused items of a kind, each once, with their number of indices.
+fn refused<'a>(tree: &'a Mechanism, kind: &str) -> Vec<(&'a Ident, usize)> {
+    let mut names: Vec<(&Ident, usize)> = Vec::new();
+    let mut pending: Vec<&Item> = tree.items.iter().rev().collect();
+    while let Some(item) = pending.pop() {
+        match item {
+            Item::Refused(refused) if is_meant(&refused.keyword, kind) && !is_generated(&refused.name) => {
+                names.push((&refused.name, refused.indices.len()));
+            }
+            Item::For(repeated) => pending.extend(repeated.items.iter().rev()),
+            _ => {}
         }
     }
+    let mut taken = BTreeSet::new();
+    names.retain(|(name, _)| taken.insert(name.to_string()));
     names
 }
 
@@ -102,28 +109,54 @@ fn is_meant(keyword: &Ident, kind: &str) -> bool {
     nearest(&keyword.to_string(), ["param", "body", "output"].into_iter()).is_some_and(|near| near == kind)
 }
 
-/// The struct and its defaults. `default` is not generic and so built in every library, also where nobody calls it: it calls
-/// nothing itself.
-fn structure(tree: &Mechanism, visibility: &TokenStream) -> TokenStream {
-    let (name, fields) = (&tree.name, items(tree, "param"));
-    let marker = fields.is_empty().then(|| quote!(#[doc(hidden)] pub _real: ::core::marker::PhantomData<T>));
-    quote! {
-        #[derive(Clone, Copy, Debug, PartialEq)]
-        #[doc(hidden)]
-        #visibility struct #name<T = f64> { #(pub #fields: T,)* #marker }
-        impl ::core::default::Default for #name<f64> { fn default() -> Self { loop {} } }
-    }
+/// An array of a refused item, of unknown length.
+fn array(element: TokenStream, ranks: usize) -> TokenStream {
+    (0..ranks).fold(element, |inner, _| quote!([#inner; 1]))
 }
 
-fn accessors(tree: &Mechanism, state: &Ident, body: &TokenStream) -> TokenStream {
-    let bodies = items(tree, "body");
+/// The structs of parameters and their defaults. `default` is not generic and so built in every library, also where nobody calls
+/// it: it calls nothing itself.
+fn structure(tree: &Mechanism, layout: &Layout, visibility: &TokenStream) -> TokenStream {
+    let (name, parameters) = (&tree.name, Parameters::new(layout, &tree.name));
+    let mut fields = parameters.types(0);
+    for (refused, ranks) in refused(tree, "param") {
+        if !fields.iter().any(|(known, _)| *known == refused) {
+            fields.push((refused, array(quote!(T), ranks)));
+        }
+    }
+    let marker = fields.is_empty().then(|| quote!(#[doc(hidden)] pub _real: ::core::marker::PhantomData<T>));
+    let structure = |name: &Ident, fields: &[(&Ident, TokenStream)], marker: Option<TokenStream>| {
+        let fields = fields.iter().map(|(field, kind)| quote!(pub #field: #kind,));
+        quote! {
+            #[derive(Clone, Copy, Debug, PartialEq)]
+            #[doc(hidden)]
+            #[allow(missing_docs)]
+            #visibility struct #name<T = f64> { #(#fields)* #marker }
+            impl ::core::default::Default for #name<f64> { fn default() -> Self { loop {} } }
+        }
+    };
+    let components = parameters.structures().map(|(component, name)| structure(&name, &parameters.types(component), None));
+    let mechanism = structure(name, &fields, marker);
+    quote!(#mechanism #(#components)*)
+}
+
+fn accessors(tree: &Mechanism, layout: &Layout, visibility: &TokenStream, n: usize, body: &TokenStream) -> TokenStream {
+    let state = format_ident!("{}State", tree.name);
+    let accessors = Accessors::new(layout, &tree.name, visibility, Some(body));
+    let (own, views) = (accessors.of_mechanism(), accessors.views(n));
+    let is_new = |name: &Ident| !layout.components[0].fields.iter().any(|field| field.of == Of::Body && field.name == *name);
+    let refused = refused(tree, "body").into_iter().filter(|(name, _)| is_new(name)).map(|(name, ranks)| {
+        let kind = array(quote!(::reuleaux::PlanarBody<T>), ranks);
+        quote!(pub fn #name(&self) -> #kind { #body })
+    });
     quote! {
         #[allow(missing_docs, dead_code, clippy::all)]
-        impl<T: ::reuleaux::Real> #state<T> { #(pub fn #bodies(&self) -> ::reuleaux::PlanarBody<T> { #body })* }
+        impl<T: ::reuleaux::Real> #state<T> { #own #(#refused)* }
+        #views
     }
 }
 
-/// The functions of the runtime's trait, with and without it.
+/// The functions of the runtime's traits, with and without them.
 fn equations(name: &Ident, n: usize, body: &TokenStream) -> TokenStream {
     let vector = quote!(::reuleaux::nalgebra::SVector<T, #n>);
     let matrix = quote!(::reuleaux::nalgebra::SMatrix<T, #n, #n>);
@@ -133,19 +166,22 @@ fn equations(name: &Ident, n: usize, body: &TokenStream) -> TokenStream {
         quote!(fn linearize(&self, _: &#vector, _: T) -> (#vector, #matrix) { #body }),
         quote!(fn nu(&self, _: &#vector, _: T) -> #vector { #body }),
         quote!(fn gamma(&self, _: &#vector, _: &#vector, _: T) -> #vector { #body }),
+    ];
+    let description = [
         quote!(fn start(&self) -> #vector { #body }),
         quote!(fn characteristic_length(&self) -> T { #body }),
         quote!(fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> { #body }),
     ];
     quote! {
         #[allow(missing_docs, dead_code, clippy::all)]
-        impl<T: ::reuleaux::Real> #name<T> { #(pub #functions)* }
-        impl<T: ::reuleaux::Real> ::reuleaux::Equations<T, #n, #n> for #name<T> {
+        impl<T: ::reuleaux::Real> #name<T> { #(pub #functions)* #(pub #description)* }
+        impl<T: ::reuleaux::Real> ::reuleaux::Description<T, #n> for #name<T> {
             const NAME: &'static str = "";
             const COORDINATES: &'static [::reuleaux::Coordinate] = &[];
             const ROWS: &'static [::reuleaux::Row] = &[];
-            #(#functions)*
+            #(#description)*
         }
+        impl<T: ::reuleaux::Real> ::reuleaux::Equations<T, #n, #n> for #name<T> { #(#functions)* }
     }
 }
 
@@ -159,38 +195,82 @@ fn solutions(state: &Ident, n: usize, body: &TokenStream) -> TokenStream {
     }
 }
 
-fn outputs(tree: &Mechanism, state: &Ident, body: &TokenStream) -> TokenStream {
-    let output = |name: &Ident| {
-        let value = tree
-            .items
-            .iter()
-            .find_map(|item| if let Item::Output(output) = item { (output.name == *name).then_some(&output.value) } else { None });
-        let kind =
-            if value.is_some_and(|value| is_vector(value, tree, LETS)) { quote!(::reuleaux::nalgebra::Vector2<T>) } else { quote!(T) };
-        quote!(pub fn #name(&self, _: &#state<T>) -> ::reuleaux::Motion<#kind> { #body })
+fn outputs(tree: &Mechanism, promised: &Outline, state: &Ident, body: &TokenStream) -> TokenStream {
+    let method = |method: &Method| {
+        let value = method.members.first().map(|member| &promised.outputs[*member].value);
+        let motion = match value.map(|value| kind(value, tree, LETS)) {
+            Some(Kind::Vector) => quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector2<T>>),
+            Some(Kind::Body) => quote!(::reuleaux::PlanarBody<T>),
+            _ => quote!(::reuleaux::Motion<T>),
+        };
+        let (name, motion) = (&method.name, array_type(motion, &method.sizes));
+        quote!(pub fn #name(&self, _: &#state<T>) -> #motion { #body })
     };
-    items(tree, "output").into_iter().map(output).collect()
+    let is_new = |name: &Ident| !promised.methods.iter().any(|method| method.name == *name);
+    let refused = refused(tree, "output").into_iter().filter(|(name, _)| is_new(name)).map(|(name, ranks)| {
+        let motion = array(quote!(::reuleaux::Motion<T>), ranks);
+        quote!(pub fn #name(&self, _: &#state<T>) -> #motion { #body })
+    });
+    promised.methods.iter().map(method).chain(refused).collect()
+}
+
+/// What an output may be.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Number,
+    Vector,
+    Body,
 }
 
 /// A guess at what an output is, from how it is written.
-fn is_vector(expr: &Expr, tree: &Mechanism, lets: usize) -> bool {
+fn kind(expr: &Expr, tree: &Mechanism, lets: usize) -> Kind {
+    let vector_if = |is_vector: bool| if is_vector { Kind::Vector } else { Kind::Number };
     match &expr.kind {
-        ExprKind::Tuple(_) => true,
-        ExprKind::Field(_, name) => !["x", "y", "angle", "c"].contains(&name.to_string().as_str()),
-        ExprKind::Call(path, _) => path.name.as_ref().is_some_and(|name| name == "perp" || name == "unit"),
-        ExprKind::Negative(value) => is_vector(value, tree, lets),
-        ExprKind::Binary(Operator::Power, ..) => false,
-        ExprKind::Binary(_, one, two) => is_vector(one, tree, lets) || is_vector(two, tree, lets),
-        ExprKind::Path(path) => path.name.as_ref().is_some_and(|name| names_vector(name, tree, lets)),
-        ExprKind::Number { .. } | ExprKind::List(_) | ExprKind::If { .. } => false,
+        ExprKind::Tuple(_) => Kind::Vector,
+        ExprKind::Index(owner, _) => kind(owner, tree, lets),
+        ExprKind::Field(_, name) if ["x", "y", "angle", "c"].contains(&name.to_string().as_str()) => Kind::Number,
+        ExprKind::Field(owner, name) => {
+            if names(name, tree, lets) == Some(Kind::Body) && !is_frame(owner, tree) {
+                Kind::Body
+            } else {
+                Kind::Vector
+            }
+        }
+        ExprKind::Call(path, _) => vector_if(path.name.as_ref().is_some_and(|name| name == "perp" || name == "unit")),
+        ExprKind::Negative(value) => kind(value, tree, lets),
+        ExprKind::Binary(Operator::Power | Operator::Rem, ..) => Kind::Number,
+        ExprKind::Binary(_, one, two) => vector_if([one, two].into_iter().any(|side| kind(side, tree, lets) == Kind::Vector)),
+        ExprKind::Path(path) => path.name.as_ref().and_then(|name| names(name, tree, lets)).unwrap_or(Kind::Number),
+        ExprKind::Number { .. } | ExprKind::List(_) | ExprKind::If { .. } => Kind::Number,
     }
 }
 
-/// A `let` that is a vector, or a point whose body was forgotten.
-fn names_vector(name: &Ident, tree: &Mechanism, lets: usize) -> bool {
-    tree.items.iter().any(|item| match item {
-        Item::Let(binding) => binding.name == *name && lets > 0 && is_vector(&binding.value, tree, lets - 1),
-        Item::Body(frame) | Item::Ground(frame) => frame.marks.iter().any(|mark| mark.name == *name),
+/// The expression is a body or ground, whose parts are points.
+fn is_frame(expr: &Expr, tree: &Mechanism) -> bool {
+    match &expr.kind {
+        ExprKind::Index(owner, _) => is_frame(owner, tree),
+        ExprKind::Path(path) => path.name.as_ref().is_some_and(|name| name == "ground" || names(name, tree, 0) == Some(Kind::Body)),
         _ => false,
-    })
+    }
+}
+
+/// A `let`, a body, or a point whose body was forgotten, wherever it is declared.
+fn names(name: &Ident, tree: &Mechanism, lets: usize) -> Option<Kind> {
+    let mut pending: Vec<&Item> = tree.items.iter().collect();
+    let mut found = None;
+    while let Some(item) = pending.pop() {
+        match item {
+            Item::Let(binding) if binding.name == *name && lets > 0 => return Some(kind(&binding.value, tree, lets - 1)),
+            Item::Body(frame) if frame.name == *name => return Some(Kind::Body),
+            Item::Body(frame) | Item::Ground(frame) if has_mark(&frame.marks, name) => found = Some(Kind::Vector),
+            Item::Component(component) => pending.extend(&component.items),
+            Item::For(repeated) => pending.extend(&repeated.items),
+            _ => {}
+        }
+    }
+    found
+}
+
+fn has_mark(marks: &Marks, name: &Ident) -> bool {
+    marks.single.iter().any(|mark| mark.name == *name) || marks.loops.iter().any(|repeated| has_mark(&repeated.items, name))
 }

@@ -33,6 +33,11 @@ impl Arena {
         self.nodes.len()
     }
 
+    /// All nodes, children before parents.
+    pub(crate) fn all(&self) -> impl Iterator<Item = Expr> + use<> {
+        (0..self.nodes.len() as u32).map(Expr)
+    }
+
     /// Whether nothing has been built yet.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -51,10 +56,16 @@ impl Arena {
                 return simpler;
             }
         }
-        let place = Expr(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX));
-        self.nodes.push(node);
-        self.places.insert(node, place);
-        place
+        self.place(node)
+    }
+
+    /// Stores a node as it is: a copy of one that another arena has simplified already, in the same order of operands.
+    pub(crate) fn place(&mut self, node: Node) -> Expr {
+        let nodes = &mut self.nodes;
+        *self.places.entry(node).or_insert_with(|| {
+            nodes.push(node);
+            Expr(u32::try_from(nodes.len() - 1).unwrap_or(u32::MAX))
+        })
     }
 
     /// An exact number.

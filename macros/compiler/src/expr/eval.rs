@@ -26,6 +26,8 @@ impl Values<'_> {
     fn of(&self, leaf: Leaf) -> f64 {
         let (list, number) = match leaf {
             Leaf::Time => return self.time,
+            // Shapes are printed, not evaluated.
+            Leaf::Datum(_) => return f64::NAN,
             Leaf::Parameter(i) => (self.parameters, i),
             Leaf::Coordinate(i) => (self.coordinates, i),
             Leaf::Velocity(i) => (self.velocities, i),

@@ -74,7 +74,7 @@ impl Jets {
         let zero = arena.integer(0);
         match leaf {
             Leaf::Time => [expr, arena.integer(1), zero],
-            Leaf::Parameter(_) | Leaf::Acceleration(_) => [expr, zero, zero],
+            Leaf::Parameter(_) | Leaf::Datum(_) | Leaf::Acceleration(_) => [expr, zero, zero],
             Leaf::Coordinate(i) if self.constant_velocity => [expr, arena.leaf(Leaf::Velocity(i)), zero],
             Leaf::Coordinate(i) => [expr, arena.leaf(Leaf::Velocity(i)), arena.leaf(Leaf::Acceleration(i))],
             Leaf::Velocity(_) if self.constant_velocity => [expr, zero, zero],

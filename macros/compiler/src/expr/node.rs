@@ -27,6 +27,8 @@ pub enum Leaf {
     Velocity(u32),
     /// The second rate q̈ of the coordinate of the same number.
     Acceleration(u32),
+    /// A number that differs from place to place, where one expression stands for many of the same shape.
+    Datum(u32),
 }
 
 /// A function of one operand.

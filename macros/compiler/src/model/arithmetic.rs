@@ -36,6 +36,9 @@ impl Elaborator<'_> {
         if operator == Operator::Power {
             return self.power(range, lhs, rhs, scope).map(Value::Scalar);
         }
+        if operator == Operator::Rem {
+            return self.remainder(range, lhs, rhs, scope).map(Value::Scalar);
+        }
         let (left, right) = (self.value(lhs, scope), self.value(rhs, scope));
         let (left, right) = (left?, right?);
         match (left, right) {
@@ -54,7 +57,7 @@ impl Elaborator<'_> {
                 }
                 (self.arena.div(one.expr, two.expr), one.measure.per(two.measure))
             }
-            Operator::Add | Operator::Sub | Operator::Power => {
+            Operator::Add | Operator::Sub | Operator::Power | Operator::Rem => {
                 let Some(measure) = one.measure.common(two.measure) else {
                     let action = if operator == Operator::Add { "add" } else { "subtract" };
                     return self.refuse(range, Fact::Unlike { action, one: one.measure.settled(), two: two.measure.settled() });
@@ -64,6 +67,13 @@ impl Elaborator<'_> {
             }
         };
         Some(Scalar { expr, measure })
+    }
+
+    /// `one % two`, of whole numbers that the compiler knows.
+    fn remainder(&mut self, range: Range, lhs: &ast::Expr, rhs: &ast::Expr, scope: &Scope) -> Option<Scalar> {
+        let (one, two) = (self.whole(lhs, scope), self.whole(rhs, scope));
+        let result = self.whole_of_two(range, Operator::Rem, one?, two?)?;
+        Some(Scalar { expr: self.arena.integer(result), measure: Measure::Of(Dim::NUMBER) })
     }
 
     /// Vectors are added to vectors, and multiplied or divided by numbers.

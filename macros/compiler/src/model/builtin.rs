@@ -44,7 +44,8 @@ impl Elaborator<'_> {
             let function = self.rust_function(path, Measure::Flexible, Measure::Flexible);
             return self.apply(range, path, &function, arguments, scope).map(Value::Scalar);
         };
-        let is_bound = scope.bound.iter().any(|(known, _)| name == known) || (scope.is_mechanism && self.names.is_known(name));
+        let is_bound = scope.bound.iter().any(|(known, _)| name == known)
+            || scope.space.is_some_and(|space| self.names.visible(space, &name.to_string()).is_some());
         if !is_bound && BUILTINS.contains(&name.to_string().as_str()) {
             return self.builtin(range, name, arguments, scope);
         }
@@ -64,7 +65,7 @@ impl Elaborator<'_> {
 
     fn similar_function(&self, name: &Ident, scope: &Scope) -> Option<String> {
         let bound = scope.bound.iter().filter(|(_, value)| matches!(value, Value::Function(_))).map(|(known, _)| known.as_str());
-        let declared = if scope.is_mechanism { self.names.functions() } else { Vec::new() };
+        let declared = if scope.space.is_some() { self.names.functions() } else { Vec::new() };
         let known = bound.chain(BUILTINS.iter().copied()).chain(library::functions()).chain(declared.iter().map(String::as_str));
         nearest(&name.to_string(), known)
     }

@@ -2,6 +2,7 @@
 //! kind.
 
 use super::Function as Numbered;
+use super::Name;
 use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
 use super::names::{Names, RESERVED};
@@ -12,7 +13,7 @@ use super::value::{Fixed, Function, Scalar, Value};
 use crate::diag::{Diag, Fact};
 use crate::expr::Leaf;
 use crate::library;
-use crate::syntax::ast::{Definition, Definitions, Dimension, Joint, JointBody, Kind};
+use crate::syntax::ast::{Definition, Definitions, Dimension, Kind};
 use proc_macro2::Ident;
 use std::rc::Rc;
 
@@ -46,8 +47,7 @@ pub(crate) fn check_names(definitions: &Definitions, diag: &mut Diag) {
 impl Elaborator<'_> {
     fn check(&mut self, definition: &Definition, others: &[Definition]) -> Option<()> {
         let scope = self.formals(definition, others)?;
-        let place =
-            Joint { docs: definition.docs.clone(), is_drive: false, name: definition.name.clone(), body: JointBody::Equations(Vec::new()) };
+        let place = Name::plain(&definition.name);
         let rows = self.statements(&definition.statements, scope, &place, &[])?;
         let of = rows.len();
         for (row, Row { residual, range }) in rows.into_iter().enumerate() {
@@ -82,6 +82,26 @@ impl Elaborator<'_> {
             scope.bound.push((name, value));
         }
         Some(scope)
+    }
+
+    /// The parameters of a component: their names and kinds, before it is used.
+    pub(super) fn head_is_sound(&mut self, head: &Definition) -> Option<()> {
+        for (number, formal) in head.parameters.iter().enumerate() {
+            let (name, before) = (formal.name.to_string(), &head.parameters[..number]);
+            if before.iter().any(|known| known.name == formal.name) {
+                return self.refuse(&formal.name, Fact::Duplicate { name, first: "another parameter" });
+            }
+            if formal.default.is_none() && before.iter().any(|known| known.default.is_some()) {
+                return self.refuse(&formal.name, Fact::DefaultBefore { name });
+            }
+            match &formal.kind {
+                Kind::Scalar(written) => drop(self.kind_dimension(written)?),
+                Kind::Joint(kind) => drop(self.definition(kind)?),
+                Kind::Function(from, to) => drop((self.dimension(from)?, self.dimension(to)?)),
+                Kind::Point | Kind::Axis | Kind::Body | Kind::Quantity => {}
+            }
+        }
+        Some(())
     }
 
     fn check_default(&mut self, formal: &crate::syntax::ast::Formal, default: &crate::syntax::ast::Expr, found: Value) -> Option<()> {

@@ -1,7 +1,7 @@
 //! Expressions: from the tree to values in the arena, with dimensions checked on the way.
 
 use super::dimension::{Dim, Measure};
-use super::names::Names;
+use super::names::{Context, Names, SpaceId};
 use super::suggest::nearest;
 use super::unit;
 use super::value::{Fixed, FrameId, Scalar, Value, Vector};
@@ -10,7 +10,7 @@ use crate::diag::{Diag, Fact, Range};
 use crate::expr::{Arena, Exact, Expr, Leaf};
 use crate::syntax::ast::{self, ExprKind};
 use proc_macro2::Ident;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// Everything that is built while a mechanism or a definition is resolved.
@@ -28,6 +28,10 @@ pub(crate) struct Elaborator<'a> {
     pub(super) depth: u16,
     /// A limit was met.
     has_given_up: bool,
+    /// The item that is being looked at, if it is one of many: `in `leg[3].coupler``.
+    pub(super) place: Option<String>,
+    /// Items that were refused in one place and are not looked at in others.
+    pub(super) refused: BTreeSet<usize>,
     /// Values of functions that were written out before, by function and argument.
     pub(super) calls: BTreeMap<(*const ast::Function, Expr), (Rc<ast::Function>, Scalar)>,
 }
@@ -55,8 +59,8 @@ const LARGEST: usize = 200_000;
 pub(super) struct Scope {
     /// Names bound here, innermost last.
     pub(super) bound: Vec<(String, Value)>,
-    /// Names of the mechanism are visible.
-    pub(super) is_mechanism: bool,
+    /// The names of this space and of the mechanism are visible.
+    pub(super) space: Option<SpaceId>,
     /// Why `t` may not be used here, if it may not.
     pub(super) timeless: Option<Timeless>,
 }
@@ -73,7 +77,12 @@ pub(super) enum Timeless {
 impl Scope {
     /// Where everything declared in the mechanism is visible.
     pub(super) fn mechanism() -> Scope {
-        Scope { is_mechanism: true, ..Scope::default() }
+        Scope { space: Some(SpaceId::MECHANISM), ..Scope::default() }
+    }
+
+    /// What is visible where an item stands.
+    pub(super) fn of(context: &Context) -> Scope {
+        Scope { space: Some(context.space), bound: context.bound.to_vec(), ..Scope::default() }
     }
 
     /// The same, but `t` is refused.
@@ -100,6 +109,8 @@ impl Elaborator<'_> {
             blame: None,
             depth: 0,
             has_given_up: false,
+            place: None,
+            refused: BTreeSet::new(),
             calls: BTreeMap::new(),
         }
     }
@@ -108,15 +119,35 @@ impl Elaborator<'_> {
     /// is the joint that uses it.
     pub(super) fn refuse<T>(&mut self, range: impl Into<Range>, fact: Fact) -> Option<T> {
         match self.blame.clone() {
-            None => self.diag.refuse(range, fact),
+            None => self.say(range, fact),
             Some(Blame { place, definition, quantities }) => {
-                self.diag.refuse(place, Fact::InDefinition { definition, quantities, fact: Box::new(fact) })
+                self.say(place, Fact::InDefinition { definition, quantities, fact: Box::new(fact) })
             }
         }
     }
 
-    /// The value of any expression.
+    /// Takes note of a refusal at this very place; of an item that stands many times with which of them it is.
+    pub(super) fn say<T>(&mut self, range: impl Into<Range>, fact: Fact) -> Option<T> {
+        let fact = match &self.place {
+            Some(place) => Fact::InInstance { place: place.clone(), fact: Box::new(fact) },
+            None => fact,
+        };
+        self.diag.refuse(range, fact)
+    }
+
+    /// The value of any expression; an array is none before all its indices are there.
     pub(super) fn value(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Value> {
+        match self.value_or_array(expr, scope)? {
+            Value::Array { group, at } => {
+                let name = self.member_name(group, &at);
+                self.refuse(expr.range, Fact::ArrayWithoutIndex { name })
+            }
+            value => Some(value),
+        }
+    }
+
+    /// The value of any expression.
+    pub(super) fn value_or_array(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Value> {
         if self.depth >= DEEPEST {
             return self.give_up(expr.range, Fact::TooDeep { limit: DEEPEST });
         }
@@ -139,6 +170,7 @@ impl Elaborator<'_> {
             ExprKind::Number { digits, unit } => self.number(expr.range, digits, unit).map(Value::Scalar),
             ExprKind::Path(path) => self.named(path, scope),
             ExprKind::Field(value, field) => self.field(value, field, scope),
+            ExprKind::Index(value, index) => self.indexed(value, index, scope),
             ExprKind::Call(path, arguments) => self.call(expr.range, path, arguments, scope),
             ExprKind::Negative(value) => self.negative(value, scope),
             ExprKind::Binary(operator, lhs, rhs) => self.binary(expr.range, *operator, lhs, rhs, scope),
@@ -235,18 +267,16 @@ impl Elaborator<'_> {
         if name == "pi" {
             return Some(Value::Scalar(Scalar { expr: self.arena.constant(Exact::PI), measure: Measure::Flexible }));
         }
-        if scope.is_mechanism {
+        if name == "ground" {
+            return Some(Value::Body(FrameId::GROUND));
+        }
+        if let Some(space) = scope.space {
             if name == "t" {
                 return self.time(path.range, scope);
             }
-            if name == "ground" {
-                return Some(Value::Body(FrameId::GROUND));
+            if let Some(group) = self.names.visible(space, &name.to_string()) {
+                return self.visible(path.range, group, space);
             }
-            if self.names.is_known(name) {
-                return self.declared(name);
-            }
-        } else if name == "ground" {
-            return Some(Value::Body(FrameId::GROUND));
         } else if name == "t" {
             return self.refuse(path.range, Fact::TimeInDefinition);
         }
@@ -268,10 +298,10 @@ impl Elaborator<'_> {
 
     /// The known name nearest to a mistyped one.
     fn similar(&self, name: &Ident, scope: &Scope) -> Option<String> {
-        let own = if scope.is_mechanism { self.names.all() } else { Vec::new() };
+        let own = scope.space.map_or(Vec::new(), |space| self.names.all(space));
         let bound = scope.bound.iter().map(|(known, _)| known.as_str());
         let fixed = ["t", "pi", "ground"].into_iter();
-        if scope.is_mechanism
+        if scope.space == Some(SpaceId::MECHANISM)
             && let Some(full) = self.names.mark_called(name)
         {
             return Some(full);
@@ -284,6 +314,7 @@ impl Elaborator<'_> {
         let name = field.to_string();
         match (&value, name.as_str()) {
             (Value::Body(frame), _) => return self.body_field(*frame, field),
+            (Value::Part(space), _) => return self.part_field(*space, field),
             (Value::Point(fixed) | Value::Axis(fixed), "body") => return Some(Value::Body(fixed.frame)),
             (Value::Joint { kind, arguments }, _) => {
                 if let Some((_, argument)) = arguments.iter().find(|(known, _)| *known == name) {
@@ -314,10 +345,13 @@ impl Elaborator<'_> {
             "x" => Some(Value::Scalar(Scalar { expr: x, measure: length })),
             "y" => Some(Value::Scalar(Scalar { expr: y, measure: length })),
             "position" => Some(Value::Point(Fixed { frame, local: [zero; 2], measure: length })),
-            _ if self.names.frames[frame.0].marks.contains_key(&name) => self.mark(frame, &name),
             _ => {
-                let own = self.names.frames[frame.0].order.iter().map(String::as_str);
-                let known: Vec<String> = own.chain(["position", "angle", "x", "y"]).map(str::to_owned).collect();
+                let space = self.names.frames[frame.0].space;
+                if let Some(group) = self.names.find(space, &name) {
+                    return self.of_group(group, field);
+                }
+                let own = self.names.words(space).into_iter();
+                let known: Vec<String> = own.chain(["position", "angle", "x", "y"].map(str::to_owned)).collect();
                 let near = nearest(&name, known.iter().map(String::as_str));
                 let owner = format!("`{}`", self.names.frames[frame.0].name);
                 self.refuse(field, Fact::UnknownField { owner, name, near, known })

@@ -1,7 +1,9 @@
 //! Joints: a definition with its parameters bound to arguments, or equations written inline.
 
+use super::Name;
 use super::dimension::{Dim, Measure};
 use super::elaborate::{Blame, Elaborator, Scope, Timeless};
+use super::names::{Context, EntityId};
 use super::signature::{noun, places, too_few, too_many, unknown_argument};
 use super::statement::Row;
 use super::suggest::nearest;
@@ -15,19 +17,18 @@ use std::rc::Rc;
 
 impl Elaborator<'_> {
     /// The scalar equations of a joint.
-    pub(super) fn joint_rows(&mut self, joint: &ast::Joint) -> Option<Vec<Row>> {
-        let shared = Rc::new(joint.clone());
+    pub(super) fn joint_rows(&mut self, id: EntityId, joint: &ast::Joint, name: &Name, context: &Context) -> Option<Vec<Row>> {
         match &joint.body {
             JointBody::Equations(statements) => {
-                let scope = self.joint_scope(joint);
-                self.statements(statements, scope, joint, &[])
+                let scope = self.joint_scope(joint, context);
+                self.statements(statements, scope, name, &[])
             }
             JointBody::Of { kind, arguments: given, .. } => {
-                let arguments = self.joint_arguments(&shared)?;
+                let Value::Joint { arguments, .. } = self.entity(id, (&joint.name).into())? else { return None };
                 let definition = self.definition(kind)?;
                 let scope = Scope { bound: arguments.to_vec(), ..Scope::default() };
                 let outer = self.blame.replace(self.blame_for(&definition, kind, &arguments));
-                let rows = self.statements(&definition.statements, scope, joint, &places(&definition, given));
+                let rows = self.statements(&definition.statements, scope, name, &places(&definition, given));
                 self.blame = outer;
                 rows
             }
@@ -45,24 +46,24 @@ impl Elaborator<'_> {
         Blame { place: kind.into(), definition: format!("`{}`", definition.name), quantities }
     }
 
-    fn joint_scope(&self, joint: &ast::Joint) -> Scope {
+    fn joint_scope(&self, joint: &ast::Joint, context: &Context) -> Scope {
         let timeless = (!joint.is_drive).then(|| Timeless::Joint(joint.name.to_string()));
-        Scope { timeless, ..Scope::mechanism() }
+        Scope { timeless, ..Scope::of(context) }
     }
 
     /// The arguments of a joint by the names of its definition; none for equations.
-    pub(super) fn bind_joint(&mut self, joint: &ast::Joint) -> Option<Vec<(String, Value)>> {
+    pub(super) fn bind_joint(&mut self, joint: &ast::Joint, context: &Context) -> Option<Vec<(String, Value)>> {
         let JointBody::Of { kind, arguments } = &joint.body else { return Some(Vec::new()) };
         let definition = self.definition(kind)?;
-        let scope = self.joint_scope(joint);
+        let scope = self.joint_scope(joint, context);
         self.bind(&definition, kind, arguments, &scope)
     }
 
     /// The first argument of a joint that depends on time.
-    pub(super) fn time_dependent_argument(&self, joint: &ast::Joint) -> Option<Range> {
+    pub(super) fn time_dependent_argument(&mut self, id: EntityId, joint: &ast::Joint) -> Option<Range> {
         let JointBody::Of { kind, arguments } = &joint.body else { return None };
-        let definition = self.names.definitions.get(&kind.to_string()).cloned().or_else(|| library::find(&kind.to_string()))?;
-        let bound = self.names.arguments_of(&joint.name)?;
+        let definition = self.known_definition(&kind.to_string())?;
+        let Value::Joint { arguments: bound, .. } = self.entity(id, (&joint.name).into())? else { return None };
         let is_time_dependent = |name: &String| {
             let value = bound.iter().find(|(known, _)| known == name).map(|(_, value)| value);
             matches!(value, Some(Value::Scalar(scalar)) if self.arena.leaves(scalar.expr).contains(&Leaf::Time))
@@ -72,20 +73,37 @@ impl Elaborator<'_> {
 
     pub(super) fn definition(&mut self, kind: &Ident) -> Option<Rc<Definition>> {
         let word = kind.to_string();
-        if let Some(definition) = self.names.definitions.get(&word) {
-            return Some(definition.clone());
-        }
-        if let Some(definition) = library::find(&word) {
+        if let Some(definition) = self.known_definition(&word) {
             return Some(definition);
+        }
+        if self.names.components.contains_key(&word) {
+            return self.refuse(kind, Fact::ComponentAsConstraint { name: word });
         }
         let known = self.names.definitions.keys().map(String::as_str).chain(library::constraints());
         let near = nearest(&word, known);
         self.refuse(kind, Fact::UnknownConstraint { name: word, near })
     }
 
+    /// The constraint of this name, brought in or of the library, which is read once.
+    pub(super) fn known_definition(&mut self, word: &str) -> Option<Rc<Definition>> {
+        if let Some(definition) = self.names.definitions.get(word) {
+            return Some(definition.clone());
+        }
+        if let Some(known) = self.names.library.get(word) {
+            return known.clone();
+        }
+        let found = library::find(word);
+        self.names.library.insert(word.to_owned(), found.clone());
+        found
+    }
+
     /// Binds every parameter of a definition, or says which argument is to blame.
     fn bind(&mut self, definition: &Definition, kind: &Ident, given: &[Argument], scope: &Scope) -> Option<Vec<(String, Value)>> {
-        let slots = self.slots(definition, kind, given)?;
+        let slots: Vec<Option<&ast::Expr>> = self
+            .slots(definition, kind, given)?
+            .into_iter()
+            .map(|slot| slot.and_then(|slot| given.get(slot)).map(|given| &given.value))
+            .collect();
         let mut bound: Vec<(String, Value)> = Vec::new();
         let mut complete = true;
         for (formal, slot) in definition.parameters.iter().zip(slots) {
@@ -104,10 +122,10 @@ impl Elaborator<'_> {
         complete.then_some(bound)
     }
 
-    /// What was written for each parameter of a definition, if anything.
-    fn slots<'a>(&mut self, definition: &Definition, kind: &Ident, given: &'a [Argument]) -> Option<Vec<Option<&'a ast::Expr>>> {
+    /// The number of the argument that was written for each parameter of a definition, if any.
+    pub(super) fn slots(&mut self, definition: &Definition, kind: &Ident, given: &[Argument]) -> Option<Vec<Option<usize>>> {
         let wanted = &definition.parameters;
-        let mut slots: Vec<Option<&ast::Expr>> = vec![None; wanted.len()];
+        let mut slots: Vec<Option<usize>> = vec![None; wanted.len()];
         let mut named_before = false;
         for (position, argument) in given.iter().enumerate() {
             let slot = match &argument.name {
@@ -122,7 +140,7 @@ impl Elaborator<'_> {
                     }
                 }
             };
-            if slots[slot].replace(&argument.value).is_some() {
+            if slots[slot].replace(position).is_some() {
                 let blamed = argument.name.as_ref().map_or(argument.value.range, Range::from);
                 return self.refuse(blamed, Fact::DuplicateArgument { name: wanted[slot].name.to_string() });
             }
@@ -133,7 +151,7 @@ impl Elaborator<'_> {
     }
 
     /// One argument, of the kind its parameter takes.
-    fn argument(&mut self, definition: &Definition, formal: &Formal, argument: &ast::Expr, scope: &Scope) -> Option<Value> {
+    pub(super) fn argument(&mut self, definition: &Definition, formal: &Formal, argument: &ast::Expr, scope: &Scope) -> Option<Value> {
         let value = self.value(argument, scope)?;
         let found = match &value {
             Value::Joint { kind, .. } => format!("a `{kind}` joint"),

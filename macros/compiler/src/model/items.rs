@@ -1,27 +1,29 @@
 //! Items that nothing else refers to by name: each is looked at once, in the order written.
 
-use super::dimension::Measure;
+use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
-use super::names::is_generated;
+use super::names::{Context, EntityId, is_generated};
+use super::register::Register;
 use super::statement::Row;
-use super::value::{Scalar, Value};
-use super::{Joint, Output, Residual};
-use crate::diag::Fact;
+use super::value::{FrameId, Scalar, Value};
+use super::{Joint, Layout, Method, Name, Of, Output, Residual};
+use crate::diag::{Fact, Range};
 use crate::expr::Leaf;
-use crate::syntax::ast::{self, Item};
+use crate::syntax::ast;
+use proc_macro2::Ident;
+use std::collections::BTreeSet;
+use std::rc::Rc;
 
 impl Elaborator<'_> {
-    /// Resolves `let`s and functions in the order written: whether anything uses them or not, a
+    /// Resolves `let`s, arguments of parts and functions in the order written: whether anything uses them or not, a
     /// mistake in them is found.
-    pub(super) fn lets_and_functions(&mut self, tree: &ast::Mechanism) {
-        for item in &tree.items {
-            match item {
-                Item::Let(binding) if self.names.is_known(&binding.name) => {
-                    self.declared(&binding.name);
-                }
-                Item::Function(function) => self.check_function(function),
-                _ => {}
-            }
+    pub(super) fn lets_and_functions(&mut self, register: &Register) {
+        for binding in &register.lets {
+            let range = Range::from(&self.names.declared[binding.0].name);
+            self.entity(*binding, range);
+        }
+        for function in &register.functions {
+            self.check_function(function);
         }
     }
 
@@ -43,67 +45,110 @@ impl Elaborator<'_> {
         self.names.open_functions.pop();
     }
 
-    pub(super) fn joints(&mut self, tree: &ast::Mechanism) -> Vec<Joint> {
-        let mut joints = Vec::new();
-        for item in &tree.items {
-            let Item::Joint(joint) = item else { continue };
-            if !self.names.is_declared_as(joint) || joints.iter().any(|known: &Joint| known.name == joint.name) {
-                // The name belongs to another item; that has been refused.
-                continue;
-            }
-            let Some(rows) = self.joint_rows(joint) else { continue };
-            let kind = match &joint.body {
-                ast::JointBody::Of { kind, .. } => kind.to_string(),
-                ast::JointBody::Equations(_) => "equation".to_owned(),
-            };
-            self.rows_are_sound(joint, &rows);
-            let residual = |row: Row| Residual { expr: row.residual.expr, dim: row.residual.measure.settled() };
-            let residuals = rows.into_iter().map(residual).collect();
-            joints.push(Joint { docs: joint.docs.clone(), name: joint.name.clone(), kind, is_drive: joint.is_drive, residuals });
-        }
-        joints
+    pub(super) fn joints(&mut self, register: &Register) -> Vec<Joint> {
+        let joint = |(id, joint): &(EntityId, Rc<ast::Joint>)| {
+            self.of(*id, Rc::as_ptr(joint), |this, name, context| this.joint(*id, joint, name, context))
+        };
+        register.joints.iter().filter_map(joint).collect()
+    }
+
+    fn joint(&mut self, id: EntityId, joint: &ast::Joint, name: &Name, context: &Context) -> Option<Joint> {
+        let rows = self.joint_rows(id, joint, name, context)?;
+        let kind = match &joint.body {
+            ast::JointBody::Of { kind, .. } => kind.to_string(),
+            ast::JointBody::Equations(_) => "equation".to_owned(),
+        };
+        self.rows_are_sound(id, joint, &rows);
+        let residual = |row: Row| Residual { expr: row.residual.expr, dim: row.residual.measure.settled() };
+        let residuals = rows.into_iter().map(residual).collect();
+        Some(Joint { name: name.clone(), kind, is_drive: joint.is_drive, residuals })
     }
 
     /// Every row depends on a position, and those of a joint not on time; one refusal is enough.
-    fn rows_are_sound(&mut self, joint: &ast::Joint, rows: &[Row]) {
+    fn rows_are_sound(&mut self, id: EntityId, joint: &ast::Joint, rows: &[Row]) {
         let (name, of) = (joint.name.to_string(), rows.len());
         let leaves = |row: &Row| self.arena.leaves(row.residual.expr);
         let is_of_nothing = |row: &Row| !leaves(row).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)));
         if let Some(row) = rows.iter().position(is_of_nothing) {
-            self.diag.refuse::<()>(rows[row].range, Fact::RowOfNothing { joint: name, row: row + 1, of });
+            self.say::<()>(rows[row].range, Fact::RowOfNothing { joint: name, row: row + 1, of });
         } else if let Some(row) = rows.iter().find(|row| !joint.is_drive && leaves(row).contains(&Leaf::Time)) {
-            let range = self.time_dependent_argument(joint).unwrap_or(row.range);
-            self.diag.refuse::<()>(range, Fact::TimeInJoint { joint: name });
+            let range = self.time_dependent_argument(id, joint).unwrap_or(row.range);
+            self.say::<()>(range, Fact::TimeInJoint { joint: name });
         }
     }
 
-    pub(super) fn outputs(&mut self, tree: &ast::Mechanism) -> Vec<Output> {
-        let mut outputs: Vec<Output> = Vec::new();
-        for item in &tree.items {
-            let Item::Output(output) = item else { continue };
-            let word = output.name.to_string();
-            if is_generated(&output.name) {
-                self.diag.refuse::<()>(&output.name, Fact::Generated { name: word });
-                continue;
-            }
-            if outputs.iter().any(|known| known.name == word) {
-                self.diag.refuse::<()>(&output.name, Fact::Duplicate { name: word, first: "another output" });
-                continue;
-            }
-            let Some(value) = self.value(&output.value, &Scope::mechanism()) else { continue };
-            let noun = value.noun();
-            let (components, measure) = match value {
-                Value::Scalar(scalar) => (vec![scalar.expr], scalar.measure),
-                other => match self.as_vector(other) {
-                    Some(vector) => (vec![vector.x, vector.y], vector.measure),
-                    None => {
-                        self.diag.refuse::<()>(output.value.range, Fact::NotAnOutput { found: noun });
-                        continue;
-                    }
-                },
-            };
-            outputs.push(Output { docs: output.docs.clone(), name: output.name.clone(), components, dim: measure.settled() });
-        }
-        outputs
+    /// All outputs; none for one that was refused.
+    pub(super) fn outputs(&mut self, register: &Register) -> Vec<Option<Output>> {
+        let output = |(id, output): &(EntityId, Rc<ast::Output>)| {
+            self.of(*id, Rc::as_ptr(output), |this, name, context| this.output(output, name, context))
+        };
+        register.outputs.iter().map(output).collect()
     }
+
+    fn output(&mut self, output: &ast::Output, name: &Name, context: &Context) -> Option<Output> {
+        let value = self.value(&output.value, &Scope::of(context))?;
+        let noun = if matches!(value, Value::Body(FrameId::GROUND)) { "ground" } else { value.noun() };
+        let (components, measure) = match value {
+            Value::Scalar(scalar) => (vec![scalar.expr], scalar.measure),
+            Value::Body(frame) if frame != FrameId::GROUND => {
+                return Some(Output { name: name.clone(), body: Some(frame.0 - 1), components: Vec::new(), dim: Dim::NUMBER });
+            }
+            other => match self.as_vector(other) {
+                Some(vector) => (vec![vector.x, vector.y], vector.measure),
+                None => return self.refuse(output.value.range, Fact::NotAnOutput { found: noun }),
+            },
+        };
+        Some(Output { name: name.clone(), body: None, components, dim: measure.settled() })
+    }
+
+    /// One method for each name of an output, those of parts under the names on the way to them.
+    pub(super) fn methods(&mut self, layout: &Layout, outputs: &[Option<Output>]) -> Vec<Method> {
+        let mut methods = Vec::new();
+        self.methods_of(layout, &[0], &[], "", &mut methods);
+        methods.sort_by_key(|method: &Method| method.members.first().copied());
+        let mut taken = BTreeSet::new();
+        for method in &methods {
+            let word = method.name.to_string();
+            if is_generated(&method.name) {
+                self.refuse::<()>(&method.name, Fact::Generated { name: word });
+            } else if !taken.insert(word.clone()) {
+                self.refuse::<()>(&method.name, Fact::Duplicate { name: word, first: "another output" });
+            }
+            let shape = |member: &usize| outputs[*member].as_ref().map(|output| (output.components.len(), output.dim));
+            let mut shapes = method.members.iter().filter_map(shape);
+            let first = shapes.next();
+            if shapes.any(|other| Some(other) != first) {
+                self.refuse::<()>(&method.name, Fact::UnlikeOutputs { name: method.name.to_string() });
+            }
+        }
+        // Refused outputs have no number; where there is one, nothing is emitted anyway.
+        methods
+    }
+
+    /// The methods of outputs in some parts of one component.
+    fn methods_of(&self, layout: &Layout, parts: &[usize], sizes: &[usize], prefix: &str, methods: &mut Vec<Method>) {
+        let Some(first) = parts.first() else { return };
+        let component = &layout.components[layout.parts[*first].component];
+        for (number, field) in component.fields.iter().enumerate() {
+            let members: Vec<usize> =
+                parts.iter().flat_map(|part| layout.parts[*part].members.get(number).cloned().unwrap_or_default()).collect();
+            let sizes: Vec<usize> = sizes.iter().chain(&field.sizes).copied().collect();
+            match field.of {
+                Of::Output => {
+                    let word = if prefix.is_empty() { field.name.clone() } else { joined(prefix, &field.name) };
+                    methods.push(Method { name: word, docs: field.docs.clone(), sizes, members });
+                }
+                Of::Part(_) => {
+                    let prefix = format!("{prefix}{}_", field.name.to_string().trim_start_matches("r#"));
+                    self.methods_of(layout, &members, &sizes, &prefix, methods);
+                }
+                Of::Parameter | Of::Body => {}
+            }
+        }
+    }
+}
+
+/// `leg_` and `toe` make `leg_toe`.
+fn joined(prefix: &str, name: &Ident) -> Ident {
+    Ident::new(&format!("{prefix}{}", name.to_string().trim_start_matches("r#")), name.span())
 }

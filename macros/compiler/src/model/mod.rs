@@ -12,9 +12,13 @@ mod definition;
 pub(crate) mod dimension;
 mod elaborate;
 mod frames;
+mod index;
 mod instance;
 mod items;
+mod layout;
+mod name;
 mod names;
+mod register;
 mod resolve;
 mod signature;
 pub(crate) mod spline;
@@ -24,6 +28,8 @@ pub(crate) mod unit;
 pub(crate) mod value;
 
 pub use dimension::Dim;
+pub use layout::{Component, Field, Layout, Of, Part};
+pub use name::Name;
 pub use spline::{Ends, Table};
 
 use crate::expr::{Arena, Expr};
@@ -32,7 +38,7 @@ use proc_macro2::{Ident, TokenStream};
 
 pub(crate) use definition::{check as check_definition, check_names};
 pub(crate) use names::is_generated;
-pub(crate) use resolve::resolve;
+pub(crate) use resolve::{Outline, outline, resolve};
 
 /// A mechanism in which nothing is only a name any more.
 #[derive(Clone, Debug)]
@@ -47,7 +53,9 @@ pub struct Model {
     pub name: Ident,
     /// No `solve` is generated.
     pub equations_only: bool,
-    /// The fields of the generated struct.
+    /// What the mechanism and its components are made of.
+    pub layout: Layout,
+    /// The fields of the generated structs.
     pub parameters: Vec<Parameter>,
     /// The moving bodies, in the order declared.
     pub bodies: Vec<Body>,
@@ -57,6 +65,8 @@ pub struct Model {
     pub joints: Vec<Joint>,
     /// Named outputs, in the order declared.
     pub outputs: Vec<Output>,
+    /// The methods that give them.
+    pub methods: Vec<Method>,
     /// Functions that the arena knows by number.
     pub functions: Vec<Function>,
     /// Conditions on parameters.
@@ -66,10 +76,8 @@ pub struct Model {
 /// A field of the generated struct.
 #[derive(Clone, Debug)]
 pub struct Parameter {
-    /// Doc attributes of the field.
-    pub docs: Docs,
     /// Its name.
-    pub name: Ident,
+    pub name: Name,
     /// What it measures.
     pub dim: Dim,
     /// Its default, a constant.
@@ -79,10 +87,8 @@ pub struct Parameter {
 /// A moving body: a list of coordinates with a kind.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// Doc attributes of the accessor.
-    pub docs: Docs,
     /// Its name.
-    pub name: Ident,
+    pub name: Name,
     /// Its coordinates, as numbered in the arena.
     pub coordinates: Vec<Coordinate>,
 }
@@ -101,10 +107,8 @@ pub struct Coordinate {
 /// A joint or a drive: residuals that must vanish.
 #[derive(Clone, Debug)]
 pub struct Joint {
-    /// Doc attributes, if any.
-    pub docs: Docs,
     /// Its name.
-    pub name: Ident,
+    pub name: Name,
     /// The constraint it is made of; `equation` if written inline.
     pub kind: String,
     /// Declared by `drive`.
@@ -125,14 +129,27 @@ pub struct Residual {
 /// A named output.
 #[derive(Clone, Debug)]
 pub struct Output {
-    /// Doc attributes of the generated method.
-    pub docs: Docs,
     /// Its name.
-    pub name: Ident,
-    /// One component for a number, two for a vector or a point.
+    pub name: Name,
+    /// The body that it is, if it is a whole one.
+    pub body: Option<usize>,
+    /// One component for a number, two for a vector or a point, none for a body.
     pub components: Vec<Expr>,
     /// What it measures.
     pub dim: Dim,
+}
+
+/// A generated method: one output, or an array of them.
+#[derive(Clone, Debug)]
+pub struct Method {
+    /// Its name; that of an output in a part begins with the part's.
+    pub name: Ident,
+    /// Doc attributes.
+    pub docs: Docs,
+    /// How many outputs there are for each index; empty for a single one.
+    pub sizes: Vec<usize>,
+    /// The outputs by number, the last index running fastest.
+    pub members: Vec<usize>,
 }
 
 /// A function of one variable with its first two derivatives.

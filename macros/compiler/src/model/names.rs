@@ -1,6 +1,10 @@
 //! All names of a mechanism, and how far what they stand for has been resolved.
+//!
+//! Names live in spaces: that of the mechanism, one for each part, one for each body. A name with indices is an array, and
+//! each of its members is an item of its own.
 
-use super::value::{Arguments, FrameId, Value};
+use super::Name;
+use super::value::{FrameId, Value};
 use crate::expr::Expr;
 use crate::syntax::ast::{self, Definition};
 use proc_macro2::Ident;
@@ -36,29 +40,92 @@ pub(crate) fn is_generated(name: &Ident) -> bool {
     GENERATED.iter().any(|known| name == known)
 }
 
+/// Number of a space; that of the mechanism is 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct SpaceId(pub(super) usize);
+
+impl SpaceId {
+    /// The mechanism itself.
+    pub(super) const MECHANISM: SpaceId = SpaceId(0);
+}
+
+/// Number of a name in its space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct GroupId(pub(super) usize);
+
+/// Number of a declared item.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct EntityId(pub(super) usize);
+
 /// How far an item has been resolved.
 #[derive(Clone)]
-pub(super) enum Progress<T> {
+pub(super) enum Progress {
     Untouched,
     Open,
-    Done(T),
+    Done(Value),
     /// It was refused; whoever needs it stays silent.
     Failed,
 }
 
-/// What a name of the mechanism stands for.
+/// What a declared item is.
 #[derive(Clone)]
 pub(super) enum Entity {
-    Value(Option<Value>),
-    Let(Rc<ast::Let>, Progress<Value>),
+    /// A parameter, a body, a part: known from the beginning.
+    Known,
+    Let(Rc<ast::Let>),
     Function(Rc<ast::Function>),
-    Joint(Rc<ast::Joint>, Progress<Arguments>),
+    Joint(Rc<ast::Joint>),
+    Mark(FrameId, Rc<ast::Mark>),
+    /// What a part was made with, by the number of the component's parameter.
+    Argument(Rc<Made>, usize),
 }
 
-/// A point or an axis, and how far it has been resolved.
-pub(super) struct Mark {
-    pub(super) written: Rc<ast::Mark>,
-    pub(super) progress: Progress<Value>,
+/// A part and what was written between its parentheses.
+pub(super) struct Made {
+    pub(super) component: Rc<ast::Component>,
+    pub(super) part: Rc<ast::Part>,
+    /// For each parameter of the component the argument's number, if there is one.
+    pub(super) slots: Vec<Option<usize>>,
+    /// Where the part was declared.
+    pub(super) outside: Context,
+}
+
+/// Where an item stands: in which space, in which round of which loops.
+#[derive(Clone)]
+pub(super) struct Context {
+    pub(super) space: SpaceId,
+    /// The variables of the loops around it.
+    pub(super) bound: Rc<Vec<(String, Value)>>,
+}
+
+/// A declared item.
+pub(super) struct Declared {
+    pub(super) entity: Entity,
+    pub(super) progress: Progress,
+    pub(super) name: Name,
+    pub(super) context: Context,
+}
+
+/// One name of a space: a single item, or an array of them.
+pub(super) struct Group {
+    pub(super) word: String,
+    /// As it is called from outside: `leg[3].coupler`.
+    pub(super) path: String,
+    /// What it is in words.
+    pub(super) what: &'static str,
+    /// How many indices its members have.
+    pub(super) ranks: usize,
+    /// By their indices; a single item has none.
+    pub(super) members: BTreeMap<Vec<usize>, EntityId>,
+}
+
+/// Names that belong together.
+#[derive(Default)]
+pub(super) struct Space {
+    /// How a name in it is called from outside: empty, or `leg[3].`.
+    pub(super) prefix: String,
+    pub(super) groups: BTreeMap<String, GroupId>,
+    pub(super) order: Vec<GroupId>,
 }
 
 /// A frame and what is fixed in it.
@@ -66,87 +133,103 @@ pub(super) struct Frame {
     pub(super) name: String,
     /// x, y and angle; ground has none.
     pub(super) coordinates: Option<[Expr; 3]>,
-    pub(super) marks: BTreeMap<String, Mark>,
-    /// Names of the marks as declared.
-    pub(super) order: Vec<String>,
+    /// Its points and axes.
+    pub(super) space: SpaceId,
 }
 
 /// All names of a mechanism.
-#[derive(Default)]
 pub(crate) struct Names {
     pub(super) frames: Vec<Frame>,
+    pub(super) spaces: Vec<Space>,
+    pub(super) groups: Vec<Group>,
+    pub(super) declared: Vec<Declared>,
+    /// Constraints that were brought in, and those of the library that were asked for.
     pub(super) definitions: BTreeMap<String, Rc<Definition>>,
+    pub(super) library: BTreeMap<String, Option<Rc<Definition>>>,
+    pub(super) components: BTreeMap<String, Rc<ast::Component>>,
     /// Functions whose bodies are being looked at, to stop recursion.
     pub(super) open_functions: Vec<String>,
     /// A definition is checked on its own, with bodies and numbers nothing is known of.
     pub(super) is_abstract: bool,
-    /// Everything declared, and what it is in words.
-    pub(super) entities: BTreeMap<String, (Entity, &'static str)>,
-    pub(super) order: Vec<String>,
     /// Names that `use` items brought in.
     pub(super) used: Vec<String>,
 }
 
 impl Names {
     /// With ground as the only frame.
-    pub(super) fn new() -> Names {
-        let ground = Frame { name: "ground".into(), coordinates: None, marks: BTreeMap::new(), order: Vec::new() };
-        Names { frames: vec![ground], ..Names::default() }
+    pub(super) fn new(definitions: BTreeMap<String, Rc<Definition>>) -> Names {
+        let ground = Frame { name: "ground".into(), coordinates: None, space: SpaceId(1) };
+        Names {
+            frames: vec![ground],
+            spaces: vec![Space::default(), Space { prefix: "ground.".into(), ..Space::default() }],
+            groups: Vec::new(),
+            declared: Vec::new(),
+            definitions,
+            library: BTreeMap::new(),
+            components: BTreeMap::new(),
+            open_functions: Vec::new(),
+            is_abstract: false,
+            used: Vec::new(),
+        }
     }
 
     /// For checking a definition on its own.
     pub(super) fn abstract_() -> Names {
-        Names { is_abstract: true, ..Names::new() }
+        Names { is_abstract: true, ..Names::new(BTreeMap::new()) }
     }
 
     pub(super) fn is_abstract(&self) -> bool {
         self.is_abstract
     }
 
-    pub(super) fn is_known(&self, name: &Ident) -> bool {
-        self.entities.contains_key(&name.to_string())
+    /// A fresh space whose names begin with `prefix`.
+    pub(super) fn new_space(&mut self, prefix: String) -> SpaceId {
+        self.spaces.push(Space { prefix, ..Space::default() });
+        SpaceId(self.spaces.len() - 1)
     }
 
-    /// Every declared name, in order.
-    pub(super) fn all(&self) -> Vec<String> {
-        self.order.clone()
+    /// The name in a space, if it is declared there.
+    pub(super) fn find(&self, space: SpaceId, word: &str) -> Option<GroupId> {
+        self.spaces[space.0].groups.get(word).copied()
+    }
+
+    /// What a name means where an item of a space stands: its own names, then those of the mechanism.
+    pub(super) fn visible(&self, space: SpaceId, word: &str) -> Option<GroupId> {
+        self.find(space, word).or_else(|| self.find(SpaceId::MECHANISM, word))
+    }
+
+    pub(super) fn group(&self, group: GroupId) -> &Group {
+        &self.groups[group.0]
+    }
+
+    /// The names that are visible from a space, in the order declared.
+    pub(super) fn all(&self, space: SpaceId) -> Vec<String> {
+        let own = self.words(space);
+        if space == SpaceId::MECHANISM { own } else { own.into_iter().chain(self.words(SpaceId::MECHANISM)).collect() }
+    }
+
+    /// The names of one space, in the order declared.
+    pub(super) fn words(&self, space: SpaceId) -> Vec<String> {
+        self.spaces[space.0].order.iter().map(|group| self.groups[group.0].word.clone()).collect()
     }
 
     /// `body.name` for a point or an axis of this name.
     pub(super) fn mark_called(&self, name: &Ident) -> Option<String> {
-        let owner = self.frames.iter().find(|frame| frame.marks.contains_key(&name.to_string()))?;
+        let word = name.to_string();
+        let owner = self.frames.iter().find(|frame| self.find(frame.space, &word).is_some())?;
         Some(format!("{}.{name}", owner.name))
-    }
-
-    /// The name of a joint stands for a joint, not for another item declared before it.
-    pub(super) fn is_declared_as(&self, joint: &ast::Joint) -> bool {
-        matches!(self.entities.get(&joint.name.to_string()), Some((Entity::Joint(declared, _), _)) if declared.is_drive == joint.is_drive)
-    }
-
-    /// What a joint was made with, once that is known.
-    pub(super) fn arguments_of(&self, joint: &Ident) -> Option<Arguments> {
-        match self.entities.get(&joint.to_string()) {
-            Some((Entity::Joint(_, Progress::Done(arguments)), _)) => Some(arguments.clone()),
-            _ => None,
-        }
     }
 
     /// The first point of a frame.
     pub(super) fn a_point_of(&self, frame: FrameId) -> Option<&str> {
-        let frame = &self.frames[frame.0];
-        frame.order.iter().map(String::as_str).find(|name| frame.marks.get(*name).is_some_and(|mark| !mark.written.is_axis))
-    }
-
-    /// Notes how far an item has been resolved.
-    pub(super) fn set(&mut self, name: String, entity: Entity) {
-        if let Some(known) = self.entities.get_mut(&name) {
-            known.0 = entity;
-        }
+        let space = &self.spaces[self.frames[frame.0].space.0];
+        let is_point = |group: &&Group| group.what == "a point" && group.ranks == 0;
+        space.order.iter().map(|group| &self.groups[group.0]).find(is_point).map(|group| group.word.as_str())
     }
 
     /// The names of declared functions, in order.
     pub(super) fn functions(&self) -> Vec<String> {
-        let is_function = |name: &&String| matches!(self.entities.get(*name), Some((Entity::Function(_), _)));
-        self.order.iter().filter(is_function).cloned().collect()
+        let groups = self.spaces[SpaceId::MECHANISM.0].order.iter().map(|group| &self.groups[group.0]);
+        groups.filter(|group| group.what == "a function").map(|group| group.word.clone()).collect()
     }
 }

@@ -1,29 +1,30 @@
-//! The items of a mechanism: registered by name first, resolved when asked for.
+//! The items of a mechanism: registered by name first, resolved when asked for, each once.
 
-use super::builtin::BUILTINS;
 use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
-use super::names::{Entity, Names, Progress, RESERVED};
+use super::names::{Context, Declared, Entity, EntityId, Made, Names, Progress, is_generated};
+use super::register::{Register, is_one_of_many};
 use super::suggest::nearest;
-use super::value::{Arguments, FrameId, Function, Scalar, Value};
-use super::{Model, Parameter};
-use crate::diag::{Diag, Fact};
-use crate::expr::Leaf;
-use crate::syntax::ast::{self, Definition, Item};
-use proc_macro2::Ident;
+use super::value::{Function, Scalar, Value};
+use super::{Layout, Method, Model, Name, Parameter};
+use crate::diag::{Diag, Fact, Range};
+use crate::syntax::ast::{self, Definition};
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// Resolves a whole mechanism; `definitions` are those its `use` items brought in.
 pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definition)>, diag: &mut Diag) -> Option<Model> {
     let definitions = definitions.into_iter().map(|(name, definition)| (name, Rc::new(definition))).collect();
-    let mut work = Elaborator::new(diag, Names { definitions, ..Names::new() });
-    work.register(tree);
-    let parameters = work.parameters(tree);
-    work.lets_and_functions(tree);
-    let bodies = work.bodies(tree);
-    let lengths = work.marks();
-    let joints = work.joints(tree);
-    let outputs = work.outputs(tree);
+    let mut work = Elaborator::new(diag, Names::new(definitions));
+    let register = work.register(&tree.items);
+    let layout = work.layout(&register);
+    let parameters = work.parameters(&register);
+    work.lets_and_functions(&register);
+    let bodies = work.bodies(&register);
+    let lengths = work.marks(&register);
+    let joints = work.joints(&register);
+    let outputs = work.outputs(&register);
+    let methods = work.methods(&layout, &outputs);
     work.requirements_hold(&parameters);
     let Elaborator { arena, functions, requirements, .. } = work;
     let model = Model {
@@ -32,88 +33,89 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
         visibility: tree.visibility.clone(),
         name: tree.name.clone(),
         equations_only: tree.equations_only,
+        layout,
         parameters,
         bodies,
         lengths,
         joints,
-        outputs,
+        outputs: outputs.into_iter().flatten().collect(),
+        methods,
         functions,
         requirements,
     };
     diag.is_clean().then_some(model)
 }
 
+/// What a mechanism promises, as far as it can be read.
+pub(crate) struct Outline {
+    pub(crate) layout: Layout,
+    pub(crate) methods: Vec<Method>,
+    /// The outputs by number.
+    pub(crate) outputs: Vec<Rc<ast::Output>>,
+    /// How many bodies there are.
+    pub(crate) bodies: usize,
+}
+
+/// The outline of a mechanism, whatever is wrong with it: for its stub.
+pub(crate) fn outline(tree: &ast::Mechanism) -> Outline {
+    let mut diag = Diag::default();
+    let mut work = Elaborator::new(&mut diag, Names::new(BTreeMap::new()));
+    let register = work.register(&tree.items);
+    let layout = work.layout(&register);
+    let mut methods = work.methods(&layout, &vec![None; register.outputs.len()]);
+    let mut taken = BTreeSet::new();
+    methods.retain(|method| !is_generated(&method.name) && taken.insert(method.name.to_string()));
+    Outline { layout, methods, outputs: register.outputs.into_iter().map(|(_, output)| output).collect(), bodies: register.bodies.len() }
+}
+
 impl Elaborator<'_> {
-    /// Gives every item its name.
-    fn register(&mut self, tree: &ast::Mechanism) {
-        let mut parameters = 0;
-        let mut has_ground = false;
-        for item in &tree.items {
-            match item {
-                Item::Parameter(parameter) => {
-                    let leaf = self.arena.leaf(Leaf::Parameter(parameters));
-                    parameters += 1;
-                    let dim = self.dimension(&parameter.dimension);
-                    let value = dim.map(|dim| Value::Scalar(Scalar { expr: leaf, measure: Measure::Of(dim) }));
-                    self.declare(&parameter.name, Entity::Value(value), "a parameter");
-                }
-                Item::Let(binding) => self.declare(&binding.name, Entity::Let(Rc::new(binding.clone()), Progress::Untouched), "a `let`"),
-                Item::Function(function) => self.declare(&function.name, Entity::Function(Rc::new(function.clone())), "a function"),
-                Item::Ground(frame) => {
-                    if std::mem::replace(&mut has_ground, true) {
-                        self.diag.refuse::<()>(&frame.name, Fact::DuplicateGround);
-                    }
-                    self.fill(FrameId::GROUND, frame);
-                }
-                Item::Body(frame) => {
-                    let id = self.new_frame(&frame.name.to_string());
-                    self.declare(&frame.name, Entity::Value(Some(Value::Body(id))), "a body");
-                    self.fill(id, frame);
-                }
-                Item::Joint(joint) => {
-                    let what = if joint.is_drive { "a drive" } else { "a joint" };
-                    self.declare(&joint.name, Entity::Joint(Rc::new(joint.clone()), Progress::Untouched), what);
-                }
-                Item::Use(uses) => self.names_are_new(uses),
-                Item::Output(_) | Item::Refused(_) => {}
-            }
+    /// The fields of the generated structs.
+    fn parameters(&mut self, register: &Register) -> Vec<Parameter> {
+        let parameter = |this: &mut Self, (id, written): &(EntityId, Rc<ast::Parameter>)| {
+            this.of(*id, Rc::as_ptr(written), |this, name, context| this.parameter(written, name, context))
+        };
+        register.parameters.iter().filter_map(|declared| parameter(self, declared)).collect()
+    }
+
+    /// Looks at a declared item, unless it was refused in another place.
+    pub(super) fn of<I, T>(
+        &mut self,
+        id: EntityId,
+        item: *const I,
+        look: impl FnOnce(&mut Self, &Name, &Context) -> Option<T>,
+    ) -> Option<T> {
+        let Declared { name, context, .. } = &self.names.declared[id.0];
+        let (name, context) = (name.clone(), context.clone());
+        let place = is_one_of_many(&context).then(|| format!("in `{name}`"));
+        self.at(place, |this| this.once(item, |this| look(this, &name, &context)))
+    }
+
+    /// Looks at an item, unless it was refused before: what is declared once is refused once.
+    pub(super) fn once<I, T>(&mut self, item: *const I, look: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
+        let key = item as usize;
+        if self.refused.contains(&key) {
+            return None;
         }
-    }
-
-    fn declare(&mut self, name: &Ident, entity: Entity, what: &'static str) {
-        let word = name.to_string();
-        if RESERVED.contains(&word.as_str()) || BUILTINS.contains(&word.as_str()) {
-            self.diag.refuse::<()>(name, Fact::Reserved { name: word });
-        } else if let Some((_, first)) = self.names.entities.get(&word) {
-            self.diag.refuse::<()>(name, Fact::Duplicate { name: word, first });
-        } else {
-            self.names.order.push(word.clone());
-            self.names.entities.insert(word, (entity, what));
+        let before = self.diag.refusals().len();
+        let found = look(self);
+        if self.diag.refusals().len() > before {
+            self.refused.insert(key);
         }
+        found
     }
 
-    /// No two `use` items bring in the same name.
-    fn names_are_new(&mut self, uses: &[ast::Use]) {
-        for used in uses {
-            let name = used.name.to_string();
-            if self.names.used.contains(&name) {
-                self.diag.refuse::<()>(&used.name, Fact::Duplicate { name, first: "another `use`" });
-            } else {
-                self.names.used.push(name);
-            }
-        }
+    /// Says of what is refused meanwhile where it stands.
+    pub(super) fn at<T>(&mut self, place: Option<String>, look: impl FnOnce(&mut Self) -> T) -> T {
+        let outer = std::mem::replace(&mut self.place, place);
+        let found = look(self);
+        self.place = outer;
+        found
     }
 
-    /// The fields of the generated struct.
-    fn parameters(&mut self, tree: &ast::Mechanism) -> Vec<Parameter> {
-        let parameters = tree.items.iter().filter_map(|item| if let Item::Parameter(parameter) = item { Some(parameter) } else { None });
-        parameters.filter_map(|parameter| self.parameter(parameter)).collect()
-    }
-
-    fn parameter(&mut self, parameter: &ast::Parameter) -> Option<Parameter> {
+    fn parameter(&mut self, parameter: &ast::Parameter, name: &Name, context: &Context) -> Option<Parameter> {
         // An unknown dimension has been refused by `register`.
         let dim = Dim::of(&parameter.dimension)?;
-        let scope = Scope::mechanism().timeless("the default of a parameter");
+        let scope = Scope::of(context).timeless("the default of a parameter");
         let default = self.scalar_of(&parameter.default, dim, &scope)?.expr;
         if !self.arena.leaves(default).is_empty() {
             let help = "a quantity that follows from others is declared with `let`";
@@ -122,7 +124,7 @@ impl Elaborator<'_> {
         if !self.numbers(&[], &[default])[0].is_finite() {
             return self.refuse(parameter.default.range, Fact::NotFinite { place: "the default" });
         }
-        Some(Parameter { docs: parameter.docs.clone(), name: parameter.name.clone(), dim, default })
+        Some(Parameter { name: name.clone(), dim, default })
     }
 
     /// The dimension behind its names.
@@ -135,60 +137,64 @@ impl Elaborator<'_> {
         Dim::of(written)
     }
 
-    /// The value of a declared name.
-    pub(super) fn declared(&mut self, name: &Ident) -> Option<Value> {
-        let word = name.to_string();
-        match self.names.entities.get(&word)?.0.clone() {
-            Entity::Value(value) => value,
-            Entity::Function(function) => {
-                // A signature over a Rust path gives the function its dimensions.
-                if let (None, ast::ExprKind::Path(path)) = (&function.argument, &function.value.kind) {
-                    let (from, to) = (self.dimension(&function.from)?, self.dimension(&function.to)?);
-                    return Some(Value::Function(self.rust_function(path, Measure::Of(from), Measure::Of(to))));
-                }
-                Some(Value::Function(Function::Written(function)))
+    /// The value of a declared item, resolved when it is first asked for; `range` is where it is asked for.
+    pub(super) fn entity(&mut self, id: EntityId, range: Range) -> Option<Value> {
+        let declared = &self.names.declared[id.0];
+        match &declared.progress {
+            Progress::Done(value) => return Some(value.clone()),
+            Progress::Failed => return None,
+            Progress::Open => {
+                let range = if let Entity::Mark(..) = declared.entity { Range::from(&declared.name) } else { range };
+                let name = declared.name.own();
+                return self.refuse(range, Fact::Cycle { name });
             }
-            Entity::Let(_, Progress::Done(value)) => Some(value),
-            Entity::Let(_, Progress::Failed) | Entity::Joint(_, Progress::Failed) => None,
-            Entity::Let(binding, Progress::Untouched) => {
-                self.names.set(word.clone(), Entity::Let(binding.clone(), Progress::Open));
-                let value = self.binding(&binding, &Scope::mechanism());
-                let progress = value.clone().map_or(Progress::Failed, Progress::Done);
-                self.names.set(word, Entity::Let(binding, progress));
-                value
-            }
-            Entity::Joint(joint, progress) => {
-                let arguments = match progress {
-                    Progress::Done(arguments) => arguments,
-                    Progress::Open => return self.refuse(name, Fact::Cycle { name: word }),
-                    _ => self.joint_arguments(&joint)?,
-                };
-                match &joint.body {
-                    // A definition that was renamed by `use` is still of its own kind.
-                    ast::JointBody::Of { kind, .. } => {
-                        let kind = self.definition(kind)?.name.to_string();
-                        Some(Value::Joint { kind, arguments })
-                    }
-                    ast::JointBody::Equations(_) => Some(Value::Joint { kind: "equation".into(), arguments }),
-                }
-            }
-            Entity::Let(_, Progress::Open) => self.refuse(name, Fact::Cycle { name: word }),
+            Progress::Untouched => {}
+        }
+        let entity = declared.entity.clone();
+        self.names.declared[id.0].progress = Progress::Open;
+        let value = match &entity {
+            Entity::Known => None,
+            Entity::Let(binding) => self.of(id, Rc::as_ptr(binding), |this, _, context| this.binding(binding, &Scope::of(context))),
+            Entity::Function(function) => self.function_value(function),
+            Entity::Joint(joint) => self.of(id, Rc::as_ptr(joint), |this, _, context| this.joint_value(joint, context)),
+            Entity::Mark(frame, mark) => self.of(id, Rc::as_ptr(mark), |this, _, context| this.fixed(*frame, mark, context)),
+            Entity::Argument(made, number) => self.made_with(id, made, *number),
+        };
+        self.names.declared[id.0].progress = value.clone().map_or(Progress::Failed, Progress::Done);
+        value
+    }
+
+    fn function_value(&mut self, function: &Rc<ast::Function>) -> Option<Value> {
+        // A signature over a Rust path gives the function its dimensions.
+        if let (None, ast::ExprKind::Path(path)) = (&function.argument, &function.value.kind) {
+            let (from, to) = (self.dimension(&function.from)?, self.dimension(&function.to)?);
+            return Some(Value::Function(self.rust_function(path, Measure::Of(from), Measure::Of(to))));
+        }
+        Some(Value::Function(Function::Written(function.clone())))
+    }
+
+    fn joint_value(&mut self, joint: &ast::Joint, context: &Context) -> Option<Value> {
+        let arguments = Rc::new(self.bind_joint(joint, context)?);
+        match &joint.body {
+            // A definition that was renamed by `use` is still of its own kind.
+            ast::JointBody::Of { kind, .. } => Some(Value::Joint { kind: self.definition(kind)?.name.to_string(), arguments }),
+            ast::JointBody::Equations(_) => Some(Value::Joint { kind: "equation".into(), arguments }),
         }
     }
 
-    /// The arguments of a joint, evaluated once.
-    pub(super) fn joint_arguments(&mut self, joint: &Rc<ast::Joint>) -> Option<Arguments> {
-        let word = joint.name.to_string();
-        match self.names.entities.get(&word) {
-            Some((Entity::Joint(_, Progress::Done(arguments)), _)) => return Some(arguments.clone()),
-            Some((Entity::Joint(_, Progress::Failed), _)) => return None,
-            _ => {}
-        }
-        self.names.set(word.clone(), Entity::Joint(joint.clone(), Progress::Open));
-        let arguments = self.bind_joint(joint).map(Rc::new);
-        let progress = arguments.clone().map_or(Progress::Failed, Progress::Done);
-        self.names.set(word, Entity::Joint(joint.clone(), progress));
-        arguments
+    /// An argument of a part: it stands outside of its component, a default inside.
+    fn made_with(&mut self, id: EntityId, made: &Rc<Made>, number: usize) -> Option<Value> {
+        let formal = &made.component.head.parameters[number];
+        let owner = self.names.declared[id.0].context.clone();
+        let (written, context) = match (made.slots[number], &formal.default) {
+            (Some(argument), _) => (&made.part.arguments[argument].value, &made.outside),
+            (None, Some(default)) => (default, &owner),
+            (None, None) => return None,
+        };
+        let part = self.names.spaces[owner.space.0].prefix.trim_end_matches('.').to_owned();
+        let place = is_one_of_many(&made.outside).then(|| format!("in `{part}`"));
+        let scope = Scope::of(context);
+        self.at(place, |this| this.once(std::ptr::from_ref(written), |this| this.argument(&made.component.head, formal, written, &scope)))
     }
 
     /// A `let`: a bare number becomes a pure number unless a dimension is said.

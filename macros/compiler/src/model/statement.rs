@@ -2,7 +2,7 @@
 
 use super::elaborate::{Blame, Elaborator, Scope};
 use super::value::{Scalar, Value};
-use super::{Parameter, Requirement};
+use super::{Name, Parameter, Requirement};
 use crate::diag::{Fact, Range};
 use crate::expr::{Values, evaluate};
 use crate::syntax::ast::{self, Relation, Statement};
@@ -20,7 +20,7 @@ impl Elaborator<'_> {
         &mut self,
         statements: &[Statement],
         mut scope: Scope,
-        joint: &ast::Joint,
+        joint: &Name,
         places: &[(String, Range)],
     ) -> Option<Vec<Row>> {
         let mut rows: Vec<Row> = Vec::new();
@@ -51,7 +51,7 @@ impl Elaborator<'_> {
             }
         }
         if complete && rows.is_empty() {
-            return self.refuse(&joint.name, Fact::NoEquations { name: joint.name.to_string() });
+            return self.refuse(joint, Fact::NoEquations { name: joint.word.to_string() });
         }
         complete.then_some(rows)
     }
@@ -68,7 +68,7 @@ impl Elaborator<'_> {
     }
 
     /// A condition: on bodies it is decided here, on numbers it is kept until defaults are known.
-    fn requirement(&mut self, requirement: &ast::Requirement, scope: &Scope, joint: &ast::Joint, places: &[(String, Range)]) -> Option<()> {
+    fn requirement(&mut self, requirement: &ast::Requirement, scope: &Scope, joint: &Name, places: &[(String, Range)]) -> Option<()> {
         let (left, right) = (self.value(&requirement.lhs, scope), self.value(&requirement.rhs, scope));
         let (left, right) = (left?, right?);
         let place = match &requirement.lhs.kind {
@@ -101,7 +101,7 @@ impl Elaborator<'_> {
         requirement: &ast::Requirement,
         one: Scalar,
         two: Scalar,
-        joint: &ast::Joint,
+        joint: &Name,
         place: Option<Range>,
     ) -> Option<()> {
         if one.measure.common(two.measure).is_none() {
@@ -121,8 +121,8 @@ impl Elaborator<'_> {
         }
         // What is compared goes by the name it has in the definition.
         let joint = match &requirement.lhs.kind {
-            ast::ExprKind::Path(path) => format!("{}.{}", joint.name, path.last),
-            _ => joint.name.to_string(),
+            ast::ExprKind::Path(path) => format!("{joint}.{}", path.last),
+            _ => joint.to_string(),
         };
         self.requirements.push(Requirement { lhs, relation: requirement.relation, rhs, joint, why });
         let blamed = place.or(self.blame.as_ref().map(|blame| blame.place));
@@ -133,7 +133,7 @@ impl Elaborator<'_> {
     /// Refuses at an argument if one is to blame.
     fn refuse_at<T>(&mut self, place: Option<Range>, range: Range, fact: Fact) -> Option<T> {
         let place = place.or(self.blame.as_ref().map(|blame| blame.place));
-        self.diag.refuse(place.unwrap_or(range), fact)
+        self.say(place.unwrap_or(range), fact)
     }
 
     /// Conditions on parameters must hold at the declared defaults.

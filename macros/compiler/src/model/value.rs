@@ -1,6 +1,7 @@
 //! What an expression stands for while names are resolved.
 
 use super::dimension::Measure;
+use super::names::{GroupId, SpaceId};
 use crate::expr::Expr;
 use crate::syntax::ast;
 use std::rc::Rc;
@@ -58,7 +59,17 @@ pub(crate) enum Value {
     Axis(Fixed),
     Body(FrameId),
     Function(Function),
-    Joint { kind: String, arguments: Arguments },
+    Joint {
+        kind: String,
+        arguments: Arguments,
+    },
+    /// A component's instance, by the space of its names.
+    Part(SpaceId),
+    /// Some of the indices of a name that has more of them.
+    Array {
+        group: GroupId,
+        at: Vec<usize>,
+    },
 }
 
 impl Value {
@@ -77,6 +88,8 @@ impl Value {
             Value::Body(_) => "a body",
             Value::Function(_) => "a function",
             Value::Joint { .. } => "a joint",
+            Value::Part(_) => "a part",
+            Value::Array { .. } => "an array",
         }
     }
 }

@@ -3,18 +3,35 @@
 //! In: a [`System`] and what is to be computed. Out: [`Routine`]s: named steps, each used more than
 //! once, and results that refer to them. Not done here: printing.
 
+mod elimination;
+mod kernels;
+mod linear;
 mod magnitude;
+mod outputs;
+mod rolled;
 mod schedule;
+mod shape;
+mod slice;
 mod solution;
 mod stages;
 
-pub use solution::{Iterated, Part, Solution};
+pub use elimination::Elimination;
+pub use kernels::{Kernel, Kernels};
+pub use outputs::Outputs;
+pub use rolled::{Code, Group, Target};
+pub use shape::{Column, Shape};
+pub use slice::Slice;
+pub use solution::{Iterated, Lines, Part, Solution, Solving, Summary};
 pub use stages::{Iteration, Stage};
 
+use crate::closure::{Closure, Poses};
 use crate::expr::{Arena, Expr, Leaf};
-use crate::model::Model;
+use crate::model::{Dim, Model};
 use crate::structure::Structure;
-use crate::system::System;
+use crate::system::{Equation, Output, System};
+use rolled::Cell;
+use shape::Tracer;
+use solution::Frame;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Everything that is generated, as straight lines.
@@ -24,20 +41,26 @@ pub struct Plan {
     pub arena: Arena,
     /// How q, q̇ and q̈ are found; none for equations that are not solved.
     pub solution: Option<Solution>,
+    /// For each method of outputs what is upstream of it.
+    pub slices: Vec<Slice>,
+    /// What moves, where that is worth its own code.
+    pub moving: Option<Slice>,
     /// Φ(q, t), one result for each row.
-    pub phi: Routine,
+    pub phi: Code,
     /// The entries of Φ_q that are not identically zero, row by row.
-    pub jacobian: Routine,
-    /// Φ, then the entries of Φ_q.
-    pub linearize: Routine,
+    pub jacobian: Code,
+    /// Φ and the entries of Φ_q, joint by joint.
+    pub linearize: Code,
+    /// Where the results of `linearize` go, if it is straight.
+    pub linearized: Vec<Target<u32>>,
     /// ν(q, t)
-    pub nu: Routine,
+    pub nu: Code,
     /// γ(q, q̇, t)
-    pub gamma: Routine,
+    pub gamma: Code,
     /// Row and column of each entry of Φ_q.
     pub pattern: Vec<(usize, usize)>,
-    /// For each output: value, rate and acceleration of each component.
-    pub outputs: Vec<Routine>,
+    /// For each method that gives outputs.
+    pub outputs: Vec<Outputs>,
     /// The declared start values, by unknown; those not declared have no result.
     pub start: Routine,
     /// The local coordinates of points that depend on parameters or are constants.
@@ -88,6 +111,26 @@ pub enum Step {
     },
 }
 
+impl std::ops::Add for Cost {
+    type Output = Cost;
+    fn add(self, other: Cost) -> Cost {
+        Cost {
+            flops: self.flops + other.flops,
+            divisions: self.divisions + other.divisions,
+            sines: self.sines + other.sines,
+            calls: self.calls + other.calls,
+        }
+    }
+}
+
+impl std::ops::Mul<usize> for Cost {
+    type Output = Cost;
+    fn mul(self, times: usize) -> Cost {
+        let Cost { flops, divisions, sines, calls } = self;
+        Cost { flops: times * flops, divisions: times * divisions, sines: times * sines, calls: times * calls }
+    }
+}
+
 /// Operation counts of a routine.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost {
@@ -102,30 +145,139 @@ pub struct Cost {
 }
 
 /// Schedules everything that is generated.
-pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure) -> Plan {
+pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, closure: &Closure) -> Plan {
     let mut arena = system.arena.clone();
-    let stages = (!model.equations_only).then(|| stages::stages(&mut arena, system, structure));
+    let solved = (!model.equations_only).then(|| {
+        let outputs = method_outputs(&mut arena, model, system);
+        let (mut stages, outputs) = stages::stages(&mut arena, system, structure, &outputs);
+        eliminations(&arena, model, system, closure, &mut stages);
+        (stages, outputs)
+    });
     let words = Words::new(model, system);
+    let tracer = Tracer::new(&arena);
     let line = |results: Vec<Expr>| schedule::routine(&arena, results, &words);
-    let phi: Vec<Expr> = system.equations.iter().filter_map(|equation| equation.phi).collect();
-    let entries: Vec<Expr> = system.equations.iter().flat_map(|equation| equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
-    let row =
-        |(row, equation): (usize, &crate::system::Equation)| equation.jacobian.iter().map(|(column, _)| (row, *column)).collect::<Vec<_>>();
-    let pattern = system.equations.iter().enumerate().flat_map(row).collect();
+    let code = |cells: Vec<Cell>| rolled::code(&arena, &tracer, cells, &words);
+    let joints = Joints::new(system);
+    let solving = solved.map(|(stages, outputs)| solving(&arena, &tracer, system, &words, &stages, &outputs));
     let sides = model.requirements.iter().flat_map(|requirement| [requirement.lhs, requirement.rhs]).collect();
     Plan {
-        linearize: line(phi.iter().chain(&entries).copied().collect()),
-        phi: line(phi),
-        jacobian: line(entries),
-        nu: line(system.equations.iter().map(|equation| equation.nu).collect()),
-        gamma: line(system.equations.iter().map(|equation| equation.gamma).collect()),
-        pattern,
-        outputs: system.outputs.iter().map(|output| line(output.components.iter().flatten().copied().collect())).collect(),
+        linearized: joints.linearized().iter().flatten().map(|(target, _)| *target).collect(),
+        linearize: code(joints.linearized()),
+        phi: code(joints.rows(|equation| equation.phi)),
+        jacobian: code(joints.entries()),
+        nu: code(joints.rows(|equation| Some(equation.nu))),
+        gamma: code(joints.rows(|equation| Some(equation.gamma))),
+        pattern: joints.pattern(),
+        outputs: outputs::outputs(&arena, &tracer, model, system, &words),
         start: line(system.unknowns.iter().filter_map(|unknown| unknown.start).collect()),
         lengths: line(distinct(&arena, &model.lengths)),
         requirements: line(sides),
-        solution: stages.map(|stages| solution::solution(&arena, &stages, system.unknowns.len(), &words)),
+        solution: solving.as_ref().map(|(solution, _, _)| solution.clone()),
+        slices: solving.as_ref().map_or(Vec::new(), |(_, slices, _)| slices.clone()),
+        moving: solving.and_then(|(_, _, moving)| moving),
         arena,
+    }
+}
+
+/// All components of each method's outputs; those of a body are its coordinates.
+fn method_outputs(arena: &mut Arena, model: &Model, system: &System) -> Vec<Output> {
+    let mut components = |member: &usize| -> Vec<[Expr; 3]> {
+        let Some(body) = model.outputs[*member].body else { return system.outputs[*member].components.clone() };
+        let own = (0..system.unknowns.len()).filter(|unknown| system.unknowns[*unknown].body == body);
+        own.map(|unknown| [Leaf::Coordinate, Leaf::Velocity, Leaf::Acceleration].map(|leaf| arena.leaf(leaf(unknown as u32)))).collect()
+    };
+    model.methods.iter().map(|method| Output { components: method.members.iter().flat_map(&mut components).collect() }).collect()
+}
+
+/// Chooses how large blocks are eliminated; most mechanisms have none.
+fn eliminations(arena: &Arena, model: &Model, system: &System, closure: &Closure, stages: &mut [Stage]) {
+    let mut poses = None;
+    for stage in stages {
+        if let Stage::Block(block) = stage
+            && block.unknowns.len() > elimination::CLOSED_FORM
+        {
+            let poses = poses.get_or_insert_with(|| Poses::new(model, system, closure));
+            block.elimination = Some(elimination::elimination(arena, system, block, poses));
+        }
+    }
+}
+
+/// How everything is found, what is upstream of each output, and what moves.
+fn solving(
+    arena: &Arena,
+    tracer: &Tracer,
+    system: &System,
+    words: &Words,
+    stages: &[Stage],
+    outputs: &[Output],
+) -> (Solution, Vec<Slice>, Option<Slice>) {
+    let is_angle: Vec<bool> = system.unknowns.iter().map(|unknown| unknown.dim == Dim::ANGLE).collect();
+    let joints: Vec<usize> = system.equations.iter().map(|equation| equation.joint).collect();
+    let frame = Frame { arena, tracer, words, is_angle: &is_angle, joints: &joints };
+    let slice = |output: &Output| {
+        let is_angle: Vec<bool> = is_angle.iter().copied().chain(output.components.iter().map(|_| false)).collect();
+        let words = words.with_outputs(output.components.len());
+        slice::upstream(&Frame { words: &words, is_angle: &is_angle, ..frame }, stages, output, system.unknowns.len())
+    };
+    let slices = outputs.iter().map(slice).collect();
+    (solution::solution(&frame, stages), slices, slice::moving(&frame, stages))
+}
+
+/// The equations of a system, joint by joint.
+struct Joints<'a> {
+    /// Each with its number.
+    joints: Vec<Vec<(u32, &'a Equation)>>,
+}
+
+impl<'a> Joints<'a> {
+    fn new(system: &'a System) -> Joints<'a> {
+        let mut joints: Vec<Vec<(u32, &Equation)>> = Vec::new();
+        for (row, equation) in system.equations.iter().enumerate() {
+            match joints.last_mut() {
+                Some(joint) if joint.last().is_some_and(|(_, last)| last.joint == equation.joint) => joint.push((row as u32, equation)),
+                _ => joints.push(vec![(row as u32, equation)]),
+            }
+        }
+        Joints { joints }
+    }
+
+    /// One result for each equation.
+    fn rows(&self, of: impl Fn(&Equation) -> Option<Expr>) -> Vec<Cell> {
+        let cell =
+            |joint: &Vec<(u32, &Equation)>| joint.iter().filter_map(|(row, equation)| Some((Target::Row(*row), of(equation)?))).collect();
+        self.joints.iter().map(cell).collect()
+    }
+
+    /// The entries of Φ_q in a list.
+    fn entries(&self) -> Vec<Cell> {
+        let mut number = 0;
+        let mut next = || {
+            number += 1;
+            Target::Row(number - 1)
+        };
+        let cell = |joint: &Vec<(u32, &Equation)>| {
+            joint.iter().flat_map(|(_, equation)| &equation.jacobian).map(|(_, entry)| (next(), *entry)).collect()
+        };
+        self.joints.iter().map(cell).collect()
+    }
+
+    /// Φ, then the entries of Φ_q with their places.
+    fn linearized(&self) -> Vec<Cell> {
+        let entries = |(row, equation): &(u32, &'a Equation)| {
+            let row = *row;
+            equation.jacobian.iter().map(move |(column, entry)| (Target::Entry(row, *column as u32), *entry)).collect::<Vec<_>>()
+        };
+        let cells = self.rows(|equation| equation.phi).into_iter().zip(&self.joints);
+        cells.map(|(phi, joint)| phi.into_iter().chain(joint.iter().flat_map(entries)).collect()).collect()
+    }
+
+    /// Row and column of each entry of Φ_q.
+    fn pattern(&self) -> Vec<(usize, usize)> {
+        let entries = |(row, equation): &(u32, &'a Equation)| {
+            let row = *row as usize;
+            equation.jacobian.iter().map(move |(column, _)| (row, *column)).collect::<Vec<_>>()
+        };
+        self.joints.iter().flatten().flat_map(entries).collect()
     }
 }
 
@@ -139,27 +291,63 @@ fn distinct(arena: &Arena, lengths: &[Expr]) -> Vec<Expr> {
 }
 
 /// The user's words for leaves.
+#[derive(Clone)]
 pub(crate) struct Words {
     coordinates: Vec<String>,
+    /// `self.` before those that are fields.
     parameters: Vec<String>,
 }
 
 impl Words {
     /// From the names of bodies, coordinates and parameters.
     pub(crate) fn new(model: &Model, system: &System) -> Words {
-        let plain = |name: &proc_macro2::Ident| name.to_string().trim_start_matches("r#").to_owned();
-        let coordinate = |unknown: &crate::system::Unknown| format!("{}_{}", plain(&model.bodies[unknown.body].name), unknown.name);
+        let coordinate = |unknown: &crate::system::Unknown| format!("{}_{}", model.bodies[unknown.body].name.local, unknown.name);
         Words {
             coordinates: system.unknowns.iter().map(coordinate).collect(),
-            parameters: model.parameters.iter().map(|parameter| parameter.name.to_string()).collect(),
+            parameters: model.parameters.iter().map(|parameter| format!("self.{}", parameter.name)).collect(),
         }
+    }
+
+    /// With words for the components of an output.
+    fn with_outputs(&self, components: usize) -> Words {
+        let mut words = self.clone();
+        for index in 0..components {
+            let mut name = format!("output_{index}");
+            while words.coordinates.contains(&name) {
+                name.push('_');
+            }
+            words.coordinates.push(name);
+        }
+        words
+    }
+
+    /// The words for a shape: what its first piece is called, without the numbers.
+    fn of_shape(&self, shape: &Shape) -> Words {
+        let mut coordinates = Vec::new();
+        for unknown in &shape.unknowns {
+            let plain: String = self.coordinates[unknown.at(0) as usize].chars().filter(|letter| !letter.is_ascii_digit()).collect();
+            let plain = plain.replace("__", "_");
+            let others = coordinates.iter().filter(|other: &&String| other.starts_with(&plain)).count();
+            coordinates.push(if others == 0 { plain } else { format!("{plain}_{}", others + 1) });
+        }
+        let parameter = |(slot, column): (usize, &Column<u32>)| match column {
+            Column::Same(number) => self.parameters[*number as usize].clone(),
+            _ => format!("p{slot}"),
+        };
+        Words { coordinates, parameters: shape.parameters.iter().enumerate().map(parameter).collect() }
     }
 
     /// The names of all leaves but parameters, which no step may have.
     fn taken(&self) -> BTreeSet<String> {
         let motion = [Leaf::Coordinate, Leaf::Velocity, Leaf::Acceleration];
         let of_unknown = |index: usize| motion.map(|leaf| self.leaf(leaf(index as u32)));
+        // Data and parameters that are no fields have numbered names, as steps have, but with letters of their own.
         (0..self.coordinates.len()).flat_map(of_unknown).chain([self.leaf(Leaf::Time)]).collect()
+    }
+
+    /// The parameter of this number in generated code.
+    pub(crate) fn parameter(&self, number: u32) -> String {
+        self.parameters.get(number as usize).cloned().unwrap_or_default()
     }
 
     /// The name of a leaf in generated code.
@@ -167,7 +355,8 @@ impl Words {
         let coordinate = |index: u32| self.coordinates.get(index as usize).cloned().unwrap_or_default();
         match leaf {
             Leaf::Time => "t".to_owned(),
-            Leaf::Parameter(index) => self.parameters.get(index as usize).map_or(String::new(), |name| format!("self.{name}")),
+            Leaf::Datum(index) => format!("d{index}"),
+            Leaf::Parameter(index) => self.parameters.get(index as usize).cloned().unwrap_or_default(),
             Leaf::Coordinate(index) => coordinate(index),
             Leaf::Velocity(index) => coordinate(index) + "_rate",
             Leaf::Acceleration(index) => coordinate(index) + "_acceleration",

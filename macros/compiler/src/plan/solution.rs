@@ -1,21 +1,71 @@
 //! Stages as straight lines: what is named before a block, inside its loop, and after it.
 
+use super::kernels::Kernels;
+use super::rolled::STRAIGHT;
 use super::schedule::{Work, cost};
+use super::shape::Tracer;
 use super::stages::{Iteration, Stage};
-use super::{Cost, Step, Words};
+use super::{Cost, Elimination, Step, Words};
 use crate::expr::{Arena, Expr, Leaf, Node, Unary};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// How q, q̇ and q̈ are found.
 #[derive(Clone, Debug)]
 pub struct Solution {
+    /// What is found, in order.
+    pub stages: Vec<Summary>,
+    /// Operations outside of loops, once for each state.
+    pub cost: Cost,
+    /// The code that does it.
+    pub solving: Solving,
+}
+
+/// A stage in short.
+#[derive(Clone, Debug)]
+pub enum Summary {
+    /// An unknown that is computed.
+    Explicit {
+        /// Its index in q.
+        unknown: usize,
+        /// It is no constant.
+        moves: bool,
+    },
+    /// Unknowns that are found together.
+    Block {
+        /// Indices in q.
+        unknowns: Vec<usize>,
+        /// Indices in Φ.
+        equations: Vec<usize>,
+        /// Operations of one Newton step, without the solution of its system.
+        cost: Cost,
+        /// How its system is eliminated, if not in closed form.
+        elimination: Option<Elimination>,
+        /// The number of its shape: blocks with the same number do the same operations.
+        shape: usize,
+    },
+}
+
+/// How the stages are written.
+#[derive(Clone, Debug)]
+pub enum Solving {
+    /// One after the other.
+    Straight(Lines),
+    /// As one function for each shape of stage.
+    Shared(Kernels),
+}
+
+/// Stages as straight lines.
+#[derive(Clone, Debug)]
+pub struct Lines {
     /// In order.
     pub parts: Vec<Part>,
     /// Names of the nodes that have one outside of loops.
     pub names: BTreeMap<Expr, String>,
     /// For each unknown, the names of its value, rate and acceleration.
     pub unknowns: Vec<[String; 3]>,
-    /// Operations outside of loops, once for each state.
+    /// Angles whose sine and cosine are taken from outside, with the names of these.
+    pub turned: Vec<(usize, [Option<String>; 2])>,
+    /// Operations outside of loops.
     pub cost: Cost,
 }
 
@@ -56,8 +106,57 @@ pub struct Iterated {
     pub accelerations: Vec<Step>,
 }
 
-/// Schedules the stages of a mechanism with `n` unknowns.
-pub(super) fn solution(arena: &Arena, stages: &[Stage], n: usize, words: &Words) -> Solution {
+/// What is known of the numbers in stages.
+pub(super) struct Frame<'a> {
+    pub(super) arena: &'a Arena,
+    pub(super) tracer: &'a Tracer<'a>,
+    pub(super) words: &'a Words,
+    /// By unknown.
+    pub(super) is_angle: &'a [bool],
+    /// By equation.
+    pub(super) joints: &'a [usize],
+}
+
+/// Schedules stages.
+pub(super) fn solution(frame: &Frame, stages: &[Stage]) -> Solution {
+    let Frame { arena, words, .. } = *frame;
+    let kernels = Kernels::new(frame, stages);
+    let (of_kernels, all) = (kernels.size(), size(arena, stages));
+    let mut blocks = kernels.blocks.iter().copied();
+    let summaries = stages.iter().map(|stage| summary(arena, stage, &mut blocks)).collect();
+    let (cost, solving) = if all <= STRAIGHT || 2 * of_kernels > all && all <= LONGEST {
+        let lines = lines(arena, stages, frame.is_angle.len(), &BTreeSet::new(), words);
+        (lines.cost, Solving::Straight(lines))
+    } else {
+        (kernels.cost(), Solving::Shared(kernels))
+    };
+    Solution { stages: summaries, cost, solving }
+}
+
+/// Beyond this many operations in one function rustc takes more than its time.
+const LONGEST: usize = 16_000;
+
+/// The number of operations of all stages.
+fn size(arena: &Arena, stages: &[Stage]) -> usize {
+    let roots: Vec<Expr> = stages.iter().flat_map(Stage::results).collect();
+    arena.reachable(&roots).len()
+}
+
+/// A stage in short; the next block has this shape and costs this.
+fn summary(arena: &Arena, stage: &Stage, blocks: &mut impl Iterator<Item = (usize, Cost)>) -> Summary {
+    match stage {
+        Stage::Explicit { unknown, motion, .. } => {
+            Summary::Explicit { unknown: *unknown, moves: motion.iter().any(|expr| arena.as_constant(*expr).is_none()) }
+        }
+        Stage::Block(Iteration { unknowns, equations, elimination, .. }) => {
+            let (shape, cost) = blocks.next().unwrap_or_default();
+            Summary::Block { unknowns: unknowns.clone(), equations: equations.clone(), cost, elimination: elimination.clone(), shape }
+        }
+    }
+}
+
+/// Stages over `n` unknowns as straight lines; sine and cosine of the `turned` unknowns are known.
+pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet<usize>, words: &Words) -> Lines {
     let moving: Vec<BTreeSet<Expr>> = stages.iter().map(|stage| moving(arena, stage)).collect();
     let mut roots = Vec::new();
     let mut hoisted = BTreeSet::new();
@@ -72,15 +171,29 @@ pub(super) fn solution(arena: &Arena, stages: &[Stage], n: usize, words: &Words)
     }
     roots.extend(&hoisted);
     let mut work = Work::new(arena, &roots, &hoisted, words);
+    let turned = turned.iter().map(|unknown| (*unknown, known_turn(arena, &mut work, *unknown))).collect();
     let parts = stages.iter().zip(&moving).map(|(stage, moving)| part(arena, &mut work, stage, moving, words)).collect();
     let name = |index: usize| [Leaf::Coordinate, Leaf::Velocity, Leaf::Acceleration].map(|leaf| words.leaf(leaf(index as u32)));
     let cost = cost(arena, &work.needed);
-    Solution { parts, names: work.names, unknowns: (0..n).map(name).collect(), cost }
+    Lines { parts, names: work.names, unknowns: (0..n).map(name).collect(), turned, cost }
+}
+
+/// Names for sine and cosine of an unknown that are known before anything else.
+fn known_turn(arena: &Arena, work: &mut Work, unknown: usize) -> [Option<String>; 2] {
+    let leaf = Node::Leaf(Leaf::Coordinate(unknown as u32));
+    let mut names = [None, None];
+    let Some(angle) = arena.all().find(|expr| *arena.node(*expr) == leaf) else { return names };
+    for (expr, function) in work.turned(angle) {
+        let name = work.turn_name(angle, function);
+        work.define(expr, name.clone());
+        names[usize::from(function == Unary::Cos)] = Some(name);
+    }
+    names
 }
 
 fn part(arena: &Arena, work: &mut Work, stage: &Stage, moving: &BTreeSet<Expr>, words: &Words) -> Part {
     match stage {
-        Stage::Explicit { unknown, motion } => {
+        Stage::Explicit { unknown, motion, .. } => {
             for expr in motion {
                 work.serve(*expr);
             }

@@ -8,9 +8,10 @@
 //! ```
 
 use super::magnitude::magnitude;
+use super::{Elimination, linear};
 use crate::expr::{Arena, Expr, Jets, Leaf, Substitution, derivative};
 use crate::structure::{Block, Explicit, Structure};
-use crate::system::System;
+use crate::system::{Output, System};
 
 /// One step on the way to q, q̇ and q̈.
 #[derive(Clone, Debug)]
@@ -19,11 +20,54 @@ pub enum Stage {
     Explicit {
         /// Its index in q.
         unknown: usize,
+        /// Index in Φ of the equation that gives it.
+        equation: usize,
         /// Value, rate and acceleration.
         motion: [Expr; 3],
     },
     /// Unknowns that are found together.
     Block(Iteration),
+}
+
+impl Stage {
+    /// The unknowns that it finds.
+    pub(super) fn unknowns(&self) -> &[usize] {
+        match self {
+            Stage::Explicit { unknown, .. } => std::slice::from_ref(unknown),
+            Stage::Block(system) => &system.unknowns,
+        }
+    }
+
+    /// Nothing moves what it finds.
+    pub(super) fn rests(&self, arena: &Arena) -> bool {
+        let is_zero = |expr: &Expr| arena.as_constant(*expr).is_some_and(|value| value.is_zero());
+        match self {
+            Stage::Explicit { motion: [_, rate, acceleration], .. } => is_zero(rate) && is_zero(acceleration),
+            Stage::Block(system) => system.rates.iter().chain(&system.accelerations).all(is_zero),
+        }
+    }
+
+    /// Everything that is computed for it.
+    pub(super) fn results(&self) -> Vec<Expr> {
+        match self {
+            Stage::Explicit { motion, .. } => motion.to_vec(),
+            Stage::Block(Iteration { residuals, jacobian, sizes, rates, accelerations, .. }) => {
+                [residuals, sizes, rates, accelerations].into_iter().chain(jacobian).flatten().copied().collect()
+            }
+        }
+    }
+}
+
+impl Iteration {
+    /// The system with other unknowns, equations and expressions, these in the order of [`Stage::results`].
+    pub(super) fn with(&self, unknowns: Vec<usize>, equations: Vec<usize>, results: &[Expr]) -> Iteration {
+        let k = self.residuals.len();
+        let mut lists = results.chunks(k.max(1)).map(<[Expr]>::to_vec);
+        let mut next = || lists.next().unwrap_or_default();
+        let [residuals, sizes, rates, accelerations] = [next(), next(), next(), next()];
+        let elimination = self.elimination.clone();
+        Iteration { unknowns, equations, residuals, sizes, elimination, rates, accelerations, jacobian: lists.collect() }
+    }
 }
 
 /// A system that Newton's method solves.
@@ -39,16 +83,20 @@ pub struct Iteration {
     pub jacobian: Vec<Vec<Expr>>,
     /// What the rounding errors of r are a share of: the sum of the magnitudes of its terms.
     pub sizes: Vec<Expr>,
+    /// How its Jacobian is eliminated, if not in closed form.
+    pub elimination: Option<Elimination>,
     /// Right side of the velocity equation.
     pub rates: Vec<Expr>,
     /// Right side of the acceleration equation.
     pub accelerations: Vec<Expr>,
 }
 
-/// The stages of a mechanism whose every unknown belongs to a block.
-pub(super) fn stages(arena: &mut Arena, system: &System, structure: &Structure) -> Vec<Stage> {
+/// The stages of a mechanism whose every unknown belongs to a block, and outputs in terms of what moves.
+pub(super) fn stages(arena: &mut Arena, system: &System, structure: &Structure, outputs: &[Output]) -> (Vec<Stage>, Vec<Output>) {
     let mut work = Work { arena, system, jets: Jets::new(), constants: Substitution::new() };
-    structure.blocks.iter().flat_map(|block| work.block(block)).collect()
+    let stages = structure.blocks.iter().flat_map(|block| work.block(block)).collect();
+    let outputs = outputs.iter().map(|output| work.output(output)).collect();
+    (stages, outputs)
 }
 
 struct Work<'a> {
@@ -62,16 +110,37 @@ struct Work<'a> {
 impl Work<'_> {
     fn block(&mut self, block: &Block) -> Vec<Stage> {
         let mut stages = Vec::new();
-        if !block.iterated.is_empty() {
-            stages.extend(self.system_of(block).map(Stage::Block));
+        if !block.iterated.is_empty()
+            && let Some(system) = self.system_of(block)
+        {
+            match linear::solution(self.arena, &system) {
+                Some(values) => {
+                    for ((unknown, equation), value) in block.iterated.iter().zip(&block.residuals).zip(values) {
+                        stages.push(self.computed(*unknown, *equation, value));
+                    }
+                }
+                None => stages.push(Stage::Block(system)),
+            }
         }
         for explicit in &block.explicit {
-            let Some(value) = self.explicit(explicit) else { continue };
-            let motion = self.jets.of(self.arena, value).map(|expr| self.constants.of(self.arena, expr));
-            self.note_constants(explicit.unknown, &motion);
-            stages.push(Stage::Explicit { unknown: explicit.unknown, motion });
+            if let Some(value) = self.explicit(explicit) {
+                stages.push(self.computed(explicit.unknown, explicit.equation, value));
+            }
         }
         stages
+    }
+
+    /// An unknown with this value.
+    fn computed(&mut self, unknown: usize, equation: usize, value: Expr) -> Stage {
+        let motion = self.jets.of(self.arena, value).map(|expr| self.constants.of(self.arena, expr));
+        self.note_constants(unknown, &motion);
+        Stage::Explicit { unknown, equation, motion }
+    }
+
+    /// An output, constants put in.
+    fn output(&mut self, output: &Output) -> Output {
+        let component = |motion: &[Expr; 3]| motion.map(|expr| self.constants.of(self.arena, expr));
+        Output { components: output.components.iter().map(component).collect() }
     }
 
     /// What is constant is put into everything that follows: a pin on ground costs nothing.
@@ -80,6 +149,16 @@ impl Work<'_> {
         for (leaf, expr) in leaves.into_iter().zip(motion) {
             if self.arena.as_constant(*expr).is_some() {
                 self.constants.replace(leaf(unknown as u32), *expr);
+            }
+        }
+    }
+
+    /// If all right sides are zero, the rates of some unknowns are zero in everything that follows.
+    fn note_rest(&mut self, sides: &[Expr], unknowns: &[usize], rate: fn(u32) -> Leaf) {
+        let zero = self.arena.integer(0);
+        if sides.iter().all(|side| *side == zero) {
+            for unknown in unknowns {
+                self.constants.replace(rate(*unknown as u32), zero);
             }
         }
     }
@@ -115,20 +194,30 @@ impl Work<'_> {
             residuals: Vec::new(),
             jacobian: Vec::new(),
             sizes: Vec::new(),
+            elimination: None,
             rates: Vec::new(),
             accelerations: Vec::new(),
         };
+        let mut seconds = Vec::new();
         for equation in &block.residuals {
             let residual = inside.of(self.arena, self.system.equations[*equation].phi?);
             let [residual, first, second] = self.jets.of(self.arena, residual).map(|expr| self.constants.of(self.arena, expr));
             let row = block.iterated.iter().map(|unknown| derivative(self.arena, residual, Leaf::Coordinate(*unknown as u32)));
             found.jacobian.push(row.collect());
-            let (first, second) = (still.of(self.arena, first), unaccelerated.of(self.arena, second));
+            let first = still.of(self.arena, first);
             found.rates.push(self.arena.neg(first));
-            found.accelerations.push(self.arena.neg(second));
+            seconds.push(second);
             found.sizes.push(magnitude(self.arena, residual, &block.iterated, self.system));
             found.residuals.push(residual);
         }
+        // What nothing moves rests: its equations are not solved for rates, and its rates are in nobody's accelerations.
+        self.note_rest(&found.rates, &block.iterated, Leaf::Velocity);
+        for second in seconds {
+            let second = self.constants.of(self.arena, second);
+            let second = unaccelerated.of(self.arena, second);
+            found.accelerations.push(self.arena.neg(second));
+        }
+        self.note_rest(&found.accelerations, &block.iterated, Leaf::Acceleration);
         Some(found)
     }
 }

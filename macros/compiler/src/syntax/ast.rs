@@ -1,7 +1,14 @@
 //! What was written: the tree that the parser gives. Names are still names.
+//!
+//! Items that may be repeated are shared, so that a part declared once and used many times is never copied.
+
+mod repeated;
+
+pub use repeated::{Bounds, Component, For, Part};
 
 use crate::diag::Range;
 use proc_macro2::{Ident, TokenStream};
+use std::rc::Rc;
 
 /// A whole `mechanism!` declaration.
 #[derive(Clone, Debug)]
@@ -33,19 +40,25 @@ pub enum Item {
     /// `use path::to::constraint;`
     Use(Vec<Use>),
     /// `param name: Dimension = default;`
-    Parameter(Parameter),
+    Parameter(Rc<Parameter>),
     /// `let name: Dimension = value;`
-    Let(Let),
+    Let(Rc<Let>),
     /// `function name(argument: Dimension) -> Dimension = value;`
-    Function(Function),
+    Function(Rc<Function>),
     /// `ground { … }`
-    Ground(Frame),
+    Ground(Rc<Frame>),
     /// `body name { … }`
-    Body(Frame),
+    Body(Rc<Frame>),
     /// `joint name = …;` or `drive name = …;`
-    Joint(Joint),
+    Joint(Rc<Joint>),
     /// `output name = value;`
-    Output(Output),
+    Output(Rc<Output>),
+    /// `component Name(parameters) { items }`
+    Component(Rc<Component>),
+    /// `part name = Component(arguments);`
+    Part(Rc<Part>),
+    /// `for variable in from..to { items }`
+    For(Rc<For<Vec<Item>>>),
     /// An item that was refused, as far as its name could be read.
     Refused(Refused),
 }
@@ -57,6 +70,8 @@ pub struct Refused {
     pub keyword: Ident,
     /// The promised name.
     pub name: Ident,
+    /// Its indices.
+    pub indices: Vec<Expr>,
 }
 
 /// One imported constraint.
@@ -88,6 +103,8 @@ pub struct Parameter {
     pub docs: Docs,
     /// Name of the field.
     pub name: Ident,
+    /// Its indices, if it is one of an array.
+    pub indices: Vec<Expr>,
     /// What it measures.
     pub dimension: Dimension,
     /// Its default.
@@ -99,6 +116,8 @@ pub struct Parameter {
 pub struct Let {
     /// Its name.
     pub name: Ident,
+    /// Its indices, if it is one of an array.
+    pub indices: Vec<Expr>,
     /// What it measures, if said.
     pub dimension: Option<Dimension>,
     /// Its value.
@@ -136,10 +155,21 @@ pub struct Frame {
     pub docs: Docs,
     /// Name of the body; `ground` for ground.
     pub name: Ident,
+    /// Its indices, if it is one of an array.
+    pub indices: Vec<Expr>,
     /// Points and axes fixed in it.
-    pub marks: Vec<Mark>,
+    pub marks: Marks,
     /// Start values.
     pub starts: Vec<Start>,
+}
+
+/// Points and axes fixed in a body.
+#[derive(Clone, Debug, Default)]
+pub struct Marks {
+    /// Those declared one by one.
+    pub single: Vec<Rc<Mark>>,
+    /// Those declared in loops.
+    pub loops: Vec<For<Marks>>,
 }
 
 /// A point or an axis fixed in a body.
@@ -149,6 +179,8 @@ pub struct Mark {
     pub is_axis: bool,
     /// Its name.
     pub name: Ident,
+    /// Its indices, if it is one of an array.
+    pub indices: Vec<Expr>,
     /// `(x, y)` in the body's frame.
     pub value: Expr,
 }
@@ -171,6 +203,8 @@ pub struct Joint {
     pub is_drive: bool,
     /// Its name.
     pub name: Ident,
+    /// Its indices, if it is one of an array.
+    pub indices: Vec<Expr>,
     /// What it demands.
     pub body: JointBody,
 }
@@ -205,6 +239,8 @@ pub struct Output {
     pub docs: Docs,
     /// Its name.
     pub name: Ident,
+    /// Its indices, if it is one of an array.
+    pub indices: Vec<Expr>,
     /// Its value.
     pub value: Expr,
 }
@@ -344,6 +380,8 @@ pub enum ExprKind {
     Path(Path),
     /// `value.field`
     Field(Box<Expr>, Ident),
+    /// `array[index]`
+    Index(Box<Expr>, Box<Expr>),
     /// `function(arguments)`
     Call(Path, Vec<Expr>),
     /// `-value`
@@ -380,6 +418,8 @@ pub enum Operator {
     Mul,
     /// `/`
     Div,
+    /// `%`
+    Rem,
     /// `^`
     Power,
 }

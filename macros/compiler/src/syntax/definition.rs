@@ -124,8 +124,19 @@ fn definition(input: ParseStream) -> Parsed<Definition> {
     }
     Ident::parse_any(input)?;
     let name = name(input, "the name of the constraint")?;
+    let parameters = formals(input, "`(` and the parameters of the constraint")?;
+    let content = block(input, "`{` and the equations of the constraint")?;
+    let mut statements = Vec::new();
+    while !content.is_empty() {
+        statements.push(statement(&content)?);
+    }
+    Ok(Definition { docs, name, parameters, statements })
+}
+
+/// `(name: kind, …)`
+pub(super) fn formals(input: ParseStream, what: &'static str) -> Parsed<Vec<Formal>> {
     if !input.peek(token::Paren) {
-        return expected(input, "`(` and the parameters of the constraint");
+        return expected(input, what);
     }
     let (content, _) = parentheses(input)?;
     let mut parameters = Vec::new();
@@ -133,12 +144,7 @@ fn definition(input: ParseStream) -> Parsed<Definition> {
         parameters.push(formal(&content)?);
         comma(&content, "`,` or `)`")?;
     }
-    let content = block(input, "`{` and the equations of the constraint")?;
-    let mut statements = Vec::new();
-    while !content.is_empty() {
-        statements.push(statement(&content)?);
-    }
-    Ok(Definition { docs, name, parameters, statements })
+    Ok(parameters)
 }
 
 fn formal(input: ParseStream) -> Parsed<Formal> {
@@ -207,7 +213,11 @@ fn joint_kind(input: ParseStream) -> Parsed<Kind> {
 pub(super) fn statement(input: ParseStream) -> Parsed<Statement> {
     docs(input)?;
     if input.peek(Token![let]) {
-        return binding(input).map(Statement::Let);
+        let binding = binding(input)?;
+        return match binding.indices.first() {
+            None => Ok(Statement::Let(binding)),
+            Some(index) => wrong(index.range, Fact::IndexInEquations { name: binding.name.to_string() }),
+        };
     }
     let is_requirement = keyword(input).is_some_and(|word| word == "require") && !input.peek2(Token![.]) && !input.peek2(Token![==]);
     if is_requirement {

@@ -2,10 +2,10 @@
 //!
 //! ```text
 //! sum     = product (("+" | "-") product)*
-//! product = sign (("*" | "/") sign)*
+//! product = sign (("*" | "/" | "%") sign)*
 //! sign    = "-" sign | power
 //! power   = postfix ("^" sign)?              right-associative: a^b^c = a^(b^c)
-//! postfix = atom ("." name)*
+//! postfix = atom ("." name | "[" sum "]")*
 //! atom    = number | path | path "(" sum,* ")" | "(" sum,+ ")" | "[" sum,* "]"
 //!         | "if" sum relation sum "{" sum "}" "else" ("{" sum "}" | if …)
 //! ```
@@ -80,6 +80,9 @@ fn product(input: ParseStream, room: u16) -> Parsed<Expr> {
         } else if input.peek(Token![/]) {
             input.parse::<Token![/]>()?;
             Operator::Div
+        } else if input.peek(Token![%]) {
+            input.parse::<Token![%]>()?;
+            Operator::Rem
         } else {
             return Ok(left);
         };
@@ -109,7 +112,17 @@ fn power(input: ParseStream, room: u16) -> Parsed<Expr> {
 
 fn postfix(input: ParseStream, room: u16) -> Parsed<Expr> {
     let mut value = atom(input, room)?;
-    while input.peek(Token![.]) {
+    loop {
+        if input.peek(token::Bracket) {
+            let (index, range) = self::index(input, deeper(room, input.span().into())?)?;
+            let range = value.range.to(range);
+            value = node(ExprKind::Index(Box::new(value), Box::new(index)), range)?;
+            continue;
+        }
+        // `..` ends the first bound of a loop.
+        if !input.peek(Token![.]) || input.peek(Token![..]) {
+            return Ok(value);
+        }
         input.parse::<Token![.]>()?;
         if !input.peek(Ident) {
             return expected(input, "a name after `.`");
@@ -121,7 +134,22 @@ fn postfix(input: ParseStream, room: u16) -> Parsed<Expr> {
         let range = value.range.to(&field);
         value = node(ExprKind::Field(Box::new(value), field), range)?;
     }
-    Ok(value)
+}
+
+/// `[index]` after a name, with the range of its brackets.
+fn index(input: ParseStream, room: u16) -> Parsed<(Expr, Range)> {
+    let (content, range) = brackets(input)?;
+    let index = sum(&content, room)?;
+    if content.is_empty() { Ok((index, range)) } else { expected(&content, "`]`") }
+}
+
+/// `[i][j]` after a declared name.
+pub(super) fn indices(input: ParseStream) -> Parsed<Vec<Expr>> {
+    let mut indices = Vec::new();
+    while input.peek(token::Bracket) {
+        indices.push(index(input, NESTING)?.0);
+    }
+    Ok(indices)
 }
 
 fn atom(input: ParseStream, room: u16) -> Parsed<Expr> {
@@ -176,6 +204,8 @@ fn is_unit(input: ParseStream) -> bool {
             || ahead.peek(Token![-])
             || ahead.peek(Token![*])
             || ahead.peek(Token![/])
+            || ahead.peek(Token![%])
+            || ahead.peek(Token![..])
     };
     ahead.parse::<Ident>().is_ok() && is_end(&ahead)
 }
@@ -270,7 +300,7 @@ fn node(kind: ExprKind, range: Range) -> Parsed<Expr> {
     let below = match &kind {
         ExprKind::Number { .. } | ExprKind::Path(_) => 0,
         ExprKind::Field(value, _) | ExprKind::Negative(value) => value.depth,
-        ExprKind::Binary(_, left, right) => left.depth.max(right.depth),
+        ExprKind::Binary(_, left, right) | ExprKind::Index(left, right) => left.depth.max(right.depth),
         ExprKind::Call(_, items) | ExprKind::Tuple(items) | ExprKind::List(items) => items.iter().map(|item| item.depth).max().unwrap_or(0),
         ExprKind::If { lhs, rhs, then, otherwise, .. } => [lhs, rhs, then, otherwise].iter().map(|item| item.depth).max().unwrap_or(0),
     };

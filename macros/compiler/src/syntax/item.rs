@@ -1,17 +1,19 @@
 //! The items of a mechanism.
 
 use super::ast::{
-    Argument, Docs, Expr, Frame, Function, Item, Joint, JointBody, Let, Mark, Mechanism, Output, Parameter, Refused, Start, Use,
+    Argument, Docs, Expr, Frame, Function, Item, Joint, JointBody, Let, Mark, Marks, Mechanism, Output, Parameter, Refused, Start, Use,
 };
 use super::definition::statement;
 use super::dimension::{dimension, required_dimension};
-use super::expression::expression;
+use super::expression::{expression, indices};
+use super::repeated::{component, part, repeated_items, repeated_marks};
 use super::tokens::{
     Parsed, arrow, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, name, parentheses, path, report, semicolon,
     skip_item, skip_to_block, visibility, wrong,
 };
 use crate::diag::{Diag, Fact};
 use proc_macro2::Ident;
+use std::rc::Rc;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Token, token};
@@ -27,7 +29,7 @@ pub(super) fn mechanism(input: ParseStream, diag: &mut Diag) -> Option<Mechanism
     };
     let content = report(block(input, "`{` and the items of the mechanism"), diag);
     let Some(content) = content else { return Some(mechanism) };
-    items(&content, &mut mechanism, diag);
+    mechanism.items = items(&content, Place::TOP, diag);
     if !input.is_empty() {
         diag.refuse::<()>(input.span(), Fact::TokensAfter { what: "the mechanism", help: "write one `mechanism!` for each mechanism" });
     }
@@ -57,43 +59,92 @@ fn salvaged(name: Ident) -> Mechanism {
     Mechanism { docs: Docs::default(), equations_only: false, visibility: quote::quote!(pub), name, items: Vec::new() }
 }
 
+/// Where items stand.
+#[derive(Clone, Copy)]
+pub(super) struct Place<'a> {
+    /// In the mechanism itself, not in a component or a loop.
+    pub(super) is_top: bool,
+    /// The variable of the innermost loop.
+    pub(super) variable: Option<&'a Ident>,
+}
+
+impl Place<'_> {
+    const TOP: Place<'static> = Place { is_top: true, variable: None };
+}
+
 /// A refused item leaves its name behind, and the next item is read.
-fn items(content: ParseStream, mechanism: &mut Mechanism, diag: &mut Diag) {
+pub(super) fn items(content: ParseStream, place: Place, diag: &mut Diag) -> Vec<Item> {
+    let mut items = Vec::new();
     while !content.is_empty() {
         let before = content.fork();
-        match item(content) {
-            Ok(item) => mechanism.items.push(item),
+        match item(content, place, diag) {
+            Ok(item) => items.push(item),
             Err(refusal) => {
                 diag.refuse::<()>(refusal.range, refusal.fact);
-                mechanism.items.extend(promised(&before).map(Item::Refused));
+                items.extend(promised(&before.fork()).map(Item::Refused));
                 skip_item(content, &before, is_item);
             }
         }
     }
+    items
 }
 
 /// What an item that was refused would have declared.
 fn promised(input: ParseStream) -> Option<Refused> {
     attributes(input).ok()?;
     let [keyword, name] = [Ident::parse_any(input).ok()?, input.parse().ok()?];
-    Some(Refused { keyword, name })
+    Some(Refused { keyword, name, indices: indices(input).unwrap_or_default() })
 }
 
-fn item(input: ParseStream) -> Parsed<Item> {
+fn item(input: ParseStream, place: Place, diag: &mut Diag) -> Parsed<Item> {
     let docs = docs(input)?;
     let Some(keyword) = keyword(input) else {
-        return expected(input, "an item: `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `function` or `use`");
+        return expected(
+            input,
+            "an item: `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `part`, `for`, `component`, `function` or `use`",
+        );
     };
-    match keyword.to_string().as_str() {
-        "use" => uses(input).map(Item::Use),
-        "let" => binding(input).map(Item::Let),
-        "param" => parameter(input, docs).map(Item::Parameter),
-        "function" => function(input).map(Item::Function),
-        "ground" => ground(input, docs).map(Item::Ground),
-        "body" => body(input, docs).map(Item::Body),
-        "joint" | "drive" => joint(input, docs).map(Item::Joint),
-        "output" => output(input, docs).map(Item::Output),
-        other => wrong(&keyword, Fact::UnknownItem { word: other.to_owned() }),
+    let word = keyword.to_string();
+    if !place.is_top && matches!(word.as_str(), "use" | "function" | "ground" | "component") {
+        return wrong(&keyword, Fact::OnlyAtTheTop { word });
+    }
+    let item = match word.as_str() {
+        "use" => Item::Use(uses(input)?),
+        "let" => Item::Let(Rc::new(binding(input)?)),
+        "param" => Item::Parameter(Rc::new(parameter(input, docs)?)),
+        "function" => Item::Function(Rc::new(function(input)?)),
+        "ground" => Item::Ground(Rc::new(ground(input, docs)?)),
+        "body" => Item::Body(Rc::new(body(input, docs)?)),
+        "joint" | "drive" => Item::Joint(Rc::new(joint(input, docs)?)),
+        "output" => Item::Output(Rc::new(output(input, docs)?)),
+        "component" => Item::Component(Rc::new(component(input, docs, diag)?)),
+        "part" => Item::Part(Rc::new(part(input, docs)?)),
+        "for" => Item::For(Rc::new(repeated_items(input, diag)?)),
+        _ => return wrong(&keyword, Fact::UnknownItem { word }),
+    };
+    has_indices(&item, place)?;
+    Ok(item)
+}
+
+/// What is declared in a loop carries an index, or all its copies would have one name.
+fn has_indices(item: &Item, place: Place) -> Parsed<()> {
+    let (name, indices) = match item {
+        Item::Parameter(item) => (&item.name, &item.indices),
+        Item::Let(item) => (&item.name, &item.indices),
+        Item::Body(item) => (&item.name, &item.indices),
+        Item::Joint(item) => (&item.name, &item.indices),
+        Item::Output(item) => (&item.name, &item.indices),
+        Item::Part(item) => (&item.name, &item.indices),
+        _ => return Ok(()),
+    };
+    indexed(name, indices, place)
+}
+
+/// The same for any name.
+pub(super) fn indexed(name: &Ident, indices: &[Expr], place: Place) -> Parsed<()> {
+    match place.variable {
+        Some(variable) if indices.is_empty() => wrong(name, Fact::WithoutIndex { name: name.to_string(), variable: variable.to_string() }),
+        _ => Ok(()),
     }
 }
 
@@ -133,30 +184,35 @@ fn renamed(input: ParseStream, path: super::ast::Path) -> Parsed<Use> {
 /// `let name: Dimension = value;`
 pub(super) fn binding(input: ParseStream) -> Parsed<Let> {
     input.parse::<Token![let]>()?;
-    let name = name(input, "a name after `let`")?;
+    let (name, indices) = declared(input, "a name after `let`")?;
     let dimension = if input.peek(Token![:]) { Some(required_dimension(input)?) } else { None };
     let value = value(input)?;
-    Ok(Let { name, dimension, value })
+    Ok(Let { name, indices, dimension, value })
 }
 
 /// `param name: Dimension = default;`
 fn parameter(input: ParseStream, docs: Docs) -> Parsed<Parameter> {
     Ident::parse_any(input)?;
-    let name = name(input, "the name of the parameter")?;
+    let (name, indices) = declared(input, "the name of the parameter")?;
     let dimension = required_dimension(input)?;
     if !input.peek(Token![=]) {
         return expected(input, "`=` and the default of the parameter");
     }
     let default = value(input)?;
-    Ok(Parameter { docs, name, dimension, default })
+    Ok(Parameter { docs, name, indices, dimension, default })
 }
 
 /// `output name = value;`
 fn output(input: ParseStream, docs: Docs) -> Parsed<Output> {
     Ident::parse_any(input)?;
-    let name = name(input, "the name of the output")?;
+    let (name, indices) = declared(input, "the name of the output")?;
     let value = value(input)?;
-    Ok(Output { docs, name, value })
+    Ok(Output { docs, name, indices, value })
+}
+
+/// A name with its indices.
+pub(super) fn declared(input: ParseStream, what: &'static str) -> Parsed<(Ident, Vec<Expr>)> {
+    Ok((name(input, what)?, indices(input)?))
 }
 
 /// `= expression;`
@@ -193,44 +249,59 @@ fn function(input: ParseStream) -> Parsed<Function> {
 
 fn ground(input: ParseStream, docs: Docs) -> Parsed<Frame> {
     let name = Ident::parse_any(input)?;
-    frame(input, docs, name, "`{` and the points of ground")
+    frame(input, docs, (name, Vec::new()), "`{` and the points of ground")
 }
 
 fn body(input: ParseStream, docs: Docs) -> Parsed<Frame> {
     Ident::parse_any(input)?;
-    let name = name(input, "the name of the body")?;
+    let name = declared(input, "the name of the body")?;
     frame(input, docs, name, "`{` and the points of the body")
 }
 
-fn frame(input: ParseStream, docs: Docs, name: Ident, what: &'static str) -> Parsed<Frame> {
+fn frame(input: ParseStream, docs: Docs, (name, indices): (Ident, Vec<Expr>), what: &'static str) -> Parsed<Frame> {
     let content = block(input, what)?;
-    let mut frame = Frame { docs, name, marks: Vec::new(), starts: Vec::new() };
+    let mut frame = Frame { docs, name, indices, marks: Marks::default(), starts: Vec::new() };
     while !content.is_empty() {
         // Points may have doc comments; no item is generated that could carry them.
         self::docs(&content)?;
-        let Some(keyword) = keyword(&content) else {
-            return expected(&content, "`point`, `axis` or `start`");
-        };
-        match keyword.to_string().as_str() {
-            "point" | "axis" => frame.marks.push(mark(&content)?),
-            "start" => frame.starts.push(start(&content)?),
-            other => return wrong(&keyword, Fact::UnknownBodyItem { word: other.to_owned() }),
+        if keyword(&content).is_some_and(|word| word == "start") {
+            frame.starts.push(start(&content)?);
+        } else {
+            marks(&content, &mut frame.marks, Place::TOP)?;
         }
     }
     Ok(frame)
 }
 
+/// A point, an axis, or a loop over them.
+pub(super) fn marks(input: ParseStream, marks: &mut Marks, place: Place) -> Parsed<()> {
+    let Some(keyword) = keyword(input) else {
+        return expected(input, "`point`, `axis` or `start`");
+    };
+    match keyword.to_string().as_str() {
+        "point" | "axis" => {
+            let mark = mark(input)?;
+            indexed(&mark.name, &mark.indices, place)?;
+            marks.single.push(Rc::new(mark));
+        }
+        "for" => marks.loops.push(repeated_marks(input)?),
+        "start" => return wrong(&keyword, Fact::StartInLoop),
+        other => return wrong(&keyword, Fact::UnknownBodyItem { word: other.to_owned() }),
+    }
+    Ok(())
+}
+
 /// `point name = (x, y);` or `axis name = (x, y);`
 fn mark(input: ParseStream) -> Parsed<Mark> {
     let is_axis = Ident::parse_any(input)? == "axis";
-    let name = name(input, if is_axis { "the name of the axis" } else { "the name of the point" })?;
+    let (name, indices) = declared(input, if is_axis { "the name of the axis" } else { "the name of the point" })?;
     equals(input)?;
     let value = expression(input)?;
     if input.peek(Token![,]) {
         return wrong(value.range, Fact::PairWithoutParentheses { what: if is_axis { "an axis" } else { "a point" } });
     }
     semicolon(input)?;
-    Ok(Mark { is_axis, name, value })
+    Ok(Mark { is_axis, name, indices, value })
 }
 
 /// `start angle = value;`
@@ -244,10 +315,10 @@ fn start(input: ParseStream) -> Parsed<Start> {
 /// `joint name = …;` or `drive name = …;`
 fn joint(input: ParseStream, docs: Docs) -> Parsed<Joint> {
     let is_drive = Ident::parse_any(input)? == "drive";
-    let name = name(input, if is_drive { "the name of the drive" } else { "the name of the joint" })?;
+    let (name, indices) = declared(input, if is_drive { "the name of the drive" } else { "the name of the joint" })?;
     equals(input)?;
     let body = if input.peek(token::Brace) { equations(input)? } else { instance(input)? };
-    Ok(Joint { docs, is_drive, name, body })
+    Ok(Joint { docs, is_drive, name, indices, body })
 }
 
 /// `{ lhs == rhs; … }`, with or without a semicolon after it.
@@ -274,14 +345,20 @@ fn instance(input: ParseStream) -> Parsed<JointBody> {
     if !input.peek(token::Paren) {
         return expected(input, "`(` and the arguments");
     }
+    let arguments = arguments(input)?;
+    semicolon(input)?;
+    Ok(JointBody::Of { kind, arguments })
+}
+
+/// `(value, name: value, …)`
+pub(super) fn arguments(input: ParseStream) -> Parsed<Vec<Argument>> {
     let (content, _) = parentheses(input)?;
     let mut arguments = Vec::new();
     while !content.is_empty() {
         arguments.push(argument(&content)?);
         comma(&content, "`,` or `)`")?;
     }
-    semicolon(input)?;
-    Ok(JointBody::Of { kind, arguments })
+    Ok(arguments)
 }
 
 /// `value` or `name: value`

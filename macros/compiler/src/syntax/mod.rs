@@ -11,6 +11,7 @@ mod definition;
 mod dimension;
 mod expression;
 mod item;
+mod repeated;
 mod tokens;
 
 use crate::diag::{Diag, Fact, Refusal};

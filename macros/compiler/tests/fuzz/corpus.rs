@@ -81,6 +81,40 @@ const GEARS: &str = "
         output ratio = carrier.angle / 1rad;
     }";
 
+/// Components, parts, loops and arrays.
+const WALKER: &str = "
+    mechanism Walker {
+        param speed: AngularVelocity = 1rad_s;
+        param trim[0]: Angle = 1deg;
+        let legs = 2;
+        ground { point O = (0m, 0m); for i in 0..=legs { point V[i] = (i * 1m, 0m); } }
+        body crank { point O = (0m, 0m); for i in 0..legs { point X[i] = (10mm * (i + 1), 0m); } }
+        component Leg(pivot: Point, pin: Point, turn: Angle = 0deg) {
+            param shank: Length = 900mm;
+            let half = shank / 2;
+            body upper { point V = (0m, 0m); point U = (shank, 0m); axis u = (1, 0); start angle = 1rad + turn; start position = (1m, 0m); }
+            body lower { point X = (0m, 0m); point U = (half * 2, 0m); start angle = 2rad; start position = (0m, 0m); }
+            joint v = revolute(pivot, upper.V);
+            joint x = revolute(pin, lower.X);
+            joint u = revolute(upper.U, lower.U);
+            part foot = Foot(upper.U, 2);
+            output knee = upper.U;
+        }
+        component Foot(P: Point, n: Number) {
+            body toe[0] { point P = (0m, 0m); }
+            for k in 1..n { body toe[k] { point P = (k * 10mm, 0m); } joint w[k] = parallel(toe[k - 1], toe[k]); joint r[k] = revolute(P, toe[k].P); }
+            joint p = revolute(P, toe[0].P);
+            joint a = absolute_angle(toe[0], 0.1 * n * 1rad);
+            output toe[0] = toe[0];
+        }
+        for i in 0..legs { part leg[i] = Leg(ground.V[(i + 1) % legs + 1], crank.X[i], turn: trim[0] * i); }
+        for i in 0..2 { for j in 0..2 { let grid[i][j] = i + 2 * j; } }
+        joint o = revolute(ground.O, crank.O);
+        drive d = drive_angle(crank, speed * t);
+        output last = leg[legs - 1].foot.toe[1].P;
+        output sum = leg[0].upper.angle + leg[1].upper.angle * grid[1][1];
+    }";
+
 /// Definitions of constraints.
 const DEFINITIONS: &str = "
     /// An ellipse.
@@ -106,6 +140,11 @@ const ITEMS: &[&str] = &[
     "output spline = table(t, [(0, 0), (1e-30, 1), (2e-30, 1e30), (1e30, 5)], hold);",
     "body extra { point A = (0mm, 0mm); point B = (1mm, 0mm); } joint e = distance(extra.A, ground.position, 5mm); joint g = weld(extra.A, ground.position);",
     "joint same = { ground.x == 0; }",
+    "for i in 0..3 { body many[i] { point P = (i * 1mm, 0mm); } joint hold[i] = weld(many[i].P, ground.position); }",
+    "component Pin(P: Point) { body pin { point P = (0mm, 0mm); } joint w = weld(P, pin.P); } for i in 0..2 { for j in 0..2 { part pin[i][j] = Pin((i * 1m, j * 1m)); } }",
+    "component A0(n: Number) { part a[0] = A1(n); part a[1] = A1(n + 1); } component A1(n: Number) { for i in 0..2 { part b[i] = A2(2 * n, i); } } \
+     component A2(n: Number, m: Number) { for i in 0..9 { for j in 0..9 { let c[i][j] = n * i + m * j; } } } for i in 0..5 { part tree[i] = A0(i); }",
+    "for i in 0..9999 { for j in 0..9999 { let huge[i][j] = 1; } }",
     "param zero: Length = 0; joint z = distance((0mm, 0mm), (1mm, 0mm), zero);",
     "output chain = sin(cos(tan(asin(acos(atan(sqrt(exp(ln(abs(t / 1s))))))))));",
 ];
@@ -113,8 +152,9 @@ const ITEMS: &[&str] = &[
 /// A declaration.
 pub(crate) fn pick(random: &mut Random) -> (Kind, TokenStream) {
     let pages: Vec<(&str, &str)> = reuleaux_compiler::library::pages().collect();
-    match random.below(8) {
+    match random.below(10) {
         0 | 1 => (Kind::Mechanism, tokens(CRANK_ROCKER)),
+        8 | 9 => (Kind::Mechanism, tokens(WALKER)),
         2 => (Kind::Mechanism, tokens(CAM)),
         3 => (Kind::Mechanism, tokens(EQUATIONS)),
         4 => (Kind::Mechanism, tokens(GEARS)),

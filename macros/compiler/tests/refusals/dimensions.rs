@@ -38,7 +38,7 @@ crate::refusals! {
     item point_for_an_axis: "joint a = translational(«ground.O», ground.C, ram.B);" => "`u` of `translational` takes an axis, found a point\nhelp: write `(1, 0)`";
     item number_for_a_function: "joint a = cam_knife(crank.O, ram.B, «5mm»);" => "`R` of `cam_knife` takes a function of one variable, found a number";
     item joint_of_another_kind: "drive a = drive_along(«hinge», 5mm);" => "`slide` of `drive_along` takes a `translational` joint, found a `revolute` joint";
-    item output_of_a_body: "output b = «crank»;" => "an output is a number, a vector or a point, found a body";
-    item output_of_a_function: "output b = «lift»;" => "an output is a number, a vector or a point, found a function";
+    item output_of_ground: "output b = «ground»;" => "an output is a number, a vector, a point or a body that moves, found ground";
+    item output_of_a_function: "output b = «lift»;" => "an output is a number, a vector, a point or a body that moves, found a function";
     item negative_body: "output b = -«crank»;" => "expected a number or a vector, found a body";
 }

@@ -7,15 +7,15 @@ crate::refusals! {
     item default_is_missing: "param a: Length«;»" => "expected `=` and the default of the parameter, found `;`";
     item name_is_missing: "param «:» Length = 10mm;" => "expected the name of the parameter, found `:`";
     item name_is_a_keyword: "joint «in» = revolute(ground.O, crank.O);" => "`in` is a word of Rust and cannot be a name\nhelp: write `in_`";
-    item item_is_unknown: "«parm» a: Length = 10mm;" => "`parm` is no item of a mechanism\nhelp: did you mean `param`?\nnote: items are `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `function` and `use`";
-    item item_is_no_word: "«5» a: Length = 10mm;" => "expected an item: `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `function` or `use`, found `5`";
+    item item_is_unknown: "«parm» a: Length = 10mm;" => "`parm` is no item of a mechanism\nhelp: did you mean `param`?\nnote: items are `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `part`, `for`, `component`, `function` and `use`";
+    item item_is_no_word: "«5» a: Length = 10mm;" => "expected an item: `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `part`, `for`, `component`, `function` or `use`, found `5`";
     item item_of_a_body_is_unknown: "body b { «pointt» P = (0mm, 0mm); }" => "`pointt` is no item of a body\nhelp: did you mean `point`?\nnote: a body has `point`, `axis` and `start`";
     item mass_is_to_come: "body b { «mass» = 2kg; }" => "`mass` is no item of a body\nnote: a body has `point`, `axis` and `start`";
     item body_without_braces: "body b«;»" => "expected `{` and the points of the body, found `;`";
     item equal_sign_is_missing: "output b «crank»;" => "expected `=`, found `crank`";
     item operand_is_missing: "output b = 2 * «;»" => "expected an expression, found `;`";
     item plus_before_a_number: "output b = «+»5;" => "expected an expression, found `+`";
-    item operator_is_unknown: "output b = 5 «%» 2;" => "expected an operator or `;`, found `%`";
+    item operator_is_unknown: "output b = 5 «&» 2;" => "expected an operator or `;`, found `&`";
     item power_is_a_caret: "output b = length«**»2;" => "`**` is no operator\nhelp: a power is written `a^b`";
     item functions_are_no_methods: "output b = crank.angle.«sin»();" => "there are no methods here\nhelp: write `sin(value)` for `value.sin()`";
     item operator_between_number_and_name: "let a = 180mm + «2 length»;" => "an operator is missing between `2` and `length`\nhelp: write `2 * length`";

@@ -1,0 +1,126 @@
+//! Configurations that the mechanism goes through, to choose by.
+//!
+//! In: a [`Closure`]. Out: its configuration and some before and after it in time. What is chosen by them must be right anywhere:
+//! they only make it likely to be quick. Not done here: choosing.
+
+use super::{Closure, Room, call, levenberg, size};
+use crate::expr::{Arena, Evaluator, Expr, Values, evaluate};
+use crate::model::{Dim, Model};
+use crate::system::System;
+
+/// How far the fastest angle goes from the start to each pose, in rad.
+const WAYS: [f64; 5] = [-0.9, -0.35, 0.35, 0.9, 1.7];
+
+/// Beyond this many coordinates the poses are not brought back to where the loops close.
+const LARGEST: usize = 90;
+
+/// Configurations at the declared defaults, the start first.
+pub(crate) struct Poses<'a> {
+    model: &'a Model,
+    parameters: Vec<f64>,
+    /// L: what is worth a radian.
+    pub(crate) size: f64,
+    poses: Vec<Pose>,
+}
+
+struct Pose {
+    time: f64,
+    q: Vec<f64>,
+}
+
+impl<'a> Poses<'a> {
+    /// The start, and where the motion leads from there at first.
+    pub(crate) fn new(model: &'a Model, system: &System, closure: &Closure) -> Poses<'a> {
+        let functions = |number: u32, x: f64| call(model, number, x);
+        let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
+        let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
+        let parameters = evaluate(&system.arena, &defaults, &nothing);
+        let known = Values { parameters: &parameters, ..nothing };
+        let size = size(model, system, &known);
+        let mut poses = vec![Pose { time: 0.0, q: closure.start.clone() }];
+        if closure.is_closed
+            && let Some(rates) = rates(system, &known, &closure.start)
+        {
+            let scaled =
+                |(rate, unknown): (&f64, &crate::system::Unknown)| if unknown.dim == Dim::ANGLE { rate.abs() } else { rate.abs() / size };
+            let fastest = rates.iter().zip(&system.unknowns).map(scaled).fold(0.0, f64::max);
+            if fastest > 0.0 && fastest.is_finite() {
+                let room = Room { model, system, known, size, declared: vec![None; closure.start.len()] };
+                poses.extend(WAYS.map(|way| moved(&room, &closure.start, &rates, way / fastest)));
+            }
+        }
+        Poses { model, parameters, size, poses }
+    }
+
+    /// The values of some expressions in each pose.
+    pub(crate) fn values(&self, arena: &Arena, exprs: &[Expr]) -> Vec<Vec<f64>> {
+        let functions = |number: u32, x: f64| call(self.model, number, x);
+        let mut evaluator = Evaluator::new(arena, exprs);
+        let values = |pose: &Pose| {
+            let mut found = vec![f64::NAN; exprs.len()];
+            let (time, parameters, coordinates) = (pose.time, self.parameters.as_slice(), pose.q.as_slice());
+            evaluator
+                .run(&Values { time, parameters, coordinates, velocities: &[], accelerations: &[], functions: &functions }, &mut found);
+            found
+        };
+        self.poses.iter().map(values).collect()
+    }
+}
+
+/// Where the mechanism is a while later, or before.
+fn moved(room: &Room, start: &[f64], rates: &[f64], time: f64) -> Pose {
+    let predicted: Vec<f64> = start.iter().zip(rates).map(|(value, rate)| value + rate * time).collect();
+    let mut q = predicted.clone();
+    let mut problem = room.whole();
+    problem.known.time = time;
+    let is_closed = levenberg::minimise(&mut problem, &mut q, &vec![true; start.len()]);
+    Pose { time, q: if is_closed { q } else { predicted } }
+}
+
+/// q̇ of Φ_q q̇ = ν at the start; None where it is not to be had.
+fn rates(system: &System, known: &Values, start: &[f64]) -> Option<Vec<f64>> {
+    let n = system.unknowns.len();
+    let mut roots: Vec<Expr> = system.equations.iter().map(|equation| equation.nu).collect();
+    roots.extend(system.equations.iter().flat_map(|equation| equation.jacobian.iter().map(|(_, entry)| *entry)));
+    let values = evaluate(&system.arena, &roots, &Values { coordinates: start, ..*known });
+    if n > LARGEST || system.equations.len() != n || values.iter().any(|value| !value.is_finite()) {
+        return None;
+    }
+    let (nu, entries) = values.split_at(n);
+    let mut entries = entries.iter();
+    let row = |equation: &crate::system::Equation| {
+        let mut row = vec![0.0; n];
+        for (column, _) in &equation.jacobian {
+            row[*column] = *entries.next()?;
+        }
+        Some(row)
+    };
+    let matrix: Option<Vec<Vec<f64>>> = system.equations.iter().map(row).collect();
+    solve(matrix?, nu.to_vec())
+}
+
+/// A x = b by elimination with pivots from the column.
+fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
+    let n = b.len();
+    for k in 0..n {
+        let pivot = (k..n).max_by(|one, two| a[*one][k].abs().total_cmp(&a[*two][k].abs()))?;
+        a.swap(k, pivot);
+        b.swap(k, pivot);
+        if a[k][k] == 0.0 {
+            return None;
+        }
+        let (done, rest) = a.split_at_mut(k + 1);
+        for (i, row) in rest.iter_mut().enumerate() {
+            let multiplier = row[k] / done[k][k];
+            if multiplier != 0.0 {
+                row[k..].iter_mut().zip(&done[k][k..]).for_each(|(entry, above)| *entry -= multiplier * above);
+                b[k + 1 + i] -= multiplier * b[k];
+            }
+        }
+    }
+    for k in (0..n).rev() {
+        let known: f64 = (k + 1..n).map(|j| a[k][j] * b[j]).sum();
+        b[k] = (b[k] - known) / a[k][k];
+    }
+    b.iter().all(|value| value.is_finite()).then_some(b)
+}

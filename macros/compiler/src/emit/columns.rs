@@ -1,0 +1,88 @@
+//! What stands for what in each piece of a shape: as a progression where it is one, else in a table.
+
+use super::expression::{local, named};
+use super::stages::number;
+use crate::plan::{Column, Shape, Words};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+/// The tables of one shape. Generated code is inside a function or loop with the number of the piece as `piece`.
+pub(super) struct Columns {
+    count: usize,
+    listed: Vec<Vec<u32>>,
+}
+
+impl Columns {
+    pub(super) fn new(count: usize) -> Columns {
+        Columns { count, listed: Vec::new() }
+    }
+
+    /// The value of a column for the piece at hand, of type `usize`.
+    pub(super) fn place(&mut self, column: &Column<u32>) -> TokenStream {
+        let (piece, row) = (local("piece"), local("row"));
+        match column {
+            Column::Same(value) => number(*value as usize),
+            Column::Steps(first, step) => {
+                let (first, step) = (number(*first as usize), number(*step as usize));
+                quote!(#first + #step * #piece)
+            }
+            Column::Listed(values) => {
+                let known = self.listed.iter().position(|other| other == values);
+                let index = number(known.unwrap_or(self.listed.len()));
+                if known.is_none() {
+                    self.listed.push(values.clone());
+                }
+                quote!(#row[#index] as usize)
+            }
+        }
+    }
+
+    /// The table behind all places, and its row for the piece at hand.
+    pub(super) fn tables(&self) -> TokenStream {
+        if self.listed.is_empty() {
+            return quote!();
+        }
+        let (rows, row, piece) = (constant("ROWS"), local("row"), local("piece"));
+        let (width, count) = (self.listed.len(), self.count);
+        let lines = (0..count).map(|piece| {
+            let entries = self.listed.iter().map(|column| Literal::u32_unsuffixed(column[piece]));
+            quote!([#(#entries),*])
+        });
+        quote! {
+            const #rows: [[u32; #width]; #count] = [#(#lines),*];
+            let #row = &#rows[#piece];
+        }
+    }
+
+    /// Numbers and parameters that differ, by their names in the lines of the shape.
+    pub(super) fn inputs(&self, shape: &Shape, words: &Words) -> TokenStream {
+        let (data, piece) = (constant("DATA"), local("piece"));
+        let (width, count) = (shape.data.len(), self.count);
+        let lines = (0..count).map(|piece| {
+            let entries = shape.data.iter().map(|column| super::signed(column[piece]));
+            quote!([#(#entries),*])
+        });
+        let names = (0..width).map(|index| local(&format!("d{index}")));
+        let indices = (0..width).map(number);
+        let table = (width > 0).then(|| {
+            quote! {
+                const #data: [[f64; #width]; #count] = [#(#lines),*];
+                #(let #names = T::of(#data[#piece][#indices]);)*
+            }
+        });
+        let parameters = shape.parameters.iter().enumerate().map(|(slot, column)| {
+            if matches!(column, Column::Same(_)) {
+                return quote!();
+            }
+            let name = local(&format!("p{slot}"));
+            let all = (0..count).map(|piece| named(&words.parameter(column.at(piece))));
+            quote!(let #name = [#(#all),*][#piece];)
+        });
+        quote!(#table #(#parameters)*)
+    }
+}
+
+/// The name of a table.
+fn constant(name: &str) -> Ident {
+    local(name)
+}

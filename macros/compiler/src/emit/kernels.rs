@@ -1,0 +1,163 @@
+//! The generated way to solve a mechanism of many stages of few shapes: one function for each shape.
+
+use super::columns::Columns;
+use super::expression::local;
+use super::functions::Emitter;
+use super::stages::{Index, Scene, Shelf, number, pair};
+use crate::expr::{Leaf, Node};
+use crate::plan::{Kernel, Kernels, Part, Words};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+impl Emitter<'_> {
+    /// The body of `stages`: one call after the other
+    pub(super) fn in_order(&self, kernels: &Kernels, shelf: &Shelf) -> TokenStream {
+        let (n, count) = (shelf.held.len(), kernels.kernels.len());
+        let (t, pass, found, turns, piece) = (local("t"), local("pass"), local("found"), local("turns"), local("piece"));
+        let order = kernels.order.iter().map(|kernel| Literal::usize_unsuffixed(*kernel));
+        let length = kernels.order.len();
+        let arms = (0..count).map(|kernel| {
+            let (pattern, name) = (Literal::usize_unsuffixed(kernel), name(shelf, kernel));
+            quote!(#pattern => self.#name(#piece, #t, #pass, &mut #found, &mut #turns)?,)
+        });
+        let constants = kernels.constants.iter().filter(|(_, value)| value.to_bits() != 0).filter_map(|(unknown, value)| {
+            let (place, value) = (Literal::usize_unsuffixed(shelf.place(*unknown)?), super::signed(*value));
+            Some(quote!((#place, #value)))
+        });
+        let given = shelf.given.iter().enumerate().filter_map(|(index, unknown)| {
+            let (given, index, place) = (local("given"), number(index), number(shelf.place(*unknown)?));
+            Some(quote!(#found.q[#place] = #given[#index];))
+        });
+        quote! {
+                const ORDER: [u16; #length] = [#(#order),*];
+                const CONSTANTS: &[(usize, f64)] = &[#(#constants),*];
+                let mut #found = ::reuleaux::Coordinates::zero();
+                for (unknown, value) in CONSTANTS {
+                    #found.q[*unknown] = T::of(*value);
+                }
+                #(#given)*
+                let mut #turns = [(T::of(0.0), T::of(1.0)); #n];
+                let mut pieces = [0usize; #count];
+                for shape in ORDER {
+                    let #piece = pieces[shape as usize];
+                    pieces[shape as usize] += 1;
+                    match shape {
+                        #(#arms)*
+                        _ => {}
+                    }
+                }
+                ::core::result::Result::Ok(#found)
+        }
+    }
+
+    /// One function for each shape
+    pub(super) fn kernels(&self, kernels: &Kernels, shelf: &Shelf) -> TokenStream {
+        let name = &self.model.name;
+        let functions = kernels.kernels.iter().enumerate().map(|(number, kernel)| self.kernel(number, kernel, shelf));
+        quote! {
+            #[automatically_derived]
+            #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
+            impl<T: ::reuleaux::Lanes> #name<T> { #(#functions)* }
+        }
+    }
+
+    fn kernel(&self, index: usize, kernel: &Kernel, shelf: &Shelf) -> TokenStream {
+        let n = shelf.held.len();
+        let mut columns = Columns::new(kernel.shape.count);
+        let unknowns: Vec<Index> = kernel
+            .shape
+            .unknowns
+            .iter()
+            .map(|column| {
+                let place = column.mapped(kernel.shape.count, |unknown| shelf.place(unknown as usize).unwrap_or(0) as u32);
+                Index { place: columns.place(&place), ..self.index(column.at(0) as usize) }
+            })
+            .collect();
+        let equations: Vec<TokenStream> = kernel.equations.iter().map(|column| columns.place(column)).collect();
+        let scene = Scene {
+            model: self.model,
+            arena: &kernel.shape.arena,
+            lines: &kernel.lines,
+            unknowns: &unknowns,
+            equations: &equations,
+            kept: &kernel.kept,
+        };
+        let inputs = columns.inputs(&kernel.shape, &Words::new(self.model, self.system));
+        let parts: TokenStream = kernel.lines.parts.iter().enumerate().map(|(number, part)| scene.part(number, part)).collect();
+        let (reads, writes) = (reads(kernel, &unknowns), writes(kernel, &unknowns));
+        let (t, pass, found, turns) = (local("t"), local("pass"), local("found"), local("turns"));
+        let (tables, name, piece) = (columns.tables(), name(shelf, index), local("piece"));
+        quote! {
+            #[inline]
+            fn #name(
+                &self,
+                #piece: usize,
+                #t: T,
+                #pass: &mut ::reuleaux::Pass<'_, T, #n>,
+                #found: &mut ::reuleaux::Coordinates<T, #n>,
+                #turns: &mut [(T, T); #n],
+            ) -> ::core::result::Result<(), ::reuleaux::Stop<T>> {
+                #tables
+                #inputs
+                #reads
+                #parts
+                #writes
+                ::core::result::Result::Ok(())
+            }
+        }
+    }
+}
+
+fn name(shelf: &Shelf, kernel: usize) -> Ident {
+    local(&format!("shape_{}{kernel}", shelf.prefix))
+}
+
+/// What is known of unknowns that other kernels found.
+fn reads(kernel: &Kernel, unknowns: &[Index]) -> TokenStream {
+    let (found, turns) = (local("found"), local("turns"));
+    let mut tokens = TokenStream::new();
+    for expr in kernel.shape.arena.all() {
+        let Node::Leaf(leaf) = *kernel.shape.arena.node(expr) else { continue };
+        let (slot, order, vector) = match leaf {
+            Leaf::Coordinate(slot) => (slot as usize, 0, "q"),
+            Leaf::Velocity(slot) => (slot as usize, 1, "qd"),
+            Leaf::Acceleration(slot) => (slot as usize, 2, "qdd"),
+            Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_) => continue,
+        };
+        if !kernel.found.contains(&slot) {
+            let (name, vector, place) = (local(&kernel.lines.unknowns[slot][order]), local(vector), &unknowns[slot].place);
+            tokens.extend(quote!(let #name = #found.#vector[#place];));
+        }
+    }
+    for (slot, names) in &kernel.lines.turned {
+        let (pair, place) = (pair(names), &unknowns[*slot].place);
+        tokens.extend(quote!(let #pair = #turns[#place];));
+    }
+    tokens
+}
+
+/// What the kernel found.
+fn writes(kernel: &Kernel, unknowns: &[Index]) -> TokenStream {
+    let (found, turns) = (local("found"), local("turns"));
+    let mut tokens = TokenStream::new();
+    for slot in &kernel.found {
+        let place = &unknowns[*slot].place;
+        let [q, qd, qdd] = kernel.lines.unknowns[*slot].each_ref().map(|name| local(name));
+        tokens.extend(quote!(#found.q[#place] = #q; #found.qd[#place] = #qd; #found.qdd[#place] = #qdd;));
+        if !kernel.kept.contains(slot) {
+            continue;
+        }
+        let in_block = kernel.lines.parts.iter().enumerate().find_map(|(number, part)| match part {
+            Part::Block(block) => block.system.unknowns.iter().position(|unknown| unknown == slot).map(|position| (number, position)),
+            Part::Explicit { .. } => None,
+        });
+        tokens.extend(match in_block {
+            Some((block, position)) => {
+                let (solved, position) = (local(&format!("block_{block}")), number(position));
+                quote!(#turns[#place] = #solved.turn[#position];)
+            }
+            None => quote!(#turns[#place] = (#q).turn();),
+        });
+    }
+    tokens
+}

@@ -1,0 +1,97 @@
+//! The generated methods of outputs.
+
+use super::arrays::{array_at, array_from, array_of, array_type};
+use super::columns::Columns;
+use super::expression::local;
+use super::functions::Emitter;
+use super::routine::{Lines, lines_at};
+use super::{docs, docs_or, state_name};
+use crate::model::Method;
+use crate::plan::{Outputs, Routine, Shape, Words};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+impl Emitter<'_> {
+    /// Outputs with value, rate and acceleration
+    pub(super) fn outputs(&self) -> TokenStream {
+        self.model.methods.iter().zip(&self.plan.outputs).map(|(method, outputs)| self.method(method, outputs)).collect()
+    }
+
+    fn method(&self, method: &Method, outputs: &Outputs) -> TokenStream {
+        let Some(first) = method.members.first().map(|member| &self.model.outputs[*member]) else { return quote!() };
+        let kind = match first.components.len() {
+            0 => quote!(::reuleaux::PlanarBody<T>),
+            1 => quote!(::reuleaux::Motion<T>),
+            _ => quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector2<T>>),
+        };
+        let body = match outputs {
+            Outputs::Bodies(bodies) => {
+                let places: Vec<usize> = bodies.iter().map(|body| 3 * body).collect();
+                array_at(&places, &method.sizes, |place| quote!(state.planar_body(#place)))
+            }
+            Outputs::Each(routines) => self.each(method, routines),
+            Outputs::Alike(alike) => self.alike(method, &alike.0, &alike.1),
+        };
+        let (docs, name, state) = (docs_or(&method.docs, &docs::output(method, first)), &method.name, state_name(&self.model.name));
+        let kind = array_type(kind, &method.sizes);
+        quote! {
+            #docs
+            #[must_use]
+            pub fn #name(&self, state: &#state<T>) -> #kind { #body }
+        }
+    }
+
+    /// Straight lines, output by output.
+    fn each(&self, method: &Method, routines: &[Routine]) -> TokenStream {
+        let vectors = vectors();
+        let one = |routine: &Routine| {
+            let Lines { reads, steps, results } = self.lines(routine);
+            let motion = motion(&results);
+            quote!(#reads #steps #motion)
+        };
+        match routines {
+            [only] if method.sizes.is_empty() => {
+                let lines = one(only);
+                quote!(#vectors #lines)
+            }
+            _ => {
+                let elements = routines.iter().map(|routine| {
+                    let lines = one(routine);
+                    quote!({ #lines })
+                });
+                let array = array_from(elements.collect(), &method.sizes);
+                quote!(#vectors #array)
+            }
+        }
+    }
+
+    /// The same lines for all of them.
+    fn alike(&self, method: &Method, shape: &Shape, routine: &Routine) -> TokenStream {
+        let mut columns = Columns::new(shape.count);
+        let places: Vec<TokenStream> = shape.unknowns.iter().map(|column| columns.place(column)).collect();
+        let Lines { reads, steps, results } = lines_at(self.model, &shape.arena, routine, |unknown| places[unknown].clone());
+        let inputs = columns.inputs(shape, &Words::new(self.model, self.system));
+        let (vectors, tables, motion) = (vectors(), columns.tables(), motion(&results));
+        let array = array_of(quote!({ #tables #inputs #reads #steps #motion }), &method.sizes);
+        quote!(#vectors #array)
+    }
+}
+
+/// What the lines read.
+fn vectors() -> TokenStream {
+    let (q, qd, qdd, t) = (local("q"), local("qd"), local("qdd"), local("t"));
+    quote!(let (#q, #qd, #qdd, #t) = (&state.q, &state.qd, &state.qdd, state.t);)
+}
+
+/// Value, rate and acceleration of one component or two.
+fn motion(results: &[TokenStream]) -> TokenStream {
+    let part = |order: usize| -> TokenStream {
+        let parts: Vec<&TokenStream> = results.iter().skip(order).step_by(3).collect();
+        match parts.as_slice() {
+            [scalar] => quote!(#scalar),
+            _ => quote!(::reuleaux::nalgebra::Vector2::from([#(#parts),*])),
+        }
+    };
+    let (value, rate, acceleration) = (part(0), part(1), part(2));
+    quote!(::reuleaux::Motion { value: #value, rate: #rate, acceleration: #acceleration })
+}

@@ -1,0 +1,246 @@
+//! The generated structs of parameters: that of the mechanism, and one for each component that has any.
+
+use super::arrays::{array_from, array_type};
+use super::expression::local;
+use super::{docs, docs_or};
+use crate::model::{Component, Field, Layout, Model, Of, Part};
+use crate::system::System;
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{format_ident, quote};
+
+/// The structs of a mechanism.
+pub(super) struct Parameters<'a> {
+    layout: &'a Layout,
+    mechanism: &'a Ident,
+    /// Which components have parameters, themselves or in their parts.
+    has_any: Vec<bool>,
+}
+
+impl<'a> Parameters<'a> {
+    pub(super) fn new(layout: &'a Layout, mechanism: &'a Ident) -> Parameters<'a> {
+        Parameters { layout, mechanism, has_any: holders(layout, Of::Parameter) }
+    }
+
+    /// The struct of a component, `WalkerLeg`.
+    fn structure(&self, component: usize) -> Ident {
+        match &self.layout.components[component].name {
+            None => self.mechanism.clone(),
+            Some(name) => format_ident!("{}{}", self.mechanism, name, span = name.span()),
+        }
+    }
+
+    /// The fields of the struct of a component, each with its number in the layout.
+    fn fields(&self, component: usize) -> impl Iterator<Item = (usize, &'a Field)> {
+        let is_field = |field: &Field| match field.of {
+            Of::Parameter => true,
+            Of::Part(inner) => self.has_any[inner],
+            Of::Body | Of::Output => false,
+        };
+        self.layout.components[component].fields.iter().enumerate().filter(move |(_, field)| is_field(field))
+    }
+
+    /// Name and type of each field.
+    pub(super) fn types(&self, component: usize) -> Vec<(&'a Ident, TokenStream)> {
+        let of_field = |(_, field): (usize, &'a Field)| {
+            let element = match field.of {
+                Of::Part(inner) => {
+                    let structure = self.structure(inner);
+                    quote!(#structure<T>)
+                }
+                _ => quote!(T),
+            };
+            (&field.name, array_type(element, &field.sizes))
+        };
+        self.fields(component).map(of_field).collect()
+    }
+
+    /// The components that have a struct of their own, by number.
+    pub(super) fn structures(&self) -> impl Iterator<Item = (usize, Ident)> {
+        (1..self.layout.components.len())
+            .filter(|component| self.has_any[*component])
+            .map(|component| (component, self.structure(component)))
+    }
+
+    /// Fields with their documentation.
+    pub(super) fn documented(&self, model: &Model, component: usize) -> TokenStream {
+        let part = self.layout.parts.iter().find(|part| part.component == component);
+        let fields = self.fields(component).zip(self.types(component)).map(|((number, field), (name, kind))| {
+            let first = part.and_then(|part| part.members[number].first()).copied();
+            let known = match (field.of, first.and_then(|first| model.parameters.get(first))) {
+                (Of::Parameter, Some(parameter)) => docs::parameter(parameter),
+                _ => format!("The parameters of `{name}`."),
+            };
+            let docs = docs_or(&field.docs, &known);
+            quote!(#docs pub #name: #kind,)
+        });
+        quote!(#(#fields)*)
+    }
+
+    /// The structs of components.
+    pub(super) fn components(&self, model: &Model, system: &System) -> TokenStream {
+        let values = docs::default_values(model, system);
+        let visibility = &model.visibility;
+        let structure = |(component, name): (usize, Ident)| {
+            let declared = &self.layout.components[component];
+            let docs = docs_or(&declared.docs, &self.page(declared));
+            let fields = self.documented(model, component);
+            let defaults = self.component_defaults(component, &name, &values);
+            let (between, gathering) = (self.between(component), self.gathering(component, &name));
+            quote! {
+                #docs
+                #[derive(Clone, Copy, Debug, PartialEq)]
+                #visibility struct #name<T = f64> { #fields }
+                #defaults
+                #[automatically_derived]
+                #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code)]
+                impl<T: ::reuleaux::Real> #name<T> { #between #gathering }
+            }
+        };
+        self.structures().map(structure).collect()
+    }
+
+    fn page(&self, component: &Component) -> String {
+        let name = component.name.as_ref().map(Ident::to_string).unwrap_or_default();
+        format!("The parameters of a `{name}` in [`{}`].", self.mechanism)
+    }
+
+    /// A component whose parts all have the same defaults has them itself.
+    fn component_defaults(&self, component: usize, name: &Ident, values: &[f64]) -> TokenStream {
+        let Some(literal) = self.common(component, values) else { return quote!() };
+        quote! {
+            #[automatically_derived]
+            impl ::core::default::Default for #name<f64> {
+                fn default() -> Self { Self::with_defaults() }
+            }
+            #[automatically_derived]
+            #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+            impl<T: ::reuleaux::Real> #name<T> {
+                /// The parameters at their declared defaults, over any number type.
+                #[must_use]
+                pub fn with_defaults() -> Self { #literal }
+            }
+        }
+    }
+
+    /// The defaults that all parts of a component have.
+    fn common(&self, component: usize, values: &[f64]) -> Option<TokenStream> {
+        let parts = self.layout.parts.iter().filter(|part| part.component == component);
+        let mut literals = parts.map(|part| self.literal(part, &quote!(Self), values));
+        let first = literals.next()?;
+        let text = first.to_string();
+        literals.all(|other| other.to_string() == text).then_some(first)
+    }
+
+    /// The defaults of the mechanism.
+    pub(super) fn defaults(&self, values: &[f64]) -> TokenStream {
+        self.layout.parts.first().map(|part| self.fields_of(part, values)).unwrap_or_default()
+    }
+
+    fn literal(&self, part: &Part, name: &TokenStream, values: &[f64]) -> TokenStream {
+        let fields = self.fields_of(part, values);
+        quote!(#name { #fields })
+    }
+
+    fn fields_of(&self, part: &Part, values: &[f64]) -> TokenStream {
+        let field = |(number, field): (usize, &Field)| {
+            let element = |member: &usize| match field.of {
+                Of::Part(inner) => {
+                    let structure = self.structure(inner);
+                    self.literal(&self.layout.parts[*member], &quote!(#structure), values)
+                }
+                _ => {
+                    let value = values.get(*member).copied().unwrap_or_default();
+                    let (sign, size) = (value.is_sign_negative().then(|| quote!(-)), Literal::f64_unsuffixed(value.abs()));
+                    quote!(T::of(#sign #size))
+                }
+            };
+            let (name, value) = (&field.name, array_from(part.members[number].iter().map(element).collect(), &field.sizes));
+            quote!(#name: #value,)
+        };
+        self.fields(part.component).map(field).collect()
+    }
+
+    /// What lies between the defaults and other parameters, for a component.
+    fn between(&self, component: usize) -> TokenStream {
+        let (defaults, share, to) = (local("defaults"), local("share"), local("to"));
+        let fields = self.blended(component, &quote!(#to));
+        quote! {
+            #[inline]
+            fn between(#defaults: &Self, #to: &Self, #share: T) -> Self { Self { #fields } }
+        }
+    }
+
+    /// Every field between that of `defaults` and that of `to`, at `share` of the way.
+    pub(super) fn blended(&self, component: usize, to: &TokenStream) -> TokenStream {
+        let (defaults, share) =
+            (if component == 0 { Ident::new("defaults", Span::call_site()) } else { local("defaults") }, local("share"));
+        let field = |(_, field): (usize, &Field)| {
+            let (name, rounds) = (&field.name, (0..field.sizes.len()).map(|rank| local(&format!("i{rank}"))).collect::<Vec<_>>());
+            let (one, two) = (quote!(#defaults.#name #([#rounds])*), quote!(#to.#name #([#rounds])*));
+            let element = match field.of {
+                Of::Part(inner) => {
+                    let structure = self.structure(inner);
+                    quote!(#structure::between(&#one, &#two, #share))
+                }
+                _ => quote!(#one + #share * (#two - #one)),
+            };
+            let value = rounds.iter().rev().fold(element, |inner, round| quote!(::core::array::from_fn(|#round| #inner)));
+            quote!(#name: #value,)
+        };
+        self.fields(component).map(field).collect()
+    }
+}
+
+impl Parameters<'_> {
+    /// Every field combined from those of several, for `Family`.
+    pub(super) fn gathered(&self, component: usize) -> TokenStream {
+        // In the mechanism's own function the names are written by hand.
+        let name = |name: &str| if component == 0 { Ident::new(name, Span::call_site()) } else { local(name) };
+        let (each, combine, one) = (name("each"), name("combine"), local("one"));
+        let field = |(_, field): (usize, &Field)| {
+            let (name, rounds) = (&field.name, (0..field.sizes.len()).map(|rank| local(&format!("i{rank}"))).collect::<Vec<_>>());
+            let place = quote!(#one.#name #([#rounds])*);
+            let element = match field.of {
+                Of::Part(inner) => {
+                    let structure = self.structure(inner);
+                    quote!(#structure::gathered(#each.map(|#one| &#place), #combine))
+                }
+                _ => quote!(#combine(#each.map(|#one| #place))),
+            };
+            let value = rounds.iter().rev().fold(element, |inner, round| quote!(::core::array::from_fn(|#round| #inner)));
+            quote!(#name: #value,)
+        };
+        self.fields(component).map(field).collect()
+    }
+
+    /// The same as a function of a component.
+    fn gathering(&self, component: usize, name: &Ident) -> TokenStream {
+        let (each, combine) = (local("each"), local("combine"));
+        let fields = self.gathered(component);
+        quote! {
+            #[inline]
+            fn gathered<U: ::reuleaux::Real, const L: usize>(#each: [&Self; L], #combine: &impl Fn([T; L]) -> U) -> #name<U> {
+                #name { #fields }
+            }
+        }
+    }
+}
+
+/// Which components hold something of a kind, themselves or in their parts.
+pub(super) fn holders(layout: &Layout, what: Of) -> Vec<bool> {
+    let mut found = vec![false; layout.components.len()];
+    // Parts stand after what they are parts of, but a component may be used before another that it contains.
+    for _ in 0..layout.components.len() {
+        let before = found.clone();
+        for (component, declared) in layout.components.iter().enumerate() {
+            found[component] |= declared.fields.iter().any(|field| match field.of {
+                Of::Part(inner) => before[inner],
+                of => of == what,
+            });
+        }
+        if before == found {
+            break;
+        }
+    }
+    found
+}

@@ -1,0 +1,200 @@
+//! What can be solved alone: the slice upstream of an output, and what moves of a mechanism that rests in part.
+
+use super::arrays::{array_at, array_type};
+use super::expression::local;
+use super::functions::Emitter;
+use super::stages::{Shelf, iterated, number};
+use super::{docs, docs_or, plan_constant, solving, state_name};
+use crate::model::Method;
+use crate::plan::Slice;
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{format_ident, quote};
+
+impl Emitter<'_> {
+    /// A type for each method of outputs
+    pub(super) fn slices(&self) -> TokenStream {
+        self.model.methods.iter().zip(&self.plan.slices).map(|(method, slice)| self.slice(method, slice)).collect()
+    }
+
+    fn slice(&self, method: &Method, slice: &Slice) -> TokenStream {
+        let (mechanism, visibility) = (&self.model.name, &self.model.visibility);
+        let word = method.name.to_string();
+        let word = word.trim_start_matches("r#");
+        let name = format_ident!("{}For{}", mechanism, camel(word), span = Span::call_site());
+        let (state, failure) = (state_name(&name), format_ident!("{}Failure", name, span = Span::call_site()));
+        let (solve_for, stages) = (format_ident!("solve_for_{word}", span = Span::call_site()), local(&format!("stages_for_{word}")));
+        let shelf = Shelf::new(&slice.held, &[], format!("for_{word}_"));
+        let (description, constants) = (self.description(&name, &shelf, word), self.slice_constants(slice, &shelf));
+        let (body, kernels) = self.solving(&slice.solution.solving, &shelf);
+        let plan = plan_constant(self.model, self.system, &slice.solution);
+        let (n, whole) = (slice.held.len(), self.system.unknowns.len());
+        let (t, pass) = (local("t"), local("pass"));
+        let result = quote!(::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>>);
+        let page =
+            format!("What is upstream of the output `{word}` of [`{mechanism}`], and nothing else, made by [`{mechanism}::{solve_for}`].");
+        let method_page =
+            format!("The mechanism for the output `{word}` alone: whatever is not upstream of it is not solved, nor compiled.");
+        let solving = solving(&name, &state, &failure, visibility, n);
+        let value = self.slice_state(method, &state, slice);
+        quote! {
+            #[automatically_derived]
+            #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code)]
+            impl<T: ::reuleaux::Real> #mechanism<T> {
+                #[doc = #method_page]
+                #[must_use]
+                pub fn #solve_for(&self) -> #name<T> { #name(*self) }
+            }
+            #[doc = #page]
+            #[derive(Clone, Copy, Debug, PartialEq)]
+            #[allow(dead_code)]
+            #visibility struct #name<T = f64>(pub #mechanism<T>);
+            #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+            impl<T: ::reuleaux::Real> #name<T> { #plan }
+            #kernels
+            #[automatically_derived]
+            #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens, dead_code)]
+            impl<T: ::reuleaux::Lanes> #mechanism<T> {
+                #[inline(always)]
+                fn #stages(&self, #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { #body }
+            }
+            #description
+            #[automatically_derived]
+            impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> {
+                #constants
+                fn toward(&self, share: T) -> ::core::option::Option<Self> {
+                    ::core::option::Option::map(::reuleaux::Stages::<T, #whole>::toward(&self.0, share), Self)
+                }
+                #[inline]
+                fn stages(&self, t: T, pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { self.0.#stages(t, pass) }
+            }
+            #solving
+            #value
+        }
+    }
+
+    /// Names, start and size: those of the mechanism, as far as they belong to the slice.
+    fn description(&self, name: &Ident, shelf: &Shelf, output: &str) -> TokenStream {
+        let (mechanism, whole, n) = (&self.model.name, self.system.unknowns.len(), shelf.held.len());
+        let coordinates = shelf.held.iter().map(|unknown| match self.system.unknowns.get(*unknown) {
+            Some(_) => {
+                let index = number(*unknown);
+                quote!(<#mechanism<T> as ::reuleaux::Description<T, #whole>>::COORDINATES[#index])
+            }
+            None => {
+                let component = format!("component {}", unknown - whole + 1);
+                quote!(::reuleaux::Coordinate { body: #output, name: #component, kind: ::reuleaux::CoordinateKind::Length })
+            }
+        });
+        let start = shelf.held.iter().map(|unknown| {
+            let index = number(*unknown);
+            if *unknown < whole { quote!(start[#index]) } else { quote!(T::of(0.0)) }
+        });
+        quote! {
+            #[automatically_derived]
+            impl<T: ::reuleaux::Real> ::reuleaux::Description<T, #n> for #name<T> {
+                const NAME: &'static str = <#mechanism<T> as ::reuleaux::Description<T, #whole>>::NAME;
+                const COORDINATES: &'static [::reuleaux::Coordinate] = &[#(#coordinates),*];
+                const ROWS: &'static [::reuleaux::Row] = <#mechanism<T> as ::reuleaux::Description<T, #whole>>::ROWS;
+                fn start(&self) -> ::reuleaux::nalgebra::SVector<T, #n> {
+                    let start = self.0.start();
+                    ::reuleaux::nalgebra::SVector::from([#(#start),*])
+                }
+                fn characteristic_length(&self) -> T { self.0.characteristic_length() }
+                fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> { self.0.validate() }
+            }
+        }
+    }
+
+    fn slice_constants(&self, slice: &Slice, shelf: &Shelf) -> TokenStream {
+        let (angles, iterated) = (self.computed_angles(&slice.solution, shelf), iterated(&slice.solution, shelf));
+        quote!(#angles #iterated)
+    }
+
+    /// The state of a slice, which has the output.
+    fn slice_state(&self, method: &Method, state: &Ident, slice: &Slice) -> TokenStream {
+        let Some(first) = method.members.first().map(|member| &self.model.outputs[*member]) else { return quote!() };
+        let (width, kind, value): (usize, TokenStream, fn(TokenStream) -> TokenStream) = match first.components.len() {
+            0 => (3, quote!(::reuleaux::PlanarBody<T>), |place| quote!(self.0.planar_body(#place))),
+            1 => (1, quote!(::reuleaux::Motion<T>), |place| quote!(self.0.coordinate(#place))),
+            _ => (2, quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector2<T>>), |place| quote!(self.0.point(#place))),
+        };
+        let (visibility, name, n) = (&self.model.visibility, &method.name, slice.held.len());
+        let begin = n - width * method.members.len();
+        let places: Vec<usize> = (0..method.members.len()).map(|member| begin + width * member).collect();
+        let (value, kind) = (array_at(&places, &method.sizes, value), array_type(kind, &method.sizes));
+        let docs = docs_or(&method.docs, &docs::output(method, first));
+        let first_line = format!("A state of the slice for `{name}`: the output, and what the next state is found from.");
+        quote! {
+            #[doc = #first_line]
+            #[derive(Clone, Debug, PartialEq)]
+            #[allow(dead_code)]
+            #visibility struct #state<T = f64>(pub ::reuleaux::State<T, #n>);
+            #[automatically_derived]
+            #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code)]
+            impl<T: ::reuleaux::Real> #state<T> {
+                #docs
+                #[must_use]
+                pub fn #name(&self) -> #kind { #value }
+            }
+            #[automatically_derived]
+            impl<T> ::core::ops::Deref for #state<T> {
+                type Target = ::reuleaux::State<T, #n>;
+                fn deref(&self) -> &Self::Target { &self.0 }
+            }
+        }
+    }
+
+    /// A step in which only what moves is solved, and the type that it is solved by; nothing where all of it moves.
+    pub(super) fn moving(&self) -> (TokenStream, TokenStream) {
+        let Some(slice) = &self.plan.moving else { return (quote!(), quote!()) };
+        let (mechanism, whole, n) = (&self.model.name, self.system.unknowns.len(), slice.held.len());
+        let name = format_ident!("{}Moving", mechanism, span = Span::call_site());
+        let shelf = Shelf::new(&slice.held, &slice.given, "moving_".to_owned());
+        let (body, kernels) = self.solving(&slice.solution.solving, &shelf);
+        let (description, constants) = (self.description(&name, &shelf, ""), self.slice_constants(slice, &shelf));
+        let (count, places) = (slice.given.len(), slice.given.iter().map(|unknown| number(*unknown)));
+        let held = slice.held.iter().map(|unknown| Literal::usize_unsuffixed(*unknown));
+        let (t, pass, given, stages) = (local("t"), local("pass"), local("given"), local("stages_of_what_moves"));
+        let result = quote!(::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>>);
+        let step = quote! {
+            fn step(&self, state: &mut ::reuleaux::State<T, #whole>, t: T) -> bool
+            where
+                T: ::reuleaux::Float,
+            {
+                const HELD: [usize; #n] = [#(#held),*];
+                let moving = #name(*self, [#(state.q[#places]),*]);
+                ::reuleaux::step_in_part(&moving, state, &HELD, t)
+            }
+        };
+        let part = quote! {
+            /// What moves of a mechanism that rests in part, with what it needs to know of the rest.
+            #[derive(Clone, Copy)]
+            #[doc(hidden)]
+            struct #name<T>(#mechanism<T>, [T; #count]);
+            #kernels
+            #[automatically_derived]
+            #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
+            impl<T: ::reuleaux::Lanes> #mechanism<T> {
+                #[inline(always)]
+                fn #stages(&self, #given: &[T; #count], #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { #body }
+            }
+            #description
+            #[automatically_derived]
+            impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> {
+                #constants
+                #[inline]
+                fn stages(&self, t: T, pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { self.0.#stages(&self.1, t, pass) }
+            }
+        };
+        (step, part)
+    }
+}
+
+/// `coupler_tip` as `CouplerTip`.
+fn camel(name: &str) -> String {
+    let capital = |word: &str| {
+        let mut letters = word.chars();
+        letters.next().map(|first| first.to_uppercase().collect::<String>() + letters.as_str()).unwrap_or_default()
+    };
+    name.split('_').map(capital).collect()
+}

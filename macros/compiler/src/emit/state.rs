@@ -1,0 +1,117 @@
+//! The generated state: named access to bodies, and views of parts.
+
+use super::arrays::{array_at, array_type};
+use super::parameters::holders;
+use super::{docs_or, state_name};
+use crate::model::{Field, Layout, Of, Part};
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+/// The accessors of a mechanism's state and of the views of its parts.
+pub(super) struct Accessors<'a> {
+    layout: &'a Layout,
+    mechanism: &'a Ident,
+    visibility: &'a TokenStream,
+    /// Which components have bodies, themselves or in their parts.
+    has_any: Vec<bool>,
+    /// What stands in every accessor instead, in a stub.
+    body: Option<&'a TokenStream>,
+}
+
+impl<'a> Accessors<'a> {
+    pub(super) fn new(
+        layout: &'a Layout,
+        mechanism: &'a Ident,
+        visibility: &'a TokenStream,
+        body: Option<&'a TokenStream>,
+    ) -> Accessors<'a> {
+        Accessors { layout, mechanism, visibility, has_any: holders(layout, Of::Body), body }
+    }
+
+    /// The view of a component's part, `WalkerStateLeg`.
+    fn view(&self, component: usize) -> Ident {
+        let name = self.layout.components[component].name.as_ref();
+        format_ident!("{}State{}", self.mechanism, name.map(Ident::to_string).unwrap_or_default())
+    }
+
+    /// The accessors of the mechanism's own bodies and parts, as methods of its state.
+    pub(super) fn of_mechanism(&self) -> TokenStream {
+        self.of(0, |place| quote!(self.0.planar_body(#place)), |view, place| quote!(#view { state: &self.0, first: #place }))
+    }
+
+    /// The views of parts, over a state of `n` coordinates.
+    pub(super) fn views(&self, n: usize) -> TokenStream {
+        let (visibility, state) = (self.visibility, state_name(self.mechanism));
+        let view = |component: usize| {
+            let (view, declared) = (self.view(component), &self.layout.components[component]);
+            let page = format!("A `{}` in a [`{state}`].", declared.name.as_ref().map(Ident::to_string).unwrap_or_default());
+            let accessors = self.of(
+                component,
+                |place| quote!(self.state.planar_body(self.first + #place)),
+                |view, place| quote!(#view { state: self.state, first: self.first + #place }),
+            );
+            quote! {
+                #[doc = #page]
+                #[derive(Clone, Copy, Debug, PartialEq)]
+                #[allow(dead_code)]
+                #visibility struct #view<'a, T = f64> {
+                    state: &'a ::reuleaux::State<T, #n>,
+                    first: usize,
+                }
+                #[automatically_derived]
+                #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, dead_code)]
+                impl<'a, T: ::reuleaux::Real> #view<'a, T> { #accessors }
+            }
+        };
+        (1..self.layout.components.len()).filter(|component| self.has_any[*component]).map(view).collect()
+    }
+
+    fn of(
+        &self,
+        component: usize,
+        body: impl Fn(TokenStream) -> TokenStream,
+        part: impl Fn(Ident, TokenStream) -> TokenStream,
+    ) -> TokenStream {
+        let Some(first) = self.layout.parts.iter().find(|part| part.component == component) else { return quote!() };
+        let lifetime = if component == 0 { quote!('_) } else { quote!('a) };
+        let accessor = |(number, field): (usize, &Field)| {
+            let name = &field.name;
+            let (known, kind, value) = match field.of {
+                Of::Body => {
+                    let known =
+                        format!("{} place of its frame's origin (m) and angle (rad), with their rates.", called("body", "bodies", field));
+                    let places = self.places(first, &first.members[number], |body| body);
+                    (known, quote!(::reuleaux::PlanarBody<T>), array_at(&places, &field.sizes, &body))
+                }
+                Of::Part(inner) if self.has_any[inner] => {
+                    let view = self.view(inner);
+                    let places = self.places(first, &first.members[number], |part| self.layout.parts[part].first);
+                    let value = array_at(&places, &field.sizes, |place| part(view.clone(), place));
+                    (format!("{} its bodies and parts.", called("part", "parts", field)), quote!(#view<#lifetime, T>), value)
+                }
+                _ => return quote!(),
+            };
+            let (docs, kind, value) = (docs_or(&field.docs, &known), array_type(kind, &field.sizes), self.body.unwrap_or(&value));
+            quote! {
+                #docs
+                #[must_use]
+                pub fn #name(&self) -> #kind { #value }
+            }
+        };
+        self.layout.components[component].fields.iter().enumerate().map(accessor).collect()
+    }
+
+    /// Where the coordinates of some bodies begin, from the first of a part's own.
+    fn places(&self, part: &Part, members: &[usize], body: impl Fn(usize) -> usize) -> Vec<usize> {
+        members.iter().map(|member| 3 * (body(*member) - part.first)).collect()
+    }
+}
+
+/// ``The body `crank`:`` or ``The bodies `crank[0]` to `crank[4]`:``
+fn called(one: &str, many: &str, field: &Field) -> String {
+    if field.sizes.is_empty() {
+        return format!("The {one} `{}`:", field.name);
+    }
+    let index = |of: fn(usize) -> usize| field.sizes.iter().map(|size| format!("[{}]", of(*size))).collect::<String>();
+    format!("The {many} `{0}{1}` to `{0}{2}`:", field.name, index(|_| 0), index(|size| size - 1))
+}

@@ -1,0 +1,173 @@
+//! Arrays: whole numbers known to the compiler, and what stands behind a name with indices.
+
+use super::elaborate::{Elaborator, Scope};
+use super::names::{GroupId, SpaceId};
+use super::suggest::nearest;
+use super::value::Value;
+use crate::diag::{Fact, Range};
+use crate::syntax::ast::{self, Bounds, ExprKind, Operator};
+use proc_macro2::Ident;
+use std::ops::Range as Span;
+
+/// No range is longer, so that a slip of the pen does not fill the memory.
+const LONGEST: usize = 10_000;
+
+impl Elaborator<'_> {
+    /// `array[index]`
+    pub(super) fn indexed(&mut self, owner: &ast::Expr, index: &ast::Expr, scope: &Scope) -> Option<Value> {
+        let (group, mut at) = match self.value_or_array(owner, scope)? {
+            Value::Array { group, at } => (group, at),
+            other => {
+                let fact = Fact::NoArray { found: other.noun(), is_member: matches!(owner.kind, ExprKind::Index(..)) };
+                return self.refuse(index.range, fact);
+            }
+        };
+        let number = self.whole(index, scope)?;
+        let found = &self.names.group(group).members;
+        let rank = at.len();
+        let is_there = |number: usize| {
+            let mut begin = at.clone();
+            begin.push(number);
+            found.range(begin.clone()..).next().is_some_and(|(indices, _)| indices.starts_with(&begin))
+        };
+        let Some(number) = usize::try_from(number).ok().filter(|number| is_there(*number)) else {
+            let known = found.keys().filter(|indices| indices.starts_with(&at)).filter_map(|indices| indices.get(rank));
+            let ends = known.clone().min().copied().zip(known.max().copied());
+            let name = self.member_name(group, &at);
+            return self.refuse(index.range, Fact::IndexOutOfRange { name, index: number, ends });
+        };
+        at.push(number);
+        self.member(group, at, index.range)
+    }
+
+    /// What a name stands for: an item, or an array that still wants its indices.
+    pub(super) fn of_group(&mut self, group: GroupId, range: impl Into<Range>) -> Option<Value> {
+        self.member(group, Vec::new(), range.into())
+    }
+
+    fn member(&mut self, group: GroupId, at: Vec<usize>, range: Range) -> Option<Value> {
+        if at.len() < self.names.group(group).ranks {
+            return Some(Value::Array { group, at });
+        }
+        let entity = *self.names.group(group).members.get(&at)?;
+        self.entity(entity, range)
+    }
+
+    /// `leg[3]`, or as much of it as there are indices.
+    pub(super) fn member_name(&self, group: GroupId, at: &[usize]) -> String {
+        let indices: String = at.iter().map(|index| format!("[{index}]")).collect();
+        format!("{}{indices}", self.names.group(group).path)
+    }
+
+    /// A name from where an item of `space` stands; of the mechanism around a component it sees what does not move.
+    pub(super) fn visible(&mut self, range: Range, group: GroupId, space: SpaceId) -> Option<Value> {
+        let known = self.names.group(group);
+        let is_own = space == SpaceId::MECHANISM || self.names.find(space, &known.word) == Some(group);
+        if is_own || matches!(known.what, "a parameter" | "a `let`" | "a function") {
+            return self.of_group(group, range);
+        }
+        let (name, what) = (known.word.clone(), known.what);
+        self.refuse(range, Fact::OutsideOfComponent { name, what })
+    }
+
+    /// `part.name`
+    pub(super) fn part_field(&mut self, space: SpaceId, field: &Ident) -> Option<Value> {
+        let name = field.to_string();
+        if let Some(group) = self.names.find(space, &name) {
+            return self.of_group(group, field);
+        }
+        let known = self.names.words(space);
+        let near = nearest(&name, known.iter().map(String::as_str));
+        let owner = self.names.spaces[space.0].prefix.trim_end_matches('.').to_owned();
+        self.refuse(field, Fact::UnknownField { owner: format!("`{owner}`"), name, near, known })
+    }
+
+    /// The indices of a declared name.
+    pub(super) fn indices(&mut self, written: &[ast::Expr], scope: &Scope) -> Option<Vec<usize>> {
+        let index = |this: &mut Self, expr: &ast::Expr| {
+            let number = this.whole(expr, scope)?;
+            match usize::try_from(number) {
+                Ok(number) => Some(number),
+                Err(_) => this.refuse(expr.range, Fact::NegativeIndex { index: number }),
+            }
+        };
+        written.iter().map(|expr| index(self, expr)).collect()
+    }
+
+    /// What a loop runs over. `is_inner` if it stands in another loop: there it may run over nothing in some rounds.
+    pub(super) fn rounds(&mut self, bounds: &Bounds, is_inner: bool, scope: &Scope) -> Option<Span<i64>> {
+        let (from, to) = (self.whole(&bounds.from, scope), self.whole(&bounds.to, scope));
+        let (from, to) = (from?, to?);
+        let end = to.saturating_add(i64::from(bounds.is_inclusive));
+        let range = bounds.from.range.to(bounds.to.range);
+        if end < from || end == from && !is_inner {
+            return self.refuse(range, Fact::EmptyRange { from, end });
+        }
+        if end.abs_diff(from) > LONGEST as u64 {
+            return self.refuse(range, Fact::LongRange { limit: LONGEST });
+        }
+        Some(from..end)
+    }
+
+    /// A whole number that the compiler knows: of literals, loop variables and whole `let`s.
+    pub(super) fn whole(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<i64> {
+        match &expr.kind {
+            ExprKind::Number { digits, unit } => match digits.parse() {
+                Ok(number) if unit.is_empty() => Some(number),
+                _ => self.refuse(expr.range, Fact::NotWhole { found: format!("`{digits}{unit}`") }),
+            },
+            ExprKind::Negative(value) => self.whole(value, scope).map(|value| -value),
+            ExprKind::Binary(operator, lhs, rhs) if *operator != Operator::Power => {
+                let (one, two) = (self.whole(lhs, scope), self.whole(rhs, scope));
+                self.whole_of_two(expr.range, *operator, one?, two?)
+            }
+            ExprKind::Path(_) | ExprKind::Field(..) | ExprKind::Index(..) => {
+                let value = self.value(expr, scope)?;
+                self.as_whole(expr.range, &value)
+            }
+            _ => self.refuse(expr.range, Fact::NotWhole { found: "this".into() }),
+        }
+    }
+
+    pub(super) fn whole_of_two(&mut self, range: Range, operator: Operator, one: i64, two: i64) -> Option<i64> {
+        let result = match operator {
+            Operator::Add => one.checked_add(two),
+            Operator::Sub => one.checked_sub(two),
+            Operator::Mul => one.checked_mul(two),
+            // The remainder is never negative, so that it can be an index.
+            Operator::Rem => one.checked_rem_euclid(two),
+            // A quotient means the same here as in an expression, so there must be no remainder.
+            _ => one.checked_rem(two).filter(|rest| *rest == 0).and_then(|_| one.checked_div(two)),
+        };
+        match result {
+            Some(result) => Some(result),
+            None => self.refuse(range, Fact::NotWhole { found: format!("`{one} {} {two}`", symbol(operator)) }),
+        }
+    }
+
+    fn as_whole(&mut self, range: Range, value: &Value) -> Option<i64> {
+        let Value::Scalar(scalar) = value else { return self.refuse(range, Fact::NotWhole { found: value.noun().to_owned() }) };
+        let dim = scalar.measure.settled();
+        if !scalar.measure.fits(super::Dim::NUMBER) {
+            return self.refuse(range, Fact::NotWhole { found: dim.to_string() });
+        }
+        let constant = self.arena.as_constant(scalar.expr);
+        let whole = constant.filter(|value| value.denominator() == 1 && value.pi_power() == 0);
+        match whole.and_then(|value| i64::try_from(value.numerator()).ok()) {
+            Some(number) => Some(number),
+            None if constant.is_some() => self.refuse(range, Fact::NotWhole { found: "a fraction".into() }),
+            None => self.refuse(range, Fact::NotKnownWhole),
+        }
+    }
+}
+
+fn symbol(operator: Operator) -> &'static str {
+    match operator {
+        Operator::Add => "+",
+        Operator::Sub => "-",
+        Operator::Mul => "*",
+        Operator::Div => "/",
+        Operator::Rem => "%",
+        Operator::Power => "^",
+    }
+}

@@ -1,0 +1,201 @@
+//! What the mechanism and its components are made of, part by part: after this the generated types are made.
+//!
+//! All parts of a component are alike: they have the same names with the same sizes, and their bodies stand in the same order.
+
+use super::elaborate::Elaborator;
+use super::names::EntityId;
+use super::register::Register;
+use crate::diag::Fact;
+use crate::syntax::ast::{self, Docs};
+use proc_macro2::Ident;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// Components and their parts; the first of each is the mechanism itself.
+#[derive(Clone, Debug, Default)]
+pub struct Layout {
+    /// The mechanism, and every component that is used.
+    pub components: Vec<Component>,
+    /// The mechanism, and all parts in the order in which they stand.
+    pub parts: Vec<Part>,
+}
+
+/// What all parts of a component have in common.
+#[derive(Clone, Debug)]
+pub struct Component {
+    /// Its name; the mechanism itself has none here.
+    pub name: Option<Ident>,
+    /// Doc attributes of the generated struct of parameters.
+    pub docs: Docs,
+    /// What it has, in the order declared.
+    pub fields: Vec<Field>,
+}
+
+/// A name that generated types know.
+#[derive(Clone, Debug)]
+pub struct Field {
+    /// The name.
+    pub name: Ident,
+    /// Doc attributes of the field, the accessor or the method.
+    pub docs: Docs,
+    /// What it is.
+    pub of: Of,
+    /// How many there are for each index; empty for a single one.
+    pub sizes: Vec<usize>,
+}
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Of {
+    /// A parameter.
+    Parameter,
+    /// A body.
+    Body,
+    /// A part of the component of this number.
+    Part(usize),
+    /// An output.
+    Output,
+}
+
+/// One part.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// The number of its component.
+    pub component: usize,
+    /// The number of its first body.
+    pub first: usize,
+    /// For each field the numbers of its members, the last index running fastest.
+    pub members: Vec<Vec<usize>>,
+}
+
+/// The mechanism or a part while its items are registered.
+#[derive(Default)]
+pub(super) struct Place {
+    pub(super) component: Option<Rc<ast::Component>>,
+    /// The number of its first body.
+    pub(super) first: usize,
+    /// What generated types know, with its number among those of its kind.
+    pub(super) items: Vec<(Of, EntityId, usize)>,
+    /// Where the part was declared.
+    pub(super) id: Option<EntityId>,
+}
+
+/// Members of one name while they are gathered.
+struct Gathered {
+    first: EntityId,
+    of: Of,
+    members: BTreeMap<Vec<usize>, usize>,
+}
+
+impl Elaborator<'_> {
+    /// The layout of everything that was registered.
+    pub(super) fn layout(&mut self, register: &Register) -> Layout {
+        let mut layout = Layout::default();
+        let mut known: BTreeMap<*const ast::Component, usize> = BTreeMap::new();
+        let mut component_of = Vec::new();
+        for place in &register.places {
+            let key = place.component.as_ref().map_or(std::ptr::null(), Rc::as_ptr);
+            let next = known.len();
+            component_of.push(*known.entry(key).or_insert(next));
+        }
+        for (place, component) in register.places.iter().zip(&component_of) {
+            let gathered = self.gathered(place, &component_of);
+            let sizes: Vec<Vec<usize>> = gathered.iter().map(|field| self.sizes(field)).collect();
+            let members: Vec<Vec<usize>> = gathered.iter().map(|field| field.members.values().copied().collect()).collect();
+            let part = Part { component: *component, first: place.first, members };
+            let fields = || gathered.iter().zip(&sizes).map(|(field, sizes)| self.field_of(register, field, sizes)).collect();
+            match layout.components.get(*component) {
+                None => {
+                    let name = place.component.as_ref().map(|component| component.head.name.clone());
+                    let docs = place.component.as_ref().map_or(Docs::default(), |component| component.docs.clone());
+                    layout.components.push(Component { name, docs, fields: fields() });
+                }
+                Some(alike) => {
+                    if let Some(first) = layout.parts.iter().find(|part| part.component == *component) {
+                        self.are_alike(place, (alike, first), (&gathered, &sizes, &part));
+                    }
+                }
+            }
+            layout.parts.push(part);
+        }
+        layout
+    }
+
+    /// The members of each name, in the order in which the names were first declared.
+    fn gathered(&self, place: &Place, component_of: &[usize]) -> Vec<Gathered> {
+        let mut gathered: Vec<Gathered> = Vec::new();
+        let mut by_word: BTreeMap<(bool, String), usize> = BTreeMap::new();
+        for (of, id, number) in &place.items {
+            let name = &self.names.declared[id.0].name;
+            let of = if let Of::Part(_) = of { Of::Part(component_of[*number]) } else { *of };
+            let next = gathered.len();
+            let at = *by_word.entry((of == Of::Output, name.word.to_string())).or_insert(next);
+            if at == next {
+                gathered.push(Gathered { first: *id, of, members: BTreeMap::new() });
+            }
+            gathered[at].members.entry(name.indices.clone()).or_insert(*number);
+        }
+        gathered
+    }
+
+    /// How many there are for each index. Generated arrays have no gaps.
+    fn sizes(&mut self, field: &Gathered) -> Vec<usize> {
+        let ranks = field.members.keys().next().map_or(0, Vec::len);
+        let size = |rank: usize| field.members.keys().filter_map(|indices| indices.get(rank)).max().map_or(0, |most| most + 1);
+        let sizes: Vec<usize> = (0..ranks).map(size).collect();
+        let mut wanted = vec![0; ranks];
+        for indices in field.members.keys() {
+            if *indices != wanted {
+                let (first, group) =
+                    (field.first, |indices: &[usize]| indices.iter().map(|index| format!("[{index}]")).collect::<String>());
+                let declared = &self.names.declared[first.0].name;
+                let stem = declared.path.trim_end_matches(&group(&declared.indices)).to_owned();
+                let (missing, known) = (format!("{stem}{}", group(&wanted)), format!("{stem}{}", group(indices)));
+                let range = declared.word.clone();
+                self.once(std::ptr::from_ref(&self.names.declared[first.0].name.word).cast::<u8>(), |this| {
+                    this.refuse::<()>(&range, Fact::MissingIndex { missing, known })
+                });
+                break;
+            }
+            // The next place of an array without gaps.
+            for rank in (0..ranks).rev() {
+                wanted[rank] += 1;
+                if wanted[rank] < sizes[rank] {
+                    break;
+                }
+                wanted[rank] = 0;
+            }
+        }
+        sizes
+    }
+
+    fn field_of(&self, register: &Register, field: &Gathered, sizes: &[usize]) -> Field {
+        let number = field.members.values().next().copied().unwrap_or(0);
+        let docs = match field.of {
+            Of::Parameter => &register.parameters[number].1.docs,
+            Of::Body => &register.bodies[number].1.docs,
+            Of::Output => &register.outputs[number].1.docs,
+            Of::Part(_) => &register.parts[number - 1].docs,
+        };
+        Field { name: self.names.declared[field.first.0].name.word.clone(), docs: docs.clone(), of: field.of, sizes: sizes.to_vec() }
+    }
+
+    /// A part has what the first part of its component has.
+    fn are_alike(&mut self, place: &Place, first: (&Component, &Part), found: (&[Gathered], &[Vec<usize>], &Part)) {
+        let ((component, one), (gathered, sizes, two)) = (first, found);
+        let bodies = |part: &Part, number: usize| part.members[number].iter().map(|body| body - part.first).collect::<Vec<_>>();
+        let is_alike = component.fields.len() == gathered.len()
+            && component.fields.iter().zip(gathered).zip(sizes).enumerate().all(|(number, ((field, other), sizes))| {
+                field.name == self.names.declared[other.first.0].name.word
+                    && field.of == other.of
+                    && field.sizes == *sizes
+                    && (field.of != Of::Body || bodies(one, number) == bodies(two, number))
+            });
+        let (Some(id), Some(component)) = (place.id, &place.component) else { return };
+        if !is_alike {
+            let name = self.names.declared[id.0].name.clone();
+            let fact = Fact::UnlikeParts { name: name.path.clone(), component: component.head.name.to_string() };
+            self.once(Rc::as_ptr(component), |this| this.refuse::<()>(&name, fact));
+        }
+    }
+}

@@ -1,0 +1,423 @@
+//! Every item gets its name: loops are gone through, parts become the items of their components.
+//!
+//! Bodies, parameters, joints and outputs are numbered in the order in which they come to stand, a part's own next to each
+//! other. Nothing is resolved here but whole numbers.
+
+use super::Name;
+use super::builtin::BUILTINS;
+use super::dimension::{Dim, Measure};
+use super::elaborate::{Elaborator, Scope};
+use super::layout::{Of, Place};
+use super::names::{Context, Declared, Entity, EntityId, Group, GroupId, Made, Progress, RESERVED, SpaceId};
+use super::suggest::nearest;
+use super::value::{FrameId, Scalar, Value};
+use crate::diag::Fact;
+use crate::expr::Leaf;
+use crate::syntax::ast::{self, Item, Marks};
+use proc_macro2::Ident;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+/// No mechanism has more items, loops gone through and parts taken apart.
+const MOST: usize = 100_000;
+
+/// Parts are not nested deeper.
+const DEEPEST: usize = 20;
+
+/// What was declared, in the order in which it came to stand.
+#[derive(Default)]
+pub(super) struct Register {
+    pub(super) parameters: Vec<(EntityId, Rc<ast::Parameter>)>,
+    /// `let`s and arguments of parts: whether anything uses them or not, a mistake in them is found.
+    pub(super) lets: Vec<EntityId>,
+    pub(super) functions: Vec<Rc<ast::Function>>,
+    pub(super) bodies: Vec<(EntityId, Rc<ast::Frame>)>,
+    pub(super) marks: Vec<EntityId>,
+    pub(super) joints: Vec<(EntityId, Rc<ast::Joint>)>,
+    pub(super) outputs: Vec<(EntityId, Rc<ast::Output>)>,
+    output_names: BTreeMap<(SpaceId, String), BTreeSet<Vec<usize>>>,
+    /// The parts as written, the mechanism's place left out.
+    pub(super) parts: Vec<Rc<ast::Part>>,
+    /// The mechanism and its parts.
+    pub(super) places: Vec<Place>,
+    /// The components whose items are being gone through, to stop recursion.
+    open: Vec<String>,
+    /// How many loops are being gone through.
+    loops: usize,
+    count: usize,
+    has_ground: bool,
+}
+
+impl Elaborator<'_> {
+    /// Registers all items of a mechanism.
+    pub(super) fn register(&mut self, items: &[Item]) -> Register {
+        let mut register = Register::default();
+        register.places.push(Place::default());
+        for item in items {
+            if let Item::Component(component) = item {
+                self.component(component);
+            }
+        }
+        let context = Context { space: SpaceId::MECHANISM, bound: Rc::default() };
+        self.items(items, &context, 0, &mut register);
+        register
+    }
+
+    fn component(&mut self, component: &Rc<ast::Component>) {
+        let name = &component.head.name;
+        let word = name.to_string();
+        if word.starts_with("State") || word == "Failure" {
+            self.diag.refuse::<()>(name, Fact::GeneratedType { name: word });
+        } else if self.names.components.contains_key(&word) {
+            self.diag.refuse::<()>(name, Fact::Duplicate { name: word, first: "another component" });
+        } else {
+            self.once(Rc::as_ptr(component), |this| this.head_is_sound(&component.head));
+            self.names.components.insert(word, component.clone());
+        }
+    }
+
+    /// Registers items that stand together; `place` is the part they belong to.
+    fn items(&mut self, items: &[Item], context: &Context, place: usize, register: &mut Register) {
+        // Whole numbers come first: they say how often everything else stands.
+        for item in items {
+            self.number_item(item, context, place, register);
+        }
+        for item in items {
+            if register.count > MOST {
+                return;
+            }
+            self.item(item, context, place, register);
+        }
+    }
+
+    fn number_item(&mut self, item: &Item, context: &Context, place: usize, register: &mut Register) {
+        match item {
+            Item::Parameter(parameter) => {
+                let leaf = self.arena.leaf(Leaf::Parameter(register.parameters.len() as u32));
+                let dim = self.once(Rc::as_ptr(parameter), |this| this.dimension(&parameter.dimension));
+                let value = dim.map(|dim| Value::Scalar(Scalar { expr: leaf, measure: Measure::Of(dim) }));
+                let progress = value.map_or(Progress::Failed, Progress::Done);
+                let written = (&parameter.name, parameter.indices.as_slice());
+                let Some(id) = self.declare(written, Entity::Known, progress, "a parameter", context, register) else { return };
+                register.places[place].items.push((Of::Parameter, id, register.parameters.len()));
+                register.parameters.push((id, parameter.clone()));
+            }
+            Item::Let(binding) => {
+                let written = (&binding.name, binding.indices.as_slice());
+                let id = self.declare(written, Entity::Let(binding.clone()), Progress::Untouched, "a `let`", context, register);
+                register.lets.extend(id);
+            }
+            Item::Function(function) => {
+                let entity = Entity::Function(function.clone());
+                if self.declare((&function.name, &[]), entity, Progress::Untouched, "a function", context, register).is_some() {
+                    register.functions.push(function.clone());
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn item(&mut self, item: &Item, context: &Context, place: usize, register: &mut Register) {
+        match item {
+            Item::Ground(frame) => {
+                if std::mem::replace(&mut register.has_ground, true) {
+                    self.diag.refuse::<()>(&frame.name, Fact::DuplicateGround);
+                }
+                if let Some(start) = frame.starts.first() {
+                    self.diag.refuse::<()>(&start.what, Fact::GroundStart);
+                }
+                self.fill(FrameId::GROUND, &frame.marks, context, register);
+            }
+            Item::Body(frame) => {
+                let written = (&frame.name, frame.indices.as_slice());
+                let Some(id) = self.declare(written, Entity::Known, Progress::Failed, "a body", context, register) else { return };
+                let path = self.names.declared[id.0].name.path.clone();
+                let number = self.new_frame(&path);
+                self.names.declared[id.0].progress = Progress::Done(Value::Body(number));
+                register.places[place].items.push((Of::Body, id, register.bodies.len()));
+                register.bodies.push((id, frame.clone()));
+                self.fill(number, &frame.marks, context, register);
+            }
+            Item::Joint(joint) => {
+                let what = if joint.is_drive { "a drive" } else { "a joint" };
+                let written = (&joint.name, joint.indices.as_slice());
+                let id = self.declare(written, Entity::Joint(joint.clone()), Progress::Untouched, what, context, register);
+                register.joints.extend(id.map(|id| (id, joint.clone())));
+            }
+            Item::Output(output) => self.output_item(output, context, place, register),
+            Item::Part(part) => self.part(part, context, place, register),
+            Item::For(repeated) => {
+                let bound = self.repeat(Rc::as_ptr(repeated), &repeated.variable, &repeated.bounds, context, register);
+                register.loops += 1;
+                for inner in bound {
+                    self.items(&repeated.items, &inner, place, register);
+                }
+                register.loops -= 1;
+            }
+            Item::Use(uses) => self.names_are_new(uses),
+            _ => {}
+        }
+    }
+
+    /// Outputs are a set of names of their own.
+    fn output_item(&mut self, output: &Rc<ast::Output>, context: &Context, place: usize, register: &mut Register) {
+        let Some(indices) = self.written_indices(&output.indices, Rc::as_ptr(output), context) else { return };
+        let name = self.full_name(context.space, &output.name, &indices);
+        let known = register.output_names.entry((context.space, output.name.to_string())).or_default();
+        let is_like_others = known.first().is_none_or(|other| other.len() == indices.len());
+        if !is_like_others || !known.insert(indices) {
+            let fact = duplicate(name.to_string(), "another output", context.bound.last().filter(|_| is_like_others));
+            self.once(Rc::as_ptr(output), |this| this.refuse::<()>(&output.name, fact));
+            return;
+        }
+        let declared = Declared { entity: Entity::Known, progress: Progress::Failed, name, context: context.clone() };
+        let id = self.insert(declared, register);
+        register.places[place].items.push((Of::Output, id, register.outputs.len()));
+        register.outputs.push((id, output.clone()));
+    }
+
+    /// One context for each round of a loop.
+    fn repeat<I>(
+        &mut self,
+        item: *const I,
+        variable: &Ident,
+        bounds: &ast::Bounds,
+        context: &Context,
+        register: &mut Register,
+    ) -> Vec<Context> {
+        if !self.variable_is_new(item, variable, context) {
+            return Vec::new();
+        }
+        let rounds = self.at(self.situation(context), |this| {
+            this.once(item, |this| this.rounds(bounds, register.loops > 0, &Scope::of(context).timeless("an index")))
+        });
+        let word = variable.to_string();
+        let round = |number: i64| {
+            let mut bound = context.bound.to_vec();
+            let value = Scalar { expr: self.arena.integer(number), measure: Measure::Of(Dim::NUMBER) };
+            bound.push((word.clone(), Value::Scalar(value)));
+            Context { space: context.space, bound: Rc::new(bound) }
+        };
+        let rounds: Vec<Context> = rounds.into_iter().flatten().map(round).collect();
+        register.count += rounds.len();
+        rounds
+    }
+
+    /// A loop variable does not hide another name.
+    fn variable_is_new<I>(&mut self, item: *const I, variable: &Ident, context: &Context) -> bool {
+        let word = variable.to_string();
+        let first = if context.bound.iter().any(|(known, _)| *known == word) {
+            Some("the variable of another loop")
+        } else {
+            self.names.visible(context.space, &word).map(|group| self.names.group(group).what)
+        };
+        let fact = match first {
+            Some(first) => Fact::Duplicate { name: word, first },
+            None if is_reserved(&word) => Fact::Reserved { name: word },
+            None => return true,
+        };
+        self.once(item, |this| this.refuse::<()>(variable, fact));
+        false
+    }
+
+    /// A part: its arguments and the items of its component, in a space of their own.
+    fn part(&mut self, part: &Rc<ast::Part>, context: &Context, place: usize, register: &mut Register) {
+        let Some(component) = self.component_called(part) else { return };
+        let word = component.head.name.to_string();
+        if self.refused.contains(&(Rc::as_ptr(&component) as usize)) {
+            return;
+        }
+        if register.open.contains(&word) {
+            self.once(Rc::as_ptr(part), |this| this.refuse::<()>(&part.kind, Fact::ComponentRecursion { name: word }));
+            return;
+        }
+        if register.open.len() >= DEEPEST {
+            self.once(Rc::as_ptr(part), |this| this.refuse::<()>(&part.kind, Fact::TooDeep { limit: DEEPEST as u16 }));
+            return;
+        }
+        let written = (&part.name, part.indices.as_slice());
+        let Some(id) = self.declare(written, Entity::Known, Progress::Failed, "a part", context, register) else { return };
+        let path = self.names.declared[id.0].name.path.clone();
+        let slots = self.at(Some(path.clone()).filter(|_| is_one_of_many(context)), |this| {
+            this.once(Rc::as_ptr(part), |this| this.slots(&component.head, &part.kind, &part.arguments))
+        });
+        // Without its arguments it is still there, for its own names.
+        let slots = slots.unwrap_or_else(|| vec![None; component.head.parameters.len()]);
+        let space = self.names.new_space(format!("{path}."));
+        self.names.declared[id.0].progress = Progress::Done(Value::Part(space));
+        let inner = Context { space, bound: Rc::default() };
+        let made = Rc::new(Made { component: component.clone(), part: part.clone(), slots, outside: context.clone() });
+        for (number, formal) in component.head.parameters.iter().enumerate() {
+            let entity = Entity::Argument(made.clone(), number);
+            let id = self.declare((&formal.name, &[]), entity, Progress::Untouched, "an argument", &inner, register);
+            register.lets.extend(id);
+        }
+        let number = register.places.len();
+        register.places[place].items.push((Of::Part(0), id, number));
+        register.parts.push(part.clone());
+        register.places.push(Place { component: Some(component.clone()), first: register.bodies.len(), items: Vec::new(), id: Some(id) });
+        register.open.push(word);
+        let loops = std::mem::take(&mut register.loops);
+        self.items(&component.items, &inner, number, register);
+        register.loops = loops;
+        register.open.pop();
+    }
+
+    /// The component of a part; where there is none of this name, the one that was meant.
+    fn component_called(&mut self, part: &Rc<ast::Part>) -> Option<Rc<ast::Component>> {
+        let word = part.kind.to_string();
+        if let Some(component) = self.names.components.get(&word) {
+            return Some(component.clone());
+        }
+        let near = nearest(&word, self.names.components.keys().map(String::as_str));
+        let meant = near.as_ref().and_then(|near| self.names.components.get(near)).cloned();
+        let is_constraint = self.known_definition(&word).is_some();
+        self.once(Rc::as_ptr(part), |this| this.refuse::<()>(&part.kind, Fact::UnknownComponent { name: word, near, is_constraint }));
+        meant
+    }
+
+    /// The points and axes of a frame.
+    fn fill(&mut self, frame: FrameId, marks: &Marks, context: &Context, register: &mut Register) {
+        for mark in &marks.single {
+            let Some(indices) = self.written_indices(&mark.indices, Rc::as_ptr(mark), context) else { continue };
+            let word = mark.name.to_string();
+            if matches!(word.as_str(), "x" | "y" | "angle" | "position") {
+                self.once(Rc::as_ptr(mark), |this| this.refuse::<()>(&mark.name, Fact::Reserved { name: word }));
+                continue;
+            }
+            let space = self.names.frames[frame.0].space;
+            let name = self.full_name(space, &mark.name, &indices);
+            let what = if mark.is_axis { "an axis" } else { "a point" };
+            let entity = Entity::Mark(frame, mark.clone());
+            let declared = Declared { entity, progress: Progress::Untouched, name, context: context.clone() };
+            let id = self.insert(declared, register);
+            let body = self.names.frames[frame.0].name.clone();
+            match self.join(space, &word, what, indices, id) {
+                Ok(()) => register.marks.push(id),
+                Err(_) => {
+                    self.once(Rc::as_ptr(mark), |this| this.refuse::<()>(&mark.name, Fact::DuplicateMark { name: word, body }));
+                }
+            }
+        }
+        for repeated in &marks.loops {
+            let bound = self.repeat(std::ptr::from_ref(repeated), &repeated.variable, &repeated.bounds, context, register);
+            register.loops += 1;
+            for inner in bound {
+                self.fill(frame, &repeated.items, &inner, register);
+            }
+            register.loops -= 1;
+        }
+    }
+
+    /// Gives an item its name in the space where it stands.
+    fn declare(
+        &mut self,
+        (name, indices): (&Ident, &[ast::Expr]),
+        entity: Entity,
+        progress: Progress,
+        what: &'static str,
+        context: &Context,
+        register: &mut Register,
+    ) -> Option<EntityId> {
+        let item = std::ptr::from_ref(name);
+        let indices = self.written_indices(indices, item, context)?;
+        let word = name.to_string();
+        if is_reserved(&word) {
+            return self.once(item, |this| this.refuse(name, Fact::Reserved { name: word }));
+        }
+        let full = self.full_name(context.space, name, &indices);
+        let shown = if indices.is_empty() { word.clone() } else { full.path.clone() };
+        let id = self.insert(Declared { entity, progress, name: full, context: context.clone() }, register);
+        match self.join(context.space, &word, what, indices, id) {
+            Ok(()) => Some(id),
+            Err(first) => {
+                let fact = duplicate(shown, first, context.bound.last().filter(|_| first == what));
+                self.once(item, |this| this.refuse(name, fact))
+            }
+        }
+    }
+
+    fn insert(&mut self, declared: Declared, register: &mut Register) -> EntityId {
+        register.count += 1;
+        if register.count == MOST + 1 {
+            self.refuse::<()>(&declared.name, Fact::TooManyItems { limit: MOST });
+        }
+        self.names.declared.push(declared);
+        EntityId(self.names.declared.len() - 1)
+    }
+
+    /// Puts an item among those of its name, or says what has the name already.
+    fn join(&mut self, space: SpaceId, word: &str, what: &'static str, indices: Vec<usize>, id: EntityId) -> Result<(), &'static str> {
+        let Some(group) = self.names.find(space, word) else {
+            let path = format!("{}{word}", self.names.spaces[space.0].prefix);
+            let (ranks, number) = (indices.len(), GroupId(self.names.groups.len()));
+            self.names.groups.push(Group { word: word.to_owned(), path, what, ranks, members: [(indices, id)].into() });
+            self.names.spaces[space.0].groups.insert(word.to_owned(), number);
+            self.names.spaces[space.0].order.push(number);
+            return Ok(());
+        };
+        let group = &mut self.names.groups[group.0];
+        if group.what != what || group.ranks != indices.len() || group.members.contains_key(&indices) {
+            return Err(group.what);
+        }
+        group.members.insert(indices, id);
+        Ok(())
+    }
+
+    fn written_indices<I>(&mut self, indices: &[ast::Expr], item: *const I, context: &Context) -> Option<Vec<usize>> {
+        if indices.is_empty() {
+            return Some(Vec::new());
+        }
+        let scope = Scope::of(context).timeless("an index");
+        self.at(self.situation(context), |this| this.once(item, |this| this.indices(indices, &scope)))
+    }
+
+    fn full_name(&self, space: SpaceId, word: &Ident, indices: &[usize]) -> Name {
+        Name::within(&self.names.spaces[space.0].prefix, word, indices)
+    }
+
+    /// Which of many is being registered, in words.
+    fn situation(&self, context: &Context) -> Option<String> {
+        let owner = self.names.spaces[context.space.0].prefix.trim_end_matches('.');
+        let value = |value: &Value| match value {
+            Value::Scalar(scalar) => self.arena.as_constant(scalar.expr).map_or(0, |value| value.numerator()),
+            _ => 0,
+        };
+        let bound: Vec<String> = context.bound.iter().map(|(name, known)| format!("`{name}` is {}", value(known))).collect();
+        match (owner.is_empty(), bound.is_empty()) {
+            (true, true) => None,
+            (true, false) => Some(format!("here {}", bound.join(" and "))),
+            (false, true) => Some(format!("in `{owner}`")),
+            (false, false) => Some(format!("in `{owner}`, where {}", bound.join(" and "))),
+        }
+    }
+
+    /// No two `use` items bring in the same name.
+    fn names_are_new(&mut self, uses: &[ast::Use]) {
+        for used in uses {
+            let name = used.name.to_string();
+            if self.names.used.contains(&name) {
+                self.diag.refuse::<()>(&used.name, Fact::Duplicate { name, first: "another `use`" });
+            } else {
+                self.names.used.push(name);
+            }
+        }
+    }
+}
+
+/// A name is taken, perhaps by the same item in another round of a loop.
+fn duplicate(name: String, first: &'static str, in_loop: Option<&(String, Value)>) -> Fact {
+    match in_loop {
+        Some((variable, _)) => Fact::DuplicateInLoop { name, variable: variable.clone() },
+        None => Fact::Duplicate { name, first },
+    }
+}
+
+/// It has a name of its own beside others that were declared with it.
+pub(super) fn is_one_of_many(context: &Context) -> bool {
+    context.space != SpaceId::MECHANISM || !context.bound.is_empty()
+}
+
+fn is_reserved(word: &str) -> bool {
+    RESERVED.contains(&word) || BUILTINS.contains(&word)
+}

@@ -1,0 +1,139 @@
+//! How the Jacobian of a large block is eliminated: which entry is the pivot of which step, and what becomes of zeros.
+//!
+//! In: the pattern of the Jacobian, and its numbers at some poses. Out: an [`Elimination`]. The order is fixed from here on, so that
+//! the elimination can be written in straight lines; the runtime watches that no pose makes it a bad one. Not done here: printing.
+
+mod order;
+#[cfg(test)]
+mod tests;
+
+use super::Cost;
+use super::stages::Iteration;
+use crate::closure::Poses;
+use crate::expr::{Arena, Expr};
+use crate::model::Dim;
+use crate::system::System;
+use order::{Entry, in_order};
+use std::collections::BTreeSet;
+
+/// Blocks of up to this many unknowns are solved in closed form.
+pub(super) const CLOSED_FORM: usize = 3;
+
+/// Elimination of more operations is left to a loop over tables: straight lines of this length are felt in rustc.
+const LONGEST: usize = 2000;
+
+/// A fixed order of elimination. Indices are those in the block.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Elimination {
+    /// Row and column of each entry of the Jacobian that is not always zero, row by row.
+    pub pattern: Vec<(usize, usize)>,
+    /// The row of each pivot.
+    pub rows: Vec<usize>,
+    /// The column of each pivot.
+    pub columns: Vec<usize>,
+    /// Row and column of each entry of L and U, by number of the pivot, row by row.
+    pub factors: Vec<(usize, usize)>,
+    /// Whether each pivot is the number 1 or −1, so that nothing is divided by it.
+    pub is_unit: Vec<bool>,
+    /// Operations of one factorisation.
+    pub cost: Cost,
+}
+
+/// The elimination of a block.
+pub(super) fn elimination(arena: &Arena, system: &System, block: &Iteration, poses: &Poses) -> Elimination {
+    let size = block.unknowns.len();
+    let zero = |expr: &Expr| arena.as_constant(*expr).is_some_and(|value| value.is_zero());
+    let all = block.jacobian.iter().enumerate().flat_map(|(i, row)| row.iter().enumerate().map(move |(j, expr)| (i, j, *expr)));
+    let stored: Vec<(usize, usize, Expr)> = all.filter(|(_, _, expr)| !zero(expr)).collect();
+    let exprs: Vec<Expr> = stored.iter().map(|(_, _, expr)| *expr).collect();
+    let values = poses.values(arena, &exprs);
+    let weights: Vec<f64> =
+        block.unknowns.iter().map(|unknown| if system.unknowns[*unknown].dim == Dim::ANGLE { 1.0 } else { poses.size }).collect();
+    let entry = |(number, (row, column, expr)): (usize, &(usize, usize, Expr))| Entry {
+        place: (*row, *column),
+        values: values.iter().map(|pose| pose[number] * weights[*column]).collect(),
+        is_unit: arena.as_constant(*expr).is_some_and(|value| value.to_f64().abs() == 1.0),
+    };
+    let entries: Vec<Entry> = stored.iter().enumerate().map(entry).collect();
+    Elimination::new(size, &entries)
+}
+
+impl Elimination {
+    /// In the order that serves sparsity and, at the poses known, accuracy.
+    fn new(size: usize, entries: &[Entry]) -> Elimination {
+        let pivots = in_order(size, entries);
+        let (rows, columns): (Vec<usize>, Vec<usize>) = pivots.iter().map(|pivot| pivot.place).unzip();
+        let pattern: Vec<(usize, usize)> = entries.iter().map(|entry| entry.place).collect();
+        let factors = filled(&pattern, &rows, &columns);
+        let is_unit: Vec<bool> = pivots.iter().map(|pivot| pivot.is_unit).collect();
+        let cost = cost(&factors, &is_unit);
+        Elimination { pattern, rows, columns, factors, is_unit, cost }
+    }
+
+    /// What blocks must have in common to be eliminated alike: which entries are always zero, and which are 1 or −1.
+    pub(super) fn features(&self, arena: &Arena, jacobian: &[Vec<Expr>]) -> Vec<u32> {
+        let feature = |entry: &Expr| match arena.as_constant(*entry).map(|value| value.to_f64()) {
+            Some(0.0) => 0,
+            Some(value) if value.abs() == 1.0 => 1,
+            _ => 2,
+        };
+        jacobian.iter().flatten().map(feature).collect()
+    }
+
+    /// Short enough for straight lines.
+    pub(crate) fn is_short(&self) -> bool {
+        self.cost.flops <= LONGEST
+    }
+
+    /// The place among the factors of an entry of the Jacobian.
+    pub(crate) fn place_of(&self, (row, column): (usize, usize)) -> Option<(usize, usize)> {
+        let place = |list: &[usize], index: usize| list.iter().position(|entry| *entry == index);
+        Some((place(&self.rows, row)?, place(&self.columns, column)?))
+    }
+
+    /// The columns of the entries of L in a row, or of those of U right of the diagonal.
+    pub(crate) fn row(&self, i: usize, of_lower: bool) -> impl Iterator<Item = usize> {
+        self.factors
+            .iter()
+            .filter(move |(row, column)| *row == i && if of_lower { *column < i } else { *column > i })
+            .map(|(_, column)| *column)
+    }
+}
+
+/// The pattern of L and U: that of the matrix, and every entry that elimination makes of a zero.
+fn filled(pattern: &[(usize, usize)], rows: &[usize], columns: &[usize]) -> Vec<(usize, usize)> {
+    let size = rows.len();
+    let (mut row_of, mut column_of) = (vec![0; size], vec![0; size]);
+    for (step, (row, column)) in rows.iter().zip(columns).enumerate() {
+        (row_of[*row], column_of[*column]) = (step, step);
+    }
+    let mut lines: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); size];
+    for (row, column) in pattern {
+        lines[row_of[*row]].insert(column_of[*column]);
+    }
+    for i in 0..size {
+        for k in 0..i {
+            if lines[i].contains(&k) {
+                let right: Vec<usize> = lines[k].iter().copied().filter(|column| *column > k).collect();
+                lines[i].extend(right);
+            }
+        }
+        // The diagonal has a place even where the matrix is singular for its pattern alone.
+        lines[i].insert(i);
+    }
+    lines.iter().enumerate().flat_map(|(i, line)| line.iter().map(move |column| (i, *column))).collect()
+}
+
+/// A product for each entry of L, a product and a difference for each that it changes; a quotient for each pivot.
+fn cost(factors: &[(usize, usize)], is_unit: &[bool]) -> Cost {
+    let mut right = vec![0; is_unit.len()];
+    for (row, column) in factors {
+        right[*row] += usize::from(column > row);
+    }
+    let lower = factors.iter().filter(|(row, column)| column < row);
+    Cost {
+        flops: lower.map(|(_, column)| 1 + 2 * right[*column]).sum(),
+        divisions: is_unit.iter().filter(|unit| !**unit).count(),
+        ..Cost::default()
+    }
+}

@@ -1,0 +1,146 @@
+//! The order of pivots: numbers ±1 first, then what leaves the most zeros, among those that are large enough.
+//!
+//! Reference: Duff, Erisman, Reid, Direct Methods for Sparse Matrices, 7.2 (Markowitz's count) and 7.8 (threshold pivoting). The
+//! threshold is put on what the runtime watches: how much larger than its row of the matrix a row of |L| |U| becomes.
+
+use std::collections::BTreeSet;
+
+/// An entry that is not always zero.
+#[derive(Clone, Debug)]
+pub(super) struct Entry {
+    /// Row and column.
+    pub(super) place: (usize, usize),
+    /// Its number in each pose, times what counts as 1 in the unknown; not a number where it is not known.
+    pub(super) values: Vec<f64>,
+    /// It is the number 1 or −1.
+    pub(super) is_unit: bool,
+}
+
+/// One step of elimination.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Pivot {
+    /// Row and column.
+    pub(super) place: (usize, usize),
+    /// It is still 1 or −1 when it is used.
+    pub(super) is_unit: bool,
+}
+
+/// Growths up to which pivots are as good as each other; more than the last is bad, but better than none.
+const GROWTHS: [f64; 3] = [8.0, 64.0, 1024.0];
+
+/// A pivot for each row and column.
+pub(super) fn in_order(size: usize, entries: &[Entry]) -> Vec<Pivot> {
+    let mut work = Work::new(size, entries);
+    (0..size).map(|_| work.step()).collect()
+}
+
+/// An entry that may be the next pivot.
+struct Candidate {
+    /// Class of growth, whether it is no unit, and how many zeros it may fill: the least is the best.
+    rank: (usize, bool, usize),
+    growth: f64,
+    place: (usize, usize),
+}
+
+impl Candidate {
+    /// Of equals the one that grows least is better, and of those the first in the matrix.
+    fn is_better_than(&self, other: &Self) -> bool {
+        self.rank.cmp(&other.rank).then(self.growth.total_cmp(&other.growth)).then(self.place.cmp(&other.place)).is_lt()
+    }
+}
+
+struct Work {
+    /// What is left to eliminate.
+    rows: BTreeSet<usize>,
+    columns: BTreeSet<usize>,
+    /// By row and column; none where there is a zero.
+    entries: Vec<Vec<Option<Entry>>>,
+    /// The sums of magnitudes of each row of the matrix as it was, by pose.
+    sizes: Vec<Vec<f64>>,
+}
+
+impl Work {
+    fn new(size: usize, entries: &[Entry]) -> Work {
+        let poses = entries.iter().map(|entry| entry.values.len()).max().unwrap_or(0);
+        let mut work = Work {
+            rows: (0..size).collect(),
+            columns: (0..size).collect(),
+            entries: vec![vec![None; size]; size],
+            sizes: vec![vec![0.0; poses]; size],
+        };
+        for entry in entries {
+            let (row, column) = entry.place;
+            work.sizes[row].iter_mut().zip(&entry.values).for_each(|(sum, value)| *sum += value.abs());
+            work.entries[row][column] = Some(entry.clone());
+        }
+        work
+    }
+
+    /// Chooses the next pivot and eliminates its column.
+    fn step(&mut self) -> Pivot {
+        let place = self.best().unwrap_or_else(|| {
+            // The rest is nothing but zeros: the mechanism is singular everywhere, which it will say of itself.
+            (self.rows.first().copied().unwrap_or(0), self.columns.first().copied().unwrap_or(0))
+        });
+        let is_unit = self.entries[place.0][place.1].as_ref().is_some_and(|entry| entry.is_unit);
+        self.rows.remove(&place.0);
+        self.columns.remove(&place.1);
+        self.eliminate(place);
+        Pivot { place, is_unit }
+    }
+
+    fn best(&self) -> Option<(usize, usize)> {
+        let count = |row: usize| self.columns.iter().filter(|column| self.entries[row][**column].is_some()).count();
+        let of_row: Vec<usize> = (0..self.entries.len()).map(count).collect();
+        let mut best: Option<Candidate> = None;
+        for &column in &self.columns {
+            let holders: Vec<usize> = self.rows.iter().copied().filter(|row| self.entries[*row][column].is_some()).collect();
+            for &row in &holders {
+                let growth = self.growth(row, column, &holders);
+                let class = GROWTHS.iter().position(|limit| growth <= *limit).unwrap_or(GROWTHS.len());
+                let is_unit = self.entries[row][column].as_ref().is_some_and(|entry| entry.is_unit);
+                let fill = (of_row[row] - 1) * (holders.len() - 1);
+                let candidate = Candidate { rank: (class, !is_unit, fill), growth, place: (row, column) };
+                if best.as_ref().is_none_or(|best| candidate.is_better_than(best)) {
+                    best = Some(candidate);
+                }
+            }
+        }
+        best.map(|best| best.place)
+    }
+
+    /// How many times its size the worst row of |L| |U| becomes by this pivot, in the worst pose.
+    fn growth(&self, row: usize, column: usize, holders: &[usize]) -> f64 {
+        let Some(pivot) = &self.entries[row][column] else { return f64::INFINITY };
+        let mut worst: f64 = 1.0;
+        for (pose, value) in pivot.values.iter().enumerate() {
+            let of_pose = |column: &usize| self.entries[row][*column].as_ref().map_or(0.0, |entry| entry.values[pose].abs());
+            let length: f64 = self.columns.iter().map(of_pose).sum();
+            for other in holders.iter().filter(|other| **other != row) {
+                let Some(entry) = &self.entries[*other][column] else { continue };
+                let growth = (entry.values[pose] / value).abs() * length / self.sizes[*other][pose];
+                // A pose in which the pivot is not known, or the row vanishes, says nothing.
+                if growth > worst {
+                    worst = growth;
+                }
+            }
+        }
+        worst
+    }
+
+    fn eliminate(&mut self, (row, column): (usize, usize)) {
+        let Some(pivot) = self.entries[row][column].clone() else { return };
+        let above: Vec<Entry> = self.columns.iter().filter_map(|column| self.entries[row][*column].clone()).collect();
+        for &other in &self.rows {
+            let Some(below) = self.entries[other][column].clone() else { continue };
+            for source in &above {
+                let entry = &mut self.entries[other][source.place.1];
+                let old = entry.take().map(|entry| entry.values);
+                let change = |pose: usize| below.values[pose] / pivot.values[pose] * source.values[pose];
+                let value = |pose: usize| old.as_ref().map_or(0.0, |values| values[pose]) - change(pose);
+                *entry =
+                    Some(Entry { place: (other, source.place.1), values: (0..source.values.len()).map(value).collect(), is_unit: false });
+            }
+        }
+    }
+}

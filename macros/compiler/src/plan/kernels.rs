@@ -1,0 +1,196 @@
+//! Stages of the same shape as one function.
+//!
+//! In: the stages of a mechanism. Out: [`Kernels`]: for each shape its lines over local unknowns, for each stage which shape it
+//! has and, in columns, what its unknowns are. Stages hand values on in arrays: q, q̇, q̈, and sine and cosine of angles that
+//! more than one of them turns by. Not done here: printing.
+
+use super::shape::{Column, Piece, Shape};
+use super::solution::{Frame, Lines, Part, lines};
+use super::stages::{Iteration, Stage};
+use super::{Cost, Words};
+use crate::expr::{Leaf, Node, Unary};
+use std::collections::BTreeSet;
+
+/// The stages of a mechanism by their shapes.
+#[derive(Clone, Debug)]
+pub struct Kernels {
+    /// One for each shape.
+    pub kernels: Vec<Kernel>,
+    /// The number of the kernel of each stage or run of stages, in order; the n-th time that a number occurs is its n-th piece.
+    pub order: Vec<usize>,
+    /// Unknowns that are constants, with their values; no kernel computes them.
+    pub constants: Vec<(usize, f64)>,
+    /// For each block the number of its shape among blocks, and the operations of a step.
+    pub(super) blocks: Vec<(usize, Cost)>,
+}
+
+/// The function of one shape.
+#[derive(Clone, Debug)]
+pub struct Kernel {
+    /// What it stands for.
+    pub shape: Shape,
+    /// Its lines.
+    pub lines: Lines,
+    /// The local unknowns that it finds.
+    pub found: Vec<usize>,
+    /// The equations of its block.
+    pub equations: Vec<Column<u32>>,
+    /// Of which of its unknowns it keeps sine and cosine for others.
+    pub kept: Vec<usize>,
+}
+
+/// Stages that one call computes: a block, or the unknowns that one joint gives.
+struct Run<'a> {
+    stages: Vec<&'a Stage>,
+    joint: Option<usize>,
+}
+
+impl Kernels {
+    pub(super) fn new(frame: &Frame, stages: &[Stage]) -> Kernels {
+        let words = frame.words;
+        let (runs, constants) = runs(frame, stages);
+        let pieces: Vec<Piece> = runs.iter().map(|run| run.piece(frame)).collect();
+        let (shapes, order) = frame.tracer.shapes(&pieces);
+        let turned: Vec<BTreeSet<usize>> = shapes.iter().map(turned).collect();
+        let member = |number: usize| runs.iter().zip(&order).filter(move |(_, of)| **of == number).map(|(run, _)| run);
+        let mut kernels: Vec<Kernel> =
+            shapes.into_iter().enumerate().map(|(number, shape)| kernel(shape, member(number).collect(), &turned[number], words)).collect();
+        keep_turns(&mut kernels, &turned);
+        let blocks = blocks(&kernels, &order, &runs);
+        Kernels { kernels, order, constants, blocks }
+    }
+
+    /// The number of operations in all kernels.
+    pub(super) fn size(&self) -> usize {
+        self.kernels.iter().map(|kernel| kernel.shape.arena.len()).sum()
+    }
+
+    /// Operations outside of loops, of all stages.
+    pub(super) fn cost(&self) -> Cost {
+        self.kernels.iter().fold(Cost::default(), |sum, kernel| sum + kernel.lines.cost * kernel.shape.count)
+    }
+}
+
+impl Kernel {
+    /// The operations of one Newton step.
+    fn step(&self) -> Cost {
+        let of_part = |part: &Part| if let Part::Block(block) = part { Some(block.cost) } else { None };
+        self.lines.parts.iter().find_map(of_part).unwrap_or_default()
+    }
+}
+
+impl Run<'_> {
+    fn piece(&self, frame: &Frame) -> Piece {
+        let mut tag = vec![self.stages.len() as u32];
+        let mut first = Vec::new();
+        for stage in &self.stages {
+            match stage {
+                Stage::Explicit { unknown, .. } => first.push(*unknown as u32),
+                Stage::Block(system) => {
+                    tag.push(system.unknowns.len() as u32);
+                    tag.extend(system.elimination.iter().flat_map(|elimination| elimination.features(frame.arena, &system.jacobian)));
+                    first.extend(system.unknowns.iter().map(|unknown| *unknown as u32));
+                }
+            }
+        }
+        tag.extend(first.iter().map(|unknown| u32::from(frame.is_angle[*unknown as usize])));
+        Piece { tag, first, results: self.stages.iter().flat_map(|stage| stage.results()).collect() }
+    }
+}
+
+/// For each block the number of its shape among blocks, and the operations of a step.
+fn blocks(kernels: &[Kernel], order: &[usize], runs: &[Run]) -> Vec<(usize, Cost)> {
+    let mut shapes: Vec<usize> = Vec::new();
+    let of_blocks = runs.iter().zip(order).filter(|(run, _)| matches!(run.stages.as_slice(), [Stage::Block(_)]));
+    let number = |kernel: usize| {
+        let known = shapes.iter().position(|other| *other == kernel);
+        let shape = known.unwrap_or_else(|| {
+            shapes.push(kernel);
+            shapes.len() - 1
+        });
+        (shape, kernels[kernel].step())
+    };
+    of_blocks.map(|(_, kernel)| *kernel).map(number).collect()
+}
+
+/// Blocks one by one; computed unknowns together if they follow each other and one joint gives them. Constants are apart.
+fn runs<'a>(frame: &Frame, stages: &'a [Stage]) -> (Vec<Run<'a>>, Vec<(usize, f64)>) {
+    let (mut runs, mut constants): (Vec<Run>, Vec<(usize, f64)>) = (Vec::new(), Vec::new());
+    for stage in stages {
+        let Stage::Explicit { unknown, equation, motion } = stage else {
+            runs.push(Run { stages: vec![stage], joint: None });
+            continue;
+        };
+        if let [Some(value), Some(_), Some(_)] = motion.map(|expr| frame.arena.as_constant(expr)) {
+            constants.push((*unknown, value.to_f64()));
+            continue;
+        }
+        let joint = Some(frame.joints.get(*equation).copied().unwrap_or(usize::MAX));
+        match runs.last_mut() {
+            Some(run) if run.joint == joint => run.stages.push(stage),
+            _ => runs.push(Run { stages: vec![stage], joint }),
+        }
+    }
+    (runs, constants)
+}
+
+/// Local unknowns whose sine or cosine occurs.
+fn turned(shape: &Shape) -> BTreeSet<usize> {
+    let angle = |expr| {
+        let Node::Unary(Unary::Sin | Unary::Cos, angle) = shape.arena.node(expr) else { return None };
+        let Node::Leaf(Leaf::Coordinate(slot)) = shape.arena.node(*angle) else { return None };
+        Some(*slot as usize)
+    };
+    shape.arena.all().filter_map(angle).collect()
+}
+
+fn kernel(shape: Shape, runs: Vec<&Run>, turned: &BTreeSet<usize>, words: &Words) -> Kernel {
+    let mut results = shape.results.as_slice();
+    let mut found = Vec::new();
+    let mut stages = Vec::new();
+    let mut equations = Vec::new();
+    for stage in &runs[0].stages {
+        let count = stage.results().len();
+        let (own, rest) = results.split_at(count);
+        results = rest;
+        let first = found.len();
+        match stage {
+            Stage::Explicit { equation, .. } => {
+                found.push(first);
+                stages.push(Stage::Explicit { unknown: first, equation: *equation, motion: [own[0], own[1], own[2]] });
+            }
+            Stage::Block(system) => {
+                let k = system.unknowns.len();
+                found.extend(first..first + k);
+                stages.push(Stage::Block(system.with((first..first + k).collect(), (0..k).collect(), own)));
+                equations = (0..k).map(|row| Column::of(runs.iter().map(|run| run.equation(row)).collect())).collect();
+            }
+        }
+    }
+    let elsewhere: BTreeSet<usize> = turned.iter().copied().filter(|slot| !found.contains(slot)).collect();
+    let lines = lines(&shape.arena, &stages, shape.unknowns.len(), &elsewhere, &words.of_shape(&shape));
+    Kernel { shape, lines, found, equations, kept: Vec::new() }
+}
+
+impl Run<'_> {
+    /// The equation of this number of its block.
+    fn equation(&self, row: usize) -> u32 {
+        let of_stage =
+            |stage: &&Stage| if let Stage::Block(Iteration { equations, .. }) = stage { equations.get(row).copied() } else { None };
+        self.stages.iter().find_map(of_stage).unwrap_or(0) as u32
+    }
+}
+
+/// Whoever finds an angle keeps its sine and cosine, if any other kernel turns by it.
+fn keep_turns(kernels: &mut [Kernel], turned: &[BTreeSet<usize>]) {
+    let mut wanted = BTreeSet::new();
+    for (kernel, turned) in kernels.iter().zip(turned) {
+        for slot in turned.iter().filter(|slot| !kernel.found.contains(slot)) {
+            wanted.extend((0..kernel.shape.count).map(|piece| kernel.shape.unknowns[*slot].at(piece)));
+        }
+    }
+    for kernel in kernels {
+        let is_wanted = |slot: &usize| (0..kernel.shape.count).any(|piece| wanted.contains(&kernel.shape.unknowns[*slot].at(piece)));
+        kernel.kept = kernel.found.iter().copied().filter(is_wanted).collect();
+    }
+}

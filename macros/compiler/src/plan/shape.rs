@@ -1,0 +1,360 @@
+//! Which pieces of a mechanism are the same but for what they are applied to.
+//!
+//! In: lists of expressions, each the results of one piece. Out: [`Shape`]s: one list of expressions for all pieces that do the
+//! same operations, over local coordinates, parameters and numbers, and a [`Column`] for each of these with what it stands for
+//! in each piece. Not done here: what a piece is, and printing.
+//!
+//! Operands of sums and products may be exchanged without changing a bit of the result. They stand by age in an arena, which
+//! says nothing, so that here they are put in an order that depends on what they do.
+
+use crate::expr::{Arena, Binary, Evaluator, Exact, Expr, Leaf, Node, Unary, Values};
+use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+/// One list of expressions that stands for several.
+#[derive(Clone, Debug)]
+pub struct Shape {
+    /// Its own expressions.
+    pub arena: Arena,
+    /// What is computed, over local numbers of coordinates and parameters.
+    pub results: Vec<Expr>,
+    /// How many pieces have this shape.
+    pub count: usize,
+    /// What each local coordinate is in q, by piece.
+    pub unknowns: Vec<Column<u32>>,
+    /// What each local parameter is, by piece.
+    pub parameters: Vec<Column<u32>>,
+    /// Numbers that differ, by piece.
+    pub data: Vec<Vec<f64>>,
+}
+
+/// One value for each piece.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Column<V> {
+    /// The same everywhere.
+    Same(V),
+    /// A first value, and by how much each is larger than the one before.
+    Steps(V, V),
+    /// A list.
+    Listed(Vec<V>),
+}
+
+impl Column<u32> {
+    /// The shortest way to write some values.
+    pub(crate) fn of(values: Vec<u32>) -> Column<u32> {
+        let first = values.first().copied().unwrap_or(0);
+        match values.get(1) {
+            None => Column::Same(first),
+            Some(second) if *second == first && values.iter().all(|value| *value == first) => Column::Same(first),
+            Some(second) if *second > first && values.windows(2).all(|pair| pair[1].wrapping_sub(pair[0]) == second - first) => {
+                Column::Steps(first, second - first)
+            }
+            Some(_) => Column::Listed(values),
+        }
+    }
+
+    /// With other values for the same.
+    pub(crate) fn mapped(&self, pieces: usize, to: impl Fn(u32) -> u32) -> Column<u32> {
+        Column::of((0..pieces).map(|piece| to(self.at(piece))).collect())
+    }
+
+    /// The value for one piece.
+    pub(crate) fn at(&self, piece: usize) -> u32 {
+        match self {
+            Column::Same(value) => *value,
+            Column::Steps(first, step) => first + step * piece as u32,
+            Column::Listed(values) => values[piece],
+        }
+    }
+}
+
+/// What a shape is looked for in.
+pub(super) struct Piece {
+    /// Pieces with different tags have different shapes.
+    pub(super) tag: Vec<u32>,
+    /// Unknowns that come before all others in the local order.
+    pub(super) first: Vec<u32>,
+    /// What is computed.
+    pub(super) results: Vec<Expr>,
+}
+
+/// An operation in a piece, its operands by local number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Mark {
+    Datum,
+    Time,
+    Parameter(u32),
+    Coordinate(u32),
+    Velocity(u32),
+    Acceleration(u32),
+    Unary(Unary, u32),
+    Binary(Binary, u32, u32),
+    Select([u32; 4]),
+    Call(u32, u8, u32),
+    Result(u32),
+}
+
+/// A piece, told apart from what it is applied to.
+struct Trace {
+    marks: Vec<Mark>,
+    unknowns: Vec<u32>,
+    parameters: Vec<u32>,
+    /// Its numbers, one for each place where one occurs.
+    data: Vec<Expr>,
+}
+
+/// Finds the shapes of pieces of one arena.
+pub(super) struct Tracer<'a> {
+    arena: &'a Arena,
+    /// What each node does, whatever it is applied to.
+    kinds: Vec<u64>,
+    /// Nodes that depend on constants only.
+    is_closed: Vec<bool>,
+}
+
+impl<'a> Tracer<'a> {
+    pub(super) fn new(arena: &'a Arena) -> Tracer<'a> {
+        let (mut kinds, mut is_closed) = (Vec::with_capacity(arena.len()), Vec::with_capacity(arena.len()));
+        for expr in arena.all() {
+            let node = arena.node(expr);
+            let closed = match node {
+                Node::Constant(_) => true,
+                Node::Leaf(_) | Node::Call { .. } => false,
+                _ => node.children().all(|child| is_closed[child.index()]),
+            };
+            is_closed.push(closed);
+            kinds.push(kind(node, &kinds, closed));
+        }
+        Tracer { arena, kinds, is_closed }
+    }
+
+    /// The shapes of some pieces, in the order in which they first occur, and for each piece the number of its shape.
+    pub(super) fn shapes(&self, pieces: &[Piece]) -> (Vec<Shape>, Vec<usize>) {
+        let mut numbers: HashMap<(Vec<u32>, Vec<Mark>), usize> = HashMap::new();
+        let mut members: Vec<Vec<Trace>> = Vec::new();
+        let mut of_piece = Vec::new();
+        for piece in pieces {
+            let trace = self.trace(&piece.first, &piece.results);
+            let number = *numbers.entry((piece.tag.clone(), trace.marks.clone())).or_insert(members.len());
+            if number == members.len() {
+                members.push(Vec::new());
+            }
+            members[number].push(trace);
+            of_piece.push(number);
+        }
+        (members.iter().map(|members| self.shape(members)).collect(), of_piece)
+    }
+
+    fn trace(&self, first: &[u32], results: &[Expr]) -> Trace {
+        let mut trace = Trace { marks: Vec::new(), unknowns: first.to_vec(), parameters: Vec::new(), data: Vec::new() };
+        let mut places: HashMap<Expr, u32> = HashMap::new();
+        for result in results {
+            for expr in self.below(*result, &places) {
+                let operands: Vec<u32> = self.operands(expr).into_iter().map(|operand| self.place(&mut trace, &places, operand)).collect();
+                let mark = match *self.arena.node(expr) {
+                    Node::Leaf(leaf) => trace.leaf(leaf),
+                    Node::Unary(function, _) => Mark::Unary(function, operands[0]),
+                    Node::Binary(function, ..) => Mark::Binary(function, operands[0], operands[1]),
+                    Node::Select { .. } => Mark::Select([operands[0], operands[1], operands[2], operands[3]]),
+                    Node::Call { function, order, .. } => Mark::Call(function, order, operands[0]),
+                    Node::Constant(_) => Mark::Datum,
+                };
+                places.insert(expr, trace.push(mark));
+            }
+            let place = self.place(&mut trace, &places, *result);
+            trace.push(Mark::Result(place));
+        }
+        trace
+    }
+
+    /// The place of an operand; a number gets a new one wherever it occurs.
+    fn place(&self, trace: &mut Trace, places: &HashMap<Expr, u32>, operand: Expr) -> u32 {
+        places.get(&operand).copied().unwrap_or_else(|| {
+            trace.data.push(operand);
+            trace.push(Mark::Datum)
+        })
+    }
+
+    /// What is not placed yet, operands first, numbers left out.
+    fn below(&self, root: Expr, places: &HashMap<Expr, u32>) -> Vec<Expr> {
+        let mut found = Vec::new();
+        let mut seen = std::collections::HashSet::new();
+        let mut pending = vec![(root, false)];
+        while let Some((expr, is_entered)) = pending.pop() {
+            if is_entered {
+                found.push(expr);
+            } else if !self.is_closed[expr.index()] && !places.contains_key(&expr) && seen.insert(expr) {
+                pending.push((expr, true));
+                pending.extend(self.operands(expr).into_iter().rev().map(|operand| (operand, false)));
+            }
+        }
+        found
+    }
+
+    /// Operands in an order that depends on what they do.
+    fn operands(&self, expr: Expr) -> Vec<Expr> {
+        let node = self.arena.node(expr);
+        let mut operands: Vec<Expr> = node.children().collect();
+        if commutes(node) {
+            operands.sort_by_key(|operand| self.kinds[operand.index()]);
+        }
+        operands
+    }
+
+    fn shape(&self, members: &[Trace]) -> Shape {
+        let column = |of: fn(&Trace) -> &Vec<u32>, slot: usize| Column::of(members.iter().map(|trace| of(trace)[slot]).collect());
+        let columns = |of: fn(&Trace) -> &Vec<u32>| (0..of(&members[0]).len()).map(|slot| column(of, slot)).collect();
+        let mut copy = Copy { arena: Arena::new(), data: Vec::new(), places: Vec::new(), results: Vec::new() };
+        let mut occurrence = 0;
+        for mark in &members[0].marks {
+            if *mark == Mark::Datum {
+                self.datum(&mut copy, members, occurrence);
+                occurrence += 1;
+            } else {
+                copy.operation(*mark);
+            }
+        }
+        Shape {
+            arena: copy.arena,
+            results: copy.results,
+            count: members.len(),
+            unknowns: columns(|trace| &trace.unknowns),
+            parameters: columns(|trace| &trace.parameters),
+            data: copy.data,
+        }
+    }
+
+    /// A number that is the same in all pieces stays what it is, others become leaves.
+    fn datum(&self, copy: &mut Copy, members: &[Trace], occurrence: usize) {
+        let first = members[0].data[occurrence];
+        if members.iter().all(|trace| trace.data[occurrence] == first) {
+            let place = copy.closed(self.arena, first);
+            return copy.places.push(place);
+        }
+        let values: Vec<f64> = members.iter().map(|trace| self.value(trace.data[occurrence])).collect();
+        let same =
+            copy.data.iter().position(|column| column.iter().map(|value| value.to_bits()).eq(values.iter().map(|value| value.to_bits())));
+        let number = same.unwrap_or_else(|| {
+            copy.data.push(values);
+            copy.data.len() - 1
+        });
+        copy.places.push(copy.arena.place(Node::Leaf(Leaf::Datum(number as u32))));
+    }
+
+    fn value(&self, expr: Expr) -> f64 {
+        if let Some(value) = self.arena.as_constant(expr) {
+            return Exact::to_f64(value);
+        }
+        let functions = |_: u32, _: f64| [f64::NAN; 3];
+        let values = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
+        let mut result = [f64::NAN];
+        Evaluator::new(self.arena, &[expr]).run(&values, &mut result);
+        result[0]
+    }
+}
+
+impl Trace {
+    fn push(&mut self, mark: Mark) -> u32 {
+        self.marks.push(mark);
+        self.marks.len() as u32 - 1
+    }
+
+    fn leaf(&mut self, leaf: Leaf) -> Mark {
+        match leaf {
+            Leaf::Time => Mark::Time,
+            Leaf::Datum(_) => Mark::Datum,
+            Leaf::Parameter(index) => Mark::Parameter(slot(&mut self.parameters, index)),
+            Leaf::Coordinate(index) => Mark::Coordinate(slot(&mut self.unknowns, index)),
+            Leaf::Velocity(index) => Mark::Velocity(slot(&mut self.unknowns, index)),
+            Leaf::Acceleration(index) => Mark::Acceleration(slot(&mut self.unknowns, index)),
+        }
+    }
+}
+
+/// The local number of something: a new one if it has none.
+fn slot(list: &mut Vec<u32>, value: u32) -> u32 {
+    let place = list.iter().position(|other| *other == value).unwrap_or_else(|| {
+        list.push(value);
+        list.len() - 1
+    });
+    place as u32
+}
+
+/// A piece's expressions in an arena of their own.
+struct Copy {
+    arena: Arena,
+    data: Vec<Vec<f64>>,
+    /// By place in the trace. A result's own place is never asked for.
+    places: Vec<Expr>,
+    results: Vec<Expr>,
+}
+
+impl Copy {
+    fn operation(&mut self, mark: Mark) {
+        let at = |place: u32| self.places[place as usize];
+        let node = match mark {
+            Mark::Time | Mark::Datum => Node::Leaf(Leaf::Time),
+            Mark::Parameter(slot) => Node::Leaf(Leaf::Parameter(slot)),
+            Mark::Coordinate(slot) => Node::Leaf(Leaf::Coordinate(slot)),
+            Mark::Velocity(slot) => Node::Leaf(Leaf::Velocity(slot)),
+            Mark::Acceleration(slot) => Node::Leaf(Leaf::Acceleration(slot)),
+            Mark::Unary(function, a) => Node::Unary(function, at(a)),
+            Mark::Binary(function, a, b) => Node::Binary(function, at(a), at(b)),
+            Mark::Select([lhs, rhs, then, otherwise]) => {
+                Node::Select { lhs: at(lhs), rhs: at(rhs), then: at(then), otherwise: at(otherwise) }
+            }
+            Mark::Call(function, order, argument) => Node::Call { function, order, argument: at(argument) },
+            Mark::Result(place) => {
+                let result = at(place);
+                self.results.push(result);
+                return self.places.push(result);
+            }
+        };
+        let place = self.arena.place(node);
+        self.places.push(place);
+    }
+
+    /// A copy of an expression of constants.
+    fn closed(&mut self, from: &Arena, root: Expr) -> Expr {
+        let mut copies: HashMap<Expr, Expr> = HashMap::new();
+        for expr in from.reachable(&[root]) {
+            let at = |operand: Expr| copies[&operand];
+            let node = match *from.node(expr) {
+                Node::Unary(function, a) => Node::Unary(function, at(a)),
+                Node::Binary(function, a, b) => Node::Binary(function, at(a), at(b)),
+                Node::Select { lhs, rhs, then, otherwise } => {
+                    Node::Select { lhs: at(lhs), rhs: at(rhs), then: at(then), otherwise: at(otherwise) }
+                }
+                node => node,
+            };
+            copies.insert(expr, self.arena.place(node));
+        }
+        copies[&root]
+    }
+}
+
+fn commutes(node: &Node) -> bool {
+    matches!(node, Node::Binary(Binary::Add | Binary::Mul, ..))
+}
+
+/// What a node does: the same for nodes that differ in leaves and numbers only.
+fn kind(node: &Node, kinds: &[u64], is_closed: bool) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    if is_closed {
+        return 0;
+    }
+    let mut operands: Vec<u64> = node.children().map(|child| kinds[child.index()]).collect();
+    if commutes(node) {
+        operands.sort_unstable();
+    }
+    operands.hash(&mut hasher);
+    match *node {
+        Node::Constant(_) => {}
+        Node::Leaf(leaf) => std::mem::discriminant(&leaf).hash(&mut hasher),
+        Node::Unary(function, _) => (1, function).hash(&mut hasher),
+        Node::Binary(function, ..) => (2, function).hash(&mut hasher),
+        Node::Select { .. } => 3.hash(&mut hasher),
+        Node::Call { function, order, .. } => (4, function, order).hash(&mut hasher),
+    }
+    hasher.finish()
+}

@@ -1,0 +1,77 @@
+//! Components, their parts, and loops.
+
+use super::ast::{Bounds, Component, Definition, Docs, For, Item, Marks, Part};
+use super::definition::formals;
+use super::expression::expression;
+use super::item::{Place, arguments, declared, items, marks};
+use super::tokens::{Parsed, block, docs, equals, expected, keyword, name, semicolon};
+use crate::diag::Diag;
+use proc_macro2::Ident;
+use std::rc::Rc;
+use syn::ext::IdentExt;
+use syn::parse::ParseStream;
+use syn::{Token, token};
+
+/// `component Name(parameters) { items }`
+pub(super) fn component(input: ParseStream, docs: Docs, diag: &mut Diag) -> Parsed<Component> {
+    Ident::parse_any(input)?;
+    let name = name(input, "the name of the component")?;
+    let parameters = formals(input, "`(` and what the component takes, or `()`")?;
+    let content = block(input, "`{` and the items of the component")?;
+    let items = items(&content, Place { is_top: false, variable: None }, diag);
+    Ok(Component { docs: docs.clone(), head: Definition { docs, name, parameters, statements: Vec::new() }, items })
+}
+
+/// `part name = Component(arguments);`
+pub(super) fn part(input: ParseStream, docs: Docs) -> Parsed<Part> {
+    Ident::parse_any(input)?;
+    let (name, indices) = declared(input, "the name of the part")?;
+    equals(input)?;
+    let kind = self::name(input, "a component, as in `Leg(…)`")?;
+    if !input.peek(token::Paren) {
+        return expected(input, "`(` and the arguments");
+    }
+    let arguments = Rc::new(arguments(input)?);
+    semicolon(input)?;
+    Ok(Part { docs, name, indices, kind, arguments })
+}
+
+/// `for variable in from..to { items }`
+pub(super) fn repeated_items(input: ParseStream, diag: &mut Diag) -> Parsed<For<Vec<Item>>> {
+    let (variable, bounds) = head(input)?;
+    let content = block(input, "`{` and the items of the loop")?;
+    let items = items(&content, Place { is_top: false, variable: Some(&variable) }, diag);
+    Ok(For { variable, bounds, items })
+}
+
+/// `for variable in from..to { points and axes }`
+pub(super) fn repeated_marks(input: ParseStream) -> Parsed<For<Marks>> {
+    let (variable, bounds) = head(input)?;
+    let content = block(input, "`{` and the points of the loop")?;
+    let mut repeated = Marks::default();
+    while !content.is_empty() {
+        docs(&content)?;
+        marks(&content, &mut repeated, Place { is_top: false, variable: Some(&variable) })?;
+    }
+    Ok(For { variable, bounds, items: repeated })
+}
+
+/// `for variable in from..to`
+fn head(input: ParseStream) -> Parsed<(Ident, Bounds)> {
+    input.parse::<Token![for]>()?;
+    let variable = name(input, "a name after `for`")?;
+    if keyword(input).is_none_or(|word| word != "in") {
+        return expected(input, "`in` and a range such as `0..6`");
+    }
+    input.parse::<Token![in]>()?;
+    let from = expression(input)?;
+    let is_inclusive = input.peek(Token![..=]);
+    if is_inclusive {
+        input.parse::<Token![..=]>()?;
+    } else if input.peek(Token![..]) {
+        input.parse::<Token![..]>()?;
+    } else {
+        return expected(input, "`..` or `..=` and the end of the range");
+    }
+    Ok((variable, Bounds { from, to: expression(input)?, is_inclusive }))
+}

@@ -1,0 +1,78 @@
+//! Components, parts, loops and arrays.
+
+crate::refusals! {
+    // Names in loops.
+    item body_without_index: "for i in 0..2 { body «b» {} }" => "every round of the loop would declare another `b`\nhelp: write `b[i]`";
+    item point_without_index: "body b { for i in 0..2 { point «P» = (i * 1m, 0m); } }" => "every round of the loop would declare another `P`\nhelp: write `P[i]`";
+    item joint_without_index: "for i in 0..2 { joint «j» = revolute(ground.C, crank.A); }" => "every round of the loop would declare another `j`\nhelp: write `j[i]`";
+    item index_of_one_loop_of_two: "for i in 0..2 { for j in 0..2 { body «b»[i] {} } }" => "`b[0]` is declared twice\nhelp: every loop around it needs an index of its own, such as `[j]`";
+    item body_of_an_array_twice: "body b[0] {} body «b»[0] {}" => "the name `b[0]` is taken: a body has it\nhelp: choose another name";
+    item array_with_a_single_name: "body b {} body «b»[0] {}" => "the name `b[0]` is taken: a body has it\nhelp: choose another name";
+    item output_of_an_array_twice: "output o[0] = 1; output «o»[0] = 2;" => "the name `o[0]` is taken: another output has it\nhelp: choose another name";
+    item variable_with_a_taken_name: "for «crank» in 0..2 {}" => "the name `crank` is taken: a body has it\nhelp: choose another name";
+    item variable_of_another_loop: "for i in 0..2 { for «i» in 0..2 {} }" => "the name `i` is taken: the variable of another loop has it\nhelp: choose another name";
+    item variable_with_a_meaning: "for «t» in 0..2 {}" => "`t` has a meaning of its own in expressions\nhelp: choose another name";
+    // Indices and ranges.
+    item index_out_of_range: "body b[0] {} body b[1] {} output o = b[«2»].x;" => "there is no `b[2]`\nnote: there are `b[0]` to `b[1]`";
+    item index_out_of_range_in_a_loop: "for i in 0..3 { body b[i] {} } for i in 0..3 { joint j[i] = revolute(b[«i + 1»].position, b[0].position); }" => "there is no `b[3]`\nnote: there are `b[0]` to `b[2]`\nnote: in `j[2]`";
+    item index_out_of_a_small_range: "body b[0] {} output o = b[«-1»].x;" => "there is no `b[-1]`\nnote: there is `b[0]` only";
+    item point_out_of_range: "body b { point P[0] = (0m, 0m); } output o = b.P[«1»];" => "there is no `b.P[1]`\nnote: there is `b.P[0]` only";
+    item second_index_out_of_range: "for i in 0..2 { for j in 0..2 { body b[i][j] {} } } output o = b[1][«2»].x;" => "there is no `b[1][2]`\nnote: there are `b[1][0]` to `b[1][1]`";
+    item negative_index: "for i in 0..2 { body b[«i - 1»] {} }" => "an index counts from 0, this one is -1\nnote: here `i` is 0";
+    item gap: "body «b»[0] {} body b[2] {}" => "there is `b[2]` but no `b[1]`\nhelp: the indices of an array run from 0 without gaps";
+    item array_from_one: "for i in 1..=3 { body «b»[i] {} }" => "there is `b[1]` but no `b[0]`\nhelp: the indices of an array run from 0 without gaps";
+    item ragged_array: "for i in 0..3 { for j in 0..i { body «b»[i][j] {} } }" => "there is `b[1][0]` but no `b[0][0]`\nhelp: the indices of an array run from 0 without gaps";
+    item index_with_a_unit: "body b[«1mm»] {}" => "expected a whole number, found `1mm`\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %";
+    item index_of_a_fraction: "body b[«7 / 2»] {}" => "expected a whole number, found `7 / 2`\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %";
+    item index_of_a_length: "body b[«double»] {}" => "expected a whole number, found a length (m)\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %";
+    item index_of_a_body: "body b[«crank»] {}" => "expected a whole number, found a body\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %";
+    item index_by_a_function: "body b[«sin(0)»] {}" => "expected a whole number, found this\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %";
+    item remainder_by_zero: "body b[«1 % 0»] {}" => "expected a whole number, found `1 % 0`\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %";
+    item remainder_of_a_length: "output o = «length» % 2;" => "expected a whole number, found a length (m)\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %";
+    item range_over_a_parameter: "param n: Number = 3; for i in 0..«n» { body b[i] {} }" => "how many there are cannot change at run time\nhelp: declare the number with `let`, such as `let count = 6;`";
+    item range_backwards: "for i in «3..1» { body b[i] {} }" => "this loop runs over nothing: from 3 to below 1";
+    item range_of_nothing: "for i in «2..2» { body b[i] {} }" => "this loop runs over nothing: from 2 to below 2";
+    item range_without_end: "for i in 0 «{» body b[i] {} }" => "expected `..` or `..=` and the end of the range, found `{`";
+    item range_too_long: "for i in «0..1000000» { body b[i] {} }" => "a loop has at most 10000 rounds";
+    item name_in_a_range_is_unknown: "for i in 0..«legs» { body b[i] {} }" => "nothing is called `legs` here";
+    item array_without_index: "body b[0] {} output o = «b».x;" => "`b` is an array\nhelp: say which one, such as `b[0]`";
+    item array_as_an_argument: "body b[0] {} joint j = parallel(crank, «b»);" => "`b` is an array\nhelp: say which one, such as `b[0]`";
+    item array_with_one_index_of_two: "for i in 0..2 { for j in 0..2 { body b[i][j] {} } } output o = «b[0]».x;" => "`b[0]` is an array\nhelp: say which one, such as `b[0][0]`";
+    item index_of_no_array: "output o = crank[«0»].x;" => "a body has no index\nhelp: take `[…]` away";
+    item index_too_many: "body b[0] {} output o = b[0][«0»].x;" => "a body has no further index\nhelp: take the last `[…]` away";
+    item let_with_an_index_in_equations: "joint j = { let a[«0»] = 1; crank.x == a; }" => "`a` cannot have an index: there are no arrays among equations\nhelp: declare the array in the mechanism";
+    item start_in_a_loop: "body b { for i in 0..2 { «start» angle = 0; } }" => "a body starts once: `start` cannot be repeated\nhelp: move it out of the loop";
+    item outputs_of_two_kinds: "output «o»[0] = crank.x; output o[1] = crank.A;" => "the outputs `o` measure different things\nhelp: give outputs of another kind another name";
+    // Components.
+    item component_is_unknown: "part p = «Leg»();" => "no component is called `Leg`\nhelp: declare it with `component Leg(…) { … }`";
+    item component_is_mistyped: "component Leg() {} part p = «Log»();" => "no component is called `Log`\nhelp: did you mean `Leg`?";
+    item constraint_as_a_component: "part p = «revolute»(ground.O, crank.O);" => "`revolute` is a constraint, not a component\nhelp: write `joint name = revolute(…);`";
+    item component_as_a_constraint: "component Leg() {} joint p = «Leg»();" => "`Leg` is a component, not a constraint\nhelp: write `part name = Leg(…);`";
+    item component_twice: "component Leg() {} component «Leg»() {}" => "the name `Leg` is taken: another component has it\nhelp: choose another name";
+    item component_of_itself: "component Leg() { part p = «Leg»(); } part q = Leg();" => "the component `Leg` contains itself";
+    item components_of_each_other: "component A() { part p = B(); } component B() { part p = «A»(); } part q = A();" => "the component `A` contains itself";
+    item component_with_a_generated_name: "component «State»() {}" => "a component cannot be called `State`: a generated type would have that name\nhelp: choose another name";
+    item component_in_a_component: "component Leg() { «component» Foot() {} }" => "`component` stands in the mechanism itself, not in a component or a loop\nhelp: move it out";
+    item ground_in_a_component: "component Leg() { «ground» { } }" => "`ground` stands in the mechanism itself, not in a component or a loop\nhelp: move it out";
+    item parameter_of_a_component_twice: "component Leg(P: Point, «P»: Axis) {}" => "the name `P` is taken: another parameter has it\nhelp: choose another name";
+    item kind_is_mistyped: "component Leg(P: «Pint») {}" => "no parameter can take `Pint`\nhelp: did you mean `Point`?";
+    item default_before_none: "component Leg(a: Length = 1m, «b»: Length) {}" => "`b` needs a default, since the parameter before it has one\nhelp: put it before those with a default";
+    item name_of_an_argument: "component Leg(P: Point) { body «P» {} } part p = Leg(ground.O);" => "the name `P` is taken: an argument has it\nhelp: choose another name";
+    // Arguments.
+    item too_few_arguments: "component Leg(P: Point, Q: Point) {} part p = «Leg»(ground.O);" => "`Leg` takes 2 arguments, found 1: `Q` is missing\nnote: `Leg(P: Point, Q: Point)`";
+    item too_many_arguments: "component Leg(P: Point) {} part p = Leg(ground.O, «ground.C»);" => "`Leg` takes 1 argument, found 2\nnote: `Leg(P: Point)`";
+    item argument_is_mistyped: "component Leg(pivot: Point) {} part p = Leg(«pivo»: ground.O);" => "`Leg` has no parameter `pivo`\nhelp: did you mean `pivot`?\nnote: `Leg(pivot: Point)`";
+    item body_for_a_point: "component Leg(P: Point) {} part p = Leg(«crank»);" => "`P` of `Leg` takes a point, found a body\nhelp: write `crank.O`";
+    item angle_for_a_length: "component Leg(a: Length) {} part p = Leg(«3deg»);" => "`a` of `Leg` is a length (m), found an angle (rad)";
+    item arguments_in_a_circle: "component Leg(a: Length) { let b = 2 * «a»; } part p = Leg(q.b); part q = Leg(p.b);" => "`a` depends on itself\nnote: in `p.b`";
+    // What a component sees.
+    item body_outside_of_a_component: "component Leg() { joint j = absolute_angle(«crank», 0); } part p = Leg();" => "a component does not see `crank`, a body outside of it\nhelp: take it as an argument\nnote: in `p.j`";
+    item loop_outside_of_a_component: "component Leg() { let a = 2 * «i»; } for i in 0..2 { part p[i] = Leg(); }" => "nothing is called `i` here\nnote: in `p[0].a`";
+    item mistake_in_a_component_is_said_once: "component Leg(P: Point) { body b {} joint j = revolute(P, «b»); } for i in 0..5 { part leg[i] = Leg(ground.O); }" => "`Q` of `revolute` takes a point, found a body\nhelp: write `b.position`\nnote: in `leg[0].j`";
+    item mistake_in_one_part_of_many: "component Leg(a: Length) { body b {} body c {} joint j = distance(b.position, c.position, «a»); } for i in 0..5 { part leg[i] = Leg((3 - i) * 1mm); }" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together\nnote: in `leg[3].j`";
+    item name_in_a_part_is_mistyped: "component Leg() { body foot {} } part p = Leg(); output o = p.«foat».x;" => "`p` has no `foat`\nhelp: did you mean `foot`?";
+    item unlike_parts: "component Leg(n: Number) { for i in 0..n { body b[i] {} } } part p = Leg(1); part «q» = Leg(2);" => "`q` has not the same bodies, parameters, parts and outputs as the first `Leg`\nhelp: loops and indices in a component may not depend on its arguments in such a way";
+    item outputs_of_one_name: "component Leg() { output toe = 1; } part leg = Leg(); output «leg_toe» = 2;" => "the name `leg_toe` is taken: another output has it\nhelp: choose another name";
+    item default_of_a_part_is_not_constant: "component Leg(a: Length) { param b: Length = «a»; } part p = Leg(length);" => "the default of a parameter is a constant: numbers, units, `pi` and functions of them\nhelp: a quantity that follows from others is declared with `let`\nnote: in `p.b`";
+    item requirement_of_an_argument: "component Leg(a: Length) { body b {} body c {} joint j = distance(b.position, c.position, «0 * a»); } part p = Leg(1m);" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together\nnote: in `p.j`";
+}
