@@ -8,7 +8,8 @@ use crate::hand::{Angles, Closed, Crank, Law, Pair, Point, dyad, fixed};
 use crate::linkage::{Link, Linkage};
 
 mechanism! {
-    mechanism FourBar {
+    /// W1: a four-bar whose crank turns.
+    pub mechanism FourBar {
         ground { point O = (0m, 0m); point C = (4m, 0m); }
         body crank { point O = (0m, 0m); point A = (1m, 0m); }
         body coupler { point A = (0m, 0m); point B = (3.5m, 0m); }

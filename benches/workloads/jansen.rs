@@ -8,7 +8,8 @@ use crate::hand::{Angles, Closed, Crank, Law, Pair, Point, dyad, fixed};
 use crate::linkage::{Link, Linkage};
 
 mechanism! {
-    mechanism Jansen {
+    /// W3: Jansen's leg.
+    pub mechanism Jansen {
         ground { point O = (0m, 0m); point V = (-3.8m, -0.78m); }
         body crank { point O = (0m, 0m); point X = (1.5m, 0m); }
         body bar_j { point X = (0m, 0m); point U = (5m, 0m); start angle = 2.466; }

@@ -9,6 +9,11 @@ mod jansen;
 mod six_bar;
 mod slider_crank;
 
+pub use chain::Chain10;
+pub use four_bar::FourBar;
+pub use jansen::Jansen;
+pub use slider_crank::SliderCrank;
+
 use crate::contender::{Contender, Entry};
 use crate::linkage::Linkage;
 
@@ -45,7 +50,7 @@ pub mod name {
 /// Residuals in m or rad at which the Newton contenders stop.
 const TOLERANCES: [f64; 3] = [1e-4, 1e-8, 1e-12];
 
-/// All workloads, the longer chains only where they were asked for.
+/// All workloads.
 #[must_use]
 pub fn all() -> Vec<Workload> {
     let mut all = vec![four_bar::workload(), slider_crank::workload(), jansen::workload()];

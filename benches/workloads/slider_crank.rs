@@ -9,7 +9,8 @@ use crate::hand::{Angles, Closed, Crank, Law, Point};
 use crate::linkage::{Link, Linkage};
 
 mechanism! {
-    mechanism SliderCrank {
+    /// W2: a slider-crank.
+    pub mechanism SliderCrank {
         ground { point O = (0m, 0m); axis u = (1, 0); }
         body crank { point O = (0m, 0m); point A = (1m, 0m); }
         body rod { point A = (0m, 0m); point B = (3m, 0m); start angle = 0deg; }

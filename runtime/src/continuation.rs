@@ -155,17 +155,29 @@ fn is_resolved<T: Lanes, const N: usize>(here: &State<T, N>, q: &SVector<T, N>, 
     resolved
 }
 
+/// A careful pass through all stages, compiled once for each mechanism.
+///
+/// # Errors
+/// Why it ended early.
+#[inline(never)]
+pub(crate) fn pass<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    t: T,
+    care: &Care<'_, T, N>,
+) -> Result<Coordinates<T, N>, Stop<T>> {
+    equations.stages(t, &mut Pass::careful(care))
+}
+
 /// The state at the end of a careful pass.
 ///
 /// # Errors
 /// Why there is none.
-#[inline(never)]
 pub(crate) fn state<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
     t: T,
     care: Care<'_, T, N>,
 ) -> Result<State<T, N>, Stop<T>> {
-    let there = equations.stages(t, &mut Pass::careful(&care))?;
+    let there = pass(equations, t, &care)?;
     let Coordinates { q, qd, qdd } = there;
     if !is_surely_finite(t, &there) {
         for vector in [&q, &qd, &qdd] {
@@ -193,6 +205,6 @@ fn is_surely_finite<T: Lanes, const N: usize>(time: T, there: &Coordinates<T, N>
         }
     }
     let sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
-    // ∞ − ∞ is NaN.
-    (sum - sum).at_most(T::of(0.0))
+    // Nothing is left of a number; ∞ and NaN stay NaN.
+    (T::of(0.0) * sum).at_most(T::of(0.0))
 }

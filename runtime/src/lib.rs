@@ -22,20 +22,29 @@
 //! | ν | `nu` | right-hand side of the velocity equation | M | of the row / s |
 //! | γ | `gamma` | right-hand side of the acceleration equation | M | of the row / s² |
 //! | M, N | `M`, `N` | number of equations, number of coordinates | | |
-//! | T | `T` | number type, [`Real`] to evaluate and [`Float`] to solve | | |
+//! | T | `T` | number type, [`Real`] to evaluate, [`Lanes`] to follow in time and [`Float`] to solve in every way | | |
 //! | L | `characteristic_length` | length that is worth a radian: scaled coordinates are x/L, y/L and φ | 1 | m |
+//!
+//! # Features
+//!
+//! `std` (default) asks nalgebra for it and nothing else. `wide` takes several mechanisms along in the lanes of a register
+//! (`reuleaux::wide`), `rayon` many on all processors (`reuleaux::parallel`).
 //!
 //! # Rooms
 //!
 //! [`Equations`] is what a mechanism gives, [`Mechanism`] what one can ask of it, [`State`] and [`Failure`] the two answers.
-//! Behind them: [`Stages`] (which unknowns are found together), [`Pass`] (what they are found from), `position` (Newton's method),
-//! `continuation` (following a branch in time), `linear` (small systems, and larger ones with and without known zeros).
+//! Behind them: [`Stages`] (which unknowns are found together), [`Pass`] (what they are found from), `straight` (the usual step of a
+//! sweep), `careful` and `position` (Newton's method wherever that is not enough), `continuation` (following a branch in time),
+//! `linear` (small systems, and larger ones with and without known zeros).
 
 #![no_std]
 #![deny(missing_docs)]
 #![forbid(unsafe_code)]
 // A failure carries the last valid state by value: there is no allocator to put it elsewhere.
 #![allow(clippy::result_large_err)]
+
+#[cfg(feature = "rayon")]
+extern crate std;
 
 // Emitted code names its types by `::reuleaux`; this lets examples and macros inside the crate do so too.
 extern crate self as reuleaux;
@@ -54,6 +63,8 @@ mod linear;
 mod mechanism;
 mod names;
 mod order;
+#[cfg(feature = "rayon")]
+pub mod parallel;
 mod pass;
 mod place;
 mod plan;

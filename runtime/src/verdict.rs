@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use crate::careful::Care;
 use crate::continuation;
-use crate::pass::{Pass, Stop};
+use crate::pass::Stop;
 use crate::scale::Scale;
 use crate::stages::Stages;
 use crate::{Cause, Float, State, names};
@@ -37,7 +37,7 @@ pub(crate) fn end_of_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     if is_dead_point(here) {
         let care = Care::inspect(equations, &here.q);
         // Only what the pass saw is wanted, not the rates it ends with.
-        let _ = equations.stages(here.t, &mut Pass::careful(&care));
+        let _ = continuation::pass(equations, here.t, &care);
         if let Some(cause) = care.found().worst {
             return cause;
         }

@@ -87,7 +87,7 @@ macro_rules! row {
     ($name:ident, $n:literal) => {
         mechanism! {
             /// Four-bars in a row, each a little larger than the one before.
-            pub mechanism $name {
+            pub(crate) mechanism $name {
                 let n = $n;
                 ground { for i in 0..=n { point P[i] = (i * 1m, i * i * 1mm); } }
                 for i in 0..=n {

@@ -9,9 +9,12 @@ use crate::linkage::{Link, Linkage};
 /// A chain as a mechanism.
 macro_rules! chain {
     ($module:ident: $name:ident, $state:ident, $title:literal, $count:literal, absolute by $factor:tt) => {
+        // One of them is a part of the interface.
+        #[allow(unreachable_pub)]
         mod $module {
             reuleaux::mechanism! {
-                mechanism $name {
+                /// W4: four-bars in a row.
+                pub mechanism $name {
                     let n = $count;
                     ground { for i in 0..=n { point P[i] = (i * 1m, 0m); } }
                     for i in 0..=n {
@@ -61,6 +64,8 @@ chain!(of_10: Chain10, Chain10State, "W4 chain of 10", 10, absolute by Static);
 chain!(of_40: Chain40, Chain40State, "W4 chain of 40", 40, absolute by Dynamic);
 chain!(of_160: Chain160, Chain160State, "W4 chain of 160", 160, absolute by nothing);
 chain!(of_500: Chain500, Chain500State, "W4 chain of 500", 500, absolute by nothing);
+
+pub use of_10::Chain10;
 
 const CRANK: Crank = Crank { pivot: [0.0, 0.0], length: 1.0, law: Law::Swinging };
 

@@ -71,8 +71,8 @@ where
         let (state, ended) = (State::new(W::from_lanes(times), nothing, nothing, nothing), core::array::from_fn(|_| None));
         let mut this =
             Self { each, wide, state, branches: [W::from_sides([Orientation::Positive; L]); N], moving: W::Mask::of(true), ended };
-        for lane in 0..L {
-            match this.each[lane].solve(times[lane]) {
+        for (lane, t) in times.into_iter().enumerate() {
+            match this.each[lane].solve(t) {
                 Ok(state) => this.put(lane, &state),
                 Err(failure) => this.end(lane, failure),
             }

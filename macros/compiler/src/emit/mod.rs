@@ -121,8 +121,8 @@ fn defaults(model: &Model, system: &System) -> TokenStream {
         #[automatically_derived]
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, unused_variables)]
         impl<T: ::reuleaux::Real> ::reuleaux::Family<T> for #name<T> {
-            type Over<U: ::reuleaux::Real> = #name<U>;
-            fn gather<U: ::reuleaux::Real, const L: usize>(each: [&Self; L], combine: impl Fn([T; L]) -> U) -> #name<U> {
+            type Over<T2: ::reuleaux::Real> = #name<T2>;
+            fn gather<T2: ::reuleaux::Real, const LANES: usize>(each: [&Self; LANES], combine: impl Fn([T; LANES]) -> T2) -> #name<T2> {
                 let combine = &combine;
                 #name { #gathered #marker }
             }

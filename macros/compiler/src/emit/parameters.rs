@@ -219,7 +219,10 @@ impl Parameters<'_> {
         let fields = self.gathered(component);
         quote! {
             #[inline]
-            fn gathered<U: ::reuleaux::Real, const L: usize>(#each: [&Self; L], #combine: &impl Fn([T; L]) -> U) -> #name<U> {
+            fn gathered<T2: ::reuleaux::Real, const LANES: usize>(
+                #each: [&Self; LANES],
+                #combine: &impl Fn([T; LANES]) -> T2,
+            ) -> #name<T2> {
                 #name { #fields }
             }
         }

@@ -1,0 +1,75 @@
+//! Solving takes no memory from the heap, whichever way it goes and however it ends.
+
+use allocation_counter::measure;
+use reuleaux::nalgebra::SVector;
+use reuleaux::wide::{Lockstep, f64x4};
+use reuleaux::{Mechanism, Stages};
+use reuleaux_tests::mechanisms::{FourBarCrankRocker, HydraulicLoader, SliderCrank, TheoJansenLeg, TwoStageGearTrain};
+use reuleaux_tests::stress::RockerDrivenFourBar;
+
+/// What is done here takes no memory.
+fn without_memory(what: &str, run: impl FnOnce()) {
+    let taken = measure(run);
+    assert_eq!((taken.count_total, taken.bytes_total), (0, 0), "{what}");
+}
+
+fn times() -> impl Iterator<Item = f64> {
+    (0..200).map(|step| f64::from(step) / 100.0)
+}
+
+fn check<M: Mechanism<f64, N> + Stages<f64, N>, const N: usize>(mechanism: &M) {
+    without_memory("solve", || assert!(mechanism.solve(0.3).is_ok()));
+    let state = mechanism.solve(0.0).unwrap();
+    without_memory("solve_from", || assert!(mechanism.solve_from(0.7, &state).is_ok()));
+    without_memory("solve_near", || assert!(mechanism.solve_near(0.0, &state.q).is_ok()));
+    without_memory("sweep", || assert!(mechanism.sweep(times()).all(|state| state.is_ok())));
+    without_memory("advance", || {
+        let mut state = state.clone();
+        assert!(times().all(|t| mechanism.advance(&mut state, t).is_ok()));
+    });
+    without_memory("times that are no numbers", || {
+        assert!(mechanism.solve(f64::NAN).is_err() && mechanism.solve_from(f64::INFINITY, &state).is_err());
+    });
+    without_memory("guesses that are none", || {
+        let _ = mechanism.solve_near(0.0, &SVector::from_element(1e9));
+        assert!(mechanism.solve_near(0.0, &SVector::from_element(f64::NAN)).is_err());
+    });
+}
+
+#[test]
+fn reference_mechanisms_need_none() {
+    check(&FourBarCrankRocker::default());
+    check(&SliderCrank::default());
+    check(&TheoJansenLeg::default());
+    check(&HydraulicLoader::default());
+    check(&TwoStageGearTrain::default());
+}
+
+#[test]
+fn failures_need_none() {
+    let never_closes = FourBarCrankRocker { crank_length: 7.0, ..Default::default() };
+    without_memory("a loop that does not close", || assert!(never_closes.solve(0.0).is_err()));
+    let no_number = FourBarCrankRocker { crank_length: f64::NAN, ..Default::default() };
+    without_memory("a parameter that is no number", || assert!(no_number.solve(0.0).is_err()));
+    let rocker_driven = RockerDrivenFourBar::<f64>::with_defaults();
+    without_memory("a dead point", || {
+        assert!(rocker_driven.sweep((0..400).map(|step| f64::from(step) / 10.0)).any(|state| state.is_err()))
+    });
+}
+
+#[test]
+fn singles_need_none() {
+    let mechanism = FourBarCrankRocker::<f32>::with_defaults();
+    without_memory("f32", || assert!(mechanism.sweep((0..100_u8).map(|step| f32::from(step) / 100.0)).all(|state| state.is_ok())));
+}
+
+#[test]
+fn lanes_need_none() {
+    let lengths = [0.1, 0.09, 0.11, 7.0];
+    let mechanisms = lengths.map(|crank_length| FourBarCrankRocker { crank_length, ..Default::default() });
+    without_memory("four lanes, one of which does not close", || {
+        let mut together = Lockstep::<_, f64x4, 4, 9>::new(mechanisms, [0.0; 4]);
+        times().for_each(|t| together.advance([t; 4]));
+        assert!(together.lane(0).is_ok() && together.lane(3).is_err());
+    });
+}
