@@ -138,8 +138,8 @@ use proc_macro::TokenStream;
 /// ## `for` and arrays
 ///
 /// A loop repeats items. Its variable is a whole number and may stand in any expression; every name declared in a loop carries an
-/// index for it, as in `body link[i]`. Indices and ranges are made of whole numbers, `let`s of them and loop variables with
-/// + − * / and %, the remainder, which is never negative; a quotient must be whole. Loops nest, and names have as many indices as
+/// index for it, as in `body link[i]`. Indices and ranges are made of whole numbers, `let`s of them and loop variables with +,
+/// −, *, / and %, the remainder, which is never negative; a quotient must be whole. Loops nest, and names have as many indices as
 /// they need. An array can also be declared member by member. Bodies, parameters, outputs and parts become arrays in Rust, whose
 /// indices run from 0 without gaps; joints, points and `let`s need not begin at 0.
 ///

@@ -24,7 +24,7 @@ impl Pivots {
         let size = block.system.unknowns.len();
         let in_order: Vec<usize> = (0..size).collect();
         let full = || (0..size).flat_map(|i| (0..size).map(move |j| (i, j))).collect();
-        let (pattern, rows, columns) = match block.system.elimination {
+        let (pattern, rows, columns) = match block.system.elimination.map(|elimination| *elimination) {
             Some(Elimination { pattern, rows, columns, .. }) => (pattern, rows, columns),
             None => (full(), in_order.clone(), in_order),
         };

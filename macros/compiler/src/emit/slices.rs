@@ -20,7 +20,10 @@ impl Emitter<'_> {
         let (mechanism, visibility) = (&self.model.name, &self.model.visibility);
         let word = method.name.to_string();
         let word = word.trim_start_matches("r#");
-        let name = format_ident!("{}For{}", mechanism, camel(word), span = Span::call_site());
+        // Two names that differ in case only keep it.
+        let is_alone = self.model.methods.iter().filter(|other| camel(&other.name.to_string()) == camel(word)).count() == 1;
+        let tail = if is_alone { camel(word) } else { format!("_{word}") };
+        let name = format_ident!("{}For{}", mechanism, tail, span = Span::call_site());
         let (state, failure) = (state_name(&name), format_ident!("{}Failure", name, span = Span::call_site()));
         let (solve_for, stages) = (format_ident!("solve_for_{word}", span = Span::call_site()), local(&format!("stages_for_{word}")));
         let shelf = Shelf::new(&slice.held, &[], format!("for_{word}_"));
@@ -38,7 +41,7 @@ impl Emitter<'_> {
         let value = self.slice_state(method, &state, slice);
         quote! {
             #[automatically_derived]
-            #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code)]
+            #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, dead_code)]
             impl<T: ::reuleaux::Real> #mechanism<T> {
                 #[doc = #method_page]
                 #[must_use]
@@ -46,7 +49,7 @@ impl Emitter<'_> {
             }
             #[doc = #page]
             #[derive(Clone, Copy, Debug, PartialEq)]
-            #[allow(dead_code)]
+            #[allow(non_camel_case_types, dead_code)]
             #visibility struct #name<T = f64>(pub #mechanism<T>);
             #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
             impl<T: ::reuleaux::Real> #name<T> { #plan }
@@ -127,10 +130,10 @@ impl Emitter<'_> {
         quote! {
             #[doc = #first_line]
             #[derive(Clone, Debug, PartialEq)]
-            #[allow(dead_code)]
+            #[allow(non_camel_case_types, dead_code)]
             #visibility struct #state<T = f64>(pub ::reuleaux::State<T, #n>);
             #[automatically_derived]
-            #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code)]
+            #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, dead_code)]
             impl<T: ::reuleaux::Real> #state<T> {
                 #docs
                 #[must_use]

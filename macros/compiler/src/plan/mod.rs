@@ -197,7 +197,7 @@ fn eliminations(arena: &Arena, model: &Model, system: &System, closure: &Closure
             && block.unknowns.len() > elimination::CLOSED_FORM
         {
             let poses = poses.get_or_insert_with(|| Poses::new(model, system, closure));
-            block.elimination = Some(elimination::elimination(arena, system, block, poses));
+            block.elimination = Some(Box::new(elimination::elimination(arena, system, block, poses)));
         }
     }
 }

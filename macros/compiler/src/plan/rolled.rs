@@ -65,7 +65,7 @@ pub(super) fn code(arena: &Arena, tracer: &Tracer, cells: Vec<Cell>, words: &Wor
         .map(|cell| cell.into_iter().filter(|(_, result)| !is_zero(result)).collect())
         .filter(|cell: &Cell| !cell.is_empty())
         .collect();
-    let pieces: Vec<Piece> = cells.iter().map(|cell| piece(cell)).collect();
+    let pieces: Vec<Piece> = cells.iter().map(piece).collect();
     let (shapes, of_piece) = tracer.shapes(&pieces);
     let members = |number: usize| cells.iter().zip(&of_piece).filter(move |(_, of)| **of == number).map(|(cell, _)| cell);
     let group = |(number, shape): (usize, Shape)| {

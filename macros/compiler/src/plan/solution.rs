@@ -39,7 +39,7 @@ pub enum Summary {
         /// Operations of one Newton step, without the solution of its system.
         cost: Cost,
         /// How its system is eliminated, if not in closed form.
-        elimination: Option<Elimination>,
+        elimination: Option<Box<Elimination>>,
         /// The number of its shape: blocks with the same number do the same operations.
         shape: usize,
     },

@@ -84,7 +84,7 @@ pub struct Iteration {
     /// What the rounding errors of r are a share of: the sum of the magnitudes of its terms.
     pub sizes: Vec<Expr>,
     /// How its Jacobian is eliminated, if not in closed form.
-    pub elimination: Option<Elimination>,
+    pub elimination: Option<Box<Elimination>>,
     /// Right side of the velocity equation.
     pub rates: Vec<Expr>,
     /// Right side of the acceleration equation.
