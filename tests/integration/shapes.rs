@@ -143,7 +143,7 @@ mechanism! {
 
 #[test]
 fn what_rests_is_taken_from_the_state_before() {
-    let scene = Scene { held: 0.9, ..Scene::default() };
+    let scene = Scene { held: 0.9 };
     let mut state = scene.solve(0.0).unwrap();
     // A mark that a solution would remove.
     let mark = state.0.q[5] + 1e-3;
@@ -207,7 +207,7 @@ mechanism! {
 
 #[test]
 fn what_nothing_moves_has_no_rates() {
-    let truss = Truss { angle: 0.7, ..Truss::default() };
+    let truss = Truss { angle: 0.7 };
     let state = truss.solve(3.0).unwrap();
     assert!(state.qd.iter().chain(state.qdd.iter()).all(|rate| *rate == 0.0));
     assert_eq!(truss.tip(&state).rate.amax(), 0.0);
