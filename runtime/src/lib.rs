@@ -100,7 +100,7 @@ pub use problem::Block;
 pub use real::Real;
 pub use stages::{Coordinates, Stages, at_once, improved_at_once};
 pub use state::{Motion, Orientation, PlanarBody, State};
-pub use sweep::Sweep;
+pub use sweep::{Sweep, sweep};
 pub use table::{Ends, Table};
 
 #[doc(hidden)]

@@ -9,7 +9,7 @@ use crate::place::Place;
 use crate::problem::{Block, Linearized};
 use crate::scale::{Scale, length_of};
 use crate::straight::{Departure, Scene};
-use crate::{Cause, Culprit, Description, Lanes};
+use crate::{Cause, Coordinates, Culprit, Description, Lanes};
 
 /// One pass through the stages of a mechanism.
 ///
@@ -91,6 +91,16 @@ impl<'a, T: Lanes, const N: usize> Pass<'a, T, N> {
         match &self.0 {
             Way::Straight(straight) => (straight.length, straight.share),
             Way::Careful(care) => care.lengths(),
+        }
+    }
+
+    /// Where unknowns of a block are if nothing moves it: where they were, if they rested and so did and do all `inputs`. None if
+    /// it has to be solved.
+    #[inline]
+    pub fn resting<const K: usize>(&self, found: &Coordinates<T, N>, inputs: &[usize], own: [usize; K]) -> Option<[T; K]> {
+        match &self.0 {
+            Way::Straight(straight) => straight.from.resting(found, inputs, own),
+            Way::Careful(_) => None,
         }
     }
 

@@ -20,6 +20,7 @@ use crate::lanes::Mask;
 use crate::linear::Linear;
 use crate::place::Place;
 use crate::problem::Linearized;
+use crate::stages::Coordinates;
 use crate::state::State;
 
 /// Longest way of a prediction, scaled; an eighth of a turn, so that it cannot be mistaken for another turn.
@@ -75,6 +76,15 @@ impl<'a, T: Lanes, const N: usize> Departure<'a, T, N> {
     #[inline(always)]
     pub(crate) fn new(here: &'a State<T, N>, sides: &'a [T::Sides; N], h: T, moving: T::Mask) -> Self {
         Self { here, sides, moving, weights: here.trend.weights(h) }
+    }
+
+    /// Where the unknowns `own` were, if they rested and the `inputs` rest where they did.
+    #[inline]
+    pub(crate) fn resting<const K: usize>(&self, found: &Coordinates<T, N>, inputs: &[usize], own: [usize; K]) -> Option<[T; K]> {
+        let (here, zero) = (self.here, T::of(0.0));
+        let rested = |i: usize| here.qd[i] == zero && here.qdd[i] == zero;
+        let rests = |&i: &usize| rested(i) && found.q[i] == here.q[i] && found.qd[i] == zero && found.qdd[i] == zero;
+        (inputs.iter().all(rests) && own.iter().all(|&i| rested(i))).then(|| own.map(|i| here.q[i]))
     }
 
     /// Predictions of these unknowns, and the scaled length of the way there.

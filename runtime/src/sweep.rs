@@ -4,6 +4,20 @@ use core::iter::FusedIterator;
 
 use crate::{Failure, Float, Mechanism, State};
 
+/// The states of a mechanism at these times (s), as [`Mechanism::sweep`] gives them, by an iterator that owns the mechanism.
+pub fn sweep<E, T, const N: usize>(
+    mechanism: E,
+    times: impl IntoIterator<Item = T>,
+) -> impl Iterator<Item = Result<State<T, N>, Failure<T, N>>>
+where
+    E: Mechanism<T, N>,
+    T: Float,
+{
+    let mut progress = Progress::Fresh;
+    let mut times = times.into_iter();
+    core::iter::from_fn(move || next(&mechanism, &mut times, &mut progress))
+}
+
 /// Iterator over the states of a mechanism at given times; see [`Mechanism::sweep`].
 #[derive(Clone, Debug)]
 pub struct Sweep<'a, E: ?Sized, I, T, const N: usize> {
@@ -35,23 +49,7 @@ where
     type Item = Result<State<T, N>, Failure<T, N>>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        if matches!(self.progress, Progress::Ended) {
-            return None;
-        }
-        let Some(t) = self.times.next() else {
-            self.progress = Progress::Ended;
-            return None;
-        };
-        if let Progress::At(state) = &mut self.progress {
-            if let Err(failure) = self.mechanism.advance(state, t) {
-                self.progress = Progress::Ended;
-                return Some(Err(failure));
-            }
-            return Some(Ok(state.clone()));
-        }
-        let result = self.mechanism.solve(t);
-        self.progress = result.as_ref().map_or(Progress::Ended, |state| Progress::At(state.clone()));
-        Some(result)
+        next(self.mechanism, &mut self.times, &mut self.progress)
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
@@ -69,4 +67,33 @@ where
     I: Iterator<Item = T>,
     T: Float,
 {
+}
+
+/// The next state of a sweep; ends after a failure.
+fn next<E, T, const N: usize>(
+    mechanism: &E,
+    times: &mut impl Iterator<Item = T>,
+    progress: &mut Progress<State<T, N>>,
+) -> Option<Result<State<T, N>, Failure<T, N>>>
+where
+    E: Mechanism<T, N>,
+    T: Float,
+{
+    if matches!(progress, Progress::Ended) {
+        return None;
+    }
+    let Some(t) = times.next() else {
+        *progress = Progress::Ended;
+        return None;
+    };
+    if let Progress::At(state) = progress {
+        if let Err(failure) = mechanism.advance(state, t) {
+            *progress = Progress::Ended;
+            return Some(Err(failure));
+        }
+        return Some(Ok(state.clone()));
+    }
+    let result = mechanism.solve(t);
+    *progress = result.as_ref().map_or(Progress::Ended, |state| Progress::At(state.clone()));
+    Some(result)
 }

@@ -5,6 +5,7 @@ mod branches;
 mod components;
 mod files;
 mod mechanisms;
+mod prepared;
 mod shapes;
 mod stress;
 mod turns;

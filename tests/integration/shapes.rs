@@ -166,6 +166,55 @@ fn what_moves_of_a_scene_moves_as_it_does_alone() {
 }
 
 mechanism! {
+    /// Sixteen four-bars whose drives move one after the other.
+    pub mechanism Relay {
+        component FourBar(P: Point, Q: Point) {
+            body crank { point O = (0mm, 0mm); point A = (100mm, 0mm); }
+            body coupler { point A = (0mm, 0mm); point B = (350mm, 0mm); start angle = 30deg; }
+            body rocker { point C = (0mm, 0mm); point B = (300mm, 0mm); start angle = 70deg; }
+            joint o = revolute(P, crank.O);
+            joint a = revolute(crank.A, coupler.A);
+            joint b = revolute(coupler.B, rocker.B);
+            joint c = revolute(rocker.C, Q);
+        }
+        ground { for i in 0..16 { point O[i] = (i * 1m, 0m); point C[i] = (i * 1m + 400mm, 0m); } }
+        for i in 0..16 {
+            part bar[i] = FourBar(ground.O[i], ground.C[i]);
+            drive input[i] = drive_angle(bar[i].crank, 20deg + 60deg * polynomial_4567((t - i * 1s) / 1s));
+        }
+    }
+}
+
+#[test]
+fn a_block_whose_drive_rests_is_not_solved_again() {
+    let relay = Relay::default();
+    let mut state = relay.solve(3.0).unwrap();
+    relay.advance(&mut state, 3.4).unwrap();
+    // Marks that a solution would remove: on what has moved before and on what is still to move.
+    let rockers = [14, 86];
+    let marks = rockers.map(|i| state.0.q[i] + 1e-3);
+    for (i, mark) in rockers.into_iter().zip(marks) {
+        state.0.q[i] = mark;
+    }
+    relay.advance(&mut state, 3.41).unwrap();
+    assert_eq!(rockers.map(|i| state.q[i]), marks);
+}
+
+#[test]
+fn a_relay_moves_on() {
+    let relay = Relay::default();
+    let mut state = relay.solve(0.0).unwrap();
+    for k in 1..=320 {
+        relay.advance(&mut state, f64::from(k) / 20.0).unwrap();
+        assert!(relay.phi(&state.q, state.t).amax() <= 1e-14 * 16.0, "{k}");
+    }
+    let first = state.bar()[0].rocker().angle;
+    for bar in state.bar() {
+        assert!((bar.rocker().angle - first).abs() <= 1e-13);
+    }
+}
+
+mechanism! {
     /// Two wheels of which the sum and the difference of the angles are given: a constant Jacobian that is not triangular.
     pub mechanism SumAndDifference {
         body one { point P = (10mm, 0mm); }

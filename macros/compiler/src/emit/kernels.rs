@@ -53,7 +53,7 @@ impl Emitter<'_> {
     /// One function for each shape
     pub(super) fn kernels(&self, kernels: &Kernels, shelf: &Shelf) -> TokenStream {
         let name = &self.model.name;
-        let functions = kernels.kernels.iter().enumerate().map(|(number, kernel)| self.kernel(number, kernel, shelf));
+        let functions = kernels.kernels.iter().enumerate().map(|(number, kernel)| self.kernel(number, kernel, shelf, kernels.can_rest));
         quote! {
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
@@ -61,7 +61,7 @@ impl Emitter<'_> {
         }
     }
 
-    fn kernel(&self, index: usize, kernel: &Kernel, shelf: &Shelf) -> TokenStream {
+    fn kernel(&self, index: usize, kernel: &Kernel, shelf: &Shelf, can_rest: bool) -> TokenStream {
         let n = shelf.held.len();
         let mut columns = Columns::new(kernel.shape.count);
         let unknowns: Vec<Index> = kernel
@@ -85,6 +85,7 @@ impl Emitter<'_> {
         let inputs = columns.inputs(&kernel.shape, &Words::new(self.model, self.system));
         let parts: TokenStream = kernel.lines.parts.iter().enumerate().map(|(number, part)| scene.part(number, part)).collect();
         let (reads, writes) = (reads(kernel, &unknowns), writes(kernel, &unknowns));
+        let rest = if can_rest { rest(kernel, &unknowns) } else { quote!() };
         let (t, pass, found, turns) = (local("t"), local("pass"), local("found"), local("turns"));
         let (tables, name, piece) = (columns.tables(), name(shelf, index), local("piece"));
         quote! {
@@ -98,6 +99,7 @@ impl Emitter<'_> {
                 #turns: &mut [(T, T); #n],
             ) -> ::core::result::Result<(), ::reuleaux::Stop<T>> {
                 #tables
+                #rest
                 #inputs
                 #reads
                 #parts
@@ -110,6 +112,29 @@ impl Emitter<'_> {
 
 fn name(shelf: &Shelf, kernel: usize) -> Ident {
     local(&format!("shape_{}{kernel}", shelf.prefix))
+}
+
+/// A block whose inputs rest where they were is left where it was.
+fn rest(kernel: &Kernel, unknowns: &[Index]) -> TokenStream {
+    let is_timed = kernel.shape.arena.all().any(|expr| *kernel.shape.arena.node(expr) == Node::Leaf(Leaf::Time));
+    if is_timed || !matches!(kernel.lines.parts.as_slice(), [Part::Block(_)]) {
+        return quote!();
+    }
+    let (pass, found, turns, last) = (local("pass"), local("found"), local("turns"), local("last"));
+    let inputs = (0..unknowns.len()).filter(|slot| !kernel.found.contains(slot)).map(|slot| &unknowns[slot].place);
+    let own: Vec<&TokenStream> = kernel.found.iter().map(|slot| &unknowns[*slot].place).collect();
+    let positions = (0..own.len()).map(number);
+    let kept = kernel.found.iter().enumerate().filter(|(_, slot)| kernel.kept.contains(slot)).map(|(position, slot)| {
+        let (place, position) = (&unknowns[*slot].place, number(position));
+        quote!(#turns[#place] = #last[#position].turn();)
+    });
+    quote! {
+        if let ::core::option::Option::Some(#last) = #pass.resting(#found, &[#(#inputs),*], [#(#own),*]) {
+            #(#found.q[#own] = #last[#positions];)*
+            #(#kept)*
+            return ::core::result::Result::Ok(());
+        }
+    }
 }
 
 /// What is known of unknowns that other kernels found.

@@ -14,6 +14,7 @@ mod functions;
 mod kernels;
 mod outputs;
 mod parameters;
+mod prepared;
 mod rolled;
 mod routine;
 mod slices;
@@ -239,7 +240,7 @@ fn state_name(mechanism: &Ident) -> Ident {
 fn solve(model: &Model, system: &System) -> TokenStream {
     let (name, state, n) = (&model.name, state_name(&model.name), system.unknowns.len());
     let failure = format_ident!("{}Failure", name, span = Span::call_site());
-    let solving = solving(name, &state, &failure, &model.visibility, n);
+    let solving = solving(name, &state, &failure, &model.visibility, n, true);
     quote! {
         #solving
         #[automatically_derived]
@@ -257,9 +258,12 @@ fn solve(model: &Model, system: &System) -> TokenStream {
 }
 
 /// The functions that solve a mechanism or a slice of one.
-fn solving(name: &Ident, state: &Ident, failure: &Ident, visibility: &TokenStream, n: usize) -> TokenStream {
+///
+/// A sweep prepares what there is to prepare, if it `can_prepare`.
+fn solving(name: &Ident, state: &Ident, failure: &Ident, visibility: &TokenStream, n: usize, can_prepare: bool) -> TokenStream {
     let failure_page = format!("Why there is no state of [`{name}`].");
     let result = quote!(::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>>);
+    let prepared = if can_prepare { quote!(self.prepared()) } else { quote!(*self) };
     quote! {
         #[doc = #failure_page]
         #[allow(dead_code)]
@@ -296,7 +300,7 @@ fn solving(name: &Ident, state: &Ident, failure: &Ident, visibility: &TokenStrea
                 &self,
                 times: I,
             ) -> impl ::core::iter::Iterator<Item = #result> + use<'_, T, I> {
-                ::core::iter::Iterator::map(::reuleaux::Mechanism::<T, #n>::sweep(self, times), |result| result.map(#state))
+                ::core::iter::Iterator::map(::reuleaux::sweep(#prepared, times), |result| result.map(#state))
             }
         }
     }

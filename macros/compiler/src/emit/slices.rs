@@ -37,7 +37,7 @@ impl Emitter<'_> {
             format!("What is upstream of the output `{word}` of [`{mechanism}`], and nothing else, made by [`{mechanism}::{solve_for}`].");
         let method_page =
             format!("The mechanism for the output `{word}` alone: whatever is not upstream of it is not solved, nor compiled.");
-        let solving = solving(&name, &state, &failure, visibility, n);
+        let solving = solving(&name, &state, &failure, visibility, n, false);
         let value = self.slice_state(method, &state, slice);
         quote! {
             #[automatically_derived]

@@ -25,6 +25,7 @@ impl Emitter<'_> {
         let shelf = Shelf::whole(n);
         let (body, kernels) = self.solving(&solution.solving, &shelf);
         let (step, moving) = self.moving();
+        let (body, prepared) = self.prepared(solution, body);
         let (t, pass) = (local("t"), local("pass"));
         quote! {
             #kernels
@@ -44,6 +45,7 @@ impl Emitter<'_> {
                 ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>> { #body }
             }
             #moving
+            #prepared
         }
     }
 
@@ -195,7 +197,7 @@ pub(super) struct Scene<'a> {
 }
 
 impl Scene<'_> {
-    fn steps(&self, names: &BTreeMap<Expr, String>, steps: &[Step]) -> TokenStream {
+    pub(super) fn steps(&self, names: &BTreeMap<Expr, String>, steps: &[Step]) -> TokenStream {
         let printer = Printer { arena: self.arena, names, turn: "turn" };
         steps.iter().map(|step| statement(self.model, &printer, step)).collect()
     }

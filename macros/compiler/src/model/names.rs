@@ -27,6 +27,7 @@ const GENERATED: &[&str] = &[
     "solve_from",
     "advance",
     "sweep",
+    "prepared",
     "start",
     "validate",
     "characteristic_length",

@@ -20,6 +20,8 @@ pub struct Kernels {
     pub order: Vec<usize>,
     /// Unknowns that are constants, with their values; no kernel computes them.
     pub constants: Vec<(usize, f64)>,
+    /// More than one drive moves something, so that one may rest while others go on.
+    pub can_rest: bool,
     /// For each block the number of its shape among blocks, and the operations of a step.
     pub(super) blocks: Vec<(usize, Cost)>,
 }
@@ -57,7 +59,9 @@ impl Kernels {
             shapes.into_iter().enumerate().map(|(number, shape)| kernel(shape, member(number).collect(), &turned[number], words)).collect();
         keep_turns(&mut kernels, &turned);
         let blocks = blocks(&kernels, &order, &runs);
-        Kernels { kernels, order, constants, blocks }
+        let is_driven = |stage: &&Stage| matches!(stage, Stage::Explicit { .. }) && depends_on_time(frame, stage);
+        let can_rest = stages.iter().filter(is_driven).count() > 1;
+        Kernels { kernels, order, constants, can_rest, blocks }
     }
 
     /// The number of operations in all kernels.
@@ -134,6 +138,11 @@ fn runs<'a>(frame: &Frame, stages: &'a [Stage]) -> (Vec<Run<'a>>, Vec<(usize, f6
     (runs, constants)
 }
 
+/// Time itself is in a stage.
+fn depends_on_time(frame: &Frame, stage: &Stage) -> bool {
+    stage.results().iter().any(|result| frame.arena.leaves(*result).contains(&Leaf::Time))
+}
+
 /// Local unknowns whose sine or cosine occurs.
 fn turned(shape: &Shape) -> BTreeSet<usize> {
     let angle = |expr| {
@@ -168,7 +177,7 @@ fn kernel(shape: Shape, runs: Vec<&Run>, turned: &BTreeSet<usize>, words: &Words
         }
     }
     let elsewhere: BTreeSet<usize> = turned.iter().copied().filter(|slot| !found.contains(slot)).collect();
-    let lines = lines(&shape.arena, &stages, shape.unknowns.len(), &elsewhere, &words.of_shape(&shape));
+    let lines = lines(&shape.arena, &stages, shape.unknowns.len(), &elsewhere, false, &words.of_shape(&shape));
     Kernel { shape, lines, found, equations, kept: Vec::new() }
 }
 

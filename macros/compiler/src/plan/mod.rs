@@ -220,7 +220,7 @@ fn solving(
         slice::upstream(&Frame { words: &words, is_angle: &is_angle, ..frame }, stages, output, system.unknowns.len())
     };
     let slices = outputs.iter().map(slice).collect();
-    (solution::solution(&frame, stages), slices, slice::moving(&frame, stages))
+    (solution::solution(&frame, stages, true), slices, slice::moving(&frame, stages))
 }
 
 /// The equations of a system, joint by joint.

@@ -41,7 +41,7 @@ pub(super) fn upstream(frame: &Frame, stages: &[Stage], output: &Output, n: usiz
     }
     chosen.reverse();
     chosen.extend(outputs);
-    let solution = solution(frame, &chosen);
+    let solution = solution(frame, &chosen, false);
     let held = held(frame, &chosen, &solution.solving, n);
     Slice { given: Vec::new(), held, solution }
 }
@@ -56,7 +56,7 @@ pub(super) fn moving(frame: &Frame, stages: &[Stage]) -> Option<Slice> {
     let found: BTreeSet<usize> = chosen.iter().flat_map(Stage::unknowns).copied().collect();
     let needed: BTreeSet<usize> = chosen.iter().flat_map(|stage| leaves(frame.arena, stage)).collect();
     let given: Vec<usize> = needed.difference(&found).copied().collect();
-    let solution = solution(frame, &chosen);
+    let solution = solution(frame, &chosen, false);
     let mut held: BTreeSet<usize> = found;
     if matches!(solution.solving, Solving::Shared(_)) {
         // Shared code takes everything from arrays.

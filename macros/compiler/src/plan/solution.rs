@@ -65,6 +65,10 @@ pub struct Lines {
     pub unknowns: Vec<[String; 3]>,
     /// Angles whose sine and cosine are taken from outside, with the names of these.
     pub turned: Vec<(usize, [Option<String>; 2])>,
+    /// What depends on parameters only, once for each set of them.
+    pub fixed: Vec<Step>,
+    /// The names of what the other lines need of it.
+    pub fixed_names: Vec<String>,
     /// Operations outside of loops.
     pub cost: Cost,
 }
@@ -118,14 +122,16 @@ pub(super) struct Frame<'a> {
 }
 
 /// Schedules stages.
-pub(super) fn solution(frame: &Frame, stages: &[Stage]) -> Solution {
+///
+/// What depends on parameters only is set apart where that `is_apart`.
+pub(super) fn solution(frame: &Frame, stages: &[Stage], is_apart: bool) -> Solution {
     let Frame { arena, words, .. } = *frame;
     let kernels = Kernels::new(frame, stages);
     let (of_kernels, all) = (kernels.size(), size(arena, stages));
     let mut blocks = kernels.blocks.iter().copied();
     let summaries = stages.iter().map(|stage| summary(arena, stage, &mut blocks)).collect();
     let (cost, solving) = if all <= STRAIGHT || 2 * of_kernels > all && all <= LONGEST {
-        let lines = lines(arena, stages, frame.is_angle.len(), &BTreeSet::new(), words);
+        let lines = lines(arena, stages, frame.is_angle.len(), &BTreeSet::new(), is_apart, words);
         (lines.cost, Solving::Straight(lines))
     } else {
         (kernels.cost(), Solving::Shared(kernels))
@@ -156,7 +162,9 @@ fn summary(arena: &Arena, stage: &Stage, blocks: &mut impl Iterator<Item = (usiz
 }
 
 /// Stages over `n` unknowns as straight lines; sine and cosine of the `turned` unknowns are known.
-pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet<usize>, words: &Words) -> Lines {
+///
+/// What depends on parameters only comes before all else where that `is_apart`.
+pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet<usize>, is_apart: bool, words: &Words) -> Lines {
     let moving: Vec<BTreeSet<Expr>> = stages.iter().map(|stage| moving(arena, stage)).collect();
     let mut roots = Vec::new();
     let mut hoisted = BTreeSet::new();
@@ -170,12 +178,43 @@ pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet
         }
     }
     roots.extend(&hoisted);
+    let apart = if is_apart { of_parameters(arena, &roots) } else { BTreeSet::new() };
+    hoisted.extend(&apart);
     let mut work = Work::new(arena, &roots, &hoisted, words);
+    for expr in &apart {
+        work.serve(*expr);
+    }
+    let fixed = work.take();
+    let fixed_names = apart.iter().filter_map(|expr| work.names.get(expr).cloned()).collect();
     let turned = turned.iter().map(|unknown| (*unknown, known_turn(arena, &mut work, *unknown))).collect();
     let parts = stages.iter().zip(&moving).map(|(stage, moving)| part(arena, &mut work, stage, moving, words)).collect();
     let name = |index: usize| [Leaf::Coordinate, Leaf::Velocity, Leaf::Acceleration].map(|leaf| words.leaf(leaf(index as u32)));
     let cost = cost(arena, &work.needed);
-    Lines { parts, names: work.names, unknowns: (0..n).map(name).collect(), turned, cost }
+    Lines { parts, names: work.names, unknowns: (0..n).map(name).collect(), turned, fixed, fixed_names, cost }
+}
+
+/// The largest expressions under some roots that depend on parameters and on nothing else.
+fn of_parameters(arena: &Arena, roots: &[Expr]) -> BTreeSet<Expr> {
+    let mut steady: BTreeSet<Expr> = BTreeSet::new();
+    let mut found: BTreeSet<Expr> = BTreeSet::new();
+    let all = arena.reachable(roots);
+    for expr in &all {
+        let node = arena.node(*expr);
+        let is_steady = match node {
+            Node::Constant(_) | Node::Leaf(Leaf::Parameter(_)) => true,
+            Node::Leaf(_) => false,
+            _ => node.children().all(|child| steady.contains(&child)),
+        };
+        if is_steady {
+            steady.insert(*expr);
+        } else {
+            found.extend(node.children().filter(|child| steady.contains(child)));
+        }
+    }
+    found.extend(roots.iter().filter(|root| steady.contains(root)));
+    let has_parameter = |expr: &Expr| arena.leaves(*expr).iter().any(|leaf| matches!(leaf, Leaf::Parameter(_)));
+    found.retain(|expr| !matches!(arena.node(*expr), Node::Leaf(_) | Node::Constant(_)) && has_parameter(expr));
+    found
 }
 
 /// Names for sine and cosine of an unknown that are known before anything else.

@@ -1,0 +1,114 @@
+//! A mechanism with everything computed that depends on its parameters only.
+
+use super::expression::local;
+use super::functions::Emitter;
+use super::stages::{Scene, Shelf, iterated};
+use super::{solving, state_name};
+use crate::plan::{Lines, Solution, Solving};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote};
+
+impl Emitter<'_> {
+    /// The body of `stages`, and the type that keeps what depends on parameters only; none if nothing does.
+    pub(super) fn prepared(&self, solution: &Solution, body: TokenStream) -> (TokenStream, TokenStream) {
+        let (mechanism, n) = (&self.model.name, self.system.unknowns.len());
+        let lines = match &solution.solving {
+            Solving::Straight(lines) if !lines.fixed_names.is_empty() => lines,
+            _ => return (body, as_it_is(mechanism)),
+        };
+        let (fixed, stages) = (local("fixed"), local("stages_with"));
+        let (t, pass) = (local("t"), local("pass"));
+        let (steps, names) = self.fixed(lines);
+        let count = names.len();
+        let type_name = format_ident!("{}Prepared", mechanism, span = Span::call_site());
+        let (state, failure) = (state_name(mechanism), format_ident!("{}PreparedFailure", mechanism, span = Span::call_site()));
+        let solving = solving(&type_name, &state, &failure, &self.model.visibility, n, false);
+        let (angles, iterated) = (self.computed_angles(solution, &Shelf::whole(n)), iterated(solution, &Shelf::whole(n)));
+        let step = self.plan.moving.as_ref().map(|_| {
+            quote! {
+                fn step(&self, state: &mut ::reuleaux::State<T, #n>, t: T) -> bool
+                where
+                    T: ::reuleaux::Float,
+                {
+                    ::reuleaux::Stages::<T, #n>::step(&self.mechanism, state, t)
+                }
+            }
+        });
+        let result = quote!(::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>>);
+        let description = quote!(::reuleaux::Description<T, #n>);
+        let visibility = &self.model.visibility;
+        let page =
+            format!("A [`{mechanism}`] with everything computed that depends on its parameters only, made by [`{mechanism}::prepared`].");
+        let types = quote! {
+            #[automatically_derived]
+            #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens, dead_code)]
+            impl<T: ::reuleaux::Lanes> #mechanism<T> {
+                /// The mechanism with everything computed that depends on its parameters only, for loops that take a state along
+                /// with `advance`; `sweep` does so by itself.
+                #[must_use]
+                pub fn prepared(&self) -> #type_name<T> { #type_name { mechanism: *self, fixed: self.of_parameters() } }
+                fn of_parameters(&self) -> [T; #count] { #steps [#(#names),*] }
+                #[inline(always)]
+                fn #stages(&self, #fixed: &[T; #count], #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result {
+                    let [#(#names),*] = *#fixed;
+                    #body
+                }
+            }
+            #[doc = #page]
+            #[derive(Clone, Copy, Debug, PartialEq)]
+            #[allow(dead_code)]
+            #visibility struct #type_name<T = f64> {
+                mechanism: #mechanism<T>,
+                fixed: [T; #count],
+            }
+            #[automatically_derived]
+            impl<T: ::reuleaux::Lanes> #description for #type_name<T> {
+                const NAME: &'static str = <#mechanism<T> as #description>::NAME;
+                const COORDINATES: &'static [::reuleaux::Coordinate] = <#mechanism<T> as #description>::COORDINATES;
+                const ROWS: &'static [::reuleaux::Row] = <#mechanism<T> as #description>::ROWS;
+                fn start(&self) -> ::reuleaux::nalgebra::SVector<T, #n> { self.mechanism.start() }
+                fn characteristic_length(&self) -> T { self.mechanism.characteristic_length() }
+                fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> { self.mechanism.validate() }
+            }
+            #[automatically_derived]
+            impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #type_name<T> {
+                #angles
+                #iterated
+                #step
+                fn toward(&self, share: T) -> ::core::option::Option<Self> {
+                    let between = ::reuleaux::Stages::<T, #n>::toward(&self.mechanism, share);
+                    ::core::option::Option::map(between, |mechanism| mechanism.prepared())
+                }
+                fn improved(&self, t: T, guess: &::reuleaux::nalgebra::SVector<T, #n>) -> ::reuleaux::nalgebra::SVector<T, #n>
+                where
+                    T: ::reuleaux::Float,
+                {
+                    ::reuleaux::Stages::<T, #n>::improved(&self.mechanism, t, guess)
+                }
+                #[inline(always)]
+                fn stages(&self, t: T, pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { self.mechanism.#stages(&self.fixed, t, pass) }
+            }
+            #solving
+        };
+        (quote!(self.#stages(&self.of_parameters(), #t, #pass)), types)
+    }
+
+    /// The lines for what depends on parameters only, and its names.
+    fn fixed(&self, lines: &Lines) -> (TokenStream, Vec<Ident>) {
+        let scene = Scene { model: self.model, arena: &self.plan.arena, lines, unknowns: &[], equations: &[], kept: &[] };
+        (scene.steps(&lines.names, &lines.fixed), lines.fixed_names.iter().map(|name| local(name)).collect())
+    }
+}
+
+/// There is nothing to prepare.
+fn as_it_is(mechanism: &Ident) -> TokenStream {
+    quote! {
+        #[automatically_derived]
+        #[allow(dead_code)]
+        impl<T: ::reuleaux::Lanes> #mechanism<T> {
+            /// The mechanism itself: nothing is computed from its parameters alone.
+            #[must_use]
+            pub fn prepared(&self) -> Self { *self }
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! What depends on parameters only is computed once for each set of them.
+
+use reuleaux::{Lanes, mechanism};
+
+mechanism! {
+    /// A slide on an incline, pushed by a crank through a rod.
+    pub mechanism Incline {
+        param incline: Angle = 20deg;
+        param crank_length: Length = 100mm;
+        param rod_length: Length = 300mm;
+        let way = (cos(incline), sin(incline));
+        body crank { point A = (crank_length, 0mm); }
+        body rod { point A = (0mm, 0mm); point B = (rod_length, 0mm); start angle = incline; }
+        body slide { }
+        joint o = revolute(ground.position, crank.position);
+        joint a = revolute(crank.A, rod.A);
+        joint b = revolute(rod.B, slide.position);
+        joint guide = translational(way, ground.position, slide.position, incline);
+        drive input = drive_angle(crank, 60rpm * t);
+        output travel = dot(slide.position, way);
+    }
+}
+
+/// x along the incline: a cos(φ − β) + √(l² − a² sin²(φ − β)).
+fn travel(mechanism: &Incline, t: f64) -> f64 {
+    let angle = std::f64::consts::TAU * t - mechanism.incline;
+    let across = mechanism.crank_length * angle.sin();
+    mechanism.crank_length * angle.cos() + (mechanism.rod_length * mechanism.rod_length - across * across).sqrt()
+}
+
+#[test]
+fn a_prepared_mechanism_is_the_mechanism() {
+    let mechanism = Incline { incline: 0.6, crank_length: 0.12, ..Incline::default() };
+    let prepared = mechanism.prepared();
+    let (mut one, mut other) = (mechanism.solve(0.0).unwrap(), prepared.solve(0.0).unwrap());
+    for k in 1..=50 {
+        let t = f64::from(k) / 50.0;
+        mechanism.advance(&mut one, t).unwrap();
+        prepared.advance(&mut other, t).unwrap();
+        assert_eq!(one, other);
+        assert!((mechanism.travel(&other).value - travel(&mechanism, t)).abs() <= 1e-15);
+    }
+    let times = || (0..=50).map(|k| f64::from(k) / 50.0);
+    let swept: Vec<_> = mechanism.sweep(times()).map(|state| state.unwrap()).collect();
+    assert_eq!(swept.last(), Some(&other));
+    assert_eq!(prepared.sweep(times()).map(|state| state.unwrap()).collect::<Vec<_>>(), swept);
+}
+
+#[test]
+fn an_angle_that_is_a_parameter_is_turned_once() {
+    let mechanism = Incline::default();
+    let debug = format!("{:?}", mechanism.prepared());
+    let (sine, cosine) = (mechanism.incline.turn().0, mechanism.incline.turn().1);
+    assert!(debug.contains(&format!("{sine:?}")) && debug.contains(&format!("{cosine:?}")), "{debug}");
+}
