@@ -79,7 +79,7 @@ impl fmt::Display for Plan {
                 }
             }
         }
-        write!(f, "once     {}", self.operations)
+        write!(f, "besides, once for each state: {}", self.operations)
     }
 }
 

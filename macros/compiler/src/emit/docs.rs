@@ -68,7 +68,7 @@ fn solution(page: &mut String, model: &Model, system: &System, solution: &Soluti
                 let rows: Vec<String> = equations.iter().map(|equation| equation_name(model, system, *equation)).collect();
                 let Cost { flops, divisions, sines, calls } = *cost;
                 writeln!(page, "iterate  {}  from  {}", list(&unknowns), list(&rows)).and_then(|()| {
-                    writeln!(page, "         each time {flops} sums and products, {divisions} divisions and roots, {calls} other functions; {sines} sine-cosine pairs once")
+                    writeln!(page, "         each time {flops} sums and products, {divisions} divisions and roots, {sines} sine-cosine pairs, {calls} other functions")
                 })
                 .and_then(|()| elimination.as_ref().map_or(Ok(()), |elimination| eliminated(page, elimination)))
             }
@@ -93,7 +93,7 @@ pub(super) fn coordinate_name(model: &Model, system: &System, unknown: usize) ->
     match system.unknowns.get(unknown) {
         Some(unknown) => format!("{}.{}", model.bodies[unknown.body].name, unknown.name),
         // What a slice is for comes after all unknowns.
-        None => format!("output {}", unknown - system.unknowns.len() + 1),
+        None => format!("component {} of the output", unknown - system.unknowns.len() + 1),
     }
 }
 

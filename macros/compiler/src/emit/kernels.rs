@@ -89,6 +89,7 @@ impl Emitter<'_> {
         let (t, pass, found, turns) = (local("t"), local("pass"), local("found"), local("turns"));
         let (tables, name, piece) = (columns.tables(), name(shelf, index), local("piece"));
         quote! {
+            #[doc(hidden)]
             #[inline]
             fn #name(
                 &self,

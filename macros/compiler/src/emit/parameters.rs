@@ -165,6 +165,7 @@ impl<'a> Parameters<'a> {
         let (defaults, share, to) = (local("defaults"), local("share"), local("to"));
         let fields = self.blended(component, &quote!(#to));
         quote! {
+            #[doc(hidden)]
             #[inline]
             fn between(#defaults: &Self, #to: &Self, #share: T) -> Self { Self { #fields } }
         }
@@ -218,6 +219,7 @@ impl Parameters<'_> {
         let (each, combine) = (local("each"), local("combine"));
         let fields = self.gathered(component);
         quote! {
+            #[doc(hidden)]
             #[inline]
             fn gathered<T2: ::reuleaux::Real, const LANES: usize>(
                 #each: [&Self; LANES],

@@ -47,7 +47,9 @@ impl Emitter<'_> {
                 /// with `advance`; `sweep` does so by itself.
                 #[must_use]
                 pub fn prepared(&self) -> #type_name<T> { #type_name { mechanism: *self, fixed: self.of_parameters() } }
+                #[doc(hidden)]
                 fn of_parameters(&self) -> [T; #count] { #steps [#(#names),*] }
+                #[doc(hidden)]
                 #[inline(always)]
                 fn #stages(&self, #fixed: &[T; #count], #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result {
                     let [#(#names),*] = *#fixed;
@@ -106,7 +108,7 @@ fn as_it_is(mechanism: &Ident) -> TokenStream {
         #[automatically_derived]
         #[allow(dead_code)]
         impl<T: ::reuleaux::Lanes> #mechanism<T> {
-            /// The mechanism itself: nothing is computed from its parameters alone.
+            /// The mechanism itself: what depends on its parameters alone is little, or is computed where it is used.
             #[must_use]
             pub fn prepared(&self) -> Self { *self }
         }

@@ -20,10 +20,7 @@ impl Emitter<'_> {
         let (mechanism, visibility) = (&self.model.name, &self.model.visibility);
         let word = method.name.to_string();
         let word = word.trim_start_matches("r#");
-        // Two names that differ in case only keep it.
-        let is_alone = self.model.methods.iter().filter(|other| camel(&other.name.to_string()) == camel(word)).count() == 1;
-        let tail = if is_alone { camel(word) } else { format!("_{word}") };
-        let name = format_ident!("{}For{}", mechanism, tail, span = Span::call_site());
+        let name = slice_name(mechanism, &self.model.methods, word);
         let (state, failure) = (state_name(&name), format_ident!("{}Failure", name, span = Span::call_site()));
         let (solve_for, stages) = (format_ident!("solve_for_{word}", span = Span::call_site()), local(&format!("stages_for_{word}")));
         let shelf = Shelf::new(&slice.held, &[], format!("for_{word}_"));
@@ -57,6 +54,7 @@ impl Emitter<'_> {
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens, dead_code)]
             impl<T: ::reuleaux::Lanes> #mechanism<T> {
+                #[doc(hidden)]
                 #[inline(always)]
                 fn #stages(&self, #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { #body }
             }
@@ -178,6 +176,7 @@ impl Emitter<'_> {
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
             impl<T: ::reuleaux::Lanes> #mechanism<T> {
+                #[doc(hidden)]
                 #[inline(always)]
                 fn #stages(&self, #given: &[T; #count], #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { #body }
             }
@@ -191,6 +190,13 @@ impl Emitter<'_> {
         };
         (step, part)
     }
+}
+
+/// The type of a slice, `CrankRockerForTip`; outputs whose names differ in case only keep it.
+pub(super) fn slice_name(mechanism: &Ident, methods: &[Method], output: &str) -> Ident {
+    let is_alone = methods.iter().filter(|other| camel(&other.name.to_string()) == camel(output)).count() <= 1;
+    let tail = if is_alone { camel(output) } else { format!("_{output}") };
+    format_ident!("{}For{}", mechanism, tail, span = Span::call_site())
 }
 
 /// `coupler_tip` as `CouplerTip`.

@@ -55,7 +55,9 @@ impl<'a> Accessors<'a> {
                 #[derive(Clone, Copy, Debug, PartialEq)]
                 #[allow(dead_code)]
                 #visibility struct #view<'a, T = f64> {
+                    #[doc(hidden)]
                     state: &'a ::reuleaux::State<T, #n>,
+                    #[doc(hidden)]
                     first: usize,
                 }
                 #[automatically_derived]

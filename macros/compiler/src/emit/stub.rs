@@ -3,6 +3,7 @@
 
 use super::arrays::array_type;
 use super::parameters::Parameters;
+use super::slices::slice_name;
 use super::state::Accessors;
 use crate::diag::Fact;
 use crate::model::suggest::nearest;
@@ -52,6 +53,7 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
     let accessors = accessors(tree, &promised.layout, visibility, n, body);
     let solutions = (!tree.equations_only).then(|| solutions(&state, n, body));
     let has_outputs = !promised.methods.is_empty() || !refused(tree, "output").is_empty();
+    let slices = (!tree.equations_only).then(|| slices(tree, &promised, visibility, body));
     let outputs = outputs(tree, &promised, &state, body);
     let state = (!tree.equations_only || has_outputs).then(|| {
         quote! {
@@ -71,6 +73,7 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
     quote! {
         #structure
         #state
+        #slices
         #equations
         #[allow(missing_docs, dead_code, clippy::all)]
         impl<T: ::reuleaux::Real> #name<T> {
@@ -191,19 +194,56 @@ fn solutions(state: &Ident, n: usize, body: &TokenStream) -> TokenStream {
         pub fn solve(&self, _: T) -> #result { #body }
         pub fn solve_near(&self, _: T, _: &::reuleaux::nalgebra::SVector<T, #n>) -> #result { #body }
         pub fn solve_from(&self, _: T, _: &#state<T>) -> #result { #body }
+        pub fn advance(&self, _: &mut #state<T>, _: T) -> ::core::result::Result<(), ::reuleaux::Failure<T, #n>> { #body }
         pub fn sweep<I: ::core::iter::IntoIterator<Item = T>>(&self, _: I) -> ::core::iter::Empty<#result> { #body }
+        pub fn prepared(&self) -> Self { *self }
     }
+}
+
+/// The type of an output's method, as far as can be guessed.
+fn motion(tree: &Mechanism, promised: &Outline, method: &Method) -> TokenStream {
+    let value = method.members.first().map(|member| &promised.outputs[*member].value);
+    let motion = match value.map(|value| kind(value, tree, LETS)) {
+        Some(Kind::Vector) => quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector2<T>>),
+        Some(Kind::Body) => quote!(::reuleaux::PlanarBody<T>),
+        _ => quote!(::reuleaux::Motion<T>),
+    };
+    array_type(motion, &method.sizes)
+}
+
+/// The slices upstream of outputs.
+fn slices(tree: &Mechanism, promised: &Outline, visibility: &TokenStream, body: &TokenStream) -> TokenStream {
+    let mechanism = &tree.name;
+    let slice = |method: &Method| {
+        let word = method.name.to_string();
+        let word = word.trim_start_matches("r#");
+        let (name, solve_for) = (slice_name(mechanism, &promised.methods, word), format_ident!("solve_for_{word}"));
+        let (state, output, motion) = (format_ident!("{name}State"), &method.name, motion(tree, promised, method));
+        // How many numbers a slice holds is not known; nobody asks.
+        let solutions = solutions(&state, 1, body);
+        quote! {
+            #[derive(Clone, Copy, Debug, PartialEq)]
+            #[doc(hidden)]
+            #[allow(dead_code, non_camel_case_types)]
+            #visibility struct #name<T = f64>(pub #mechanism<T>);
+            #[derive(Clone, Debug, PartialEq)]
+            #[doc(hidden)]
+            #[allow(dead_code, non_camel_case_types)]
+            #visibility struct #state<T = f64>(pub ::reuleaux::State<T, 1>);
+            #[allow(missing_docs, dead_code, non_snake_case, clippy::all)]
+            impl<T: ::reuleaux::Real> #state<T> { pub fn #output(&self) -> #motion { #body } }
+            #[allow(missing_docs, dead_code, non_snake_case, clippy::all)]
+            impl<T: ::reuleaux::Real> #mechanism<T> { pub fn #solve_for(&self) -> #name<T> { #name(*self) } }
+            #[allow(missing_docs, dead_code, clippy::all)]
+            impl<T: ::reuleaux::Float> #name<T> { #solutions }
+        }
+    };
+    promised.methods.iter().map(slice).collect()
 }
 
 fn outputs(tree: &Mechanism, promised: &Outline, state: &Ident, body: &TokenStream) -> TokenStream {
     let method = |method: &Method| {
-        let value = method.members.first().map(|member| &promised.outputs[*member].value);
-        let motion = match value.map(|value| kind(value, tree, LETS)) {
-            Some(Kind::Vector) => quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector2<T>>),
-            Some(Kind::Body) => quote!(::reuleaux::PlanarBody<T>),
-            _ => quote!(::reuleaux::Motion<T>),
-        };
-        let (name, motion) = (&method.name, array_type(motion, &method.sizes));
+        let (name, motion) = (&method.name, motion(tree, promised, method));
         quote!(pub fn #name(&self, _: &#state<T>) -> #motion { #body })
     };
     let is_new = |name: &Ident| !promised.methods.iter().any(|method| method.name == *name);

@@ -109,7 +109,8 @@ impl Elaborator<'_> {
         let mut taken = BTreeSet::new();
         for method in &methods {
             let word = method.name.to_string();
-            if is_generated(&method.name) {
+            let slice = word.strip_prefix("solve_for_");
+            if is_generated(&method.name) || slice.is_some_and(|output| methods.iter().any(|method| method.name == output)) {
                 self.refuse::<()>(&method.name, Fact::Generated { name: word });
             } else if !taken.insert(word.clone()) {
                 self.refuse::<()>(&method.name, Fact::Duplicate { name: word, first: "another output" });

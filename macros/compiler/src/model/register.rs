@@ -65,7 +65,7 @@ impl Elaborator<'_> {
     fn component(&mut self, component: &Rc<ast::Component>) {
         let name = &component.head.name;
         let word = name.to_string();
-        if word.starts_with("State") || word == "Failure" {
+        if is_of_generated_type(&word) {
             self.diag.refuse::<()>(name, Fact::GeneratedType { name: word });
         } else if self.names.components.contains_key(&word) {
             self.diag.refuse::<()>(name, Fact::Duplicate { name: word, first: "another component" });
@@ -324,4 +324,11 @@ impl Elaborator<'_> {
 /// It has a name of its own beside others that were declared with it.
 pub(super) fn is_one_of_many(context: &Context) -> bool {
     context.space != SpaceId::MECHANISM || !context.bound.is_empty()
+}
+
+/// After the name of the mechanism it would be that of a generated type: of the state and views of it, of a failure, of a slice for
+/// an output, of what is prepared or moves.
+fn is_of_generated_type(word: &str) -> bool {
+    let is_of_slice = word.strip_prefix("For").is_some_and(|output| output.starts_with(|first: char| first.is_uppercase() || first == '_'));
+    word.starts_with("State") || is_of_slice || ["Failure", "Prepared", "PreparedFailure", "Moving"].contains(&word)
 }
