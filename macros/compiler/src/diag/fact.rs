@@ -54,6 +54,7 @@ pub enum Fact {
     InInstance { place: String, fact: Box<Fact> },
     // Names.
     UnknownName { name: String, near: Option<String> },
+    UnitAlone { name: String },
     UnknownField { owner: String, name: String, near: Option<String>, known: Vec<String> },
     UnknownFunction { name: String, near: Option<String>, is_constraint: bool },
     UnknownConstraint { name: String, near: Option<String> },
@@ -288,6 +289,12 @@ impl fmt::Display for Fact {
             }
             Fact::InInstance { place, fact } => write!(f, "{fact}\nnote: {place}"),
 
+            Fact::UnitAlone { name } => {
+                write!(
+                    f,
+                    "nothing is called `{name}` here\nhelp: a unit belongs to a number, as in `1{name}`; that of a rate is one word, as in `1rad_s`"
+                )
+            }
             Fact::UnknownName { name, near } => write!(f, "nothing is called `{name}` here{}", did_you_mean(near)),
             Fact::UnknownField { owner, name, near, known } => {
                 write!(f, "{owner} has no `{name}`{}", did_you_mean(near))?;

@@ -284,6 +284,9 @@ impl Elaborator<'_> {
             return self.library_function(name).map(Value::Function);
         }
         let near = self.similar(name, scope);
+        if near.is_none() && unit::lookup(&name.to_string()).is_some() {
+            return self.refuse(path.range, Fact::UnitAlone { name: name.to_string() });
+        }
         self.refuse(path.range, Fact::UnknownName { name: name.to_string(), near })
     }
 

@@ -3,6 +3,7 @@
 crate::refusals! {
     item name_is_mistyped: "output b = «lenght»;" => "nothing is called `lenght` here\nhelp: did you mean `length`?";
     item name_is_unknown: "output b = «wheel»;" => "nothing is called `wheel` here";
+    item unit_by_itself: "drive b = drive_angle(crank, 2 * 1rad/«ms» * t);" => "nothing is called `ms` here\nhelp: a unit belongs to a number, as in `1ms`; that of a rate is one word, as in `1rad_s`";
     item body_is_mistyped: "joint a = revolute(«crnk».A, ground.C);" => "nothing is called `crnk` here\nhelp: did you mean `crank`?";
     item point_is_mistyped: "body c { point Pin = (0mm, 0mm); } output b = c.«Pim»;" => "`c` has no `Pim`\nhelp: did you mean `Pin`?";
     item point_is_unknown: "output b = crank.«Z»;" => "`crank` has no `Z`\nnote: it has `O`, `A`, `v`, `position`, `angle`, `x` and `y`";
