@@ -45,6 +45,9 @@ pub(crate) fn advance<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
 /// A function of its own for each mechanism, so that its stages are compiled into it and their results never leave the registers.
 #[inline(never)]
 pub(crate) fn step<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, state: &mut State<T, N>, t: T) -> bool {
+    if state.mark != equations.mark() {
+        return false;
+    }
     let Some(stride) = stride(equations, state, &state.branch, t, true) else { return false };
     // Every block has kept its sign: the branch's name stays.
     state.follow_on(t, stride, E::ITERATED);
@@ -55,13 +58,19 @@ pub(crate) fn step<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations
 ///
 /// * `part`: given, what moves, as a mechanism of its own.
 /// * `held`: given, the indices in q of its coordinates.
+/// * `mark`: given, of the parameters.
 #[doc(hidden)]
 pub fn step_in_part<T: Float, E: Stages<T, P>, const P: usize, const N: usize>(
     part: &E,
     state: &mut State<T, N>,
     held: &[usize; P],
+    mark: u64,
     t: T,
 ) -> bool {
+    // With other parameters what rested does not rest.
+    if state.mark != mark {
+        return false;
+    }
     let mut moving = state.part(held);
     let is_made = step(part, &mut moving, t);
     if is_made {
@@ -187,7 +196,7 @@ pub(crate) fn state<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
         }
     }
     let Found { branch, condition, iterations, .. } = care.found();
-    Ok(State { branch, condition, iterations, ..State::new(t, q, qd, qdd) })
+    Ok(State { branch, condition, iterations, mark: equations.mark(), ..State::new(t, q, qd, qdd) })
 }
 
 /// A sum is not finite if a term is not. Four sums side by side, so that none has to wait long for the one before.

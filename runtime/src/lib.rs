@@ -98,6 +98,8 @@ pub use place::Place;
 pub use plan::{Operations, Plan, PlanStage};
 pub use problem::Block;
 pub use real::Real;
+#[doc(hidden)]
+pub use stages::mark_of;
 pub use stages::{Coordinates, Stages, at_once, improved_at_once};
 pub use state::{Motion, Orientation, PlanarBody, State};
 pub use sweep::{Sweep, sweep};

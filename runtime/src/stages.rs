@@ -57,6 +57,15 @@ pub trait Stages<T: Lanes, const N: usize>: Description<T, N> {
         *guess
     }
 
+    /// Tells sets of parameters apart; 0 where nothing is left as it was in the state before, so that it does not matter.
+    #[doc(hidden)]
+    fn mark(&self) -> u64
+    where
+        T: Float,
+    {
+        0
+    }
+
     /// One step straight on, in place; whether it was made. Emitted code has its own where a part of the mechanism rests.
     #[doc(hidden)]
     #[inline]
@@ -130,3 +139,13 @@ static ALL: [usize; MOST] = {
 
 /// Of a mechanism written by hand, as many unknowns as this get a better prediction.
 const MOST: usize = 256;
+
+/// Tells sets of parameters apart by all of their bits (the hash of Fowler, Noll and Vo, by words); not 0.
+#[doc(hidden)]
+pub fn mark_of<T: Float>(parameters: &[T]) -> u64 {
+    let hash = parameters.iter().fold(0xcbf2_9ce4_8422_2325_u64, |hash, parameter| {
+        let mixed = (hash ^ parameter.to_f64().to_bits()).wrapping_mul(0x0000_0100_0000_01b3);
+        mixed ^ (mixed >> 29)
+    });
+    hash | 1
+}

@@ -19,11 +19,13 @@ pub struct State<T, const N: usize> {
     /// The name of the branch: for each block the sign of the determinant of its Jacobian, at the index of the block's first
     /// unknown. A sign changes only where the block is singular.
     pub branch: [Orientation; N],
-    /// How near to singular Φ_q is: by about how much rounding errors are multiplied in q, q̇ and q̈. 1 at best; its decimal
+    /// How near to singular Φ_q is, of the blocks that were solved for this state (not those that rest): by about how much rounding errors are multiplied in q, q̇ and q̈. 1 at best; its decimal
     /// logarithm is the number of digits lost. It grows without bound towards a dead point.
     pub condition: T,
     /// How often Φ_q was formed and factored to get here from the predicted or guessed position.
     pub iterations: usize,
+    /// Of the parameters that it was solved with.
+    pub(crate) mark: u64,
     pub(crate) trend: Trend<T, N>,
 }
 
@@ -103,7 +105,7 @@ impl<T: Real, const N: usize> State<T, N> {
         let branch = held.map(|i| self.branch.get(i).copied().unwrap_or(Orientation::Positive));
         let trend = Trend { span: self.trend.span, rest: pick(&self.trend.rest) };
         let Self { t, condition, iterations, .. } = *self;
-        State { t, q: pick(&self.q), qd: pick(&self.qd), qdd: pick(&self.qdd), branch, condition, iterations, trend }
+        State { t, q: pick(&self.q), qd: pick(&self.qd), qdd: pick(&self.qdd), branch, condition, iterations, mark: 0, trend }
     }
 
     /// Takes back what became of a part; the rest rests.
@@ -161,7 +163,7 @@ impl<T: Real, const N: usize> State<T, N> {
     #[must_use]
     pub fn new(t: T, q: SVector<T, N>, qd: SVector<T, N>, qdd: SVector<T, N>) -> Self {
         let (branch, condition, trend) = ([Orientation::Positive; N], T::of(1.0), Trend::none());
-        Self { t, q, qd, qdd, branch, condition, iterations: 0, trend }
+        Self { t, q, qd, qdd, branch, condition, iterations: 0, mark: 0, trend }
     }
 }
 

@@ -277,3 +277,106 @@ fn a_slice_says_what_it_holds() {
     let is_block = |stage: &&PlanStage| matches!(stage, PlanStage::Iterated { .. });
     assert_eq!(TrussForTip::<f64>::PLAN.stages.iter().filter(is_block).count(), 1);
 }
+
+mechanism! {
+    /// Slides on a rail that rests at an angle, each with a dyad of its own; the rail is the rocker of a parallelogram that is held.
+    pub mechanism Rail {
+        let n = 60;
+        param held: Angle = 0.02rad;
+        ground { point O = (0m, 0m); point C = (4m, 0m); }
+        body crank { point A = (1m, 3m); }
+        body coupler { point B = (4m, 0m); }
+        body rocker { point B = (1m, 3m); axis u = (1, 3); start angle = 0.02rad; }
+        joint o = revolute(ground.O, crank.position);
+        joint a = revolute(crank.A, coupler.position);
+        joint b = revolute(coupler.B, rocker.B);
+        joint c = revolute(rocker.position, ground.C);
+        drive hold = drive_angle(crank, held);
+        for i in 0..n {
+            body slide[i] { start position = (5m + i * 10mm, 3m); start angle = 70deg; }
+            body link[i] { point B = (3m, 0m); start angle = 0.5rad; }
+            body knob[i] { point B = (3m, 0m); start angle = 2rad; }
+            joint guide[i] = translational(rocker.u, rocker.B, slide[i].position);
+            drive along[i] = drive_along(guide[i], 1m + 10mm * i + 0.1m * sin(1rad_s * t));
+            joint p[i] = revolute(slide[i].position, link[i].position);
+            joint q[i] = revolute(link[i].B, knob[i].B);
+            joint r[i] = revolute(knob[i].position, rocker.position);
+        }
+    }
+}
+
+/// Without optimisation a state of this size needs more than the stack of a test.
+fn with_a_large_stack(run: fn()) {
+    std::thread::Builder::new().stack_size(64 << 20).spawn(run).unwrap().join().unwrap();
+}
+
+#[test]
+fn what_moves_may_turn_by_an_angle_that_rests() {
+    with_a_large_stack(|| {
+        for held in [0.02, 0.6] {
+            let rail = Rail { held };
+            let mut state = rail.solve(0.0).unwrap();
+            for k in 1..=20 {
+                rail.advance(&mut state, f64::from(k) / 20.0).unwrap();
+                assert!(rail.phi(&state.q, state.t).amax() <= 1e-14, "{held}, {k}: {}", rail.phi(&state.q, state.t).amax());
+            }
+        }
+    });
+}
+
+#[test]
+fn other_parameters_move_what_rests() {
+    with_a_large_stack(|| {
+        let mut rail = Rail::default();
+        let mut state = rail.solve(0.0).unwrap();
+        rail.advance(&mut state, 0.01).unwrap();
+        rail.held += 0.05;
+        rail.advance(&mut state, 0.02).unwrap();
+        assert!(rail.phi(&state.q, state.t).amax() <= 1e-14);
+        let mut scene = Scene::default();
+        let mut state = scene.solve(0.0).unwrap();
+        scene.held += 0.05;
+        scene.advance(&mut state, 0.01).unwrap();
+        assert!(scene.phi(&state.q, state.t).amax() <= 1e-13);
+    });
+}
+
+mechanism! {
+    /// Chains of rods whose lengths are parameters of the parts.
+    pub mechanism Curtain {
+        component Strand(O: Point, C: Point) {
+            param rod: Length = 350mm;
+            body crank { point A = (100mm, 0mm); }
+            body coupler { point B = (rod, 0mm); start angle = 30deg; }
+            body rocker { point B = (300mm, 0mm); start angle = 70deg; }
+            joint o = revolute(O, crank.position);
+            joint a = revolute(crank.A, coupler.position);
+            joint b = revolute(coupler.B, rocker.B);
+            joint c = revolute(rocker.position, C);
+            drive input = drive_angle(crank, 1rad_s * t);
+        }
+        ground { for i in 0..24 { point O[i] = (i * 1m, 0m); point C[i] = (i * 1m + 400mm, 0m); } }
+        for i in 0..24 { part strand[i] = Strand(ground.O[i], ground.C[i]); }
+        output end = strand[23].rocker.B;
+    }
+}
+
+#[test]
+fn shared_code_finds_the_parameters_of_each_part() {
+    let mut curtain = Curtain::default();
+    for (i, strand) in curtain.strand.iter_mut().enumerate() {
+        strand.rod = 0.35 + 0.001 * i as f64;
+    }
+    assert_eq!(Curtain::<f64>::PLAN.shapes(), 1);
+    let mut state = curtain.solve(0.2).unwrap();
+    curtain.advance(&mut state, 0.3).unwrap();
+    assert!(curtain.phi(&state.q, 0.3).amax() <= 1e-14);
+    for (i, strand) in state.strand().into_iter().enumerate() {
+        let rod = strand.rocker().point([0.3, 0.0].into()).value - strand.coupler().position;
+        // Places of about 20 m round to 4e-15.
+        assert!((rod.norm() - (0.35 + 0.001 * i as f64)).abs() <= 1e-14, "{i}");
+    }
+    let single = Curtain::<f32>::with_defaults().solve_for_end().solve(0.3).unwrap().end().value;
+    let double = Curtain::default().solve_for_end().solve(0.3).unwrap().end().value;
+    assert!((f64::from(single.x) - double.x).abs() <= 1e-5 && (f64::from(single.y) - double.y).abs() <= 1e-5);
+}

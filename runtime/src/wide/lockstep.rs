@@ -153,6 +153,7 @@ where
             branch: self.branches.map(|sides| W::to_sides(sides)[lane]),
             condition: condition.to_lanes()[lane],
             iterations: *iterations,
+            mark: 0,
             trend: Trend { span: trend.span.to_lanes()[lane], rest: of(&trend.rest) },
         }
     }

@@ -55,7 +55,7 @@ impl Columns {
     }
 
     /// Numbers and parameters that differ, by their names in the lines of the shape.
-    pub(super) fn inputs(&self, shape: &Shape, words: &Words) -> TokenStream {
+    pub(super) fn inputs(&mut self, shape: &Shape, words: &Words) -> TokenStream {
         let (data, piece) = (constant("DATA"), local("piece"));
         let (width, count) = (shape.data.len(), self.count);
         let lines = (0..count).map(|piece| {
@@ -70,15 +70,37 @@ impl Columns {
                 #(let #names = T::of(#data[#piece][#indices]);)*
             }
         });
-        let parameters = shape.parameters.iter().enumerate().map(|(slot, column)| {
-            if matches!(column, Column::Same(_)) {
-                return quote!();
+        let mut parameters = TokenStream::new();
+        for (slot, column) in shape.parameters.iter().enumerate() {
+            if !matches!(column, Column::Same(_)) {
+                let (name, place) = (local(&format!("p{slot}")), self.parameter(column, words));
+                parameters.extend(quote!(let #name = #place;));
             }
-            let name = local(&format!("p{slot}"));
-            let all = (0..count).map(|piece| named(&words.parameter(column.at(piece))));
-            quote!(let #name = [#(#all),*][#piece];)
-        });
-        quote!(#table #(#parameters)*)
+        }
+        quote!(#table #parameters)
+    }
+
+    /// A parameter that differs: the fields have the same path but for their indices, or else they are listed.
+    fn parameter(&mut self, column: &Column<u32>, words: &Words) -> TokenStream {
+        let names: Vec<String> = (0..self.count).map(|piece| words.parameter(column.at(piece))).collect();
+        let paths: Vec<Vec<&str>> = names.iter().map(|name| name.split(['[', ']']).collect()).collect();
+        let fixed = |path: &Vec<&str>| path.iter().step_by(2).map(|part| (*part).to_owned()).collect::<Vec<String>>();
+        let first = fixed(&paths[0]);
+        if first.len() < 2 || paths.iter().any(|path| fixed(path) != first) {
+            let (all, piece) = (names.iter().map(|name| named(name)), local("piece"));
+            return quote!([#(#all),*][#piece]);
+        }
+        let mut tokens = named(&first[0]);
+        for (rank, part) in first.iter().enumerate().skip(1) {
+            let indices = paths.iter().map(|path| path[2 * rank - 1].parse().unwrap_or(0)).collect();
+            let index = self.place(&Column::of(indices));
+            tokens.extend(quote!([#index]));
+            for field in part.split('.').filter(|field| !field.is_empty()) {
+                let field = super::identifier(field);
+                tokens.extend(quote!(.#field));
+            }
+        }
+        tokens
     }
 }
 

@@ -5,6 +5,7 @@ use super::expression::local;
 use super::functions::Emitter;
 use super::stages::{Index, Scene, Shelf, number, pair};
 use crate::expr::{Leaf, Node};
+use crate::model::Dim;
 use crate::plan::{Kernel, Kernels, Part, Words};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -28,6 +29,12 @@ impl Emitter<'_> {
             let (given, index, place) = (local("given"), number(index), number(shelf.place(*unknown)?));
             Some(quote!(#found.q[#place] = #given[#index];))
         });
+        // The moving parts may turn by angles that rest.
+        let is_angle = |unknown: &&usize| self.system.unknowns.get(**unknown).is_some_and(|unknown| unknown.dim == Dim::ANGLE);
+        let turned = shelf.given.iter().filter(is_angle).filter_map(|unknown| {
+            let place = number(shelf.place(*unknown)?);
+            Some(quote!(#turns[#place] = #found.q[#place].turn();))
+        });
         quote! {
                 const ORDER: [u16; #length] = [#(#order),*];
                 const CONSTANTS: &[(usize, f64)] = &[#(#constants),*];
@@ -37,6 +44,7 @@ impl Emitter<'_> {
                 }
                 #(#given)*
                 let mut #turns = [(T::of(0.0), T::of(1.0)); #n];
+                #(#turned)*
                 let mut pieces = [0usize; #count];
                 for shape in ORDER {
                     let #piece = pieces[shape as usize];

@@ -26,6 +26,12 @@ impl Emitter<'_> {
         let (angles, iterated) = (self.computed_angles(solution, &Shelf::whole(n)), iterated(solution, &Shelf::whole(n)));
         let step = self.plan.moving.as_ref().map(|_| {
             quote! {
+                fn mark(&self) -> u64
+                where
+                    T: ::reuleaux::Float,
+                {
+                    ::reuleaux::Stages::<T, #n>::mark(&self.mechanism)
+                }
                 fn step(&self, state: &mut ::reuleaux::State<T, #n>, t: T) -> bool
                 where
                     T: ::reuleaux::Float,

@@ -4,7 +4,7 @@ use super::arrays::{array_at, array_type};
 use super::expression::local;
 use super::functions::Emitter;
 use super::stages::{Shelf, iterated, number};
-use super::{docs, docs_or, plan_constant, solving, state_name};
+use super::{docs, docs_or, plan_constant, solving};
 use crate::model::Method;
 use crate::plan::Slice;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -21,7 +21,7 @@ impl Emitter<'_> {
         let word = method.name.to_string();
         let word = word.trim_start_matches("r#");
         let name = slice_name(mechanism, &self.model.methods, word);
-        let (state, failure) = (state_name(&name), format_ident!("{}Failure", name, span = Span::call_site()));
+        let [state, failure] = ["State", "Failure"].map(|what| slice_name(&format_ident!("{mechanism}{what}"), &self.model.methods, word));
         let (solve_for, stages) = (format_ident!("solve_for_{word}", span = Span::call_site()), local(&format!("stages_for_{word}")));
         let shelf = Shelf::new(&slice.held, &[], format!("for_{word}_"));
         let (description, constants) = (self.description(&name, &shelf, word), self.slice_constants(slice, &shelf));
@@ -164,7 +164,7 @@ impl Emitter<'_> {
             {
                 const HELD: [usize; #n] = [#(#held),*];
                 let moving = #name(*self, [#(state.q[#places]),*]);
-                ::reuleaux::step_in_part(&moving, state, &HELD, t)
+                ::reuleaux::step_in_part(&moving, state, &HELD, ::reuleaux::Stages::<T, #whole>::mark(self), t)
             }
         };
         let part = quote! {

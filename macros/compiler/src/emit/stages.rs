@@ -1,12 +1,12 @@
 //! The generated way to solve a mechanism: stage by stage.
 
-use super::expression::{Printer, local};
+use super::expression::{Printer, local, named};
 use super::functions::Emitter;
 use super::parameters::Parameters;
 use super::routine::statement;
 use crate::expr::{Arena, Expr};
 use crate::model::{Dim, Model};
-use crate::plan::{Iterated, Lines, Part, Solution, Solving, Step, Summary};
+use crate::plan::{Iterated, Lines, Part, Solution, Solving, Step, Summary, Words};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use std::collections::BTreeMap;
@@ -26,6 +26,7 @@ impl Emitter<'_> {
         let (body, kernels) = self.solving(&solution.solving, &shelf);
         let (step, moving) = self.moving();
         let (body, prepared) = self.prepared(solution, body);
+        let mark = self.mark(solution);
         let (t, pass) = (local("t"), local("pass"));
         quote! {
             #kernels
@@ -37,6 +38,7 @@ impl Emitter<'_> {
                 #toward
                 #improved
                 #step
+                #mark
                 #[inline]
                 fn stages(
                     &self,
@@ -82,6 +84,23 @@ impl Emitter<'_> {
                     return ::core::option::Option::None;
                 }
                 ::core::option::Option::Some(Self { #fields })
+            }
+        }
+    }
+
+    /// What tells sets of parameters apart, where something may be left as it was in the state before
+    fn mark(&self, solution: &Solution) -> TokenStream {
+        let can_rest = matches!(&solution.solving, Solving::Shared(kernels) if kernels.can_rest);
+        if self.plan.moving.is_none() && !can_rest || self.model.parameters.is_empty() {
+            return quote!();
+        }
+        let all = (0..self.model.parameters.len()).map(|number| named(&Words::new(self.model, self.system).parameter(number as u32)));
+        quote! {
+            fn mark(&self) -> u64
+            where
+                T: ::reuleaux::Float,
+            {
+                ::reuleaux::mark_of(&[#(#all),*])
             }
         }
     }

@@ -218,7 +218,8 @@ fn slices(tree: &Mechanism, promised: &Outline, visibility: &TokenStream, body: 
         let word = method.name.to_string();
         let word = word.trim_start_matches("r#");
         let (name, solve_for) = (slice_name(mechanism, &promised.methods, word), format_ident!("solve_for_{word}"));
-        let (state, output, motion) = (format_ident!("{name}State"), &method.name, motion(tree, promised, method));
+        let (output, motion) = (&method.name, motion(tree, promised, method));
+        let state = slice_name(&format_ident!("{mechanism}State"), &promised.methods, word);
         // How many numbers a slice holds is not known; nobody asks.
         let solutions = solutions(&state, 1, body);
         quote! {

@@ -66,7 +66,8 @@ impl Elaborator<'_> {
         let name = &component.head.name;
         let word = name.to_string();
         if is_of_generated_type(&word) {
-            self.diag.refuse::<()>(name, Fact::GeneratedType { name: word });
+            self.diag.refuse::<()>(name, Fact::GeneratedType { name: word.clone() });
+            self.names.components.entry(word).or_insert_with(|| component.clone());
         } else if self.names.components.contains_key(&word) {
             self.diag.refuse::<()>(name, Fact::Duplicate { name: word, first: "another component" });
         } else {
@@ -330,5 +331,6 @@ pub(super) fn is_one_of_many(context: &Context) -> bool {
 /// an output, of what is prepared or moves.
 fn is_of_generated_type(word: &str) -> bool {
     let is_of_slice = word.strip_prefix("For").is_some_and(|output| output.starts_with(|first: char| first.is_uppercase() || first == '_'));
-    word.starts_with("State") || is_of_slice || ["Failure", "Prepared", "PreparedFailure", "Moving"].contains(&word)
+    let is_of_failure = word.strip_prefix("Failure").is_some_and(|rest| rest.is_empty() || rest.starts_with("For"));
+    word.starts_with("State") || is_of_failure || is_of_slice || ["Prepared", "PreparedFailure", "Moving"].contains(&word)
 }
