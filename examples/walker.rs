@@ -110,9 +110,30 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     assert_triangles(&walker, &turn);
     assert_in_step(&Walker::default())?;
+    assert_feet_alone(&walker, &turn)?;
+    print_plan();
     print_gait(&walker, &turn);
     println!("{}", picture(&walker, &turn).save("walker")?.display());
     Ok(())
+}
+
+/// The slice of the feet follows the same turn: the same motion from the same blocks.
+fn assert_feet_alone(walker: &Walker, turn: &[State]) -> Result<(), Box<dyn Error>> {
+    let alone = walker.solve_for_leg_foot();
+    for (state, whole) in alone.sweep(turn.iter().map(|state| state.t)).zip(turn) {
+        let (alone, whole) = (state?.leg_foot(), walker.leg_foot(whole));
+        for (alone, whole) in alone.into_iter().flatten().zip(whole.into_iter().flatten()) {
+            assert!((alone.value - whole.value).amax() <= 1e-15, "{alone:?} is not {whole:?}");
+        }
+    }
+    Ok(())
+}
+
+/// How the walker is solved: six legs of three loops, told by their shapes.
+fn print_plan() {
+    let (plan, feet) = (Walker::<f64>::PLAN, WalkerForLegFoot::<f64>::PLAN);
+    assert_eq!((plan.blocks().count(), feet.blocks().count()), (18, 18));
+    println!("{} loops of {} shapes; the feet alone need {}", plan.blocks().count(), plan.shapes(), feet.blocks().count());
 }
 
 fn feet(walker: &Walker, state: &State) -> Feet {

@@ -17,7 +17,7 @@ sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 WORKSPACE = HERE.parent.parent
 TARGET = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", WORKSPACE / "target")) / "peers"
-LONGEST = int(os.environ.get("LONGEST", "80"))
+LONGEST = int(os.environ.get("LONGEST", "320"))
 """Linkages of more links than this are left out: their C takes minutes to compile."""
 FLAGS = {"-O3": ["-O3"], "-O3 -march=native": ["-O3", "-march=native"]}
 METHODS = {

@@ -433,8 +433,13 @@ use proc_macro::TokenStream;
 /// | `solve_from(t, &state)` | the state at t on the branch of another one |
 /// | `advance(&mut state, t)` | the same in place |
 /// | `sweep(times)` | an iterator over states, each followed from the one before |
+/// | `prepared()` | the mechanism with everything computed that depends on its parameters only, for loops with `advance`
+/// | `solve_for_tip()` for an output `tip` | `NameForTip`: only what is upstream of it, with `solve`, `solve_from`, `advance`, `sweep` and a `PLAN` of its own; its states, `NameStateForTip`, give the output by its name, `state.tip()`
 /// | `struct NameState<T = f64>` | t, q, q̇, q̈ and more by `Deref` to `reuleaux::State` |
 /// | a body's name`()` on the state | `PlanarBody`: position, angle, velocities, accelerations, and the motion of any `point` of it |
+///
+/// With the environment variable `REULEAUX_EXPAND` set to a folder, the code of each mechanism that is compiled is written there as
+/// `Name.rs`, formatted if there is rustfmt.
 ///
 /// With components and arrays:
 ///

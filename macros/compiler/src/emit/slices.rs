@@ -65,7 +65,7 @@ impl Emitter<'_> {
                 fn toward(&self, share: T) -> ::core::option::Option<Self> {
                     ::core::option::Option::map(::reuleaux::Stages::<T, #whole>::toward(&self.0, share), Self)
                 }
-                #[inline]
+                #[inline(always)]
                 fn stages(&self, t: T, pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { self.0.#stages(t, pass) }
             }
             #solving
@@ -184,7 +184,7 @@ impl Emitter<'_> {
             #[automatically_derived]
             impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> {
                 #constants
-                #[inline]
+                #[inline(always)]
                 fn stages(&self, t: T, pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { self.0.#stages(&self.1, t, pass) }
             }
         };

@@ -39,7 +39,7 @@ impl Emitter<'_> {
                 #improved
                 #step
                 #mark
-                #[inline]
+                #[inline(always)]
                 fn stages(
                     &self,
                     #t: T,
