@@ -220,13 +220,13 @@ fn picture(walker: &Walker, turn: &[State]) -> Plate {
     let axle = turn.iter().map(|state| (crank(state), -lowest(feet(walker, state)) * 1e3));
     Plate::new("A walker of six legs", scene, Abscissa { name: "crank angle, clockwise, in °", range: 0.0..360.0, step: 60.0 })
         .diagram(
-            Diagram::new("height of the left feet in mm")
+            Diagram::new("left feet in mm")
                 .curve(Ink::Trace, "leg[0][0]", height(0, 0))
                 .curve(Ink::Coupler, "leg[1][0]", height(1, 0))
                 .curve(Ink::Second, "leg[2][0]", height(2, 0))
                 .circles("triangles", exact),
         )
-        .diagram(Diagram::new("height of the axle in mm").curve(Ink::Output, "over the lowest foot", axle))
+        .diagram(Diagram::new("axle in mm").curve(Ink::Output, "over the lowest foot", axle))
 }
 
 /// One pair of legs, and the crank.

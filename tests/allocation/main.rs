@@ -4,6 +4,7 @@ use allocation_counter::measure;
 use reuleaux::nalgebra::SVector;
 use reuleaux::wide::{Lockstep, f64x4};
 use reuleaux::{Mechanism, Stages};
+use reuleaux_tests::blocks::SixPlates;
 use reuleaux_tests::mechanisms::{FourBarCrankRocker, HydraulicLoader, SliderCrank, TheoJansenLeg, TwoStageGearTrain};
 use reuleaux_tests::stress::RockerDrivenFourBar;
 
@@ -43,6 +44,36 @@ fn reference_mechanisms_need_none() {
     check(&TheoJansenLeg::default());
     check(&HydraulicLoader::default());
     check(&TwoStageGearTrain::default());
+}
+
+reuleaux::mechanism! {
+    /// Four-bars side by side, half of them at rest.
+    pub mechanism Row {
+        param incline: Angle = 10deg;
+        component FourBar(O: Point, C: Point, law: Angle) {
+            body crank { point A = (100mm * cos(incline) / cos(10deg), 0mm); }
+            body coupler { point B = (350mm, 0mm); start angle = 30deg; }
+            body rocker { point B = (300mm, 0mm); start angle = 70deg; }
+            joint o = revolute(O, crank.position);
+            joint a = revolute(crank.A, coupler.position);
+            joint b = revolute(coupler.B, rocker.B);
+            joint c = revolute(rocker.position, C);
+            drive input = drive_angle(crank, law);
+        }
+        ground { for i in 0..20 { point O[i] = (i * 1m, 0m); point C[i] = (i * 1m + 400mm, 0m); } }
+        for i in 0..10 { part still[i] = FourBar(ground.O[i], ground.C[i], 20deg * i); }
+        for i in 10..20 { part moving[i - 10] = FourBar(ground.O[i], ground.C[i], 20deg * i + 1rad_s * t); }
+        output tip = moving[3].rocker.B;
+    }
+}
+
+#[test]
+fn shared_code_slices_and_large_blocks_need_none() {
+    let row = Row { incline: 0.2 };
+    check(&row);
+    check(&row.prepared());
+    check(&row.solve_for_tip());
+    check(&SixPlates::default());
 }
 
 #[test]
