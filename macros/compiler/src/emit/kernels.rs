@@ -3,7 +3,8 @@
 use super::columns::Columns;
 use super::expression::local;
 use super::functions::Emitter;
-use super::stages::{Index, Scene, Shelf, number, pair};
+use super::scene::{Scene, pair};
+use super::stages::{Index, Shelf, number};
 use crate::expr::{Leaf, Node};
 use crate::model::Dim;
 use crate::plan::{Kernel, Kernels, Part, Words};

@@ -17,6 +17,7 @@ mod parameters;
 mod prepared;
 mod rolled;
 mod routine;
+mod scene;
 mod slices;
 mod stages;
 mod state;

@@ -2,7 +2,8 @@
 
 use super::expression::local;
 use super::functions::Emitter;
-use super::stages::{Scene, Shelf, iterated};
+use super::scene::Scene;
+use super::stages::{Shelf, iterated};
 use super::{solving, state_name};
 use crate::plan::{Lines, Solution, Solving};
 use proc_macro2::{Ident, Span, TokenStream};

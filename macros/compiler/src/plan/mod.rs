@@ -4,6 +4,7 @@
 //! once, and results that refer to them. Not done here: printing.
 
 mod elimination;
+mod joints;
 mod kernels;
 mod linear;
 mod magnitude;
@@ -14,6 +15,7 @@ mod shape;
 mod slice;
 mod solution;
 mod stages;
+mod words;
 
 pub use elimination::Elimination;
 pub use kernels::{Kernel, Kernels};
@@ -23,16 +25,18 @@ pub use shape::{Column, Shape};
 pub use slice::Slice;
 pub use solution::{Iterated, Lines, Part, Solution, Solving, Summary};
 pub use stages::{Iteration, Stage};
+pub(crate) use words::Words;
 
 use crate::closure::{Closure, Poses};
 use crate::expr::{Arena, Expr, Leaf};
 use crate::model::{Dim, Model};
 use crate::structure::Structure;
-use crate::system::{Equation, Output, System};
+use crate::system::{Output, System};
+use joints::Joints;
 use rolled::Cell;
 use shape::Tracer;
 use solution::Frame;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// Everything that is generated, as straight lines.
 #[derive(Clone, Debug)]
@@ -223,64 +227,6 @@ fn solving(
     (solution::solution(&frame, stages, true), slices, slice::moving(&frame, stages))
 }
 
-/// The equations of a system, joint by joint.
-struct Joints<'a> {
-    /// Each with its number.
-    joints: Vec<Vec<(u32, &'a Equation)>>,
-}
-
-impl<'a> Joints<'a> {
-    fn new(system: &'a System) -> Joints<'a> {
-        let mut joints: Vec<Vec<(u32, &Equation)>> = Vec::new();
-        for (row, equation) in system.equations.iter().enumerate() {
-            match joints.last_mut() {
-                Some(joint) if joint.last().is_some_and(|(_, last)| last.joint == equation.joint) => joint.push((row as u32, equation)),
-                _ => joints.push(vec![(row as u32, equation)]),
-            }
-        }
-        Joints { joints }
-    }
-
-    /// One result for each equation.
-    fn rows(&self, of: impl Fn(&Equation) -> Option<Expr>) -> Vec<Cell> {
-        let cell =
-            |joint: &Vec<(u32, &Equation)>| joint.iter().filter_map(|(row, equation)| Some((Target::Row(*row), of(equation)?))).collect();
-        self.joints.iter().map(cell).collect()
-    }
-
-    /// The entries of Φ_q in a list.
-    fn entries(&self) -> Vec<Cell> {
-        let mut number = 0;
-        let mut next = || {
-            number += 1;
-            Target::Row(number - 1)
-        };
-        let cell = |joint: &Vec<(u32, &Equation)>| {
-            joint.iter().flat_map(|(_, equation)| &equation.jacobian).map(|(_, entry)| (next(), *entry)).collect()
-        };
-        self.joints.iter().map(cell).collect()
-    }
-
-    /// Φ, then the entries of Φ_q with their places.
-    fn linearized(&self) -> Vec<Cell> {
-        let entries = |(row, equation): &(u32, &'a Equation)| {
-            let row = *row;
-            equation.jacobian.iter().map(move |(column, entry)| (Target::Entry(row, *column as u32), *entry)).collect::<Vec<_>>()
-        };
-        let cells = self.rows(|equation| equation.phi).into_iter().zip(&self.joints);
-        cells.map(|(phi, joint)| phi.into_iter().chain(joint.iter().flat_map(entries)).collect()).collect()
-    }
-
-    /// Row and column of each entry of Φ_q.
-    fn pattern(&self) -> Vec<(usize, usize)> {
-        let entries = |(row, equation): &(u32, &'a Equation)| {
-            let row = *row as usize;
-            equation.jacobian.iter().map(move |(column, _)| (row, *column)).collect::<Vec<_>>()
-        };
-        self.joints.iter().flatten().flat_map(entries).collect()
-    }
-}
-
 /// Each length once, zeros left out.
 fn distinct(arena: &Arena, lengths: &[Expr]) -> Vec<Expr> {
     let mut distinct = lengths.to_vec();
@@ -288,78 +234,4 @@ fn distinct(arena: &Arena, lengths: &[Expr]) -> Vec<Expr> {
     distinct.dedup();
     distinct.retain(|length| !arena.as_constant(*length).is_some_and(|value| value.is_zero()));
     distinct
-}
-
-/// The user's words for leaves.
-#[derive(Clone)]
-pub(crate) struct Words {
-    coordinates: Vec<String>,
-    /// `self.` before those that are fields.
-    parameters: Vec<String>,
-}
-
-impl Words {
-    /// From the names of bodies, coordinates and parameters.
-    pub(crate) fn new(model: &Model, system: &System) -> Words {
-        let coordinate = |unknown: &crate::system::Unknown| format!("{}_{}", model.bodies[unknown.body].name.local, unknown.name);
-        Words {
-            coordinates: system.unknowns.iter().map(coordinate).collect(),
-            parameters: model.parameters.iter().map(|parameter| format!("self.{}", parameter.name)).collect(),
-        }
-    }
-
-    /// With words for the components of an output.
-    fn with_outputs(&self, components: usize) -> Words {
-        let mut words = self.clone();
-        for index in 0..components {
-            let mut name = format!("output_{index}");
-            while words.coordinates.contains(&name) {
-                name.push('_');
-            }
-            words.coordinates.push(name);
-        }
-        words
-    }
-
-    /// The words for a shape: what its first piece is called, without the numbers.
-    fn of_shape(&self, shape: &Shape) -> Words {
-        let mut coordinates = Vec::new();
-        for unknown in &shape.unknowns {
-            let plain: String = self.coordinates[unknown.at(0) as usize].chars().filter(|letter| !letter.is_ascii_digit()).collect();
-            let plain = plain.replace("__", "_");
-            let others = coordinates.iter().filter(|other: &&String| other.starts_with(&plain)).count();
-            coordinates.push(if others == 0 { plain } else { format!("{plain}_{}", others + 1) });
-        }
-        let parameter = |(slot, column): (usize, &Column<u32>)| match column {
-            Column::Same(number) => self.parameters[*number as usize].clone(),
-            _ => format!("p{slot}"),
-        };
-        Words { coordinates, parameters: shape.parameters.iter().enumerate().map(parameter).collect() }
-    }
-
-    /// The names of all leaves but parameters, which no step may have.
-    fn taken(&self) -> BTreeSet<String> {
-        let motion = [Leaf::Coordinate, Leaf::Velocity, Leaf::Acceleration];
-        let of_unknown = |index: usize| motion.map(|leaf| self.leaf(leaf(index as u32)));
-        // Data and parameters that are no fields have numbered names, as steps have, but with letters of their own.
-        (0..self.coordinates.len()).flat_map(of_unknown).chain([self.leaf(Leaf::Time)]).collect()
-    }
-
-    /// The parameter of this number in generated code.
-    pub(crate) fn parameter(&self, number: u32) -> String {
-        self.parameters.get(number as usize).cloned().unwrap_or_default()
-    }
-
-    /// The name of a leaf in generated code.
-    pub(crate) fn leaf(&self, leaf: Leaf) -> String {
-        let coordinate = |index: u32| self.coordinates.get(index as usize).cloned().unwrap_or_default();
-        match leaf {
-            Leaf::Time => "t".to_owned(),
-            Leaf::Datum(index) => format!("d{index}"),
-            Leaf::Parameter(index) => self.parameters.get(index as usize).cloned().unwrap_or_default(),
-            Leaf::Coordinate(index) => coordinate(index),
-            Leaf::Velocity(index) => coordinate(index) + "_rate",
-            Leaf::Acceleration(index) => coordinate(index) + "_acceleration",
-        }
-    }
 }

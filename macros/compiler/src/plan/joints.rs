@@ -1,0 +1,63 @@
+//! The equations of a system joint by joint, with where their parts go.
+
+use super::rolled::{Cell, Target};
+use crate::expr::Expr;
+use crate::system::{Equation, System};
+
+/// The equations of a system, joint by joint.
+pub(super) struct Joints<'a> {
+    /// Each with its number.
+    joints: Vec<Vec<(u32, &'a Equation)>>,
+}
+
+impl<'a> Joints<'a> {
+    pub(super) fn new(system: &'a System) -> Joints<'a> {
+        let mut joints: Vec<Vec<(u32, &Equation)>> = Vec::new();
+        for (row, equation) in system.equations.iter().enumerate() {
+            match joints.last_mut() {
+                Some(joint) if joint.last().is_some_and(|(_, last)| last.joint == equation.joint) => joint.push((row as u32, equation)),
+                _ => joints.push(vec![(row as u32, equation)]),
+            }
+        }
+        Joints { joints }
+    }
+
+    /// One result for each equation.
+    pub(super) fn rows(&self, of: impl Fn(&Equation) -> Option<Expr>) -> Vec<Cell> {
+        let cell =
+            |joint: &Vec<(u32, &Equation)>| joint.iter().filter_map(|(row, equation)| Some((Target::Row(*row), of(equation)?))).collect();
+        self.joints.iter().map(cell).collect()
+    }
+
+    /// The entries of Φ_q in a list.
+    pub(super) fn entries(&self) -> Vec<Cell> {
+        let mut number = 0;
+        let mut next = || {
+            number += 1;
+            Target::Row(number - 1)
+        };
+        let cell = |joint: &Vec<(u32, &Equation)>| {
+            joint.iter().flat_map(|(_, equation)| &equation.jacobian).map(|(_, entry)| (next(), *entry)).collect()
+        };
+        self.joints.iter().map(cell).collect()
+    }
+
+    /// Φ, then the entries of Φ_q with their places.
+    pub(super) fn linearized(&self) -> Vec<Cell> {
+        let entries = |(row, equation): &(u32, &'a Equation)| {
+            let row = *row;
+            equation.jacobian.iter().map(move |(column, entry)| (Target::Entry(row, *column as u32), *entry)).collect::<Vec<_>>()
+        };
+        let cells = self.rows(|equation| equation.phi).into_iter().zip(&self.joints);
+        cells.map(|(phi, joint)| phi.into_iter().chain(joint.iter().flat_map(entries)).collect()).collect()
+    }
+
+    /// Row and column of each entry of Φ_q.
+    pub(super) fn pattern(&self) -> Vec<(usize, usize)> {
+        let entries = |(row, equation): &(u32, &'a Equation)| {
+            let row = *row as usize;
+            equation.jacobian.iter().map(move |(column, _)| (row, *column)).collect::<Vec<_>>()
+        };
+        self.joints.iter().flatten().flat_map(entries).collect()
+    }
+}
