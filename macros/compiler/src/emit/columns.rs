@@ -49,7 +49,7 @@ impl Columns {
             quote!([#(#entries),*])
         });
         quote! {
-            const #rows: [[u32; #width]; #count] = [#(#lines),*];
+            static #rows: [[u32; #width]; #count] = [#(#lines),*];
             let #row = &#rows[#piece];
         }
     }
@@ -66,7 +66,7 @@ impl Columns {
         let indices = (0..width).map(number);
         let table = (width > 0).then(|| {
             quote! {
-                const #data: [[f64; #width]; #count] = [#(#lines),*];
+                static #data: [[f64; #width]; #count] = [#(#lines),*];
                 #(let #names = T::of(#data[#piece][#indices]);)*
             }
         });

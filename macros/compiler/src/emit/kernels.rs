@@ -37,7 +37,7 @@ impl Emitter<'_> {
             Some(quote!(#turns[#place] = #found.q[#place].turn();))
         });
         quote! {
-                const ORDER: [u16; #length] = [#(#order),*];
+                static ORDER: [u16; #length] = [#(#order),*];
                 const CONSTANTS: &[(usize, f64)] = &[#(#constants),*];
                 let mut #found = ::reuleaux::Coordinates::zero();
                 for (unknown, value) in CONSTANTS {
@@ -47,7 +47,7 @@ impl Emitter<'_> {
                 let mut #turns = [(T::of(0.0), T::of(1.0)); #n];
                 #(#turned)*
                 let mut pieces = [0usize; #count];
-                for shape in ORDER {
+                for &shape in &ORDER {
                     let #piece = pieces[shape as usize];
                     pieces[shape as usize] += 1;
                     match shape {
