@@ -380,3 +380,34 @@ fn shared_code_finds_the_parameters_of_each_part() {
     let double = Curtain::default().solve_for_end().solve(0.3).unwrap().end().value;
     assert!((f64::from(single.x) - double.x).abs() <= 1e-5 && (f64::from(single.y) - double.y).abs() <= 1e-5);
 }
+
+mechanism! {
+    /// A four-bar that is set from one place to another, beside one that is held and a wheel that turns.
+    pub mechanism Switch {
+        component FourBar(O: Point, C: Point, law: Angle) {
+            body crank { point A = (100mm, 0mm); }
+            body coupler { point B = (350mm, 0mm); start angle = 30deg; }
+            body rocker { point B = (300mm, 0mm); start angle = 70deg; }
+            joint o = revolute(O, crank.position);
+            joint a = revolute(crank.A, coupler.position);
+            joint b = revolute(coupler.B, rocker.B);
+            joint c = revolute(rocker.position, C);
+            drive input = drive_angle(crank, law);
+        }
+        ground { point O = (0m, 0m); point C = (400mm, 0m); point P = (1m, 0m); point Q = (1400mm, 0m); }
+        part set = FourBar(ground.O, ground.C, if t < 0.5s { 20deg } else { 24deg });
+        part still = FourBar(ground.P, ground.Q, 20deg);
+        body wheel { }
+        joint axle = revolute(ground.O, wheel.position);
+        drive motor = drive_angle(wheel, 1rad_s * t);
+    }
+}
+
+#[test]
+fn what_jumps_does_not_rest() {
+    let switch = Switch::default();
+    let mut state = switch.solve(0.4).unwrap();
+    switch.advance(&mut state, 0.6).unwrap();
+    assert!(switch.phi(&state.q, 0.6).amax() <= 1e-15, "{}", switch.phi(&state.q, 0.6).amax());
+    assert!((state.set().crank().angle - 24f64.to_radians()).abs() <= 1e-15);
+}

@@ -59,7 +59,7 @@ impl Kernels {
             shapes.into_iter().enumerate().map(|(number, shape)| kernel(shape, member(number).collect(), &turned[number], words)).collect();
         keep_turns(&mut kernels, &turned);
         let blocks = blocks(&kernels, &order, &runs);
-        let is_driven = |stage: &&Stage| matches!(stage, Stage::Explicit { .. }) && depends_on_time(frame, stage);
+        let is_driven = |stage: &&Stage| matches!(stage, Stage::Explicit { .. }) && stage.depends_on_time(frame.arena);
         let can_rest = stages.iter().filter(is_driven).count() > 1;
         Kernels { kernels, order, constants, can_rest, blocks }
     }
@@ -136,11 +136,6 @@ fn runs<'a>(frame: &Frame, stages: &'a [Stage]) -> (Vec<Run<'a>>, Vec<(usize, f6
         }
     }
     (runs, constants)
-}
-
-/// Time itself is in a stage.
-fn depends_on_time(frame: &Frame, stage: &Stage) -> bool {
-    stage.results().iter().any(|result| frame.arena.leaves(*result).contains(&Leaf::Time))
 }
 
 /// Local unknowns whose sine or cosine occurs.

@@ -48,7 +48,8 @@ pub(super) fn upstream(frame: &Frame, stages: &[Stage], output: &Output, n: usiz
 
 /// What moves, if there are blocks that do not: these need not be solved for every moment.
 pub(super) fn moving(frame: &Frame, stages: &[Stage]) -> Option<Slice> {
-    let rests = |stage: &Stage| stage.rests(frame.arena);
+    let timed = timed(frame.arena, stages);
+    let rests = |stage: &Stage| !stage.unknowns().iter().any(|unknown| timed.contains(unknown));
     if !stages.iter().any(|stage| matches!(stage, Stage::Block(_)) && rests(stage)) || stages.iter().all(rests) {
         return None;
     }
@@ -65,6 +66,17 @@ pub(super) fn moving(frame: &Frame, stages: &[Stage]) -> Option<Slice> {
     Some(Slice { given, held: held.into_iter().collect(), solution })
 }
 
+/// The unknowns that depend on time, be it in jumps only, which have no rate.
+fn timed(arena: &Arena, stages: &[Stage]) -> BTreeSet<usize> {
+    let mut timed = BTreeSet::new();
+    for stage in stages {
+        if stage.depends_on_time(arena) || leaves(arena, stage).iter().any(|unknown| timed.contains(unknown)) {
+            timed.extend(stage.unknowns());
+        }
+    }
+    timed
+}
+
 /// The unknowns in the expressions of a stage.
 fn leaves(arena: &Arena, stage: &Stage) -> BTreeSet<usize> {
     let leaf = |leaf: &Leaf| match leaf {
@@ -76,12 +88,13 @@ fn leaves(arena: &Arena, stage: &Stage) -> BTreeSet<usize> {
 
 /// A prediction needs what is iterated, the test of a step angles that are computed; shared code hands everything on in arrays.
 fn held(frame: &Frame, stages: &[Stage], solving: &Solving, n: usize) -> Vec<usize> {
+    let timed = timed(frame.arena, stages);
     let is_held = |stage: &&Stage| match stage {
         Stage::Block(_) => true,
         Stage::Explicit { unknown, motion, .. } => {
             let is_constant = motion.iter().all(|expr| frame.arena.as_constant(*expr).is_some());
             let is_shared = matches!(solving, Solving::Shared(_));
-            *unknown >= n || !is_constant && (is_shared || frame.is_angle[*unknown] && !stage.rests(frame.arena))
+            *unknown >= n || !is_constant && (is_shared || frame.is_angle[*unknown] && timed.contains(unknown))
         }
     };
     let mut held: Vec<usize> = stages.iter().filter(is_held).flat_map(Stage::unknowns).copied().collect();

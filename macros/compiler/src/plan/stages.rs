@@ -38,13 +38,9 @@ impl Stage {
         }
     }
 
-    /// Nothing moves what it finds.
-    pub(super) fn rests(&self, arena: &Arena) -> bool {
-        let is_zero = |expr: &Expr| arena.as_constant(*expr).is_some_and(|value| value.is_zero());
-        match self {
-            Stage::Explicit { motion: [_, rate, acceleration], .. } => is_zero(rate) && is_zero(acceleration),
-            Stage::Block(system) => system.rates.iter().chain(&system.accelerations).all(is_zero),
-        }
+    /// Time itself is in its expressions.
+    pub(super) fn depends_on_time(&self, arena: &Arena) -> bool {
+        self.results().iter().any(|result| arena.leaves(*result).contains(&Leaf::Time))
     }
 
     /// Everything that is computed for it.
