@@ -8,7 +8,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use reuleaux::{Real, Table};
 
 /// `high` + `low`, with `low` below a rounding of `high`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Twofold {
     /// The nearest double.
     pub high: f64,
@@ -49,6 +49,12 @@ impl Twofold {
             total = total + term;
         }
         total
+    }
+}
+
+impl From<f64> for Twofold {
+    fn from(value: f64) -> Self {
+        Self::of(value)
     }
 }
 

@@ -4,16 +4,18 @@
 //! corrections from doubles and its residuals from numbers of twice the precision, until those vanish; velocities and
 //! accelerations are refined in the same way.
 
-mod twofold;
-
+use reuleaux::Real;
 use reuleaux::nalgebra::{DMatrix, DVector, Dyn, LU};
 
 use crate::contender::Seen;
 use crate::hand::Law;
 use crate::linkage::{Bar, Linkage};
-use twofold::{TAU, Twofold};
+use reuleaux_tests::common::twofold::Twofold;
 
 type Vector = [Twofold; 2];
+
+/// 2π
+const TAU: Twofold = Twofold { high: std::f64::consts::TAU, low: 2.449_293_598_294_706_4e-16 };
 
 /// Place, velocity and acceleration of a point.
 type Levels = [Vector; 3];
@@ -52,12 +54,12 @@ fn pin(linkage: &Linkage, t: f64) -> Levels {
     let [angle, rate, acceleration] = match linkage.crank.law {
         Law::Turning => [turn, TAU, zero],
         Law::Swinging => {
-            let (sine, cosine) = turn.sincos();
+            let (sine, cosine) = turn.sin_cos();
             let swing = Twofold::from(0.8);
             [TAU * 0.25.into() + swing * sine, swing * TAU * cosine, -(swing * TAU * TAU * sine)]
         }
     };
-    let (sine, cosine) = angle.sincos();
+    let (sine, cosine) = angle.sin_cos();
     let length = Twofold::from(linkage.crank.length);
     let (along, across) = ([length * cosine, length * sine], [-(length * sine), length * cosine]);
     let pivot = linkage.crank.pivot;
