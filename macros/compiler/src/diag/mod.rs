@@ -1,9 +1,10 @@
 //! The sink into which every room puts its refusals, and where they lie.
 //!
 //! In: facts and the tokens they are about. Out: `compile_error!` tokens, one block per refusal.
-//! Not done here: words. `fact.rs` alone turns a fact into a sentence.
+//! Not done here: words. `message.rs` alone turns a fact into a sentence.
 
 mod fact;
+mod message;
 
 pub use fact::Fact;
 

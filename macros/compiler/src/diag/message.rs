@@ -1,0 +1,394 @@
+//! Every sentence the compiler says. Rooms report facts with their numbers; this page alone has words.
+//!
+//! A message starts lower-case and ends without a full stop; code stands in backticks; what to
+//! type comes after `help:`, a further fact after `note:`.
+
+use super::Fact;
+use crate::model::Dim;
+use std::fmt;
+
+/// `, did you mean …` as a help line, or nothing.
+fn did_you_mean(near: &Option<String>) -> String {
+    near.as_ref().map_or(String::new(), |near| format!("\nhelp: did you mean `{near}`?"))
+}
+
+/// `a`, `b` and `c`
+fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let mut names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
+    match names.pop() {
+        Some(last) if !names.is_empty() => format!("{} and {last}", names.join(", ")),
+        Some(only) => only,
+        None => String::new(),
+    }
+}
+
+/// `a`, `b` and `c`; of many the first few.
+fn list(names: &[String]) -> String {
+    const MOST: usize = 6;
+    let first = names.iter().take(MOST).map(String::as_str);
+    match names.len() {
+        0 => "nothing".to_owned(),
+        many if many > MOST => format!("{} and {} more", first.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "), many - MOST),
+        _ => listed(first),
+    }
+}
+
+fn plural(count: usize, noun: &str) -> String {
+    match (count, noun.strip_suffix('y')) {
+        (1, _) => format!("1 {noun}"),
+        (_, Some(stem)) => format!("{count} {stem}ies"),
+        (_, None) => format!("{count} {noun}s"),
+    }
+}
+
+/// `2 arguments`, `2 or 3 arguments`, `2 to 4 arguments`
+fn range_of([least, most]: &[usize; 2], noun: &str) -> String {
+    match most - least {
+        0 => plural(*most, noun),
+        1 => format!("{least} or {}", plural(*most, noun)),
+        _ => format!("{least} to {}", plural(*most, noun)),
+    }
+}
+
+impl fmt::Display for Fact {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Fact::Syntax { message } => write!(f, "{message}"),
+            Fact::Expected { what, found } => write!(f, "expected {what}, found {found}"),
+            Fact::NotANumber { found } => write!(f, "expected a number, found {found}"),
+            Fact::TooDeep { limit } => {
+                write!(f, "this is nested more than {limit} deep\nhelp: name parts of it with `let`")
+            }
+            Fact::Keyword { word } => write!(f, "`{word}` is a word of Rust and cannot be a name\nhelp: write `{word}_`"),
+            Fact::NumberType => write!(f, "`T` is the number type of generated code\nhelp: choose another name for the mechanism"),
+            Fact::UnknownAttribute { name } => {
+                write!(
+                    f,
+                    "`#[{name}]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]` before `mechanism`"
+                )
+            }
+            Fact::TokensAfter { what, help } => write!(f, "nothing may follow {what}\nhelp: {help}"),
+            Fact::UnknownItem { word } => {
+                let known = ["param", "let", "ground", "body", "joint", "drive", "output", "part", "for", "component", "function", "use"];
+                // Words as short as `for` are near to many others: they come last.
+                let (rare, often): (Vec<&str>, Vec<&str>) = known.iter().partition(|known| matches!(**known, "part" | "for"));
+                let near = crate::model::suggest::nearest;
+                let near = near(word, often.into_iter()).or_else(|| near(word, rare.into_iter()));
+                write!(f, "`{word}` is no item of a mechanism{}", did_you_mean(&near))?;
+                write!(f, "\nnote: items are {}", listed(known.into_iter()))
+            }
+            Fact::UnknownBodyItem { word } => {
+                let near = crate::model::suggest::nearest(word, ["point", "axis", "start"].into_iter());
+                write!(f, "`{word}` is no item of a body{}\nnote: a body has `point`, `axis` and `start`", did_you_mean(&near))
+            }
+            Fact::OneArgument => write!(f, "a function here has one argument"),
+            Fact::PairWithoutParentheses { what } => write!(f, "{what} has two coordinates in parentheses\nhelp: write `(x, y)`"),
+            Fact::PathOfConstraint { path, last } => {
+                write!(f, "a joint names its constraint by a single word\nhelp: write `use {path};` above, and `{last}(…)` here")
+            }
+            Fact::DoubleStar => write!(f, "`**` is no operator\nhelp: a power is written `a^b`"),
+            Fact::MethodCall { name } => write!(f, "there are no methods here\nhelp: write `{name}(value)` for `value.{name}()`"),
+            Fact::SpaceBeforeUnit { number, unit } => {
+                if crate::model::unit::lookup(unit).is_some() {
+                    return write!(f, "a unit stands right behind its number\nhelp: write `{number}{unit}`");
+                }
+                write!(f, "an operator is missing between `{number}` and `{unit}`\nhelp: write `{number} * {unit}`")
+            }
+            Fact::ExponentTooLarge { limit } => write!(f, "the exponent of a dimension is at most {limit}"),
+
+            Fact::OnlyAtTheTop { word } => {
+                write!(f, "`{word}` stands in the mechanism itself, not in a component or a loop\nhelp: move it out")
+            }
+            Fact::StartInLoop => write!(f, "a body starts once: `start` cannot be repeated\nhelp: move it out of the loop"),
+            Fact::IndexInEquations { name } => {
+                write!(f, "`{name}` cannot have an index: there are no arrays among equations\nhelp: declare the array in the mechanism")
+            }
+
+            Fact::WithoutIndex { name, variable } => {
+                write!(f, "every round of the loop would declare another `{name}`\nhelp: write `{name}[{variable}]`")
+            }
+            Fact::DuplicateInLoop { name, variable } => {
+                write!(f, "`{name}` is declared twice\nhelp: every loop around it needs an index of its own, such as `[{variable}]`")
+            }
+            Fact::ArrayWithoutIndex { name } => write!(f, "`{name}` is an array\nhelp: say which one, such as `{name}[0]`"),
+            Fact::NoArray { found, is_member: false } => write!(f, "{found} has no index\nhelp: take `[…]` away"),
+            Fact::NoArray { found, is_member: true } => write!(f, "{found} has no further index\nhelp: take the last `[…]` away"),
+            Fact::IndexOutOfRange { name, index, ends } => {
+                write!(f, "there is no `{name}[{index}]`")?;
+                match ends {
+                    Some((first, last)) if first == last => write!(f, "\nnote: there is `{name}[{first}]` only"),
+                    Some((first, last)) => write!(f, "\nnote: there are `{name}[{first}]` to `{name}[{last}]`"),
+                    None => Ok(()),
+                }
+            }
+            Fact::NegativeIndex { index } => write!(f, "an index counts from 0, this one is {index}"),
+            Fact::MissingIndex { missing, known } => {
+                write!(f, "there is `{known}` but no `{missing}`\nhelp: the indices of an array run from 0 without gaps")
+            }
+            Fact::NotWhole { found } => {
+                write!(
+                    f,
+                    "expected a whole number, found {found}\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %"
+                )
+            }
+            Fact::NotKnownWhole => {
+                write!(f, "how many there are cannot change at run time\nhelp: declare the number with `let`, such as `let count = 6;`")
+            }
+            Fact::EmptyRange { from, end } => write!(f, "this loop runs over nothing: from {from} to below {end}"),
+            Fact::LongRange { limit } => write!(f, "a loop has at most {limit} rounds"),
+            Fact::TooManyItems { limit } => write!(f, "loops and parts make more than {limit} items"),
+            Fact::UnknownComponent { name, is_constraint: true, .. } => {
+                write!(f, "`{name}` is a constraint, not a component\nhelp: write `joint name = {name}(…);`")
+            }
+            Fact::UnknownComponent { name, near, .. } => {
+                write!(f, "no component is called `{name}`{}", did_you_mean(near))?;
+                if near.is_none() { write!(f, "\nhelp: declare it with `component {name}(…) {{ … }}`") } else { Ok(()) }
+            }
+            Fact::ComponentAsConstraint { name } => {
+                write!(f, "`{name}` is a component, not a constraint\nhelp: write `part name = {name}(…);`")
+            }
+            Fact::ComponentRecursion { name } => write!(f, "the component `{name}` contains itself"),
+            Fact::OutsideOfComponent { name, what } => {
+                write!(f, "a component does not see `{name}`, {what} outside of it\nhelp: take it as an argument")
+            }
+            Fact::UnlikeParts { name, component } => {
+                write!(f, "`{name}` has not the same bodies, parameters, parts and outputs as the first `{component}`")?;
+                write!(f, "\nhelp: loops and indices in a component may not depend on its arguments in such a way")
+            }
+            Fact::UnlikeOutputs { name } => {
+                write!(f, "the outputs `{name}` measure different things\nhelp: give outputs of another kind another name")
+            }
+            Fact::GeneratedType { name } => {
+                write!(f, "a component cannot be called `{name}`: a generated type would have that name\nhelp: choose another name")
+            }
+            Fact::InInstance { place, fact } => write!(f, "{fact}\nnote: {place}"),
+
+            Fact::UnitAlone { name } => {
+                write!(
+                    f,
+                    "nothing is called `{name}` here\nhelp: a unit belongs to a number, as in `1{name}`; that of a rate is one word, as in `1rad_s`"
+                )
+            }
+            Fact::UnknownName { name, near } => write!(f, "nothing is called `{name}` here{}", did_you_mean(near)),
+            Fact::UnknownField { owner, name, near, known } => {
+                write!(f, "{owner} has no `{name}`{}", did_you_mean(near))?;
+                if near.is_none() && !known.is_empty() {
+                    write!(f, "\nnote: it has {}", listed(known.iter().map(String::as_str)))?;
+                }
+                Ok(())
+            }
+            Fact::UnknownFunction { name, is_constraint: true, .. } => {
+                write!(f, "`{name}` is a constraint, not a function\nhelp: write `joint name = {name}(…);`")
+            }
+            Fact::UnknownFunction { name, near, .. } => write!(f, "no function is called `{name}`{}", did_you_mean(near)),
+            Fact::UnknownConstraint { name, near } => {
+                write!(f, "no constraint is called `{name}`{}", did_you_mean(near))?;
+                if near.is_none() {
+                    write!(f, "\nhelp: bring in your own with `use path::to::{name};`")?;
+                }
+                Ok(())
+            }
+            Fact::UnknownUnit { name, .. } if name == "Hz" => {
+                write!(f, "no unit is called `Hz`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`")
+            }
+            Fact::UnknownUnit { name, near } => {
+                write!(f, "no unit is called `{name}`{}", did_you_mean(near))?;
+                if near.is_none() {
+                    write!(f, "\nnote: there are {}", listed(crate::model::unit::names()))?;
+                }
+                Ok(())
+            }
+            Fact::UnknownDimension { name, near } => {
+                write!(f, "no dimension is called `{name}`{}", did_you_mean(near))?;
+                if near.is_none() {
+                    write!(f, "\nnote: there are {}", listed(Dim::names()))?;
+                }
+                Ok(())
+            }
+            Fact::UnknownStart { name, near } => {
+                write!(f, "a body does not start with `{name}`{}\nnote: it starts with `x`, `y`, `position` or `angle`", did_you_mean(near))
+            }
+            Fact::NotAConstraint { name } => {
+                write!(f, "`{name}` is not a constraint\nhelp: `use` brings in what `reuleaux::constraint!` defines")
+            }
+            Fact::UnknownKind { name, near } => {
+                write!(f, "no parameter can take `{name}`{}", did_you_mean(near))?;
+                if near.is_none() {
+                    write!(
+                        f,
+                        "\nnote: it takes a `Point`, `Axis`, `Body`, `Quantity`, `Function(…) -> …`, `Joint(…)`, or a dimension such as `Length`"
+                    )?;
+                }
+                Ok(())
+            }
+            Fact::Duplicate { name, first } => write!(f, "the name `{name}` is taken: {first} has it\nhelp: choose another name"),
+            Fact::DuplicateMark { name, body } => write!(f, "`{body}` has another `{name}` already\nhelp: choose another name"),
+            Fact::DuplicateStart { name, body } => write!(f, "the start of `{body}` gives `{name}` twice"),
+            Fact::DuplicateGround => write!(f, "there is one ground only\nhelp: put all its points and axes into one `ground {{ … }}`"),
+            Fact::Reserved { name } => write!(f, "`{name}` has a meaning of its own in expressions\nhelp: choose another name"),
+            Fact::Generated { name } => {
+                write!(f, "an output cannot be called `{name}`: a generated function has that name\nhelp: choose another name")
+            }
+            Fact::Cycle { name } => write!(f, "`{name}` depends on itself"),
+            Fact::Recursion { name } => write!(f, "the function `{name}` calls itself"),
+
+            Fact::TooManyArguments { definition, signature, takes, found } => {
+                write!(f, "`{definition}` takes {}, found {found}\nnote: `{signature}`", range_of(takes, "argument"))
+            }
+            Fact::MissingArguments { definition, signature, takes, found, missing } => {
+                let missing_ones = listed(missing.iter().map(String::as_str));
+                let verb = if missing.len() == 1 { "is" } else { "are" };
+                write!(f, "`{definition}` takes {}, found {found}: {missing_ones} {verb} missing", range_of(takes, "argument"))?;
+                write!(f, "\nnote: `{signature}`")
+            }
+            Fact::UnknownArgument { definition, name, signature, near } => {
+                write!(f, "`{definition}` has no parameter `{name}`{}\nnote: `{signature}`", did_you_mean(near))
+            }
+            Fact::DuplicateArgument { name } => write!(f, "the argument `{name}` is given twice"),
+            Fact::PositionalAfterNamed => write!(f, "an argument without a name cannot follow one with a name"),
+            Fact::FunctionArity { name, wanted, found } => {
+                write!(f, "`{name}` takes {}, found {found}", plural(*wanted, "argument"))
+            }
+            Fact::DefaultBefore { name } => {
+                write!(f, "`{name}` needs a default, since the parameter before it has one\nhelp: put it before those with a default")
+            }
+
+            Fact::NotA { wanted, found } => write!(f, "expected {wanted}, found {found}"),
+            Fact::WrongArgument { parameter, definition, wanted, found, instead } => {
+                write!(f, "`{parameter}` of `{definition}` takes {wanted}, found {found}")?;
+                instead.as_ref().map_or(Ok(()), |instead| write!(f, "\nhelp: write `{instead}`"))
+            }
+            Fact::WrongArgumentDimension { parameter, definition, wanted, found } => {
+                write!(f, "`{parameter}` of `{definition}` is {wanted}, found {found}")?;
+                let is_rate = found.times(Dim::TIME) == *wanted;
+                if is_rate { write!(f, "\nhelp: multiply the rate by `t`") } else { Ok(()) }
+            }
+            Fact::WrongDefault { wanted, found } => write!(f, "the parameter takes {wanted}, its default is {found}"),
+            Fact::WrongDimension { wanted, found } => write!(f, "expected {wanted}, found {found}"),
+            Fact::Unlike { action, one, two } => {
+                let joint = if *action == "equate" || *action == "compare" { "with" } else { "and" };
+                match *action {
+                    "subtract" => write!(f, "cannot subtract {two} from {one}"),
+                    "add" => write!(f, "cannot add {two} to {one}"),
+                    _ => write!(f, "cannot {action} {one} {joint} {two}"),
+                }
+            }
+            Fact::FunctionTakes { wanted, found } => write!(f, "expected a function of {wanted}, found a function of {found}"),
+            Fact::OrderOfBodies => write!(f, "bodies have no order\nhelp: compare them with `==` or `!=`"),
+            Fact::CannotCompare { one, two } => write!(f, "cannot compare {one} with {two}"),
+            Fact::CannotEquate { one, two } => write!(f, "cannot equate {one} with {two}"),
+            Fact::NotTwoComponents { found } => write!(f, "a vector in the plane has 2 components, found {found}"),
+            Fact::VectorAndNumber => write!(f, "cannot add or subtract a vector and a number"),
+            Fact::NumberByVector => write!(f, "nothing can be divided by a vector\nhelp: write `norm(v)` for its length"),
+            Fact::VectorTimesVector => {
+                write!(f, "there is more than one product of vectors\nhelp: write `dot(a, b)` or `cross(a, b)`")
+            }
+            Fact::PowerOfDimension { base } => {
+                write!(f, "{base} can only be raised to a number that is written out, a multiple of 1/6")
+            }
+            Fact::NotAnOutput { found } => write!(f, "an output is a number, a vector, a point or a body that moves, found {found}"),
+
+            Fact::NumberTooLong { number } => {
+                write!(f, "`{number}` cannot be kept exactly\nnote: numbers have up to 36 digits and lie between 1e-36 and 1e36")
+            }
+            Fact::NotFinite { place } => write!(f, "{place} is not a finite number"),
+            Fact::TooLarge { limit } => {
+                write!(
+                    f,
+                    "the equations grow beyond {limit} operations here\nhelp: a function that calls others several times is written out at every call"
+                )
+            }
+            Fact::DivisionByZero => write!(f, "division by zero"),
+            Fact::EqualityInChoice => write!(f, "equality of measured numbers is an accident\nhelp: compare with `<`, `<=`, `>` or `>=`"),
+            Fact::ListOutsideTable => write!(f, "a list can only be an argument of `table`"),
+            Fact::TableArity { found } => {
+                write!(f, "`table` takes 2 or 3 arguments, found {found}\nnote: `table(x, [(x0, y0), (x1, y1), …], periodic)`")
+            }
+            Fact::TableNeedsList => write!(f, "expected a list of pairs, such as `[(0deg, 0mm), (90deg, 5mm)]`"),
+            Fact::TableNeedsPairs => write!(f, "expected a pair, such as `(90deg, 5mm)`"),
+            Fact::TableNotIncreasing => write!(f, "the first numbers of a table must increase from pair to pair"),
+            Fact::TableTooShort { found } => write!(f, "a table needs at least 2 pairs, found {found}"),
+            Fact::TableNotPeriodic { first, last } => {
+                write!(f, "a periodic table ends with the value it begins with: it begins with {first} and ends with {last}")
+            }
+            Fact::TableEnds => write!(f, "outside its range a table is `periodic`, `linear` or `hold`"),
+            Fact::NotConstant { place, help } => {
+                write!(f, "{place} is a constant: numbers, units, `pi` and functions of them")?;
+                if help.is_empty() { Ok(()) } else { write!(f, "\nhelp: {help}") }
+            }
+            Fact::NotFixed { place } => write!(f, "{place} may depend on parameters only, not on what moves"),
+            Fact::FunctionNeedsArgument => {
+                write!(
+                    f,
+                    "a function written here names its argument\nhelp: write `function name(x: Angle) -> Length = …;`, or give the path of a Rust function"
+                )
+            }
+            Fact::ZeroAxis { name } => write!(f, "the axis `{name}` has no direction: both components are zero"),
+
+            Fact::TimeIn { place } => write!(f, "{place} does not change with time: `t` cannot be used in it"),
+            Fact::TimeInDefinition => {
+                write!(
+                    f,
+                    "`t` is not known in a definition\nhelp: take the law as a parameter, such as `C: Length`, and let a `drive` pass it"
+                )
+            }
+            Fact::TimeInJoint { joint } => {
+                write!(f, "a joint does not change with time, `t` is for drives\nhelp: write `drive {joint} = …;` for `joint {joint} = …;`")
+            }
+            Fact::RequirementFails { why } => write!(f, "{why}"),
+            Fact::RequirementFailsAtDefaults { why, value } => write!(f, "{why}\nnote: it is {value} at the declared defaults"),
+            Fact::RowOfNothing { joint, row: _, of: 1 } => {
+                write!(f, "the equation of `{joint}` does not depend on the position of any body")
+            }
+            Fact::RowOfNothing { joint, row, of } => {
+                write!(f, "equation {row} of {of} of `{joint}` does not depend on the position of any body")
+            }
+            Fact::NoEquations { name } => write!(f, "`{name}` has no equations\nhelp: write `lhs == rhs;`"),
+            Fact::EmptyBundle { name } => {
+                write!(f, "the bundle `{name}` has no constraints\nhelp: put `constraint name(…) {{ … }}` into it")
+            }
+            Fact::GroundStart => write!(f, "ground does not move: it has no start values"),
+            Fact::InDefinition { definition, quantities, fact } => {
+                write!(f, "in {definition}: {fact}")?;
+                let words: Vec<String> = quantities.iter().map(|(name, dim)| format!("`{name}` is {dim}")).collect();
+                if words.is_empty() { Ok(()) } else { write!(f, "\nnote: here {}", words.join(", ")) }
+            }
+
+            Fact::NoBodies { name } => write!(f, "`{name}` has no bodies\nhelp: declare one with `body name {{ … }}`"),
+            Fact::BodyIsFree { body } => {
+                write!(f, "nothing holds `{body}`: it is in no equation")?;
+                write!(f, "\nhelp: join it to another body, such as `joint name = revolute({body}.P, other.Q);`, or take it away")
+            }
+            Fact::Repeats { joint, other } => write!(f, "`{joint}` demands the same as `{other}`\nhelp: take one of them away"),
+            Fact::TooFewEquations { name, coordinates, equations, missing, drives, candidates } => {
+                let ways = if *missing == 1 { "1 freedom".to_owned() } else { format!("{missing} freedoms") };
+                write!(f, "`{name}` is left with {ways}: {} and {}", plural(*coordinates, "coordinate"), plural(*equations, "equation"))?;
+                write!(f, ", {drives} from drives")?;
+                let what = match (missing, candidates.len()) {
+                    (1, 1) => "drive",
+                    (1, _) => "drive one of",
+                    _ => "add joints, or drive some of",
+                };
+                write!(f, "\nhelp: {what} {}", list(candidates))?;
+                write!(f, ", such as `drive input = drive_angle(body, speed * t);`")
+            }
+            Fact::TooManyEquations { joint, others, equations, coordinates, free, for_free } => {
+                let with = if others.is_empty() { String::new() } else { format!(" with {}", list(others)) };
+                let surplus = equations - coordinates.len();
+                write!(
+                    f,
+                    "`{joint}` is {} too many:{with} there are {}",
+                    if surplus == 1 { "one equation".into() } else { plural(surplus, "equation") },
+                    plural(*equations, "equation")
+                )?;
+                write!(f, " on {}, {}", plural(coordinates.len(), "coordinate"), list(coordinates))?;
+                if free.is_empty() {
+                    return write!(f, "\nhelp: take away a joint or a drive");
+                }
+                let have = if free.len() == 1 { "has" } else { "have" };
+                let equations = if *for_free == 0 { "no equation".to_owned() } else { format!("only {}", plural(*for_free, "equation")) };
+                write!(f, "\nnote: {} {have} {equations}", list(free))
+            }
+        }
+    }
+}
