@@ -3,6 +3,27 @@
 use reuleaux::{Description, Mechanism, PlanStage, Stages, mechanism};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+/// A mechanism of four-bars that are all alike.
+macro_rules! of_four_bars {
+    ($(#[$doc:meta])* $name:ident { $($items:tt)* }) => {
+        mechanism! {
+            $(#[$doc])*
+            pub(crate) mechanism $name {
+                component FourBar(O: Point, C: Point) {
+                    body crank { point A = (100mm, 0mm); }
+                    body coupler { point B = (350mm, 0mm); start angle = 30deg; }
+                    body rocker { point B = (300mm, 0mm); start angle = 70deg; }
+                    joint o = revolute(O, crank.position);
+                    joint a = revolute(crank.A, coupler.position);
+                    joint b = revolute(coupler.B, rocker.B);
+                    joint c = revolute(rocker.position, C);
+                }
+                $($items)*
+            }
+        }
+    };
+}
+
 mechanism! {
     /// Forty parallelograms in a row: every crank turns like the first.
     pub mechanism Chain {
@@ -121,19 +142,10 @@ fn shared_code_with_tables_gives_what_straight_lines_give() {
     }
 }
 
-mechanism! {
+of_four_bars! {
     /// A hundred four-bars side by side, of which one is driven and the others are held.
-    pub mechanism Scene {
+    Scene {
         param held: Angle = 50deg;
-        component FourBar(P: Point, Q: Point) {
-            body crank { point O = (0mm, 0mm); point A = (100mm, 0mm); }
-            body coupler { point A = (0mm, 0mm); point B = (350mm, 0mm); start angle = 30deg; }
-            body rocker { point C = (0mm, 0mm); point B = (300mm, 0mm); start angle = 70deg; }
-            joint o = revolute(P, crank.O);
-            joint a = revolute(crank.A, coupler.A);
-            joint b = revolute(coupler.B, rocker.B);
-            joint c = revolute(rocker.C, Q);
-        }
         ground { for i in 0..100 { point O[i] = (i * 1m, 0m); point C[i] = (i * 1m + 400mm, 0m); } }
         for i in 0..100 { part bar[i] = FourBar(ground.O[i], ground.C[i]); }
         for i in 0..99 { drive hold[i] = drive_angle(bar[i].crank, held); }
@@ -165,18 +177,9 @@ fn what_moves_of_a_scene_moves_as_it_does_alone() {
     }
 }
 
-mechanism! {
+of_four_bars! {
     /// Sixteen four-bars whose drives move one after the other.
-    pub mechanism Relay {
-        component FourBar(P: Point, Q: Point) {
-            body crank { point O = (0mm, 0mm); point A = (100mm, 0mm); }
-            body coupler { point A = (0mm, 0mm); point B = (350mm, 0mm); start angle = 30deg; }
-            body rocker { point C = (0mm, 0mm); point B = (300mm, 0mm); start angle = 70deg; }
-            joint o = revolute(P, crank.O);
-            joint a = revolute(crank.A, coupler.A);
-            joint b = revolute(coupler.B, rocker.B);
-            joint c = revolute(rocker.C, Q);
-        }
+    Relay {
         ground { for i in 0..16 { point O[i] = (i * 1m, 0m); point C[i] = (i * 1m + 400mm, 0m); } }
         for i in 0..16 {
             part bar[i] = FourBar(ground.O[i], ground.C[i]);
@@ -381,22 +384,14 @@ fn shared_code_finds_the_parameters_of_each_part() {
     assert!((f64::from(single.x) - double.x).abs() <= 1e-5 && (f64::from(single.y) - double.y).abs() <= 1e-5);
 }
 
-mechanism! {
+of_four_bars! {
     /// A four-bar that is set from one place to another, beside one that is held and a wheel that turns.
-    pub mechanism Switch {
-        component FourBar(O: Point, C: Point, law: Angle) {
-            body crank { point A = (100mm, 0mm); }
-            body coupler { point B = (350mm, 0mm); start angle = 30deg; }
-            body rocker { point B = (300mm, 0mm); start angle = 70deg; }
-            joint o = revolute(O, crank.position);
-            joint a = revolute(crank.A, coupler.position);
-            joint b = revolute(coupler.B, rocker.B);
-            joint c = revolute(rocker.position, C);
-            drive input = drive_angle(crank, law);
-        }
+    Switch {
         ground { point O = (0m, 0m); point C = (400mm, 0m); point P = (1m, 0m); point Q = (1400mm, 0m); }
-        part set = FourBar(ground.O, ground.C, if t < 0.5s { 20deg } else { 24deg });
-        part still = FourBar(ground.P, ground.Q, 20deg);
+        part set = FourBar(ground.O, ground.C);
+        drive position = drive_angle(set.crank, if t < 0.5s { 20deg } else { 24deg });
+        part still = FourBar(ground.P, ground.Q);
+        drive hold = drive_angle(still.crank, 20deg);
         body wheel { }
         joint axle = revolute(ground.O, wheel.position);
         drive motor = drive_angle(wheel, 1rad_s * t);
