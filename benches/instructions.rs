@@ -59,10 +59,7 @@ fn compare() -> Result<(), Box<dyn Error>> {
 }
 
 fn write() -> Result<(), Box<dyn Error>> {
-    // Longer chains keep what was counted where they are not compiled in.
-    let mut counts: Counts = fs::read_to_string(baseline()).ok().and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default();
-    counts.extend(count()?);
-    fs::write(baseline(), serde_json::to_string_pretty(&counts)? + "\n")?;
+    fs::write(baseline(), serde_json::to_string_pretty(&count()?)? + "\n")?;
     println!("{} written", baseline());
     Ok(())
 }
