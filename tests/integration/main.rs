@@ -8,5 +8,6 @@ mod mechanisms;
 mod prepared;
 mod shapes;
 mod stress;
+mod sweeps;
 mod turns;
 mod unit_constraints;

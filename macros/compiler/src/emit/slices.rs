@@ -51,6 +51,13 @@ impl Emitter<'_> {
             #visibility struct #name<T = f64>(pub #mechanism<T>);
             #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
             impl<T: ::reuleaux::Real> #name<T> { #plan }
+            #[automatically_derived]
+            impl<T: ::reuleaux::Real> ::reuleaux::Family<T> for #name<T> {
+                type Over<T2: ::reuleaux::Real> = #name<T2>;
+                fn gather<T2: ::reuleaux::Real, const LANES: usize>(each: [&Self; LANES], combine: impl Fn([T; LANES]) -> T2) -> #name<T2> {
+                    #name(::reuleaux::Family::gather(each.map(|slice| &slice.0), combine))
+                }
+            }
             #kernels
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens, dead_code)]
