@@ -117,6 +117,7 @@ pub enum Fact {
     RequirementFails { why: String },
     RequirementFailsAtDefaults { why: String, value: f64 },
     RowOfNothing { joint: String, row: usize, of: usize },
+    OnGround { joint: String, kind: String },
     NoEquations { name: String },
     EmptyBundle { name: String },
     GroundStart,
@@ -125,6 +126,33 @@ pub enum Fact {
     NoBodies { name: String },
     BodyIsFree { body: String },
     Repeats { joint: String, other: String },
-    TooFewEquations { name: String, coordinates: usize, equations: usize, missing: usize, drives: usize, candidates: Vec<String> },
+    NotOnGround { bodies: Vec<String> },
+    FreeCoordinates { body: String, coordinates: Vec<String>, example: Option<String> },
+    DrivesMissing {
+        name: String,
+        missing: usize,
+        drives: usize,
+        coordinates: usize,
+        joints: usize,
+        loose: Vec<String>,
+        candidates: Vec<String>,
+        example: String,
+    },
+    NothingToDrive { drive: String, joints: Vec<String>, coordinates: Vec<String>, free: Vec<String> },
+    DrivesContend { drives: Vec<String>, freedoms: usize, joints: Vec<String>, coordinates: Vec<String>, free: Vec<String> },
+    Follows { joint: String, rows: Vec<usize>, of: usize, others: Vec<String> },
+    Contradicts { joint: String, others: Vec<String>, demand: Option<Demand>, off: String },
+    Collides { joint: String, others: Vec<String>, off: String },
     TooManyEquations { joint: String, others: Vec<String>, equations: usize, coordinates: Vec<String>, free: Vec<String>, for_free: usize },
+}
+
+/// What a joint demands of a sum of coordinates, and what others make of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Demand {
+    /// `crank.angle`, or a sum such as `b.angle - a.angle`.
+    pub form: String,
+    /// What the joint demands, with its unit.
+    pub wanted: String,
+    /// What the others demand.
+    pub found: String,
 }

@@ -3,7 +3,7 @@
 //! A message starts lower-case and ends without a full stop; code stands in backticks; what to
 //! type comes after `help:`, a further fact after `note:`.
 
-use super::Fact;
+use super::{Demand, Fact};
 use crate::model::Dim;
 use std::fmt;
 
@@ -39,6 +39,27 @@ fn plural(count: usize, noun: &str) -> String {
         (_, Some(stem)) => format!("{count} {stem}ies"),
         (_, None) => format!("{count} {noun}s"),
     }
+}
+
+/// Small numbers as words.
+fn counted(number: usize) -> String {
+    match number {
+        0 => "no".to_owned(),
+        1 => "one".to_owned(),
+        2 => "two".to_owned(),
+        3 => "three".to_owned(),
+        many => many.to_string(),
+    }
+}
+
+/// `no drive`, `1 drive`, `2 drives`
+fn drives_there_are(drives: usize) -> String {
+    if drives == 0 { "no drive".to_owned() } else { format!("only {}", plural(drives, "drive")) }
+}
+
+/// `a` is, `a` and `b` are
+fn are(names: &[String]) -> String {
+    format!("{} {}", list(names), if names.len() == 1 { "is" } else { "are" })
 }
 
 /// `2 arguments`, `2 or 3 arguments`, `2 to 4 arguments`
@@ -343,6 +364,10 @@ impl fmt::Display for Fact {
             Fact::RowOfNothing { joint, row, of } => {
                 write!(f, "equation {row} of {of} of `{joint}` does not depend on the position of any body")
             }
+            Fact::OnGround { joint, kind } => {
+                write!(f, "`{joint}` joins ground to ground, and ground does not move")?;
+                write!(f, "\nhelp: give `{kind}` at least one body, or a point or an axis of one")
+            }
             Fact::NoEquations { name } => write!(f, "`{name}` has no equations\nhelp: write `lhs == rhs;`"),
             Fact::EmptyBundle { name } => {
                 write!(f, "the bundle `{name}` has no constraints\nhelp: put `constraint name(…) {{ … }}` into it")
@@ -360,34 +385,110 @@ impl fmt::Display for Fact {
                 write!(f, "\nhelp: join it to another body, such as `joint name = revolute({body}.P, other.Q);`, or take it away")
             }
             Fact::Repeats { joint, other } => write!(f, "`{joint}` demands the same as `{other}`\nhelp: take one of them away"),
-            Fact::TooFewEquations { name, coordinates, equations, missing, drives, candidates } => {
-                let ways = if *missing == 1 { "1 freedom".to_owned() } else { format!("{missing} freedoms") };
-                write!(f, "`{name}` is left with {ways}: {} and {}", plural(*coordinates, "coordinate"), plural(*equations, "equation"))?;
-                write!(f, ", {drives} from drives")?;
-                let what = match (missing, candidates.len()) {
-                    (1, 1) => "drive",
-                    (1, _) => "drive one of",
-                    _ => "add joints, or drive some of",
-                };
-                write!(f, "\nhelp: {what} {}", list(candidates))?;
-                write!(f, ", such as `drive input = drive_angle(body, speed * t);`")
+            Fact::NotOnGround { bodies } => {
+                write!(f, "{} are joined to each other but not to ground", list(bodies))?;
+                let first = bodies.first().map_or("", String::as_str);
+                write!(f, "\nhelp: join one of them to ground, such as `joint name = revolute(ground.position, {first}.position);`")
+            }
+            Fact::FreeCoordinates { body, coordinates, example } => {
+                let nothing = if coordinates.len() == 1 { "it is in no equation" } else { "they are in no equation" };
+                write!(f, "nothing determines {}: {nothing}", list(coordinates))?;
+                match example {
+                    Some(example) => write!(f, "\nhelp: join `{body}` to another body once more, or drive it, such as `{example}`"),
+                    None => write!(f, "\nhelp: join `{body}` to another body, such as `joint name = revolute({body}.position, other.P);`"),
+                }
+            }
+            Fact::DrivesMissing { name, missing, drives, coordinates, joints, loose, candidates, example } => {
+                write!(f, "`{name}` has mobility {}, but {}", missing + drives, drives_there_are(*drives))?;
+                write!(f, "\nnote: {} and {} of joints", plural(*coordinates, "coordinate"), plural(*joints, "equation"))?;
+                if !loose.is_empty() {
+                    let ends = if loose.len() == 1 { "is" } else { "are each" };
+                    write!(f, "\nnote: {} {ends} joined to one neighbour only", list(loose))?;
+                }
+                let or_joints = if loose.is_empty() { "" } else { " or joints" };
+                match (missing, candidates.len()) {
+                    (1, 1) => write!(f, "\nhelp: drive {}", list(candidates))?,
+                    (1, _) => write!(f, "\nhelp: add a drive on one of {}", list(candidates))?,
+                    _ => write!(f, "\nhelp: add {missing} drives{or_joints}; drives on {} go together", list(candidates))?,
+                }
+                if example.is_empty() { Ok(()) } else { write!(f, ", such as `{example}`") }
+            }
+            Fact::NothingToDrive { drive, joints, coordinates, free } => {
+                write!(f, "`{drive}` has nothing to drive: ")?;
+                match coordinates.as_slice() {
+                    [only] => write!(f, "{} determines `{only}` already", list(joints))?,
+                    many => {
+                        write!(f, "{} leave no freedom", list(joints))?;
+                        write!(f, "\nnote: they are {} on {}: mobility 0", plural(many.len(), "equation"), plural(many.len(), "coordinate"))?;
+                    }
+                }
+                if free.is_empty() {
+                    return write!(f, "\nhelp: take `{drive}` or a joint away");
+                }
+                write!(f, "\nhelp: {} left free: drive that instead", are(free))
+            }
+            Fact::DrivesContend { drives, freedoms, joints, coordinates, free } => {
+                let (many, few) = (counted(drives.len()), counted(*freedoms));
+                let freedom = if *freedoms == 1 { "freedom" } else { "freedoms" };
+                write!(f, "{many} drives on {few} {freedom}: {}", list(drives))?;
+                match coordinates.as_slice() {
+                    [only] => write!(f, "\nnote: both determine `{only}`")?,
+                    _ if joints.is_empty() => write!(f, "\nnote: they determine {}", list(coordinates))?,
+                    _ => write!(f, "\nnote: {} leave the mobility {freedoms}", list(joints))?,
+                }
+                if free.is_empty() {
+                    return write!(f, "\nhelp: take one of the drives away");
+                }
+                write!(f, "\nhelp: {} left free: drive that instead", are(free))
+            }
+            Fact::Follows { joint, rows, of, others } => {
+                if others.is_empty() {
+                    return write!(f, "the equations of `{joint}` follow from each other\nhelp: take those away that say the same");
+                }
+                let verb = if others.len() == 1 { "says" } else { "say" };
+                if rows.len() == *of {
+                    return write!(f, "`{joint}` adds nothing: {} {verb} the same\nhelp: take `{joint}` away", list(others));
+                }
+                let which: Vec<String> = rows.iter().map(usize::to_string).collect();
+                write!(f, "`{joint}` demands in part what {} {verb}: its equation {} of {of} adds nothing", list(others), which.join(" and "))?;
+                write!(f, "\nhelp: take one of them away, or demand less with it")
+            }
+            Fact::Contradicts { joint, others, demand, off } => {
+                if others.is_empty() {
+                    return write!(f, "the equations of `{joint}` contradict each other: they differ by {off}");
+                }
+                write!(f, "`{joint}` contradicts {}", list(others))?;
+                match demand {
+                    Some(Demand { form, wanted, found }) => {
+                        write!(f, ": it demands `{form}` = {wanted}, ")?;
+                        match others.as_slice() {
+                            [only] => write!(f, "`{only}` demands {found}"),
+                            _ => write!(f, "they make it {found}"),
+                        }
+                    }
+                    None => write!(f, ": where {} {}, it is off by {off}", list(others), if others.len() == 1 { "holds" } else { "hold" }),
+                }?;
+                write!(f, "\nhelp: take one of them away")
+            }
+            Fact::Collides { joint, others, off } => {
+                write!(f, "`{joint}` demands again what {} demand, with other numbers: both hold only where {off} is zero", list(others))?;
+                write!(f, "\nhelp: take one of them away")
             }
             Fact::TooManyEquations { joint, others, equations, coordinates, free, for_free } => {
-                let with = if others.is_empty() { String::new() } else { format!(" with {}", list(others)) };
                 let surplus = equations - coordinates.len();
-                write!(
-                    f,
-                    "`{joint}` is {} too many:{with} there are {}",
-                    if surplus == 1 { "one equation".into() } else { plural(surplus, "equation") },
-                    plural(*equations, "equation")
-                )?;
-                write!(f, " on {}, {}", plural(coordinates.len(), "coordinate"), list(coordinates))?;
-                if free.is_empty() {
-                    return write!(f, "\nhelp: take away a joint or a drive");
+                let many = if surplus == 1 { "one equation".to_owned() } else { plural(surplus, "equation") };
+                write!(f, "`{joint}` is {many} too many")?;
+                match others.is_empty() {
+                    true => write!(f, ": it has {}", plural(*equations, "equation"))?,
+                    false => write!(f, " with {}: together they are {}", list(others), plural(*equations, "equation"))?,
                 }
-                let have = if free.len() == 1 { "has" } else { "have" };
-                let equations = if *for_free == 0 { "no equation".to_owned() } else { format!("only {}", plural(*for_free, "equation")) };
-                write!(f, "\nnote: {} {have} {equations}", list(free))
+                write!(f, " on {}, {}", plural(coordinates.len(), "coordinate"), list(coordinates))?;
+                if !free.is_empty() {
+                    let have = if free.len() == 1 { "has" } else { "have" };
+                    let equations = if *for_free == 0 { "no equation".to_owned() } else { format!("only {}", plural(*for_free, "equation")) };
+                    return write!(f, "\nnote: {} {have} {equations}", list(free));
+                }
+                write!(f, "\nnote: that is a mobility of -{surplus}\nhelp: take one of these joints away")
             }
         }
     }

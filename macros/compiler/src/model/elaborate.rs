@@ -362,6 +362,11 @@ impl Elaborator<'_> {
         }
     }
 
+    /// The expression depends on nothing that moves.
+    pub(super) fn is_still(&self, expr: Expr) -> bool {
+        !self.arena.leaves(expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)))
+    }
+
     /// The expression depends on nothing that moves and not on time.
     pub(super) fn is_fixed(&self, expr: Expr) -> bool {
         self.arena.leaves(expr).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)))

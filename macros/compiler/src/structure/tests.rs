@@ -129,8 +129,20 @@ fn a_joint_too_many_here_and_one_too_few_there_is_named() {
     let refusals = compile(declaration.parse().expect("tokens")).expect_err("a crank with two pivots");
     assert_eq!(refusals.len(), 1);
     let message = refusals[0].fact.to_string();
-    assert!(message.contains("`b` is 2 equations too many: with `o` and `input` there are 5 equations on 3 coordinates"), "{message}");
+    assert!(message.contains("`b` is one equation too many with `o`: together they are 4 equations on 3 coordinates"), "{message}");
     assert!(message.contains("`rocker.angle`"), "{message}");
+}
+
+/// What is said of a declaration, and under which word.
+fn said(declaration: &str) -> Vec<String> {
+    let refusals = compile(declaration.parse().expect("tokens")).err().unwrap_or_default();
+    refusals.iter().map(|refusal| refusal.fact.to_string()).collect()
+}
+
+/// The four-bar with its last items replaced.
+fn four_bar(from: &str, to: &str) -> String {
+    assert!(FOUR_BAR.contains(from));
+    FOUR_BAR.replace(from, to)
 }
 
 #[test]
