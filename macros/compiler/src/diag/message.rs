@@ -62,6 +62,11 @@ fn are(names: &[String]) -> String {
     format!("{} {}", list(names), if names.len() == 1 { "is" } else { "are" })
 }
 
+/// `that`, or `one of them`
+fn one_of(names: &[String]) -> &'static str {
+    if names.len() == 1 { "that" } else { "one of them" }
+}
+
 /// `2 arguments`, `2 or 3 arguments`, `2 to 4 arguments`
 fn range_of([least, most]: &[usize; 2], noun: &str) -> String {
     match most - least {
@@ -134,17 +139,20 @@ impl fmt::Display for Fact {
             Fact::ArrayWithoutIndex { name } => write!(f, "`{name}` is an array\nhelp: say which one, such as `{name}[0]`"),
             Fact::NoArray { found, is_member: false } => write!(f, "{found} has no index\nhelp: take `[…]` away"),
             Fact::NoArray { found, is_member: true } => write!(f, "{found} has no further index\nhelp: take the last `[…]` away"),
-            Fact::IndexOutOfRange { name, index, ends } => {
+            Fact::IndexOutOfRange { name, index, known } => {
                 write!(f, "there is no `{name}[{index}]`")?;
-                match ends {
-                    Some((first, last)) if first == last => write!(f, "\nnote: there is `{name}[{first}]` only"),
-                    Some((first, last)) => write!(f, "\nnote: there are `{name}[{first}]` to `{name}[{last}]`"),
-                    None => Ok(()),
+                match known.as_slice() {
+                    [] => Ok(()),
+                    [only] => write!(f, "\nnote: there is `{name}[{only}]` only"),
+                    [first, .., last] if last - first + 1 == known.len() => {
+                        write!(f, "\nnote: there are `{name}[{first}]` to `{name}[{last}]`")
+                    }
+                    many => write!(f, "\nnote: there are {}", list(&many.iter().map(|index| format!("{name}[{index}]")).collect::<Vec<_>>())),
                 }
             }
             Fact::NegativeIndex { index } => write!(f, "an index counts from 0, this one is {index}"),
-            Fact::MissingIndex { missing, known } => {
-                write!(f, "there is `{known}` but no `{missing}`\nhelp: the indices of an array run from 0 without gaps")
+            Fact::MissingIndex { what, missing, known } => {
+                write!(f, "there is {what} `{known}` but no `{missing}`\nhelp: the indices of an array run from 0 without gaps")
             }
             Fact::NotWhole { found } => {
                 write!(
@@ -155,7 +163,14 @@ impl fmt::Display for Fact {
             Fact::NotKnownWhole => {
                 write!(f, "how many there are cannot change at run time\nhelp: declare the number with `let`, such as `let count = 6;`")
             }
-            Fact::EmptyRange { from, end } => write!(f, "this loop runs over nothing: from {from} to below {end}"),
+            Fact::EmptyRange { from, to, is_inclusive } => {
+                let below = if *is_inclusive { "" } else { "below " };
+                write!(f, "this loop runs over nothing: from {from} to {below}{to}")?;
+                if from == to {
+                    return write!(f, "\nhelp: for {from} alone write `{from}..={to}`");
+                }
+                write!(f, "\nhelp: a loop counts upwards: write `{to}..={from}`")
+            }
             Fact::LongRange { limit } => write!(f, "a loop has at most {limit} rounds"),
             Fact::TooManyItems { limit } => write!(f, "loops and parts make more than {limit} items"),
             Fact::UnknownComponent { name, is_constraint: true, .. } => {
@@ -168,7 +183,14 @@ impl fmt::Display for Fact {
             Fact::ComponentAsConstraint { name } => {
                 write!(f, "`{name}` is a component, not a constraint\nhelp: write `part name = {name}(…);`")
             }
-            Fact::ComponentRecursion { name } => write!(f, "the component `{name}` contains itself"),
+            Fact::ComponentRecursion { name } => {
+                write!(f, "the component `{name}` contains itself, and so without end")?;
+                write!(f, "\nhelp: let each part take the one before as an argument: `for i in 1..n {{ part name[i] = {name}(name[i - 1].end); }}`")
+            }
+            Fact::ParameterAsArgument { component, name, part } => {
+                write!(f, "`{name}` is a parameter in `{component}`, not an argument of it")?;
+                write!(f, "\nhelp: it is set in Rust, `mechanism.{part}.{name} = …`; to set it here, declare `component {component}(…, {name}: …)`")
+            }
             Fact::OutsideOfComponent { name, what } => {
                 write!(f, "a component does not see `{name}`, {what} outside of it\nhelp: take it as an argument")
             }
@@ -189,6 +211,10 @@ impl fmt::Display for Fact {
                     f,
                     "nothing is called `{name}` here\nhelp: a unit belongs to a number, as in `1{name}`; that of a rate is one word, as in `1rad_s`"
                 )
+            }
+            Fact::OutputRead { name } => {
+                write!(f, "`{name}` is an output: it is read from Rust, not in the declaration")?;
+                write!(f, "\nhelp: name its value with `let {name} = …;` and give that out with `output {name} = {name};`")
             }
             Fact::UnknownName { name, near } => write!(f, "nothing is called `{name}` here{}", did_you_mean(near)),
             Fact::UnknownField { owner, name, near, known } => {
@@ -212,8 +238,8 @@ impl fmt::Display for Fact {
             Fact::UnknownUnit { name, .. } if name == "Hz" => {
                 write!(f, "no unit is called `Hz`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`")
             }
-            Fact::UnknownUnit { name, near } => {
-                write!(f, "no unit is called `{name}`{}", did_you_mean(near))?;
+            Fact::UnknownUnit { number, name, near } => {
+                write!(f, "no unit is called `{name}`{}", did_you_mean(&near.as_ref().map(|near| format!("{number}{near}"))))?;
                 if near.is_none() {
                     write!(f, "\nnote: there are {}", listed(crate::model::unit::names()))?;
                 }
@@ -293,6 +319,10 @@ impl fmt::Display for Fact {
                     "add" => write!(f, "cannot add {two} to {one}"),
                     _ => write!(f, "cannot {action} {one} {joint} {two}"),
                 }
+            }
+            Fact::NotALength { found, instead } => {
+                write!(f, "a coordinate of a point is a length (m), found {found}")?;
+                instead.as_ref().map_or(Ok(()), |instead| write!(f, "\nhelp: write `{instead}`"))
             }
             Fact::FunctionTakes { wanted, found } => write!(f, "expected a function of {wanted}, found a function of {found}"),
             Fact::OrderOfBodies => write!(f, "bodies have no order\nhelp: compare them with `==` or `!=`"),
@@ -425,7 +455,7 @@ impl fmt::Display for Fact {
                 if free.is_empty() {
                     return write!(f, "\nhelp: take `{drive}` or a joint away");
                 }
-                write!(f, "\nhelp: {} left free: drive that instead", are(free))
+                write!(f, "\nhelp: {} left free: drive {} instead", are(free), one_of(free))
             }
             Fact::DrivesContend { drives, freedoms, joints, coordinates, free } => {
                 let (many, few) = (counted(drives.len()), counted(*freedoms));
@@ -439,7 +469,7 @@ impl fmt::Display for Fact {
                 if free.is_empty() {
                     return write!(f, "\nhelp: take one of the drives away");
                 }
-                write!(f, "\nhelp: {} left free: drive that instead", are(free))
+                write!(f, "\nhelp: {} left free: drive {} instead", are(free), one_of(free))
             }
             Fact::Follows { joint, rows, of, others } => {
                 if others.is_empty() {

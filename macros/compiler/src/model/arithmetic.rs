@@ -32,6 +32,33 @@ impl Elaborator<'_> {
         }
     }
 
+    /// A place: a vector whose coordinates are lengths. Where they are written out, the one that is none is to blame.
+    pub(super) fn location(&mut self, written: &ast::Expr, scope: &Scope) -> Option<Vector> {
+        if let ast::ExprKind::Tuple(items) = &written.kind
+            && let [x, y] = items.as_slice()
+        {
+            let (x, y) = (self.coordinate(x, scope), self.coordinate(y, scope));
+            return Some(Vector { x: x?, y: y?, measure: Measure::Of(Dim::LENGTH) });
+        }
+        let vector = self.vector(written, scope)?;
+        if !vector.measure.fits(Dim::LENGTH) {
+            return self.refuse(written.range, Fact::WrongDimension { wanted: Dim::LENGTH, found: vector.measure.settled() });
+        }
+        Some(vector)
+    }
+
+    fn coordinate(&mut self, written: &ast::Expr, scope: &Scope) -> Option<crate::expr::Expr> {
+        let scalar = self.scalar(written, scope)?;
+        if scalar.measure.fits(Dim::LENGTH) {
+            return Some(scalar.expr);
+        }
+        let instead = match &written.kind {
+            ast::ExprKind::Number { digits, .. } => Some(format!("{digits}mm")),
+            _ => None,
+        };
+        self.refuse(written.range, Fact::NotALength { found: scalar.measure.settled(), instead })
+    }
+
     pub(super) fn binary(&mut self, range: Range, operator: Operator, lhs: &ast::Expr, rhs: &ast::Expr, scope: &Scope) -> Option<Value> {
         if operator == Operator::Power {
             return self.power(range, lhs, rhs, scope).map(Value::Scalar);

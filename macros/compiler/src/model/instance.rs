@@ -169,7 +169,11 @@ impl Elaborator<'_> {
 
     /// One argument, of the kind its parameter takes.
     pub(super) fn argument(&mut self, definition: &Definition, formal: &Formal, argument: &ast::Expr, scope: &Scope) -> Option<Value> {
-        let value = self.value(argument, scope)?;
+        let value = match (&formal.kind, &argument.kind) {
+            // Of a place that is written out each coordinate is looked at.
+            (Kind::Point, ast::ExprKind::Tuple(items)) if items.len() == 2 => Value::Vector(self.location(argument, scope)?),
+            _ => self.value(argument, scope)?,
+        };
         let found = match &value {
             Value::Joint { kind, .. } => format!("a `{kind}` joint"),
             other => other.noun().to_owned(),

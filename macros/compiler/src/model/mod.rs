@@ -26,6 +26,7 @@ pub(crate) mod spline;
 mod statement;
 pub(crate) mod suggest;
 pub(crate) mod unit;
+mod unused;
 pub(crate) mod value;
 
 pub use dimension::Dim;

@@ -25,6 +25,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     let joints = work.joints(&register);
     let outputs = work.outputs(&register);
     let methods = work.methods(&layout, &outputs);
+    work.unused_components(&register);
     work.requirements_hold(&parameters);
     let Elaborator { arena, functions, requirements, .. } = work;
     let model = Model {
@@ -70,7 +71,7 @@ pub(crate) fn outline(tree: &ast::Mechanism) -> Outline {
 
 impl Elaborator<'_> {
     /// The fields of the generated structs.
-    fn parameters(&mut self, register: &Register) -> Vec<Parameter> {
+    pub(super) fn parameters(&mut self, register: &Register) -> Vec<Parameter> {
         let parameter = |this: &mut Self, (id, written): &(EntityId, Rc<ast::Parameter>)| {
             this.of(*id, Rc::as_ptr(written), |this, name, context| this.parameter(written, name, context))
         };

@@ -63,6 +63,13 @@ pub(crate) fn lookup(name: &str) -> Option<(Exact, Dim)> {
     Some((size, unit.dim))
 }
 
+/// The unit that was meant by a mistyped one: a letter too many is the most likely slip.
+pub(crate) fn meant(name: &str) -> Option<String> {
+    let without = |at: usize| name.chars().enumerate().filter(|(index, _)| *index != at).map(|(_, letter)| letter).collect::<String>();
+    let shorter = (0..name.chars().count()).rev().map(without).find(|shorter| !shorter.is_empty() && lookup(shorter).is_some());
+    shorter.or_else(|| super::suggest::nearest(name, names()))
+}
+
 /// All unit names, for suggestions and the language reference.
 pub(crate) fn names<'a>() -> impl Iterator<Item = &'a str> {
     UNITS.iter().map(|unit| unit.name)
