@@ -110,6 +110,8 @@ pub enum Fact {
     TableNotPeriodic { first: f64, last: f64 },
     TableEnds,
     NotConstant { place: &'static str, help: &'static str },
+    EmptyBounds { bounds: String, is_point: bool },
+    DefaultOutOfBounds { value: String, bounds: String },
     NotFixed { place: &'static str },
     FunctionNeedsArgument,
     ZeroAxis { name: String },

@@ -367,6 +367,13 @@ impl fmt::Display for Fact {
                 write!(f, "{place} is a constant: numbers, units, `pi` and functions of them")?;
                 if help.is_empty() { Ok(()) } else { write!(f, "\nhelp: {help}") }
             }
+            Fact::EmptyBounds { bounds, is_point } => {
+                write!(f, "no value lies in {bounds}\nhelp: ")?;
+                if *is_point { write!(f, "write `..=` where the greatest value is allowed") } else { write!(f, "the lesser value stands first") }
+            }
+            Fact::DefaultOutOfBounds { value, bounds } => {
+                write!(f, "the default, {value}, does not lie in {bounds}\nhelp: widen the range, or take a default within")
+            }
             Fact::NotFixed { place } => write!(f, "{place} may depend on parameters only, not on what moves"),
             Fact::FunctionNeedsArgument => {
                 write!(

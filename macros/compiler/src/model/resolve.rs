@@ -125,7 +125,16 @@ impl Elaborator<'_> {
         if !self.numbers(&[], &[default])[0].is_finite() {
             return self.refuse(parameter.default.range, Fact::NotFinite { place: "the default" });
         }
-        Some(Parameter { name: name.clone(), dim, default })
+        let bounds = match &parameter.limits {
+            Some(limits) => Some(self.bounds(limits, dim, &scope)?),
+            None => None,
+        };
+        let value = self.numbers(&[], &[default])[0];
+        if let Some(bounds) = bounds.as_ref().filter(|bounds| !bounds.hold(value)) {
+            let value = format!("{value} {}", dim.unit()).trim_end().to_owned();
+            return self.refuse(parameter.default.range, Fact::DefaultOutOfBounds { value, bounds: bounds.text.clone() });
+        }
+        Some(Parameter { name: name.clone(), dim, default, bounds })
     }
 
     /// The dimension behind its names.
