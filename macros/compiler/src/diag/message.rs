@@ -62,6 +62,13 @@ fn are(names: &[String]) -> String {
     format!("{} {}", list(names), if names.len() == 1 { "is" } else { "are" })
 }
 
+/// The bodies of some coordinates.
+fn bodies(coordinates: &[String]) -> Vec<String> {
+    let mut bodies: Vec<String> = coordinates.iter().filter_map(|name| name.rsplit_once('.')).map(|(body, _)| body.to_owned()).collect();
+    bodies.dedup();
+    bodies
+}
+
 /// `that`, or `one of them`
 fn one_of(names: &[String]) -> &'static str {
     if names.len() == 1 { "that" } else { "one of them" }
@@ -471,7 +478,7 @@ impl fmt::Display for Fact {
                 match coordinates.as_slice() {
                     [only] => write!(f, "\nnote: both determine `{only}`")?,
                     _ if joints.is_empty() => write!(f, "\nnote: they determine {}", list(coordinates))?,
-                    _ => write!(f, "\nnote: {} leave the mobility {freedoms}", list(joints))?,
+                    _ => write!(f, "\nnote: {} leave {few} {freedom}", list(joints))?,
                 }
                 if free.is_empty() {
                     return write!(f, "\nhelp: take one of the drives away");
@@ -508,7 +515,7 @@ impl fmt::Display for Fact {
                 write!(f, "\nhelp: take one of them away")
             }
             Fact::Collides { joint, others, off } => {
-                write!(f, "`{joint}` demands again what {} demand, with other numbers: both hold only where {off} is zero", list(others))?;
+                write!(f, "`{joint}` demands again what {} demand, with other numbers: both hold only where `{off}` is zero", list(others))?;
                 write!(f, "\nhelp: take one of them away")
             }
             Fact::TooManyEquations { joint, others, equations, coordinates, free, for_free } => {
@@ -519,7 +526,10 @@ impl fmt::Display for Fact {
                     true => write!(f, ": it has {}", plural(*equations, "equation"))?,
                     false => write!(f, " with {}: together they are {}", list(others), plural(*equations, "equation"))?,
                 }
-                write!(f, " on {}, {}", plural(coordinates.len(), "coordinate"), list(coordinates))?;
+                match coordinates.as_slice() {
+                    few @ ([_] | [_, _] | [_, _, _]) => write!(f, " on {}, {}", plural(few.len(), "coordinate"), list(few))?,
+                    many => write!(f, " on {} of {}", plural(many.len(), "coordinate"), list(&bodies(many)))?,
+                }
                 if !free.is_empty() {
                     let have = if free.len() == 1 { "has" } else { "have" };
                     let equations = if *for_free == 0 { "no equation".to_owned() } else { format!("only {}", plural(*for_free, "equation")) };

@@ -18,11 +18,14 @@ impl Bounds {
 impl Elaborator<'_> {
     /// The declared bounds of a parameter: constants, between which there is a value.
     pub(super) fn bounds(&mut self, limits: &Limits, dim: Dim, scope: &Scope) -> Option<Bounds> {
+        let scope = &scope.clone().timeless("the bound of a parameter");
         let (from, to) = (self.bound(limits.from.as_ref(), dim, scope), self.bound(limits.to.as_ref(), dim, scope));
         let (from, to) = (from?, to?);
         let dots = if limits.is_inclusive { "..=" } else { ".." };
-        let ends = [(&limits.from, from), (&limits.to, to)].map(|(written, value)| text(written.as_ref(), value, dim));
-        let text = [ends[0].as_str(), dots, ends[1].as_str()].join(" ").trim().to_owned();
+        let end = |written: &Option<ast::Expr>, value: Option<f64>| {
+            written.as_ref().zip(value).map_or(String::new(), |(written, value)| in_words(written, value, dim))
+        };
+        let text = format!("{} {dots} {}", end(&limits.from, from), end(&limits.to, to)).trim().to_owned();
         let bounds = Bounds { from, to, is_inclusive: limits.is_inclusive, text };
         if let (Some(from), Some(to)) = (from, to)
             && (from > to || from == to && !limits.is_inclusive)
@@ -45,9 +48,8 @@ impl Elaborator<'_> {
     }
 }
 
-/// A bound as a person writes it: a number as it was written, anything else by its value.
-fn text(written: Option<&ast::Expr>, value: Option<f64>, dim: Dim) -> String {
-    let (Some(written), Some(value)) = (written, value) else { return String::new() };
+/// A constant as a person writes it: a number as it was written, anything else by its value.
+pub(super) fn in_words(written: &ast::Expr, value: f64, dim: Dim) -> String {
     let (sign, inner) = match &written.kind {
         ExprKind::Negative(inner) => ("-", &inner.kind),
         kind => ("", kind),

@@ -1,5 +1,6 @@
 //! The items of a mechanism: registered by name first, resolved when asked for, each once.
 
+use super::bounds::in_words;
 use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
 use super::names::{Context, Declared, Entity, EntityId, Made, Names, Progress, is_generated};
@@ -131,7 +132,7 @@ impl Elaborator<'_> {
         };
         let value = self.numbers(&[], &[default])[0];
         if let Some(bounds) = bounds.as_ref().filter(|bounds| !bounds.hold(value)) {
-            let value = format!("{value} {}", dim.unit()).trim_end().to_owned();
+            let value = in_words(&parameter.default, value, dim);
             return self.refuse(parameter.default.range, Fact::DefaultOutOfBounds { value, bounds: bounds.text.clone() });
         }
         Some(Parameter { name: name.clone(), dim, default, bounds })

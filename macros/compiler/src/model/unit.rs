@@ -63,10 +63,12 @@ pub(crate) fn lookup(name: &str) -> Option<(Exact, Dim)> {
     Some((size, unit.dim))
 }
 
-/// The unit that was meant by a mistyped one: a letter too many is the most likely slip.
+/// The unit that was meant by a mistyped one: a letter typed twice is the most likely slip.
 pub(crate) fn meant(name: &str) -> Option<String> {
-    let without = |at: usize| name.chars().enumerate().filter(|(index, _)| *index != at).map(|(_, letter)| letter).collect::<String>();
-    let shorter = (0..name.chars().count()).rev().map(without).find(|shorter| !shorter.is_empty() && lookup(shorter).is_some());
+    let letters: Vec<char> = name.chars().collect();
+    let is_repeated = |at: &usize| *at > 0 && letters[*at] == letters[at - 1];
+    let without = |at: usize| letters[..at].iter().chain(&letters[at + 1..]).collect::<String>();
+    let shorter = (0..letters.len()).filter(is_repeated).map(without).find(|shorter| lookup(shorter).is_some());
     shorter.or_else(|| super::suggest::nearest(name, names()))
 }
 

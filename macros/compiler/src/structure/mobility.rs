@@ -27,7 +27,9 @@ pub(super) fn nothing_is_free(
     let body = |unknown: &usize| system.unknowns[*unknown].body;
     let has_no_place = |unknown: &&usize| in_none.iter().filter(|other| is_place(other) && body(other) == body(unknown)).count() > 1;
     // One coordinate of a body may be what a drive was meant for, if there is none yet; its place as a whole hardly ever is.
-    let first = if drives > 0 { in_none.first() } else { in_none.iter().find(has_no_place) };
+    let missing = matching.free_unknowns().len();
+    let is_all = drives > 0 && in_none.len() == missing;
+    let first = in_none.iter().find(has_no_place).or(in_none.first().filter(|_| is_all));
     if let Some(first) = first {
         let name = &model.bodies[body(first)].name;
         let example = (!has_no_place(&first)).then(|| example(model, system, *first));
@@ -35,7 +37,6 @@ pub(super) fn nothing_is_free(
         diag.refuse::<()>(name, Fact::FreeCoordinates { body: name.to_string(), coordinates, example });
         return;
     }
-    let missing = matching.free_unknowns().len();
     let loose = if missing > 1 { loose_ends(model, system, incidence, under) } else { Vec::new() };
     let candidates = candidates(model, system, incidence, under);
     let chosen = chosen(incidence, &candidates, missing.min(MOST_CHOSEN));

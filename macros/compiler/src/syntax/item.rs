@@ -218,7 +218,11 @@ fn limits(input: ParseStream) -> Parsed<Limits> {
     } else {
         return expected(input, "`..` or `..=` and the greatest value");
     }
-    let to = if input.peek(Token![;]) && !is_inclusive && from.is_some() { None } else { Some(expression(input)?) };
+    let is_open = input.peek(Token![;]);
+    if is_open && (is_inclusive || from.is_none()) {
+        return expected(input, "the greatest value");
+    }
+    let to = if is_open { None } else { Some(expression(input)?) };
     let range = to.as_ref().map_or(range, |to| range.to(to.range));
     Ok(Limits { from, to, is_inclusive, range })
 }
