@@ -33,7 +33,8 @@ mechanism! {
             joint axle = revolute((200mm, 0mm), wheel.position);
             joint mesh = gear_pair(turned_by, wheel, count, teeth);
         }
-        output stroke = slider.x;
+        let stroke = slider.x;
+        output stroke = stroke;
     }
 }
 

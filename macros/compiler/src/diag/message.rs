@@ -154,7 +154,9 @@ impl fmt::Display for Fact {
                     [first, .., last] if last - first + 1 == known.len() => {
                         write!(f, "\nnote: there are `{name}[{first}]` to `{name}[{last}]`")
                     }
-                    many => write!(f, "\nnote: there are {}", list(&many.iter().map(|index| format!("{name}[{index}]")).collect::<Vec<_>>())),
+                    many => {
+                        write!(f, "\nnote: there are {}", list(&many.iter().map(|index| format!("{name}[{index}]")).collect::<Vec<_>>()))
+                    }
                 }
             }
             Fact::NegativeIndex { index } => write!(f, "an index counts from 0, this one is {index}"),
@@ -192,11 +194,17 @@ impl fmt::Display for Fact {
             }
             Fact::ComponentRecursion { name } => {
                 write!(f, "the component `{name}` contains itself, and so without end")?;
-                write!(f, "\nhelp: let each part take the one before as an argument: `for i in 1..n {{ part name[i] = {name}(name[i - 1].end); }}`")
+                write!(
+                    f,
+                    "\nhelp: let each part take the one before as an argument: `for i in 1..n {{ part name[i] = {name}(name[i - 1].end); }}`"
+                )
             }
             Fact::ParameterAsArgument { component, name, part } => {
                 write!(f, "`{name}` is a parameter in `{component}`, not an argument of it")?;
-                write!(f, "\nhelp: it is set in Rust, `mechanism.{part}.{name} = …`; to set it here, declare `component {component}(…, {name}: …)`")
+                write!(
+                    f,
+                    "\nhelp: it is set in Rust, `mechanism.{part}.{name} = …`; to set it here, declare `component {component}(…, {name}: …)`"
+                )
             }
             Fact::OutsideOfComponent { name, what } => {
                 write!(f, "a component does not see `{name}`, {what} outside of it\nhelp: take it as an argument")
@@ -376,7 +384,11 @@ impl fmt::Display for Fact {
             }
             Fact::EmptyBounds { bounds, is_point } => {
                 write!(f, "no value lies in {bounds}\nhelp: ")?;
-                if *is_point { write!(f, "write `..=` where the greatest value is allowed") } else { write!(f, "the lesser value stands first") }
+                if *is_point {
+                    write!(f, "write `..=` where the greatest value is allowed")
+                } else {
+                    write!(f, "the lesser value stands first")
+                }
             }
             Fact::DefaultOutOfBounds { value, bounds } => {
                 write!(f, "the default, {value}, does not lie in {bounds}\nhelp: widen the range, or take a default within")
@@ -463,7 +475,12 @@ impl fmt::Display for Fact {
                     [only] => write!(f, "{} determines `{only}` already", list(joints))?,
                     many => {
                         write!(f, "{} leave no freedom", list(joints))?;
-                        write!(f, "\nnote: they are {} on {}: mobility 0", plural(many.len(), "equation"), plural(many.len(), "coordinate"))?;
+                        write!(
+                            f,
+                            "\nnote: they are {} on {}: mobility 0",
+                            plural(many.len(), "equation"),
+                            plural(many.len(), "coordinate")
+                        )?;
                     }
                 }
                 if free.is_empty() {
@@ -494,7 +511,12 @@ impl fmt::Display for Fact {
                     return write!(f, "`{joint}` adds nothing: {} {verb} the same\nhelp: take `{joint}` away", list(others));
                 }
                 let which: Vec<String> = rows.iter().map(usize::to_string).collect();
-                write!(f, "`{joint}` demands in part what {} {verb}: its equation {} of {of} adds nothing", list(others), which.join(" and "))?;
+                write!(
+                    f,
+                    "`{joint}` demands in part what {} {verb}: its equation {} of {of} adds nothing",
+                    list(others),
+                    which.join(" and ")
+                )?;
                 write!(f, "\nhelp: take one of them away, or demand less with it")
             }
             Fact::Contradicts { joint, others, demand, off } => {
@@ -515,7 +537,11 @@ impl fmt::Display for Fact {
                 write!(f, "\nhelp: take one of them away")
             }
             Fact::Collides { joint, others, off } => {
-                write!(f, "`{joint}` demands again what {} demand, with other numbers: both hold only where `{off}` is zero", list(others))?;
+                write!(
+                    f,
+                    "`{joint}` demands again what {} demand, with other numbers: both hold only where `{off}` is zero",
+                    list(others)
+                )?;
                 write!(f, "\nhelp: take one of them away")
             }
             Fact::TooManyEquations { joint, others, equations, coordinates, free, for_free } => {
@@ -532,7 +558,8 @@ impl fmt::Display for Fact {
                 }
                 if !free.is_empty() {
                     let have = if free.len() == 1 { "has" } else { "have" };
-                    let equations = if *for_free == 0 { "no equation".to_owned() } else { format!("only {}", plural(*for_free, "equation")) };
+                    let equations =
+                        if *for_free == 0 { "no equation".to_owned() } else { format!("only {}", plural(*for_free, "equation")) };
                     return write!(f, "\nnote: {} {have} {equations}", list(free));
                 }
                 write!(f, "\nnote: that is a mobility of -{surplus}\nhelp: take one of these joints away")

@@ -108,11 +108,7 @@ impl Emitter<'_> {
     }
 
     /// A check of some parameters by name, value and unit.
-    fn each_of(
-        &self,
-        parameters: &[&Parameter],
-        check: impl Fn(&TokenStream, &TokenStream, &TokenStream) -> TokenStream,
-    ) -> TokenStream {
+    fn each_of(&self, parameters: &[&Parameter], check: impl Fn(&TokenStream, &TokenStream, &TokenStream) -> TokenStream) -> TokenStream {
         let known = parameters.iter().map(|parameter| {
             let (path, place, unit) = (&parameter.name.path, place(&parameter.name.path), parameter.dim.unit());
             (quote!(#path), quote!(self.#place), quote!(#unit))

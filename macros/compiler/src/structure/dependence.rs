@@ -176,7 +176,11 @@ fn add<K: Ord + Copy>(sum: &mut BTreeMap<K, Exact>, other: &BTreeMap<K, Exact>, 
     for (term, coefficient) in other {
         let before = sum.get(term).copied().unwrap_or(Exact::ZERO);
         let after = before.checked_add(coefficient.checked_mul(factor)?)?;
-        if after.is_zero() { sum.remove(term) } else { sum.insert(*term, after) };
+        if after.is_zero() {
+            sum.remove(term)
+        } else {
+            sum.insert(*term, after)
+        };
     }
     Some(())
 }

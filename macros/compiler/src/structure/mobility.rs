@@ -13,14 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 const MOST_CHOSEN: usize = 4;
 
 /// There are equations enough. `under`: given, the unknowns that share too few, and their equations.
-pub(super) fn nothing_is_free(
-    model: &Model,
-    system: &System,
-    incidence: &Incidence,
-    matching: &Matching,
-    under: &Part,
-    diag: &mut Diag,
-) {
+pub(super) fn nothing_is_free(model: &Model, system: &System, incidence: &Incidence, matching: &Matching, under: &Part, diag: &mut Diag) {
     let drives = drives(model);
     let in_none = in_no_equation(incidence);
     let is_place = |unknown: &usize| system.unknowns[*unknown].dim != Dim::ANGLE;
@@ -68,7 +61,8 @@ fn candidates(model: &Model, system: &System, incidence: &Incidence, under: &Par
     let joints = incidence.rows.iter().zip(&system.equations).filter(|(_, equation)| !model.joints[equation.joint].is_drive);
     let on_ground: BTreeSet<usize> =
         joints.map(|(row, _)| row).filter(|row| !row.is_empty()).filter(is_on_ground).map(|row| body(&row[0])).collect();
-    let (angles, places): (Vec<usize>, Vec<usize>) = under.unknowns.iter().partition(|unknown| system.unknowns[**unknown].dim == Dim::ANGLE);
+    let (angles, places): (Vec<usize>, Vec<usize>) =
+        under.unknowns.iter().partition(|unknown| system.unknowns[**unknown].dim == Dim::ANGLE);
     let mut candidates = if angles.is_empty() { places } else { angles };
     candidates.sort_by_key(|unknown| !on_ground.contains(&system.unknowns[*unknown].body));
     candidates

@@ -111,7 +111,8 @@ fn groups(model: &Model, system: &System, incidence: &Incidence) -> Vec<Group> {
     let mut group_of: BTreeMap<usize, usize> = BTreeMap::new();
     for free in matching.free_equations() {
         let Part { equations, unknowns } = contending(&ordered, &matching, vec![free]);
-        let mut joined = Group { part: Part { equations: equations.iter().map(|row| order[*row]).collect(), unknowns }, first: order[free] };
+        let mut joined =
+            Group { part: Part { equations: equations.iter().map(|row| order[*row]).collect(), unknowns }, first: order[free] };
         let is_of_drive = |equation: usize| model.joints[system.equations[equation].joint].is_drive;
         let known: BTreeSet<usize> = joined.part.equations.iter().filter_map(|equation| group_of.get(equation).copied()).collect();
         // Where joints alone are too many, a drive is not to blame as well.

@@ -1,7 +1,8 @@
 //! The items of a mechanism.
 
 use super::ast::{
-    Argument, Docs, Expr, Frame, Function, Item, Joint, JointBody, Let, Limits, Mark, Marks, Mechanism, Output, Parameter, Refused, Start, Use,
+    Argument, Docs, Expr, Frame, Function, Item, Joint, JointBody, Let, Limits, Mark, Marks, Mechanism, Output, Parameter, Refused, Start,
+    Use,
 };
 use super::definition::statement;
 use super::dimension::{dimension, required_dimension};
