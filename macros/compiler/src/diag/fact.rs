@@ -7,452 +7,139 @@ use crate::model::Dim;
 #[allow(missing_docs)] // The sentence in `message.rs` is the documentation of each fact.
 pub enum Fact {
     // Syntax.
-    Syntax {
-        message: String,
-    },
-    Expected {
-        what: &'static str,
-        found: String,
-    },
-    NotANumber {
-        found: &'static str,
-    },
-    TooDeep {
-        limit: u16,
-    },
-    Keyword {
-        word: String,
-    },
+    Syntax { message: String },
+    Expected { what: &'static str, found: String },
+    NotANumber { found: &'static str },
+    TooDeep { limit: u16 },
+    Keyword { word: String },
     NumberType,
-    UnknownAttribute {
-        name: String,
-    },
-    TokensAfter {
-        what: &'static str,
-        help: &'static str,
-    },
-    UnknownItem {
-        word: String,
-    },
-    UnknownBodyItem {
-        word: String,
-    },
+    UnknownAttribute { name: String },
+    TokensAfter { what: &'static str, help: &'static str },
+    UnknownItem { word: String },
+    UnknownBodyItem { word: String },
     OneArgument,
-    PairWithoutParentheses {
-        what: &'static str,
-    },
-    PathOfConstraint {
-        path: String,
-        last: String,
-    },
+    PairWithoutParentheses { what: &'static str },
+    PathOfConstraint { path: String, last: String },
     DoubleStar,
-    MethodCall {
-        name: String,
-    },
-    SpaceBeforeUnit {
-        number: String,
-        unit: String,
-    },
-    ExponentTooLarge {
-        limit: u8,
-    },
-    OnlyAtTheTop {
-        word: String,
-    },
+    MethodCall { name: String },
+    SpaceBeforeUnit { number: String, unit: String },
+    ExponentTooLarge { limit: u8 },
+    OnlyAtTheTop { word: String },
     StartInLoop,
-    IndexInEquations {
-        name: String,
-    },
+    IndexInEquations { name: String },
     // Arrays and parts.
-    WithoutIndex {
-        name: String,
-        variable: String,
-    },
-    DuplicateInLoop {
-        name: String,
-        variable: String,
-    },
-    ArrayWithoutIndex {
-        name: String,
-    },
-    NoArray {
-        found: &'static str,
-        is_member: bool,
-    },
-    IndexOutOfRange {
-        name: String,
-        index: i64,
-        known: Vec<usize>,
-    },
-    NegativeIndex {
-        index: i64,
-    },
-    MissingIndex {
-        what: &'static str,
-        missing: String,
-        known: String,
-    },
-    NotWhole {
-        found: String,
-    },
+    WithoutIndex { name: String, variable: String },
+    DuplicateInLoop { name: String, variable: String },
+    ArrayWithoutIndex { name: String },
+    NoArray { found: &'static str, is_member: bool },
+    IndexOutOfRange { name: String, index: i64, known: Vec<usize> },
+    NegativeIndex { index: i64 },
+    MissingIndex { what: &'static str, missing: String, known: String },
+    NotWhole { found: String },
     NotKnownWhole,
-    EmptyRange {
-        from: i64,
-        to: i64,
-        is_inclusive: bool,
-    },
-    LongRange {
-        limit: usize,
-    },
-    TooManyItems {
-        limit: usize,
-    },
-    UnknownComponent {
-        name: String,
-        near: Option<String>,
-        is_constraint: bool,
-    },
-    ComponentAsConstraint {
-        name: String,
-    },
-    ComponentRecursion {
-        name: String,
-    },
-    ParameterAsArgument {
-        component: String,
-        name: String,
-        part: String,
-    },
-    OutsideOfComponent {
-        name: String,
-        what: &'static str,
-    },
-    UnlikeParts {
-        name: String,
-        component: String,
-    },
-    UnlikeOutputs {
-        name: String,
-    },
-    GeneratedType {
-        name: String,
-    },
-    InInstance {
-        place: String,
-        fact: Box<Fact>,
-    },
+    EmptyRange { from: i64, to: i64, is_inclusive: bool },
+    LongRange { limit: usize },
+    TooManyItems { limit: usize },
+    UnknownComponent { name: String, near: Option<String>, is_constraint: bool },
+    ComponentAsConstraint { name: String },
+    ComponentRecursion { name: String },
+    ParameterAsArgument { component: String, name: String, part: String },
+    OutsideOfComponent { name: String, what: &'static str },
+    UnlikeParts { name: String, component: String },
+    UnlikeOutputs { name: String },
+    GeneratedType { name: String },
+    InInstance { place: String, fact: Box<Fact> },
     // Names.
-    UnknownName {
-        name: String,
-        near: Option<String>,
-    },
-    OutputRead {
-        name: String,
-    },
-    UnitAlone {
-        name: String,
-    },
-    UnknownField {
-        owner: String,
-        name: String,
-        near: Option<String>,
-        known: Vec<String>,
-    },
-    UnknownFunction {
-        name: String,
-        near: Option<String>,
-        is_constraint: bool,
-    },
-    UnknownConstraint {
-        name: String,
-        near: Option<String>,
-    },
-    UnknownUnit {
-        number: String,
-        name: String,
-        near: Option<String>,
-    },
-    UnknownDimension {
-        name: String,
-        near: Option<String>,
-    },
-    UnknownStart {
-        name: String,
-        near: Option<String>,
-    },
-    NotAConstraint {
-        name: String,
-    },
-    UnknownKind {
-        name: String,
-        near: Option<String>,
-    },
-    Duplicate {
-        name: String,
-        first: &'static str,
-    },
-    DuplicateMark {
-        name: String,
-        body: String,
-    },
-    DuplicateStart {
-        name: String,
-        body: String,
-    },
+    UnknownName { name: String, near: Option<String> },
+    OutputRead { name: String },
+    UnitAlone { name: String },
+    UnknownField { owner: String, name: String, near: Option<String>, known: Vec<String> },
+    UnknownFunction { name: String, near: Option<String>, is_constraint: bool },
+    UnknownConstraint { name: String, near: Option<String> },
+    UnknownUnit { number: String, name: String, near: Option<String> },
+    UnknownDimension { name: String, near: Option<String> },
+    UnknownStart { name: String, near: Option<String> },
+    NotAConstraint { name: String },
+    UnknownKind { name: String, near: Option<String> },
+    Duplicate { name: String, first: &'static str },
+    DuplicateMark { name: String, body: String },
+    DuplicateStart { name: String, body: String },
     DuplicateGround,
-    Reserved {
-        name: String,
-    },
-    Generated {
-        name: String,
-    },
-    Cycle {
-        name: String,
-    },
-    Recursion {
-        name: String,
-    },
+    Reserved { name: String },
+    Generated { name: String },
+    Cycle { name: String },
+    Recursion { name: String },
     // Arity.
-    TooManyArguments {
-        definition: String,
-        signature: String,
-        takes: [usize; 2],
-        found: usize,
-    },
-    MissingArguments {
-        definition: String,
-        signature: String,
-        takes: [usize; 2],
-        found: usize,
-        missing: Vec<String>,
-    },
-    UnknownArgument {
-        definition: String,
-        name: String,
-        signature: String,
-        near: Option<String>,
-    },
-    DuplicateArgument {
-        name: String,
-    },
+    TooManyArguments { definition: String, signature: String, takes: [usize; 2], found: usize },
+    MissingArguments { definition: String, signature: String, takes: [usize; 2], found: usize, missing: Vec<String> },
+    UnknownArgument { definition: String, name: String, signature: String, near: Option<String> },
+    DuplicateArgument { name: String },
     PositionalAfterNamed,
-    FunctionArity {
-        name: String,
-        wanted: usize,
-        found: usize,
-    },
-    DefaultBefore {
-        name: String,
-    },
+    FunctionArity { name: String, wanted: usize, found: usize },
+    DefaultBefore { name: String },
     // Kinds and dimensions.
-    NotA {
-        wanted: &'static str,
-        found: &'static str,
-    },
-    WrongArgument {
-        parameter: String,
-        definition: String,
-        wanted: String,
-        found: String,
-        instead: Option<String>,
-    },
-    WrongArgumentDimension {
-        parameter: String,
-        definition: String,
-        wanted: Dim,
-        found: Dim,
-    },
-    WrongDefault {
-        wanted: String,
-        found: &'static str,
-    },
-    WrongDimension {
-        wanted: Dim,
-        found: Dim,
-    },
-    Unlike {
-        action: &'static str,
-        one: Dim,
-        two: Dim,
-    },
-    NotALength {
-        found: Dim,
-        instead: Option<String>,
-    },
-    FunctionTakes {
-        wanted: Dim,
-        found: Dim,
-    },
+    NotA { wanted: &'static str, found: &'static str },
+    WrongArgument { parameter: String, definition: String, wanted: String, found: String, instead: Option<String> },
+    WrongArgumentDimension { parameter: String, definition: String, wanted: Dim, found: Dim },
+    WrongDefault { wanted: String, found: &'static str },
+    WrongDimension { wanted: Dim, found: Dim },
+    Unlike { action: &'static str, one: Dim, two: Dim },
+    NotALength { found: Dim, instead: Option<String> },
+    FunctionTakes { wanted: Dim, found: Dim },
     OrderOfBodies,
-    CannotCompare {
-        one: &'static str,
-        two: &'static str,
-    },
-    CannotEquate {
-        one: &'static str,
-        two: &'static str,
-    },
-    NotTwoComponents {
-        found: usize,
-    },
+    CannotCompare { one: &'static str, two: &'static str },
+    CannotEquate { one: &'static str, two: &'static str },
+    NotTwoComponents { found: usize },
     VectorAndNumber,
     VectorTimesVector,
     NumberByVector,
-    PowerOfDimension {
-        base: Dim,
-    },
-    NotAnOutput {
-        found: &'static str,
-    },
+    PowerOfDimension { base: Dim },
+    NotAnOutput { found: &'static str },
     // Values.
-    NumberTooLong {
-        number: String,
-    },
-    NotFinite {
-        place: &'static str,
-    },
-    TooLarge {
-        limit: usize,
-    },
+    NumberTooLong { number: String },
+    NotFinite { place: &'static str },
+    TooLarge { limit: usize },
     DivisionByZero,
     EqualityInChoice,
     ListOutsideTable,
-    TableArity {
-        found: usize,
-    },
+    TableArity { found: usize },
     TableNeedsList,
     TableNeedsPairs,
     TableNotIncreasing,
-    TableTooShort {
-        found: usize,
-    },
-    TableNotPeriodic {
-        first: f64,
-        last: f64,
-    },
+    TableTooShort { found: usize },
+    TableNotPeriodic { first: f64, last: f64 },
     TableEnds,
-    NotConstant {
-        place: &'static str,
-        help: &'static str,
-    },
-    EmptyBounds {
-        bounds: String,
-        is_point: bool,
-    },
-    DefaultOutOfBounds {
-        value: String,
-        bounds: String,
-    },
-    NotFixed {
-        place: &'static str,
-    },
+    NotConstant { place: &'static str, help: &'static str },
+    EmptyBounds { bounds: String, is_point: bool },
+    DefaultOutOfBounds { value: String, bounds: String },
+    NotFixed { place: &'static str },
     FunctionNeedsArgument,
-    ZeroAxis {
-        name: String,
-    },
+    ZeroAxis { name: String },
     // Joints.
-    TimeIn {
-        place: &'static str,
-    },
+    TimeIn { place: &'static str },
     TimeInDefinition,
-    TimeInJoint {
-        joint: String,
-    },
-    RequirementFails {
-        why: String,
-    },
-    RequirementFailsAtDefaults {
-        why: String,
-        value: f64,
-    },
-    RowOfNothing {
-        joint: String,
-        row: usize,
-        of: usize,
-    },
-    OnGround {
-        joint: String,
-        kind: String,
-    },
-    NoEquations {
-        name: String,
-    },
-    EmptyBundle {
-        name: String,
-    },
+    TimeInJoint { joint: String },
+    RequirementFails { why: String },
+    RequirementFailsAtDefaults { why: String, value: f64 },
+    RowOfNothing { joint: String, row: usize, of: usize },
+    OnGround { joint: String, kind: String },
+    NoEquations { name: String },
+    EmptyBundle { name: String },
     GroundStart,
-    InDefinition {
-        definition: String,
-        quantities: Vec<(String, Dim)>,
-        fact: Box<Fact>,
-    },
+    InDefinition { definition: String, quantities: Vec<(String, Dim)>, fact: Box<Fact> },
     // The whole.
-    NoBodies {
-        name: String,
-    },
-    BodyIsFree {
-        body: String,
-    },
-    Repeats {
-        joint: String,
-        other: String,
-    },
-    NotOnGround {
-        bodies: Vec<String>,
-    },
-    FreeCoordinates {
-        body: String,
-        coordinates: Vec<String>,
-        example: Option<String>,
-    },
-    DrivesMissing {
-        name: String,
-        missing: usize,
-        drives: usize,
-        coordinates: usize,
-        joints: usize,
-        loose: Vec<String>,
-        candidates: Vec<String>,
-        example: String,
-    },
-    NothingToDrive {
-        drive: String,
-        joints: Vec<String>,
-        coordinates: Vec<String>,
-        free: Vec<String>,
-    },
-    DrivesContend {
-        drives: Vec<String>,
-        freedoms: usize,
-        joints: Vec<String>,
-        coordinates: Vec<String>,
-        free: Vec<String>,
-    },
-    Follows {
-        joint: String,
-        rows: Vec<usize>,
-        of: usize,
-        others: Vec<String>,
-    },
-    Contradicts {
-        joint: String,
-        others: Vec<String>,
-        demand: Option<Demand>,
-        off: String,
-    },
-    Collides {
-        joint: String,
-        others: Vec<String>,
-        off: String,
-    },
-    TooManyEquations {
-        joint: String,
-        others: Vec<String>,
-        equations: usize,
-        coordinates: Vec<String>,
-        free: Vec<String>,
-        for_free: usize,
-    },
+    NoBodies { name: String },
+    BodyIsFree { body: String },
+    Repeats { joint: String, other: String },
+    NotOnGround { bodies: Vec<String> },
+    FreeCoordinates { body: String, coordinates: Vec<String>, example: Option<String> },
+    DrivesMissing { name: String, count: Count, loose: Vec<String>, candidates: Vec<String>, example: String },
+    NothingToDrive { drive: String, joints: Vec<String>, coordinates: Vec<String>, free: Vec<String> },
+    DrivesContend { drives: Vec<String>, freedoms: usize, joints: Vec<String>, coordinates: Vec<String>, free: Vec<String> },
+    Follows { joint: String, rows: Vec<usize>, of: usize, others: Vec<String> },
+    Contradicts { joint: String, others: Vec<String>, demand: Option<Demand>, off: String },
+    Collides { joint: String, others: Vec<String>, off: String },
+    TooManyEquations { joint: String, others: Vec<String>, equations: usize, coordinates: Vec<String>, free: Vec<String>, for_free: usize },
 }
 
 /// What a joint demands of a sum of coordinates, and what others make of it.
@@ -464,4 +151,17 @@ pub struct Demand {
     pub wanted: String,
     /// What the others demand.
     pub found: String,
+}
+
+/// What there is of coordinates, equations and drives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Count {
+    /// Coordinates of all bodies.
+    pub coordinates: usize,
+    /// Equations of joints.
+    pub joints: usize,
+    /// Equations of drives.
+    pub drives: usize,
+    /// How many more there would have to be.
+    pub missing: usize,
 }

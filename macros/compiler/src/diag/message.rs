@@ -3,7 +3,7 @@
 //! A message starts lower-case and ends without a full stop; code stands in backticks; what to
 //! type comes after `help:`, a further fact after `note:`.
 
-use super::{Demand, Fact};
+use super::{Count, Demand, Fact};
 use crate::model::Dim;
 use std::fmt;
 
@@ -454,7 +454,7 @@ impl fmt::Display for Fact {
                     None => write!(f, "\nhelp: join `{body}` to another body, such as `joint name = revolute({body}.position, other.P);`"),
                 }
             }
-            Fact::DrivesMissing { name, missing, drives, coordinates, joints, loose, candidates, example } => {
+            Fact::DrivesMissing { name, count: Count { coordinates, joints, drives, missing }, loose, candidates, example } => {
                 write!(f, "`{name}` has mobility {}, but {}", missing + drives, drives_there_are(*drives))?;
                 write!(f, "\nnote: {} and {} of joints", plural(*coordinates, "coordinate"), plural(*joints, "equation"))?;
                 if !loose.is_empty() {

@@ -4,7 +4,7 @@ use super::incidence::{Entry, Incidence};
 use super::matching::{self, Matching};
 use super::parts::Part;
 use super::verdict::coordinate;
-use crate::diag::{Diag, Fact};
+use crate::diag::{Count, Diag, Fact};
 use crate::model::{Dim, Model};
 use crate::system::System;
 use std::collections::{BTreeMap, BTreeSet};
@@ -33,14 +33,12 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, incidence: &Incide
     let loose = if missing > 1 { loose_ends(model, system, incidence, under) } else { Vec::new() };
     let candidates = candidates(model, system, incidence, under);
     let chosen = chosen(incidence, &candidates, missing.min(MOST_CHOSEN));
+    let shown = if missing == 1 { &candidates } else { &chosen };
     let fact = Fact::DrivesMissing {
         name: model.name.to_string(),
-        missing,
-        drives,
-        coordinates: system.unknowns.len(),
-        joints: system.equations.len() - drives,
+        count: Count { coordinates: system.unknowns.len(), joints: system.equations.len() - drives, drives, missing },
         loose: loose.into_iter().map(|body| model.bodies[body].name.to_string()).collect(),
-        candidates: if missing == 1 { &candidates } else { &chosen }.iter().map(|unknown| coordinate(model, system, *unknown)).collect(),
+        candidates: shown.iter().map(|unknown| coordinate(model, system, *unknown)).collect(),
         example: chosen.first().map_or(String::new(), |unknown| example(model, system, *unknown)),
     };
     diag.refuse::<()>(&model.name, fact);
