@@ -3,7 +3,7 @@
 use super::arrays::{array_at, array_type};
 use super::expression::local;
 use super::functions::Emitter;
-use super::stages::{Shelf, iterated, number};
+use super::stages::{Shelf, iterated, number, results, stages_of};
 use super::{docs, docs_or, plan_constant, solving};
 use crate::model::Method;
 use crate::plan::Slice;
@@ -29,7 +29,8 @@ impl Emitter<'_> {
         let plan = plan_constant(self.model, self.system, &slice.solution);
         let (n, whole) = (slice.held.len(), self.system.unknowns.len());
         let (t, pass) = (local("t"), local("pass"));
-        let result = quote!(::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>>);
+        let (argument, to, result) = results(&slice.solution.solving, n);
+        let of_trait = stages_of(&slice.solution.solving, n, &quote!(self.0.#stages(#t, #pass, #argument)));
         let page =
             format!("What is upstream of the output `{word}` of [`{mechanism}`], and nothing else, made by [`{mechanism}::{solve_for}`].");
         let method_page =
@@ -56,7 +57,7 @@ impl Emitter<'_> {
             impl<T: ::reuleaux::Lanes> #mechanism<T> {
                 #[doc(hidden)]
                 #[inline(always)]
-                fn #stages(&self, #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { #body }
+                fn #stages(&self, #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>, #to) -> #result { #body }
             }
             #description
             #[automatically_derived]
@@ -65,8 +66,7 @@ impl Emitter<'_> {
                 fn toward(&self, share: T) -> ::core::option::Option<Self> {
                     ::core::option::Option::map(::reuleaux::Stages::<T, #whole>::toward(&self.0, share), Self)
                 }
-                #[inline(always)]
-                fn stages(&self, t: T, pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { self.0.#stages(t, pass) }
+                #of_trait
             }
             #solving
             #value
@@ -156,7 +156,8 @@ impl Emitter<'_> {
         let (count, places) = (slice.given.len(), slice.given.iter().map(|unknown| number(*unknown)));
         let held = slice.held.iter().map(|unknown| Literal::usize_unsuffixed(*unknown));
         let (t, pass, given, stages) = (local("t"), local("pass"), local("given"), local("stages_of_what_moves"));
-        let result = quote!(::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>>);
+        let (argument, to, result) = results(&slice.solution.solving, n);
+        let of_trait = stages_of(&slice.solution.solving, n, &quote!(self.0.#stages(&self.1, #t, #pass, #argument)));
         let step = quote! {
             fn step(&self, state: &mut ::reuleaux::State<T, #whole>, t: T) -> bool
             where
@@ -178,14 +179,13 @@ impl Emitter<'_> {
             impl<T: ::reuleaux::Lanes> #mechanism<T> {
                 #[doc(hidden)]
                 #[inline(always)]
-                fn #stages(&self, #given: &[T; #count], #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { #body }
+                fn #stages(&self, #given: &[T; #count], #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>, #to) -> #result { #body }
             }
             #description
             #[automatically_derived]
             impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> {
                 #constants
-                #[inline(always)]
-                fn stages(&self, t: T, pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { self.0.#stages(&self.1, t, pass) }
+                #of_trait
             }
         };
         (step, part)
