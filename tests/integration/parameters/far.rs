@@ -91,13 +91,13 @@ struct Count {
 
 macro_rules! follows {
     ($mechanism:ident, $side:expr, $lengths:expr, $count:expr) => {{
-        let (lengths, count): ([f64; 4], &mut Count) = ($lengths, $count);
+        let (side, lengths, count): (f64, [f64; 4], &mut Count) = ($side, $lengths, $count);
         let [crank_length, coupler_length, rocker_length, base] = lengths;
         let mechanism = $mechanism { crank_length, coupler_length, rocker_length, base };
         let (end, closes) = (opens(lengths), margin(lengths, 0.0));
         match mechanism.solve(0.0) {
             Ok(state) => {
-                let (found, expected) = (mechanism.pin(&state).value, pin(lengths, 0.0, $side));
+                let (found, expected) = (mechanism.pin(&state).value, pin(lengths, 0.0, side));
                 let off = (found.x - expected[0]).hypot(found.y - expected[1]);
                 // At a fold both assemblies are one, and rounding errors count by their roots.
                 assert!(closes > -1e-12, "{lengths:?} closed by {closes}");
@@ -112,7 +112,7 @@ macro_rules! follows {
                 let there = mechanism.toward(said.share).expect("parameters between");
                 assert!((there.base - between(lengths, said.share)[3]).abs() < 1e-15);
                 let last = failure.last.as_ref().expect("the last state before the end");
-                assert!($side * (last.q[8] - last.q[5]).sin() > 0.0 && last.condition > 1e3, "{failure} was left before");
+                assert!(side * (last.q[8] - last.q[5]).sin() > 0.0 && last.condition > 1e3, "{failure} was left before");
                 match failure.cause {
                     // One of two rows has at least the share 1/√2 of what is lacking.
                     Cause::DoesNotClose { gap, .. } => {
