@@ -140,9 +140,12 @@ fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     state: &mut State<T, N>,
     t: T,
 ) -> Result<(), Failure<T, N>> {
-    let fail = |cause, time, last: &State<T, N>| Err(Failure { mechanism: E::NAME, cause, time, last: Some(last.clone()) });
+    let fail = |cause, time, last: &State<T, N>| Err(Failure { mechanism: E::NAME, cause, time, end: None, last: Some(last.clone()) });
     if !t.is_finite() || !state.t.is_finite() {
         return fail(Cause::NotFinite { of: Culprit::Time }, t, state);
+    }
+    if let Err(parameter) = equations.validate() {
+        return fail(Cause::ParameterOutOfRange(parameter), t, state);
     }
     let mut here = state.clone();
     let mut step = t - state.t;

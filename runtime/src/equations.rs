@@ -59,6 +59,8 @@ pub struct ParameterOutOfRange<T> {
     pub name: &'static str,
     /// The value it has, in SI.
     pub value: T,
+    /// The SI unit of the value; empty for a pure number.
+    pub unit: &'static str,
     /// Why not, or what it should be: `"it must not be zero"`.
     pub why: &'static str,
 }

@@ -14,8 +14,23 @@ pub struct Failure<T, const N: usize> {
     pub cause: Cause<T>,
     /// When, in s.
     pub time: T,
+    /// Where the branch ends on the way from the declared defaults to these parameters, if it could not be followed as far as that.
+    pub end: Option<BranchEnd<T>>,
     /// The last valid state on the way there.
     pub last: Option<State<T, N>>,
+}
+
+/// Where the branch of the declared start ends while parameters are changed from their declared defaults: beyond, it does not close,
+/// and would have to go on as its mirror image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BranchEnd<T> {
+    /// The share of the way, 0 at the defaults and 1 at these parameters; [`Stages::toward`](crate::Stages::toward) gives the
+    /// mechanism there, with the parameters that it has.
+    pub share: T,
+    /// A row of the block that becomes singular there.
+    pub row: Row,
+    /// The coordinate of the block that its rows do not determine there.
+    pub coordinate: Coordinate,
 }
 
 /// What happened.
@@ -81,7 +96,20 @@ pub enum Culprit {
 impl<T: Float, const N: usize> fmt::Display for Failure<T, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (name, t) = (self.mechanism, self.time.to_f64());
-        match &self.cause {
+        self.cause.fmt(f, name, t)?;
+        let Some(BranchEnd { share, row, coordinate }) = &self.end else { return Ok(()) };
+        write!(
+            f,
+            "; on the way from its defaults to these parameters the branch ends at {:.4} %, where {row} does not determine {coordinate}",
+            100.0 * share.to_f64()
+        )
+    }
+}
+
+impl<T: Float> Cause<T> {
+    /// What happened to the mechanism of this name at time t.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>, name: &str, t: f64) -> fmt::Result {
+        match self {
             Cause::DoesNotClose { row, residual, gap } => {
                 write!(f, "`{name}` does not close at t = {t} s: {row} stays open by {:.2e} m", gap.to_f64())?;
                 if row.unit == "m" { Ok(()) } else { write!(f, " (residual {:.2e} {})", residual.to_f64(), row.unit) }
@@ -98,9 +126,7 @@ impl<T: Float, const N: usize> fmt::Display for Failure<T, N> {
                 coordinate.kind.unit()
             ),
             Cause::NotFinite { of } => write!(f, "`{name}` is not finite at t = {t} s: {of}"),
-            Cause::ParameterOutOfRange(ParameterOutOfRange { name: parameter, value, why }) => {
-                write!(f, "`{name}` cannot be solved with `{parameter}` = {}: {why}", value.to_f64())
-            }
+            Cause::ParameterOutOfRange(parameter) => write!(f, "`{name}` cannot be solved with {parameter}"),
             Cause::NoConvergence { correction, iterations } => write!(
                 f,
                 "`{name}` does not settle at t = {t} s: after {iterations} corrections they are still {:.1e} long",
@@ -137,7 +163,8 @@ impl<T: Float, const N: usize> Error for Failure<T, N> {}
 
 impl<T: Float> fmt::Display for ParameterOutOfRange<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}` = {}: {}", self.name, self.value.to_f64(), self.why)
+        let space = if self.unit.is_empty() { "" } else { " " };
+        write!(f, "`{}` = {}{space}{}: {}", self.name, self.value.to_f64(), self.unit, self.why)
     }
 }
 

@@ -85,7 +85,7 @@ pub mod wide;
 #[doc(hidden)]
 pub use continuation::step_in_part;
 pub use equations::{Description, Equations, ParameterOutOfRange};
-pub use failure::{Cause, Culprit, Failure};
+pub use failure::{BranchEnd, Cause, Culprit, Failure};
 pub use family::Family;
 pub use float::Float;
 pub use lanes::{Lanes, Mask};

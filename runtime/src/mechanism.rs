@@ -15,7 +15,8 @@ use crate::{Cause, Culprit, Failure, Float, State, Sweep};
 /// They fail with the [`Cause`] and the last valid state, and never panic.
 pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// The state at `t` (s) on the branch of the declared start: assembled at t = 0, then followed in time, which takes the longer
-    /// the further `t` is. Parameters that differ from the defaults are followed from there as well.
+    /// the further `t` is. Parameters that differ from the defaults are followed from there as well,
+    /// and where the branch ends on that way, [`Failure::end`] says where.
     ///
     /// # Errors
     /// Any [`Cause`]. For many times in order, [`sweep`](Self::sweep) does not begin at zero again and again.
@@ -35,7 +36,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// # Errors
     /// Any [`Cause`] but `BranchLost` and `TooManySteps`.
     fn solve_near(&self, t: T, guess: &SVector<T, N>) -> Result<State<T, N>, Failure<T, N>> {
-        let fail = |cause| Failure { mechanism: Self::NAME, cause, time: t, last: None };
+        let fail = |cause| Failure { mechanism: Self::NAME, cause, time: t, end: None, last: None };
         self.validate().map_err(|parameter| fail(Cause::ParameterOutOfRange(parameter)))?;
         if !t.is_finite() {
             return Err(fail(Cause::NotFinite { of: Culprit::Time }));
@@ -49,6 +50,10 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// # Errors
     /// Any [`Cause`].
     fn solve_from(&self, t: T, from: &State<T, N>) -> Result<State<T, N>, Failure<T, N>> {
+        self.validate().map_err(|parameter| {
+            let cause = Cause::ParameterOutOfRange(parameter);
+            Failure { mechanism: Self::NAME, cause, time: t, end: None, last: Some(from.clone()) }
+        })?;
         let mut state = from.clone();
         continuation::advance(self, &mut state, t)?;
         Ok(state)

@@ -88,7 +88,7 @@ fn not_a_number_is_named() {
 #[test]
 fn parameters_are_checked_first() {
     let failure = FourBar { coupler: 0.0, ..CRANK_ROCKER }.solve(0.0).unwrap_err();
-    assert_eq!(failure.to_string(), "`FourBar` cannot be solved with `coupler` = 0: it must not be zero");
+    assert_eq!(failure.to_string(), "`FourBar` cannot be solved with `coupler` = 0 m: it must not be zero");
 }
 
 #[test]

@@ -5,6 +5,7 @@ mod branches;
 mod components;
 mod files;
 mod mechanisms;
+mod parameters;
 mod prepared;
 mod shapes;
 mod stress;

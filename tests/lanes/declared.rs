@@ -5,7 +5,7 @@ use reuleaux::mechanism;
 mechanism! {
     /// A crank that swings; with more than 0.387 rad it comes to a dead point, where coupler and rocker are in line.
     pub mechanism Swing {
-        param amplitude: Angle = 0.3;
+        param amplitude: Angle = 0.3 in ..=2rad;
         ground { point A = (0m, 0m);  point D = (1m, 0m); }
         body arm     { point A = (0m, 0m);  point B = (1m, 0m); }
         body coupler { point B = (0m, 0m);  point C = (0.6m, 0m);  start angle = -0.5; }

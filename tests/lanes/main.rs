@@ -121,6 +121,14 @@ fn a_parameter_that_is_no_number_ends_its_lane_only() {
 }
 
 #[test]
+fn a_parameter_beyond_its_bounds_ends_its_lane_only() {
+    let together = Lockstep::<_, f64x4, 4, 9>::new([0.1, 0.2, 2.1, 0.3].map(|amplitude| Swing { amplitude }), [0.0; 4]);
+    assert!([0, 1, 3].iter().all(|lane| together.lane(*lane).is_ok()));
+    let refused = together.lane(2).unwrap_err().to_string();
+    assert_eq!(refused, "`Swing` cannot be solved with `amplitude` = 2.1 rad: it must lie in ..= 2 rad");
+}
+
+#[test]
 fn a_time_that_is_no_number_ends_its_lane_only() {
     let mut together = Lockstep::<_, f64x4, 4, 9>::new([FourBarCrankRocker::default(); 4], [0.0; 4]);
     together.advance([0.01, 0.01, f64::INFINITY, f64::NAN]);

@@ -94,7 +94,7 @@ impl<T: Real> Description<T, 9> for FourBar {
 
     fn validate(&self) -> Result<(), ParameterOutOfRange<T>> {
         if self.coupler == 0.0 {
-            return Err(ParameterOutOfRange { name: "coupler", value: T::of(self.coupler), why: "it must not be zero" });
+            return Err(ParameterOutOfRange { name: "coupler", value: T::of(self.coupler), unit: "m", why: "it must not be zero" });
         }
         Ok(())
     }

@@ -32,17 +32,18 @@ pub enum Fact {
     DuplicateInLoop { name: String, variable: String },
     ArrayWithoutIndex { name: String },
     NoArray { found: &'static str, is_member: bool },
-    IndexOutOfRange { name: String, index: i64, ends: Option<(usize, usize)> },
+    IndexOutOfRange { name: String, index: i64, known: Vec<usize> },
     NegativeIndex { index: i64 },
-    MissingIndex { missing: String, known: String },
+    MissingIndex { what: &'static str, missing: String, known: String },
     NotWhole { found: String },
     NotKnownWhole,
-    EmptyRange { from: i64, end: i64 },
+    EmptyRange { from: i64, to: i64, is_inclusive: bool },
     LongRange { limit: usize },
     TooManyItems { limit: usize },
     UnknownComponent { name: String, near: Option<String>, is_constraint: bool },
     ComponentAsConstraint { name: String },
     ComponentRecursion { name: String },
+    ParameterAsArgument { component: String, name: String, part: String },
     OutsideOfComponent { name: String, what: &'static str },
     UnlikeParts { name: String, component: String },
     UnlikeOutputs { name: String },
@@ -50,11 +51,12 @@ pub enum Fact {
     InInstance { place: String, fact: Box<Fact> },
     // Names.
     UnknownName { name: String, near: Option<String> },
+    OutputRead { name: String },
     UnitAlone { name: String },
     UnknownField { owner: String, name: String, near: Option<String>, known: Vec<String> },
     UnknownFunction { name: String, near: Option<String>, is_constraint: bool },
     UnknownConstraint { name: String, near: Option<String> },
-    UnknownUnit { name: String, near: Option<String> },
+    UnknownUnit { number: String, name: String, near: Option<String> },
     UnknownDimension { name: String, near: Option<String> },
     UnknownStart { name: String, near: Option<String> },
     NotAConstraint { name: String },
@@ -82,6 +84,7 @@ pub enum Fact {
     WrongDefault { wanted: String, found: &'static str },
     WrongDimension { wanted: Dim, found: Dim },
     Unlike { action: &'static str, one: Dim, two: Dim },
+    NotALength { found: Dim, instead: Option<String> },
     FunctionTakes { wanted: Dim, found: Dim },
     OrderOfBodies,
     CannotCompare { one: &'static str, two: &'static str },
@@ -107,6 +110,8 @@ pub enum Fact {
     TableNotPeriodic { first: f64, last: f64 },
     TableEnds,
     NotConstant { place: &'static str, help: &'static str },
+    EmptyBounds { bounds: String, is_point: bool },
+    DefaultOutOfBounds { value: String, bounds: String },
     NotFixed { place: &'static str },
     FunctionNeedsArgument,
     ZeroAxis { name: String },
@@ -117,6 +122,7 @@ pub enum Fact {
     RequirementFails { why: String },
     RequirementFailsAtDefaults { why: String, value: f64 },
     RowOfNothing { joint: String, row: usize, of: usize },
+    OnGround { joint: String, kind: String },
     NoEquations { name: String },
     EmptyBundle { name: String },
     GroundStart,
@@ -125,6 +131,37 @@ pub enum Fact {
     NoBodies { name: String },
     BodyIsFree { body: String },
     Repeats { joint: String, other: String },
-    TooFewEquations { name: String, coordinates: usize, equations: usize, missing: usize, drives: usize, candidates: Vec<String> },
+    NotOnGround { bodies: Vec<String> },
+    FreeCoordinates { body: String, coordinates: Vec<String>, example: Option<String> },
+    DrivesMissing { name: String, count: Count, loose: Vec<String>, candidates: Vec<String>, example: String },
+    NothingToDrive { drive: String, joints: Vec<String>, coordinates: Vec<String>, free: Vec<String> },
+    DrivesContend { drives: Vec<String>, freedoms: usize, joints: Vec<String>, coordinates: Vec<String>, free: Vec<String> },
+    Follows { joint: String, rows: Vec<usize>, of: usize, others: Vec<String> },
+    Contradicts { joint: String, others: Vec<String>, demand: Option<Demand>, off: String },
+    Collides { joint: String, others: Vec<String>, off: String },
     TooManyEquations { joint: String, others: Vec<String>, equations: usize, coordinates: Vec<String>, free: Vec<String>, for_free: usize },
+}
+
+/// What a joint demands of a sum of coordinates, and what others make of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Demand {
+    /// `crank.angle`, or a sum such as `b.angle - a.angle`.
+    pub form: String,
+    /// What the joint demands, with its unit.
+    pub wanted: String,
+    /// What the others demand.
+    pub found: String,
+}
+
+/// What there is of coordinates, equations and drives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Count {
+    /// Coordinates of all bodies.
+    pub coordinates: usize,
+    /// Equations of joints.
+    pub joints: usize,
+    /// Equations of drives.
+    pub drives: usize,
+    /// How many more there would have to be.
+    pub missing: usize,
 }

@@ -3,7 +3,7 @@
 //! A message starts lower-case and ends without a full stop; code stands in backticks; what to
 //! type comes after `help:`, a further fact after `note:`.
 
-use super::Fact;
+use super::{Count, Demand, Fact};
 use crate::model::Dim;
 use std::fmt;
 
@@ -39,6 +39,39 @@ fn plural(count: usize, noun: &str) -> String {
         (_, Some(stem)) => format!("{count} {stem}ies"),
         (_, None) => format!("{count} {noun}s"),
     }
+}
+
+/// Small numbers as words.
+fn counted(number: usize) -> String {
+    match number {
+        0 => "no".to_owned(),
+        1 => "one".to_owned(),
+        2 => "two".to_owned(),
+        3 => "three".to_owned(),
+        many => many.to_string(),
+    }
+}
+
+/// `no drive`, `1 drive`, `2 drives`
+fn drives_there_are(drives: usize) -> String {
+    if drives == 0 { "no drive".to_owned() } else { format!("only {}", plural(drives, "drive")) }
+}
+
+/// `a` is, `a` and `b` are
+fn are(names: &[String]) -> String {
+    format!("{} {}", list(names), if names.len() == 1 { "is" } else { "are" })
+}
+
+/// The bodies of some coordinates.
+fn bodies(coordinates: &[String]) -> Vec<String> {
+    let mut bodies: Vec<String> = coordinates.iter().filter_map(|name| name.rsplit_once('.')).map(|(body, _)| body.to_owned()).collect();
+    bodies.dedup();
+    bodies
+}
+
+/// `that`, or `one of them`
+fn one_of(names: &[String]) -> &'static str {
+    if names.len() == 1 { "that" } else { "one of them" }
 }
 
 /// `2 arguments`, `2 or 3 arguments`, `2 to 4 arguments`
@@ -113,17 +146,22 @@ impl fmt::Display for Fact {
             Fact::ArrayWithoutIndex { name } => write!(f, "`{name}` is an array\nhelp: say which one, such as `{name}[0]`"),
             Fact::NoArray { found, is_member: false } => write!(f, "{found} has no index\nhelp: take `[…]` away"),
             Fact::NoArray { found, is_member: true } => write!(f, "{found} has no further index\nhelp: take the last `[…]` away"),
-            Fact::IndexOutOfRange { name, index, ends } => {
+            Fact::IndexOutOfRange { name, index, known } => {
                 write!(f, "there is no `{name}[{index}]`")?;
-                match ends {
-                    Some((first, last)) if first == last => write!(f, "\nnote: there is `{name}[{first}]` only"),
-                    Some((first, last)) => write!(f, "\nnote: there are `{name}[{first}]` to `{name}[{last}]`"),
-                    None => Ok(()),
+                match known.as_slice() {
+                    [] => Ok(()),
+                    [only] => write!(f, "\nnote: there is `{name}[{only}]` only"),
+                    [first, .., last] if last - first + 1 == known.len() => {
+                        write!(f, "\nnote: there are `{name}[{first}]` to `{name}[{last}]`")
+                    }
+                    many => {
+                        write!(f, "\nnote: there are {}", list(&many.iter().map(|index| format!("{name}[{index}]")).collect::<Vec<_>>()))
+                    }
                 }
             }
             Fact::NegativeIndex { index } => write!(f, "an index counts from 0, this one is {index}"),
-            Fact::MissingIndex { missing, known } => {
-                write!(f, "there is `{known}` but no `{missing}`\nhelp: the indices of an array run from 0 without gaps")
+            Fact::MissingIndex { what, missing, known } => {
+                write!(f, "there is {what} `{known}` but no `{missing}`\nhelp: the indices of an array run from 0 without gaps")
             }
             Fact::NotWhole { found } => {
                 write!(
@@ -134,7 +172,14 @@ impl fmt::Display for Fact {
             Fact::NotKnownWhole => {
                 write!(f, "how many there are cannot change at run time\nhelp: declare the number with `let`, such as `let count = 6;`")
             }
-            Fact::EmptyRange { from, end } => write!(f, "this loop runs over nothing: from {from} to below {end}"),
+            Fact::EmptyRange { from, to, is_inclusive } => {
+                let below = if *is_inclusive { "" } else { "below " };
+                write!(f, "this loop runs over nothing: from {from} to {below}{to}")?;
+                if from == to {
+                    return write!(f, "\nhelp: for {from} alone write `{from}..={to}`");
+                }
+                write!(f, "\nhelp: a loop counts upwards: write `{to}..={from}`")
+            }
             Fact::LongRange { limit } => write!(f, "a loop has at most {limit} rounds"),
             Fact::TooManyItems { limit } => write!(f, "loops and parts make more than {limit} items"),
             Fact::UnknownComponent { name, is_constraint: true, .. } => {
@@ -147,7 +192,20 @@ impl fmt::Display for Fact {
             Fact::ComponentAsConstraint { name } => {
                 write!(f, "`{name}` is a component, not a constraint\nhelp: write `part name = {name}(…);`")
             }
-            Fact::ComponentRecursion { name } => write!(f, "the component `{name}` contains itself"),
+            Fact::ComponentRecursion { name } => {
+                write!(f, "the component `{name}` contains itself, and so without end")?;
+                write!(
+                    f,
+                    "\nhelp: let each part take the one before as an argument: `for i in 1..n {{ part name[i] = {name}(name[i - 1].end); }}`"
+                )
+            }
+            Fact::ParameterAsArgument { component, name, part } => {
+                write!(f, "`{name}` is a parameter in `{component}`, not an argument of it")?;
+                write!(
+                    f,
+                    "\nhelp: it is set in Rust, `mechanism.{part}.{name} = …`; to set it here, declare `component {component}(…, {name}: …)`"
+                )
+            }
             Fact::OutsideOfComponent { name, what } => {
                 write!(f, "a component does not see `{name}`, {what} outside of it\nhelp: take it as an argument")
             }
@@ -168,6 +226,10 @@ impl fmt::Display for Fact {
                     f,
                     "nothing is called `{name}` here\nhelp: a unit belongs to a number, as in `1{name}`; that of a rate is one word, as in `1rad_s`"
                 )
+            }
+            Fact::OutputRead { name } => {
+                write!(f, "`{name}` is an output: it is read from Rust, not in the declaration")?;
+                write!(f, "\nhelp: name its value with `let {name} = …;` and give that out with `output {name} = {name};`")
             }
             Fact::UnknownName { name, near } => write!(f, "nothing is called `{name}` here{}", did_you_mean(near)),
             Fact::UnknownField { owner, name, near, known } => {
@@ -191,8 +253,8 @@ impl fmt::Display for Fact {
             Fact::UnknownUnit { name, .. } if name == "Hz" => {
                 write!(f, "no unit is called `Hz`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`")
             }
-            Fact::UnknownUnit { name, near } => {
-                write!(f, "no unit is called `{name}`{}", did_you_mean(near))?;
+            Fact::UnknownUnit { number, name, near } => {
+                write!(f, "no unit is called `{name}`{}", did_you_mean(&near.as_ref().map(|near| format!("{number}{near}"))))?;
                 if near.is_none() {
                     write!(f, "\nnote: there are {}", listed(crate::model::unit::names()))?;
                 }
@@ -273,6 +335,10 @@ impl fmt::Display for Fact {
                     _ => write!(f, "cannot {action} {one} {joint} {two}"),
                 }
             }
+            Fact::NotALength { found, instead } => {
+                write!(f, "a coordinate of a point is a length (m), found {found}")?;
+                instead.as_ref().map_or(Ok(()), |instead| write!(f, "\nhelp: write `{instead}`"))
+            }
             Fact::FunctionTakes { wanted, found } => write!(f, "expected a function of {wanted}, found a function of {found}"),
             Fact::OrderOfBodies => write!(f, "bodies have no order\nhelp: compare them with `==` or `!=`"),
             Fact::CannotCompare { one, two } => write!(f, "cannot compare {one} with {two}"),
@@ -316,6 +382,17 @@ impl fmt::Display for Fact {
                 write!(f, "{place} is a constant: numbers, units, `pi` and functions of them")?;
                 if help.is_empty() { Ok(()) } else { write!(f, "\nhelp: {help}") }
             }
+            Fact::EmptyBounds { bounds, is_point } => {
+                write!(f, "no value lies in {bounds}\nhelp: ")?;
+                if *is_point {
+                    write!(f, "write `..=` where the greatest value is allowed")
+                } else {
+                    write!(f, "the lesser value stands first")
+                }
+            }
+            Fact::DefaultOutOfBounds { value, bounds } => {
+                write!(f, "the default, {value}, does not lie in {bounds}\nhelp: widen the range, or take a default within")
+            }
             Fact::NotFixed { place } => write!(f, "{place} may depend on parameters only, not on what moves"),
             Fact::FunctionNeedsArgument => {
                 write!(
@@ -343,6 +420,10 @@ impl fmt::Display for Fact {
             Fact::RowOfNothing { joint, row, of } => {
                 write!(f, "equation {row} of {of} of `{joint}` does not depend on the position of any body")
             }
+            Fact::OnGround { joint, kind } => {
+                write!(f, "`{joint}` joins ground to ground, and ground does not move")?;
+                write!(f, "\nhelp: give `{kind}` at least one body, or a point or an axis of one")
+            }
             Fact::NoEquations { name } => write!(f, "`{name}` has no equations\nhelp: write `lhs == rhs;`"),
             Fact::EmptyBundle { name } => {
                 write!(f, "the bundle `{name}` has no constraints\nhelp: put `constraint name(…) {{ … }}` into it")
@@ -360,34 +441,128 @@ impl fmt::Display for Fact {
                 write!(f, "\nhelp: join it to another body, such as `joint name = revolute({body}.P, other.Q);`, or take it away")
             }
             Fact::Repeats { joint, other } => write!(f, "`{joint}` demands the same as `{other}`\nhelp: take one of them away"),
-            Fact::TooFewEquations { name, coordinates, equations, missing, drives, candidates } => {
-                let ways = if *missing == 1 { "1 freedom".to_owned() } else { format!("{missing} freedoms") };
-                write!(f, "`{name}` is left with {ways}: {} and {}", plural(*coordinates, "coordinate"), plural(*equations, "equation"))?;
-                write!(f, ", {drives} from drives")?;
-                let what = match (missing, candidates.len()) {
-                    (1, 1) => "drive",
-                    (1, _) => "drive one of",
-                    _ => "add joints, or drive some of",
-                };
-                write!(f, "\nhelp: {what} {}", list(candidates))?;
-                write!(f, ", such as `drive input = drive_angle(body, speed * t);`")
+            Fact::NotOnGround { bodies } => {
+                write!(f, "{} are joined to each other but not to ground", list(bodies))?;
+                let first = bodies.first().map_or("", String::as_str);
+                write!(f, "\nhelp: join one of them to ground, such as `joint name = revolute(ground.position, {first}.position);`")
             }
-            Fact::TooManyEquations { joint, others, equations, coordinates, free, for_free } => {
-                let with = if others.is_empty() { String::new() } else { format!(" with {}", list(others)) };
-                let surplus = equations - coordinates.len();
+            Fact::FreeCoordinates { body, coordinates, example } => {
+                let nothing = if coordinates.len() == 1 { "it is in no equation" } else { "they are in no equation" };
+                write!(f, "nothing determines {}: {nothing}", list(coordinates))?;
+                match example {
+                    Some(example) => write!(f, "\nhelp: join `{body}` to another body once more, or drive it, such as `{example}`"),
+                    None => write!(f, "\nhelp: join `{body}` to another body, such as `joint name = revolute({body}.position, other.P);`"),
+                }
+            }
+            Fact::DrivesMissing { name, count: Count { coordinates, joints, drives, missing }, loose, candidates, example } => {
+                write!(f, "`{name}` has mobility {}, but {}", missing + drives, drives_there_are(*drives))?;
+                write!(f, "\nnote: {} and {} of joints", plural(*coordinates, "coordinate"), plural(*joints, "equation"))?;
+                if !loose.is_empty() {
+                    let ends = if loose.len() == 1 { "is" } else { "are each" };
+                    write!(f, "\nnote: {} {ends} joined to one neighbour only", list(loose))?;
+                }
+                let or_joints = if loose.is_empty() { "" } else { " or joints" };
+                match (missing, candidates.len()) {
+                    (1, 1) => write!(f, "\nhelp: drive {}", list(candidates))?,
+                    (1, _) => write!(f, "\nhelp: add a drive on one of {}", list(candidates))?,
+                    _ => write!(f, "\nhelp: add {missing} drives{or_joints}; drives on {} go together", list(candidates))?,
+                }
+                if example.is_empty() { Ok(()) } else { write!(f, ", such as `{example}`") }
+            }
+            Fact::NothingToDrive { drive, joints, coordinates, free } => {
+                write!(f, "`{drive}` has nothing to drive: ")?;
+                match coordinates.as_slice() {
+                    [only] => write!(f, "{} determines `{only}` already", list(joints))?,
+                    many => {
+                        write!(f, "{} leave no freedom", list(joints))?;
+                        write!(
+                            f,
+                            "\nnote: they are {} on {}: mobility 0",
+                            plural(many.len(), "equation"),
+                            plural(many.len(), "coordinate")
+                        )?;
+                    }
+                }
+                if free.is_empty() {
+                    return write!(f, "\nhelp: take `{drive}` or a joint away");
+                }
+                write!(f, "\nhelp: {} left free: drive {} instead", are(free), one_of(free))
+            }
+            Fact::DrivesContend { drives, freedoms, joints, coordinates, free } => {
+                let (many, few) = (counted(drives.len()), counted(*freedoms));
+                let freedom = if *freedoms == 1 { "freedom" } else { "freedoms" };
+                write!(f, "{many} drives on {few} {freedom}: {}", list(drives))?;
+                match coordinates.as_slice() {
+                    [only] => write!(f, "\nnote: both determine `{only}`")?,
+                    _ if joints.is_empty() => write!(f, "\nnote: they determine {}", list(coordinates))?,
+                    _ => write!(f, "\nnote: {} leave {few} {freedom}", list(joints))?,
+                }
+                if free.is_empty() {
+                    return write!(f, "\nhelp: take one of the drives away");
+                }
+                write!(f, "\nhelp: {} left free: drive {} instead", are(free), one_of(free))
+            }
+            Fact::Follows { joint, rows, of, others } => {
+                if others.is_empty() {
+                    return write!(f, "the equations of `{joint}` follow from each other\nhelp: take those away that say the same");
+                }
+                let verb = if others.len() == 1 { "says" } else { "say" };
+                if rows.len() == *of {
+                    return write!(f, "`{joint}` adds nothing: {} {verb} the same\nhelp: take `{joint}` away", list(others));
+                }
+                let which: Vec<String> = rows.iter().map(usize::to_string).collect();
                 write!(
                     f,
-                    "`{joint}` is {} too many:{with} there are {}",
-                    if surplus == 1 { "one equation".into() } else { plural(surplus, "equation") },
-                    plural(*equations, "equation")
+                    "`{joint}` demands in part what {} {verb}: its equation {} of {of} adds nothing",
+                    list(others),
+                    which.join(" and ")
                 )?;
-                write!(f, " on {}, {}", plural(coordinates.len(), "coordinate"), list(coordinates))?;
-                if free.is_empty() {
-                    return write!(f, "\nhelp: take away a joint or a drive");
+                write!(f, "\nhelp: take one of them away, or demand less with it")
+            }
+            Fact::Contradicts { joint, others, demand, off } => {
+                if others.is_empty() {
+                    return write!(f, "the equations of `{joint}` contradict each other: they differ by {off}");
                 }
-                let have = if free.len() == 1 { "has" } else { "have" };
-                let equations = if *for_free == 0 { "no equation".to_owned() } else { format!("only {}", plural(*for_free, "equation")) };
-                write!(f, "\nnote: {} {have} {equations}", list(free))
+                write!(f, "`{joint}` contradicts {}", list(others))?;
+                match demand {
+                    Some(Demand { form, wanted, found }) => {
+                        write!(f, ": it demands `{form}` = {wanted}, ")?;
+                        match others.as_slice() {
+                            [only] => write!(f, "`{only}` demands {found}"),
+                            _ => write!(f, "they make it {found}"),
+                        }
+                    }
+                    None => write!(f, ": where {} {}, it is off by {off}", list(others), if others.len() == 1 { "holds" } else { "hold" }),
+                }?;
+                write!(f, "\nhelp: take one of them away")
+            }
+            Fact::Collides { joint, others, off } => {
+                write!(
+                    f,
+                    "`{joint}` demands again what {} demand, with other numbers: both hold only where `{off}` is zero",
+                    list(others)
+                )?;
+                write!(f, "\nhelp: take one of them away")
+            }
+            Fact::TooManyEquations { joint, others, equations, coordinates, free, for_free } => {
+                let surplus = equations - coordinates.len();
+                let many = if surplus == 1 { "one equation".to_owned() } else { plural(surplus, "equation") };
+                write!(f, "`{joint}` is {many} too many")?;
+                match others.is_empty() {
+                    true => write!(f, ": it has {}", plural(*equations, "equation"))?,
+                    false => write!(f, " with {}: together they are {}", list(others), plural(*equations, "equation"))?,
+                }
+                match coordinates.as_slice() {
+                    few @ ([_] | [_, _] | [_, _, _]) => write!(f, " on {}, {}", plural(few.len(), "coordinate"), list(few))?,
+                    many => write!(f, " on {} of {}", plural(many.len(), "coordinate"), list(&bodies(many)))?,
+                }
+                if !free.is_empty() {
+                    let have = if free.len() == 1 { "has" } else { "have" };
+                    let equations =
+                        if *for_free == 0 { "no equation".to_owned() } else { format!("only {}", plural(*for_free, "equation")) };
+                    return write!(f, "\nnote: {} {have} {equations}", list(free));
+                }
+                write!(f, "\nnote: that is a mobility of -{surplus}\nhelp: take one of these joints away")
             }
         }
     }

@@ -6,7 +6,7 @@
 mod fact;
 mod message;
 
-pub use fact::Fact;
+pub use fact::{Count, Demand, Fact};
 
 use proc_macro2::{Ident, Span, TokenStream};
 

@@ -108,13 +108,17 @@ fn parameters(page: &mut String, model: &Model, system: &System) {
     if model.parameters.is_empty() {
         return;
     }
-    let _ = writeln!(page, "\n# Parameters\n\n| | default | unit |\n| --- | --- | --- |");
+    let is_bounded = model.parameters.iter().any(|parameter| parameter.bounds.is_some());
+    let (head, rule) = if is_bounded { (" in |", " --- |") } else { ("", "") };
+    let _ = writeln!(page, "\n# Parameters\n\n| | default | unit |{head}\n| --- | --- | --- |{rule}");
     let mut table = Abridged::new(model);
     for (parameter, value) in model.parameters.iter().zip(default_values(model, system)) {
         if !table.shows([&parameter.name].into_iter()) {
             continue;
         }
-        let _ = writeln!(page, "| `{}` | {value} | {} |", parameter.name, parameter.dim.unit());
+        let bounds = parameter.bounds.as_ref().map_or("", |bounds| &bounds.text);
+        let last = if is_bounded { format!(" {bounds} |") } else { String::new() };
+        let _ = writeln!(page, "| `{}` | {value} | {} |{last}", parameter.name, parameter.dim.unit());
     }
     table.rest(page, |more| format!("| {more} | | |"));
 }
@@ -171,7 +175,11 @@ pub(super) fn default_values(model: &Model, system: &System) -> Vec<f64> {
 
 /// One line for a field.
 pub(super) fn parameter(parameter: &Parameter) -> String {
-    unit_line("A parameter of the mechanism", parameter.dim.unit())
+    let mut line = unit_line("A parameter of the mechanism", parameter.dim.unit());
+    if let Some(bounds) = &parameter.bounds {
+        let _ = write!(line, " It lies in {}.", bounds.text);
+    }
+    line
 }
 
 /// One line for an output.

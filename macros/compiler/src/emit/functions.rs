@@ -1,12 +1,11 @@
 //! The generated functions of a mechanism.
 
 use super::docs;
-use super::expression::{local, place};
+use super::expression::local;
 use super::routine::{Lines, lines};
 use super::stages::number;
 use crate::model::{Dim, Model};
 use crate::plan::{Code, Plan, Routine, Target};
-use crate::syntax::ast::Relation;
 use crate::system::{System, Unknown};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -198,79 +197,6 @@ impl Emitter<'_> {
                 #(let longest = longest.max((#results).abs());)*
                 T::select_less(T::of(0.0), longest, longest, T::of(1.0))
             }
-        }
-    }
-
-    /// Conditions on parameters
-    pub(super) fn validate(&self) -> TokenStream {
-        let Lines { steps, results, .. } = self.lines(&self.plan.requirements);
-        let finite = self.finite();
-        let checks = self.model.requirements.iter().zip(results.chunks(2)).map(|(requirement, sides)| {
-            let (lhs, rhs) = (&sides[0], &sides[1]);
-            let (zero, one) = (quote!(T::of(0.0)), quote!(T::of(1.0)));
-            // Written without comparison operators, which not every number type has; what cannot be compared fails.
-            let less = quote!(T::select_less(#lhs, #rhs, #one, #zero));
-            let greater = quote!(T::select_less(#rhs, #lhs, #one, #zero));
-            let fails = match requirement.relation {
-                Relation::Different => quote!(#less + #greater == #zero),
-                Relation::Equal => quote!((#lhs) != (#rhs)),
-                Relation::Less => quote!(#less == #zero),
-                Relation::Greater => quote!(#greater == #zero),
-                Relation::LessOrEqual => quote!(#less == #zero && (#lhs) != (#rhs)),
-                Relation::GreaterOrEqual => quote!(#greater == #zero && (#lhs) != (#rhs)),
-            };
-            let (name, why) = (self.parameter_in(requirement), &requirement.why);
-            quote! {
-                if #fails {
-                    return ::core::result::Result::Err(::reuleaux::ParameterOutOfRange { name: #name, value: #lhs, why: #why });
-                }
-            }
-        });
-        quote! {
-            /// Whether every parameter is finite and meets the demands of the joints.
-            ///
-            /// # Errors
-            /// The first parameter that does not.
-            pub fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> {
-                #finite
-                #steps
-                #(#checks)*
-                ::core::result::Result::Ok(())
-            }
-        }
-    }
-
-    /// Every parameter is finite; x − x is 0 for every finite x and NaN for all others, over any number type.
-    fn finite(&self) -> TokenStream {
-        let refused = |name: &TokenStream, value: &TokenStream| {
-            quote! {
-                if (#value - #value) != T::of(0.0) {
-                    return ::core::result::Result::Err(::reuleaux::ParameterOutOfRange { name: #name, value: #value, why: "it must be finite" });
-                }
-            }
-        };
-        let parameters = self.model.parameters.iter().map(|parameter| {
-            let (path, place) = (&parameter.name.path, place(&parameter.name.path));
-            (quote!(#path), quote!(self.#place))
-        });
-        // One by one they read better; those of parts may be very many.
-        if self.model.layout.parts.len() == 1 && self.model.parameters.iter().all(|parameter| parameter.name.indices.is_empty()) {
-            return parameters.map(|(name, value)| refused(&name, &value)).collect();
-        }
-        let (name, value) = (local("name"), local("value"));
-        let (pairs, check) = (parameters.map(|(name, value)| quote!((#name, #value))), refused(&quote!(#name), &quote!(#value)));
-        quote!(for (#name, #value) in [#(#pairs),*] { #check })
-    }
-
-    /// The parameter a requirement is about, or the joint that asks for it.
-    fn parameter_in(&self, requirement: &crate::model::Requirement) -> String {
-        let leaves = self.system.arena.leaves(requirement.lhs);
-        let parameters: Vec<_> = leaves.iter().collect();
-        match parameters.as_slice() {
-            [crate::expr::Leaf::Parameter(index)] => {
-                self.model.parameters.get(*index as usize).map_or(String::new(), |parameter| parameter.name.to_string())
-            }
-            _ => requirement.joint.clone(),
         }
     }
 

@@ -22,6 +22,7 @@ mod slices;
 mod stages;
 mod state;
 mod stub;
+mod validate;
 
 pub(crate) use definition::{export, library_pages, resume};
 pub(crate) use stub::{fallback, stub};

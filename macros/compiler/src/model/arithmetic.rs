@@ -32,6 +32,30 @@ impl Elaborator<'_> {
         }
     }
 
+    /// A place: a vector whose coordinates are lengths. Where they are written out, the one that is none is to blame.
+    pub(super) fn location(&mut self, written: &ast::Expr, scope: &Scope) -> Option<Vector> {
+        if let ast::ExprKind::Tuple(items) = &written.kind
+            && let [x, y] = items.as_slice()
+        {
+            let found = (self.scalar(x, scope), self.scalar(y, scope));
+            let (one, two) = (found.0?, found.1?);
+            let (blamed, parts, found) = match [one, two].map(|scalar| scalar.measure.fits(Dim::LENGTH)) {
+                [true, true] => return Some(Vector { x: one.expr, y: two.expr, measure: Measure::Of(Dim::LENGTH) }),
+                [false, true] => (x.range, vec![x], one),
+                [true, false] => (y.range, vec![y], two),
+                [false, false] => (written.range, vec![x, y], one),
+            };
+            let instead: Option<Vec<String>> = parts.into_iter().map(in_millimetres).collect();
+            let instead = instead.map(|parts| if parts.len() == 1 { parts.concat() } else { format!("({})", parts.join(", ")) });
+            return self.refuse(blamed, Fact::NotALength { found: found.measure.settled(), instead });
+        }
+        let vector = self.vector(written, scope)?;
+        if !vector.measure.fits(Dim::LENGTH) {
+            return self.refuse(written.range, Fact::WrongDimension { wanted: Dim::LENGTH, found: vector.measure.settled() });
+        }
+        Some(vector)
+    }
+
     pub(super) fn binary(&mut self, range: Range, operator: Operator, lhs: &ast::Expr, rhs: &ast::Expr, scope: &Scope) -> Option<Value> {
         if operator == Operator::Power {
             return self.power(range, lhs, rhs, scope).map(Value::Scalar);
@@ -203,5 +227,13 @@ impl Elaborator<'_> {
         };
         let [x, y] = [self.arena.sub(one.x, two.x), self.arena.sub(one.y, two.y)];
         Some([x, y].map(|expr| Scalar { expr, measure }).to_vec())
+    }
+}
+
+/// A number with another unit, as the length that may have been meant.
+fn in_millimetres(written: &ast::Expr) -> Option<String> {
+    match &written.kind {
+        ast::ExprKind::Number { digits, .. } => Some(format!("{digits}mm")),
+        _ => None,
     }
 }

@@ -122,7 +122,7 @@ impl Elaborator<'_> {
     }
 
     /// An argument of this kind of which nothing else is known.
-    fn unknown(&mut self, kind: &Kind, others: &[Definition]) -> Option<Value> {
+    pub(super) fn unknown(&mut self, kind: &Kind, others: &[Definition]) -> Option<Value> {
         Some(match kind {
             Kind::Point => Value::Point(self.unknown_fixed(Measure::Of(Dim::LENGTH))),
             Kind::Axis => Value::Axis(self.unknown_fixed(Measure::Flexible)),

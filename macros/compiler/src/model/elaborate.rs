@@ -32,6 +32,8 @@ pub(crate) struct Elaborator<'a> {
     pub(super) place: Option<String>,
     /// Items that were refused in one place and are not looked at in others.
     pub(super) refused: BTreeSet<usize>,
+    /// A component is looked at of which there is no part: its arguments may be anything.
+    pub(super) is_unused: bool,
     /// Values of functions that were written out before, by function and argument.
     pub(super) calls: BTreeMap<(*const ast::Function, Expr), (Rc<ast::Function>, Scalar)>,
 }
@@ -111,6 +113,7 @@ impl Elaborator<'_> {
             has_given_up: false,
             place: None,
             refused: BTreeSet::new(),
+            is_unused: false,
             calls: BTreeMap::new(),
         }
     }
@@ -247,8 +250,8 @@ impl Elaborator<'_> {
             return Some(Scalar { expr: self.arena.constant(value), measure: Measure::Flexible });
         }
         let Some((size, dim)) = unit::lookup(unit) else {
-            let near = nearest(unit, unit::names());
-            return self.refuse(range, Fact::UnknownUnit { name: unit.to_owned(), near });
+            let near = unit::meant(unit);
+            return self.refuse(range, Fact::UnknownUnit { number: digits.to_owned(), name: unit.to_owned(), near });
         };
         let Some(value) = value.checked_mul(size) else {
             return self.refuse(range, Fact::NumberTooLong { number: format!("{digits}{unit}") });
@@ -282,6 +285,9 @@ impl Elaborator<'_> {
         }
         if self.is_library_function(name) {
             return self.library_function(name).map(Value::Function);
+        }
+        if scope.space.is_some_and(|space| self.names.outputs.contains(&(space, name.to_string()))) {
+            return self.refuse(path.range, Fact::OutputRead { name: name.to_string() });
         }
         let near = self.similar(name, scope);
         if near.is_none() && unit::lookup(&name.to_string()).is_some() {
@@ -360,6 +366,11 @@ impl Elaborator<'_> {
                 self.refuse(field, Fact::UnknownField { owner, name, near, known })
             }
         }
+    }
+
+    /// The expression depends on nothing that moves.
+    pub(super) fn is_still(&self, expr: Expr) -> bool {
+        !self.arena.leaves(expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)))
     }
 
     /// The expression depends on nothing that moves and not on time.

@@ -25,7 +25,8 @@ impl Elaborator<'_> {
 
     /// A point or an axis of a frame.
     pub(super) fn fixed(&mut self, frame: FrameId, mark: &ast::Mark, context: &Context) -> Option<Value> {
-        let vector = self.vector(&mark.value, &Scope::of(context).timeless("a point or an axis"))?;
+        let scope = Scope::of(context).timeless("a point or an axis");
+        let vector = if mark.is_axis { self.vector(&mark.value, &scope)? } else { self.location(&mark.value, &scope)? };
         if !self.is_fixed(vector.x) || !self.is_fixed(vector.y) {
             return self.refuse(mark.value.range, Fact::NotFixed { place: "a point or an axis" });
         }
@@ -37,9 +38,6 @@ impl Elaborator<'_> {
             }
             let measure = Measure::Of(vector.measure.settled());
             return Some(Value::Axis(Fixed { frame, local, measure }));
-        }
-        if !vector.measure.fits(Dim::LENGTH) {
-            return self.refuse(mark.value.range, Fact::WrongDimension { wanted: Dim::LENGTH, found: vector.measure.settled() });
         }
         Some(Value::Point(Fixed { frame, local, measure: Measure::Of(Dim::LENGTH) }))
     }
@@ -81,13 +79,7 @@ impl Elaborator<'_> {
                 "x" => self.scalar_of(&start.value, Dim::LENGTH, &scope).map(|value| vec![(0, value.expr)]),
                 "y" => self.scalar_of(&start.value, Dim::LENGTH, &scope).map(|value| vec![(1, value.expr)]),
                 "angle" => self.scalar_of(&start.value, Dim::ANGLE, &scope).map(|value| vec![(2, value.expr)]),
-                "position" => self.vector(&start.value, &scope).and_then(|vector| {
-                    if !vector.measure.fits(Dim::LENGTH) {
-                        return self
-                            .refuse(start.value.range, Fact::WrongDimension { wanted: Dim::LENGTH, found: vector.measure.settled() });
-                    }
-                    Some(vec![(0, vector.x), (1, vector.y)])
-                }),
+                "position" => self.location(&start.value, &scope).map(|vector| vec![(0, vector.x), (1, vector.y)]),
                 _ => {
                     let near = nearest(&word, ["x", "y", "angle", "position"].into_iter());
                     self.refuse(&start.what, Fact::UnknownStart { name: word.clone(), near })

@@ -7,6 +7,7 @@ use super::value::Value;
 use crate::diag::{Fact, Range};
 use crate::syntax::ast::{self, Bounds, ExprKind, Operator};
 use proc_macro2::Ident;
+use std::collections::BTreeSet;
 use std::ops::Range as Span;
 
 /// No range is longer, so that a slip of the pen does not fill the memory.
@@ -32,9 +33,9 @@ impl Elaborator<'_> {
         };
         let Some(number) = usize::try_from(number).ok().filter(|number| is_there(*number)) else {
             let known = found.keys().filter(|indices| indices.starts_with(&at)).filter_map(|indices| indices.get(rank));
-            let ends = known.clone().min().copied().zip(known.max().copied());
+            let known: Vec<usize> = known.copied().collect::<BTreeSet<usize>>().into_iter().collect();
             let name = self.member_name(group, &at);
-            return self.refuse(index.range, Fact::IndexOutOfRange { name, index: number, ends });
+            return self.refuse(index.range, Fact::IndexOutOfRange { name, index: number, known });
         };
         at.push(number);
         self.member(group, at, index.range)
@@ -76,6 +77,9 @@ impl Elaborator<'_> {
         if let Some(group) = self.names.find(space, &name) {
             return self.of_group(group, field);
         }
+        if self.names.outputs.contains(&(space, name.clone())) {
+            return self.refuse(field, Fact::OutputRead { name });
+        }
         let known = self.names.words(space);
         let near = nearest(&name, known.iter().map(String::as_str));
         let owner = self.names.spaces[space.0].prefix.trim_end_matches('.').to_owned();
@@ -101,7 +105,7 @@ impl Elaborator<'_> {
         let end = to.saturating_add(i64::from(bounds.is_inclusive));
         let range = bounds.from.range.to(bounds.to.range);
         if end < from || end == from && !is_inner {
-            return self.refuse(range, Fact::EmptyRange { from, end });
+            return self.refuse(range, Fact::EmptyRange { from, to, is_inclusive: bounds.is_inclusive });
         }
         if end.abs_diff(from) > LONGEST as u64 {
             return self.refuse(range, Fact::LongRange { limit: LONGEST });

@@ -26,6 +26,9 @@ impl Elaborator<'_> {
             JointBody::Of { kind, arguments: given, .. } => {
                 let Value::Joint { arguments, .. } = self.entity(id, (&joint.name).into())? else { return None };
                 let definition = self.definition(kind)?;
+                if self.is_on_ground(&arguments) {
+                    return self.say(kind, Fact::OnGround { joint: name.to_string(), kind: kind.to_string() });
+                }
                 let scope = Scope { bound: arguments.to_vec(), ..Scope::default() };
                 let outer = self.blame.replace(self.blame_for(&definition, kind, &arguments));
                 let rows = self.statements(&definition.statements, scope, name, &places(&definition, given));
@@ -33,6 +36,20 @@ impl Elaborator<'_> {
                 rows
             }
         }
+    }
+
+    /// Something of a frame was given, but only of ground, and nothing that moves.
+    fn is_on_ground(&self, arguments: &[(String, Value)]) -> bool {
+        let of_ground = |value: &Value| match value {
+            Value::Point(fixed) | Value::Axis(fixed) => Some(fixed.frame == FrameId::GROUND),
+            Value::Body(frame) => Some(*frame == FrameId::GROUND),
+            Value::Scalar(scalar) => (!self.is_still(scalar.expr)).then_some(false),
+            Value::Vector(vector) => (!self.is_still(vector.x) || !self.is_still(vector.y)).then_some(false),
+            Value::Joint { .. } | Value::Part(_) | Value::Array { .. } => Some(false),
+            Value::Function(_) => None,
+        };
+        let mut found = arguments.iter().filter_map(|(_, value)| of_ground(value)).peekable();
+        found.peek().is_some() && found.all(|is_of_ground| is_of_ground)
     }
 
     fn blame_for(&self, definition: &Definition, kind: &Ident, arguments: &[(String, Value)]) -> Blame {
@@ -152,7 +169,11 @@ impl Elaborator<'_> {
 
     /// One argument, of the kind its parameter takes.
     pub(super) fn argument(&mut self, definition: &Definition, formal: &Formal, argument: &ast::Expr, scope: &Scope) -> Option<Value> {
-        let value = self.value(argument, scope)?;
+        let value = match (&formal.kind, &argument.kind) {
+            // Of a place that is written out each coordinate is looked at.
+            (Kind::Point, ast::ExprKind::Tuple(items)) if items.len() == 2 => Value::Vector(self.location(argument, scope)?),
+            _ => self.value(argument, scope)?,
+        };
         let found = match &value {
             Value::Joint { kind, .. } => format!("a `{kind}` joint"),
             other => other.noun().to_owned(),

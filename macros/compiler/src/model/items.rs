@@ -68,7 +68,9 @@ impl Elaborator<'_> {
     fn rows_are_sound(&mut self, id: EntityId, joint: &ast::Joint, rows: &[Row]) {
         let (name, of) = (joint.name.to_string(), rows.len());
         let leaves = |row: &Row| self.arena.leaves(row.residual.expr);
-        let is_of_nothing = |row: &Row| !leaves(row).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)));
+        // What is given to a component that is not used may move.
+        let may_move = |leaf: &Leaf| matches!(leaf, Leaf::Coordinate(_)) || self.is_unused && matches!(leaf, Leaf::Parameter(_));
+        let is_of_nothing = |row: &Row| !leaves(row).iter().any(may_move);
         if let Some(row) = rows.iter().position(is_of_nothing) {
             self.say::<()>(rows[row].range, Fact::RowOfNothing { joint: name, row: row + 1, of });
         } else if let Some(row) = rows.iter().find(|row| !joint.is_drive && leaves(row).contains(&Leaf::Time)) {

@@ -151,9 +151,15 @@ impl Elaborator<'_> {
                 let declared = &self.names.declared[first.0].name;
                 let stem = declared.path.trim_end_matches(&group(&declared.indices)).to_owned();
                 let (missing, known) = (format!("{stem}{}", group(&wanted)), format!("{stem}{}", group(indices)));
+                let what = match field.of {
+                    Of::Parameter => "a parameter",
+                    Of::Body => "a body",
+                    Of::Part(_) => "a part",
+                    Of::Output => "an output",
+                };
                 let range = declared.word.clone();
                 self.once(std::ptr::from_ref(&self.names.declared[first.0].name.word).cast::<u8>(), |this| {
-                    this.refuse::<()>(&range, Fact::MissingIndex { missing, known })
+                    this.refuse::<()>(&range, Fact::MissingIndex { what, missing, known })
                 });
                 break;
             }

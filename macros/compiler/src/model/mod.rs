@@ -7,6 +7,7 @@
 //! Items may stand in any order: parameters, `let`s and points are resolved when first asked for.
 
 mod arithmetic;
+mod bounds;
 mod builtin;
 mod declare;
 mod definition;
@@ -26,6 +27,7 @@ pub(crate) mod spline;
 mod statement;
 pub(crate) mod suggest;
 pub(crate) mod unit;
+mod unused;
 pub(crate) mod value;
 
 pub use dimension::Dim;
@@ -83,6 +85,21 @@ pub struct Parameter {
     pub dim: Dim,
     /// Its default, a constant.
     pub default: Expr,
+    /// Where it lies, if that was declared.
+    pub bounds: Option<Bounds>,
+}
+
+/// The values that a parameter may have, in SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bounds {
+    /// The least one.
+    pub from: Option<f64>,
+    /// The greatest one.
+    pub to: Option<f64>,
+    /// The greatest one is allowed.
+    pub is_inclusive: bool,
+    /// As declared: `5 mm ..= 50 mm`.
+    pub text: String,
 }
 
 /// A moving body: a list of coordinates with a kind.
@@ -171,6 +188,8 @@ pub struct Requirement {
     pub relation: Relation,
     /// Right side.
     pub rhs: Expr,
+    /// What both sides measure.
+    pub dim: Dim,
     /// The joint that asks for it, with the name of what is compared: `g.a`.
     pub joint: String,
     /// What to do instead.

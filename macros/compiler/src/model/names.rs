@@ -8,7 +8,7 @@ use super::value::{FrameId, Value};
 use crate::expr::Expr;
 use crate::syntax::ast::{self, Definition};
 use proc_macro2::Ident;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// Names that expressions give a meaning of their own.
@@ -152,6 +152,8 @@ pub(crate) struct Names {
     pub(super) open_functions: Vec<String>,
     /// A definition is checked on its own, with bodies and numbers nothing is known of.
     pub(super) is_abstract: bool,
+    /// Outputs by the space they belong to: names that no expression can read.
+    pub(super) outputs: BTreeSet<(SpaceId, String)>,
     /// Names that `use` items brought in.
     pub(super) used: Vec<String>,
 }
@@ -170,6 +172,7 @@ impl Names {
             components: BTreeMap::new(),
             open_functions: Vec::new(),
             is_abstract: false,
+            outputs: BTreeSet::new(),
             used: Vec::new(),
         }
     }

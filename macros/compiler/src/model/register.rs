@@ -40,7 +40,7 @@ pub(super) struct Register {
     /// The mechanism and its parts.
     pub(super) places: Vec<Place>,
     /// The components whose items are being gone through, to stop recursion.
-    open: Vec<String>,
+    pub(super) open: Vec<String>,
     /// How many loops are being gone through.
     loops: usize,
     pub(super) count: usize,
@@ -77,7 +77,7 @@ impl Elaborator<'_> {
     }
 
     /// Registers items that stand together; `place` is the part they belong to.
-    fn items(&mut self, items: &[Item], context: &Context, place: usize, register: &mut Register) {
+    pub(super) fn items(&mut self, items: &[Item], context: &Context, place: usize, register: &mut Register) {
         // Whole numbers come first: they say how often everything else stands.
         for item in items {
             self.number_item(item, context, place, register);
@@ -163,6 +163,7 @@ impl Elaborator<'_> {
     fn output_item(&mut self, output: &Rc<ast::Output>, context: &Context, place: usize, register: &mut Register) {
         let Some(indices) = self.written_indices(&output.indices, Rc::as_ptr(output), context) else { return };
         let name = self.full_name(context.space, &output.name, &indices);
+        self.names.outputs.insert((context.space, output.name.to_string()));
         let known = register.output_names.entry((context.space, output.name.to_string())).or_default();
         let is_like_others = known.first().is_none_or(|other| other.len() == indices.len());
         if !is_like_others || !known.insert(indices) {
@@ -239,7 +240,10 @@ impl Elaborator<'_> {
         let Some(id) = self.declare(written, Entity::Known, Progress::Failed, "a part", context, register) else { return };
         let path = self.names.declared[id.0].name.path.clone();
         let slots = self.at(Some(path.clone()).filter(|_| is_one_of_many(context)), |this| {
-            this.once(Rc::as_ptr(part), |this| this.slots(&component.head, &part.kind, &part.arguments))
+            this.once(Rc::as_ptr(part), |this| {
+                this.arguments_are_no_parameters(part, &component)?;
+                this.slots(&component.head, &part.kind, &part.arguments)
+            })
         });
         // Without its arguments it is still there, for its own names.
         let slots = slots.unwrap_or_else(|| vec![None; component.head.parameters.len()]);
@@ -261,6 +265,16 @@ impl Elaborator<'_> {
         self.items(&component.items, &inner, number, register);
         register.loops = loops;
         register.open.pop();
+    }
+
+    /// A parameter in a component is set in Rust; only what stands in its head is given here.
+    fn arguments_are_no_parameters(&mut self, part: &ast::Part, component: &ast::Component) -> Option<()> {
+        let is_formal = |name: &Ident| component.head.parameters.iter().any(|formal| formal.name == *name);
+        let is_parameter = |name: &Ident| component.items.iter().any(|item| matches!(item, Item::Parameter(inner) if inner.name == *name));
+        let mut given = part.arguments.iter().filter_map(|argument| argument.name.as_ref());
+        let Some(name) = given.find(|name| !is_formal(name) && is_parameter(name)) else { return Some(()) };
+        let (component, part) = (component.head.name.to_string(), part.name.to_string());
+        self.refuse(name, Fact::ParameterAsArgument { component, name: name.to_string(), part })
     }
 
     /// The component of a part; where there is none of this name, the one that was meant.

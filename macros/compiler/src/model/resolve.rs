@@ -1,5 +1,6 @@
 //! The items of a mechanism: registered by name first, resolved when asked for, each once.
 
+use super::bounds::in_words;
 use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
 use super::names::{Context, Declared, Entity, EntityId, Made, Names, Progress, is_generated};
@@ -25,6 +26,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     let joints = work.joints(&register);
     let outputs = work.outputs(&register);
     let methods = work.methods(&layout, &outputs);
+    work.unused_components(&register);
     work.requirements_hold(&parameters);
     let Elaborator { arena, functions, requirements, .. } = work;
     let model = Model {
@@ -70,7 +72,7 @@ pub(crate) fn outline(tree: &ast::Mechanism) -> Outline {
 
 impl Elaborator<'_> {
     /// The fields of the generated structs.
-    fn parameters(&mut self, register: &Register) -> Vec<Parameter> {
+    pub(super) fn parameters(&mut self, register: &Register) -> Vec<Parameter> {
         let parameter = |this: &mut Self, (id, written): &(EntityId, Rc<ast::Parameter>)| {
             this.of(*id, Rc::as_ptr(written), |this, name, context| this.parameter(written, name, context))
         };
@@ -124,7 +126,16 @@ impl Elaborator<'_> {
         if !self.numbers(&[], &[default])[0].is_finite() {
             return self.refuse(parameter.default.range, Fact::NotFinite { place: "the default" });
         }
-        Some(Parameter { name: name.clone(), dim, default })
+        let bounds = match &parameter.limits {
+            Some(limits) => Some(self.bounds(limits, dim, &scope)?),
+            None => None,
+        };
+        let value = self.numbers(&[], &[default])[0];
+        if let Some(bounds) = bounds.as_ref().filter(|bounds| !bounds.hold(value)) {
+            let value = in_words(&parameter.default, value, dim);
+            return self.refuse(parameter.default.range, Fact::DefaultOutOfBounds { value, bounds: bounds.text.clone() });
+        }
+        Some(Parameter { name: name.clone(), dim, default, bounds })
     }
 
     /// The dimension behind its names.

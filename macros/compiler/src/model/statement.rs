@@ -104,10 +104,10 @@ impl Elaborator<'_> {
         joint: &Name,
         place: Option<Range>,
     ) -> Option<()> {
-        if one.measure.common(two.measure).is_none() {
+        let Some(measure) = one.measure.common(two.measure) else {
             let (one, two) = (one.measure.settled(), two.measure.settled());
             return self.refuse(range(requirement), Fact::Unlike { action: "compare", one, two });
-        }
+        };
         let (lhs, rhs) = (one.expr, two.expr);
         if self.names.is_abstract() || !self.is_fixed(lhs) || !self.is_fixed(rhs) {
             // A law of time can be zero at times; that is for the solver to notice.
@@ -124,7 +124,7 @@ impl Elaborator<'_> {
             ast::ExprKind::Path(path) => format!("{joint}.{}", path.last),
             _ => joint.to_string(),
         };
-        self.requirements.push(Requirement { lhs, relation: requirement.relation, rhs, joint, why });
+        self.requirements.push(Requirement { lhs, relation: requirement.relation, rhs, dim: measure.settled(), joint, why });
         let blamed = place.or(self.blame.as_ref().map(|blame| blame.place));
         self.requirement_places.push(blamed.unwrap_or(range(requirement)));
         Some(())

@@ -33,6 +33,11 @@ impl Incidence {
             .map(|equation| steady(equation.jacobian.iter().map(entry).collect(), &equation.jacobian, &system.arena));
         Incidence { unknowns: system.unknowns.len(), rows: rows.collect() }
     }
+
+    /// The same rows in another order.
+    pub(super) fn in_order(&self, order: &[usize]) -> Incidence {
+        Incidence { unknowns: self.unknowns, rows: order.iter().map(|row| self.rows[*row].clone()).collect() }
+    }
 }
 
 /// A constant much smaller than the largest of its row would blow up rounding errors.

@@ -7,15 +7,21 @@
 //! 1. `incidence`: which equation contains which unknown.
 //! 2. `matching`: every unknown gets an equation of its own, as many as can.
 //! 3. `components`: unknowns that can only be found together make a block; blocks are put in order.
-//! 4. `verdict`: where there are too many equations, or too few, the mechanism is refused.
+//! 4. `verdict`: where there are too many equations, or too few, the mechanism is refused: `grounding`, `agreement`, `mobility` and
+//!    `surplus` say what is wrong, `dependence` finds rows that follow from others.
 //! 5. `tearing`: inside a block, what follows explicitly from the rest is not iterated.
 //!
 //! Reference: Duff, Erisman, Reid, Direct Methods for Sparse Matrices, chapter 6.
 
+mod agreement;
 mod components;
+mod dependence;
+mod grounding;
 mod incidence;
 mod matching;
+mod mobility;
 mod parts;
+mod surplus;
 mod tearing;
 #[cfg(test)]
 mod tests;

@@ -16,8 +16,13 @@ pub(super) struct Part {
 
 /// The equations that contend for too few unknowns: all that can be reached from an equation without an unknown.
 pub(super) fn overdetermined(incidence: &Incidence, matching: &Matching) -> Part {
+    contending(incidence, matching, matching.free_equations())
+}
+
+/// The equations that contend with some that have no unknown. With a single one these are as few as there can be: take any of them
+/// away, and every one that remains has an unknown of its own.
+pub(super) fn contending(incidence: &Incidence, matching: &Matching, mut open: Vec<usize>) -> Part {
     let mut part = Part::default();
-    let mut open = matching.free_equations();
     while let Some(equation) = open.pop() {
         if !part.equations.insert(equation) {
             continue;

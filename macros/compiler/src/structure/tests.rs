@@ -1,9 +1,12 @@
 //! The plans that DESIGN promises, and the laws every structure obeys.
 
 use super::Structure;
+use super::dependence::dependent;
 use super::incidence::{Entry, Incidence};
+use super::parts::contending;
 use super::{components, matching, tearing};
 use crate::compile;
+use crate::expr::{Arena, Expr, Leaf};
 use std::collections::BTreeSet;
 
 fn structure(declaration: &str) -> Structure {
@@ -129,8 +132,58 @@ fn a_joint_too_many_here_and_one_too_few_there_is_named() {
     let refusals = compile(declaration.parse().expect("tokens")).expect_err("a crank with two pivots");
     assert_eq!(refusals.len(), 1);
     let message = refusals[0].fact.to_string();
-    assert!(message.contains("`b` is 2 equations too many: with `o` and `input` there are 5 equations on 3 coordinates"), "{message}");
+    assert!(message.contains("`b` is one equation too many with `o`: together they are 4 equations on 3 coordinates"), "{message}");
     assert!(message.contains("`rocker.angle`"), "{message}");
+}
+
+#[test]
+fn a_group_that_contends_is_as_small_as_can_be() {
+    let mut random = Random(0x1357_9bdf_0246_8ace);
+    let mut groups = 0;
+    for _ in 0..500 {
+        let n = 2 + random.below(9);
+        let mut incidence = random_incidence(&mut random, n);
+        incidence.unknowns = n;
+        let matching = matching::maximum(&incidence);
+        for free in matching.free_equations() {
+            let part = contending(&incidence, &matching, vec![free]);
+            assert_eq!(part.equations.len(), part.unknowns.len() + 1);
+            for left_out in &part.equations {
+                let rest: Vec<usize> = part.equations.iter().copied().filter(|equation| equation != left_out).collect();
+                assert!(matching::maximum(&incidence.in_order(&rest)).free_equations().is_empty());
+            }
+            groups += 1;
+        }
+    }
+    assert!(groups > 100);
+}
+
+#[test]
+fn rows_that_follow_from_others_are_found_with_the_others_and_what_is_left() {
+    let mut random = Random(0xfeed_5eed_cafe_0001);
+    for _ in 0..300 {
+        let mut arena = Arena::new();
+        let unknowns: Vec<Expr> = (0..5).map(|index| arena.leaf(Leaf::Coordinate(index))).collect();
+        let mut sum = |arena: &mut Arena, terms: &[Expr]| {
+            let zero = arena.integer(0);
+            terms.iter().fold(zero, |sum, term| {
+                let factor = arena.integer(random.below(7) as i64 + 1);
+                let product = arena.mul(factor, *term);
+                arena.add(sum, product)
+            })
+        };
+        // Three rows that do not depend on each other, since each has a coordinate to itself; then one of two of them.
+        let own: Vec<Expr> = (0..3).map(|row| sum(&mut arena, &[unknowns[row], unknowns[3], unknowns[4]])).collect();
+        let follows = sum(&mut arena, &[own[2], own[0]]);
+        let (shift, parameter) = (arena.integer(11), arena.leaf(Leaf::Parameter(0)));
+        let (shifted, moved) = (arena.add(follows, shift), arena.sub(follows, parameter));
+        for (row, left, terms) in [(follows, 0.0, 0), (shifted, 11.0, 0), (moved, 0.0, 1)] {
+            let found = dependent(&arena, &[(0, own[0]), (1, own[1]), (2, own[2]), (3, row)]);
+            let [found] = found.as_slice() else { panic!("{found:?}") };
+            assert_eq!((found.row, found.others.iter().copied().collect::<Vec<_>>()), (3, vec![0, 2]));
+            assert_eq!((found.left.constant.to_f64(), found.left.fixed.len()), (left, terms));
+        }
+    }
 }
 
 #[test]

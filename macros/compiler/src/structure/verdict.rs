@@ -1,81 +1,62 @@
-//! What does not fit: bodies that nothing holds, freedoms without a drive, joints that demand too much.
+//! What does not fit: bodies that nothing holds, rows that say nothing new, freedoms without a drive, joints that demand too much.
+//!
+//! Each check looks at what the ones before it have left, so that one mistake gives one error. An item of a component or a loop
+//! stands many times; what is wrong with it is said of the first.
 
 use super::incidence::Incidence;
 use super::matching::Matching;
-use super::parts::{Part, overdetermined, underdetermined};
+use super::parts::{overdetermined, underdetermined};
+use super::{agreement, grounding, mobility, surplus};
 use crate::diag::{Diag, Fact};
-use crate::model::{Dim, Model};
+use crate::model::{Model, Name};
 use crate::system::System;
 use std::collections::BTreeSet;
 
 /// Every unknown has an equation of its own, and every equation an unknown.
 pub(super) fn equations_fit(model: &Model, system: &System, incidence: &Incidence, matching: &Matching, diag: &mut Diag) {
     every_body_is_held(model, system, incidence, diag);
+    grounding::every_group_is_on_ground(model, system, incidence, diag);
+    if !diag.is_clean() {
+        return;
+    }
+    let dependent = agreement::dependent(model, system);
+    agreement::no_row_follows_from_others(model, system, &dependent, diag);
     if !diag.is_clean() {
         return;
     }
     let over = overdetermined(incidence, matching);
     let under = underdetermined(incidence, matching);
     match (over.equations.is_empty(), under.unknowns.is_empty()) {
-        (true, true) => {}
-        (true, false) => too_few(model, system, matching, &under, diag),
-        (false, _) => too_many(model, system, &over, &under, diag),
+        (true, true) => agreement::no_rows_collide(model, system, &dependent, diag),
+        (true, false) => mobility::nothing_is_free(model, system, incidence, matching, &under, diag),
+        (false, _) => surplus::nothing_is_demanded_twice(model, system, incidence, &under, diag),
     }
 }
 
 /// A body whose coordinates occur in no equation is connected to nothing.
 fn every_body_is_held(model: &Model, system: &System, incidence: &Incidence, diag: &mut Diag) {
     let held: BTreeSet<usize> = incidence.rows.iter().flatten().map(|entry| system.unknowns[entry.unknown].body).collect();
+    let mut said = Said::default();
     for (index, body) in model.bodies.iter().enumerate() {
-        if !held.contains(&index) {
+        if !held.contains(&index) && said.is_new(&body.name) {
             diag.refuse::<()>(&body.name, Fact::BodyIsFree { body: body.name.to_string() });
         }
     }
 }
 
-/// Freedoms are left: which coordinates a drive could take.
-fn too_few(model: &Model, system: &System, matching: &Matching, under: &Part, diag: &mut Diag) {
-    let angles: BTreeSet<usize> = under.unknowns.iter().copied().filter(|unknown| system.unknowns[*unknown].dim == Dim::ANGLE).collect();
-    let candidates = if angles.is_empty() { &under.unknowns } else { &angles };
-    let fact = Fact::TooFewEquations {
-        name: model.name.to_string(),
-        coordinates: system.unknowns.len(),
-        equations: system.equations.len(),
-        missing: matching.free_unknowns().len(),
-        drives: drives(model),
-        candidates: names(model, system, candidates),
-    };
-    diag.refuse::<()>(&model.name, fact);
+/// The names of which something has been said.
+#[derive(Default)]
+pub(super) struct Said(BTreeSet<String>);
+
+impl Said {
+    /// Nothing has been said of this item, nor of another that was declared with it.
+    pub(super) fn is_new(&mut self, name: &Name) -> bool {
+        self.0.insert(name.word.to_string())
+    }
 }
 
-/// Joints contend for the same coordinates; elsewhere there may be too few of them.
-fn too_many(model: &Model, system: &System, over: &Part, under: &Part, diag: &mut Diag) {
-    let joints: BTreeSet<usize> = over.equations.iter().map(|equation| system.equations[*equation].joint).collect();
-    let drives: Vec<usize> = joints.iter().copied().filter(|joint| model.joints[*joint].is_drive).collect();
-    // Of two drives on one freedom the later one is to blame, else the joint that was added last to what stood before.
-    let last_joint = joints.iter().copied().rfind(|joint| !model.joints[*joint].is_drive);
-    let blamed = if drives.len() > 1 { drives.last().copied() } else { last_joint.or(drives.last().copied()) };
-    let Some(blamed) = blamed else { return };
-    let fact = Fact::TooManyEquations {
-        joint: model.joints[blamed].name.to_string(),
-        others: joints.iter().filter(|joint| **joint != blamed).map(|joint| model.joints[*joint].name.to_string()).collect(),
-        equations: over.equations.len(),
-        coordinates: names(model, system, &over.unknowns),
-        free: names(model, system, &under.unknowns),
-        for_free: under.equations.len(),
-    };
-    diag.refuse::<()>(&model.joints[blamed].name, fact);
-}
-
-/// The number of equations that come from drives.
-fn drives(model: &Model) -> usize {
-    model.joints.iter().filter(|joint| joint.is_drive).map(|joint| joint.residuals.len()).sum()
-}
-
-fn names(model: &Model, system: &System, unknowns: &BTreeSet<usize>) -> Vec<String> {
-    let name = |unknown: &usize| {
-        let unknown = &system.unknowns[*unknown];
-        format!("{}.{}", model.bodies[unknown.body].name, unknown.name)
-    };
-    unknowns.iter().map(name).collect()
+/// `crank.angle`
+pub(super) fn coordinate(model: &Model, system: &System, unknown: usize) -> String {
+    let unknown = &system.unknowns[unknown];
+    format!("{}.{}", model.bodies[unknown.body].name, unknown.name)
 }

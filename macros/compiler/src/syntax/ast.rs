@@ -109,6 +109,21 @@ pub struct Parameter {
     pub dimension: Dimension,
     /// Its default.
     pub default: Expr,
+    /// `in` and the range that it lies in.
+    pub limits: Option<Limits>,
+}
+
+/// `from..to` or `from..=to`, of which one end may be missing.
+#[derive(Clone, Debug)]
+pub struct Limits {
+    /// The least value.
+    pub from: Option<Expr>,
+    /// The greatest value.
+    pub to: Option<Expr>,
+    /// `..=`: the greatest value belongs to the range.
+    pub is_inclusive: bool,
+    /// First to last token.
+    pub range: Range,
 }
 
 /// A derived quantity.

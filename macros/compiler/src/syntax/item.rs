@@ -1,7 +1,8 @@
 //! The items of a mechanism.
 
 use super::ast::{
-    Argument, Docs, Expr, Frame, Function, Item, Joint, JointBody, Let, Mark, Marks, Mechanism, Output, Parameter, Refused, Start, Use,
+    Argument, Docs, Expr, Frame, Function, Item, Joint, JointBody, Let, Limits, Mark, Marks, Mechanism, Output, Parameter, Refused, Start,
+    Use,
 };
 use super::definition::statement;
 use super::dimension::{dimension, required_dimension};
@@ -11,7 +12,7 @@ use super::tokens::{
     Parsed, arrow, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, name, parentheses, path, report, semicolon,
     skip_item, skip_to_block, visibility, wrong,
 };
-use crate::diag::{Diag, Fact};
+use crate::diag::{Diag, Fact, Range};
 use proc_macro2::Ident;
 use std::rc::Rc;
 use syn::ext::IdentExt;
@@ -198,8 +199,33 @@ fn parameter(input: ParseStream, docs: Docs) -> Parsed<Parameter> {
     if !input.peek(Token![=]) {
         return expected(input, "`=` and the default of the parameter");
     }
-    let default = value(input)?;
-    Ok(Parameter { docs, name, indices, dimension, default })
+    equals(input)?;
+    let default = expression(input)?;
+    let limits = if input.peek(Token![in]) { Some(limits(input)?) } else { None };
+    semicolon(input)?;
+    Ok(Parameter { docs, name, indices, dimension, default, limits })
+}
+
+/// `in from..to`, `in from..=to`, or one of them with one end
+fn limits(input: ParseStream) -> Parsed<Limits> {
+    input.parse::<Token![in]>()?;
+    let mut range = Range::from(input.span());
+    let from = if input.peek(Token![..]) { None } else { Some(expression(input)?) };
+    let is_inclusive = input.peek(Token![..=]);
+    if is_inclusive {
+        range = range.to(input.parse::<Token![..=]>()?.spans[2]);
+    } else if input.peek(Token![..]) {
+        range = range.to(input.parse::<Token![..]>()?.spans[1]);
+    } else {
+        return expected(input, "`..` or `..=` and the greatest value");
+    }
+    let is_open = input.peek(Token![;]);
+    if is_open && (is_inclusive || from.is_none()) {
+        return expected(input, "the greatest value");
+    }
+    let to = if is_open { None } else { Some(expression(input)?) };
+    let range = to.as_ref().map_or(range, |to| range.to(to.range));
+    Ok(Limits { from, to, is_inclusive, range })
 }
 
 /// `output name = value;`

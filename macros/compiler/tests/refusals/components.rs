@@ -19,9 +19,9 @@ crate::refusals! {
     item point_out_of_range: "body b { point P[0] = (0m, 0m); } output o = b.P[«1»];" => "there is no `b.P[1]`\nnote: there is `b.P[0]` only";
     item second_index_out_of_range: "for i in 0..2 { for j in 0..2 { body b[i][j] {} } } output o = b[1][«2»].x;" => "there is no `b[1][2]`\nnote: there are `b[1][0]` to `b[1][1]`";
     item negative_index: "for i in 0..2 { body b[«i - 1»] {} }" => "an index counts from 0, this one is -1\nnote: here `i` is 0";
-    item gap: "body «b»[0] {} body b[2] {}" => "there is `b[2]` but no `b[1]`\nhelp: the indices of an array run from 0 without gaps";
-    item array_from_one: "for i in 1..=3 { body «b»[i] {} }" => "there is `b[1]` but no `b[0]`\nhelp: the indices of an array run from 0 without gaps";
-    item ragged_array: "for i in 0..3 { for j in 0..i { body «b»[i][j] {} } }" => "there is `b[1][0]` but no `b[0][0]`\nhelp: the indices of an array run from 0 without gaps";
+    item gap: "body «b»[0] {} body b[2] {}" => "there is a body `b[2]` but no `b[1]`\nhelp: the indices of an array run from 0 without gaps";
+    item array_from_one: "for i in 1..=3 { body «b»[i] {} }" => "there is a body `b[1]` but no `b[0]`\nhelp: the indices of an array run from 0 without gaps";
+    item ragged_array: "for i in 0..3 { for j in 0..i { body «b»[i][j] {} } }" => "there is a body `b[1][0]` but no `b[0][0]`\nhelp: the indices of an array run from 0 without gaps";
     item index_with_a_unit: "body b[«1mm»] {}" => "expected a whole number, found `1mm`\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %";
     item index_of_a_fraction: "body b[«7 / 2»] {}" => "expected a whole number, found `7 / 2`\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %";
     item index_of_a_length: "body b[«double»] {}" => "expected a whole number, found a length (m)\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %";
@@ -30,8 +30,8 @@ crate::refusals! {
     item remainder_by_zero: "body b[«1 % 0»] {}" => "expected a whole number, found `1 % 0`\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %";
     item remainder_of_a_length: "output o = «length» % 2;" => "expected a whole number, found a length (m)\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %";
     item range_over_a_parameter: "param n: Number = 3; for i in 0..«n» { body b[i] {} }" => "how many there are cannot change at run time\nhelp: declare the number with `let`, such as `let count = 6;`";
-    item range_backwards: "for i in «3..1» { body b[i] {} }" => "this loop runs over nothing: from 3 to below 1";
-    item range_of_nothing: "for i in «2..2» { body b[i] {} }" => "this loop runs over nothing: from 2 to below 2";
+    item range_backwards: "for i in «3..1» { body b[i] {} }" => "this loop runs over nothing: from 3 to below 1\nhelp: a loop counts upwards: write `1..=3`";
+    item range_of_nothing: "for i in «2..2» { body b[i] {} }" => "this loop runs over nothing: from 2 to below 2\nhelp: for 2 alone write `2..=2`";
     item range_without_end: "for i in 0 «{» body b[i] {} }" => "expected `..` or `..=` and the end of the range, found `{`";
     item range_too_long: "for i in «0..1000000» { body b[i] {} }" => "a loop has at most 10000 rounds";
     item name_in_a_range_is_unknown: "for i in 0..«legs» { body b[i] {} }" => "nothing is called `legs` here";
@@ -49,8 +49,8 @@ crate::refusals! {
     item constraint_as_a_component: "part p = «revolute»(ground.O, crank.O);" => "`revolute` is a constraint, not a component\nhelp: write `joint name = revolute(…);`";
     item component_as_a_constraint: "component Leg() {} joint p = «Leg»();" => "`Leg` is a component, not a constraint\nhelp: write `part name = Leg(…);`";
     item component_twice: "component Leg() {} component «Leg»() {}" => "the name `Leg` is taken: another component has it\nhelp: choose another name";
-    item component_of_itself: "component Leg() { part p = «Leg»(); } part q = Leg();" => "the component `Leg` contains itself";
-    item components_of_each_other: "component A() { part p = B(); } component B() { part p = «A»(); } part q = A();" => "the component `A` contains itself";
+    item component_of_itself: "component Leg() { part p = «Leg»(); } part q = Leg();" => "the component `Leg` contains itself, and so without end\nhelp: let each part take the one before as an argument: `for i in 1..n { part name[i] = Leg(name[i - 1].end); }`";
+    item components_of_each_other: "component A() { part p = B(); } component B() { part p = «A»(); } part q = A();" => "the component `A` contains itself, and so without end\nhelp: let each part take the one before as an argument: `for i in 1..n { part name[i] = A(name[i - 1].end); }`";
     item component_with_a_generated_name: "component «State»() {}" => "a component cannot be called `State`: a generated type would have that name\nhelp: choose another name";
     item component_with_the_name_of_a_slice: "component «ForTip»() {}" => "a component cannot be called `ForTip`: a generated type would have that name\nhelp: choose another name";
     item component_with_the_name_of_what_is_prepared: "component «Prepared»() {}" => "a component cannot be called `Prepared`: a generated type would have that name\nhelp: choose another name";
@@ -77,4 +77,11 @@ crate::refusals! {
     item outputs_of_one_name: "component Leg() { output toe = 1; } part leg = Leg(); output «leg_toe» = 2;" => "the name `leg_toe` is taken: another output has it\nhelp: choose another name";
     item default_of_a_part_is_not_constant: "component Leg(a: Length) { param b: Length = «a»; } part p = Leg(length);" => "the default of a parameter is a constant: numbers, units, `pi` and functions of them\nhelp: a quantity that follows from others is declared with `let`\nnote: in `p.b`";
     item requirement_of_an_argument: "component Leg(a: Length) { body b {} body c {} joint j = distance(b.position, c.position, «0 * a»); } part p = Leg(1m);" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together\nnote: in `p.j`";
+    // Components that are not used, and gaps.
+    item mistake_in_a_component_that_is_not_used: "component Arm(P: Point) { body limb {} joint j = revolute(P, «limb»); }" => "`Q` of `revolute` takes a point, found a body\nhelp: write `limb.position`\nnote: in `Arm.j`";
+    item dimensions_in_a_component_that_is_not_used: "component Arm(a: Length) { let b = «a + 1deg»; }" => "cannot add an angle (rad) to a length (m)\nnote: in `Arm.b`";
+    item name_in_a_component_that_is_not_used: "component Arm(B: Body) { output o = «lim».x; }" => "nothing is called `lim` here\nnote: in `Arm.o`";
+    item part_in_a_component_that_is_not_used: "component Arm(P: Point) { part hand = Hand(«limb»); } component Hand(P: Point) { body palm {} joint j = weld(P, palm.position); }" => "nothing is called `limb` here\nnote: in `Arm.hand`";
+    item zero_in_a_component_that_is_not_used: "component Arm(P: Point) { body limb {} joint j = distance(P, limb.position, «0mm»); }" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together\nnote: in `Arm.j`";
+    item index_in_an_array_with_a_gap: "joint j[0] = translational(ground.u, ground.O, ram.B); joint j[2] = translational(ground.u, ground.O, ram.B); drive d = drive_along(j[«1»], 1mm);" => "there is no `j[1]`\nnote: there are `j[0]` and `j[2]`";
 }

@@ -17,7 +17,7 @@ crate::refusals! {
     item argument_of_a_function: "output b = lift(«length»);" => "expected an angle (rad), found a length (m)";
     item value_of_a_function: "function f(a: Angle) -> Length = «sin(a)»;" => "expected a length (m), found a pure number";
     item function_of_another_argument: "function f(a: Length) -> Length = a; joint c = cam_knife(crank.O, ram.B, «f»);" => "expected a function of an angle (rad), found a function of a length (m)";
-    item point_of_angles: "body b { point P = «(1deg, 2deg)»; }" => "expected a length (m), found an angle (rad)";
+    item point_of_angles: "body b { point P = «(1deg, 2deg)»; }" => "a coordinate of a point is a length (m), found an angle (rad)\nhelp: write `(1mm, 2mm)`";
     item vector_of_unlike: "output b = «(length, crank.angle)»;" => "cannot make one vector of a length (m) and an angle (rad)";
     item vector_and_number: "output b = «crank.A + 2»;" => "cannot add or subtract a vector and a number";
     item vector_times_vector: "output b = «crank.A * ram.B»;" => "there is more than one product of vectors\nhelp: write `dot(a, b)` or `cross(a, b)`";

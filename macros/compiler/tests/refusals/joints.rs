@@ -8,7 +8,7 @@ crate::refusals! {
     item equation_of_nothing: "joint a = { «length == 2 * length»; }" => "the equation of `a` does not depend on the position of any body";
     item second_equation_of_nothing: "joint a = { crank.x == 0; «length == 1m»; }" => "equation 2 of 2 of `a` does not depend on the position of any body";
     item difference_of_the_same: "joint a = { «crank.x - crank.x == 0»; }" => "the equation of `a` does not depend on the position of any body";
-    item joint_between_points_of_ground: "joint a = «point_on_line»(ground.C, ground.u, ground.O);" => "the point on the line and the line lie on the same body";
+    item joint_between_points_of_ground: "joint a = «point_on_line»(ground.C, ground.u, ground.O);" => "`a` joins ground to ground, and ground does not move\nhelp: give `point_on_line` at least one body, or a point or an axis of one";
     item no_equations: "joint «a» = {}" => "`a` has no equations\nhelp: write `lhs == rhs;`";
     item revolute_on_one_body: "joint a = «revolute»(crank.O, crank.A);" => "the two points of a revolute joint lie on the same body";
     item distance_on_one_body: "joint a = «distance»(crank.O, crank.A, 100mm);" => "the two points of a distance constraint lie on the same body";
@@ -17,8 +17,8 @@ crate::refusals! {
     mechanism start_of_ground: "mechanism Crank { ground { start «angle» = 0; } body crank {} }" => "ground does not move: it has no start values";
     mechanism named_as_the_number_type: "mechanism «T» { body crank {} }" => "`T` is the number type of generated code\nhelp: choose another name for the mechanism";
     mechanism no_bodies: "mechanism «Crank» { param length: Length = 1m; }" => "`Crank` has no bodies\nhelp: declare one with `body name { … }`";
-    mechanism drive_is_missing: "mechanism «Crank» { body crank {} joint o = revolute((0mm, 0mm), crank.position); }" => "`Crank` is left with 1 freedom: 3 coordinates and 2 equations, 0 from drives\nhelp: drive `crank.angle`, such as `drive input = drive_angle(body, speed * t);`";
+    mechanism drive_is_missing: "mechanism «Crank» { body crank {} joint o = revolute((0mm, 0mm), crank.position); }" => "`Crank` has mobility 1, but no drive\nnote: 3 coordinates and 2 equations of joints\nhelp: drive `crank.angle`, such as `drive input = drive_angle(crank, 60rpm * t);`";
     mechanism nothing_holds: "mechanism Crank { body crank {} body «rod» {} joint o = revolute((0mm, 0mm), crank.position); }" => "nothing holds `rod`: it is in no equation\nhelp: join it to another body, such as `joint name = revolute(rod.P, other.Q);`, or take it away";
-    mechanism drive_too_many: "mechanism Crank { body crank {} joint o = revolute((0mm, 0mm), crank.position); drive a = drive_angle(crank, t * 1rpm); drive «b» = drive_angle(crank, t * 2rpm); }" => "`b` is one equation too many: with `a` there are 2 equations on 1 coordinate, `crank.angle`\nhelp: take away a joint or a drive";
-    mechanism two_drives_on_one_freedom: "mechanism Crank { body crank { point A = (1m, 0m); } body wheel {} joint o = revolute((0mm, 0mm), crank.position); joint a = revolute(crank.A, wheel.position); drive i = drive_angle(crank, t * 1rpm); drive «j» = drive_angle(crank, t * 2rpm); }" => "`j` is one equation too many: with `i` there are 2 equations on 1 coordinate, `crank.angle`\nnote: `wheel.angle` has no equation";
+    mechanism drive_too_many: "mechanism Crank { body crank {} joint o = revolute((0mm, 0mm), crank.position); drive a = drive_angle(crank, t * 1rpm); drive «b» = drive_angle(crank, t * 2rpm); }" => "two drives on one freedom: `a` and `b`\nnote: both determine `crank.angle`\nhelp: take one of the drives away";
+    mechanism two_drives_on_one_freedom: "mechanism Crank { body crank { point A = (1m, 0m); } body wheel {} joint o = revolute((0mm, 0mm), crank.position); joint a = revolute(crank.A, wheel.position); drive i = drive_angle(crank, t * 1rpm); drive «j» = drive_angle(crank, t * 2rpm); }" => "two drives on one freedom: `i` and `j`\nnote: both determine `crank.angle`\nhelp: `wheel.angle` is left free: drive that instead";
 }

@@ -1,0 +1,61 @@
+//! The values that a parameter may have.
+
+use super::Bounds;
+use super::dimension::Dim;
+use super::elaborate::{Elaborator, Scope};
+use crate::diag::Fact;
+use crate::syntax::ast::{self, ExprKind, Limits};
+
+impl Bounds {
+    /// A value lies within.
+    #[must_use]
+    pub fn hold(&self, value: f64) -> bool {
+        let is_below = |to: f64| if self.is_inclusive { value <= to } else { value < to };
+        self.from.is_none_or(|from| from <= value) && self.to.is_none_or(is_below)
+    }
+}
+
+impl Elaborator<'_> {
+    /// The declared bounds of a parameter: constants, between which there is a value.
+    pub(super) fn bounds(&mut self, limits: &Limits, dim: Dim, scope: &Scope) -> Option<Bounds> {
+        let scope = &scope.clone().timeless("the bound of a parameter");
+        let (from, to) = (self.bound(limits.from.as_ref(), dim, scope), self.bound(limits.to.as_ref(), dim, scope));
+        let (from, to) = (from?, to?);
+        let dots = if limits.is_inclusive { "..=" } else { ".." };
+        let end = |written: &Option<ast::Expr>, value: Option<f64>| {
+            written.as_ref().zip(value).map_or(String::new(), |(written, value)| in_words(written, value, dim))
+        };
+        let text = format!("{} {dots} {}", end(&limits.from, from), end(&limits.to, to)).trim().to_owned();
+        let bounds = Bounds { from, to, is_inclusive: limits.is_inclusive, text };
+        if let (Some(from), Some(to)) = (from, to)
+            && (from > to || from == to && !limits.is_inclusive)
+        {
+            return self.refuse(limits.range, Fact::EmptyBounds { bounds: bounds.text, is_point: from == to });
+        }
+        Some(bounds)
+    }
+
+    /// One end; none where there is none.
+    fn bound(&mut self, written: Option<&ast::Expr>, dim: Dim, scope: &Scope) -> Option<Option<f64>> {
+        let Some(written) = written else { return Some(None) };
+        let expr = self.scalar_of(written, dim, scope)?.expr;
+        if !self.arena.leaves(expr).is_empty() {
+            let help = "what depends on other parameters is a `require` in a constraint";
+            return self.refuse(written.range, Fact::NotConstant { place: "the bound of a parameter", help });
+        }
+        let value = self.numbers(&[], &[expr])[0];
+        if value.is_finite() { Some(Some(value)) } else { self.refuse(written.range, Fact::NotFinite { place: "the bound" }) }
+    }
+}
+
+/// A constant as a person writes it: a number as it was written, anything else by its value.
+pub(super) fn in_words(written: &ast::Expr, value: f64, dim: Dim) -> String {
+    let (sign, inner) = match &written.kind {
+        ExprKind::Negative(inner) => ("-", &inner.kind),
+        kind => ("", kind),
+    };
+    match inner {
+        ExprKind::Number { digits, unit } if !unit.is_empty() => format!("{sign}{digits} {unit}"),
+        _ => format!("{value} {}", dim.unit()).trim_end().to_owned(),
+    }
+}

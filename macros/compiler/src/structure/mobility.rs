@@ -1,0 +1,116 @@
+//! Freedoms that are left: coordinates that nothing determines, and drives that are missing.
+
+use super::incidence::{Entry, Incidence};
+use super::matching::{self, Matching};
+use super::parts::Part;
+use super::verdict::coordinate;
+use crate::diag::{Count, Diag, Fact};
+use crate::model::{Dim, Model};
+use crate::system::System;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Of many drives that are missing this many are chosen.
+const MOST_CHOSEN: usize = 4;
+
+/// There are equations enough. `under`: given, the unknowns that share too few, and their equations.
+pub(super) fn nothing_is_free(model: &Model, system: &System, incidence: &Incidence, matching: &Matching, under: &Part, diag: &mut Diag) {
+    let drives = drives(model);
+    let in_none = in_no_equation(incidence);
+    let is_place = |unknown: &usize| system.unknowns[*unknown].dim != Dim::ANGLE;
+    let body = |unknown: &usize| system.unknowns[*unknown].body;
+    let has_no_place = |unknown: &&usize| in_none.iter().filter(|other| is_place(other) && body(other) == body(unknown)).count() > 1;
+    // One coordinate of a body may be what a drive was meant for, if there is none yet; its place as a whole hardly ever is.
+    let missing = matching.free_unknowns().len();
+    let is_all = drives > 0 && in_none.len() == missing;
+    let first = in_none.iter().find(has_no_place).or(in_none.first().filter(|_| is_all));
+    if let Some(first) = first {
+        let name = &model.bodies[body(first)].name;
+        let example = (!has_no_place(&first)).then(|| example(model, system, *first));
+        let coordinates = in_none.iter().map(|unknown| coordinate(model, system, *unknown)).collect();
+        diag.refuse::<()>(name, Fact::FreeCoordinates { body: name.to_string(), coordinates, example });
+        return;
+    }
+    let loose = if missing > 1 { loose_ends(model, system, incidence, under) } else { Vec::new() };
+    let candidates = candidates(model, system, incidence, under);
+    let chosen = chosen(incidence, &candidates, missing.min(MOST_CHOSEN));
+    let shown = if missing == 1 { &candidates } else { &chosen };
+    let fact = Fact::DrivesMissing {
+        name: model.name.to_string(),
+        count: Count { coordinates: system.unknowns.len(), joints: system.equations.len() - drives, drives, missing },
+        loose: loose.into_iter().map(|body| model.bodies[body].name.to_string()).collect(),
+        candidates: shown.iter().map(|unknown| coordinate(model, system, *unknown)).collect(),
+        example: chosen.first().map_or(String::new(), |unknown| example(model, system, *unknown)),
+    };
+    diag.refuse::<()>(&model.name, fact);
+}
+
+/// Unknowns that occur nowhere.
+fn in_no_equation(incidence: &Incidence) -> Vec<usize> {
+    let held: BTreeSet<usize> = incidence.rows.iter().flatten().map(|entry| entry.unknown).collect();
+    (0..incidence.unknowns).filter(|unknown| !held.contains(unknown)).collect()
+}
+
+/// What a drive could take: a row for any of these would find an unknown. First the angles of bodies that are joined to ground, as
+/// cranks are, then other angles; places where there
+/// are no angles.
+fn candidates(model: &Model, system: &System, incidence: &Incidence, under: &Part) -> Vec<usize> {
+    let body = |entry: &Entry| system.unknowns[entry.unknown].body;
+    let is_on_ground = |row: &&Vec<Entry>| row.iter().all(|entry| body(entry) == body(&row[0]));
+    let joints = incidence.rows.iter().zip(&system.equations).filter(|(_, equation)| !model.joints[equation.joint].is_drive);
+    let on_ground: BTreeSet<usize> =
+        joints.map(|(row, _)| row).filter(|row| !row.is_empty()).filter(is_on_ground).map(|row| body(&row[0])).collect();
+    let (angles, places): (Vec<usize>, Vec<usize>) =
+        under.unknowns.iter().partition(|unknown| system.unknowns[**unknown].dim == Dim::ANGLE);
+    let mut candidates = if angles.is_empty() { places } else { angles };
+    candidates.sort_by_key(|unknown| !on_ground.contains(&system.unknowns[*unknown].body));
+    candidates
+}
+
+/// Bodies that are joined to one neighbour only, another body or ground, and have freedom: a joint may be missing there.
+fn loose_ends(model: &Model, system: &System, incidence: &Incidence, under: &Part) -> Vec<usize> {
+    let mut neighbours: BTreeMap<usize, BTreeSet<Option<usize>>> = BTreeMap::new();
+    for (row, equation) in incidence.rows.iter().zip(&system.equations) {
+        let bodies: BTreeSet<usize> = row.iter().map(|entry| system.unknowns[entry.unknown].body).collect();
+        for body in bodies.iter().filter(|_| !model.joints[equation.joint].is_drive) {
+            let others = bodies.iter().filter(|other| *other != body).map(|other| Some(*other));
+            neighbours.entry(*body).or_default().extend(others.chain((bodies.len() == 1).then_some(None)));
+        }
+    }
+    let has_freedom: BTreeSet<usize> = under.unknowns.iter().map(|unknown| system.unknowns[*unknown].body).collect();
+    neighbours.into_iter().filter(|(body, others)| others.len() == 1 && has_freedom.contains(body)).map(|(body, _)| body).collect()
+}
+
+/// As many of the candidates as can be driven together.
+fn chosen(incidence: &Incidence, candidates: &[usize], most: usize) -> Vec<usize> {
+    let mut driven = incidence.clone();
+    let mut chosen = Vec::new();
+    for unknown in candidates {
+        if chosen.len() == most {
+            break;
+        }
+        driven.rows.push(vec![Entry { unknown: *unknown, is_pivot: true }]);
+        if matching::maximum(&driven).free_equations().is_empty() {
+            chosen.push(*unknown);
+        } else {
+            driven.rows.pop();
+        }
+    }
+    chosen
+}
+
+/// A drive for a coordinate, to be typed.
+fn example(model: &Model, system: &System, unknown: usize) -> String {
+    let taken = |name: &&&str| model.joints.iter().all(|joint| joint.name.path != **name);
+    let name = ["input", "motor", "feed", "drive_1"].iter().find(taken).unwrap_or(&"another");
+    let unknown = &system.unknowns[unknown];
+    let body = &model.bodies[unknown.body].name;
+    match unknown.name {
+        "angle" => format!("drive {name} = drive_angle({body}, 60rpm * t);"),
+        axis => format!("drive {name} = drive_{axis}({body}.position, 10mm * sin(1rad_s * t));"),
+    }
+}
+
+/// The number of equations that come from drives.
+fn drives(model: &Model) -> usize {
+    model.joints.iter().filter(|joint| joint.is_drive).map(|joint| joint.residuals.len()).sum()
+}

@@ -1,0 +1,16 @@
+reuleaux::mechanism! {
+    pub mechanism Crank {
+        param least: Length = 50mm;
+        param length: Length = 100mm in least..;
+        body crank { point A = (length, 0mm); }
+        joint hinge = revolute((0mm, 0mm), crank.position);
+        drive input = drive_angle(crank, 60rpm * t);
+        output tip = crank.A;
+    }
+}
+
+fn main() {
+    let mechanism = Crank { length: 0.2, ..Default::default() };
+    let state = mechanism.solve(0.5).unwrap();
+    let _ = [mechanism.tip(&state).value.x, state.crank().angle];
+}
