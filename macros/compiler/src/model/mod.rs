@@ -22,6 +22,7 @@ mod names;
 mod register;
 mod resolve;
 mod signature;
+pub mod sketch;
 pub(crate) mod spline;
 mod statement;
 pub(crate) mod suggest;
@@ -31,6 +32,7 @@ pub(crate) mod value;
 pub use dimension::Dim;
 pub use layout::{Component, Field, Layout, Of, Part};
 pub use name::Name;
+pub use sketch::Sketch;
 pub use spline::{Ends, Table};
 
 use crate::expr::{Arena, Expr};
@@ -72,6 +74,8 @@ pub struct Model {
     pub functions: Vec<Function>,
     /// Conditions on parameters.
     pub requirements: Vec<Requirement>,
+    /// What a picture needs.
+    pub sketch: Sketch,
 }
 
 /// A field of the generated struct.

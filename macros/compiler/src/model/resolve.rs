@@ -26,6 +26,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     let outputs = work.outputs(&register);
     let methods = work.methods(&layout, &outputs);
     work.requirements_hold(&parameters);
+    let sketch = work.sketch(&register);
     let Elaborator { arena, functions, requirements, .. } = work;
     let model = Model {
         arena,
@@ -42,6 +43,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
         methods,
         functions,
         requirements,
+        sketch,
     };
     diag.is_clean().then_some(model)
 }
