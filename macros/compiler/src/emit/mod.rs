@@ -89,6 +89,7 @@ fn structure(model: &Model, page: &str) -> TokenStream {
     let marker = model.parameters.is_empty().then(|| quote!(#[doc(hidden)] pub _real: ::core::marker::PhantomData<T>));
     quote! {
         #docs
+        #[doc = ""]
         #[doc = #page]
         #[derive(Clone, Copy, Debug, PartialEq)]
         #visibility struct #name<T = f64> { #fields #marker }

@@ -2,8 +2,9 @@
 
 use super::canvas::{Ink, Layer, Near, Role};
 use super::drawing::Drawing;
+use super::eye::STEPS;
 use super::plane::{Frame, Place, polar};
-use super::scene::{STEPS, Scene, Sign};
+use super::scene::{Scene, Sign};
 use core::f64::consts::TAU;
 
 /// What touches the cam.

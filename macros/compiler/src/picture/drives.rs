@@ -2,8 +2,8 @@
 
 use super::canvas::{Ink, Layer, Near, Role, Shape};
 use super::drawing::Drawing;
+use super::gears::RIM;
 use super::plane::{Place, place, polar};
-use super::wheels::RIM;
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// The radius of a curved arrow about a hinge.

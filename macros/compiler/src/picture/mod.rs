@@ -11,6 +11,8 @@ mod cams;
 mod canvas;
 mod drawing;
 mod drives;
+mod eye;
+mod gears;
 mod labels;
 mod links;
 mod pins;

@@ -1,14 +1,6 @@
 //! The mechanism in one configuration: every point where it lies in ground, in m, with y upwards.
 
-use super::plane::{Place, place};
-use crate::expr::{Evaluator, Expr, Leaf, Values, evaluate};
-use crate::model::sketch::{Argument, Local, Made};
-use crate::model::{Dim, Function, Model};
-use crate::system::System;
-use core::f64::consts::TAU;
-
-/// How many values of a function of one turn are looked at.
-pub(super) const STEPS: usize = 90;
+use super::plane::Place;
 
 /// A time and a configuration.
 #[derive(Clone, Debug)]
@@ -122,61 +114,6 @@ pub(super) fn axis(arguments: &[(String, Seen)], name: &str) -> Option<(Option<u
 }
 
 impl Scene {
-    /// The mechanism at an instant; none if something is not where a number could say it is.
-    pub(super) fn at(model: &Model, system: &System, instant: &Instant) -> Option<Scene> {
-        let functions = |number: u32, x: f64| match model.functions.get(number as usize) {
-            Some(Function::Table(table)) => table.evaluate(x),
-            _ => [f64::NAN; 3],
-        };
-        let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
-        let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
-        let parameters = evaluate(&model.arena, &defaults, &nothing);
-        let known = Values { time: instant.time, parameters: &parameters, coordinates: &instant.q, ..nothing };
-        let rates: Vec<Expr> = system.equations.iter().map(|equation| equation.nu).collect();
-        let rates = evaluate(&system.arena, &rates, &known);
-        let mut bodies: Vec<Figure> = model
-            .bodies
-            .iter()
-            .enumerate()
-            .map(|(index, body)| {
-                let q = |offset: usize| instant.q.get(3 * index + offset).copied().unwrap_or(f64::NAN);
-                Figure { name: body.name.to_string(), origin: place(q(0), q(1)), angle: q(2), points: Vec::new() }
-            })
-            .collect();
-        let eye = Eye { model, known, bodies: bodies.clone() };
-        for mark in &model.sketch.points {
-            if let Some(body) = mark.at.body {
-                bodies[body].points.push(eye.point(mark.at));
-            }
-        }
-        let sign = |(index, (joint, made)): (usize, (&crate::model::Joint, &Made))| {
-            let rate = system.equations.iter().zip(&rates).find(|(equation, _)| equation.joint == index).map_or(0.0, |(_, rate)| *rate);
-            // A Rust function is not run here.
-            let rate = if rate.is_finite() { rate } else { 0.0 };
-            let mut touched: Vec<usize> = Vec::new();
-            for residual in &joint.residuals {
-                let leaves = model.arena.leaves(residual.expr);
-                touched.extend(
-                    leaves.iter().filter_map(|leaf| if let Leaf::Coordinate(number) = leaf { Some(*number as usize / 3) } else { None }),
-                );
-            }
-            touched.sort_unstable();
-            touched.dedup();
-            let (name, kind) = (joint.name.to_string(), made.kind.clone());
-            Sign { name, kind, is_drive: joint.is_drive, arguments: eye.arguments(made), bodies: touched, rate }
-        };
-        let joints: Vec<Sign> = model.joints.iter().zip(&model.sketch.joints).enumerate().map(sign).collect();
-        for (body, at) in joints.iter().flat_map(Sign::points) {
-            if let Some(body) = body {
-                bodies[body].points.push(at);
-            }
-        }
-        let outputs: Vec<_> = model.sketch.outputs.iter().map(|mark| (mark.name.clone(), mark.at.body, eye.point(mark.at))).collect();
-        let scene = Scene { bodies, joints, outputs };
-        let is_placed = scene.places().all(Place::is_finite);
-        is_placed.then_some(scene)
-    }
-
     /// All places that are named.
     pub(super) fn places(&self) -> impl Iterator<Item = Place> {
         let of_bodies = self.bodies.iter().flat_map(|body| if body.points.is_empty() { vec![body.origin] } else { body.points.clone() });
@@ -208,58 +145,5 @@ impl Scene {
     /// `crank`, or `ground`.
     pub(super) fn name(&self, body: Option<usize>) -> &str {
         body.and_then(|body| self.bodies.get(body)).map_or("ground", |body| &body.name)
-    }
-}
-
-/// Evaluates what was sketched.
-struct Eye<'a> {
-    model: &'a Model,
-    known: Values<'a>,
-    bodies: Vec<Figure>,
-}
-
-impl Eye<'_> {
-    fn values(&self, exprs: &[Expr]) -> Vec<f64> {
-        evaluate(&self.model.sketch.arena, exprs, &self.known)
-    }
-
-    fn local(&self, at: Local) -> Place {
-        let values = self.values(&at.local);
-        place(values[0], values[1])
-    }
-
-    fn direction(&self, at: Local) -> Place {
-        let local = self.local(at);
-        at.body.map_or(local, |body| local.turned(self.bodies[body].angle))
-    }
-
-    fn point(&self, at: Local) -> Place {
-        at.body.map_or(Place::default(), |body| self.bodies[body].origin) + self.direction(at)
-    }
-
-    fn arguments(&self, made: &Made) -> Vec<(String, Seen)> {
-        made.arguments.iter().map(|(name, argument)| (name.clone(), self.seen(argument))).collect()
-    }
-
-    fn seen(&self, argument: &Argument) -> Seen {
-        match argument {
-            Argument::Point(at) => Seen::Point(at.body, self.point(*at)),
-            Argument::Axis(at) => Seen::Axis(at.body, self.direction(*at).unit()),
-            Argument::Body(body) => Seen::Body(*body),
-            Argument::Number(value, dim) => Seen::Number(self.values(&[*value])[0], *dim == Dim::LENGTH),
-            Argument::Function(value) => Seen::Function(self.turn(*value)),
-            Argument::Joint(made) => Seen::Joint(self.arguments(made)),
-        }
-    }
-
-    /// The time stands for the function's variable.
-    fn turn(&self, value: Expr) -> Vec<f64> {
-        let mut evaluator = Evaluator::new(&self.model.sketch.arena, &[value]);
-        let at = |step: usize| {
-            let mut found = [f64::NAN];
-            evaluator.run(&Values { time: step as f64 * TAU / STEPS as f64, ..self.known }, &mut found);
-            found[0]
-        };
-        (0..STEPS).map(at).collect()
     }
 }
