@@ -13,8 +13,8 @@ const NEAR: f64 = 1.0;
 /// Of more joints at one place only these are named.
 const MOST_NAMES: usize = 4;
 
-/// What is drawn at a place where bodies are joined.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+/// How bodies are joined at a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Look {
     /// They turn about it.
     Hinge,
@@ -26,7 +26,8 @@ pub(super) enum Look {
 #[derive(Clone, Debug)]
 pub(super) struct Pin {
     pub(super) at: Place,
-    pub(super) look: Look,
+    has_hinge: bool,
+    has_weld: bool,
     pub(super) is_on_ground: bool,
     /// The joints by name, with what they are.
     names: Vec<(String, String)>,
@@ -44,12 +45,13 @@ impl Pins {
         let pin = match self.pins.iter().position(|pin| (pin.at - at).norm() < NEAR) {
             Some(known) => &mut self.pins[known],
             None => {
-                self.pins.push(Pin { at, look, is_on_ground: false, names: Vec::new() });
+                self.pins.push(Pin { at, has_hinge: false, has_weld: false, is_on_ground: false, names: Vec::new() });
                 let last = self.pins.len() - 1;
                 &mut self.pins[last]
             }
         };
-        pin.look = pin.look.max(look);
+        pin.has_hinge |= look == Look::Hinge;
+        pin.has_weld |= look == Look::Weld;
         pin.is_on_ground |= is_on_ground;
         if !pin.names.iter().any(|(known, _)| known == name) {
             pin.names.push((name.to_owned(), title.to_owned()));
@@ -75,12 +77,14 @@ impl Pins {
             if pin.is_on_ground {
                 support(canvas, &title, pin.at, freest(&links(pin.at)));
             }
-            match pin.look {
-                Look::Hinge => canvas.circle(Layer::Pin, Ink::Paper, &title, pin.at, RADIUS),
-                Look::Weld => {
-                    let corners = [(-5.0, -5.0), (5.0, -5.0), (5.0, 5.0), (-5.0, 5.0)].map(|(x, y)| pin.at + place(x, y));
-                    canvas.area(Layer::Pin, Ink::Solid, &title, &corners);
-                }
+            if pin.has_weld {
+                // Around a hinge, if bodies that are one turn about it together.
+                let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| pin.at + place(x, y) * 5.6);
+                canvas.area(Layer::Pin, Ink::Solid, &title, &corners);
+            }
+            if pin.has_hinge {
+                let radius = if pin.has_weld { 3.4 } else { RADIUS };
+                canvas.circle(Layer::Pin, Ink::Paper, &title, pin.at, radius);
             }
             if !names.is_empty() {
                 canvas.wish(Role::Joint, &names, Near::Point(pin.at, RADIUS + 3.0));

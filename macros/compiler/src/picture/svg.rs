@@ -99,8 +99,9 @@ pub(super) fn svg(canvas: &Canvas, labels: &[Placed], view: View, words: &Words)
 /// Shapes of one thing with its name.
 fn group(page: &mut String, items: &[&Item]) {
     let Some(first) = items.first() else { return };
-    // Of a hinge only what is on top needs to be told.
-    let title = if first.layer == Layer::Ground { String::new() } else { format!("<title>{}</title>", escaped(&first.title)) };
+    // Of a hinge on ground only what is on top needs to be told.
+    let is_silent = first.layer == Layer::Ground || first.title.is_empty();
+    let title = if is_silent { String::new() } else { format!("<title>{}</title>", escaped(&first.title)) };
     if let [item] = items {
         let (name, attributes) = element(item);
         let _ = if title.is_empty() {
