@@ -23,7 +23,7 @@ pub(super) struct Cam {
     joint: usize,
     body: Option<usize>,
     pub(super) middle: Place,
-    outline: Vec<Place>,
+    pub(super) outline: Vec<Place>,
     /// The profile is a Rust function, of which nothing is known here.
     is_unknown: bool,
     pub(super) follower: Option<usize>,

@@ -4,7 +4,7 @@
 //! ACM Transactions on Graphics 14, 1995): candidates around the object, each with a cost for what it would cover.
 
 use super::canvas::{Canvas, Ink, Item, Layer, Near, Role, Shape, Wish};
-use super::plane::{Frame, Place, place, polar};
+use super::plane::{Frame, Place, is_inside, place, polar};
 use core::f64::consts::TAU;
 
 /// The height of a line of text.
@@ -15,6 +15,9 @@ pub(super) const SIZE: f64 = 12.0;
 
 /// A word that costs more to place is left out, and told by its shape only.
 const DEAREST: f64 = 60.0;
+
+/// What it costs a word to stand on a plate that it does not name.
+const ON_PLATE: f64 = 1.2;
 
 /// A word in its place.
 #[derive(Clone, Debug)]
@@ -30,6 +33,11 @@ pub(super) fn labels(canvas: &Canvas) -> Vec<Placed> {
     // What has the fewest places to choose from comes first.
     wishes.sort_by_key(|wish| wish.role);
     let obstacles: Vec<Obstacle> = canvas.items.iter().flat_map(obstacles).collect();
+    let plate = |item: &Item| match (&item.shape, item.ink) {
+        (Shape::Closed(corners), Ink::Plate(_)) => Some(corners.clone()),
+        _ => None,
+    };
+    let plates: Vec<Vec<Place>> = canvas.items.iter().filter_map(plate).collect();
     let mut placed: Vec<Placed> = Vec::new();
     for wish in wishes {
         let size = place(width(&wish.text), HEIGHT);
@@ -37,7 +45,7 @@ pub(super) fn labels(canvas: &Canvas) -> Vec<Placed> {
         let reach = Frame::around(candidates.iter().flat_map(|(frame, _)| [frame.low, frame.high])).grown(8.0);
         let near: Vec<&Obstacle> = obstacles.iter().filter(|obstacle| reach.is_crossed(obstacle.a, obstacle.b)).collect();
         let others: Vec<Frame> = placed.iter().map(|other| other.frame.grown(1.5)).filter(|other| other.overlaps(reach)).collect();
-        let cost = |(frame, base): (Frame, f64)| (frame, base + covered(frame, &near, &others));
+        let cost = |(frame, base): (Frame, f64)| (frame, base + covered(frame, &near, &others) + on_plate(wish.role, frame, &plates));
         let best = candidates.into_iter().map(cost).min_by(|a, b| a.1.total_cmp(&b.1));
         if let Some((frame, cost)) = best
             && cost < DEAREST
@@ -102,6 +110,12 @@ fn covered(frame: Frame, obstacles: &[&Obstacle], others: &[Frame]) -> f64 {
     // The box of a line of text is higher than most of its letters.
     let inner = frame.grown(-1.0);
     obstacles.iter().filter(|obstacle| inner.grown(obstacle.half).is_crossed(obstacle.a, obstacle.b)).map(|obstacle| obstacle.cost).sum()
+}
+
+/// Names of bodies may stand on plates, others rather not.
+fn on_plate(role: Role, frame: Frame, plates: &[Vec<Place>]) -> f64 {
+    let is_on = |plate: &Vec<Place>| is_inside(plate, frame.middle());
+    if role != Role::Body && plates.iter().any(is_on) { ON_PLATE } else { 0.0 }
 }
 
 /// Where a word of this size may stand, with what is against it.

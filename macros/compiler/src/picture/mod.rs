@@ -143,3 +143,6 @@ fn rounded(value: f64) -> f64 {
 fn counted(number: usize, one: &str, many: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { many })
 }
+
+#[cfg(test)]
+mod tests;

@@ -184,6 +184,13 @@ pub(super) fn hull(places: &[Place]) -> Vec<Place> {
     lower
 }
 
+/// A place lies in a convex area with these corners in order.
+pub(super) fn is_inside(corners: &[Place], at: Place) -> bool {
+    let sides = corners.iter().zip(corners.iter().cycle().skip(1));
+    let turns: Vec<f64> = sides.map(|(a, b)| (*b - *a).cross(at - *a)).collect();
+    turns.iter().all(|turn| *turn > 0.0) || turns.iter().all(|turn| *turn < 0.0)
+}
+
 /// The two of these places that are farthest apart, in their order.
 pub(super) fn farthest(places: &[Place]) -> Option<(Place, Place)> {
     let pairs = places.iter().enumerate().flat_map(|(index, one)| places[index + 1..].iter().map(move |two| (*one, *two)));

@@ -10,7 +10,7 @@ use crate::system::System;
 const CLEAR: f64 = 0.035;
 
 /// Mechanisms with more bodies are drawn at their start.
-const LARGEST: usize = 30;
+const LARGEST: usize = 12;
 
 /// The configuration that is drawn; none if nothing can be evaluated.
 pub(super) fn pose(model: &Model, system: &System, closure: &Closure) -> Option<(Instant, Scene)> {
