@@ -5,6 +5,7 @@ use crate::diag::{Diag, Refusal};
 use crate::emit;
 use crate::expansion;
 use crate::model::{self, Model};
+use crate::picture::{self, Picture};
 use crate::plan::{self, Plan};
 use crate::structure::{self, Structure};
 use crate::syntax::{self, ast};
@@ -25,6 +26,8 @@ pub struct Compiled {
     pub closure: Closure,
     /// Straight lines.
     pub plan: Plan,
+    /// What it looks like.
+    pub picture: Picture,
 }
 
 /// A definition under the name it has in a mechanism.
@@ -107,8 +110,8 @@ fn continued(tree: &ast::Mechanism, tokens: TokenStream, known: TokenStream, mut
     }
     let definitions = definitions(known, &mut diag);
     match rooms(tree, definitions, &mut diag) {
-        Some(Compiled { model, system, closure, plan, .. }) => {
-            let tokens = emit::emit(&model, &system, &closure, &plan);
+        Some(Compiled { model, system, closure, plan, picture, .. }) => {
+            let tokens = emit::emit(&model, &system, &closure, &plan, &picture);
             let unwritten = expansion::write(&model.name.to_string(), &tokens);
             quote!(#tokens #unwritten)
         }
@@ -141,7 +144,8 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     // There is a configuration to start from.
     let plan = plan::schedule(&model, &system, &structure, &closure);
     // Nothing is left to decide.
-    Some(Compiled { model, system, structure, closure, plan })
+    let picture = picture::draw(&model, &system, &closure);
+    Some(Compiled { model, system, structure, closure, plan, picture })
 }
 
 fn check(definitions: &ast::Definitions, diag: &mut Diag) {

@@ -17,6 +17,7 @@ mod expansion;
 pub mod expr;
 pub mod library;
 pub mod model;
+pub mod picture;
 pub mod plan;
 pub mod structure;
 pub mod syntax;

@@ -26,6 +26,8 @@ pub(crate) struct Poses<'a> {
 struct Pose {
     time: f64,
     q: Vec<f64>,
+    /// The loops close there.
+    is_closed: bool,
 }
 
 impl<'a> Poses<'a> {
@@ -37,7 +39,7 @@ impl<'a> Poses<'a> {
         let parameters = evaluate(&system.arena, &defaults, &nothing);
         let known = Values { parameters: &parameters, ..nothing };
         let size = size(model, system, &known);
-        let mut poses = vec![Pose { time: 0.0, q: closure.start.clone() }];
+        let mut poses = vec![Pose { time: 0.0, q: closure.start.clone(), is_closed: closure.is_closed }];
         if closure.is_closed
             && let Some(rates) = rates(system, &known, &closure.start)
         {
@@ -50,6 +52,11 @@ impl<'a> Poses<'a> {
             }
         }
         Poses { model, parameters, size, poses }
+    }
+
+    /// The time and the configuration of those in which the loops close.
+    pub(crate) fn closed(&self) -> impl Iterator<Item = (f64, &[f64])> {
+        self.poses.iter().filter(|pose| pose.is_closed).map(|pose| (pose.time, pose.q.as_slice()))
     }
 
     /// The values of some expressions in each pose.
@@ -74,7 +81,7 @@ fn moved(room: &Room, start: &[f64], rates: &[f64], time: f64) -> Pose {
     let mut problem = room.whole();
     problem.known.time = time;
     let is_closed = levenberg::minimise(&mut problem, &mut q, &vec![true; start.len()]);
-    Pose { time, q: if is_closed { q } else { predicted } }
+    Pose { time, q: if is_closed { q } else { predicted }, is_closed }
 }
 
 /// q̇ of Φ_q q̇ = ν at the start; None where it is not to be had.

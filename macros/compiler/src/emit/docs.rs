@@ -3,17 +3,20 @@
 use super::abridged::{Abridged, list};
 use crate::expr::{Evaluator, Leaf, Values, show};
 use crate::model::{Function, Method, Model, Output, Parameter};
+use crate::picture::Picture;
 use crate::plan::{Code, Cost, Elimination, Plan, Solution, Summary};
 use crate::system::System;
 use std::fmt::Write;
 
-/// The page of the generated struct: tables of parameters, coordinates and equations.
-pub(super) fn mechanism(model: &Model, system: &System, plan: &Plan) -> String {
+/// The page of the generated struct: the picture, and tables of parameters, coordinates and equations.
+pub(super) fn mechanism(model: &Model, system: &System, plan: &Plan, picture: &Picture) -> String {
     let mut page = String::new();
     let (n, m) = (system.unknowns.len(), system.equations.len());
     let drives: usize = model.joints.iter().filter(|joint| joint.is_drive).map(|joint| joint.residuals.len()).sum();
     let mobility = n as i64 - (m - drives) as i64;
     let _ = writeln!(page, "\n{n} coordinates, {m} equations, {drives} of them drives: mobility {mobility} without drives, as counted.");
+    // HTML in a page of Markdown stands between blank lines.
+    let _ = writeln!(page, "\n{}\n{}", picture.svg().unwrap_or_default(), picture.words());
     parameters(&mut page, model, system);
     let _ = writeln!(page, "\n# Coordinates\n\n| | body | coordinate | unit |\n| --- | --- | --- | --- |");
     let mut table = Abridged::new(model);

@@ -29,6 +29,7 @@ pub(crate) use stub::{fallback, stub};
 
 use crate::closure::Closure;
 use crate::model::{Function, Model};
+use crate::picture::Picture;
 use crate::plan::{Cost, Plan, Solution, Summary};
 use crate::syntax::ast::Docs;
 use crate::system::System;
@@ -47,9 +48,9 @@ pub(crate) fn identifier(name: &str) -> Ident {
 }
 
 /// The generated struct, its functions and its traits.
-pub(crate) fn emit(model: &Model, system: &System, closure: &Closure, plan: &Plan) -> TokenStream {
+pub(crate) fn emit(model: &Model, system: &System, closure: &Closure, plan: &Plan, picture: &Picture) -> TokenStream {
     let emitter = Emitter { model, system, plan };
-    let (structure, defaults) = (structure(model, &docs::mechanism(model, system, plan)), defaults(model, system));
+    let (structure, defaults) = (structure(model, &docs::mechanism(model, system, plan, picture)), defaults(model, system));
     let (constants, tables) = (constants(model, system, plan), tables(model));
     let equations = [emitter.phi(), emitter.jacobian(), emitter.linearize(), emitter.nu(), emitter.gamma()];
     let (start, length, validate) = (start(closure), emitter.characteristic_length(), emitter.validate());
@@ -89,6 +90,7 @@ fn structure(model: &Model, page: &str) -> TokenStream {
     let marker = model.parameters.is_empty().then(|| quote!(#[doc(hidden)] pub _real: ::core::marker::PhantomData<T>));
     quote! {
         #docs
+        #[doc = ""]
         #[doc = #page]
         #[derive(Clone, Copy, Debug, PartialEq)]
         #visibility struct #name<T = f64> { #fields #marker }

@@ -235,7 +235,7 @@ impl Elaborator<'_> {
     }
 
     /// The body of a function written in the language, at an argument.
-    fn written(&mut self, range: Range, function: &Rc<ast::Function>, argument: Scalar) -> Option<Scalar> {
+    pub(super) fn written(&mut self, range: Range, function: &Rc<ast::Function>, argument: Scalar) -> Option<Scalar> {
         let name = function.name.to_string();
         if self.names.open_functions.contains(&name) {
             return self.refuse(range, Fact::Recursion { name });

@@ -23,6 +23,7 @@ mod names;
 mod register;
 mod resolve;
 mod signature;
+pub mod sketch;
 pub(crate) mod spline;
 mod statement;
 pub(crate) mod suggest;
@@ -33,6 +34,7 @@ pub(crate) mod value;
 pub use dimension::Dim;
 pub use layout::{Component, Field, Layout, Of, Part};
 pub use name::Name;
+pub use sketch::Sketch;
 pub use spline::{Ends, Table};
 
 use crate::expr::{Arena, Expr};
@@ -74,6 +76,8 @@ pub struct Model {
     pub functions: Vec<Function>,
     /// Conditions on parameters.
     pub requirements: Vec<Requirement>,
+    /// What a picture needs.
+    pub sketch: Sketch,
 }
 
 /// A field of the generated struct.

@@ -28,6 +28,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     let methods = work.methods(&layout, &outputs);
     work.unused_components(&register);
     work.requirements_hold(&parameters);
+    let sketch = work.sketch(&register);
     let Elaborator { arena, functions, requirements, .. } = work;
     let model = Model {
         arena,
@@ -44,6 +45,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
         methods,
         functions,
         requirements,
+        sketch,
     };
     diag.is_clean().then_some(model)
 }

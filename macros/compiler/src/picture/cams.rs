@@ -1,0 +1,140 @@
+//! Disc cams: the outline that their profile function describes, and what runs on it.
+
+use super::canvas::{Ink, Layer, Near, Role};
+use super::drawing::Drawing;
+use super::eye::STEPS;
+use super::plane::{Frame, Place, polar};
+use super::scene::{Scene, Sign};
+use core::f64::consts::TAU;
+
+/// What touches the cam.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Tip {
+    Knife,
+    /// A roller of this radius (m).
+    Roller(f64),
+    /// A flat face with this normal.
+    Flat(Place),
+}
+
+/// A cam with its follower, in m.
+#[derive(Clone, Debug)]
+pub(super) struct Cam {
+    joint: usize,
+    body: Option<usize>,
+    pub(super) middle: Place,
+    pub(super) outline: Vec<Place>,
+    /// The profile is a Rust function, of which nothing is known here.
+    is_unknown: bool,
+    pub(super) follower: Option<usize>,
+    /// The follower's point.
+    pub(super) at: Place,
+    pub(super) tip: Tip,
+}
+
+pub(super) fn cams(scene: &Scene) -> Vec<Cam> {
+    scene.joints.iter().enumerate().filter_map(|(number, joint)| cam(scene, number, joint)).collect()
+}
+
+/// What they cover.
+pub(super) fn frame(cams: &[Cam]) -> Frame {
+    Frame::around(cams.iter().flat_map(|cam| cam.outline.iter().copied()))
+}
+
+fn cam(scene: &Scene, number: usize, joint: &Sign) -> Option<Cam> {
+    let (body, middle) = joint.point("O")?;
+    let (law, (follower, at), tip) = match joint.kind.as_str() {
+        "cam_knife" => ("R", joint.point("F")?, Tip::Knife),
+        "cam_roller" => ("R", joint.point("C")?, Tip::Roller(joint.number("roller")?.0)),
+        "cam_flat" => ("h", joint.point("F")?, Tip::Flat(joint.axis("n")?.1)),
+        _ => return None,
+    };
+    let turned = body.map_or(0.0, |body| scene.bodies[body].angle);
+    let known = joint.function(law);
+    let outline = match known {
+        Some(values) => outline(values, middle, turned, tip),
+        None => (0..STEPS).map(|step| middle + polar((at - middle).norm() - radius(tip), angle(step))).collect(),
+    };
+    Some(Cam { joint: number, body, middle, outline, is_unknown: known.is_none(), follower, at, tip })
+}
+
+fn radius(tip: Tip) -> f64 {
+    if let Tip::Roller(radius) = tip { radius } else { 0.0 }
+}
+
+fn angle(step: usize) -> f64 {
+    step as f64 * TAU / STEPS as f64
+}
+
+/// The outline of a cam that is turned by `turned` (rad), from the values of its law over a turn.
+fn outline(values: &[f64], middle: Place, turned: f64, tip: Tip) -> Vec<Place> {
+    let slope = |step: usize| {
+        let (before, after) = (values[(step + STEPS - 1) % STEPS], values[(step + 1) % STEPS]);
+        (after - before) / (2.0 * TAU / STEPS as f64)
+    };
+    let at = |step: usize| {
+        let (value, direction) = (values[step], polar(1.0, angle(step) + turned));
+        middle
+            + match tip {
+                Tip::Knife => direction * value,
+                // The surface lies at the roller's radius inside the pitch curve, along its normal.
+                Tip::Roller(radius) => {
+                    let pitch = direction * (value + radius);
+                    let tangent = direction * slope(step) + direction.perp() * (value + radius);
+                    pitch + tangent.unit().perp() * radius
+                }
+                // The face is a tangent at the distance h; the place of contact lies h' beside its foot.
+                Tip::Flat(_) => direction * value + direction.perp() * slope(step),
+            }
+    };
+    (0..STEPS).map(at).collect()
+}
+
+impl Drawing<'_> {
+    pub(super) fn cams(&mut self, cams: &[Cam]) {
+        for cam in cams {
+            self.cam(cam);
+        }
+    }
+
+    fn cam(&mut self, cam: &Cam) {
+        let (title, name) = (self.title(cam.joint), self.scene.joints[cam.joint].name.clone());
+        let (at, middle) = (self.view.at(cam.at), self.view.at(cam.middle));
+        let outline: Vec<Place> = cam.outline.iter().map(|at| self.view.at(*at)).collect();
+        let reach = outline.iter().map(|at| (*at - middle).norm()).fold(0.0, f64::max);
+        let number = cam.body.unwrap_or(usize::MAX);
+        if cam.is_unknown {
+            self.canvas.circle(Layer::Wheel, Ink::Dashed, self.scene.name(cam.body), middle, reach);
+        } else {
+            self.canvas.area(Layer::Wheel, Ink::Wheel(number), self.scene.name(cam.body), &outline);
+        }
+        if let Some(body) = cam.body
+            && !std::mem::replace(&mut self.links[body].is_shown, true)
+            && !self.links[body].has_extent()
+        {
+            let name = self.scene.bodies[body].name.clone();
+            self.canvas.wish(Role::Body, &name, Near::Area(outline.iter().step_by(6).copied().collect()));
+        }
+        let follower = cam.follower.unwrap_or(usize::MAX);
+        let outward = (at - middle).unit();
+        let contact = match cam.tip {
+            Tip::Knife => {
+                let (back, side) = (at + outward * 13.0, outward.perp() * 5.0);
+                self.canvas.area(Layer::Block, Ink::Block(follower), &title, &[at, back + side, back - side]);
+                at
+            }
+            Tip::Roller(radius) => {
+                let radius = self.view.length(radius);
+                self.canvas.circle(Layer::Block, Ink::Paper, &title, at, radius);
+                self.canvas.circle(Layer::Pin, Ink::Paper, &title, at, 2.4);
+                at - outward * radius
+            }
+            Tip::Flat(normal) => {
+                let face = self.view.along(normal).perp() * (0.55 * reach).max(16.0);
+                self.canvas.line(Layer::Block, Ink::Bar(follower), &title, &[at - face, at + face]);
+                at
+            }
+        };
+        self.canvas.wish(Role::Joint, &name, Near::Point(contact, 8.0));
+    }
+}

@@ -1,0 +1,155 @@
+//! What is drawn, in layers, and the words that still look for their place. Units are those of the picture, y goes down.
+
+use super::plane::{Frame, Place, polar};
+use core::f64::consts::TAU;
+
+/// What lies above what, from below.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Layer {
+    Wheel,
+    Ground,
+    Link,
+    Rod,
+    Block,
+    Pin,
+    Arrow,
+}
+
+/// How something is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Ink {
+    /// A thin line.
+    Thin,
+    /// A short-dashed line: a condition without a shape of its own.
+    Dashed,
+    /// A line of ordinary width.
+    Line,
+    /// Filled.
+    Solid,
+    /// Filled with the colour of the page, with an outline.
+    Paper,
+    /// A link of this body that is a line.
+    Bar(usize),
+    /// A link of this body that is an area.
+    Plate(usize),
+    /// A block of this body: an opaque area.
+    Block(usize),
+    /// A wheel of this body: a faint area.
+    Wheel(usize),
+    /// A thin line in the colour of this body.
+    Of(usize),
+}
+
+/// A line or an area.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Shape {
+    /// Lines through places.
+    Open(Vec<Vec<Place>>),
+    /// An area with these corners.
+    Closed(Vec<Place>),
+    Circle(Place, f64),
+    /// Part of a circle: middle, radius, where it begins and ends (rad, from x towards y).
+    Arc(Place, f64, f64, f64),
+}
+
+/// A shape with its looks and its name.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Item {
+    pub(super) layer: Layer,
+    pub(super) ink: Ink,
+    pub(super) shape: Shape,
+    /// What the pointer is told that rests on it.
+    pub(super) title: String,
+}
+
+/// What a word stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Role {
+    Drive,
+    Joint,
+    Output,
+    Body,
+}
+
+/// Where a word may stand.
+#[derive(Clone, Debug)]
+pub(super) enum Near {
+    /// Beside a place, at least this far away.
+    Point(Place, f64),
+    /// Beside one of these segments.
+    Segments(Vec<(Place, Place)>),
+    /// In the middle of an area with these corners, or beside its sides.
+    Area(Vec<Place>),
+    /// Inside a circle near its rim, or outside.
+    Rim(Place, f64),
+}
+
+/// A word that looks for its place.
+#[derive(Clone, Debug)]
+pub(super) struct Wish {
+    pub(super) text: String,
+    pub(super) role: Role,
+    pub(super) near: Near,
+}
+
+/// Everything that was drawn so far.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Canvas {
+    pub(super) items: Vec<Item>,
+    pub(super) wishes: Vec<Wish>,
+    /// What has no place in the picture is said below it.
+    pub(super) captions: Vec<String>,
+}
+
+impl Canvas {
+    /// Draws a shape, once.
+    pub(super) fn draw(&mut self, layer: Layer, ink: Ink, title: &str, shape: Shape) {
+        let item = Item { layer, ink, shape, title: title.to_owned() };
+        if !self.items.contains(&item) {
+            self.items.push(item);
+        }
+    }
+
+    pub(super) fn line(&mut self, layer: Layer, ink: Ink, title: &str, places: &[Place]) {
+        self.draw(layer, ink, title, Shape::Open(vec![places.to_vec()]));
+    }
+
+    pub(super) fn area(&mut self, layer: Layer, ink: Ink, title: &str, corners: &[Place]) {
+        self.draw(layer, ink, title, Shape::Closed(corners.to_vec()));
+    }
+
+    pub(super) fn circle(&mut self, layer: Layer, ink: Ink, title: &str, middle: Place, radius: f64) {
+        self.draw(layer, ink, title, Shape::Circle(middle, radius));
+    }
+
+    pub(super) fn wish(&mut self, role: Role, text: &str, near: Near) {
+        self.wishes.push(Wish { text: text.to_owned(), role, near });
+    }
+}
+
+impl Shape {
+    /// The segments of its outline.
+    pub(super) fn segments(&self) -> Vec<(Place, Place)> {
+        let pairs = |places: &[Place]| places.windows(2).map(|pair| (pair[0], pair[1])).collect::<Vec<_>>();
+        match self {
+            Shape::Open(lines) => lines.iter().flat_map(|line| pairs(line)).collect(),
+            Shape::Closed(corners) => {
+                let closing = corners.last().zip(corners.first()).map(|(last, first)| (*last, *first));
+                pairs(corners).into_iter().chain(closing).collect()
+            }
+            Shape::Circle(middle, radius) => pairs(&arc(*middle, *radius, 0.0, TAU)),
+            Shape::Arc(middle, radius, from, to) => pairs(&arc(*middle, *radius, *from, *to)),
+        }
+    }
+
+    /// What it covers, its stroke left out.
+    pub(super) fn frame(&self) -> Frame {
+        Frame::around(self.segments().into_iter().flat_map(|(a, b)| [a, b]))
+    }
+}
+
+/// Places on a circle.
+fn arc(middle: Place, radius: f64, from: f64, to: f64) -> Vec<Place> {
+    let steps = ((to - from).abs() / TAU * 24.0).ceil().max(1.0) as usize;
+    (0..=steps).map(|step| middle + polar(radius, from + (to - from) * step as f64 / steps as f64)).collect()
+}

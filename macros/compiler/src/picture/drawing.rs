@@ -1,0 +1,191 @@
+//! From a scene to shapes: each joint by its usual symbol, in the order in which they lie on each other.
+//!
+//! Symbols are conventions (ISO 3952 and the textbooks), not properties of equations: here alone a constraint is asked for its
+//! name. One that has no symbol here is a dashed line between its points.
+
+use super::cams::{self, Cam, Tip};
+use super::canvas::{Canvas, Ink, Layer, Near, Role};
+use super::links::Link;
+use super::pins::{Look, Pins};
+use super::plane::{Frame, Place, place};
+use super::scene::{Scene, Seen, axis, point};
+use super::view::View;
+use super::wheels::Wheels;
+
+/// A guide that was drawn.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Track {
+    /// The point that is guided.
+    pub(super) held: Place,
+    /// Where the block was drawn.
+    pub(super) at: Place,
+    pub(super) along: Place,
+    /// Where ground lies.
+    pub(super) side: Place,
+}
+
+/// A cam's follower, in units of the picture.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Follower {
+    pub(super) body: Option<usize>,
+    pub(super) at: Place,
+    /// The middle of its cam.
+    pub(super) cam: Place,
+    /// How far it reaches beyond its point.
+    pub(super) size: f64,
+}
+
+/// A picture in the making.
+pub(super) struct Drawing<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) view: View,
+    pub(super) canvas: Canvas,
+    pub(super) pins: Pins,
+    /// By body.
+    pub(super) links: Vec<Link>,
+    pub(super) tracks: Vec<Track>,
+    pub(super) followers: Vec<Follower>,
+    /// The middle of everything.
+    pub(super) middle: Place,
+}
+
+/// Draws a scene; `size` (m) is the length of the longest body.
+pub(super) fn draw(scene: &Scene, size: f64) -> (Canvas, View) {
+    let (wheels, cams) = (Wheels::of(scene), cams::cams(scene));
+    let mut frame = Frame::around(scene.places());
+    for other in [wheels.frame(), cams::frame(&cams)] {
+        if other.low.x <= other.high.x {
+            frame = frame.with(other.low).with(other.high);
+        }
+    }
+    let view = View::of(scene, frame, wheels.smallest(), size);
+    let mut drawing = Drawing {
+        scene,
+        view,
+        canvas: Canvas::default(),
+        pins: Pins::default(),
+        links: scene.bodies.iter().map(|_| Link::default()).collect(),
+        tracks: Vec::new(),
+        followers: cams.iter().map(|cam| follower(&view, cam)).collect(),
+        middle: view.at(frame.middle()),
+    };
+    drawing.start();
+    drawing.wheels(&wheels);
+    drawing.cams(&cams);
+    for joint in 0..scene.joints.len() {
+        drawing.joint(joint, wheels.shows(joint));
+    }
+    drawing.finish();
+    let wheels = |body: Option<usize>| wheels.largest(body).map(|(radius, is_ring)| (view.length(radius), is_ring));
+    drawing.drives(wheels);
+    (drawing.canvas, view)
+}
+
+fn follower(view: &View, cam: &Cam) -> Follower {
+    let size = if let Tip::Roller(radius) = cam.tip { view.length(radius) } else { 0.0 };
+    Follower { body: cam.follower, at: view.at(cam.at), cam: view.at(cam.middle), size }
+}
+
+impl Drawing<'_> {
+    /// Bodies reach their points.
+    fn start(&mut self) {
+        for (link, body) in self.links.iter_mut().zip(&self.scene.bodies) {
+            body.points.iter().for_each(|at| link.reach(self.view.at(*at)));
+        }
+    }
+
+    /// `o: revolute of ground and crank`; of very many only the name.
+    pub(super) fn title(&self, joint: usize) -> String {
+        let sign = &self.scene.joints[joint];
+        if self.scene.bodies.len() > super::ALL_NAMED {
+            return sign.name.clone();
+        }
+        let body = |seen: &Seen| match seen {
+            Seen::Point(body, _) | Seen::Body(body) => Some(*body),
+            _ => None,
+        };
+        let mut bodies: Vec<Option<usize>> = sign.arguments.iter().filter_map(|(_, seen)| body(seen)).collect();
+        bodies.extend(sign.bodies.iter().map(|body| Some(*body)));
+        let mut names: Vec<&str> = Vec::new();
+        for body in bodies {
+            let name = self.scene.name(body);
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        let kind = if sign.kind.is_empty() { "equation" } else { &sign.kind };
+        let names = match names.as_slice() {
+            [] => return format!("{}: {kind}", sign.name),
+            [rest @ .., last] if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+            all => all.join(""),
+        };
+        format!("{}: {kind} of {names}", sign.name)
+    }
+
+    /// Draws a joint. Drives that turn or push something wait until everything else is drawn.
+    fn joint(&mut self, number: usize, is_drawn: bool) {
+        let joint = &self.scene.joints[number];
+        let (p, q, u) = (joint.point("P"), joint.point("Q"), joint.axis("u"));
+        match (joint.kind.as_str(), p, q) {
+            ("revolute", Some(p), Some(q)) => {
+                let (title, name) = (self.title(number), joint.name.clone());
+                self.pins.join(self.view.at(p.1), Look::Hinge, p.0.is_none() || q.0.is_none(), &name, &title);
+            }
+            ("weld", Some(p), Some(q)) => self.weld(number, p, q),
+            ("translational", Some(p), Some(q)) if u.is_some() => self.slide(number, u.unwrap_or_default(), p.1, q),
+            ("point_on_line", Some(p), Some(q)) if u.is_some() => self.slot(number, u.unwrap_or_default(), p.1, q),
+            // The line is parallel to the one through P.
+            ("revolute_translational", Some(_), Some(q)) if u.is_some() => self.slot(number, u.unwrap_or_default(), q.1, q),
+            ("distance", Some(p), Some(q)) => self.rod(number, p, q),
+            ("absolute_distance", Some(p), _) => self.rod(number, p, joint.point("C").unwrap_or(p)),
+            ("drive_distance", Some(p), Some(q)) => self.cylinder(number, p, q),
+            ("absolute_x", Some(p), _) => self.slot(number, (None, place(0.0, 1.0)), p.1, p),
+            ("absolute_y", Some(p), _) => self.slot(number, (None, place(1.0, 0.0)), p.1, p),
+            _ if is_drawn || joint.kind.starts_with("cam_") && joint.point("O").is_some() => {}
+            _ if joint.is_drive && self.is_arrow(number) => {}
+            _ => self.condition(number),
+        }
+    }
+
+    /// Links below, hinges above, and the points that are asked for.
+    fn finish(&mut self) {
+        for (number, link) in self.links.iter_mut().enumerate() {
+            let body = &self.scene.bodies[number];
+            if link.points.is_empty() && !link.is_shown {
+                link.reach(self.view.at(body.origin));
+            }
+            // A dot under a hinge would not be seen.
+            if let ([at], [], false) = (link.points.as_slice(), link.bars.as_slice(), link.is_shown)
+                && self.pins.is_at(*at)
+            {
+                let at = *at;
+                link.is_shown = true;
+                self.canvas.circle(Layer::Pin, Ink::Of(number), &body.name, at, super::pins::RADIUS + 3.0);
+                self.canvas.wish(Role::Body, &body.name, Near::Point(at, 10.0));
+            }
+            link.draw(&mut self.canvas, number, &body.name);
+        }
+        let links = &self.links;
+        self.pins.draw(&mut self.canvas, |at| links.iter().flat_map(|link| link.directions(at)).collect());
+        for (name, _, at) in &self.scene.outputs {
+            let at = self.view.at(*at);
+            let is_taken = |other: Place| (other - at).norm() < 1.0;
+            let mut others = self.tracks.iter().map(|track| track.at).chain(self.followers.iter().map(|follower| follower.at));
+            if self.pins.is_at(at) || others.any(is_taken) {
+                continue;
+            }
+            let arm = |x: f64, y: f64| vec![at - place(x, y) * 4.0, at + place(x, y) * 4.0];
+            self.canvas.draw(Layer::Pin, Ink::Line, name, super::canvas::Shape::Open(vec![arm(1.0, 1.0), arm(1.0, -1.0)]));
+            self.canvas.wish(Role::Output, name, Near::Point(at, 6.0));
+        }
+    }
+
+    /// The axis and the guided point of a driven joint.
+    pub(super) fn driven_slide(&self, joint: usize) -> Option<(Place, Place)> {
+        let slide = self.scene.joints[joint]
+            .arguments
+            .iter()
+            .find_map(|(_, seen)| if let Seen::Joint(slide) = seen { Some(slide) } else { None })?;
+        Some((self.view.along(axis(slide, "u")?.1), self.view.at(point(slide, "Q")?.1)))
+    }
+}

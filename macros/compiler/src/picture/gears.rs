@@ -1,0 +1,94 @@
+//! Wheels, racks and belts as they are drawn.
+
+use super::canvas::{Canvas, Ink, Layer, Near, Role};
+use super::drawing::Drawing;
+use super::plane::{Place, polar};
+use super::wheels::{Rack, Wheel, Wheels};
+
+/// How much wider than its pitch circle a ring is drawn.
+pub(super) const RIM: f64 = 9.0;
+
+impl Drawing<'_> {
+    /// Draws all wheels, racks and belts.
+    pub(super) fn wheels(&mut self, wheels: &Wheels) {
+        let mut sorted: Vec<&Wheel> = wheels.wheels.iter().collect();
+        sorted.sort_by(|a, b| b.radius.total_cmp(&a.radius));
+        for wheel in sorted {
+            self.wheel(wheel);
+        }
+        for (joint, contact) in &wheels.meshes {
+            let (at, title, name) = (self.view.at(*contact), self.title(*joint), self.scene.joints[*joint].name.clone());
+            self.canvas.circle(Layer::Pin, Ink::Solid, &title, at, 1.8);
+            self.canvas.wish(Role::Joint, &name, Near::Point(at, 5.0));
+        }
+        for (joint, rack) in &wheels.racks {
+            self.rack(*joint, rack);
+        }
+        for (joint, spans) in &wheels.belts {
+            let (title, name) = (self.title(*joint), self.scene.joints[*joint].name.clone());
+            let spans = spans.map(|(a, b)| (self.view.at(a), self.view.at(b)));
+            for (a, b) in spans {
+                self.canvas.line(Layer::Rod, Ink::Line, &title, &[a, b]);
+            }
+            self.canvas.wish(Role::Joint, &name, Near::Segments(spans.to_vec()));
+        }
+    }
+
+    fn wheel(&mut self, wheel: &Wheel) {
+        let (at, radius) = (self.view.at(wheel.middle), self.view.length(wheel.radius));
+        let number = wheel.body.unwrap_or(usize::MAX);
+        let name = self.scene.name(wheel.body).to_owned();
+        if wheel.is_ring {
+            self.canvas.circle(Layer::Wheel, Ink::Of(number), &name, at, radius);
+            self.canvas.circle(Layer::Wheel, Ink::Of(number), &name, at, radius + RIM);
+        } else {
+            self.canvas.circle(Layer::Wheel, Ink::Wheel(number), &name, at, radius);
+        }
+        let Some(body) = wheel.body else { return };
+        if !wheel.is_ring {
+            // A spoke shows how far it is turned.
+            let angle = self.scene.bodies[body].angle;
+            let rim = at + self.view.along(polar(1.0, angle)) * radius;
+            self.canvas.line(Layer::Wheel, Ink::Of(body), &name, &[at, rim]);
+        }
+        // A body that is also a bar has its name there.
+        if !std::mem::replace(&mut self.links[body].is_shown, true) && !self.links[body].has_extent() {
+            let near = if wheel.is_ring { Near::Point(at, radius + RIM + 3.0) } else { Near::Rim(at, radius) };
+            self.canvas.wish(Role::Body, &name, near);
+        }
+    }
+
+    /// A bar with teeth towards its pinion, and what holds it.
+    fn rack(&mut self, joint: usize, rack: &Rack) {
+        let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
+        let (contact, held) = (self.view.at(rack.contact), self.view.at(rack.held));
+        let (along, toward, reach) = (self.view.along(rack.along), self.view.along(rack.toward), self.view.length(rack.reach));
+        let number = rack.body.unwrap_or(usize::MAX);
+        let back = contact - toward * 6.5;
+        self.canvas.line(Layer::Link, Ink::Bar(number), self.scene.name(rack.body), &[back - along * reach, back + along * reach]);
+        let beside = back + along * (held - back).dot(along);
+        if (held - beside).norm() > 4.0 {
+            self.canvas.line(Layer::Link, Ink::Bar(number), self.scene.name(rack.body), &[held, beside]);
+        }
+        let teeth = (reach / 4.0).floor().max(2.0) as i32;
+        let tooth = |number: i32| {
+            contact + along * (f64::from(number) * reach / f64::from(teeth)) + toward * if number % 2 == 0 { 3.0 } else { -3.0 }
+        };
+        let teeth: Vec<Place> = (-teeth..=teeth).map(tooth).collect();
+        self.canvas.line(Layer::Rod, Ink::Thin, &title, &teeth);
+        self.canvas.wish(Role::Joint, &name, Near::Point(contact, 7.0));
+        if let Some(body) = rack.body {
+            self.links[body].is_shown = true;
+            let name = self.scene.bodies[body].name.clone();
+            self.canvas.wish(Role::Body, &name, Near::Segments(vec![(back - along * reach, back + along * reach)]));
+        }
+    }
+}
+
+impl Canvas {
+    /// A thin arrow head at `tip` that points along `way`.
+    pub(super) fn head(&mut self, title: &str, tip: Place, way: Place) {
+        let (back, side) = (tip - way * 8.0, way.perp() * 3.2);
+        self.area(Layer::Arrow, Ink::Solid, title, &[tip, back + side, back - side]);
+    }
+}

@@ -1,0 +1,188 @@
+//! Places for words: each takes the best place that is left near what it names.
+//!
+//! A greedy search as on maps (Christensen, Marks and Shieber, An empirical study of algorithms for point-feature label placement,
+//! ACM Transactions on Graphics 14, 1995): candidates around the object, each with a cost for what it would cover.
+
+use super::canvas::{Canvas, Ink, Item, Layer, Near, Role, Shape, Wish};
+use super::plane::{Frame, Place, is_inside, place, polar};
+use core::f64::consts::TAU;
+
+/// The height of a line of text.
+pub(super) const HEIGHT: f64 = 13.0;
+
+/// The size of the letters.
+pub(super) const SIZE: f64 = 12.0;
+
+/// A word that costs more to place is left out, and told by its shape only.
+const DEAREST: f64 = 60.0;
+
+/// What it costs a word to stand on a plate that it does not name.
+const ON_PLATE: f64 = 1.2;
+
+/// A word in its place.
+#[derive(Clone, Debug)]
+pub(super) struct Placed {
+    pub(super) text: String,
+    pub(super) role: Role,
+    pub(super) frame: Frame,
+}
+
+/// Places as many words as there is room for.
+pub(super) fn labels(canvas: &Canvas) -> Vec<Placed> {
+    let mut wishes: Vec<&Wish> = canvas.wishes.iter().collect();
+    // What has the fewest places to choose from comes first.
+    wishes.sort_by_key(|wish| wish.role);
+    let obstacles: Vec<Obstacle> = canvas.items.iter().flat_map(obstacles).collect();
+    let plate = |item: &Item| match (&item.shape, item.ink) {
+        (Shape::Closed(corners), Ink::Plate(_)) => Some(corners.clone()),
+        _ => None,
+    };
+    let plates: Vec<Vec<Place>> = canvas.items.iter().filter_map(plate).collect();
+    let mut placed: Vec<Placed> = Vec::new();
+    for wish in wishes {
+        let size = place(width(&wish.text), HEIGHT);
+        let candidates = candidates(&wish.near, size);
+        let reach = Frame::around(candidates.iter().flat_map(|(frame, _)| [frame.low, frame.high])).grown(8.0);
+        let near: Vec<&Obstacle> = obstacles.iter().filter(|obstacle| reach.is_crossed(obstacle.a, obstacle.b)).collect();
+        let others: Vec<Frame> = placed.iter().map(|other| other.frame.grown(1.5)).filter(|other| other.overlaps(reach)).collect();
+        let cost = |(frame, base): (Frame, f64)| (frame, base + covered(frame, &near, &others) + on_plate(wish.role, frame, &plates));
+        let best = candidates.into_iter().map(cost).min_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some((frame, cost)) = best
+            && cost < DEAREST
+        {
+            placed.push(Placed { text: wish.text.clone(), role: wish.role, frame });
+        }
+    }
+    placed
+}
+
+/// The width of a text, estimated generously from its letters.
+pub(super) fn width(text: &str) -> f64 {
+    let letter = |letter: char| match letter {
+        'i' | 'j' | 'l' | 't' | 'f' | 'r' | '.' | ',' | ':' | ';' | '[' | ']' | '(' | ')' | ' ' | '|' => 0.36,
+        'm' | 'w' | 'M' | 'W' => 0.9,
+        'A'..='Z' => 0.7,
+        _ => 0.58,
+    };
+    SIZE * text.chars().map(letter).sum::<f64>() + 2.0
+}
+
+/// Something that words should not lie on.
+struct Obstacle {
+    a: Place,
+    b: Place,
+    /// Half of its width, and some air.
+    half: f64,
+    cost: f64,
+}
+
+fn obstacles(item: &Item) -> Vec<Obstacle> {
+    let cost = match (item.layer, item.ink) {
+        (Layer::Pin | Layer::Arrow | Layer::Block, _) => 9.0,
+        (Layer::Ground, Ink::Thin) => 0.8,
+        (_, Ink::Thin) => 3.0,
+        (Layer::Link, Ink::Bar(_)) => 7.0,
+        (Layer::Wheel, _) => 2.0,
+        _ => 5.0,
+    };
+    let half = match item.ink {
+        Ink::Bar(_) => 4.0,
+        Ink::Plate(_) => 2.5,
+        _ => 1.0,
+    };
+    // What is small is covered also where only its inside is.
+    let diagonals = match (&item.shape, item.layer) {
+        (Shape::Closed(corners), Layer::Block) if corners.len() == 4 => vec![(corners[0], corners[2]), (corners[1], corners[3])],
+        _ => Vec::new(),
+    };
+    let mut found: Vec<Obstacle> = item.shape.segments().into_iter().chain(diagonals).map(|(a, b)| Obstacle { a, b, half, cost }).collect();
+    if let Shape::Circle(..) = item.shape {
+        found.iter_mut().for_each(|part| part.cost *= 0.4);
+    }
+    found
+}
+
+/// What a word in this place would cover.
+fn covered(frame: Frame, obstacles: &[&Obstacle], others: &[Frame]) -> f64 {
+    if others.iter().any(|other| other.overlaps(frame)) {
+        return f64::INFINITY;
+    }
+    // The box of a line of text is higher than most of its letters.
+    let inner = frame.grown(-1.0);
+    obstacles.iter().filter(|obstacle| inner.grown(obstacle.half).is_crossed(obstacle.a, obstacle.b)).map(|obstacle| obstacle.cost).sum()
+}
+
+/// Names of bodies may stand on plates, others rather not.
+fn on_plate(role: Role, frame: Frame, plates: &[Vec<Place>]) -> f64 {
+    let is_on = |plate: &Vec<Place>| is_inside(plate, frame.middle());
+    if role != Role::Body && plates.iter().any(is_on) { ON_PLATE } else { 0.0 }
+}
+
+/// Where a word of this size may stand, with what is against it.
+fn candidates(near: &Near, size: Place) -> Vec<(Frame, f64)> {
+    let at = |middle: Place, cost: f64| (Frame::centred(middle, size), cost);
+    match near {
+        Near::Point(point, gap) => around(*point, *gap, size),
+        Near::Segments(segments) => {
+            let mut found = Vec::new();
+            for (a, b) in segments {
+                let normal = (*b - *a).unit().perp();
+                for (rank, part) in [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.05, 0.95].into_iter().enumerate() {
+                    for normal in [normal, -normal] {
+                        for (step, gap) in [7.0, 12.0, 20.0, 30.0].into_iter().enumerate() {
+                            let beside = beside(normal, gap, size);
+                            // Above is read first.
+                            let below = if normal.y > 0.0 { 0.3 } else { 0.0 };
+                            found.push(at(*a + (*b - *a) * part + beside, rank as f64 * 0.35 + step as f64 * 2.0 + below));
+                        }
+                    }
+                }
+            }
+            found
+        }
+        Near::Area(corners) => {
+            let middle = corners.iter().fold(Place::default(), |sum, corner| sum + *corner) * (1.0 / corners.len() as f64);
+            let frame = Frame::around(corners.iter().copied());
+            let has_room = frame.size().x > size.x + 14.0 && frame.size().y > size.y + 14.0;
+            let inner = has_room.then(|| at(middle, 0.0));
+            let sides = corners.iter().zip(corners.iter().cycle().skip(1)).map(|(a, b)| (*a, *b)).collect();
+            let outer = candidates(&Near::Segments(sides), size).into_iter().map(|(frame, cost)| (frame, cost + 1.0));
+            inner.into_iter().chain(outer).collect()
+        }
+        Near::Rim(middle, radius) => {
+            let outside = around(*middle, *radius + 3.0, size).into_iter().map(|(frame, cost)| (frame, cost + 1.0));
+            let mut found: Vec<(Frame, f64)> = outside.collect();
+            for part in [0.55, 0.4, 0.7] {
+                found.extend((0..12).map(|step| at(*middle + polar(radius * part, TAU * f64::from(step) / 12.0), 0.0)));
+            }
+            let has_room = |(frame, _): &(Frame, f64)| {
+                let corners = [frame.low, frame.high, place(frame.low.x, frame.high.y), place(frame.high.x, frame.low.y)];
+                let distances = corners.map(|corner| (corner - *middle).norm());
+                distances.iter().all(|distance| *distance < radius - 3.0) || distances.iter().all(|distance| *distance > *radius)
+            };
+            found.retain(has_room);
+            found
+        }
+    }
+}
+
+/// Around a place: beside it first, then further away.
+fn around(point: Place, gap: f64, size: Place) -> Vec<(Frame, f64)> {
+    let mut found = Vec::new();
+    for (ring, more) in [0.0, 5.0, 11.0, 19.0, 29.0, 41.0].into_iter().enumerate() {
+        for step in 0..16 {
+            // To the upper right first, as on maps.
+            let angle = -TAU / 8.0 + TAU * f64::from(step) / 16.0;
+            let turned = f64::from(if step <= 8 { step } else { 16 - step });
+            let middle = point + beside(polar(1.0, angle), gap + more, size);
+            found.push((Frame::centred(middle, size), ring as f64 * 2.2 + turned * 0.08));
+        }
+    }
+    found
+}
+
+/// From a place to the middle of a word at distance `gap` in a direction.
+fn beside(direction: Place, gap: f64, size: Place) -> Place {
+    let soft = |part: f64| (part * 1.6).clamp(-1.0, 1.0);
+    direction * gap + place(soft(direction.x) * size.x / 2.0, soft(direction.y) * size.y / 2.0)
+}

@@ -1,0 +1,80 @@
+//! Bodies: a link between two hinges is a bar, one with more a plate, a body that is only a place a dot.
+
+use super::canvas::{Canvas, Ink, Layer, Near, Role};
+use super::plane::{Place, farthest, hull};
+
+/// Points nearer to each other than this are one in the picture.
+const NEAR: f64 = 0.7;
+
+/// A plate that is thinner is a bar.
+const THIN: f64 = 3.0;
+
+/// A body while the picture is drawn.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Link {
+    /// Its points, in units of the picture.
+    pub(super) points: Vec<Place>,
+    /// Guides that it carries beyond its points.
+    pub(super) bars: Vec<(Place, Place)>,
+    /// Something else shows where it is: a block, a wheel, a cam.
+    pub(super) is_shown: bool,
+}
+
+impl Link {
+    pub(super) fn reach(&mut self, at: Place) {
+        if self.points.iter().all(|known| (*known - at).norm() > NEAR) {
+            self.points.push(at);
+        }
+    }
+
+    /// The corners of its outline: one, the two ends of a bar, or those of a plate.
+    pub(super) fn outline(&self) -> Vec<Place> {
+        let Some((one, two)) = farthest(&self.points) else { return self.points.clone() };
+        let is_thin = self.points.iter().all(|at| at.to_segment(one, two) < THIN);
+        if is_thin { vec![one, two] } else { hull(&self.points) }
+    }
+
+    /// It is more than a place.
+    pub(super) fn has_extent(&self) -> bool {
+        self.outline().len() > 1 || !self.bars.is_empty()
+    }
+
+    /// The directions (rad) in which it leaves a place.
+    pub(super) fn directions(&self, from: Place) -> Vec<f64> {
+        let of_bars = self.bars.iter().filter(|(one, _)| (*one - from).norm() < 2.0).map(|(one, two)| (*two - *one).angle());
+        let of_bars: Vec<f64> = of_bars.collect();
+        if !self.points.iter().any(|at| (*at - from).norm() < 2.0) {
+            return of_bars;
+        }
+        let outline = self.outline();
+        let middle = outline.iter().fold(Place::default(), |sum, corner| sum + *corner) * (1.0 / outline.len() as f64);
+        let ends = outline.iter().chain((outline.len() > 2).then_some(&middle));
+        ends.filter(|end| (**end - from).norm() > 2.0).map(|end| (*end - from).angle()).chain(of_bars).collect()
+    }
+
+    pub(super) fn draw(&self, canvas: &mut Canvas, number: usize, name: &str) {
+        let outline = self.outline();
+        for (one, two) in &self.bars {
+            canvas.line(Layer::Link, Ink::Bar(number), name, &[*one, *two]);
+        }
+        match outline.as_slice() {
+            [] | [_] if !self.bars.is_empty() => canvas.wish(Role::Body, name, Near::Segments(self.bars.clone())),
+            [] => {}
+            [at] => {
+                if !self.is_shown {
+                    canvas.circle(Layer::Link, Ink::Bar(number), name, *at, 3.0);
+                    canvas.wish(Role::Body, name, Near::Point(*at, 8.0));
+                }
+            }
+            [one, two] => {
+                canvas.line(Layer::Link, Ink::Bar(number), name, &[*one, *two]);
+                let segments = self.bars.iter().copied().chain([(*one, *two)]).collect();
+                canvas.wish(Role::Body, name, Near::Segments(segments));
+            }
+            corners => {
+                canvas.area(Layer::Link, Ink::Plate(number), name, corners);
+                canvas.wish(Role::Body, name, Near::Area(corners.to_vec()));
+            }
+        }
+    }
+}

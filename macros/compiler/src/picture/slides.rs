@@ -1,0 +1,200 @@
+//! Blocks on guides, pins in slots, rods and cylinders.
+
+use super::canvas::{Ink, Layer, Near, Role};
+use super::drawing::{Drawing, Track};
+use super::pins::{Look, RADIUS, ground};
+use super::plane::{Place, place, polar};
+use core::f64::consts::PI;
+
+/// Half of a block, along its guide and across.
+const BLOCK: Place = Place { x: 17.0, y: 10.0 };
+
+/// Half of the guide that is drawn on ground, beyond which it is only meant.
+const GUIDE: f64 = 40.0;
+
+/// Half of a slot.
+const SLOT: f64 = 30.0;
+
+/// How far from a cam its follower's guide is drawn.
+const ABOVE_CAM: f64 = 44.0;
+
+impl Drawing<'_> {
+    /// Body `j` slides along a line in body `i`: a block on a guide.
+    pub(super) fn slide(&mut self, joint: usize, (i, along): (Option<usize>, Place), start: Place, (j, held): (Option<usize>, Place)) {
+        let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
+        let (along, start, held) = (self.view.along(along), self.view.at(start), self.view.at(held));
+        let at = self.beside_cam(j, held, along);
+        let side = self.free_side(at, along);
+        self.tracks.push(Track { held, at, along, side });
+        if let (None, None) = (i, j) {
+            return;
+        }
+        match i {
+            None => ground(&mut self.canvas, &title, at - along * GUIDE + side * BLOCK.y, at + along * GUIDE + side * BLOCK.y, side),
+            Some(i) => self.extend(i, start, at, along, BLOCK.x + 9.0),
+        }
+        let corner = |x: f64, y: f64| at + along * (x * BLOCK.x) + side * (y * BLOCK.y);
+        let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+        match j {
+            // A guide that stands on ground lets the bar through.
+            None => {
+                for side in [side, -side] {
+                    let edge = at + side * (BLOCK.y - 4.0);
+                    ground(&mut self.canvas, &title, edge - along * BLOCK.x, edge + along * BLOCK.x, side);
+                }
+            }
+            Some(j) => {
+                if (at - held).norm() > 1.0 {
+                    let beyond = at + (at - held).unit() * (BLOCK.x + 9.0);
+                    self.links[j].reach(held);
+                    self.links[j].reach(beyond);
+                }
+                let body = self.scene.bodies[j].name.clone();
+                self.canvas.area(Layer::Block, Ink::Block(j), &body, &corners);
+                if !std::mem::replace(&mut self.links[j].is_shown, true) && !self.links[j].has_extent() {
+                    self.canvas.wish(Role::Body, &body, Near::Area(corners.to_vec()));
+                }
+            }
+        }
+        let rail = at + side * (BLOCK.y + if i.is_none() { 6.0 } else { 0.0 });
+        self.canvas.wish(Role::Joint, &name, Near::Segments(vec![(rail - along * GUIDE, rail + along * GUIDE)]));
+    }
+
+    /// A point of body `j` stays on a line in body `i`: a pin in a slot.
+    pub(super) fn slot(&mut self, joint: usize, (i, along): (Option<usize>, Place), start: Place, (j, held): (Option<usize>, Place)) {
+        let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
+        let (along, start, at) = (self.view.along(along), self.view.at(start), self.view.at(held));
+        let (one, two) = (at - along * SLOT, at + along * SLOT);
+        let half = RADIUS + 2.4;
+        let side = self.free_side(at, along);
+        match i {
+            None => ground(&mut self.canvas, &title, one + side * half, two + side * half, side),
+            Some(i) => self.extend(i, start, at, along, SLOT),
+        }
+        let turn = along.angle();
+        let end = |middle: Place, from: f64| (0..=6).map(move |step| middle + polar(half, turn + from + PI * f64::from(step) / 6.0));
+        let outline: Vec<Place> = end(two, -PI / 2.0).chain(end(one, PI / 2.0)).collect();
+        self.canvas.area(Layer::Rod, Ink::Paper, &title, &outline);
+        self.pins.join(at, Look::Hinge, false, &name, &title);
+        self.tracks.push(Track { held: at, at, along, side });
+        if let Some(j) = j {
+            self.links[j].is_shown = true;
+            if !self.links[j].has_extent() {
+                let body = self.scene.bodies[j].name.clone();
+                self.canvas.wish(Role::Body, &body, Near::Point(at, 12.0));
+            }
+        }
+    }
+
+    /// Two points keep their distance: a rod.
+    pub(super) fn rod(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, q): (Option<usize>, Place)) {
+        let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
+        let (p, q) = (self.view.at(p), self.view.at(q));
+        self.canvas.line(Layer::Rod, Ink::Line, &title, &[p, q]);
+        self.pins.join(p, Look::Hinge, i.is_none(), "", "");
+        self.pins.join(q, Look::Hinge, j.is_none(), "", "");
+        self.canvas.wish(Role::Joint, &name, Near::Segments(vec![(p, q)]));
+    }
+
+    /// The distance of two points is driven: a cylinder.
+    pub(super) fn cylinder(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, q): (Option<usize>, Place)) {
+        let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
+        let (p, q) = (self.view.at(p), self.view.at(q));
+        let (way, length) = ((q - p).unit(), (q - p).norm());
+        let side = way.perp() * 6.5;
+        let (bottom, top) = (p + way * (0.08 * length), p + way * (0.62 * length));
+        self.canvas.line(Layer::Rod, Ink::Line, &title, &[p, q]);
+        self.canvas.area(Layer::Block, Ink::Paper, &title, &[bottom + side, top + side, top - side, bottom - side]);
+        let piston = p + way * (0.42 * length);
+        self.canvas.line(Layer::Block, Ink::Line, &title, &[piston + side, piston - side]);
+        self.canvas.line(Layer::Block, Ink::Line, &title, &[piston, top]);
+        self.pins.join(p, Look::Hinge, i.is_none(), "", "");
+        self.pins.join(q, Look::Hinge, j.is_none(), "", "");
+        self.canvas.wish(Role::Drive, &name, Near::Segments(vec![(bottom + side, top + side), (bottom - side, top - side)]));
+    }
+
+    /// Bodies are one from here on.
+    pub(super) fn weld(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, _): (Option<usize>, Place)) {
+        let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
+        let at = self.view.at(p);
+        self.pins.join(at, Look::Weld, false, &name, &title);
+        if i.is_none() || j.is_none() {
+            ground(&mut self.canvas, &title, at + place(-15.0, 5.0), at + place(15.0, 5.0), place(0.0, 1.0));
+        }
+    }
+
+    /// A condition that has no shape of its own: its points are joined by a dashed line.
+    pub(super) fn condition(&mut self, joint: usize) {
+        let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
+        let points: Vec<Place> = self.scene.joints[joint].points().map(|(_, at)| self.view.at(at)).collect();
+        let role = if self.scene.joints[joint].is_drive { Role::Drive } else { Role::Joint };
+        match points.as_slice() {
+            [] => self.canvas.captions.push(title),
+            [at] => self.canvas.wish(role, &name, Near::Point(*at, RADIUS + 4.0)),
+            several => {
+                self.canvas.line(Layer::Rod, Ink::Dashed, &title, several);
+                let segments = several.windows(2).map(|pair| (pair[0], pair[1])).collect();
+                self.canvas.wish(role, &name, Near::Segments(segments));
+            }
+        }
+    }
+
+    /// The line from `start` to `at`, and a little beyond, becomes part of a body where it is not yet.
+    fn extend(&mut self, body: usize, start: Place, at: Place, along: Place, beyond: f64) {
+        let link = &mut self.links[body];
+        let ends = link.points.iter().filter(|point| (**point - at).cross(along).abs() < 3.0).map(|point| (*point - at).dot(along));
+        let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), next| (low.min(next), high.max(next)));
+        let (from, side) = ((start - at).dot(along), along * beyond);
+        if from.abs() < 1.0 {
+            // The guide begins in the middle of what slides on it.
+            if high < beyond && -low < beyond {
+                link.bars.push((at - side, at + side));
+            }
+        } else if from < 0.0 && high < beyond {
+            link.bars.push((start, at + side));
+        } else if from > 0.0 && -low < beyond {
+            link.bars.push((start, at - side));
+        }
+    }
+
+    /// The mean direction in which links and rods leave a place.
+    fn pull(&self, at: Place) -> Place {
+        let ways = self.links.iter().flat_map(|link| link.directions(at)).map(|angle| polar(1.0, angle));
+        let rods = self
+            .scene
+            .joints
+            .iter()
+            .filter(|joint| joint.kind.ends_with("distance"))
+            .map(|joint| joint.points().map(|(_, end)| self.view.at(end)).collect::<Vec<_>>());
+        let rods = rods.filter_map(|ends| match ends[..] {
+            [p, q] if (p - at).norm() < 1.0 => Some((q - p).unit()),
+            [p, q] if (q - at).norm() < 1.0 => Some((p - q).unit()),
+            _ => None,
+        });
+        ways.chain(rods).fold(Place::default(), |sum, way| sum + way)
+    }
+
+    /// The side of a guide on which ground lies: below, or away from the rest.
+    fn free_side(&self, at: Place, along: Place) -> Place {
+        let normal = along.perp();
+        let below = if normal.y < 0.0 { -normal } else { normal };
+        // What pulls at the block does not come through its ground.
+        let pull = self.pull(at).dot(below);
+        if below.y > 0.35 {
+            return if pull > 0.1 { -below } else { below };
+        }
+        if pull.abs() > 0.1 {
+            return if pull > 0.0 { -below } else { below };
+        }
+        if (self.middle - at).dot(normal) > 0.0 { -normal } else { normal }
+    }
+
+    /// Where the block of a follower is drawn: outside of its cam.
+    fn beside_cam(&self, body: Option<usize>, held: Place, along: Place) -> Place {
+        let own = self.followers.iter().find(|follower| follower.body == body && (follower.at - held).norm() < 60.0);
+        let Some(follower) = own else { return held };
+        let way = if (held - follower.cam).dot(along) < 0.0 { -along } else { along };
+        let ahead = (follower.at - held).dot(way).max(0.0);
+        held + way * (ahead + follower.size + ABOVE_CAM)
+    }
+}

@@ -1,0 +1,210 @@
+//! From shapes to SVG: the same bytes on every run, no blank line, readable on light and dark pages.
+
+use super::canvas::{Canvas, Ink, Item, Layer, Role, Shape};
+use super::labels::{HEIGHT, Placed, SIZE, width};
+use super::plane::{Frame, Place, place};
+use super::view::View;
+use core::f64::consts::{PI, TAU};
+use std::fmt::Write;
+
+/// Colours of bodies, one after the other: of a lightness that stands out from white and from black alike.
+const COLOURS: [&str; 8] = ["#3f87c9", "#d06f24", "#3d9a50", "#a56cc1", "#1f9c99", "#cf5c68", "#94873a", "#7d7ad0"];
+
+/// Space around everything.
+const MARGIN: f64 = 8.0;
+
+/// The scale bar is shorter than this, and not much shorter.
+const BAR: f64 = 110.0;
+
+/// Ink and paper are those of the page around, if it says what they are, as rustdoc does.
+const STYLE: &str = ".reuleaux{--ink:var(--main-color,#1c1c1c);--paper:var(--main-background-color,#fff);max-width:100%;height:auto}\
+.reuleaux *{stroke-linejoin:round;stroke-linecap:round}\
+.reuleaux .t,.reuleaux .l,.reuleaux .d{fill:none;stroke:var(--ink);stroke-width:1}\
+.reuleaux .l{stroke-width:1.6}\
+.reuleaux .d{stroke-width:1.4;stroke-dasharray:5 4}\
+.reuleaux .s{fill:var(--ink)}\
+.reuleaux .p{fill:var(--paper);stroke:var(--ink);stroke-width:1.6}\
+.reuleaux .b{fill:none;stroke:currentColor;stroke-width:7}\
+.reuleaux .q{fill:currentColor;fill-opacity:.3;stroke:currentColor;stroke-width:4}\
+.reuleaux .k{fill:currentColor;stroke:var(--ink);stroke-width:1.4}\
+.reuleaux .w{fill:currentColor;fill-opacity:.14;stroke:currentColor;stroke-width:1.8}\
+.reuleaux .o{fill:none;stroke:currentColor;stroke-width:1.8}\
+.reuleaux text{font:12px \"Fira Sans\",\"DejaVu Sans\",Arial,sans-serif;fill:var(--ink);stroke:var(--paper);stroke-width:3;paint-order:stroke;text-anchor:middle}\
+.reuleaux .i{font-style:italic}";
+
+/// What a picture says of itself to those who do not see it.
+pub(super) struct Words<'a> {
+    pub(super) title: &'a str,
+    pub(super) description: &'a str,
+}
+
+/// The whole picture.
+pub(super) fn svg(canvas: &Canvas, labels: &[Placed], view: View, words: &Words) -> String {
+    let mut frame = Frame::empty();
+    for part in canvas.items.iter().map(|item| item.shape.frame().grown(4.0)).chain(labels.iter().map(|label| label.frame)) {
+        frame = frame.with(part.low).with(part.high);
+    }
+    let mut below = String::new();
+    let mut foot = place(frame.low.x, frame.high.y + 16.0);
+    for caption in &canvas.captions {
+        foot.y += HEIGHT + 3.0;
+        let _ = writeln!(
+            below,
+            "<text class=\"i\" style=\"text-anchor:start\" x=\"{}\" y=\"{}\">{}</text>",
+            number(foot.x),
+            number(foot.y),
+            escaped(caption)
+        );
+        frame = frame.with(foot + place(width(caption), 2.0));
+    }
+    foot.y += 10.0;
+    let right = scale_bar(&mut below, view, foot);
+    let frame = frame.with(right).with(foot + place(0.0, 4.0)).grown(MARGIN);
+    let (corner, size) = (frame.low, frame.size());
+    let mut page = String::new();
+    let _ = writeln!(
+        page,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"reuleaux\" role=\"img\" width=\"{}\" height=\"{}\" viewBox=\"{} {} {} {}\">",
+        number(size.x),
+        number(size.y),
+        number(corner.x),
+        number(corner.y),
+        number(size.x),
+        number(size.y)
+    );
+    let _ = writeln!(page, "<title>{}</title>\n<desc>{}</desc>", escaped(words.title), escaped(words.description));
+    let colours: String = COLOURS.iter().enumerate().map(|(index, colour)| format!(".reuleaux .c{index}{{color:{colour}}}")).collect();
+    let _ = writeln!(page, "<style>{STYLE}{colours}.reuleaux .g{{color:#888}}</style>");
+    let mut items: Vec<&Item> = canvas.items.iter().collect();
+    items.sort_by_key(|item| item.layer);
+    for same in items.chunk_by(|one, two| one.layer == two.layer && one.title == two.title) {
+        group(&mut page, same);
+    }
+    for label in labels {
+        let middle = label.frame.middle();
+        let class = if label.role == Role::Body { " class=\"i\"" } else { "" };
+        let _ = writeln!(
+            page,
+            "<text{class} x=\"{}\" y=\"{}\">{}</text>",
+            number(middle.x),
+            number(middle.y + SIZE * 0.33),
+            escaped(&label.text)
+        );
+    }
+    page += &below;
+    page += "</svg>\n";
+    page
+}
+
+/// Shapes of one thing with its name.
+fn group(page: &mut String, items: &[&Item]) {
+    let Some(first) = items.first() else { return };
+    // Of a hinge on ground only what is on top needs to be told.
+    let is_silent = first.layer == Layer::Ground || first.title.is_empty();
+    let title = if is_silent { String::new() } else { format!("<title>{}</title>", escaped(&first.title)) };
+    if let [item] = items {
+        let (name, attributes) = element(item);
+        let _ = if title.is_empty() {
+            writeln!(page, "<{name} {attributes}/>")
+        } else {
+            writeln!(page, "<{name} {attributes}>{title}</{name}>")
+        };
+        return;
+    }
+    let _ = write!(page, "<g>{title}");
+    for item in items {
+        let (name, attributes) = element(item);
+        let _ = write!(page, "<{name} {attributes}/>");
+    }
+    let _ = writeln!(page, "</g>");
+}
+
+fn element(item: &Item) -> (&'static str, String) {
+    let class = class(item.ink);
+    match &item.shape {
+        Shape::Circle(middle, radius) => {
+            ("circle", format!("class=\"{class}\" cx=\"{}\" cy=\"{}\" r=\"{}\"", number(middle.x), number(middle.y), number(*radius)))
+        }
+        Shape::Open(lines) => ("path", format!("class=\"{class}\" d=\"{}\"", lines.iter().map(|line| path(line)).collect::<String>())),
+        Shape::Closed(corners) => ("path", format!("class=\"{class}\" d=\"{}Z\"", path(corners))),
+        Shape::Arc(middle, radius, from, to) => {
+            let end = |angle: f64| *middle + super::plane::polar(*radius, angle);
+            let (large, sweep) = (u8::from((to - from).abs() > PI && (to - from).abs() < TAU), u8::from(to > from));
+            let radius = number(*radius);
+            ("path", format!("class=\"{class}\" d=\"M{}A{radius} {radius} 0 {large} {sweep} {}\"", pair(end(*from)), pair(end(*to))))
+        }
+    }
+}
+
+fn class(ink: Ink) -> String {
+    let of = |body: usize| if body == usize::MAX { "g".to_owned() } else { format!("c{}", body % COLOURS.len()) };
+    match ink {
+        Ink::Thin => "t".into(),
+        Ink::Dashed => "d".into(),
+        Ink::Line => "l".into(),
+        Ink::Solid => "s".into(),
+        Ink::Paper => "p".into(),
+        Ink::Bar(body) => format!("b {}", of(body)),
+        Ink::Plate(body) => format!("q {}", of(body)),
+        Ink::Block(body) => format!("k {}", of(body)),
+        Ink::Wheel(body) => format!("w {}", of(body)),
+        Ink::Of(body) => format!("o {}", of(body)),
+    }
+}
+
+/// A bar with a round length, from its left end; gives the place where its words end.
+fn scale_bar(page: &mut String, view: View, from: Place) -> Place {
+    let most = BAR / view.scale;
+    let power = libm::pow(10.0, libm::floor(libm::log10(most)));
+    let metres = [5.0, 2.0, 1.0].into_iter().map(|step| step * power).find(|length| *length <= most).unwrap_or(power);
+    let to = from + place(view.length(metres), 0.0);
+    let tick = |at: Place| format!("M{}V{}", pair(at - place(0.0, 4.0)), number(at.y + 4.0));
+    let text = length(metres);
+    let _ = writeln!(page, "<path class=\"l\" d=\"M{}H{}{}{}\"/>", pair(from), number(to.x), tick(from), tick(to));
+    let words = to + place(8.0 + width(&text) / 2.0, SIZE * 0.33);
+    let _ = writeln!(page, "<text x=\"{}\" y=\"{}\">{text}</text>", number(words.x), number(words.y));
+    words + place(width(&text) / 2.0, 2.0)
+}
+
+/// A round length with a unit that suits it.
+fn length(metres: f64) -> String {
+    let units = [(1e3, "km"), (1.0, "m"), (1e-3, "mm"), (1e-6, "µm")];
+    let (size, unit) = units.into_iter().find(|(size, _)| metres >= size * 0.999).unwrap_or((1e-9, "nm"));
+    let value = metres / size;
+    if value < 1e6 { format!("{} {unit}", value.round()) } else { format!("{value:.0e} {unit}") }
+}
+
+fn path(places: &[Place]) -> String {
+    places
+        .iter()
+        .enumerate()
+        .map(|(index, at)| {
+            format!(
+                "{}{}",
+                if index == 0 {
+                    "M"
+                } else if index == 1 {
+                    "L"
+                } else {
+                    " "
+                },
+                pair(*at)
+            )
+        })
+        .collect()
+}
+
+fn pair(at: Place) -> String {
+    format!("{} {}", number(at.x), number(at.y))
+}
+
+/// To a tenth of a unit, without needless digits.
+fn number(value: f64) -> String {
+    let rounded = (value * 10.0).round() / 10.0;
+    // Minus zero is zero.
+    format!("{}", if rounded == 0.0 { 0.0 } else { rounded })
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

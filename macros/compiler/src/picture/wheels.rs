@@ -1,0 +1,172 @@
+//! Gears, racks and belts in m: pitch circles whose radii follow from the distance of their centres and the ratio.
+
+use super::plane::{Frame, Place, place, polar};
+use super::scene::{Scene, Sign};
+
+/// A pitch circle, in m.
+#[derive(Clone, Debug)]
+pub(super) struct Wheel {
+    /// None for a wheel that is fixed to ground.
+    pub(super) body: Option<usize>,
+    pub(super) middle: Place,
+    pub(super) radius: f64,
+    /// It lies around what it meshes with.
+    pub(super) is_ring: bool,
+}
+
+/// A rack, in m.
+#[derive(Clone, Debug)]
+pub(super) struct Rack {
+    pub(super) body: Option<usize>,
+    /// Where it touches the pinion.
+    pub(super) contact: Place,
+    pub(super) along: Place,
+    /// From the contact to the pinion's middle.
+    pub(super) toward: Place,
+    /// The point of the rack that is guided.
+    pub(super) held: Place,
+    pub(super) reach: f64,
+}
+
+/// All that turns on itself, in m.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Wheels {
+    pub(super) wheels: Vec<Wheel>,
+    /// Where two mesh: the joint's number and the place.
+    pub(super) meshes: Vec<(usize, Place)>,
+    pub(super) racks: Vec<(usize, Rack)>,
+    /// The straight parts of belts.
+    pub(super) belts: Vec<(usize, [(Place, Place); 2])>,
+}
+
+impl Wheels {
+    pub(super) fn of(scene: &Scene) -> Wheels {
+        let mut found = Wheels::default();
+        for (number, joint) in scene.joints.iter().enumerate() {
+            let _ = match joint.kind.as_str() {
+                "gear_pair" => found.gears(scene, number, joint),
+                "belt" => found.belt(scene, number, joint),
+                "rack_pinion" => found.rack(scene, number, joint),
+                _ => None,
+            };
+        }
+        // A planetary train takes its sun from the mesh with a planet.
+        for (number, joint) in scene.joints.iter().enumerate().filter(|(_, joint)| joint.kind == "planetary") {
+            let _ = found.planetary(scene, number, joint);
+        }
+        found
+    }
+
+    /// What they cover.
+    pub(super) fn frame(&self) -> Frame {
+        let corners = |wheel: &Wheel| [wheel.middle - place(wheel.radius, wheel.radius), wheel.middle + place(wheel.radius, wheel.radius)];
+        let rails = |(_, rack): &(usize, Rack)| [rack.contact - rack.along * rack.reach, rack.contact + rack.along * rack.reach];
+        Frame::around(self.wheels.iter().flat_map(corners).chain(self.racks.iter().flat_map(rails)))
+    }
+
+    /// What is to be seen as clearly as a link: part of the radius of the smallest wheel.
+    pub(super) fn smallest(&self) -> f64 {
+        self.wheels.iter().map(|wheel| 0.6 * wheel.radius).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The largest wheel of a body: its radius, and whether it is a ring.
+    pub(super) fn largest(&self, body: Option<usize>) -> Option<(f64, bool)> {
+        let own = self.wheels.iter().filter(|wheel| wheel.body == body);
+        own.max_by(|a, b| a.radius.total_cmp(&b.radius)).map(|wheel| (wheel.radius, wheel.is_ring))
+    }
+
+    /// Its equation is drawn.
+    pub(super) fn shows(&self, joint: usize) -> bool {
+        let numbers = self.meshes.iter().map(|mesh| mesh.0).chain(self.racks.iter().map(|rack| rack.0));
+        numbers.chain(self.belts.iter().map(|belt| belt.0)).any(|number| number == joint)
+    }
+
+    fn wheel(&mut self, body: Option<usize>, middle: Place, radius: f64, is_ring: bool) {
+        let is_known = |wheel: &Wheel| {
+            wheel.body == body && (wheel.radius - radius).abs() < 1e-6 * radius && (wheel.middle - middle).norm() < 1e-6 * radius
+        };
+        if radius > 0.0 && radius.is_finite() && !self.wheels.iter().any(is_known) {
+            self.wheels.push(Wheel { body, middle, radius, is_ring });
+        }
+    }
+
+    fn gears(&mut self, scene: &Scene, number: usize, joint: &Sign) -> Option<()> {
+        let (i, j, carrier) = (joint.body("i")?, joint.body("j")?, joint.body("carrier").unwrap_or(None));
+        let ((a, is_length), (b, _)) = (joint.number("a")?, joint.number("b")?);
+        let (one, two) = (scene.centre(i, carrier), scene.centre(j, carrier));
+        let (distance, is_external) = ((two - one).norm(), a * b > 0.0);
+        let teeth = if is_external { a.abs() + b.abs() } else { (a.abs() - b.abs()).abs() };
+        let size = a.abs().max(b.abs());
+        // Wheels on one axis have no pitch point; their own numbers may still be radii.
+        let unit = if distance > 0.0 && teeth > 1e-9 * size {
+            distance / teeth
+        } else if is_length {
+            1.0
+        } else {
+            return None;
+        };
+        self.wheel(i, one, a.abs() * unit, !is_external && a.abs() > b.abs());
+        self.wheel(j, two, b.abs() * unit, !is_external && b.abs() > a.abs());
+        let toward = (two - one).unit();
+        let contact = if is_external || a.abs() > b.abs() { one + toward * (a.abs() * unit) } else { one - toward * (a.abs() * unit) };
+        self.meshes.push((number, contact));
+        Some(())
+    }
+
+    fn planetary(&mut self, scene: &Scene, number: usize, joint: &Sign) -> Option<()> {
+        let (sun, ring, carrier) = (joint.body("sun")?, joint.body("ring")?, joint.body("carrier")?);
+        let (z_sun, z_ring) = (joint.number("z_sun")?, joint.number("z_ring")?);
+        let middle = scene.centre(sun, None);
+        let known = self.wheels.iter().filter(|wheel| wheel.body == sun).map(|wheel| wheel.radius).next();
+        let arm = carrier
+            .and_then(|carrier| scene.bodies.get(carrier))
+            .map_or(0.0, |carrier| carrier.points.iter().map(|at| (*at - middle).norm()).fold(0.0, f64::max));
+        let unit = match known {
+            Some(radius) => radius / z_sun.0.abs(),
+            None if z_sun.1 => 1.0,
+            // A planet's pin lies halfway between sun and ring.
+            None => 2.0 * arm / (z_sun.0.abs() + z_ring.0.abs()),
+        };
+        if !(unit > 0.0 && unit.is_finite()) {
+            return None;
+        }
+        self.wheel(sun, middle, z_sun.0.abs() * unit, false);
+        self.wheel(ring, middle, z_ring.0.abs() * unit, z_sun.0 * z_ring.0 > 0.0);
+        self.meshes.push((number, middle + polar(z_ring.0.abs() * unit, core::f64::consts::FRAC_PI_4)));
+        Some(())
+    }
+
+    fn rack(&mut self, scene: &Scene, number: usize, joint: &Sign) -> Option<()> {
+        let (pinion, (body, held)) = (joint.body("pinion")?, joint.point("rack")?);
+        let ((carrier, along), (radius, _)) = (joint.axis("u")?, joint.number("R")?);
+        let middle = scene.centre(pinion, carrier);
+        // Where the pinion's rim moves as the rack does.
+        let contact = middle + along.perp() * radius;
+        let reach = ((held - contact).dot(along).abs() + 0.3 * radius.abs()).max(1.3 * radius.abs());
+        self.wheel(pinion, middle, radius.abs(), false);
+        self.racks.push((number, Rack { body, contact, along, toward: (middle - contact).unit(), held, reach }));
+        Some(())
+    }
+
+    fn belt(&mut self, scene: &Scene, number: usize, joint: &Sign) -> Option<()> {
+        let (i, j, carrier) = (joint.body("i")?, joint.body("j")?, joint.body("carrier").unwrap_or(None));
+        let ((a, is_length), (b, _)) = (joint.number("a")?, joint.number("b")?);
+        let (one, two) = (scene.centre(i, carrier), scene.centre(j, carrier));
+        let distance = (two - one).norm();
+        let unit = if is_length { 1.0 } else { 0.3 * distance / a.abs().max(b.abs()) };
+        let (r, s) = (a.abs() * unit, b.abs() * unit * if a * b > 0.0 { 1.0 } else { -1.0 });
+        if distance <= (r - s).abs() {
+            return None;
+        }
+        self.wheel(i, one, r, false);
+        self.wheel(j, two, s.abs(), false);
+        // The normal of a common tangent makes this angle with the line of centres.
+        let (angle, line) = (libm::acos((r - s) / distance), (two - one).angle());
+        let tangent = |side: f64| {
+            let normal = polar(1.0, line + side * angle);
+            (one + normal * r, two + normal * s)
+        };
+        self.belts.push((number, [tangent(1.0), tangent(-1.0)]));
+        Some(())
+    }
+}
