@@ -3,6 +3,8 @@
 //! A message starts lower-case and ends without a full stop; code stands in backticks; what to
 //! type comes after `help:`, a further fact after `note:`.
 
+mod assembly;
+
 use super::Fact;
 use crate::model::Dim;
 use std::fmt;
@@ -64,8 +66,12 @@ impl fmt::Display for Fact {
             Fact::UnknownAttribute { name } => {
                 write!(
                     f,
-                    "`#[{name}]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]` before `mechanism`"
+                    "`#[{name}]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]` and `#[closure(…)]` before `mechanism`"
                 )
+            }
+            Fact::AttributeTwice { name } => write!(f, "`#[{name}]` stands here twice\nhelp: take one of them away"),
+            Fact::ClosingWord { near } => {
+                write!(f, "`#[closure(…)]` takes one of `deny`, `allow` and `off`{}", did_you_mean(near))
             }
             Fact::TokensAfter { what, help } => write!(f, "nothing may follow {what}\nhelp: {help}"),
             Fact::UnknownItem { word } => {
@@ -389,6 +395,12 @@ impl fmt::Display for Fact {
                 let equations = if *for_free == 0 { "no equation".to_owned() } else { format!("only {}", plural(*for_free, "equation")) };
                 write!(f, "\nnote: {} {have} {equations}", list(free))
             }
+
+            Fact::StaysOpen { .. }
+            | Fact::NeverCloses { .. }
+            | Fact::HasNoValue { .. }
+            | Fact::SingularStart { .. }
+            | Fact::AmbiguousStart { .. } => assembly::write(f, self),
         }
     }
 }
