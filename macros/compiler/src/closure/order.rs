@@ -81,13 +81,10 @@ impl Upstream {
 impl Room<'_> {
     /// Block by block, each from those before it.
     pub(super) fn in_order(&self, structure: &Structure) -> Assembled {
-        let mut assembled = self.forward(structure, self.unassembled(), 0, true);
+        let upstream = Upstream::new(self, structure);
+        let is_sure = upstream.surety(self, structure);
+        let mut assembled = self.forward(structure, self.unassembled(), 0, &is_sure);
         let Some(open) = assembled.open else { return assembled };
-        let (upstream, is_sure) = (Upstream::new(self, structure), Upstream::new(self, structure).surety(self, structure));
-        if !is_sure[open] {
-            // Nothing is known of this block, yet those after it may close.
-            return self.forward(structure, self.unassembled(), 0, false);
-        }
         // What is left to try in each block, as far as it was asked for.
         let mut others: Vec<Option<Vec<Vec<f64>>>> = vec![None; structure.blocks.len()];
         let (mut start, mut failed) = (assembled.start.clone(), open);
@@ -100,7 +97,7 @@ impl Room<'_> {
             let (unknowns, _) = parts(&structure.blocks[block]);
             unknowns.iter().zip(values).for_each(|(unknown, value)| start[*unknown] = value);
             others[block + 1..].fill(None);
-            let tried = self.forward(structure, start, block + 1, true);
+            let tried = self.forward(structure, start, block + 1, &is_sure);
             match tried.open {
                 None => return tried,
                 Some(block) => (start, failed) = (tried.start, block),
@@ -108,20 +105,20 @@ impl Room<'_> {
         }
         if self.model.closing == Closing::Allow {
             // What can be closed after it is.
-            assembled.start = self.forward(structure, assembled.start, open + 1, false).start;
+            assembled.start = self.forward(structure, assembled.start, open + 1, &[]).start;
         }
         assembled
     }
 
-    /// Closes all blocks from `first` on, each with its nearest assembly, up to the first one that stays open if wanted.
-    fn forward(&self, structure: &Structure, mut start: Vec<f64>, first: usize, stops: bool) -> Assembled {
+    /// Closes all blocks from `first` on, each with its nearest assembly, up to the first one that should close and stays open.
+    fn forward(&self, structure: &Structure, mut start: Vec<f64>, first: usize, should_close: &[bool]) -> Assembled {
         let mut is_closed = true;
         for (index, block) in structure.blocks.iter().enumerate().skip(first) {
             let (values, closes) = self.nearest(block, &start);
             let (unknowns, _) = parts(block);
             unknowns.iter().zip(values).for_each(|(unknown, value)| start[*unknown] = value);
             is_closed &= closes;
-            if !closes && stops {
+            if !closes && should_close.get(index) == Some(&true) {
                 return Assembled { start, is_closed, open: Some(index) };
             }
         }

@@ -35,9 +35,6 @@ pub(super) fn judge(room: &Room, structure: &Structure, assembled: &mut Assemble
     if let Some(open) = assembled.open {
         return judge.open(open, assembled);
     }
-    if !assembled.is_closed {
-        return None;
-    }
     let is_sure = upstream.surety(room, structure);
     let mut followed = 0;
     let mut sure = (0..structure.blocks.len()).filter(|block| is_sure[*block] && !structure.blocks[*block].iterated.is_empty());
@@ -50,7 +47,8 @@ pub(super) fn judge(room: &Room, structure: &Structure, assembled: &mut Assemble
 struct Loop {
     unknowns: Vec<usize>,
     equations: Vec<usize>,
-    bodies: BTreeSet<usize>,
+    /// The bodies that are not placed by what comes before.
+    moving: BTreeSet<usize>,
 }
 
 struct Judge<'a> {
@@ -63,6 +61,7 @@ impl Judge<'_> {
     /// A block that does not close.
     fn open(&self, index: usize, assembled: &mut Assembled) -> Option<(Range, Fact)> {
         let room = self.room;
+        self.complete(index, &mut assembled.start);
         let Loop { unknowns, equations, .. } = self.around(index);
         let joints: BTreeSet<usize> = equations.iter().map(|equation| room.system.equations[*equation].joint).collect();
         if let Some(refusal) = self.without_value(&equations, &assembled.start) {
@@ -81,10 +80,10 @@ impl Judge<'_> {
                 Opened::Open(gap) => {
                     let fact = Fact::StaysOpen {
                         joint: self.joint(joint),
-                        gap,
-                        others: joints.iter().filter(|other| **other != joint).map(|other| self.joint(*other)).collect(),
+                        gap: Box::new(gap),
+                        others: joints.iter().filter(|other| **other != joint && !room.model.joints[**other].is_drive).map(|other| self.joint(*other)).collect(),
                         drives: self.drives(index),
-                        bound: self.bound(index, &assembled.start),
+                        bound: self.bound(index, &assembled.start).map(Box::new),
                     };
                     return Some(((&room.model.joints[joint].name).into(), fact));
                 }
@@ -93,6 +92,18 @@ impl Judge<'_> {
         let last = *joints.last()?;
         let fact = Fact::NeverCloses { joints: joints.iter().map(|joint| self.joint(*joint)).collect(), drives: self.drives(index) };
         Some(((&room.model.joints[last].name).into(), fact))
+    }
+
+    /// Computes what comes later in the order and does not need a block that stays open.
+    fn complete(&self, index: usize, start: &mut [f64]) {
+        for (later, block) in self.structure.blocks.iter().enumerate().skip(index + 1) {
+            let all = self.upstream.all(later);
+            let is_known = all.iter().all(|other| *other < index || self.structure.blocks[*other].iterated.is_empty());
+            if block.iterated.is_empty() && is_known && !all.contains(&index) {
+                let (values, _) = self.room.nearest(block, start);
+                parts(block).0.iter().zip(values).for_each(|(unknown, value)| start[*unknown] = value);
+            }
+        }
     }
 
     /// A row that is no number where the search came to.
@@ -117,9 +128,9 @@ impl Judge<'_> {
         let always: Vec<usize> = equations.into_iter().filter(|equation| !self.is_of_drive(*equation)).collect();
         let links = links::read(room, &always, start);
         shortest::longest(room, &links, &|_| true, true).or_else(|| {
-            let Loop { equations, bodies, .. } = self.around(index);
+            let Loop { equations, moving, .. } = self.around(index);
             let links = links::read(room, &equations, start);
-            shortest::longest(room, &links, &|body| bodies.contains(&body), false)
+            shortest::longest(room, &links, &|body| moving.contains(&body), false)
         })
     }
 
@@ -265,19 +276,40 @@ impl Judge<'_> {
         self.upstream_drives(index).into_iter().map(|joint| self.joint(joint)).collect()
     }
 
-    /// A loop: a block, what else its joints give, and what places its bodies without being iterated.
+    /// A loop: a block, and what places its bodies and those next to them without being iterated.
+    ///
+    /// A body that is held by a loop closed before is left where it is: to open one of its joints would open that loop.
     fn around(&self, index: usize) -> Loop {
-        let (room, blocks) = (self.room, &self.structure.blocks);
-        let joint = |equation: &usize| room.system.equations[*equation].joint;
-        let joints: BTreeSet<usize> = parts(&blocks[index]).1.iter().map(joint).collect();
-        let is_computed = |block: &Block| block.iterated.is_empty();
-        let completes = |block: &Block| is_computed(block) && parts(block).1.iter().any(|equation| joints.contains(&joint(equation)));
-        let mut members: BTreeSet<usize> = (0..blocks.len()).filter(|block| completes(&blocks[*block])).collect();
-        members.insert(index);
-        let bodies: BTreeSet<usize> = members.iter().flat_map(|block| self.bodies(&blocks[*block])).collect();
-        members.extend((0..blocks.len()).filter(|block| is_computed(&blocks[*block]) && self.bodies(&blocks[*block]).is_subset(&bodies)));
+        let blocks = &self.structure.blocks;
+        let is_computed = |block: usize| blocks[block].iterated.is_empty();
+        let of_equations = |block: usize| -> BTreeSet<usize> {
+            let equations = parts(&blocks[block]).1.into_iter().map(|equation| &self.room.system.equations[equation]);
+            equations.flat_map(|equation| equation.jacobian.iter()).map(|(unknown, _)| self.room.system.unknowns[*unknown].body).collect()
+        };
+        let held: BTreeSet<usize> = (0..index).filter(|block| !is_computed(*block)).flat_map(of_equations).collect();
+        // Nothing is known of what needs a loop that comes later.
+        let upstream = self.upstream.all(index);
+        let is_known = |block: &usize| {
+            is_computed(*block) && self.upstream.all(*block).iter().all(|other| is_computed(*other) || *other == index || upstream.contains(other))
+        };
+        let known: Vec<(usize, BTreeSet<usize>)> =
+            (0..blocks.len()).filter(is_known).map(|block| (block, self.bodies(&blocks[block]))).collect();
+        let mut bodies: BTreeSet<usize> = of_equations(index).difference(&held).copied().collect();
+        bodies.extend(self.bodies(&blocks[index]));
+        let mut members = BTreeSet::from([index]);
+        loop {
+            let more: Vec<usize> =
+                known.iter().filter(|(block, own)| !members.contains(block) && own.is_subset(&bodies)).map(|(block, _)| *block).collect();
+            if more.is_empty() {
+                break;
+            }
+            bodies.extend(more.iter().flat_map(|block| of_equations(*block)).filter(|body| !held.contains(body)));
+            members.extend(more);
+        }
+        let moving = |block: &&usize| **block == index || self.upstream.all(**block).contains(&index);
+        let moving = members.iter().filter(moving).flat_map(|block| self.bodies(&blocks[*block])).collect();
         let (unknowns, equations): (Vec<_>, Vec<_>) = members.into_iter().map(|block| parts(&blocks[block])).unzip();
-        Loop { unknowns: unknowns.concat(), equations: equations.concat(), bodies }
+        Loop { unknowns: unknowns.concat(), equations: equations.concat(), moving }
     }
 
     /// The bodies that move with a block.

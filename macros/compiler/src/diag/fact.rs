@@ -131,7 +131,7 @@ pub enum Fact {
     TooFewEquations { name: String, coordinates: usize, equations: usize, missing: usize, drives: usize, candidates: Vec<String> },
     TooManyEquations { joint: String, others: Vec<String>, equations: usize, coordinates: Vec<String>, free: Vec<String>, for_free: usize },
     // The assembly at the declared defaults.
-    StaysOpen { joint: String, gap: Gap, others: Vec<String>, drives: Vec<String>, bound: Option<Bound> },
+    StaysOpen { joint: String, gap: Box<Gap>, others: Vec<String>, drives: Vec<String>, bound: Option<Box<Bound>> },
     NeverCloses { joints: Vec<String>, drives: Vec<String> },
     HasNoValue { joint: String, row: usize, of: usize },
     SingularStart { bodies: Vec<String>, in_line: bool, drives: Vec<String> },

@@ -1,19 +1,22 @@
 //! What is written above generated items.
 
 use super::abridged::{Abridged, list};
+use crate::closure::Closure;
 use crate::expr::{Evaluator, Leaf, Values, show};
 use crate::model::{Function, Method, Model, Output, Parameter};
 use crate::plan::{Code, Cost, Elimination, Plan, Solution, Summary};
+use crate::syntax::ast::Closing;
 use crate::system::System;
 use std::fmt::Write;
 
 /// The page of the generated struct: tables of parameters, coordinates and equations.
-pub(super) fn mechanism(model: &Model, system: &System, plan: &Plan) -> String {
+pub(super) fn mechanism(model: &Model, system: &System, closure: &Closure, plan: &Plan) -> String {
     let mut page = String::new();
     let (n, m) = (system.unknowns.len(), system.equations.len());
     let drives: usize = model.joints.iter().filter(|joint| joint.is_drive).map(|joint| joint.residuals.len()).sum();
     let mobility = n as i64 - (m - drives) as i64;
     let _ = writeln!(page, "\n{n} coordinates, {m} equations, {drives} of them drives: mobility {mobility} without drives, as counted.");
+    page.push_str(&assembly(model, closure));
     parameters(&mut page, model, system);
     let _ = writeln!(page, "\n# Coordinates\n\n| | body | coordinate | unit |\n| --- | --- | --- | --- |");
     let mut table = Abridged::new(model);
@@ -38,6 +41,18 @@ pub(super) fn mechanism(model: &Model, system: &System, plan: &Plan) -> String {
         self::solution(&mut page, model, system, solution);
     }
     page
+}
+
+/// What a mechanism accepts that others would be refused for.
+fn assembly(model: &Model, closure: &Closure) -> String {
+    match (&closure.remark, model.closing) {
+        (Some(remark), _) => {
+            let fact = remark.lines().next().unwrap_or_default();
+            format!("\nAt the declared defaults and t = 0, as `#[closure(allow)]` accepts: {fact}.\n")
+        }
+        (None, Closing::Off) => "\n`start` is as declared: with `#[closure(off)]` no assembly is looked for.\n".to_owned(),
+        (None, _) => String::new(),
+    }
 }
 
 /// What is found in which order.
