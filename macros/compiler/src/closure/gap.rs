@@ -116,9 +116,11 @@ impl Room<'_> {
                 dim if dim == Dim::LENGTH.times(Dim::LENGTH) && self.is_placed(equation) => {
                     // Φ = |h|² − c², of which the derivative by the first body's place is 2 h.
                     let body = equation.jacobian.iter().map(|(unknown, _)| self.system.unknowns[*unknown].body).min();
-                    let of_body = equation.jacobian.iter().zip(slopes).filter(|((unknown, _), _)| {
-                        !self.is_angle(*unknown) && Some(self.system.unknowns[*unknown].body) == body
-                    });
+                    let of_body = equation
+                        .jacobian
+                        .iter()
+                        .zip(slopes)
+                        .filter(|((unknown, _), _)| !self.is_angle(*unknown) && Some(self.system.unknowns[*unknown].body) == body);
                     let h = of_body.map(|(_, slope)| (slope / 2.0).powi(2)).sum::<f64>().sqrt();
                     gap.length = gap.length.hypot(h - (h * h - phi).max(0.0).sqrt());
                 }

@@ -130,7 +130,8 @@ impl Reader<'_> {
         let (first, second) = (self.row(x, None)?, self.row(y, None)?);
         let offset_of = |frame: &Frame, first: &Row, second: &Row| {
             let sign = first.slope(frame[0]);
-            let is_place = sign.abs() == 1.0 && second.slope(frame[1]) == sign && first.slope(frame[1]) == 0.0 && second.slope(frame[0]) == 0.0;
+            let is_place =
+                sign.abs() == 1.0 && second.slope(frame[1]) == sign && first.slope(frame[1]) == 0.0 && second.slope(frame[0]) == 0.0;
             is_place.then(|| (sign, [sign * second.slope(frame[2]), -sign * first.slope(frame[2])]))
         };
         let mut places = Vec::new();
@@ -152,7 +153,8 @@ impl Reader<'_> {
             // Φ is the difference of the two places, and nothing else.
             [(one, first_place), (other, second_place)] if *one == -*other => {
                 let between = [0, 1].map(|i| one * (first_place.at[i] - second_place.at[i]));
-                (self.is_near(between[0], first.phi) && self.is_near(between[1], second.phi)).then_some(Link::Pin(*first_place, *second_place))
+                (self.is_near(between[0], first.phi) && self.is_near(between[1], second.phi))
+                    .then_some(Link::Pin(*first_place, *second_place))
             }
             _ => None,
         }

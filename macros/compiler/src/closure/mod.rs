@@ -7,7 +7,7 @@
 //!    for what is not declared, from several guesses; of the assemblies found the one nearest to what was declared is taken.
 //! 2. `order`: large systems, and small ones that did not close at once, are closed block by block in the order of the
 //!    [`Structure`], with other assemblies of earlier blocks where a later one needs them.
-//! 3. `verdict`: what does not close (`gap`, `links`), closes in two ways that are equally near, or is singular only here
+//! 3. `verdict`: what does not close (`loops`, `gap`, `links`, `shortest`), closes in two ways that are equally near, or is singular only here
 //!    (`regular`) is refused.
 //!
 //! Not done here: emitting, redundancy.
@@ -15,6 +15,7 @@
 mod gap;
 mod levenberg;
 mod links;
+mod loops;
 mod order;
 mod poses;
 mod regular;
@@ -100,8 +101,9 @@ impl Room<'_> {
             let found = self.search(&mut self.whole(), if self.declared.iter().all(Option::is_some) { 1 } else { search::GUESSES });
             let is_closed = !found.assemblies.is_empty();
             if is_closed || self.model.equations_only {
-                let start = found.assemblies.into_iter().next().unwrap_or(found.first);
-                return Assembled { start, is_closed, open: None };
+                let mut assemblies = found.assemblies.into_iter();
+                let start = assemblies.next().unwrap_or(found.first);
+                return Assembled { start, is_closed, open: None, found: Vec::new(), others: assemblies.collect() };
             }
         }
         self.in_order(structure)

@@ -5,7 +5,7 @@
 
 use super::Room;
 use super::levenberg::Problem;
-use super::search::GUESSES;
+use super::search::{Found, GUESSES};
 use crate::structure::{Block, Structure};
 use crate::syntax::ast::Closing;
 use std::collections::BTreeSet;
@@ -24,6 +24,10 @@ pub(super) struct Assembled {
     pub(super) is_closed: bool,
     /// The first block that did not close, and that should.
     pub(super) open: Option<usize>,
+    /// Of each block closed on its own, the assemblies that were found.
+    pub(super) found: Vec<Vec<Vec<f64>>>,
+    /// Where all was closed at once, the assemblies that are not as near.
+    pub(super) others: Vec<Vec<f64>>,
 }
 
 /// The unknowns and equations of a block, the explicit ones last.
@@ -111,31 +115,40 @@ impl Room<'_> {
     }
 
     /// Closes all blocks from `first` on, each with its nearest assembly, up to the first one that should close and stays open.
-    fn forward(&self, structure: &Structure, mut start: Vec<f64>, first: usize, should_close: &[bool]) -> Assembled {
+    pub(super) fn forward(&self, structure: &Structure, mut start: Vec<f64>, first: usize, should_close: &[bool]) -> Assembled {
         let mut is_closed = true;
+        let mut found = vec![Vec::new(); structure.blocks.len()];
         for (index, block) in structure.blocks.iter().enumerate().skip(first) {
-            let (values, closes) = self.nearest(block, &start);
+            let Found { assemblies, first } = self.close_block(block, &start);
+            let closes = !assemblies.is_empty();
             let (unknowns, _) = parts(block);
-            unknowns.iter().zip(values).for_each(|(unknown, value)| start[*unknown] = value);
+            unknowns.iter().zip(assemblies.first().unwrap_or(&first)).for_each(|(unknown, value)| start[*unknown] = *value);
+            found[index] = assemblies;
             is_closed &= closes;
             if !closes && should_close.get(index) == Some(&true) {
-                return Assembled { start, is_closed, open: Some(index) };
+                return Assembled { start, is_closed, open: Some(index), found, others: Vec::new() };
             }
         }
-        Assembled { start, is_closed, open: None }
+        Assembled { start, is_closed, open: None, found, others: Vec::new() }
     }
 
     /// The nearest assembly of a block, or what comes nearest to one.
     pub(super) fn nearest(&self, block: &Block, start: &[f64]) -> (Vec<f64>, bool) {
+        let Found { assemblies, first } = self.close_block(block, start);
+        let closes = !assemblies.is_empty();
+        (assemblies.into_iter().next().unwrap_or(first), closes)
+    }
+
+    /// The assemblies of a block, the nearest first.
+    fn close_block(&self, block: &Block, start: &[f64]) -> Found {
         let mut problem = self.block_problem(block, start);
         // What is computed has one value only.
         let is_open = block.iterated.iter().any(|unknown| self.declared[*unknown].is_none());
-        let found = self.search(&mut problem, if is_open { GUESSES } else { 1 });
-        let nearest = found.assemblies.into_iter().next();
-        match nearest.or_else(|| self.search_widely(&mut problem, WIDE).into_iter().next()) {
-            Some(nearest) => (nearest, true),
-            None => (found.first, false),
+        let mut found = self.search(&mut problem, if is_open { GUESSES } else { 1 });
+        if found.assemblies.is_empty() {
+            found.assemblies = self.search_widely(&mut problem, WIDE);
         }
+        found
     }
 
     /// All other assemblies of a block, the nearest first.

@@ -79,6 +79,17 @@ impl Room<'_> {
         (closes && !shown.is_one(&image, q)).then_some(image)
     }
 
+    /// Whether one assembly is as near to what is declared as another, as far as they differ.
+    pub(super) fn is_as_declared(&self, one: &[f64], other: &[f64]) -> bool {
+        let differing = self.differing(one, other);
+        let declared = |q: &[f64]| {
+            let mut distance = [0.0; 3];
+            differing.iter().for_each(|unknown| self.add_distance(&mut distance, *unknown, q[*unknown]));
+            [distance[0], 0.0, 0.0]
+        };
+        compare(&declared(one), &declared(other)) == Ordering::Equal
+    }
+
     /// Whether two assemblies are equally near to the start as far as they differ; values of all unknowns.
     pub(super) fn are_equally_near(&self, one: &[f64], other: &[f64]) -> bool {
         let differing = self.differing(one, other);

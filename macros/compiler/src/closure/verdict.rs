@@ -12,11 +12,12 @@
 use super::Room;
 use super::gap::Opened;
 use super::links::{self, Link, Place};
+use super::loops::{Loop, Loops};
 use super::order::{Assembled, Upstream, parts};
 use super::shortest::{self, Bound};
 use crate::diag::{Fact, Range};
 use crate::model::Dim;
-use crate::structure::{Block, Structure};
+use crate::structure::Structure;
 use std::collections::BTreeSet;
 
 /// Two links are in line when the sine of the angle between them is below this.
@@ -31,83 +32,94 @@ const MOST_FOLLOWED: usize = 8;
 /// The first thing that is wrong, and under which tokens.
 pub(super) fn judge(room: &Room, structure: &Structure, assembled: &mut Assembled) -> Option<(Range, Fact)> {
     let upstream = Upstream::new(room, structure);
-    let judge = Judge { room, structure, upstream: &upstream };
-    if let Some(open) = assembled.open {
-        return judge.open(open, assembled);
-    }
     let is_sure = upstream.surety(room, structure);
+    let loops = Loops { room, structure, upstream: &upstream };
+    let judge = Judge { room, structure, upstream: &upstream, loops };
+    while let Some(open) = assembled.open {
+        match judge.open(open, &mut assembled.start) {
+            Some(refusal) => return Some(refusal),
+            // It closes after all: so may what comes after it.
+            None => *assembled = room.forward(structure, std::mem::take(&mut assembled.start), open + 1, &is_sure),
+        }
+    }
+    judge.prefer_regular(&is_sure, assembled);
     let mut followed = 0;
-    let mut sure = (0..structure.blocks.len()).filter(|block| is_sure[*block] && !structure.blocks[*block].iterated.is_empty());
-    sure.find_map(|block| {
-        judge.singular(block, &assembled.start).or_else(|| judge.ambiguous(block, &assembled.start, &mut followed))
-    })
-}
-
-/// What has to close together.
-struct Loop {
-    unknowns: Vec<usize>,
-    equations: Vec<usize>,
-    /// The bodies that are not placed by what comes before.
-    moving: BTreeSet<usize>,
+    judge
+        .iterated(&is_sure)
+        .find_map(|block| judge.singular(block, &assembled.start).or_else(|| judge.ambiguous(block, assembled, &mut followed)))
 }
 
 struct Judge<'a> {
     room: &'a Room<'a>,
     structure: &'a Structure,
     upstream: &'a Upstream,
+    loops: Loops<'a>,
 }
 
 impl Judge<'_> {
-    /// A block that does not close.
-    fn open(&self, index: usize, assembled: &mut Assembled) -> Option<(Range, Fact)> {
+    /// The blocks that can be judged beyond whether they close.
+    fn iterated(&self, is_sure: &[bool]) -> impl Iterator<Item = usize> {
+        (0..is_sure.len()).filter(|block| is_sure[*block] && !self.structure.blocks[*block].iterated.is_empty())
+    }
+
+    /// Where nothing declared tells, an assembly that is regular is meant rather than one that is singular.
+    fn prefer_regular(&self, is_sure: &[bool], assembled: &mut Assembled) {
+        let is_regular =
+            |start: &[f64]| !self.iterated(is_sure).any(|block| self.room.is_singular_here(&self.structure.blocks[block], start));
+        if assembled.others.is_empty() || is_regular(&assembled.start) {
+            return;
+        }
+        let is_meant = |other: &&Vec<f64>| self.room.is_as_declared(&assembled.start, other) && is_regular(other);
+        if let Some(regular) = assembled.others.iter().find(is_meant) {
+            assembled.start = regular.clone();
+        }
+    }
+
+    /// A block that does not close; nothing is refused if it closes after all, and the start is where.
+    fn open(&self, index: usize, start: &mut [f64]) -> Option<(Range, Fact)> {
         let room = self.room;
-        self.complete(index, &mut assembled.start);
-        let Loop { unknowns, equations, .. } = self.around(index);
+        self.loops.complete(index, start);
+        let Loop { unknowns, equations, .. } = self.loops.around(index);
         let joints: BTreeSet<usize> = equations.iter().map(|equation| room.system.equations[*equation].joint).collect();
-        if let Some(refusal) = self.without_value(&equations, &assembled.start) {
+        if let Some(refusal) = self.without_value(&equations, self.drives(index), start) {
             return Some(refusal);
         }
         // The last joint closes the loop, and a drive is asked for what it demands only if no joint can give way.
         let (drives, others): (Vec<usize>, Vec<usize>) = joints.iter().rev().partition(|joint| room.model.joints[**joint].is_drive);
         for joint in others.into_iter().chain(drives) {
-            match room.least_gap(&unknowns, &equations, &assembled.start, joint) {
+            match room.least_gap(&unknowns, &equations, start, joint) {
                 Opened::Others => {}
                 Opened::Closed(values) => {
-                    // Found after all: every block before this one is closed, and those after it follow.
-                    unknowns.iter().zip(values).for_each(|(unknown, value)| assembled.start[*unknown] = value);
+                    unknowns.iter().zip(values).for_each(|(unknown, value)| start[*unknown] = value);
                     return None;
                 }
                 Opened::Open(gap) => {
                     let fact = Fact::StaysOpen {
                         joint: self.joint(joint),
                         gap: Box::new(gap),
-                        others: joints.iter().filter(|other| **other != joint && !room.model.joints[**other].is_drive).map(|other| self.joint(*other)).collect(),
+                        others: joints
+                            .iter()
+                            .filter(|other| **other != joint && !room.model.joints[**other].is_drive)
+                            .map(|other| self.joint(*other))
+                            .collect(),
                         drives: self.drives(index),
-                        bound: self.bound(index, &assembled.start).map(Box::new),
+                        bound: self.bound(index, start).map(Box::new),
                     };
                     return Some(((&room.model.joints[joint].name).into(), fact));
                 }
             }
         }
         let last = *joints.last()?;
-        let fact = Fact::NeverCloses { joints: joints.iter().map(|joint| self.joint(*joint)).collect(), drives: self.drives(index) };
+        let fact = Fact::NeverCloses {
+            joints: joints.iter().map(|joint| self.joint(*joint)).collect(),
+            drives: self.drives(index),
+            bound: self.bound(index, start).map(Box::new),
+        };
         Some(((&room.model.joints[last].name).into(), fact))
     }
 
-    /// Computes what comes later in the order and does not need a block that stays open.
-    fn complete(&self, index: usize, start: &mut [f64]) {
-        for (later, block) in self.structure.blocks.iter().enumerate().skip(index + 1) {
-            let all = self.upstream.all(later);
-            let is_known = all.iter().all(|other| *other < index || self.structure.blocks[*other].iterated.is_empty());
-            if block.iterated.is_empty() && is_known && !all.contains(&index) {
-                let (values, _) = self.room.nearest(block, start);
-                parts(block).0.iter().zip(values).for_each(|(unknown, value)| start[*unknown] = value);
-            }
-        }
-    }
-
     /// A row that is no number where the search came to.
-    fn without_value(&self, equations: &[usize], start: &[f64]) -> Option<(Range, Fact)> {
+    fn without_value(&self, equations: &[usize], drives: Vec<String>, start: &[f64]) -> Option<(Range, Fact)> {
         let all = &self.room.system.equations;
         let values = super::Values { coordinates: start, ..self.room.known };
         let has_value = |equation: &usize| {
@@ -116,7 +128,7 @@ impl Judge<'_> {
         };
         let equation = &all[*equations.iter().find(|equation| !has_value(equation))?];
         let joint = &self.room.model.joints[equation.joint];
-        let fact = Fact::HasNoValue { joint: joint.name.to_string(), row: equation.row + 1, of: joint.residuals.len() };
+        let fact = Fact::HasNoValue { joint: joint.name.to_string(), row: equation.row + 1, of: joint.residuals.len(), drives };
         Some(((&joint.name).into(), fact))
     }
 
@@ -128,7 +140,7 @@ impl Judge<'_> {
         let always: Vec<usize> = equations.into_iter().filter(|equation| !self.is_of_drive(*equation)).collect();
         let links = links::read(room, &always, start);
         shortest::longest(room, &links, &|_| true, true).or_else(|| {
-            let Loop { equations, moving, .. } = self.around(index);
+            let Loop { equations, moving, .. } = self.loops.around(index);
             let links = links::read(room, &equations, start);
             shortest::longest(room, &links, &|body| moving.contains(&body), false)
         })
@@ -140,21 +152,36 @@ impl Judge<'_> {
         if !room.is_singular_here(block, start) {
             return None;
         }
-        let bodies = self.bodies(block);
+        let bodies = self.loops.bodies(block);
         let iterated: BTreeSet<usize> = block.iterated.iter().map(|unknown| room.system.unknowns[*unknown].body).collect();
         let in_line = self.in_line(index, &bodies, start);
         let named = in_line.as_ref().unwrap_or(&iterated);
         let names = named.iter().map(|body| room.model.bodies[*body].name.to_string()).collect();
-        let fact = Fact::SingularStart { bodies: names, in_line: in_line.is_some(), drives: self.drives(index) };
+        let fact = Fact::SingularStart {
+            bodies: names,
+            in_line: in_line.is_some(),
+            drives: self.drives(index),
+            has_others: self.has_regular_others(index, start),
+        };
         // The drive that brings it there is to blame.
         let drive = self.upstream_drives(index).into_iter().next().map(|joint| Range::from(&room.model.joints[joint].name));
         let body = iterated.last().map(|body| Range::from(&room.model.bodies[*body].name));
         Some((drive.or(body)?, fact))
     }
 
+    /// Whether a block has other assemblies, that are not singular.
+    fn has_regular_others(&self, index: usize, start: &[f64]) -> bool {
+        let block = &self.structure.blocks[index];
+        self.room.other_assemblies(self.structure, index, start).into_iter().any(|values| {
+            let mut other = start.to_vec();
+            parts(block).0.iter().zip(values).for_each(|(unknown, value)| other[*unknown] = value);
+            !self.room.is_singular_here(block, &other)
+        })
+    }
+
     /// The two bodies of a loop whose joints lie on one straight line.
     fn in_line(&self, index: usize, bodies: &BTreeSet<usize>, start: &[f64]) -> Option<BTreeSet<usize>> {
-        let links = links::read(self.room, &self.around(index).equations, start);
+        let links = links::read(self.room, &self.loops.around(index).equations, start);
         let mut places: Vec<Place> = Vec::new();
         for link in &links {
             match link {
@@ -176,8 +203,8 @@ impl Judge<'_> {
     }
 
     /// A block that closes in two ways that are equally near.
-    fn ambiguous(&self, index: usize, start: &[f64], followed: &mut usize) -> Option<(Range, Fact)> {
-        let (room, block) = (self.room, &self.structure.blocks[index]);
+    fn ambiguous(&self, index: usize, assembled: &Assembled, followed: &mut usize) -> Option<(Range, Fact)> {
+        let (room, block, start) = (self.room, &self.structure.blocks[index], &assembled.start);
         let (unknowns, _) = parts(block);
         if unknowns.iter().all(|unknown| room.declared[*unknown].is_none_or(|declared| self.is_told(*unknown, declared, start)))
             && block.iterated.iter().all(|unknown| room.declared[*unknown].is_some())
@@ -187,9 +214,12 @@ impl Judge<'_> {
         let values: Vec<f64> = unknowns.iter().map(|unknown| start[*unknown]).collect();
         let mut problem = room.block_problem(block, start);
         let image = room.mirrored(&mut problem, &values);
-        let others = image.into_iter().chain(room.search(&mut problem, super::search::GUESSES).assemblies);
-        for values in others {
-            let mut other = start.to_vec();
+        let found = match assembled.found.get(index) {
+            Some(found) if !found.is_empty() => found.clone(),
+            _ => room.search(&mut problem, super::search::GUESSES).assemblies,
+        };
+        for values in image.into_iter().chain(found) {
+            let mut other = start.clone();
             unknowns.iter().zip(values).for_each(|(unknown, value)| other[*unknown] = value);
             let differing = room.differing(start, &other);
             if differing.is_empty() || !room.are_equally_near(start, &other) || *followed >= MOST_FOLLOWED {
@@ -274,46 +304,5 @@ impl Judge<'_> {
 
     fn drives(&self, index: usize) -> Vec<String> {
         self.upstream_drives(index).into_iter().map(|joint| self.joint(joint)).collect()
-    }
-
-    /// A loop: a block, and what places its bodies and those next to them without being iterated.
-    ///
-    /// A body that is held by a loop closed before is left where it is: to open one of its joints would open that loop.
-    fn around(&self, index: usize) -> Loop {
-        let blocks = &self.structure.blocks;
-        let is_computed = |block: usize| blocks[block].iterated.is_empty();
-        let of_equations = |block: usize| -> BTreeSet<usize> {
-            let equations = parts(&blocks[block]).1.into_iter().map(|equation| &self.room.system.equations[equation]);
-            equations.flat_map(|equation| equation.jacobian.iter()).map(|(unknown, _)| self.room.system.unknowns[*unknown].body).collect()
-        };
-        let held: BTreeSet<usize> = (0..index).filter(|block| !is_computed(*block)).flat_map(of_equations).collect();
-        // Nothing is known of what needs a loop that comes later.
-        let upstream = self.upstream.all(index);
-        let is_known = |block: &usize| {
-            is_computed(*block) && self.upstream.all(*block).iter().all(|other| is_computed(*other) || *other == index || upstream.contains(other))
-        };
-        let known: Vec<(usize, BTreeSet<usize>)> =
-            (0..blocks.len()).filter(is_known).map(|block| (block, self.bodies(&blocks[block]))).collect();
-        let mut bodies: BTreeSet<usize> = of_equations(index).difference(&held).copied().collect();
-        bodies.extend(self.bodies(&blocks[index]));
-        let mut members = BTreeSet::from([index]);
-        loop {
-            let more: Vec<usize> =
-                known.iter().filter(|(block, own)| !members.contains(block) && own.is_subset(&bodies)).map(|(block, _)| *block).collect();
-            if more.is_empty() {
-                break;
-            }
-            bodies.extend(more.iter().flat_map(|block| of_equations(*block)).filter(|body| !held.contains(body)));
-            members.extend(more);
-        }
-        let moving = |block: &&usize| **block == index || self.upstream.all(**block).contains(&index);
-        let moving = members.iter().filter(moving).flat_map(|block| self.bodies(&blocks[*block])).collect();
-        let (unknowns, equations): (Vec<_>, Vec<_>) = members.into_iter().map(|block| parts(&blocks[block])).unzip();
-        Loop { unknowns: unknowns.concat(), equations: equations.concat(), moving }
-    }
-
-    /// The bodies that move with a block.
-    fn bodies(&self, block: &Block) -> BTreeSet<usize> {
-        parts(block).0.iter().map(|unknown| self.room.system.unknowns[*unknown].body).collect()
     }
 }

@@ -1,7 +1,8 @@
 //! The items of a mechanism.
 
 use super::ast::{
-    Argument, Closing, Docs, Expr, Frame, Function, Item, Joint, JointBody, Let, Mark, Marks, Mechanism, Output, Parameter, Refused, Start, Use,
+    Argument, Closing, Docs, Expr, Frame, Function, Item, Joint, JointBody, Let, Mark, Marks, Mechanism, Output, Parameter, Refused, Start,
+    Use,
 };
 use super::definition::statement;
 use super::dimension::{dimension, required_dimension};
@@ -55,7 +56,14 @@ fn head(input: ParseStream) -> Parsed<Mechanism> {
 
 /// A mechanism of which only the name could be read.
 fn salvaged(name: Ident) -> Mechanism {
-    Mechanism { docs: Docs::default(), equations_only: false, closing: Closing::default(), visibility: quote::quote!(pub), name, items: Vec::new() }
+    Mechanism {
+        docs: Docs::default(),
+        equations_only: false,
+        closing: Closing::default(),
+        visibility: quote::quote!(pub),
+        name,
+        items: Vec::new(),
+    }
 }
 
 /// Where items stand.

@@ -6,9 +6,7 @@ use reuleaux_compiler::diag::Fact;
 #[test]
 fn a_start_far_from_any_assembly_closes() {
     for declared in [0.4, 17.0, -40.0, 90.0, 179.0, 400.0] {
-        let all = format!(
-            "start angle = ({declared}) * 1deg; start position = (5m, -3m);"
-        );
+        let all = format!("start angle = ({declared}) * 1deg; start position = (5m, -3m);");
         let source = four_bar([400.0, 100.0, 350.0, 300.0], 77.0, &all).replace("body coupler { ", "body coupler { start angle = -80deg; ");
         assert!(accepted(&source).closure.is_closed);
     }

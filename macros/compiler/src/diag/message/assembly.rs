@@ -12,27 +12,23 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
             if !others.is_empty() {
                 write!(f, " when {} {with} closed", list(others))?;
             }
-            let moves = bound.as_ref().is_none_or(|bound| !bound.is_always);
-            if let Some(bound) = bound {
-                write!(f, "\nnote: {}", of_bound(bound))?;
-            }
-            match drives.as_slice() {
-                [] => write!(f, "\nhelp: change a length or a place"),
-                drives if moves => write!(f, "\nhelp: change a length or a place, or let {} start elsewhere: this is t = 0", list(drives)),
-                _ => write!(f, "\nhelp: change a length or a place: no start of {} helps", list(drives)),
-            }
+            remedy(f, drives, bound.as_deref())
         }
-        Fact::NeverCloses { joints, drives } => {
+        Fact::NeverCloses { joints, drives, bound } => {
             write!(f, "no way was found to close {} together, not even with one of them left open", list(joints))?;
-            write!(f, "\nhelp: change lengths or places")?;
-            if drives.is_empty() { Ok(()) } else { write!(f, ", or let {} start elsewhere: this is t = 0", list(drives)) }
+            remedy(f, drives, bound.as_deref())
         }
-        Fact::HasNoValue { joint, row, of } => {
-            if *of == 1 { write!(f, "the equation")? } else { write!(f, "equation {row} of {of}")? }
+        Fact::HasNoValue { joint, row, of, drives } => {
+            if *of == 1 {
+                write!(f, "the equation")?
+            } else {
+                write!(f, "equation {row} of {of}")?
+            }
             write!(f, " of `{joint}` has no value near the start: a root of something negative, or a division by zero")?;
-            write!(f, "\nhelp: declare a `start` at which it has one")
+            write!(f, "\nhelp: declare a `start` at which it has one")?;
+            if drives.is_empty() { Ok(()) } else { write!(f, ", or let {} have another value at t = 0", list(drives)) }
         }
-        Fact::SingularStart { bodies, in_line, drives } => {
+        Fact::SingularStart { bodies, in_line, drives, has_others } => {
             let (is, verb) = if bodies.len() == 1 { ("is", "stands") } else { ("are", "stand") };
             if *in_line {
                 write!(f, "the start is singular: {} {is} in line at t = 0", list(bodies))?;
@@ -40,9 +36,10 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
                 write!(f, "the start is singular: {} {verb} at a dead point at t = 0", list(bodies))?;
             }
             write!(f, "\nnote: two assemblies meet there, and how fast {} {is} moving is not determined", list(bodies))?;
+            let elsewhere = if *has_others { "declare a `start` that leads to another assembly, or " } else { "" };
             match drives.as_slice() {
-                [] => write!(f, "\nhelp: change a length or a place"),
-                drives => write!(f, "\nhelp: let {} start elsewhere, such as 10deg further on", list(drives)),
+                [] => write!(f, "\nhelp: {elsewhere}change a length or a place"),
+                drives => write!(f, "\nhelp: {elsewhere}let {} have another value at t = 0", list(drives)),
             }
         }
         Fact::AmbiguousStart { body, coordinate, is_angle, values, place, is_declared } => {
@@ -58,6 +55,19 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
             write!(f, "\nhelp: write `start position = ({x}mm, {y}mm);` in {of}")
         }
         _ => Ok(()),
+    }
+}
+
+/// Why it does not close, if that is known, and what to do.
+fn remedy(f: &mut Formatter, drives: &[String], bound: Option<&Bound>) -> Result {
+    if let Some(bound) = bound {
+        write!(f, "\nnote: {}", of_bound(bound))?;
+    }
+    write!(f, "\nhelp: change a length or a place")?;
+    match (drives.is_empty(), bound) {
+        (true, _) => Ok(()),
+        (_, Some(Bound { is_always: true, .. })) => write!(f, ": no value of {} helps", list(drives)),
+        _ => write!(f, ", or let {} have another value at t = 0", list(drives)),
     }
 }
 
