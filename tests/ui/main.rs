@@ -4,7 +4,7 @@
 //! `TRYBUILD=overwrite cargo test -p reuleaux-tests --test ui` writes the expected output anew.
 
 /// Mistakes by family.
-const FAMILIES: [&str; 13] = [
+const FAMILIES: [&str; 14] = [
     "syntax",
     "names",
     "arity",
@@ -17,6 +17,7 @@ const FAMILIES: [&str; 13] = [
     "components",
     "mobility",
     "redundancy",
+    "closure",
     "parameters",
 ];
 

@@ -140,8 +140,8 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     // There are unknowns and equations only, with all their derivatives.
     let structure = structure::analyze(&model, &system, diag)?;
     // Every unknown belongs to a block, and the blocks are in order.
-    let closure = closure::close(&model, &system, &structure);
-    // There is a configuration to start from.
+    let closure = closure::close(&model, &system, &structure, diag)?;
+    // There is a configuration to start from, an assembled one unless the mechanism allows others.
     let plan = plan::schedule(&model, &system, &structure, &closure);
     // Nothing is left to decide.
     let picture = picture::draw(&model, &system, &closure);

@@ -13,7 +13,7 @@ fn row(legs: usize) -> TokenStream {
             ground {{ for i in 0..=legs {{ point P[i] = (i * 1m, 0m); }} }}
             body crank {{ point A = (1m, 0m); }}
             joint axle = revolute(ground.P[0], crank.position);
-            drive motor = drive_angle(crank, speed * t);
+            drive motor = drive_angle(crank, 30deg + speed * t);
             component Leg(pivot: Point, pin: Point) {{
                 param reach: Length = 700m;
                 body upper {{ point U = (reach, 0m);  start angle = 1rad;  start position = (0m, 0m); }}

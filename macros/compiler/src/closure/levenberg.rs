@@ -14,6 +14,8 @@ pub(super) struct Problem<'a> {
     pub(super) pattern: Vec<(usize, usize)>,
     /// Φ, then the derivatives.
     pub(super) evaluator: Evaluator,
+    /// What is added to each row; nothing if empty.
+    pub(super) shift: Vec<f64>,
     /// Parameters and functions; its coordinates are replaced.
     pub(super) known: Values<'a>,
     /// The indices in q of the unknowns that are looked for.
@@ -27,14 +29,16 @@ pub(super) struct Problem<'a> {
 /// The rows count as closed when the sum of their squares, in scaled unknowns, is below this.
 const CLOSED: f64 = 1e-20;
 
-/// Rows and Jacobian at a place, in scaled unknowns and with rows of comparable size.
-struct Linear {
-    phi: Vec<f64>,
-    jacobian: Vec<Vec<f64>>,
+/// Rows and Jacobian at a place, in scaled unknowns.
+#[derive(Clone)]
+pub(super) struct Linear {
+    pub(super) phi: Vec<f64>,
+    pub(super) jacobian: Vec<Vec<f64>>,
 }
 
 impl Problem<'_> {
-    fn linearize(&mut self, q: &[f64]) -> Linear {
+    /// Rows and Jacobian as they are, in scaled unknowns.
+    pub(super) fn raw(&mut self, q: &[f64]) -> Linear {
         let mut values = vec![0.0; self.rows + self.pattern.len()];
         for (unknown, value) in self.unknowns.iter().zip(q) {
             self.coordinates[*unknown] = *value;
@@ -45,6 +49,13 @@ impl Problem<'_> {
         for ((row, column), entry) in self.pattern.iter().zip(entries) {
             linear.jacobian[*row][*column] = entry * self.scales[*column];
         }
+        linear.phi.iter_mut().zip(&self.shift).for_each(|(value, shift)| *value += shift);
+        linear
+    }
+
+    /// The same with rows of comparable size.
+    fn linearize(&mut self, q: &[f64]) -> Linear {
+        let mut linear = self.raw(q);
         for ((value, row), is_known) in linear.phi.iter_mut().zip(&mut linear.jacobian).zip(&self.is_known) {
             let size = row.iter().fold(0.0, |size: f64, entry| size.max(entry.abs()));
             if !value.is_finite() || !size.is_finite() || size == 0.0 {
@@ -95,20 +106,27 @@ pub(super) fn minimise(problem: &mut Problem, q: &mut [f64], free: &[bool]) -> b
     if cost > CLOSED {
         return false;
     }
-    polish(problem, q, &columns);
+    polish(problem, q, &columns, 2);
     true
 }
 
-/// Two steps of Gauss and Newton take what is nearly closed down to rounding.
-fn polish(problem: &mut Problem, q: &mut [f64], columns: &[usize]) {
-    for _ in 0..2 {
+/// Takes a closed configuration down to rounding, also where it is singular and every step only halves the error.
+pub(super) fn settle(problem: &mut Problem, q: &mut [f64]) {
+    let columns: Vec<usize> = (0..q.len()).collect();
+    polish(problem, q, &columns, 60);
+}
+
+/// Steps of Gauss and Newton take what is nearly closed down to rounding; two where it is regular.
+fn polish(problem: &mut Problem, q: &mut [f64], columns: &[usize], steps: usize) {
+    for _ in 0..steps {
         let here = problem.linearize(q);
         let Some(step) = step(&here, columns, 1e-15) else { return };
         let mut trial = q.to_vec();
         for (column, change) in columns.iter().zip(&step) {
             trial[*column] -= change * problem.scales[*column];
         }
-        if square(&problem.linearize(&trial).phi) > square(&here.phi) {
+        let (before, after) = (square(&here.phi), square(&problem.linearize(&trial).phi));
+        if after > before || (steps > 2 && after == before) {
             return;
         }
         q.copy_from_slice(&trial);
@@ -137,6 +155,12 @@ fn step(linear: &Linear, columns: &[usize], damping: f64) -> Option<Vec<f64>> {
     for (i, row) in matrix.iter_mut().enumerate() {
         row[i] += damping;
     }
+    cholesky(matrix, right)
+}
+
+/// A x = b for a symmetric A of which the lower half is read; `None` if it is not positive definite.
+pub(super) fn cholesky(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<Vec<f64>> {
+    let n = right.len();
     for i in 0..n {
         for j in 0..=i {
             let sum: f64 = (0..j).map(|k| matrix[i][k] * matrix[j][k]).sum();

@@ -1,28 +1,43 @@
 //! From a system to an assembled configuration at the declared defaults, at t = 0.
 //!
 //! In: a [`System`] and the defaults. Out: a [`Closure`]: the configuration that the generated
-//! `solve` starts from. What the declaration does not say of the start follows from the joints:
-//! the equations are minimised by the method of Levenberg and Marquardt from the declared start
-//! values and, for angles that are not declared, from several guesses; of the assemblies found the
-//! one nearest to what was declared is taken. Large systems are closed block by block, in the order of the [`Structure`].
-//! Not done here: emitting, refusing.
+//! `solve` starts from. What the declaration does not say of the start follows from the joints.
+//!
+//! 1. `search`: equations are minimised by the method of Levenberg and Marquardt (`levenberg`) from the declared start values and,
+//!    for what is not declared, from several guesses; of the assemblies found the one nearest to what was declared is taken.
+//! 2. `order`: large systems, and small ones that did not close at once, are closed block by block in the order of the
+//!    [`Structure`], with other assemblies of earlier blocks where a later one needs them.
+//! 3. `verdict`: what does not close (`loops`, `gap`, `links`, `shortest`), closes in two ways that are equally near, or is singular only here
+//!    (`regular`) is refused.
+//!
+//! Not done here: emitting, redundancy.
 
+mod gap;
 mod levenberg;
+mod links;
+mod loops;
+mod order;
 mod poses;
+mod regular;
+mod search;
+mod shortest;
+mod verdict;
 
+pub use gap::Gap;
 pub(crate) use poses::Poses;
+pub use shortest::Bound;
 
+use crate::diag::Diag;
 use crate::expr::{Evaluator, Expr, Node, Values, evaluate};
 use crate::model::{Dim, Function, Model};
-use crate::structure::{Block, Structure};
+use crate::structure::Structure;
+use crate::syntax::ast::Closing;
 use crate::system::{Equation, System};
-use levenberg::{Problem, minimise};
+use levenberg::Problem;
+use order::Assembled;
 
 /// Beyond this many coordinates the minimisation of all equations at once would be felt in `cargo check`.
 const LARGEST: usize = 60;
-
-/// How many guesses of what is not declared are tried.
-const GUESSES: usize = 24;
 
 /// The configuration to start from.
 #[derive(Clone, Debug)]
@@ -31,10 +46,12 @@ pub struct Closure {
     pub start: Vec<f64>,
     /// All equations that could be evaluated hold to rounding there.
     pub is_closed: bool,
+    /// What would be refused, had the mechanism not allowed it.
+    pub remark: Option<String>,
 }
 
 /// Looks for the assembled configuration nearest to the declared start.
-pub(crate) fn close(model: &Model, system: &System, structure: &Structure) -> Closure {
+pub(crate) fn close(model: &Model, system: &System, structure: &Structure, diag: &mut Diag) -> Option<Closure> {
     let functions = |number: u32, x: f64| call(model, number, x);
     let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
     let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
@@ -47,7 +64,18 @@ pub(crate) fn close(model: &Model, system: &System, structure: &Structure) -> Cl
         .collect();
     let size = size(model, system, &known);
     let room = Room { model, system, known, size, declared };
-    if system.unknowns.len() <= LARGEST || model.equations_only { room.at_once() } else { room.in_order(structure) }
+    if model.closing == Closing::Off {
+        return Some(Closure { start: room.unassembled(), is_closed: false, remark: None });
+    }
+    let mut assembled = room.assembled(structure);
+    let verdict = if model.equations_only { None } else { verdict::judge(&room, structure, &mut assembled) };
+    let mut closure = Closure { start: room.rounded(&assembled.start), is_closed: assembled.is_closed, remark: None };
+    match verdict {
+        Some((range, fact)) if model.closing == Closing::Deny => return diag.refuse(range, fact),
+        Some((_, fact)) => closure.remark = Some(fact.to_string()),
+        None => {}
+    }
+    Some(closure)
 }
 
 /// What is known before anything is closed.
@@ -62,68 +90,29 @@ struct Room<'a> {
 }
 
 impl Room<'_> {
-    /// All equations together.
-    fn at_once(&self) -> Closure {
-        let mut problem = self.whole();
-        let guesses = if self.declared.iter().all(Option::is_some) { 1 } else { GUESSES };
-        let (start, is_closed) = self.search(&mut problem, guesses);
-        Closure { start, is_closed }
+    /// The declared start as it stands.
+    fn unassembled(&self) -> Vec<f64> {
+        self.declared.iter().map(|value| value.unwrap_or(0.0)).collect()
     }
 
-    /// Block by block, each from those before it.
-    fn in_order(&self, structure: &Structure) -> Closure {
-        let mut start: Vec<f64> = self.declared.iter().map(|value| value.unwrap_or(0.0)).collect();
-        let mut is_closed = true;
-        for Block { explicit, iterated, residuals } in &structure.blocks {
-            let unknowns: Vec<usize> = iterated.iter().copied().chain(explicit.iter().map(|explicit| explicit.unknown)).collect();
-            let equations: Vec<usize> = residuals.iter().copied().chain(explicit.iter().map(|explicit| explicit.equation)).collect();
-            // What is computed has one value only.
-            let is_open = iterated.iter().any(|unknown| self.declared[*unknown].is_none());
-            let mut problem = self.problem(&equations, unknowns, start);
-            let (found, closed) = self.search(&mut problem, if is_open { GUESSES } else { 1 });
-            start = problem.coordinates;
-            for (unknown, value) in problem.unknowns.iter().zip(found) {
-                start[*unknown] = value;
+    /// The assembly to start from, or how far an assembly was found.
+    fn assembled(&self, structure: &Structure) -> Assembled {
+        if self.system.unknowns.len() <= LARGEST || self.model.equations_only {
+            let found = self.search(&mut self.whole(), if self.declared.iter().all(Option::is_some) { 1 } else { search::GUESSES });
+            let is_closed = !found.assemblies.is_empty();
+            if is_closed || self.model.equations_only {
+                let mut assemblies = found.assemblies.into_iter();
+                let start = assemblies.next().unwrap_or(found.first);
+                return Assembled { start, is_closed, open: None, found: Vec::new(), others: assemblies.collect() };
             }
-            is_closed &= closed;
         }
-        Closure { start, is_closed }
+        self.in_order(structure)
     }
 
-    /// Tries guesses until every declared value is as near as it can be.
-    fn search(&self, problem: &mut Problem, guesses: usize) -> (Vec<f64>, bool) {
-        let declared: Vec<Option<f64>> = problem.unknowns.iter().map(|unknown| self.declared[*unknown]).collect();
-        let is_angle: Vec<bool> = problem.unknowns.iter().map(|unknown| self.system.unknowns[*unknown].dim == Dim::ANGLE).collect();
-        let size = self.size;
-        let mut best: Option<(f64, Vec<f64>)> = None;
-        let mut first = None;
-        for attempt in 0..guesses {
-            let free =
-                |index: usize| guess(attempt, problem.unknowns[index]) * if is_angle[index] { 1.0 } else { size / core::f64::consts::PI };
-            let mut q: Vec<f64> = (0..declared.len()).map(|index| declared[index].unwrap_or_else(|| free(index))).collect();
-            // With the angles given, the places follow from equations that are nearly linear in them.
-            let free: Vec<bool> = declared.iter().zip(&is_angle).map(|(value, is_angle)| value.is_none() && !is_angle).collect();
-            minimise(problem, &mut q, &free);
-            first.get_or_insert_with(|| q.clone());
-            let free: Vec<bool> = declared.iter().map(Option::is_none).collect();
-            minimise(problem, &mut q, &free);
-            let everything = vec![true; q.len()];
-            if !minimise(problem, &mut q, &everything) {
-                continue;
-            }
-            let distance = distance(&q, &declared, &is_angle, size);
-            if best.as_ref().is_none_or(|(least, _)| distance < *least * 0.999) {
-                best = Some((distance, q));
-            }
-            // Angles tell assemblies apart.
-            if declared.iter().zip(&is_angle).all(|(value, is_angle)| value.is_some() || !is_angle) {
-                break;
-            }
-        }
-        match best {
-            Some((_, start)) => (start.iter().zip(&problem.scales).map(|(value, scale)| without_noise(*value, *scale)).collect(), true),
-            None => (first.unwrap_or_default(), false),
-        }
+    /// What is zero to rounding is zero, for the eye that reads generated code.
+    fn rounded(&self, start: &[f64]) -> Vec<f64> {
+        let scale = |unknown: usize| if self.system.unknowns[unknown].dim == Dim::ANGLE { 1.0 } else { self.size };
+        start.iter().enumerate().map(|(unknown, value)| if value.abs() <= 1e-13 * scale(unknown) { 0.0 } else { *value }).collect()
     }
 
     /// All equations for all unknowns.
@@ -153,6 +142,7 @@ impl Room<'_> {
             is_known: rows.iter().map(|equation| equation.phi.is_some_and(|phi| is_known(self.model, self.system, phi))).collect(),
             pattern,
             evaluator: Evaluator::new(&self.system.arena, &roots),
+            shift: Vec::new(),
             known: self.known,
             scales: unknowns.iter().map(scale).collect(),
             unknowns,
@@ -164,33 +154,6 @@ impl Room<'_> {
 /// Where an unknown stands in a list; in the list of all it stands at its own place.
 fn place(unknowns: &[usize], unknown: usize) -> Option<usize> {
     if unknowns.get(unknown) == Some(&unknown) { Some(unknown) } else { unknowns.iter().position(|other| *other == unknown) }
-}
-
-/// What is zero to rounding is zero, for the eye that reads generated code.
-fn without_noise(value: f64, scale: f64) -> f64 {
-    if value.abs() <= 1e-13 * scale { 0.0 } else { value }
-}
-
-/// How far a configuration is from the declared start; undeclared angles count a little, so that
-/// of two assemblies the less turned one is taken.
-fn distance(q: &[f64], declared: &[Option<f64>], is_angle: &[bool], size: f64) -> f64 {
-    let part = |index: usize| {
-        let scale = if is_angle[index] { 1.0 } else { 1.0 / size };
-        match declared[index] {
-            Some(value) => ((q[index] - value) * scale).powi(2),
-            None if is_angle[index] => 1e-6 * q[index].powi(2),
-            None => 0.0,
-        }
-    };
-    (0..q.len()).map(part).sum()
-}
-
-/// The guess of an undeclared angle: first 0, then spread evenly over a turn, each angle its own way; places likewise.
-fn guess(attempt: usize, index: usize) -> f64 {
-    // Fractions of the golden section never repeat and fill the circle evenly.
-    let turns = (attempt as f64 * (index as f64 + 1.0) * 0.618_033_988_749_895).fract();
-    let turns = if turns > 0.5 { turns - 1.0 } else { turns };
-    if attempt == 0 { 0.0 } else { turns * core::f64::consts::TAU }
 }
 
 /// An expression without Rust functions.

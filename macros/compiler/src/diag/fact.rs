@@ -1,5 +1,6 @@
 //! What can be wrong with a declaration: facts with their numbers. `message.rs` has the words.
 
+use crate::closure::{Bound, Gap};
 use crate::model::Dim;
 
 /// Something wrong with a declaration.
@@ -14,6 +15,8 @@ pub enum Fact {
     Keyword { word: String },
     NumberType,
     UnknownAttribute { name: String },
+    ClosingWord { near: Option<String> },
+    AttributeTwice { name: String },
     TokensAfter { what: &'static str, help: &'static str },
     UnknownItem { word: String },
     UnknownBodyItem { word: String },
@@ -140,6 +143,12 @@ pub enum Fact {
     Contradicts { joint: String, others: Vec<String>, demand: Option<Demand>, off: String },
     Collides { joint: String, others: Vec<String>, off: String },
     TooManyEquations { joint: String, others: Vec<String>, equations: usize, coordinates: Vec<String>, free: Vec<String>, for_free: usize },
+    // The assembly at the declared defaults.
+    StaysOpen { joint: String, gap: Box<Gap>, others: Vec<String>, drives: Vec<String>, bound: Option<Box<Bound>> },
+    NeverCloses { joints: Vec<String>, drives: Vec<String>, bound: Option<Box<Bound>> },
+    HasNoValue { joint: String, row: usize, of: usize, drives: Vec<String> },
+    SingularStart { bodies: Vec<String>, in_line: bool, drives: Vec<String>, has_others: bool },
+    AmbiguousStart { body: String, coordinate: &'static str, is_angle: bool, values: [f64; 2], place: [f64; 2], is_declared: bool },
 }
 
 /// What a joint demands of a sum of coordinates, and what others make of it.

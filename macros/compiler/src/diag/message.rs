@@ -3,6 +3,8 @@
 //! A message starts lower-case and ends without a full stop; code stands in backticks; what to
 //! type comes after `help:`, a further fact after `note:`.
 
+mod assembly;
+
 use super::{Count, Demand, Fact};
 use crate::model::Dim;
 use std::fmt;
@@ -97,8 +99,12 @@ impl fmt::Display for Fact {
             Fact::UnknownAttribute { name } => {
                 write!(
                     f,
-                    "`#[{name}]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]` before `mechanism`"
+                    "`#[{name}]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]` and `#[closure(…)]` before `mechanism`"
                 )
+            }
+            Fact::AttributeTwice { name } => write!(f, "`#[{name}]` stands here twice\nhelp: take one of them away"),
+            Fact::ClosingWord { near } => {
+                write!(f, "`#[closure(…)]` takes one of `deny`, `allow` and `off`{}", did_you_mean(near))
             }
             Fact::TokensAfter { what, help } => write!(f, "nothing may follow {what}\nhelp: {help}"),
             Fact::UnknownItem { word } => {
@@ -564,6 +570,12 @@ impl fmt::Display for Fact {
                 }
                 write!(f, "\nnote: that is a mobility of -{surplus}\nhelp: take one of these joints away")
             }
+
+            Fact::StaysOpen { .. }
+            | Fact::NeverCloses { .. }
+            | Fact::HasNoValue { .. }
+            | Fact::SingularStart { .. }
+            | Fact::AmbiguousStart { .. } => assembly::write(f, self),
         }
     }
 }

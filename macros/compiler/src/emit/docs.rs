@@ -1,20 +1,23 @@
 //! What is written above generated items.
 
 use super::abridged::{Abridged, list};
+use crate::closure::Closure;
 use crate::expr::{Evaluator, Leaf, Values, show};
 use crate::model::{Function, Method, Model, Output, Parameter};
 use crate::picture::Picture;
 use crate::plan::{Code, Cost, Elimination, Plan, Solution, Summary};
+use crate::syntax::ast::Closing;
 use crate::system::System;
 use std::fmt::Write;
 
 /// The page of the generated struct: the picture, and tables of parameters, coordinates and equations.
-pub(super) fn mechanism(model: &Model, system: &System, plan: &Plan, picture: &Picture) -> String {
+pub(super) fn mechanism(model: &Model, system: &System, closure: &Closure, plan: &Plan, picture: &Picture) -> String {
     let mut page = String::new();
     let (n, m) = (system.unknowns.len(), system.equations.len());
     let drives: usize = model.joints.iter().filter(|joint| joint.is_drive).map(|joint| joint.residuals.len()).sum();
     let mobility = n as i64 - (m - drives) as i64;
     let _ = writeln!(page, "\n{n} coordinates, {m} equations, {drives} of them drives: mobility {mobility} without drives, as counted.");
+    page.push_str(&assembly(model, closure));
     // HTML in a page of Markdown stands between blank lines.
     let _ = writeln!(page, "\n{}\n{}", picture.svg().unwrap_or_default(), picture.words());
     parameters(&mut page, model, system);
@@ -41,6 +44,18 @@ pub(super) fn mechanism(model: &Model, system: &System, plan: &Plan, picture: &P
         self::solution(&mut page, model, system, solution);
     }
     page
+}
+
+/// What a mechanism accepts that others would be refused for.
+fn assembly(model: &Model, closure: &Closure) -> String {
+    match (&closure.remark, model.closing) {
+        (Some(remark), _) => {
+            let fact = remark.lines().next().unwrap_or_default();
+            format!("\nAt the declared defaults and t = 0, as `#[closure(allow)]` accepts: {fact}.\n")
+        }
+        (None, Closing::Off) => "\n`start` is as declared: with `#[closure(off)]` no assembly is looked for.\n".to_owned(),
+        (None, _) => String::new(),
+    }
 }
 
 /// What is found in which order.

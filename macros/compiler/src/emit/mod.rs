@@ -50,7 +50,7 @@ pub(crate) fn identifier(name: &str) -> Ident {
 /// The generated struct, its functions and its traits.
 pub(crate) fn emit(model: &Model, system: &System, closure: &Closure, plan: &Plan, picture: &Picture) -> TokenStream {
     let emitter = Emitter { model, system, plan };
-    let (structure, defaults) = (structure(model, &docs::mechanism(model, system, plan, picture)), defaults(model, system));
+    let (structure, defaults) = (structure(model, &docs::mechanism(model, system, closure, plan, picture)), defaults(model, system));
     let (constants, tables) = (constants(model, system, plan), tables(model));
     let equations = [emitter.phi(), emitter.jacobian(), emitter.linearize(), emitter.nu(), emitter.gamma()];
     let (start, length, validate) = (start(closure), emitter.characteristic_length(), emitter.validate());

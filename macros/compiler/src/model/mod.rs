@@ -38,7 +38,7 @@ pub use sketch::Sketch;
 pub use spline::{Ends, Table};
 
 use crate::expr::{Arena, Expr};
-use crate::syntax::ast::{Docs, Relation};
+use crate::syntax::ast::{Closing, Docs, Relation};
 use proc_macro2::{Ident, TokenStream};
 
 pub(crate) use definition::{check as check_definition, check_names};
@@ -58,6 +58,8 @@ pub struct Model {
     pub name: Ident,
     /// No `solve` is generated.
     pub equations_only: bool,
+    /// What is done where the declared defaults do not assemble.
+    pub closing: Closing,
     /// What the mechanism and its components are made of.
     pub layout: Layout,
     /// The fields of the generated structs.

@@ -36,6 +36,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
         visibility: tree.visibility.clone(),
         name: tree.name.clone(),
         equations_only: tree.equations_only,
+        closing: tree.closing,
         layout,
         parameters,
         bodies,

@@ -17,12 +17,26 @@ pub struct Mechanism {
     pub docs: Docs,
     /// `#[equations_only]`: no `solve` is generated, and the system need not be square.
     pub equations_only: bool,
+    /// `#[closure(…)]`
+    pub closing: Closing,
     /// `pub` and the like.
     pub visibility: TokenStream,
     /// Name of the generated struct.
     pub name: Ident,
     /// Everything between the braces, in the order written.
     pub items: Vec<Item>,
+}
+
+/// What is done where a mechanism does not assemble at its declared defaults, or not in one way that is clear.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Closing {
+    /// It is refused.
+    #[default]
+    Deny,
+    /// It is said in its documentation.
+    Allow,
+    /// No assembly is looked for.
+    Off,
 }
 
 /// Doc attributes as tokens, and their text.

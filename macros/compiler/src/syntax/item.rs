@@ -1,12 +1,13 @@
 //! The items of a mechanism.
 
 use super::ast::{
-    Argument, Docs, Expr, Frame, Function, Item, Joint, JointBody, Let, Limits, Mark, Marks, Mechanism, Output, Parameter, Refused, Start,
-    Use,
+    Argument, Closing, Docs, Expr, Frame, Function, Item, Joint, JointBody, Let, Limits, Mark, Marks, Mechanism, Output, Parameter,
+    Refused, Start, Use,
 };
 use super::definition::statement;
 use super::dimension::{dimension, required_dimension};
 use super::expression::{expression, indices};
+use super::options::{Options, options};
 use super::repeated::{component, part, repeated_items, repeated_marks};
 use super::tokens::{
     Parsed, arrow, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, name, parentheses, path, report, semicolon,
@@ -39,10 +40,7 @@ pub(super) fn mechanism(input: ParseStream, diag: &mut Diag) -> Option<Mechanism
 
 /// What stands before the items.
 fn head(input: ParseStream) -> Parsed<Mechanism> {
-    let (docs, options) = attributes(input)?;
-    if let Some(unknown) = options.iter().find(|option| *option != "equations_only") {
-        return wrong(unknown, Fact::UnknownAttribute { name: unknown.to_string() });
-    }
+    let (docs, options) = options(input)?;
     let visibility = visibility(input)?;
     if keyword(input).is_none_or(|word| word != "mechanism") {
         return expected(input, "`mechanism Name { … }`");
@@ -52,12 +50,20 @@ fn head(input: ParseStream) -> Parsed<Mechanism> {
     if name == "T" {
         return wrong(&name, Fact::NumberType);
     }
-    Ok(Mechanism { docs, equations_only: !options.is_empty(), visibility, name, items: Vec::new() })
+    let Options { equations_only, closing } = options;
+    Ok(Mechanism { docs, equations_only, closing, visibility, name, items: Vec::new() })
 }
 
 /// A mechanism of which only the name could be read.
 fn salvaged(name: Ident) -> Mechanism {
-    Mechanism { docs: Docs::default(), equations_only: false, visibility: quote::quote!(pub), name, items: Vec::new() }
+    Mechanism {
+        docs: Docs::default(),
+        equations_only: false,
+        closing: Closing::default(),
+        visibility: quote::quote!(pub),
+        name,
+        items: Vec::new(),
+    }
 }
 
 /// Where items stand.

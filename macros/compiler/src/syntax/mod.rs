@@ -11,6 +11,7 @@ mod definition;
 mod dimension;
 mod expression;
 mod item;
+mod options;
 mod repeated;
 mod tokens;
 

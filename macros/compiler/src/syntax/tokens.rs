@@ -183,8 +183,15 @@ fn scope(content: ParseStream) -> syn::Result<()> {
     Err(content.error("expected `crate`, `self`, `super` or `in path`"))
 }
 
-/// Doc comments, and the names of all other attributes.
-pub(super) fn attributes(input: ParseStream) -> Parsed<(Docs, Vec<Ident>)> {
+/// An attribute that is no doc comment: `#[name]` or `#[name(…)]`.
+pub(super) struct Attribute {
+    pub(super) name: Ident,
+    /// What stands after the name.
+    pub(super) rest: TokenStream,
+}
+
+/// Doc comments, and all other attributes.
+pub(super) fn attributes(input: ParseStream) -> Parsed<(Docs, Vec<Attribute>)> {
     let mut docs = Docs::default();
     let mut others = Vec::new();
     while input.peek(Token![#]) {
@@ -193,43 +200,43 @@ pub(super) fn attributes(input: ParseStream) -> Parsed<(Docs, Vec<Ident>)> {
             return expected(input, "`[`");
         }
         let group: Group = input.parse()?;
-        let (name, text) = syn::parse::Parser::parse2(attribute, group.stream())?;
+        let (name, text, rest) = syn::parse::Parser::parse2(attribute, group.stream())?;
         if name == "doc" {
             pound.to_tokens(&mut docs.tokens);
             group.to_tokens(&mut docs.tokens);
             docs.text.extend(text);
         } else {
-            others.push(name);
+            others.push(Attribute { name, rest });
         }
     }
     Ok((docs, others))
 }
 
-/// The name of an attribute, and the text of a doc comment.
-fn attribute(content: ParseStream) -> syn::Result<(Ident, Option<String>)> {
+/// The name of an attribute, the text of a doc comment, and what stands after the name of any other.
+fn attribute(content: ParseStream) -> syn::Result<(Ident, Option<String>, TokenStream)> {
     let name = Ident::parse_any(content)?;
     if name != "doc" {
-        content.parse::<TokenStream>()?;
-        return Ok((name, None));
+        return content.parse().map(|rest| (name, None, rest));
     }
+    let nothing = TokenStream::new();
     if content.peek(token::Paren) {
-        return content.parse::<Group>().map(|_| (name, None));
+        return content.parse::<Group>().map(|_| (name, None, nothing));
     }
     content.parse::<Token![=]>()?;
     if content.peek(LitStr) {
-        return content.parse::<LitStr>().map(|text| (name, Some(text.value())));
+        return content.parse::<LitStr>().map(|text| (name, Some(text.value()), nothing));
     }
     // `#[doc = include_str!("…")]`
     path(content).map_err(|refusal| refusal.to_error())?;
     content.parse::<Token![!]>()?;
-    content.parse::<Group>().map(|_| (name, None))
+    content.parse::<Group>().map(|_| (name, None, nothing))
 }
 
 /// Only doc comments may stand before most items.
 pub(super) fn docs(input: ParseStream) -> Parsed<Docs> {
     let (docs, others) = attributes(input)?;
     match others.first() {
-        Some(other) => wrong(other, Fact::UnknownAttribute { name: other.to_string() }),
+        Some(Attribute { name, .. }) => wrong(name, Fact::UnknownAttribute { name: name.to_string() }),
         None => Ok(docs),
     }
 }

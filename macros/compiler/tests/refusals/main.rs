@@ -3,6 +3,7 @@
 //! The guilty tokens stand between « and » in each source; the marks are taken out before it is read.
 
 mod arity;
+mod assembly;
 mod components;
 mod definitions;
 mod dimensions;

@@ -1,0 +1,122 @@
+//! Whether a block is singular at a configuration, and whether only there.
+//!
+//! In: a closed configuration. Out: a measure of the block's reduced Jacobian,
+//!
+//! ```text
+//! R = J_ri + J_re · de/di        r residuals, i iterated and e explicit unknowns, de/di by the explicit equations
+//! ```
+//!
+//! each entry relative to what an entry of its row can be and to what its unknown moves at all; it is 1 where the iterated unknowns
+//! are best determined and 0 where they are not. At a dead point of a four-bar it is the sine of the angle between coupler and rocker.
+
+use super::Room;
+use super::levenberg::{Problem, minimise, settle};
+use super::order::parts;
+use crate::expr::{Expr, Values, evaluate};
+use crate::structure::Block;
+
+/// Below this the block is singular: two assemblies are as near to each other as rounding lets them be found, √ε and some tens.
+const SINGULAR: f64 = 1e-6;
+
+/// Above this it is regular beyond doubt.
+const REGULAR: f64 = 1e-4;
+
+/// By how much rows are shifted to see whether the block is singular elsewhere too, in sizes or rad.
+const SHIFTS: [f64; 3] = [1e-2, 1e-3, 1e-4];
+
+impl Room<'_> {
+    /// Whether a block is singular at a closed configuration, and regular near it.
+    ///
+    /// A block whose rows depend on each other everywhere has values of them that no configuration near here attains but those
+    /// at which it is singular too; one that is singular only here is regular as soon as its rows are shifted in the right direction.
+    pub(super) fn is_singular_here(&self, block: &Block, start: &[f64]) -> bool {
+        let mut problem = self.block_problem(block, start);
+        let sizes = self.row_sizes(block, start);
+        let mut q: Vec<f64> = problem.unknowns.iter().map(|unknown| start[*unknown]).collect();
+        // Where it looks regular from some distance, nothing more is done: this is the usual case.
+        if measure(&mut problem, block, &sizes, &q) > REGULAR {
+            return false;
+        }
+        settle(&mut problem, &mut q);
+        if measure(&mut problem, block, &sizes, &q) > SINGULAR {
+            return false;
+        }
+        (0..24_u32).any(|attempt| {
+            let shift = SHIFTS[attempt as usize / 8];
+            let way = |index: usize| 2.0 * (f64::from(attempt % 8 + 1) * (index as f64 + 1.0) * 0.618_033_988_749_895).fract() - 1.0;
+            problem.shift = sizes.iter().enumerate().map(|(row, size)| shift * size * way(row)).collect();
+            // Exactly in line, a step has no reason to go to either side.
+            let mut near: Vec<f64> =
+                q.iter().zip(&problem.scales).enumerate().map(|(index, (value, scale))| value + shift * scale * way(index + 7)).collect();
+            let everything = vec![true; near.len()];
+            minimise(&mut problem, &mut near, &everything) && measure(&mut problem, block, &sizes, &near) > REGULAR
+        })
+    }
+
+    /// What an entry of each row of a block can be: its largest by any unknown of the mechanism, in scaled unknowns, or 1.
+    ///
+    /// By the block's own unknowns alone a row may be small just because the block is singular.
+    fn row_sizes(&self, block: &Block, start: &[f64]) -> Vec<f64> {
+        let scale = |unknown: usize| if self.is_angle(unknown) { 1.0 } else { self.size };
+        let size = |equation: &usize| {
+            let row = &self.system.equations[*equation].jacobian;
+            let entries: Vec<Expr> = row.iter().map(|(_, entry)| *entry).collect();
+            let values = evaluate(&self.system.arena, &entries, &Values { coordinates: start, ..self.known });
+            row.iter().zip(values).fold(0.0, |size: f64, ((unknown, _), value)| size.max((value * scale(*unknown)).abs()))
+        };
+        parts(block).1.iter().map(size).map(|size| if size > 0.0 && size.is_finite() { size } else { 1.0 }).collect()
+    }
+}
+
+/// The smallest pivot of the reduced Jacobian relative to the largest; 1 for a block that is not iterated.
+///
+/// Unknowns and rows of the problem are those of the block, iterated and residual ones first.
+fn measure(problem: &mut Problem, block: &Block, sizes: &[f64], q: &[f64]) -> f64 {
+    let (linear, k) = (problem.raw(q), block.iterated.len());
+    let row = |index: usize| linear.jacobian[index].iter().map(|entry| entry / sizes[index]).collect::<Vec<f64>>();
+    let rows: Vec<Vec<f64>> = (0..linear.jacobian.len()).map(row).collect();
+    if rows.len() != block.residuals.len() + block.explicit.len() || rows.iter().flatten().any(|entry| !entry.is_finite()) {
+        // A velocity-level row, or a row without value: nothing can be said.
+        return 1.0;
+    }
+    let mut reduced = vec![vec![0.0; k]; k];
+    for column in 0..k {
+        // How much each unknown moves with this one.
+        let mut moves = vec![0.0; q.len()];
+        moves[column] = 1.0;
+        let mut largest = rows.iter().fold(0.0, |largest: f64, row| largest.max(row[column].abs()));
+        for place in 0..block.explicit.len() {
+            let (row, own) = (&rows[k + place], k + place);
+            let along: f64 = row.iter().zip(&moves).enumerate().filter(|(other, _)| *other != own).map(|(_, (entry, by))| entry * by).sum();
+            moves[own] = -along / row[own];
+            largest = largest.max(moves[own].abs());
+        }
+        for (residual, reduced) in reduced.iter_mut().enumerate() {
+            let entry: f64 = rows[residual].iter().zip(&moves).map(|(entry, by)| entry * by).sum();
+            reduced[column] = if largest > 0.0 { entry / largest } else { 0.0 };
+        }
+    }
+    smallest_pivot(reduced)
+}
+
+/// Gauss's elimination with the largest pivot of all that is left; entries are at most about 1.
+fn smallest_pivot(mut a: Vec<Vec<f64>>) -> f64 {
+    let n = a.len();
+    let mut smallest = 1.0_f64;
+    for k in 0..n {
+        let left = (k..n).flat_map(|i| (k..n).map(move |j| (i, j)));
+        let Some((i, j)) = left.max_by(|one, two| a[one.0][one.1].abs().total_cmp(&a[two.0][two.1].abs())) else { return smallest };
+        a.swap(k, i);
+        a.iter_mut().for_each(|row| row.swap(k, j));
+        smallest = smallest.min(a[k][k].abs());
+        if a[k][k] == 0.0 {
+            return 0.0;
+        }
+        let (done, rest) = a.split_at_mut(k + 1);
+        for row in rest {
+            let multiplier = row[k] / done[k][k];
+            row[k..].iter_mut().zip(&done[k][k..]).for_each(|(entry, above)| *entry -= multiplier * above);
+        }
+    }
+    smallest
+}

@@ -1,0 +1,308 @@
+//! What is wrong with the assembly at the declared defaults, at t = 0.
+//!
+//! In: the assembly that was found, or how far one was found. Out: at most one fact, about the first block that
+//!
+//! 1. does not close: the last declared joint of the block that can be opened so that all others close, with its least gap;
+//! 2. closes, but is singular there and not everywhere;
+//! 3. closes in two ways that are equally near to the declared start.
+//!
+//! A block is judged only where every number upstream of it is known in the compiler: no row that uses a Rust function is.
+//! Not done here: rows that depend on each other everywhere.
+
+use super::Room;
+use super::gap::Opened;
+use super::links::{self, Link, Place};
+use super::loops::{Loop, Loops};
+use super::order::{Assembled, Upstream, parts};
+use super::shortest::{self, Bound};
+use crate::diag::{Fact, Range};
+use crate::model::Dim;
+use crate::structure::Structure;
+use std::collections::BTreeSet;
+
+/// Two links are in line when the sine of the angle between them is below this.
+const IN_LINE: f64 = 1e-5;
+
+/// A start that is nearer than this to the assembly tells it apart from any that is regular, in rad and sizes.
+const TOLD: f64 = 1e-3;
+
+/// How often an assembly that is equally near at its block is followed through the blocks after it.
+const MOST_FOLLOWED: usize = 8;
+
+/// The first thing that is wrong, and under which tokens.
+pub(super) fn judge(room: &Room, structure: &Structure, assembled: &mut Assembled) -> Option<(Range, Fact)> {
+    let upstream = Upstream::new(room, structure);
+    let is_sure = upstream.surety(room, structure);
+    let loops = Loops { room, structure, upstream: &upstream };
+    let judge = Judge { room, structure, upstream: &upstream, loops };
+    while let Some(open) = assembled.open {
+        match judge.open(open, &mut assembled.start) {
+            Some(refusal) => return Some(refusal),
+            // It closes after all: so may what comes after it.
+            None => *assembled = room.forward(structure, std::mem::take(&mut assembled.start), open + 1, &is_sure),
+        }
+    }
+    judge.prefer_regular(&is_sure, assembled);
+    let mut followed = 0;
+    judge
+        .iterated(&is_sure)
+        .find_map(|block| judge.singular(block, &assembled.start).or_else(|| judge.ambiguous(block, assembled, &mut followed)))
+}
+
+struct Judge<'a> {
+    room: &'a Room<'a>,
+    structure: &'a Structure,
+    upstream: &'a Upstream,
+    loops: Loops<'a>,
+}
+
+impl Judge<'_> {
+    /// The blocks that can be judged beyond whether they close.
+    fn iterated(&self, is_sure: &[bool]) -> impl Iterator<Item = usize> {
+        (0..is_sure.len()).filter(|block| is_sure[*block] && !self.structure.blocks[*block].iterated.is_empty())
+    }
+
+    /// Where nothing declared tells, an assembly that is regular is meant rather than one that is singular.
+    fn prefer_regular(&self, is_sure: &[bool], assembled: &mut Assembled) {
+        let is_regular =
+            |start: &[f64]| !self.iterated(is_sure).any(|block| self.room.is_singular_here(&self.structure.blocks[block], start));
+        if assembled.others.is_empty() || is_regular(&assembled.start) {
+            return;
+        }
+        let is_meant = |other: &&Vec<f64>| self.room.is_as_declared(&assembled.start, other) && is_regular(other);
+        if let Some(regular) = assembled.others.iter().find(is_meant) {
+            assembled.start = regular.clone();
+        }
+    }
+
+    /// A block that does not close; nothing is refused if it closes after all, and the start is where.
+    fn open(&self, index: usize, start: &mut [f64]) -> Option<(Range, Fact)> {
+        let room = self.room;
+        self.loops.complete(index, start);
+        let Loop { unknowns, equations, .. } = self.loops.around(index);
+        let joints: BTreeSet<usize> = equations.iter().map(|equation| room.system.equations[*equation].joint).collect();
+        if let Some(refusal) = self.without_value(&equations, self.drives(index), start) {
+            return Some(refusal);
+        }
+        // The last joint closes the loop, and a drive is asked for what it demands only if no joint can give way.
+        let (drives, others): (Vec<usize>, Vec<usize>) = joints.iter().rev().partition(|joint| room.model.joints[**joint].is_drive);
+        for joint in others.into_iter().chain(drives) {
+            match room.least_gap(&unknowns, &equations, start, joint) {
+                Opened::Others => {}
+                Opened::Closed(values) => {
+                    unknowns.iter().zip(values).for_each(|(unknown, value)| start[*unknown] = value);
+                    return None;
+                }
+                Opened::Open(gap) => {
+                    let fact = Fact::StaysOpen {
+                        joint: self.joint(joint),
+                        gap: Box::new(gap),
+                        others: joints
+                            .iter()
+                            .filter(|other| **other != joint && !room.model.joints[**other].is_drive)
+                            .map(|other| self.joint(*other))
+                            .collect(),
+                        drives: self.drives(index),
+                        bound: self.bound(index, start).map(Box::new),
+                    };
+                    return Some(((&room.model.joints[joint].name).into(), fact));
+                }
+            }
+        }
+        let last = *joints.last()?;
+        let fact = Fact::NeverCloses {
+            joints: joints.iter().map(|joint| self.joint(*joint)).collect(),
+            drives: self.drives(index),
+            bound: self.bound(index, start).map(Box::new),
+        };
+        Some(((&room.model.joints[last].name).into(), fact))
+    }
+
+    /// A row that is no number where the search came to.
+    fn without_value(&self, equations: &[usize], drives: Vec<String>, start: &[f64]) -> Option<(Range, Fact)> {
+        let all = &self.room.system.equations;
+        let values = super::Values { coordinates: start, ..self.room.known };
+        let has_value = |equation: &usize| {
+            let roots: Vec<super::Expr> = all[*equation].phi.into_iter().collect();
+            super::evaluate(&self.room.system.arena, &roots, &values).iter().all(|value| value.is_finite())
+        };
+        let equation = &all[*equations.iter().find(|equation| !has_value(equation))?];
+        let joint = &self.room.model.joints[equation.joint];
+        let fact = Fact::HasNoValue { joint: joint.name.to_string(), row: equation.row + 1, of: joint.residuals.len(), drives };
+        Some(((&joint.name).into(), fact))
+    }
+
+    /// A link that is too long for the others, for any drive or for this start of it.
+    fn bound(&self, index: usize, start: &[f64]) -> Option<Bound> {
+        let room = self.room;
+        let blocks = self.upstream.all(index).into_iter().chain([index]);
+        let equations: Vec<usize> = blocks.flat_map(|block| parts(&self.structure.blocks[block]).1).collect();
+        let always: Vec<usize> = equations.into_iter().filter(|equation| !self.is_of_drive(*equation)).collect();
+        let links = links::read(room, &always, start);
+        shortest::longest(room, &links, &|_| true, true).or_else(|| {
+            let Loop { equations, moving, .. } = self.loops.around(index);
+            let links = links::read(room, &equations, start);
+            shortest::longest(room, &links, &|body| moving.contains(&body), false)
+        })
+    }
+
+    /// A block that is at a dead point or a change point.
+    fn singular(&self, index: usize, start: &[f64]) -> Option<(Range, Fact)> {
+        let (room, block) = (self.room, &self.structure.blocks[index]);
+        if !room.is_singular_here(block, start) {
+            return None;
+        }
+        let bodies = self.loops.bodies(block);
+        let iterated: BTreeSet<usize> = block.iterated.iter().map(|unknown| room.system.unknowns[*unknown].body).collect();
+        let in_line = self.in_line(index, &bodies, start);
+        let named = in_line.as_ref().unwrap_or(&iterated);
+        let names = named.iter().map(|body| room.model.bodies[*body].name.to_string()).collect();
+        let fact = Fact::SingularStart {
+            bodies: names,
+            in_line: in_line.is_some(),
+            drives: self.drives(index),
+            has_others: self.has_regular_others(index, start),
+        };
+        // The drive that brings it there is to blame.
+        let drive = self.upstream_drives(index).into_iter().next().map(|joint| Range::from(&room.model.joints[joint].name));
+        let body = iterated.last().map(|body| Range::from(&room.model.bodies[*body].name));
+        Some((drive.or(body)?, fact))
+    }
+
+    /// Whether a block has other assemblies, that are not singular.
+    fn has_regular_others(&self, index: usize, start: &[f64]) -> bool {
+        let block = &self.structure.blocks[index];
+        self.room.other_assemblies(self.structure, index, start).into_iter().any(|values| {
+            let mut other = start.to_vec();
+            parts(block).0.iter().zip(values).for_each(|(unknown, value)| other[*unknown] = value);
+            !self.room.is_singular_here(block, &other)
+        })
+    }
+
+    /// The two bodies of a loop whose joints lie on one straight line.
+    fn in_line(&self, index: usize, bodies: &BTreeSet<usize>, start: &[f64]) -> Option<BTreeSet<usize>> {
+        let links = links::read(self.room, &self.loops.around(index).equations, start);
+        let mut places: Vec<Place> = Vec::new();
+        for link in &links {
+            match link {
+                Link::Pin(one, other) | Link::Rod(one, other, _) => places.extend([*one, *other]),
+                Link::Line(place, ..) => places.push(*place),
+            }
+        }
+        let direction = |body: &usize| {
+            let of_body: Vec<&Place> = places.iter().filter(|place| place.body == Some(*body)).collect();
+            let [one, other] = of_body.as_slice() else { return None };
+            let along = [other.at[0] - one.at[0], other.at[1] - one.at[1]];
+            let length = along[0].hypot(along[1]);
+            (length > 0.0).then(|| [along[0] / length, along[1] / length])
+        };
+        let directions: Option<Vec<[f64; 2]>> = bodies.iter().map(direction).collect();
+        let directions = directions.filter(|directions| directions.len() == 2)?;
+        let sine = directions[0][0] * directions[1][1] - directions[0][1] * directions[1][0];
+        (sine.abs() < IN_LINE).then(|| bodies.clone())
+    }
+
+    /// A block that closes in two ways that are equally near.
+    fn ambiguous(&self, index: usize, assembled: &Assembled, followed: &mut usize) -> Option<(Range, Fact)> {
+        let (room, block, start) = (self.room, &self.structure.blocks[index], &assembled.start);
+        let (unknowns, _) = parts(block);
+        if unknowns.iter().all(|unknown| room.declared[*unknown].is_none_or(|declared| self.is_told(*unknown, declared, start)))
+            && block.iterated.iter().all(|unknown| room.declared[*unknown].is_some())
+        {
+            return None;
+        }
+        let values: Vec<f64> = unknowns.iter().map(|unknown| start[*unknown]).collect();
+        let mut problem = room.block_problem(block, start);
+        let image = room.mirrored(&mut problem, &values);
+        let found = match assembled.found.get(index) {
+            Some(found) if !found.is_empty() => found.clone(),
+            _ => room.search(&mut problem, super::search::GUESSES).assemblies,
+        };
+        for values in image.into_iter().chain(found) {
+            let mut other = start.clone();
+            unknowns.iter().zip(values).for_each(|(unknown, value)| other[*unknown] = value);
+            let differing = room.differing(start, &other);
+            if differing.is_empty() || !room.are_equally_near(start, &other) || *followed >= MOST_FOLLOWED {
+                continue;
+            }
+            *followed += 1;
+            if self.follow(index, &mut other) && room.are_equally_near(start, &other) {
+                return Some(self.two_ways(&differing, start, &other));
+            }
+        }
+        None
+    }
+
+    fn is_told(&self, unknown: usize, declared: f64, start: &[f64]) -> bool {
+        let scale = if self.room.is_angle(unknown) { 1.0 } else { self.room.size };
+        (start[unknown] - declared).abs() < TOLD * scale
+    }
+
+    /// Takes all that depends on a block to the nearest assembly that goes with it; whether there is one.
+    fn follow(&self, index: usize, start: &mut [f64]) -> bool {
+        for (later, block) in self.structure.blocks.iter().enumerate().skip(index + 1) {
+            if !self.upstream.all(later).contains(&index) {
+                continue;
+            }
+            let (values, closes) = self.room.nearest(block, start);
+            if !closes {
+                return false;
+            }
+            parts(block).0.iter().zip(values).for_each(|(unknown, value)| start[*unknown] = value);
+        }
+        true
+    }
+
+    /// Names a coordinate that tells the two apart: an angle if there is one, of the body declared last.
+    fn two_ways(&self, differing: &[usize], one: &[f64], other: &[f64]) -> (Range, Fact) {
+        let room = self.room;
+        let half_a_turn = |angle: f64| angle - (angle / core::f64::consts::TAU).round() * core::f64::consts::TAU;
+        let apart = |unknown: usize| {
+            let by = one[unknown] - other[unknown];
+            if room.is_angle(unknown) { half_a_turn(by).abs() } else { by.abs() / room.size }
+        };
+        let angles: Vec<usize> = differing.iter().copied().filter(|unknown| room.is_angle(*unknown)).collect();
+        let candidates = if angles.is_empty() { differing.to_vec() } else { angles };
+        let most = candidates.iter().map(|unknown| apart(*unknown)).fold(0.0, f64::max);
+        // Of those that differ well the last one: the body that closes the loop.
+        let unknown = candidates.iter().copied().rfind(|unknown| apart(*unknown) >= most / 2.0).unwrap_or(differing[0]);
+        let is_angle = room.system.unknowns[unknown].dim == Dim::ANGLE;
+        let shown = |q: &[f64]| if is_angle { half_a_turn(q[unknown]) } else { q[unknown] };
+        let body = room.system.unknowns[unknown].body;
+        let name = &room.model.bodies[body].name;
+        let of_body = |what: &str, q: &[f64]| {
+            let found = room.system.unknowns.iter().position(|unknown| unknown.body == body && unknown.name == what);
+            found.map_or(0.0, |unknown| q[unknown])
+        };
+        // The positive one is offered.
+        let (one, other) = if shown(one) < shown(other) { (other, one) } else { (one, other) };
+        let fact = Fact::AmbiguousStart {
+            body: name.to_string(),
+            coordinate: room.system.unknowns[unknown].name,
+            is_angle,
+            values: [shown(one), shown(other)],
+            place: [of_body("x", one), of_body("y", one)],
+            is_declared: differing.iter().any(|unknown| room.declared[*unknown].is_some()),
+        };
+        (name.into(), fact)
+    }
+
+    fn joint(&self, joint: usize) -> String {
+        self.room.model.joints[joint].name.to_string()
+    }
+
+    fn is_of_drive(&self, equation: usize) -> bool {
+        self.room.model.joints[self.room.system.equations[equation].joint].is_drive
+    }
+
+    /// The drives on which a block depends, its own among them.
+    fn upstream_drives(&self, index: usize) -> BTreeSet<usize> {
+        let blocks = self.upstream.all(index).into_iter().chain([index]);
+        let equations = blocks.flat_map(|block| parts(&self.structure.blocks[block]).1);
+        equations.filter(|equation| self.is_of_drive(*equation)).map(|equation| self.room.system.equations[equation].joint).collect()
+    }
+
+    fn drives(&self, index: usize) -> Vec<String> {
+        self.upstream_drives(index).into_iter().map(|joint| self.joint(joint)).collect()
+    }
+}

@@ -1,0 +1,128 @@
+//! What is said of the assembly at the declared defaults.
+
+use super::{Fact, list};
+use crate::closure::{Bound, Gap};
+use std::fmt::{Formatter, Result};
+
+pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
+    match fact {
+        Fact::StaysOpen { joint, gap, others, drives, bound } => {
+            write!(f, "`{joint}` stays open by {}", of_gap(gap))?;
+            let with = if others.len() == 1 { "is" } else { "are" };
+            if !others.is_empty() {
+                write!(f, " when {} {with} closed", list(others))?;
+            }
+            remedy(f, drives, bound.as_deref())
+        }
+        Fact::NeverCloses { joints, drives, bound } => {
+            write!(f, "no way was found to close {} together, not even with one of them left open", list(joints))?;
+            remedy(f, drives, bound.as_deref())
+        }
+        Fact::HasNoValue { joint, row, of, drives } => {
+            if *of == 1 {
+                write!(f, "the equation")?
+            } else {
+                write!(f, "equation {row} of {of}")?
+            }
+            write!(f, " of `{joint}` has no value near the start: a root of something negative, or a division by zero")?;
+            write!(f, "\nhelp: declare a `start` at which it has one")?;
+            if drives.is_empty() { Ok(()) } else { write!(f, ", or let {} have another value at t = 0", list(drives)) }
+        }
+        Fact::SingularStart { bodies, in_line, drives, has_others } => {
+            let (is, verb) = if bodies.len() == 1 { ("is", "stands") } else { ("are", "stand") };
+            if *in_line {
+                write!(f, "the start is singular: {} {is} in line at t = 0", list(bodies))?;
+            } else {
+                write!(f, "the start is singular: {} {verb} at a dead point at t = 0", list(bodies))?;
+            }
+            write!(f, "\nnote: two assemblies meet there, and how fast {} {is} moving is not determined", list(bodies))?;
+            let elsewhere = if *has_others { "declare a `start` that leads to another assembly, or " } else { "" };
+            match drives.as_slice() {
+                [] => write!(f, "\nhelp: {elsewhere}change a length or a place"),
+                drives => write!(f, "\nhelp: {elsewhere}let {} have another value at t = 0", list(drives)),
+            }
+        }
+        Fact::AmbiguousStart { body, coordinate, is_angle, values, place, is_declared } => {
+            let shown = |value: f64| if *is_angle { degrees(value) } else { millimetres(value) };
+            let [one, other] = values.map(shown);
+            let near = if *is_declared { "equally near the declared start" } else { "equally near" };
+            write!(f, "two assemblies are {near}: `{body}.{coordinate}` = {one} or {other}")?;
+            let of = if body.contains(['.', '[']) { format!("the body `{body}`") } else { format!("`body {body}`") };
+            if *is_angle {
+                return write!(f, "\nhelp: write `start angle = {}deg;` in {of}", between(*values));
+            }
+            let [x, y] = place.map(|value| significant(value * 1e3));
+            write!(f, "\nhelp: write `start position = ({x}mm, {y}mm);` in {of}")
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Why it does not close, if that is known, and what to do.
+fn remedy(f: &mut Formatter, drives: &[String], bound: Option<&Bound>) -> Result {
+    if let Some(bound) = bound {
+        write!(f, "\nnote: {}", of_bound(bound))?;
+    }
+    write!(f, "\nhelp: change a length or a place")?;
+    match (drives.is_empty(), bound) {
+        (true, _) => Ok(()),
+        (_, Some(Bound { is_always: true, .. })) => write!(f, ": no value of {} helps", list(drives)),
+        _ => write!(f, ", or let {} have another value at t = 0", list(drives)),
+    }
+}
+
+/// `50 mm`, `3.5°`, `50 mm and 3.5°`
+fn of_gap(Gap { length, angle, other }: &Gap) -> String {
+    let mut parts = Vec::new();
+    // What is far less than the others is not worth a word: a radian counts as a metre here.
+    let most = other.as_ref().map_or(0.0, |(other, _)| *other).max(*length).max(*angle);
+    if *length > 1e-6 * most {
+        parts.push(millimetres(*length));
+    }
+    if *angle > 1e-6 * most {
+        parts.push(degrees(*angle));
+    }
+    if let Some((other, unit)) = other
+        && *other > 1e-6 * most
+    {
+        parts.push(format!("{} {unit}", significant(*other)).trim_end().to_owned());
+    }
+    parts.join(" and ")
+}
+
+/// `crank` (100 mm) + `coupler` (200 mm) is 30 mm short of `ground` (330 mm)
+fn of_bound(bound: &Bound) -> String {
+    let with_length = |(name, length): &(String, f64)| format!("{name} ({})", millimetres(*length));
+    let (missing, span) = (millimetres(bound.missing()), with_length(&bound.span));
+    let ways: Vec<String> = bound.ways.iter().filter(|(_, length)| *length > 0.0).map(with_length).collect();
+    match ways.len() {
+        0 => format!("{span} should be nothing"),
+        1 => format!("{} is {missing} shorter than {span}", ways[0]),
+        _ => format!("{} is {missing} short of {span}", ways.join(" + ")),
+    }
+}
+
+fn millimetres(length: f64) -> String {
+    format!("{} mm", significant(length * 1e3))
+}
+
+fn degrees(angle: f64) -> String {
+    format!("{}°", significant(angle.to_degrees()))
+}
+
+/// Four digits and no zeros after them.
+fn significant(value: f64) -> String {
+    let digits = if value == 0.0 { 0 } else { value.abs().log10().floor() as i32 };
+    let decimals = (3 - digits).clamp(0, 9) as usize;
+    let text = format!("{value:.decimals$}");
+    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+/// The first of two angles in degrees, with as few digits as tell it from the other.
+fn between([one, other]: [f64; 2]) -> String {
+    let (one, other) = (one.to_degrees(), other.to_degrees());
+    let decimals = (0..6).find(|decimals| (one - other).abs() * 10.0_f64.powi(*decimals) > 4.0).unwrap_or(6) as usize;
+    let text = format!("{one:.decimals$}");
+    if text == "-0" { "0".to_owned() } else { text }
+}

@@ -1,0 +1,51 @@
+//! What stands before a mechanism: doc comments, `#[equations_only]`, `#[closure(…)]`.
+
+use super::ast::{Closing, Docs};
+use super::tokens::{Attribute, Parsed, attributes, wrong};
+use crate::diag::Fact;
+use crate::model::suggest::nearest;
+use syn::ext::IdentExt;
+use syn::parse::{ParseStream, Parser};
+
+/// What is asked for the mechanism as a whole.
+pub(super) struct Options {
+    pub(super) equations_only: bool,
+    pub(super) closing: Closing,
+}
+
+/// Doc comments and options, in any order.
+pub(super) fn options(input: ParseStream) -> Parsed<(Docs, Options)> {
+    let (docs, attributes) = attributes(input)?;
+    let (mut equations_only, mut closing) = (None, None);
+    for attribute in attributes {
+        let name = attribute.name.to_string();
+        let again = match name.as_str() {
+            "equations_only" => equations_only.replace(()).is_some(),
+            "closure" => closing.replace(self::closing(&attribute)?).is_some(),
+            _ => return wrong(&attribute.name, Fact::UnknownAttribute { name }),
+        };
+        if again {
+            return wrong(&attribute.name, Fact::AttributeTwice { name });
+        }
+    }
+    Ok((docs, Options { equations_only: equations_only.is_some(), closing: closing.unwrap_or_default() }))
+}
+
+/// `#[closure(deny)]`, `#[closure(allow)]`, `#[closure(off)]`
+fn closing(attribute: &Attribute) -> Parsed<Closing> {
+    let word = |content: ParseStream| {
+        let inner;
+        syn::parenthesized!(inner in content);
+        let word = syn::Ident::parse_any(&inner)?;
+        if inner.is_empty() { Ok(word) } else { Err(inner.error("one word")) }
+    };
+    let Ok(word) = word.parse2(attribute.rest.clone()) else {
+        return wrong(&attribute.name, Fact::ClosingWord { near: None });
+    };
+    match word.to_string().as_str() {
+        "deny" => Ok(Closing::Deny),
+        "allow" => Ok(Closing::Allow),
+        "off" => Ok(Closing::Off),
+        other => wrong(&word, Fact::ClosingWord { near: nearest(other, ["deny", "allow", "off"].into_iter()) }),
+    }
+}

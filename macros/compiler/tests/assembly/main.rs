@@ -1,0 +1,53 @@
+//! Assembly at the declared defaults: what closes, by how much the rest stays open, held against plane geometry.
+
+mod accepted;
+mod gaps;
+mod starts;
+
+use reuleaux_compiler::Compiled;
+use reuleaux_compiler::diag::Fact;
+
+/// Compiles a mechanism that must be accepted.
+fn accepted(source: &str) -> Compiled {
+    let compiled = reuleaux_compiler::compile(source.parse().expect("tokens"));
+    compiled.unwrap_or_else(|refusals| panic!("{}\nin {source}", refusals[0].fact))
+}
+
+/// The one fact for which a mechanism is refused.
+fn refused(source: &str) -> Fact {
+    let refusals = reuleaux_compiler::compile(source.parse().expect("tokens")).expect_err(source);
+    assert_eq!(refusals.len(), 1, "{source}");
+    refusals[0].fact.clone()
+}
+
+/// The value of a coordinate at the start.
+fn start(compiled: &Compiled, name: &str) -> f64 {
+    let (system, model) = (&compiled.system, &compiled.model);
+    let is_wanted = |unknown: &reuleaux_compiler::system::Unknown| format!("{}.{}", model.bodies[unknown.body].name, unknown.name) == name;
+    compiled.closure.start[system.unknowns.iter().position(is_wanted).expect(name)]
+}
+
+/// A four-bar with pivots at (0, 0) and (ground, 0), in mm and degrees.
+fn four_bar([ground, crank, coupler, rocker]: [f64; 4], angle: f64, starts: &str) -> String {
+    format!(
+        "mechanism FourBar {{ ground {{ point C = ({ground}mm, 0mm); }} body crank {{ point A = ({crank}mm, 0mm); }}
+            body coupler {{ point B = ({coupler}mm, 0mm); }} body rocker {{ point B = ({rocker}mm, 0mm); {starts} }}
+            joint o = revolute(ground.position, crank.position); joint a = revolute(crank.A, coupler.position);
+            joint b = revolute(coupler.B, rocker.B); joint c = revolute(rocker.position, ground.C);
+            drive input = drive_angle(crank, ({angle}) * 1deg + 1rad_s * t); }}"
+    )
+}
+
+/// Marsaglia's xorshift.
+struct Random(u64);
+
+impl Random {
+    fn between(&mut self, from: f64, to: f64) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        // Three decimals, so that what is written is what is meant.
+        let share = (self.0 >> 11) as f64 / (1_u64 << 53) as f64;
+        ((from + (to - from) * share) * 1e3).round() / 1e3
+    }
+}

@@ -1,0 +1,50 @@
+//! Mechanisms that do not assemble at their declared defaults, or not in one clear way; numbers are in `tests/assembly`.
+
+/// A four-bar on a ground of 400 mm, with a crank of 100 mm; links and the drive follow.
+macro_rules! four_bar {
+    ($($name:ident: $links:literal => $words:literal;)*) => {
+        $(#[test] fn $name() {
+            let frame = "ground { point C = (400mm, 0mm); } body crank { point A = (100mm, 0mm); }
+                joint o = revolute(ground.position, crank.position); joint a = revolute(crank.A, coupler.position);
+                joint b = revolute(coupler.B, rocker.B);";
+            crate::mechanism(&format!("mechanism FourBar {{ {frame} {} }}", $links), $words);
+        })*
+    };
+}
+
+four_bar! {
+    links_are_too_short: "body coupler { point B = (100mm, 0mm); } body rocker { point B = (150mm, 0mm); } joint «c» = revolute(rocker.position, ground.C); drive input = drive_angle(crank, 1rad_s * t);"
+        => "`c` stays open by 50 mm when `o`, `a` and `b` are closed\nnote: `crank` (100 mm) + `coupler` (100 mm) + `rocker` (150 mm) is 50 mm short of `ground` (400 mm)\nhelp: change a length or a place: no value of `input` helps";
+    a_link_is_too_long: "body coupler { point B = (900mm, 0mm); } body rocker { point B = (150mm, 0mm); } joint «c» = revolute(rocker.position, ground.C); drive input = drive_angle(crank, 1rad_s * t);"
+        => "`c` stays open by 450 mm when `o`, `a` and `b` are closed\nnote: `crank` (100 mm) + `ground` (400 mm) + `rocker` (150 mm) is 250 mm short of `coupler` (900 mm)\nhelp: change a length or a place: no value of `input` helps";
+    links_are_too_short_for_this_angle: "body coupler { point B = (180mm, 0mm); } body rocker { point B = (150mm, 0mm); } joint «c» = revolute(rocker.position, ground.C); drive input = drive_angle(crank, 180deg + 1rad_s * t);"
+        => "`c` stays open by 170 mm when `o`, `a` and `b` are closed\nnote: `coupler` (180 mm) + `rocker` (150 mm) is 170 mm short of the distance from `a` to `c` (500 mm)\nhelp: change a length or a place, or let `input` have another value at t = 0";
+    nothing_tells_two_assemblies_apart: "body coupler { point B = (350mm, 0mm); } body «rocker» { point B = (300mm, 0mm); } joint c = revolute(rocker.position, ground.C); drive input = drive_angle(crank, 1rad_s * t);"
+        => "two assemblies are equally near: `rocker.angle` = 108.6° or -108.6°\nhelp: write `start angle = 109deg;` in `body rocker`";
+    a_start_between_two_assemblies: "body coupler { point B = (350mm, 0mm); } body «rocker» { point B = (300mm, 0mm); start angle = 180deg; } joint c = revolute(rocker.position, ground.C); drive input = drive_angle(crank, 1rad_s * t);"
+        => "two assemblies are equally near the declared start: `rocker.angle` = 108.6° or -108.6°\nhelp: write `start angle = 109deg;` in `body rocker`";
+    a_parallelogram_at_its_change_point: "body coupler { point B = (400mm, 0mm); } body rocker { point B = (100mm, 0mm); } joint c = revolute(rocker.position, ground.C); drive «input» = drive_angle(crank, 1rad_s * t);"
+        => "the start is singular: `coupler` and `rocker` are in line at t = 0\nnote: two assemblies meet there, and how fast `coupler` and `rocker` are moving is not determined\nhelp: let `input` have another value at t = 0";
+    a_rocker_at_its_dead_point: "body coupler { point B = (150mm, 0mm); } body rocker { point B = (150mm, 0mm); } joint c = revolute(rocker.position, ground.C); drive «input» = drive_angle(crank, 1rad_s * t);"
+        => "the start is singular: `coupler` and `rocker` are in line at t = 0\nnote: two assemblies meet there, and how fast `coupler` and `rocker` are moving is not determined\nhelp: let `input` have another value at t = 0";
+}
+
+crate::refusals! {
+    mechanism slider_out_of_reach: "mechanism Slider { ground { axis u = (1, 0); point P = (0mm, 120mm); } body crank { point A = (50mm, 0mm); } body rod { point B = (90mm, 0mm); } body piston {} joint o = revolute(ground.position, crank.position); joint a = revolute(crank.A, rod.position); joint b = revolute(rod.B, piston.position); joint «c» = translational(ground.u, ground.P, piston.position); drive input = drive_angle(crank, 1rad_s * t); }"
+        => "`c` stays open by 30 mm when `o`, `a` and `b` are closed\nnote: `rod` (90 mm) is 30 mm shorter than the distance of `a` from the line of `c` (120 mm)\nhelp: change a length or a place, or let `input` have another value at t = 0";
+    mechanism wheels_too_far_apart: "mechanism Idler { param r: Length = 40mm; ground { point B = (170mm, 0mm); } body idler { } joint one = distance(ground.position, idler.position, 2 * r); joint «two» = distance(ground.B, idler.position, 2 * r); drive input = drive_angle(idler, 1rad_s * t); }"
+        => "`two` stays open by 10 mm when `one` is closed\nnote: `one` (80 mm) + `two` (80 mm) is 10 mm short of `ground` (170 mm)\nhelp: change a length or a place";
+    mechanism tilted_too_far: "mechanism Slider { ground { axis u = (1, 0); } body crank { point A = (50mm, 0mm); } body rod { point B = (100mm, 0mm); } body piston {} joint o = revolute(ground.position, crank.position); joint a = revolute(crank.A, rod.position); joint b = revolute(rod.B, piston.position); joint c = translational(ground.u, ground.position, piston.position); joint «tilt» = absolute_angle(rod, 40deg); }"
+        => "`tilt` stays open by 10° when `o`, `a`, `b` and `c` are closed\nhelp: change a length or a place";
+    mechanism driven_at_its_dead_point: "mechanism Slider { ground { axis u = (1, 0); } body crank { point A = (50mm, 0mm); } body rod { point B = (150mm, 0mm); } body piston {} joint o = revolute(ground.position, crank.position); joint a = revolute(crank.A, rod.position); joint b = revolute(rod.B, piston.position); joint c = translational(ground.u, ground.position, piston.position); drive «input» = drive_x(piston.position, 200mm + 10mm_s * t); }"
+        => "the start is singular: `crank` and `rod` are in line at t = 0\nnote: two assemblies meet there, and how fast `crank` and `rod` are moving is not determined\nhelp: let `input` have another value at t = 0";
+    mechanism a_place_on_either_side: "mechanism Peg { ground { point F = (-150mm, 0mm); point G = (150mm, 0mm); } body «peg» { } joint one = distance(ground.F, peg.position, 250mm); joint two = distance(ground.G, peg.position, 250mm); joint level = absolute_angle(peg, 0); }"
+        => "two assemblies are equally near: `peg.y` = 200 mm or -200 mm\nhelp: write `start position = (0mm, 200mm);` in `body peg`";
+    mechanism one_of_many: "mechanism Row { ground { for i in 0..5 { point C[i] = (400mm, 0mm); } } for i in 0..5 { body crank[i] { point A = (100mm, 0mm); } body coupler[i] { point B = (300mm - i * 50mm, 0mm); start angle = 40deg; } body rocker[i] { point B = (300mm - i * 50mm, 0mm); start angle = 120deg; } joint o[i] = revolute(ground.position, crank[i].position); joint a[i] = revolute(crank[i].A, coupler[i].position); joint b[i] = revolute(coupler[i].B, rocker[i].B); joint «c»[i] = revolute(rocker[i].position, ground.C[i]); drive input[i] = drive_angle(crank[i], 90deg + 1rad_s * t); } }"
+        => "`c[2]` stays open by 12.31 mm when `o[2]`, `a[2]` and `b[2]` are closed\nnote: `coupler[2]` (200 mm) + `rocker[2]` (200 mm) is 12.31 mm short of the distance from `a[2]` to `c[2]` (412.3 mm)\nhelp: change a length or a place, or let `input[2]` have another value at t = 0";
+    mechanism an_equation_out_of_range: "mechanism Wave { body b {} joint o = revolute((0mm, 0mm), b.position); joint «s» = { sin(b.angle) == 1.5; } }"
+        => "`s` stays open by 0.5 when `o` is closed\nhelp: change a length or a place";
+    mechanism word_of_closure: "#[closure(«alow»)] mechanism Crank { body crank {} }" => "`#[closure(…)]` takes one of `deny`, `allow` and `off`\nhelp: did you mean `allow`?";
+    mechanism no_word_of_closure: "#[«closure»] mechanism Crank { body crank {} }" => "`#[closure(…)]` takes one of `deny`, `allow` and `off`";
+    mechanism closure_twice: "#[closure(off)] #[«closure»(allow)] mechanism Crank { body crank {} }" => "`#[closure]` stands here twice\nhelp: take one of them away";
+}
