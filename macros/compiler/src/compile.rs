@@ -135,9 +135,12 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     // Every name is an id, every quantity has a dimension.
     let system = system::assemble(&model, diag)?;
     // There are unknowns and equations only, with all their derivatives.
-    let structure = structure::analyze(&model, &system, diag)?;
+    let checked = closure::surplus(&model, &system, diag)?;
+    // Of equations that follow from others it is known which are checked instead of solved.
+    let structure = structure::analyze(&model, &system, &checked, diag)?;
     // Every unknown belongs to a block, and the blocks are in order.
     let closure = closure::close(&model, &system, &structure);
+    closure::equations_are_independent(&model, &system, &structure, &closure, diag)?;
     // There is a configuration to start from.
     let plan = plan::schedule(&model, &system, &structure, &closure);
     // Nothing is left to decide.

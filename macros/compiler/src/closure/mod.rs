@@ -9,8 +9,12 @@
 
 mod levenberg;
 mod poses;
+mod rank;
+mod redundancy;
+mod tour;
 
 pub(crate) use poses::Poses;
+pub(crate) use redundancy::{equations_are_independent, surplus};
 
 use crate::expr::{Evaluator, Expr, Node, Values, evaluate};
 use crate::model::{Dim, Function, Model};

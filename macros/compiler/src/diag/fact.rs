@@ -125,6 +125,9 @@ pub enum Fact {
     NoBodies { name: String },
     BodyIsFree { body: String },
     Repeats { joint: String, other: String },
+    FollowsFrom { joint: String, is_drive: bool, rows: usize, of: usize, others: Vec<String>, free: Vec<String>, moves: bool },
+    NotRedundant { joint: String, free: Vec<String> },
+    Contradicts { joint: String, bodies: Vec<String>, length: Option<f64>, angle: Option<f64>, time: f64, is_redundant: bool },
     TooFewEquations { name: String, coordinates: usize, equations: usize, missing: usize, drives: usize, candidates: Vec<String> },
     TooManyEquations { joint: String, others: Vec<String>, equations: usize, coordinates: Vec<String>, free: Vec<String>, for_free: usize },
 }

@@ -33,6 +33,14 @@ impl Incidence {
             .map(|equation| steady(equation.jacobian.iter().map(entry).collect(), &equation.jacobian, &system.arena));
         Incidence { unknowns: system.unknowns.len(), rows: rows.collect() }
     }
+
+    /// The pattern with some rows set aside: nothing stands in them.
+    pub(super) fn without(mut self, rows: &BTreeSet<usize>) -> Incidence {
+        for row in rows {
+            self.rows[*row].clear();
+        }
+        self
+    }
 }
 
 /// A constant much smaller than the largest of its row would blow up rounding errors.

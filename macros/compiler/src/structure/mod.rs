@@ -16,6 +16,7 @@ mod components;
 mod incidence;
 mod matching;
 mod parts;
+mod pieces;
 mod tearing;
 #[cfg(test)]
 mod tests;
@@ -25,12 +26,16 @@ use crate::diag::Diag;
 use crate::model::Model;
 use crate::system::System;
 use incidence::Incidence;
+pub(crate) use pieces::{Piece, surplus};
+use std::collections::BTreeSet;
 
 /// The order of solution.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Structure {
     /// Solved one after the other.
     pub blocks: Vec<Block>,
+    /// Equations that follow from the others in every position: they are checked, not solved.
+    pub checked: Vec<usize>,
 }
 
 /// Unknowns that are found together.
@@ -55,14 +60,14 @@ pub struct Explicit {
 
 /// Decides which unknowns are found from which equations, and in which order.
 ///
-/// Where only equations are wanted they need not fit the unknowns, and what does not fit is in no block.
-pub(crate) fn analyze(model: &Model, system: &System, diag: &mut Diag) -> Option<Structure> {
-    let incidence = Incidence::new(model, system);
+/// Where only equations are wanted they need not fit the unknowns, and what does not fit is in no block. Neither is what is `checked`.
+pub(crate) fn analyze(model: &Model, system: &System, checked: &BTreeSet<usize>, diag: &mut Diag) -> Option<Structure> {
+    let incidence = Incidence::new(model, system).without(checked);
     let matching = matching::maximum(&incidence);
     if !model.equations_only {
         verdict::equations_fit(model, system, &incidence, &matching, diag);
     }
     let groups = components::in_order(&incidence, &matching);
     let blocks = groups.iter().map(|group| tearing::tear(&incidence, &matching, group)).collect();
-    diag.is_clean().then_some(Structure { blocks })
+    diag.is_clean().then(|| Structure { blocks, checked: checked.iter().copied().collect() })
 }

@@ -18,6 +18,8 @@ pub(super) struct Part {
 pub(super) fn overdetermined(incidence: &Incidence, matching: &Matching) -> Part {
     let mut part = Part::default();
     let mut open = matching.free_equations();
+    // What is set aside contends for nothing.
+    open.retain(|equation| !incidence.rows[*equation].is_empty());
     while let Some(equation) = open.pop() {
         if !part.equations.insert(equation) {
             continue;

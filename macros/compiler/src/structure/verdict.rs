@@ -18,7 +18,7 @@ pub(super) fn equations_fit(model: &Model, system: &System, incidence: &Incidenc
     let under = underdetermined(incidence, matching);
     match (over.equations.is_empty(), under.unknowns.is_empty()) {
         (true, true) => {}
-        (true, false) => too_few(model, system, matching, &under, diag),
+        (true, false) => too_few(model, system, incidence, matching, &under, diag),
         (false, _) => too_many(model, system, &over, &under, diag),
     }
 }
@@ -34,13 +34,13 @@ fn every_body_is_held(model: &Model, system: &System, incidence: &Incidence, dia
 }
 
 /// Freedoms are left: which coordinates a drive could take.
-fn too_few(model: &Model, system: &System, matching: &Matching, under: &Part, diag: &mut Diag) {
+fn too_few(model: &Model, system: &System, incidence: &Incidence, matching: &Matching, under: &Part, diag: &mut Diag) {
     let angles: BTreeSet<usize> = under.unknowns.iter().copied().filter(|unknown| system.unknowns[*unknown].dim == Dim::ANGLE).collect();
     let candidates = if angles.is_empty() { &under.unknowns } else { &angles };
     let fact = Fact::TooFewEquations {
         name: model.name.to_string(),
         coordinates: system.unknowns.len(),
-        equations: system.equations.len(),
+        equations: incidence.rows.iter().filter(|row| !row.is_empty()).count(),
         missing: matching.free_unknowns().len(),
         drives: drives(model),
         candidates: names(model, system, candidates),
