@@ -28,11 +28,13 @@ pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E)
         let next = if reached + step < one { reached + step } else { one };
         let stage = if next < one { equations.toward(next) } else { None };
         let followed = match &stage {
-            Some(between) => continuation::state(between, zero, Care::follow(between, &here, zero)),
-            None => continuation::state(equations, zero, Care::follow(equations, &here, zero)),
+            Some(between) => continuation::reached(between, zero, Care::follow(between, &here, zero)),
+            None => continuation::reached(equations, zero, Care::follow(equations, &here, zero)),
         };
         match followed {
-            Ok(state) => (here, reached, step) = (state, next, step + step),
+            // On the way redundant joints need not fit.
+            Ok((_, Some(cause))) if stage.is_none() => return Err(Failure { mechanism: E::NAME, cause, time: zero, last: None }),
+            Ok((state, _)) => (here, reached, step) = (state, next, step + step),
             Err(_) => step = T::of(0.5) * (next - reached),
         }
         if step < T::of(SHORTEST_STEP) {

@@ -6,6 +6,7 @@ mod components;
 mod files;
 mod mechanisms;
 mod prepared;
+mod redundant;
 mod shapes;
 mod stress;
 mod turns;
