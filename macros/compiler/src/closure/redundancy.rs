@@ -102,7 +102,8 @@ impl Search<'_, '_> {
         let dependent: Vec<usize> = rows.plain.iter().copied().filter(|row| !basis.takes(*row)).collect();
         // A drive that adds nothing is a matter of mobility.
         let dependent: Vec<usize> = dependent.into_iter().filter(|row| !self.room.joint(piece, *row).is_drive).collect();
-        self.refuse_dependent(&basis, piece, &dependent, &[], tour.moves);
+        let free = if rows.marked.is_empty() { self.room.names(piece, &basis.free(piece.unknowns.len())) } else { Vec::new() };
+        self.refuse_dependent(&basis, piece, &dependent, &free, tour.moves);
         if !self.diag.is_clean() {
             return Vec::new();
         }
@@ -175,9 +176,13 @@ impl Search<'_, '_> {
 
     /// The equations hold nowhere near the start: the last joint without which they do contradicts the others.
     ///
-    /// Where the drives alone are too much, that is said of them elsewhere: the joints make a structure, which cannot be driven.
+    /// Where freedoms are left, a joint stands in the wrong place, and where the drives alone are too much, the joints make a
+    /// structure, which cannot be driven: both is said elsewhere.
     fn contradiction(&mut self, start: &[f64]) {
         let joints = self.joints();
+        if self.leaves_freedom(start) {
+            return;
+        }
         let is_drive = |joint: usize| self.room.model.joints[joint].is_drive;
         let has_drives = joints.iter().any(|joint| is_drive(*joint));
         if has_drives && self.closes_without(start, &is_drive).is_some() {
@@ -188,6 +193,17 @@ impl Search<'_, '_> {
         if let Some((joint, q)) = found {
             self.refuse_contradiction(joint, &Pose { time: 0.0, q });
         }
+    }
+
+    /// There are coordinates of which no equation says anything new.
+    fn leaves_freedom(&self, q: &[f64]) -> bool {
+        let pose = [Pose { time: 0.0, q: q.to_vec() }];
+        self.pieces.iter().filter(|piece| piece.is_surplus).any(|piece| {
+            let poses = self.room.matrices(piece, &pose);
+            let mut basis = Basis::new(&poses);
+            (0..piece.equations.len()).for_each(|row| basis.take(row));
+            !basis.free(piece.unknowns.len()).is_empty()
+        })
     }
 
     /// The equations hold at the start, but not when the drives move: a joint that is marked as redundant may be why.

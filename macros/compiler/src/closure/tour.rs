@@ -17,8 +17,8 @@ const WAYS: [f64; 6] = [0.05, 0.35, 0.8, 1.4, 2.2, 3.0];
 /// Where no drive moves at t = 0, the times of the poses for a way of 1, in s.
 const WITHOUT_RATE: f64 = 0.3;
 
-/// How far a push goes, in rad or in lengths of the mechanism.
-const PUSH: f64 = 0.3;
+/// How far pushes go at most, in rad or in lengths of the mechanism: from where two branches meet, short ones lead nowhere.
+const PUSHES: [f64; 6] = [0.2, 0.3, 0.5, 0.7, 1.0, 1.4];
 
 /// From so many guesses it is looked for where equations that contradict each other come nearest to holding.
 const TRIES: usize = 12;
@@ -155,13 +155,13 @@ impl Room<'_> {
         tour
     }
 
-    /// Where pushes in three directions lead.
+    /// Where pushes in some directions lead.
     fn push(&self, pieces: &[Piece], tour: &mut Tour, leaves_out: impl Fn(usize) -> bool) {
         let start = tour.poses[0].q.clone();
-        for attempt in 1..=3 {
+        for (attempt, push) in PUSHES.into_iter().enumerate() {
             let mut q = start.clone();
             for (unknown, value) in q.iter_mut().enumerate() {
-                *value += (super::guess(attempt, unknown) / core::f64::consts::PI) * PUSH * self.scale(unknown);
+                *value += (super::guess(attempt + 1, unknown) / core::f64::consts::PI) * push * self.scale(unknown);
             }
             if let Some(q) = self.settled(pieces, 0.0, q, &leaves_out) {
                 self.add(tour, Pose { time: 0.0, q });

@@ -9,6 +9,7 @@ mod dimensions;
 mod duplicates;
 mod joints;
 mod names;
+mod redundancy;
 mod syntax;
 mod uses;
 mod values;
