@@ -39,7 +39,7 @@ mechanism! {
         joint track = translational(ground.rail, ground.O, engine.position);
         for i in 0..3 {
             joint axle[i] = revolute(engine.axle[i], wheel[i].position);
-            joint rolling[i] = { engine.x + radius[i] * wheel[i].angle == 0; }
+            joint rolling[i] = rack_pinion(wheel[i], engine.position, ground.rail, ground.O, radius[i]);
         }
         joint pin[0] = revolute(rod.hole[0], wheel[0].pin);
         for i in 1..3 { redundant joint pin[i] = revolute(rod.hole[i], wheel[i].pin); }
@@ -74,7 +74,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn assert_level(m: &CoupledWheels, states: &[State]) {
     for state in states {
         let rod = state.rod();
-        assert!(rod.angle.abs() < 1e-15 && rod.angular_velocity.abs() < 1e-14);
+        assert!(rod.angle.abs() < 1e-15 && rod.angular_velocity.abs() < 1e-13);
         assert!(state.wheel().iter().all(|wheel| (wheel.angle - state.wheel()[0].angle).abs() < 1e-15));
     }
     let error = largest_difference(states.iter().map(|state| (m.rod(state).rate.norm(), speed(m, state))));
@@ -97,10 +97,10 @@ fn misses(whole: &CoupledWheels, wear: f64, turn: f64) -> Vec<(f64, f64)> {
         let [first, middle] = [whole.radius[0], worn.radius[1]].map(|radius| polar(whole.throw, -x / radius));
         let failure = worn.solve_from(t, &start).expect_err("the wheels turn differently");
         let Cause::DoesNotHold { row, residual } = failure.cause else { panic!("{failure}") };
-        // Of the two rows of the middle pin the one is named that is off most.
+        // Of the two rows of the middle pin the one is named that is off by more roundings.
         let off = first - middle;
         assert_eq!((row.joint, failure.time), ("pin[1]", t));
-        assert!((residual - off[row.index - 1]).abs() < 1e-14 && residual.abs() >= off.amax() * 0.5, "{failure}");
+        assert!((residual - off[row.index - 1]).abs() < 1e-14, "{failure}");
         (t, off.norm())
     };
     let half = (whole.speed / whole.radius[0] - whole.speed / worn.radius[1]) / 2.0;
@@ -111,10 +111,8 @@ fn misses(whole: &CoupledWheels, wear: f64, turn: f64) -> Vec<(f64, f64)> {
 
 fn picture(m: &CoupledWheels, states: &[State], worn: &[Vec<(f64, f64)>]) -> Plate {
     let mut scene = Scene::new();
-    scene.wall(place(8.2, 0.0), place(-1.0, 0.0));
-    scene.faint(|scene| draw(scene, m, &states[150]));
-    scene.line(Ink::Trace, states.iter().map(|state| m.rod(state).value));
-    draw(&mut scene, m, &states[20]);
+    scene.wall(place(0.4, 0.0), place(6.6, 0.0));
+    draw(&mut scene, m, &states[75], states);
 
     let path = |state: &State| state.engine().position.x;
     let inks = [Ink::Output, Ink::Second, Ink::Input];
@@ -132,18 +130,19 @@ fn picture(m: &CoupledWheels, states: &[State], worn: &[Vec<(f64, f64)>]) -> Pla
         .diagram(off)
 }
 
-fn draw(scene: &mut Scene, m: &CoupledWheels, state: &State) {
+fn draw(scene: &mut Scene, m: &CoupledWheels, state: &State, turn: &[State]) {
     for (wheel, radius) in state.wheel().iter().zip(m.radius) {
         scene.disc(Ink::Ground, wheel.position, radius);
     }
+    scene.line(Ink::Trace, turn.iter().map(|state| m.rod(state).value));
     let axles = state.wheel().map(|wheel| wheel.position);
-    scene.link(Ink::Input, &[axles[0], axles[2]]);
+    scene.dashes(Ink::Ground, axles[0], axles[2]);
     let pins = m.pin(state).map(|pin| pin.value);
     for (axle, pin) in axles.into_iter().zip(pins) {
         scene.link(Ink::Second, &[axle, pin]).pin(axle);
     }
     scene.link(Ink::Output, &pins);
-    for pin in pins {
-        scene.pin(pin);
+    for (number, pin) in ["1", "2", "3"].into_iter().zip(pins) {
+        scene.pin(pin).name(pin, number, [0.0, 16.0]);
     }
 }
