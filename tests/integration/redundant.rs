@@ -202,6 +202,44 @@ fn what_rests_is_checked_where_it_begins() {
     assert!((residual - (0.49 - 0.69 * 0.69)).abs() < 1e-15);
 }
 
+reuleaux::mechanism! {
+    /// A slide on a jib that rests on two stays, with a guide too many: what moves is checked against what rests.
+    pub mechanism Jib {
+        param offset: Length = 100mm;
+        ground { point L = (0m, 0m);  point R = (2m, 0m); }
+        body left  { point top = (1.2m, 0mm);  start angle = 60deg; }
+        body right { point top = (1.1m, 0mm);  start angle = 120deg; }
+        body jib   { point L = (0mm, 0mm);  point R = (1m, 0mm);  point Q = (0mm, 100mm);  axis way = (1, 0);  start angle = 0; }
+        body slide { point S = (0mm, offset);  start x = 1m; }
+        body crank { }
+        joint a = revolute(ground.L, left.position);
+        joint b = revolute(ground.R, right.position);
+        joint c = revolute(left.top, jib.L);
+        joint d = revolute(right.top, jib.R);
+        joint stay = distance(ground.R, jib.L, 1.7m);
+        joint guide = translational(jib.way, jib.L, slide.position);
+        redundant joint second = point_on_line(jib.Q, jib.way, slide.S);
+        drive push = drive_along(guide, 400mm + 100mm * sin(2rad_s * t));
+        joint axle = revolute(ground.L, crank.position);
+        drive motor = drive_angle(crank, 1rad_s * t);
+    }
+}
+
+#[test]
+fn what_moves_is_checked_against_what_rests() {
+    let mechanism = Jib::default();
+    let whole: Vec<_> = mechanism.sweep((0..50).map(|k| f64::from(k) * 0.02)).collect::<Result<_, _>>().expect("it fits");
+    let mut state = mechanism.solve(0.0).expect("it fits");
+    for expected in &whole {
+        mechanism.advance(&mut state, expected.t).expect("it fits");
+        assert!((state.q - expected.q).amax() < 1e-14);
+        assert!(mechanism.phi(&state.q, state.t).amax() < 1e-14);
+    }
+    let off = Jib { offset: 0.1 + 1e-9 };
+    assert!(matches!(off.solve(0.5).expect_err("the guides are not alike").cause, Cause::DoesNotHold { .. }));
+    assert!(matches!(off.advance(&mut state, 1.0).expect_err("the guides are not alike").cause, Cause::DoesNotHold { .. }));
+}
+
 /// Generic code need not know of it.
 #[test]
 fn it_is_a_mechanism_like_any_other() {

@@ -7,10 +7,12 @@
 //! one nearest to what was declared is taken. Large systems are closed block by block, in the order of the [`Structure`].
 //! Not done here: emitting, refusing.
 
+mod contradiction;
 mod levenberg;
 mod poses;
 mod rank;
 mod redundancy;
+mod rows;
 mod tour;
 
 pub(crate) use poses::Poses;

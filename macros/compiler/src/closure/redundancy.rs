@@ -7,17 +7,14 @@
 //! which is the work of `structure/verdict.rs`; so is what over-determines the drives.
 
 use super::rank::{Basis, Matrix};
-use super::tour::{Pose, Tour, with_room};
+use super::rows::Rows;
+use super::tour::{Tour, with_room};
 use super::{Closure, LARGEST, Room};
 use crate::diag::{Diag, Fact};
-use crate::expr::{Evaluator, Expr, Values, evaluate};
-use crate::model::{Dim, Joint, Model};
+use crate::model::Model;
 use crate::structure::{self, Block, Piece, Structure};
-use crate::system::{Equation, System};
-use std::collections::{BTreeMap, BTreeSet};
-
-/// Of so many joints, the last declared, it is tried whether the rest closes without them.
-const MOST_TRIES: usize = 12;
+use crate::system::System;
+use std::collections::BTreeSet;
 
 /// The equations that are checked instead of solved.
 ///
@@ -71,10 +68,10 @@ fn pieces(system: &System, structure: &Structure) -> Vec<Piece> {
 }
 
 /// What is looked through.
-struct Search<'a, 'b> {
-    room: &'a Room<'b>,
-    pieces: &'a [Piece],
-    diag: &'a mut Diag,
+pub(super) struct Search<'a, 'b> {
+    pub(super) room: &'a Room<'b>,
+    pub(super) pieces: &'a [Piece],
+    pub(super) diag: &'a mut Diag,
 }
 
 impl Search<'_, '_> {
@@ -82,7 +79,7 @@ impl Search<'_, '_> {
         let nothing = |_: usize| false;
         let (start, is_closed) = self.room.assembled(self.pieces, nothing);
         if !is_closed {
-            self.contradiction(&self.room.least_open(self.pieces));
+            self.contradiction(&self.room.least_open(self.pieces, start));
             return BTreeSet::new();
         }
         let tour = self.room.tour(self.pieces, &start, nothing);
@@ -173,208 +170,4 @@ impl Search<'_, '_> {
             self.diag.refuse::<()>(name, fact);
         }
     }
-
-    /// The equations hold nowhere near the start: the last joint without which they do contradicts the others.
-    ///
-    /// Where freedoms are left, a joint stands in the wrong place, and where the drives alone are too much, the joints make a
-    /// structure, which cannot be driven: both is said elsewhere.
-    fn contradiction(&mut self, start: &[f64]) {
-        let joints = self.joints();
-        if self.leaves_freedom(start) {
-            return;
-        }
-        let is_drive = |joint: usize| self.room.model.joints[joint].is_drive;
-        let has_drives = joints.iter().any(|joint| is_drive(*joint));
-        if has_drives && self.closes_without(start, &is_drive).is_some() {
-            return;
-        }
-        let candidates = joints.iter().rev().copied().filter(|joint| !is_drive(*joint)).take(MOST_TRIES);
-        let found = candidates.filter_map(|joint| Some((joint, self.closes_without(start, &|other| other == joint)?))).next();
-        if let Some((joint, q)) = found {
-            self.refuse_contradiction(joint, &Pose { time: 0.0, q });
-        }
-    }
-
-    /// There are coordinates of which no equation says anything new.
-    fn leaves_freedom(&self, q: &[f64]) -> bool {
-        let pose = [Pose { time: 0.0, q: q.to_vec() }];
-        self.pieces.iter().filter(|piece| piece.is_surplus).any(|piece| {
-            let poses = self.room.matrices(piece, &pose);
-            let mut basis = Basis::new(&poses);
-            (0..piece.equations.len()).for_each(|row| basis.take(row));
-            !basis.free(piece.unknowns.len()).is_empty()
-        })
-    }
-
-    /// The equations hold at the start, but not when the drives move: a joint that is marked as redundant may be why.
-    fn contradiction_on_the_way(&mut self, start: &[f64]) {
-        let marked = self.joints().into_iter().rev().filter(|joint| self.room.model.joints[*joint].is_redundant).take(MOST_TRIES);
-        for joint in marked {
-            let tour = self.room.tour(self.pieces, start, |equation| self.room.system.equations[equation].joint == joint);
-            if let (true, Some(pose)) = (tour.holds, tour.poses.get(1)) {
-                return self.refuse_contradiction(joint, pose);
-            }
-        }
-    }
-
-    /// An assembly without some joints, near the start.
-    fn closes_without(&self, start: &[f64], left_out: &dyn Fn(usize) -> bool) -> Option<Vec<f64>> {
-        let leaves_out = |equation: usize| left_out(self.room.system.equations[equation].joint);
-        self.room.settled(self.pieces, 0.0, start.to_vec(), leaves_out).or_else(|| {
-            let (q, is_closed) = self.room.assembled(self.pieces, leaves_out);
-            is_closed.then_some(q)
-        })
-    }
-
-    /// The joints of all pieces that have too many equations.
-    fn joints(&self) -> BTreeSet<usize> {
-        let pieces = self.pieces.iter().filter(|piece| piece.is_surplus);
-        pieces.flat_map(|piece| &piece.equations).map(|equation| self.room.system.equations[*equation].joint).collect()
-    }
-
-    fn refuse_contradiction(&mut self, joint: usize, pose: &Pose) {
-        let room = self.room;
-        let name = &room.model.joints[joint].name;
-        let (length, angle) = room.gap(joint, pose);
-        let (bodies, is_redundant) = (room.touched(joint), room.model.joints[joint].is_redundant);
-        let fact = Fact::Contradicts { joint: name.to_string(), bodies, length, angle, time: pose.time, is_redundant };
-        self.diag.refuse::<()>(name, fact);
-    }
-}
-
-/// The rows of a piece, in the order in which they are taken.
-struct Rows {
-    /// Of joints in the order declared, then of drives.
-    plain: Vec<usize>,
-    /// Of redundant joints.
-    marked: Vec<usize>,
-}
-
-impl Room<'_> {
-    fn joint(&self, piece: &Piece, row: usize) -> &Joint {
-        &self.model.joints[self.system.equations[piece.equations[row]].joint]
-    }
-
-    fn rows(&self, piece: &Piece) -> Rows {
-        let mut all: Vec<usize> = (0..piece.equations.len()).collect();
-        all.sort_by_key(|row| (self.joint(piece, *row).is_drive, piece.equations[*row]));
-        let (marked, plain) = all.into_iter().partition(|row| self.joint(piece, *row).is_redundant);
-        Rows { plain, marked }
-    }
-
-    /// The rows of Φ_q that belong to a piece, at each pose, in scaled unknowns and of unit length.
-    fn matrices(&self, piece: &Piece, poses: &[Pose]) -> Vec<Matrix> {
-        let place: BTreeMap<usize, usize> = piece.unknowns.iter().enumerate().map(|(column, unknown)| (*unknown, column)).collect();
-        let equations: Vec<&Equation> = piece.equations.iter().map(|equation| &self.system.equations[*equation]).collect();
-        let roots: Vec<Expr> = equations.iter().flat_map(|equation| equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
-        let mut evaluator = Evaluator::new(&self.system.arena, &roots);
-        let mut values = vec![f64::NAN; roots.len()];
-        let matrix = |pose: &Pose| {
-            evaluator.run(&Values { time: pose.time, coordinates: &pose.q, ..self.known }, &mut values);
-            let mut entries = values.iter();
-            let row = |(number, equation): (usize, &&Equation)| {
-                let mut row = vec![0.0; piece.unknowns.len()];
-                for ((unknown, _), value) in equation.jacobian.iter().zip(&mut entries) {
-                    // A function in Rust is not known here: its row is taken for one that has nothing to do with any other.
-                    let value = if value.is_finite() { *value } else { 0.1 + (number as f64 * 0.754_877 + *unknown as f64 * 0.569_84).fract() };
-                    if let Some(column) = place.get(unknown) {
-                        row[*column] = value * self.scale(*unknown);
-                    }
-                }
-                unit(row)
-            };
-            equations.iter().enumerate().map(row).collect()
-        };
-        poses.iter().map(matrix).collect()
-    }
-
-    /// In one of the blocks the Jacobian of what is iterated, everything explicit put in, is singular.
-    fn has_singular_block(&self, structure: &Structure, q: &[f64]) -> bool {
-        let roots: Vec<Expr> = self.system.equations.iter().flat_map(|equation| equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
-        let values = evaluate(&self.system.arena, &roots, &Values { coordinates: q, ..self.known });
-        let mut entries = values.into_iter();
-        let rows: Vec<Vec<(usize, f64)>> = self
-            .system
-            .equations
-            .iter()
-            .map(|equation| equation.jacobian.iter().zip(&mut entries).map(|((unknown, _), value)| (*unknown, value * self.scale(*unknown))).collect())
-            .collect();
-        structure.blocks.iter().filter(|block| !block.iterated.is_empty()).any(|block| is_singular(block, &rows))
-    }
-
-    /// How far the equations of a joint are from holding: in m, and in rad.
-    fn gap(&self, joint: usize, pose: &Pose) -> (Option<f64>, Option<f64>) {
-        let known = Values { time: pose.time, coordinates: &pose.q, ..self.known };
-        let (mut length, mut angle): (Option<f64>, Option<f64>) = (None, None);
-        for equation in self.system.equations.iter().filter(|equation| equation.joint == joint) {
-            let roots: Vec<Expr> = equation.phi.into_iter().chain(equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
-            let values = evaluate(&self.system.arena, &roots, &known);
-            let Some((phi, slopes)) = values.split_first() else { continue };
-            if equation.dim == Dim::ANGLE {
-                angle = Some(angle.unwrap_or(0.0).hypot(*phi));
-            } else {
-                // Other quantities count by the way that it takes to make them vanish.
-                let along = |index: &usize| self.system.unknowns[equation.jacobian[*index].0].dim == Dim::LENGTH;
-                let slope = (0..slopes.len()).filter(along).map(|index| slopes[index].abs()).fold(0.0, f64::max);
-                let way = if equation.dim == Dim::LENGTH || slope == 0.0 { *phi } else { phi / slope };
-                length = Some(length.unwrap_or(0.0).hypot(way));
-            }
-        }
-        let is_open = |size: f64| move |gap: &f64| *gap > 1e-9 * size;
-        (length.filter(is_open(self.size)), angle.filter(is_open(1.0)))
-    }
-
-    /// The bodies in the equations of a joint.
-    fn touched(&self, joint: usize) -> Vec<String> {
-        let equations = self.system.equations.iter().filter(|equation| equation.joint == joint);
-        let bodies: BTreeSet<usize> =
-            equations.flat_map(|equation| &equation.jacobian).map(|(unknown, _)| self.system.unknowns[*unknown].body).collect();
-        bodies.into_iter().map(|body| self.model.bodies[body].name.to_string()).collect()
-    }
-
-    /// The coordinates in these columns of a piece.
-    fn names(&self, piece: &Piece, columns: &[usize]) -> Vec<String> {
-        let name = |column: &usize| {
-            let unknown = &self.system.unknowns[piece.unknowns[*column]];
-            format!("{}.{}", self.model.bodies[unknown.body].name, unknown.name)
-        };
-        // Where an angle is free, places mostly follow it.
-        let is_angle = |column: &&usize| self.system.unknowns[piece.unknowns[**column]].dim == Dim::ANGLE;
-        let angles: Vec<String> = columns.iter().filter(is_angle).map(name).collect();
-        if angles.is_empty() { columns.iter().map(name).collect() } else { angles }
-    }
-}
-
-/// The derivative of a block's residuals by what it iterates is singular, everything explicit put in.
-fn is_singular(block: &Block, rows: &[Vec<(usize, f64)>]) -> bool {
-    let column = |iterated: &usize| {
-        let mut moved: BTreeMap<usize, f64> = BTreeMap::from([(*iterated, 1.0)]);
-        let along = |row: &[(usize, f64)], moved: &BTreeMap<usize, f64>| -> f64 {
-            row.iter().filter_map(|(unknown, value)| Some(value * moved.get(unknown)?)).sum()
-        };
-        for explicit in &block.explicit {
-            let row = &rows[explicit.equation];
-            let pivot = row.iter().find(|(unknown, _)| *unknown == explicit.unknown).map_or(f64::NAN, |(_, value)| *value);
-            let way = -along(row, &moved) / pivot;
-            moved.insert(explicit.unknown, way);
-        }
-        block.residuals.iter().map(|equation| along(&rows[*equation], &moved)).collect()
-    };
-    let columns: Vec<Vec<f64>> = block.iterated.iter().map(column).map(unit).collect();
-    if columns.iter().flatten().any(|value| !value.is_finite()) {
-        // A function in Rust, of which nothing is known.
-        return false;
-    }
-    let poses = [columns];
-    let mut basis = Basis::new(&poses);
-    !(0..block.iterated.len()).all(|column| basis.takes(column))
-}
-
-/// A row of unit length; one that is zero stays so.
-fn unit(mut row: Vec<f64>) -> Vec<f64> {
-    let length = row.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
-    if length > 0.0 {
-        row.iter_mut().for_each(|entry| *entry /= length);
-    }
-    row
 }

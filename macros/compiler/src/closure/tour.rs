@@ -4,7 +4,7 @@
 //! driven, wherever a push leads. Not done here: drawing conclusions.
 
 use super::levenberg::minimise;
-use super::{GUESSES, Room, call, size};
+use super::{GUESSES, LARGEST, Room, call, size};
 use crate::expr::{Expr, Values, evaluate};
 use crate::model::{Dim, Model};
 use crate::structure::Piece;
@@ -13,6 +13,9 @@ use crate::system::System;
 /// How far the fastest drive goes from the start to each pose, in rad or in lengths of the mechanism; one after the other to
 /// either side, about half a turn.
 const WAYS: [f64; 6] = [0.05, 0.35, 0.8, 1.4, 2.2, 3.0];
+
+/// Of a large system so many of them.
+const FEW: usize = 3;
 
 /// Where no drive moves at t = 0, the times of the poses for a way of 1, in s.
 const WITHOUT_RATE: f64 = 0.3;
@@ -73,13 +76,15 @@ impl Room<'_> {
         (q, is_closed)
     }
 
-    /// Where the equations come nearest to holding at t = 0, of several places where no small step brings them nearer.
-    pub(super) fn least_open(&self, pieces: &[Piece]) -> Vec<f64> {
-        let mut q: Vec<f64> = self.declared.iter().map(|value| value.unwrap_or(0.0)).collect();
-        for piece in pieces {
+    /// Where the equations that are too many come nearest to holding at t = 0, of several places where no small step brings them
+    /// nearer; all else as in `q`.
+    pub(super) fn least_open(&self, pieces: &[Piece], mut q: Vec<f64>) -> Vec<f64> {
+        for piece in pieces.iter().filter(|piece| piece.is_surplus) {
             let mut best: Option<(f64, Vec<f64>)> = None;
             for attempt in 0..TRIES {
-                let guess = |unknown: &usize| super::guess(attempt, *unknown) / core::f64::consts::PI * self.scale(*unknown);
+                let is_angle = |unknown: usize| self.system.unknowns[unknown].dim == Dim::ANGLE;
+                let reach = |unknown: usize| if is_angle(unknown) { 1.0 } else { self.size / core::f64::consts::PI };
+                let guess = |unknown: &usize| super::guess(attempt, *unknown) * reach(*unknown);
                 let mut own: Vec<f64> = piece.unknowns.iter().map(|unknown| self.declared[*unknown].unwrap_or_else(|| guess(unknown))).collect();
                 let mut problem = self.problem(&piece.equations, piece.unknowns.clone(), q.clone());
                 let everything = vec![true; own.len()];
@@ -137,9 +142,10 @@ impl Room<'_> {
         }
         let pace = self.pace(pieces, start);
         let unit = if pace > 0.0 { 1.0 / pace } else { WITHOUT_RATE };
+        let ways = if self.system.unknowns.len() > LARGEST { &WAYS[..FEW] } else { &WAYS[..] };
         for side in [1.0, -1.0] {
             let mut here = begin.clone();
-            for (number, way) in WAYS.iter().enumerate() {
+            for (number, way) in ways.iter().enumerate() {
                 let time = side * way * unit;
                 match self.settled(pieces, time, here.q, &leaves_out) {
                     Some(q) => here = Pose { time, q },

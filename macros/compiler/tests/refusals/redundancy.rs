@@ -1,5 +1,7 @@
 //! Equations that follow from others or contradict them, by numbers.
 
+use reuleaux_compiler::diag::Fact;
+
 /// A parallelogram with a third crank at C, R its place on the rod; what is held twice is to come.
 macro_rules! third_crank {
     ($rest:literal) => {
@@ -101,8 +103,89 @@ fn of_two_redundant_joints_one_is_kept() {
     assert_eq!(checked(source).len(), 1);
 }
 
+/// What is said of a mechanism is nothing of redundancy.
+fn is_no_redundancy(source: &str) {
+    let refusals = reuleaux_compiler::compile(source.parse().expect("tokens")).err().unwrap_or_default();
+    for refusal in refusals {
+        assert!(!matches!(refusal.fact, Fact::FollowsFrom { .. } | Fact::NotRedundant { .. } | Fact::Contradicts { .. }), "{}", refusal.fact);
+    }
+}
+
+/// A parallelogram whose links lie in line may fold either way: a matter of its start.
 #[test]
 fn what_is_singular_in_one_position_only_is_not_redundant() {
-    let change_point = "redundant joint f = revolute(rod.R, third.P); drive i = drive_angle(crank, 1rad_s * t);";
-    assert_eq!(checked(&third_crank!("").replace("third.position);}", &format!("third.position);{change_point}}}"))).len(), 1);
+    let drive = "drive i = drive_angle(crank, 1rad_s * t);";
+    is_no_redundancy(&third_crank!("").replace("third.position);}", &format!("third.position); joint f = parallel(crank, third); {drive}}}")));
+    let change_point = format!("redundant joint f = revolute(rod.R, third.P); {drive}");
+    is_no_redundancy(&third_crank!("").replace("third.position);}", &format!("third.position);{change_point}}}")));
+}
+
+/// A four-bar with a strut from ground to the middle of its coupler.
+const STRUCTURE: &str = "mechanism Frame { ground { point C = (4m, 0m); point E = (2m, -1m); }
+    body crank { point A = (1m, 0m); start angle = 60deg; } body coupler { point B = (3.5m, 0m); point E = (1m, 0m); }
+    body rocker { point B = (3m, 0m); start angle = 70deg; } body strut { point F = (2.2m, 0m); start angle = 100deg; }
+    joint o = revolute(ground.position, crank.position); joint a = revolute(crank.A, coupler.position);
+    joint b = revolute(coupler.B, rocker.B); joint c = revolute(rocker.position, ground.C);
+    joint d = revolute(ground.E, strut.position); joint e = revolute(strut.F, coupler.E); more }";
+
+#[test]
+fn a_structure_is_no_redundancy_and_its_drive_is_a_matter_of_mobility() {
+    assert_eq!(checked(&STRUCTURE.replace("more", "")), [""; 0]);
+    for drive in ["1rad_s * t", "60deg", "60deg + 1rad_s * t"] {
+        let driven = STRUCTURE.replace("more", &format!("drive i = drive_angle(crank, {drive});"));
+        is_no_redundancy(&driven);
+        assert!(reuleaux_compiler::compile(driven.parse().expect("tokens")).is_err());
+    }
+}
+
+/// Eight links, two of which could be thought to repeat others: they do not.
+#[test]
+fn the_cell_of_peaucellier_has_no_joint_too_many() {
+    let source = "mechanism Peaucellier { ground { point O = (0m, 0m); point Q = (1m, 0m); } body arm { point D = (1m, 0m); start angle = 20deg; }
+        body l1 { point A = (3m, 0m); start angle = 40deg; } body l2 { point C = (3m, 0m); start angle = 0deg; }
+        body s1 { point D = (1.5m, 0m); } body s2 { point D = (1.5m, 0m); }
+        body s3 { point P = (1.5m, 0m); start angle = -20deg; } body s4 { point P = (1.5m, 0m); start angle = 50deg; }
+        joint q = revolute(ground.Q, arm.position); joint o1 = revolute(ground.O, l1.position); joint o2 = revolute(ground.O, l2.position);
+        joint a1 = revolute(l1.A, s1.position); joint d1 = revolute(s1.D, arm.D); joint c1 = revolute(l2.C, s2.position);
+        joint d2 = revolute(s2.D, arm.D); joint a2 = revolute(l1.A, s3.position); joint c2 = revolute(l2.C, s4.position);
+        joint p = revolute(s3.P, s4.P); drive turn = drive_angle(arm, 20deg + 0.3 * sin(1rad_s * t)); }";
+    assert_eq!(checked(source), [""; 0]);
+    // Its point P runs on a straight line, which a slide may hold once more.
+    let line = source.replace("drive turn", "redundant joint line = absolute_x(s3.P, 3.375m); drive turn");
+    assert_eq!(checked(&line), ["line.1"]);
+    let curve = source.replace("drive turn", "redundant joint line = absolute_x(s3.P, 3.376m); drive turn");
+    assert!(reuleaux_compiler::compile(curve.parse().expect("tokens")).is_err());
+}
+
+/// Hinges of random four-bars once more, in other words: each is refused under its own name, and kept as a check where that is wanted.
+#[test]
+fn every_hinge_that_is_doubled_is_named() {
+    let mut seed = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut random = |from: f64, to: f64| {
+        seed = seed.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+        from + (to - from) * ((seed >> 11) as f64 / (1_u64 << 53) as f64)
+    };
+    for _ in 0..12 {
+        let (crank, rocker, turned) = (random(0.3, 1.0), random(2.2, 3.0), random(-90.0, 90.0));
+        let coupler = random(5.2 - rocker, 3.8);
+        let hinges = [("ground.O", "crank.position"), ("crank.A", "coupler.position"), ("coupler.B", "rocker.B"), ("rocker.position", "ground.C")];
+        let four_bar = |last: &str| {
+            let [o, a, b, c] = hinges.map(|(one, two)| format!("revolute({one}, {two})"));
+            format!(
+                "mechanism FourBar {{ ground {{ point O = (0m, 0m); point C = (4 * cos({turned:.3}deg) * 1m, 4 * sin({turned:.3}deg) * 1m); }}
+                body crank {{ point A = ({crank:.4}m, 0m); start angle = {turned:.3}deg + 40deg; }} body coupler {{ point B = ({coupler:.4}m, 0m); start angle = {turned:.3}deg; }}
+                body rocker {{ point B = ({rocker:.4}m, 0m); start angle = {turned:.3}deg + 100deg; }}
+                joint o = {o}; joint a = {a}; joint b = {b}; joint c = {c};
+                drive input = drive_angle(crank, {turned:.3}deg + 40deg + 1rad_s * t); {last} }}"
+            )
+        };
+        for (joint, (one, two)) in ["o", "a", "b", "c"].into_iter().zip(hinges) {
+            let again = |word: &str| format!("{word} again = {{ 3 * {one}.x == 3 * {two}.x; 2 * {two}.y == 2 * {one}.y; }}");
+            let refusals = reuleaux_compiler::compile(four_bar(&again("joint")).parse().expect("tokens")).expect_err("held twice");
+            let said: Vec<String> = refusals.iter().map(|refusal| refusal.fact.to_string()).collect();
+            assert_eq!(said.len(), 1, "{said:?}");
+            assert!(said[0].starts_with(&format!("`again` adds nothing: both its equations follow from `{joint}` in every position")), "{said:?}");
+            assert_eq!(checked(&four_bar(&again("redundant joint"))), ["again.1", "again.2"]);
+        }
+    }
 }
