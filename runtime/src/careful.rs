@@ -6,6 +6,7 @@ use core::cell::Cell;
 
 use nalgebra::SVector;
 
+use crate::lanes::Mask;
 use crate::linear::Linear;
 use crate::order::greater;
 use crate::pass::{Solved, Stop, bound};
@@ -14,7 +15,6 @@ use crate::position::{self, Miss, Position, Refusal};
 use crate::problem::{Block, Evaluate, Part, Problem};
 use crate::scale::{Scale, length_of};
 use crate::straight::LONGEST_PREDICTION;
-use crate::lanes::Mask;
 use crate::{Cause, Coordinate, Culprit, Description, Float, Lanes, Orientation, Row, State, names};
 
 /// What a careful pass sets out from and what it has found.

@@ -93,12 +93,9 @@ impl<T: Float, const N: usize> fmt::Display for Failure<T, N> {
                 write!(f, "`{name}` does not close at t = {t} s: {row} stays open by {:.2e} m", gap.to_f64())?;
                 if row.unit == "m" { Ok(()) } else { write!(f, " (residual {:.2e} {})", residual.to_f64(), row.unit) }
             }
-            Cause::DoesNotHold { row, residual } => write!(
-                f,
-                "`{name}` does not fit at t = {t} s: {row} is redundant and off by {:.2e} {}",
-                residual.to_f64().abs(),
-                row.unit
-            ),
+            Cause::DoesNotHold { row, residual } => {
+                write!(f, "`{name}` does not fit at t = {t} s: {row} is redundant and off by {:.2e} {}", residual.to_f64().abs(), row.unit)
+            }
             Cause::Singular { row, coordinate, condition } => write!(
                 f,
                 "`{name}` is at a dead point or change point at t = {t} s: {row} does not determine {coordinate} (condition {:.1e})",

@@ -43,7 +43,8 @@ impl Room<'_> {
                 let mut row = vec![0.0; piece.unknowns.len()];
                 for ((unknown, _), value) in equation.jacobian.iter().zip(&mut entries) {
                     // A function in Rust is not known here: its row is taken for one that has nothing to do with any other.
-                    let value = if value.is_finite() { *value } else { 0.1 + (number as f64 * 0.754_877 + *unknown as f64 * 0.569_84).fract() };
+                    let value =
+                        if value.is_finite() { *value } else { 0.1 + (number as f64 * 0.754_877 + *unknown as f64 * 0.569_84).fract() };
                     if let Some(column) = place.get(unknown) {
                         row[*column] = value * self.scale(*unknown);
                     }
@@ -57,14 +58,17 @@ impl Room<'_> {
 
     /// In one of the blocks the Jacobian of what is iterated, everything explicit put in, is singular.
     pub(super) fn has_singular_block(&self, structure: &Structure, q: &[f64]) -> bool {
-        let roots: Vec<Expr> = self.system.equations.iter().flat_map(|equation| equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
+        let roots: Vec<Expr> =
+            self.system.equations.iter().flat_map(|equation| equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
         let values = evaluate(&self.system.arena, &roots, &Values { coordinates: q, ..self.known });
         let mut entries = values.into_iter();
         let rows: Vec<Vec<(usize, f64)>> = self
             .system
             .equations
             .iter()
-            .map(|equation| equation.jacobian.iter().zip(&mut entries).map(|((unknown, _), value)| (*unknown, value * self.scale(*unknown))).collect())
+            .map(|equation| {
+                equation.jacobian.iter().zip(&mut entries).map(|((unknown, _), value)| (*unknown, value * self.scale(*unknown))).collect()
+            })
             .collect();
         structure.blocks.iter().filter(|block| !block.iterated.is_empty()).any(|block| is_singular(block, &rows))
     }

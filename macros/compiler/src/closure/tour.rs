@@ -85,7 +85,8 @@ impl Room<'_> {
                 let is_angle = |unknown: usize| self.system.unknowns[unknown].dim == Dim::ANGLE;
                 let reach = |unknown: usize| if is_angle(unknown) { 1.0 } else { self.size / core::f64::consts::PI };
                 let guess = |unknown: &usize| super::guess(attempt, *unknown) * reach(*unknown);
-                let mut own: Vec<f64> = piece.unknowns.iter().map(|unknown| self.declared[*unknown].unwrap_or_else(|| guess(unknown))).collect();
+                let mut own: Vec<f64> =
+                    piece.unknowns.iter().map(|unknown| self.declared[*unknown].unwrap_or_else(|| guess(unknown))).collect();
                 let mut problem = self.problem(&piece.equations, piece.unknowns.clone(), q.clone());
                 let everything = vec![true; own.len()];
                 minimise(&mut problem, &mut own, &everything);

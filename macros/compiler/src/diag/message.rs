@@ -381,11 +381,7 @@ impl fmt::Display for Fact {
                 }
                 if !free.is_empty() {
                     let (remains, one) = if free.len() == 1 { ("remains", "it") } else { ("remain", "one of them") };
-                    return write!(
-                        f,
-                        "\nnote: {} {remains} free\nhelp: let it hold or drive {one} instead",
-                        list(free)
-                    );
+                    return write!(f, "\nnote: {} {remains} free\nhelp: let it hold or drive {one} instead", list(free));
                 }
                 match (is_drive, rows == of) {
                     (true, _) => write!(f, "\nhelp: take it away"),

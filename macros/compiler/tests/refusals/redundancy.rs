@@ -107,7 +107,11 @@ fn of_two_redundant_joints_one_is_kept() {
 fn is_no_redundancy(source: &str) {
     let refusals = reuleaux_compiler::compile(source.parse().expect("tokens")).err().unwrap_or_default();
     for refusal in refusals {
-        assert!(!matches!(refusal.fact, Fact::FollowsFrom { .. } | Fact::NotRedundant { .. } | Fact::Contradicts { .. }), "{}", refusal.fact);
+        assert!(
+            !matches!(refusal.fact, Fact::FollowsFrom { .. } | Fact::NotRedundant { .. } | Fact::Contradicts { .. }),
+            "{}",
+            refusal.fact
+        );
     }
 }
 
@@ -115,7 +119,9 @@ fn is_no_redundancy(source: &str) {
 #[test]
 fn what_is_singular_in_one_position_only_is_not_redundant() {
     let drive = "drive i = drive_angle(crank, 1rad_s * t);";
-    is_no_redundancy(&third_crank!("").replace("third.position);}", &format!("third.position); joint f = parallel(crank, third); {drive}}}")));
+    is_no_redundancy(
+        &third_crank!("").replace("third.position);}", &format!("third.position); joint f = parallel(crank, third); {drive}}}")),
+    );
     let change_point = format!("redundant joint f = revolute(rod.R, third.P); {drive}");
     is_no_redundancy(&third_crank!("").replace("third.position);}", &format!("third.position);{change_point}}}")));
 }
@@ -141,7 +147,8 @@ fn a_structure_is_no_redundancy_and_its_drive_is_a_matter_of_mobility() {
 /// Eight links, two of which could be thought to repeat others: they do not.
 #[test]
 fn the_cell_of_peaucellier_has_no_joint_too_many() {
-    let source = "mechanism Peaucellier { ground { point O = (0m, 0m); point Q = (1m, 0m); } body arm { point D = (1m, 0m); start angle = 20deg; }
+    let source =
+        "mechanism Peaucellier { ground { point O = (0m, 0m); point Q = (1m, 0m); } body arm { point D = (1m, 0m); start angle = 20deg; }
         body l1 { point A = (3m, 0m); start angle = 40deg; } body l2 { point C = (3m, 0m); start angle = 0deg; }
         body s1 { point D = (1.5m, 0m); } body s2 { point D = (1.5m, 0m); }
         body s3 { point P = (1.5m, 0m); start angle = -20deg; } body s4 { point P = (1.5m, 0m); start angle = 50deg; }
@@ -168,7 +175,8 @@ fn every_hinge_that_is_doubled_is_named() {
     for _ in 0..12 {
         let (crank, rocker, turned) = (random(0.3, 1.0), random(2.2, 3.0), random(-90.0, 90.0));
         let coupler = random(5.2 - rocker, 3.8);
-        let hinges = [("ground.O", "crank.position"), ("crank.A", "coupler.position"), ("coupler.B", "rocker.B"), ("rocker.position", "ground.C")];
+        let hinges =
+            [("ground.O", "crank.position"), ("crank.A", "coupler.position"), ("coupler.B", "rocker.B"), ("rocker.position", "ground.C")];
         let four_bar = |last: &str| {
             let [o, a, b, c] = hinges.map(|(one, two)| format!("revolute({one}, {two})"));
             format!(
@@ -184,7 +192,10 @@ fn every_hinge_that_is_doubled_is_named() {
             let refusals = reuleaux_compiler::compile(four_bar(&again("joint")).parse().expect("tokens")).expect_err("held twice");
             let said: Vec<String> = refusals.iter().map(|refusal| refusal.fact.to_string()).collect();
             assert_eq!(said.len(), 1, "{said:?}");
-            assert!(said[0].starts_with(&format!("`again` adds nothing: both its equations follow from `{joint}` in every position")), "{said:?}");
+            assert!(
+                said[0].starts_with(&format!("`again` adds nothing: both its equations follow from `{joint}` in every position")),
+                "{said:?}"
+            );
             assert_eq!(checked(&four_bar(&again("redundant joint"))), ["again.1", "again.2"]);
         }
     }
