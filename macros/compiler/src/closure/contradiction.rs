@@ -10,6 +10,7 @@ use super::tour::Pose;
 use crate::diag::Fact;
 use crate::expr::{Expr, Values, evaluate};
 use crate::model::Dim;
+use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
 /// Of so many joints, the last declared, it is tried whether the rest closes without them.
@@ -18,26 +19,36 @@ const MOST_TRIES: usize = 12;
 /// A gap is open if it is more than this, in rad or in lengths of the mechanism.
 const OPEN: f64 = 1e-9;
 
+/// What is off by no more than this, in rad or in lengths of the mechanism, was meant to fit.
+const NEAR: f64 = 0.01;
+
 impl Search<'_, '_> {
-    /// The equations hold nowhere near the start: the last joint without which they do contradicts the others.
+    /// The equations hold nowhere near the start: the last joint without which they do contradicts the others, before all others one
+    /// that is declared as redundant.
     ///
-    /// Where freedoms are left, a joint stands in the wrong place, and where the drives alone are too much, the joints make a
-    /// structure, which cannot be driven: both is said elsewhere.
+    /// Where freedoms are left, a joint stands in the wrong place. Where the joints close without the drives, they make a structure
+    /// that cannot be driven, unless the joint nearly fits, so that it was meant to move. Both is said elsewhere.
     pub(super) fn contradiction(&mut self, start: &[f64]) {
-        let joints = self.joints();
         if self.leaves_freedom(start) {
             return;
         }
-        let is_drive = |joint: usize| self.room.model.joints[joint].is_drive;
-        let has_drives = joints.iter().any(|joint| is_drive(*joint));
-        if has_drives && self.closes_without(start, &is_drive).is_some() {
-            return;
+        let model = self.room.model;
+        let mut candidates: Vec<usize> = self.joints().into_iter().filter(|joint| !model.joints[*joint].is_drive).collect();
+        candidates.sort_by_key(|joint| Reverse((model.joints[*joint].is_redundant, *joint)));
+        let tries = candidates.into_iter().take(MOST_TRIES);
+        let found = tries.filter_map(|joint| Some((joint, self.closes_without(start, &|other| other == joint)?))).next();
+        let Some((joint, q)) = found else { return };
+        let pose = Pose { time: 0.0, q };
+        let is_meant = model.joints[joint].is_redundant || self.nearly_fits(joint, &pose);
+        if is_meant || self.closes_without(start, &|joint| model.joints[joint].is_drive).is_none() {
+            self.refuse_contradiction(joint, &pose);
         }
-        let candidates = joints.iter().rev().copied().filter(|joint| !is_drive(*joint)).take(MOST_TRIES);
-        let found = candidates.filter_map(|joint| Some((joint, self.closes_without(start, &|other| other == joint)?))).next();
-        if let Some((joint, q)) = found {
-            self.refuse_contradiction(joint, &Pose { time: 0.0, q });
-        }
+    }
+
+    /// The equations of a joint are off by little.
+    fn nearly_fits(&self, joint: usize, pose: &Pose) -> bool {
+        let (length, angle) = self.room.gap(joint, pose);
+        length.unwrap_or(0.0) <= NEAR * self.room.size && angle.unwrap_or(0.0) <= NEAR
     }
 
     /// There are coordinates of which no equation says anything new.

@@ -9,7 +9,7 @@ macro_rules! third_crank {
             "mechanism P { param middle: Length = 500mm;
                 ground { point A = (0m, 0m); point B = (2m, 0m); point C = (1m, 0m); }
                 body crank { point P = (500mm, 0mm); } body rod { point Q = (2m, 0m); point R = (1m, 0m); }
-                body rocker { point P = (500mm, 0mm); } body third { point P = (middle, 0mm); point S = (501mm, 0mm); }
+                body rocker { point P = (500mm, 0mm); } body third { point P = (middle, 0mm); point S = (501mm, 0mm); point T = (499mm, 0mm); }
                 joint a = revolute(ground.A, crank.position); joint b = revolute(ground.B, rocker.position);
                 joint c = revolute(crank.P, rod.position); joint d = revolute(rod.Q, rocker.P);
                 joint e = revolute(ground.C, third.position);",
@@ -47,6 +47,7 @@ refused! {
     third_crank a_third_crank_holds_once_too_often: "joint «f» = revolute(rod.R, third.P); drive i = drive_angle(crank, 60deg + 1rad_s * t);" => "1 of the 2 equations of `f` adds nothing: it follows from `a`, `b`, `c`, `d` and `e` in every position\nhelp: write `redundant joint` for `joint`: what is needed of it is solved, the rest is checked";
     third_crank a_third_crank_instead_of_a_drive: "joint «f» = revolute(rod.R, third.P);" => "1 of the 2 equations of `f` adds nothing: it follows from `a`, `b`, `c`, `d` and `e` in every position\nnote: `crank.angle`, `rocker.angle` and `third.angle` remain free\nhelp: let it hold or drive one of them instead";
     third_crank a_third_crank_of_another_length: "joint «f» = revolute(rod.R, third.S); drive i = drive_angle(crank, 60deg + 1rad_s * t);" => "`f` contradicts the other joints: with all of them closed it is 1 mm off\nnote: it joins `rod` and `third`\nhelp: what is held twice must fit: change a measure, or take it away";
+    third_crank a_third_crank_that_is_shorter: "joint «f» = revolute(rod.R, third.T); drive i = drive_angle(crank, 60deg + 1rad_s * t);" => "`f` contradicts the other joints: with all of them closed it is 1 mm off\nnote: it joins `rod` and `third`\nhelp: what is held twice must fit: change a measure, or take it away";
     third_crank a_redundant_crank_of_another_length: "redundant joint «f» = revolute(rod.R, third.S); drive i = drive_angle(crank, 60deg + 1rad_s * t);" => "`f` contradicts the other joints: with all of them closed it is 1 mm off\nnote: it joins `rod` and `third`\nhelp: a redundant joint must fit as well: change a measure, or take it away";
     third_crank a_rod_between_cranks_that_turn_alike: "redundant joint f = revolute(rod.R, third.P); drive i = drive_angle(crank, 60deg + 1rad_s * t); joint «g» = distance(crank.P, rocker.P, 2m);" => "`g` adds nothing: its equation follows from `c` and `d` in every position\nhelp: take it away, or write `redundant joint` for `joint` to keep it as a check";
     slider_crank a_doubled_hinge: "joint «c» = revolute(slider.position, rod.C);" => "`c` demands the same as `b`\nhelp: take one of them away";
