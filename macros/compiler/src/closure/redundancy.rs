@@ -155,6 +155,10 @@ impl Search<'_, '_> {
         for index in dependent.iter().map(joint).collect::<BTreeSet<usize>>() {
             let own: Vec<usize> = dependent.iter().copied().filter(|row| joint(row) == index).collect();
             let sources: BTreeSet<usize> = own.iter().flat_map(|row| basis.sources(*row)).map(|row| joint(&row)).collect();
+            if sources.is_empty() {
+                // It has no slope, as the square of what vanishes: nothing can be solved for by it, and it follows from nothing.
+                continue;
+            }
             let model = self.room.model;
             let others = sources.iter().filter(|other| **other != index).map(|other| model.joints[*other].name.to_string()).collect();
             let name = &model.joints[index].name;

@@ -369,14 +369,15 @@ impl fmt::Display for Fact {
             Fact::Repeats { joint, other } => write!(f, "`{joint}` demands the same as `{other}`\nhelp: take one of them away"),
             Fact::FollowsFrom { joint, is_drive, rows, of, others, free, moves } => {
                 let place = if *moves { "in every position" } else { "where the mechanism stands" };
+                let sources = if others.is_empty() { "the rest of it".to_owned() } else { list(others) };
                 match (rows == of, of) {
-                    (true, 1) => write!(f, "`{joint}` adds nothing: its equation follows from {} {place}", list(others))?,
-                    (true, 2) => write!(f, "`{joint}` adds nothing: both its equations follow from {} {place}", list(others))?,
-                    (true, of) => write!(f, "`{joint}` adds nothing: its {of} equations follow from {} {place}", list(others))?,
+                    (true, 1) => write!(f, "`{joint}` adds nothing: its equation follows from {sources} {place}")?,
+                    (true, 2) => write!(f, "`{joint}` adds nothing: both its equations follow from {sources} {place}")?,
+                    (true, of) => write!(f, "`{joint}` adds nothing: its {of} equations follow from {sources} {place}")?,
                     (false, of) => {
                         let verb = if *rows == 1 { "adds" } else { "add" };
                         let it = if *rows == 1 { "it follows" } else { "they follow" };
-                        write!(f, "{rows} of the {of} equations of `{joint}` {verb} nothing: {it} from {} {place}", list(others))?;
+                        write!(f, "{rows} of the {of} equations of `{joint}` {verb} nothing: {it} from {sources} {place}")?;
                     }
                 }
                 if !free.is_empty() {
@@ -384,6 +385,7 @@ impl fmt::Display for Fact {
                     return write!(f, "\nnote: {} {remains} free\nhelp: let it hold or drive {one} instead", list(free));
                 }
                 match (is_drive, rows == of) {
+                    _ if others.is_empty() => write!(f, "\nhelp: say it once"),
                     (true, _) => write!(f, "\nhelp: take it away"),
                     (false, true) => write!(f, "\nhelp: take it away, or write `redundant joint` for `joint` to keep it as a check"),
                     (false, false) => {
