@@ -32,7 +32,8 @@ pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E)
         return near(&start);
     }
     let (share, here) = match follow(equations, &origin) {
-        Ok(state) => return Ok(state),
+        Ok((state, None)) => return Ok(state),
+        Ok((_, Some(cause))) => return Err(Failure { mechanism: E::NAME, cause, time: zero, end: None, last: None }),
         Err(end) => end,
     };
     let mut cause = None;
@@ -57,20 +58,26 @@ fn less_open<T: Float>(before: Option<Cause<T>>, now: Cause<T>) -> Cause<T> {
     }
 }
 
-/// From the assembly at the defaults to that at the parameters, or to where the branch ends: the share of the way, and the last state.
-fn follow<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, origin: &State<T, N>) -> Result<State<T, N>, (T, State<T, N>)> {
+/// From the assembly at the defaults to that at the parameters, with the redundant joint that does not fit there, or to where the
+/// branch ends: the share of the way, and the last state.
+#[allow(clippy::type_complexity)]
+fn follow<T: Float, E: Stages<T, N>, const N: usize>(
+    equations: &E,
+    origin: &State<T, N>,
+) -> Result<(State<T, N>, Option<Cause<T>>), (T, State<T, N>)> {
     let (zero, one) = (T::of(0.0), T::of(1.0));
     let (mut here, mut reached, mut step) = (origin.clone(), zero, one);
     for _ in 0..MOST_STEPS {
         let next = if reached + step < one { reached + step } else { one };
         let stage = if next < one { equations.toward(next) } else { None };
         let followed = match &stage {
-            Some(between) => continuation::state(between, zero, Care::follow(between, &here, zero)),
-            None => continuation::state(equations, zero, Care::follow(equations, &here, zero)),
+            Some(between) => continuation::reached(between, zero, Care::follow(between, &here, zero)),
+            None => continuation::reached(equations, zero, Care::follow(equations, &here, zero)),
         };
         match followed {
-            Ok(state) if next < one => (here, reached, step) = (state, next, step + step),
-            Ok(state) => return Ok(state),
+            // On the way redundant joints need not fit.
+            Ok((state, _)) if next < one => (here, reached, step) = (state, next, step + step),
+            Ok(found) => return Ok(found),
             Err(_) => step = T::of(0.5) * (next - reached),
         }
         // Rounding errors of the parameters move a fold by about as much.

@@ -6,15 +6,16 @@ use core::cell::Cell;
 
 use nalgebra::SVector;
 
+use crate::lanes::Mask;
 use crate::linear::Linear;
 use crate::order::greater;
-use crate::pass::{Solved, Stop};
+use crate::pass::{Solved, Stop, bound};
 use crate::place::Place;
 use crate::position::{self, Miss, Position, Refusal};
 use crate::problem::{Block, Evaluate, Part, Problem};
 use crate::scale::{Scale, length_of};
 use crate::straight::LONGEST_PREDICTION;
-use crate::{Cause, Coordinate, Culprit, Description, Float, Lanes, Orientation, Row, State};
+use crate::{Cause, Coordinate, Culprit, Description, Float, Lanes, Orientation, Row, State, names};
 
 /// What a careful pass sets out from and what it has found.
 pub struct Care<'a, T: Lanes, const N: usize> {
@@ -32,6 +33,20 @@ impl<T: Lanes, const N: usize> Care<'_, T, N> {
     pub(crate) fn lengths(&self) -> (T, T) {
         (self.length, self.share)
     }
+
+    /// Takes note of the residual of an equation that is not solved.
+    pub(crate) fn check(&self, row: usize, residual: T, size: T) {
+        let mut found = self.found.get();
+        let bound = bound(found.condition, size);
+        let holds = residual.abs().at_most(bound).all();
+        // What is not a number is off, and nothing is more off.
+        let share = residual.abs() / bound;
+        let is_known = found.off.is_some_and(|(_, _, most)| share.at_most(most).all() || !most.at_most(most).all());
+        if !holds && !is_known && size.at_most(size).all() {
+            found.off = Some((row, residual, share));
+            self.found.set(found);
+        }
+    }
 }
 
 /// What a careful pass has found so far.
@@ -44,6 +59,9 @@ pub(crate) struct Found<T, const N: usize> {
     pub(crate) iterations: usize,
     /// The block nearest to singular, if that was asked for.
     pub(crate) worst: Option<Cause<T>>,
+    /// Of the equations that are checked and do not hold, the one that is off by most of its bounds: its index in Φ, its residual,
+    /// and the residual by the bound.
+    pub(crate) off: Option<(usize, T, T)>,
 }
 
 /// What a block is solved from.
@@ -75,8 +93,14 @@ impl<'a, T: Float, const N: usize> Care<'a, T, N> {
     fn new<E: Description<T, N> + ?Sized>(equations: &E, mode: Mode<'a, T, N>, branch: [Orientation; N]) -> Self {
         let length = length_of(equations.characteristic_length());
         let one = T::of(1.0);
-        let found = Cell::new(Found { branch, condition: one, iterations: 0, worst: None });
+        let found = Cell::new(Found { branch, condition: one, iterations: 0, worst: None, off: None });
         Self { mode, length, share: one / length, rows: E::ROWS, coordinates: E::COORDINATES, found }
+    }
+
+    /// The equation that is off most, if any is.
+    pub(crate) fn contradiction(&self) -> Option<Cause<T>> {
+        let (row, residual, _) = self.found.get().off?;
+        Some(Cause::DoesNotHold { row: names::row(self.rows, row), residual })
     }
 
     /// What was found.

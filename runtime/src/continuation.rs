@@ -151,13 +151,16 @@ fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     let mut step = t - state.t;
     for _ in 0..MOST_STEPS {
         let next = if step.abs() >= (t - here.t).abs() { t } else { here.t + step };
-        match self::state(equations, next, Care::follow(equations, &here, next - here.t)) {
-            Ok(reached) if !is_resolved(&here, &reached.q, next - here.t, E::COMPUTED_ANGLES) && halves(&mut step, next, &here) => {}
-            Ok(reached) if next == t => {
-                *state = reached;
-                return Ok(());
-            }
-            Ok(reached) => {
+        match self::reached(equations, next, Care::follow(equations, &here, next - here.t)) {
+            Ok((reached, _)) if !is_resolved(&here, &reached.q, next - here.t, E::COMPUTED_ANGLES) && halves(&mut step, next, &here) => {}
+            Ok((reached, off)) if next == t => match off {
+                Some(cause) => return fail(cause, t, state),
+                None => {
+                    *state = reached;
+                    return Ok(());
+                }
+            },
+            Ok((reached, _)) => {
                 here = reached;
                 step = step + step;
             }
@@ -203,7 +206,7 @@ pub(crate) fn pass<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations.stages(t, &mut Pass::careful(care))
 }
 
-/// The state at the end of a careful pass.
+/// The state at the end of a careful pass, in which all equations hold.
 ///
 /// # Errors
 /// Why there is none.
@@ -212,6 +215,21 @@ pub(crate) fn state<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     t: T,
     care: Care<'_, T, N>,
 ) -> Result<State<T, N>, Stop<T>> {
+    match reached(equations, t, care)? {
+        (_, Some(cause)) => Err(Stop::Open(cause)),
+        (state, None) => Ok(state),
+    }
+}
+
+/// The state at the end of a careful pass, and which of the equations that are not solved does not hold in it.
+///
+/// # Errors
+/// Why there is none.
+pub(crate) fn reached<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    t: T,
+    care: Care<'_, T, N>,
+) -> Result<(State<T, N>, Option<Cause<T>>), Stop<T>> {
     let there = pass(equations, t, &care)?;
     let Coordinates { q, qd, qdd } = there;
     if !is_surely_finite(t, &there) {
@@ -222,7 +240,8 @@ pub(crate) fn state<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
         }
     }
     let Found { branch, condition, iterations, .. } = care.found();
-    Ok(State { branch, condition, iterations, mark: equations.mark(), ..State::new(t, q, qd, qdd) })
+    let state = State { branch, condition, iterations, mark: equations.mark(), ..State::new(t, q, qd, qdd) };
+    Ok((state, care.contradiction()))
 }
 
 /// A sum is not finite if a term is not. Four sums side by side, so that none has to wait long for the one before.

@@ -45,6 +45,13 @@ pub enum Cause<T> {
         /// Its residual divided by the length of its gradient, in m; of an angle, the arc at L.
         gap: T,
     },
+    /// An equation of a redundant joint does not follow from the others, with these parameters: it would bend something.
+    DoesNotHold {
+        /// The row that is off most, for the rounding errors that it may have.
+        row: Row,
+        /// Its residual, in its unit.
+        residual: T,
+    },
     /// Φ_q is singular, or as good as: a dead point, a change point, or equations that depend on each other.
     Singular {
         /// A row that depends on the others.
@@ -113,6 +120,9 @@ impl<T: Float> Cause<T> {
             Cause::DoesNotClose { row, residual, gap } => {
                 write!(f, "`{name}` does not close at t = {t} s: {row} stays open by {:.2e} m", gap.to_f64())?;
                 if row.unit == "m" { Ok(()) } else { write!(f, " (residual {:.2e} {})", residual.to_f64(), row.unit) }
+            }
+            Cause::DoesNotHold { row, residual } => {
+                write!(f, "`{name}` does not fit at t = {t} s: {row} is redundant and off by {:.2e} {}", residual.to_f64().abs(), row.unit)
             }
             Cause::Singular { row, coordinate, condition } => write!(
                 f,

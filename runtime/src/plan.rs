@@ -16,6 +16,8 @@ pub struct Plan {
 pub enum PlanStage {
     /// This coordinate, `"crank.x"`, is computed from those before it.
     Computed(&'static str),
+    /// This equation, `"c (2 of 2)"`, follows from others: it is not solved, it must hold of itself.
+    Checked(&'static str),
     /// Coordinates that Newton's method finds together.
     Iterated {
         /// Their names.
@@ -55,7 +57,7 @@ impl Plan {
     /// The number of unknowns of each iterated block, in order.
     pub fn blocks(&self) -> impl Iterator<Item = usize> {
         self.stages.iter().filter_map(|stage| match stage {
-            PlanStage::Computed(_) => None,
+            PlanStage::Computed(_) | PlanStage::Checked(_) => None,
             PlanStage::Iterated { unknowns, .. } => Some(unknowns.len()),
         })
     }
@@ -66,6 +68,7 @@ impl fmt::Display for Plan {
         for stage in self.stages {
             match stage {
                 PlanStage::Computed(name) => writeln!(f, "compute  {name}")?,
+                PlanStage::Checked(name) => writeln!(f, "check    {name}")?,
                 PlanStage::Iterated { unknowns, equations, operations, elimination, .. } => {
                     write!(f, "iterate  ")?;
                     list(f, unknowns)?;

@@ -113,6 +113,50 @@ impl<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize> Problem<T, N> for
     }
 }
 
+/// As many equations of a mechanism as it has coordinates, at one time.
+pub(crate) struct Chosen<'a, E: ?Sized, T, const M: usize, const N: usize> {
+    pub(crate) equations: &'a E,
+    /// Their indices in Φ.
+    pub(crate) rows: &'a [usize; N],
+    pub(crate) t: T,
+    pub(crate) scale: Scale<T, N>,
+}
+
+impl<T: Float, E: Equations<T, M, N> + ?Sized, const M: usize, const N: usize> Problem<T, N> for Chosen<'_, E, T, M, N> {
+    type Factors = Factors<T, N>;
+
+    fn linearize(&self, place: &Place<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        let (phi, jacobian) = self.equations.linearize(&place.x, self.t);
+        // A row that does not exist says nothing, and the matrix is singular.
+        let is_row = |i: usize| self.rows[i] < M;
+        let zero = T::of(0.0);
+        (
+            SVector::from_fn(|i, _| if is_row(i) { phi[self.rows[i]] } else { zero }),
+            SMatrix::from_fn(|i, j| if is_row(i) { jacobian[(self.rows[i], j)] } else { zero }),
+        )
+    }
+
+    fn turns(&self) -> &[bool; N] {
+        &[false; N]
+    }
+
+    fn scale(&self) -> &Scale<T, N> {
+        &self.scale
+    }
+
+    fn sizes(&self) -> SVector<T, N> {
+        SVector::from_element(T::of(0.0))
+    }
+
+    fn row(&self, index: usize) -> Row {
+        names::row(E::ROWS, self.rows.get(index).copied().unwrap_or(index))
+    }
+
+    fn coordinate(&self, index: usize) -> Coordinate {
+        names::coordinate(E::COORDINATES, index)
+    }
+}
+
 /// Residuals and their Jacobian, in the form that is factored.
 pub(crate) type Linearized<T, L, const K: usize> = (SVector<T, K>, <L as Linear<T, K>>::Matrix);
 

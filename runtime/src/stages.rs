@@ -6,7 +6,7 @@ use crate::continuation;
 use crate::pass::{Pass, Stop};
 use crate::place::Place;
 use crate::position;
-use crate::problem::{Block, Problem, Whole};
+use crate::problem::{Block, Chosen, Problem, Whole};
 use crate::scale::Scale;
 use crate::{Description, Equations, Float, Lanes, Real, State, names};
 
@@ -147,6 +147,20 @@ pub fn improved_at_once<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize
     }
     let whole = Whole { equations, t, scale: Scale::of(equations) };
     position::close(&whole, &Place::at(*guess, whole.turns())).map_or(*guess, |position| position.place.x)
+}
+
+/// The same where there are more equations than coordinates, of which those in `rows` are solved.
+pub fn improved_by<T: Float, E: Equations<T, M, N> + ?Sized, const M: usize, const N: usize>(
+    equations: &E,
+    rows: &[usize; N],
+    t: T,
+    guess: &SVector<T, N>,
+) -> SVector<T, N> {
+    if const { N > LARGEST_WHOLE } {
+        return *guess;
+    }
+    let chosen = Chosen { equations, rows, t, scale: Scale::of(equations) };
+    position::close(&chosen, &Place::at(*guess, chosen.turns())).map_or(*guess, |position| position.place.x)
 }
 
 /// The first indices there are; those beyond the number of coordinates are passed over.

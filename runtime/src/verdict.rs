@@ -42,8 +42,8 @@ pub(crate) fn end_of_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
             return cause;
         }
     }
-    match continuation::state(equations, next, Care::close(equations, &here.predict(next))) {
-        Ok(other) => jump(equations, &here.q, &other.q),
+    match continuation::reached(equations, next, Care::close(equations, &here.predict(next))) {
+        Ok((other, _)) => jump(equations, &here.q, &other.q),
         Err(stop) => open(stop),
     }
 }

@@ -7,6 +7,7 @@ mod files;
 mod mechanisms;
 mod parameters;
 mod prepared;
+mod redundant;
 mod shapes;
 mod stress;
 mod sweeps;

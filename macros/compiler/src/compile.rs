@@ -138,7 +138,11 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     // Every name is an id, every quantity has a dimension.
     let system = system::assemble(&model, diag)?;
     // There are unknowns and equations only, with all their derivatives.
-    let structure = structure::analyze(&model, &system, diag)?;
+    structure::rows_agree(&model, &system, diag)?;
+    // All bodies hang on ground, and no row says what others say.
+    let checked = closure::surplus(&model, &system, diag)?;
+    // Of equations that follow from others it is known which are checked instead of solved.
+    let structure = structure::analyze(&model, &system, &checked, diag)?;
     // Every unknown belongs to a block, and the blocks are in order.
     let closure = closure::close(&model, &system, &structure, diag)?;
     // There is a configuration to start from, an assembled one unless the mechanism allows others.

@@ -12,19 +12,25 @@
 //!
 //! Not done here: emitting, redundancy.
 
+mod contradiction;
 mod gap;
 mod levenberg;
 mod links;
 mod loops;
 mod order;
 mod poses;
+mod rank;
+mod redundancy;
 mod regular;
+mod rows;
 mod search;
 mod shortest;
+mod tour;
 mod verdict;
 
 pub use gap::Gap;
 pub(crate) use poses::Poses;
+pub(crate) use redundancy::surplus;
 pub use shortest::Bound;
 
 use crate::diag::Diag;
@@ -68,6 +74,9 @@ pub(crate) fn close(model: &Model, system: &System, structure: &Structure, diag:
         return Some(Closure { start: room.unassembled(), is_closed: false, remark: None });
     }
     let mut assembled = room.assembled(structure);
+    if assembled.is_closed && !model.equations_only {
+        redundancy::equations_are_independent(&room, structure, &assembled.start, diag)?;
+    }
     let verdict = if model.equations_only { None } else { verdict::judge(&room, structure, &mut assembled) };
     let mut closure = Closure { start: room.rounded(&assembled.start), is_closed: assembled.is_closed, remark: None };
     match verdict {

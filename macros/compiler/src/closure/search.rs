@@ -198,7 +198,7 @@ impl<'a> Shown<'a> {
 }
 
 /// The guess of an undeclared angle: first 0, then spread evenly over a turn, each angle its own way; places likewise.
-fn guess(attempt: usize, index: usize) -> f64 {
+pub(super) fn guess(attempt: usize, index: usize) -> f64 {
     // Fractions of the golden section never repeat and fill the circle evenly.
     let turns = (attempt as f64 * (index as f64 + 1.0) * 0.618_033_988_749_895).fract();
     let turns = if turns > 0.5 { turns - 1.0 } else { turns };

@@ -26,6 +26,9 @@ const IN_LINE: f64 = 1e-5;
 /// A start that is nearer than this to the assembly tells it apart from any that is regular, in rad and sizes.
 const TOLD: f64 = 1e-3;
 
+/// An equation holds that is off by less than a step of this, in rad and sizes.
+const HOLDS: f64 = 1e-6;
+
 /// How often an assembly that is equally near at its block is followed through the blocks after it.
 const MOST_FOLLOWED: usize = 8;
 
@@ -226,11 +229,26 @@ impl Judge<'_> {
                 continue;
             }
             *followed += 1;
-            if self.follow(index, &mut other) && room.are_equally_near(start, &other) {
+            if self.follow(index, &mut other) && room.are_equally_near(start, &other) && self.is_as_checked(&other) {
                 return Some(self.two_ways(&differing, start, &other));
             }
         }
         None
+    }
+
+    /// The equations that are checked instead of solved hold.
+    fn is_as_checked(&self, q: &[f64]) -> bool {
+        let room = self.room;
+        let values = super::Values { coordinates: q, ..room.known };
+        self.structure.checked.iter().all(|equation| {
+            let equation = &room.system.equations[*equation];
+            let roots: Vec<super::Expr> = equation.phi.into_iter().chain(equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
+            let values = super::evaluate(&room.system.arena, &roots, &values);
+            let Some((phi, slopes)) = values.split_first() else { return true };
+            let steps = slopes.iter().zip(&equation.jacobian).map(|(slope, (unknown, _))| (slope * room.scale(*unknown)).abs());
+            // What is no number here is not judged.
+            !(phi.abs() > HOLDS * steps.fold(0.0, f64::max))
+        })
     }
 
     fn is_told(&self, unknown: usize, declared: f64, start: &[f64]) -> bool {

@@ -35,6 +35,13 @@ fn list(names: &[String]) -> String {
     }
 }
 
+/// Three significant digits.
+fn rounded(value: f64) -> String {
+    let digits = (2.0 - value.abs().log10().floor()).clamp(0.0, 12.0);
+    let text = format!("{value:.*}", digits as usize);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
 fn plural(count: usize, noun: &str) -> String {
     match (count, noun.strip_suffix('y')) {
         (1, _) => format!("1 {noun}"),
@@ -447,6 +454,61 @@ impl fmt::Display for Fact {
                 write!(f, "\nhelp: join it to another body, such as `joint name = revolute({body}.P, other.Q);`, or take it away")
             }
             Fact::Repeats { joint, other } => write!(f, "`{joint}` demands the same as `{other}`\nhelp: take one of them away"),
+            Fact::FollowsFrom { joint, is_drive, rows, of, others, free, moves } => {
+                let place = if *moves { "in every position" } else { "where the mechanism stands" };
+                let sources = if others.is_empty() { "the rest of it".to_owned() } else { list(others) };
+                match (rows == of, of) {
+                    (true, 1) => write!(f, "`{joint}` adds nothing: its equation follows from {sources} {place}")?,
+                    (true, 2) => write!(f, "`{joint}` adds nothing: both its equations follow from {sources} {place}")?,
+                    (true, of) => write!(f, "`{joint}` adds nothing: its {of} equations follow from {sources} {place}")?,
+                    (false, of) => {
+                        let verb = if *rows == 1 { "adds" } else { "add" };
+                        let it = if *rows == 1 { "it follows" } else { "they follow" };
+                        write!(f, "{rows} of the {of} equations of `{joint}` {verb} nothing: {it} from {sources} {place}")?;
+                    }
+                }
+                if !free.is_empty() {
+                    let (remains, one) = if free.len() == 1 { ("remains", "it") } else { ("remain", "one of them") };
+                    return write!(f, "\nnote: {} {remains} free\nhelp: let it hold or drive {one} instead", list(free));
+                }
+                match (is_drive, rows == of) {
+                    _ if others.is_empty() => write!(f, "\nhelp: say it once"),
+                    (true, _) => write!(f, "\nhelp: take it away"),
+                    (false, true) => write!(f, "\nhelp: take it away, or write `redundant joint` for `joint` to keep it as a check"),
+                    (false, false) => {
+                        write!(f, "\nhelp: write `redundant joint` for `joint`: what is needed of it is solved, the rest is checked")
+                    }
+                }
+            }
+            Fact::NotRedundant { joint, free } => {
+                write!(f, "`{joint}` is not redundant: none of its equations follows from others")?;
+                if !free.is_empty() {
+                    let are = if free.len() == 1 { "is" } else { "are" };
+                    write!(f, "\nnote: without it {} {are} free", list(free))?;
+                }
+                write!(f, "\nhelp: write `joint` for `redundant joint`")
+            }
+            Fact::CannotHold { joint, bodies, length, angle, time, is_redundant } => {
+                write!(f, "`{joint}` contradicts the other joints: ")?;
+                if *time == 0.0 {
+                    write!(f, "with all of them closed it is ")?;
+                } else {
+                    write!(f, "with all of them closed it is, at t = {} s, ", rounded(*time))?;
+                }
+                match (length, angle) {
+                    (Some(length), Some(angle)) => {
+                        write!(f, "{} mm and {}° off", rounded(length * 1e3), rounded(angle.to_degrees()))?;
+                    }
+                    (Some(length), None) => write!(f, "{} mm off", rounded(length * 1e3))?,
+                    (None, Some(angle)) => write!(f, "{}° off", rounded(angle.to_degrees()))?,
+                    (None, None) => write!(f, "off")?,
+                }
+                if bodies.len() > 1 {
+                    write!(f, "\nnote: it joins {}", list(bodies))?;
+                }
+                let fit = if *is_redundant { "a redundant joint must fit as well" } else { "what is held twice must fit" };
+                write!(f, "\nhelp: {fit}: change a measure, or take it away")
+            }
             Fact::NotOnGround { bodies } => {
                 write!(f, "{} are joined to each other but not to ground", list(bodies))?;
                 let first = bodies.first().map_or("", String::as_str);
@@ -508,13 +570,14 @@ impl fmt::Display for Fact {
                 }
                 write!(f, "\nhelp: {} left free: drive {} instead", are(free), one_of(free))
             }
-            Fact::Follows { joint, rows, of, others } => {
+            Fact::Follows { joint, is_drive, rows, of, others } => {
+                let mark = if *is_drive { "" } else { ", or write `redundant joint` for `joint` to keep it as a check" };
                 if others.is_empty() {
                     return write!(f, "the equations of `{joint}` follow from each other\nhelp: take those away that say the same");
                 }
                 let verb = if others.len() == 1 { "says" } else { "say" };
                 if rows.len() == *of {
-                    return write!(f, "`{joint}` adds nothing: {} {verb} the same\nhelp: take `{joint}` away", list(others));
+                    return write!(f, "`{joint}` adds nothing: {} {verb} the same\nhelp: take `{joint}` away{mark}", list(others));
                 }
                 let which: Vec<String> = rows.iter().map(usize::to_string).collect();
                 write!(
@@ -523,7 +586,7 @@ impl fmt::Display for Fact {
                     list(others),
                     which.join(" and ")
                 )?;
-                write!(f, "\nhelp: take one of them away, or demand less with it")
+                write!(f, "\nhelp: take one of them away, or demand less with it{mark}")
             }
             Fact::Contradicts { joint, others, demand, off } => {
                 if others.is_empty() {

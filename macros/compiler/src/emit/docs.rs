@@ -15,8 +15,17 @@ pub(super) fn mechanism(model: &Model, system: &System, closure: &Closure, plan:
     let mut page = String::new();
     let (n, m) = (system.unknowns.len(), system.equations.len());
     let drives: usize = model.joints.iter().filter(|joint| joint.is_drive).map(|joint| joint.residuals.len()).sum();
-    let mobility = n as i64 - (m - drives) as i64;
-    let _ = writeln!(page, "\n{n} coordinates, {m} equations, {drives} of them drives: mobility {mobility} without drives, as counted.");
+    let checked = plan.checked.len();
+    let mobility = n as i64 - (m - drives - checked) as i64;
+    let redundant = match checked {
+        0 => String::new(),
+        1 => ", 1 follows from others and is checked".to_owned(),
+        many => format!(", {many} follow from others and are checked"),
+    };
+    let _ = writeln!(
+        page,
+        "\n{n} coordinates, {m} equations, {drives} of them drives{redundant}: mobility {mobility} without drives, as counted."
+    );
     page.push_str(&assembly(model, closure));
     // HTML in a page of Markdown stands between blank lines.
     let _ = writeln!(page, "\n{}\n{}", picture.svg().unwrap_or_default(), picture.words());
@@ -75,12 +84,14 @@ fn solution(page: &mut String, model: &Model, system: &System, solution: &Soluti
         let is_shown = match stage {
             Summary::Explicit { unknown, .. } => table.shows([body(unknown)].into_iter()),
             Summary::Block { unknowns, .. } => table.shows(unknowns.iter().map(body)),
+            Summary::Check(equation) => table.shows([&model.joints[system.equations[*equation].joint].name].into_iter()),
         };
         if !is_shown {
             continue;
         }
         let _ = match stage {
             Summary::Explicit { unknown, .. } => writeln!(page, "compute  {}", name(unknown)),
+            Summary::Check(equation) => writeln!(page, "check    {}", equation_name(model, system, *equation)),
             Summary::Block { unknowns, equations, cost, elimination, .. } => {
                 let unknowns: Vec<String> = unknowns.iter().map(name).collect();
                 let rows: Vec<String> = equations.iter().map(|equation| equation_name(model, system, *equation)).collect();

@@ -204,7 +204,7 @@ fn writes(kernel: &Kernel, unknowns: &[Index], ranks: &BTreeMap<usize, TokenStre
         let rank = &ranks[slot];
         let in_block = kernel.lines.parts.iter().enumerate().find_map(|(number, part)| match part {
             Part::Block(block) => block.system.unknowns.iter().position(|unknown| unknown == slot).map(|position| (number, position)),
-            Part::Explicit { .. } => None,
+            Part::Explicit { .. } | Part::Check { .. } => None,
         });
         tokens.extend(match in_block {
             Some((block, position)) => {

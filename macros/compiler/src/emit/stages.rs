@@ -8,7 +8,7 @@ use crate::model::Dim;
 use crate::plan::{Lines, Solution, Solving, Summary, Words};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 impl Emitter<'_> {
     /// The runtime's trait `Stages`.
@@ -102,12 +102,22 @@ impl Emitter<'_> {
     /// A guess improved with all equations
     fn improved(&self) -> TokenStream {
         let n = self.system.unknowns.len();
+        let checked: BTreeSet<usize> = self.plan.checked.iter().copied().collect();
+        let improved = if checked.is_empty() {
+            quote!(::reuleaux::improved_at_once(self, t, guess))
+        } else {
+            let solved = (0..self.system.equations.len()).filter(|equation| !checked.contains(equation)).map(Literal::usize_unsuffixed);
+            quote! {
+                const SOLVED: [usize; #n] = [#(#solved),*];
+                ::reuleaux::improved_by(self, &SOLVED, t, guess)
+            }
+        };
         quote! {
             fn improved(&self, t: T, guess: &::reuleaux::nalgebra::SVector<T, #n>) -> ::reuleaux::nalgebra::SVector<T, #n>
             where
                 T: ::reuleaux::Float,
             {
-                ::reuleaux::improved_at_once(self, t, guess)
+                #improved
             }
         }
     }
@@ -239,7 +249,7 @@ pub(super) struct Index {
 pub(super) fn iterated(solution: &Solution, shelf: &Shelf) -> TokenStream {
     let blocks = solution.stages.iter().filter_map(|stage| match stage {
         Summary::Block { unknowns, .. } => Some(unknowns),
-        Summary::Explicit { .. } => None,
+        Summary::Explicit { .. } | Summary::Check(_) => None,
     });
     let unknowns = blocks.flatten().filter_map(|unknown| shelf.place(*unknown)).map(Literal::usize_unsuffixed);
     quote!(const ITERATED: &'static [usize] = &[#(#unknowns),*];)

@@ -61,7 +61,7 @@ impl Elaborator<'_> {
         self.rows_are_sound(id, joint, &rows);
         let residual = |row: Row| Residual { expr: row.residual.expr, dim: row.residual.measure.settled() };
         let residuals = rows.into_iter().map(residual).collect();
-        Some(Joint { name: name.clone(), kind, is_drive: joint.is_drive, residuals })
+        Some(Joint { name: name.clone(), kind, is_drive: joint.is_drive, is_redundant: joint.is_redundant, residuals })
     }
 
     /// Every row depends on a position, and those of a joint not on time; one refusal is enough.

@@ -137,6 +137,8 @@ pub struct Joint {
     pub kind: String,
     /// Declared by `drive`.
     pub is_drive: bool,
+    /// Declared by `redundant joint`: those of its equations that follow from others are checked instead of solved.
+    pub is_redundant: bool,
     /// Left minus right side of each scalar equation.
     pub residuals: Vec<Residual>,
 }

@@ -35,7 +35,7 @@ pub struct Kernel {
     pub lines: Lines,
     /// The local unknowns that it finds.
     pub found: Vec<usize>,
-    /// The equations of its block.
+    /// The equations of its block, or the one that it checks.
     pub equations: Vec<Column<u32>>,
     /// Of which of its unknowns it keeps sine and cosine for others.
     pub kept: Vec<usize>,
@@ -95,6 +95,7 @@ impl Run<'_> {
                     tag.extend(system.elimination.iter().flat_map(|elimination| elimination.features(frame.arena, &system.jacobian)));
                     first.extend(system.unknowns.iter().map(|unknown| *unknown as u32));
                 }
+                Stage::Check { .. } => tag.push(u32::MAX),
             }
         }
         tag.extend(first.iter().map(|unknown| u32::from(frame.is_angle[*unknown as usize])));
@@ -169,6 +170,10 @@ fn kernel(shape: Shape, runs: Vec<&Run>, turned: &BTreeSet<usize>, words: &Words
                 stages.push(Stage::Block(system.with((first..first + k).collect(), (0..k).collect(), own)));
                 equations = (0..k).map(|row| Column::of(runs.iter().map(|run| run.equation(row)).collect())).collect();
             }
+            Stage::Check { .. } => {
+                stages.push(Stage::Check { equation: 0, residual: own[0], size: own[1] });
+                equations = vec![Column::of(runs.iter().map(|run| run.equation(0)).collect())];
+            }
         }
     }
     let elsewhere: BTreeSet<usize> = turned.iter().copied().filter(|slot| !found.contains(slot)).collect();
@@ -177,10 +182,13 @@ fn kernel(shape: Shape, runs: Vec<&Run>, turned: &BTreeSet<usize>, words: &Words
 }
 
 impl Run<'_> {
-    /// The equation of this number of its block.
+    /// The equation of this number of its block, or the one that it checks.
     fn equation(&self, row: usize) -> u32 {
-        let of_stage =
-            |stage: &&Stage| if let Stage::Block(Iteration { equations, .. }) = stage { equations.get(row).copied() } else { None };
+        let of_stage = |stage: &&Stage| match stage {
+            Stage::Block(Iteration { equations, .. }) => equations.get(row).copied(),
+            Stage::Check { equation, .. } => Some(*equation),
+            Stage::Explicit { .. } => None,
+        };
         self.stages.iter().find_map(of_stage).unwrap_or(0) as u32
     }
 }

@@ -45,6 +45,8 @@ pub struct Plan {
     pub arena: Arena,
     /// How q, q̇ and q̈ are found; none for equations that are not solved.
     pub solution: Option<Solution>,
+    /// Equations that are checked instead of solved, by their index in Φ.
+    pub checked: Vec<usize>,
     /// For each method of outputs what is upstream of it.
     pub slices: Vec<Slice>,
     /// What moves, where that is worth its own code.
@@ -176,6 +178,7 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, cl
         start: line(system.unknowns.iter().filter_map(|unknown| unknown.start).collect()),
         lengths: line(distinct(&arena, &model.lengths)),
         requirements: line(sides),
+        checked: structure.checked.clone(),
         solution: solving.as_ref().map(|(solution, _, _)| solution.clone()),
         slices: solving.as_ref().map_or(Vec::new(), |(_, slices, _)| slices.clone()),
         moving: solving.and_then(|(_, _, moving)| moving),

@@ -40,6 +40,10 @@ pub(super) fn upstream(frame: &Frame, stages: &[Stage], output: &Output, n: usiz
         }
     }
     chosen.reverse();
+    // What is not upstream may hold or not.
+    let found: BTreeSet<usize> = chosen.iter().flat_map(Stage::unknowns).copied().collect();
+    let is_upstream = |stage: &&Stage| matches!(stage, Stage::Check { .. }) && leaves(frame.arena, stage).is_subset(&found);
+    chosen.extend(stages.iter().filter(is_upstream).cloned());
     chosen.extend(outputs);
     let solution = solution(frame, &chosen, false);
     let held = held(frame, &chosen, &solution.solving, n);
@@ -49,7 +53,10 @@ pub(super) fn upstream(frame: &Frame, stages: &[Stage], output: &Output, n: usiz
 /// What moves, if there are blocks that do not: these need not be solved for every moment.
 pub(super) fn moving(frame: &Frame, stages: &[Stage]) -> Option<Slice> {
     let timed = timed(frame.arena, stages);
-    let rests = |stage: &Stage| !stage.unknowns().iter().any(|unknown| timed.contains(unknown));
+    let rests = |stage: &Stage| match stage {
+        Stage::Check { .. } => timed.is_disjoint(&leaves(frame.arena, stage)),
+        Stage::Explicit { .. } | Stage::Block(_) => !stage.unknowns().iter().any(|unknown| timed.contains(unknown)),
+    };
     if !stages.iter().any(|stage| matches!(stage, Stage::Block(_)) && rests(stage)) || stages.iter().all(rests) {
         return None;
     }
@@ -91,6 +98,7 @@ fn held(frame: &Frame, stages: &[Stage], solving: &Solving, n: usize) -> Vec<usi
     let timed = timed(frame.arena, stages);
     let is_held = |stage: &&Stage| match stage {
         Stage::Block(_) => true,
+        Stage::Check { .. } => false,
         Stage::Explicit { unknown, motion, .. } => {
             let is_constant = motion.iter().all(|expr| frame.arena.as_constant(*expr).is_some());
             let is_shared = matches!(solving, Solving::Shared(_));

@@ -43,6 +43,8 @@ pub enum Summary {
         /// The number of its shape: blocks with the same number do the same operations.
         shape: usize,
     },
+    /// An equation that is checked, by its index in Φ.
+    Check(usize),
 }
 
 /// How the stages are written.
@@ -87,6 +89,17 @@ pub enum Part {
     },
     /// Unknowns that are found together.
     Block(Box<Iterated>),
+    /// An equation that is checked.
+    Check {
+        /// What is named before it.
+        steps: Vec<Step>,
+        /// Its index in Φ.
+        equation: usize,
+        /// Its residual.
+        residual: Expr,
+        /// What rounding errors of that are a share of.
+        size: Expr,
+    },
 }
 
 /// A system that Newton's method solves, with the steps it needs.
@@ -158,6 +171,7 @@ fn summary(arena: &Arena, stage: &Stage, blocks: &mut impl Iterator<Item = (usiz
             let (shape, cost) = blocks.next().unwrap_or_default();
             Summary::Block { unknowns: unknowns.clone(), equations: equations.clone(), cost, elimination: elimination.clone(), shape }
         }
+        Stage::Check { equation, .. } => Summary::Check(*equation),
     }
 }
 
@@ -171,6 +185,7 @@ pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet
     for (stage, moving) in stages.iter().zip(&moving) {
         match stage {
             Stage::Explicit { motion, .. } => roots.extend(motion),
+            Stage::Check { residual, size, .. } => roots.extend([residual, size]),
             Stage::Block(system) => {
                 hoisted.extend(fixed(arena, system, moving));
                 roots.extend(system.sizes.iter().chain(&system.rates).chain(&system.accelerations));
@@ -239,6 +254,12 @@ fn part(arena: &Arena, work: &mut Work, stage: &Stage, moving: &BTreeSet<Expr>, 
             Part::Explicit { steps: work.take(), unknown: *unknown, motion: *motion }
         }
         Stage::Block(system) => Part::Block(Box::new(iterated(arena, work, system, moving, words))),
+        Stage::Check { equation, residual, size } => {
+            for expr in [residual, size] {
+                work.serve(*expr);
+            }
+            Part::Check { steps: work.take(), equation: *equation, residual: *residual, size: *size }
+        }
     }
 }
 

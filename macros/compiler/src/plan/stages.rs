@@ -5,6 +5,7 @@
 //! block         r(x) = 0  with everything before it known and what follows explicitly put in
 //!               r_x ẋ = −ṙ at ẋ = 0
 //!               r_x ẍ = −r̈ at ẍ = 0
+//! check         Φ_i, which vanishes if the mechanism is as it was declared
 //! ```
 
 use super::magnitude::magnitude;
@@ -27,6 +28,15 @@ pub enum Stage {
     },
     /// Unknowns that are found together.
     Block(Iteration),
+    /// An equation that must hold of itself.
+    Check {
+        /// Index in Φ.
+        equation: usize,
+        /// Its left minus its right side.
+        residual: Expr,
+        /// What its rounding errors are a share of.
+        size: Expr,
+    },
 }
 
 impl Stage {
@@ -35,6 +45,7 @@ impl Stage {
         match self {
             Stage::Explicit { unknown, .. } => std::slice::from_ref(unknown),
             Stage::Block(system) => &system.unknowns,
+            Stage::Check { .. } => &[],
         }
     }
 
@@ -47,6 +58,7 @@ impl Stage {
     pub(super) fn results(&self) -> Vec<Expr> {
         match self {
             Stage::Explicit { motion, .. } => motion.to_vec(),
+            Stage::Check { residual, size, .. } => vec![*residual, *size],
             Stage::Block(Iteration { residuals, jacobian, sizes, rates, accelerations, .. }) => {
                 [residuals, sizes, rates, accelerations].into_iter().chain(jacobian).flatten().copied().collect()
             }
@@ -90,7 +102,8 @@ pub struct Iteration {
 /// The stages of a mechanism whose every unknown belongs to a block, and outputs in terms of what moves.
 pub(super) fn stages(arena: &mut Arena, system: &System, structure: &Structure, outputs: &[Output]) -> (Vec<Stage>, Vec<Output>) {
     let mut work = Work { arena, system, jets: Jets::new(), constants: Substitution::new() };
-    let stages = structure.blocks.iter().flat_map(|block| work.block(block)).collect();
+    let mut stages: Vec<Stage> = structure.blocks.iter().flat_map(|block| work.block(block)).collect();
+    stages.extend(structure.checked.iter().filter_map(|equation| work.check(*equation)));
     let outputs = outputs.iter().map(|output| work.output(output)).collect();
     (stages, outputs)
 }
@@ -124,6 +137,14 @@ impl Work<'_> {
             }
         }
         stages
+    }
+
+    /// An equation that must hold of itself, unless it does so whatever the parameters.
+    fn check(&mut self, equation: usize) -> Option<Stage> {
+        let residual = self.constants.of(self.arena, self.system.equations[equation].phi?);
+        let size = magnitude(self.arena, residual, &[], self.system);
+        let vanishes = self.arena.as_constant(residual).is_some_and(|value| value.is_zero());
+        (!vanishes).then_some(Stage::Check { equation, residual, size })
     }
 
     /// An unknown with this value.

@@ -8,16 +8,17 @@ use crate::model::{Dim, Model};
 use crate::system::System;
 use std::collections::BTreeSet;
 
-/// The rows that depend on others everywhere, joints looked at before drives.
+/// The rows that depend on others everywhere, joints looked at before drives. Of redundant joints it is looked at by numbers.
 pub(super) fn dependent(model: &Model, system: &System) -> Vec<Dependent> {
     let mut rows: Vec<(usize, Expr)> =
         system.equations.iter().enumerate().filter_map(|(row, equation)| Some((row, equation.phi?))).collect();
+    rows.retain(|(row, _)| !model.joints[system.equations[*row].joint].is_redundant);
     rows.sort_by_key(|(row, _)| model.joints[system.equations[*row].joint].is_drive);
     dependence::dependent(&system.arena, &rows)
 }
 
-/// No row follows from others, or contradicts them.
-pub(super) fn no_row_follows_from_others(model: &Model, system: &System, dependent: &[Dependent], diag: &mut Diag) {
+/// No joint follows from others, or contradicts them. `whole`: given, of a joint that follows in part nothing is said.
+pub(super) fn no_row_follows_from_others(model: &Model, system: &System, dependent: &[Dependent], whole: bool, diag: &mut Diag) {
     let mut said = Said::default();
     for found in dependent.iter().filter(|found| found.left.is_constant()) {
         let joint = system.equations[found.row].joint;
@@ -35,8 +36,10 @@ pub(super) fn no_row_follows_from_others(model: &Model, system: &System, depende
                 demand: demand(model, system, found),
                 off: quantity(found.left.constant.abs(), system.equations[found.row].dim),
             },
+            None if whole && of_joint.len() < model.joints[joint].residuals.len() => continue,
             None => Fact::Follows {
                 joint: name.to_string(),
+                is_drive: model.joints[joint].is_drive,
                 rows: of_joint.iter().map(|found| system.equations[found.row].row + 1).collect(),
                 of: model.joints[joint].residuals.len(),
                 others: joints(model, system, joint, &of_joint),

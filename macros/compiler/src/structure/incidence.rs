@@ -38,6 +38,14 @@ impl Incidence {
     pub(super) fn in_order(&self, order: &[usize]) -> Incidence {
         Incidence { unknowns: self.unknowns, rows: order.iter().map(|row| self.rows[*row].clone()).collect() }
     }
+
+    /// The pattern with some rows set aside: nothing stands in them.
+    pub(super) fn without(mut self, rows: &BTreeSet<usize>) -> Incidence {
+        for row in rows {
+            self.rows[*row].clear();
+        }
+        self
+    }
 }
 
 /// A constant much smaller than the largest of its row would blow up rounding errors.

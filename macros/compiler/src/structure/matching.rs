@@ -33,12 +33,17 @@ impl Matching {
 
 /// As many pairs as there can be.
 pub(super) fn maximum(incidence: &Incidence) -> Matching {
+    maximum_in(incidence, 0..incidence.rows.len())
+}
+
+/// The same, with equations in this order: of those that contend for an unknown the last ones get none.
+pub(super) fn maximum_in(incidence: &Incidence, order: impl Iterator<Item = usize>) -> Matching {
     let mut matching = Matching { of_equation: vec![None; incidence.rows.len()], of_unknown: vec![None; incidence.unknowns] };
     // For each equation, how many of its entries have been looked at for a free unknown. An unknown
     // never becomes free again, so this only grows: the look-ahead costs each entry once.
     let mut looked = vec![0; incidence.rows.len()];
     let mut visited = vec![usize::MAX; incidence.rows.len()];
-    for root in 0..incidence.rows.len() {
+    for root in order {
         augment(incidence, &mut matching, root, &mut looked, &mut visited);
     }
     matching

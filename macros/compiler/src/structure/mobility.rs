@@ -15,6 +15,7 @@ const MOST_CHOSEN: usize = 4;
 /// There are equations enough. `under`: given, the unknowns that share too few, and their equations.
 pub(super) fn nothing_is_free(model: &Model, system: &System, incidence: &Incidence, matching: &Matching, under: &Part, diag: &mut Diag) {
     let drives = drives(model);
+    let solved = incidence.rows.iter().filter(|row| !row.is_empty()).count();
     let in_none = in_no_equation(incidence);
     let is_place = |unknown: &usize| system.unknowns[*unknown].dim != Dim::ANGLE;
     let body = |unknown: &usize| system.unknowns[*unknown].body;
@@ -36,7 +37,7 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, incidence: &Incide
     let shown = if missing == 1 { &candidates } else { &chosen };
     let fact = Fact::DrivesMissing {
         name: model.name.to_string(),
-        count: Count { coordinates: system.unknowns.len(), joints: system.equations.len() - drives, drives, missing },
+        count: Count { coordinates: system.unknowns.len(), joints: solved - drives, drives, missing },
         loose: loose.into_iter().map(|body| model.bodies[body].name.to_string()).collect(),
         candidates: shown.iter().map(|unknown| coordinate(model, system, *unknown)).collect(),
         example: chosen.first().map_or(String::new(), |unknown| example(model, system, *unknown)),

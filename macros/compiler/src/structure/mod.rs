@@ -21,6 +21,7 @@ mod incidence;
 mod matching;
 mod mobility;
 mod parts;
+mod pieces;
 mod surplus;
 mod tearing;
 #[cfg(test)]
@@ -31,12 +32,16 @@ use crate::diag::Diag;
 use crate::model::Model;
 use crate::system::System;
 use incidence::Incidence;
+pub(crate) use pieces::{Piece, surplus};
+use std::collections::BTreeSet;
 
 /// The order of solution.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Structure {
     /// Solved one after the other.
     pub blocks: Vec<Block>,
+    /// Equations that follow from the others in every position: they are checked, not solved.
+    pub checked: Vec<usize>,
 }
 
 /// Unknowns that are found together.
@@ -59,16 +64,24 @@ pub struct Explicit {
     pub equation: usize,
 }
 
+/// Refuses bodies that nothing holds, and equations that say what others say by exact arithmetic.
+pub(crate) fn rows_agree(model: &Model, system: &System, diag: &mut Diag) -> Option<()> {
+    if !model.equations_only {
+        verdict::rows_agree(model, system, &Incidence::new(model, system), diag);
+    }
+    diag.is_clean().then_some(())
+}
+
 /// Decides which unknowns are found from which equations, and in which order.
 ///
-/// Where only equations are wanted they need not fit the unknowns, and what does not fit is in no block.
-pub(crate) fn analyze(model: &Model, system: &System, diag: &mut Diag) -> Option<Structure> {
-    let incidence = Incidence::new(model, system);
+/// Where only equations are wanted they need not fit the unknowns, and what does not fit is in no block. Neither is what is `checked`.
+pub(crate) fn analyze(model: &Model, system: &System, checked: &BTreeSet<usize>, diag: &mut Diag) -> Option<Structure> {
+    let incidence = Incidence::new(model, system).without(checked);
     let matching = matching::maximum(&incidence);
     if !model.equations_only {
         verdict::equations_fit(model, system, &incidence, &matching, diag);
     }
     let groups = components::in_order(&incidence, &matching);
     let blocks = groups.iter().map(|group| tearing::tear(&incidence, &matching, group)).collect();
-    diag.is_clean().then_some(Structure { blocks })
+    diag.is_clean().then(|| Structure { blocks, checked: checked.iter().copied().collect() })
 }

@@ -23,6 +23,8 @@ pub(super) fn overdetermined(incidence: &Incidence, matching: &Matching) -> Part
 /// away, and every one that remains has an unknown of its own.
 pub(super) fn contending(incidence: &Incidence, matching: &Matching, mut open: Vec<usize>) -> Part {
     let mut part = Part::default();
+    // What is set aside contends for nothing.
+    open.retain(|equation| !incidence.rows[*equation].is_empty());
     while let Some(equation) = open.pop() {
         if !part.equations.insert(equation) {
             continue;

@@ -110,6 +110,10 @@ fn groups(model: &Model, system: &System, incidence: &Incidence) -> Vec<Group> {
     let mut groups: Vec<Option<Group>> = Vec::new();
     let mut group_of: BTreeMap<usize, usize> = BTreeMap::new();
     for free in matching.free_equations() {
+        if ordered.rows[free].is_empty() {
+            // It is checked, not solved.
+            continue;
+        }
         let Part { equations, unknowns } = contending(&ordered, &matching, vec![free]);
         let mut joined =
             Group { part: Part { equations: equations.iter().map(|row| order[*row]).collect(), unknowns }, first: order[free] };

@@ -12,15 +12,20 @@ use crate::model::{Model, Name};
 use crate::system::System;
 use std::collections::BTreeSet;
 
-/// Every unknown has an equation of its own, and every equation an unknown.
-pub(super) fn equations_fit(model: &Model, system: &System, incidence: &Incidence, matching: &Matching, diag: &mut Diag) {
+/// Every body is held by ground, and no row says what others say, but those of redundant joints.
+pub(super) fn rows_agree(model: &Model, system: &System, incidence: &Incidence, diag: &mut Diag) {
     every_body_is_held(model, system, incidence, diag);
     grounding::every_group_is_on_ground(model, system, incidence, diag);
-    if !diag.is_clean() {
-        return;
+    if diag.is_clean() {
+        agreement::no_row_follows_from_others(model, system, &agreement::dependent(model, system), true, diag);
     }
+}
+
+/// Every unknown has an equation of its own, and every equation an unknown.
+pub(super) fn equations_fit(model: &Model, system: &System, incidence: &Incidence, matching: &Matching, diag: &mut Diag) {
     let dependent = agreement::dependent(model, system);
-    agreement::no_row_follows_from_others(model, system, &dependent, diag);
+    // What numbers have not found to follow as a whole may follow in part.
+    agreement::no_row_follows_from_others(model, system, &dependent, false, diag);
     if !diag.is_clean() {
         return;
     }

@@ -230,6 +230,8 @@ pub struct Joint {
     pub docs: Docs,
     /// Only a drive may contain `t`.
     pub is_drive: bool,
+    /// Those of its equations that follow from others are checked instead of solved.
+    pub is_redundant: bool,
     /// Its name.
     pub name: Ident,
     /// Its indices, if it is one of an array.

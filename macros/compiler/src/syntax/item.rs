@@ -122,7 +122,7 @@ fn item(input: ParseStream, place: Place, diag: &mut Diag) -> Parsed<Item> {
         "function" => Item::Function(Rc::new(function(input)?)),
         "ground" => Item::Ground(Rc::new(ground(input, docs)?)),
         "body" => Item::Body(Rc::new(body(input, docs)?)),
-        "joint" | "drive" => Item::Joint(Rc::new(joint(input, docs)?)),
+        "joint" | "drive" | "redundant" => Item::Joint(Rc::new(joint(input, docs)?)),
         "output" => Item::Output(Rc::new(output(input, docs)?)),
         "component" => Item::Component(Rc::new(component(input, docs, diag)?)),
         "part" => Item::Part(Rc::new(part(input, docs)?)),
@@ -344,13 +344,21 @@ fn start(input: ParseStream) -> Parsed<Start> {
     Ok(Start { what, value })
 }
 
-/// `joint name = …;` or `drive name = …;`
+/// `joint name = …;`, `redundant joint name = …;` or `drive name = …;`
 fn joint(input: ParseStream, docs: Docs) -> Parsed<Joint> {
-    let is_drive = Ident::parse_any(input)? == "drive";
+    let mut word = Ident::parse_any(input)?;
+    let is_redundant = word == "redundant";
+    if is_redundant {
+        if keyword(input).is_none_or(|word| word != "joint") {
+            return expected(input, "`joint`: only a joint can be redundant");
+        }
+        word = Ident::parse_any(input)?;
+    }
+    let is_drive = word == "drive";
     let (name, indices) = declared(input, if is_drive { "the name of the drive" } else { "the name of the joint" })?;
     equals(input)?;
     let body = if input.peek(token::Brace) { equations(input)? } else { instance(input)? };
-    Ok(Joint { docs, is_drive, name, indices, body })
+    Ok(Joint { docs, is_drive, is_redundant, name, indices, body })
 }
 
 /// `{ lhs == rhs; … }`, with or without a semicolon after it.

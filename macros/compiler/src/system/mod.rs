@@ -128,7 +128,9 @@ fn no_joint_repeats_another(model: &Model, arena: &mut Arena, diag: &mut Diag) {
     let mut owners: BTreeMap<Expr, usize> = BTreeMap::new();
     for (index, joint) in model.joints.iter().enumerate() {
         let earlier: Option<Vec<usize>> = joint.residuals.iter().map(|residual| owners.get(&residual.expr).copied()).collect();
-        if let Some(other) = earlier.and_then(|earlier| earlier.first().copied()) {
+        if let Some(other) = earlier.and_then(|earlier| earlier.first().copied())
+            && !joint.is_redundant
+        {
             let other = model.joints[other].name.to_string();
             diag.refuse::<()>(&joint.name, Fact::Repeats { joint: joint.name.to_string(), other });
         }

@@ -115,6 +115,26 @@ const WALKER: &str = "
         output sum = leg[0].upper.angle + leg[1].upper.angle * grid[1][1];
     }";
 
+/// A parallelogram that holds more than it needs.
+const COUPLED: &str = "
+    pub mechanism Coupled {
+        param middle: Length = 500mm;
+        ground { point A = (0m, 0m); point B = (2m, 0m); point C = (1m, 0m); }
+        body crank { point P = (500mm, 0mm); }
+        body rod { point Q = (2m, 0m); point R = (1m, 0m); }
+        body rocker { point P = (500mm, 0mm); }
+        body third { point P = (middle, 0mm); }
+        joint a = revolute(ground.A, crank.position);
+        joint b = revolute(ground.B, rocker.position);
+        joint c = revolute(crank.P, rod.position);
+        joint d = revolute(rod.Q, rocker.P);
+        joint e = revolute(ground.C, third.position);
+        redundant joint f = revolute(rod.R, third.P);
+        redundant joint g[0] = { 2 * rod.angle == 0; crank.x + rod.angle * 1m == 0; }
+        drive input = drive_angle(crank, 60deg + 1rad_s * t);
+        output lean = third.angle;
+    }";
+
 /// Definitions of constraints.
 const DEFINITIONS: &str = "
     /// An ellipse.
@@ -153,7 +173,8 @@ const ITEMS: &[&str] = &[
 pub(crate) fn pick(random: &mut Random) -> (Kind, TokenStream) {
     let pages: Vec<(&str, &str)> = reuleaux_compiler::library::pages().collect();
     match random.below(10) {
-        0 | 1 => (Kind::Mechanism, tokens(CRANK_ROCKER)),
+        0 => (Kind::Mechanism, tokens(CRANK_ROCKER)),
+        1 => (Kind::Mechanism, tokens(COUPLED)),
         8 | 9 => (Kind::Mechanism, tokens(WALKER)),
         2 => (Kind::Mechanism, tokens(CAM)),
         3 => (Kind::Mechanism, tokens(EQUATIONS)),
@@ -204,7 +225,7 @@ fn tokens(text: &str) -> TokenStream {
 /// The sources are valid before they are mutilated.
 #[test]
 fn the_corpus_is_accepted() {
-    for text in [CRANK_ROCKER, CAM, EQUATIONS, GEARS] {
+    for text in [CRANK_ROCKER, CAM, EQUATIONS, GEARS, COUPLED] {
         accepted(Kind::Mechanism, tokens(text), text);
     }
     accepted(Kind::Constraint, tokens(DEFINITIONS), DEFINITIONS);

@@ -12,6 +12,7 @@ mod joints;
 mod mobility;
 mod names;
 mod parameters;
+mod redundancy;
 mod syntax;
 mod uses;
 mod values;

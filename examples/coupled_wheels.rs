@@ -1,0 +1,148 @@
+//! Three wheels of a locomotive and the rod that couples them: one pin too many, which works if the wheels are alike.
+//!
+//! ```text
+//!      ___       ___       ___
+//!     /   \     /   \     /   \        wheels of radius R, which roll on the rail
+//!    |  o════════╪o════════╪o  |       rod over three crank pins at r, axles a apart
+//!     \___/     \___/     \___/
+//!   ───────────────────────────────
+//! ```
+//!
+//! Each wheel turns as it rolls, by −x/R. The first pin carries the rod, and another one keeps it level; the third has nothing left
+//! to do. It is declared as redundant, as the second is of which only one equation is needed: what is not needed is checked. So the
+//! rod goes round without turning, and of a wheel that is worn the solver says by how much the pin misses its hole:
+//!
+//! ```text
+//! |Δ| = 2 r sin(|φ₂ − φ₁| / 2)          φ₂ − φ₁ = x/R₁ − x/R₂
+//! ```
+//!
+//! Real rods have play for that, and wheels that are coupled are turned on the lathe together.
+
+use std::error::Error;
+use std::f64::consts::TAU;
+
+use reuleaux::{Cause, mechanism};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, place, polar, steps};
+
+mechanism! {
+    /// A locomotive on three coupled axles.
+    pub mechanism CoupledWheels {
+        param speed: Velocity = 5m_s;
+        param throw: Length = 300mm;
+        for i in 0..3 { param radius[i]: Length = 700mm; }
+
+        ground { point O = (0mm, 700mm);  axis rail = (1, 0); }
+        body engine { for i in 0..3 { point axle[i] = (i * 1.6m, 0m); } }
+        body rod    { for i in 0..3 { point hole[i] = (i * 1.6m, 0m); } }
+        for i in 0..3 { body wheel[i] { point pin = (throw, 0mm); } }
+
+        joint track = translational(ground.rail, ground.O, engine.position);
+        for i in 0..3 {
+            joint axle[i] = revolute(engine.axle[i], wheel[i].position);
+            joint rolling[i] = rack_pinion(wheel[i], engine.position, ground.rail, ground.O, radius[i]);
+        }
+        joint pin[0] = revolute(rod.hole[0], wheel[0].pin);
+        for i in 1..3 { redundant joint pin[i] = revolute(rod.hole[i], wheel[i].pin); }
+        drive run = drive_x(engine.position, speed * t);
+
+        for i in 0..3 { output pin[i] = wheel[i].pin; }
+        output rod = rod.hole[1];
+    }
+}
+
+type State = CoupledWheelsState<f64>;
+
+/// What a wheel loses in radius by wear, in m.
+const WEAR: [f64; 3] = [0.2e-3, 0.5e-3, 1e-3];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!("{}\n", CoupledWheels::<f64>::PLAN);
+    let mechanism = CoupledWheels::default();
+    let turn = TAU * mechanism.radius[0] / mechanism.speed;
+    let states: Vec<State> = mechanism.sweep(steps(0.0, turn, 180)).collect::<Result<_, _>>()?;
+    assert_level(&mechanism, &states);
+    let worn = WEAR.map(|wear| misses(&mechanism, wear, turn));
+    println!("wear mm   after one turn the middle pin misses its hole by mm");
+    for (wear, misses) in WEAR.iter().zip(&worn) {
+        println!("{:7.1}   {:.3}", wear * 1e3, misses.last().map_or(f64::NAN, |(_, off)| off * 1e3));
+    }
+    println!("\n{}", picture(&mechanism, &states, &worn).save("coupled_wheels")?.display());
+    Ok(())
+}
+
+/// The rod stays level and its points go as fast as the pins: trochoids.
+fn assert_level(m: &CoupledWheels, states: &[State]) {
+    for state in states {
+        let rod = state.rod();
+        assert!(rod.angle.abs() < 1e-15 && rod.angular_velocity.abs() < 1e-13);
+        assert!(state.wheel().iter().all(|wheel| (wheel.angle - state.wheel()[0].angle).abs() < 1e-15));
+    }
+    let error = largest_difference(states.iter().map(|state| (m.rod(state).rate.norm(), speed(m, state))));
+    assert!(error < 1e-14, "the rod's speed is {error:e} m/s beside that of a trochoid");
+}
+
+/// v |1 − (r/R) e^{i (φ + 90°)}|, the speed (m/s) of a pin whose wheel stands at φ.
+fn speed(m: &CoupledWheels, state: &State) -> f64 {
+    let share = polar(m.throw / m.radius[0], state.wheel()[0].angle);
+    m.speed * (place(1.0, 0.0) + place(share.y, -share.x)).norm()
+}
+
+/// By how much (m) the middle pin misses its hole at times (s) of a turn, if its wheel has worn off by `wear` (m).
+fn misses(whole: &CoupledWheels, wear: f64, turn: f64) -> Vec<(f64, f64)> {
+    let mut worn = *whole;
+    worn.radius[1] -= wear;
+    let start = worn.solve(0.0).expect("at the start all pins are in their holes");
+    let miss = |t: f64| {
+        let x = whole.speed * t;
+        let [first, middle] = [whole.radius[0], worn.radius[1]].map(|radius| polar(whole.throw, -x / radius));
+        let failure = worn.solve_from(t, &start).expect_err("the wheels turn differently");
+        let Cause::DoesNotHold { row, residual } = failure.cause else { panic!("{failure}") };
+        // Of the two rows of the middle pin the one is named that is off by more roundings.
+        let off = first - middle;
+        assert_eq!((row.joint, failure.time), ("pin[1]", t));
+        assert!((residual - off[row.index - 1]).abs() < 1e-14, "{failure}");
+        (t, off.norm())
+    };
+    let half = (whole.speed / whole.radius[0] - whole.speed / worn.radius[1]) / 2.0;
+    let found: Vec<(f64, f64)> = steps(0.0, turn, 36).skip(1).map(miss).collect();
+    assert!(largest_difference(found.iter().map(|(t, off)| (*off, 2.0 * whole.throw * (half * t).sin().abs()))) < 1e-14);
+    found
+}
+
+fn picture(m: &CoupledWheels, states: &[State], worn: &[Vec<(f64, f64)>]) -> Plate {
+    let mut scene = Scene::new();
+    scene.wall(place(0.4, 0.0), place(6.6, 0.0));
+    draw(&mut scene, m, &states[75], states);
+
+    let path = |state: &State| state.engine().position.x;
+    let inks = [Ink::Output, Ink::Second, Ink::Input];
+    let names = ["0.2 mm worn", "0.5 mm", "1 mm"];
+    let mut off = Diagram::new("middle pin off in mm");
+    for ((ink, name), worn) in inks.into_iter().zip(names).zip(worn) {
+        off = off.curve(ink, name, worn.iter().map(|(t, off)| (t * m.speed, off * 1e3)));
+    }
+    Plate::new("Coupled wheels", scene, Abscissa { name: "path in m", range: 0.0..4.5, step: 0.5 })
+        .diagram(
+            Diagram::new("speed of the rod in m/s")
+                .curve(Ink::Trace, "reuleaux", states.iter().map(|state| (path(state), m.rod(state).rate.norm())))
+                .circles("trochoid", states.iter().step_by(6).map(|state| (path(state), speed(m, state)))),
+        )
+        .diagram(off)
+}
+
+fn draw(scene: &mut Scene, m: &CoupledWheels, state: &State, turn: &[State]) {
+    for (wheel, radius) in state.wheel().iter().zip(m.radius) {
+        scene.disc(Ink::Ground, wheel.position, radius);
+    }
+    scene.line(Ink::Trace, turn.iter().map(|state| m.rod(state).value));
+    let axles = state.wheel().map(|wheel| wheel.position);
+    scene.dashes(Ink::Ground, axles[0], axles[2]);
+    let pins = m.pin(state).map(|pin| pin.value);
+    for (axle, pin) in axles.into_iter().zip(pins) {
+        scene.link(Ink::Second, &[axle, pin]).pin(axle);
+    }
+    scene.link(Ink::Output, &pins);
+    for (number, pin) in ["1", "2", "3"].into_iter().zip(pins) {
+        scene.pin(pin).name(pin, number, [0.0, 16.0]);
+    }
+}

@@ -1,0 +1,130 @@
+//! Joints that demand what the others do not allow.
+//!
+//! In: pieces whose equations hold nowhere near the start, or not where the drives lead. Out: a refusal of the joint without which
+//! they would, and by how much it is off. Not done here: what over-determines the drives.
+
+use super::Room;
+use super::rank::Basis;
+use super::redundancy::Search;
+use super::tour::Pose;
+use crate::diag::Fact;
+use crate::expr::{Expr, Values, evaluate};
+use crate::model::Dim;
+use std::cmp::Reverse;
+use std::collections::BTreeSet;
+
+/// Of so many joints, the last declared, it is tried whether the rest closes without them.
+const MOST_TRIES: usize = 12;
+
+/// A gap is open if it is more than this, in rad or in lengths of the mechanism.
+const OPEN: f64 = 1e-9;
+
+/// What is off by no more than this, in rad or in lengths of the mechanism, was meant to fit.
+const NEAR: f64 = 0.01;
+
+impl Search<'_, '_> {
+    /// The equations hold nowhere near the start: the last joint without which they do contradicts the others, before all others one
+    /// that is declared as redundant.
+    ///
+    /// Where freedoms are left, a joint stands in the wrong place. What does not nearly fit was not meant to: there are too many
+    /// joints, or drives for what cannot move. Both is said elsewhere.
+    pub(super) fn contradiction(&mut self, start: &[f64]) {
+        if self.leaves_freedom(start) {
+            return;
+        }
+        let model = self.room.model;
+        let mut candidates: Vec<usize> = self.joints().into_iter().filter(|joint| !model.joints[*joint].is_drive).collect();
+        candidates.sort_by_key(|joint| Reverse((model.joints[*joint].is_redundant, *joint)));
+        let tries = candidates.into_iter().take(MOST_TRIES);
+        let found = tries.filter_map(|joint| Some((joint, self.closes_without(start, &|other| other == joint)?))).next();
+        let Some((joint, q)) = found else { return };
+        let pose = Pose { time: 0.0, q };
+        if model.joints[joint].is_redundant || self.nearly_fits(joint, &pose) {
+            self.refuse_contradiction(joint, &pose);
+        }
+    }
+
+    /// The equations of a joint are off by little.
+    fn nearly_fits(&self, joint: usize, pose: &Pose) -> bool {
+        let (length, angle) = self.room.misfit(joint, pose);
+        length.unwrap_or(0.0) <= NEAR * self.room.size && angle.unwrap_or(0.0) <= NEAR
+    }
+
+    /// There are coordinates of which no equation says anything new.
+    fn leaves_freedom(&self, q: &[f64]) -> bool {
+        let pose = [Pose { time: 0.0, q: q.to_vec() }];
+        self.pieces.iter().filter(|piece| piece.is_surplus).any(|piece| {
+            let poses = self.room.matrices(piece, &pose);
+            let mut basis = Basis::new(&poses);
+            (0..piece.equations.len()).for_each(|row| basis.take(row));
+            !basis.free(piece.unknowns.len()).is_empty()
+        })
+    }
+
+    /// The equations hold at the start, but not when the drives move: a joint that is marked as redundant may be why.
+    pub(super) fn contradiction_on_the_way(&mut self, start: &[f64]) {
+        let marked = self.joints().into_iter().rev().filter(|joint| self.room.model.joints[*joint].is_redundant).take(MOST_TRIES);
+        for joint in marked {
+            let tour = self.room.tour(self.pieces, start, |equation| self.room.system.equations[equation].joint == joint);
+            if let (true, Some(pose)) = (tour.holds, tour.poses.get(1)) {
+                return self.refuse_contradiction(joint, pose);
+            }
+        }
+    }
+
+    /// An assembly without some joints, near the start.
+    fn closes_without(&self, start: &[f64], left_out: &dyn Fn(usize) -> bool) -> Option<Vec<f64>> {
+        let leaves_out = |equation: usize| left_out(self.room.system.equations[equation].joint);
+        self.room.settled(self.pieces, 0.0, start.to_vec(), leaves_out).or_else(|| {
+            let (q, is_closed) = self.room.assembled_in_pieces(self.pieces, leaves_out);
+            is_closed.then_some(q)
+        })
+    }
+
+    /// The joints of all pieces that have too many equations.
+    fn joints(&self) -> BTreeSet<usize> {
+        let pieces = self.pieces.iter().filter(|piece| piece.is_surplus);
+        pieces.flat_map(|piece| &piece.equations).map(|equation| self.room.system.equations[*equation].joint).collect()
+    }
+
+    fn refuse_contradiction(&mut self, joint: usize, pose: &Pose) {
+        let room = self.room;
+        let name = &room.model.joints[joint].name;
+        let (length, angle) = room.misfit(joint, pose);
+        let (bodies, is_redundant) = (room.touched(joint), room.model.joints[joint].is_redundant);
+        let fact = Fact::CannotHold { joint: name.to_string(), bodies, length, angle, time: pose.time, is_redundant };
+        self.diag.refuse::<()>(name, fact);
+    }
+}
+
+impl Room<'_> {
+    /// How far the equations of a joint are from holding: in m, and in rad.
+    fn misfit(&self, joint: usize, pose: &Pose) -> (Option<f64>, Option<f64>) {
+        let known = Values { time: pose.time, coordinates: &pose.q, ..self.known };
+        let (mut length, mut angle): (Option<f64>, Option<f64>) = (None, None);
+        for equation in self.system.equations.iter().filter(|equation| equation.joint == joint) {
+            let roots: Vec<Expr> = equation.phi.into_iter().chain(equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
+            let values = evaluate(&self.system.arena, &roots, &known);
+            let Some((phi, slopes)) = values.split_first() else { continue };
+            if equation.dim == Dim::ANGLE {
+                angle = Some(angle.unwrap_or(0.0).hypot(*phi));
+            } else {
+                // Other quantities count by the way that it takes to make them vanish.
+                let along = |index: &usize| self.system.unknowns[equation.jacobian[*index].0].dim == Dim::LENGTH;
+                let slope = (0..slopes.len()).filter(along).map(|index| slopes[index].abs()).fold(0.0, f64::max);
+                let way = if equation.dim == Dim::LENGTH || slope == 0.0 { *phi } else { phi / slope };
+                length = Some(length.unwrap_or(0.0).hypot(way));
+            }
+        }
+        let is_open = |size: f64| move |gap: &f64| *gap > OPEN * size;
+        (length.filter(is_open(self.size)), angle.filter(is_open(1.0)))
+    }
+
+    /// The bodies in the equations of a joint.
+    fn touched(&self, joint: usize) -> Vec<String> {
+        let equations = self.system.equations.iter().filter(|equation| equation.joint == joint);
+        let bodies: BTreeSet<usize> =
+            equations.flat_map(|equation| &equation.jacobian).map(|(unknown, _)| self.system.unknowns[*unknown].body).collect();
+        bodies.into_iter().map(|body| self.model.bodies[body].name.to_string()).collect()
+    }
+}

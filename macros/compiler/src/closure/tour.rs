@@ -1,0 +1,208 @@
+//! Positions that a mechanism can be in, with all of its equations fulfilled, also those that are too many.
+//!
+//! In: [`Piece`]s. Out: an assembly at t = 0 and a [`Tour`] of others: where the drives lead from there, and where nothing is
+//! driven, wherever a push leads. Not done here: drawing conclusions.
+
+use super::levenberg::minimise;
+use super::search::{GUESSES, guess};
+use super::{LARGEST, Room, call, size};
+use crate::expr::{Expr, Values, evaluate};
+use crate::model::{Dim, Model};
+use crate::structure::Piece;
+use crate::system::System;
+
+/// How far the fastest drive goes from the start to each pose, in rad or in lengths of the mechanism; one after the other to
+/// either side, about half a turn.
+const WAYS: [f64; 6] = [0.05, 0.35, 0.8, 1.4, 2.2, 3.0];
+
+/// Of a large system so many of them.
+const FEW: usize = 3;
+
+/// Where no drive moves at t = 0, the times of the poses for a way of 1, in s.
+const WITHOUT_RATE: f64 = 0.3;
+
+/// How far pushes go at most, in rad or in lengths of the mechanism: from where two branches meet, short ones lead nowhere.
+const PUSHES: [f64; 6] = [0.2, 0.3, 0.5, 0.7, 1.0, 1.4];
+
+/// From so many guesses it is looked for where equations that contradict each other come nearest to holding.
+const TRIES: usize = 12;
+
+/// A pose that is nearer to the start than this is the start.
+const SAME: f64 = 1e-3;
+
+/// Poses at the declared parameters.
+pub(super) struct Tour {
+    /// The start first.
+    pub(super) poses: Vec<Pose>,
+    /// Some of them are not the start.
+    pub(super) moves: bool,
+    /// All equations can go on holding when the drives move, if there are any.
+    pub(super) holds: bool,
+}
+
+/// A time in s, and q.
+#[derive(Clone)]
+pub(super) struct Pose {
+    pub(super) time: f64,
+    pub(super) q: Vec<f64>,
+}
+
+/// Does something with what is known before anything is closed.
+pub(super) fn with_room<R>(model: &Model, system: &System, work: impl FnOnce(&Room) -> R) -> R {
+    let functions = |number: u32, x: f64| call(model, number, x);
+    let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
+    let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
+    let parameters = evaluate(&system.arena, &defaults, &nothing);
+    let known = Values { parameters: &parameters, ..nothing };
+    let start = |start: Expr| evaluate(&system.arena, &[start], &known).pop().filter(|value| value.is_finite());
+    let declared = system.unknowns.iter().map(|unknown| unknown.start.and_then(start)).collect();
+    let size = size(model, system, &known);
+    work(&Room { model, system, known, size, declared })
+}
+
+impl Room<'_> {
+    /// An assembly at t = 0 without the equations that are left out, and whether it is one.
+    pub(super) fn assembled_in_pieces(&self, pieces: &[Piece], leaves_out: impl Fn(usize) -> bool) -> (Vec<f64>, bool) {
+        let mut q: Vec<f64> = self.declared.iter().map(|value| value.unwrap_or(0.0)).collect();
+        let mut is_closed = true;
+        for piece in pieces {
+            let equations: Vec<usize> = piece.equations.iter().copied().filter(|equation| !leaves_out(*equation)).collect();
+            let mut problem = self.problem(&equations, piece.unknowns.clone(), q);
+            let is_open = piece.unknowns.iter().any(|unknown| self.declared[*unknown].is_none());
+            let found = self.search(&mut problem, if is_open { GUESSES } else { 1 });
+            let (closed, nearest) = (!found.assemblies.is_empty(), found.assemblies.into_iter().next().unwrap_or(found.first));
+            q = problem.coordinates;
+            piece.unknowns.iter().zip(nearest).for_each(|(unknown, value)| q[*unknown] = value);
+            is_closed &= closed;
+        }
+        (q, is_closed)
+    }
+
+    /// Where the equations that are too many come nearest to holding at t = 0, of several places where no small step brings them
+    /// nearer; all else as in `q`.
+    pub(super) fn least_open(&self, pieces: &[Piece], mut q: Vec<f64>) -> Vec<f64> {
+        for piece in pieces.iter().filter(|piece| piece.is_surplus) {
+            let mut best: Option<(f64, Vec<f64>)> = None;
+            for attempt in 0..TRIES {
+                let is_angle = |unknown: usize| self.system.unknowns[unknown].dim == Dim::ANGLE;
+                let reach = |unknown: usize| if is_angle(unknown) { 1.0 } else { self.size / core::f64::consts::PI };
+                let guess = |unknown: &usize| guess(attempt, *unknown) * reach(*unknown);
+                let mut own: Vec<f64> =
+                    piece.unknowns.iter().map(|unknown| self.declared[*unknown].unwrap_or_else(|| guess(unknown))).collect();
+                let mut problem = self.problem(&piece.equations, piece.unknowns.clone(), q.clone());
+                let everything = vec![true; own.len()];
+                minimise(&mut problem, &mut own, &everything);
+                let mut there = q.clone();
+                piece.unknowns.iter().zip(own).for_each(|(unknown, value)| there[*unknown] = value);
+                let open = self.open(&piece.equations, &there);
+                if best.as_ref().is_none_or(|(least, _)| open < *least) {
+                    best = Some((open, there));
+                }
+            }
+            q = best.map_or(q, |(_, there)| there);
+        }
+        q
+    }
+
+    /// How far some equations are from holding: the sum of their squares, in rad and in lengths of the mechanism.
+    fn open(&self, equations: &[usize], q: &[f64]) -> f64 {
+        let rows = equations.iter().map(|equation| &self.system.equations[*equation]);
+        let (dims, roots): (Vec<Dim>, Vec<Expr>) = rows.filter_map(|row| Some((row.dim, row.phi?))).unzip();
+        let values = evaluate(&self.system.arena, &roots, &Values { coordinates: q, ..self.known });
+        let share = |(value, dim): (&f64, &Dim)| match *dim {
+            Dim::ANGLE => *value,
+            Dim::LENGTH => value / self.size,
+            _ => value / (self.size * self.size),
+        };
+        values.iter().zip(&dims).map(share).filter(|share| share.is_finite()).map(|share| share * share).sum()
+    }
+
+    /// The assembly next to `q` at a time, without the equations that are left out; none if there is none.
+    pub(super) fn settled(&self, pieces: &[Piece], time: f64, mut q: Vec<f64>, leaves_out: impl Fn(usize) -> bool) -> Option<Vec<f64>> {
+        for piece in pieces {
+            let equations: Vec<usize> = piece.equations.iter().copied().filter(|equation| !leaves_out(*equation)).collect();
+            let mut own: Vec<f64> = piece.unknowns.iter().map(|unknown| q[*unknown]).collect();
+            let mut problem = self.problem(&equations, piece.unknowns.clone(), q);
+            problem.known.time = time;
+            let everything = vec![true; own.len()];
+            if !minimise(&mut problem, &mut own, &everything) {
+                return None;
+            }
+            q = problem.coordinates;
+            piece.unknowns.iter().zip(own).for_each(|(unknown, value)| q[*unknown] = value);
+        }
+        Some(q)
+    }
+
+    /// Poses that the mechanism can reach from an assembly.
+    pub(super) fn tour(&self, pieces: &[Piece], start: &[f64], leaves_out: impl Fn(usize) -> bool) -> Tour {
+        let begin = Pose { time: 0.0, q: start.to_vec() };
+        let mut tour = Tour { poses: vec![begin.clone()], moves: false, holds: true };
+        let zero = |expr: Expr| self.system.arena.as_constant(expr).is_some_and(|value| value.is_zero());
+        if pieces.iter().flat_map(|piece| &piece.equations).all(|equation| zero(self.system.equations[*equation].nu)) {
+            self.push(pieces, &mut tour, leaves_out);
+            return tour;
+        }
+        let pace = self.pace(pieces, start);
+        let unit = if pace > 0.0 { 1.0 / pace } else { WITHOUT_RATE };
+        let ways = if self.system.unknowns.len() > LARGEST { &WAYS[..FEW] } else { &WAYS[..] };
+        for side in [1.0, -1.0] {
+            let mut here = begin.clone();
+            for (number, way) in ways.iter().enumerate() {
+                let time = side * way * unit;
+                match self.settled(pieces, time, here.q, &leaves_out) {
+                    Some(q) => here = Pose { time, q },
+                    // A mechanism may come to the end of its range, but not at once.
+                    None => {
+                        tour.holds &= number > 0;
+                        break;
+                    }
+                }
+                self.add(&mut tour, here.clone());
+            }
+        }
+        tour
+    }
+
+    /// Where pushes in some directions lead.
+    fn push(&self, pieces: &[Piece], tour: &mut Tour, leaves_out: impl Fn(usize) -> bool) {
+        let start = tour.poses[0].q.clone();
+        for (attempt, push) in PUSHES.into_iter().enumerate() {
+            let mut q = start.clone();
+            for (unknown, value) in q.iter_mut().enumerate() {
+                *value += (guess(attempt + 1, unknown) / core::f64::consts::PI) * push * self.scale(unknown);
+            }
+            if let Some(q) = self.settled(pieces, 0.0, q, &leaves_out) {
+                self.add(tour, Pose { time: 0.0, q });
+            }
+        }
+    }
+
+    /// A pose, if it is not the start.
+    fn add(&self, tour: &mut Tour, pose: Pose) {
+        let way = |unknown: usize| (pose.q[unknown] - tour.poses[0].q[unknown]).abs() / self.scale(unknown);
+        if (0..pose.q.len()).any(|unknown| way(unknown) > SAME) {
+            tour.poses.push(pose);
+            tour.moves = true;
+        }
+    }
+
+    /// How fast the fastest drive turns or shifts something at the start, in rad/s or lengths per second.
+    fn pace(&self, pieces: &[Piece], start: &[f64]) -> f64 {
+        let pace = |equation: &usize| {
+            let equation = &self.system.equations[*equation];
+            let roots: Vec<Expr> = equation.jacobian.iter().map(|(_, entry)| *entry).chain([equation.nu]).collect();
+            let values = evaluate(&self.system.arena, &roots, &Values { coordinates: start, ..self.known });
+            let (nu, entries) = values.split_last()?;
+            let scaled = entries.iter().zip(&equation.jacobian).map(|(entry, (unknown, _))| entry.abs() * self.scale(*unknown));
+            let rate = nu.abs() / scaled.fold(0.0, f64::max);
+            rate.is_finite().then_some(rate)
+        };
+        pieces.iter().flat_map(|piece| &piece.equations).filter_map(pace).fold(0.0, f64::max)
+    }
+
+    /// What a unit step of an unknown is.
+    pub(super) fn scale(&self, unknown: usize) -> f64 {
+        if self.system.unknowns[unknown].dim == Dim::ANGLE { 1.0 } else { self.size }
+    }
+}

@@ -1,0 +1,201 @@
+//! Equations that follow from others or contradict them, by numbers.
+
+use reuleaux_compiler::diag::Fact;
+
+/// A parallelogram with a third crank at C, R its place on the rod; what is held twice is to come.
+macro_rules! third_crank {
+    ($rest:literal) => {
+        concat!(
+            "mechanism P { param middle: Length = 500mm;
+                ground { point A = (0m, 0m); point B = (2m, 0m); point C = (1m, 0m); }
+                body crank { point P = (500mm, 0mm); } body rod { point Q = (2m, 0m); point R = (1m, 0m); }
+                body rocker { point P = (500mm, 0mm); } body third { point P = (middle, 0mm); point S = (501mm, 0mm); point T = (499mm, 0mm); }
+                joint a = revolute(ground.A, crank.position); joint b = revolute(ground.B, rocker.position);
+                joint c = revolute(crank.P, rod.position); joint d = revolute(rod.Q, rocker.P);
+                joint e = revolute(ground.C, third.position);",
+            $rest,
+            "}"
+        )
+    };
+}
+
+/// A slider-crank with one more item.
+macro_rules! slider_crank {
+    ($rest:literal) => {
+        concat!(
+            "mechanism S {
+                ground { axis u = (1, 0); axis v = (1, 1mrad / 1rad); point P = (0m, 0m); point Q = (0m, 300mm); point R = (0m, 310mm); }
+                body crank { point A = (1m, 0m); point E = (1m, 10mm); } body rod { point B = (2m, 0m); point C = (2m, 0m); point D = (1m, 0m); }
+                body slider { point Q = (0m, 300mm); }
+                joint o = revolute(ground.P, crank.position); joint a = revolute(crank.A, rod.position);
+                joint b = revolute(rod.B, slider.position); joint g = translational(ground.u, ground.P, slider.position);
+                drive i = drive_angle(crank, 1rad_s * t + 1rad);",
+            $rest,
+            "}"
+        )
+    };
+}
+
+/// Refused in these words, under the word between the marks.
+macro_rules! refused {
+    ($($frame:ident $name:ident: $source:literal => $words:literal;)*) => {
+        $(#[test] fn $name() { crate::mechanism($frame!($source), $words); })*
+    };
+}
+
+refused! {
+    third_crank a_third_crank_holds_once_too_often: "joint «f» = revolute(rod.R, third.P); drive i = drive_angle(crank, 60deg + 1rad_s * t);" => "1 of the 2 equations of `f` adds nothing: it follows from `a`, `b`, `c`, `d` and `e` in every position\nhelp: write `redundant joint` for `joint`: what is needed of it is solved, the rest is checked";
+    third_crank a_third_crank_instead_of_a_drive: "joint «f» = revolute(rod.R, third.P);" => "1 of the 2 equations of `f` adds nothing: it follows from `a`, `b`, `c`, `d` and `e` in every position\nnote: `crank.angle`, `rocker.angle` and `third.angle` remain free\nhelp: let it hold or drive one of them instead";
+    third_crank a_third_crank_of_another_length: "joint «f» = revolute(rod.R, third.S); drive i = drive_angle(crank, 60deg + 1rad_s * t);" => "`f` contradicts the other joints: with all of them closed it is 1 mm off\nnote: it joins `rod` and `third`\nhelp: what is held twice must fit: change a measure, or take it away";
+    third_crank a_third_crank_that_is_shorter: "joint «f» = revolute(rod.R, third.T); drive i = drive_angle(crank, 60deg + 1rad_s * t);" => "`f` contradicts the other joints: with all of them closed it is 1 mm off\nnote: it joins `rod` and `third`\nhelp: what is held twice must fit: change a measure, or take it away";
+    third_crank a_redundant_crank_of_another_length: "redundant joint «f» = revolute(rod.R, third.S); drive i = drive_angle(crank, 60deg + 1rad_s * t);" => "`f` contradicts the other joints: with all of them closed it is 1 mm off\nnote: it joins `rod` and `third`\nhelp: a redundant joint must fit as well: change a measure, or take it away";
+    third_crank a_rod_between_cranks_that_turn_alike: "redundant joint f = revolute(rod.R, third.P); drive i = drive_angle(crank, 60deg + 1rad_s * t); joint «g» = distance(crank.P, rocker.P, 2m);" => "`g` adds nothing: its equation follows from `c` and `d` in every position\nhelp: take it away, or write `redundant joint` for `joint` to keep it as a check";
+    slider_crank a_doubled_hinge: "joint «c» = revolute(slider.position, rod.C);" => "`c` demands the same as `b`\nhelp: take one of them away";
+    slider_crank a_doubled_hinge_as_equations: "joint «c» = { slider.x == rod.C.x; 2 * slider.y == 2 * rod.B.y; }" => "`c` adds nothing: `b` says the same\nhelp: take `c` away, or write `redundant joint` for `joint` to keep it as a check";
+    slider_crank a_doubled_hinge_elsewhere: "joint «c» = revolute(rod.position, crank.E);" => "`c` contradicts the other joints: with all of them closed it is 10 mm off\nnote: it joins `crank` and `rod`\nhelp: what is held twice must fit: change a measure, or take it away";
+    slider_crank a_loop_closed_twice: "joint «c» = distance(crank.A, slider.position, 2m);" => "`c` adds nothing: its equation follows from `a` and `b` in every position\nhelp: take it away, or write `redundant joint` for `joint` to keep it as a check";
+    slider_crank a_driven_slider_with_two_guides: "joint «h» = translational(ground.u, ground.Q, slider.Q);" => "`h` adds nothing: both its equations follow from `g` in every position\nhelp: take it away, or write `redundant joint` for `joint` to keep it as a check";
+    slider_crank a_second_guide_beside_the_first: "joint «h» = translational(ground.u, ground.R, slider.Q);" => "`h` contradicts the other joints: with all of them closed it is 10 mm off\nhelp: what is held twice must fit: change a measure, or take it away";
+    slider_crank a_second_guide_askew: "joint «h» = translational(ground.u, ground.Q, slider.Q, 5deg);" => "`h` contradicts `g`: it demands `slider.angle` = 5°, `g` demands 0°\nhelp: take one of them away";
+    slider_crank two_equal_constraints: "joint «h» = { 2 * slider.angle == 0; }" => "`h` adds nothing: `g` says the same\nhelp: take `h` away, or write `redundant joint` for `joint` to keep it as a check";
+    slider_crank a_joint_that_is_needed: "body pin {} redundant joint «p» = revolute(rod.D, pin.position); joint q = parallel(rod, pin);" => "`p` is not redundant: none of its equations follows from others\nnote: without it `pin.x` and `pin.y` are free\nhelp: write `joint` for `redundant joint`";
+    slider_crank a_redundant_drive: "redundant «drive» h = drive_angle(rod, 0);" => "expected `joint`: only a joint can be redundant, found `drive`";
+}
+
+crate::refusals! {
+    mechanism sliders_in_a_ring: "mechanism S { body one { axis u = (1, 0); } body two {} joint a = translational((1, 0), ground.position, one.position); joint b = translational(one.u, one.position, two.position); joint «c» = point_on_line(ground.position, (1, 0), two.position); drive i = drive_x(one.position, 100mm * sin(1rad_s * t)); }" => "`c` adds nothing: its equation follows from `a` and `b` in every position\nnote: `two.x` remains free\nhelp: let it hold or drive it instead";
+    mechanism angles_round_a_loop: "mechanism S { body one { axis u = (1, 0); } body two {} joint a = revolute(ground.position, one.position); joint b = revolute(one.position, two.position); joint c = parallel(one, two); joint «d» = { sin(one.angle) * cos(two.angle) == cos(one.angle) * sin(two.angle); } }" => "`d` adds nothing: its equation follows from `c` in every position\nnote: `one.angle` and `two.angle` remain free\nhelp: let it hold or drive one of them instead";
+    mechanism a_joint_that_repeats_itself: "mechanism C { body crank {} joint o = revolute(ground.position, crank.position); joint «p» = { crank.angle == 0; 2 * crank.angle == 0; } }" => "1 of the 2 equations of `p` adds nothing: it follows from the rest of it where the mechanism stands\nhelp: say it once";
+    mechanism a_drive_on_what_is_locked: "mechanism L { ground { point C = (2m, 0m); } body crank { point A = (500mm, 0mm); start angle = 60deg; } body rod { point B = (2m, 0m); } body rocker { point B = (500mm, 0mm); } joint a = revolute(ground.position, crank.position); joint b = revolute(crank.A, rod.position); joint c = revolute(rod.B, rocker.B); joint d = revolute(ground.C, rocker.position); drive «two» = drive_angle(rod, 0deg * (t / 1s)); }" => "`two` adds nothing: its equation follows from `a`, `b`, `c` and `d` in every position\nnote: `crank.angle` and `rocker.angle` remain free\nhelp: let it hold or drive one of them instead";
+}
+
+fn accepted(source: &str) -> reuleaux_compiler::Compiled {
+    reuleaux_compiler::compile(source.parse().expect("tokens")).expect("nothing is wrong")
+}
+
+/// The equations that are checked, by joint and number.
+fn checked(source: &str) -> Vec<String> {
+    let compiled = accepted(source);
+    let name = |equation: &usize| {
+        let equation = &compiled.system.equations[*equation];
+        format!("{}.{}", compiled.model.joints[equation.joint].name, equation.row + 1)
+    };
+    compiled.structure.checked.iter().map(name).collect()
+}
+
+/// With y of the pin the third crank would be singular where it stands upright, with x only where the parallelogram is.
+#[test]
+fn what_is_solved_is_what_is_least_often_singular() {
+    let drive = "redundant joint f = revolute(rod.R, third.P); drive i = drive_angle(crank, 60deg + 1rad_s * t);";
+    assert_eq!(checked(&third_crank!("").replace("third.position);}", &format!("third.position);{drive}}}"))), ["f.2"]);
+}
+
+#[test]
+fn a_redundant_joint_may_be_checked_as_a_whole() {
+    assert_eq!(checked(slider_crank!("redundant joint h = translational(ground.u, ground.Q, slider.Q);")), ["h.1", "h.2"]);
+    assert_eq!(checked(slider_crank!("redundant joint c = revolute(slider.position, rod.B);")), ["c.1", "c.2"]);
+    assert_eq!(checked(slider_crank!("redundant joint c = distance(crank.A, slider.position, 2m);")), ["c.1"]);
+}
+
+/// Two joints of which either would do.
+#[test]
+fn of_two_redundant_joints_one_is_kept() {
+    let source = "mechanism S { body plate { point R = (1m, 0m); } joint a = revolute((0m, 0m), plate.position);
+        redundant joint b = absolute_y(plate.R, 0mm); redundant joint c = absolute_angle(plate, 0); }";
+    assert_eq!(checked(source).len(), 1);
+}
+
+/// What is said of a mechanism is nothing of redundancy.
+fn is_no_redundancy(source: &str) {
+    let refusals = reuleaux_compiler::compile(source.parse().expect("tokens")).err().unwrap_or_default();
+    for refusal in refusals {
+        assert!(
+            !matches!(refusal.fact, Fact::FollowsFrom { .. } | Fact::NotRedundant { .. } | Fact::CannotHold { .. }),
+            "{}",
+            refusal.fact
+        );
+    }
+}
+
+/// A parallelogram whose links lie in line may fold either way: a matter of its start.
+#[test]
+fn what_is_singular_in_one_position_only_is_not_redundant() {
+    let drive = "drive i = drive_angle(crank, 1rad_s * t);";
+    is_no_redundancy(
+        &third_crank!("").replace("third.position);}", &format!("third.position); joint f = parallel(crank, third); {drive}}}")),
+    );
+    let change_point = format!("redundant joint f = revolute(rod.R, third.P); {drive}");
+    is_no_redundancy(&third_crank!("").replace("third.position);}", &format!("third.position);{change_point}}}")));
+}
+
+/// A four-bar with a strut from ground to the middle of its coupler.
+const STRUCTURE: &str = "mechanism Frame { ground { point C = (4m, 0m); point E = (2m, -1m); }
+    body crank { point A = (1m, 0m); start angle = 60deg; } body coupler { point B = (3.5m, 0m); point E = (1m, 0m); }
+    body rocker { point B = (3m, 0m); start angle = 70deg; } body strut { point F = (2.2m, 0m); start angle = 100deg; }
+    joint o = revolute(ground.position, crank.position); joint a = revolute(crank.A, coupler.position);
+    joint b = revolute(coupler.B, rocker.B); joint c = revolute(rocker.position, ground.C);
+    joint d = revolute(ground.E, strut.position); joint e = revolute(strut.F, coupler.E); more }";
+
+#[test]
+fn a_structure_is_no_redundancy_and_its_drive_is_a_matter_of_mobility() {
+    assert_eq!(checked(&STRUCTURE.replace("more", "")), [""; 0]);
+    for drive in ["1rad_s * t", "60deg", "60deg + 1rad_s * t"] {
+        let driven = STRUCTURE.replace("more", &format!("drive i = drive_angle(crank, {drive});"));
+        is_no_redundancy(&driven);
+        assert!(reuleaux_compiler::compile(driven.parse().expect("tokens")).is_err());
+    }
+}
+
+/// Eight links, two of which could be thought to repeat others: they do not.
+#[test]
+fn the_cell_of_peaucellier_has_no_joint_too_many() {
+    let source =
+        "mechanism Peaucellier { ground { point O = (0m, 0m); point Q = (1m, 0m); } body arm { point D = (1m, 0m); start angle = 20deg; }
+        body l1 { point A = (3m, 0m); start angle = 40deg; } body l2 { point C = (3m, 0m); start angle = 0deg; }
+        body s1 { point D = (1.5m, 0m); } body s2 { point D = (1.5m, 0m); }
+        body s3 { point P = (1.5m, 0m); start angle = -20deg; } body s4 { point P = (1.5m, 0m); start angle = 50deg; }
+        joint q = revolute(ground.Q, arm.position); joint o1 = revolute(ground.O, l1.position); joint o2 = revolute(ground.O, l2.position);
+        joint a1 = revolute(l1.A, s1.position); joint d1 = revolute(s1.D, arm.D); joint c1 = revolute(l2.C, s2.position);
+        joint d2 = revolute(s2.D, arm.D); joint a2 = revolute(l1.A, s3.position); joint c2 = revolute(l2.C, s4.position);
+        joint p = revolute(s3.P, s4.P); drive turn = drive_angle(arm, 20deg + 0.3 * sin(1rad_s * t)); }";
+    assert_eq!(checked(source), [""; 0]);
+    // Its point P runs on a straight line, which a slide may hold once more.
+    let line = source.replace("drive turn", "redundant joint line = absolute_x(s3.P, 3.375m); drive turn");
+    assert_eq!(checked(&line), ["line.1"]);
+    let curve = source.replace("drive turn", "redundant joint line = absolute_x(s3.P, 3.376m); drive turn");
+    assert!(reuleaux_compiler::compile(curve.parse().expect("tokens")).is_err());
+}
+
+/// Hinges of random four-bars once more, in other words: each is refused under its own name, and kept as a check where that is wanted.
+#[test]
+fn every_hinge_that_is_doubled_is_named() {
+    let mut seed = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut random = |from: f64, to: f64| {
+        seed = seed.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+        from + (to - from) * ((seed >> 11) as f64 / (1_u64 << 53) as f64)
+    };
+    for _ in 0..12 {
+        let (crank, rocker, turned) = (random(0.3, 1.0), random(2.2, 3.0), random(-90.0, 90.0));
+        let coupler = random(5.2 - rocker, 3.8);
+        let hinges =
+            [("ground.O", "crank.position"), ("crank.A", "coupler.position"), ("coupler.B", "rocker.B"), ("rocker.position", "ground.C")];
+        let four_bar = |last: &str| {
+            let [o, a, b, c] = hinges.map(|(one, two)| format!("revolute({one}, {two})"));
+            format!(
+                "mechanism FourBar {{ ground {{ point O = (0m, 0m); point C = (4 * cos({turned:.3}deg) * 1m, 4 * sin({turned:.3}deg) * 1m); }}
+                body crank {{ point A = ({crank:.4}m, 0m); start angle = {turned:.3}deg + 40deg; }} body coupler {{ point B = ({coupler:.4}m, 0m); start angle = {turned:.3}deg; }}
+                body rocker {{ point B = ({rocker:.4}m, 0m); start angle = {turned:.3}deg + 100deg; }}
+                joint o = {o}; joint a = {a}; joint b = {b}; joint c = {c};
+                drive input = drive_angle(crank, {turned:.3}deg + 40deg + 1rad_s * t); {last} }}"
+            )
+        };
+        for (joint, (one, two)) in ["o", "a", "b", "c"].into_iter().zip(hinges) {
+            let again = |word: &str| format!("{word} again = {{ 3 * {one}.x == 3 * {two}.x; 2 * {two}.y == 2 * {one}.y; }}");
+            let refusals = reuleaux_compiler::compile(four_bar(&again("joint")).parse().expect("tokens")).expect_err("held twice");
+            let said: Vec<String> = refusals.iter().map(|refusal| refusal.fact.to_string()).collect();
+            assert_eq!(said.len(), 1, "{said:?}");
+            assert!(said[0].starts_with(&format!("`again` adds nothing: `{joint}` says the same")), "{said:?}");
+            assert_eq!(checked(&four_bar(&again("redundant joint"))), ["again.1", "again.2"]);
+        }
+    }
+}
