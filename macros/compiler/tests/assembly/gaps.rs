@@ -23,7 +23,7 @@ fn assert_near(found: f64, wanted: f64, source: &str) {
 fn four_bars_close_if_and_only_if_a_triangle_does() {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let (mut open, mut closed) = (0, 0);
-    for _ in 0..120 {
+    for _ in 0..80 {
         let lengths = [0; 4].map(|_| random.between(40.0, 400.0));
         let [ground, crank, coupler, rocker] = lengths;
         let angle = random.between(-180.0, 180.0);
