@@ -19,6 +19,9 @@ const DEAREST: f64 = 60.0;
 /// What it costs a word to stand on a plate that it does not name.
 const ON_PLATE: f64 = 1.2;
 
+/// What it costs the name of a body to stand nearer to another one.
+const AMBIGUOUS: f64 = 4.0;
+
 /// A word in its place.
 #[derive(Clone, Debug)]
 pub(super) struct Placed {
@@ -45,7 +48,9 @@ pub(super) fn labels(canvas: &Canvas) -> Vec<Placed> {
         let reach = Frame::around(candidates.iter().flat_map(|(frame, _)| [frame.low, frame.high])).grown(8.0);
         let near: Vec<&Obstacle> = obstacles.iter().filter(|obstacle| reach.is_crossed(obstacle.a, obstacle.b)).collect();
         let others: Vec<Frame> = placed.iter().map(|other| other.frame.grown(1.5)).filter(|other| other.overlaps(reach)).collect();
-        let cost = |(frame, base): (Frame, f64)| (frame, base + covered(frame, &near, &others) + on_plate(wish.role, frame, &plates));
+        let cost = |(frame, base): (Frame, f64)| {
+            (frame, base + covered(frame, &near, &others) + on_plate(wish.role, frame, &plates) + ambiguity(wish, frame, &canvas.wishes))
+        };
         let best = candidates.into_iter().map(cost).min_by(|a, b| a.1.total_cmp(&b.1));
         if let Some((frame, cost)) = best
             && cost < DEAREST
@@ -116,6 +121,27 @@ fn covered(frame: Frame, obstacles: &[&Obstacle], others: &[Frame]) -> f64 {
 fn on_plate(role: Role, frame: Frame, plates: &[Vec<Place>]) -> f64 {
     let is_on = |plate: &Vec<Place>| is_inside(plate, frame.middle());
     if role != Role::Body && plates.iter().any(is_on) { ON_PLATE } else { 0.0 }
+}
+
+/// A name is taken for that of the nearest body.
+fn ambiguity(wish: &Wish, frame: Frame, wishes: &[Wish]) -> f64 {
+    let Some(own) = distance(&wish.near, frame.middle()).filter(|_| wish.role == Role::Body) else { return 0.0 };
+    let others = wishes.iter().filter(|other| other.role == Role::Body && other.text != wish.text);
+    let nearest = others.filter_map(|other| distance(&other.near, frame.middle())).fold(f64::INFINITY, f64::min);
+    if nearest < own { AMBIGUOUS } else { 0.0 }
+}
+
+/// How far a place is from what is named, if that has an outline.
+fn distance(near: &Near, at: Place) -> Option<f64> {
+    match near {
+        Near::Segments(segments) => Some(segments.iter().map(|(a, b)| at.to_segment(*a, *b)).fold(f64::INFINITY, f64::min)),
+        Near::Area(corners) if is_inside(corners, at) => Some(0.0),
+        Near::Area(corners) => {
+            let sides = corners.iter().zip(corners.iter().cycle().skip(1));
+            Some(sides.map(|(a, b)| at.to_segment(*a, *b)).fold(f64::INFINITY, f64::min))
+        }
+        Near::Point(..) | Near::Rim(..) => None,
+    }
 }
 
 /// Where a word of this size may stand, with what is against it.
