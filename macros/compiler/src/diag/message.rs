@@ -50,6 +50,18 @@ fn range_of([least, most]: &[usize; 2], noun: &str) -> String {
     }
 }
 
+impl Fact {
+    /// The sentence as a compile error says it: with the code at the end of the first line.
+    ///
+    /// There it stays in sight where only first lines are shown, and can be searched for.
+    #[must_use]
+    pub fn message(&self) -> String {
+        let sentence = self.to_string();
+        let (first, rest) = sentence.split_at(sentence.find('\n').unwrap_or(sentence.len()));
+        format!("{first} [reuleaux::{}]{rest}", self.code())
+    }
+}
+
 impl fmt::Display for Fact {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {

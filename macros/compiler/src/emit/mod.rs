@@ -23,7 +23,7 @@ mod stages;
 mod state;
 mod stub;
 
-pub(crate) use definition::{export, library_pages, resume};
+pub(crate) use definition::{error_pages, export, library_pages, resume};
 pub(crate) use stub::{fallback, stub};
 
 use crate::closure::Closure;
