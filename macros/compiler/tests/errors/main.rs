@@ -70,11 +70,12 @@ fn pages_are_of_one_shape() {
     of_each_page(|_, page| {
         let heading = page.lines().next().unwrap_or("");
         let languages: Vec<&str> = blocks(page).iter().map(|block| block.language).collect();
-        let long = page.lines().find(|line| line.chars().count() > WIDTH);
+        // What the compiler says is as long as it is.
+        let mut long = page.lines().filter(|line| line.chars().count() > WIDTH && !line.starts_with("  "));
         match () {
             () if !heading.ends_with('.') || page.lines().nth(1) != Some("") => Err("begins with one sentence on one line".into()),
             () if !matches!(languages[..], ["compile_fail", "text", "", ..]) => Err(format!("has other blocks: {languages:?}")),
-            () => long.map_or(Ok(()), |line| Err(format!("has a long line: {line}"))),
+            () => long.next().map_or(Ok(()), |line| Err(format!("has a long line: {line}"))),
         }
     });
 }
