@@ -4,8 +4,8 @@
 //! `TRYBUILD=overwrite cargo test -p reuleaux-tests --test ui` writes the expected output anew.
 
 /// Mistakes by family.
-const FAMILIES: [&str; 10] =
-    ["syntax", "names", "arity", "dimensions", "duplicates", "values", "uses", "definitions", "joints", "components"];
+const FAMILIES: [&str; 11] =
+    ["syntax", "names", "arity", "dimensions", "duplicates", "values", "uses", "definitions", "joints", "drives", "components"];
 
 #[test]
 fn one_mistake_gives_one_error() {

@@ -20,11 +20,11 @@ const DYAD: &str = "component Dyad(P: Point, Q: Point, a: Length, b: Length, one
 
 /// A mechanism of random elements in random order; it has a crank and a dyad at least.
 pub(super) fn random(rng: &mut Rng) -> Model {
-    let mut model = Model::default();
+    let mut model = Model { says_where: rng.u8(..4) > 0, ..Model::default() };
     ground(&mut model, rng);
     crank(&mut model, rng);
     while !dyad(&mut model, rng, false) {}
-    for _ in 0..rng.usize(..5) {
+    for _ in 0..rng.usize(..4) {
         match rng.u8(..10) {
             0 => crank(&mut model, rng),
             1 | 2 => drop(dyad(&mut model, rng, false)),
@@ -64,7 +64,15 @@ fn body(model: &mut Model, rng: &mut Rng, words: &[&str], origin: Vector, angle:
         model.place(body, point, at);
         text += &format!(" point {point} = {};", model.pair(rng, at));
     }
-    model.item(Sort::Body, &name, &format!("{text} {start} }}"), &[body]);
+    // What is said of the start already, and all of it where the model says where its bodies are.
+    text += &format!(" {start}");
+    if model.says_where && !start.contains("start position") {
+        text += &format!(" start position = {};", model.pair(rng, origin));
+    }
+    if model.says_where && !start.contains("start angle") {
+        text += &format!(" start angle = {};", degrees(angle));
+    }
+    model.item(Sort::Body, &name, &format!("{text} }}"), &[body]);
     body
 }
 
@@ -208,7 +216,7 @@ fn row(model: &mut Model, rng: &mut Rng) {
         model.place(body, "end", [reach, 0.0]);
     }
     let text = format!(
-        "for i in 0..{many} {{ body {name}[i] {{ axis u = (0.8, 0.6); point end = ({written}, 0mm); }} \
+        "for i in 0..{many} {{ body {name}[i] {{ axis u = (0.8, 0.6); point end = ({written}, 0mm); start position = (i * 100mm, 200mm); start angle = i * 20deg; }} \
          joint {name}_hub[i] = revolute((i * 100mm, 200mm), {name}[i].position); \
          drive {name}_law[i] = drive_angle({name}[i], i * 20deg + 30rpm * t); }}"
     );

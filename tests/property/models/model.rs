@@ -84,8 +84,10 @@ pub(super) struct Model {
     pub(super) items: Vec<Item>,
     pub(super) bodies: Vec<Body>,
     pub(super) places: Vec<Place>,
+    /// Every body says where it is at t = 0; else the compiler has to find out where what is not said is.
+    pub(super) says_where: bool,
     /// Numbers given to names so far.
-    named: usize,
+    pub(super) named: usize,
 }
 
 impl Model {

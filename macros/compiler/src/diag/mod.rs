@@ -6,6 +6,7 @@
 mod code;
 mod fact;
 mod message;
+mod remedy;
 mod shown;
 
 pub use code::PAGES;

@@ -67,6 +67,10 @@ impl Elaborator<'_> {
         };
         let group = &mut self.names.groups[group.0];
         if group.what != what || group.ranks != indices.len() || group.members.contains_key(&indices) {
+            // Which of the two is meant where the name is used, nobody knows: that is not to be told as a second mistake.
+            for member in group.members.values() {
+                self.names.declared[member.0].progress = Progress::Failed;
+            }
             return Err(group.what);
         }
         group.members.insert(indices, id);

@@ -148,6 +148,8 @@ pub(crate) struct Names {
     pub(super) definitions: BTreeMap<String, Rc<Definition>>,
     pub(super) library: BTreeMap<String, Option<Rc<Definition>>>,
     pub(super) components: BTreeMap<String, Rc<ast::Component>>,
+    /// Items that are being resolved, each for the one before it.
+    pub(super) open: Vec<EntityId>,
     /// Functions whose bodies are being looked at, to stop recursion.
     pub(super) open_functions: Vec<String>,
     /// A definition is checked on its own, with bodies and numbers nothing is known of.
@@ -168,6 +170,7 @@ impl Names {
             definitions,
             library: BTreeMap::new(),
             components: BTreeMap::new(),
+            open: Vec::new(),
             open_functions: Vec::new(),
             is_abstract: false,
             used: Vec::new(),
