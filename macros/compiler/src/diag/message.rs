@@ -247,6 +247,12 @@ impl fmt::Display for Fact {
                 if name == "angle" { Ok(()) } else { write!(f, "; `position` is both `x` and `y`") }
             }
             Fact::DuplicateGround => write!(f, "there is one ground only\nhelp: put all its points and axes into one `ground {{ … }}`"),
+            Fact::Reserved { name } if name == "ground" => {
+                write!(
+                    f,
+                    "`ground` is what stands still\nhelp: its points go into `ground {{ … }}`, without `body`; all else has another name"
+                )
+            }
             Fact::Reserved { name } => write!(f, "`{name}` has a meaning of its own in expressions\nhelp: choose another name"),
             Fact::Generated { name } => {
                 write!(f, "an output cannot be called `{name}`: a generated function has that name\nhelp: choose another name")
@@ -294,13 +300,21 @@ impl fmt::Display for Fact {
                 write!(f, "`{parameter}` of `{definition}` takes {wanted}, found {found}")?;
                 match instead {
                     Some(instead) => write!(f, "\nhelp: write `{instead}`"),
+                    None if wanted.ends_with(" joint") && !found.ends_with(" joint") => write!(f, "\nhelp: write the name of the joint"),
                     None => write!(f, "{}", remedy::of_kind(wanted, found)),
                 }
             }
             Fact::WrongArgumentDimension { parameter, definition, wanted, found } => {
                 write!(f, "`{parameter}` of `{definition}` is {wanted}, found {found}")?;
-                let is_rate = found.times(Dim::TIME) == *wanted;
-                if is_rate { write!(f, "\nhelp: multiply the rate by `t`") } else { Ok(()) }
+                if found.times(Dim::TIME) == *wanted {
+                    return write!(f, "\nhelp: multiply the rate by `t`");
+                }
+                // What follows a law of time is often meant to follow time itself.
+                if *found == Dim::TIME {
+                    write!(f, "\nhelp: multiply the time by a rate in {}", wanted.per(Dim::TIME).unit())
+                } else {
+                    Ok(())
+                }
             }
             Fact::WrongDefault { wanted, found } => write!(f, "the parameter takes {wanted}, its default is {found}"),
             Fact::WrongDimension { wanted, found } => write!(f, "expected {wanted}, found {found}"),

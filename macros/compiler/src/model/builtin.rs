@@ -46,7 +46,7 @@ impl Elaborator<'_> {
         };
         let is_bound = scope.bound.iter().any(|(known, _)| name == known)
             || scope.space.is_some_and(|space| self.names.visible(space, &name.to_string()).is_some());
-        if !is_bound && BUILTINS.contains(&name.to_string().as_str()) {
+        if BUILTINS.contains(&name.to_string().as_str()) {
             return self.builtin(range, name, arguments, scope);
         }
         if !is_bound && !self.is_library_function(name) {
@@ -335,7 +335,9 @@ impl Elaborator<'_> {
         *column = common;
         match self.arena.as_constant(scalar.expr) {
             Some(value) => Some(value.to_f64()),
-            None => self.refuse(entry.range, Fact::NotConstant { place: "an entry of a table", help: "multiply the table by what changes" }),
+            None => {
+                self.refuse(entry.range, Fact::NotConstant { place: "an entry of a table", help: "multiply the table by what changes" })
+            }
         }
     }
 }

@@ -8,7 +8,7 @@ use super::value::{FrameId, Value};
 use crate::expr::Expr;
 use crate::syntax::ast::{self, Definition};
 use proc_macro2::Ident;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// Names that expressions give a meaning of their own.
@@ -148,6 +148,8 @@ pub(crate) struct Names {
     pub(super) definitions: BTreeMap<String, Rc<Definition>>,
     pub(super) library: BTreeMap<String, Option<Rc<Definition>>>,
     pub(super) components: BTreeMap<String, Rc<ast::Component>>,
+    /// Names with a meaning of their own that were given to something else: what a use of them means is not clear.
+    pub(super) misused: BTreeSet<String>,
     /// Items that are being resolved, each for the one before it.
     pub(super) open: Vec<EntityId>,
     /// Functions whose bodies are being looked at, to stop recursion.
@@ -170,6 +172,7 @@ impl Names {
             definitions,
             library: BTreeMap::new(),
             components: BTreeMap::new(),
+            misused: BTreeSet::new(),
             open: Vec::new(),
             open_functions: Vec::new(),
             is_abstract: false,

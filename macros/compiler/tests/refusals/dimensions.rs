@@ -41,4 +41,7 @@ crate::refusals! {
     item output_of_ground: "output b = «ground»;" => "an output is a number, a vector, a point or a body that moves, found ground";
     item output_of_a_function: "output b = «lift»;" => "an output is a number, a vector, a point or a body that moves, found a function";
     item negative_body: "output b = -«crank»;" => "expected a number or a vector, found a body\nhelp: its coordinates are `.x`, `.y` and `.angle`, its place is `.position`";
+    item time_for_a_length: "drive a = drive_x(crank.A, «t»);" => "`C` of `drive_x` is a length (m), found a time (s)\nhelp: multiply the time by a rate in m/s";
+    item point_for_a_joint: "drive a = drive_along(«crank.A», 5mm);" => "`slide` of `drive_along` takes a `translational` joint, found a point\nhelp: write the name of the joint";
+    item length_equated_with_a_speed: "joint a = { «crank.x == 5mm_s»; }" => "cannot equate a length (m) with a velocity (m/s)\nhelp: multiply the rate by `t`";
 }
