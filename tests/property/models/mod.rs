@@ -11,6 +11,8 @@ use mistakes::{AWAITED, KINDS, Kind};
 use model::Model;
 use reuleaux_compiler::diag::Refusal;
 use reuleaux_compiler::{Compiled, compile};
+use std::num::NonZero;
+use std::thread;
 
 /// How many models of each sort are tried.
 const MODELS: u64 = 1000;
@@ -25,13 +27,20 @@ fn shown(refusals: &[Refusal], source: &str) -> String {
 
 #[test]
 fn what_can_be_assembled_is_accepted() {
-    for seed in 0..MODELS {
+    let is_accepted = |seed: u64| {
         let source = elements::random(&mut Rng::with_seed(seed)).declaration();
         match compiled(&source) {
             Ok(compiled) => assert!(compiled.closure.is_closed, "seed {seed} is not assembled:\n{source}"),
             Err(refusals) => panic!("seed {seed} is refused:\n{}\nin\n{source}", shown(&refusals, &source)),
         }
-    }
+    };
+    // Assembling takes most of the time, and is done on all processors.
+    let threads = thread::available_parallelism().map_or(1, NonZero::get);
+    thread::scope(|scope| {
+        for first in 0..threads as u64 {
+            scope.spawn(move || (first..MODELS).step_by(threads).for_each(is_accepted));
+        }
+    });
 }
 
 #[test]
