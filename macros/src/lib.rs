@@ -34,6 +34,13 @@ pub fn __library_pages(_: TokenStream) -> TokenStream {
     reuleaux_compiler::library_pages().into()
 }
 
+/// The pages of the index of errors, as modules.
+#[doc(hidden)]
+#[proc_macro]
+pub fn __error_pages(_: TokenStream) -> TokenStream {
+    reuleaux_compiler::error_pages().into()
+}
+
 /// The Rust blocks of the README are compiled and run with those of the pages above.
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]

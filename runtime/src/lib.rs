@@ -116,3 +116,37 @@ pub use reuleaux_macros::{constraint, mechanism};
 pub mod library {
     reuleaux_macros::__library_pages!();
 }
+
+/// What the compiler refuses, and what to do about it: one page for each code.
+///
+/// A mistake in a declaration is a compile error under the word that is to blame. Its first line ends with a code; the page of
+/// that code tells what is behind it, with a model that is refused and one that is right:
+///
+/// ```text
+/// error: `C` of `drive_angle` is an angle (rad), found an angular velocity (rad/s) [reuleaux::E0303]
+///        help: multiply the rate by `t`
+///   --> src/main.rs:21:42
+///    |
+/// 21 |         drive input = drive_angle(crank, speed);
+///    |                                          ^^^^^
+/// ```
+///
+/// | codes | families |
+/// | --- | --- |
+/// | `E00…` | grammar |
+/// | `E01…` | names |
+/// | `E02…` | arguments |
+/// | `E03…` | kinds of quantities, and their dimensions |
+/// | `E04…` | values that make no sense |
+/// | `E05…` | loops, arrays and parts |
+/// | `E06…` | equations, and the joints and drives made of them |
+/// | `E07…` | mobility: too little is held, or too much |
+/// | `E08…` | redundancy: what is demanded already |
+/// | `E09…` | closure: loops that do not close |
+/// | `E10…` | parameters |
+///
+/// The modules are empty: the pages are all there is.
+#[allow(non_snake_case)] // Codes are written as the compiler says them.
+pub mod errors {
+    reuleaux_macros::__error_pages!();
+}

@@ -5,5 +5,6 @@ mod derivatives;
 mod dual;
 mod invariance;
 mod laws;
+mod models;
 mod random;
 mod tables;

@@ -43,7 +43,7 @@ fn the_message_is_what_the_compiler_says() {
     let wrong = PROGRAM.replace("speed * t)", "speed)");
     let refusals = reuleaux_compiler::compile(declaration(&wrong)).expect_err("an angular velocity is no angle");
     // rustc indents the further lines of a message.
-    let message = format!("error: {}\n", refusals[0].fact.to_string().replace('\n', "\n       "));
+    let message = format!("error: {}\n", refusals[0].fact.message().replace('\n', "\n       "));
     assert_eq!(refusals.len(), 1);
     let block =
         blocks("text").into_iter().find(|block| block.starts_with(&message)).unwrap_or_else(|| panic!("the README should say\n{message}"));

@@ -4,7 +4,7 @@
 //! `TRYBUILD=overwrite cargo test -p reuleaux-tests --test ui` writes the expected output anew.
 
 /// Mistakes by family.
-const FAMILIES: [&str; 14] = [
+const FAMILIES: [&str; 15] = [
     "syntax",
     "names",
     "arity",
@@ -14,6 +14,7 @@ const FAMILIES: [&str; 14] = [
     "uses",
     "definitions",
     "joints",
+    "drives",
     "components",
     "mobility",
     "redundancy",

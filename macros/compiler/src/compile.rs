@@ -101,6 +101,12 @@ pub fn library_pages() -> TokenStream {
     emit::library_pages()
 }
 
+/// The pages of the index of errors as modules.
+#[must_use]
+pub fn error_pages() -> TokenStream {
+    emit::error_pages()
+}
+
 /// Asks for the next definition that is not known yet, or compiles.
 fn continued(tree: &ast::Mechanism, tokens: TokenStream, known: TokenStream, mut diag: Diag) -> TokenStream {
     if let Some(missing) = missing(tree, &known)

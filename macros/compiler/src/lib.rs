@@ -23,4 +23,4 @@ pub mod structure;
 pub mod syntax;
 pub mod system;
 
-pub use compile::{Compiled, check_constraint, compile, constraint, library_pages, mechanism, resume};
+pub use compile::{Compiled, check_constraint, compile, constraint, error_pages, library_pages, mechanism, resume};

@@ -5,7 +5,7 @@
 
 mod assembly;
 
-use super::{Count, Demand, Fact};
+use super::{Count, Demand, Fact, remedy};
 use crate::model::Dim;
 use std::fmt;
 
@@ -92,12 +92,25 @@ fn range_of([least, most]: &[usize; 2], noun: &str) -> String {
     }
 }
 
+impl Fact {
+    /// The sentence as a compile error says it: with the code at the end of the first line.
+    ///
+    /// There it stays in sight where only first lines are shown, and can be searched for.
+    #[must_use]
+    pub fn message(&self) -> String {
+        let sentence = self.to_string();
+        let (first, rest) = sentence.split_at(sentence.find('\n').unwrap_or(sentence.len()));
+        format!("{first} [reuleaux::{}]{rest}", self.code())
+    }
+}
+
 impl fmt::Display for Fact {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Fact::Syntax { message } => write!(f, "{message}"),
+            Fact::Expected { what: "`;`", found } => write!(f, "expected `;`, found {found}\nhelp: end what stands before it with `;`"),
             Fact::Expected { what, found } => write!(f, "expected {what}, found {found}"),
-            Fact::NotANumber { found } => write!(f, "expected a number, found {found}"),
+            Fact::NotANumber { found } => write!(f, "expected a number, found {found}{}", remedy::of_kind("a number", "text")),
             Fact::TooDeep { limit } => {
                 write!(f, "this is nested more than {limit} deep\nhelp: name parts of it with `let`")
             }
@@ -127,7 +140,9 @@ impl fmt::Display for Fact {
                 let near = crate::model::suggest::nearest(word, ["point", "axis", "start"].into_iter());
                 write!(f, "`{word}` is no item of a body{}\nnote: a body has `point`, `axis` and `start`", did_you_mean(&near))
             }
-            Fact::OneArgument => write!(f, "a function here has one argument"),
+            Fact::OneArgument => {
+                write!(f, "a function here has one argument\nhelp: what else it depends on is a `param` or a `let`, which it sees")
+            }
             Fact::PairWithoutParentheses { what } => write!(f, "{what} has two coordinates in parentheses\nhelp: write `(x, y)`"),
             Fact::PathOfConstraint { path, last } => {
                 write!(f, "a joint names its constraint by a single word\nhelp: write `use {path};` above, and `{last}(…)` here")
@@ -193,7 +208,7 @@ impl fmt::Display for Fact {
                 }
                 write!(f, "\nhelp: a loop counts upwards: write `{to}..={from}`")
             }
-            Fact::LongRange { limit } => write!(f, "a loop has at most {limit} rounds"),
+            Fact::LongRange { rounds, limit } => write!(f, "this loop has {rounds} rounds, at most {limit} are possible"),
             Fact::TooManyItems { limit } => write!(f, "loops and parts make more than {limit} items"),
             Fact::UnknownComponent { name, is_constraint: true, .. } => {
                 write!(f, "`{name}` is a constraint, not a component\nhelp: write `joint name = {name}(…);`")
@@ -220,11 +235,12 @@ impl fmt::Display for Fact {
                 )
             }
             Fact::OutsideOfComponent { name, what } => {
-                write!(f, "a component does not see `{name}`, {what} outside of it\nhelp: take it as an argument")
+                write!(f, "a component does not see `{name}`, {what} outside of it")?;
+                write!(f, "\nhelp: take what it needs as an argument, such as `P: Point` or `b: Body`")
             }
             Fact::UnlikeParts { name, component } => {
                 write!(f, "`{name}` has not the same bodies, parameters, parts and outputs as the first `{component}`")?;
-                write!(f, "\nhelp: loops and indices in a component may not depend on its arguments in such a way")
+                write!(f, "\nhelp: how many there are of something in a component cannot depend on its arguments")
             }
             Fact::UnlikeOutputs { name } => {
                 write!(f, "the outputs `{name}` measure different things\nhelp: give outputs of another kind another name")
@@ -254,6 +270,9 @@ impl fmt::Display for Fact {
             }
             Fact::UnknownFunction { name, is_constraint: true, .. } => {
                 write!(f, "`{name}` is a constraint, not a function\nhelp: write `joint name = {name}(…);`")
+            }
+            Fact::UnknownFunction { name, near: None, .. } => {
+                write!(f, "no function is called `{name}`\nhelp: declare it, such as `function {name}(x: Angle) -> Length = …;`")
             }
             Fact::UnknownFunction { name, near, .. } => write!(f, "no function is called `{name}`{}", did_you_mean(near)),
             Fact::UnknownConstraint { name, near } => {
@@ -298,14 +317,26 @@ impl fmt::Display for Fact {
             }
             Fact::Duplicate { name, first } => write!(f, "the name `{name}` is taken: {first} has it\nhelp: choose another name"),
             Fact::DuplicateMark { name, body } => write!(f, "`{body}` has another `{name}` already\nhelp: choose another name"),
-            Fact::DuplicateStart { name, body } => write!(f, "the start of `{body}` gives `{name}` twice"),
+            Fact::DuplicateStart { name, body } => {
+                write!(f, "the start of `{body}` gives `{name}` twice\nhelp: take one away")?;
+                if name == "angle" { Ok(()) } else { write!(f, "; `position` is both `x` and `y`") }
+            }
             Fact::DuplicateGround => write!(f, "there is one ground only\nhelp: put all its points and axes into one `ground {{ … }}`"),
+            Fact::Reserved { name } if name == "ground" => {
+                write!(
+                    f,
+                    "`ground` is what stands still\nhelp: its points go into `ground {{ … }}`, without `body`; all else has another name"
+                )
+            }
             Fact::Reserved { name } => write!(f, "`{name}` has a meaning of its own in expressions\nhelp: choose another name"),
             Fact::Generated { name } => {
                 write!(f, "an output cannot be called `{name}`: a generated function has that name\nhelp: choose another name")
             }
-            Fact::Cycle { name } => write!(f, "`{name}` depends on itself"),
-            Fact::Recursion { name } => write!(f, "the function `{name}` calls itself"),
+            Fact::Cycle { name, through } if through.is_empty() => write!(f, "`{name}` depends on itself"),
+            Fact::Cycle { name, through } => write!(f, "`{name}` depends on itself, by way of {}", list(through)),
+            Fact::Recursion { name } => {
+                write!(f, "the function `{name}` calls itself\nnote: functions are written out where they are called; this would not end")
+            }
 
             Fact::TooManyArguments { definition, signature, takes, found } => {
                 write!(f, "`{definition}` takes {}, found {found}\nnote: `{signature}`", range_of(takes, "argument"))
@@ -319,24 +350,46 @@ impl fmt::Display for Fact {
             Fact::UnknownArgument { definition, name, signature, near } => {
                 write!(f, "`{definition}` has no parameter `{name}`{}\nnote: `{signature}`", did_you_mean(near))
             }
-            Fact::DuplicateArgument { name } => write!(f, "the argument `{name}` is given twice"),
-            Fact::PositionalAfterNamed => write!(f, "an argument without a name cannot follow one with a name"),
+            Fact::DuplicateArgument { name, is_also_in_order } => {
+                let how = if *is_also_in_order { ": by its place in the order and by its name" } else { "" };
+                write!(f, "the argument `{name}` is given twice{how}\nhelp: take one of them away")
+            }
+            Fact::PositionalAfterNamed { next } => {
+                write!(f, "an argument without a name cannot follow one with a name")?;
+                next.as_ref().map_or(Ok(()), |next| write!(f, "\nhelp: say which one it is, such as `{next}: …`"))
+            }
             Fact::FunctionArity { name, wanted, found } => {
-                write!(f, "`{name}` takes {}, found {found}", plural(*wanted, "argument"))
+                write!(f, "`{name}` takes {}, found {found}", plural(*wanted, "argument"))?;
+                match (wanted, name.as_str()) {
+                    (2, "atan2") => write!(f, "\nnote: `atan2(y, x)`"),
+                    (2, _) => write!(f, "\nnote: `{name}(a, b)`"),
+                    _ => Ok(()),
+                }
             }
             Fact::DefaultBefore { name } => {
                 write!(f, "`{name}` needs a default, since the parameter before it has one\nhelp: put it before those with a default")
             }
 
-            Fact::NotA { wanted, found } => write!(f, "expected {wanted}, found {found}"),
+            Fact::NotA { wanted, found } => write!(f, "expected {wanted}, found {found}{}", remedy::of_kind(wanted, found)),
             Fact::WrongArgument { parameter, definition, wanted, found, instead } => {
                 write!(f, "`{parameter}` of `{definition}` takes {wanted}, found {found}")?;
-                instead.as_ref().map_or(Ok(()), |instead| write!(f, "\nhelp: write `{instead}`"))
+                match instead {
+                    Some(instead) => write!(f, "\nhelp: write `{instead}`"),
+                    None if wanted.ends_with(" joint") && !found.ends_with(" joint") => write!(f, "\nhelp: write the name of the joint"),
+                    None => write!(f, "{}", remedy::of_kind(wanted, found)),
+                }
             }
             Fact::WrongArgumentDimension { parameter, definition, wanted, found } => {
                 write!(f, "`{parameter}` of `{definition}` is {wanted}, found {found}")?;
-                let is_rate = found.times(Dim::TIME) == *wanted;
-                if is_rate { write!(f, "\nhelp: multiply the rate by `t`") } else { Ok(()) }
+                if found.times(Dim::TIME) == *wanted {
+                    return write!(f, "\nhelp: multiply the rate by `t`");
+                }
+                // What follows a law of time is often meant to follow time itself.
+                if *found == Dim::TIME {
+                    write!(f, "\nhelp: multiply the time by a rate in {}", wanted.per(Dim::TIME).unit())
+                } else {
+                    Ok(())
+                }
             }
             Fact::WrongDefault { wanted, found } => write!(f, "the parameter takes {wanted}, its default is {found}"),
             Fact::WrongDimension { wanted, found } => write!(f, "expected {wanted}, found {found}"),
@@ -346,7 +399,8 @@ impl fmt::Display for Fact {
                     "subtract" => write!(f, "cannot subtract {two} from {one}"),
                     "add" => write!(f, "cannot add {two} to {one}"),
                     _ => write!(f, "cannot {action} {one} {joint} {two}"),
-                }
+                }?;
+                write!(f, "{}", remedy::of_dimensions(*one, *two))
             }
             Fact::NotALength { found, instead } => {
                 write!(f, "a coordinate of a point is a length (m), found {found}")?;
@@ -355,15 +409,19 @@ impl fmt::Display for Fact {
             Fact::FunctionTakes { wanted, found } => write!(f, "expected a function of {wanted}, found a function of {found}"),
             Fact::OrderOfBodies => write!(f, "bodies have no order\nhelp: compare them with `==` or `!=`"),
             Fact::CannotCompare { one, two } => write!(f, "cannot compare {one} with {two}"),
-            Fact::CannotEquate { one, two } => write!(f, "cannot equate {one} with {two}"),
+            Fact::CannotEquate { one, two } => write!(f, "cannot equate {one} with {two}{}", remedy::of_equation(one, two)),
             Fact::NotTwoComponents { found } => write!(f, "a vector in the plane has 2 components, found {found}"),
-            Fact::VectorAndNumber => write!(f, "cannot add or subtract a vector and a number"),
+            Fact::VectorAndNumber => {
+                write!(f, "cannot add or subtract a vector and a number")?;
+                write!(f, "\nhelp: write the number as a vector, `(x, y)`, or take a component, `.x` or `.y`")
+            }
             Fact::NumberByVector => write!(f, "nothing can be divided by a vector\nhelp: write `norm(v)` for its length"),
             Fact::VectorTimesVector => {
                 write!(f, "there is more than one product of vectors\nhelp: write `dot(a, b)` or `cross(a, b)`")
             }
             Fact::PowerOfDimension { base } => {
-                write!(f, "{base} can only be raised to a number that is written out, a multiple of 1/6")
+                write!(f, "{base} can only be raised to a number that is written out, a multiple of 1/6")?;
+                write!(f, "\nhelp: divide it by a quantity of its kind, and raise the ratio")
             }
             Fact::NotAnOutput { found } => write!(f, "an output is a number, a vector, a point or a body that moves, found {found}"),
 
@@ -379,18 +437,22 @@ impl fmt::Display for Fact {
             }
             Fact::DivisionByZero => write!(f, "division by zero"),
             Fact::EqualityInChoice => write!(f, "equality of measured numbers is an accident\nhelp: compare with `<`, `<=`, `>` or `>=`"),
-            Fact::ListOutsideTable => write!(f, "a list can only be an argument of `table`"),
+            Fact::ListOutsideTable => write!(f, "a list can only be an argument of `table`\nhelp: a vector is written `(x, y)`"),
             Fact::TableArity { found } => {
                 write!(f, "`table` takes 2 or 3 arguments, found {found}\nnote: `table(x, [(x0, y0), (x1, y1), …], periodic)`")
             }
             Fact::TableNeedsList => write!(f, "expected a list of pairs, such as `[(0deg, 0mm), (90deg, 5mm)]`"),
             Fact::TableNeedsPairs => write!(f, "expected a pair, such as `(90deg, 5mm)`"),
-            Fact::TableNotIncreasing => write!(f, "the first numbers of a table must increase from pair to pair"),
+            Fact::TableNotIncreasing { before, found, dim } => {
+                let [found, before] = [found, before].map(|value| remedy::quantity(*value, *dim));
+                write!(f, "the first numbers of a table must increase from pair to pair: {found} comes after {before}")
+            }
             Fact::TableTooShort { found } => write!(f, "a table needs at least 2 pairs, found {found}"),
-            Fact::TableNotPeriodic { first, last } => {
+            Fact::TableNotPeriodic { first, last, dim } => {
+                let [first, last] = [first, last].map(|value| remedy::quantity(*value, *dim));
                 write!(f, "a periodic table ends with the value it begins with: it begins with {first} and ends with {last}")
             }
-            Fact::TableEnds => write!(f, "outside its range a table is `periodic`, `linear` or `hold`"),
+            Fact::TableEnds { found } => write!(f, "outside its range a table is `periodic`, `linear` or `hold`, not {found}"),
             Fact::NotConstant { place, help } => {
                 write!(f, "{place} is a constant: numbers, units, `pi` and functions of them")?;
                 if help.is_empty() { Ok(()) } else { write!(f, "\nhelp: {help}") }
@@ -406,14 +468,20 @@ impl fmt::Display for Fact {
             Fact::DefaultOutOfBounds { value, bounds } => {
                 write!(f, "the default, {value}, does not lie in {bounds}\nhelp: widen the range, or take a default within")
             }
-            Fact::NotFixed { place } => write!(f, "{place} may depend on parameters only, not on what moves"),
+            Fact::NotFixed { place } => {
+                write!(f, "{place} may depend on parameters only, not on what moves")?;
+                let help = if place.contains("start") { "write where it is about" } else { "what moves along a body is a body of its own" };
+                write!(f, "\nhelp: {help}")
+            }
             Fact::FunctionNeedsArgument => {
                 write!(
                     f,
                     "a function written here names its argument\nhelp: write `function name(x: Angle) -> Length = …;`, or give the path of a Rust function"
                 )
             }
-            Fact::ZeroAxis { name } => write!(f, "the axis `{name}` has no direction: both components are zero"),
+            Fact::ZeroAxis { name } => {
+                write!(f, "the axis `{name}` has no direction: both components are zero\nhelp: write `(1, 0)` for the direction of x")
+            }
 
             Fact::TimeIn { place } => write!(f, "{place} does not change with time: `t` cannot be used in it"),
             Fact::TimeInDefinition => {
@@ -441,7 +509,9 @@ impl fmt::Display for Fact {
             Fact::EmptyBundle { name } => {
                 write!(f, "the bundle `{name}` has no constraints\nhelp: put `constraint name(…) {{ … }}` into it")
             }
-            Fact::GroundStart => write!(f, "ground does not move: it has no start values"),
+            Fact::GroundStart => {
+                write!(f, "ground does not move: it has no start values\nhelp: a frame that stands elsewhere is a body with a `weld`")
+            }
             Fact::InDefinition { definition, quantities, fact } => {
                 write!(f, "in {definition}: {fact}")?;
                 let words: Vec<String> = quantities.iter().map(|(name, dim)| format!("`{name}` is {dim}")).collect();

@@ -3,9 +3,13 @@
 //! In: facts and the tokens they are about. Out: `compile_error!` tokens, one block per refusal.
 //! Not done here: words. `message.rs` alone turns a fact into a sentence.
 
+mod code;
 mod fact;
 mod message;
+mod remedy;
+mod shown;
 
+pub use code::PAGES;
 pub use fact::{Count, Demand, Fact};
 
 use proc_macro2::{Ident, Span, TokenStream};
@@ -66,7 +70,7 @@ impl Refusal {
         // from the first to the second.
         let ends = [Ident::new("a", self.range.first), Ident::new("b", self.range.last)];
         let tokens: TokenStream = ends.into_iter().map(proc_macro2::TokenTree::from).collect();
-        syn::Error::new_spanned(tokens, self.fact.to_string())
+        syn::Error::new_spanned(tokens, self.fact.message())
     }
 }
 

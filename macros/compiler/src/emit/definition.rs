@@ -129,3 +129,12 @@ pub(crate) fn library_pages() -> TokenStream {
     };
     crate::library::pages().map(page).collect()
 }
+
+/// The pages of the index of errors as modules that rustdoc shows.
+pub(crate) fn error_pages() -> TokenStream {
+    let page = |(code, page): &(&str, &str)| {
+        let module = Ident::new(code, Span::call_site());
+        quote! { #[doc = #page] pub mod #module {} }
+    };
+    crate::diag::PAGES.iter().map(page).collect()
+}

@@ -24,7 +24,7 @@ mod state;
 mod stub;
 mod validate;
 
-pub(crate) use definition::{export, library_pages, resume};
+pub(crate) use definition::{error_pages, export, library_pages, resume};
 pub(crate) use stub::{fallback, stub};
 
 use crate::closure::Closure;

@@ -29,7 +29,7 @@ pub(crate) fn stub(tree: &Mechanism) -> TokenStream {
 pub(crate) fn fallback(tree: &Mechanism, wanted: &Use) -> TokenStream {
     let Mechanism { visibility, name, .. } = tree;
     let module = format_ident!("__reuleaux_{}", name);
-    let why = Fact::NotAConstraint { name: wanted.path.last.to_string() }.to_string();
+    let why = Fact::NotAConstraint { name: wanted.path.last.to_string() }.message();
     let promise = promise(tree, &quote!(pub), &quote!({ let () = #name::<T>::IS_A_CONSTRAINT; loop {} }));
     // An associated constant is only evaluated for functions that are built, after all other errors.
     let check = quote_spanned!(wanted.path.last.span()=> const IS_A_CONSTRAINT: () = ::core::panic!(#why););

@@ -46,7 +46,7 @@ impl Elaborator<'_> {
         };
         let is_bound = scope.bound.iter().any(|(known, _)| name == known)
             || scope.space.is_some_and(|space| self.names.visible(space, &name.to_string()).is_some());
-        if !is_bound && BUILTINS.contains(&name.to_string().as_str()) {
+        if BUILTINS.contains(&name.to_string().as_str()) {
             return self.builtin(range, name, arguments, scope);
         }
         if !is_bound && !self.is_library_function(name) {
@@ -282,7 +282,7 @@ impl Elaborator<'_> {
             return self.refuse(points.range, Fact::TableTooShort { found: pairs.len() });
         };
         if ends == Ends::Periodic && first.1 != last.1 {
-            return self.refuse(end.range, Fact::TableNotPeriodic { first: first.1, last: last.1 });
+            return self.refuse(end.range, Fact::TableNotPeriodic { first: first.1, last: last.1, dim: to.settled() });
         }
         let table = Numbered::Table(Table::through(&pairs, ends));
         let same = |known: &Numbered| matches!((known, &table), (Numbered::Table(one), Numbered::Table(two)) if one == two);
@@ -304,8 +304,8 @@ impl Elaborator<'_> {
                 return self.refuse(item.range, Fact::TableNeedsPairs);
             };
             let (x, y) = (self.table_entry(at, &mut from, scope)?, self.table_entry(value, to, scope)?);
-            if pairs.last().is_some_and(|last| last.0 >= x) {
-                return self.refuse(at.range, Fact::TableNotIncreasing);
+            if let Some((before, _)) = pairs.last().filter(|last| last.0 >= x) {
+                return self.refuse(at.range, Fact::TableNotIncreasing { before: *before, found: x, dim: from.settled() });
             }
             pairs.push((x, y));
         }
@@ -321,7 +321,8 @@ impl Elaborator<'_> {
             "periodic" => Some(Ends::Periodic),
             "linear" => Some(Ends::Linear),
             "hold" => Some(Ends::Hold),
-            _ => self.refuse(expr.range, Fact::TableEnds),
+            "" => self.refuse(expr.range, Fact::TableEnds { found: "this".to_owned() }),
+            _ => self.refuse(expr.range, Fact::TableEnds { found: format!("`{word}`") }),
         }
     }
 
@@ -334,7 +335,9 @@ impl Elaborator<'_> {
         *column = common;
         match self.arena.as_constant(scalar.expr) {
             Some(value) => Some(value.to_f64()),
-            None => self.refuse(entry.range, Fact::NotConstant { place: "an entry of a table", help: "" }),
+            None => {
+                self.refuse(entry.range, Fact::NotConstant { place: "an entry of a table", help: "multiply the table by what changes" })
+            }
         }
     }
 }

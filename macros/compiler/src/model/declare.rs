@@ -25,7 +25,9 @@ impl Elaborator<'_> {
         let indices = self.written_indices(indices, item, context)?;
         let word = name.to_string();
         if is_reserved(&word) {
-            return self.once(item, |this| this.refuse(name, Fact::Reserved { name: word }));
+            // The item is there all the same, so that nobody misses it.
+            self.names.misused.insert(word.clone());
+            self.once(item, |this| this.refuse::<()>(name, Fact::Reserved { name: word.clone() }));
         }
         let full = self.full_name(context.space, name, &indices);
         let shown = if indices.is_empty() { word.clone() } else { full.path.clone() };
@@ -67,6 +69,10 @@ impl Elaborator<'_> {
         };
         let group = &mut self.names.groups[group.0];
         if group.what != what || group.ranks != indices.len() || group.members.contains_key(&indices) {
+            // Which of the two is meant where the name is used, nobody knows: that is not to be told as a second mistake.
+            for member in group.members.values() {
+                self.names.declared[member.0].progress = Progress::Failed;
+            }
             return Err(group.what);
         }
         group.members.insert(indices, id);

@@ -267,6 +267,9 @@ impl Elaborator<'_> {
         if let Some(value) = scope.bound(name) {
             return Some(value.clone());
         }
+        if self.names.misused.contains(&name.to_string()) {
+            return None;
+        }
         if name == "pi" {
             return Some(Value::Scalar(Scalar { expr: self.arena.constant(Exact::PI), measure: Measure::Flexible }));
         }

@@ -107,8 +107,9 @@ impl Elaborator<'_> {
         if end < from || end == from && !is_inner {
             return self.refuse(range, Fact::EmptyRange { from, to, is_inclusive: bounds.is_inclusive });
         }
-        if end.abs_diff(from) > LONGEST as u64 {
-            return self.refuse(range, Fact::LongRange { limit: LONGEST });
+        let rounds = end.abs_diff(from);
+        if rounds > LONGEST as u64 {
+            return self.refuse(range, Fact::LongRange { rounds, limit: LONGEST });
         }
         Some(from..end)
     }

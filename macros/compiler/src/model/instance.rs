@@ -146,7 +146,10 @@ impl Elaborator<'_> {
         let mut named_before = false;
         for (position, argument) in given.iter().enumerate() {
             let slot = match &argument.name {
-                None if named_before => return self.refuse(argument.value.range, Fact::PositionalAfterNamed),
+                None if named_before => {
+                    let next = wanted.iter().zip(&slots).find(|(_, slot)| slot.is_none()).map(|(formal, _)| formal.name.to_string());
+                    return self.refuse(argument.value.range, Fact::PositionalAfterNamed { next });
+                }
                 None if position >= wanted.len() => return self.refuse(argument.value.range, too_many(definition, given.len())),
                 None => position,
                 Some(name) => {
@@ -157,9 +160,10 @@ impl Elaborator<'_> {
                     }
                 }
             };
-            if slots[slot].replace(position).is_some() {
+            if let Some(first) = slots[slot].replace(position) {
                 let blamed = argument.name.as_ref().map_or(argument.value.range, Range::from);
-                return self.refuse(blamed, Fact::DuplicateArgument { name: wanted[slot].name.to_string() });
+                let (name, is_also_in_order) = (wanted[slot].name.to_string(), given[first].name.is_none());
+                return self.refuse(blamed, Fact::DuplicateArgument { name, is_also_in_order });
             }
         }
         let missing = wanted.iter().zip(&slots).filter(|(formal, slot)| slot.is_none() && formal.default.is_none());

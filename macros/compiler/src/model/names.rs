@@ -148,6 +148,10 @@ pub(crate) struct Names {
     pub(super) definitions: BTreeMap<String, Rc<Definition>>,
     pub(super) library: BTreeMap<String, Option<Rc<Definition>>>,
     pub(super) components: BTreeMap<String, Rc<ast::Component>>,
+    /// Names with a meaning of their own that were given to something else: what a use of them means is not clear.
+    pub(super) misused: BTreeSet<String>,
+    /// Items that are being resolved, each for the one before it.
+    pub(super) open: Vec<EntityId>,
     /// Functions whose bodies are being looked at, to stop recursion.
     pub(super) open_functions: Vec<String>,
     /// A definition is checked on its own, with bodies and numbers nothing is known of.
@@ -170,6 +174,8 @@ impl Names {
             definitions,
             library: BTreeMap::new(),
             components: BTreeMap::new(),
+            misused: BTreeSet::new(),
+            open: Vec::new(),
             open_functions: Vec::new(),
             is_abstract: false,
             outputs: BTreeSet::new(),

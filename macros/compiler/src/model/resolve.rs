@@ -160,12 +160,15 @@ impl Elaborator<'_> {
             Progress::Open => {
                 let range = if let Entity::Mark(..) = declared.entity { Range::from(&declared.name) } else { range };
                 let name = declared.name.own();
-                return self.refuse(range, Fact::Cycle { name });
+                let way = self.names.open.iter().skip_while(|open| **open != id).skip(1);
+                let through = way.map(|open| self.names.declared[open.0].name.path.clone()).collect();
+                return self.refuse(range, Fact::Cycle { name, through });
             }
             Progress::Untouched => {}
         }
         let entity = declared.entity.clone();
         self.names.declared[id.0].progress = Progress::Open;
+        self.names.open.push(id);
         let value = match &entity {
             Entity::Known => None,
             Entity::Let(binding) => self.of(id, Rc::as_ptr(binding), |this, _, context| this.binding(binding, &Scope::of(context))),
@@ -174,6 +177,7 @@ impl Elaborator<'_> {
             Entity::Mark(frame, mark) => self.of(id, Rc::as_ptr(mark), |this, _, context| this.fixed(*frame, mark, context)),
             Entity::Argument(made, number) => self.made_with(id, made, *number),
         };
+        self.names.open.pop();
         self.names.declared[id.0].progress = value.clone().map_or(Progress::Failed, Progress::Done);
         value
     }

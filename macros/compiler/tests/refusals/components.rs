@@ -33,7 +33,7 @@ crate::refusals! {
     item range_backwards: "for i in «3..1» { body b[i] {} }" => "this loop runs over nothing: from 3 to below 1\nhelp: a loop counts upwards: write `1..=3`";
     item range_of_nothing: "for i in «2..2» { body b[i] {} }" => "this loop runs over nothing: from 2 to below 2\nhelp: for 2 alone write `2..=2`";
     item range_without_end: "for i in 0 «{» body b[i] {} }" => "expected `..` or `..=` and the end of the range, found `{`";
-    item range_too_long: "for i in «0..1000000» { body b[i] {} }" => "a loop has at most 10000 rounds";
+    item range_too_long: "for i in «0..1000000» { body b[i] {} }" => "this loop has 1000000 rounds, at most 10000 are possible";
     item name_in_a_range_is_unknown: "for i in 0..«legs» { body b[i] {} }" => "nothing is called `legs` here";
     item array_without_index: "body b[0] {} output o = «b».x;" => "`b` is an array\nhelp: say which one, such as `b[0]`";
     item array_as_an_argument: "body b[0] {} joint j = parallel(crank, «b»);" => "`b` is an array\nhelp: say which one, such as `b[0]`";
@@ -66,14 +66,14 @@ crate::refusals! {
     item argument_is_mistyped: "component Leg(pivot: Point) {} part p = Leg(«pivo»: ground.O);" => "`Leg` has no parameter `pivo`\nhelp: did you mean `pivot`?\nnote: `Leg(pivot: Point)`";
     item body_for_a_point: "component Leg(P: Point) {} part p = Leg(«crank»);" => "`P` of `Leg` takes a point, found a body\nhelp: write `crank.O`";
     item angle_for_a_length: "component Leg(a: Length) {} part p = Leg(«3deg»);" => "`a` of `Leg` is a length (m), found an angle (rad)";
-    item arguments_in_a_circle: "component Leg(a: Length) { let b = 2 * «a»; } part p = Leg(q.b); part q = Leg(p.b);" => "`a` depends on itself\nnote: in `p.b`";
+    item arguments_in_a_circle: "component Leg(a: Length) { let b = 2 * «a»; } part p = Leg(q.b); part q = Leg(p.b);" => "`a` depends on itself, by way of `q.b`, `q.a` and `p.b`\nnote: in `p.b`";
     // What a component sees.
-    item body_outside_of_a_component: "component Leg() { joint j = absolute_angle(«crank», 0); } part p = Leg();" => "a component does not see `crank`, a body outside of it\nhelp: take it as an argument\nnote: in `p.j`";
+    item body_outside_of_a_component: "component Leg() { joint j = absolute_angle(«crank», 0); } part p = Leg();" => "a component does not see `crank`, a body outside of it\nhelp: take what it needs as an argument, such as `P: Point` or `b: Body`\nnote: in `p.j`";
     item loop_outside_of_a_component: "component Leg() { let a = 2 * «i»; } for i in 0..2 { part p[i] = Leg(); }" => "nothing is called `i` here\nnote: in `p[0].a`";
     item mistake_in_a_component_is_said_once: "component Leg(P: Point) { body b {} joint j = revolute(P, «b»); } for i in 0..5 { part leg[i] = Leg(ground.O); }" => "`Q` of `revolute` takes a point, found a body\nhelp: write `b.position`\nnote: in `leg[0].j`";
     item mistake_in_one_part_of_many: "component Leg(a: Length) { body b {} body c {} joint j = distance(b.position, c.position, «a»); } for i in 0..5 { part leg[i] = Leg((3 - i) * 1mm); }" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together\nnote: in `leg[3].j`";
     item name_in_a_part_is_mistyped: "component Leg() { body foot {} } part p = Leg(); output o = p.«foat».x;" => "`p` has no `foat`\nhelp: did you mean `foot`?";
-    item unlike_parts: "component Leg(n: Number) { for i in 0..n { body b[i] {} } } part p = Leg(1); part «q» = Leg(2);" => "`q` has not the same bodies, parameters, parts and outputs as the first `Leg`\nhelp: loops and indices in a component may not depend on its arguments in such a way";
+    item unlike_parts: "component Leg(n: Number) { for i in 0..n { body b[i] {} } } part p = Leg(1); part «q» = Leg(2);" => "`q` has not the same bodies, parameters, parts and outputs as the first `Leg`\nhelp: how many there are of something in a component cannot depend on its arguments";
     item outputs_of_one_name: "component Leg() { output toe = 1; } part leg = Leg(); output «leg_toe» = 2;" => "the name `leg_toe` is taken: another output has it\nhelp: choose another name";
     item default_of_a_part_is_not_constant: "component Leg(a: Length) { param b: Length = «a»; } part p = Leg(length);" => "the default of a parameter is a constant: numbers, units, `pi` and functions of them\nhelp: a quantity that follows from others is declared with `let`\nnote: in `p.b`";
     item requirement_of_an_argument: "component Leg(a: Length) { body b {} body c {} joint j = distance(b.position, c.position, «0 * a»); } part p = Leg(1m);" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together\nnote: in `p.j`";

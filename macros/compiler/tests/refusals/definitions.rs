@@ -10,7 +10,7 @@ crate::refusals! {
     constraint kind_is_unknown: "constraint c(P: «Sphere») { P.x == 0; }" => "no parameter can take `Sphere`\nnote: it takes a `Point`, `Axis`, `Body`, `Quantity`, `Function(…) -> …`, `Joint(…)`, or a dimension such as `Length`";
     constraint joint_kind_is_unknown: "constraint c(j: Joint(«translation»)) { j.P.x == 0; }" => "no constraint is called `translation`\nhelp: did you mean `translational`?";
     constraint field_of_a_joint: "constraint c(j: Joint(translational)) { j.«R».x == 0; }" => "a `translational` joint has no `R`\nnote: it has `u`, `P`, `Q` and `c`";
-    constraint dimensions_differ: "constraint c(P: Point, a: Angle) { «P.x == a»; }" => "cannot equate a length (m) with an angle (rad)";
+    constraint dimensions_differ: "constraint c(P: Point, a: Angle) { «P.x == a»; }" => "cannot equate a length (m) with an angle (rad)\nhelp: an arc is a radius times an angle";
     constraint default_of_another_dimension: "constraint c(P: Point, a: Length = «1deg») { P.x == a; }" => "expected a length (m), found an angle (rad)";
     constraint default_of_another_kind: "constraint c(P: Point, b: Body = «0») { P.x == b.x; }" => "the parameter takes a body, its default is a number";
     constraint default_before_none: "constraint c(a: Length = 0, «P»: Point) { P.x == a; }" => "`P` needs a default, since the parameter before it has one\nhelp: put it before those with a default";

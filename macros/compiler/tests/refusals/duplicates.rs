@@ -11,7 +11,10 @@ crate::refusals! {
     item output_twice: "output «tip» = crank.O;" => "the name `tip` is taken: another output has it\nhelp: choose another name";
     item point_twice: "body b { point P = (0mm, 0mm); point «P» = (1mm, 0mm); }" => "`b` has another `P` already\nhelp: choose another name";
     item axis_with_a_points_name: "body b { point P = (0mm, 0mm); axis «P» = (1, 0); }" => "`b` has another `P` already\nhelp: choose another name";
-    item start_twice: "body b { start angle = 0; start «angle» = 1; }" => "the start of `b` gives `angle` twice";
-    item start_by_position_and_x: "body b { start position = (0mm, 0mm); start «x» = 1mm; }" => "the start of `b` gives `x` twice";
+    item start_twice: "body b { start angle = 0; start «angle» = 1; }" => "the start of `b` gives `angle` twice\nhelp: take one away";
+    item start_by_position_and_x: "body b { start position = (0mm, 0mm); start «x» = 1mm; }" => "the start of `b` gives `x` twice\nhelp: take one away; `position` is both `x` and `y`";
     item ground_twice: "«ground» { point D = (0mm, 0mm); }" => "there is one ground only\nhelp: put all its points and axes into one `ground { … }`";
+    item uses_of_a_parameter_and_body_are_not_refused_as_well: "body «speed» { point P = (0mm, 0mm); } output b = speed.P; output c = speed.Q.x;" => "the name `speed` is taken: a parameter has it\nhelp: choose another name";
+    item uses_of_an_array_and_body_are_not_refused_as_well: "body b { point P = (0mm, 0mm); } body «b»[0] { point Q = (0mm, 0mm); } output o = b[0].Q; output p = b.Q;" => "the name `b[0]` is taken: a body has it\nhelp: choose another name";
+    item uses_of_a_doubled_point_are_not_refused_as_well: "body b { point P = (0mm, 0mm); axis «P» = (1, 0); } joint j = translational(b.P, b.position, crank.A);" => "`b` has another `P` already\nhelp: choose another name";
 }

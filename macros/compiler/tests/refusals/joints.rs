@@ -14,7 +14,7 @@ crate::refusals! {
     item distance_on_one_body: "joint a = «distance»(crank.O, crank.A, 100mm);" => "the two points of a distance constraint lie on the same body";
     item weld_of_one_body: "joint a = «weld»(crank.O, crank.A);" => "the two points of a weld lie on the same body";
     item gear_with_itself: "joint a = gear_pair(«crank», crank, 1, 2);" => "a gear cannot mesh with itself";
-    mechanism start_of_ground: "mechanism Crank { ground { start «angle» = 0; } body crank {} }" => "ground does not move: it has no start values";
+    mechanism start_of_ground: "mechanism Crank { ground { start «angle» = 0; } body crank {} }" => "ground does not move: it has no start values\nhelp: a frame that stands elsewhere is a body with a `weld`";
     mechanism named_as_the_number_type: "mechanism «T» { body crank {} }" => "`T` is the number type of generated code\nhelp: choose another name for the mechanism";
     mechanism no_bodies: "mechanism «Crank» { param length: Length = 1m; }" => "`Crank` has no bodies\nhelp: declare one with `body name { … }`";
     mechanism drive_is_missing: "mechanism «Crank» { body crank {} joint o = revolute((0mm, 0mm), crank.position); }" => "`Crank` has mobility 1, but no drive\nnote: 3 coordinates and 2 equations of joints\nhelp: drive `crank.angle`, such as `drive input = drive_angle(crank, 60rpm * t);`";

@@ -67,6 +67,8 @@ fn check(marked: &str, words: &str, compile: fn(TokenStream) -> Vec<Refusal>) {
     assert_eq!(said, [words], "in\n{marked}");
     let range = refusals[0].range;
     assert_eq!((range.first.start(), range.last.end()), (start, end), "`{words}` lies elsewhere in\n{marked}");
+    let guilty = marked.split(['«', '»']).nth(1).and_then(|guilty| guilty.lines().next());
+    assert_eq!(Some(refusals[0].underlined(&source)), guilty.or(Some("")), "`{words}` underlines something else in\n{marked}");
 }
 
 /// The source without its marks, and where they stood.

@@ -18,7 +18,7 @@ crate::refusals! {
     item function_is_unknown: "output b = «sinc»(crank.angle);" => "no function is called `sinc`\nhelp: did you mean `sin`?";
     item own_function_is_mistyped: "output b = «lif»(crank.angle);" => "no function is called `lif`\nhelp: did you mean `lift`?";
     item constraint_as_a_function: "output b = «revolute»(ground.O, crank.O);" => "`revolute` is a constraint, not a function\nhelp: write `joint name = revolute(…);`";
-    item number_as_a_function: "output b = «length»(2);" => "expected a function, found a number";
+    item number_as_a_function: "output b = «length»(2);" => "expected a function, found a number\nhelp: a product is written with `*`";
     item unit_is_mistyped: "param a: Length = «100milimeter»;" => "no unit is called `milimeter`\nnote: there are `m`, `cm`, `mm`, `um`, `km`, `in`, `ft`, `rad`, `mrad`, `deg`, `turn`, `s`, `ms`, `us`, `min`, `h`, `kg`, `g`, `rpm`, `rad_s`, `deg_s`, `rad_s2`, `deg_s2`, `m_s`, `mm_s`, `m_s2`, `mm_s2`, `mm2`, `m2`, `N`, `kN`, `Nm` and `kgm2`";
     item unit_is_near: "param a: Length = «100mn»;" => "no unit is called `mn`\nhelp: did you mean `100mm`?";
     item hertz_is_ambiguous: "param a: AngularVelocity = «2Hz»;" => "no unit is called `Hz`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`";
@@ -27,13 +27,16 @@ crate::refusals! {
     item start_is_unknown: "body b { start «speed» = 1; }" => "a body does not start with `speed`\nnote: it starts with `x`, `y`, `position` or `angle`";
     item start_is_mistyped: "body b { start «angel» = 1; }" => "a body does not start with `angel`\nhelp: did you mean `angle`?\nnote: it starts with `x`, `y`, `position` or `angle`";
     item named_argument_is_mistyped: "joint a = gear_pair(crank, ram, 1, 2, «carier»: ground);" => "`gear_pair` has no parameter `carier`\nhelp: did you mean `carrier`?\nnote: `gear_pair(i: Body, j: Body, a: Quantity, b: Quantity, c: Quantity = …, carrier: Body = …)`";
-    item let_depends_on_itself: "let a = 1 + b; let b = 2 * «a»;" => "`a` depends on itself";
+    item let_depends_on_itself: "let a = 1 + b; let b = 2 * «a»;" => "`a` depends on itself, by way of `b`";
     item point_depends_on_itself: "body b { point «P» = (b.P.x, 0mm); }" => "`P` depends on itself";
     item joint_depends_on_itself: "drive a = drive_along(«a», 1mm);" => "`a` depends on itself";
-    item function_calls_itself: "function f(x: Angle) -> Length = 2 * «f(x)»;" => "the function `f` calls itself";
+    item function_calls_itself: "function f(x: Angle) -> Length = 2 * «f(x)»;" => "the function `f` calls itself\nnote: functions are written out where they are called; this would not end";
     item name_with_a_meaning: "param «pi»: Length = 1m;" => "`pi` has a meaning of its own in expressions\nhelp: choose another name";
     item name_of_a_builtin: "body «dot» {}" => "`dot` has a meaning of its own in expressions\nhelp: choose another name";
     item output_with_a_generated_name: "output «solve» = crank.x;" => "an output cannot be called `solve`: a generated function has that name\nhelp: choose another name";
     item output_with_the_name_of_a_slice: "output far = crank.x; output «solve_for_far» = crank.x;" => "an output cannot be called `solve_for_far`: a generated function has that name\nhelp: choose another name";
     item point_called_angle: "body b { point «angle» = (0mm, 0mm); }" => "`angle` has a meaning of its own in expressions\nhelp: choose another name";
+    item uses_of_a_name_with_a_meaning_are_not_refused_as_well: "body «table» { point P = (0mm, 0mm); } joint a = revolute(table.P, crank.A); output b = table(crank.angle, [(0deg, 1mm), (90deg, 2mm)]);" => "`table` has a meaning of its own in expressions\nhelp: choose another name";
+    item uses_of_a_body_called_ground_are_not_refused_as_well: "body «ground» { point P = (0mm, 0mm); } joint a = revolute(ground.P, crank.A);" => "`ground` is what stands still\nhelp: its points go into `ground { … }`, without `body`; all else has another name";
+    item uses_of_a_parameter_called_t_are_not_refused_as_well: "param «t»: Length = 1mm; body b { point P = (t, 0mm); }" => "`t` has a meaning of its own in expressions\nhelp: choose another name";
 }

@@ -1,8 +1,8 @@
 //! Mistakes of grammar.
 
 crate::refusals! {
-    item semicolon_is_missing: "param a: Length = 10mm «param» b: Length = 20mm;" => "expected `;`, found `param`";
-    mechanism semicolon_is_missing_at_the_end: "mechanism Crank { param a: Length = 10mm «}»" => "expected `;`, found the end";
+    item semicolon_is_missing: "param a: Length = 10mm «param» b: Length = 20mm;" => "expected `;`, found `param`\nhelp: end what stands before it with `;`";
+    mechanism semicolon_is_missing_at_the_end: "mechanism Crank { param a: Length = 10mm «}»" => "expected `;`, found the end\nhelp: end what stands before it with `;`";
     item dimension_is_missing: "param a «=» 10mm;" => "expected `:` and a dimension such as `Length`, found `=`";
     item default_is_missing: "param a: Length«;»" => "expected `=` and the default of the parameter, found `;`";
     item name_is_missing: "param «:» Length = 10mm;" => "expected the name of the parameter, found `:`";
@@ -20,7 +20,7 @@ crate::refusals! {
     item functions_are_no_methods: "output b = crank.angle.«sin»();" => "there are no methods here\nhelp: write `sin(value)` for `value.sin()`";
     item operator_between_number_and_name: "let a = 180mm + «2 length»;" => "an operator is missing between `2` and `length`\nhelp: write `2 * length`";
     item unit_stands_behind_its_number: "param a: Length = «120 mm»;" => "a unit stands right behind its number\nhelp: write `120mm`";
-    item text_is_no_number: "param a: Length = «\"120mm\"»;" => "expected a number, found a string";
+    item text_is_no_number: "param a: Length = «\"120mm\"»;" => "expected a number, found a string\nhelp: a quantity is a number with its unit right behind it, such as `120mm`";
     item comma_is_missing: "joint a = revolute(ground.C «crank».A);" => "expected `,` or `)`, found `crank`";
     item call_is_missing: "joint a = revolute«;»" => "expected `(` and the arguments, found `;`";
     item constraint_by_its_path: "joint a = «crate::rolling»(crank);" => "a joint names its constraint by a single word\nhelp: write `use crate::rolling;` above, and `rolling(…)` here";
@@ -31,7 +31,7 @@ crate::refusals! {
     item pair_without_parentheses: "body b { point P = «0mm», 0mm; }" => "a point has two coordinates in parentheses\nhelp: write `(x, y)`";
     item empty_parentheses: "output b = «()»;" => "expected an expression, found `()`";
     item field_is_no_number: "output b = crank.«5»;" => "expected a name after `.`, found `5`";
-    item function_of_two: "function f(a: Angle«,» b: Angle) -> Length = 1mm;" => "a function here has one argument";
+    item function_of_two: "function f(a: Angle«,» b: Angle) -> Length = 1mm;" => "a function here has one argument\nhelp: what else it depends on is a `param` or a `let`, which it sees";
     item function_without_result: "function f(a: Angle) «=» 1mm;" => "expected `->` and the dimension of the value, found `=`";
     item exponent_of_a_dimension: "param a: Length^«99» = 1;" => "the exponent of a dimension is at most 6";
     item attribute_is_unknown: "#[«inline»] output b = crank.x;" => "`#[inline]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]` and `#[closure(…)]` before `mechanism`";

@@ -1,0 +1,57 @@
+//! What to type instead, where it follows from what was found and what was wanted.
+
+use crate::model::Dim;
+
+/// For a thing of another kind than its place asks for; empty where nothing can be said.
+pub(super) fn of_kind(wanted: &str, found: &str) -> &'static str {
+    match (wanted, found) {
+        ("a number", "a body") | ("a number or a vector", "a body") => {
+            "\nhelp: its coordinates are `.x`, `.y` and `.angle`, its place is `.position`"
+        }
+        ("a number", "a point" | "a vector" | "an axis") => "\nhelp: its components are `.x` and `.y`, its length is `norm(…)`",
+        ("a number" | "a number or a vector", "a function") => "\nhelp: give it its argument, as in `f(x)`",
+        ("a number" | "a number or a vector", "a joint") => "\nhelp: what it was made with has values, as in `joint.P`",
+        ("a number", "a string" | "text") => "\nhelp: a quantity is a number with its unit right behind it, such as `120mm`",
+        ("a function", "a number") => "\nhelp: a product is written with `*`",
+        ("a vector or a point", "a number") => "\nhelp: write both components, `(x, y)`",
+        ("a vector or a point", "a body") => "\nhelp: its place is `.position`",
+        ("a point", "a number") => "\nhelp: write `(x, y)` for a place in ground, `body.P` for a point of a body",
+        ("an axis", "a number") => "\nhelp: write `(1, 0)` for the direction of x",
+        ("a function of one variable", _) => "\nhelp: declare one, such as `function name(x: Angle) -> Length = …;`",
+        _ => "",
+    }
+}
+
+/// For two things that should be equal.
+pub(super) fn of_equation(one: &str, two: &str) -> &'static str {
+    match (one, two) {
+        ("a number", "a point" | "a vector" | "an axis") | ("a point" | "a vector" | "an axis", "a number") => {
+            "\nhelp: write `.x` or `.y` for one component, or `(x, y)` on the other side for both"
+        }
+        ("a body", "a body") => "\nhelp: `weld` holds two bodies together; their numbers are `.x`, `.y` and `.angle`",
+        ("a body", _) | (_, "a body") => "\nhelp: its coordinates are `.x`, `.y` and `.angle`, its place is `.position`",
+        _ => "",
+    }
+}
+
+/// For two quantities that should be alike.
+pub(super) fn of_dimensions(one: Dim, two: Dim) -> &'static str {
+    if one.times(Dim::TIME) == two || two.times(Dim::TIME) == one {
+        return "\nhelp: multiply the rate by `t`";
+    }
+    match (one, two) {
+        (Dim::LENGTH, Dim::ANGLE) | (Dim::ANGLE, Dim::LENGTH) => "\nhelp: an arc is a radius times an angle",
+        _ => "",
+    }
+}
+
+/// A value in the unit of a drawing: `5 mm`, `30°`, else in SI.
+pub(super) fn quantity(value: f64, dim: Dim) -> String {
+    // Twelve digits, so that a decimal fraction comes out of the conversion as it went in.
+    let short = |value: f64| format!("{:.12}", value).trim_end_matches('0').trim_end_matches('.').to_owned();
+    match dim {
+        Dim::ANGLE => format!("{}°", short(value.to_degrees())),
+        Dim::LENGTH => format!("{} mm", short(value * 1e3)),
+        _ => format!("{value} {}", dim.unit()).trim_end().to_owned(),
+    }
+}

@@ -1,0 +1,63 @@
+//! Models that are right are accepted, models with one mistake are refused for it: a thousand of each, without rustc.
+//!
+//! Seeds are fixed, so that a failure here is found again; it shows the whole declaration.
+
+mod elements;
+mod mistakes;
+mod model;
+
+use fastrand::Rng;
+use mistakes::KINDS;
+use model::Model;
+use reuleaux_compiler::diag::Refusal;
+use reuleaux_compiler::{Compiled, compile};
+use std::num::NonZero;
+use std::thread;
+
+/// How many models of each sort are tried.
+const MODELS: u64 = 1000;
+
+fn compiled(source: &str) -> Result<Compiled, Vec<Refusal>> {
+    compile(source.parse().expect("the declaration consists of tokens"))
+}
+
+fn shown(refusals: &[Refusal], source: &str) -> String {
+    refusals.iter().map(|refusal| refusal.shown(source)).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn what_can_be_assembled_is_accepted() {
+    let is_accepted = |seed: u64| {
+        let source = elements::random(&mut Rng::with_seed(seed)).declaration();
+        match compiled(&source) {
+            Ok(compiled) => assert!(compiled.closure.is_closed, "seed {seed} is not assembled:\n{source}"),
+            Err(refusals) => panic!("seed {seed} is refused:\n{}\nin\n{source}", shown(&refusals, &source)),
+        }
+    };
+    // Assembling takes most of the time, and is done on all processors.
+    let threads = thread::available_parallelism().map_or(1, NonZero::get);
+    thread::scope(|scope| {
+        for first in 0..threads as u64 {
+            scope.spawn(move || (first..MODELS).step_by(threads).for_each(is_accepted));
+        }
+    });
+}
+
+#[test]
+fn one_mistake_gives_one_error_that_names_it() {
+    for (seed, kind) in (MODELS..2 * MODELS).zip(KINDS.iter().cycle()) {
+        let mut rng = Rng::with_seed(seed);
+        let mut model: Model = elements::random(&mut rng);
+        let guilty = kind.put_into(&mut model, &mut rng);
+        let source = model.declaration();
+        let refusals = compiled(&source).err().unwrap_or_default();
+        let shown = shown(&refusals, &source);
+        assert_eq!(refusals.len(), 1, "{kind:?} with seed {seed} gives one error:\n{shown}\nin\n{source}");
+        // In words long lists are abridged; the fact has them whole.
+        let told = format!("{shown}\n{:?}", refusals[0].fact);
+        assert!(
+            guilty.iter().any(|name| told.contains(name.as_str())),
+            "{kind:?} with seed {seed} names one of {guilty:?}:\n{told}\nin\n{source}"
+        );
+    }
+}

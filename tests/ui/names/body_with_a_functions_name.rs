@@ -1,0 +1,14 @@
+reuleaux::mechanism! {
+    pub mechanism Feed {
+        body table { point A = (20mm, 0mm); }
+        joint rail = translational((1, 0), (0mm, 0mm), table.position);
+        drive feed = drive_along(rail, 10mm_s * t);
+        output tip = table.A;
+    }
+}
+
+fn main() {
+    let mechanism = Feed::default();
+    let state = mechanism.solve(0.5).unwrap();
+    let _ = [mechanism.tip(&state).value.x, state.table().angle];
+}
