@@ -132,22 +132,32 @@ static void sparse_solve(double *b) { klu_solve(symbolic, numeric, N, 1, b, &com
 
 static void sparse_step(double t) { NEWTON(sparse_factor, sparse_solve); }
 
-static void casadi_step(double t) {
+static void casadi_from(const double *guess, double t) {
     static double w[CASADI_W];
     static casadi_int iw[CASADI_IW];
     static const double *arguments[CASADI_ARG];
     static double *results[CASADI_RES];
-    predict(t);
-    arguments[0] = predicted, arguments[1] = &t;
+    arguments[0] = guess, arguments[1] = &t;
     results[0] = q, results[1] = qd, results[2] = qdd;
     linkage_step(arguments, results, iw, w, 0);
     last = t;
 }
 
-/* Follows the linkage by method 0 closed, 1 dense, 2 KLU or 3 CasADi; `seen`, if given, is told x, y and their second derivatives
+static void casadi_step(double t) {
+    predict(t);
+    casadi_from(predicted, t);
+}
+
+/* From the position before. */
+static void casadi_plain_step(double t) {
+    memcpy(predicted, q, sizeof q);
+    casadi_from(predicted, t);
+}
+
+/* Follows the linkage by method 0 closed, 1 dense, 2 KLU, 3 or 4 CasADi with or without predictor; `seen`, if given, is told x, y and their second derivatives
    at each time. Returns ns per step, or -1 where there is no such method. */
 double sweep(int method, const double *times, int steps, double *seen) {
-    void (*step_by)(double) = method == 2 ? sparse_step : casadi_step;
+    void (*step_by)(double) = method == 2 ? sparse_step : method == 3 ? casadi_step : casadi_plain_step;
 #ifdef DENSE
     if (method == 1) step_by = dense_step;
 #else

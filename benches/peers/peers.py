@@ -25,6 +25,7 @@ METHODS = {
     "SymPy C, dense LU, predictor": 1,
     "SymPy C, KLU, predictor": 2,
     "CasADi fast_newton, predictor": 3,
+    "CasADi fast_newton": 4,
 }
 TURN = 0.005
 """How long a contender may take in one round, in s; a slower one goes through the beginning of the period only."""

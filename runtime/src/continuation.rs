@@ -48,10 +48,9 @@ pub(crate) fn step<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations
     if state.mark != equations.mark() {
         return false;
     }
-    let Some(stride) = stride(equations, state, &state.branch, t, true) else { return false };
-    // Every block has kept its sign: the branch's name stays.
-    state.follow_on(t, stride, E::ITERATED);
-    true
+    // Every block keeps its sign: the branch's name stays.
+    let sides = state.branch;
+    stride(equations, state, &sides, t, true)
 }
 
 /// One step straight on of those coordinates that move; whether it was made.
@@ -80,33 +79,57 @@ pub fn step_in_part<T: Float, E: Stages<T, P>, const P: usize, const N: usize>(
 }
 
 /// What a step straight on comes to.
-pub(crate) struct Stride<T: Lanes, const N: usize> {
+pub(crate) struct Stride<T: Lanes> {
     /// The time it takes, s.
     pub(crate) h: T,
-    pub(crate) there: Coordinates<T, N>,
     /// The lanes in which it was made, one at least.
     pub(crate) found: T::Mask,
     pub(crate) condition: T,
     pub(crate) iterations: usize,
 }
 
-/// One step straight on, in the lanes that are `moving`; None where no lane made it.
+/// One step straight on, in the lanes that are `moving`; the lanes that made it. The state is then the one at `t` in these.
 ///
 /// * `sides`: given, the branch: by block, at the index of its first unknown.
 #[inline(always)]
 pub(crate) fn stride<T: Lanes, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
-    state: &State<T, N>,
+    state: &mut State<T, N>,
     sides: &[T::Sides; N],
     t: T,
     moving: T::Mask,
-) -> Option<Stride<T, N>> {
+) -> T::Mask {
     let h = t - state.t;
     let mut pass = Pass::straight(equations, Departure::new(state, sides, h, moving));
-    let there = equations.stages(t, &mut pass).ok()?;
-    let Walk { found, condition, iterations } = pass.walk()?;
-    let found = found.and(moving).and(is_surely_finite(h, &there)).and(is_resolved(state, &there.q, h, E::COMPUTED_ANGLES));
-    (!found.not().all()).then_some(Stride { h, there, found, condition, iterations })
+    let nowhere = T::Mask::of(false);
+    if E::IN_PLACE {
+        let mut there = Coordinates::of(state);
+        let is_found = equations.stages_in_place(t, &mut pass, &mut there).is_ok();
+        let Some(walk) = pass.walk().filter(|_| is_found) else { return nowhere };
+        follow::<T, E, N>(state, t, &there, walk, moving)
+    } else {
+        let Ok(there) = equations.stages(t, &mut pass) else { return nowhere };
+        let Some(walk) = pass.walk() else { return nowhere };
+        follow::<T, E, N>(state, t, &there, walk, moving)
+    }
+}
+
+/// Makes the step to where a pass has led, in the lanes in which it led anywhere; which they are.
+#[inline(always)]
+fn follow<T: Lanes, E: Stages<T, N> + ?Sized, const N: usize>(
+    state: &mut State<T, N>,
+    t: T,
+    there: &Coordinates<T, N>,
+    walk: Walk<T>,
+    moving: T::Mask,
+) -> T::Mask {
+    let h = t - state.t;
+    let Walk { found, condition, iterations } = walk;
+    let found = found.and(moving).and(is_surely_finite(h, there)).and(is_resolved(state, &there.q, h, E::COMPUTED_ANGLES));
+    if !found.not().all() {
+        state.follow_on(t, &Stride { h, found, condition, iterations }, there, E::ITERATED);
+    }
+    found
 }
 
 /// The same by as many steps as it takes.

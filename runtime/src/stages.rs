@@ -27,6 +27,12 @@ impl<T: Real, const N: usize> Coordinates<T, N> {
         let zero = SVector::from_element(T::of(0.0));
         Self { q: zero, qd: zero, qdd: zero }
     }
+
+    /// Those of a state.
+    #[inline(always)]
+    pub(crate) fn of(state: &State<T, N>) -> Self {
+        Self { q: state.q, qd: state.qd, qdd: state.qdd }
+    }
 }
 
 /// The way a mechanism is solved: block by block in emitted code. What is written by hand can have [`at_once`].
@@ -81,6 +87,23 @@ pub trait Stages<T: Lanes, const N: usize>: Description<T, N> {
     /// # Errors
     /// Why there are none near what the pass sets out from.
     fn stages(&self, t: T, pass: &mut Pass<'_, T, N>) -> Result<Coordinates<T, N>, Stop<T>>;
+
+    /// There are so many coordinates that they are better written in place than copied.
+    #[doc(hidden)]
+    const IN_PLACE: bool = false;
+
+    /// The same in place.
+    ///
+    /// * `found`: given, anything; returned, q, q̇ and q̈.
+    ///
+    /// # Errors
+    /// Why there are none near what the pass sets out from.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn stages_in_place(&self, t: T, pass: &mut Pass<'_, T, N>, found: &mut Coordinates<T, N>) -> Result<(), Stop<T>> {
+        *found = self.stages(t, pass)?;
+        Ok(())
+    }
 }
 
 /// All equations of a mechanism as one system.

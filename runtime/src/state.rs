@@ -194,8 +194,8 @@ impl<T: Lanes, const N: usize> Trend<T, N> {
 impl<T: Lanes, const N: usize> State<T, N> {
     /// Becomes the state at `t`, on the same branch, in the lanes in which it was found; `iterated` unknowns get a trend.
     #[inline(always)]
-    pub(crate) fn follow_on(&mut self, t: T, stride: Stride<T, N>, iterated: &[usize]) {
-        let Stride { h, there: Coordinates { q, qd, qdd }, found, condition, iterations } = stride;
+    pub(crate) fn follow_on(&mut self, t: T, stride: &Stride<T>, there: &Coordinates<T, N>, iterated: &[usize]) {
+        let (&Stride { h, found, condition, iterations }, Coordinates { q, qd, qdd }) = (stride, there);
         let twice = T::of(2.0) * (h * h);
         for &i in iterated {
             if i < N {
@@ -207,7 +207,7 @@ impl<T: Lanes, const N: usize> State<T, N> {
         self.iterations = iterations;
         if found.all() {
             (self.trend.span, self.condition) = (h, condition);
-            (self.t, self.q, self.qd, self.qdd) = (t, q, qd, qdd);
+            (self.t, self.q, self.qd, self.qdd) = (t, *q, *qd, *qdd);
         } else {
             let pick = |then, otherwise| T::pick(found, then, otherwise);
             (self.trend.span, self.condition) = (pick(h, self.trend.span), pick(condition, self.condition));

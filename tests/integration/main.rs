@@ -9,5 +9,6 @@ mod prepared;
 mod redundant;
 mod shapes;
 mod stress;
+mod sweeps;
 mod turns;
 mod unit_constraints;

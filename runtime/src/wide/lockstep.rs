@@ -85,14 +85,7 @@ where
     #[inline]
     pub fn advance(&mut self, times: [W::Lane; L]) {
         let t = W::from_lanes(times);
-        let found = match stride(&self.wide, &self.state, &self.branches, t, self.moving) {
-            Some(stride) => {
-                let found = stride.found;
-                self.state.follow_on(t, stride, M::Over::<W>::ITERATED);
-                found
-            }
-            None => W::Mask::of(false),
-        };
+        let found = stride(&self.wide, &mut self.state, &self.branches, t, self.moving);
         if !found.all() {
             self.finish(times, W::answers(found));
         }

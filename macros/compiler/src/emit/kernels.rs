@@ -10,41 +10,41 @@ use crate::model::Dim;
 use crate::plan::{Kernel, Kernels, Part, Words};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
+use std::collections::BTreeMap;
 
 impl Emitter<'_> {
     /// The body of `stages`: one call after the other
     pub(super) fn in_order(&self, kernels: &Kernels, shelf: &Shelf) -> TokenStream {
-        let (n, count) = (shelf.held.len(), kernels.kernels.len());
+        let (count, angles, rank) = (kernels.kernels.len(), self.angles(shelf).count(), self.ranks(shelf));
         let (t, pass, found, turns, piece) = (local("t"), local("pass"), local("found"), local("turns"), local("piece"));
         let order = kernels.order.iter().map(|kernel| Literal::usize_unsuffixed(*kernel));
         let length = kernels.order.len();
         let arms = (0..count).map(|kernel| {
             let (pattern, name) = (Literal::usize_unsuffixed(kernel), name(shelf, kernel));
-            quote!(#pattern => self.#name(#piece, #t, #pass, &mut #found, &mut #turns)?,)
+            quote!(#pattern => self.#name(#piece, #t, #pass, #found, &mut #turns)?,)
         });
-        let constants = kernels.constants.iter().filter(|(_, value)| value.to_bits() != 0).filter_map(|(unknown, value)| {
+        let constants = kernels.constants.iter().filter_map(|(unknown, value)| {
             let (place, value) = (Literal::usize_unsuffixed(shelf.place(*unknown)?), super::signed(*value));
             Some(quote!((#place, #value)))
         });
         let given = shelf.given.iter().enumerate().filter_map(|(index, unknown)| {
             let (given, index, place) = (local("given"), number(index), number(shelf.place(*unknown)?));
-            Some(quote!(#found.q[#place] = #given[#index];))
+            Some(quote!((#found.q[#place], #found.qd[#place], #found.qdd[#place]) = (#given[#index], T::of(0.0), T::of(0.0));))
         });
         // The moving parts may turn by angles that rest.
         let is_angle = |unknown: &&usize| self.system.unknowns.get(**unknown).is_some_and(|unknown| unknown.dim == Dim::ANGLE);
         let turned = shelf.given.iter().filter(is_angle).filter_map(|unknown| {
-            let place = number(shelf.place(*unknown)?);
-            Some(quote!(#turns[#place] = #found.q[#place].turn();))
+            let (place, rank) = (number(shelf.place(*unknown)?), number(*rank.get(unknown)?));
+            Some(quote!(#turns[#rank] = #found.q[#place].turn();))
         });
         quote! {
                 static ORDER: [u16; #length] = [#(#order),*];
                 const CONSTANTS: &[(usize, f64)] = &[#(#constants),*];
-                let mut #found = ::reuleaux::Coordinates::zero();
                 for (unknown, value) in CONSTANTS {
-                    #found.q[*unknown] = T::of(*value);
+                    (#found.q[*unknown], #found.qd[*unknown], #found.qdd[*unknown]) = (T::of(*value), T::of(0.0), T::of(0.0));
                 }
                 #(#given)*
-                let mut #turns = [(T::of(0.0), T::of(1.0)); #n];
+                let mut #turns = [(T::of(0.0), T::of(1.0)); #angles];
                 #(#turned)*
                 let mut pieces = [0usize; #count];
                 for &shape in &ORDER {
@@ -55,14 +55,16 @@ impl Emitter<'_> {
                         _ => {}
                     }
                 }
-                ::core::result::Result::Ok(#found)
+                ::core::result::Result::Ok(())
         }
     }
 
     /// One function for each shape
     pub(super) fn kernels(&self, kernels: &Kernels, shelf: &Shelf) -> TokenStream {
         let name = &self.model.name;
-        let functions = kernels.kernels.iter().enumerate().map(|(number, kernel)| self.kernel(number, kernel, shelf, kernels.can_rest));
+        let ranks = self.ranks(shelf);
+        let kernel = |(number, kernel): (usize, &Kernel)| self.kernel(number, kernel, shelf, &ranks, kernels.can_rest);
+        let functions = kernels.kernels.iter().enumerate().map(kernel);
         quote! {
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
@@ -70,9 +72,26 @@ impl Emitter<'_> {
         }
     }
 
-    fn kernel(&self, index: usize, kernel: &Kernel, shelf: &Shelf, can_rest: bool) -> TokenStream {
-        let n = shelf.held.len();
+    /// The angles that are held.
+    fn angles<'a>(&'a self, shelf: &'a Shelf) -> impl Iterator<Item = usize> + 'a {
+        let is_angle = |unknown: &usize| self.system.unknowns.get(*unknown).is_some_and(|unknown| unknown.dim == Dim::ANGLE);
+        shelf.held.iter().copied().filter(is_angle)
+    }
+
+    /// Where the sine and cosine of each angle are kept.
+    fn ranks(&self, shelf: &Shelf) -> BTreeMap<usize, usize> {
+        self.angles(shelf).enumerate().map(|(rank, unknown)| (unknown, rank)).collect()
+    }
+
+    fn kernel(&self, index: usize, kernel: &Kernel, shelf: &Shelf, ranks: &BTreeMap<usize, usize>, can_rest: bool) -> TokenStream {
+        let (n, angles) = (shelf.held.len(), ranks.len());
         let mut columns = Columns::new(kernel.shape.count);
+        let mut turned = BTreeMap::new();
+        for slot in kernel.kept.iter().chain(kernel.lines.turned.iter().map(|(slot, _)| slot)) {
+            let rank = |unknown: u32| ranks.get(&(unknown as usize)).copied().unwrap_or(0) as u32;
+            let rank = columns.place(&kernel.shape.unknowns[*slot].mapped(kernel.shape.count, rank));
+            turned.insert(*slot, rank);
+        }
         let unknowns: Vec<Index> = kernel
             .shape
             .unknowns
@@ -93,8 +112,8 @@ impl Emitter<'_> {
         };
         let inputs = columns.inputs(&kernel.shape, &Words::new(self.model, self.system));
         let parts: TokenStream = kernel.lines.parts.iter().enumerate().map(|(number, part)| scene.part(number, part)).collect();
-        let (reads, writes) = (reads(kernel, &unknowns), writes(kernel, &unknowns));
-        let rest = if can_rest { rest(kernel, &unknowns) } else { quote!() };
+        let (reads, writes) = (reads(kernel, &unknowns, &turned), writes(kernel, &unknowns, &turned));
+        let rest = if can_rest { rest(kernel, &unknowns, &turned) } else { quote!() };
         let (t, pass, found, turns) = (local("t"), local("pass"), local("found"), local("turns"));
         let (tables, name, piece) = (columns.tables(), name(shelf, index), local("piece"));
         quote! {
@@ -106,7 +125,7 @@ impl Emitter<'_> {
                 #t: T,
                 #pass: &mut ::reuleaux::Pass<'_, T, #n>,
                 #found: &mut ::reuleaux::Coordinates<T, #n>,
-                #turns: &mut [(T, T); #n],
+                #turns: &mut [(T, T); #angles],
             ) -> ::core::result::Result<(), ::reuleaux::Stop<T>> {
                 #tables
                 #rest
@@ -125,7 +144,7 @@ fn name(shelf: &Shelf, kernel: usize) -> Ident {
 }
 
 /// A block whose inputs rest where they were is left where it was.
-fn rest(kernel: &Kernel, unknowns: &[Index]) -> TokenStream {
+fn rest(kernel: &Kernel, unknowns: &[Index], ranks: &BTreeMap<usize, TokenStream>) -> TokenStream {
     let is_timed = kernel.shape.arena.all().any(|expr| *kernel.shape.arena.node(expr) == Node::Leaf(Leaf::Time));
     if is_timed || !matches!(kernel.lines.parts.as_slice(), [Part::Block(_)]) {
         return quote!();
@@ -135,8 +154,8 @@ fn rest(kernel: &Kernel, unknowns: &[Index]) -> TokenStream {
     let own: Vec<&TokenStream> = kernel.found.iter().map(|slot| &unknowns[*slot].place).collect();
     let positions = (0..own.len()).map(number);
     let kept = kernel.found.iter().enumerate().filter(|(_, slot)| kernel.kept.contains(slot)).map(|(position, slot)| {
-        let (place, position) = (&unknowns[*slot].place, number(position));
-        quote!(#turns[#place] = #last[#position].turn();)
+        let (rank, position) = (&ranks[slot], number(position));
+        quote!(#turns[#rank] = #last[#position].turn();)
     });
     quote! {
         if let ::core::option::Option::Some(#last) = #pass.resting(#found, &[#(#inputs),*], [#(#own),*]) {
@@ -148,7 +167,7 @@ fn rest(kernel: &Kernel, unknowns: &[Index]) -> TokenStream {
 }
 
 /// What is known of unknowns that other kernels found.
-fn reads(kernel: &Kernel, unknowns: &[Index]) -> TokenStream {
+fn reads(kernel: &Kernel, unknowns: &[Index], ranks: &BTreeMap<usize, TokenStream>) -> TokenStream {
     let (found, turns) = (local("found"), local("turns"));
     let mut tokens = TokenStream::new();
     for expr in kernel.shape.arena.all() {
@@ -165,14 +184,14 @@ fn reads(kernel: &Kernel, unknowns: &[Index]) -> TokenStream {
         }
     }
     for (slot, names) in &kernel.lines.turned {
-        let (pair, place) = (pair(names), &unknowns[*slot].place);
-        tokens.extend(quote!(let #pair = #turns[#place];));
+        let (pair, rank) = (pair(names), &ranks[slot]);
+        tokens.extend(quote!(let #pair = #turns[#rank];));
     }
     tokens
 }
 
 /// What the kernel found.
-fn writes(kernel: &Kernel, unknowns: &[Index]) -> TokenStream {
+fn writes(kernel: &Kernel, unknowns: &[Index], ranks: &BTreeMap<usize, TokenStream>) -> TokenStream {
     let (found, turns) = (local("found"), local("turns"));
     let mut tokens = TokenStream::new();
     for slot in &kernel.found {
@@ -182,6 +201,7 @@ fn writes(kernel: &Kernel, unknowns: &[Index]) -> TokenStream {
         if !kernel.kept.contains(slot) {
             continue;
         }
+        let rank = &ranks[slot];
         let in_block = kernel.lines.parts.iter().enumerate().find_map(|(number, part)| match part {
             Part::Block(block) => block.system.unknowns.iter().position(|unknown| unknown == slot).map(|position| (number, position)),
             Part::Explicit { .. } | Part::Check { .. } => None,
@@ -189,9 +209,9 @@ fn writes(kernel: &Kernel, unknowns: &[Index]) -> TokenStream {
         tokens.extend(match in_block {
             Some((block, position)) => {
                 let (solved, position) = (local(&format!("block_{block}")), number(position));
-                quote!(#turns[#place] = #solved.turn[#position];)
+                quote!(#turns[#rank] = #solved.turn[#position];)
             }
-            None => quote!(#turns[#place] = (#q).turn();),
+            None => quote!(#turns[#rank] = (#q).turn();),
         });
     }
     tokens

@@ -3,7 +3,7 @@
 use super::arrays::{array_at, array_type};
 use super::expression::local;
 use super::functions::Emitter;
-use super::stages::{Shelf, iterated, number};
+use super::stages::{Shelf, iterated, number, results, stages_of};
 use super::{docs, docs_or, plan_constant, solving};
 use crate::model::Method;
 use crate::plan::Slice;
@@ -29,7 +29,8 @@ impl Emitter<'_> {
         let plan = plan_constant(self.model, self.system, &slice.solution);
         let (n, whole) = (slice.held.len(), self.system.unknowns.len());
         let (t, pass) = (local("t"), local("pass"));
-        let result = quote!(::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>>);
+        let (argument, to, result) = results(&slice.solution.solving, n);
+        let of_trait = stages_of(&slice.solution.solving, n, &quote!(self.0.#stages(#t, #pass, #argument)));
         let page =
             format!("What is upstream of the output `{word}` of [`{mechanism}`], and nothing else, made by [`{mechanism}::{solve_for}`].");
         let method_page =
@@ -50,13 +51,20 @@ impl Emitter<'_> {
             #visibility struct #name<T = f64>(pub #mechanism<T>);
             #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
             impl<T: ::reuleaux::Real> #name<T> { #plan }
+            #[automatically_derived]
+            impl<T: ::reuleaux::Real> ::reuleaux::Family<T> for #name<T> {
+                type Over<T2: ::reuleaux::Real> = #name<T2>;
+                fn gather<T2: ::reuleaux::Real, const LANES: usize>(each: [&Self; LANES], combine: impl Fn([T; LANES]) -> T2) -> #name<T2> {
+                    #name(::reuleaux::Family::gather(each.map(|slice| &slice.0), combine))
+                }
+            }
             #kernels
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens, dead_code)]
             impl<T: ::reuleaux::Lanes> #mechanism<T> {
                 #[doc(hidden)]
                 #[inline(always)]
-                fn #stages(&self, #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { #body }
+                fn #stages(&self, #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>, #to) -> #result { #body }
             }
             #description
             #[automatically_derived]
@@ -65,8 +73,7 @@ impl Emitter<'_> {
                 fn toward(&self, share: T) -> ::core::option::Option<Self> {
                     ::core::option::Option::map(::reuleaux::Stages::<T, #whole>::toward(&self.0, share), Self)
                 }
-                #[inline(always)]
-                fn stages(&self, t: T, pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { self.0.#stages(t, pass) }
+                #of_trait
             }
             #solving
             #value
@@ -156,7 +163,8 @@ impl Emitter<'_> {
         let (count, places) = (slice.given.len(), slice.given.iter().map(|unknown| number(*unknown)));
         let held = slice.held.iter().map(|unknown| Literal::usize_unsuffixed(*unknown));
         let (t, pass, given, stages) = (local("t"), local("pass"), local("given"), local("stages_of_what_moves"));
-        let result = quote!(::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>>);
+        let (argument, to, result) = results(&slice.solution.solving, n);
+        let of_trait = stages_of(&slice.solution.solving, n, &quote!(self.0.#stages(&self.1, #t, #pass, #argument)));
         let step = quote! {
             fn step(&self, state: &mut ::reuleaux::State<T, #whole>, t: T) -> bool
             where
@@ -178,14 +186,13 @@ impl Emitter<'_> {
             impl<T: ::reuleaux::Lanes> #mechanism<T> {
                 #[doc(hidden)]
                 #[inline(always)]
-                fn #stages(&self, #given: &[T; #count], #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { #body }
+                fn #stages(&self, #given: &[T; #count], #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>, #to) -> #result { #body }
             }
             #description
             #[automatically_derived]
             impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> {
                 #constants
-                #[inline(always)]
-                fn stages(&self, t: T, pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { self.0.#stages(&self.1, t, pass) }
+                #of_trait
             }
         };
         (step, part)

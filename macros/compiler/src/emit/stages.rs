@@ -26,7 +26,7 @@ impl Emitter<'_> {
         let (step, moving) = self.moving();
         let (body, prepared) = self.prepared(solution, body);
         let mark = self.mark(solution);
-        let (t, pass) = (local("t"), local("pass"));
+        let stages = stages_of(&solution.solving, n, &body);
         quote! {
             #kernels
             #[automatically_derived]
@@ -38,12 +38,7 @@ impl Emitter<'_> {
                 #improved
                 #step
                 #mark
-                #[inline(always)]
-                fn stages(
-                    &self,
-                    #t: T,
-                    #pass: &mut ::reuleaux::Pass<'_, T, #n>,
-                ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>> { #body }
+                #stages
             }
             #moving
             #prepared
@@ -159,6 +154,45 @@ impl Emitter<'_> {
     /// An unknown by its place on a shelf.
     fn index_on(&self, unknown: usize, shelf: &Shelf) -> Index {
         Index { place: number(shelf.place(unknown).unwrap_or(0)), ..self.index(unknown) }
+    }
+}
+
+/// Where the results of stages go: given back, or written to an argument where they are many; its name, it, and what is given back.
+pub(super) fn results(solving: &Solving, n: usize) -> (TokenStream, TokenStream, TokenStream) {
+    let found = local("found");
+    match solving {
+        Solving::Straight(_) => (quote!(), quote!(), quote!(::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>>)),
+        Solving::Shared(_) => {
+            let result = quote!(::core::result::Result<(), ::reuleaux::Stop<T>>);
+            (quote!(#found), quote!(#found: &mut ::reuleaux::Coordinates<T, #n>), result)
+        }
+    }
+}
+
+/// The method `stages` of the trait.
+pub(super) fn stages_of(solving: &Solving, n: usize, body: &TokenStream) -> TokenStream {
+    let (t, pass) = (local("t"), local("pass"));
+    let (_, to, result) = results(solving, n);
+    let pass = quote!(#pass: &mut ::reuleaux::Pass<'_, T, #n>);
+    match solving {
+        Solving::Straight(_) => quote! {
+            #[inline(always)]
+            fn stages(&self, #t: T, #pass) -> #result { #body }
+        },
+        Solving::Shared(_) => quote! {
+            const IN_PLACE: bool = true;
+            #[inline(always)]
+            fn stages_in_place(&self, #t: T, #pass, #to) -> #result { #body }
+            fn stages(
+                &self,
+                t: T,
+                pass: &mut ::reuleaux::Pass<'_, T, #n>,
+            ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>> {
+                let mut found = ::reuleaux::Coordinates::zero();
+                self.stages_in_place(t, pass, &mut found)?;
+                ::core::result::Result::Ok(found)
+            }
+        },
     }
 }
 

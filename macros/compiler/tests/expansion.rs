@@ -1,0 +1,52 @@
+//! The expansion of a mechanism as a file. Its folder is named by an environment variable, so that a process of its own compiles.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use proc_macro2::TokenStream;
+
+const DECLARATION: &str = "#[doc = \"A crank.\"] mechanism Crank { ground { point O = (0mm, 0mm); } body crank { point O = (0mm, 0mm); } \
+     joint o = revolute(ground.O, crank.O); drive input = drive_angle(crank, 60rpm * t); output turn = crank.angle; }";
+
+fn expansion() -> TokenStream {
+    reuleaux_compiler::mechanism(DECLARATION.parse().expect("tokens"))
+}
+
+/// What the process of its own does.
+#[test]
+fn compiles_one() {
+    let expansion = expansion();
+    println!("{expansion}");
+    assert!(syn::parse2::<syn::File>(expansion).is_ok());
+}
+
+/// What is printed by a process that compiles with a folder for expansions.
+fn compiled_with(folder: &Path) -> String {
+    let this = std::env::current_exe().expect("this program");
+    let made = Command::new(this).args(["--exact", "compiles_one", "--nocapture"]).env("REULEAUX_EXPAND", folder).output();
+    let made = made.expect("it runs");
+    assert!(made.status.success());
+    String::from_utf8(made.stdout).expect("text")
+}
+
+fn temporary(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+#[test]
+fn is_written_formatted() {
+    let folder = temporary("expanded");
+    let _ = std::fs::remove_dir_all(&folder);
+    compiled_with(&folder);
+    let written = std::fs::read_to_string(folder.join("Crank.rs")).expect("the expansion");
+    let [file, tokens] = [syn::parse_file(&written), syn::parse2(expansion())].map(|code| prettyplease::unparse(&code.expect("Rust")));
+    assert_eq!(file, tokens);
+}
+
+#[test]
+fn a_folder_that_cannot_be_made_is_an_error() {
+    let file = temporary("no_folder");
+    std::fs::write(&file, "").expect("a file");
+    let printed = compiled_with(&file);
+    assert!(printed.contains("the expansion of `Crank` cannot be written to"), "{printed}");
+}
