@@ -221,6 +221,9 @@ pub(crate) fn state<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     }
 }
 
+/// A state, and why it is none if an equation that is checked does not hold in it.
+pub(crate) type Reached<T, const N: usize> = (State<T, N>, Option<Cause<T>>);
+
 /// The state at the end of a careful pass, and which of the equations that are not solved does not hold in it.
 ///
 /// # Errors
@@ -229,7 +232,7 @@ pub(crate) fn reached<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
     t: T,
     care: Care<'_, T, N>,
-) -> Result<(State<T, N>, Option<Cause<T>>), Stop<T>> {
+) -> Result<Reached<T, N>, Stop<T>> {
     let there = pass(equations, t, &care)?;
     let Coordinates { q, qd, qdd } = there;
     if !is_surely_finite(t, &there) {

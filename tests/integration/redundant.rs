@@ -176,7 +176,13 @@ fn many_parts_are_checked_one_by_one() {
     for set in state.set() {
         assert!((set.third().angle - (FRAC_PI_3 + 0.5)).abs() < 1e-14);
     }
+    let mut moving = row.solve(0.0).expect("it fits");
+    for step in 1..=50 {
+        row.advance(&mut moving, f64::from(step) * 0.01).expect("it fits");
+    }
+    assert!((moving.q - state.q).amax() < 1e-13);
     row.set[7].middle = 0.499;
+    assert!(matches!(row.advance(&mut moving, 0.51).expect_err("one crank is too short").cause, Cause::DoesNotHold { .. }));
     let failure = row.solve(0.5).expect_err("one crank is too short");
     let Cause::DoesNotHold { row, .. } = failure.cause else { panic!("{failure}") };
     assert_eq!(row.joint, "set[7].f");

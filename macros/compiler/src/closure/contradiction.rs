@@ -22,12 +22,16 @@ const OPEN: f64 = 1e-9;
 /// What is off by no more than this, in rad or in lengths of the mechanism, was meant to fit.
 const NEAR: f64 = 0.01;
 
+/// What so many joints hold and one more holds again is no frame.
+const FEW: usize = 2;
+
 impl Search<'_, '_> {
     /// The equations hold nowhere near the start: the last joint without which they do contradicts the others, before all others one
     /// that is declared as redundant.
     ///
-    /// Where freedoms are left, a joint stands in the wrong place. What does not nearly fit was not meant to: there are too many
-    /// joints, or drives for what cannot move. Both is said elsewhere.
+    /// Where freedoms are left, a joint stands in the wrong place. Where the joints close without the drives, they make a structure
+    /// that cannot be driven, and where there are more equations of joints alone than coordinates, and many have a part in it, one that
+    /// is held too often: unless the joint nearly fits, so that it was meant to. All that is said elsewhere, in terms of mobility.
     pub(super) fn contradiction(&mut self, start: &[f64]) {
         if self.leaves_freedom(start) {
             return;
@@ -39,9 +43,35 @@ impl Search<'_, '_> {
         let found = tries.filter_map(|joint| Some((joint, self.closes_without(start, &|other| other == joint)?))).next();
         let Some((joint, q)) = found else { return };
         let pose = Pose { time: 0.0, q };
-        if model.joints[joint].is_redundant || self.nearly_fits(joint, &pose) {
+        let is_drive = |joint: usize| model.joints[joint].is_drive;
+        let is_meant = model.joints[joint].is_redundant || self.nearly_fits(joint, &pose);
+        let is_held_twice = || {
+            let has_room = self.pieces.iter().filter(|piece| piece.is_surplus).all(|piece| {
+                let of = |equation: &&usize| !is_drive(self.room.system.equations[**equation].joint);
+                piece.equations.iter().filter(of).count() <= piece.unknowns.len()
+            });
+            let sources = self.sources(joint, &pose);
+            let are_few = sources.len() <= FEW && !sources.into_iter().any(is_drive);
+            are_few || has_room && self.closes_without(start, &is_drive).is_none()
+        };
+        if is_meant || is_held_twice() {
             self.refuse_contradiction(joint, &pose);
         }
+    }
+
+    /// The joints that hold what a joint holds.
+    fn sources(&self, joint: usize, pose: &Pose) -> BTreeSet<usize> {
+        let mut sources = BTreeSet::new();
+        for piece in self.pieces.iter().filter(|piece| piece.is_surplus) {
+            let of = |row: usize| self.room.system.equations[piece.equations[row]].joint;
+            let (own, others): (Vec<usize>, Vec<usize>) = (0..piece.equations.len()).partition(|row| of(*row) == joint);
+            let poses = self.room.matrices(piece, std::slice::from_ref(pose));
+            let mut basis = Basis::new(&poses);
+            others.into_iter().for_each(|row| basis.take(row));
+            let dependent: Vec<usize> = own.into_iter().filter(|row| !basis.takes(*row)).collect();
+            sources.extend(dependent.into_iter().flat_map(|row| basis.sources(row)).map(of).filter(|other| *other != joint));
+        }
+        sources
     }
 
     /// The equations of a joint are off by little.
@@ -106,15 +136,13 @@ impl Room<'_> {
             let roots: Vec<Expr> = equation.phi.into_iter().chain(equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
             let values = evaluate(&self.system.arena, &roots, &known);
             let Some((phi, slopes)) = values.split_first() else { continue };
-            if equation.dim == Dim::ANGLE {
-                angle = Some(angle.unwrap_or(0.0).hypot(*phi));
-            } else {
-                // Other quantities count by the way that it takes to make them vanish.
-                let along = |index: &usize| self.system.unknowns[equation.jacobian[*index].0].dim == Dim::LENGTH;
-                let slope = (0..slopes.len()).filter(along).map(|index| slopes[index].abs()).fold(0.0, f64::max);
-                let way = if equation.dim == Dim::LENGTH || slope == 0.0 { *phi } else { phi / slope };
-                length = Some(length.unwrap_or(0.0).hypot(way));
-            }
+            // An equation may be a multiple: what counts is the way that it takes to make it hold.
+            let measures = if equation.dim == Dim::ANGLE { Dim::ANGLE } else { Dim::LENGTH };
+            let along = |index: &usize| self.system.unknowns[equation.jacobian[*index].0].dim == measures;
+            let slope = (0..slopes.len()).filter(along).map(|index| slopes[index].abs()).fold(0.0, f64::max);
+            let way = if slope > 0.0 { phi / slope } else { *phi };
+            let gap = if equation.dim == Dim::ANGLE { &mut angle } else { &mut length };
+            *gap = Some(gap.unwrap_or(0.0).hypot(way));
         }
         let is_open = |size: f64| move |gap: &f64| *gap > OPEN * size;
         (length.filter(is_open(self.size)), angle.filter(is_open(1.0)))

@@ -99,9 +99,14 @@ impl Fact {
     #[must_use]
     pub fn message(&self) -> String {
         let sentence = self.to_string();
-        let (first, rest) = sentence.split_at(sentence.find('\n').unwrap_or(sentence.len()));
+        let (first, rest) = parted(&sentence);
         format!("{first} [reuleaux::{}]{rest}", self.code())
     }
+}
+
+/// The first line, and what comes after it.
+fn parted(sentence: &str) -> (&str, &str) {
+    sentence.split_at(sentence.find('\n').unwrap_or(sentence.len()))
 }
 
 impl fmt::Display for Fact {
@@ -248,7 +253,11 @@ impl fmt::Display for Fact {
             Fact::GeneratedType { name } => {
                 write!(f, "a component cannot be called `{name}`: a generated type would have that name\nhelp: choose another name")
             }
-            Fact::InInstance { place, fact } => write!(f, "{fact}\nnote: {place}"),
+            Fact::InInstance { place, fact } => {
+                let sentence = fact.to_string();
+                let (first, rest) = parted(&sentence);
+                write!(f, "{first}\nnote: {place}{rest}")
+            }
 
             Fact::UnitAlone { name } => {
                 write!(

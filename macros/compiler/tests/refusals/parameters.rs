@@ -13,8 +13,8 @@ crate::refusals! {
     item bounds_without_dots: "param r: Length = 10mm in 5mm«;»" => "expected `..` or `..=` and the greatest value, found `;`";
     item bounds_without_ends: "param r: Length = 10mm in ..«;»" => "expected the greatest value, found `;`";
     item inclusive_bounds_without_an_end: "param r: Length = 10mm in 5mm..=«;»" => "expected the greatest value, found `;`";
-    item bounds_in_a_part: "component Arm(P: Point) { param r: Length = «1mm» in 2mm..; body limb {} joint j = revolute(P, limb.position); } part arm = Arm(ground.O);" => "the default, 1 mm, does not lie in 2 mm ..\nhelp: widen the range, or take a default within\nnote: in `arm.r`";
-    item bounds_in_an_array: "for i in 0..3 { param r[i]: Length = «i * 1mm» in 1mm..; }" => "the default, 0 m, does not lie in 1 mm ..\nhelp: widen the range, or take a default within\nnote: in `r[0]`";
+    item bounds_in_a_part: "component Arm(P: Point) { param r: Length = «1mm» in 2mm..; body limb {} joint j = revolute(P, limb.position); } part arm = Arm(ground.O);" => "the default, 1 mm, does not lie in 2 mm ..\nnote: in `arm.r`\nhelp: widen the range, or take a default within";
+    item bounds_in_an_array: "for i in 0..3 { param r[i]: Length = «i * 1mm» in 1mm..; }" => "the default, 0 m, does not lie in 1 mm ..\nnote: in `r[0]`\nhelp: widen the range, or take a default within";
     item coordinate_of_a_point: "body b { point A = («100deg», 0mm); }" => "a coordinate of a point is a length (m), found an angle (rad)\nhelp: write `100mm`";
     item coordinate_of_a_place: "joint j = revolute((1mm, «2kg»), crank.A);" => "a coordinate of a point is a length (m), found a mass (kg)\nhelp: write `2mm`";
     item coordinate_of_a_start: "body b { start position = («speed», 0mm); }" => "a coordinate of a point is a length (m), found an angular velocity (rad/s)";

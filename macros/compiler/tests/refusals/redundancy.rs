@@ -65,6 +65,10 @@ refused! {
 crate::refusals! {
     mechanism sliders_in_a_ring: "mechanism S { body one { axis u = (1, 0); } body two {} joint a = translational((1, 0), ground.position, one.position); joint b = translational(one.u, one.position, two.position); joint «c» = point_on_line(ground.position, (1, 0), two.position); drive i = drive_x(one.position, 100mm * sin(1rad_s * t)); }" => "`c` adds nothing: its equation follows from `a` and `b` in every position\nnote: `two.x` remains free\nhelp: let it hold or drive it instead";
     mechanism angles_round_a_loop: "mechanism S { body one { axis u = (1, 0); } body two {} joint a = revolute(ground.position, one.position); joint b = revolute(one.position, two.position); joint c = parallel(one, two); joint «d» = { sin(one.angle) * cos(two.angle) == cos(one.angle) * sin(two.angle); } }" => "`d` adds nothing: its equation follows from `c` in every position\nnote: `one.angle` and `two.angle` remain free\nhelp: let it hold or drive one of them instead";
+    mechanism an_angle_prescribed_twice: "mechanism D { body one {} body two {} joint o = revolute(ground.position, one.position); joint p = revolute(one.position, two.position); joint r = relative_angle(one, two, 30deg); joint «s» = relative_angle(one, two, 40deg); drive i = drive_angle(one, 1rad_s * t); }" => "`s` contradicts `r`: it demands `two.angle - one.angle` = 40°, `r` demands 30°\nhelp: take one of them away";
+    mechanism gears_in_a_ring: "mechanism G { body a {} body b {} body c {} joint ra = revolute(ground.position, a.position); joint rb = revolute((1m, 0m), b.position); joint rc = revolute((2m, 0m), c.position); joint g = gear_pair(a, b, 20, 40); joint h = gear_pair(b, c, 40, 20); joint «k» = gear_pair(a, c, 20, -20); drive i = drive_angle(a, 1rad_s * t); }" => "`k` adds nothing: `g` and `h` say the same\nhelp: take `k` away, or write `redundant joint` for `joint` to keep it as a check";
+    mechanism redundant_gears_that_lock: "mechanism G { body a {} body b {} body c {} joint ra = revolute(ground.position, a.position); joint rb = revolute((1m, 0m), b.position); joint rc = revolute((2m, 0m), c.position); joint g = gear_pair(a, b, 20, 40); joint h = gear_pair(b, c, 40, 20); redundant joint «k» = gear_pair(a, c, 20, 20); drive i = drive_angle(a, 1rad_s * t); }" => "`k` contradicts the other joints: with all of them closed it is, at t = 0.05 s, 5.73° off\nnote: it joins `a` and `c`\nhelp: a redundant joint must fit as well: change a measure, or take it away";
+    mechanism a_weld_and_a_hinge: "mechanism W { body a { point P = (1m, 0m); } joint w = weld(ground.position, a.position); joint «h» = revolute((1m, 0.2m), a.P); }" => "`h` contradicts the other joints: with all of them closed it is 200 mm off\nhelp: what is held twice must fit: change a measure, or take it away";
     mechanism a_joint_that_repeats_itself: "mechanism C { body crank {} joint o = revolute(ground.position, crank.position); joint «p» = { crank.angle == 0; 2 * crank.angle == 0; } }" => "1 of the 2 equations of `p` adds nothing: it follows from the rest of it where the mechanism stands\nhelp: say it once";
     mechanism a_drive_on_what_is_locked: "mechanism L { ground { point C = (2m, 0m); } body crank { point A = (500mm, 0mm); start angle = 60deg; } body rod { point B = (2m, 0m); } body rocker { point B = (500mm, 0mm); } joint a = revolute(ground.position, crank.position); joint b = revolute(crank.A, rod.position); joint c = revolute(rod.B, rocker.B); joint d = revolute(ground.C, rocker.position); drive «two» = drive_angle(rod, 0deg * (t / 1s)); }" => "`two` adds nothing: its equation follows from `a`, `b`, `c` and `d` in every position\nnote: `crank.angle` and `rocker.angle` remain free\nhelp: let it hold or drive one of them instead";
 }
@@ -143,6 +147,17 @@ fn a_structure_is_no_redundancy_and_its_drive_is_a_matter_of_mobility() {
         let driven = STRUCTURE.replace("more", &format!("drive i = drive_angle(crank, {drive});"));
         is_no_redundancy(&driven);
         assert!(reuleaux_compiler::compile(driven.parse().expect("tokens")).is_err());
+    }
+}
+
+/// One strut makes a four-bar a frame, two hold it too often: mobility −1, with and without a drive.
+#[test]
+fn a_frame_that_is_held_too_often_is_a_matter_of_mobility() {
+    let frame = STRUCTURE.replace("more", "joint f = distance(ground.C, coupler.E, 2.5m); more");
+    for more in ["", "drive i = drive_angle(crank, 1rad_s * t);"] {
+        let source = frame.replace("more", more);
+        is_no_redundancy(&source);
+        assert!(reuleaux_compiler::compile(source.parse().expect("tokens")).is_err());
     }
 }
 
