@@ -9,7 +9,7 @@ reuleaux::mechanism! {
 
         component Slide(O: Point, way: Axis) {
             param travel: Length = 50mm;
-            body slider { point S = (0mm, 100mm); }
+            body slider { point S = (0mm, 100mm);  start x = 200mm; }
             joint guide = translational(way, O, slider.position);
             redundant joint level = { 2 * slider.angle == 0; }
             for i in 0..2 { redundant joint rail[i] = { (i + 1) * slider.S.y == (i + 1) * (O.y + 100mm); } }

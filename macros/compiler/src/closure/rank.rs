@@ -17,7 +17,7 @@ pub(super) type Matrix = Vec<Vec<f64>>;
 /// A row of unit length of which less than this is left beside others depends on them. Poses are closed to rounding, and a
 /// dependence that is real then shows to some ten digits, while a mechanism that is to be built stays away from singular
 /// positions by more than a millionth.
-const DEPENDENT: f64 = 1e-7;
+pub(super) const DEPENDENT: f64 = 1e-7;
 
 /// A share of a combination below this is none.
 const ABSENT: f64 = 1e-6;

@@ -1,7 +1,7 @@
 //! Rows of Φ_q as numbers.
 
 use super::Room;
-use super::rank::{Basis, Matrix};
+use super::rank::{Basis, DEPENDENT, Matrix};
 use super::tour::Pose;
 use crate::expr::{Evaluator, Expr, Values, evaluate};
 use crate::model::{Dim, Joint};
@@ -91,7 +91,10 @@ fn is_singular(block: &Block, rows: &[Vec<(usize, f64)>]) -> bool {
     let column = |iterated: &usize| {
         let mut moved: BTreeMap<usize, f64> = BTreeMap::from([(*iterated, 1.0)]);
         let along = |row: &[(usize, f64)], moved: &BTreeMap<usize, f64>| -> f64 {
-            row.iter().filter_map(|(unknown, value)| Some(value * moved.get(unknown)?)).sum()
+            let terms = row.iter().filter_map(|(unknown, value)| Some(value * moved.get(unknown)?));
+            let (sum, size) = terms.fold((0.0, 0.0), |(sum, size): (f64, f64), term| (sum + term, size + term.abs()));
+            // What is left of terms that cancel is rounding.
+            if sum.abs() < DEPENDENT * size { 0.0 } else { sum }
         };
         for explicit in &block.explicit {
             let row = &rows[explicit.equation];

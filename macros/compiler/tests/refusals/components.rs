@@ -14,7 +14,7 @@ crate::refusals! {
     item variable_with_a_meaning: "for «t» in 0..2 {}" => "`t` has a meaning of its own in expressions\nhelp: choose another name";
     // Indices and ranges.
     item index_out_of_range: "body b[0] {} body b[1] {} output o = b[«2»].x;" => "there is no `b[2]`\nnote: there are `b[0]` to `b[1]`";
-    item index_out_of_range_in_a_loop: "for i in 0..3 { body b[i] {} } for i in 0..3 { joint j[i] = revolute(b[«i + 1»].position, b[0].position); }" => "there is no `b[3]`\nnote: there are `b[0]` to `b[2]`\nnote: in `j[2]`";
+    item index_out_of_range_in_a_loop: "for i in 0..3 { body b[i] {} } for i in 0..3 { joint j[i] = revolute(b[«i + 1»].position, b[0].position); }" => "there is no `b[3]`\nnote: in `j[2]`\nnote: there are `b[0]` to `b[2]`";
     item index_out_of_a_small_range: "body b[0] {} output o = b[«-1»].x;" => "there is no `b[-1]`\nnote: there is `b[0]` only";
     item point_out_of_range: "body b { point P[0] = (0m, 0m); } output o = b.P[«1»];" => "there is no `b.P[1]`\nnote: there is `b.P[0]` only";
     item second_index_out_of_range: "for i in 0..2 { for j in 0..2 { body b[i][j] {} } } output o = b[1][«2»].x;" => "there is no `b[1][2]`\nnote: there are `b[1][0]` to `b[1][1]`";
