@@ -6,7 +6,7 @@ use reuleaux::parallel::{Progress, sweeps};
 use reuleaux::{Cause, Failure, State};
 use reuleaux_tests::mechanisms::FourBarCrankRocker;
 
-type Ending = Result<State<f64, 9>, Failure<f64, 9>>;
+type Ending = Result<State<f64, 9>, Box<Failure<f64, 9>>>;
 
 /// Mechanisms of many sizes, one that cannot be assembled among them.
 fn cranks() -> Vec<FourBarCrankRocker> {
@@ -14,15 +14,18 @@ fn cranks() -> Vec<FourBarCrankRocker> {
     (0..40).map(|step| FourBarCrankRocker { crank_length: length(step), ..Default::default() }).collect()
 }
 
+fn last(sweep: impl Iterator<Item = Result<State<f64, 9>, Failure<f64, 9>>>) -> Ending {
+    sweep.last().expect("there are times").map_err(Box::new)
+}
+
 #[test]
 fn each_is_as_it_is_alone_and_in_its_place() {
     let (cranks, times): (_, Vec<f64>) = (cranks(), (0..300).map(|step| f64::from(step) / 100.0).collect());
     let told = Mutex::new(Vec::new());
-    let last = |sweep: &mut dyn Iterator<Item = Ending>| sweep.last().expect("there are times");
-    let together = sweeps(&cranks, &times, |mut sweep| last(&mut sweep), |Progress { done, of }| told.lock().unwrap().push((done, of)));
+    let together = sweeps(&cranks, &times, |sweep| last(sweep), |Progress { done, of }| told.lock().unwrap().push((done, of)));
 
     for (index, (crank, found)) in cranks.iter().zip(&together).enumerate() {
-        let alone = last(&mut reuleaux::Mechanism::sweep(crank, times.iter().copied()));
+        let alone = last(reuleaux::Mechanism::sweep(crank, times.iter().copied()));
         assert_eq!(found.is_ok(), index != 17);
         match (found, &alone) {
             (Ok(found), Ok(alone)) => assert_eq!(found, alone),

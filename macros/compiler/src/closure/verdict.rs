@@ -247,7 +247,7 @@ impl Judge<'_> {
             let Some((phi, slopes)) = values.split_first() else { return true };
             let steps = slopes.iter().zip(&equation.jacobian).map(|(slope, (unknown, _))| (slope * room.scale(*unknown)).abs());
             // What is no number here is not judged.
-            !(phi.abs() > HOLDS * steps.fold(0.0, f64::max))
+            phi.is_nan() || phi.abs() <= HOLDS * steps.fold(0.0, f64::max)
         })
     }
 

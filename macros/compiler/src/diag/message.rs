@@ -601,7 +601,8 @@ impl fmt::Display for Fact {
                     None => write!(f, "\nhelp: join `{body}` to another body, such as `joint name = revolute({body}.position, other.P);`"),
                 }
             }
-            Fact::DrivesMissing { name, count: Count { coordinates, joints, drives, missing }, loose, candidates, example } => {
+            Fact::DrivesMissing { name, count, loose, candidates, example } => {
+                let Count { coordinates, joints, drives, missing } = count.as_ref();
                 write!(f, "`{name}` has mobility {}, but {}", missing + drives, drives_there_are(*drives))?;
                 write!(f, "\nnote: {} and {} of joints", plural(*coordinates, "coordinate"), plural(*joints, "equation"))?;
                 if !loose.is_empty() {
@@ -672,7 +673,7 @@ impl fmt::Display for Fact {
                     return write!(f, "the equations of `{joint}` contradict each other: they differ by {off}");
                 }
                 write!(f, "`{joint}` contradicts {}", list(others))?;
-                match demand {
+                match demand.as_deref() {
                     Some(Demand { form, wanted, found }) => {
                         write!(f, ": it demands `{form}` = {wanted}, ")?;
                         match others.as_slice() {

@@ -33,7 +33,7 @@ pub(super) fn no_row_follows_from_others(model: &Model, system: &System, depende
             Some(found) => Fact::Contradicts {
                 joint: name.to_string(),
                 others: joints(model, system, joint, &[found]),
-                demand: demand(model, system, found),
+                demand: demand(model, system, found).map(Box::new),
                 off: quantity(found.left.constant.abs(), system.equations[found.row].dim),
             },
             None if whole && of_joint.len() < model.joints[joint].residuals.len() => continue,

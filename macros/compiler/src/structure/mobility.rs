@@ -37,7 +37,7 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, incidence: &Incide
     let shown = if missing == 1 { &candidates } else { &chosen };
     let fact = Fact::DrivesMissing {
         name: model.name.to_string(),
-        count: Count { coordinates: system.unknowns.len(), joints: solved - drives, drives, missing },
+        count: Box::new(Count { coordinates: system.unknowns.len(), joints: solved - drives, drives, missing }),
         loose: loose.into_iter().map(|body| model.bodies[body].name.to_string()).collect(),
         candidates: shown.iter().map(|unknown| coordinate(model, system, *unknown)).collect(),
         example: chosen.first().map_or(String::new(), |unknown| example(model, system, *unknown)),
