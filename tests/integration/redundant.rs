@@ -211,7 +211,7 @@ fn what_rests_is_checked_where_it_begins() {
     let failure = Table { right: 0.69 }.solve(1.0).expect_err("a short column");
     let Cause::DoesNotHold { row, residual } = failure.cause else { panic!("{failure}") };
     assert_eq!((row.joint, row.unit), ("column", "m²"));
-    assert!((residual - (0.49 - 0.69 * 0.69)).abs() < 1e-15);
+    assert!((residual - (0.49 - 0.69_f64 * 0.69)).abs() < 1e-15);
 }
 
 reuleaux::mechanism! {
