@@ -132,8 +132,9 @@ pub(crate) fn solve<T: Float, L: Linear<T, K>, const K: usize, const N: usize>(
     let mut found = care.found.get();
     let position = match &care.mode {
         Mode::Follow { here, h } => {
-            let position = follow(&part, here, *h, &block.unknowns)?;
-            if here.branch.get(first).is_some_and(|before| *before != position.factors.sides()) {
+            let side = here.branch.get(first).copied();
+            let position = follow(&part, here, *h, &block.unknowns, side)?;
+            if side.is_some_and(|before| before != position.factors.sides()) {
                 return Err(Stop::Far);
             }
             position
@@ -165,6 +166,7 @@ fn follow<T: Float, P: Problem<T, K>, const K: usize, const N: usize>(
     here: &State<T, N>,
     h: T,
     unknowns: &[usize; K],
+    side: Option<Orientation>,
 ) -> Result<Position<T, P::Factors, K>, Stop<T>> {
     let mut x = SVector::from_element(T::of(0.0));
     let mut way = x;
@@ -178,7 +180,7 @@ fn follow<T: Float, P: Problem<T, K>, const K: usize, const N: usize>(
     if problem.scale().norm(&way) > T::of(LONGEST_PREDICTION) {
         return Err(Stop::Far);
     }
-    Ok(position::follow(problem, &Place::at(x, problem.turns()))?)
+    Ok(position::follow(problem, &Place::at(x, problem.turns()), side)?)
 }
 
 /// Why a block could not be closed.

@@ -1,8 +1,11 @@
 //! Φ(q, t) = 0 for q. In: a guess. Out: q at the rounding limit and the factors of Φ_q there, or why not.
 //! Not here: which guess to take (`continuation`), and how to tell the user (`verdict`).
 
+use nalgebra::SVector;
+
 use crate::damping::damped;
 use crate::iterate::{History, Iterate};
+use crate::lanes::Mask;
 use crate::linear::Linear;
 use crate::order::smaller;
 use crate::place::Place;
@@ -89,9 +92,13 @@ fn limited<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, guess: &Plac
 }
 
 /// Newton's method from a prediction: full steps only, and none if the solution is far or convergence slow.
+///
+/// * `side`: given, the orientation before. Where two branches cross, the one that goes straight on changes it, and so does the
+///   prediction: what is then found on the old side is another branch.
 pub(crate) fn follow<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
     prediction: &Place<T, N>,
+    side: Option<T::Sides>,
 ) -> Result<Position<T, P::Factors, N>, Refusal> {
     let mut history = History::new();
     let mut place = *prediction;
@@ -99,6 +106,9 @@ pub(crate) fn follow<T: Float, P: Problem<T, N>, const N: usize>(
         let iterate = Iterate::at(problem, place)?;
         if iterate.has_settled(&history, problem.scale()) {
             return accept(problem, iterate, iterations, false).map_err(|_| Refusal::Singular);
+        }
+        if iterations == 1 && side.is_some_and(|side| !T::same(iterate.factors.sides(), side).all()) {
+            return Err(Refusal::Far);
         }
         let is_far = match history.contraction(iterate.length) {
             Some(theta) => theta > T::of(LARGEST_CONTRACTION),
@@ -125,11 +135,25 @@ pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
     let resolved = condition * T::ROOT_EPSILON <= T::of(SINGULAR);
     let is_harmless =
         || iterate.factors.is_regular() && iterate.length <= T::of(HARMLESS) * T::EPSILON * (T::of(1.0) + problem.scale().norm(&place.x));
-    if resolved || (!is_linear && is_harmless()) {
+    if resolved || (!is_linear && is_harmless() && !crosses_nearby(problem, &place, &iterate.factors)) {
         Ok(Position { place, factors: iterate.factors, condition, iterations })
     } else {
         Err(Miss::Singular(place))
     }
+}
+
+/// The determinant changes its sign within the place's own uncertainty at a singular position, √ε: so it does where a mechanism stands
+/// exactly at a dead point, even if Φ vanishes there. Lengths that differ by many orders of magnitude do nothing of this sort.
+#[cold]
+fn crosses_nearby<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: &Place<T, N>, factors: &P::Factors) -> bool {
+    // Whatever is solved for with a nearly singular matrix lies along what it nearly maps to zero.
+    let along = factors.solve(&SVector::from_fn(|k, _| T::of(1.0 + 0.618 * k as f64)));
+    let scale = problem.scale();
+    let step = T::of(8.0) * T::ROOT_EPSILON * (T::of(1.0) + scale.norm(&place.x)) / scale.norm(&along);
+    [step, -step].into_iter().any(|step| {
+        let (_, jacobian) = problem.linearize(&place.moved(step, &along, problem.turns()));
+        P::Factors::factor(&jacobian).is_ok_and(|near| !T::same(near.sides(), factors.sides()).all())
+    })
 }
 
 impl<T, const N: usize> From<Culprit> for Miss<T, N> {

@@ -120,7 +120,10 @@ impl<'a, T: Lanes, const N: usize> Departure<'a, T, N> {
         loop {
             iterations += 2;
             let (phi, jacobian) = evaluate(&place);
-            let correction = L::factor(&jacobian).ok()?.solve_regular(&phi);
+            let factors = L::factor(&jacobian).ok()?;
+            // Where two branches cross, the one that goes straight on changes its sign: the other is not followed instead.
+            follows = follows.and(T::same(factors.sides(), side));
+            let correction = factors.solve_regular(&phi);
             let there = place.nudged_back(&correction, scene.turns);
 
             let (phi, jacobian) = evaluate(&there);

@@ -3,6 +3,7 @@
 mod blocks;
 mod branches;
 mod components;
+mod crossings;
 mod files;
 mod mechanisms;
 mod parameters;
