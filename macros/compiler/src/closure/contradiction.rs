@@ -121,6 +121,10 @@ impl Search<'_, '_> {
         let room = self.room;
         let name = &room.model.joints[joint].name;
         let (length, angle) = room.misfit(joint, pose);
+        if length.is_none() && angle.is_none() {
+            // What is off by no more than rounding is not off.
+            return;
+        }
         let (bodies, is_redundant) = (room.touched(joint), room.model.joints[joint].is_redundant);
         let fact = Fact::CannotHold { joint: name.to_string(), bodies, length, angle, time: pose.time, is_redundant };
         self.diag.refuse::<()>(name, fact);

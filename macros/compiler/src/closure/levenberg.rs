@@ -24,10 +24,12 @@ pub(super) struct Problem<'a> {
     pub(super) coordinates: Vec<f64>,
     /// What a unit step of each unknown is.
     pub(super) scales: Vec<f64>,
+    /// The sum of squares below which the rows count as closed, [`CLOSED`] at least.
+    pub(super) closed: f64,
 }
 
 /// The rows count as closed when the sum of their squares, in scaled unknowns, is below this.
-const CLOSED: f64 = 1e-20;
+pub(super) const CLOSED: f64 = 1e-20;
 
 /// Rows and Jacobian at a place, in scaled unknowns.
 #[derive(Clone)]
@@ -103,7 +105,7 @@ pub(super) fn minimise(problem: &mut Problem, q: &mut [f64], free: &[bool]) -> b
             }
         }
     }
-    if cost > CLOSED {
+    if cost > problem.closed {
         return false;
     }
     polish(problem, q, &columns, 2);

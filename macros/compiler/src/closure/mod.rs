@@ -153,6 +153,7 @@ impl Room<'_> {
             evaluator: Evaluator::new(&self.system.arena, &roots),
             shift: Vec::new(),
             known: self.known,
+            closed: levenberg::CLOSED,
             scales: unknowns.iter().map(scale).collect(),
             unknowns,
             coordinates,

@@ -27,6 +27,10 @@ const PUSHES: [f64; 6] = [0.2, 0.3, 0.5, 0.7, 1.0, 1.4];
 /// From so many guesses it is looked for where equations that contradict each other come nearest to holding.
 const TRIES: usize = 12;
 
+/// Equations that are open by less than this hold: each piece takes over the rounding errors of those before it, and where there are
+/// more equations than unknowns nothing gives way to them. A sum of squares, in scaled unknowns.
+const ROUNDED: f64 = 1e-14;
+
 /// A pose that is nearer to the start than this is the start.
 const SAME: f64 = 1e-3;
 
@@ -68,6 +72,9 @@ impl Room<'_> {
         for piece in pieces {
             let equations: Vec<usize> = piece.equations.iter().copied().filter(|equation| !leaves_out(*equation)).collect();
             let mut problem = self.problem(&equations, piece.unknowns.clone(), q);
+            if piece.is_surplus {
+                problem.closed = ROUNDED;
+            }
             let is_open = piece.unknowns.iter().any(|unknown| self.declared[*unknown].is_none());
             let found = self.search(&mut problem, if is_open { GUESSES } else { 1 });
             let (closed, nearest) = (!found.assemblies.is_empty(), found.assemblies.into_iter().next().unwrap_or(found.first));
@@ -124,6 +131,9 @@ impl Room<'_> {
             let mut own: Vec<f64> = piece.unknowns.iter().map(|unknown| q[*unknown]).collect();
             let mut problem = self.problem(&equations, piece.unknowns.clone(), q);
             problem.known.time = time;
+            if piece.is_surplus {
+                problem.closed = ROUNDED;
+            }
             let everything = vec![true; own.len()];
             if !minimise(&mut problem, &mut own, &everything) {
                 return None;

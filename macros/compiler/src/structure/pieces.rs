@@ -32,7 +32,10 @@ pub(crate) fn surplus(model: &Model, system: &System) -> Option<Vec<Piece>> {
     }
     let has_mark = model.joints.iter().any(|joint| joint.is_redundant);
     let incidence = Incidence::new(model, system);
-    let order = all.clone().filter(|equation| !is_marked(equation)).chain(all.clone().filter(is_marked));
+    // What moves the mechanism first, so that what is left over are the joints that only follow.
+    let is_drive = |equation: &usize| model.joints[system.equations[*equation].joint].is_drive;
+    let plain = all.clone().filter(|equation| !is_marked(equation) && !is_drive(equation));
+    let order = all.clone().filter(is_drive).chain(plain).chain(all.clone().filter(is_marked));
     let matching = matching::maximum_in(&incidence, order);
     if !has_mark && matching.free_equations().is_empty() {
         return None;
@@ -63,5 +66,31 @@ fn in_order(incidence: &Incidence, matching: &Matching, is_marked: impl Fn(&usiz
             piece.is_surplus = true;
         }
     }
+    let wider: Vec<(usize, Piece)> = (0..pieces.len())
+        .filter(|index| pieces[*index].is_surplus)
+        .map(|index| (index, with_upstream(incidence, &pieces, &piece_of, index)))
+        .collect();
+    for (index, piece) in wider {
+        pieces[index] = piece;
+    }
     pieces
+}
+
+/// A piece together with what is next upstream of it: equations that are too many follow from equations there.
+fn with_upstream(incidence: &Incidence, pieces: &[Piece], piece_of: &[usize], index: usize) -> Piece {
+    let mut found = vec![index];
+    let mut wide = pieces[index].clone();
+    let mut next = 0;
+    while let Some(piece) = found.get(next).map(|index| &pieces[*index]) {
+        for entry in piece.equations.iter().flat_map(|equation| &incidence.rows[*equation]) {
+            let upstream = piece_of[entry.unknown];
+            if !found.contains(&upstream) && wide.unknowns.len() + pieces[upstream].unknowns.len() <= LARGEST {
+                found.push(upstream);
+                wide.unknowns.extend(&pieces[upstream].unknowns);
+                wide.equations.extend(&pieces[upstream].equations);
+            }
+        }
+        next += 1;
+    }
+    wide
 }

@@ -214,3 +214,31 @@ fn every_hinge_that_is_doubled_is_named() {
         }
     }
 }
+
+/// A row of parallelograms with a bar more in its middle.
+fn row(bars: usize, more: &str) -> String {
+    format!(
+        "mechanism Row {{ let bars = {bars}; ground {{ for i in 0..=bars {{ point P[i] = (i * 100mm, 0mm); }} }}
+        for i in 0..=bars {{ body crank[i] {{ point A = (50mm, 0mm); start angle = 80deg; }} }}
+        for i in 0..bars {{ body coupler[i] {{ point B = (100mm, 0mm); }} }}
+        for i in 0..=bars {{ joint axle[i] = revolute(ground.P[i], crank[i].position); }}
+        for i in 0..bars {{ joint a[i] = revolute(crank[i].A, coupler[i].position); joint b[i] = revolute(coupler[i].B, crank[i + 1].A); }}
+        body extra {{ point A = (100mm, 0mm); }} joint e1 = revolute(crank[1].A, extra.position);
+        {more} drive motor = drive_angle(crank[0], 80deg + 5deg * sin(1rad_s * t)); }}"
+    )
+}
+
+/// Small systems are looked at together, large ones piece by piece.
+#[test]
+fn a_bar_too_many_is_found_in_a_row_of_any_length() {
+    for bars in [4, 9, 10, 20, 40] {
+        assert_eq!(checked(&row(bars, "redundant joint e2 = revolute(extra.A, crank[2].A);")).len(), 1, "{bars} bars");
+        let refusals = reuleaux_compiler::compile(row(bars, "joint e2 = revolute(extra.A, crank[2].A);").parse().expect("tokens"));
+        let said: Vec<String> = refusals.expect_err("a bar too many").iter().map(|refusal| refusal.fact.to_string()).collect();
+        assert_eq!(said.len(), 1, "{said:?}");
+        assert!(
+            said[0].starts_with("1 of the 2 equations of `e2` adds nothing: it follows from `a[1]`, `b[1]` and `e1`"),
+            "{bars} bars: {said:?}"
+        );
+    }
+}
