@@ -10,6 +10,7 @@ use super::tour::Pose;
 use crate::diag::Fact;
 use crate::expr::{Expr, Values, evaluate};
 use crate::model::Dim;
+use crate::system::Equation;
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
@@ -18,6 +19,9 @@ const MOST_TRIES: usize = 12;
 
 /// A gap is open if it is more than this, in rad or in lengths of the mechanism.
 const OPEN: f64 = 1e-9;
+
+/// Steps of Newton's method along the slope of an equation.
+const STRAIGHT_ON: usize = 8;
 
 /// What is off by no more than this, in rad or in lengths of the mechanism, was meant to fit.
 const NEAR: f64 = 0.01;
@@ -137,19 +141,32 @@ impl Room<'_> {
         let known = Values { time: pose.time, coordinates: &pose.q, ..self.known };
         let (mut length, mut angle): (Option<f64>, Option<f64>) = (None, None);
         for equation in self.system.equations.iter().filter(|equation| equation.joint == joint) {
-            let roots: Vec<Expr> = equation.phi.into_iter().chain(equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
-            let values = evaluate(&self.system.arena, &roots, &known);
-            let Some((phi, slopes)) = values.split_first() else { continue };
-            // An equation may be a multiple: what counts is the way that it takes to make it hold.
-            let measures = if equation.dim == Dim::ANGLE { Dim::ANGLE } else { Dim::LENGTH };
-            let along = |index: &usize| self.system.unknowns[equation.jacobian[*index].0].dim == measures;
-            let slope = (0..slopes.len()).filter(along).map(|index| slopes[index].abs()).fold(0.0, f64::max);
-            let way = if slope > 0.0 { phi / slope } else { *phi };
             let gap = if equation.dim == Dim::ANGLE { &mut angle } else { &mut length };
-            *gap = Some(gap.unwrap_or(0.0).hypot(way));
+            if let Some(way) = self.way(equation, known, pose.q.clone()) {
+                *gap = Some(gap.unwrap_or(0.0).hypot(way));
+            }
         }
         let is_open = |size: f64| move |gap: &f64| *gap > OPEN * size;
         (length.filter(is_open(self.size)), angle.filter(is_open(1.0)))
+    }
+
+    /// The way that one body has to go until an equation holds, whatever it is a multiple or a power of; in m, or in rad where it is an
+    /// angle that is off. None if no way leads there.
+    fn way(&self, equation: &Equation, known: Values, mut q: Vec<f64>) -> Option<f64> {
+        let measures = if equation.dim == Dim::ANGLE { Dim::ANGLE } else { Dim::LENGTH };
+        let entries = equation.jacobian.iter().filter(|(unknown, _)| self.system.unknowns[*unknown].dim == measures);
+        let body = entries.clone().map(|(unknown, _)| self.system.unknowns[*unknown].body).next_back()?;
+        let own: Vec<(usize, Expr)> = entries.filter(|(unknown, _)| self.system.unknowns[*unknown].body == body).copied().collect();
+        let roots: Vec<Expr> = equation.phi.into_iter().chain(own.iter().map(|(_, entry)| *entry)).collect();
+        let begin = q.clone();
+        for _ in 0..STRAIGHT_ON {
+            let values = evaluate(&self.system.arena, &roots, &Values { coordinates: &q, ..known });
+            let (phi, slopes) = values.split_first()?;
+            let share = phi / slopes.iter().map(|slope| slope * slope).sum::<f64>();
+            own.iter().zip(slopes).for_each(|((unknown, _), slope)| q[*unknown] -= share * slope);
+        }
+        let way = own.iter().map(|(unknown, _)| (q[*unknown] - begin[*unknown]).powi(2)).sum::<f64>().sqrt();
+        way.is_finite().then_some(way)
     }
 
     /// The bodies in the equations of a joint.

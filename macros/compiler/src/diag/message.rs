@@ -622,7 +622,7 @@ impl fmt::Display for Fact {
                 match coordinates.as_slice() {
                     [only] => write!(f, "{} determines `{only}` already", list(joints))?,
                     many => {
-                        write!(f, "{} leave no freedom", list(joints))?;
+                        write!(f, "{} {} no freedom", list(joints), if joints.len() == 1 { "leaves" } else { "leave" })?;
                         write!(
                             f,
                             "\nnote: they are {} on {}: mobility 0",
@@ -643,7 +643,10 @@ impl fmt::Display for Fact {
                 match coordinates.as_slice() {
                     [only] => write!(f, "\nnote: both determine `{only}`")?,
                     _ if joints.is_empty() => write!(f, "\nnote: they determine {}", list(coordinates))?,
-                    _ => write!(f, "\nnote: {} leave {few} {freedom}", list(joints))?,
+                    _ => write!(f, "\nnote: {} {} {few} {freedom}", list(joints), if joints.len() == 1 { "leaves" } else { "leave" })?,
+                }
+                if free.is_empty() && drives.len() > freedoms + 1 {
+                    return write!(f, "\nhelp: take {} of the drives away", drives.len() - freedoms);
                 }
                 if free.is_empty() {
                     return write!(f, "\nhelp: take one of the drives away");

@@ -242,3 +242,22 @@ fn a_bar_too_many_is_found_in_a_row_of_any_length() {
         );
     }
 }
+
+/// What is off is the way that a body has to go, not a number that an equation makes of it.
+#[test]
+fn what_is_off_is_told_in_millimetres() {
+    let ties =
+        ["distance(crank.A, rocker.B, 340mm)", "{ norm(crank.A - rocker.B) == 340mm; }", "{ 3 * norm(crank.A - rocker.B) == 1020mm; }"];
+    for tie in ties {
+        let source = format!(
+            "mechanism F {{ ground {{ point O = (0mm, 0mm); point C = (400mm, 0mm); }} body crank {{ point A = (100mm, 0mm); }}
+            body coupler {{ point B = (350mm, 0mm); }} body rocker {{ point B = (300mm, 0mm); start angle = 70deg; }}
+            joint o = revolute(ground.O, crank.position); joint a = revolute(crank.A, coupler.position);
+            joint b = revolute(coupler.B, rocker.B); joint c = revolute(rocker.position, ground.C);
+            drive input = drive_angle(crank, 60rpm * t); joint tie = {tie}; }}"
+        );
+        let refusals = reuleaux_compiler::compile(source.parse().expect("tokens")).expect_err("too short");
+        let said = refusals[0].fact.to_string();
+        assert!(said.contains("with all of them closed it is 10 mm off"), "{tie}: {said}");
+    }
+}
