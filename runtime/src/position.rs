@@ -105,7 +105,10 @@ pub(crate) fn follow<T: Float, P: Problem<T, N>, const N: usize>(
     for iterations in 1..=FOLLOWING_ITERATIONS {
         let iterate = Iterate::at(problem, place)?;
         if iterate.has_settled(&history, problem.scale()) {
-            return accept(problem, iterate, iterations, false).map_err(|_| Refusal::Singular);
+            let position = accept(problem, iterate, iterations, false).map_err(|_| Refusal::Singular)?;
+            let is_resolved = position.condition * T::ROOT_EPSILON <= T::of(SINGULAR);
+            let is_regular = is_resolved || !crosses_nearby(problem, &position.place, &position.factors);
+            return if is_regular { Ok(position) } else { Err(Refusal::Singular) };
         }
         if iterations == 1 && side.is_some_and(|side| !T::same(iterate.factors.sides(), side).all()) {
             return Err(Refusal::Far);
@@ -135,7 +138,7 @@ pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
     let resolved = condition * T::ROOT_EPSILON <= T::of(SINGULAR);
     let is_harmless =
         || iterate.factors.is_regular() && iterate.length <= T::of(HARMLESS) * T::EPSILON * (T::of(1.0) + problem.scale().norm(&place.x));
-    if resolved || (!is_linear && is_harmless() && !crosses_nearby(problem, &place, &iterate.factors)) {
+    if resolved || (!is_linear && is_harmless()) {
         Ok(Position { place, factors: iterate.factors, condition, iterations })
     } else {
         Err(Miss::Singular(place))
