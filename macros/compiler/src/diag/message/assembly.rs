@@ -1,7 +1,8 @@
 //! What is said of the assembly at the declared defaults.
 
-use super::{Fact, list};
+use super::words::list;
 use crate::closure::{Bound, Gap};
+use crate::diag::Fact;
 use std::fmt::{Formatter, Result};
 
 pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {

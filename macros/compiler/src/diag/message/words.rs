@@ -1,0 +1,84 @@
+//! Lists, numbers and the like as words.
+
+/// `, did you mean …` as a help line, or nothing.
+pub(super) fn did_you_mean(near: &Option<String>) -> String {
+    near.as_ref().map_or(String::new(), |near| format!("\nhelp: did you mean `{near}`?"))
+}
+
+/// `a`, `b` and `c`
+pub(super) fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let mut names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
+    match names.pop() {
+        Some(last) if !names.is_empty() => format!("{} and {last}", names.join(", ")),
+        Some(only) => only,
+        None => String::new(),
+    }
+}
+
+/// `a`, `b` and `c`; of many the first few.
+pub(super) fn list(names: &[String]) -> String {
+    const MOST: usize = 6;
+    let first = names.iter().take(MOST).map(String::as_str);
+    match names.len() {
+        0 => "nothing".to_owned(),
+        many if many > MOST => format!("{} and {} more", first.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "), many - MOST),
+        _ => listed(first),
+    }
+}
+
+/// Three significant digits.
+pub(super) fn rounded(value: f64) -> String {
+    let digits = (2.0 - value.abs().log10().floor()).clamp(0.0, 12.0);
+    let text = format!("{value:.*}", digits as usize);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+pub(super) fn plural(count: usize, noun: &str) -> String {
+    match (count, noun.strip_suffix('y')) {
+        (1, _) => format!("1 {noun}"),
+        (_, Some(stem)) => format!("{count} {stem}ies"),
+        (_, None) => format!("{count} {noun}s"),
+    }
+}
+
+/// Small numbers as words.
+pub(super) fn counted(number: usize) -> String {
+    match number {
+        0 => "no".to_owned(),
+        1 => "one".to_owned(),
+        2 => "two".to_owned(),
+        3 => "three".to_owned(),
+        many => many.to_string(),
+    }
+}
+
+/// `no drive`, `1 drive`, `2 drives`
+pub(super) fn drives_there_are(drives: usize) -> String {
+    if drives == 0 { "no drive".to_owned() } else { format!("only {}", plural(drives, "drive")) }
+}
+
+/// `a` is, `a` and `b` are
+pub(super) fn are(names: &[String]) -> String {
+    format!("{} {}", list(names), if names.len() == 1 { "is" } else { "are" })
+}
+
+/// The bodies of some coordinates.
+pub(super) fn bodies(coordinates: &[String]) -> Vec<String> {
+    let mut bodies: Vec<String> = coordinates.iter().filter_map(|name| name.rsplit_once('.')).map(|(body, _)| body.to_owned()).collect();
+    bodies.dedup();
+    bodies
+}
+
+/// `that`, or `one of them`
+pub(super) fn one_of(names: &[String]) -> &'static str {
+    if names.len() == 1 { "that" } else { "one of them" }
+}
+
+/// `2 arguments`, `2 or 3 arguments`, `2 to 4 arguments`
+pub(super) fn range_of([least, most]: &[usize; 2], noun: &str) -> String {
+    match most - least {
+        0 => plural(*most, noun),
+        1 => format!("{least} or {}", plural(*most, noun)),
+        _ => format!("{least} to {}", plural(*most, noun)),
+    }
+}
