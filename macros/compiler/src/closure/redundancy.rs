@@ -13,15 +13,20 @@ use super::{LARGEST, Room};
 use crate::diag::{Diag, Fact};
 use crate::model::Model;
 use crate::structure::{self, Block, Piece, Structure};
+use crate::syntax::ast::Closing;
 use crate::system::System;
 use std::collections::BTreeSet;
 
-/// The equations that are checked instead of solved.
+/// The equations that are checked instead of solved. Where `#[closure(…)]` accepts defaults that are placeholders their pattern decides.
 ///
 /// Where there are too many equations, or joints are marked as redundant, it is found out by numbers which of them follow from
 /// others. Of those that are marked as many are left out as can be, and as few taken as have to be: those that are farthest from
 /// singular over the motion.
 pub(crate) fn surplus(model: &Model, system: &System, diag: &mut Diag) -> Option<BTreeSet<usize>> {
+    if model.closing != Closing::Deny {
+        // Numbers that are placeholders tell nothing.
+        return Some(structure::left_over(model, system));
+    }
     let Some(pieces) = structure::surplus(model, system) else { return Some(BTreeSet::new()) };
     with_room(model, system, |room| {
         let mut search = Search { room, pieces: &pieces, diag };
@@ -34,7 +39,7 @@ pub(crate) fn surplus(model: &Model, system: &System, diag: &mut Diag) -> Option
 ///
 /// A mechanism that is singular at its start only, or that cannot be moved from there, is none of this: it stands at a dead point.
 pub(super) fn equations_are_independent(room: &Room, structure: &Structure, start: &[f64], diag: &mut Diag) -> Option<()> {
-    if room.has_singular_block(structure, start) {
+    if room.model.closing == Closing::Deny && room.has_singular_block(structure, start) {
         let pieces = pieces(room.system, structure);
         Search { room, pieces: &pieces, diag }.dependence(start);
     }

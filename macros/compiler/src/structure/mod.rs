@@ -32,7 +32,7 @@ use crate::diag::Diag;
 use crate::model::Model;
 use crate::system::System;
 use incidence::Incidence;
-pub(crate) use pieces::{Piece, surplus};
+pub(crate) use pieces::{Piece, left_over, surplus};
 use std::collections::BTreeSet;
 
 /// The order of solution.

@@ -8,6 +8,7 @@ use super::incidence::Incidence;
 use super::matching::{self, Matching};
 use crate::model::Model;
 use crate::system::System;
+use std::collections::BTreeSet;
 
 /// Unknowns that are found together, and all equations that say something about them and about nothing that comes later.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -26,26 +27,39 @@ const LARGEST: usize = 60;
 /// Where a joint is marked as redundant its equations are the first to be left over.
 pub(crate) fn surplus(model: &Model, system: &System) -> Option<Vec<Piece>> {
     let is_marked = |equation: &usize| model.joints[system.equations[*equation].joint].is_redundant;
-    let all = 0..system.equations.len();
     if model.equations_only {
         return None;
     }
     let has_mark = model.joints.iter().any(|joint| joint.is_redundant);
     let incidence = Incidence::new(model, system);
-    // What moves the mechanism first, so that what is left over are the joints that only follow.
-    let is_drive = |equation: &usize| model.joints[system.equations[*equation].joint].is_drive;
-    let plain = all.clone().filter(|equation| !is_marked(equation) && !is_drive(equation));
-    let order = all.clone().filter(is_drive).chain(plain).chain(all.clone().filter(is_marked));
-    let matching = matching::maximum_in(&incidence, order);
+    let matching = matching::maximum_in(&incidence, in_turn(model, system));
     if !has_mark && matching.free_equations().is_empty() {
         return None;
     }
     if system.unknowns.len() <= LARGEST {
         let unknowns = (0..system.unknowns.len()).collect();
-        return Some(vec![Piece { unknowns, equations: all.collect(), is_surplus: true }]);
+        return Some(vec![Piece { unknowns, equations: (0..system.equations.len()).collect(), is_surplus: true }]);
     }
     // Where freedoms are left in a large system, drives are what is missing first.
     matching.free_unknowns().is_empty().then(|| in_order(&incidence, &matching, is_marked))
+}
+
+/// The equations that are left over by their pattern alone, those of redundant joints before others.
+pub(crate) fn left_over(model: &Model, system: &System) -> BTreeSet<usize> {
+    let is_marked = |equation: &usize| model.joints[system.equations[*equation].joint].is_redundant;
+    let incidence = Incidence::new(model, system);
+    matching::maximum_in(&incidence, in_turn(model, system)).free_equations().into_iter().filter(is_marked).collect()
+}
+
+/// What moves the mechanism first, so that what is left over are the joints that only follow; redundant ones last.
+fn in_turn(model: &Model, system: &System) -> impl Iterator<Item = usize> {
+    let rank = |equation: &usize| {
+        let joint = &model.joints[system.equations[*equation].joint];
+        (joint.is_redundant, !joint.is_drive)
+    };
+    let mut all: Vec<usize> = (0..system.equations.len()).collect();
+    all.sort_by_key(rank);
+    all.into_iter()
 }
 
 /// Blocks in order, each with the equations left over that belong to it.

@@ -261,3 +261,23 @@ fn what_is_off_is_told_in_millimetres() {
         assert!(said.contains("with all of them closed it is 10 mm off"), "{tie}: {said}");
     }
 }
+
+/// Where defaults are placeholders their numbers tell nothing of redundancy either.
+#[test]
+fn placeholders_are_not_judged_by_their_numbers() {
+    let crank = |middle: &str| {
+        let drive = "redundant joint f = revolute(rod.R, third.P); drive i = drive_angle(crank, 60deg + 1rad_s * t);";
+        let source = third_crank!("").replace("third.position);}", &format!("third.position);{drive}}}"));
+        source.replace("middle: Length = 500mm", &format!("middle: Length = {middle}"))
+    };
+    for middle in ["520mm", "0mm"] {
+        assert!(reuleaux_compiler::compile(crank(middle).parse().expect("tokens")).is_err());
+        for word in ["allow", "off"] {
+            assert_eq!(checked(&format!("#[closure({word})] {}", crank(middle))).len(), 1, "{middle}, {word}");
+        }
+    }
+    let flat = "#[closure(allow)] mechanism F { param l: Length = 0mm; body a { point P = (l, 0mm); } body b { point P = (l, 0mm); }
+        joint o = revolute(ground.position, a.position); joint p = revolute(a.P, b.position); joint q = distance(ground.position, b.P, 1m);
+        drive i = drive_angle(a, 1rad_s * t); }";
+    assert_eq!(checked(flat).len(), 0);
+}
