@@ -12,7 +12,7 @@ use super::tour::{Tour, with_room};
 use super::{LARGEST, Room};
 use crate::diag::{Diag, Fact};
 use crate::model::Model;
-use crate::structure::{self, Block, Piece, Structure};
+use crate::structure::{self, Block, Piece, Said, Structure};
 use crate::syntax::ast::Closing;
 use crate::system::System;
 use std::collections::BTreeSet;
@@ -29,7 +29,7 @@ pub(crate) fn surplus(model: &Model, system: &System, diag: &mut Diag) -> Option
     }
     let Some(pieces) = structure::surplus(model, system) else { return Some(BTreeSet::new()) };
     with_room(model, system, |room| {
-        let mut search = Search { room, pieces: &pieces, diag };
+        let mut search = Search { room, pieces: &pieces, said: Said::default(), diag };
         let checked = search.surplus();
         search.diag.is_clean().then_some(checked)
     })
@@ -41,7 +41,7 @@ pub(crate) fn surplus(model: &Model, system: &System, diag: &mut Diag) -> Option
 pub(super) fn equations_are_independent(room: &Room, structure: &Structure, start: &[f64], diag: &mut Diag) -> Option<()> {
     if room.model.closing == Closing::Deny && room.has_singular_block(structure, start) {
         let pieces = pieces(room.system, structure);
-        Search { room, pieces: &pieces, diag }.dependence(start);
+        Search { room, pieces: &pieces, said: Said::default(), diag }.dependence(start);
     }
     diag.is_clean().then_some(())
 }
@@ -65,6 +65,8 @@ fn pieces(system: &System, structure: &Structure) -> Vec<Piece> {
 pub(super) struct Search<'a, 'b> {
     pub(super) room: &'a Room<'b>,
     pub(super) pieces: &'a [Piece],
+    /// An item of a loop stands many times; what is wrong with it is said of the first.
+    said: Said,
     pub(super) diag: &'a mut Diag,
 }
 
@@ -123,6 +125,9 @@ impl Search<'_, '_> {
             }
             let free = self.room.names(piece, &without.free(piece.unknowns.len()));
             let name = &self.room.model.joints[*needed].name;
+            if !self.said.is_new(name) {
+                continue;
+            }
             self.diag.refuse::<()>(name, Fact::NotRedundant { joint: name.to_string(), free });
         }
     }
@@ -156,6 +161,9 @@ impl Search<'_, '_> {
             let model = self.room.model;
             let others = sources.iter().filter(|other| **other != index).map(|other| model.joints[*other].name.to_string()).collect();
             let name = &model.joints[index].name;
+            if !self.said.is_new(name) {
+                continue;
+            }
             let fact = Fact::FollowsFrom {
                 joint: name.to_string(),
                 is_drive: model.joints[index].is_drive,

@@ -51,11 +51,11 @@ fn every_body_is_held(model: &Model, system: &System, incidence: &Incidence, dia
 
 /// The names of which something has been said.
 #[derive(Default)]
-pub(super) struct Said(BTreeSet<String>);
+pub(crate) struct Said(BTreeSet<String>);
 
 impl Said {
     /// Nothing has been said of this item, nor of another that was declared with it.
-    pub(super) fn is_new(&mut self, name: &Name) -> bool {
+    pub(crate) fn is_new(&mut self, name: &Name) -> bool {
         self.0.insert(name.word.to_string())
     }
 }
