@@ -77,6 +77,9 @@ pub(crate) fn close(model: &Model, system: &System, structure: &Structure, diag:
     if assembled.is_closed && !model.equations_only {
         redundancy::equations_are_independent(&room, structure, &assembled.start, diag)?;
     }
+    if assembled.open.is_some() && model.closing == Closing::Deny {
+        redundancy::drives_have_something_to_drive(&room, structure, diag)?;
+    }
     let verdict = if model.equations_only { None } else { verdict::judge(&room, structure, &mut assembled) };
     let mut closure = Closure { start: room.rounded(&assembled.start), is_closed: assembled.is_closed, remark: None };
     match verdict {

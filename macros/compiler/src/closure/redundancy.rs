@@ -46,6 +46,40 @@ pub(super) fn equations_are_independent(room: &Room, structure: &Structure, star
     diag.is_clean().then_some(())
 }
 
+/// Refuses a drive of what joints hold already, such as one between two sides of a triangle: without it everything closes, and wherever
+/// the mechanism is then pushed, the equation of the drive follows from those of joints. Its pattern does not show that.
+pub(super) fn drives_have_something_to_drive(room: &Room, structure: &Structure, diag: &mut Diag) -> Option<()> {
+    if room.system.unknowns.len() > LARGEST {
+        return Some(());
+    }
+    let pieces = pieces(room.system, structure);
+    let piece = pieces.first()?;
+    let names = |joints: BTreeSet<usize>| joints.iter().map(|joint| room.model.joints[*joint].name.to_string()).collect();
+    for (drive, declared) in room.model.joints.iter().enumerate().filter(|(_, joint)| joint.is_drive) {
+        let is_of_it = |equation: usize| room.system.equations[equation].joint == drive;
+        let (q, is_closed) = room.assembled_in_pieces(&pieces, is_of_it);
+        if !is_closed {
+            continue;
+        }
+        let poses = room.matrices(piece, &room.pushed(&pieces, q, is_of_it));
+        let mut basis = Basis::new(&poses);
+        let (own, others): (Vec<usize>, Vec<usize>) = room.rows(piece).plain.into_iter().partition(|row| is_of_it(piece.equations[*row]));
+        others.into_iter().for_each(|row| basis.take(row));
+        let joints: BTreeSet<usize> = own
+            .into_iter()
+            .filter(|row| poses.len() > 2 && !basis.lacks(*row))
+            .flat_map(|row| basis.sources(row))
+            .map(|row| room.system.equations[piece.equations[row]].joint)
+            .collect();
+        if !joints.is_empty() && joints.iter().all(|joint| !room.model.joints[*joint].is_drive) {
+            let free = room.names(piece, &basis.free(piece.unknowns.len()));
+            let fact = Fact::NothingToDrive { drive: declared.name.to_string(), joints: names(joints), coordinates: Vec::new(), free };
+            return diag.refuse(&declared.name, fact);
+        }
+    }
+    Some(())
+}
+
 /// The equations that are solved: of a small system all together, of a large one block by block.
 fn pieces(system: &System, structure: &Structure) -> Vec<Piece> {
     let piece = |block: &Block| Piece {

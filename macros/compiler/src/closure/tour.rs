@@ -174,6 +174,13 @@ impl Room<'_> {
         tour
     }
 
+    /// Poses that pushes lead to from an assembly, whatever the drives say.
+    pub(super) fn pushed(&self, pieces: &[Piece], start: Vec<f64>, leaves_out: impl Fn(usize) -> bool) -> Vec<Pose> {
+        let mut tour = Tour { poses: vec![Pose { time: 0.0, q: start }], moves: false, holds: true };
+        self.push(pieces, &mut tour, leaves_out);
+        tour.poses
+    }
+
     /// Where pushes in some directions lead.
     fn push(&self, pieces: &[Piece], tour: &mut Tour, leaves_out: impl Fn(usize) -> bool) {
         let start = tour.poses[0].q.clone();

@@ -99,6 +99,7 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
         Fact::NothingToDrive { drive, joints, coordinates, free } => {
             write!(f, "`{drive}` has nothing to drive: ")?;
             match coordinates.as_slice() {
+                [] => write!(f, "{} hold already what it would move", list(joints))?,
                 [only] => write!(f, "{} determines `{only}` already", list(joints))?,
                 many => {
                     write!(f, "{} {} no freedom", list(joints), if joints.len() == 1 { "leaves" } else { "leave" })?;
