@@ -30,6 +30,10 @@ const SINGULAR: f64 = 1.0;
 /// a large condition as well, without harm.
 const HARMLESS: f64 = 64.0;
 
+/// How far beside a solution it is tried whether Newton's method comes back to it, scaled: as far as rounding errors of Φ are felt where
+/// two branches meet, some √ε, and a hundred times more.
+const ASIDE: f64 = 1e-5;
+
 /// A solution of Φ(q, t) = 0.
 pub(crate) struct Position<T, L, const N: usize> {
     /// q, at the rounding limit.
@@ -105,10 +109,7 @@ pub(crate) fn follow<T: Float, P: Problem<T, N>, const N: usize>(
     for iterations in 1..=FOLLOWING_ITERATIONS {
         let iterate = Iterate::at(problem, place)?;
         if iterate.has_settled(&history, problem.scale()) {
-            let position = accept(problem, iterate, iterations, false).map_err(|_| Refusal::Singular)?;
-            let is_resolved = position.condition * T::ROOT_EPSILON <= T::of(SINGULAR);
-            let is_regular = is_resolved || !crosses_nearby(problem, &position.place, &position.factors);
-            return if is_regular { Ok(position) } else { Err(Refusal::Singular) };
+            return accept(problem, iterate, iterations, false).map_err(|_| Refusal::Singular);
         }
         if iterations == 1 && side.is_some_and(|side| !T::same(iterate.factors.sides(), side).all()) {
             return Err(Refusal::Far);
@@ -138,24 +139,31 @@ pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
     let resolved = condition * T::ROOT_EPSILON <= T::of(SINGULAR);
     let is_harmless =
         || iterate.factors.is_regular() && iterate.length <= T::of(HARMLESS) * T::EPSILON * (T::of(1.0) + problem.scale().norm(&place.x));
-    if resolved || (!is_linear && is_harmless()) {
+    if resolved || (!is_linear && is_harmless() && is_simple(problem, &place, &iterate.factors)) {
         Ok(Position { place, factors: iterate.factors, condition, iterations })
     } else {
         Err(Miss::Singular(place))
     }
 }
 
-/// The determinant changes its sign within the place's own uncertainty at a singular position, √ε: so it does where a mechanism stands
-/// exactly at a dead point, even if Φ vanishes there. Lengths that differ by many orders of magnitude do nothing of this sort.
+/// Whether a solution with a large condition is one for itself: from a little beside it, Newton's method comes back to it. Where two
+/// branches meet it only ever goes half the way (Griewank and Osborne 1983), until it is lost in rounding errors; where lengths
+/// differ by many orders of magnitude it may do so as well at first, but ends at the same numbers.
 #[cold]
-fn crosses_nearby<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: &Place<T, N>, factors: &P::Factors) -> bool {
+fn is_simple<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: &Place<T, N>, factors: &P::Factors) -> bool {
     // Whatever is solved for with a nearly singular matrix lies along what it nearly maps to zero.
     let along = factors.solve(&SVector::from_fn(|k, _| T::of(1.0 + 0.618 * k as f64)));
     let scale = problem.scale();
-    let step = T::of(8.0) * T::ROOT_EPSILON * (T::of(1.0) + scale.norm(&place.x)) / scale.norm(&along);
-    [step, -step].into_iter().any(|step| {
-        let (_, jacobian) = problem.linearize(&place.moved(step, &along, problem.turns()));
-        P::Factors::factor(&jacobian).is_ok_and(|near| !T::same(near.sides(), factors.sides()).all())
+    let aside = T::of(ASIDE) / scale.norm(&along);
+    let rounding = T::of(HARMLESS) * T::EPSILON * (T::of(1.0) + scale.norm(&place.x));
+    [aside, -aside].into_iter().any(|aside| {
+        let mut back = place.moved(aside, &along, problem.turns());
+        (0..CLOSING_ITERATIONS).any(|corrections| {
+            let Ok(iterate) = Iterate::at(problem, back) else { return false };
+            back = iterate.moved(T::of(1.0), problem);
+            let away = scale.norm(&SVector::from_fn(|k, _| back.x[k] - place.x[k]));
+            away <= rounding || (corrections == 0 && away <= T::of(LARGEST_CONTRACTION * ASIDE))
+        })
     })
 }
 

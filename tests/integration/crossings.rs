@@ -1,5 +1,8 @@
 //! Positions where two branches of a mechanism cross: it could go on as either, so it goes on as none.
 
+use std::f64::consts::PI;
+
+use reuleaux::nalgebra::SVector;
 use reuleaux::{Cause, Failure, Mechanism, mechanism};
 
 mechanism! {
@@ -70,4 +73,19 @@ fn the_crossing_itself_is_no_state() {
         assert!(matches!(parallelogram.solve(t).expect_err("in line").cause, Cause::Singular { .. }));
     }
     assert!(parallelogram.solve(1.99).is_ok());
+}
+
+/// From wherever one comes, and even from the crossing itself, where every equation holds.
+#[test]
+fn a_guess_at_the_crossing_finds_no_state() {
+    let parallelogram = Parallelogram { start: 60f64.to_radians() };
+    let straight = SVector::from([0.0, 0.0, PI, -0.5, 0.0, 0.0, 2.0, 0.0, PI]);
+    let singular = |failure: Failure<f64, 9>| assert!(matches!(failure.cause, Cause::Singular { .. }), "{failure}");
+    singular(parallelogram.solve_near(2.0, &straight).expect_err("in line"));
+    for off in (0..16).map(|digits| 0.3 * 0.1f64.powi(digits)) {
+        for sign in [-1.0, 1.0] {
+            let aside = SVector::<f64, 9>::from_fn(|k, _| sign * off * (1.0 + k as f64 / 3.0).sin());
+            singular(parallelogram.solve_near(2.0, &(straight + aside)).expect_err("in line"));
+        }
+    }
 }
