@@ -125,7 +125,7 @@ fn follow<T: Lanes, E: Stages<T, N> + ?Sized, const N: usize>(
 ) -> T::Mask {
     let h = t - state.t;
     let Walk { found, condition, iterations } = walk;
-    let found = found.and(moving).and(is_surely_finite(h, there)).and(is_resolved(state, &there.q, h, E::COMPUTED_ANGLES));
+    let found = found.and(moving).and(is_surely_finite(h, there, E::UNSURE)).and(is_resolved(state, &there.q, h, E::COMPUTED_ANGLES));
     if !found.not().all() {
         state.follow_on(t, &Stride { h, found, condition, iterations }, there, E::ITERATED);
     }
@@ -235,11 +235,9 @@ pub(crate) fn reached<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
 ) -> Result<Reached<T, N>, Stop<T>> {
     let there = pass(equations, t, &care)?;
     let Coordinates { q, qd, qdd } = there;
-    if !is_surely_finite(t, &there) {
-        for vector in [&q, &qd, &qdd] {
-            if let Some(index) = vector.iter().position(|entry| !entry.is_finite()) {
-                return Err(Stop::NotFinite(Culprit::Coordinate(names::coordinate(E::COORDINATES, index))));
-            }
+    for vector in [&q, &qd, &qdd] {
+        if let Some(index) = vector.iter().position(|entry| !entry.is_finite()) {
+            return Err(Stop::NotFinite(Culprit::Coordinate(names::coordinate(E::COORDINATES, index))));
         }
     }
     let Found { branch, condition, iterations, .. } = care.found();
@@ -247,21 +245,21 @@ pub(crate) fn reached<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     Ok((state, care.contradiction()))
 }
 
-/// A sum is not finite if a term is not. Four sums side by side, so that none has to wait long for the one before.
+/// A sum is not finite if a term is not.
 #[inline(always)]
-fn is_surely_finite<T: Lanes, const N: usize>(time: T, there: &Coordinates<T, N>) -> T::Mask {
-    let mut sums = [time, T::of(0.0), T::of(0.0), T::of(0.0)];
-    for vector in [&there.q, &there.qd, &there.qdd] {
-        for k in 0..N / 4 {
-            for (i, sum) in sums.iter_mut().enumerate() {
-                *sum = *sum + vector[4 * k + i];
-            }
+fn is_surely_finite<T: Lanes, const N: usize>(time: T, there: &Coordinates<T, N>, unsure: Option<&[usize]>) -> T::Mask {
+    let mut sums = [time, T::of(0.0), T::of(0.0)];
+    // Three sums side by side, so that none has to wait long for the one before.
+    let mut add = |i: usize| {
+        for (sum, vector) in sums.iter_mut().zip([&there.q, &there.qd, &there.qdd]) {
+            *sum = *sum + vector[i];
         }
-        for i in N / 4 * 4..N {
-            sums[i - N / 4 * 4] = sums[i - N / 4 * 4] + vector[i];
-        }
+    };
+    match unsure {
+        Some(unsure) => unsure.iter().filter(|i| **i < N).for_each(|i| add(*i)),
+        None => (0..N).for_each(add),
     }
-    let sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    let sum = (sums[0] + sums[1]) + sums[2];
     // Nothing is left of a number; ∞ and NaN stay NaN.
     (T::of(0.0) * sum).at_most(T::of(0.0))
 }

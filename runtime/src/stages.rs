@@ -44,6 +44,10 @@ pub trait Stages<T: Lanes, const N: usize>: Description<T, N> {
     /// The unknowns that are iterated, of which a prediction is needed.
     const ITERATED: &'static [usize] = &ALL;
 
+    /// The unknowns that may be found to be no finite numbers, or to have no finite rates, if the pass says that all went well; None if
+    /// any may.
+    const UNSURE: Option<&'static [usize]> = None;
+
     /// The mechanism with parameters that are this share of the way from their declared defaults, for which
     /// [`start`](Description::start) is assembled, to these. None if they are the defaults, or have none.
     fn toward(&self, share: T) -> Option<Self>

@@ -3,7 +3,7 @@
 use super::expression::local;
 use super::functions::Emitter;
 use super::scene::Scene;
-use super::stages::{Shelf, iterated};
+use super::stages::Shelf;
 use super::{solving, state_name};
 use crate::plan::{Lines, Solution, Solving};
 use proc_macro2::{Ident, Span, TokenStream};
@@ -24,7 +24,7 @@ impl Emitter<'_> {
         let type_name = format_ident!("{}Prepared", mechanism, span = Span::call_site());
         let (state, failure) = (state_name(mechanism), format_ident!("{}PreparedFailure", mechanism, span = Span::call_site()));
         let solving = solving(&type_name, &state, &failure, &self.model.visibility, n, false);
-        let (angles, iterated) = (self.computed_angles(solution, &Shelf::whole(n)), iterated(solution, &Shelf::whole(n)));
+        let lists = self.lists(solution, &Shelf::whole(n));
         let step = self.plan.moving.as_ref().map(|_| {
             quote! {
                 fn mark(&self) -> u64
@@ -81,8 +81,7 @@ impl Emitter<'_> {
             }
             #[automatically_derived]
             impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #type_name<T> {
-                #angles
-                #iterated
+                #lists
                 #step
                 fn toward(&self, share: T) -> ::core::option::Option<Self> {
                     let between = ::reuleaux::Stages::<T, #n>::toward(&self.mechanism, share);

@@ -3,7 +3,7 @@
 use super::arrays::{array_at, array_type};
 use super::expression::local;
 use super::functions::Emitter;
-use super::stages::{Shelf, iterated, number, results, stages_of};
+use super::stages::{Shelf, number, results, stages_of};
 use super::{docs, docs_or, plan_constant, solving};
 use crate::model::Method;
 use crate::plan::Slice;
@@ -24,7 +24,7 @@ impl Emitter<'_> {
         let [state, failure] = ["State", "Failure"].map(|what| slice_name(&format_ident!("{mechanism}{what}"), &self.model.methods, word));
         let (solve_for, stages) = (format_ident!("solve_for_{word}", span = Span::call_site()), local(&format!("stages_for_{word}")));
         let shelf = Shelf::new(&slice.held, &[], format!("for_{word}_"));
-        let (description, constants) = (self.description(&name, &shelf, word), self.slice_constants(slice, &shelf));
+        let (description, constants) = (self.description(&name, &shelf, word), self.lists(&slice.solution, &shelf));
         let (body, kernels) = self.solving(&slice.solution.solving, &shelf);
         let plan = plan_constant(self.model, self.system, &slice.solution);
         let (n, whole) = (slice.held.len(), self.system.unknowns.len());
@@ -113,11 +113,6 @@ impl Emitter<'_> {
         }
     }
 
-    fn slice_constants(&self, slice: &Slice, shelf: &Shelf) -> TokenStream {
-        let (angles, iterated) = (self.computed_angles(&slice.solution, shelf), iterated(&slice.solution, shelf));
-        quote!(#angles #iterated)
-    }
-
     /// The state of a slice, which has the output.
     fn slice_state(&self, method: &Method, state: &Ident, slice: &Slice) -> TokenStream {
         let Some(first) = method.members.first().map(|member| &self.model.outputs[*member]) else { return quote!() };
@@ -159,7 +154,7 @@ impl Emitter<'_> {
         let name = format_ident!("{}Moving", mechanism, span = Span::call_site());
         let shelf = Shelf::new(&slice.held, &slice.given, "moving_".to_owned());
         let (body, kernels) = self.solving(&slice.solution.solving, &shelf);
-        let (description, constants) = (self.description(&name, &shelf, ""), self.slice_constants(slice, &shelf));
+        let (description, constants) = (self.description(&name, &shelf, ""), self.lists(&slice.solution, &shelf));
         let (count, places) = (slice.given.len(), slice.given.iter().map(|unknown| number(*unknown)));
         let held = slice.held.iter().map(|unknown| Literal::usize_unsuffixed(*unknown));
         let (t, pass, given, stages) = (local("t"), local("pass"), local("given"), local("stages_of_what_moves"));

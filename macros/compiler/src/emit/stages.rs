@@ -18,10 +18,8 @@ impl Emitter<'_> {
             return quote!();
         }
         let Some(solution) = &self.plan.solution else { return quote!() };
-        let (toward, angles, iterated) =
-            (self.toward(), self.computed_angles(solution, &Shelf::whole(n)), iterated(solution, &Shelf::whole(n)));
-        let improved = self.improved();
         let shelf = Shelf::whole(n);
+        let (toward, lists, improved) = (self.toward(), self.lists(solution, &shelf), self.improved());
         let (body, kernels) = self.solving(&solution.solving, &shelf);
         let (step, moving) = self.moving();
         let (body, prepared) = self.prepared(solution, body);
@@ -32,8 +30,7 @@ impl Emitter<'_> {
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
             impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> {
-                #angles
-                #iterated
+                #lists
                 #toward
                 #improved
                 #step
@@ -45,8 +42,19 @@ impl Emitter<'_> {
         }
     }
 
+    /// What the runtime has to know of single unknowns
+    pub(super) fn lists(&self, solution: &Solution, shelf: &Shelf) -> TokenStream {
+        let (angles, iterated) = (self.computed_angles(solution, shelf), iterated(solution, shelf));
+        let unsure = solution.unsure.iter().filter_map(|unknown| shelf.place(*unknown)).map(Literal::usize_unsuffixed);
+        quote! {
+            #angles
+            #iterated
+            const UNSURE: ::core::option::Option<&'static [usize]> = ::core::option::Option::Some(&[#(#unsure),*]);
+        }
+    }
+
     /// Computed angles that move
-    pub(super) fn computed_angles(&self, solution: &Solution, shelf: &Shelf) -> TokenStream {
+    fn computed_angles(&self, solution: &Solution, shelf: &Shelf) -> TokenStream {
         let is_angle = |unknown: usize| self.system.unknowns.get(unknown).is_some_and(|unknown| unknown.dim == Dim::ANGLE);
         let angle = |stage: &Summary| match *stage {
             Summary::Explicit { unknown, moves: true } if is_angle(unknown) => shelf.place(unknown).map(Literal::usize_unsuffixed),
@@ -246,7 +254,7 @@ pub(super) struct Index {
 }
 
 /// Unknowns that are iterated
-pub(super) fn iterated(solution: &Solution, shelf: &Shelf) -> TokenStream {
+fn iterated(solution: &Solution, shelf: &Shelf) -> TokenStream {
     let blocks = solution.stages.iter().filter_map(|stage| match stage {
         Summary::Block { unknowns, .. } => Some(unknowns),
         Summary::Explicit { .. } | Summary::Check(_) => None,

@@ -6,7 +6,7 @@ use super::schedule::{Work, cost};
 use super::shape::Tracer;
 use super::stages::{Iteration, Stage};
 use super::{Cost, Elimination, Step, Words};
-use crate::expr::{Arena, Expr, Leaf, Node, Unary};
+use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// How q, q̇ and q̈ are found.
@@ -14,6 +14,8 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct Solution {
     /// What is found, in order.
     pub stages: Vec<Summary>,
+    /// Indices in q of unknowns that may be found to be no finite numbers, or to have no finite rates.
+    pub unsure: Vec<usize>,
     /// Operations outside of loops, once for each state.
     pub cost: Cost,
     /// The code that does it.
@@ -149,7 +151,7 @@ pub(super) fn solution(frame: &Frame, stages: &[Stage], is_apart: bool) -> Solut
     } else {
         (kernels.cost(), Solving::Shared(kernels))
     };
-    Solution { stages: summaries, cost, solving }
+    Solution { stages: summaries, unsure: unsure(arena, stages), cost, solving }
 }
 
 /// Beyond this many operations in one function rustc takes more than its time.
@@ -159,6 +161,32 @@ const LONGEST: usize = 16_000;
 fn size(arena: &Arena, stages: &[Stage]) -> usize {
     let roots: Vec<Expr> = stages.iter().flat_map(Stage::results).collect();
     arena.reachable(&roots).len()
+}
+
+/// The unknowns that may be found to be no finite numbers, or to have no finite rates.
+///
+/// What Newton's method finds is finite, and so are its rates if their right sides are. What is computed from finite unknowns by sums,
+/// products and sines is finite as well. All else has to be looked at: parameters, which anyone may set, time, and functions that
+/// have poles or end somewhere.
+fn unsure(arena: &Arena, stages: &[Stage]) -> Vec<usize> {
+    let is_given = |node: &Node| matches!(node, Node::Leaf(Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_)));
+    let has = |roots: &[Expr], is_risk: &dyn Fn(&Node) -> bool| arena.reachable(roots).iter().any(|expr| is_risk(arena.node(*expr)));
+    let is_unsure = |stage: &&Stage| match stage {
+        Stage::Explicit { motion, .. } => has(motion, &|node| is_given(node) || has_poles(arena, node)),
+        Stage::Block(_) => has(&stage.results(), &|node| has_poles(arena, node)),
+        Stage::Check { .. } => false,
+    };
+    stages.iter().filter(is_unsure).flat_map(Stage::unknowns).copied().collect()
+}
+
+/// An operation that does not give a finite number for every finite operand.
+fn has_poles(arena: &Arena, node: &Node) -> bool {
+    match *node {
+        Node::Binary(Binary::Div, _, divisor) => arena.as_constant(divisor).is_none(),
+        Node::Unary(function, _) => matches!(function, Unary::Sqrt | Unary::Tan | Unary::Asin | Unary::Acos | Unary::Exp | Unary::Ln),
+        Node::Call { .. } => true,
+        Node::Constant(_) | Node::Leaf(_) | Node::Binary(..) | Node::Select { .. } => false,
+    }
 }
 
 /// A stage in short; the next block has this shape and costs this.
