@@ -100,7 +100,7 @@ pub(crate) fn stride<T: Lanes, E: Stages<T, N> + ?Sized, const N: usize>(
     moving: T::Mask,
 ) -> T::Mask {
     let h = t - state.t;
-    let mut pass = Pass::straight(equations, Departure::new(state, sides, h, moving));
+    let mut pass = Pass::straight(equations, Departure::new(state, sides, h, moving, E::ITERATED.len()));
     let nowhere = T::Mask::of(false);
     if E::IN_PLACE {
         let mut there = Coordinates::of(state);

@@ -38,6 +38,10 @@ const ROUNDINGS: f64 = 2.0;
 /// Corrections, each of which squares the error: from 0.2 the fourth is below √ε, and more are a case for care.
 const MOST_CORRECTIONS: usize = 4;
 
+/// Of so few unknowns a step is a chain of results that each wait for the one before, and it is shorter by a tenth if sines and cosines of
+/// the predicted angles are turned on from those before; more unknowns keep a processor busy all the time, and the turns cost more.
+const SMALL: usize = 3;
+
 /// Where a pass sets out from, and how far it goes.
 pub(crate) struct Departure<'a, T: Lanes, const N: usize> {
     here: &'a State<T, N>,
@@ -46,6 +50,8 @@ pub(crate) struct Departure<'a, T: Lanes, const N: usize> {
     moving: T::Mask,
     /// What q̇, q̈ and the rest of the trend are multiplied by.
     weights: [T; 3],
+    /// There are so few unknowns that each result is waited for.
+    is_small: bool,
 }
 
 /// What solving a block straight on needs to know of it.
@@ -72,10 +78,11 @@ pub(crate) struct Arrival<T: Lanes, L, const K: usize> {
 }
 
 impl<'a, T: Lanes, const N: usize> Departure<'a, T, N> {
-    /// From a state, whose signs of determinants are `sides`, to a moment h later, in the lanes that are `moving`.
+    /// From a state, whose signs of determinants are `sides`, to a moment h later, in the lanes that are `moving`, with this many
+    /// unknowns that are iterated.
     #[inline(always)]
-    pub(crate) fn new(here: &'a State<T, N>, sides: &'a [T::Sides; N], h: T, moving: T::Mask) -> Self {
-        Self { here, sides, moving, weights: here.trend.weights(h) }
+    pub(crate) fn new(here: &'a State<T, N>, sides: &'a [T::Sides; N], h: T, moving: T::Mask, iterated: usize) -> Self {
+        Self { here, sides, moving, weights: here.trend.weights(h), is_small: iterated <= SMALL }
     }
 
     /// Where the unknowns `own` were, if they rested and the `inputs` rest where they did.
@@ -114,7 +121,11 @@ impl<'a, T: Lanes, const N: usize> Departure<'a, T, N> {
         let (x, way) = self.predict(scene);
         let side = *self.sides.get(name)?;
         let mut follows = self.moving.and(way.at_most(T::of(LONGEST_PREDICTION)));
-        let mut place = Place::at(x, scene.turns);
+        let mut place = if self.is_small {
+            Place::after(SVector::from_fn(|k, _| self.here.q[scene.unknowns[k]]), x, scene.turns)
+        } else {
+            Place::at(x, scene.turns)
+        };
         let mut longest = T::of(LONGEST_FIRST_CORRECTION);
         let mut iterations = 0;
         loop {

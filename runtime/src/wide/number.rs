@@ -175,12 +175,25 @@ macro_rules! register {
 }
 
 register!(f64x4, f64, 4, bits: u64, turn: turn_of_four);
-register!(f32x8, f32, 8, bits: u32, turn: Real::sin_cos);
+register!(f32x8, f32, 8, bits: u32, turn: turn_of_eight);
 
 /// (sine, cosine), all lanes at once unless one is far from zero.
 #[inline(always)]
 fn turn_of_four(x: f64x4) -> (f64x4, f64x4) {
     if x.abs().simd_lt(f64x4::splat(turn::LARGEST)).all() { turn::within_range(x) } else { turn_by_lane(x) }
+}
+
+/// (sine, cosine), four lanes at a time in double precision and rounded.
+#[inline(always)]
+fn turn_of_eight(x: f32x8) -> (f32x8, f32x8) {
+    // Written out, since rustc does not compile closures over eight lanes into their caller.
+    let [a, b, c, d, e, f, g, h] = x.to_array().map(f64::from);
+    let (low, high) = (turn_of_four(f64x4::new([a, b, c, d])), turn_of_four(f64x4::new([e, f, g, h])));
+    let both = |low: f64x4, high: f64x4| {
+        let ([a, b, c, d], [e, f, g, h]) = (low.to_array(), high.to_array());
+        f32x8::new([a as f32, b as f32, c as f32, d as f32, e as f32, f as f32, g as f32, h as f32])
+    };
+    (both(low.0, high.0), both(low.1, high.1))
 }
 
 #[cold]
