@@ -99,6 +99,12 @@ impl<'a, T: Lanes, const N: usize> Pass<'a, T, N> {
         }
     }
 
+    /// It begins with nothing; a pass straight on writes over the state before, in which constants are what they always are.
+    #[inline(always)]
+    pub fn starts_anew(&self) -> bool {
+        matches!(self.0, Way::Careful(_))
+    }
+
     /// Where unknowns of a block are if nothing moves it: where they were, if they rested and so did and do all `inputs`. None if
     /// it has to be solved.
     #[inline]

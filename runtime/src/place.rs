@@ -54,14 +54,14 @@ impl<T: Lanes, const K: usize> Place<T, K> {
             }
         }
         there.x = x;
-        if is_near.all() { there } else { Self::anew(x, turns) }
+        if is_near.all() { there } else { Self::anew(x, *turns) }
     }
 
     /// At x.
     #[cold]
     #[inline(never)]
-    fn anew(x: SVector<T, K>, turns: &[bool; K]) -> Self {
-        Self::at(x, turns)
+    fn anew(x: SVector<T, K>, turns: [bool; K]) -> Self {
+        Self::at(x, &turns)
     }
 
     /// At x + λ δ.

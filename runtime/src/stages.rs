@@ -98,7 +98,7 @@ pub trait Stages<T: Lanes, const N: usize>: Description<T, N> {
 
     /// The same in place.
     ///
-    /// * `found`: given, anything; returned, q, q̇ and q̈.
+    /// * `found`: given, anything if the pass [starts anew](Pass::starts_anew), else the state it sets out from; returned, q, q̇ and q̈.
     ///
     /// # Errors
     /// Why there are none near what the pass sets out from.

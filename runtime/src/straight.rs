@@ -153,7 +153,7 @@ impl<'a, T: Lanes, const N: usize> Departure<'a, T, N> {
             }
             // Lanes that have arrived stand still: they come to the same again.
             follows = follows.and(found.or(length.at_most(longest)));
-            place = further(place, correction, scene.turns).replaced(found, &place);
+            place = further(place, correction, *scene.turns).replaced(found, &place);
             longest = length * T::of(LARGEST_CONTRACTION);
         }
     }
@@ -162,8 +162,8 @@ impl<'a, T: Lanes, const N: usize> Departure<'a, T, N> {
 /// After a correction that was not the last.
 #[cold]
 #[inline(never)]
-fn further<T: Lanes, const K: usize>(place: Place<T, K>, correction: SVector<T, K>, turns: &[bool; K]) -> Place<T, K> {
-    place.moved(T::of(-1.0), &correction, turns)
+fn further<T: Lanes, const K: usize>(place: Place<T, K>, correction: SVector<T, K>, turns: [bool; K]) -> Place<T, K> {
+    place.moved(T::of(-1.0), &correction, &turns)
 }
 
 /// The sum of scaled magnitudes; NaN if one is.

@@ -40,8 +40,10 @@ impl Emitter<'_> {
         quote! {
                 static ORDER: [u16; #length] = [#(#order),*];
                 const CONSTANTS: &[(usize, f64)] = &[#(#constants),*];
-                for (unknown, value) in CONSTANTS {
-                    (#found.q[*unknown], #found.qd[*unknown], #found.qdd[*unknown]) = (T::of(*value), T::of(0.0), T::of(0.0));
+                if #pass.starts_anew() {
+                    for (unknown, value) in CONSTANTS {
+                        (#found.q[*unknown], #found.qd[*unknown], #found.qdd[*unknown]) = (T::of(*value), T::of(0.0), T::of(0.0));
+                    }
                 }
                 #(#given)*
                 let mut #turns = [(T::of(0.0), T::of(1.0)); #angles];
