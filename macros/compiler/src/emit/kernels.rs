@@ -7,7 +7,7 @@ use super::scene::{Scene, pair};
 use super::stages::{Index, Shelf, number};
 use crate::expr::{Leaf, Node};
 use crate::model::Dim;
-use crate::plan::{Kernel, Kernels, Part, Words};
+use crate::plan::{Kernel, Kernels, Part, Round, Words};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use std::collections::BTreeMap;
@@ -15,14 +15,16 @@ use std::collections::BTreeMap;
 impl Emitter<'_> {
     /// The body of `stages`: one call after the other
     pub(super) fn in_order(&self, kernels: &Kernels, shelf: &Shelf) -> TokenStream {
-        let (count, angles, rank) = (kernels.kernels.len(), self.angles(shelf).count(), self.ranks(shelf));
+        let (angles, rank) = (self.angles(shelf).count(), self.ranks(shelf));
         let (t, pass, found, turns, piece) = (local("t"), local("pass"), local("found"), local("turns"), local("piece"));
-        let order = kernels.order.iter().map(|kernel| Literal::usize_unsuffixed(*kernel));
-        let length = kernels.order.len();
-        let arms = (0..count).map(|kernel| {
-            let (pattern, name) = (Literal::usize_unsuffixed(kernel), name(shelf, kernel));
-            quote!(#pattern => self.#name(#piece, #t, #pass, #found, &mut #turns)?,)
-        });
+        let call = |kernel: usize| {
+            let name = name(shelf, kernel);
+            quote!(self.#name(#piece, #t, #pass, #found, &mut #turns)?)
+        };
+        let calls = match kernels.rounds() {
+            Some(rounds) => rounds.iter().map(|round| repeated(round, &piece, call)).collect(),
+            None => one_by_one(&kernels.order, kernels.kernels.len(), &piece, call),
+        };
         let constants = kernels.constants.iter().filter_map(|(unknown, value)| {
             let (place, value) = (Literal::usize_unsuffixed(shelf.place(*unknown)?), super::signed(*value));
             Some(quote!((#place, #value)))
@@ -38,7 +40,6 @@ impl Emitter<'_> {
             Some(quote!(#turns[#rank] = #found.q[#place].turn();))
         });
         quote! {
-                static ORDER: [u16; #length] = [#(#order),*];
                 const CONSTANTS: &[(usize, f64)] = &[#(#constants),*];
                 if #pass.starts_anew() {
                     for (unknown, value) in CONSTANTS {
@@ -48,15 +49,7 @@ impl Emitter<'_> {
                 #(#given)*
                 let mut #turns = [(T::of(0.0), T::of(1.0)); #angles];
                 #(#turned)*
-                let mut pieces = [0usize; #count];
-                for &shape in &ORDER {
-                    let #piece = pieces[shape as usize];
-                    pieces[shape as usize] += 1;
-                    match shape {
-                        #(#arms)*
-                        _ => {}
-                    }
-                }
+                #calls
                 ::core::result::Result::Ok(())
         }
     }
@@ -136,6 +129,38 @@ impl Emitter<'_> {
                 #parts
                 #writes
                 ::core::result::Result::Ok(())
+            }
+        }
+    }
+}
+
+/// Shapes that take turns, as a loop
+fn repeated(round: &Round, piece: &Ident, call: impl Fn(usize) -> TokenStream) -> TokenStream {
+    let (times, last) = (number(round.pieces(0)), number(round.pieces(0) - 1));
+    let calls = round.shapes.iter().enumerate().map(|(place, shape)| {
+        let call = call(*shape);
+        if round.pieces(place) < round.pieces(0) { quote!(if #piece < #last { #call; }) } else { quote!(#call;) }
+    });
+    quote!(for #piece in 0..#times { #(#calls)* })
+}
+
+/// Shapes in an order that is a table
+fn one_by_one(order: &[usize], count: usize, piece: &Ident, call: impl Fn(usize) -> TokenStream) -> TokenStream {
+    let length = order.len();
+    let order = order.iter().map(|shape| Literal::usize_unsuffixed(*shape));
+    let arms = (0..count).map(|shape| {
+        let (pattern, call) = (Literal::usize_unsuffixed(shape), call(shape));
+        quote!(#pattern => #call,)
+    });
+    quote! {
+        static ORDER: [u16; #length] = [#(#order),*];
+        let mut pieces = [0usize; #count];
+        for &shape in &ORDER {
+            let #piece = pieces[shape as usize];
+            pieces[shape as usize] += 1;
+            match shape {
+                #(#arms)*
+                _ => {}
             }
         }
     }

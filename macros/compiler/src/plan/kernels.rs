@@ -41,6 +41,23 @@ pub struct Kernel {
     pub kept: Vec<usize>,
 }
 
+/// Shapes that take turns.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Round {
+    /// The numbers of their kernels.
+    pub shapes: Vec<usize>,
+    /// How many calls there are in all.
+    pub calls: usize,
+}
+
+impl Round {
+    /// The number of pieces of the shape at this place.
+    #[must_use]
+    pub fn pieces(&self, place: usize) -> usize {
+        (self.calls + self.shapes.len() - 1 - place) / self.shapes.len()
+    }
+}
+
 /// Stages that one call computes: a block, or the unknowns that one joint gives.
 struct Run<'a> {
     stages: Vec<&'a Stage>,
@@ -62,6 +79,21 @@ impl Kernels {
         let is_driven = |stage: &&Stage| matches!(stage, Stage::Explicit { .. }) && stage.depends_on_time(frame.arena);
         let can_rest = stages.iter().filter(is_driven).count() > 1;
         Kernels { kernels, order, constants, can_rest, blocks }
+    }
+
+    /// The order as rounds, if every shape is in one of them only: loops in which rustc knows which function comes next.
+    pub fn rounds(&self) -> Option<Vec<Round>> {
+        let mut rounds: Vec<Round> = Vec::new();
+        let mut rest = self.order.as_slice();
+        while let [first, others @ ..] = rest {
+            let period = others.iter().position(|shape| shape == first).map_or(1, |position| position + 1);
+            let shapes = rest[..period].to_vec();
+            let calls = rest.iter().zip(shapes.iter().cycle()).take_while(|(shape, expected)| shape == expected).count();
+            rounds.push(Round { shapes, calls });
+            rest = &rest[calls..];
+        }
+        let mut seen = BTreeSet::new();
+        rounds.iter().flat_map(|round| &round.shapes).all(|shape| seen.insert(shape)).then_some(rounds)
     }
 
     /// The number of operations in all kernels.

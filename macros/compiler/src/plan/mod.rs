@@ -18,7 +18,7 @@ mod stages;
 mod words;
 
 pub use elimination::Elimination;
-pub use kernels::{Kernel, Kernels};
+pub use kernels::{Kernel, Kernels, Round};
 pub use outputs::Outputs;
 pub use rolled::{Code, Group, Target};
 pub use shape::{Column, Shape};
