@@ -132,3 +132,27 @@ fn turned<T: Lanes>((sine, cosine): (T, T), by: T) -> (T, T) {
     let small = by - by * square * (T::of(1.0 / 6.0) - square * T::of(1.0 / 120.0));
     (sine + (cosine * small - sine * less), cosine - (sine * small + cosine * less))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Place, SHORT_TURN};
+    use nalgebra::SVector;
+
+    /// Sines and cosines that were turned on are as good as those computed anew, over several turns and up to the longest way.
+    #[test]
+    fn turned_angles_are_within_two_roundings() {
+        for step in -400..=400 {
+            let from = f64::from(step) * 0.0937;
+            for share in [1.0, 0.999, 0.5, -0.73, 1e-3, -1e-9, 0.0] {
+                let right = |place: &Place<f64, 1>| {
+                    let (sine, cosine) = libm::sincos(place.x[0]);
+                    let (found, error) = (place.turn[0], |found: f64, exact: f64| (found - exact).abs() / f64::EPSILON);
+                    assert!(error(found.0, sine) <= 2.0 && error(found.1, cosine) <= 2.0, "{from} and {share}: {found:?}");
+                };
+                let (before, turns) = (SVector::from([from]), [true]);
+                right(&Place::after(before, SVector::from([from + share * SHORT_TURN]), &turns));
+                right(&Place::after(before, SVector::from([from + 40.0 * share * SHORT_TURN]), &turns));
+            }
+        }
+    }
+}

@@ -5,6 +5,7 @@ mod branches;
 mod components;
 mod crossings;
 mod files;
+mod finite;
 mod mechanisms;
 mod parameters;
 mod prepared;

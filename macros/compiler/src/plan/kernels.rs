@@ -83,17 +83,7 @@ impl Kernels {
 
     /// The order as rounds, if every shape is in one of them only: loops in which rustc knows which function comes next.
     pub fn rounds(&self) -> Option<Vec<Round>> {
-        let mut rounds: Vec<Round> = Vec::new();
-        let mut rest = self.order.as_slice();
-        while let [first, others @ ..] = rest {
-            let period = others.iter().position(|shape| shape == first).map_or(1, |position| position + 1);
-            let shapes = rest[..period].to_vec();
-            let calls = rest.iter().zip(shapes.iter().cycle()).take_while(|(shape, expected)| shape == expected).count();
-            rounds.push(Round { shapes, calls });
-            rest = &rest[calls..];
-        }
-        let mut seen = BTreeSet::new();
-        rounds.iter().flat_map(|round| &round.shapes).all(|shape| seen.insert(shape)).then_some(rounds)
+        rounds(&self.order)
     }
 
     /// The number of operations in all kernels.
@@ -133,6 +123,21 @@ impl Run<'_> {
         tag.extend(first.iter().map(|unknown| u32::from(frame.is_angle[*unknown as usize])));
         Piece { tag, first, results: self.stages.iter().flat_map(|stage| stage.results()).collect() }
     }
+}
+
+/// An order as rounds, if every number is in one of them only.
+fn rounds(order: &[usize]) -> Option<Vec<Round>> {
+    let mut rounds: Vec<Round> = Vec::new();
+    let mut rest = order;
+    while let [first, others @ ..] = rest {
+        let period = others.iter().position(|shape| shape == first).map_or(1, |position| position + 1);
+        let shapes = rest[..period].to_vec();
+        let calls = rest.iter().zip(shapes.iter().cycle()).take_while(|(shape, expected)| shape == expected).count();
+        rounds.push(Round { shapes, calls });
+        rest = &rest[calls..];
+    }
+    let mut seen = BTreeSet::new();
+    rounds.iter().flat_map(|round| &round.shapes).all(|shape| seen.insert(shape)).then_some(rounds)
 }
 
 /// For each block the number of its shape among blocks, and the operations of a step.
@@ -236,5 +241,35 @@ fn keep_turns(kernels: &mut [Kernel], turned: &[BTreeSet<usize>]) {
     for kernel in kernels {
         let is_wanted = |slot: &usize| (0..kernel.shape.count).any(|piece| wanted.contains(&kernel.shape.unknowns[*slot].at(piece)));
         kernel.kept = kernel.found.iter().copied().filter(is_wanted).collect();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Round, rounds};
+
+    /// What the loops call is the order.
+    fn is_kept(order: &[usize]) -> bool {
+        let Some(rounds) = rounds(order) else { return false };
+        let called = rounds.iter().flat_map(|round| {
+            let pieces = (0..round.pieces(0)).flat_map(|piece| (0..round.shapes.len()).map(move |place| (piece, place)));
+            pieces.filter(|(piece, place)| *piece < round.pieces(*place)).map(|(_, place)| round.shapes[place])
+        });
+        called.eq(order.iter().copied())
+    }
+
+    #[test]
+    fn turns_are_found_and_kept() {
+        assert_eq!(rounds(&[0, 1, 2, 3, 2, 3, 2]).map(|rounds| rounds.len()), Some(3));
+        for order in [&[][..], &[0], &[0, 0, 0], &[0, 1], &[0, 1, 0, 1, 0], &[0, 1, 2, 3, 2, 3, 2], &[0, 1, 2, 0, 1, 2, 3, 3, 4]] {
+            assert!(is_kept(order), "{order:?}");
+        }
+    }
+
+    #[test]
+    fn a_shape_that_comes_back_later_needs_the_table() {
+        for order in [&[0, 1, 1, 0][..], &[0, 0, 1, 0, 0, 1], &[0, 1, 0, 2, 1]] {
+            assert_eq!(rounds(order), None::<Vec<Round>>, "{order:?}");
+        }
     }
 }

@@ -1,0 +1,71 @@
+//! Numbers that are finite where a mechanism begins and not where it is taken: whoever asks for a state gets none.
+
+use reuleaux::{Cause, Mechanism, mechanism};
+
+mechanism! {
+    /// What is computed: a slider whose way ends at two seconds, in a direction that is a parameter.
+    mechanism Way {
+        param height: Length = 1m;
+        body slider {}
+        joint still = absolute_angle(slider, 0rad);
+        joint level = absolute_y(slider.position, height);
+        drive way = drive_x(slider.position, 1m * sqrt(2 - t / 1s));
+    }
+}
+
+mechanism! {
+    /// What is iterated: a drive between two links, in the block of a loop, whose rate has no end at two seconds.
+    mechanism Loop {
+        ground { point C = (4m, 0m); }
+        body crank { point A = (1m, 0m); start angle = 60deg; }
+        body coupler { point B = (3.5m, 0m); }
+        body rocker { point B = (3m, 0m); start angle = 110deg; }
+        joint o = revolute(ground.position, crank.position);
+        joint a = revolute(crank.A, coupler.position);
+        joint b = revolute(coupler.B, rocker.B);
+        joint c = revolute(ground.C, rocker.position);
+        drive input = drive_relative_angle(crank, coupler, -50deg + 5deg * sqrt(2 - t / 1s));
+    }
+}
+
+/// It goes on to the moment before two seconds, and not to any after it.
+fn ends_at_two<M: Mechanism<f64, N>, const N: usize>(mechanism: &M) {
+    for steps in [3, 7, 50, 64, 200] {
+        for result in mechanism.sweep((0..=steps).map(|step| 4.0 * f64::from(step) / f64::from(steps))) {
+            match result {
+                Ok(state) => {
+                    assert!(state.t < 2.0, "{state:?}");
+                    assert!([state.q, state.qd, state.qdd].iter().flatten().all(|entry| entry.is_finite()), "{state:?}");
+                }
+                Err(failure) => assert!(failure.time >= 1.99, "{failure}"),
+            }
+        }
+    }
+    let mut state = mechanism.solve(1.9).expect("before the end");
+    for t in [2.0, 2.0 + 1e-9, 2.1] {
+        let before = state.clone();
+        mechanism.advance(&mut state, t).expect_err("after the end");
+        assert_eq!(state, before);
+    }
+}
+
+#[test]
+fn a_way_ends_where_its_rate_does() {
+    ends_at_two(&Way::default());
+}
+
+#[test]
+fn a_block_ends_where_a_rate_in_it_does() {
+    ends_at_two(&Loop::default());
+}
+
+#[test]
+fn a_parameter_that_is_no_number_ends_what_is_taken_along() {
+    let mut way = Way::default();
+    let mut state = way.solve(0.0).expect("a state");
+    for height in [f64::NAN, f64::INFINITY] {
+        way.height = height;
+        let failure = way.advance(&mut state, 0.01).expect_err("no height");
+        assert!(matches!(failure.cause, Cause::ParameterOutOfRange(_)), "{failure}");
+    }
+}
