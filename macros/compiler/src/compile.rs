@@ -144,6 +144,7 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     // Every name is an id, every quantity has a dimension.
     let system = system::assemble(&model, diag)?;
     // There are unknowns and equations only, with all their derivatives.
+    closure::rows_depend_on_positions(&model, &system, diag)?;
     structure::rows_agree(&model, &system, diag)?;
     // All bodies hang on ground, and no row says what others say.
     let checked = closure::surplus(&model, &system, diag)?;

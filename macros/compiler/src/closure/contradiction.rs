@@ -26,6 +26,9 @@ const STRAIGHT_ON: usize = 8;
 /// What is off by no more than this, in rad or in lengths of the mechanism, was meant to fit.
 const NEAR: f64 = 0.01;
 
+/// Of an equation that was meant to follow from others less than this is left beside them.
+const LITTLE: f64 = 0.1;
+
 /// What so many joints hold and one more holds again is no frame.
 const FEW: usize = 2;
 
@@ -48,7 +51,7 @@ impl Search<'_, '_> {
         let Some((joint, q)) = found else { return };
         let pose = Pose { time: 0.0, q };
         let is_drive = |joint: usize| model.joints[joint].is_drive;
-        let is_meant = model.joints[joint].is_redundant || self.nearly_fits(joint, &pose);
+        let is_meant = model.joints[joint].is_redundant || self.nearly_fits(joint, &pose) && self.nearly_follows(joint, &pose);
         let is_held_twice = || {
             let has_room = self.pieces.iter().filter(|piece| piece.is_surplus).all(|piece| {
                 let of = |equation: &&usize| !is_drive(self.room.system.equations[**equation].joint);
@@ -76,6 +79,23 @@ impl Search<'_, '_> {
             sources.extend(dependent.into_iter().flat_map(|row| basis.sources(row)).map(of).filter(|other| *other != joint));
         }
         sources
+    }
+
+    /// One of the equations of a joint nearly follows from those of other joints, drives left out: it holds nothing that would move.
+    fn nearly_follows(&self, joint: usize, pose: &Pose) -> bool {
+        self.pieces.iter().filter(|piece| piece.is_surplus).any(|piece| {
+            let poses = self.room.matrices(piece, std::slice::from_ref(pose));
+            let mut basis = Basis::new(&poses);
+            let of_joints = (0..piece.equations.len()).filter(|row| !self.room.joint(piece, *row).is_drive);
+            let (own, others): (Vec<usize>, Vec<usize>) =
+                of_joints.partition(|row| self.room.system.equations[piece.equations[*row]].joint == joint);
+            others.into_iter().for_each(|row| basis.take(row));
+            own.into_iter().any(|row| {
+                let adds_little = basis.adds(row) < LITTLE;
+                basis.take(row);
+                adds_little
+            })
+        })
     }
 
     /// The equations of a joint are off by little.

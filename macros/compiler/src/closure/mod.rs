@@ -14,6 +14,7 @@
 
 mod contradiction;
 mod gap;
+mod identity;
 mod levenberg;
 mod links;
 mod loops;
@@ -29,6 +30,7 @@ mod tour;
 mod verdict;
 
 pub use gap::Gap;
+pub(crate) use identity::rows_depend_on_positions;
 pub(crate) use poses::Poses;
 pub(crate) use redundancy::surplus;
 pub use shortest::Bound;

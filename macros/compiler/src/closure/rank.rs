@@ -59,6 +59,11 @@ impl<'a> Basis<'a> {
         2 * independent > self.poses.len()
     }
 
+    /// What a row adds to those taken at the pose where it adds least.
+    pub(super) fn adds(&self, row: usize) -> f64 {
+        self.left(row).fold(1.0, f64::min)
+    }
+
     /// How well a row goes with those taken, over all poses: the logarithm of what is left of it.
     pub(super) fn fitness(&self, row: usize) -> f64 {
         self.left(row).map(|left| left.max(FAINTEST).ln()).sum()

@@ -21,6 +21,9 @@ const SINGULAR: f64 = 1e-6;
 /// Above this it is regular beyond doubt.
 const REGULAR: f64 = 1e-4;
 
+/// What is near, in sizes or rad.
+const NEAR: f64 = 0.1;
+
 /// By how much rows are shifted to see whether the block is singular elsewhere too, in sizes or rad.
 const SHIFTS: [f64; 3] = [1e-2, 1e-3, 1e-4];
 
@@ -53,16 +56,22 @@ impl Room<'_> {
         })
     }
 
-    /// What an entry of each row of a block can be: its largest by any unknown of the mechanism, in scaled unknowns, or 1.
+    /// What an entry of each row of a block can be: its largest by any unknown of the mechanism, there or anywhere near, in scaled
+    /// unknowns, or 1.
     ///
-    /// By the block's own unknowns alone a row may be small just because the block is singular.
+    /// By the block's own unknowns alone a row may be small just because the block is singular, and there alone just because it is the
+    /// square of something that vanishes there.
     fn row_sizes(&self, block: &Block, start: &[f64]) -> Vec<f64> {
         let scale = |unknown: usize| if self.is_angle(unknown) { 1.0 } else { self.size };
+        let near: Vec<f64> = start.iter().enumerate().map(|(unknown, value)| value + NEAR * scale(unknown)).collect();
         let size = |equation: &usize| {
             let row = &self.system.equations[*equation].jacobian;
             let entries: Vec<Expr> = row.iter().map(|(_, entry)| *entry).collect();
-            let values = evaluate(&self.system.arena, &entries, &Values { coordinates: start, ..self.known });
-            row.iter().zip(values).fold(0.0, |size: f64, ((unknown, _), value)| size.max((value * scale(*unknown)).abs()))
+            let largest = |coordinates: &[f64]| {
+                let values = evaluate(&self.system.arena, &entries, &Values { coordinates, ..self.known });
+                row.iter().zip(values).fold(0.0, |size: f64, ((unknown, _), value)| size.max((value * scale(*unknown)).abs()))
+            };
+            largest(start).max(largest(&near))
         };
         parts(block).1.iter().map(size).map(|size| if size > 0.0 && size.is_finite() { size } else { 1.0 }).collect()
     }
@@ -79,12 +88,16 @@ fn measure(problem: &mut Problem, block: &Block, sizes: &[f64], q: &[f64]) -> f6
         // A velocity-level row, or a row without value: nothing can be said.
         return 1.0;
     }
+    // Where all that an unknown does vanishes here, it is told by what it does elsewhere.
+    let near: Vec<f64> = q.iter().zip(&problem.scales).map(|(value, scale)| value + NEAR * scale).collect();
+    let elsewhere = problem.raw(&near);
     let mut reduced = vec![vec![0.0; k]; k];
     for column in 0..k {
         // How much each unknown moves with this one.
         let mut moves = vec![0.0; q.len()];
         moves[column] = 1.0;
-        let mut largest = rows.iter().fold(0.0, |largest: f64, row| largest.max(row[column].abs()));
+        let others = elsewhere.jacobian.iter().zip(sizes).map(|(row, size)| row[column] / size).filter(|entry| entry.is_finite());
+        let mut largest = rows.iter().map(|row| row[column]).chain(others).fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
         for place in 0..block.explicit.len() {
             let (row, own) = (&rows[k + place], k + place);
             let along: f64 = row.iter().zip(&moves).enumerate().filter(|(other, _)| *other != own).map(|(_, (entry, by))| entry * by).sum();

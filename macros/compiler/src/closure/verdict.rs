@@ -46,6 +46,9 @@ pub(super) fn judge(room: &Room, structure: &Structure, assembled: &mut Assemble
         }
     }
     judge.prefer_regular(&is_sure, assembled);
+    if let Some(refusal) = judge.without_rate(&is_sure, &assembled.start) {
+        return Some(refusal);
+    }
     let mut followed = 0;
     judge
         .iterated(&is_sure)
@@ -132,6 +135,22 @@ impl Judge<'_> {
         let equation = &all[*equations.iter().find(|equation| !has_value(equation))?];
         let joint = &self.room.model.joints[equation.joint];
         let fact = Fact::HasNoValue { joint: joint.name.to_string(), row: equation.row + 1, of: joint.residuals.len(), drives };
+        Some(((&joint.name).into(), fact))
+    }
+
+    /// A row that has a value at the start, but no rate or no acceleration there: a root that begins in zero.
+    fn without_rate(&self, is_sure: &[bool], start: &[f64]) -> Option<(Range, Fact)> {
+        let all = &self.room.system.equations;
+        let rest = vec![0.0; start.len()];
+        let values = super::Values { coordinates: start, velocities: &rest, accelerations: &rest, ..self.room.known };
+        let sure = self.structure.blocks.iter().zip(is_sure).filter(|(_, is_sure)| **is_sure);
+        let equations: Vec<usize> = sure.flat_map(|(block, _)| parts(block).1).collect();
+        let roots: Vec<super::Expr> = equations.iter().flat_map(|equation| [all[*equation].nu, all[*equation].gamma]).collect();
+        let found = super::evaluate(&self.room.system.arena, &roots, &values);
+        let place = found.iter().position(|value| !value.is_finite())?;
+        let equation = &all[equations[place / 2]];
+        let joint = &self.room.model.joints[equation.joint];
+        let fact = Fact::HasNoRate { joint: joint.name.to_string(), row: equation.row + 1, of: joint.residuals.len() };
         Some(((&joint.name).into(), fact))
     }
 

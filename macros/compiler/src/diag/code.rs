@@ -134,7 +134,7 @@ codes! {
     E0803: NotRedundant;
     // Closure.
     E0901: StaysOpen NeverCloses;
-    E0902: HasNoValue;
+    E0902: HasNoValue HasNoRate;
     E0903: SingularStart;
     E0904: AmbiguousStart;
     // Parameters.

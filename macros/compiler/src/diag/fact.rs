@@ -149,6 +149,7 @@ pub enum Fact {
     // The assembly at the declared defaults.
     StaysOpen { joint: String, gap: Box<Gap>, others: Vec<String>, drives: Vec<String>, bound: Option<Box<Bound>> },
     NeverCloses { joints: Vec<String>, drives: Vec<String>, bound: Option<Box<Bound>> },
+    HasNoRate { joint: String, row: usize, of: usize },
     HasNoValue { joint: String, row: usize, of: usize, drives: Vec<String> },
     SingularStart { bodies: Vec<String>, in_line: bool, drives: Vec<String>, has_others: bool },
     AmbiguousStart { body: String, coordinate: &'static str, is_angle: bool, values: [f64; 2], place: [f64; 2], is_declared: bool },

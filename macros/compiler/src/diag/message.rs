@@ -12,7 +12,7 @@ mod words;
 
 use super::{Fact, remedy};
 use std::fmt;
-use words::{did_you_mean, listed, plural, range_of};
+use words::{did_you_mean, equation, listed, plural, range_of};
 
 impl Fact {
     /// The sentence as a compile error says it: with the code at the end of the first line.
@@ -219,11 +219,8 @@ impl fmt::Display for Fact {
             }
             Fact::RequirementFails { why } => write!(f, "{why}"),
             Fact::RequirementFailsAtDefaults { why, value } => write!(f, "{why}\nnote: it is {value} at the declared defaults"),
-            Fact::RowOfNothing { joint, row: _, of: 1 } => {
-                write!(f, "the equation of `{joint}` does not depend on the position of any body")
-            }
             Fact::RowOfNothing { joint, row, of } => {
-                write!(f, "equation {row} of {of} of `{joint}` does not depend on the position of any body")
+                write!(f, "{} of `{joint}` does not depend on the position of any body", equation(*row, *of))
             }
             Fact::OnGround { joint, kind } => {
                 write!(f, "`{joint}` joins ground to ground, and ground does not move")?;
@@ -260,6 +257,7 @@ impl fmt::Display for Fact {
 
             Fact::StaysOpen { .. }
             | Fact::NeverCloses { .. }
+            | Fact::HasNoRate { .. }
             | Fact::HasNoValue { .. }
             | Fact::SingularStart { .. }
             | Fact::AmbiguousStart { .. } => assembly::write(f, self),

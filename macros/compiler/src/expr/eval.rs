@@ -82,6 +82,26 @@ pub fn evaluate(arena: &Arena, roots: &[Expr], values: &Values) -> Vec<f64> {
     found
 }
 
+/// What rounding errors of each root are a share of: the sums of its terms as if none cancelled, sines and cosines counting as 1.
+pub(crate) fn magnitudes(arena: &Arena, roots: &[Expr], values: &Values) -> Vec<f64> {
+    let order = arena.reachable(roots);
+    let of = evaluate(arena, &order, values);
+    let slot = |expr: Expr| order.partition_point(|&e| e < expr);
+    let mut sizes: Vec<f64> = Vec::with_capacity(order.len());
+    for (expr, value) in order.iter().zip(&of) {
+        let size = |operand: Expr| sizes[slot(operand)];
+        sizes.push(match *arena.node(*expr) {
+            Node::Unary(Unary::Neg | Unary::Abs, a) => size(a),
+            Node::Unary(Unary::Sin | Unary::Cos, _) => 1.0,
+            Node::Binary(Binary::Add | Binary::Sub, a, b) => size(a) + size(b),
+            Node::Binary(Binary::Mul, a, b) => size(a) * size(b),
+            Node::Binary(Binary::Div, a, b) => size(a) / of[slot(b)].abs(),
+            _ => value.abs(),
+        });
+    }
+    roots.iter().map(|root| sizes[slot(*root)]).collect()
+}
+
 /// The interpreter made ready for some roots, for those who evaluate them often.
 #[derive(Clone, Debug)]
 pub struct Evaluator {

@@ -26,6 +26,7 @@ mod substitute;
 
 pub use arena::Arena;
 pub use derivative::{Derivatives, derivative};
+pub(crate) use eval::magnitudes;
 pub use eval::{Evaluator, Values, evaluate};
 pub use exact::Exact;
 pub use jet::Jets;

@@ -1,6 +1,6 @@
 //! What is said of the assembly at the declared defaults.
 
-use super::words::list;
+use super::words::{equation, list};
 use crate::closure::{Bound, Gap};
 use crate::diag::Fact;
 use std::fmt::{Formatter, Result};
@@ -20,14 +20,14 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
             remedy(f, drives, bound.as_deref())
         }
         Fact::HasNoValue { joint, row, of, drives } => {
-            if *of == 1 {
-                write!(f, "the equation")?
-            } else {
-                write!(f, "equation {row} of {of}")?
-            }
+            write!(f, "{}", equation(*row, *of))?;
             write!(f, " of `{joint}` has no value near the start: a root of something negative, or a division by zero")?;
             write!(f, "\nhelp: declare a `start` at which it has one")?;
             if drives.is_empty() { Ok(()) } else { write!(f, ", or let {} have another value at t = 0", list(drives)) }
+        }
+        Fact::HasNoRate { joint, row, of } => {
+            write!(f, "{} of `{joint}` has no finite rate at t = 0", equation(*row, *of))?;
+            write!(f, "\nhelp: a law that begins like a root of time begins with infinite speed: take one with two finite derivatives")
         }
         Fact::SingularStart { bodies, in_line, drives, has_others } => {
             let (is, verb) = if bodies.len() == 1 { ("is", "stands") } else { ("are", "stand") };

@@ -82,3 +82,8 @@ pub(super) fn range_of([least, most]: &[usize; 2], noun: &str) -> String {
         _ => format!("{least} to {}", plural(*most, noun)),
     }
 }
+
+/// `the equation`, or `equation 2 of 3` where there are more.
+pub(super) fn equation(row: usize, of: usize) -> String {
+    if of == 1 { "the equation".to_owned() } else { format!("equation {row} of {of}") }
+}

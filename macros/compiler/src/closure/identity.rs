@@ -1,0 +1,69 @@
+//! Rows that hold or do not hold wherever the bodies are: sin² + cos² = 1, the distance of two points of one body.
+//!
+//! In: a [`System`]. Out: a refusal of each joint with such a row. Rows that say so by their pattern alone have been refused before;
+//! these have derivatives whose terms cancel, whatever the coordinates.
+
+use super::Room;
+use super::tour::with_room;
+use crate::diag::{Diag, Fact};
+use crate::expr::{Evaluator, Expr, Values, magnitudes};
+use crate::model::Model;
+use crate::structure::Said;
+use crate::syntax::ast::Closing;
+use crate::system::System;
+
+/// What is left of terms that cancel is at most this share of them.
+const ROUNDING: f64 = 1e-12;
+
+/// Derivatives above this, in m and rad, do not vanish.
+const SMALL: f64 = 1e-6;
+
+/// Positions at which the derivatives are looked at.
+const LOOKS: usize = 3;
+
+/// Refuses rows whose derivatives vanish wherever the bodies are.
+pub(crate) fn rows_depend_on_positions(model: &Model, system: &System, diag: &mut Diag) -> Option<()> {
+    if model.closing != Closing::Deny {
+        // Numbers that are placeholders tell nothing.
+        return Some(());
+    }
+    let rows: Vec<Vec<Expr>> =
+        system.equations.iter().map(|equation| equation.jacobian.iter().map(|(_, entry)| *entry).collect()).collect();
+    let entries: Vec<Expr> = rows.concat();
+    let resting = with_room(model, system, |room| {
+        let mut evaluator = Evaluator::new(&system.arena, &entries);
+        let mut values = vec![f64::NAN; entries.len()];
+        let mut resting: Vec<usize> = (0..rows.len()).collect();
+        for look in 0..LOOKS {
+            let known = Values { coordinates: &room.anywhere(look), ..room.known };
+            evaluator.run(&known, &mut values);
+            let mut rest = values.as_slice();
+            let ends: Vec<&[f64]> = rows.iter().map(|row| rest.split_off(..row.len()).unwrap_or_default()).collect();
+            // Most rows are seen to depend on something at once.
+            let is_small = |row: &usize| ends[*row].iter().all(|value| value.abs() < SMALL * room.size.min(1.0));
+            let cancels = |row: &usize| {
+                let sizes = magnitudes(&system.arena, &rows[*row], &known);
+                ends[*row].iter().zip(sizes).all(|(value, size)| value.abs() <= ROUNDING * size)
+            };
+            resting.retain(|row| is_small(row) && cancels(row));
+        }
+        resting
+    });
+    let mut said = Said::default();
+    for equation in resting.into_iter().map(|row| &system.equations[row]) {
+        let joint = &model.joints[equation.joint];
+        if said.is_new(&joint.name) {
+            let fact = Fact::RowOfNothing { joint: joint.name.to_string(), row: equation.row + 1, of: joint.residuals.len() };
+            diag.refuse::<()>(&joint.name, fact);
+        }
+    }
+    diag.is_clean().then_some(())
+}
+
+impl Room<'_> {
+    /// Coordinates that have nothing to do with each other.
+    fn anywhere(&self, look: usize) -> Vec<f64> {
+        let share = |unknown: usize| 2.0 * ((unknown * LOOKS + look + 1) as f64 * 0.618_033_988_749_895).fract();
+        (0..self.system.unknowns.len()).map(|unknown| share(unknown) * self.scale(unknown)).collect()
+    }
+}
