@@ -75,11 +75,16 @@ impl<T: Lanes, const N: usize> Linear<T, N> for Small<T, N> {
 
     #[inline(always)]
     fn growth(&self, sizes: &SVector<T, N>, shares: &SVector<T, N>) -> T {
-        let share = self.share.abs();
-        (0..N).fold(T::of(1.0), |largest, i| {
-            let growth = (1..N).fold(self.adjugate[(i, 0)].abs() * sizes[0], |sum, k| sum + self.adjugate[(i, k)].abs() * sizes[k]);
-            largest.max((growth * share) * shares[i])
-        })
+        // Loops, since rustc does not always compile a closure over the entries into its caller.
+        let (share, mut largest) = (self.share.abs(), T::of(1.0));
+        for i in 0..N {
+            let mut growth = self.adjugate[(i, 0)].abs() * sizes[0];
+            for k in 1..N {
+                growth = growth + self.adjugate[(i, k)].abs() * sizes[k];
+            }
+            largest = largest.max((growth * share) * shares[i]);
+        }
+        largest
     }
 
     #[inline(always)]
