@@ -118,11 +118,15 @@ impl<T: Float> Cause<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>, name: &str, t: f64) -> fmt::Result {
         match self {
             Cause::DoesNotClose { row, residual, gap } => {
-                write!(f, "`{name}` does not close at t = {t} s: {row} stays open by {:.2e} m", gap.to_f64())?;
-                if row.unit == "m" { Ok(()) } else { write!(f, " (residual {:.2e} {})", residual.to_f64(), row.unit) }
+                write!(f, "`{name}` does not close at t = {t} s: {row} stays open by {}", Measure(gap.to_f64(), "m"))?;
+                if row.unit == "m" { Ok(()) } else { write!(f, " (residual {})", Measure(residual.to_f64(), row.unit)) }
             }
             Cause::DoesNotHold { row, residual } => {
-                write!(f, "`{name}` does not fit at t = {t} s: {row} is redundant and off by {:.2e} {}", residual.to_f64().abs(), row.unit)
+                write!(
+                    f,
+                    "`{name}` does not fit at t = {t} s: {row} is redundant and off by {}",
+                    Measure(residual.to_f64().abs(), row.unit)
+                )
             }
             Cause::Singular { row, coordinate, condition } => write!(
                 f,
@@ -131,9 +135,8 @@ impl<T: Float> Cause<T> {
             ),
             Cause::BranchLost { coordinate, jump } => write!(
                 f,
-                "`{name}` loses its branch at t = {t} s: {coordinate} would jump by {:.2e} {}",
-                jump.to_f64(),
-                coordinate.kind.unit()
+                "`{name}` loses its branch at t = {t} s: {coordinate} would jump by {}",
+                Measure(jump.to_f64(), coordinate.kind.unit())
             ),
             Cause::NotFinite { of } => write!(f, "`{name}` is not finite at t = {t} s: {of}"),
             Cause::ParameterOutOfRange(parameter) => write!(f, "`{name}` cannot be solved with {parameter}"),
@@ -144,6 +147,26 @@ impl<T: Float> Cause<T> {
             ),
             Cause::TooManySteps { steps } => write!(f, "`{name}` does not reach t = {t} s in {steps} steps"),
         }
+    }
+}
+
+/// A quantity in SI as one would write it: a length in mm or m, an angle in degrees, three digits.
+struct Measure(f64, &'static str);
+
+impl fmt::Display for Measure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let &Measure(value, unit) = self;
+        let (shown, unit) = match unit {
+            "m" if value.abs() < 10.0 => (value * 1e3, " mm"),
+            "m" => (value, " m"),
+            "rad" => (value.to_degrees(), "°"),
+            _ => return write!(f, "{value:.2e} {unit}"),
+        };
+        if shown != 0.0 && !(1e-3..1e6).contains(&shown.abs()) {
+            return write!(f, "{shown:.2e}{unit}");
+        }
+        let decimals = if shown == 0.0 { 0 } else { (2.0 - libm::floor(libm::log10(shown.abs()))).max(0.0) as usize };
+        write!(f, "{shown:.decimals$}{unit}")
     }
 }
 
@@ -179,3 +202,28 @@ impl<T: Float> fmt::Display for ParameterOutOfRange<T> {
 }
 
 impl<T: Float> Error for ParameterOutOfRange<T> {}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use super::Measure;
+    use std::string::ToString;
+
+    #[test]
+    fn quantities_have_three_digits() {
+        for (value, unit, shown) in [
+            (0.01234, "m", "12.3 mm"),
+            (-1.15e-3, "m", "-1.15 mm"),
+            (2.5, "m", "2500 mm"),
+            (1234.5, "m", "1234 m"),
+            (3.0e-9, "m", "3.00e-6 mm"),
+            (0.5, "rad", "28.6°"),
+            (0.0, "rad", "0°"),
+            (0.25, "m²", "2.50e-1 m²"),
+            (f64::NAN, "m", "NaN m"),
+            (f64::INFINITY, "m", "inf m"),
+        ] {
+            assert_eq!(Measure(value, unit).to_string(), shown);
+        }
+    }
+}

@@ -69,10 +69,7 @@ fn what_does_not_fit_is_named_with_its_row_and_by_how_much() {
     assert_eq!((row.joint, row.kind, row.index, row.unit), ("f", "revolute", 2, "m"));
     let off = |angle: f64| 0.5 * angle.sin() - (0.501_f64.powi(2) - (0.5 * angle.cos()).powi(2)).sqrt();
     assert!((residual - off(FRAC_PI_3 + 2.0 * failure.time)).abs() < 1e-15, "{residual}");
-    assert_eq!(
-        failure.to_string(),
-        "`Coupled` does not fit at t = 0 s: joint `f` (revolute, row 2 of 2) is redundant and off by 1.15e-3 m"
-    );
+    assert_eq!(failure.to_string(), "`Coupled` does not fit at t = 0 s: joint `f` (revolute, row 2 of 2) is redundant and off by 1.15 mm");
     // Away from the start as well, and in place.
     let mut state = Coupled::default().solve(0.0).expect("it fits");
     let before = state.clone();
