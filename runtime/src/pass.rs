@@ -43,10 +43,10 @@ pub(crate) struct Walk<T: Lanes> {
     pub(crate) iterations: usize,
 }
 
-/// An equation that follows from others holds if its residual is at most this many roundings of its terms times the condition of the
-/// blocks before it. Errors of some blocks one after the other have room in that, and what is felt in a machine has not: 6e-14 of
-/// its size in double precision, at a condition of 1.
-pub(crate) const HOLDS: f64 = 256.0;
+/// An equation that follows from others holds if its residual is at most this many roundings of its terms, and of what its coordinates
+/// are a share of, times the condition of the blocks before it. Errors of some blocks one after the other have room in that, and
+/// what is felt in a machine has not: some 1e-13 of its size in double precision, at a condition of 1.
+pub(crate) const HOLDS: f64 = 64.0;
 
 /// Why a pass ended early.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -168,12 +168,14 @@ impl<'a, T: Lanes, const N: usize> Pass<'a, T, N> {
         })
     }
 
-    /// Takes note of the residual of an equation that is not solved since it follows from others; rounding errors of it are a share of
-    /// `size`.
+    /// Takes note of the residual of an equation that is not solved since it follows from others.
     ///
     /// * `row`: given, its index in Φ.
+    /// * `terms`, `lengths`, `angles`: given, the magnitude of its terms, and its slope by lengths and by angles: it shows their errors
+    ///   too, which are a share of L and of 1.
     #[inline(always)]
-    pub fn check(&mut self, row: usize, residual: T, size: T) {
+    pub fn check(&mut self, row: usize, residual: T, [terms, lengths, angles]: [T; 3]) {
+        let size = terms + self.lengths().0 * lengths + angles;
         match &mut self.0 {
             Way::Straight(Straight { walk, .. }) => {
                 walk.found = walk.found.and(residual.abs().at_most(bound(walk.condition, size)));

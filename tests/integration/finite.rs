@@ -28,6 +28,15 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A law that ends smoothly where its base is zero: value, rate and acceleration vanish there, and it is not defined after.
+    mechanism Power {
+        body crank {}
+        joint o = revolute(ground.position, crank.position);
+        drive input = drive_angle(crank, 60deg * (1 - t / 2s)^2.5 + 1rad * (1 - t / 2s)^2.2);
+    }
+}
+
 /// It goes on to the moment before two seconds, and not to any after it.
 fn ends_at_two<M: Mechanism<f64, N>, const N: usize>(mechanism: &M) {
     for steps in [3, 7, 50, 64, 200] {
@@ -68,4 +77,21 @@ fn a_parameter_that_is_no_number_ends_what_is_taken_along() {
         let failure = way.advance(&mut state, 0.01).expect_err("no height");
         assert!(matches!(failure.cause, Cause::ParameterOutOfRange(_)), "{failure}");
     }
+}
+
+#[test]
+fn a_power_vanishes_smoothly_with_its_base() {
+    let power = Power::default();
+    let crank = power.solve(2.0).expect("the last moment").crank();
+    assert_eq!([crank.angle, crank.angular_velocity, crank.angular_acceleration], [0.0; 3]);
+    let base: f64 = 0.25;
+    let crank = power.solve(1.5).expect("before").crank();
+    let (first, second) = (std::f64::consts::FRAC_PI_3, 1.0);
+    let exact = first * base.powf(2.5) + second * base.powf(2.2);
+    let rate = -0.5 * (2.5 * first * base.powf(1.5) + 2.2 * second * base.powf(1.2));
+    let acceleration = 0.25 * (2.5 * 1.5 * first * base.powf(0.5) + 2.2 * 1.2 * second * base.powf(0.2));
+    for (found, exact) in [(crank.angle, exact), (crank.angular_velocity, rate), (crank.angular_acceleration, acceleration)] {
+        assert!((found - exact).abs() <= 1e-15 * exact.abs().max(1.0), "{found} for {exact}");
+    }
+    power.solve(2.001).expect_err("below zero");
 }

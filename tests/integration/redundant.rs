@@ -27,6 +27,24 @@ reuleaux::mechanism! {
     }
 }
 
+reuleaux::mechanism! {
+    /// A straight line after Scott Russell, and a wall along it that holds the head where it is anyway: at a place that is zero.
+    pub mechanism Straight {
+        param length: Length = 300mm;
+        ground { axis way = (1, 0); }
+        body crank { point M = (length, 0mm); }
+        body rod   { point M = (length, 0mm);  point T = (2 * length, 0mm);  start angle = 150deg; }
+        body head  { }
+        joint o = revolute(ground.position, crank.position);
+        joint m = revolute(crank.M, rod.M);
+        joint slide = point_on_line(ground.position, ground.way, rod.position);
+        joint tip = revolute(rod.T, head.position);
+        joint level = absolute_angle(head, 0rad);
+        redundant joint wall = absolute_x(head.position, 0mm);
+        drive input = drive_angle(crank, 30deg + 20deg * sin(1rad_s * t));
+    }
+}
+
 /// The rod stays level, and all cranks turn alike.
 #[test]
 fn a_third_crank_turns_with_the_others() {
@@ -256,4 +274,17 @@ fn it_is_a_mechanism_like_any_other() {
         mechanism.sweep([0.0, 0.1, 0.2]).filter(Result::is_ok).count()
     }
     assert_eq!((ends(&Coupled::default()), ends(&Table::default())), (3, 3));
+}
+
+/// What is checked is near zero, and the coordinates it is made of have the rounding errors of lengths.
+#[test]
+fn a_place_that_is_zero_is_held() {
+    for length in [0.1, 0.3, 0.37, 1.0, 1.3, 7e-6, 3e5] {
+        let mechanism = Straight { length };
+        for state in mechanism.sweep((0..1000).map(|k| f64::from(k) * 0.01)) {
+            let state = state.expect("a head that is where the wall is");
+            assert!(state.head().position.x.abs() <= 1e-14 * length);
+        }
+        assert!(mechanism.solve(5.0).is_ok());
+    }
 }

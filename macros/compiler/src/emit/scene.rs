@@ -32,12 +32,12 @@ impl Scene<'_> {
     pub(super) fn part(&self, number: usize, part: &Part) -> TokenStream {
         match part {
             Part::Block(block) => self.block(number, block),
-            Part::Check { steps, equation, residual, size } => {
+            Part::Check { steps, equation, residual, sizes } => {
                 let steps = self.steps(&self.lines.names, steps);
                 let printer = Printer { arena: self.arena, names: &self.lines.names, turn: "turn" };
-                let (residual, size) = (printer.expression(*residual), printer.expression(*size));
+                let (residual, sizes) = (printer.expression(*residual), sizes.map(|size| printer.expression(size)));
                 let (pass, equation) = (local("pass"), &self.equations[*equation]);
-                quote!(#steps #pass.check(#equation, #residual, #size);)
+                quote!(#steps #pass.check(#equation, #residual, [#(#sizes),*]);)
             }
             Part::Explicit { steps, unknown, motion } => {
                 let steps = self.steps(&self.lines.names, steps);

@@ -4,7 +4,7 @@ use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
 use super::value::{Scalar, Value, Vector};
 use crate::diag::{Fact, Range};
-use crate::expr::{Exact, Unary};
+use crate::expr::{Exact, Expr, Unary};
 use crate::syntax::ast::{self, Operator, Relation};
 
 impl Elaborator<'_> {
@@ -176,7 +176,20 @@ impl Elaborator<'_> {
                 self.arena.unary(Unary::Exp, product)
             }
         };
+        let is_smooth_at_zero = constant.is_some_and(|exponent| exponent > 2.0 && exponent.fract() != 0.0);
+        let is_constant = self.arena.as_constant(one.expr).is_some();
+        let expr = if is_smooth_at_zero && !is_constant { self.with_zero(one.expr, expr) } else { expr };
         Some(Scalar { expr, measure })
+    }
+
+    /// A power above the second, also where its base is 0: it vanishes there with its first two derivatives, which roots and logarithms
+    /// do not show. Below 0 it is not finite.
+    fn with_zero(&mut self, base: Expr, power: Expr) -> Expr {
+        let (zero, one) = (self.arena.integer(0), self.arena.integer(1));
+        let sign = self.arena.unary(Unary::Sign, base);
+        let from_one = self.arena.add(one, sign);
+        let otherwise = self.arena.unary(Unary::Ln, from_one);
+        self.arena.select(zero, base, power, otherwise)
     }
 
     pub(super) fn choice(

@@ -208,7 +208,7 @@ fn kernel(shape: Shape, runs: Vec<&Run>, turned: &BTreeSet<usize>, words: &Words
                 equations = (0..k).map(|row| Column::of(runs.iter().map(|run| run.equation(row)).collect())).collect();
             }
             Stage::Check { .. } => {
-                stages.push(Stage::Check { equation: 0, residual: own[0], size: own[1] });
+                stages.push(Stage::Check { equation: 0, residual: own[0], sizes: [own[1], own[2], own[3]] });
                 equations = vec![Column::of(runs.iter().map(|run| run.equation(0)).collect())];
             }
         }

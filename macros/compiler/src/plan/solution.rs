@@ -99,8 +99,8 @@ pub enum Part {
         equation: usize,
         /// Its residual.
         residual: Expr,
-        /// What rounding errors of that are a share of.
-        size: Expr,
+        /// What rounding errors of that are a share of: its terms, its slope by lengths, and by angles.
+        sizes: [Expr; 3],
     },
 }
 
@@ -213,7 +213,7 @@ pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet
     for (stage, moving) in stages.iter().zip(&moving) {
         match stage {
             Stage::Explicit { motion, .. } => roots.extend(motion),
-            Stage::Check { residual, size, .. } => roots.extend([residual, size]),
+            Stage::Check { residual, sizes, .. } => roots.extend([residual].into_iter().chain(sizes)),
             Stage::Block(system) => {
                 hoisted.extend(fixed(arena, system, moving));
                 roots.extend(system.sizes.iter().chain(&system.rates).chain(&system.accelerations));
@@ -282,11 +282,11 @@ fn part(arena: &Arena, work: &mut Work, stage: &Stage, moving: &BTreeSet<Expr>, 
             Part::Explicit { steps: work.take(), unknown: *unknown, motion: *motion }
         }
         Stage::Block(system) => Part::Block(Box::new(iterated(arena, work, system, moving, words))),
-        Stage::Check { equation, residual, size } => {
-            for expr in [residual, size] {
+        Stage::Check { equation, residual, sizes } => {
+            for expr in [residual].into_iter().chain(sizes) {
                 work.serve(*expr);
             }
-            Part::Check { steps: work.take(), equation: *equation, residual: *residual, size: *size }
+            Part::Check { steps: work.take(), equation: *equation, residual: *residual, sizes: *sizes }
         }
     }
 }

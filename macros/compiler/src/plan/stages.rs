@@ -11,6 +11,7 @@
 use super::magnitude::magnitude;
 use super::{Elimination, linear};
 use crate::expr::{Arena, Expr, Jets, Leaf, Substitution, derivative};
+use crate::model::Dim;
 use crate::structure::{Block, Explicit, Structure};
 use crate::system::{Output, System};
 
@@ -34,8 +35,9 @@ pub enum Stage {
         equation: usize,
         /// Its left minus its right side.
         residual: Expr,
-        /// What its rounding errors are a share of.
-        size: Expr,
+        /// What its rounding errors are a share of: its terms, and how much it changes with lengths, and with angles, whose own errors
+        /// it shows.
+        sizes: [Expr; 3],
     },
 }
 
@@ -58,7 +60,7 @@ impl Stage {
     pub(super) fn results(&self) -> Vec<Expr> {
         match self {
             Stage::Explicit { motion, .. } => motion.to_vec(),
-            Stage::Check { residual, size, .. } => vec![*residual, *size],
+            Stage::Check { residual, sizes, .. } => [*residual].into_iter().chain(*sizes).collect(),
             Stage::Block(Iteration { residuals, jacobian, sizes, rates, accelerations, .. }) => {
                 [residuals, sizes, rates, accelerations].into_iter().chain(jacobian).flatten().copied().collect()
             }
@@ -142,9 +144,24 @@ impl Work<'_> {
     /// An equation that must hold of itself, unless it does so whatever the parameters.
     fn check(&mut self, equation: usize) -> Option<Stage> {
         let residual = self.constants.of(self.arena, self.system.equations[equation].phi?);
-        let size = magnitude(self.arena, residual, &[], self.system);
-        let vanishes = self.arena.as_constant(residual).is_some_and(|value| value.is_zero());
-        (!vanishes).then_some(Stage::Check { equation, residual, size })
+        if self.arena.as_constant(residual).is_some_and(|value| value.is_zero()) {
+            return None;
+        }
+        let [lengths, angles] = [Dim::LENGTH, Dim::ANGLE].map(|dim| self.slope(equation, dim));
+        let sizes = [magnitude(self.arena, residual, &[], self.system), lengths, angles];
+        Some(Stage::Check { equation, residual, sizes })
+    }
+
+    /// By how much an equation changes with the unknowns that measure this, at most.
+    fn slope(&mut self, equation: usize, dim: Dim) -> Expr {
+        let mut sum = self.arena.integer(0);
+        let measures = |unknown: usize| self.system.unknowns[unknown].dim == dim;
+        for (_, entry) in self.system.equations[equation].jacobian.iter().filter(|(unknown, _)| measures(*unknown)) {
+            let entry = self.constants.of(self.arena, *entry);
+            let size = magnitude(self.arena, entry, &[], self.system);
+            sum = self.arena.add(sum, size);
+        }
+        sum
     }
 
     /// An unknown with this value.

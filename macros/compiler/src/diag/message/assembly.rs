@@ -26,8 +26,8 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
             if drives.is_empty() { Ok(()) } else { write!(f, ", or let {} have another value at t = 0", list(drives)) }
         }
         Fact::HasNoRate { joint, row, of } => {
-            write!(f, "{} of `{joint}` has no finite rate at t = 0", equation(*row, *of))?;
-            write!(f, "\nhelp: a law that begins like a root of time begins with infinite speed: take one with two finite derivatives")
+            write!(f, "{} of `{joint}` has no finite first and second derivative by time at t = 0", equation(*row, *of))?;
+            write!(f, "\nhelp: a root of what vanishes there has none: take a law that begins smoothly")
         }
         Fact::SingularStart { bodies, in_line, drives, has_others } => {
             let (is, verb) = if bodies.len() == 1 { ("is", "stands") } else { ("are", "stand") };
