@@ -62,7 +62,7 @@ impl Search<'_, '_> {
             are_few || has_room && self.closes_without(start, &is_drive).is_none()
         };
         if is_meant || is_held_twice() {
-            self.refuse_contradiction(joint, &pose);
+            self.refuse_contradiction(joint, &pose, Some(pose.time));
         }
     }
 
@@ -121,7 +121,22 @@ impl Search<'_, '_> {
         for joint in marked {
             let tour = self.room.tour(self.pieces, start, |equation| self.room.system.equations[equation].joint == joint);
             if let (true, Some(pose)) = (tour.holds, tour.poses.get(1)) {
-                return self.refuse_contradiction(joint, pose);
+                return self.refuse_contradiction(joint, pose, Some(pose.time));
+            }
+        }
+    }
+
+    /// The equations that are checked hold at the start, but nowhere near it, whatever the drives: these may rest at first.
+    pub(super) fn contradiction_elsewhere(&mut self, start: &[f64], checked: &BTreeSet<usize>) {
+        let room = self.room;
+        let joint = |equation: usize| room.system.equations[equation].joint;
+        let poses =
+            room.pushed(self.pieces, start.to_vec(), |equation| checked.contains(&equation) || room.model.joints[joint(equation)].is_drive);
+        for joint in checked.iter().map(|equation| joint(*equation)).collect::<BTreeSet<usize>>() {
+            let is_off = |pose: &Pose| room.misfit(joint, pose) != (None, None);
+            // An assembly that is off may be another one.
+            if poses.len() > FEW && poses[1..].iter().all(is_off) {
+                return self.refuse_contradiction(joint, &poses[1], None);
             }
         }
     }
@@ -141,7 +156,7 @@ impl Search<'_, '_> {
         pieces.flat_map(|piece| &piece.equations).map(|equation| self.room.system.equations[*equation].joint).collect()
     }
 
-    fn refuse_contradiction(&mut self, joint: usize, pose: &Pose) {
+    fn refuse_contradiction(&mut self, joint: usize, pose: &Pose, time: Option<f64>) {
         let room = self.room;
         let name = &room.model.joints[joint].name;
         let (length, angle) = room.misfit(joint, pose);
@@ -150,7 +165,7 @@ impl Search<'_, '_> {
             return;
         }
         let (bodies, is_redundant) = (room.touched(joint), room.model.joints[joint].is_redundant);
-        let fact = Fact::CannotHold { joint: name.to_string(), bodies, length, angle, time: pose.time, is_redundant };
+        let fact = Fact::CannotHold { joint: name.to_string(), bodies, length, angle, time, is_redundant };
         self.diag.refuse::<()>(name, fact);
     }
 }

@@ -76,11 +76,11 @@ pub(crate) fn close(model: &Model, system: &System, structure: &Structure, diag:
         return Some(Closure { start: room.unassembled(), is_closed: false, remark: None });
     }
     let mut assembled = room.assembled(structure);
+    if model.closing == Closing::Deny && !model.equations_only {
+        redundancy::drives_have_something_to_drive(&room, structure, &assembled, diag)?;
+    }
     if assembled.is_closed && !model.equations_only {
         redundancy::equations_are_independent(&room, structure, &assembled.start, diag)?;
-    }
-    if assembled.open.is_some() && model.closing == Closing::Deny {
-        redundancy::drives_have_something_to_drive(&room, structure, diag)?;
     }
     let verdict = if model.equations_only { None } else { verdict::judge(&room, structure, &mut assembled) };
     let mut closure = Closure { start: room.rounded(&assembled.start), is_closed: assembled.is_closed, remark: None };

@@ -6,6 +6,7 @@
 //! ones: the third crank of a parallelogram is redundant although with other lengths it would not close. Not done here: counting,
 //! which is the work of `structure/verdict.rs`; so is what over-determines the drives.
 
+use super::order::Assembled;
 use super::rank::{Basis, Matrix};
 use super::rows::Rows;
 use super::tour::{Tour, with_room};
@@ -48,8 +49,9 @@ pub(super) fn equations_are_independent(room: &Room, structure: &Structure, star
 
 /// Refuses a drive of what joints hold already, such as one between two sides of a triangle: without it everything closes, and wherever
 /// the mechanism is then pushed, the equation of the drive follows from those of joints. Its pattern does not show that.
-pub(super) fn drives_have_something_to_drive(room: &Room, structure: &Structure, diag: &mut Diag) -> Option<()> {
-    if room.system.unknowns.len() > LARGEST {
+pub(super) fn drives_have_something_to_drive(room: &Room, structure: &Structure, assembled: &Assembled, diag: &mut Diag) -> Option<()> {
+    let is_suspicious = assembled.open.is_some() || room.has_singular_block(structure, &assembled.start);
+    if room.system.unknowns.len() > LARGEST || !is_suspicious {
         return Some(());
     }
     let pieces = pieces(room.system, structure);
@@ -57,7 +59,8 @@ pub(super) fn drives_have_something_to_drive(room: &Room, structure: &Structure,
     let names = |joints: BTreeSet<usize>| joints.iter().map(|joint| room.model.joints[*joint].name.to_string()).collect();
     for (drive, declared) in room.model.joints.iter().enumerate().filter(|(_, joint)| joint.is_drive) {
         let is_of_it = |equation: usize| room.system.equations[equation].joint == drive;
-        let (q, is_closed) = room.assembled_in_pieces(&pieces, is_of_it);
+        let there = || (assembled.start.clone(), true);
+        let (q, is_closed) = if assembled.open.is_none() { there() } else { room.assembled_in_pieces(&pieces, is_of_it) };
         if !is_closed {
             continue;
         }
@@ -118,7 +121,11 @@ impl Search<'_, '_> {
             return BTreeSet::new();
         }
         let pieces: Vec<&Piece> = self.pieces.iter().filter(|piece| piece.is_surplus).collect();
-        pieces.iter().flat_map(|piece| self.left_over(piece, &tour)).collect()
+        let checked = pieces.iter().flat_map(|piece| self.left_over(piece, &tour)).collect();
+        if self.diag.is_clean() {
+            self.contradiction_elsewhere(&start, &checked);
+        }
+        checked
     }
 
     /// The equations of a piece that are left over; those that are not marked are refused.

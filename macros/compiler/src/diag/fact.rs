@@ -144,7 +144,7 @@ pub enum Fact {
     Collides { joint: String, others: Vec<String>, off: String },
     FollowsFrom { joint: String, is_drive: bool, rows: usize, of: usize, others: Vec<String>, free: Vec<String>, moves: bool },
     NotRedundant { joint: String, free: Vec<String> },
-    CannotHold { joint: String, bodies: Vec<String>, length: Option<f64>, angle: Option<f64>, time: f64, is_redundant: bool },
+    CannotHold { joint: String, bodies: Vec<String>, length: Option<f64>, angle: Option<f64>, time: Option<f64>, is_redundant: bool },
     TooManyEquations { joint: String, others: Vec<String>, equations: usize, coordinates: Vec<String>, free: Vec<String>, for_free: usize },
     // The assembly at the declared defaults.
     StaysOpen { joint: String, gap: Box<Gap>, others: Vec<String>, drives: Vec<String>, bound: Option<Box<Bound>> },

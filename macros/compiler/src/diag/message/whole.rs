@@ -48,18 +48,10 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
         }
         Fact::CannotHold { joint, bodies, length, angle, time, is_redundant } => {
             write!(f, "`{joint}` contradicts the other joints: ")?;
-            if *time == 0.0 {
-                write!(f, "with all of them closed it is ")?;
-            } else {
-                write!(f, "with all of them closed it is, at t = {} s, ", rounded(*time))?;
-            }
-            match (length, angle) {
-                (Some(length), Some(angle)) => {
-                    write!(f, "{} mm and {}° off", rounded(length * 1e3), rounded(angle.to_degrees()))?;
-                }
-                (Some(length), None) => write!(f, "{} mm off", rounded(length * 1e3))?,
-                (None, Some(angle)) => write!(f, "{}° off", rounded(angle.to_degrees()))?,
-                (None, None) => write!(f, "off")?,
+            match *time {
+                Some(0.0) => write!(f, "with all of them closed it is {}", off(*length, *angle))?,
+                Some(time) => write!(f, "with all of them closed it is, at t = {} s, {}", rounded(time), off(*length, *angle))?,
+                None => write!(f, "it fits at the start, but not when the drives move on")?,
             }
             if bodies.len() > 1 {
                 write!(f, "\nnote: it joins {}", list(bodies))?;
@@ -99,7 +91,7 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
         Fact::NothingToDrive { drive, joints, coordinates, free } => {
             write!(f, "`{drive}` has nothing to drive: ")?;
             match coordinates.as_slice() {
-                [] => write!(f, "{} hold already what it would move", list(joints))?,
+                [] => write!(f, "{} {} already what it would move", list(joints), if joints.len() == 1 { "holds" } else { "hold" })?,
                 [only] => write!(f, "{} determines `{only}` already", list(joints))?,
                 many => {
                     write!(f, "{} {} no freedom", list(joints), if joints.len() == 1 { "leaves" } else { "leave" })?;
@@ -183,5 +175,15 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
         }
         // All others are said elsewhere.
         _ => Ok(()),
+    }
+}
+
+/// `3 mm and 2° off`
+fn off(length: Option<f64>, angle: Option<f64>) -> String {
+    match (length, angle) {
+        (Some(length), Some(angle)) => format!("{} mm and {}° off", rounded(length * 1e3), rounded(angle.to_degrees())),
+        (Some(length), None) => format!("{} mm off", rounded(length * 1e3)),
+        (None, Some(angle)) => format!("{}° off", rounded(angle.to_degrees())),
+        (None, None) => "off".to_owned(),
     }
 }
