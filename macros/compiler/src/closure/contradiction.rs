@@ -58,8 +58,8 @@ impl Search<'_, '_> {
                 piece.equations.iter().filter(of).count() <= piece.unknowns.len()
             });
             let sources = self.sources(joint, &pose);
-            let are_few = sources.len() <= FEW && !sources.into_iter().any(is_drive);
-            are_few || has_room && self.closes_without(start, &is_drive).is_none()
+            let takes_from_drives = sources.iter().copied().any(is_drive);
+            !takes_from_drives && (sources.len() <= FEW || has_room && self.closes_without(start, &is_drive).is_none())
         };
         if is_meant || is_held_twice() {
             self.refuse_contradiction(joint, &pose, Some(pose.time));

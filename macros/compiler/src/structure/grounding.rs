@@ -1,13 +1,14 @@
 //! Bodies that are joined to one another, but not to ground.
 //!
 //! A group floats if it can be shifted as a whole: no equation of it changes when the same is added to x, or to y, of all its
-//! bodies. An equation on a single body never allows that unless it holds an angle only.
+//! bodies. An equation on a single body never allows that unless it holds an angle only. A body that is alone is none of this: of it
+//! it is said which of its coordinates nothing determines.
 
 use super::incidence::Incidence;
 use super::verdict::Said;
 use crate::diag::{Diag, Fact};
 use crate::expr::{Arena, Expr, Leaf, Values, evaluate};
-use crate::model::Model;
+use crate::model::{Dim, Model};
 use crate::system::{Equation, System};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -18,10 +19,12 @@ pub(super) fn every_group_is_on_ground(model: &Model, system: &System, incidence
     let groups = groups(model.bodies.len(), &bodies_of);
     let mut of_group: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     let mut is_held: BTreeSet<usize> = BTreeSet::new();
+    let is_alone = |group: usize| groups.iter().filter(|other| **other == group).count() == 1;
+    let is_of_angles = |row: usize| incidence.rows[row].iter().all(|entry| system.unknowns[entry.unknown].dim == Dim::ANGLE);
     for (row, bodies) in bodies_of.iter().enumerate() {
         let Some(first) = bodies.first() else { continue };
         of_group.entry(groups[*first]).or_default().push(row);
-        if bodies.len() == 1 {
+        if bodies.len() == 1 && (!is_of_angles(row) || is_alone(groups[*first])) {
             is_held.insert(groups[*first]);
         }
     }
