@@ -118,7 +118,11 @@ impl<T: Float> Cause<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>, name: &str, t: f64) -> fmt::Result {
         match self {
             Cause::DoesNotClose { row, residual, gap } => {
-                write!(f, "`{name}` does not close at t = {t} s: {row} stays open by {}", Measure(gap.to_f64(), "m"))?;
+                write!(
+                    f,
+                    "`{name}` was not assembled at t = {t} s: where the search ended, {row} stays open by {}",
+                    Measure(gap.to_f64(), "m")
+                )?;
                 if row.unit == "m" { Ok(()) } else { write!(f, " (residual {})", Measure(residual.to_f64(), row.unit)) }
             }
             Cause::DoesNotHold { row, residual } => {

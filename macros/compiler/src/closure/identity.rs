@@ -6,7 +6,7 @@
 use super::Room;
 use super::tour::with_room;
 use crate::diag::{Diag, Fact};
-use crate::expr::{Evaluator, Expr, Values, magnitudes};
+use crate::expr::{Evaluator, Expr, Leaf, Values, magnitudes};
 use crate::model::Model;
 use crate::structure::Said;
 use crate::syntax::ast::Closing;
@@ -53,7 +53,10 @@ pub(crate) fn rows_depend_on_positions(model: &Model, system: &System, diag: &mu
     for equation in resting.into_iter().map(|row| &system.equations[row]) {
         let joint = &model.joints[equation.joint];
         if said.is_new(&joint.name) {
-            let fact = Fact::RowOfNothing { joint: joint.name.to_string(), row: equation.row + 1, of: joint.residuals.len() };
+            let leaves = |(_, entry): &(usize, Expr)| system.arena.leaves(*entry);
+            let at_defaults = equation.jacobian.iter().flat_map(leaves).any(|leaf| matches!(leaf, Leaf::Parameter(_)));
+            let (row, of) = (equation.row + 1, joint.residuals.len());
+            let fact = Fact::RowOfNothing { joint: joint.name.to_string(), row, of, at_defaults };
             diag.refuse::<()>(&joint.name, fact);
         }
     }

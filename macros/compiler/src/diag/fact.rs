@@ -124,7 +124,7 @@ pub enum Fact {
     TimeInJoint { joint: String },
     RequirementFails { why: String },
     RequirementFailsAtDefaults { why: String, value: f64 },
-    RowOfNothing { joint: String, row: usize, of: usize },
+    RowOfNothing { joint: String, row: usize, of: usize, at_defaults: bool },
     OnGround { joint: String, kind: String },
     NoEquations { name: String },
     EmptyBundle { name: String },

@@ -219,8 +219,9 @@ impl fmt::Display for Fact {
             }
             Fact::RequirementFails { why } => write!(f, "{why}"),
             Fact::RequirementFailsAtDefaults { why, value } => write!(f, "{why}\nnote: it is {value} at the declared defaults"),
-            Fact::RowOfNothing { joint, row, of } => {
-                write!(f, "{} of `{joint}` does not depend on the position of any body", equation(*row, *of))
+            Fact::RowOfNothing { joint, row, of, at_defaults } => {
+                let when = if *at_defaults { ", at the declared defaults" } else { "" };
+                write!(f, "{} of `{joint}` does not depend on the position of any body{when}", equation(*row, *of))
             }
             Fact::OnGround { joint, kind } => {
                 write!(f, "`{joint}` joins ground to ground, and ground does not move")?;

@@ -53,7 +53,7 @@ impl Elaborator<'_> {
         for (row, Row { residual, range }) in rows.into_iter().enumerate() {
             let depends = self.arena.leaves(residual.expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)));
             if !depends {
-                return self.refuse(range, Fact::RowOfNothing { joint: definition.name.to_string(), row: row + 1, of });
+                return self.refuse(range, Fact::RowOfNothing { joint: definition.name.to_string(), row: row + 1, of, at_defaults: false });
             }
         }
         Some(())

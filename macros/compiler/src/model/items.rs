@@ -72,7 +72,7 @@ impl Elaborator<'_> {
         let may_move = |leaf: &Leaf| matches!(leaf, Leaf::Coordinate(_)) || self.is_unused && matches!(leaf, Leaf::Parameter(_));
         let is_of_nothing = |row: &Row| !leaves(row).iter().any(may_move);
         if let Some(row) = rows.iter().position(is_of_nothing) {
-            self.say::<()>(rows[row].range, Fact::RowOfNothing { joint: name, row: row + 1, of });
+            self.say::<()>(rows[row].range, Fact::RowOfNothing { joint: name, row: row + 1, of, at_defaults: false });
         } else if let Some(row) = rows.iter().find(|row| !joint.is_drive && leaves(row).contains(&Leaf::Time)) {
             let range = self.time_dependent_argument(id, joint).unwrap_or(row.range);
             self.say::<()>(range, Fact::TimeInJoint { joint: name });
