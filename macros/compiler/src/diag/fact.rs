@@ -122,7 +122,7 @@ pub enum Fact {
     TimeIn { place: &'static str },
     TimeInDefinition,
     TimeInJoint { joint: String },
-    RequirementFails { why: String },
+    RequirementFails { why: String, instead: Option<String> },
     RequirementFailsAtDefaults { why: String, value: f64 },
     RowOfNothing { joint: String, row: usize, of: usize },
     OnGround { joint: String, kind: String },
@@ -150,7 +150,7 @@ pub enum Fact {
     StaysOpen { joint: String, gap: Box<Gap>, others: Vec<String>, drives: Vec<String>, bound: Option<Box<Bound>> },
     NeverCloses { joints: Vec<String>, drives: Vec<String>, bound: Option<Box<Bound>> },
     HasNoRate { joint: String, row: usize, of: usize },
-    HasNoValue { joint: String, row: usize, of: usize, drives: Vec<String> },
+    HasNoValue { joint: String, row: usize, of: usize, drives: Vec<String>, has_none_anywhere: bool },
     SingularStart { bodies: Vec<String>, in_line: bool, drives: Vec<String>, has_others: bool },
     AmbiguousStart { body: String, coordinate: &'static str, is_angle: bool, values: [f64; 2], place: [f64; 2], is_declared: bool },
 }

@@ -4,10 +4,9 @@
 //! bodies. An equation on a single body never allows that unless it holds an angle only.
 
 use super::incidence::Incidence;
-use super::verdict::Said;
 use crate::diag::{Diag, Fact};
 use crate::expr::{Arena, Expr, Leaf, Values, evaluate};
-use crate::model::Model;
+use crate::model::{Model, Said};
 use crate::system::{Equation, System};
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -34,7 +34,6 @@ use crate::system::System;
 use incidence::Incidence;
 pub(crate) use pieces::{Piece, left_over, surplus};
 use std::collections::BTreeSet;
-pub(crate) use verdict::Said;
 
 /// The order of solution.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -8,7 +8,7 @@ use super::matching::Matching;
 use super::parts::{overdetermined, underdetermined};
 use super::{agreement, grounding, mobility, surplus};
 use crate::diag::{Diag, Fact};
-use crate::model::{Model, Name};
+use crate::model::{Model, Said};
 use crate::system::System;
 use std::collections::BTreeSet;
 
@@ -46,17 +46,6 @@ fn every_body_is_held(model: &Model, system: &System, incidence: &Incidence, dia
         if !held.contains(&index) && said.is_new(&body.name) {
             diag.refuse::<()>(&body.name, Fact::BodyIsFree { body: body.name.to_string() });
         }
-    }
-}
-
-/// The names of which something has been said.
-#[derive(Default)]
-pub(crate) struct Said(BTreeSet<String>);
-
-impl Said {
-    /// Nothing has been said of this item, nor of another that was declared with it.
-    pub(crate) fn is_new(&mut self, name: &Name) -> bool {
-        self.0.insert(name.word.to_string())
     }
 }
 
