@@ -1,6 +1,6 @@
 //! What is said of a mechanism as a whole: of its mobility, and of joints that say the same or the opposite.
 
-use super::words::{are, bodies, counted, drives_there_are, list, one_of, plural, rounded};
+use super::words::{are, bodies, counted, drives_there_are, list, numbers, one_of, plural, rounded};
 use crate::diag::{Count, Demand, Fact};
 use std::fmt::{Formatter, Result};
 
@@ -137,8 +137,11 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
             if rows.len() == *of {
                 return write!(f, "`{joint}` adds nothing: {} {verb} the same\nhelp: take `{joint}` away{mark}", list(others));
             }
-            let which: Vec<String> = rows.iter().map(usize::to_string).collect();
-            write!(f, "`{joint}` demands in part what {} {verb}: its equation {} of {of} adds nothing", list(others), which.join(" and "))?;
+            write!(f, "`{joint}` demands in part what {} {verb}: its ", list(others))?;
+            match rows.as_slice() {
+                [only] => write!(f, "equation {only} of {of} adds nothing")?,
+                many => write!(f, "equations {} of {of} add nothing", numbers(many))?,
+            }
             write!(f, "\nhelp: take one of them away, or demand less with it{mark}")
         }
         Fact::Contradicts { joint, others, demand, off } => {

@@ -26,6 +26,15 @@ pub(super) fn list(names: &[String]) -> String {
     }
 }
 
+/// 1, 2 and 4
+pub(super) fn numbers(numbers: &[usize]) -> String {
+    let words: Vec<String> = numbers.iter().map(usize::to_string).collect();
+    match words.split_last() {
+        Some((last, first)) if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        _ => words.concat(),
+    }
+}
+
 /// Three significant digits.
 pub(super) fn rounded(value: f64) -> String {
     let digits = (2.0 - value.abs().log10().floor()).clamp(0.0, 12.0);
