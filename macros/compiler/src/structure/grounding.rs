@@ -12,18 +12,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Every group of joined bodies is joined to ground as well.
 pub(super) fn every_group_is_on_ground(model: &Model, system: &System, incidence: &Incidence, diag: &mut Diag) {
-    let bodies_of: Vec<BTreeSet<usize>> =
-        incidence.rows.iter().map(|row| row.iter().map(|entry| system.unknowns[entry.unknown].body).collect()).collect();
-    let groups = groups(model.bodies.len(), &bodies_of);
-    let mut of_group: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    let mut is_held: BTreeSet<usize> = BTreeSet::new();
-    for (row, bodies) in bodies_of.iter().enumerate() {
-        let Some(first) = bodies.first() else { continue };
-        of_group.entry(groups[*first]).or_default().push(row);
-        if bodies.len() == 1 {
-            is_held.insert(groups[*first]);
-        }
-    }
+    let Groups { groups, of_group, is_held } = Groups::new(model, system, incidence);
     let mut said = Said::default();
     let mut scratch: Option<Arena> = None;
     for (group, rows) in of_group.iter().filter(|(group, _)| !is_held.contains(group)) {
@@ -34,6 +23,40 @@ pub(super) fn every_group_is_on_ground(model: &Model, system: &System, incidence
             let names = bodies.iter().map(|body| model.bodies[*body].name.to_string()).collect();
             diag.refuse::<()>(&model.bodies[bodies[0]].name, Fact::NotOnGround { bodies: names });
         }
+    }
+}
+
+/// The bodies that are joined to ground, some by way of others.
+pub(super) fn bodies_on_ground(model: &Model, system: &System, incidence: &Incidence) -> BTreeSet<usize> {
+    let Groups { groups, is_held, .. } = Groups::new(model, system, incidence);
+    (0..groups.len()).filter(|body| is_held.contains(&groups[*body])).collect()
+}
+
+/// Bodies that are joined to one another.
+struct Groups {
+    /// The group of each body.
+    groups: Vec<usize>,
+    /// The equations of each group that has any.
+    of_group: BTreeMap<usize, Vec<usize>>,
+    /// The groups with an equation on a single body.
+    is_held: BTreeSet<usize>,
+}
+
+impl Groups {
+    fn new(model: &Model, system: &System, incidence: &Incidence) -> Groups {
+        let bodies_of: Vec<BTreeSet<usize>> =
+            incidence.rows.iter().map(|row| row.iter().map(|entry| system.unknowns[entry.unknown].body).collect()).collect();
+        let groups = groups(model.bodies.len(), &bodies_of);
+        let mut of_group: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        let mut is_held: BTreeSet<usize> = BTreeSet::new();
+        for (row, bodies) in bodies_of.iter().enumerate() {
+            let Some(first) = bodies.first() else { continue };
+            of_group.entry(groups[*first]).or_default().push(row);
+            if bodies.len() == 1 {
+                is_held.insert(groups[*first]);
+            }
+        }
+        Groups { groups, of_group, is_held }
     }
 }
 

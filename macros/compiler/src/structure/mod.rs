@@ -18,6 +18,7 @@ mod components;
 mod dependence;
 mod grounding;
 mod incidence;
+mod lines;
 mod matching;
 mod mobility;
 mod parts;
