@@ -2,11 +2,12 @@
 
 use super::elaborate::{Blame, Elaborator, Scope};
 use super::value::{FrameId, Scalar, Value};
-use super::{Name, Parameter, Requirement, Said};
+use super::{Name, Parameter, Requirement};
 use crate::diag::{Fact, Range};
 use crate::expr::{Values, evaluate};
 use crate::syntax::ast::{self, ExprKind, Relation, Statement};
 use proc_macro2::Ident;
+use std::collections::BTreeSet;
 
 /// One scalar equation: left minus right side, and what to blame for it.
 #[derive(Clone, Copy)]
@@ -164,13 +165,14 @@ impl Elaborator<'_> {
         }
         let defaults: Vec<_> = parameters.iter().map(|parameter| parameter.default).collect();
         let defaults = self.numbers(&[], &defaults);
-        let mut said = Said::default();
+        let mut said = BTreeSet::new();
         for index in 0..self.requirements.len() {
-            let Requirement { lhs, relation, rhs, ref why, .. } = self.requirements[index];
-            let why = why.clone();
+            let Requirement { lhs, relation, rhs, ref why, joint: ref compared, .. } = self.requirements[index];
+            let (why, compared) = (why.clone(), compared.clone());
             let values = self.numbers(&defaults, &[lhs, rhs]);
+            // Each condition of a declaration is asked for once, however many parts there are.
             let (place, joint) = &self.requirement_places[index];
-            if !holds(relation, values[0], values[1]) && said.is_new(joint) {
+            if !holds(relation, values[0], values[1]) && said.insert((joint.declaration, compared.replacen(&joint.path, "", 1))) {
                 self.diag.refuse::<()>(*place, Fact::RequirementFailsAtDefaults { why, value: values[0] });
             }
         }

@@ -106,3 +106,12 @@ fn joints_of_one_name_in_two_components_are_both_told() {
         }
     }
 }
+
+/// Two conditions of one joint that fail are two mistakes.
+#[test]
+fn two_numbers_of_a_joint_that_are_wrong_are_both_told() {
+    let leg = "component Leg() { param a: Number = 0; body b {} body c {} joint g = gear_pair(b, c, a, 2 * a); }";
+    let source = format!("mechanism Row {{ {leg} for i in 0..2 {{ part leg[i] = Leg(); }} }}");
+    let refusals = reuleaux_compiler::compile(source.parse().expect("tokens")).expect_err("a gear has no teeth");
+    assert_eq!(refusals.len(), 2, "{refusals:?}");
+}
