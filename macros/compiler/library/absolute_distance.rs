@@ -11,6 +11,6 @@
 constraint absolute_distance(P: Point, C: Point, c: Length) {
     require c != 0: "a distance of zero cannot be differentiated where it holds: use `revolute` to keep a point in place";
     require c >= 0: "a distance is not negative";
-    require C.body == ground: "the centre of an absolute distance lies on ground; use `distance` between two bodies";
+    require C.body == ground: "the centre of an absolute distance does not lie on ground: use `distance` between two bodies";
     dot(P - C, P - C) == c^2;
 }

@@ -10,6 +10,6 @@
 constraint belt(i: Body, j: Body, a: Quantity, b: Quantity, c: Quantity = 0, carrier: Body = ground) {
     require a != 0: "a pulley without radius turns nothing: the radius of a belt's pulley may not be zero";
     require b != 0: "a pulley without radius turns nothing: the radius of a belt's pulley may not be zero";
-    require i != j: "a belt joins two different pulleys";
+    require i != j: "a belt cannot join a pulley with itself";
     a * (i.angle - carrier.angle) == b * (j.angle - carrier.angle) + c;
 }

@@ -22,7 +22,7 @@
 ///
 /// Reference: Norton, Cam Design and Manufacturing Handbook, chapter 7.
 constraint cam_flat(O: Point, F: Point, n: Axis, h: Function(Angle) -> Length) {
-    require n.body == F.body: "the face's point and normal lie on the same follower";
+    require n.body == F.body: "the normal and the point of the face do not lie on the same follower";
     require O.body != F.body: "cam and follower are the same body";
     dot(unit(n), F - O) == h(direction(n) - O.body.angle);
 }

@@ -23,7 +23,7 @@
 ///
 /// Reference: Norton, Cam Design and Manufacturing Handbook, chapter 7.
 constraint cam_roller(O: Point, C: Point, roller: Length, R: Function(Angle) -> Length) {
-    require roller > 0: "a roller has a radius: for a follower without one use `cam_knife`";
+    require roller > 0: "the radius of the roller is not positive: for a follower without a roller use `cam_knife`";
     require O.body != C.body: "cam and follower are the same body";
     norm(C - O) == R(direction(C - O) - O.body.angle) + roller;
 }

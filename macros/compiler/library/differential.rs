@@ -11,8 +11,8 @@
 /// Reference: Willis, Principles of Mechanism.
 constraint differential(i: Body, j: Body, k: Body, ratio: Number = 1, c: Angle = 0) {
     require ratio != 0: "a differential with ratio zero does not turn its second shaft";
-    require i != j: "a differential has two different shafts";
-    require i != k: "the housing of a differential is not one of its shafts";
-    require j != k: "the housing of a differential is not one of its shafts";
+    require i != j: "the two shafts of a differential are the same body";
+    require i != k: "the housing of a differential is one of its shafts";
+    require j != k: "the housing of a differential is one of its shafts";
     (i.angle - k.angle) + ratio * (j.angle - k.angle) == c;
 }

@@ -12,10 +12,10 @@
 ///
 /// Reference: Willis, Principles of Mechanism; Müller, Epicyclic Drive Trains.
 constraint planetary(sun: Body, ring: Body, carrier: Body, z_sun: Quantity, z_ring: Quantity, c: Quantity = 0) {
-    require z_sun != 0: "a sun gear needs teeth: `z_sun` may not be zero";
-    require z_ring != 0: "a ring gear needs teeth: `z_ring` may not be zero";
-    require sun != ring: "sun and ring of a planetary train are different bodies";
-    require sun != carrier: "sun and carrier of a planetary train are different bodies";
-    require ring != carrier: "ring and carrier of a planetary train are different bodies";
+    require z_sun != 0: "a sun gear without teeth turns nothing: `z_sun` may not be zero";
+    require z_ring != 0: "a ring gear without teeth turns nothing: `z_ring` may not be zero";
+    require sun != ring: "sun and ring of a planetary train are the same body";
+    require sun != carrier: "sun and carrier of a planetary train are the same body";
+    require ring != carrier: "ring and carrier of a planetary train are the same body";
     z_sun * (sun.angle - carrier.angle) + z_ring * (ring.angle - carrier.angle) == c;
 }

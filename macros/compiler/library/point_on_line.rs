@@ -12,7 +12,7 @@
 ///
 /// Reference: Nikravesh, section 4.2.4.
 constraint point_on_line(P: Point, u: Axis, Q: Point) {
-    require u.body == P.body: "the axis and the first point of a line lie on the same body";
+    require u.body == P.body: "the axis and the first point of a line do not lie on the same body";
     require P.body != Q.body: "the point on the line and the line lie on the same body";
     dot(perp(unit(u)), Q - P) == 0;
 }

@@ -14,6 +14,6 @@
 /// Reference: Haug, section 3.4.
 constraint rack_pinion(pinion: Body, rack: Point, u: Axis, origin: Point, R: Length, c: Length = 0) {
     require R != 0: "a pinion without radius moves nothing: the radius of a rack and pinion may not be zero";
-    require u.body == origin.body: "the axis and the origin of a rack lie on the same carrier";
+    require u.body == origin.body: "the axis and the origin of a rack do not lie on the same carrier";
     R * (pinion.angle - origin.body.angle) + dot(unit(u), rack - origin) == c;
 }

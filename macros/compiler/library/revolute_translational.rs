@@ -13,7 +13,7 @@
 ///
 /// Reference: Nikravesh, section 4.2.4; Haug, section 3.3 (revolute-translational composite joint).
 constraint revolute_translational(P: Point, u: Axis, Q: Point, c: Length) {
-    require u.body == P.body: "the axis and the first point of a line lie on the same body";
+    require u.body == P.body: "the axis and the first point of a line do not lie on the same body";
     require P.body != Q.body: "the point and the line lie on the same body";
     dot(perp(unit(u)), Q - P) == c;
 }

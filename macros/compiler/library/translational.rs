@@ -19,7 +19,7 @@
 /// Reference: Nikravesh, section 4.2.3; Haug, section 3.3. Their second row, v_i⊥ · v_j = 0, has two
 /// solutions half a turn apart; the row here has one.
 constraint translational(u: Axis, P: Point, Q: Point, c: Angle = 0) {
-    require u.body == P.body: "the axis and the first point of a translational joint lie on the same body";
+    require u.body == P.body: "the axis and the first point of a translational joint do not lie on the same body";
     require P.body != Q.body: "the two points of a translational joint lie on the same body";
     dot(perp(unit(u)), Q - P) == 0;
     Q.body.angle - P.body.angle == c;

@@ -7,8 +7,7 @@ use super::Room;
 use super::tour::with_room;
 use crate::diag::{Diag, Fact};
 use crate::expr::{Evaluator, Expr, Leaf, Values, magnitudes};
-use crate::model::Model;
-use crate::structure::Said;
+use crate::model::{Model, Said};
 use crate::syntax::ast::Closing;
 use crate::system::System;
 
@@ -19,7 +18,7 @@ const ROUNDING: f64 = 1e-12;
 const SMALL: f64 = 1e-6;
 
 /// Positions at which the derivatives are looked at.
-const LOOKS: usize = 3;
+pub(super) const LOOKS: usize = 3;
 
 /// Refuses rows whose derivatives vanish wherever the bodies are.
 pub(crate) fn rows_depend_on_positions(model: &Model, system: &System, diag: &mut Diag) -> Option<()> {
@@ -65,7 +64,7 @@ pub(crate) fn rows_depend_on_positions(model: &Model, system: &System, diag: &mu
 
 impl Room<'_> {
     /// Coordinates that have nothing to do with each other.
-    fn anywhere(&self, look: usize) -> Vec<f64> {
+    pub(super) fn anywhere(&self, look: usize) -> Vec<f64> {
         let share = |unknown: usize| 2.0 * ((unknown * LOOKS + look + 1) as f64 * 0.618_033_988_749_895).fract();
         (0..self.system.unknowns.len()).map(|unknown| share(unknown) * self.scale(unknown)).collect()
     }

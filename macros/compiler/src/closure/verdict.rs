@@ -11,6 +11,7 @@
 
 use super::Room;
 use super::gap::Opened;
+use super::identity::LOOKS;
 use super::links::{self, Link, Place};
 use super::loops::{Loop, Loops};
 use super::order::{Assembled, Upstream, parts};
@@ -127,14 +128,18 @@ impl Judge<'_> {
     /// A row that is no number where the search came to.
     fn without_value(&self, equations: &[usize], drives: Vec<String>, start: &[f64]) -> Option<(Range, Fact)> {
         let all = &self.room.system.equations;
-        let values = super::Values { coordinates: start, ..self.room.known };
-        let has_value = |equation: &usize| {
-            let roots: Vec<super::Expr> = all[*equation].phi.into_iter().collect();
+        let has_value_at = |equation: usize, coordinates: &[f64]| {
+            let roots: Vec<super::Expr> = all[equation].phi.into_iter().collect();
+            let values = super::Values { coordinates, ..self.room.known };
             super::evaluate(&self.room.system.arena, &roots, &values).iter().all(|value| value.is_finite())
         };
-        let equation = &all[*equations.iter().find(|equation| !has_value(equation))?];
+        let number = *equations.iter().find(|equation| !has_value_at(**equation, start))?;
+        let equation = &all[number];
         let joint = &self.room.model.joints[equation.joint];
-        let fact = Fact::HasNoValue { joint: joint.name.to_string(), row: equation.row + 1, of: joint.residuals.len(), drives };
+        // A law of time without a value has none wherever the bodies are.
+        let has_none_anywhere = joint.is_drive && (0..LOOKS).all(|look| !has_value_at(number, &self.room.anywhere(look)));
+        let (row, of) = (equation.row + 1, joint.residuals.len());
+        let fact = Fact::HasNoValue { joint: joint.name.to_string(), row, of, drives, has_none_anywhere };
         Some(((&joint.name).into(), fact))
     }
 

@@ -122,7 +122,7 @@ pub enum Fact {
     TimeIn { place: &'static str },
     TimeInDefinition,
     TimeInJoint { joint: String },
-    RequirementFails { why: String },
+    RequirementFails { why: String, instead: Option<String> },
     RequirementFailsAtDefaults { why: String, value: f64 },
     RowOfNothing { joint: String, row: usize, of: usize, at_defaults: bool },
     OnGround { joint: String, kind: String },
@@ -132,11 +132,11 @@ pub enum Fact {
     InDefinition { definition: String, quantities: Vec<(String, Dim)>, fact: Box<Fact> },
     // The whole.
     NoBodies { name: String },
-    BodyIsFree { body: String },
+    BodyIsFree { body: String, example: String },
     Repeats { joint: String, other: String },
     NotOnGround { bodies: Vec<String> },
-    FreeCoordinates { body: String, coordinates: Vec<String>, example: Option<String> },
-    DrivesMissing { name: String, count: Box<Count>, loose: Vec<String>, candidates: Vec<String>, example: String },
+    FreeCoordinates { body: String, coordinates: Vec<String>, has_place: bool, example: String },
+    DrivesMissing { name: String, count: Box<Count>, forgotten: Box<Forgotten>, candidates: Vec<String>, example: String },
     NothingToDrive { drive: String, joints: Vec<String>, coordinates: Vec<String>, free: Vec<String> },
     DrivesContend { drives: Vec<String>, freedoms: usize, joints: Vec<String>, coordinates: Vec<String>, free: Vec<String> },
     Follows { joint: String, is_drive: bool, rows: Vec<usize>, of: usize, others: Vec<String> },
@@ -150,7 +150,7 @@ pub enum Fact {
     StaysOpen { joint: String, gap: Box<Gap>, others: Vec<String>, drives: Vec<String>, bound: Option<Box<Bound>> },
     NeverCloses { joints: Vec<String>, drives: Vec<String>, bound: Option<Box<Bound>> },
     HasNoRate { joint: String, row: usize, of: usize },
-    HasNoValue { joint: String, row: usize, of: usize, drives: Vec<String> },
+    HasNoValue { joint: String, row: usize, of: usize, drives: Vec<String>, has_none_anywhere: bool },
     SingularStart { bodies: Vec<String>, in_line: bool, drives: Vec<String>, has_others: bool },
     AmbiguousStart { body: String, coordinate: &'static str, is_angle: bool, values: [f64; 2], place: [f64; 2], is_declared: bool },
 }
@@ -164,6 +164,17 @@ pub struct Demand {
     pub wanted: String,
     /// What the others demand.
     pub found: String,
+}
+
+/// What speaks for a joint that was forgotten.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Forgotten {
+    /// Bodies that are joined to one neighbour only.
+    pub loose: Vec<String>,
+    /// A joint that would hold a body, to be typed.
+    pub line: Option<String>,
+    /// The coordinates that it would hold.
+    pub holds: Vec<String>,
 }
 
 /// What there is of coordinates, equations and drives.

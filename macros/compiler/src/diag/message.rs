@@ -217,7 +217,10 @@ impl fmt::Display for Fact {
             Fact::TimeInJoint { joint } => {
                 write!(f, "a joint does not change with time, `t` is for drives\nhelp: write `drive {joint} = …;` for `joint {joint} = …;`")
             }
-            Fact::RequirementFails { why } => write!(f, "{why}"),
+            Fact::RequirementFails { why, instead } => {
+                write!(f, "{why}")?;
+                instead.as_ref().map_or(Ok(()), |instead| write!(f, "\nhelp: {instead}"))
+            }
             Fact::RequirementFailsAtDefaults { why, value } => write!(f, "{why}\nnote: it is {value} at the declared defaults"),
             Fact::RowOfNothing { joint, row, of, at_defaults } => {
                 let when = if *at_defaults { ", at the declared defaults" } else { "" };

@@ -10,7 +10,7 @@ mod remedy;
 mod shown;
 
 pub use code::PAGES;
-pub use fact::{Count, Demand, Fact};
+pub use fact::{Count, Demand, Fact, Forgotten};
 
 use proc_macro2::{Ident, Span, TokenStream};
 

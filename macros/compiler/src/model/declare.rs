@@ -87,8 +87,11 @@ impl Elaborator<'_> {
         self.at(self.situation(context), |this| this.once(item, |this| this.indices(indices, &scope)))
     }
 
-    pub(super) fn full_name(&self, space: SpaceId, word: &Ident, indices: &[usize]) -> Name {
-        Name::within(&self.names.spaces[space.0].prefix, word, indices)
+    /// `word`: given, the very one of the item in the tree.
+    pub(super) fn full_name(&mut self, space: SpaceId, word: &Ident, indices: &[usize]) -> Name {
+        let next = self.names.declarations.len();
+        let declaration = *self.names.declarations.entry(std::ptr::from_ref(word)).or_insert(next);
+        Name::within(&self.names.spaces[space.0].prefix, word, declaration, indices)
     }
 
     /// Which of many is being registered, in words.

@@ -5,7 +5,7 @@ use super::names::{Context, Names, SpaceId};
 use super::suggest::nearest;
 use super::unit;
 use super::value::{Fixed, FrameId, Scalar, Value, Vector};
-use super::{Function as Numbered, Requirement};
+use super::{Function as Numbered, Name, Requirement};
 use crate::diag::{Diag, Fact, Range};
 use crate::expr::{Arena, Exact, Expr, Leaf};
 use crate::syntax::ast::{self, ExprKind};
@@ -20,8 +20,8 @@ pub(crate) struct Elaborator<'a> {
     pub(super) names: Names,
     pub(super) functions: Vec<Numbered>,
     pub(super) requirements: Vec<Requirement>,
-    /// Where each requirement is to be blamed.
-    pub(super) requirement_places: Vec<Range>,
+    /// Where each requirement is to be blamed, and the joint that asks for it.
+    pub(super) requirement_places: Vec<(Range, Name)>,
     /// The definition being instantiated and the token to blame for what goes wrong in it.
     pub(super) blame: Option<Blame>,
     /// How many values are being looked at, one inside the other.
@@ -93,7 +93,8 @@ impl Scope {
         self
     }
 
-    fn bound(&self, name: &Ident) -> Option<&Value> {
+    /// What a name bound here stands for.
+    pub(super) fn value_of(&self, name: &Ident) -> Option<&Value> {
         self.bound.iter().rev().find(|(known, _)| name == known).map(|(_, value)| value)
     }
 }
@@ -264,7 +265,7 @@ impl Elaborator<'_> {
             // A path can only be a Rust function; its dimensions follow from where it is used.
             return Some(Value::Function(self.rust_function(path, Measure::Flexible, Measure::Flexible)));
         };
-        if let Some(value) = scope.bound(name) {
+        if let Some(value) = scope.value_of(name) {
             return Some(value.clone());
         }
         if self.names.misused.contains(&name.to_string()) {

@@ -42,6 +42,7 @@ use crate::syntax::ast::{Closing, Docs, Relation};
 use proc_macro2::{Ident, TokenStream};
 
 pub(crate) use definition::{check as check_definition, check_names};
+pub(crate) use name::Said;
 pub(crate) use names::is_generated;
 pub(crate) use resolve::{Outline, outline, resolve};
 

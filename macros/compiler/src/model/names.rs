@@ -144,6 +144,8 @@ pub(crate) struct Names {
     pub(super) spaces: Vec<Space>,
     pub(super) groups: Vec<Group>,
     pub(super) declared: Vec<Declared>,
+    /// The numbers of declarations in the tree, by their words.
+    pub(super) declarations: BTreeMap<*const Ident, usize>,
     /// Constraints that were brought in, and those of the library that were asked for.
     pub(super) definitions: BTreeMap<String, Rc<Definition>>,
     pub(super) library: BTreeMap<String, Option<Rc<Definition>>>,
@@ -171,6 +173,7 @@ impl Names {
             spaces: vec![Space::default(), Space { prefix: "ground.".into(), ..Space::default() }],
             groups: Vec::new(),
             declared: Vec::new(),
+            declarations: BTreeMap::new(),
             definitions,
             library: BTreeMap::new(),
             components: BTreeMap::new(),
@@ -235,6 +238,13 @@ impl Names {
         let space = &self.spaces[self.frames[frame.0].space.0];
         let is_point = |group: &&Group| group.what == "a point" && group.ranks == 0;
         space.order.iter().map(|group| &self.groups[group.0]).find(is_point).map(|group| group.word.as_str())
+    }
+
+    /// The first axis of a frame.
+    pub(super) fn an_axis_of(&self, frame: FrameId) -> Option<&str> {
+        let space = &self.spaces[self.frames[frame.0].space.0];
+        let is_axis = |group: &&Group| group.what == "an axis" && group.ranks == 0;
+        space.order.iter().map(|group| &self.groups[group.0]).find(is_axis).map(|group| group.word.as_str())
     }
 
     /// The names of declared functions, in order.

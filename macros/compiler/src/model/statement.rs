@@ -1,11 +1,13 @@
 //! The statements of a definition or of an inline joint: equations, and conditions on parameters.
 
 use super::elaborate::{Blame, Elaborator, Scope};
-use super::value::{Scalar, Value};
+use super::value::{FrameId, Scalar, Value};
 use super::{Name, Parameter, Requirement};
 use crate::diag::{Fact, Range};
 use crate::expr::{Values, evaluate};
-use crate::syntax::ast::{self, Relation, Statement};
+use crate::syntax::ast::{self, ExprKind, Relation, Statement};
+use proc_macro2::Ident;
+use std::collections::BTreeSet;
 
 /// One scalar equation: left minus right side, and what to blame for it.
 #[derive(Clone, Copy)]
@@ -71,29 +73,49 @@ impl Elaborator<'_> {
     fn requirement(&mut self, requirement: &ast::Requirement, scope: &Scope, joint: &Name, places: &[(String, Range)]) -> Option<()> {
         let (left, right) = (self.value(&requirement.lhs, scope), self.value(&requirement.rhs, scope));
         let (left, right) = (left?, right?);
-        let place = match &requirement.lhs.kind {
-            ast::ExprKind::Path(path) => places.iter().find(|(name, _)| path.name.as_ref().is_some_and(|known| known == name)),
-            _ => None,
-        };
-        let place = place.map(|(_, range)| *range);
+        let place = place(&requirement.lhs, places);
         match (left, right) {
-            (Value::Body(one), Value::Body(two)) => self.body_requirement(requirement, one == two, place),
+            (Value::Body(one), Value::Body(two)) => self.body_requirement(requirement, [one, two], scope, places),
             (Value::Scalar(one), Value::Scalar(two)) => self.number_requirement(requirement, one, two, joint, place),
             (left, right) => self.refuse(range(requirement), Fact::CannotCompare { one: left.noun(), two: right.noun() }),
         }
     }
 
     /// Two bodies must be the same, or must not be.
-    fn body_requirement(&mut self, requirement: &ast::Requirement, is_same: bool, place: Option<Range>) -> Option<()> {
-        let holds = match requirement.relation {
-            Relation::Equal => is_same,
-            Relation::Different => !is_same,
+    fn body_requirement(
+        &mut self,
+        requirement: &ast::Requirement,
+        [one, two]: [FrameId; 2],
+        scope: &Scope,
+        places: &[(String, Range)],
+    ) -> Option<()> {
+        let ast::Requirement { lhs, relation, rhs, why } = requirement;
+        // Where another body is asked for, what was given first is right.
+        let (holds, sides) = match relation {
+            Relation::Equal => (one == two, [(lhs, two), (rhs, one)]),
+            Relation::Different => (one != two, [(rhs, one), (lhs, two)]),
             _ => return self.refuse(range(requirement), Fact::OrderOfBodies),
         };
         if holds || self.names.is_abstract() {
             return Some(());
         }
-        self.refuse_at(place, range(requirement), Fact::RequirementFails { why: requirement.why.clone() })
+        let blamed = sides.into_iter().find(|(side, _)| place(side, places).is_some());
+        let instead = blamed.and_then(|(side, other)| self.of_a_body(scope.value_of(argument_of(side)?)?, *relation, other));
+        let place = blamed.and_then(|(side, _)| place(side, places));
+        self.refuse_at(place, range(requirement), Fact::RequirementFails { why: why.clone(), instead })
+    }
+
+    /// What to give instead of a point or an axis whose body must, or must not, be another.
+    fn of_a_body(&self, given: &Value, relation: Relation, other: FrameId) -> Option<String> {
+        let body = &self.names.frames[other.0].name;
+        match (given, relation) {
+            (Value::Point(_), Relation::Different) => Some("take a point of another body".to_owned()),
+            (Value::Axis(_), Relation::Equal) => Some(match self.names.an_axis_of(other) {
+                Some(axis) => format!("take an axis of `{body}`, such as `{body}.{axis}`"),
+                None => format!("give `{body}` an `axis`, and take it here"),
+            }),
+            _ => None,
+        }
     }
 
     fn number_requirement(
@@ -117,16 +139,16 @@ impl Elaborator<'_> {
         if self.arena.leaves(lhs).is_empty() && self.arena.leaves(rhs).is_empty() {
             let values = self.numbers(&[], &[lhs, rhs]);
             let holds = holds(requirement.relation, values[0], values[1]);
-            return if holds { Some(()) } else { self.refuse_at(place, range(requirement), Fact::RequirementFails { why }) };
+            return if holds { Some(()) } else { self.refuse_at(place, range(requirement), Fact::RequirementFails { why, instead: None }) };
         }
         // What is compared goes by the name it has in the definition.
-        let joint = match &requirement.lhs.kind {
-            ast::ExprKind::Path(path) => format!("{joint}.{}", path.last),
+        let compared = match &requirement.lhs.kind {
+            ExprKind::Path(path) => format!("{joint}.{}", path.last),
             _ => joint.to_string(),
         };
-        self.requirements.push(Requirement { lhs, relation: requirement.relation, rhs, dim: measure.settled(), joint, why });
+        self.requirements.push(Requirement { lhs, relation: requirement.relation, rhs, dim: measure.settled(), joint: compared, why });
         let blamed = place.or(self.blame.as_ref().map(|blame| blame.place));
-        self.requirement_places.push(blamed.unwrap_or(range(requirement)));
+        self.requirement_places.push((blamed.unwrap_or(range(requirement)), joint.clone()));
         Some(())
     }
 
@@ -143,13 +165,15 @@ impl Elaborator<'_> {
         }
         let defaults: Vec<_> = parameters.iter().map(|parameter| parameter.default).collect();
         let defaults = self.numbers(&[], &defaults);
+        let mut said = BTreeSet::new();
         for index in 0..self.requirements.len() {
-            let Requirement { lhs, relation, rhs, ref why, .. } = self.requirements[index];
-            let why = why.clone();
+            let Requirement { lhs, relation, rhs, ref why, joint: ref compared, .. } = self.requirements[index];
+            let (why, compared) = (why.clone(), compared.clone());
             let values = self.numbers(&defaults, &[lhs, rhs]);
-            if !holds(relation, values[0], values[1]) {
-                let place = self.requirement_places[index];
-                self.diag.refuse::<()>(place, Fact::RequirementFailsAtDefaults { why, value: values[0] });
+            // Each condition of a declaration is asked for once, however many parts there are.
+            let (place, joint) = &self.requirement_places[index];
+            if !holds(relation, values[0], values[1]) && said.insert((joint.declaration, compared.replacen(&joint.path, "", 1))) {
+                self.diag.refuse::<()>(*place, Fact::RequirementFailsAtDefaults { why, value: values[0] });
             }
         }
     }
@@ -163,6 +187,21 @@ impl Elaborator<'_> {
         let values = Values { time: 0.0, parameters, coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
         evaluate(&self.arena, roots, &values)
     }
+}
+
+/// The parameter that one side of a condition is about: `P`, or `P.body`.
+fn argument_of(side: &ast::Expr) -> Option<&Ident> {
+    match &side.kind {
+        ExprKind::Path(path) => path.name.as_ref(),
+        ExprKind::Field(owner, _) => argument_of(owner),
+        _ => None,
+    }
+}
+
+/// Where the argument was written that one side of a condition is about.
+fn place(side: &ast::Expr, places: &[(String, Range)]) -> Option<Range> {
+    let name = argument_of(side)?;
+    places.iter().find(|(known, _)| name == known).map(|(_, range)| *range)
 }
 
 /// From the first token of a condition to the last.

@@ -1,10 +1,9 @@
 //! Joints that say again what others say, or the opposite of it.
 
 use super::dependence::{self, Dependent, Sum};
-use super::verdict::Said;
 use crate::diag::{Demand, Diag, Fact};
 use crate::expr::{Exact, Expr, Leaf, Node, show};
-use crate::model::{Dim, Model};
+use crate::model::{Dim, Model, Said};
 use crate::system::System;
 use std::collections::BTreeSet;
 

@@ -5,29 +5,15 @@
 //! it is said which of its coordinates nothing determines.
 
 use super::incidence::Incidence;
-use super::verdict::Said;
 use crate::diag::{Diag, Fact};
 use crate::expr::{Arena, Expr, Leaf, Values, evaluate};
-use crate::model::{Dim, Model};
+use crate::model::{Dim, Model, Said};
 use crate::system::{Equation, System};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Every group of joined bodies is joined to ground as well.
 pub(super) fn every_group_is_on_ground(model: &Model, system: &System, incidence: &Incidence, diag: &mut Diag) {
-    let bodies_of: Vec<BTreeSet<usize>> =
-        incidence.rows.iter().map(|row| row.iter().map(|entry| system.unknowns[entry.unknown].body).collect()).collect();
-    let groups = groups(model.bodies.len(), &bodies_of);
-    let mut of_group: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    let mut is_held: BTreeSet<usize> = BTreeSet::new();
-    let is_alone = |group: usize| groups.iter().filter(|other| **other == group).count() == 1;
-    let is_of_angles = |row: usize| incidence.rows[row].iter().all(|entry| system.unknowns[entry.unknown].dim == Dim::ANGLE);
-    for (row, bodies) in bodies_of.iter().enumerate() {
-        let Some(first) = bodies.first() else { continue };
-        of_group.entry(groups[*first]).or_default().push(row);
-        if bodies.len() == 1 && (!is_of_angles(row) || is_alone(groups[*first])) {
-            is_held.insert(groups[*first]);
-        }
-    }
+    let Groups { groups, of_group, is_held } = Groups::new(model, system, incidence);
     let mut said = Said::default();
     let mut scratch: Option<Arena> = None;
     for (group, rows) in of_group.iter().filter(|(group, _)| !is_held.contains(group)) {
@@ -38,6 +24,42 @@ pub(super) fn every_group_is_on_ground(model: &Model, system: &System, incidence
             let names = bodies.iter().map(|body| model.bodies[*body].name.to_string()).collect();
             diag.refuse::<()>(&model.bodies[bodies[0]].name, Fact::NotOnGround { bodies: names });
         }
+    }
+}
+
+/// The bodies that are joined to ground, some by way of others.
+pub(super) fn bodies_on_ground(model: &Model, system: &System, incidence: &Incidence) -> BTreeSet<usize> {
+    let Groups { groups, is_held, .. } = Groups::new(model, system, incidence);
+    (0..groups.len()).filter(|body| is_held.contains(&groups[*body])).collect()
+}
+
+/// Bodies that are joined to one another.
+struct Groups {
+    /// The group of each body.
+    groups: Vec<usize>,
+    /// The equations of each group that has any.
+    of_group: BTreeMap<usize, Vec<usize>>,
+    /// The groups with an equation on a single body that holds more than its angle, or is alone.
+    is_held: BTreeSet<usize>,
+}
+
+impl Groups {
+    fn new(model: &Model, system: &System, incidence: &Incidence) -> Groups {
+        let bodies_of: Vec<BTreeSet<usize>> =
+            incidence.rows.iter().map(|row| row.iter().map(|entry| system.unknowns[entry.unknown].body).collect()).collect();
+        let groups = groups(model.bodies.len(), &bodies_of);
+        let mut of_group: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        let mut is_held: BTreeSet<usize> = BTreeSet::new();
+        let is_alone = |group: usize| groups.iter().filter(|other| **other == group).count() == 1;
+        let is_of_angles = |row: usize| incidence.rows[row].iter().all(|entry| system.unknowns[entry.unknown].dim == Dim::ANGLE);
+        for (row, bodies) in bodies_of.iter().enumerate() {
+            let Some(first) = bodies.first() else { continue };
+            of_group.entry(groups[*first]).or_default().push(row);
+            if bodies.len() == 1 && (!is_of_angles(row) || is_alone(groups[*first])) {
+                is_held.insert(groups[*first]);
+            }
+        }
+        Groups { groups, of_group, is_held }
     }
 }
 

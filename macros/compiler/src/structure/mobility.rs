@@ -1,16 +1,20 @@
 //! Freedoms that are left: coordinates that nothing determines, and drives that are missing.
 
 use super::incidence::{Entry, Incidence};
+use super::lines;
 use super::matching::{self, Matching};
 use super::parts::Part;
 use super::verdict::coordinate;
-use crate::diag::{Count, Diag, Fact};
+use crate::diag::{Count, Diag, Fact, Forgotten};
 use crate::model::{Dim, Model};
 use crate::system::System;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Of many drives that are missing this many are chosen.
 const MOST_CHOSEN: usize = 4;
+
+/// So many bodies are tried for the joint that may have been forgotten.
+const MOST_TRIED: usize = 100;
 
 /// There are equations enough. `under`: given, the unknowns that share too few, and their equations.
 pub(super) fn nothing_is_free(model: &Model, system: &System, incidence: &Incidence, matching: &Matching, under: &Part, diag: &mut Diag) {
@@ -26,19 +30,20 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, incidence: &Incide
     let first = in_none.iter().find(has_no_place).or(in_none.first().filter(|_| is_all));
     if let Some(first) = first {
         let name = &model.bodies[body(first)].name;
-        let example = (!has_no_place(&first)).then(|| example(model, system, *first));
+        let has_place = !has_no_place(&first);
+        let example = if has_place { example(model, system, *first) } else { pin(model, body(first)) };
         let coordinates = in_none.iter().map(|unknown| coordinate(model, system, *unknown)).collect();
-        diag.refuse::<()>(name, Fact::FreeCoordinates { body: name.to_string(), coordinates, example });
+        diag.refuse::<()>(name, Fact::FreeCoordinates { body: name.to_string(), coordinates, has_place, example });
         return;
     }
-    let loose = if missing > 1 { loose_ends(model, system, incidence, under) } else { Vec::new() };
-    let candidates = candidates(model, system, incidence, under);
-    let chosen = chosen(incidence, &candidates, missing.min(MOST_CHOSEN));
-    let shown = if missing == 1 { &candidates } else { &chosen };
+    let [first, second] = candidates(model, system, incidence, under);
+    let chosen = chosen(incidence, &[first.as_slice(), &second].concat(), missing.min(MOST_CHOSEN));
+    let shown = if missing == 1 { &first } else { &chosen };
+    let forgotten = if missing > 1 { forgotten(model, system, incidence, under, &chosen) } else { Forgotten::default() };
     let fact = Fact::DrivesMissing {
         name: model.name.to_string(),
         count: Box::new(Count { coordinates: system.unknowns.len(), joints: solved - drives, drives, missing }),
-        loose: loose.into_iter().map(|body| model.bodies[body].name.to_string()).collect(),
+        forgotten: Box::new(forgotten),
         candidates: shown.iter().map(|unknown| coordinate(model, system, *unknown)).collect(),
         example: chosen.first().map_or(String::new(), |unknown| example(model, system, *unknown)),
     };
@@ -51,20 +56,61 @@ fn in_no_equation(incidence: &Incidence) -> Vec<usize> {
     (0..incidence.unknowns).filter(|unknown| !held.contains(unknown)).collect()
 }
 
-/// What a drive could take: a row for any of these would find an unknown. First the angles of bodies that are joined to ground, as
-/// cranks are, then other angles; places where there
-/// are no angles.
-fn candidates(model: &Model, system: &System, incidence: &Incidence, under: &Part) -> Vec<usize> {
+/// What a drive could take: a row for any of these would find an unknown. The angles of bodies that are joined to ground, as
+/// cranks are, then other angles; after them places, which are the first where there are no angles.
+fn candidates(model: &Model, system: &System, incidence: &Incidence, under: &Part) -> [Vec<usize>; 2] {
     let body = |entry: &Entry| system.unknowns[entry.unknown].body;
     let is_on_ground = |row: &&Vec<Entry>| row.iter().all(|entry| body(entry) == body(&row[0]));
     let joints = incidence.rows.iter().zip(&system.equations).filter(|(_, equation)| !model.joints[equation.joint].is_drive);
     let on_ground: BTreeSet<usize> =
         joints.map(|(row, _)| row).filter(|row| !row.is_empty()).filter(is_on_ground).map(|row| body(&row[0])).collect();
-    let (angles, places): (Vec<usize>, Vec<usize>) =
+    let (mut angles, mut places): (Vec<usize>, Vec<usize>) =
         under.unknowns.iter().partition(|unknown| system.unknowns[**unknown].dim == Dim::ANGLE);
-    let mut candidates = if angles.is_empty() { places } else { angles };
-    candidates.sort_by_key(|unknown| !on_ground.contains(&system.unknowns[*unknown].body));
-    candidates
+    for candidates in [&mut angles, &mut places] {
+        candidates.sort_by_key(|unknown| !on_ground.contains(&system.unknowns[*unknown].body));
+    }
+    if angles.is_empty() { [places, angles] } else { [angles, places] }
+}
+
+/// A body whose place is not determined, and where no joint is, may have lost the one that held it. What would be driven comes before
+/// other bodies, and so do those with one neighbour only.
+fn forgotten(model: &Model, system: &System, incidence: &Incidence, under: &Part, chosen: &[usize]) -> Forgotten {
+    let loose = loose_ends(model, system, incidence, under);
+    let place = |body: usize| {
+        if model.sketch.joints.is_empty() || lines::is_joined(model, body) {
+            return None;
+        }
+        let unknown = |name: &str| under.unknowns.iter().copied().find(|unknown| is_called(system, *unknown, body, name));
+        Some([unknown("x")?, unknown("y")?])
+    };
+    let bodies: BTreeSet<usize> = under.unknowns.iter().map(|unknown| system.unknowns[*unknown].body).collect();
+    let mut places: Vec<(usize, [usize; 2])> = bodies.into_iter().filter_map(|body| Some((body, place(body)?))).collect();
+    places.sort_by_key(|(body, place)| (!place.iter().all(|unknown| chosen.contains(unknown)), !loose.contains(body)));
+    let can_be_held = |place: &[usize; 2]| {
+        let mut held = incidence.clone();
+        held.rows.extend(place.iter().map(|unknown| vec![Entry { unknown: *unknown, is_pivot: true }]));
+        every_row_finds_an_unknown(&held)
+    };
+    let held = places.into_iter().take(MOST_TRIED).find(|(_, place)| can_be_held(place));
+    Forgotten {
+        loose: loose.into_iter().map(|body| model.bodies[body].name.to_string()).collect(),
+        line: held.map(|(body, _)| pin(model, body)),
+        holds: held.into_iter().flat_map(|(_, place)| place).map(|unknown| coordinate(model, system, unknown)).collect(),
+    }
+}
+
+/// But for those that are checked instead of solved: nothing stands in them.
+fn every_row_finds_an_unknown(incidence: &Incidence) -> bool {
+    matching::maximum(incidence).free_equations().into_iter().all(|row| incidence.rows[row].is_empty())
+}
+
+fn is_called(system: &System, unknown: usize, body: usize, name: &str) -> bool {
+    system.unknowns[unknown].body == body && system.unknowns[unknown].name == name
+}
+
+/// A joint of a body with ground, to be typed.
+fn pin(model: &Model, body: usize) -> String {
+    lines::revolute(&lines::place_of_ground(model), &lines::place_of(model, body))
 }
 
 /// Bodies that are joined to one neighbour only, another body or ground, and have freedom: a joint may be missing there.
@@ -90,7 +136,7 @@ fn chosen(incidence: &Incidence, candidates: &[usize], most: usize) -> Vec<usize
             break;
         }
         driven.rows.push(vec![Entry { unknown: *unknown, is_pivot: true }]);
-        if matching::maximum(&driven).free_equations().is_empty() {
+        if every_row_finds_an_unknown(&driven) {
             chosen.push(*unknown);
         } else {
             driven.rows.pop();

@@ -18,6 +18,7 @@ mod components;
 mod dependence;
 mod grounding;
 mod incidence;
+mod lines;
 mod matching;
 mod mobility;
 mod parts;
@@ -34,7 +35,6 @@ use crate::system::System;
 use incidence::Incidence;
 pub(crate) use pieces::{Piece, left_over, surplus};
 use std::collections::BTreeSet;
-pub(crate) use verdict::Said;
 
 /// The order of solution.
 #[derive(Clone, Debug, PartialEq, Eq)]

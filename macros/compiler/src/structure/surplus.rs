@@ -7,9 +7,9 @@
 use super::incidence::Incidence;
 use super::matching;
 use super::parts::{Part, contending};
-use super::verdict::{Said, coordinate};
+use super::verdict::coordinate;
 use crate::diag::{Diag, Fact};
-use crate::model::Model;
+use crate::model::{Model, Said};
 use crate::system::System;
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -6,9 +6,9 @@
 use super::incidence::Incidence;
 use super::matching::Matching;
 use super::parts::{overdetermined, underdetermined};
-use super::{agreement, grounding, mobility, surplus};
+use super::{agreement, grounding, lines, mobility, surplus};
 use crate::diag::{Diag, Fact};
-use crate::model::{Model, Name};
+use crate::model::{Model, Said};
 use crate::system::System;
 use std::collections::BTreeSet;
 
@@ -42,21 +42,12 @@ pub(super) fn equations_fit(model: &Model, system: &System, incidence: &Incidenc
 fn every_body_is_held(model: &Model, system: &System, incidence: &Incidence, diag: &mut Diag) {
     let held: BTreeSet<usize> = incidence.rows.iter().flatten().map(|entry| system.unknowns[entry.unknown].body).collect();
     let mut said = Said::default();
+    let on_ground = grounding::bodies_on_ground(model, system, incidence);
     for (index, body) in model.bodies.iter().enumerate() {
         if !held.contains(&index) && said.is_new(&body.name) {
-            diag.refuse::<()>(&body.name, Fact::BodyIsFree { body: body.name.to_string() });
+            let example = lines::revolute(&lines::place_of_one(model, on_ground.iter().copied()), &lines::place_of(model, index));
+            diag.refuse::<()>(&body.name, Fact::BodyIsFree { body: body.name.to_string(), example });
         }
-    }
-}
-
-/// The names of which something has been said.
-#[derive(Default)]
-pub(crate) struct Said(BTreeSet<String>);
-
-impl Said {
-    /// Nothing has been said of this item, nor of another that was declared with it.
-    pub(crate) fn is_new(&mut self, name: &Name) -> bool {
-        self.0.insert(name.word.to_string())
     }
 }
 

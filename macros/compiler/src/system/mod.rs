@@ -11,7 +11,7 @@
 
 use crate::diag::{Diag, Fact};
 use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf};
-use crate::model::{Dim, Model};
+use crate::model::{Dim, Model, Said};
 use std::collections::BTreeMap;
 
 /// Unknowns and equations.
@@ -125,11 +125,13 @@ fn no_joint_repeats_another(model: &Model, arena: &mut Arena, diag: &mut Diag) {
     if !diag.is_clean() || model.equations_only {
         return;
     }
+    let mut said = Said::default();
     let mut owners: BTreeMap<Expr, usize> = BTreeMap::new();
     for (index, joint) in model.joints.iter().enumerate() {
         let earlier: Option<Vec<usize>> = joint.residuals.iter().map(|residual| owners.get(&residual.expr).copied()).collect();
         if let Some(other) = earlier.and_then(|earlier| earlier.first().copied())
             && !joint.is_redundant
+            && said.is_new(&joint.name)
         {
             let other = model.joints[other].name.to_string();
             diag.refuse::<()>(&joint.name, Fact::Repeats { joint: joint.name.to_string(), other });

@@ -84,4 +84,34 @@ crate::refusals! {
     item part_in_a_component_that_is_not_used: "component Arm(P: Point) { part hand = Hand(«limb»); } component Hand(P: Point) { body palm {} joint j = weld(P, palm.position); }" => "nothing is called `limb` here\nnote: in `Arm.hand`";
     item zero_in_a_component_that_is_not_used: "component Arm(P: Point) { body limb {} joint j = distance(P, limb.position, «0mm»); }" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together\nnote: in `Arm.j`";
     item index_in_an_array_with_a_gap: "joint j[0] = translational(ground.u, ground.O, ram.B); joint j[2] = translational(ground.u, ground.O, ram.B); drive d = drive_along(j[«1»], 1mm);" => "there is no `j[1]`\nnote: there are `j[0]` and `j[2]`";
+    // What is wrong in every part is said of the first.
+    mechanism joint_doubled_in_a_component: "mechanism Row { component Leg() { body b {} joint o = revolute(ground.position, b.position); joint «p» = revolute(b.position, ground.position); drive d = drive_angle(b, 1rpm * t); } for i in 0..4 { part leg[i] = Leg(); } }" => "`leg[0].p` demands the same as `leg[0].o`\nhelp: take one of them away";
+    mechanism joint_doubled_in_a_loop: "mechanism Row { for i in 0..4 { body b[i] {} joint o[i] = revolute(ground.position, b[i].position); joint «p»[i] = revolute(b[i].position, ground.position); drive d[i] = drive_angle(b[i], 1rpm * t); } }" => "`p[0]` demands the same as `o[0]`\nhelp: take one of them away";
+    mechanism nothing_at_the_default_in_a_component: "mechanism Row { component Leg() { param r: Length = 0mm; body b {} joint o = distance(ground.position, b.position, «r»); } for i in 0..4 { part leg[i] = Leg(); } }" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together\nnote: it is 0 at the declared defaults";
+}
+
+/// Components may have joints of the same name, each with a mistake of its own.
+#[test]
+fn joints_of_one_name_in_two_components_are_both_told() {
+    let repeated = "body b {} joint o = revolute(ground.position, b.position); joint p = revolute(b.position, ground.position);";
+    let follows = "body b {} joint o = revolute(ground.position, b.position); joint p = { b.x == 0; 2 * b.y == 0; }";
+    for (body, words) in [(repeated, "demands the same as"), (follows, "adds nothing")] {
+        let parts = "for i in 0..2 { part leg[i] = Leg(); part arm[i] = Arm(); }";
+        let source = format!("mechanism Row {{ component Leg() {{ {body} }} component Arm() {{ {body} }} {parts} }}");
+        let refusals = reuleaux_compiler::compile(source.parse().expect("tokens")).expect_err("joints are doubled");
+        let said: Vec<String> = refusals.iter().map(|refusal| refusal.fact.to_string()).collect();
+        assert_eq!(said.len(), 2, "{said:?}");
+        for (said, joint) in said.iter().zip(["`leg[0].p`", "`arm[0].p`"]) {
+            assert!(said.starts_with(joint) && said.contains(words), "{said}");
+        }
+    }
+}
+
+/// Two conditions of one joint that fail are two mistakes.
+#[test]
+fn two_numbers_of_a_joint_that_are_wrong_are_both_told() {
+    let leg = "component Leg() { param a: Number = 0; body b {} body c {} joint g = gear_pair(b, c, a, 2 * a); }";
+    let source = format!("mechanism Row {{ {leg} for i in 0..2 {{ part leg[i] = Leg(); }} }}");
+    let refusals = reuleaux_compiler::compile(source.parse().expect("tokens")).expect_err("a gear has no teeth");
+    assert_eq!(refusals.len(), 2, "{refusals:?}");
 }

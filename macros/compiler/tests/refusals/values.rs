@@ -1,7 +1,7 @@
 //! Numbers that make no sense.
 
 crate::refusals! {
-    item roller_without_radius: "joint a = cam_roller(crank.O, ram.B, «0mm», lift);" => "a roller has a radius: for a follower without one use `cam_knife`";
+    item roller_without_radius: "joint a = cam_roller(crank.O, ram.B, «0mm», lift);" => "the radius of the roller is not positive: for a follower without a roller use `cam_knife`";
     item distance_below_zero: "joint a = distance(ground.O, crank.A, «-5mm»);" => "a distance is not negative";
     item distance_of_zero: "joint a = distance(ground.O, crank.A, «0mm»);" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together";
     item distance_of_a_zero_parameter: "param zero: Length = 0mm; joint a = distance(ground.O, crank.A, «zero»);" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together\nnote: it is 0 at the declared defaults";

@@ -19,9 +19,13 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
             write!(f, "no way was found to close {} together, not even with one of them left open", list(joints))?;
             remedy(f, drives, bound.as_deref())
         }
-        Fact::HasNoValue { joint, row, of, drives } => {
+        Fact::HasNoValue { joint, row, of, drives, has_none_anywhere } => {
             write!(f, "{}", equation(*row, *of))?;
-            write!(f, " of `{joint}` has no value near the start: a root of something negative, or a division by zero")?;
+            let place = if *has_none_anywhere { "at t = 0" } else { "near the start" };
+            write!(f, " of `{joint}` has no value {place}: a root of something negative, or a division by zero")?;
+            if *has_none_anywhere {
+                return write!(f, "\nhelp: let `{joint}` have another value at t = 0");
+            }
             write!(f, "\nhelp: declare a `start` at which it has one")?;
             if drives.is_empty() { Ok(()) } else { write!(f, ", or let {} have another value at t = 0", list(drives)) }
         }

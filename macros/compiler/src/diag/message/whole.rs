@@ -1,15 +1,15 @@
 //! What is said of a mechanism as a whole: of its mobility, and of joints that say the same or the opposite.
 
-use super::words::{are, bodies, counted, drives_there_are, list, one_of, plural, rounded};
-use crate::diag::{Count, Demand, Fact};
+use super::words::{are, bodies, counted, drives_there_are, first_of, list, numbers, one_of, plural, rounded};
+use crate::diag::{Count, Demand, Fact, Forgotten};
 use std::fmt::{Formatter, Result};
 
 pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
     match fact {
         Fact::NoBodies { name } => write!(f, "`{name}` has no bodies\nhelp: declare one with `body name {{ … }}`"),
-        Fact::BodyIsFree { body } => {
+        Fact::BodyIsFree { body, example } => {
             write!(f, "nothing holds `{body}`: it is in no equation")?;
-            write!(f, "\nhelp: join it to another body, such as `joint name = revolute({body}.P, other.Q);`, or take it away")
+            write!(f, "\nhelp: join it to ground or to another body, such as `{example}`, or take it away")
         }
         Fact::Repeats { joint, other } => write!(f, "`{joint}` demands the same as `{other}`\nhelp: take one of them away"),
         Fact::FollowsFrom { joint, is_drive, rows, of, others, free, moves } => {
@@ -64,27 +64,32 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
             let first = bodies.first().map_or("", String::as_str);
             write!(f, "\nhelp: join one of them to ground, such as `joint name = revolute(ground.position, {first}.position);`")
         }
-        Fact::FreeCoordinates { body, coordinates, example } => {
+        Fact::FreeCoordinates { body, coordinates, has_place, example } => {
             let nothing = if coordinates.len() == 1 { "it is in no equation" } else { "they are in no equation" };
             write!(f, "nothing determines {}: {nothing}", list(coordinates))?;
-            match example {
-                Some(example) => write!(f, "\nhelp: join `{body}` to another body once more, or drive it, such as `{example}`"),
-                None => write!(f, "\nhelp: join `{body}` to another body, such as `joint name = revolute({body}.position, other.P);`"),
+            match has_place {
+                true => write!(f, "\nhelp: join `{body}` to another body once more, or drive it, such as `{example}`"),
+                false => write!(f, "\nhelp: join `{body}` to ground or to another body, such as `{example}`"),
             }
         }
-        Fact::DrivesMissing { name, count, loose, candidates, example } => {
+        Fact::DrivesMissing { name, count, forgotten, candidates, example } => {
             let Count { coordinates, joints, drives, missing } = count.as_ref();
+            let Forgotten { loose, line, holds } = forgotten.as_ref();
             write!(f, "`{name}` has mobility {}, but {}", missing + drives, drives_there_are(*drives))?;
             write!(f, "\nnote: {} and {} of joints", plural(*coordinates, "coordinate"), plural(*joints, "equation"))?;
             if !loose.is_empty() {
                 let ends = if loose.len() == 1 { "is" } else { "are each" };
                 write!(f, "\nnote: {} {ends} joined to one neighbour only", list(loose))?;
             }
-            let or_joints = if loose.is_empty() { "" } else { " or joints" };
+            let (mut or, mut or_joints) = ("", if loose.is_empty() { "" } else { " or joints" });
+            if let Some(line) = line {
+                write!(f, "\nhelp: a joint may be missing, such as `{line}`, which holds {}", list(holds))?;
+                (or, or_joints) = ("or ", "");
+            }
             match (missing, candidates.len()) {
                 (1, 1) => write!(f, "\nhelp: drive {}", list(candidates))?,
                 (1, _) => write!(f, "\nhelp: add a drive on one of {}", list(candidates))?,
-                _ => write!(f, "\nhelp: add {missing} drives{or_joints}; drives on {} go together", list(candidates))?,
+                _ => write!(f, "\nhelp: {or}add {missing} drives{or_joints}; drives on {} go together", first_of(candidates, *missing))?,
             }
             if example.is_empty() { Ok(()) } else { write!(f, ", such as `{example}`") }
         }
@@ -129,8 +134,11 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
             if rows.len() == *of {
                 return write!(f, "`{joint}` adds nothing: {} {verb} the same\nhelp: take `{joint}` away{mark}", list(others));
             }
-            let which: Vec<String> = rows.iter().map(usize::to_string).collect();
-            write!(f, "`{joint}` demands in part what {} {verb}: its equation {} of {of} adds nothing", list(others), which.join(" and "))?;
+            write!(f, "`{joint}` demands in part what {} {verb}: its ", list(others))?;
+            match rows.as_slice() {
+                [only] => write!(f, "equation {only} of {of} adds nothing")?,
+                many => write!(f, "equations {} of {of} add nothing", numbers(many))?,
+            }
             write!(f, "\nhelp: take one of them away, or demand less with it{mark}")
         }
         Fact::Contradicts { joint, others, demand, off } => {

@@ -18,11 +18,24 @@ pub(super) fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
 /// `a`, `b` and `c`; of many the first few.
 pub(super) fn list(names: &[String]) -> String {
     const MOST: usize = 6;
-    let first = names.iter().take(MOST).map(String::as_str);
-    match names.len() {
-        0 => "nothing".to_owned(),
-        many if many > MOST => format!("{} and {} more", first.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "), many - MOST),
-        _ => listed(first),
+    if names.is_empty() { "nothing".to_owned() } else { first_of(&names[..names.len().min(MOST)], names.len()) }
+}
+
+/// `a`, `b` and 4 more: the first few of as many as there are.
+pub(super) fn first_of(first: &[String], all: usize) -> String {
+    if all <= first.len() {
+        return listed(first.iter().map(String::as_str));
+    }
+    let names: Vec<String> = first.iter().map(|name| format!("`{name}`")).collect();
+    format!("{} and {} more", names.join(", "), all - first.len())
+}
+
+/// 1, 2 and 4
+pub(super) fn numbers(numbers: &[usize]) -> String {
+    let words: Vec<String> = numbers.iter().map(usize::to_string).collect();
+    match words.split_last() {
+        Some((last, first)) if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        _ => words.concat(),
     }
 }
 
