@@ -79,18 +79,18 @@ impl Room<'_> {
                 best = Some((gap, q));
             }
         }
-        match best {
-            None => Opened::Others,
-            Some((gap, mut q)) if gap < 10.0 * HOLDS => {
-                let everything = vec![true; q.len()];
-                if minimise(&mut all, &mut q, &everything) { Opened::Closed(q) } else { Opened::Others }
+        let Some((gap, mut q)) = best else { return Opened::Others };
+        if gap < 10.0 * HOLDS {
+            let (mut closed, everything) = (q.clone(), vec![true; q.len()]);
+            if minimise(&mut all, &mut closed, &everything) {
+                return Opened::Closed(closed);
             }
-            Some((_, q)) => {
-                let mut coordinates = start.to_vec();
-                unknowns.iter().zip(q).for_each(|(unknown, value)| coordinates[*unknown] = value);
-                Opened::Open(self.gap(&own, &coordinates))
-            }
+            // So small a gap shows only where the others are closed to rounding.
+            minimise(&mut without, &mut q, &everything);
         }
+        let mut coordinates = start.to_vec();
+        unknowns.iter().zip(q).for_each(|(unknown, value)| coordinates[*unknown] = value);
+        Opened::Open(self.gap(&own, &coordinates))
     }
 
     /// The first guess is what the search came to, the others lie anywhere.

@@ -97,7 +97,11 @@ fn of_gap(Gap { length, angle, other }: &Gap) -> String {
 
 /// `crank` (100 mm) + `coupler` (200 mm) is 30 mm short of `ground` (330 mm)
 fn of_bound(bound: &Bound) -> String {
-    let with_length = |(name, length): &(String, f64)| format!("{name} ({})", millimetres(*length));
+    // As many digits as show what is missing.
+    let decimals = (1.0 - (bound.missing() * 1e3).log10().floor()).clamp(0.0, 9.0) as usize;
+    let fine = |length: f64| format!("{:.decimals$}", length * 1e3).trim_end_matches('0').trim_end_matches('.').to_owned();
+    let shown = |length: f64| if bound.missing() < length / 1e3 { format!("{} mm", fine(length)) } else { millimetres(length) };
+    let with_length = |(name, length): &(String, f64)| format!("{name} ({})", shown(*length));
     let (missing, span) = (millimetres(bound.missing()), with_length(&bound.span));
     let ways: Vec<String> = bound.ways.iter().filter(|(_, length)| *length > 0.0).map(with_length).collect();
     match ways.len() {
