@@ -101,7 +101,7 @@ fn drives_contend(view: &View, drives: &[usize], joints: &[usize]) -> Fact {
     }
 }
 
-/// What contends, those together that share equations.
+/// What contends: drives together that share equations, of joints the first group.
 fn groups(model: &Model, system: &System, incidence: &Incidence) -> Vec<Group> {
     let mut order: Vec<usize> = (0..system.equations.len()).collect();
     order.sort_by_key(|equation| model.joints[system.equations[*equation].joint].is_drive);
@@ -121,6 +121,12 @@ fn groups(model: &Model, system: &System, incidence: &Incidence) -> Vec<Group> {
         let known: BTreeSet<usize> = joined.part.equations.iter().filter_map(|equation| group_of.get(equation).copied()).collect();
         // Where joints alone are too many, a drive is not to blame as well.
         if is_of_drive(joined.first) && known.iter().any(|known| groups[*known].as_ref().is_some_and(|group| !is_of_drive(group.first))) {
+            continue;
+        }
+        // What else is too much of the same joints shows when the first is mended; of one joint it is one mistake.
+        let joint = system.equations[joined.first].joint;
+        let is_of_another = |group: &Group| system.equations[group.first].joint != joint;
+        if !is_of_drive(joined.first) && known.iter().any(|known| groups[*known].as_ref().is_some_and(is_of_another)) {
             continue;
         }
         for other in known.iter().rev().filter_map(|known| groups[*known].take()) {
