@@ -37,6 +37,17 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A guide whose direction is a parameter.
+    mechanism Guide {
+        param across: Number = 1;
+        ground { axis way = (across, 0); }
+        body slider {}
+        joint guide = translational(ground.way, ground.position, slider.position);
+        drive motor = drive_x(slider.position, 1m * sin(1rad_s * t));
+    }
+}
+
 /// It goes on to the moment before two seconds, and not to any after it.
 fn ends_at_two<M: Mechanism<f64, N>, const N: usize>(mechanism: &M) {
     for steps in [3, 7, 50, 64, 200] {
@@ -94,4 +105,11 @@ fn a_power_vanishes_smoothly_with_its_base() {
         assert!((found - exact).abs() <= 1e-15 * exact.abs().max(1.0), "{found} for {exact}");
     }
     power.solve(2.001).expect_err("below zero");
+}
+
+#[test]
+fn a_direction_that_vanishes_is_named() {
+    let failure = Guide { across: 0.0 }.solve(0.0).expect_err("no direction");
+    assert_eq!(failure.to_string(), "`Guide` cannot be solved with `across` = 0: an axis of length zero has no direction (`ground.way`)");
+    assert!(Guide { across: -0.5 }.solve(0.0).is_ok());
 }

@@ -6,7 +6,7 @@ use super::names::{Context, EntityId, Frame};
 use super::register::Register;
 use super::suggest::nearest;
 use super::value::{Fixed, FrameId, Value};
-use super::{Body, Coordinate, Name};
+use super::{Body, Coordinate, Name, Requirement};
 use crate::diag::{Fact, Range};
 use crate::expr::{Expr, Leaf};
 use crate::syntax::ast;
@@ -47,11 +47,30 @@ impl Elaborator<'_> {
         let mut lengths = Vec::new();
         for mark in &register.marks {
             let range = Range::from(&self.names.declared[mark.0].name);
-            if let Some(Value::Point(point)) = self.entity(*mark, range) {
-                lengths.extend(point.local);
+            match self.entity(*mark, range) {
+                Some(Value::Point(point)) => lengths.extend(point.local),
+                Some(Value::Axis(axis)) => self.has_direction(*mark, &axis),
+                _ => {}
             }
         }
         lengths
+    }
+
+    /// An axis that depends on parameters must not vanish with them.
+    fn has_direction(&mut self, mark: EntityId, axis: &Fixed) {
+        if axis.local.iter().all(|part| self.arena.leaves(*part).is_empty()) {
+            return;
+        }
+        let [x, y] = axis.local.map(|part| self.arena.mul(part, part));
+        let (lhs, rhs) = (self.arena.add(x, y), self.arena.integer(0));
+        let name = self.names.declared[mark.0].name.clone();
+        let (joint, why) = (name.to_string(), "an axis of length zero has no direction".to_owned());
+        let dim = match axis.measure {
+            Measure::Of(dim) => dim.times(dim),
+            _ => Dim::NUMBER,
+        };
+        self.requirements.push(Requirement { lhs, relation: ast::Relation::Greater, rhs, dim, joint, why });
+        self.requirement_places.push((Range::from(&name), name));
     }
 
     /// All bodies with their coordinates and start values.
