@@ -126,17 +126,23 @@ impl Search<'_, '_> {
         }
     }
 
-    /// The equations that are checked hold at the start, but nowhere near it, whatever the drives: these may rest at first.
-    pub(super) fn contradiction_elsewhere(&mut self, start: &[f64], checked: &BTreeSet<usize>) {
+    /// The equations that are checked do not hold: with the others closed to rounding they are off by a little, or they hold at the start
+    /// but nowhere near it, whatever the drives, which may rest at first.
+    pub(super) fn contradiction_of_checks(&mut self, start: &[f64], checked: &BTreeSet<usize>) {
         let room = self.room;
         let joint = |equation: usize| room.system.equations[equation].joint;
-        let poses =
-            room.pushed(self.pieces, start.to_vec(), |equation| checked.contains(&equation) || room.model.joints[joint(equation)].is_drive);
+        let is_drive = |equation: usize| room.model.joints[joint(equation)].is_drive;
+        let closed = room.settled(self.pieces, 0.0, start.to_vec(), |equation| checked.contains(&equation));
+        let closed = closed.map(|q| Pose { time: 0.0, q });
+        let elsewhere = room.pushed(self.pieces, start.to_vec(), |equation| checked.contains(&equation) || is_drive(equation));
         for joint in checked.iter().map(|equation| joint(*equation)).collect::<BTreeSet<usize>>() {
             let is_off = |pose: &Pose| room.misfit(joint, pose) != (None, None);
+            if let Some(pose) = closed.as_ref().filter(|pose| is_off(pose)) {
+                return self.refuse_contradiction(joint, pose, Some(0.0));
+            }
             // An assembly that is off may be another one.
-            if poses.len() > FEW && poses[1..].iter().all(is_off) {
-                return self.refuse_contradiction(joint, &poses[1], None);
+            if elsewhere.len() > FEW && elsewhere[1..].iter().all(is_off) {
+                return self.refuse_contradiction(joint, &elsewhere[1], None);
             }
         }
     }

@@ -123,7 +123,7 @@ impl Search<'_, '_> {
         let pieces: Vec<&Piece> = self.pieces.iter().filter(|piece| piece.is_surplus).collect();
         let checked = pieces.iter().flat_map(|piece| self.left_over(piece, &tour)).collect();
         if self.diag.is_clean() {
-            self.contradiction_elsewhere(&start, &checked);
+            self.contradiction_of_checks(&start, &checked);
         }
         checked
     }
