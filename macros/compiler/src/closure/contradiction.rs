@@ -3,10 +3,11 @@
 //! In: pieces whose equations hold nowhere near the start, or not where the drives lead. Out: a refusal of the joint without which
 //! they would, and by how much it is off. Not done here: what over-determines the drives.
 
-use super::Room;
+use super::gap::Opened;
 use super::rank::Basis;
 use super::redundancy::Search;
 use super::tour::Pose;
+use super::{LARGEST, Room};
 use crate::diag::Fact;
 use crate::expr::{Expr, Values, evaluate};
 use crate::model::Dim;
@@ -62,7 +63,19 @@ impl Search<'_, '_> {
             !takes_from_drives && (sources.len() <= FEW || has_room && self.closes_without(start, &is_drive).is_none())
         };
         if is_meant || is_held_twice() {
-            self.refuse_contradiction(joint, &pose, Some(pose.time));
+            let nearest = self.nearest(joint, pose);
+            self.refuse_contradiction(joint, &nearest, Some(0.0));
+        }
+    }
+
+    /// Of the assemblies without a joint the one at which it is least off: it may leave the others a freedom.
+    fn nearest(&self, joint: usize, pose: Pose) -> Pose {
+        let is_of_it = |equation: &usize| self.room.system.equations[*equation].joint == joint;
+        let piece = self.pieces.iter().find(|piece| piece.is_surplus && piece.equations.iter().any(is_of_it));
+        let Some(piece) = piece.filter(|piece| piece.unknowns.len() <= LARGEST) else { return pose };
+        match self.room.least_gap(&piece.unknowns, &piece.equations, &pose.q, joint) {
+            Opened::Open { q, .. } => Pose { q, ..pose },
+            Opened::Closed(_) | Opened::Others => pose,
         }
     }
 

@@ -40,8 +40,8 @@ pub struct Gap {
 
 /// What comes of opening a joint.
 pub(super) enum Opened {
-    /// It cannot be closed: the least gap.
-    Open(Gap),
+    /// It cannot be closed: the least gap, and where it is.
+    Open { gap: Gap, q: Vec<f64> },
     /// It can be closed after all: the values of the block's unknowns.
     Closed(Vec<f64>),
     /// The other joints do not close either.
@@ -90,7 +90,7 @@ impl Room<'_> {
         }
         let mut coordinates = start.to_vec();
         unknowns.iter().zip(q).for_each(|(unknown, value)| coordinates[*unknown] = value);
-        Opened::Open(self.gap(&own, &coordinates))
+        Opened::Open { gap: self.gap(&own, &coordinates), q: coordinates }
     }
 
     /// The first guess is what the search came to, the others lie anywhere.

@@ -100,7 +100,7 @@ impl Judge<'_> {
                     unknowns.iter().zip(values).for_each(|(unknown, value)| start[*unknown] = value);
                     return None;
                 }
-                Opened::Open(gap) => {
+                Opened::Open { gap, .. } => {
                     let fact = Fact::StaysOpen {
                         joint: self.joint(joint),
                         gap: Box::new(gap),
