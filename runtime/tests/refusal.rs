@@ -46,7 +46,7 @@ fn impossible_lengths_do_not_close() {
     assert_eq!(failure.last, None);
     let sentence = failure.to_string();
     println!("{sentence}");
-    assert!(sentence.starts_with("`FourBar` does not close at t = 0 s: joint `"), "{sentence}");
+    assert!(sentence.starts_with("`FourBar` was not assembled at t = 0 s: where the search ended, joint `"), "{sentence}");
     assert!(!sentence.ends_with('.'));
 }
 
