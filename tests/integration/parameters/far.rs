@@ -159,7 +159,7 @@ fn a_crank_that_turns_no_more_ends_where_coupler_and_rocker_are_in_line() {
 fn where_no_assembly_exists_it_is_said_by_how_much_and_since_when() {
     let failure = Left { rocker_length: 0.02, coupler_length: 0.2, ..Left::default() }.solve(0.0).expect_err("it is 80 mm short");
     let text = failure.to_string();
-    assert!(text.starts_with("`Left` does not close at t = 0 s: joint `"), "{text}");
+    assert!(text.starts_with("`Left` was not assembled at t = 0 s: where the search ended, joint `"), "{text}");
     // 0.65 - 0.43 s = 0.3
     assert!(text.contains("; on the way from its defaults to these parameters the branch ends at 81.3953 %, where joint `"), "{text}");
     assert!((failure.end.expect("the branch ends").share - 0.35 / 0.43).abs() < 1e-7);
