@@ -2,7 +2,7 @@
 //!
 //! ```sh
 //! cargo run --release -p reuleaux-benches --bin lanes
-//! RUSTFLAGS="-C target-cpu=native" cargo run --release -p reuleaux-benches --bin lanes
+//! RUSTFLAGS="-C target-cpu=x86-64-v3" cargo run --release -p reuleaux-benches --bin lanes
 //! ```
 //!
 //! 1000 steps of a turn, each lane a quarter or an eighth of a turn ahead of the one before; both contenders in turn in each of 60
