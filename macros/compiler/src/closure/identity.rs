@@ -3,8 +3,7 @@
 //! In: a [`System`]. Out: a refusal of each joint with such a row. Rows that say so by their pattern alone have been refused before;
 //! these have derivatives whose terms cancel, whatever the coordinates.
 
-use super::Room;
-use super::tour::with_room;
+use super::{Room, with_room};
 use crate::diag::{Diag, Fact};
 use crate::expr::{Evaluator, Expr, Leaf, Values, magnitudes};
 use crate::model::{Model, Said};

@@ -60,36 +60,39 @@ pub struct Closure {
 
 /// Looks for the assembled configuration nearest to the declared start.
 pub(crate) fn close(model: &Model, system: &System, structure: &Structure, diag: &mut Diag) -> Option<Closure> {
+    with_room(model, system, |room| {
+        if model.closing == Closing::Off {
+            return Some(Closure { start: room.unassembled(), is_closed: false, remark: None });
+        }
+        let mut assembled = room.assembled(structure);
+        if model.closing == Closing::Deny && !model.equations_only {
+            redundancy::drives_have_something_to_drive(room, structure, &assembled, diag)?;
+        }
+        if assembled.is_closed && !model.equations_only {
+            redundancy::equations_are_independent(room, structure, &assembled.start, diag)?;
+        }
+        let verdict = if model.equations_only { None } else { verdict::judge(room, structure, &mut assembled) };
+        let mut closure = Closure { start: room.rounded(&assembled.start), is_closed: assembled.is_closed, remark: None };
+        match verdict {
+            Some((range, fact)) if model.closing == Closing::Deny => return diag.refuse(range, fact),
+            Some((_, fact)) => closure.remark = Some(fact.to_string()),
+            None => {}
+        }
+        Some(closure)
+    })
+}
+
+/// Does something with what is known before anything is closed.
+fn with_room<R>(model: &Model, system: &System, work: impl FnOnce(&Room) -> R) -> R {
     let functions = |number: u32, x: f64| call(model, number, x);
     let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
     let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
     let parameters = evaluate(&system.arena, &defaults, &nothing);
     let known = Values { parameters: &parameters, ..nothing };
-    let declared: Vec<Option<f64>> = system
-        .unknowns
-        .iter()
-        .map(|unknown| unknown.start.and_then(|start| evaluate(&system.arena, &[start], &known).pop()).filter(|value| value.is_finite()))
-        .collect();
+    let start = |start: Expr| evaluate(&system.arena, &[start], &known).pop().filter(|value| value.is_finite());
+    let declared = system.unknowns.iter().map(|unknown| unknown.start.and_then(start)).collect();
     let size = size(model, system, &known);
-    let room = Room { model, system, known, size, declared };
-    if model.closing == Closing::Off {
-        return Some(Closure { start: room.unassembled(), is_closed: false, remark: None });
-    }
-    let mut assembled = room.assembled(structure);
-    if model.closing == Closing::Deny && !model.equations_only {
-        redundancy::drives_have_something_to_drive(&room, structure, &assembled, diag)?;
-    }
-    if assembled.is_closed && !model.equations_only {
-        redundancy::equations_are_independent(&room, structure, &assembled.start, diag)?;
-    }
-    let verdict = if model.equations_only { None } else { verdict::judge(&room, structure, &mut assembled) };
-    let mut closure = Closure { start: room.rounded(&assembled.start), is_closed: assembled.is_closed, remark: None };
-    match verdict {
-        Some((range, fact)) if model.closing == Closing::Deny => return diag.refuse(range, fact),
-        Some((_, fact)) => closure.remark = Some(fact.to_string()),
-        None => {}
-    }
-    Some(closure)
+    work(&Room { model, system, known, size, declared })
 }
 
 /// What is known before anything is closed.
@@ -123,10 +126,14 @@ impl Room<'_> {
         self.in_order(structure)
     }
 
+    /// What a unit step of an unknown is.
+    fn scale(&self, unknown: usize) -> f64 {
+        if self.system.unknowns[unknown].dim == Dim::ANGLE { 1.0 } else { self.size }
+    }
+
     /// What is zero to rounding is zero, for the eye that reads generated code.
     fn rounded(&self, start: &[f64]) -> Vec<f64> {
-        let scale = |unknown: usize| if self.system.unknowns[unknown].dim == Dim::ANGLE { 1.0 } else { self.size };
-        start.iter().enumerate().map(|(unknown, value)| if value.abs() <= 1e-13 * scale(unknown) { 0.0 } else { *value }).collect()
+        start.iter().enumerate().map(|(unknown, value)| if value.abs() <= 1e-13 * self.scale(unknown) { 0.0 } else { *value }).collect()
     }
 
     /// All equations for all unknowns.
@@ -150,7 +157,7 @@ impl Room<'_> {
                 }
             }
         }
-        let scale = |unknown: &usize| if self.system.unknowns[*unknown].dim == Dim::ANGLE { 1.0 } else { self.size };
+        let scale = |unknown: &usize| self.scale(*unknown);
         Problem {
             rows: rows.len(),
             is_known: rows.iter().map(|equation| equation.phi.is_some_and(|phi| is_known(self.model, self.system, phi))).collect(),

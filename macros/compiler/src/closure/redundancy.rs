@@ -9,8 +9,8 @@
 use super::order::Assembled;
 use super::rank::{Basis, Matrix};
 use super::rows::Rows;
-use super::tour::{Tour, with_room};
-use super::{LARGEST, Room};
+use super::tour::Tour;
+use super::{LARGEST, Room, with_room};
 use crate::diag::{Diag, Fact};
 use crate::model::{Model, Said};
 use crate::structure::{self, Block, Piece, Structure};

@@ -62,14 +62,13 @@ impl Room<'_> {
     /// By the block's own unknowns alone a row may be small just because the block is singular, and there alone just because it is the
     /// square of something that vanishes there.
     fn row_sizes(&self, block: &Block, start: &[f64]) -> Vec<f64> {
-        let scale = |unknown: usize| if self.is_angle(unknown) { 1.0 } else { self.size };
-        let near: Vec<f64> = start.iter().enumerate().map(|(unknown, value)| value + NEAR * scale(unknown)).collect();
+        let near: Vec<f64> = start.iter().enumerate().map(|(unknown, value)| value + NEAR * self.scale(unknown)).collect();
         let size = |equation: &usize| {
             let row = &self.system.equations[*equation].jacobian;
             let entries: Vec<Expr> = row.iter().map(|(_, entry)| *entry).collect();
             let largest = |coordinates: &[f64]| {
                 let values = evaluate(&self.system.arena, &entries, &Values { coordinates, ..self.known });
-                row.iter().zip(values).fold(0.0, |size: f64, ((unknown, _), value)| size.max((value * scale(*unknown)).abs()))
+                row.iter().zip(values).fold(0.0, |size: f64, ((unknown, _), value)| size.max((value * self.scale(*unknown)).abs()))
             };
             largest(start).max(largest(&near))
         };

@@ -5,11 +5,10 @@
 
 use super::levenberg::minimise;
 use super::search::{GUESSES, guess};
-use super::{LARGEST, Room, call, size};
+use super::{LARGEST, Room};
 use crate::expr::{Expr, Values, evaluate};
-use crate::model::{Dim, Model};
+use crate::model::Dim;
 use crate::structure::Piece;
-use crate::system::System;
 
 /// How far the fastest drive goes from the start to each pose, in rad or in lengths of the mechanism; one after the other to
 /// either side, about half a turn.
@@ -49,19 +48,6 @@ pub(super) struct Tour {
 pub(super) struct Pose {
     pub(super) time: f64,
     pub(super) q: Vec<f64>,
-}
-
-/// Does something with what is known before anything is closed.
-pub(super) fn with_room<R>(model: &Model, system: &System, work: impl FnOnce(&Room) -> R) -> R {
-    let functions = |number: u32, x: f64| call(model, number, x);
-    let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
-    let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
-    let parameters = evaluate(&system.arena, &defaults, &nothing);
-    let known = Values { parameters: &parameters, ..nothing };
-    let start = |start: Expr| evaluate(&system.arena, &[start], &known).pop().filter(|value| value.is_finite());
-    let declared = system.unknowns.iter().map(|unknown| unknown.start.and_then(start)).collect();
-    let size = size(model, system, &known);
-    work(&Room { model, system, known, size, declared })
 }
 
 impl Room<'_> {
@@ -216,10 +202,5 @@ impl Room<'_> {
             rate.is_finite().then_some(rate)
         };
         pieces.iter().flat_map(|piece| &piece.equations).filter_map(pace).fold(0.0, f64::max)
-    }
-
-    /// What a unit step of an unknown is.
-    pub(super) fn scale(&self, unknown: usize) -> f64 {
-        if self.system.unknowns[unknown].dim == Dim::ANGLE { 1.0 } else { self.size }
     }
 }

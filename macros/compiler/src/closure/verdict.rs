@@ -276,8 +276,7 @@ impl Judge<'_> {
     }
 
     fn is_told(&self, unknown: usize, declared: f64, start: &[f64]) -> bool {
-        let scale = if self.room.is_angle(unknown) { 1.0 } else { self.room.size };
-        (start[unknown] - declared).abs() < TOLD * scale
+        (start[unknown] - declared).abs() < TOLD * self.room.scale(unknown)
     }
 
     /// Takes all that depends on a block to the nearest assembly that goes with it; whether there is one.
