@@ -13,6 +13,7 @@ pub mod common {
     pub mod twofold;
 }
 pub mod blocks;
+pub mod branches;
 pub mod laws;
 pub mod library;
 pub mod mechanisms;

@@ -1,6 +1,8 @@
 //! The assembly that was declared is kept, however far times and parameters are from where they began.
 
 use reuleaux::mechanism;
+use reuleaux_tests::branches::families::{Cylinders, Family, Fourth, Platform, Stephenson};
+use reuleaux_tests::branches::{Tally, try_steps};
 use std::f64::consts::TAU;
 
 mechanism! {
@@ -83,4 +85,31 @@ fn other_lengths_keep_the_declared_assembly() {
         solved += 1;
     }
     assert!(solved > 500, "{solved} of the random linkages close");
+}
+
+/// So few steps on loops with several assemblies of each sign; `benches/branches.rs` takes many.
+fn no_step_leaves_its_branch<M: Family<N>, const N: usize>() {
+    let mut tally = Tally::default();
+    try_steps::<M, N>(&mut fastrand::Rng::with_seed(23), 160, &mut tally);
+    assert!(tally.is_good(1000) && 2 * tally.right > tally.steps, "{tally:#?}");
+}
+
+#[test]
+fn no_step_of_a_plate_on_cylinders_leaves_its_branch() {
+    no_step_leaves_its_branch::<Cylinders, _>();
+}
+
+#[test]
+fn no_step_of_a_platform_leaves_its_branch() {
+    no_step_leaves_its_branch::<Platform, _>();
+}
+
+#[test]
+fn no_step_of_a_six_bar_driven_from_afar_leaves_its_branch() {
+    no_step_leaves_its_branch::<Stephenson, _>();
+}
+
+#[test]
+fn no_step_of_a_group_of_the_fourth_class_leaves_its_branch() {
+    no_step_leaves_its_branch::<Fourth, _>();
 }
