@@ -6,6 +6,8 @@ use core::cell::Cell;
 
 use nalgebra::SVector;
 
+#[cfg(feature = "certify")]
+use crate::enclosure::Wanted;
 use crate::lanes::Mask;
 use crate::linear::Linear;
 use crate::order::greater;
@@ -29,6 +31,24 @@ pub struct Care<'a, T: Lanes, const N: usize> {
 }
 
 impl<T: Lanes, const N: usize> Care<'_, T, N> {
+    /// What the pass encloses, if it does.
+    #[cfg(feature = "certify")]
+    pub(crate) fn wanted(&self) -> Option<&Wanted<N>> {
+        if let Mode::Enclose(wanted) = self.mode { Some(wanted) } else { None }
+    }
+
+    /// The name of a coordinate.
+    #[cfg(feature = "certify")]
+    pub(crate) fn coordinate(&self, index: usize) -> Coordinate {
+        names::coordinate(self.coordinates, index)
+    }
+
+    /// The index in Φ of the equation that is off most, if any is.
+    #[cfg(feature = "certify")]
+    pub(crate) fn off(&self) -> Option<usize> {
+        Some(self.found.get().off?.0)
+    }
+
     /// L and 1/L.
     pub(crate) fn lengths(&self) -> (T, T) {
         (self.length, self.share)
@@ -38,7 +58,7 @@ impl<T: Lanes, const N: usize> Care<'_, T, N> {
     pub(crate) fn check(&self, row: usize, residual: T, size: T) {
         let mut found = self.found.get();
         let bound = bound(found.condition, size);
-        let holds = residual.abs().at_most(bound).all();
+        let holds = T::may_vanish(residual, bound).all();
         // What is not a number is off, and nothing is more off.
         let share = residual.abs() / bound;
         let is_known = found.off.is_some_and(|(_, _, most)| share.at_most(most).all() || !most.at_most(most).all());
@@ -72,6 +92,24 @@ enum Mode<'a, T, const N: usize> {
     Close { guess: &'a SVector<T, N> },
     /// Nothing is solved: these are the positions, and the block that is nearest to singular is looked for.
     Inspect { q: &'a SVector<T, N> },
+    /// Solutions are enclosed next to a state, which only [`Enclosure`](crate::Enclosure) can do.
+    #[cfg(feature = "certify")]
+    Enclose(&'a Wanted<N>),
+}
+
+impl<'a, T: Lanes, const N: usize> Care<'a, T, N> {
+    /// To enclose the solution next to a state.
+    #[cfg(feature = "certify")]
+    pub(crate) fn enclose<E: Description<T, N> + ?Sized>(equations: &E, wanted: &'a Wanted<N>) -> Self {
+        Self::new(equations, Mode::Enclose(wanted), [Orientation::Positive; N])
+    }
+
+    fn new<E: Description<T, N> + ?Sized>(equations: &E, mode: Mode<'a, T, N>, branch: [Orientation; N]) -> Self {
+        let length = length_of(equations.characteristic_length());
+        let one = T::of(1.0);
+        let found = Cell::new(Found { branch, condition: one, iterations: 0, worst: None, off: None });
+        Self { mode, length, share: one / length, rows: E::ROWS, coordinates: E::COORDINATES, found }
+    }
 }
 
 impl<'a, T: Float, const N: usize> Care<'a, T, N> {
@@ -88,13 +126,6 @@ impl<'a, T: Float, const N: usize> Care<'a, T, N> {
     /// At given positions.
     pub(crate) fn inspect<E: Description<T, N> + ?Sized>(equations: &E, q: &'a SVector<T, N>) -> Self {
         Self::new(equations, Mode::Inspect { q }, [Orientation::Positive; N])
-    }
-
-    fn new<E: Description<T, N> + ?Sized>(equations: &E, mode: Mode<'a, T, N>, branch: [Orientation; N]) -> Self {
-        let length = length_of(equations.characteristic_length());
-        let one = T::of(1.0);
-        let found = Cell::new(Found { branch, condition: one, iterations: 0, worst: None, off: None });
-        Self { mode, length, share: one / length, rows: E::ROWS, coordinates: E::COORDINATES, found }
     }
 
     /// The equation that is off most, if any is.
@@ -150,6 +181,8 @@ pub(crate) fn solve<T: Float, L: Linear<T, K>, const K: usize, const N: usize>(
             }
             Position { place, factors, condition, iterations: 0 }
         }
+        #[cfg(feature = "certify")]
+        Mode::Enclose(_) => return Err(Stop::Far),
     };
     if let Some(orientation) = found.branch.get_mut(first) {
         *orientation = position.factors.sides();

@@ -56,6 +56,12 @@ pub trait Lanes: Real {
     #[must_use]
     fn pick(mask: Self::Mask, then: Self, otherwise: Self) -> Self;
 
+    /// Whether a residual may be a rounding error, of which `bound` is the largest.
+    #[doc(hidden)]
+    fn may_vanish(self, bound: Self) -> Self::Mask {
+        self.abs().at_most(bound)
+    }
+
     /// The sign of each lane; zero counts as positive.
     fn sides(self) -> Self::Sides;
 

@@ -27,7 +27,8 @@
 //!
 //! # Features
 //!
-//! `std` (default) asks nalgebra for it and nothing else. `wide` takes several mechanisms along in the lanes of a register
+//! `std` (default) asks nalgebra for it and nothing else. `certify` (default) bounds the errors of states, proves that they are solutions,
+//! and polishes them ([`Mechanism::error_bound`], [`certify`](Mechanism::certify), [`polish`](Mechanism::polish)). `wide` takes several mechanisms along in the lanes of a register
 //! (`reuleaux::wide`), `rayon` many on all processors (`reuleaux::parallel`).
 //!
 //! # Rooms
@@ -53,6 +54,8 @@ mod assembly;
 mod careful;
 mod continuation;
 mod damping;
+#[cfg(feature = "certify")]
+mod enclosure;
 mod equations;
 mod failure;
 mod family;
@@ -84,6 +87,8 @@ pub mod wide;
 
 #[doc(hidden)]
 pub use continuation::step_in_part;
+#[cfg(feature = "certify")]
+pub use enclosure::{Certificate, Doubt, Enclosure, ErrorBound};
 pub use equations::{Description, Equations, ParameterOutOfRange};
 pub use failure::{BranchEnd, Cause, Culprit, Failure};
 pub use family::Family;

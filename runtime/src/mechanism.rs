@@ -2,9 +2,13 @@
 
 use nalgebra::SVector;
 
+#[cfg(feature = "certify")]
+use crate::Family;
 use crate::assembly::assemble;
 use crate::careful::Care;
 use crate::continuation;
+#[cfg(feature = "certify")]
+use crate::enclosure::{self, Certificate, Doubt, Enclosure, ErrorBound};
 use crate::stages::Stages;
 use crate::verdict;
 use crate::{Cause, Culprit, Failure, Float, State, Sweep};
@@ -67,6 +71,87 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     #[inline]
     fn advance(&self, state: &mut State<T, N>, t: T) -> Result<(), Failure<T, N>> {
         continuation::advance(self, state, t)
+    }
+
+    /// How far each coordinate of a state may be from the solution next to it, and its rates from theirs; to some ten digits, this is
+    /// how far they are.
+    ///
+    /// The solution meant is that of the declared equations with these parameters and this time, each number taken exactly as the
+    /// double that it is; where `T` is `f32`, the errors of computing with `f32` are all in the bound. It is enclosed by interval
+    /// arithmetic with centres of 32 digits ([`Enclosure`](crate::Enclosure)), anew in each call, which takes as long as some hundred steps.
+    ///
+    /// ```
+    /// use reuleaux::Mechanism;
+    ///
+    /// reuleaux::mechanism! {
+    ///     /// Two bars between a pivot and a slider that is almost as far away as they can reach.
+    ///     mechanism Toggle {
+    ///         ground { point O = (0, 0);  axis rail = (1, 0); }
+    ///         body near   { point O = (0, 0);  point A = (1m, 0);  start angle = 1mrad; }
+    ///         body far    { point A = (0, 0);  point B = (1m, 0);  start angle = -1mrad; }
+    ///         body slider { point B = (0, 0); }
+    ///         joint o = revolute(ground.O, near.O);
+    ///         joint a = revolute(near.A, far.A);
+    ///         joint b = revolute(far.B, slider.B);
+    ///         joint rail = translational(ground.rail, ground.O, slider.B);
+    ///         drive push = drive_x(slider.B, 2m - 1um - 1m_s * t);
+    ///     }
+    /// }
+    ///
+    /// let toggle = Toggle::default();
+    /// let mut state = toggle.solve(0.0)?;
+    /// let before = toggle.error_bound(&state)?.qd.amax();
+    /// assert!(before > 1e-10 && before < 1e-6);    // of 500 rad/s
+    ///
+    /// toggle.polish(&mut state.0)?;
+    /// assert!(toggle.error_bound(&state)?.qd.amax() < 1e-13);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Where no solution can be proven to be near.
+    #[cfg(feature = "certify")]
+    fn error_bound(&self, state: &State<T, N>) -> Result<ErrorBound<T, N>, Doubt>
+    where
+        Self: Family<T>,
+        Self::Over<Enclosure>: Stages<Enclosure, N>,
+    {
+        enclosure::error_bound(self, state)
+    }
+
+    /// Proves that there is exactly one solution within a radius of a state, and says the radius.
+    ///
+    /// The proof is Krawczyk's: an operator that maps a box around the state into itself, block by block, in
+    /// [interval arithmetic](crate::Enclosure) with all roundings counted. It holds for the declared equations, each number taken exactly as
+    /// the double that it is. Equations of redundant joints, which follow from the others, are checked and not proven.
+    ///
+    /// # Errors
+    /// Why there is no proof. There never is one for a state without a solution within the radius.
+    #[cfg(feature = "certify")]
+    fn certify(&self, state: &State<T, N>) -> Result<Certificate<T, N>, Doubt>
+    where
+        Self: Family<T>,
+        Self::Over<Enclosure>: Stages<Enclosure, N>,
+    {
+        enclosure::certify(self, state)
+    }
+
+    /// Rounds the solution next to a state: q, q̇ and q̈ as good as `T` can hold them, whatever the condition.
+    ///
+    /// Residuals are evaluated with twice the digits, and the equations are those of [`error_bound`](Self::error_bound): time,
+    /// parameters and literals are the doubles that they are, exactly. It pays where the [condition](State::condition) is above some
+    /// hundred and rates or accelerations are wanted to the last digits; below, a state is as good already as one needs. The state
+    /// stays on its branch: no other solution is as near.
+    ///
+    /// # Errors
+    /// Where this cannot be proven; the state stays as it is.
+    #[cfg(feature = "certify")]
+    fn polish(&self, state: &mut State<T, N>) -> Result<(), Doubt>
+    where
+        Self: Family<T>,
+        Self::Over<Enclosure>: Stages<Enclosure, N>,
+    {
+        enclosure::polish(self, state)
     }
 
     /// The states at these times (s): the first as by [`solve`](Self::solve), each further one from the one before.

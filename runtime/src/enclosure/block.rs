@@ -1,0 +1,141 @@
+//! One block: Newton's method with the residuals in twice the digits, and then Krawczyk's operator around where it ends.
+//!
+//! ```text
+//! K(X) = c − R Φ(c) + (I − R Φ_q(X)) (X − c)        R ≈ Φ_q(c)⁻¹
+//! ```
+//!
+//! If K(X) lies inside of X, there is exactly one solution in X, and it lies in K(X): for each value of what comes before the block
+//! (Krawczyk 1969; Neumaier: Interval Methods for Systems of Equations, 5.1). Its rates follow from the residuals' derivatives along the
+//! motion, which [`Enclosure`]s carry with them, and not from the emitted ν and γ.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::Doubt;
+use super::ball::{Ball, up};
+use super::moving::Enclosure;
+use super::system::{excess, inverse, product_of_magnitudes, solve_all};
+use super::twofold::Twofold;
+use crate::careful::Care;
+use crate::linear::Linear;
+use crate::pass::{Solved, Stop};
+use crate::place::Place;
+use crate::problem::{Block, Evaluate};
+use crate::{CoordinateKind, Culprit};
+
+/// Corrections of a state that is near a solution; five are usual, most of them for the last digits.
+const MOST_CORRECTIONS: usize = 40;
+
+/// A scaled correction after which the next one is far below any rounding of a double.
+const FINE: f64 = 1e-24;
+
+/// A box is at least so wide, as a share of what counts as 1 and of the unknown.
+const NARROWEST: f64 = 1e-27;
+
+/// Encloses the solution of a block that is next to the state.
+///
+/// # Errors
+/// Where that cannot be proven; the reason is left with what is wanted.
+pub(super) fn solve<L: Linear<Enclosure, K>, const K: usize, const N: usize>(
+    care: &Care<'_, Enclosure, N>,
+    block: &Block<K>,
+    evaluate: &Evaluate<'_, Enclosure, L, K>,
+) -> Result<Solved<Enclosure, L, K>, Stop<Enclosure>> {
+    let Some(wanted) = care.wanted() else { return Err(Stop::Far) };
+    let name = || care.coordinate(block.unknowns.first().copied().unwrap_or(0));
+    let doubt = |doubt: Doubt| {
+        wanted.doubt.set(Some(doubt));
+        Stop::NotFinite(Culprit::Coordinate(name()))
+    };
+    let length = care.lengths().0.value.center.high;
+    let columns = block.kinds.map(|kind| if kind == CoordinateKind::Length { length } else { 1.0 });
+
+    let start = SVector::<f64, K>::from_fn(|k, _| wanted.q[block.unknowns[k]]);
+    // Residuals of unknowns that move as they are said to, and their Jacobian.
+    let linearize = |x: &SVector<Enclosure, K>| {
+        let (phi, matrix) = evaluate(&Place::at(*x, &block.turns));
+        (phi, L::dense(&matrix).map(|entry| entry.value))
+    };
+    let within = |center: &SVector<Twofold, K>, radius: &SVector<f64, K>| {
+        SVector::<Enclosure, K>::from_fn(|k, _| Enclosure::at_rest(Ball::around(center[k], radius[k])))
+    };
+    let none = SVector::<f64, K>::from_element(0.0);
+    let (center, inverse) = newton(&start, &columns, |x| {
+        let (phi, jacobian) = linearize(&within(x, &none));
+        (phi.map(|residual| residual.value), jacobian)
+    })
+    .ok_or_else(|| doubt(Doubt::NoSolution(name())))?;
+
+    // |R Φ(c)|, for all that what comes before may be.
+    let phi = linearize(&within(&center, &none)).0.map(|residual| residual.value);
+    let offset = product_of_magnitudes(&inverse, &phi);
+    let image = |radius: &SVector<f64, K>| {
+        let spread = excess(&inverse, &linearize(&within(&center, radius)).1);
+        SVector::<f64, K>::from_fn(|i, _| (0..K).fold(offset[i], |sum, j| up(sum + up(spread[(i, j)] * radius[j]))))
+    };
+    let is_inside = |image: &SVector<f64, K>, radius: &SVector<f64, K>| (0..K).all(|k| image[k] < radius[k]);
+    let narrow = SVector::<f64, K>::from_fn(|k, _| up(4.0 * offset[k] + NARROWEST * (columns[k] + center[k].high.abs())));
+    // Whatever is as near to the state as the solution is.
+    let wide = SVector::<f64, K>::from_fn(|k, _| {
+        let away = (Ball::exact(start[k]) - Ball::around(center[k], 0.0)).magnitude();
+        up(2.0 * away + narrow[k])
+    });
+    let in_wide = image(&wide);
+    let is_alone = is_inside(&in_wide, &wide);
+    let in_narrow = image(&narrow);
+    let radius = match (is_inside(&in_narrow, &narrow), is_alone) {
+        (true, _) => in_narrow,
+        (false, true) => in_wide,
+        (false, false) => return Err(doubt(Doubt::NoSolution(name()))),
+    };
+    if wanted.alone && !is_alone {
+        return Err(doubt(Doubt::Another(name())));
+    }
+
+    // The rates are those with which the residuals stay zero: first of unknowns at rest, then of unknowns that move evenly.
+    let mut x = within(&center, &radius);
+    let (at_rest, jacobian) = linearize(&x);
+    let is_proven = phi.iter().chain(jacobian.iter()).all(|entry| entry.is_proven);
+    let spread = excess(&inverse, &jacobian);
+    let solve = |b: SVector<Ball, K>| solve_all(&jacobian, &inverse, &spread, &b);
+    let rates = solve(at_rest.map(|residual| -residual.rate));
+    for k in 0..K {
+        x[k].value.is_proven = is_proven;
+        x[k].rate = rates[k].with_doubts_of(x[k].value);
+    }
+    let accelerations = solve(linearize(&x).0.map(|residual| -residual.acceleration));
+    for k in 0..K {
+        x[k].acceleration = accelerations[k].with_doubts_of(x[k].value);
+    }
+    let there = Place::at(x, &block.turns);
+    let factors = L::factor(&evaluate(&there).1).map_err(|_| doubt(Doubt::NoSolution(name())))?;
+    Ok(Solved { x: x.data.0[0], turn: there.turn, factors })
+}
+
+/// Where Newton's method comes to from doubles, and the inverse of the Jacobian there, roughly.
+fn newton<const K: usize>(
+    start: &SVector<f64, K>,
+    columns: &[f64; K],
+    linearize: impl Fn(&SVector<Twofold, K>) -> (SVector<Ball, K>, SMatrix<Ball, K, K>),
+) -> Option<(SVector<Twofold, K>, SMatrix<f64, K, K>)> {
+    let mut x = start.map(Twofold::of);
+    let mut last = f64::INFINITY;
+    for _ in 0..MOST_CORRECTIONS {
+        let (phi, jacobian) = linearize(&x);
+        let inverse = inverse(&jacobian)?;
+        let mut length = 0.0;
+        for i in 0..K {
+            let correction = (0..K).fold(0.0, |sum, k| sum + inverse[(i, k)] * phi[k].center.high);
+            x[i] = x[i] - Twofold::of(correction);
+            length += correction.abs() / (columns[i] + x[i].high.abs());
+        }
+        if !length.is_finite() {
+            return None;
+        }
+        let has_stalled = length < f64::EPSILON && length > 0.25 * last;
+        if length <= FINE || has_stalled {
+            return Some((x, inverse));
+        }
+        last = length;
+    }
+    None
+}

@@ -1,0 +1,188 @@
+//! How far a state is from the truth, with proof: its mechanism is computed anew over [`Enclosure`]s.
+//!
+//! In: a mechanism and a state that may be one of it. Out: balls around q, q̇ and q̈ of the solution next to it, or why none can be
+//! proven. The same emitted code as in a step goes from block to block; only what a block does with its equations is different
+//! ([`block`]). Centres of balls have 32 digits, so that their radii are far below a rounding, and the error of a state is known as well
+//! as that.
+
+mod ball;
+mod block;
+mod functions;
+mod moving;
+mod system;
+#[cfg(test)]
+mod tests;
+mod twofold;
+
+use core::cell::Cell;
+use core::fmt;
+
+use nalgebra::SVector;
+
+use crate::careful::Care;
+use crate::names;
+use crate::pass::{Pass, Stop};
+use crate::{Coordinate, CoordinateKind, Culprit, Description, Family, Float, Real, Row, Stages, State};
+
+use ball::Ball;
+pub use moving::Enclosure;
+
+/// Bounds of the errors of a state, by coordinate: a solution lies within them, on all of them at once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ErrorBound<T, const N: usize> {
+    /// Of q, in m and rad.
+    pub q: SVector<T, N>,
+    /// Of q̇, in m/s and rad/s.
+    pub qd: SVector<T, N>,
+    /// Of q̈, in m/s² and rad/s².
+    pub qdd: SVector<T, N>,
+}
+
+/// The proof that within a radius of a state there is exactly one solution.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Certificate<T, const N: usize> {
+    /// The greatest entry of `within.q`, lengths as shares of the characteristic length L.
+    pub radius: T,
+    /// Exactly one q with Φ(q, t) = 0 is within these bounds of the state's, and its q̇ and q̈ are within theirs.
+    pub within: ErrorBound<T, N>,
+}
+
+/// Why nothing could be proven of a state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Doubt {
+    /// The parameter of this name is out of range.
+    ParameterOutOfRange(&'static str),
+    /// No solution was proven near this coordinate and those that are found with it: the state is none of this mechanism at this
+    /// time, or the Jacobian is singular there.
+    NoSolution(Coordinate),
+    /// There is a solution, but as near to the state as it is there may be another one, which differs in this coordinate and those
+    /// that are found with it. [`error_bound`](crate::Mechanism::error_bound) can still be said.
+    Another(Coordinate),
+    /// A row of a redundant joint does not hold.
+    DoesNotHold(Row),
+    /// This coordinate depends on a function that is known by its values only, and nothing is proven of what lies between them.
+    /// [`error_bound`](crate::Mechanism::error_bound) takes it for smooth.
+    Unproven(Coordinate),
+}
+
+/// What a pass over balls looks for.
+pub(crate) struct Wanted<const N: usize> {
+    /// The state's q.
+    q: SVector<f64, N>,
+    /// No other solution may be as near to the state.
+    alone: bool,
+    /// Why the pass has ended early.
+    doubt: Cell<Option<Doubt>>,
+}
+
+/// The solution next to a state.
+///
+/// # Errors
+/// Why it cannot be enclosed.
+fn enclosed<T, E, const N: usize>(mechanism: &E, state: &State<T, N>, alone: bool) -> Result<SVector<Enclosure, N>, Doubt>
+where
+    T: Float,
+    E: Family<T> + Description<T, N>,
+    E::Over<Enclosure>: Stages<Enclosure, N>,
+{
+    mechanism.validate().map_err(|parameter| Doubt::ParameterOutOfRange(parameter.name))?;
+    let enclosed = E::gather([mechanism], |[parameter]| Enclosure::of(parameter.to_f64()));
+    let wanted = Wanted { q: state.q.map(Float::to_f64), alone, doubt: Cell::new(None) };
+    let care = Care::enclose(&enclosed, &wanted);
+    let coordinate = |index: usize| names::coordinate(E::COORDINATES, index);
+    let found = enclosed.stages(Enclosure::time(state.t.to_f64()), &mut Pass::careful(&care)).map_err(|stop| {
+        let of = |culprit| if let Stop::NotFinite(Culprit::Coordinate(of)) = culprit { of } else { coordinate(0) };
+        wanted.doubt.get().unwrap_or(Doubt::NoSolution(of(stop)))
+    })?;
+    if let Some(row) = care.off() {
+        return Err(Doubt::DoesNotHold(names::row(E::ROWS, row)));
+    }
+    let is_bounded = |of: &Enclosure| [of.value, of.rate, of.acceleration].iter().all(|ball| ball.magnitude().is_finite());
+    match found.q.iter().position(|of| !is_bounded(of)) {
+        Some(index) => Err(Doubt::NoSolution(coordinate(index))),
+        None => Ok(found.q),
+    }
+}
+
+/// How far a state is from what encloses the solution.
+fn distance<T: Float, const N: usize>(state: &State<T, N>, found: &SVector<Enclosure, N>) -> ErrorBound<T, N> {
+    let of = |state: &SVector<T, N>, part: fn(&Enclosure) -> Ball| {
+        SVector::from_fn(|i, _| above((Ball::exact(state[i].to_f64()) - part(&found[i])).magnitude()))
+    };
+    ErrorBound { q: of(&state.q, |of| of.value), qd: of(&state.qd, |of| of.rate), qdd: of(&state.qdd, |of| of.acceleration) }
+}
+
+/// A number that is not below.
+fn above<T: Float>(bound: f64) -> T {
+    T::of(bound) * (T::of(1.0) + T::of(2.0) * T::EPSILON) + T::of(f64::from(f32::MIN_POSITIVE))
+}
+
+/// [`Mechanism::error_bound`](crate::Mechanism::error_bound)
+pub(crate) fn error_bound<T, E, const N: usize>(mechanism: &E, state: &State<T, N>) -> Result<ErrorBound<T, N>, Doubt>
+where
+    T: Float,
+    E: Family<T> + Description<T, N>,
+    E::Over<Enclosure>: Stages<Enclosure, N>,
+{
+    Ok(distance(state, &enclosed(mechanism, state, false)?))
+}
+
+/// [`Mechanism::certify`](crate::Mechanism::certify)
+pub(crate) fn certify<T, E, const N: usize>(mechanism: &E, state: &State<T, N>) -> Result<Certificate<T, N>, Doubt>
+where
+    T: Float,
+    E: Family<T> + Description<T, N>,
+    E::Over<Enclosure>: Stages<Enclosure, N>,
+{
+    let found = enclosed(mechanism, state, true)?;
+    let is_proven = |of: &Enclosure| [of.value, of.rate, of.acceleration].iter().all(|ball| ball.is_proven);
+    if let Some(index) = found.iter().position(|of| !is_proven(of)) {
+        return Err(Doubt::Unproven(names::coordinate(E::COORDINATES, index)));
+    }
+    let within = distance(state, &found);
+    let length = crate::scale::length_of(mechanism.characteristic_length());
+    let radius = (0..N).fold(T::of(0.0), |radius, i| {
+        let share = match names::coordinate(E::COORDINATES, i).kind {
+            CoordinateKind::Length => above((within.q[i] / length).to_f64()),
+            CoordinateKind::Angle => within.q[i],
+        };
+        if share > radius { share } else { radius }
+    });
+    Ok(Certificate { radius, within })
+}
+
+/// [`Mechanism::polish`](crate::Mechanism::polish)
+pub(crate) fn polish<T, E, const N: usize>(mechanism: &E, state: &mut State<T, N>) -> Result<(), Doubt>
+where
+    T: Float,
+    E: Family<T> + Description<T, N>,
+    E::Over<Enclosure>: Stages<Enclosure, N>,
+{
+    let found = enclosed(mechanism, state, true)?;
+    // An entry that cannot be told from the truth stays.
+    let rounded = |entries: &mut SVector<T, N>, part: fn(&Enclosure) -> Ball| {
+        for (entry, of) in entries.iter_mut().zip(found.iter()) {
+            if !(Ball::exact(entry.to_f64()) - part(of)).may_vanish() {
+                *entry = T::of(part(of).center.high);
+            }
+        }
+    };
+    rounded(&mut state.q, |of| of.value);
+    rounded(&mut state.qd, |of| of.rate);
+    rounded(&mut state.qdd, |of| of.acceleration);
+    Ok(())
+}
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ParameterOutOfRange(name) => write!(f, "parameter `{name}` is out of range"),
+            Self::NoSolution(of) => write!(f, "no solution could be proven near {of}"),
+            Self::Another(of) => write!(f, "there may be two solutions near {of}"),
+            Self::DoesNotHold(row) => write!(f, "{row} does not hold"),
+            Self::Unproven(of) => write!(f, "{of} depends on a function that is known by its values only"),
+        }
+    }
+}
+
+impl core::error::Error for Doubt {}

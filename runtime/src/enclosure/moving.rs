@@ -1,0 +1,293 @@
+//! Balls that move: what the emitted code is run over.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use nalgebra::{SMatrix, SVector};
+
+use super::ball::{Ball, ROUNDING};
+use super::twofold::Twofold;
+use super::{block, functions};
+use crate::careful::Care;
+use crate::linear::Linear;
+use crate::pass::{Solved, Stop};
+use crate::problem::{Block, Evaluate};
+use crate::{Lanes, Orientation, Real, Table};
+
+/// A quantity with its first and second derivative by time, each enclosed by an interval; the number type of
+/// [`certify`](crate::Mechanism::certify).
+///
+/// Intervals have a centre of 32 digits and a radius, and are rounded outward. Derivatives are carried along by the rules of
+/// differentiation, so that q̇ and q̈ are those of the q that fulfils Φ(q, t) = 0: the emitted ν and γ are not asked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Enclosure {
+    pub(super) value: Ball,
+    pub(super) rate: Ball,
+    pub(super) acceleration: Ball,
+}
+
+const ZERO: Ball = Ball::exact(0.0);
+const TWO: Ball = Ball::exact(2.0);
+
+impl Enclosure {
+    /// What does not move.
+    pub(super) const fn at_rest(value: Ball) -> Self {
+        Self { value, rate: ZERO, acceleration: ZERO }
+    }
+
+    /// The time.
+    pub(super) const fn time(t: f64) -> Self {
+        Self { value: Ball::exact(t), rate: Ball::exact(1.0), acceleration: ZERO }
+    }
+
+    /// A function by its value and first two derivatives at this value.
+    fn chain(self, [value, first, second]: [Ball; 3]) -> Self {
+        let rate = first * self.rate;
+        Self { value, rate, acceleration: second * (self.rate * self.rate) + first * self.acceleration }
+    }
+
+    /// What holds both.
+    fn hull(self, other: Self) -> Self {
+        Self {
+            value: self.value.hull(other.value),
+            rate: self.rate.hull(other.rate),
+            acceleration: self.acceleration.hull(other.acceleration),
+        }
+    }
+
+    /// The derivatives of a function are known as far as its second: a value, a first and a second derivative that move.
+    fn derived(self, [value, first, second]: [Ball; 3]) -> (Self, Self, Self) {
+        let unknown = Ball::anything();
+        (
+            self.chain([value, first, second]),
+            Self { value: first, rate: second * self.rate, acceleration: unknown },
+            Self { value: second, rate: unknown, acceleration: unknown },
+        )
+    }
+
+    /// √(1 − x²)
+    fn leg(self) -> Self {
+        let one = Self::of(1.0);
+        ((one - self) * (one + self)).sqrt()
+    }
+}
+
+impl Add for Enclosure {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self { value: self.value + other.value, rate: self.rate + other.rate, acceleration: self.acceleration + other.acceleration }
+    }
+}
+
+impl Neg for Enclosure {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { value: -self.value, rate: -self.rate, acceleration: -self.acceleration }
+    }
+}
+
+impl Sub for Enclosure {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Enclosure {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let (a, b) = (self, other);
+        Self {
+            value: a.value * b.value,
+            rate: a.rate * b.value + a.value * b.rate,
+            acceleration: a.acceleration * b.value + TWO * (a.rate * b.rate) + a.value * b.acceleration,
+        }
+    }
+}
+
+impl Div for Enclosure {
+    type Output = Self;
+    /// q b = a, once and twice differentiated.
+    fn div(self, other: Self) -> Self {
+        let (a, b) = (self, other);
+        let value = a.value / b.value;
+        let rate = (a.rate - value * b.rate) / b.value;
+        let acceleration = (a.acceleration - TWO * (rate * b.rate) - value * b.acceleration) / b.value;
+        Self { value, rate, acceleration }
+    }
+}
+
+impl Real for Enclosure {
+    fn of(value: f64) -> Self {
+        Self::at_rest(Ball::exact(value))
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = functions::sin_cos(self.value);
+        (self.chain([sine, cosine, -sine]), self.chain([cosine, -sine, -cosine]))
+    }
+
+    /// r² = x, once and twice differentiated.
+    fn sqrt(self) -> Self {
+        let value = functions::sqrt(self.value);
+        let rate = self.rate / (TWO * value);
+        let acceleration = (self.acceleration / TWO - rate * rate) / value;
+        Self { value, rate, acceleration }
+    }
+
+    fn tan(self) -> Self {
+        let (sine, cosine) = self.sin_cos();
+        sine / cosine
+    }
+
+    fn asin(self) -> Self {
+        self.atan2(self.leg())
+    }
+
+    fn acos(self) -> Self {
+        self.leg().atan2(self)
+    }
+
+    fn atan(self) -> Self {
+        self.atan2(Self::of(1.0))
+    }
+
+    /// θ̇ = (x ẏ − y ẋ) / r², with r² = x² + y².
+    fn atan2(self, x: Self) -> Self {
+        let y = self;
+        let square = x.value * x.value + y.value * y.value;
+        let rate = (x.value * y.rate - y.value * x.rate) / square;
+        let turned = x.value * y.acceleration - y.value * x.acceleration;
+        let acceleration = (turned - TWO * (rate * (x.value * x.rate + y.value * y.rate))) / square;
+        Self { value: functions::atan2(y.value, x.value), rate, acceleration }
+    }
+
+    fn exp(self) -> Self {
+        let power = functions::exp(self.value);
+        self.chain([power, power, power])
+    }
+
+    fn ln(self) -> Self {
+        let rate = self.rate / self.value;
+        Self { value: functions::ln(self.value), rate, acceleration: self.acceleration / self.value - rate * rate }
+    }
+
+    fn abs(self) -> Self {
+        let either = match ZERO.is_less(self.value) {
+            Some(true) => self,
+            Some(false) => -self,
+            None => self.hull(-self),
+        };
+        Self { value: self.value.abs(), ..either }
+    }
+
+    fn sign(self) -> Self {
+        if self.value.is_zero() || !self.value.may_vanish() {
+            return Self::at_rest(Ball::exact(Real::sign(self.value.center.high)).with_doubts_of(self.value));
+        }
+        let unknown = Ball::anything();
+        Self { value: Ball::around(Twofold::of(0.0), 1.0).with_doubts_of(self.value), rate: unknown, acceleration: unknown }
+    }
+
+    /// Both, where it depends on which numbers are meant.
+    fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self {
+        let selected = match lhs.value.is_less(rhs.value) {
+            Some(true) => then,
+            Some(false) => otherwise,
+            None => otherwise.hull(then),
+        };
+        let value = selected.value.with_doubts_of(lhs.value).with_doubts_of(rhs.value);
+        Self { value, ..selected }
+    }
+
+    fn table(self, table: &Table) -> (Self, Self, Self) {
+        let (value, first, second) = functions::table(self.value, table);
+        self.derived([value, first, second])
+    }
+
+    fn map(self, function: fn(f64) -> (f64, f64, f64)) -> (Self, Self, Self) {
+        self.derived(self.value.map(function))
+    }
+}
+
+/// Where the solver compares, nothing is decided by it: a block is solved by [`block::solve`], and of the rest only q counts.
+impl Lanes for Enclosure {
+    type Mask = bool;
+    type Dense<const K: usize> = Unsolved;
+    type Sides = Orientation;
+
+    const EPSILON: Self = Self::at_rest(Ball::exact(ROUNDING));
+    const ROOT_EPSILON: Self = Self::at_rest(Ball::exact(1.0 / 2_251_799_813_685_248.0)); // 2⁻⁵¹
+
+    fn at_most(self, _: Self) -> bool {
+        true
+    }
+
+    fn may_vanish(self, _: Self) -> bool {
+        self.value.may_vanish()
+    }
+
+    fn pick(mask: bool, then: Self, otherwise: Self) -> Self {
+        if mask { then } else { otherwise }
+    }
+
+    fn sides(self) -> Orientation {
+        self.value.center.high.sides()
+    }
+
+    fn same(a: Orientation, b: Orientation) -> bool {
+        a == b
+    }
+
+    fn turn(self) -> (Self, Self) {
+        self.sin_cos()
+    }
+
+    fn carefully<L: Linear<Self, K>, const K: usize, const N: usize>(
+        care: &Care<'_, Self, N>,
+        block: &Block<K>,
+        _: [Self; K],
+        evaluate: &Evaluate<'_, Self, L, K>,
+    ) -> Result<Solved<Self, L, K>, Stop<Self>> {
+        block::solve(care, block, evaluate)
+    }
+}
+
+/// Nobody's factors: rates are enclosed together with positions, and those that the emitted code asks for are not looked at.
+#[derive(Clone, Copy, Debug)]
+pub struct Unsolved;
+
+impl<const K: usize> Linear<Enclosure, K> for Unsolved {
+    type Matrix = SMatrix<Enclosure, K, K>;
+
+    fn factor(_: &Self::Matrix) -> Result<Self, usize> {
+        Ok(Self)
+    }
+
+    fn dense(matrix: &Self::Matrix) -> SMatrix<Enclosure, K, K> {
+        *matrix
+    }
+
+    fn solve_regular(&self, _: &SVector<Enclosure, K>) -> SVector<Enclosure, K> {
+        SVector::from_element(Enclosure::at_rest(Ball::anything()))
+    }
+
+    fn solve(&self, b: &SVector<Enclosure, K>) -> SVector<Enclosure, K> {
+        self.solve_regular(b)
+    }
+
+    fn solve_refined(&self, b: &SVector<Enclosure, K>) -> SVector<Enclosure, K> {
+        self.solve_regular(b)
+    }
+
+    fn growth(&self, _: &SVector<Enclosure, K>, _: &SVector<Enclosure, K>) -> Enclosure {
+        Enclosure::at_rest(Ball::anything())
+    }
+
+    fn sides(&self) -> Orientation {
+        Orientation::Positive
+    }
+
+    fn is_regular(&self) -> bool {
+        true
+    }
+}

@@ -1,0 +1,104 @@
+//! Error bounds, certificates and polished states against reference numbers, and certificates asked of what is no solution.
+
+mod polished;
+mod wrong;
+
+use reuleaux::nalgebra::SVector;
+use reuleaux::{Enclosure, Family, Mechanism, Stages, State};
+use reuleaux_tests::common::decimal::Decimal;
+use reuleaux_tests::common::declared::{Declared, vector};
+use reuleaux_tests::common::reference::{Value, decimals, file, list, number, numbers, text};
+use reuleaux_tests::mechanisms::*;
+use reuleaux_tests::stress::*;
+
+/// Of the largest entry, digits that the reference does not have.
+const WRITTEN: f64 = 1e-22;
+
+/// Of the largest entry, what constants may be off that the compiler has made one of: 2 · 0.35 is compiled as the double next to 0.7,
+/// where the reference takes twice the double next to 0.35. Parameters are doubles in both.
+const CONSTANTS: f64 = f64::EPSILON / 2.0;
+
+/// Of the largest entry, an eighth of a rounding, which a bound may have beyond the error; and what counts as nothing.
+const ROUNDING: f64 = f64::EPSILON / 16.0;
+const NOTHING: f64 = 1e-20;
+
+/// Compares bounds with true errors.
+fn bounds_hold<const N: usize>(label: &str, found: &SVector<f64, N>, bounds: &SVector<f64, N>, reference: &[Decimal], constants: f64) {
+    let size = reference.iter().map(|entry| entry.value.abs()).fold(0.0, f64::max);
+    for ((x, bound), entry) in found.iter().zip(bounds).zip(reference) {
+        let error = entry.error_of(*x);
+        assert!(error <= bound + (WRITTEN + constants) * size, "{label}: an error of {error:e} is beyond {bound:e}");
+        assert!(*bound <= 2.0 * error + (ROUNDING + constants) * size + NOTHING, "{label}: a bound of {bound:e} for an error of {error:e}");
+    }
+}
+
+fn state_is_bounded<M, const N: usize>(label: &str, mechanism: &M, state: &State<f64, N>, reference: &Value, constants: f64)
+where
+    M: Mechanism<f64, N> + Family<f64>,
+    M::Over<Enclosure>: Stages<Enclosure, N>,
+{
+    let bound = mechanism.error_bound(state).unwrap_or_else(|doubt| panic!("{label}: {doubt}"));
+    let certificate = mechanism.certify(state).unwrap_or_else(|doubt| panic!("{label}: {doubt}"));
+    assert_eq!(certificate.within, bound, "{label}");
+    let each = [(&state.q, &bound.q, "q"), (&state.qd, &bound.qd, "qd"), (&state.qdd, &bound.qdd, "qdd")];
+    for (found, bound, key) in each {
+        bounds_hold(&format!("{label}, {key}"), found, bound, &decimals(&reference[key]), constants);
+    }
+}
+
+fn mechanism_is_bounded<M, const N: usize>(name: &str)
+where
+    M: Declared + Default + Mechanism<f64, N> + Family<f64>,
+    M::Over<Enclosure>: Stages<Enclosure, N>,
+{
+    let (mechanism, file) = (M::default(), file(&format!("mechanisms/{name}.json")));
+    let states = list(&file["states"]);
+    let times = states.iter().map(|state| number(&state["t"]));
+    for (found, reference) in mechanism.sweep(times).zip(states) {
+        state_is_bounded(name, &mechanism, &found.unwrap_or_else(|failure| panic!("{failure}")), reference, CONSTANTS);
+    }
+}
+
+#[test]
+fn six_mechanisms() {
+    mechanism_is_bounded::<FourBarCrankRocker, _>("four_bar_crank_rocker");
+    mechanism_is_bounded::<SliderCrank, _>("slider_crank");
+    mechanism_is_bounded::<QuickReturn, _>("quick_return");
+    mechanism_is_bounded::<TheoJansenLeg, _>("theo_jansen_leg");
+    mechanism_is_bounded::<HydraulicLoader, _>("hydraulic_loader");
+    mechanism_is_bounded::<TwoStageGearTrain, _>("two_stage_gear_train");
+    mechanism_is_bounded::<GearTrainOfPairs, _>("two_stage_gear_train");
+}
+
+fn family_is_bounded<M, const N: usize>(family: &str, is_meant: impl Fn(&Value) -> bool)
+where
+    M: Declared + Mechanism<f64, N> + Family<f64>,
+    M::Over<Enclosure>: Stages<Enclosure, N>,
+{
+    let file = file(&format!("stress/{family}.json"));
+    for case in list(&file["cases"]).iter().filter(|case| is_meant(case)) {
+        let (mechanism, label) = (of::<M>(&case["model"]), text(&case["label"]));
+        let Ok(state) = mechanism.solve_near(number(&case["t"]), &vector(&numbers(&case["initial_guess"]))) else {
+            assert_eq!(case["branches_resolvable_in_double"], Value::Bool(false), "{family}, {label}");
+            continue;
+        };
+        state_is_bounded(&format!("{family}, {label}"), &mechanism, &state, case, 0.0);
+    }
+}
+
+fn on(model: &'static str) -> impl Fn(&Value) -> bool {
+    move |case| text(&case["parameters"]["model"]) == model
+}
+
+#[test]
+fn stress_families() {
+    family_is_bounded::<FourBar, _>("change_point", |_| true);
+    family_is_bounded::<Dyad, _>("collinear_dyad", |_| true);
+    family_is_bounded::<RockerDrivenFourBar, _>("dead_point", |_| true);
+    family_is_bounded::<FourBar, _>("far_origin", |_| true);
+    family_is_bounded::<FourBar, _>("many_turns", |_| true);
+    family_is_bounded::<SmallAndLarge, _>("mixed_scales", |_| true);
+    family_is_bounded::<Rail, _>("small_distance", on("rail"));
+    family_is_bounded::<Arm, _>("small_distance", on("rocker"));
+    family_is_bounded::<InLineSliderCrank, _>("unit_ratio", |_| true);
+}
