@@ -33,10 +33,9 @@ where
         mechanism.polish(&mut state).unwrap_or_else(|doubt| panic!("{family}, {label}: {doubt}"));
         for (found, key) in [(&state.q, "q"), (&state.qd, "qd"), (&state.qdd, "qdd")] {
             let reference = decimals(&case[key]);
-            let size = reference.iter().map(|entry| entry.value.abs()).fold(0.0, f64::max);
             for (x, entry) in found.iter().zip(reference) {
-                // An entry that is nothing beside the others may be left with what the enclosure leaves open.
-                let allowed = NEAREST * x.abs() + 1e-3 * NEAREST * size + 1e-20;
+                // An entry that is nothing may be left with what the enclosure leaves open.
+                let allowed = NEAREST * x.abs() + 1e-18;
                 assert!(entry.error_of(*x) <= allowed, "{family}, {label}, {key}: {x} is off by {:e}", entry.error_of(*x));
             }
         }

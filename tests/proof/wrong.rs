@@ -31,7 +31,7 @@ where
     let (mechanism, file) = (M::default(), file(&format!("mechanisms/{name}.json")));
     let states = list(&file["states"]);
     let assemblies: Vec<Vec<Decimal>> =
-        file["other_assemblies_at_t0"].as_array().into_iter().flatten().map(|other| decimals(&other["q"])).collect();
+        file["other_assemblies_at_t0"].as_array().into_iter().flatten().map(|other| decimals(other)).collect();
     for (index, reference) in states.iter().enumerate() {
         let solution = decimals(&reference["q"]);
         let doubles: Vec<f64> = solution.iter().map(|entry| entry.value).collect();
