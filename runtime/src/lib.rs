@@ -36,7 +36,7 @@
 //! [`Equations`] is what a mechanism gives, [`Mechanism`] what one can ask of it, [`State`] and [`Failure`] the two answers.
 //! Behind them: [`Stages`] (which unknowns are found together), [`Pass`] (what they are found from), `straight` (the usual step of a
 //! sweep), `careful` and `position` (Newton's method wherever that is not enough), `continuation` (following a branch in time),
-//! `linear` (small systems, and larger ones with and without known zeros).
+//! `linear` (small systems, and larger ones with and without known zeros), `enclosure` (how far a state is from the truth, with proof).
 
 #![no_std]
 #![deny(missing_docs)]

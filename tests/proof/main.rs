@@ -1,5 +1,6 @@
 //! Error bounds, certificates and polished states against reference numbers, and certificates asked of what is no solution.
 
+mod kinds;
 mod polished;
 mod wrong;
 

@@ -52,6 +52,8 @@ pub struct Certificate<T, const N: usize> {
 pub enum Doubt {
     /// The parameter of this name is out of range.
     ParameterOutOfRange(&'static str),
+    /// The state has no finite number there, or a rate that is none.
+    NotFinite(Coordinate),
     /// No solution was proven near this coordinate and those that are found with it: the state is none of this mechanism at this
     /// time, or the Jacobian is singular there.
     NoSolution(Coordinate),
@@ -105,11 +107,23 @@ where
 }
 
 /// How far a state is from what encloses the solution.
-fn distance<T: Float, const N: usize>(state: &State<T, N>, found: &SVector<Enclosure, N>) -> ErrorBound<T, N> {
+///
+/// # Errors
+/// Where the state is not finite.
+fn distance<T: Float, E: Description<T, N>, const N: usize>(
+    _: &E,
+    state: &State<T, N>,
+    found: &SVector<Enclosure, N>,
+) -> Result<ErrorBound<T, N>, Doubt> {
+    let is_bad = |index: &usize| [&state.q, &state.qd, &state.qdd].iter().any(|entries| !entries[*index].is_finite());
+    if let Some(index) = (0..N).find(is_bad) {
+        return Err(Doubt::NotFinite(names::coordinate(E::COORDINATES, index)));
+    }
     let of = |state: &SVector<T, N>, part: fn(&Enclosure) -> Ball| {
         SVector::from_fn(|i, _| above((Ball::exact(state[i].to_f64()) - part(&found[i])).magnitude()))
     };
-    ErrorBound { q: of(&state.q, |of| of.value), qd: of(&state.qd, |of| of.rate), qdd: of(&state.qdd, |of| of.acceleration) }
+    let (q, qd, qdd) = (of(&state.q, |of| of.value), of(&state.qd, |of| of.rate), of(&state.qdd, |of| of.acceleration));
+    Ok(ErrorBound { q, qd, qdd })
 }
 
 /// A number that is not below.
@@ -124,7 +138,7 @@ where
     E: Family<T> + Description<T, N>,
     E::Over<Enclosure>: Stages<Enclosure, N>,
 {
-    Ok(distance(state, &enclosed(mechanism, state, false)?))
+    distance(mechanism, state, &enclosed(mechanism, state, false)?)
 }
 
 /// [`Mechanism::certify`](crate::Mechanism::certify)
@@ -139,7 +153,7 @@ where
     if let Some(index) = found.iter().position(|of| !is_proven(of)) {
         return Err(Doubt::Unproven(names::coordinate(E::COORDINATES, index)));
     }
-    let within = distance(state, &found);
+    let within = distance(mechanism, state, &found)?;
     let length = crate::scale::length_of(mechanism.characteristic_length());
     let radius = (0..N).fold(T::of(0.0), |radius, i| {
         let share = match names::coordinate(E::COORDINATES, i).kind {
@@ -162,7 +176,8 @@ where
     // An entry that cannot be told from the truth stays.
     let rounded = |entries: &mut SVector<T, N>, part: fn(&Enclosure) -> Ball| {
         for (entry, of) in entries.iter_mut().zip(found.iter()) {
-            if !(Ball::exact(entry.to_f64()) - part(of)).may_vanish() {
+            let is_as_good = (Ball::exact(entry.to_f64()) - part(of)).least() <= 0.0;
+            if !is_as_good {
                 *entry = T::of(part(of).center.high);
             }
         }
@@ -177,6 +192,7 @@ impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::ParameterOutOfRange(name) => write!(f, "parameter `{name}` is out of range"),
+            Self::NotFinite(of) => write!(f, "{of} is not a finite number"),
             Self::NoSolution(of) => write!(f, "no solution could be proven near {of}"),
             Self::Another(of) => write!(f, "there may be two solutions near {of}"),
             Self::DoesNotHold(row) => write!(f, "{row} does not hold"),

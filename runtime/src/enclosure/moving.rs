@@ -209,7 +209,7 @@ impl Real for Enclosure {
     }
 }
 
-/// Where the solver compares, nothing is decided by it: a block is solved by [`block::solve`], and of the rest only q counts.
+/// Where the solver compares, nothing is decided by it: a block is enclosed as a whole, and of the rest only q counts.
 impl Lanes for Enclosure {
     type Mask = bool;
     type Dense<const K: usize> = Unsolved;
