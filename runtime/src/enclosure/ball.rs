@@ -107,7 +107,8 @@ impl Ball {
 
     /// It may be zero.
     pub(super) fn may_vanish(self) -> bool {
-        !(self.least() > 0.0)
+        let is_off_zero = self.least() > 0.0;
+        !is_off_zero
     }
 
     /// A ball around the same centre in which the other lies as well.

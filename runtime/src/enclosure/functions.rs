@@ -79,7 +79,8 @@ pub(super) fn sqrt(x: Ball) -> Ball {
 /// ```
 pub(super) fn atan2(y: Ball, x: Ball) -> Ball {
     // Where the angle jumps from π to −π.
-    let may_jump = y.may_vanish() && !y.is_double() && !(x.lowest() > 0.0);
+    let is_right = x.lowest() > 0.0;
+    let may_jump = y.may_vanish() && !y.is_double() && !is_right;
     let turned_back = |angle: Twofold| {
         let (sine, cosine) = sin_cos(Ball::around(angle, 0.0));
         (y * cosine - x * sine, x * cosine + y * sine)
@@ -147,8 +148,9 @@ pub(super) fn table(x: Ball, table: &Table) -> (Ball, Ball, Ball) {
             let period = Ball::exact(last) - Ball::exact(first);
             let turns = (x - Ball::exact(first)) / period;
             let (from, to) = (libm::floor(turns.lowest()), libm::floor(turns.highest()));
-            // A ball as wide as that has no meaning in a table.
-            if !(to - from <= 2.0) {
+            // A ball as wide as three periods, or not a number, has no meaning in a table.
+            let is_narrow = to - from <= 2.0;
+            if !is_narrow {
                 return (nothing, nothing, nothing);
             }
             let mut turn = from;
