@@ -33,8 +33,8 @@ pub(crate) fn damped<T: Float, P: Problem<T, N>, const N: usize>(
     let mut history = History::new();
     let mut predicted = one;
     for iterations in 1..=ITERATIONS {
-        if iterate.has_settled(&history, scale) {
-            return accept(problem, iterate, iterations, history.is_linear());
+        if iterate.has_settled(&history) {
+            return accept(problem, iterate, iterations);
         }
         let longest = smaller(one, T::of(LONGEST_STEP) / iterate.length);
         let Some(Step { lambda, simplified }) = monotone_step(problem, &iterate, smaller(predicted, longest)) else {

@@ -1,13 +1,13 @@
 //! Φ(q, t) = 0 for q. In: a guess. Out: q at the rounding limit and the factors of Φ_q there, or why not.
 //! Not here: which guess to take (`continuation`), and how to tell the user (`verdict`).
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 use crate::damping::damped;
 use crate::iterate::{History, Iterate};
 use crate::lanes::Mask;
 use crate::linear::Linear;
-use crate::order::smaller;
+use crate::order::{greater, smaller};
 use crate::place::Place;
 use crate::problem::Problem;
 use crate::straight::{LARGEST_CONTRACTION, LONGEST_FIRST_CORRECTION};
@@ -22,17 +22,19 @@ const CLOSING_ITERATIONS: usize = 50;
 /// Corrections of a predicted position; with that contraction, five reach rounding.
 const FOLLOWING_ITERATIONS: usize = 12;
 
-/// A Jacobian with a condition above 1 / √ε is singular: at a fold, where two assemblies meet, q is known to about √ε and the
-/// condition there is about 1 / √ε.
-const SINGULAR: f64 = 1.0;
+/// Up to this share of 1 / √ε a condition says that two solutions are told apart: where they meet, at a fold, they are about
+/// 1 / condition apart and each is known to about ε times the condition.
+pub(crate) const CERTAIN: f64 = 0.125;
 
-/// Unless the last correction is no longer than this many roundings of q: lengths that differ by many orders of magnitude give
-/// a large condition as well, without harm.
-const HARMLESS: f64 = 64.0;
+/// Φ_q may change by this share of itself within the rounding errors of q; it is also the relative error of q̇ at worst. From 1 on
+/// another solution may be as near.
+const LARGEST_CHANGE: f64 = 0.25;
 
-/// How far beside a solution it is tried whether Newton's method comes back to it, scaled: as far as rounding errors of Φ are felt where
-/// two branches meet, some √ε, and a hundred times more.
-const ASIDE: f64 = 1e-5;
+/// Rounding errors are looked for at these places, as multiples of the way to where another solution may be.
+const PLACES: [f64; 8] = [0.5, -0.5, 1.0, -1.0, 1.9, -1.9, 2.9, -2.9];
+
+/// How much larger rounding errors may be than they are there.
+const BEYOND_PLACES: f64 = 2.0;
 
 /// A solution of Φ(q, t) = 0.
 pub(crate) struct Position<T, L, const N: usize> {
@@ -85,8 +87,8 @@ fn limited<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, guess: &Plac
     let mut history = History::new();
     for iterations in 1..=CLOSING_ITERATIONS {
         let iterate = Iterate::at(problem, place)?;
-        if iterate.has_settled(&history, problem.scale()) {
-            return accept(problem, iterate, iterations, history.is_linear());
+        if iterate.has_settled(&history) {
+            return accept(problem, iterate, iterations);
         }
         let in_full = iterate.length <= T::of(LONGEST_STEP);
         place = iterate.moved(smaller(T::of(1.0), T::of(LONGEST_STEP) / iterate.length), problem);
@@ -108,14 +110,14 @@ pub(crate) fn follow<T: Float, P: Problem<T, N>, const N: usize>(
     let mut place = *prediction;
     for iterations in 1..=FOLLOWING_ITERATIONS {
         let iterate = Iterate::at(problem, place)?;
-        if iterate.has_settled(&history, problem.scale()) {
-            return accept(problem, iterate, iterations, false).map_err(|_| Refusal::Singular);
+        if iterate.has_settled(&history) {
+            return accept(problem, iterate, iterations).map_err(|_| Refusal::Singular);
         }
         if iterations == 1 && side.is_some_and(|side| !T::same(iterate.factors.sides(), side).all()) {
             return Err(Refusal::Far);
         }
         let is_far = match history.contraction(iterate.length) {
-            Some(theta) => theta > T::of(LARGEST_CONTRACTION),
+            Some(theta) => theta > T::of(LARGEST_CONTRACTION) && !iterate.is_rounding(),
             None => iterate.length > T::of(LONGEST_FIRST_CORRECTION),
         };
         if is_far {
@@ -132,39 +134,69 @@ pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
     iterate: Iterate<T, P::Factors, N>,
     iterations: usize,
-    is_linear: bool,
 ) -> Result<Position<T, P::Factors, N>, Miss<T, N>> {
     let place = iterate.place.nudged(&iterate.correction, problem.turns());
     let condition = iterate.factors.condition(&problem.sizes(), &problem.scale().share);
-    let resolved = condition * T::ROOT_EPSILON <= T::of(SINGULAR);
-    let is_harmless =
-        || iterate.factors.is_regular() && iterate.length <= T::of(HARMLESS) * T::EPSILON * (T::of(1.0) + problem.scale().norm(&place.x));
-    if resolved || (!is_linear && is_harmless() && is_simple(problem, &place, &iterate.factors)) {
+    let is_certain = condition * T::ROOT_EPSILON <= T::of(CERTAIN);
+    if is_certain || (iterate.factors.is_regular() && is_isolated(problem, &place, &iterate.factors, condition)) {
         Ok(Position { place, factors: iterate.factors, condition, iterations })
     } else {
         Err(Miss::Singular(place))
     }
 }
 
-/// Whether a solution with a large condition is one for itself: from a little beside it, Newton's method comes back to it. Where two
-/// branches meet it only ever goes half the way (Griewank and Osborne 1983), until it is lost in rounding errors; where lengths
-/// differ by many orders of magnitude it may do so as well at first, but ends at the same numbers.
+/// Whether a solution with a large condition is one for itself: Φ_q changes by less than a quarter wherever rounding errors may have
+/// taken it (Newton and Kantorovich). Next to a fold it does not; where lengths differ by many orders of magnitude it does.
+///
+/// ```text
+/// v                                    what Φ_q nearly maps to zero, |v| = 1
+/// ω = |Φ_q⁻¹ (Φ_q(q + λ v) − Φ_q) v| / λ      so that another solution may be at q ± 2 v / ω
+/// r = Φ(q + w) − Φ − (Φ_q(q + w) + Φ_q) w / 2     rounding errors of Φ, at w of about v / ω
+/// ω (|Φ_q⁻¹ r| + ε |q|) ≤ 1/4
+/// ```
 #[cold]
-fn is_simple<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: &Place<T, N>, factors: &P::Factors) -> bool {
-    // Whatever is solved for with a nearly singular matrix lies along what it nearly maps to zero.
-    let along = factors.solve(&SVector::from_fn(|k, _| T::of(1.0 + 0.618 * k as f64)));
+fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: &Place<T, N>, factors: &P::Factors, condition: T) -> bool {
     let scale = problem.scale();
-    let aside = T::of(ASIDE) / scale.norm(&along);
-    let rounding = T::of(HARMLESS) * T::EPSILON * (T::of(1.0) + scale.norm(&place.x));
-    [aside, -aside].into_iter().any(|aside| {
-        let mut back = place.moved(aside, &along, problem.turns());
-        (0..CLOSING_ITERATIONS).any(|corrections| {
-            let Ok(iterate) = Iterate::at(problem, back) else { return false };
-            back = iterate.moved(T::of(1.0), problem);
-            let away = scale.norm(&SVector::from_fn(|k, _| back.x[k] - place.x[k]));
-            away <= rounding || (corrections == 0 && away <= T::of(LARGEST_CONTRACTION * ASIDE))
-        })
-    })
+    let product = |matrix: &SMatrix<T, N, N>, vector: &SVector<T, N>, row: usize| {
+        (0..N).fold(T::of(0.0), |sum, column| sum + matrix[(row, column)] * vector[column])
+    };
+    let (phi, jacobian) = problem.linearize(place);
+    let here = P::Factors::dense(&jacobian);
+    // Whatever is solved for with a nearly singular matrix lies along what it nearly maps to zero.
+    let along = factors.solve(&SVector::from_fn(|k, _| {
+        let row = (0..N).fold(T::of(0.0), |sum, column| greater(sum, here[(k, column)].abs() * scale.column[column]));
+        row * T::of(1.0 + 0.618 * k as f64)
+    }));
+    let size = scale.norm(&along);
+    let along = along.map(|entry| entry / size);
+    let step = T::of(1.0) / condition;
+    let curvature = [step, -step].into_iter().fold(T::of(0.0), |largest, step| {
+        let (_, jacobian) = problem.linearize(&place.moved(step, &along, problem.turns()));
+        let there = P::Factors::dense(&jacobian);
+        let change = SVector::from_fn(|row, _| product(&there, &along, row) - product(&here, &along, row));
+        greater(largest, scale.norm(&factors.solve(&change)) / step.abs())
+    });
+    // Up to the cube root of ε what Φ has of third order is below rounding.
+    let reach = smaller(T::of(1.0) / curvature, cube_root_of_epsilon());
+    let mut error = T::EPSILON * scale.norm(&place.x);
+    for multiple in PLACES {
+        let way = along.map(|entry| T::of(multiple) * reach * entry);
+        let there = place.moved(T::of(1.0), &way, problem.turns());
+        let way = SVector::from_fn(|k, _| there.x[k] - place.x[k]);
+        let (beside, jacobian) = problem.linearize(&there);
+        let slope = P::Factors::dense(&jacobian);
+        let rest = SVector::from_fn(|row, _| {
+            let mean = T::of(0.5) * (product(&slope, &way, row) + product(&here, &way, row));
+            (beside[row] - phi[row]) - mean
+        });
+        error = greater(error, T::of(BEYOND_PLACES) * scale.norm(&factors.solve(&rest)));
+    }
+    curvature * error <= T::of(LARGEST_CHANGE)
+}
+
+/// ∛ε
+fn cube_root_of_epsilon<T: Float>() -> T {
+    T::of(libm::cbrt(T::EPSILON.to_f64()))
 }
 
 impl<T, const N: usize> From<Culprit> for Miss<T, N> {

@@ -7,7 +7,7 @@
 //! ```text
 //! x₀ = q + h q̇ + h² q̈ / 2 + e      e: what this leaves out, from the step before (Trend)
 //! A₀ δ = Φ(x₀)                      A₀ = Φ_q(x₀)
-//! x  = x₀ − δ                       the solution if |δ| ≤ √ε, for then |δ|² is below rounding
+//! x  = x₀ − δ                       the solution if κ |δ|² ≤ 4 ε, κ the condition, for then what δ leaves out is below rounding
 //! A  η = Φ(x)                       and if |η|, which nothing waits for, is a rounding
 //! ```
 //!
@@ -19,6 +19,7 @@ use crate::Lanes;
 use crate::lanes::Mask;
 use crate::linear::Linear;
 use crate::place::Place;
+use crate::position::CERTAIN;
 use crate::problem::Linearized;
 use crate::stages::Coordinates;
 use crate::state::State;
@@ -32,8 +33,11 @@ pub(crate) const LONGEST_FIRST_CORRECTION: f64 = 0.2;
 /// Largest contraction of the first correction of a predicted position; 1/2 is the limit of quadratic convergence.
 pub(crate) const LARGEST_CONTRACTION: f64 = 0.25;
 
-/// A correction after the last may have this many roundings times the condition.
+/// A correction after the last may be this many times the first-order effect of one rounding of each term.
 const ROUNDINGS: f64 = 2.0;
+
+/// The square of the last correction, times the condition, may be this many roundings: about twice what it leaves out.
+const SHORT: f64 = 4.0;
 
 /// Corrections, each of which squares the error: from 0.2 the fourth is below √ε, and more are a case for care.
 const MOST_CORRECTIONS: usize = 4;
@@ -140,12 +144,14 @@ impl<'a, T: Lanes, const N: usize> Departure<'a, T, N> {
             let (phi, jacobian) = evaluate(&there);
             let factors = L::factor(&jacobian).ok()?;
             let next = norm(&factors.solve_regular(&phi), scene.share);
-            let condition = factors.growth(scene.sizes, scene.share);
+            let growth = factors.growth(scene.sizes, scene.share);
+            let condition = growth.max(T::of(1.0));
 
             let length = norm(&correction, scene.share);
-            let is_short = length.at_most(T::ROOT_EPSILON);
-            let is_last = next.at_most(T::of(ROUNDINGS) * T::EPSILON * condition);
-            let is_resolved = (condition * T::ROOT_EPSILON).at_most(T::of(1.0)).and(factors.is_regular());
+            let is_short = (length * length * condition).at_most(T::of(SHORT) * T::EPSILON);
+            let effect = if T::of(1.0).at_most(growth).all() { growth } else { growth + norm(&there.x, scene.share) };
+            let is_last = next.at_most(T::of(ROUNDINGS) * T::EPSILON * effect);
+            let is_resolved = (condition * T::ROOT_EPSILON).at_most(T::of(CERTAIN)).and(factors.is_regular());
             let found = is_short.and(is_last).and(is_resolved).and(follows).and(T::same(factors.sides(), side));
             if found.all() || found.or(follows.not()).all() || iterations >= 2 * MOST_CORRECTIONS {
                 let arrival = Arrival { place: there, factors, condition, iterations, found };

@@ -3,6 +3,7 @@
 mod blocks;
 mod branches;
 mod components;
+mod converged;
 mod crossings;
 mod files;
 mod finite;

@@ -8,7 +8,7 @@ use crate::order::greater;
 
 impl<T: Float, const N: usize> Factors<T, N> {
     /// An estimate, from below, of ‖ |A⁻¹| |A| ‖ in scaled unknowns: by how much one rounding of each entry of A is multiplied
-    /// on its way to x. 1 at best, infinite for a singular matrix; it does not depend on the units of rows.
+    /// on its way to x. Infinite for a singular matrix; it does not depend on the units of rows.
     ///
     /// A z = ± |A| c is solved with the signs that make the forward substitution grow.
     /// Skeel: Scaling for numerical stability in Gaussian elimination, 1979; Cline, Moler, Stewart, Wilkinson: An estimate for the
@@ -36,6 +36,6 @@ impl<T: Float, const N: usize> Factors<T, N> {
         self.substitute_back(&mut y);
         y.iter()
             .zip(&self.columns)
-            .fold(T::of(1.0), |largest, (entry, &column)| greater(largest, entry.abs() * (self.column_scale[column] * shares[column])))
+            .fold(T::of(0.0), |largest, (entry, &column)| greater(largest, entry.abs() * (self.column_scale[column] * shares[column])))
     }
 }

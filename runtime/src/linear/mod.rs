@@ -55,15 +55,15 @@ pub trait Linear<T: Lanes, const N: usize>: Sized {
     /// x of A x = b, with a step of iterative refinement where this makes it better; without meaning if A is singular.
     fn solve_refined(&self, b: &SVector<T, N>) -> SVector<T, N>;
 
-    /// By how much rounding errors grow on their way from A x − b to x, at least about 1; without meaning if A is singular.
+    /// By how much rounding errors grow on their way from A x − b to x; without meaning if A is singular.
     ///
     /// * `sizes`: given, by row, what the rounding errors of b are a share of; the row of A counts where it is larger.
     /// * `shares`: given, by unknown, one over what counts as 1 in it.
     fn growth(&self, sizes: &SVector<T, N>, shares: &SVector<T, N>) -> T;
 
-    /// The [`growth`](Self::growth) of rounding errors; infinite if A is singular.
+    /// The [`growth`](Self::growth) of rounding errors, 1 at least; infinite if A is singular.
     fn condition(&self, sizes: &SVector<T, N>, shares: &SVector<T, N>) -> T {
-        T::pick(self.is_regular(), self.growth(sizes, shares), T::of(f64::INFINITY))
+        T::pick(self.is_regular(), self.growth(sizes, shares).max(T::of(1.0)), T::of(f64::INFINITY))
     }
 
     /// The sign of det A; without meaning if A is singular.

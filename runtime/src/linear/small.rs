@@ -76,7 +76,7 @@ impl<T: Lanes, const N: usize> Linear<T, N> for Small<T, N> {
     #[inline(always)]
     fn growth(&self, sizes: &SVector<T, N>, shares: &SVector<T, N>) -> T {
         // Loops, since rustc does not always compile a closure over the entries into its caller.
-        let (share, mut largest) = (self.share.abs(), T::of(1.0));
+        let (share, mut largest) = (self.share.abs(), T::of(0.0));
         for i in 0..N {
             let mut growth = self.adjugate[(i, 0)].abs() * sizes[0];
             for k in 1..N {

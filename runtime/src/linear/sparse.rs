@@ -113,7 +113,7 @@ where
         }
         // Each sign is the one that makes the sum longer.
         let z = E::substitute(&self.lu, &b, |size, known| T::select_less(zero, known, -(size + known), size - known));
-        z.iter().zip(shares.iter()).fold(T::of(1.0), |largest, (&entry, &share)| largest.max(entry.abs() * share))
+        z.iter().zip(shares.iter()).fold(T::of(0.0), |largest, (&entry, &share)| largest.max(entry.abs() * share))
     }
 
     #[inline]

@@ -91,7 +91,7 @@ fn with_room<R>(model: &Model, system: &System, work: impl FnOnce(&Room) -> R) -
     let known = Values { parameters: &parameters, ..nothing };
     let start = |start: Expr| evaluate(&system.arena, &[start], &known).pop().filter(|value| value.is_finite());
     let declared = system.unknowns.iter().map(|unknown| unknown.start.and_then(start)).collect();
-    let size = size(model, system, &known);
+    let size = size(system, &known);
     work(&Room { model, system, known, size, declared })
 }
 
@@ -187,9 +187,9 @@ fn is_known(model: &Model, system: &System, root: Expr) -> bool {
     !system.arena.reachable(&[root]).iter().any(is_rust)
 }
 
-/// The longest distance of a point from the origin of its body.
-fn size(model: &Model, system: &System, known: &Values) -> f64 {
-    let lengths = evaluate(&system.arena, &model.lengths, known);
+/// The characteristic length.
+fn size(system: &System, known: &Values) -> f64 {
+    let lengths = evaluate(&system.arena, &system.lengths, known);
     let longest = lengths.into_iter().filter(|length| length.is_finite()).fold(0.0, |longest: f64, length| longest.max(length.abs()));
     if longest > 0.0 { longest } else { 1.0 }
 }

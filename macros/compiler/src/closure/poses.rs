@@ -38,7 +38,7 @@ impl<'a> Poses<'a> {
         let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
         let parameters = evaluate(&system.arena, &defaults, &nothing);
         let known = Values { parameters: &parameters, ..nothing };
-        let size = size(model, system, &known);
+        let size = size(system, &known);
         let mut poses = vec![Pose { time: 0.0, q: closure.start.clone(), is_closed: closure.is_closed }];
         if closure.is_closed
             && let Some(rates) = rates(system, &known, &closure.start)

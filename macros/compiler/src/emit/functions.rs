@@ -184,12 +184,15 @@ impl Emitter<'_> {
         }
     }
 
-    /// The longest distance of a point from its body's origin
+    /// The length by which others are measured
     pub(super) fn characteristic_length(&self) -> TokenStream {
         let Lines { steps, results, .. } = self.lines(&self.plan.lengths);
+        let own = "L, the length (m) that is worth a radian when lengths and angles are compared: ";
+        let of_points = "the largest\ncoordinate of a point in the frame of its body, 1 if there is none.";
+        let of_joints = "the largest\nlength that a joint or drive demands, 1 if there is none.";
+        let page = format!("{own}{}", if self.system.lengths == self.model.lengths { of_points } else { of_joints });
         quote! {
-            /// L, the length (m) that is worth a radian when lengths and angles are compared: the largest
-            /// coordinate of a point in the frame of its body, 1 if there is none.
+            #[doc = #page]
             #[must_use]
             pub fn characteristic_length(&self) -> T {
                 #steps

@@ -7,7 +7,6 @@ mod elimination;
 mod joints;
 mod kernels;
 mod linear;
-mod magnitude;
 mod outputs;
 mod rolled;
 mod schedule;
@@ -176,7 +175,7 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, cl
         pattern: joints.pattern(),
         outputs: outputs::outputs(&arena, &tracer, model, system, &words),
         start: line(system.unknowns.iter().filter_map(|unknown| unknown.start).collect()),
-        lengths: line(distinct(&arena, &model.lengths)),
+        lengths: line(distinct(&arena, &system.lengths)),
         requirements: line(sides),
         checked: structure.checked.clone(),
         solution: solving.as_ref().map(|(solution, _, _)| solution.clone()),

@@ -8,12 +8,11 @@
 //! check         Φ_i, which vanishes if the mechanism is as it was declared
 //! ```
 
-use super::magnitude::magnitude;
 use super::{Elimination, linear};
 use crate::expr::{Arena, Expr, Jets, Leaf, Substitution, derivative};
 use crate::model::Dim;
 use crate::structure::{Block, Explicit, Structure};
-use crate::system::{Output, System};
+use crate::system::{Output, System, magnitude};
 
 /// One step on the way to q, q̇ and q̈.
 #[derive(Clone, Debug)]
@@ -148,7 +147,7 @@ impl Work<'_> {
             return None;
         }
         let [lengths, angles] = [Dim::LENGTH, Dim::ANGLE].map(|dim| self.slope(equation, dim));
-        let sizes = [magnitude(self.arena, residual, &[], self.system), lengths, angles];
+        let sizes = [magnitude(self.arena, residual, &[], &self.system.unknowns), lengths, angles];
         Some(Stage::Check { equation, residual, sizes })
     }
 
@@ -158,7 +157,7 @@ impl Work<'_> {
         let measures = |unknown: usize| self.system.unknowns[unknown].dim == dim;
         for (_, entry) in self.system.equations[equation].jacobian.iter().filter(|(unknown, _)| measures(*unknown)) {
             let entry = self.constants.of(self.arena, *entry);
-            let size = magnitude(self.arena, entry, &[], self.system);
+            let size = magnitude(self.arena, entry, &[], &self.system.unknowns);
             sum = self.arena.add(sum, size);
         }
         sum
@@ -241,7 +240,7 @@ impl Work<'_> {
             let first = still.of(self.arena, first);
             found.rates.push(self.arena.neg(first));
             seconds.push(second);
-            found.sizes.push(magnitude(self.arena, residual, &block.iterated, self.system));
+            found.sizes.push(magnitude(self.arena, residual, &block.iterated, &self.system.unknowns));
             found.residuals.push(residual);
         }
         // What nothing moves rests: its equations are not solved for rates, and its rates are in nobody's accelerations.

@@ -9,10 +9,14 @@
 //! γ = −d²/ds² Φ(q + s q̇, t + s) at s = 0
 //! ```
 
+mod magnitude;
+
 use crate::diag::{Diag, Fact};
-use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf};
+use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Substitution};
 use crate::model::{Dim, Model, Said};
 use std::collections::BTreeMap;
+
+pub(crate) use magnitude::magnitude;
 
 /// Unknowns and equations.
 #[derive(Clone, Debug)]
@@ -25,6 +29,9 @@ pub struct System {
     pub equations: Vec<Equation>,
     /// One for each output, in the order declared.
     pub outputs: Vec<Output>,
+    /// The largest of these is the characteristic length: local coordinates of points, or, if all points are origins, the lengths
+    /// that joints and drives demand.
+    pub lengths: Vec<Expr>,
 }
 
 /// One coordinate.
@@ -98,9 +105,10 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
         .iter()
         .map(|output| Output { components: output.components.iter().map(|part| motion.of(&mut arena, *part)).collect() });
     let outputs = outputs.collect();
+    let lengths = lengths(&mut arena, model, &unknowns, &equations);
     has_bodies(model, diag);
     no_joint_repeats_another(model, &mut arena, diag);
-    diag.is_clean().then_some(System { arena, unknowns, equations, outputs })
+    diag.is_clean().then_some(System { arena, unknowns, equations, outputs, lengths })
 }
 
 fn unknowns(model: &Model) -> Vec<Unknown> {
@@ -112,6 +120,26 @@ fn unknowns(model: &Model) -> Vec<Unknown> {
             .collect::<Vec<_>>()
     };
     model.bodies.iter().enumerate().flat_map(of_body).collect()
+}
+
+/// The lengths in the declaration that tell how large the mechanism is.
+fn lengths(arena: &mut Arena, model: &Model, unknowns: &[Unknown], equations: &[Equation]) -> Vec<Expr> {
+    let is_zero = |length: &Expr| arena.as_constant(*length).is_some_and(|value| value.is_zero());
+    if !model.lengths.iter().all(is_zero) {
+        return model.lengths.clone();
+    }
+    let all: Vec<usize> = (0..unknowns.len()).collect();
+    let mut at_start = Substitution::new();
+    let zero = arena.integer(0);
+    at_start.replace(Leaf::Time, zero);
+    let mut lengths = Vec::new();
+    for equation in equations {
+        let Some(phi) = equation.phi.filter(|_| [Dim::LENGTH, Dim::LENGTH.times(Dim::LENGTH)].contains(&equation.dim)) else { continue };
+        let terms = magnitude(arena, phi, &all, unknowns);
+        let terms = at_start.of(arena, terms);
+        lengths.push(if equation.dim == Dim::LENGTH { terms } else { arena.sqrt(terms) });
+    }
+    lengths
 }
 
 fn has_bodies(model: &Model, diag: &mut Diag) {

@@ -1,0 +1,77 @@
+//! Near places where two assemblies meet Newton's method only halves the error for a while: what is handed out has converged all the same.
+
+use std::f64::consts::PI;
+
+use reuleaux::{Cause, Mechanism, mechanism};
+
+mechanism! {
+    /// An arm of 1 m that is pushed towards the pivot of its push rod, 1 m from its own.
+    mechanism Rocker {
+        param d: Length = 100mm;
+        param arm_length: Length = 1m;
+        ground { point O = (0m, 0m);  point P = (1m, 0m); }
+        body arm { point P = (0m, 0m);  point E = (arm_length, 0m);  start angle = 174deg; }
+        joint p = revolute(ground.P, arm.P);
+        drive push = drive_distance(ground.O, arm.E, d - 1m_s * t);
+    }
+}
+
+mechanism! {
+    /// A stage on a rail, moved by a piezo of some nanometres.
+    mechanism Piezo {
+        param middle: Length = 20e-9m;
+        param stroke: Length = 15e-9m;
+        ground { axis rail = (1, 0); }
+        body stage { start x = 20e-9m; }
+        joint guide = translational(ground.rail, ground.position, stage.position);
+        drive piezo = drive_distance(ground.position, stage.position, middle + stroke * sin(1rad_s * t));
+    }
+}
+
+/// The arm's angle is π less 2 asin(d / 2), its rate 1 / √(1 − d²/4) /s, towards π.
+fn rocker_is_right(t: f64, rate: f64) {
+    let d = 0.1 - t;
+    let right = 1.0 / (1.0 - d * d / 4.0).sqrt();
+    // An angle near π has half a rounding of π, which is felt in the rate as a share of what is left to π.
+    let allowed = 1e-14 + 4.0 * f64::EPSILON * PI / d;
+    assert!((rate.abs() - right).abs() <= allowed, "at {t}: {rate} instead of {right}, {allowed:.1e} allowed");
+}
+
+#[test]
+fn an_arm_close_to_its_fold_has_its_rate() {
+    let rocker = Rocker::default();
+    for digits in 2..=12 {
+        for share in [1.0, 3.0, 0.7] {
+            let t = 0.1 - share * 0.1f64.powi(digits);
+            match rocker.solve(t) {
+                Ok(state) => {
+                    println!("{:.1e} {} condition {:.1e}", 0.1 - t, state.arm().angular_velocity, state.condition);
+                    rocker_is_right(t, state.arm().angular_velocity);
+                }
+                Err(failure) => {
+                    println!("{:.1e} {failure}", 0.1 - t);
+                    assert!(matches!(failure.cause, Cause::Singular { .. }) && 0.1 - t < 3e-9, "{failure}");
+                }
+            }
+            for state in rocker.sweep([0.0, 0.02, 0.04, 0.06, 0.08, t]).map_while(Result::ok) {
+                rocker_is_right(state.t, state.arm().angular_velocity);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_stage_of_nanometres_is_right_to_its_own_size() {
+    for scale in [1e3, 1.0, 1e-3, 1e-6] {
+        let piezo = Piezo { middle: 20e-9 * scale, stroke: 15e-9 * scale };
+        for steps in [3, 10, 100] {
+            for state in piezo.sweep((0..=steps).map(|step| 2.0 * PI * f64::from(step) / f64::from(steps))) {
+                let state = state.unwrap();
+                let right = [20e-9 + 15e-9 * state.t.sin(), 15e-9 * state.t.cos(), -15e-9 * state.t.sin()].map(|value| scale * value);
+                for (found, right) in [state.q[0], state.qd[0], state.qdd[0]].into_iter().zip(right) {
+                    assert!((found - right).abs() < 1e-14 * 35e-9 * scale, "{found:e} instead of {right:e}, scale {scale}, {steps} steps");
+                }
+            }
+        }
+    }
+}
