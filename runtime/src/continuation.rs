@@ -2,23 +2,29 @@
 //! enough to be sure of the branch.
 //!
 //! A step is accepted if in every block the prediction does not go far, the solution is near it, Newton's method contracts well,
-//! and the determinant keeps its sign: two assemblies of one loop have different signs; and if computed angles came to where they
-//! were expected. Otherwise it is halved; after a success it is doubled.
+//! and the determinant keeps its sign: assemblies that meet somewhere have different signs; if the new state, seen backwards, came from
+//! the old one: two assemblies of the same sign, one of which ended on the way, do not; and if computed angles came to where they were
+//! expected. Otherwise it is halved; after a success it is doubled.
 
 use nalgebra::SVector;
 
 use crate::careful::{Care, Found};
 use crate::pass::{Pass, Stop, Walk};
+use crate::scale::length_of;
 use crate::stages::{Coordinates, Stages};
-use crate::straight::Departure;
+use crate::straight::{Departure, SURE};
 use crate::verdict;
-use crate::{Cause, Culprit, Failure, Float, Lanes, Mask, State, names};
+use crate::{Cause, CoordinateKind, Culprit, Failure, Float, Lanes, Mask, State, names};
 
 /// Steps of one continuation, accepted or not.
 const MOST_STEPS: usize = 1_000_000;
 
 /// How far an angle may be from its prediction, in rad.
 const LARGEST_SURPRISE: f64 = 0.6;
+
+/// A state and the one that the state after it expects behind it may be this share of 1 / condition apart: about so far away may
+/// another assembly be.
+const LARGEST_LAPSE: f64 = 0.05;
 
 /// The shortest step, in roundings of the time it leads to.
 const SHORTEST_STEP: f64 = 8.0;
@@ -106,17 +112,18 @@ pub(crate) fn stride<T: Lanes, E: Stages<T, N> + ?Sized, const N: usize>(
         let mut there = Coordinates::of(state);
         let is_found = equations.stages_in_place(t, &mut pass, &mut there).is_ok();
         let Some(walk) = pass.walk().filter(|_| is_found) else { return nowhere };
-        follow::<T, E, N>(state, t, &there, walk, moving)
+        follow(equations, state, t, &there, walk, moving)
     } else {
         let Ok(there) = equations.stages(t, &mut pass) else { return nowhere };
         let Some(walk) = pass.walk() else { return nowhere };
-        follow::<T, E, N>(state, t, &there, walk, moving)
+        follow(equations, state, t, &there, walk, moving)
     }
 }
 
 /// Makes the step to where a pass has led, in the lanes in which it led anywhere; which they are.
 #[inline(always)]
 fn follow<T: Lanes, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
     state: &mut State<T, N>,
     t: T,
     there: &Coordinates<T, N>,
@@ -125,7 +132,11 @@ fn follow<T: Lanes, E: Stages<T, N> + ?Sized, const N: usize>(
 ) -> T::Mask {
     let h = t - state.t;
     let Walk { found, condition, iterations } = walk;
-    let found = found.and(moving).and(is_surely_finite(h, there, E::UNSURE)).and(is_resolved(state, &there.q, h, E::COMPUTED_ANGLES));
+    let mut found = found.and(moving).and(is_surely_finite(h, there, E::UNSURE)).and(is_resolved(state, &there.q, h, E::COMPUTED_ANGLES));
+    // A prediction that was right to half of its digits comes from the same branch.
+    if iterations > SURE {
+        found = found.and(comes_from(equations, state, h, there, condition));
+    }
     if !found.not().all() {
         state.follow_on(t, &Stride { h, found, condition, iterations }, there, E::ITERATED);
     }
@@ -152,7 +163,7 @@ fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     for _ in 0..MOST_STEPS {
         let next = if step.abs() >= (t - here.t).abs() { t } else { here.t + step };
         match self::reached(equations, next, Care::follow(equations, &here, next - here.t)) {
-            Ok((reached, _)) if !is_resolved(&here, &reached.q, next - here.t, E::COMPUTED_ANGLES) && halves(&mut step, next, &here) => {}
+            Ok((reached, _)) if !is_same_branch(equations, &here, &reached) && halves(&mut step, next, &here) => {}
             Ok((reached, off)) if next == t => match off {
                 Some(cause) => return fail(cause, t, state),
                 None => {
@@ -191,6 +202,35 @@ fn is_resolved<T: Lanes, const N: usize>(here: &State<T, N>, q: &SVector<T, N>, 
         }
     }
     resolved
+}
+
+/// A step came to where it was expected, and from where it began.
+fn is_same_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, here: &State<T, N>, there: &State<T, N>) -> bool {
+    let h = there.t - here.t;
+    let coordinates = Coordinates { q: there.q, qd: there.qd, qdd: there.qdd };
+    is_resolved(here, &there.q, h, E::COMPUTED_ANGLES) && comes_from(equations, here, h, &coordinates, there.condition)
+}
+
+/// The state after a step expects behind it, at q − h q̇ + h² q̈ / 2, the state before, as far as another assembly may be away.
+#[cold]
+#[inline(never)]
+fn comes_from<T: Lanes, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    here: &State<T, N>,
+    h: T,
+    there: &Coordinates<T, N>,
+    condition: T,
+) -> T::Mask {
+    let share = T::of(1.0) / length_of(equations.characteristic_length());
+    let nearest = T::of(LARGEST_LAPSE) / condition.max(here.condition);
+    let mut comes = T::Mask::of(true);
+    for &i in E::ITERATED {
+        let Some(coordinate) = E::COORDINATES.get(i) else { continue };
+        let lapse = (there.q[i] - here.q[i]) - h * (there.qd[i] - T::of(0.5) * (h * there.qdd[i]));
+        let share = if coordinate.kind == CoordinateKind::Length { share } else { T::of(1.0) };
+        comes = comes.and((lapse.abs() * share).at_most(nearest));
+    }
+    comes
 }
 
 /// A careful pass through all stages, compiled once for each mechanism.

@@ -42,6 +42,9 @@ const SHORT: f64 = 4.0;
 /// Corrections, each of which squares the error: from 0.2 the fourth is below √ε, and more are a case for care.
 const MOST_CORRECTIONS: usize = 4;
 
+/// Factorisations where the first correction was the last.
+pub(crate) const SURE: usize = 2;
+
 /// Of so few unknowns a step is a chain of results that each wait for the one before, and it is shorter by a tenth if sines and cosines of
 /// the predicted angles are turned on from those before; more unknowns keep a processor busy all the time, and the turns cost more.
 const SMALL: usize = 3;

@@ -9,6 +9,7 @@ mod files;
 mod finite;
 mod mechanisms;
 mod parameters;
+mod plates;
 mod prepared;
 mod redundant;
 mod shapes;
