@@ -24,7 +24,7 @@ const LARGEST_SURPRISE: f64 = 0.6;
 
 /// A state and the one that the state after it expects behind it may be this share of 1 / condition apart: about so far away may
 /// another assembly be.
-const LARGEST_LAPSE: f64 = 0.05;
+const LARGEST_LAPSE: f64 = 0.2;
 
 /// The shortest step, in roundings of the time it leads to.
 const SHORTEST_STEP: f64 = 8.0;
