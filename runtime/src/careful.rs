@@ -17,7 +17,7 @@ use crate::position::{self, Miss, Position, Refusal};
 use crate::problem::{Block, Evaluate, Part, Problem};
 use crate::scale::{Scale, length_of};
 use crate::straight::LONGEST_PREDICTION;
-use crate::{Cause, Coordinate, Culprit, Description, Float, Lanes, Orientation, Row, State, names};
+use crate::{Cause, Coordinate, CoordinateKind, Culprit, Description, Float, Lanes, Orientation, Row, State, names};
 
 /// What a careful pass sets out from and what it has found.
 pub struct Care<'a, T: Lanes, const N: usize> {
@@ -150,7 +150,7 @@ pub(crate) fn solve<T: Float, L: Linear<T, K>, const K: usize, const N: usize>(
     sizes: [T; K],
     evaluate: &Evaluate<'_, T, L, K>,
 ) -> Result<Solved<T, L, K>, Stop<T>> {
-    let part: Part<'_, T, L, K> = Part {
+    let mut part: Part<'_, T, L, K> = Part {
         evaluate,
         block,
         scale: Scale::by_kind(care.length, care.share, &block.kinds),
@@ -163,6 +163,7 @@ pub(crate) fn solve<T: Float, L: Linear<T, K>, const K: usize, const N: usize>(
     let mut found = care.found.get();
     let position = match &care.mode {
         Mode::Follow { here, h } => {
+            part.scale = grown(part.scale, block, &here.q);
             let side = here.branch.get(first).copied();
             let position = follow(&part, here, *h, &block.unknowns, side)?;
             if side.is_some_and(|before| before != position.factors.sides()) {
@@ -191,6 +192,17 @@ pub(crate) fn solve<T: Float, L: Linear<T, K>, const K: usize, const N: usize>(
     found.iterations = found.iterations.max(position.iterations);
     care.found.set(found);
     Ok(Solved { x: position.place.x.data.0[0], turn: position.place.turn, factors: position.factors })
+}
+
+/// A length that has become larger than L is measured by itself.
+fn grown<T: Float, const K: usize, const N: usize>(mut scale: Scale<T, K>, block: &Block<K>, q: &SVector<T, N>) -> Scale<T, K> {
+    for k in 0..K {
+        let size = q[block.unknowns[k]].abs();
+        if block.kinds[k] == CoordinateKind::Length && size > scale.length {
+            (scale.column[k], scale.share[k]) = (size, T::of(1.0) / size);
+        }
+    }
+    scale
 }
 
 /// From q + h q̇ + h² q̈ / 2 to the solution next to it.

@@ -68,6 +68,13 @@ pub enum Cause<T> {
         /// By how much, in m or rad.
         jump: T,
     },
+    /// The motion diverges: a length grows beyond all bounds, about at the failure's time.
+    Diverges {
+        /// The coordinate that grows most.
+        coordinate: Coordinate,
+        /// Its last value, in m.
+        value: T,
+    },
     /// A number is infinite or NaN.
     NotFinite {
         /// Where it first appeared.
@@ -141,6 +148,11 @@ impl<T: Float> Cause<T> {
                 f,
                 "`{name}` loses its branch at t = {t} s: {coordinate} would jump by {}",
                 Measure(jump.to_f64(), coordinate.kind.unit())
+            ),
+            Cause::Diverges { coordinate, value } => write!(
+                f,
+                "`{name}` diverges about at t = {t} s: {coordinate} grows beyond all bounds and is {} already",
+                Measure(value.to_f64(), coordinate.kind.unit())
             ),
             Cause::NotFinite { of } => write!(f, "`{name}` is not finite at t = {t} s: {of}"),
             Cause::ParameterOutOfRange(parameter) => write!(f, "`{name}` cannot be solved with {parameter}"),

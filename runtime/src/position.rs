@@ -11,7 +11,7 @@ use crate::order::{greater, smaller};
 use crate::place::Place;
 use crate::problem::Problem;
 use crate::straight::{LARGEST_CONTRACTION, LONGEST_FIRST_CORRECTION};
-use crate::{Culprit, Float};
+use crate::{CoordinateKind, Culprit, Float};
 
 /// Longest scaled step towards a first assembly: half a radian, or half of L. Within it a revolute is still about linear.
 pub(crate) const LONGEST_STEP: f64 = 0.5;
@@ -25,6 +25,9 @@ const FOLLOWING_ITERATIONS: usize = 12;
 /// Up to this share of 1 / √ε a condition says that two solutions are told apart: where they meet, at a fold, they are about
 /// 1 / condition apart and each is known to about ε times the condition.
 pub(crate) const CERTAIN: f64 = 0.125;
+
+/// The largest rounding error of an angle, in rad.
+const COARSEST_ANGLE: f64 = 1.0 / 64.0;
 
 /// Φ_q may change by this share of itself within the rounding errors of q; it is also the relative error of q̇ at worst. From 1 on
 /// another solution may be as near.
@@ -137,6 +140,12 @@ pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
 ) -> Result<Position<T, P::Factors, N>, Miss<T, N>> {
     let place = iterate.place.nudged(&iterate.correction, problem.turns());
     let condition = iterate.factors.condition(&problem.sizes(), &problem.scale().share);
+    // Sine and cosine say nothing of an angle whose own rounding is no small one.
+    let is_lost =
+        |k: usize| problem.coordinate(k).kind == CoordinateKind::Angle && !(T::EPSILON * place.x[k].abs() <= T::of(COARSEST_ANGLE));
+    if let Some(k) = (0..N).find(|&k| is_lost(k)) {
+        return Err(Miss::NoConvergence { correction: T::EPSILON * place.x[k].abs(), iterations });
+    }
     let is_certain = condition * T::ROOT_EPSILON <= T::of(CERTAIN);
     if is_certain || (iterate.factors.is_regular() && is_isolated(problem, &place, &iterate.factors, condition)) {
         Ok(Position { place, factors: iterate.factors, condition, iterations })
@@ -191,7 +200,7 @@ fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: &
         });
         error = greater(error, T::of(BEYOND_PLACES) * scale.norm(&factors.solve(&rest)));
     }
-    curvature * error <= T::of(LARGEST_CHANGE)
+    condition * T::EPSILON < T::of(1.0) && curvature * error <= T::of(LARGEST_CHANGE)
 }
 
 /// ∛ε

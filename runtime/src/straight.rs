@@ -7,7 +7,7 @@
 //! ```text
 //! x₀ = q + h q̇ + h² q̈ / 2 + e      e: what this leaves out, from the step before (Trend)
 //! A₀ δ = Φ(x₀)                      A₀ = Φ_q(x₀)
-//! x  = x₀ − δ                       the solution if κ |δ|² ≤ 4 ε, κ the condition, for then what δ leaves out is below rounding
+//! x  = x₀ − δ                       the solution if |δ| ≤ √ε, for then |δ|² is below rounding
 //! A  η = Φ(x)                       and if |η|, which nothing waits for, is a rounding
 //! ```
 //!
@@ -36,8 +36,9 @@ pub(crate) const LARGEST_CONTRACTION: f64 = 0.25;
 /// A correction after the last may be this many times the first-order effect of one rounding of each term.
 const ROUNDINGS: f64 = 2.0;
 
-/// The square of the last correction, times the condition, may be this many roundings: about twice what it leaves out.
-const SHORT: f64 = 4.0;
+/// From this condition on the last correction has to be shorter than √ε: what its square leaves out would be felt otherwise, where the
+/// condition tells more than rounding does.
+const ILL: f64 = 256.0;
 
 /// Corrections, each of which squares the error: from 0.2 the fourth is below √ε, and more are a case for care.
 const MOST_CORRECTIONS: usize = 4;
@@ -151,11 +152,13 @@ impl<'a, T: Lanes, const N: usize> Departure<'a, T, N> {
             let condition = growth.max(T::of(1.0));
 
             let length = norm(&correction, scene.share);
-            let is_short = (length * length * condition).at_most(T::of(SHORT) * T::EPSILON);
-            let effect = if T::of(1.0).at_most(growth).all() { growth } else { growth + norm(&there.x, scene.share) };
-            let is_last = next.at_most(T::of(ROUNDINGS) * T::EPSILON * effect);
-            let is_resolved = (condition * T::ROOT_EPSILON).at_most(T::of(CERTAIN)).and(factors.is_regular());
-            let found = is_short.and(is_last).and(is_resolved).and(follows).and(T::same(factors.sides(), side));
+            let is_short = length.at_most(T::ROOT_EPSILON);
+            let is_last = next.at_most(T::of(ROUNDINGS) * T::EPSILON * growth);
+            let is_alike = factors.is_regular().and(follows).and(T::same(factors.sides(), side));
+            let mut found = is_short.and(is_last).and(growth.at_most(T::of(ILL))).and(is_alike);
+            if !found.all() {
+                found = is_found(length, next, condition, growth + norm(&there.x, scene.share)).and(is_alike);
+            }
             if found.all() || found.or(follows.not()).all() || iterations >= 2 * MOST_CORRECTIONS {
                 let arrival = Arrival { place: there, factors, condition, iterations, found };
                 return (!found.not().all()).then_some(arrival);
@@ -166,6 +169,16 @@ impl<'a, T: Lanes, const N: usize> Departure<'a, T, N> {
             longest = length * T::of(LARGEST_CONTRACTION);
         }
     }
+}
+
+/// Whether a correction of this length was the last, with `next` after it, where that shows not at once: the condition is large, or rounding
+/// errors of the unknowns themselves are felt.
+#[cold]
+#[inline(never)]
+fn is_found<T: Lanes>(length: T, next: T, condition: T, effect: T) -> T::Mask {
+    let is_short = (length * length * (T::of(1.0 / ILL) * condition).max(T::of(1.0))).at_most(T::EPSILON);
+    let is_last = next.at_most(T::of(ROUNDINGS) * T::EPSILON * effect);
+    is_short.and(is_last).and((condition * T::ROOT_EPSILON).at_most(T::of(CERTAIN)))
 }
 
 /// After a correction that was not the last.

@@ -7,13 +7,16 @@ use crate::continuation;
 use crate::pass::Stop;
 use crate::scale::Scale;
 use crate::stages::Stages;
-use crate::{Cause, Float, State, names};
+use crate::{Cause, CoordinateKind, Float, State, names};
 
 /// A branch that ends at a state with a condition above ε to the power −1/4 ends at a dead point: approaching one up to
 /// the rounding of t gives a condition of about ε to the power −1/2.
 fn is_dead_point<T: Float, const N: usize>(state: &State<T, N>) -> bool {
     state.condition * T::ROOT_EPSILON.sqrt() > T::of(1.0)
 }
+
+/// A motion that ends with a length of more than this many L, growing, diverges.
+const FAR: f64 = 100.0;
 
 /// Why the mechanism could not be assembled.
 pub(crate) fn open<T: Float>(stop: Stop<T>) -> Cause<T> {
@@ -46,6 +49,27 @@ pub(crate) fn end_of_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
         Ok((other, _)) => jump(equations, &here.q, &other.q),
         Err(stop) => open(stop),
     }
+}
+
+/// Where the motion ends because a length grows beyond all bounds: which, and about when.
+///
+/// ```text
+/// x = c / (t∞ − t)      t∞ = t + x / ẋ
+/// ```
+///
+/// * `next`: given, s, a moment after `here`.
+pub(crate) fn diverging<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    here: &State<T, N>,
+    next: T,
+) -> Option<(Cause<T>, T)> {
+    let scale = Scale::of(equations);
+    let size = |i: usize| here.q[i].abs() / scale.length;
+    let is_length = |i: &usize| names::coordinate(E::COORDINATES, *i).kind == CoordinateKind::Length;
+    let most = (0..N).filter(is_length).reduce(|best, i| if size(i) > size(best) { i } else { best })?;
+    let grows = here.q[most] * here.qd[most] * (next - here.t) > T::of(0.0);
+    let cause = Cause::Diverges { coordinate: names::coordinate(E::COORDINATES, most), value: here.q[most] };
+    (size(most) > T::of(FAR) && grows).then(|| (cause, here.t + here.q[most] / here.qd[most]))
 }
 
 /// The coordinate in which two positions differ most.

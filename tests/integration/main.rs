@@ -7,6 +7,7 @@ mod converged;
 mod crossings;
 mod files;
 mod finite;
+mod limits;
 mod mechanisms;
 mod parameters;
 mod plates;
