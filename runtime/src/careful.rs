@@ -86,8 +86,8 @@ pub(crate) struct Found<T, const N: usize> {
 
 /// What a block is solved from.
 enum Mode<'a, T, const N: usize> {
-    /// A prediction from this state, `h` seconds before.
-    Follow { here: &'a State<T, N>, h: T },
+    /// A prediction from this state, `h` seconds before; across a change point determinants may change their signs.
+    Follow { here: &'a State<T, N>, h: T, is_across: bool },
     /// A rough guess of q.
     Close { guess: &'a SVector<T, N> },
     /// Nothing is solved: these are the positions, and the block that is nearest to singular is looked for.
@@ -115,7 +115,12 @@ impl<'a, T: Lanes, const N: usize> Care<'a, T, N> {
 impl<'a, T: Float, const N: usize> Care<'a, T, N> {
     /// From a state, to a moment h later.
     pub(crate) fn follow<E: Description<T, N> + ?Sized>(equations: &E, here: &'a State<T, N>, h: T) -> Self {
-        Self::new(equations, Mode::Follow { here, h }, here.branch)
+        Self::new(equations, Mode::Follow { here, h, is_across: false }, here.branch)
+    }
+
+    /// From a state, to a moment h later on the other side of a change point.
+    pub(crate) fn across<E: Description<T, N> + ?Sized>(equations: &E, here: &'a State<T, N>, h: T) -> Self {
+        Self::new(equations, Mode::Follow { here, h, is_across: true }, here.branch)
     }
 
     /// From a rough guess.
@@ -162,9 +167,9 @@ pub(crate) fn solve<T: Float, L: Linear<T, K>, const K: usize, const N: usize>(
     let picked = |q: &SVector<T, N>| Place::at(SVector::from_fn(|k, _| q[block.unknowns[k]]), &block.turns);
     let mut found = care.found.get();
     let position = match &care.mode {
-        Mode::Follow { here, h } => {
+        Mode::Follow { here, h, is_across } => {
             part.scale = grown(part.scale, block, &here.q);
-            let side = here.branch.get(first).copied();
+            let side = here.branch.get(first).copied().filter(|_| !is_across);
             let position = follow(&part, here, *h, &block.unknowns, side)?;
             if side.is_some_and(|before| before != position.factors.sides()) {
                 return Err(Stop::Far);

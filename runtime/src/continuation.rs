@@ -9,6 +9,7 @@
 use nalgebra::SVector;
 
 use crate::careful::{Care, Found};
+use crate::crossing;
 use crate::pass::{Pass, Stop, Walk};
 use crate::scale::length_of;
 use crate::stages::{Coordinates, Stages};
@@ -28,6 +29,9 @@ const LARGEST_SURPRISE: f64 = 0.6;
 /// A state and the one that the state after it expects behind it may be this share of 1 / condition apart: about so far away may
 /// another assembly be.
 const LARGEST_LAPSE: f64 = 0.2;
+
+/// Up to this share of ε^(−1/4) a condition says that a change point is not too near to look across.
+const CLEAR: f64 = 0.0625;
 
 /// The shortest step, in roundings of the time it leads to.
 const SHORTEST_STEP: f64 = 8.0;
@@ -165,6 +169,7 @@ fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
         return fail(Cause::ParameterOutOfRange(parameter), t, state);
     }
     let mut here = state.clone();
+    let mut waypoint = state.clone();
     let mut step = t - state.t;
     let most = const { MOST_STEPS / (1 + 10 * N / MANY) };
     for _ in 0..most {
@@ -181,9 +186,17 @@ fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
             Ok((reached, _)) => {
                 here = reached;
                 step = step + step;
+                if here.condition <= largest_condition(CLEAR) {
+                    waypoint = here.clone();
+                }
             }
             Err(refusal) => {
                 if !halves(&mut step, next, &here) {
+                    if let Some(beyond) = crossing::cross(equations, &waypoint, &here, t) {
+                        step = t - beyond.t;
+                        (here, waypoint) = (beyond.clone(), beyond);
+                        continue;
+                    }
                     let ended = || (verdict::end_of_branch(equations, next, &here, refusal), next);
                     let (cause, time) = verdict::diverging(equations, &here, next).unwrap_or_else(ended);
                     return fail(cause, time, &here);
@@ -193,6 +206,11 @@ fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     }
     let (cause, time) = verdict::diverging(equations, &here, t).unwrap_or((Cause::TooManySteps { steps: most }, t));
     fail(cause, time, &here)
+}
+
+/// This share of ε^(−1/4).
+fn largest_condition<T: Float>(share: f64) -> T {
+    T::of(share) / T::ROOT_EPSILON.sqrt()
 }
 
 /// Halves a step; false if it cannot be any shorter.
@@ -215,7 +233,11 @@ fn is_resolved<T: Lanes, const N: usize>(here: &State<T, N>, q: &SVector<T, N>, 
 }
 
 /// A step came to where it was expected, and from where it began.
-fn is_same_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, here: &State<T, N>, there: &State<T, N>) -> bool {
+pub(crate) fn is_same_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    here: &State<T, N>,
+    there: &State<T, N>,
+) -> bool {
     let h = there.t - here.t;
     let coordinates = Coordinates { q: there.q, qd: there.qd, qdd: there.qdd };
     is_resolved(here, &there.q, h, E::COMPUTED_ANGLES) && comes_from(equations, here, h, &coordinates, there.condition)

@@ -53,6 +53,7 @@ extern crate self as reuleaux;
 mod assembly;
 mod careful;
 mod continuation;
+mod crossing;
 mod damping;
 #[cfg(feature = "certify")]
 mod enclosure;
