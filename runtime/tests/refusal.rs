@@ -99,10 +99,10 @@ fn a_sweep_ends_after_a_failure() {
     assert!(sweep.next().is_none() && sweep.next().is_none());
 }
 
-/// One slider on a line, x = f(t), with whatever f.
-struct Slider(fn(f64) -> f64);
+/// One slider on a line, x = f(t), with whatever f, at rest as far as it tells; if it turns, a wheel, φ = f(t), at this rate.
+struct Slider<const TURNS: bool = false>(fn(f64) -> f64, f64);
 
-impl Stages<f64, 1> for Slider {
+impl<const TURNS: bool> Stages<f64, 1> for Slider<TURNS> {
     fn stages(&self, t: f64, pass: &mut Pass<'_, f64, 1>) -> Result<Coordinates<f64, 1>, Stop<f64>> {
         reuleaux::at_once(self, t, pass)
     }
@@ -112,9 +112,10 @@ impl Stages<f64, 1> for Slider {
     }
 }
 
-impl Description<f64, 1> for Slider {
+impl<const TURNS: bool> Description<f64, 1> for Slider<TURNS> {
     const NAME: &'static str = "Slider";
-    const COORDINATES: &'static [Coordinate] = &[Coordinate { body: "slider", name: "x", kind: CoordinateKind::Length }];
+    const COORDINATES: &'static [Coordinate] =
+        &[Coordinate { body: "slider", name: "x", kind: if TURNS { CoordinateKind::Angle } else { CoordinateKind::Length } }];
     const ROWS: &'static [Row] = &[Row { joint: "rail", kind: "drive_x", index: 1, of: 1, unit: "m" }];
 
     fn start(&self) -> SVector<f64, 1> {
@@ -128,7 +129,7 @@ impl Description<f64, 1> for Slider {
     }
 }
 
-impl Equations<f64, 1, 1> for Slider {
+impl<const TURNS: bool> Equations<f64, 1, 1> for Slider<TURNS> {
     fn phi(&self, q: &SVector<f64, 1>, t: f64) -> SVector<f64, 1> {
         SVector::from([q[0] - (self.0)(t)])
     }
@@ -139,7 +140,7 @@ impl Equations<f64, 1, 1> for Slider {
         (self.phi(q, t), self.jacobian(q, t))
     }
     fn nu(&self, _: &SVector<f64, 1>, _: f64) -> SVector<f64, 1> {
-        SVector::from([0.0])
+        SVector::from([self.1])
     }
     fn gamma(&self, _: &SVector<f64, 1>, _: &SVector<f64, 1>, _: f64) -> SVector<f64, 1> {
         SVector::from([0.0])
@@ -148,7 +149,7 @@ impl Equations<f64, 1, 1> for Slider {
 
 #[test]
 fn a_jump_is_not_jumped() {
-    let failure = Slider(|t| if t < 0.3 { 0.0 } else { 7.0 }).solve(1.0).unwrap_err();
+    let failure = Slider::<false>(|t| if t < 0.3 { 0.0 } else { 7.0 }, 0.0).solve(1.0).unwrap_err();
     println!("{failure}");
     let Cause::BranchLost { coordinate, jump } = failure.cause else { panic!("{failure}") };
     assert_eq!((coordinate.body, jump), ("slider", 7.0));
@@ -157,7 +158,7 @@ fn a_jump_is_not_jumped() {
 
 #[test]
 fn the_end_of_a_law_is_named() {
-    let failure = Slider(|t| (0.25 - t * t).sqrt()).solve(1.0).unwrap_err();
+    let failure = Slider::<false>(|t| (0.25 - t * t).sqrt(), 0.0).solve(1.0).unwrap_err();
     println!("{failure}");
     assert!(matches!(failure.cause, Cause::NotFinite { of: Culprit::Row(_) }));
     assert!((failure.time - 0.5).abs() < 1e-14);
@@ -165,7 +166,7 @@ fn the_end_of_a_law_is_named() {
 
 #[test]
 fn a_way_that_is_too_long_is_given_up() {
-    let failure = Slider(|t| 1e9 * t).solve(1.0).unwrap_err();
+    let failure = Slider::<true>(|t| 1e9 * t, 1e9).solve(1.0).unwrap_err();
     println!("{failure}");
     assert!(matches!(failure.cause, Cause::TooManySteps { .. }));
     assert!(failure.last.unwrap().t > 1e-6);

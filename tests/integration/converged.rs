@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use reuleaux::{Cause, mechanism};
+use reuleaux::{Cause, Mechanism, mechanism};
 
 mechanism! {
     /// An arm of 1 m that is pushed towards the pivot of its push rod, 1 m from its own.
@@ -57,6 +57,24 @@ fn an_arm_close_to_its_fold_has_its_rate() {
                 rocker_is_right(state.t, state.arm().angular_velocity);
             }
         }
+    }
+}
+
+/// Whatever the way to a place, its condition is the same.
+#[test]
+fn a_condition_is_that_of_its_place() {
+    let rocker = Rocker::default();
+    for digits in 1..=8 {
+        let t = 0.1 - 0.3 * 0.1f64.powi(digits);
+        let alone = rocker.solve(t).unwrap().condition;
+        for steps in [2, 5, 50, 500] {
+            let last = rocker.sweep((0..=steps).map(|step| t * f64::from(step) / f64::from(steps))).last();
+            let condition = last.unwrap().unwrap().condition;
+            assert!((condition / alone - 1.0).abs() < 1e-6, "{condition:e} after {steps} steps, {alone:e} at once, at {t}");
+        }
+        let guess = rocker.solve(0.0).unwrap().q;
+        let near = rocker.solve_near(t, &guess).unwrap().condition;
+        assert!((near / alone - 1.0).abs() < 1e-6, "{near:e} from a guess, {alone:e} at once, at {t}");
     }
 }
 
