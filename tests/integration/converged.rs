@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use reuleaux::{Cause, Mechanism, mechanism};
+use reuleaux::{Cause, mechanism};
 
 mechanism! {
     /// An arm of 1 m that is pushed towards the pivot of its push rod, 1 m from its own.
