@@ -193,6 +193,10 @@ fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
             Err(refusal) => {
                 if !halves(&mut step, next, &here) {
                     if let Some(beyond) = crossing::cross(equations, &waypoint, &here, t) {
+                        if beyond.t == t {
+                            *state = beyond;
+                            return Ok(());
+                        }
                         step = t - beyond.t;
                         (here, waypoint) = (beyond.clone(), beyond);
                         continue;

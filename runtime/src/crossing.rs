@@ -1,4 +1,5 @@
-//! Across a change point, where two branches cross. In: states before it. Out: the state behind it on the branch that goes on smoothly.
+//! Across a change point, where two branches cross. In: states before it. Out: the state behind it, or at it, on the branch that goes on
+//! smoothly.
 //!
 //! ```text
 //! κ = c / |t× − t|              condition on either side of the crossing at t×
@@ -8,8 +9,11 @@
 //! Where two branches only come near to each other both turn away from a fold or from a bend, and to go straight on would be a jump. So the
 //! crossing is approached from both sides as closely as rounding allows, and both ways must come to the same.
 
+use nalgebra::SVector;
+
 use crate::careful::Care;
 use crate::continuation::{is_same_branch, reached};
+use crate::order::greater;
 use crate::stages::Stages;
 use crate::{Float, State};
 
@@ -19,11 +23,18 @@ const CLOSE: f64 = 1.0 / 256.0;
 /// Steps towards the crossing, each of half of what is left.
 const MOST_STEPS: usize = 64;
 
-/// The state behind a change point, no further from it than `waypoint`, on the branch that goes on smoothly; None if there is none.
+/// Between two states of this condition, one on either side, the motion is a polynomial, to as many digits as they have.
+const STRAIGHT: f64 = 1.0 / 64.0;
+
+/// So much further from the crossing than the last state that was found there are others again.
+const REACH: f64 = 4.0;
+
+/// The state behind a change point, no further from it than `waypoint`, on the branch that goes on smoothly; if `t` is the change point
+/// itself, the state there. None if no branch goes on.
 ///
 /// * `waypoint`: given, a state before the change point, well conditioned.
 /// * `here`: given, the last state before it.
-/// * `t`: given, s, where the motion is to go: behind the change point.
+/// * `t`: given, s, where the motion is to go: at the change point, or behind it.
 pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
     waypoint: &State<T, N>,
@@ -35,7 +46,8 @@ pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
         return None;
     }
     let crossing = here.t + (here.t - waypoint.t) * waypoint.condition / (here.condition - waypoint.condition);
-    if (t - crossing) * (crossing - waypoint.t) <= T::of(0.0) {
+    let is_there = (t - crossing).abs() <= T::of(REACH) * (crossing - here.t).abs();
+    if !is_there && (t - crossing) * (crossing - waypoint.t) <= T::of(0.0) {
         return None;
     }
     // From ever nearer places, until it is not too far across.
@@ -51,7 +63,49 @@ pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     let near = approach(equations, &before, crossing, close)?;
     let far = approach(equations, &beyond, crossing, close)?;
     let meets = step(equations, &near, far.t, true)?;
-    (meets.branch == far.branch && far.branch != here.branch).then_some(beyond)
+    if meets.branch != far.branch || far.branch == here.branch {
+        return None;
+    }
+    if !is_there {
+        return Some(beyond);
+    }
+    let between = T::of(STRAIGHT) / T::ROOT_EPSILON.sqrt();
+    let [near, far] = [approach(equations, &before, crossing, between)?, approach(equations, &beyond, crossing, between)?];
+    Some(State { mark: equations.mark(), ..interpolated(&near, &far, t) })
+}
+
+/// The state at `t` of the polynomial of fifth degree through two states, their rates and their accelerations, on the branch of the second.
+///
+/// Its accelerations have lost twice as many digits as those of the states.
+fn interpolated<T: Float, const N: usize>(near: &State<T, N>, far: &State<T, N>, t: T) -> State<T, N> {
+    let h = far.t - near.t;
+    let s = (t - near.t) / h;
+    let of = T::of;
+    // q = q₀ + h q̇₀ s + h² q̈₀ s² / 2 + s³ (c₃ + s (c₄ + s c₅)), the c from what is left at s = 1.
+    let coefficients = |i: usize| {
+        let (first, second) = (h * near.qd[i], h * h * near.qdd[i]);
+        let value = ((far.q[i] - near.q[i]) - first) - of(0.5) * second;
+        let rate = h * (far.qd[i] - near.qd[i]) - second;
+        let acceleration = h * h * (far.qdd[i] - near.qdd[i]);
+        let c3 = of(10.0) * value - of(4.0) * rate + of(0.5) * acceleration;
+        let c4 = of(7.0) * rate - of(15.0) * value - acceleration;
+        let c5 = of(6.0) * value - of(3.0) * rate + of(0.5) * acceleration;
+        (first, second, [c3, c4, c5])
+    };
+    let q = SVector::from_fn(|i, _| {
+        let (first, second, [c3, c4, c5]) = coefficients(i);
+        near.q[i] + s * (first + s * (of(0.5) * second + s * (c3 + s * (c4 + s * c5))))
+    });
+    let qd = SVector::from_fn(|i, _| {
+        let (first, second, [c3, c4, c5]) = coefficients(i);
+        (first + s * (second + s * (of(3.0) * c3 + s * (of(4.0) * c4 + s * of(5.0) * c5)))) / h
+    });
+    let qdd = SVector::from_fn(|i, _| {
+        let (_, second, [c3, c4, c5]) = coefficients(i);
+        (second + s * (of(6.0) * c3 + s * (of(12.0) * c4 + s * of(20.0) * c5))) / (h * h)
+    });
+    let condition = greater(near.condition * near.condition, far.condition * far.condition);
+    State { branch: far.branch, condition, iterations: far.iterations, ..State::new(t, q, qd, qdd) }
 }
 
 /// By steps of half of what is left, so close to the crossing that the condition is `close`.

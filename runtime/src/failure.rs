@@ -52,7 +52,9 @@ pub enum Cause<T> {
         /// Its residual, in its unit.
         residual: T,
     },
-    /// Φ_q is singular, or as good as: a dead point, a change point, or equations that depend on each other.
+    /// Φ_q is singular, or as good as: a dead point, where the branch ends; a change point from which no branch goes on smoothly, or
+    /// to which [`solve_near`](crate::Mechanism::solve_near) came from a guess; or equations that depend on each other. On the way from
+    /// one state to another the failure's time is the one at which it happens, to rounding.
     Singular {
         /// A row that depends on the others.
         row: Row,
