@@ -168,14 +168,16 @@ fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     if let Err(parameter) = equations.validate() {
         return fail(Cause::ParameterOutOfRange(parameter), t, state);
     }
-    let mut here = state.clone();
-    let mut waypoint = state.clone();
+    // A state of slightly other parameters is first put in order where it is; one of these parameters stays as it is.
+    let seated = self::reached(equations, state.t, Care::follow(equations, state, T::of(0.0)));
+    let mut here = seated.map_or_else(|_| state.clone(), |(seated, _)| seated);
+    let mut waypoint = here.clone();
     let mut step = t - state.t;
     let most = const { MOST_STEPS / (1 + 10 * N / MANY) };
     for _ in 0..most {
         let next = if step.abs() >= (t - here.t).abs() { t } else { here.t + step };
         match self::reached(equations, next, Care::follow(equations, &here, next - here.t)) {
-            Ok((reached, _)) if !is_same_branch(equations, &here, &reached) && halves(&mut step, next, &here) => {}
+            Ok((reached, _)) if !is_same_branch(equations, &here, &reached) && halves(&mut step, next, &here, t - state.t) => {}
             Ok((reached, off)) if next == t => match off {
                 Some(cause) => return fail(cause, t, state),
                 None => {
@@ -191,7 +193,7 @@ fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
                 }
             }
             Err(refusal) => {
-                if !halves(&mut step, next, &here) {
+                if !halves(&mut step, next, &here, t - state.t) {
                     if let Some(beyond) = crossing::cross(equations, &waypoint, &here, t) {
                         if beyond.t == t {
                             *state = beyond;
@@ -217,10 +219,11 @@ fn largest_condition<T: Float>(share: f64) -> T {
     T::of(share) / T::ROOT_EPSILON.sqrt()
 }
 
-/// Halves a step; false if it cannot be any shorter.
-fn halves<T: Float, const N: usize>(step: &mut T, next: T, here: &State<T, N>) -> bool {
+/// Halves a step; false if it cannot be any shorter, of a way that takes `whole` (s).
+fn halves<T: Float, const N: usize>(step: &mut T, next: T, here: &State<T, N>, whole: T) -> bool {
     *step = (next - here.t) * T::of(0.5);
-    step.abs() > T::of(SHORTEST_STEP) * T::EPSILON * here.t.abs().max(next.abs())
+    let time = here.t.abs().max(next.abs()).max(T::EPSILON * whole.abs());
+    step.abs() > T::of(SHORTEST_STEP) * T::EPSILON * time
 }
 
 /// Every computed angle came to where it was expected: a drive that goes on after a rest may turn anything in one long step.
