@@ -7,6 +7,9 @@ pub trait Float: Lanes<Mask = bool, Sides = Orientation> + PartialOrd {
     /// The nearest `f64`, for messages.
     fn to_f64(self) -> f64;
 
+    /// What tells it apart from all other numbers.
+    fn bits(self) -> u64;
+
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool;
 
@@ -23,6 +26,10 @@ impl Float for f64 {
         self
     }
     #[inline]
+    fn bits(self) -> u64 {
+        self.to_bits()
+    }
+    #[inline]
     fn is_finite(self) -> bool {
         f64::is_finite(self)
     }
@@ -36,6 +43,10 @@ impl Float for f32 {
     #[inline]
     fn to_f64(self) -> f64 {
         f64::from(self)
+    }
+    #[inline]
+    fn bits(self) -> u64 {
+        u64::from(self.to_bits())
     }
     #[inline]
     fn is_finite(self) -> bool {

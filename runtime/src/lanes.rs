@@ -9,7 +9,7 @@ use crate::careful::{self, Care};
 use crate::linear::{Factors, Linear};
 use crate::pass::{Solved, Stop};
 use crate::problem::{Block, Evaluate};
-use crate::{Orientation, Real, turn};
+use crate::{Orientation, Real, single, turn};
 
 /// The answer to a comparison, by lane.
 pub trait Mask: Copy + Debug {
@@ -166,4 +166,4 @@ macro_rules! scalar {
 }
 
 scalar!(f64, root: 1.0 / 67_108_864.0, turn: turn::sin_cos, turns: turn::sin_cos_of_each);
-scalar!(f32, root: 3.452_669_8e-4, turn: libm::sincosf, turns: turn::each);
+scalar!(f32, root: 3.452_669_8e-4, turn: single::sin_cos, turns: single::sin_cos_of_each);

@@ -76,6 +76,7 @@ mod position;
 mod problem;
 mod real;
 mod scale;
+mod single;
 mod stages;
 mod state;
 mod straight;

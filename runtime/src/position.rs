@@ -172,9 +172,11 @@ fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: &
     let (phi, jacobian) = problem.linearize(place);
     let here = P::Factors::dense(&jacobian);
     // Whatever is solved for with a nearly singular matrix lies along what it nearly maps to zero.
+    let mut share = T::of(0.382);
     let along = factors.solve(&SVector::from_fn(|k, _| {
         let row = (0..N).fold(T::of(0.0), |sum, column| greater(sum, here[(k, column)].abs() * scale.column[column]));
-        row * T::of(1.0 + 0.618 * k as f64)
+        share = share + T::of(0.618);
+        row * share
     }));
     let size = scale.norm(&along);
     let along = along.map(|entry| entry / size);
@@ -205,7 +207,7 @@ fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: &
 
 /// ∛ε
 fn cube_root_of_epsilon<T: Float>() -> T {
-    T::of(libm::cbrt(T::EPSILON.to_f64()))
+    T::select_less(T::EPSILON, T::of(1e-12), T::of(6.1e-6), T::of(4.9e-3))
 }
 
 impl<T, const N: usize> From<Culprit> for Miss<T, N> {

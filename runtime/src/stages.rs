@@ -185,7 +185,7 @@ const MOST: usize = 256;
 #[doc(hidden)]
 pub fn mark_of<T: Float>(parameters: &[T]) -> u64 {
     let hash = parameters.iter().fold(0xcbf2_9ce4_8422_2325_u64, |hash, parameter| {
-        let mixed = (hash ^ parameter.to_f64().to_bits()).wrapping_mul(0x0000_0100_0000_01b3);
+        let mixed = (hash ^ parameter.bits()).wrapping_mul(0x0000_0100_0000_01b3);
         mixed ^ (mixed >> 29)
     });
     hash | 1

@@ -106,12 +106,6 @@ fn both(entry: impl Fn(usize) -> f64) -> [f64; 2] {
     [entry(0), entry(1)]
 }
 
-/// (sin x, cos x) of several angles, one after the other.
-#[inline(always)]
-pub(crate) fn each<const K: usize>(angles: [f32; K]) -> [(f32, f32); K] {
-    angles.map(libm::sincosf)
-}
-
 /// Angles of many turns, and what is no number.
 #[cold]
 #[inline(never)]
