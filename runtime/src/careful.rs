@@ -164,7 +164,7 @@ pub(crate) fn solve<T: Float, L: Linear<T, K>, const K: usize, const N: usize>(
         coordinates: care.coordinates,
     };
     let first = block.unknowns.first().copied().unwrap_or(0);
-    let picked = |q: &SVector<T, N>| Place::at(SVector::from_fn(|k, _| q[block.unknowns[k]]), &block.turns);
+    let picked = |q: &SVector<T, N>| Place::at(SVector::from_fn(|k, _| of(q, block.unknowns[k])), &block.turns);
     let mut found = care.found.get();
     let position = match &care.mode {
         Mode::Follow { here, h, is_across } => {
@@ -222,8 +222,8 @@ fn follow<T: Float, P: Problem<T, K>, const K: usize, const N: usize>(
     let mut way = x;
     for k in 0..K {
         let i = unknowns[k];
-        let (first, second) = (h * here.qd[i], h * h * T::of(0.5) * here.qdd[i]);
-        x[k] = here.q[i] + (first + second);
+        let (first, second) = (h * of(&here.qd, i), h * h * T::of(0.5) * of(&here.qdd, i));
+        x[k] = of(&here.q, i) + (first + second);
         way[k] = first.abs() + second.abs();
     }
     // Angles repeat: a prediction that goes far may come to the solution of another turn.
@@ -231,6 +231,11 @@ fn follow<T: Float, P: Problem<T, K>, const K: usize, const N: usize>(
         return Err(Stop::Far);
     }
     Ok(position::follow(problem, &Place::at(x, problem.turns()), side)?)
+}
+
+/// The entry of an unknown, whose index is in range.
+fn of<T: Float, const N: usize>(vector: &SVector<T, N>, unknown: usize) -> T {
+    vector.get(unknown).copied().unwrap_or(T::of(f64::NAN))
 }
 
 /// Why a block could not be closed.

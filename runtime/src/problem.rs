@@ -210,10 +210,10 @@ impl<T: Float, L: Linear<T, K>, const K: usize> Problem<T, K> for Part<'_, T, L,
     }
 
     fn row(&self, index: usize) -> Row {
-        names::row(self.rows, self.block.equations[index])
+        names::row(self.rows, self.block.equations.get(index).copied().unwrap_or(usize::MAX))
     }
 
     fn coordinate(&self, index: usize) -> Coordinate {
-        names::coordinate(self.coordinates, self.block.unknowns[index])
+        names::coordinate(self.coordinates, self.block.unknowns.get(index).copied().unwrap_or(usize::MAX))
     }
 }

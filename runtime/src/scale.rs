@@ -36,7 +36,7 @@ impl<T: Float, const N: usize> Scale<T, N> {
     /// How far row `row` is from being fulfilled, in m: |Φ_i| by the norm of its gradient, an angle counting L metres.
     pub(crate) fn gap(&self, row: usize, residual: T, jacobian: &SMatrix<T, N, N>) -> T {
         let squares = (0..N).fold(T::of(0.0), |sum, j| {
-            let entry = jacobian[(row, j)] * self.column[j];
+            let entry = jacobian.data.0[j].get(row).copied().unwrap_or(T::of(f64::NAN)) * self.column[j];
             sum + entry * entry
         });
         residual.abs() * self.length / squares.sqrt()

@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use super::Factors;
+use super::permuted::entry;
 use crate::Float;
 use crate::order::greater;
 
@@ -23,8 +24,8 @@ impl<T: Float, const N: usize> Factors<T, N> {
         let zero = T::of(0.0);
         let size = SVector::<T, N>::from_fn(|i, _| {
             let row = self.rows[i];
-            let sum = (0..N).fold(zero, |sum, j| sum + self.matrix[(row, j)].abs() * columns[j]);
-            greater(sum, sizes[row]) * self.row_scale[row]
+            let sum = (0..N).fold(zero, |sum, j| sum + entry(&self.matrix.data.0[j], row).abs() * columns[j]);
+            greater(sum, entry(sizes.as_slice(), row)) * entry(self.row_scale.as_slice(), row)
         });
         let mut y = SVector::<T, N>::from_element(zero);
         for k in 0..N {
@@ -36,6 +37,7 @@ impl<T: Float, const N: usize> Factors<T, N> {
         self.substitute_back(&mut y);
         y.iter()
             .zip(&self.columns)
-            .fold(T::of(0.0), |largest, (entry, &column)| greater(largest, entry.abs() * (self.column_scale[column] * shares[column])))
+            .map(|(y, &column)| y.abs() * (entry(self.column_scale.as_slice(), column) * entry(shares.as_slice(), column)))
+            .fold(T::of(0.0), greater)
     }
 }

@@ -4,6 +4,7 @@ use core::array;
 
 use nalgebra::{SMatrix, SVector};
 
+use super::permuted::exchange;
 use crate::order::greater;
 use crate::{Float, Orientation};
 
@@ -131,11 +132,11 @@ impl<T: Float, const N: usize> Factors<T, N> {
 
     /// Brings the entry at (`row`, `column`) to the diagonal.
     fn exchange(&mut self, k: usize, row: usize, column: usize) {
-        self.lu.swap(k, column);
-        self.columns.swap(k, column);
+        exchange(&mut self.lu, k, column);
+        exchange(&mut self.columns, k, column);
         if row != k {
-            self.lu.iter_mut().for_each(|column| column.swap(k, row));
-            self.rows.swap(k, row);
+            self.lu.iter_mut().for_each(|column| exchange(column, k, row));
+            exchange(&mut self.rows, k, row);
         }
     }
 

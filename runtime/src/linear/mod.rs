@@ -15,6 +15,7 @@
 mod condition;
 mod elimination;
 mod factor;
+mod permuted;
 mod rank;
 mod small;
 mod solve;

@@ -4,6 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::Factors;
 use super::factor::Pivoting;
+use super::permuted::entry;
 use crate::Float;
 
 /// The row that depends on the others and the unknown that they leave undetermined.
@@ -32,12 +33,13 @@ pub(crate) fn weakest<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, size:
     }
 
     for (k, &column) in factors.columns.iter().enumerate() {
-        right[k] = right[k] * factors.column_scale[column] / size[column];
+        right[k] = right[k] * entry(factors.column_scale.as_slice(), column) / entry(size.as_slice(), column);
     }
-    Some((factors.rows[largest(&left)], factors.columns[largest(&right)]))
+    Some((*factors.rows.get(largest(&left))?, *factors.columns.get(largest(&right))?))
 }
 
 /// Index of the entry with the largest magnitude, the first of equals.
 fn largest<T: Float, const N: usize>(vector: &SVector<T, N>) -> usize {
-    (0..N).fold(0, |best, i| if vector[i].abs() > vector[best].abs() { i } else { best })
+    let first = (0, T::of(-1.0));
+    vector.iter().enumerate().fold(first, |best, (i, entry)| if entry.abs() > best.1 { (i, entry.abs()) } else { best }).0
 }

@@ -2,6 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use super::permuted::{entry, put};
 use super::{Factors, Linear};
 use crate::{Float, Orientation};
 
@@ -25,17 +26,18 @@ impl<T: Float, const N: usize> Linear<T, N> for Factors<T, N> {
     /// * `b`: given, by row.
     /// * returned: x, by column; not finite where b is not.
     fn solve(&self, b: &SVector<T, N>) -> SVector<T, N> {
-        let mut y = SVector::<T, N>::from_fn(|i, _| b[self.rows[i]] * self.row_scale[self.rows[i]]);
-        for k in 0..self.rank {
+        let rank = self.rank.min(N);
+        let mut y = SVector::<T, N>::from_fn(|i, _| entry(b.as_slice(), self.rows[i]) * entry(self.row_scale.as_slice(), self.rows[i]));
+        for k in 0..rank {
             let known = y[k];
-            for i in k + 1..self.rank {
+            for i in k + 1..rank {
                 y[i] = y[i] - self.lu[k][i] * known;
             }
         }
         self.substitute_back(&mut y);
-        let mut x = SVector::from_element(T::of(0.0));
-        for (k, &column) in self.columns.iter().enumerate().take(self.rank) {
-            x[column] = y[k] * self.column_scale[column];
+        let mut x = SVector::<T, N>::from_element(T::of(0.0));
+        for (k, &column) in self.columns.iter().enumerate().take(rank) {
+            put(x.as_mut_slice(), column, y[k] * entry(self.column_scale.as_slice(), column));
         }
         x
     }
@@ -66,7 +68,7 @@ impl<T: Float, const N: usize> Linear<T, N> for Factors<T, N> {
 impl<T: Float, const N: usize> Factors<T, N> {
     /// y ← U⁻¹ y, as far as the rank goes.
     pub(super) fn substitute_back(&self, y: &mut SVector<T, N>) {
-        for k in (0..self.rank).rev() {
+        for k in (0..self.rank.min(N)).rev() {
             let known = y[k] / self.lu[k][k];
             y[k] = known;
             for i in 0..k {

@@ -69,9 +69,11 @@ where
     }
 
     fn dense(matrix: &Entries<T, K, ENTRIES>) -> SMatrix<T, K, K> {
-        let mut dense = SMatrix::from_element(T::of(0.0));
+        let mut dense = SMatrix::<T, K, K>::from_element(T::of(0.0));
         for (&entry, &place) in matrix.values.iter().zip(&E::ORDER.pattern) {
-            dense[place] = entry;
+            if let Some(there) = dense.get_mut(place) {
+                *there = entry;
+            }
         }
         dense
     }
@@ -109,7 +111,10 @@ where
         let zero = T::of(0.0);
         let mut b = [zero; K];
         for (&row, &size) in E::ORDER.rows.iter().zip(&self.sizes) {
-            b[row] = size.max(sizes[row]);
+            // Always: but where code is compiled for size rustc does not see it.
+            if row < K {
+                b[row] = size.max(sizes[row]);
+            }
         }
         // Each sign is the one that makes the sum longer.
         let z = E::substitute(&self.lu, &b, |size, known| T::select_less(zero, known, -(size + known), size - known));
