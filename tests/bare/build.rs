@@ -1,0 +1,96 @@
+//! Gathers mechanisms that are declared elsewhere in the repository, each with a function that solves it.
+
+use std::error::Error;
+use std::fmt::Write as _;
+use std::path::Path;
+use std::{env, fs};
+
+/// Files with a declaration, and what stands in it for a name and for a number.
+const FILES: [(&str, &[(&str, &str)]); 20] = [
+    ("golden/four_bar.declaration", &[]),
+    ("golden/lift.declaration", &[]),
+    ("golden/stephenson.declaration", &[]),
+    ("../benches/workloads/four_bar.rs", &[]),
+    ("../benches/workloads/slider_crank.rs", &[]),
+    ("../benches/workloads/jansen.rs", &[]),
+    ("../benches/workloads/chain/mod.rs", &[("$name", "Chain"), ("$count", "10")]),
+    ("../benches/workloads/six_bar.rs", &[]),
+    ("../benches/workloads/hexagon.rs", &[]),
+    ("../examples/cam_roller.rs", &[]),
+    ("../examples/coupled_wheels.rs", &[]),
+    ("../examples/gear_train.rs", &[]),
+    ("../examples/hydraulic_loader.rs", &[]),
+    ("../examples/planetary.rs", &[]),
+    ("../examples/quick_return.rs", &[]),
+    ("../examples/rack_pinion.rs", &[]),
+    ("../examples/rod_lengths.rs", &[]),
+    ("../examples/slider_crank.rs", &[]),
+    ("../examples/jansen_leg.rs", &[]),
+    ("../examples/walker.rs", &[]),
+];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    // Only who looks at their code needs them.
+    if env::var_os("CARGO_FEATURE_ALONE").is_none() {
+        return Ok(fs::write(Path::new(&env::var("OUT_DIR")?).join("mechanisms.rs"), "")?);
+    }
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut all = String::new();
+    for (number, (file, changes)) in FILES.iter().enumerate() {
+        let path = folder.join(file);
+        println!("cargo::rerun-if-changed={}", path.display());
+        let mut text = fs::read_to_string(&path)?;
+        for (from, to) in *changes {
+            text = text.replace(from, to);
+        }
+        writeln!(all, "// {file}\n{}", module(number, &text).ok_or_else(|| format!("no mechanism in {file}"))?)?;
+    }
+    fs::write(Path::new(&env::var("OUT_DIR")?).join("mechanisms.rs"), all)?;
+    Ok(())
+}
+
+/// A module with the first mechanism of a file. One with a table, which is evaluated in doubles, is not for `f32`.
+fn module(number: usize, text: &str) -> Option<String> {
+    let declaration = between(text, "mechanism! {").unwrap_or(text);
+    let name = declaration.split("mechanism ").nth(1)?.split([' ', '{']).next()?;
+    let outputs = declaration.lines().filter_map(|line| {
+        // Those at the top: one deeper is an output of a part.
+        let output = line.trim_start_matches("pub ").trim_start().strip_prefix("output ")?;
+        (indent(line) <= 8).then(|| output.split([' ', ':']).next())?
+    });
+    let outputs: String = outputs.map(|output| format!("core::hint::black_box(mechanism.{output}(state));")).collect();
+    let except = if text.contains("table(") { "#[cfg(not(feature = \"single\"))]" } else { "" };
+    Some(format!(
+        "{except}
+        mod m{number} {{
+            use super::T;
+            reuleaux::mechanism! {{ {declaration} }}
+            /// Every way to a state, and what is made of it.
+            fn solve(mechanism: &{name}<T>, t: T, state: &mut {name}State<T>) -> bool {{
+                let is_there = mechanism.advance(state, t).is_ok();
+                {outputs}
+                let after = mechanism.solve_from(t, state).is_ok();
+                let anew = mechanism.solve(t).map(|found| *state = found).is_ok();
+                let swept = mechanism.sweep([t, t + t]).filter_map(Result::ok).map(|found| *state = found).count();
+                is_there & after & anew & (swept > 1)
+            }}
+            #[used]
+            static SOLVE: fn(&{name}<T>, T, &mut {name}State<T>) -> bool = solve;
+        }}"
+    ))
+}
+
+/// What stands between the opening brace at the end of `opening` and the one that closes it.
+fn between<'a>(text: &'a str, opening: &str) -> Option<&'a str> {
+    let inside = &text[text.find(opening)? + opening.len()..];
+    let mut depth = 1;
+    let end = inside.find(|c| {
+        depth += i32::from(c == '{') - i32::from(c == '}');
+        depth == 0
+    })?;
+    Some(&inside[..end])
+}
+
+fn indent(line: &str) -> usize {
+    line.len() - line.trim_start().len()
+}
