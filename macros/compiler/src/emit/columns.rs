@@ -32,7 +32,7 @@ impl Columns {
                 if known.is_none() {
                     self.listed.push(values.clone());
                 }
-                quote!(#row[#index] as usize)
+                quote!(#row[#index] as ::core::primitive::usize)
             }
         }
     }
@@ -49,7 +49,7 @@ impl Columns {
             quote!([#(#entries),*])
         });
         quote! {
-            static #rows: [[u32; #width]; #count] = [#(#lines),*];
+            static #rows: [[::core::primitive::u32; #width]; #count] = [#(#lines),*];
             let #row = &#rows[#piece];
         }
     }

@@ -147,7 +147,7 @@ impl Lines<'_> {
         let x = (0..k).map(|unknown| order.columns.iter().position(|column| *column == unknown).map(|step| numbered("x", step)));
         quote! {
             #[inline]
-            fn substitute(lu: &[T; #factors], b: &[T; #k], put: impl Fn(T, T) -> T) -> [T; #k] {
+            fn substitute(lu: &[T; #factors], b: &[T; #k], put: impl ::core::ops::Fn(T, T) -> T) -> [T; #k] {
                 let [#(#lu),*] = *lu;
                 #(#forward)*
                 #(#back)*

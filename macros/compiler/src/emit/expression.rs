@@ -137,10 +137,10 @@ pub(super) fn local(name: &str) -> Ident {
 fn constant(value: f64) -> (TokenStream, Strength) {
     let literal = |value: f64| if value.is_finite() { Literal::f64_unsuffixed(value) } else { Literal::f64_unsuffixed(0.0) };
     if value.is_nan() {
-        return (quote!(T::of(f64::NAN)), Strength::Atom);
+        return (quote!(T::of(<::core::primitive::f64>::NAN)), Strength::Atom);
     }
     if value.is_infinite() {
-        let sign = if value > 0.0 { quote!(f64::INFINITY) } else { quote!(f64::NEG_INFINITY) };
+        let sign = if value > 0.0 { quote!(<::core::primitive::f64>::INFINITY) } else { quote!(<::core::primitive::f64>::NEG_INFINITY) };
         return (quote!(T::of(#sign)), Strength::Atom);
     }
     let size = literal(value.abs());

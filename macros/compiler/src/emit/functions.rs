@@ -86,7 +86,7 @@ impl Emitter<'_> {
                     #steps
                     let mut #matrix = ::reuleaux::nalgebra::SMatrix::from_element(T::of(0.0));
                     #writes
-                    (::reuleaux::nalgebra::SVector::from([#(#rows),*]), #matrix)
+                    (::core::convert::From::from([#(#rows),*]), #matrix)
                 }
             }
             Code::Grouped(groups) => {
@@ -168,7 +168,7 @@ impl Emitter<'_> {
         match code {
             Code::Straight(routine) => {
                 let Lines { reads, steps, results } = self.lines(routine);
-                quote!(#reads #steps ::reuleaux::nalgebra::SVector::from([#(#results),*]))
+                quote!(#reads #steps ::core::convert::From::from([#(#results),*]))
             }
             Code::Grouped(groups) => {
                 let rows = local("rows");
@@ -221,7 +221,7 @@ impl Emitter<'_> {
         quote! {
             #[automatically_derived]
             impl<T: ::reuleaux::Real> ::reuleaux::Description<T, #n> for #name<T> {
-                const NAME: &'static str = #word;
+                const NAME: &'static ::core::primitive::str = #word;
                 const COORDINATES: &'static [::reuleaux::Coordinate] = &[#(#coordinates),*];
                 const ROWS: &'static [::reuleaux::Row] = &[#(#rows),*];
                 fn start(&self) -> ::reuleaux::nalgebra::SVector<T, #n> { self.start() }

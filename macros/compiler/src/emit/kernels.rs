@@ -40,7 +40,7 @@ impl Emitter<'_> {
             Some(quote!(#turns[#rank] = #found.q[#place].turn();))
         });
         quote! {
-                const CONSTANTS: &[(usize, f64)] = &[#(#constants),*];
+                const CONSTANTS: &[(::core::primitive::usize, ::core::primitive::f64)] = &[#(#constants),*];
                 if #pass.starts_anew() {
                     for (unknown, value) in CONSTANTS {
                         (#found.q[*unknown], #found.qd[*unknown], #found.qdd[*unknown]) = (T::of(*value), T::of(0.0), T::of(0.0));
@@ -116,7 +116,7 @@ impl Emitter<'_> {
             #[inline]
             fn #name(
                 &self,
-                #piece: usize,
+                #piece: ::core::primitive::usize,
                 #t: T,
                 #pass: &mut ::reuleaux::Pass<'_, T, #n>,
                 #found: &mut ::reuleaux::Coordinates<T, #n>,
@@ -153,11 +153,11 @@ fn one_by_one(order: &[usize], count: usize, piece: &Ident, call: impl Fn(usize)
         quote!(#pattern => #call,)
     });
     quote! {
-        static ORDER: [u16; #length] = [#(#order),*];
+        static ORDER: [::core::primitive::u16; #length] = [#(#order),*];
         let mut pieces = [0usize; #count];
         for &shape in &ORDER {
-            let #piece = pieces[shape as usize];
-            pieces[shape as usize] += 1;
+            let #piece = pieces[shape as ::core::primitive::usize];
+            pieces[shape as ::core::primitive::usize] += 1;
             match shape {
                 #(#arms)*
                 _ => {}

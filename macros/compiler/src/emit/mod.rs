@@ -1,7 +1,7 @@
 //! From a plan to tokens. Cannot fail and decides nothing.
 //!
 //! The user's identifiers keep their spans, so that an editor finds its way back; locals of
-//! generated code are hygienic.
+//! generated code are hygienic, and all else is named by its whole path, also `f64`: a user may have a type of that name.
 
 mod abridged;
 mod arrays;
@@ -93,7 +93,7 @@ fn structure(model: &Model, page: &str) -> TokenStream {
         #[doc = ""]
         #[doc = #page]
         #[derive(Clone, Copy, Debug, PartialEq)]
-        #visibility struct #name<T = f64> { #fields #marker }
+        #visibility struct #name<T = ::core::primitive::f64> { #fields #marker }
     }
 }
 
@@ -112,7 +112,7 @@ fn defaults(model: &Model, system: &System) -> TokenStream {
     let gathered = parameters.gathered(0);
     quote! {
         #[automatically_derived]
-        impl ::core::default::Default for #name<f64> {
+        impl ::core::default::Default for #name<::core::primitive::f64> {
             fn default() -> Self { Self::with_defaults() }
         }
         #[automatically_derived]
@@ -127,7 +127,7 @@ fn defaults(model: &Model, system: &System) -> TokenStream {
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, unused_variables)]
         impl<T: ::reuleaux::Real> ::reuleaux::Family<T> for #name<T> {
             type Over<T2: ::reuleaux::Real> = #name<T2>;
-            fn gather<T2: ::reuleaux::Real, const LANES: usize>(each: [&Self; LANES], combine: impl Fn([T; LANES]) -> T2) -> #name<T2> {
+            fn gather<T2: ::reuleaux::Real, const LANES: ::core::primitive::usize>(each: [&Self; LANES], combine: impl ::core::ops::Fn([T; LANES]) -> T2) -> #name<T2> {
                 let combine = &combine;
                 #name { #gathered #marker }
             }
@@ -144,13 +144,13 @@ fn constants(model: &Model, system: &System, plan: &Plan) -> TokenStream {
     });
     quote! {
         /// N, the number of coordinates.
-        pub const COORDINATES: usize = #coordinates;
+        pub const COORDINATES: ::core::primitive::usize = #coordinates;
         /// M, the number of equations.
-        pub const EQUATIONS: usize = #equations;
+        pub const EQUATIONS: ::core::primitive::usize = #equations;
         /// The number of entries of Φ_q that are not identically zero.
-        pub const JACOBIAN_ENTRIES: usize = #entries;
+        pub const JACOBIAN_ENTRIES: ::core::primitive::usize = #entries;
         /// Row and column of each entry that `jacobian_entries` gives, row by row.
-        pub const JACOBIAN_PATTERN: [(usize, usize); #entries] = [#(#pairs),*];
+        pub const JACOBIAN_PATTERN: [(::core::primitive::usize, ::core::primitive::usize); #entries] = [#(#pairs),*];
         #solution
     }
 }
@@ -234,7 +234,7 @@ fn start(closure: &Closure) -> TokenStream {
         /// The assembled configuration at the declared defaults and t = 0, in SI, from which `solve` sets out.
         #[must_use]
         pub fn start(&self) -> ::reuleaux::nalgebra::SVector<T, #n> {
-            ::reuleaux::nalgebra::SVector::from([#(#values),*])
+            ::core::convert::From::from([#(#values),*])
         }
     }
 }
@@ -275,7 +275,7 @@ fn solving(name: &Ident, state: &Ident, failure: &Ident, visibility: &TokenStrea
     quote! {
         #[doc = #failure_page]
         #[allow(dead_code)]
-        #visibility type #failure<T = f64> = ::reuleaux::Failure<T, #n>;
+        #visibility type #failure<T = ::core::primitive::f64> = ::reuleaux::Failure<T, #n>;
         #[automatically_derived]
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code)]
         impl<T: ::reuleaux::Float> #name<T> {
@@ -322,7 +322,7 @@ fn state(model: &Model, system: &System) -> TokenStream {
     quote! {
         #[doc = #first_line]
         #[derive(Clone, Debug, PartialEq)]
-        #visibility struct #state<T = f64>(pub ::reuleaux::State<T, #n>);
+        #visibility struct #state<T = ::core::primitive::f64>(pub ::reuleaux::State<T, #n>);
         #[automatically_derived]
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case)]
         impl<T: ::reuleaux::Real> #state<T> { #own }

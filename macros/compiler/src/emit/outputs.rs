@@ -89,7 +89,7 @@ fn motion(results: &[TokenStream]) -> TokenStream {
         let parts: Vec<&TokenStream> = results.iter().skip(order).step_by(3).collect();
         match parts.as_slice() {
             [scalar] => quote!(#scalar),
-            _ => quote!(::reuleaux::nalgebra::Vector2::from([#(#parts),*])),
+            _ => quote!(::reuleaux::nalgebra::Vector2::new(#(#parts),*)),
         }
     };
     let (value, rate, acceleration) = (part(0), part(1), part(2));

@@ -3,7 +3,7 @@
 use super::arrays::{array_from, array_type};
 use super::expression::local;
 use super::{docs, docs_or};
-use crate::model::{Component, Field, Layout, Model, Of, Part};
+use crate::model::{Component, Field, Layout, Model, Of, Part, is_of_generated_type};
 use crate::system::System;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -16,6 +16,11 @@ pub(super) struct Parameters<'a> {
     has_any: Vec<bool>,
 }
 
+/// What keeps the types of a component that was refused for its name, in a stub, apart from those whose name it has.
+pub(super) fn apart(component: &Ident) -> &'static str {
+    if is_of_generated_type(&component.to_string()) { "Refused" } else { "" }
+}
+
 impl<'a> Parameters<'a> {
     pub(super) fn new(layout: &'a Layout, mechanism: &'a Ident) -> Parameters<'a> {
         Parameters { layout, mechanism, has_any: holders(layout, Of::Parameter) }
@@ -25,7 +30,7 @@ impl<'a> Parameters<'a> {
     fn structure(&self, component: usize) -> Ident {
         match &self.layout.components[component].name {
             None => self.mechanism.clone(),
-            Some(name) => format_ident!("{}{}", self.mechanism, name, span = name.span()),
+            Some(name) => format_ident!("{}{}{}", self.mechanism, apart(name), name, span = name.span()),
         }
     }
 
@@ -89,7 +94,7 @@ impl<'a> Parameters<'a> {
             quote! {
                 #docs
                 #[derive(Clone, Copy, Debug, PartialEq)]
-                #visibility struct #name<T = f64> { #fields }
+                #visibility struct #name<T = ::core::primitive::f64> { #fields }
                 #defaults
                 #[automatically_derived]
                 #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code)]
@@ -109,7 +114,7 @@ impl<'a> Parameters<'a> {
         let Some(literal) = self.common(component, values) else { return quote!() };
         quote! {
             #[automatically_derived]
-            impl ::core::default::Default for #name<f64> {
+            impl ::core::default::Default for #name<::core::primitive::f64> {
                 fn default() -> Self { Self::with_defaults() }
             }
             #[automatically_derived]
@@ -221,9 +226,9 @@ impl Parameters<'_> {
         quote! {
             #[doc(hidden)]
             #[inline]
-            fn gathered<T2: ::reuleaux::Real, const LANES: usize>(
+            fn gathered<T2: ::reuleaux::Real, const LANES: ::core::primitive::usize>(
                 #each: [&Self; LANES],
-                #combine: &impl Fn([T; LANES]) -> T2,
+                #combine: &impl ::core::ops::Fn([T; LANES]) -> T2,
             ) -> #name<T2> {
                 #name { #fields }
             }

@@ -27,13 +27,13 @@ impl Emitter<'_> {
         let lists = self.lists(solution, &Shelf::whole(n));
         let step = self.plan.moving.as_ref().map(|_| {
             quote! {
-                fn mark(&self) -> u64
+                fn mark(&self) -> ::core::primitive::u64
                 where
                     T: ::reuleaux::Float,
                 {
                     ::reuleaux::Stages::<T, #n>::mark(&self.mechanism)
                 }
-                fn step(&self, state: &mut ::reuleaux::State<T, #n>, t: T) -> bool
+                fn step(&self, state: &mut ::reuleaux::State<T, #n>, t: T) -> ::core::primitive::bool
                 where
                     T: ::reuleaux::Float,
                 {
@@ -66,13 +66,13 @@ impl Emitter<'_> {
             #[doc = #page]
             #[derive(Clone, Copy, Debug, PartialEq)]
             #[allow(dead_code)]
-            #visibility struct #type_name<T = f64> {
+            #visibility struct #type_name<T = ::core::primitive::f64> {
                 mechanism: #mechanism<T>,
                 fixed: [T; #count],
             }
             #[automatically_derived]
             impl<T: ::reuleaux::Lanes> #description for #type_name<T> {
-                const NAME: &'static str = <#mechanism<T> as #description>::NAME;
+                const NAME: &'static ::core::primitive::str = <#mechanism<T> as #description>::NAME;
                 const COORDINATES: &'static [::reuleaux::Coordinate] = <#mechanism<T> as #description>::COORDINATES;
                 const ROWS: &'static [::reuleaux::Row] = <#mechanism<T> as #description>::ROWS;
                 fn start(&self) -> ::reuleaux::nalgebra::SVector<T, #n> { self.mechanism.start() }

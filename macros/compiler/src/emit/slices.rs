@@ -48,13 +48,13 @@ impl Emitter<'_> {
             #[doc = #page]
             #[derive(Clone, Copy, Debug, PartialEq)]
             #[allow(non_camel_case_types, dead_code)]
-            #visibility struct #name<T = f64>(pub #mechanism<T>);
+            #visibility struct #name<T = ::core::primitive::f64>(pub #mechanism<T>);
             #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
             impl<T: ::reuleaux::Real> #name<T> { #plan }
             #[automatically_derived]
             impl<T: ::reuleaux::Real> ::reuleaux::Family<T> for #name<T> {
                 type Over<T2: ::reuleaux::Real> = #name<T2>;
-                fn gather<T2: ::reuleaux::Real, const LANES: usize>(each: [&Self; LANES], combine: impl Fn([T; LANES]) -> T2) -> #name<T2> {
+                fn gather<T2: ::reuleaux::Real, const LANES: ::core::primitive::usize>(each: [&Self; LANES], combine: impl ::core::ops::Fn([T; LANES]) -> T2) -> #name<T2> {
                     #name(::reuleaux::Family::gather(each.map(|slice| &slice.0), combine))
                 }
             }
@@ -100,12 +100,12 @@ impl Emitter<'_> {
         quote! {
             #[automatically_derived]
             impl<T: ::reuleaux::Real> ::reuleaux::Description<T, #n> for #name<T> {
-                const NAME: &'static str = <#mechanism<T> as ::reuleaux::Description<T, #whole>>::NAME;
+                const NAME: &'static ::core::primitive::str = <#mechanism<T> as ::reuleaux::Description<T, #whole>>::NAME;
                 const COORDINATES: &'static [::reuleaux::Coordinate] = &[#(#coordinates),*];
                 const ROWS: &'static [::reuleaux::Row] = <#mechanism<T> as ::reuleaux::Description<T, #whole>>::ROWS;
                 fn start(&self) -> ::reuleaux::nalgebra::SVector<T, #n> {
                     let start = self.0.start();
-                    ::reuleaux::nalgebra::SVector::from([#(#start),*])
+                    ::core::convert::From::from([#(#start),*])
                 }
                 fn characteristic_length(&self) -> T { self.0.characteristic_length() }
                 fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> { self.0.validate() }
@@ -131,7 +131,7 @@ impl Emitter<'_> {
             #[doc = #first_line]
             #[derive(Clone, Debug, PartialEq)]
             #[allow(non_camel_case_types, dead_code)]
-            #visibility struct #state<T = f64>(pub ::reuleaux::State<T, #n>);
+            #visibility struct #state<T = ::core::primitive::f64>(pub ::reuleaux::State<T, #n>);
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, dead_code)]
             impl<T: ::reuleaux::Real> #state<T> {
@@ -161,11 +161,11 @@ impl Emitter<'_> {
         let (argument, to, result) = results(&slice.solution.solving, n);
         let of_trait = stages_of(&slice.solution.solving, n, &quote!(self.0.#stages(&self.1, #t, #pass, #argument)));
         let step = quote! {
-            fn step(&self, state: &mut ::reuleaux::State<T, #whole>, t: T) -> bool
+            fn step(&self, state: &mut ::reuleaux::State<T, #whole>, t: T) -> ::core::primitive::bool
             where
                 T: ::reuleaux::Float,
             {
-                const HELD: [usize; #n] = [#(#held),*];
+                const HELD: [::core::primitive::usize; #n] = [#(#held),*];
                 let moving = #name(*self, [#(state.q[#places]),*]);
                 ::reuleaux::step_in_part(&moving, state, &HELD, ::reuleaux::Stages::<T, #whole>::mark(self), t)
             }

@@ -49,7 +49,7 @@ impl Emitter<'_> {
         quote! {
             #angles
             #iterated
-            const UNSURE: ::core::option::Option<&'static [usize]> = ::core::option::Option::Some(&[#(#unsure),*]);
+            const UNSURE: ::core::option::Option<&'static [::core::primitive::usize]> = ::core::option::Option::Some(&[#(#unsure),*]);
         }
     }
 
@@ -61,7 +61,7 @@ impl Emitter<'_> {
             _ => None,
         };
         let angles = solution.stages.iter().filter_map(angle);
-        quote!(const COMPUTED_ANGLES: &'static [usize] = &[#(#angles),*];)
+        quote!(const COMPUTED_ANGLES: &'static [::core::primitive::usize] = &[#(#angles),*];)
     }
 
     /// The body of `stages`, and the functions that it calls
@@ -98,7 +98,7 @@ impl Emitter<'_> {
         }
         let all = (0..self.model.parameters.len()).map(|number| named(&Words::new(self.model, self.system).parameter(number as u32)));
         quote! {
-            fn mark(&self) -> u64
+            fn mark(&self) -> ::core::primitive::u64
             where
                 T: ::reuleaux::Float,
             {
@@ -116,7 +116,7 @@ impl Emitter<'_> {
         } else {
             let solved = (0..self.system.equations.len()).filter(|equation| !checked.contains(equation)).map(Literal::usize_unsuffixed);
             quote! {
-                const SOLVED: [usize; #n] = [#(#solved),*];
+                const SOLVED: [::core::primitive::usize; #n] = [#(#solved),*];
                 ::reuleaux::improved_by(self, &SOLVED, t, guess)
             }
         };
@@ -146,9 +146,9 @@ impl Emitter<'_> {
             #(#given)*
             #(#parts)*
             ::core::result::Result::Ok(::reuleaux::Coordinates {
-                q: ::reuleaux::nalgebra::SVector::from([#(#q),*]),
-                qd: ::reuleaux::nalgebra::SVector::from([#(#qd),*]),
-                qdd: ::reuleaux::nalgebra::SVector::from([#(#qdd),*]),
+                q: ::core::convert::From::from([#(#q),*]),
+                qd: ::core::convert::From::from([#(#qd),*]),
+                qdd: ::core::convert::From::from([#(#qdd),*]),
             })
         }
     }
@@ -188,7 +188,7 @@ pub(super) fn stages_of(solving: &Solving, n: usize, body: &TokenStream) -> Toke
             fn stages(&self, #t: T, #pass) -> #result { #body }
         },
         Solving::Shared(_) => quote! {
-            const IN_PLACE: bool = true;
+            const IN_PLACE: ::core::primitive::bool = true;
             #[inline(always)]
             fn stages_in_place(&self, #t: T, #pass, #to) -> #result { #body }
             fn stages(
@@ -260,5 +260,5 @@ fn iterated(solution: &Solution, shelf: &Shelf) -> TokenStream {
         Summary::Explicit { .. } | Summary::Check(_) => None,
     });
     let unknowns = blocks.flatten().filter_map(|unknown| shelf.place(*unknown)).map(Literal::usize_unsuffixed);
-    quote!(const ITERATED: &'static [usize] = &[#(#unknowns),*];)
+    quote!(const ITERATED: &'static [::core::primitive::usize] = &[#(#unknowns),*];)
 }

@@ -1,7 +1,7 @@
 //! The generated state: named access to bodies, and views of parts.
 
 use super::arrays::{array_at, array_type};
-use super::parameters::holders;
+use super::parameters::{apart, holders};
 use super::{docs_or, state_name};
 use crate::model::{Field, Layout, Of, Part};
 use proc_macro2::{Ident, TokenStream};
@@ -31,7 +31,8 @@ impl<'a> Accessors<'a> {
     /// The view of a component's part, `WalkerStateLeg`.
     fn view(&self, component: usize) -> Ident {
         let name = self.layout.components[component].name.as_ref();
-        format_ident!("{}State{}", self.mechanism, name.map(Ident::to_string).unwrap_or_default())
+        let name = name.map(|name| format!("{}{name}", apart(name))).unwrap_or_default();
+        format_ident!("{}State{}", self.mechanism, name)
     }
 
     /// The accessors of the mechanism's own bodies and parts, as methods of its state.
@@ -54,11 +55,11 @@ impl<'a> Accessors<'a> {
                 #[doc = #page]
                 #[derive(Clone, Copy, Debug, PartialEq)]
                 #[allow(dead_code)]
-                #visibility struct #view<'a, T = f64> {
+                #visibility struct #view<'a, T = ::core::primitive::f64> {
                     #[doc(hidden)]
                     state: &'a ::reuleaux::State<T, #n>,
                     #[doc(hidden)]
-                    first: usize,
+                    first: ::core::primitive::usize,
                 }
                 #[automatically_derived]
                 #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, dead_code)]

@@ -59,10 +59,10 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
         quote! {
             #[derive(Clone, Debug, PartialEq)]
             #[doc(hidden)]
-            #visibility struct #state<T = f64>(pub ::reuleaux::State<T, #n>);
+            #visibility struct #state<T = ::core::primitive::f64>(pub ::reuleaux::State<T, #n>);
             #[doc(hidden)]
             #[allow(dead_code)]
-            #visibility type #failure<T = f64> = ::reuleaux::Failure<T, #n>;
+            #visibility type #failure<T = ::core::primitive::f64> = ::reuleaux::Failure<T, #n>;
             impl<T> ::core::ops::Deref for #state<T> {
                 type Target = ::reuleaux::State<T, #n>;
                 fn deref(&self) -> &Self::Target { &self.0 }
@@ -77,10 +77,10 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
         #equations
         #[allow(missing_docs, dead_code, clippy::all)]
         impl<T: ::reuleaux::Real> #name<T> {
-            pub const COORDINATES: usize = #n;
-            pub const EQUATIONS: usize = #n;
-            pub const JACOBIAN_ENTRIES: usize = 0;
-            pub const JACOBIAN_PATTERN: [(usize, usize); 0] = [];
+            pub const COORDINATES: ::core::primitive::usize = #n;
+            pub const EQUATIONS: ::core::primitive::usize = #n;
+            pub const JACOBIAN_ENTRIES: ::core::primitive::usize = 0;
+            pub const JACOBIAN_PATTERN: [(::core::primitive::usize, ::core::primitive::usize); 0] = [];
             pub fn jacobian_entries(&self, _: &::reuleaux::nalgebra::SVector<T, #n>, _: T) -> [T; 0] { #body }
             pub fn with_defaults() -> Self { #body }
             #solutions
@@ -134,8 +134,8 @@ fn structure(tree: &Mechanism, layout: &Layout, visibility: &TokenStream) -> Tok
             #[derive(Clone, Copy, Debug, PartialEq)]
             #[doc(hidden)]
             #[allow(missing_docs)]
-            #visibility struct #name<T = f64> { #(#fields)* #marker }
-            impl ::core::default::Default for #name<f64> { fn default() -> Self { loop {} } }
+            #visibility struct #name<T = ::core::primitive::f64> { #(#fields)* #marker }
+            impl ::core::default::Default for #name<::core::primitive::f64> { fn default() -> Self { loop {} } }
         }
     };
     let components = parameters.structures().map(|(component, name)| structure(&name, &parameters.types(component), None));
@@ -179,7 +179,7 @@ fn equations(name: &Ident, n: usize, body: &TokenStream) -> TokenStream {
         #[allow(missing_docs, dead_code, clippy::all)]
         impl<T: ::reuleaux::Real> #name<T> { #(pub #functions)* #(pub #description)* }
         impl<T: ::reuleaux::Real> ::reuleaux::Description<T, #n> for #name<T> {
-            const NAME: &'static str = "";
+            const NAME: &'static ::core::primitive::str = "";
             const COORDINATES: &'static [::reuleaux::Coordinate] = &[];
             const ROWS: &'static [::reuleaux::Row] = &[];
             #(#description)*
@@ -226,11 +226,11 @@ fn slices(tree: &Mechanism, promised: &Outline, visibility: &TokenStream, body: 
             #[derive(Clone, Copy, Debug, PartialEq)]
             #[doc(hidden)]
             #[allow(dead_code, non_camel_case_types)]
-            #visibility struct #name<T = f64>(pub #mechanism<T>);
+            #visibility struct #name<T = ::core::primitive::f64>(pub #mechanism<T>);
             #[derive(Clone, Debug, PartialEq)]
             #[doc(hidden)]
             #[allow(dead_code, non_camel_case_types)]
-            #visibility struct #state<T = f64>(pub ::reuleaux::State<T, 1>);
+            #visibility struct #state<T = ::core::primitive::f64>(pub ::reuleaux::State<T, 1>);
             #[allow(missing_docs, dead_code, non_snake_case, clippy::all)]
             impl<T: ::reuleaux::Real> #state<T> { pub fn #output(&self) -> #motion { #body } }
             #[allow(missing_docs, dead_code, non_snake_case, clippy::all)]
