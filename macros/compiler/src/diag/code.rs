@@ -40,7 +40,7 @@ codes! {
     // Grammar.
     E0001: Syntax Expected;
     E0002: NotANumber;
-    E0003: TooDeep;
+    E0003: TooDeep PartsTooDeep;
     E0004: Keyword;
     E0005: UnknownAttribute;
     E0006: TokensAfter;

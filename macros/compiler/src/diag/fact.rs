@@ -12,6 +12,7 @@ pub enum Fact {
     Expected { what: &'static str, found: String },
     NotANumber { found: &'static str },
     TooDeep { limit: u16 },
+    PartsTooDeep { limit: usize },
     Keyword { word: String },
     NumberType,
     UnknownAttribute { name: String },

@@ -38,6 +38,9 @@ impl fmt::Display for Fact {
             Fact::Expected { what: "`;`", found } => write!(f, "expected `;`, found {found}\nhelp: end what stands before it with `;`"),
             Fact::Expected { what, found } => write!(f, "expected {what}, found {found}"),
             Fact::NotANumber { found } => write!(f, "expected a number, found {found}{}", remedy::of_kind("a number", "text")),
+            Fact::PartsTooDeep { limit } => {
+                write!(f, "parts are nested more than {limit} deep\nhelp: declare the innermost parts in the mechanism, beside the others")
+            }
             Fact::TooDeep { limit } => {
                 write!(f, "this is nested more than {limit} deep\nhelp: name parts of it with `let`")
             }

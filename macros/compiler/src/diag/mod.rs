@@ -74,6 +74,15 @@ impl Refusal {
     }
 }
 
+/// A keyword was found where a name or an expression should stand.
+fn is_about(fact: &Fact, word: &str) -> bool {
+    match fact {
+        Fact::Keyword { word: other } => other == word,
+        Fact::Expected { found, .. } => found.strip_prefix('`').and_then(|found| found.strip_suffix('`')) == Some(word),
+        _ => false,
+    }
+}
+
 /// Gathers refusals; a room stops at its door if there are any.
 #[derive(Debug, Default)]
 pub struct Diag {
@@ -82,7 +91,20 @@ pub struct Diag {
 
 impl Diag {
     /// Takes note of a refusal and gives `None`, so that a caller can return it at once.
+    ///
+    /// A word that cannot be a name is refused once, not wherever it stands.
     pub fn refuse<T>(&mut self, range: impl Into<Range>, fact: Fact) -> Option<T> {
+        let is_known = |refusal: &Refusal| match &refusal.fact {
+            Fact::Keyword { word } => is_about(&fact, word),
+            Fact::Expected { found, .. } => found == "`_`" && is_about(&fact, "_"),
+            _ => false,
+        };
+        if self.refusals.iter().any(is_known) {
+            return None;
+        }
+        if let Fact::Keyword { word } = &fact {
+            self.refusals.retain(|refusal| !is_about(&refusal.fact, word));
+        }
         self.refusals.push(Refusal { fact, range: range.into() });
         None
     }

@@ -237,8 +237,12 @@ impl Elaborator<'_> {
     /// The body of a function written in the language, at an argument.
     pub(super) fn written(&mut self, range: Range, function: &Rc<ast::Function>, argument: Scalar) -> Option<Scalar> {
         let name = function.name.to_string();
-        if self.names.open_functions.contains(&name) {
-            return self.refuse(range, Fact::Recursion { name });
+        if let Some(first) = self.names.open_functions.iter().position(|open| *open == name) {
+            // Functions that call each other are refused once.
+            let circle = &self.names.open_functions[first..];
+            let is_in_it = |fact: &Fact| matches!(fact, Fact::Recursion { name } if circle.contains(name));
+            let is_known = self.diag.refusals().iter().any(|refusal| is_in_it(&refusal.fact));
+            return if is_known { None } else { self.refuse(range, Fact::Recursion { name }) };
         }
         let key = (Rc::as_ptr(function), argument.expr);
         if let Some((_, known)) = self.calls.get(&key) {

@@ -44,6 +44,7 @@ use proc_macro2::{Ident, TokenStream};
 pub(crate) use definition::{check as check_definition, check_names};
 pub(crate) use name::Said;
 pub(crate) use names::is_generated;
+pub(crate) use register::is_of_generated_type;
 pub(crate) use resolve::{Outline, outline, resolve};
 
 /// A mechanism in which nothing is only a name any more.

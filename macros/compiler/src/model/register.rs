@@ -233,7 +233,10 @@ impl Elaborator<'_> {
             return;
         }
         if register.open.len() >= DEEPEST {
-            self.once(Rc::as_ptr(part), |this| this.refuse::<()>(&part.kind, Fact::TooDeep { limit: DEEPEST as u16 }));
+            // One part is as deep as another.
+            if !self.diag.refusals().iter().any(|refusal| matches!(refusal.fact, Fact::PartsTooDeep { .. })) {
+                self.refuse::<()>(&part.kind, Fact::PartsTooDeep { limit: DEEPEST });
+            }
             return;
         }
         let written = (&part.name, part.indices.as_slice());
@@ -343,7 +346,7 @@ pub(super) fn is_one_of_many(context: &Context) -> bool {
 
 /// After the name of the mechanism it would be that of a generated type: of the state and views of it, of a failure, of a slice for
 /// an output, of what is prepared or moves.
-fn is_of_generated_type(word: &str) -> bool {
+pub(crate) fn is_of_generated_type(word: &str) -> bool {
     let is_of_slice = word.strip_prefix("For").is_some_and(|output| output.starts_with(|first: char| first.is_uppercase() || first == '_'));
     let is_of_failure = word.strip_prefix("Failure").is_some_and(|rest| rest.is_empty() || rest.starts_with("For"));
     word.starts_with("State") || is_of_failure || is_of_slice || ["Prepared", "PreparedFailure", "Moving"].contains(&word)

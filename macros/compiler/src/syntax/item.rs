@@ -99,7 +99,7 @@ pub(super) fn items(content: ParseStream, place: Place, diag: &mut Diag) -> Vec<
 /// What an item that was refused would have declared.
 fn promised(input: ParseStream) -> Option<Refused> {
     attributes(input).ok()?;
-    let [keyword, name] = [Ident::parse_any(input).ok()?, input.parse().ok()?];
+    let [keyword, name] = [Ident::parse_any(input).ok()?, name(input, "a name").ok()?];
     Some(Refused { keyword, name, indices: indices(input).unwrap_or_default() })
 }
 

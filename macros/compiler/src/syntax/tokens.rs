@@ -68,7 +68,9 @@ pub(super) fn block<'a>(input: &ParseBuffer<'a>, what: &'static str) -> Parsed<P
 /// A name; a Rust keyword is refused, since the name is also that of a Rust item.
 pub(super) fn name(input: ParseStream, what: &'static str) -> Parsed<Ident> {
     if input.peek(syn::Ident) {
-        return Ok(input.parse()?);
+        let name: Ident = input.parse()?;
+        // A word of Rust since 2024, of which syn does not know.
+        return if name == "gen" { wrong(&name, Fact::Keyword { word: name.to_string() }) } else { Ok(name) };
     }
     if input.peek(Ident::peek_any) && !input.peek(Token![_]) {
         let keyword = Ident::parse_any(input)?;

@@ -1,0 +1,17 @@
+reuleaux::mechanism! {
+    pub mechanism Crank {
+        body crank { point A = (100mm, 0mm); }
+        joint hinge = revolute((0mm, 0mm), crank.position);
+        drive input = drive_angle(crank, 60rpm * t);
+        output tip = crank.A;
+        function f(x: Angle) -> Angle = f(x) / 2 + 1rad;
+        output turned = f(crank.angle);
+        output twice = 2 * f(crank.angle);
+    }
+}
+
+fn main() {
+    let mechanism = Crank::default();
+    let state = mechanism.solve(0.5).unwrap();
+    let _ = [mechanism.tip(&state).value.x, state.crank().angle];
+}
