@@ -31,6 +31,7 @@ crate::refusals! {
     item point_depends_on_itself: "body b { point «P» = (b.P.x, 0mm); }" => "`P` depends on itself";
     item joint_depends_on_itself: "drive a = drive_along(«a», 1mm);" => "`a` depends on itself";
     item function_calls_itself: "function f(x: Angle) -> Length = 2 * «f(x)»;" => "the function `f` calls itself\nnote: functions are written out where they are called; this would not end";
+    item functions_call_each_other: "function f(x: Angle) -> Length = 2 * g(x); function g(x: Angle) -> Length = «f(x)»;" => "the function `f` calls itself\nnote: functions are written out where they are called; this would not end";
     item name_with_a_meaning: "param «pi»: Length = 1m;" => "`pi` has a meaning of its own in expressions\nhelp: choose another name";
     item name_of_a_builtin: "body «dot» {}" => "`dot` has a meaning of its own in expressions\nhelp: choose another name";
     item output_with_a_generated_name: "output «solve» = crank.x;" => "an output cannot be called `solve`: a generated function has that name\nhelp: choose another name";
