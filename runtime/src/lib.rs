@@ -124,6 +124,12 @@ pub mod library {
     reuleaux_macros::__library_pages!();
 }
 
+/// How accurate is it?
+///
+#[cfg_attr(doc, doc = include_str!("accuracy/page.md"))]
+#[cfg(feature = "certify")]
+pub mod accuracy {}
+
 /// What the compiler refuses, and what to do about it: one page for each code.
 ///
 /// A mistake in a declaration is a compile error under the word that is to blame. Its first line ends with a code; the page of

@@ -24,7 +24,7 @@ pub(super) struct Ball {
     pub(super) center: Twofold,
     /// Not below zero, or NaN.
     pub(super) radius: f64,
-    /// Nothing in it is a value of a function that is known only by its values at doubles.
+    /// Nothing in it comes from a function that is known by its values at doubles only, or from beside a jump.
     pub(super) is_proven: bool,
 }
 
@@ -66,6 +66,11 @@ impl Ball {
     /// Any number.
     pub(super) const fn anything() -> Self {
         Self::around(Twofold::of(0.0), f64::INFINITY)
+    }
+
+    /// Of which nothing is proven.
+    pub(super) fn doubted(self) -> Self {
+        Self { is_proven: false, ..self }
     }
 
     /// With the doubts about another.

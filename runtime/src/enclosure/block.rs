@@ -47,6 +47,7 @@ pub(super) fn solve<L: Linear<Enclosure, K>, const K: usize, const N: usize>(
         Stop::NotFinite(Culprit::Coordinate(name()))
     };
     let length = care.lengths().0.value.center.high;
+    let length = if length > 0.0 && length.is_finite() { length } else { 1.0 };
     let columns = block.kinds.map(|kind| if kind == CoordinateKind::Length { length } else { 1.0 });
 
     let start = SVector::<f64, K>::from_fn(|k, _| wanted.q[block.unknowns[k]]);
@@ -68,9 +69,13 @@ pub(super) fn solve<L: Linear<Enclosure, K>, const K: usize, const N: usize>(
     // |R Φ(c)|, for all that what comes before may be.
     let phi = linearize(&within(&center, &none)).0.map(|residual| residual.value);
     let offset = product_of_magnitudes(&inverse, &phi);
+    let are_proven = |mut entries: core::slice::Iter<'_, Ball>| entries.all(|entry| entry.is_proven);
     let image = |radius: &SVector<f64, K>| {
-        let spread = excess(&inverse, &linearize(&within(&center, radius)).1);
-        SVector::<f64, K>::from_fn(|i, _| (0..K).fold(offset[i], |sum, j| up(sum + up(spread[(i, j)] * radius[j]))))
+        let (residuals, jacobian) = linearize(&within(&center, radius));
+        let is_proven = are_proven(jacobian.as_slice().iter()) && residuals.iter().all(|residual| residual.value.is_proven);
+        let spread = excess(&inverse, &jacobian);
+        let sum = |i: usize| (0..K).fold(offset[i], |sum, j| up(sum + up(spread[(i, j)] * radius[j])));
+        (SVector::<f64, K>::from_fn(|i, _| sum(i)), is_proven)
     };
     let is_inside = |image: &SVector<f64, K>, radius: &SVector<f64, K>| (0..K).all(|k| image[k] < radius[k]);
     let narrow = SVector::<f64, K>::from_fn(|k, _| up(4.0 * offset[k] + NARROWEST * (columns[k] + center[k].high.abs())));
@@ -79,9 +84,9 @@ pub(super) fn solve<L: Linear<Enclosure, K>, const K: usize, const N: usize>(
         let away = (Ball::exact(start[k]) - Ball::around(center[k], 0.0)).magnitude();
         up(2.0 * away + narrow[k])
     });
-    let in_wide = image(&wide);
+    let (in_wide, is_wide_proven) = image(&wide);
     let is_alone = is_inside(&in_wide, &wide);
-    let in_narrow = image(&narrow);
+    let (in_narrow, is_narrow_proven) = image(&narrow);
     let radius = match (is_inside(&in_narrow, &narrow), is_alone) {
         (true, _) => in_narrow,
         (false, true) => in_wide,
@@ -94,7 +99,7 @@ pub(super) fn solve<L: Linear<Enclosure, K>, const K: usize, const N: usize>(
     // The rates are those with which the residuals stay zero: first of unknowns at rest, then of unknowns that move evenly.
     let mut x = within(&center, &radius);
     let (at_rest, jacobian) = linearize(&x);
-    let is_proven = phi.iter().chain(jacobian.iter()).all(|entry| entry.is_proven);
+    let is_proven = is_narrow_proven && (is_wide_proven || !wanted.alone) && are_proven(phi.as_slice().iter());
     let spread = excess(&inverse, &jacobian);
     let solve = |b: SVector<Ball, K>| solve_all(&jacobian, &inverse, &spread, &b);
     let rates = solve(at_rest.map(|residual| -residual.rate));

@@ -62,7 +62,8 @@ pub enum Doubt {
     Another(Coordinate),
     /// A row of a redundant joint does not hold.
     DoesNotHold(Row),
-    /// This coordinate depends on a function that is known by its values only, and nothing is proven of what lies between them.
+    /// This coordinate depends on a function that is known by its values only, and nothing is proven of what lies between them; or on a
+    /// condition that may be true or not within the error of the state.
     /// [`error_bound`](crate::Mechanism::error_bound) takes it for smooth.
     Unproven(Coordinate),
 }
@@ -196,7 +197,9 @@ impl fmt::Display for Doubt {
             Self::NoSolution(of) => write!(f, "no solution could be proven near {of}"),
             Self::Another(of) => write!(f, "there may be two solutions near {of}"),
             Self::DoesNotHold(row) => write!(f, "{row} does not hold"),
-            Self::Unproven(of) => write!(f, "{of} depends on a function that is known by its values only"),
+            Self::Unproven(of) => {
+                write!(f, "{of} depends on a function that is known by its values only, or on a condition that may be true or not")
+            }
         }
     }
 }

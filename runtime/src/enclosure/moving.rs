@@ -185,15 +185,15 @@ impl Real for Enclosure {
             return Self::at_rest(Ball::exact(Real::sign(self.value.center.high)).with_doubts_of(self.value));
         }
         let unknown = Ball::anything();
-        Self { value: Ball::around(Twofold::of(0.0), 1.0).with_doubts_of(self.value), rate: unknown, acceleration: unknown }
+        Self { value: Ball::around(Twofold::of(0.0), 1.0).doubted(), rate: unknown, acceleration: unknown }
     }
 
-    /// Both, where it depends on which numbers are meant.
+    /// Both, where it depends on which numbers are meant; then nothing is proven, since there may be a jump between them.
     fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self {
         let selected = match lhs.value.is_less(rhs.value) {
             Some(true) => then,
             Some(false) => otherwise,
-            None => otherwise.hull(then),
+            None => Self { value: otherwise.value.hull(then.value).doubted(), ..otherwise.hull(then) },
         };
         let value = selected.value.with_doubts_of(lhs.value).with_doubts_of(rhs.value);
         Self { value, ..selected }
