@@ -163,7 +163,11 @@ impl<T: Float> Cause<T> {
                 "`{name}` does not settle at t = {t} s: after {iterations} corrections they are still {:.1e} long",
                 correction.to_f64()
             ),
-            Cause::TooManySteps { steps } => write!(f, "`{name}` does not reach t = {t} s in {steps} steps"),
+            Cause::TooManySteps { steps } => write!(
+                f,
+                "`{name}` does not reach t = {t} s in {steps} steps, so far is it from where they began: go on with `solve_from` from the \
+                 last state of this failure, `sweep` through times between, or give `solve_near` a guess for this time"
+            ),
         }
     }
 }

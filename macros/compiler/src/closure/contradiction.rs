@@ -52,6 +52,9 @@ impl Search<'_, '_> {
         let Some((joint, q)) = found else { return };
         let pose = Pose { time: 0.0, q };
         let is_drive = |joint: usize| model.joints[joint].is_drive;
+        if !model.joints[joint].is_redundant && self.drives_contend(start) {
+            return;
+        }
         let is_meant = model.joints[joint].is_redundant || self.nearly_fits(joint, &pose) && self.nearly_follows(joint, &pose);
         let is_held_twice = || {
             let has_room = self.pieces.iter().filter(|piece| piece.is_surplus).all(|piece| {
@@ -66,6 +69,16 @@ impl Search<'_, '_> {
             let nearest = self.nearest(joint, pose);
             self.refuse_contradiction(joint, &nearest, Some(0.0));
         }
+    }
+
+    /// Of several drives there is one without which everything closes and nothing is left free: it is one drive too many.
+    fn drives_contend(&self, start: &[f64]) -> bool {
+        let drives: Vec<usize> = self.joints().into_iter().filter(|joint| self.room.model.joints[*joint].is_drive).collect();
+        let is_too_many = |drive: &usize| {
+            let is_of_it = |other: usize| other == *drive;
+            self.closes_without(start, &is_of_it).is_some_and(|q| !self.has_freedom_without(&q, *drive))
+        };
+        drives.len() > 1 && drives.iter().rev().take(MOST_TRIES).any(is_too_many)
     }
 
     /// Of the assemblies without a joint the one at which it is least off: it may leave the others a freedom.
@@ -119,11 +132,17 @@ impl Search<'_, '_> {
 
     /// There are coordinates of which no equation says anything new.
     fn leaves_freedom(&self, q: &[f64]) -> bool {
+        self.has_freedom_without(q, usize::MAX)
+    }
+
+    /// The same, if a joint says nothing at all.
+    fn has_freedom_without(&self, q: &[f64], joint: usize) -> bool {
         let pose = [Pose { time: 0.0, q: q.to_vec() }];
         self.pieces.iter().filter(|piece| piece.is_surplus).any(|piece| {
             let poses = self.room.matrices(piece, &pose);
             let mut basis = Basis::new(&poses);
-            (0..piece.equations.len()).for_each(|row| basis.take(row));
+            let of = |row: &usize| self.room.system.equations[piece.equations[*row]].joint;
+            (0..piece.equations.len()).filter(|row| of(row) != joint).for_each(|row| basis.take(row));
             !basis.free(piece.unknowns.len()).is_empty()
         })
     }

@@ -122,7 +122,11 @@ impl Room<'_> {
                         .zip(slopes)
                         .filter(|((unknown, _), _)| !self.is_angle(*unknown) && Some(self.system.unknowns[*unknown].body) == body);
                     let h = of_body.map(|(_, slope)| (slope / 2.0).powi(2)).sum::<f64>().sqrt();
-                    gap.length = gap.length.hypot(h - (h * h - phi).max(0.0).sqrt());
+                    match h * h - phi {
+                        square if square >= 0.0 => gap.length = gap.length.hypot(h - square.sqrt()),
+                        // It is no distance.
+                        _ => gap.other = Some((phi.abs().max(gap.other.map_or(0.0, |(most, _)| most)), dim.unit())),
+                    }
                 }
                 dim if phi.abs() > gap.other.as_ref().map_or(0.0, |(most, _)| *most) => gap.other = Some((phi.abs(), dim.unit())),
                 _ => {}

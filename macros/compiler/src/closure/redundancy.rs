@@ -76,7 +76,13 @@ pub(super) fn drives_have_something_to_drive(room: &Room, structure: &Structure,
             .collect();
         if !joints.is_empty() && joints.iter().all(|joint| !room.model.joints[*joint].is_drive) {
             let free = room.names(piece, &basis.free(piece.unknowns.len()));
-            let fact = Fact::NothingToDrive { drive: declared.name.to_string(), joints: names(joints), coordinates: Vec::new(), free };
+            let fact = Fact::NothingToDrive {
+                drive: declared.name.to_string(),
+                joints: names(joints),
+                equations: [0; 2],
+                coordinates: Vec::new(),
+                free,
+            };
             return diag.refuse(&declared.name, fact);
         }
     }

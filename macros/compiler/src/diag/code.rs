@@ -40,7 +40,7 @@ codes! {
     // Grammar.
     E0001: Syntax Expected;
     E0002: NotANumber;
-    E0003: TooDeep PartsTooDeep;
+    E0003: TooDeep TooLong LongChain PartsTooDeep;
     E0004: Keyword;
     E0005: UnknownAttribute;
     E0006: TokensAfter;
@@ -92,7 +92,7 @@ codes! {
     E0309: VectorTimesVector NumberByVector;
     E0310: PowerOfDimension;
     // Values.
-    E0401: NumberTooLong;
+    E0401: NumberOutOfRange NumberTooLong;
     E0402: NotFinite;
     E0403: DivisionByZero;
     E0404: RequirementFails RequirementFailsAtDefaults;
@@ -112,7 +112,7 @@ codes! {
     E0506: NotWhole;
     E0507: NotKnownWhole;
     E0508: EmptyRange;
-    E0509: LongRange TooManyItems TooLarge;
+    E0509: LongRange WholeTooLarge TooManyItems TooLarge;
     E0510: UnlikeParts UnlikeOutputs;
     // Equations.
     E0601: TimeInJoint TimeIn TimeInDefinition;

@@ -13,6 +13,8 @@ pub enum Fact {
     NotANumber { found: &'static str },
     TooDeep { limit: u16 },
     PartsTooDeep { limit: usize },
+    TooLong { limit: u16 },
+    LongChain { limit: u16, in_function: bool },
     Keyword { word: String },
     NumberType,
     UnknownAttribute { name: String },
@@ -36,14 +38,15 @@ pub enum Fact {
     DuplicateInLoop { name: String, variable: String },
     ArrayWithoutIndex { name: String },
     NoArray { found: &'static str, is_member: bool },
-    IndexOutOfRange { name: String, index: i64, known: Vec<usize> },
+    IndexOutOfRange { name: String, index: i64, ends: Option<(usize, usize)>, known: Known },
     NegativeIndex { index: i64 },
     MissingIndex { what: &'static str, missing: String, known: String },
     NotWhole { found: String },
     NotKnownWhole,
     EmptyRange { from: i64, to: i64, is_inclusive: bool },
-    LongRange { rounds: u64, limit: usize },
+    LongRange { rounds: i128, limit: usize },
     TooManyItems { limit: usize },
+    WholeTooLarge { found: String },
     UnknownComponent { name: String, near: Option<String>, is_constraint: bool },
     ComponentAsConstraint { name: String },
     ComponentRecursion { name: String },
@@ -57,7 +60,7 @@ pub enum Fact {
     UnknownName { name: String, near: Option<String> },
     OutputRead { name: String },
     UnitAlone { name: String },
-    UnknownField { owner: String, name: String, near: Option<String>, known: Vec<String> },
+    UnknownField { owner: String, name: String, near: Option<String>, known: Known },
     UnknownFunction { name: String, near: Option<String>, is_constraint: bool },
     UnknownConstraint { name: String, near: Option<String> },
     UnknownUnit { number: String, name: String, near: Option<String> },
@@ -100,9 +103,10 @@ pub enum Fact {
     PowerOfDimension { base: Dim },
     NotAnOutput { found: &'static str },
     // Values.
-    NumberTooLong { number: String },
+    NumberTooLong { number: String, limit: usize },
+    NumberOutOfRange { number: String },
     NotFinite { place: &'static str },
-    TooLarge { limit: usize },
+    TooLarge { limit: usize, in_function: bool },
     DivisionByZero,
     EqualityInChoice,
     ListOutsideTable,
@@ -138,7 +142,7 @@ pub enum Fact {
     NotOnGround { bodies: Vec<String> },
     FreeCoordinates { body: String, coordinates: Vec<String>, has_place: bool, example: String },
     DrivesMissing { name: String, count: Box<Count>, forgotten: Box<Forgotten>, candidates: Vec<String>, example: String },
-    NothingToDrive { drive: String, joints: Vec<String>, coordinates: Vec<String>, free: Vec<String> },
+    NothingToDrive { drive: String, joints: Vec<String>, equations: [usize; 2], coordinates: Vec<String>, free: Vec<String> },
     DrivesContend { drives: Vec<String>, freedoms: usize, joints: Vec<String>, coordinates: Vec<String>, free: Vec<String> },
     Follows { joint: String, is_drive: bool, rows: Vec<usize>, of: usize, others: Vec<String> },
     Contradicts { joint: String, others: Vec<String>, demand: Option<Box<Demand>>, off: String },
@@ -154,6 +158,31 @@ pub enum Fact {
     HasNoValue { joint: String, row: usize, of: usize, drives: Vec<String>, has_none_anywhere: bool },
     SingularStart { bodies: Vec<String>, in_line: bool, drives: Vec<String>, has_others: bool },
     AmbiguousStart { body: String, coordinate: &'static str, is_angle: bool, values: [f64; 2], place: [f64; 2], is_declared: bool },
+}
+
+/// The names that there are: the first few, and how many in all.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Known {
+    /// The first few.
+    pub first: Vec<String>,
+    /// How many there are.
+    pub count: usize,
+}
+
+impl Known {
+    /// More of them would not be read.
+    const MOST: usize = 12;
+
+    pub(crate) fn of(names: impl Iterator<Item = impl Into<String>>) -> Known {
+        let mut known = Known { first: Vec::new(), count: 0 };
+        for name in names {
+            known.count += 1;
+            if known.first.len() < Known::MOST {
+                known.first.push(name.into());
+            }
+        }
+        known
+    }
 }
 
 /// What a joint demands of a sum of coordinates, and what others make of it.

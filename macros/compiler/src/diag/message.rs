@@ -12,7 +12,7 @@ mod words;
 
 use super::{Fact, remedy};
 use std::fmt;
-use words::{did_you_mean, equation, listed, plural, range_of};
+use words::{did_you_mean, equation, listed, plural, range_of, shortened};
 
 impl Fact {
     /// The sentence as a compile error says it: with the code at the end of the first line.
@@ -36,7 +36,7 @@ impl fmt::Display for Fact {
         match self {
             Fact::Syntax { message } => write!(f, "{message}"),
             Fact::Expected { what: "`;`", found } => write!(f, "expected `;`, found {found}\nhelp: end what stands before it with `;`"),
-            Fact::Expected { what, found } => write!(f, "expected {what}, found {found}"),
+            Fact::Expected { what, found } => write!(f, "expected {what}, found {}", shortened(found)),
             Fact::NotANumber { found } => write!(f, "expected a number, found {found}{}", remedy::of_kind("a number", "text")),
             Fact::PartsTooDeep { limit } => {
                 write!(f, "parts are nested more than {limit} deep\nhelp: declare the innermost parts in the mechanism, beside the others")
@@ -44,6 +44,19 @@ impl fmt::Display for Fact {
             Fact::TooDeep { limit } => {
                 write!(f, "this is nested more than {limit} deep\nhelp: name parts of it with `let`")
             }
+            Fact::TooLong { limit } => {
+                write!(f, "this has more than {limit} operations one after the other\nhelp: name parts of it with `let`")
+            }
+            Fact::LongChain { limit, in_function: true } => {
+                write!(
+                    f,
+                    "functions call each other here more than {limit} steps deep\nhelp: write the value of one as a table or as one formula"
+                )
+            }
+            Fact::LongChain { limit, .. } => write!(
+                f,
+                "this is used before it is declared, and so is what it is made of, more than {limit} steps deep\nhelp: declare first what others are made of"
+            ),
             Fact::Keyword { word } => write!(f, "`{word}` is a word of Rust and cannot be a name\nhelp: write `{word}_`"),
             Fact::NumberType => write!(f, "`T` is the number type of generated code\nhelp: choose another name for the mechanism"),
             Fact::UnknownAttribute { name } => {
@@ -107,6 +120,7 @@ impl fmt::Display for Fact {
             | Fact::EmptyRange { .. }
             | Fact::LongRange { .. }
             | Fact::TooManyItems { .. }
+            | Fact::WholeTooLarge { .. }
             | Fact::UnknownComponent { .. }
             | Fact::ComponentAsConstraint { .. }
             | Fact::ComponentRecursion { .. }
@@ -191,6 +205,7 @@ impl fmt::Display for Fact {
             | Fact::PowerOfDimension { .. }
             | Fact::NotAnOutput { .. }
             | Fact::NumberTooLong { .. }
+            | Fact::NumberOutOfRange { .. }
             | Fact::NotFinite { .. }
             | Fact::TooLarge { .. }
             | Fact::DivisionByZero

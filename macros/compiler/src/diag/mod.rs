@@ -10,7 +10,7 @@ mod remedy;
 mod shown;
 
 pub use code::PAGES;
-pub use fact::{Count, Demand, Fact, Forgotten};
+pub use fact::{Count, Demand, Fact, Forgotten, Known};
 
 use proc_macro2::{Ident, Span, TokenStream};
 
@@ -87,19 +87,21 @@ fn is_about(fact: &Fact, word: &str) -> bool {
 #[derive(Debug, Default)]
 pub struct Diag {
     refusals: Vec<Refusal>,
+    is_exhausted: bool,
 }
 
 impl Diag {
     /// Takes note of a refusal and gives `None`, so that a caller can return it at once.
     ///
     /// A word that cannot be a name is refused once, not wherever it stands.
+    /// Nothing is taken note of any more once the sink is [exhausted](Diag::exhaust).
     pub fn refuse<T>(&mut self, range: impl Into<Range>, fact: Fact) -> Option<T> {
         let is_known = |refusal: &Refusal| match &refusal.fact {
             Fact::Keyword { word } => is_about(&fact, word),
             Fact::Expected { found, .. } => found == "`_`" && is_about(&fact, "_"),
             _ => false,
         };
-        if self.refusals.iter().any(is_known) {
+        if self.is_exhausted || self.refusals.iter().any(is_known) {
             return None;
         }
         if let Fact::Keyword { word } = &fact {
@@ -107,6 +109,16 @@ impl Diag {
         }
         self.refusals.push(Refusal { fact, range: range.into() });
         None
+    }
+
+    /// A limit was met and refused: the rest is not looked at, so that nothing true could be said of it.
+    pub fn exhaust(&mut self) {
+        self.is_exhausted = true;
+    }
+
+    /// A limit was met.
+    pub fn is_exhausted(&self) -> bool {
+        self.is_exhausted
     }
 
     /// Nothing was refused so far.

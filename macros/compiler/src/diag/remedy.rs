@@ -36,8 +36,16 @@ pub(super) fn of_equation(one: &str, two: &str) -> &'static str {
 
 /// For two quantities that should be alike.
 pub(super) fn of_dimensions(one: Dim, two: Dim) -> &'static str {
-    if one.times(Dim::TIME) == two || two.times(Dim::TIME) == one {
+    let is_rate = |rate: Dim, of: Dim| rate.times(Dim::TIME) == of && !of.is_of_time();
+    if is_rate(one, two) || is_rate(two, one) {
         return "\nhelp: multiply the rate by `t`";
+    }
+    if one.is_of_time() || two.is_of_time() {
+        return match (one, two) {
+            (Dim::ANGLE, _) | (_, Dim::ANGLE) => "\nhelp: give `t` a factor with a unit, such as `2rad_s * t`",
+            (Dim::LENGTH, _) | (_, Dim::LENGTH) => "\nhelp: give `t` a factor with a unit, such as `2mm_s * t`",
+            _ => "\nhelp: give `t` a factor with a unit, such as `2rad_s * t` for an angle, `2mm_s * t` for a length",
+        };
     }
     match (one, two) {
         (Dim::LENGTH, Dim::ANGLE) | (Dim::ANGLE, Dim::LENGTH) => "\nhelp: an arc is a radius times an angle",

@@ -44,7 +44,7 @@ impl Elaborator<'_> {
             return self.refuse(written.range, Fact::NotConstant { place: "the bound of a parameter", help });
         }
         let value = self.numbers(&[], &[expr])[0];
-        if value.is_finite() { Some(Some(value)) } else { self.refuse(written.range, Fact::NotFinite { place: "the bound" }) }
+        if self.is_finite(expr, &[]) { Some(Some(value)) } else { self.refuse(written.range, Fact::NotFinite { place: "the bound" }) }
     }
 }
 

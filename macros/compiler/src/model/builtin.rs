@@ -4,7 +4,6 @@ use super::Function as Numbered;
 use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
 use super::spline::{Ends, Table};
-use super::suggest::nearest;
 use super::value::{Function, Scalar, Value, Vector};
 use crate::diag::{Fact, Range};
 use crate::expr::{Expr, Unary};
@@ -65,9 +64,9 @@ impl Elaborator<'_> {
 
     fn similar_function(&self, name: &Ident, scope: &Scope) -> Option<String> {
         let bound = scope.bound.iter().filter(|(_, value)| matches!(value, Value::Function(_))).map(|(known, _)| known.as_str());
-        let declared = if scope.space.is_some() { self.names.functions() } else { Vec::new() };
-        let known = bound.chain(BUILTINS.iter().copied()).chain(library::functions()).chain(declared.iter().map(String::as_str));
-        nearest(&name.to_string(), known)
+        let declared = scope.space.is_some().then(|| self.names.functions());
+        let known = bound.chain(BUILTINS.iter().copied()).chain(library::functions()).chain(declared.into_iter().flatten());
+        self.nearest(&name.to_string(), known)
     }
 
     fn builtin(&mut self, range: Range, name: &Ident, arguments: &[ast::Expr], scope: &Scope) -> Option<Value> {
@@ -255,7 +254,12 @@ impl Elaborator<'_> {
             inner.bound.push((formal.to_string(), Value::Scalar(argument)));
         }
         self.names.open_functions.push(name);
-        let value = self.scalar_of(&function.value, to, &inner);
+        // What is wrong with a function is wrong in every call, and in every function that calls it.
+        let item = Rc::as_ptr(function);
+        let value = self.once(item, |this| this.scalar_of(&function.value, to, &inner));
+        if value.is_none() {
+            self.refused.insert(item as usize);
+        }
         self.names.open_functions.pop();
         self.calls.extend(value.map(|value| (key, (function.clone(), value))));
         value

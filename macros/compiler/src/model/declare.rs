@@ -4,9 +4,9 @@ use super::Name;
 use super::builtin::BUILTINS;
 use super::elaborate::{Elaborator, Scope};
 use super::names::{Context, Declared, Entity, EntityId, Group, GroupId, Progress, RESERVED, SpaceId};
-use super::register::{MOST, Register};
+use super::register::MOST;
 use super::value::Value;
-use crate::diag::Fact;
+use crate::diag::{Fact, Range};
 use crate::syntax::ast;
 use proc_macro2::Ident;
 
@@ -19,7 +19,6 @@ impl Elaborator<'_> {
         progress: Progress,
         what: &'static str,
         context: &Context,
-        register: &mut Register,
     ) -> Option<EntityId> {
         let item = std::ptr::from_ref(name);
         let indices = self.written_indices(indices, item, context)?;
@@ -31,7 +30,7 @@ impl Elaborator<'_> {
         }
         let full = self.full_name(context.space, name, &indices);
         let shown = if indices.is_empty() { word.clone() } else { full.path.clone() };
-        let id = self.insert(Declared { entity, progress, name: full, context: context.clone() }, register);
+        let id = self.insert(Declared { entity, progress, name: full, context: context.clone() });
         match self.join(context.space, &word, what, indices, id) {
             Ok(()) => Some(id),
             Err(first) => {
@@ -41,13 +40,16 @@ impl Elaborator<'_> {
         }
     }
 
-    pub(super) fn insert(&mut self, declared: Declared, register: &mut Register) -> EntityId {
-        register.count += 1;
-        if register.count == MOST + 1 {
-            self.refuse::<()>(&declared.name, Fact::TooManyItems { limit: MOST });
-        }
+    pub(super) fn insert(&mut self, declared: Declared) -> EntityId {
+        self.charge(1, &declared.name);
         self.names.declared.push(declared);
         EntityId(self.names.declared.len() - 1)
+    }
+
+    /// Counts items or rounds of loops, and gives up where there are too many.
+    pub(super) fn charge(&mut self, number: usize, range: impl Into<Range>) -> Option<()> {
+        self.count += number;
+        if self.count > MOST { self.give_up(range, Fact::TooManyItems { limit: MOST }) } else { Some(()) }
     }
 
     /// Puts an item among those of its name, or says what has the name already.

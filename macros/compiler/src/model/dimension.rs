@@ -49,6 +49,12 @@ impl Dim {
         Dim { sixths: [length * WHOLE, angle * WHOLE, time * WHOLE, mass * WHOLE] }
     }
 
+    /// A time, its square and the like.
+    pub(crate) fn is_of_time(self) -> bool {
+        let [length, angle, time, mass] = self.sixths;
+        time > 0 && [length, angle, mass] == [0; 3]
+    }
+
     /// The dimension of this name.
     pub(crate) fn named(name: &str) -> Option<Dim> {
         NAMED.iter().find(|(known, _)| *known == name).map(|(_, [l, a, t, m])| Dim::new(*l, *a, *t, *m))

@@ -2,11 +2,12 @@
 
 use super::dimension::{Dim, Measure};
 use super::names::{Context, Names, SpaceId};
-use super::suggest::nearest;
+use super::statement::FixedValue;
+use super::suggest;
 use super::unit;
 use super::value::{Fixed, FrameId, Scalar, Value, Vector};
 use super::{Function as Numbered, Name, Requirement};
-use crate::diag::{Diag, Fact, Range};
+use crate::diag::{Diag, Fact, Known, Range};
 use crate::expr::{Arena, Exact, Expr, Leaf};
 use crate::syntax::ast::{self, ExprKind};
 use proc_macro2::Ident;
@@ -26,12 +27,14 @@ pub(crate) struct Elaborator<'a> {
     pub(super) blame: Option<Blame>,
     /// How many values are being looked at, one inside the other.
     pub(super) depth: u16,
-    /// A limit was met.
-    has_given_up: bool,
+    /// How many items there are so far, loops gone through and parts taken apart, and rounds of loops.
+    pub(super) count: usize,
     /// The item that is being looked at, if it is one of many: `in `leg[3].coupler``.
     pub(super) place: Option<String>,
     /// Items that were refused in one place and are not looked at in others.
     pub(super) refused: BTreeSet<usize>,
+    /// Points and start values that are looked at once all defaults are known.
+    pub(super) fixed_values: Vec<FixedValue>,
     /// A component is looked at of which there is no part: its arguments may be anything.
     pub(super) is_unused: bool,
     /// Values of functions that were written out before, by function and argument.
@@ -52,6 +55,9 @@ pub(super) struct Blame {
 /// No chain of names that are used before they are declared may be longer, so that none exhausts
 /// the stack.
 const DEEPEST: u16 = 400;
+
+/// Who has mistyped more names than these has not mistyped them.
+const SUGGESTIONS: usize = 100;
 
 /// No mechanism that is compiled in reasonable time has more operations.
 const LARGEST: usize = 200_000;
@@ -111,9 +117,10 @@ impl Elaborator<'_> {
             requirement_places: Vec::new(),
             blame: None,
             depth: 0,
-            has_given_up: false,
+            count: 0,
             place: None,
             refused: BTreeSet::new(),
+            fixed_values: Vec::new(),
             is_unused: false,
             calls: BTreeMap::new(),
         }
@@ -152,11 +159,12 @@ impl Elaborator<'_> {
 
     /// The value of any expression.
     pub(super) fn value_or_array(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Value> {
+        let in_function = !self.names.open_functions.is_empty();
         if self.depth >= DEEPEST {
-            return self.give_up(expr.range, Fact::TooDeep { limit: DEEPEST });
+            return self.give_up(expr.range, Fact::LongChain { limit: DEEPEST, in_function });
         }
         if self.arena.len() > LARGEST {
-            return self.give_up(expr.range, Fact::TooLarge { limit: LARGEST });
+            return self.give_up(expr.range, Fact::TooLarge { limit: LARGEST, in_function });
         }
         self.depth += 1;
         let value = self.value_of(expr, scope);
@@ -164,9 +172,11 @@ impl Elaborator<'_> {
         value
     }
 
-    /// Refuses once what would be met again and again from here on.
-    fn give_up<T>(&mut self, range: Range, fact: Fact) -> Option<T> {
-        if std::mem::replace(&mut self.has_given_up, true) { None } else { self.refuse(range, fact) }
+    /// Refuses what goes beyond a limit, and everything after it in silence.
+    pub(super) fn give_up<T>(&mut self, range: impl Into<Range>, fact: Fact) -> Option<T> {
+        self.refuse::<()>(range, fact);
+        self.diag.exhaust();
+        None
     }
 
     fn value_of(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Value> {
@@ -244,20 +254,18 @@ impl Elaborator<'_> {
     }
 
     fn number(&mut self, range: Range, digits: &str, unit: &str) -> Option<Scalar> {
-        let Some(value) = Exact::decimal(digits) else {
-            return self.refuse(range, Fact::NumberTooLong { number: format!("{digits}{unit}") });
+        let (size, measure) = match unit::lookup(unit) {
+            Some((size, dim)) => (size, Measure::Of(dim)),
+            None if unit.is_empty() => (Exact::ONE, Measure::Flexible),
+            None => {
+                let near = unit::meant(unit);
+                return self.refuse(range, Fact::UnknownUnit { number: digits.to_owned(), name: unit.to_owned(), near });
+            }
         };
-        if unit.is_empty() {
-            return Some(Scalar { expr: self.arena.constant(value), measure: Measure::Flexible });
+        match Exact::measured(digits, size) {
+            Some(value) => Some(Scalar { expr: self.arena.constant(value), measure }),
+            None => self.refuse(range, Fact::NumberOutOfRange { number: format!("{digits}{unit}") }),
         }
-        let Some((size, dim)) = unit::lookup(unit) else {
-            let near = unit::meant(unit);
-            return self.refuse(range, Fact::UnknownUnit { number: digits.to_owned(), name: unit.to_owned(), near });
-        };
-        let Some(value) = value.checked_mul(size) else {
-            return self.refuse(range, Fact::NumberTooLong { number: format!("{digits}{unit}") });
-        };
-        Some(Scalar { expr: self.arena.constant(value), measure: Measure::Of(dim) })
     }
 
     fn named(&mut self, path: &ast::Path, scope: &Scope) -> Option<Value> {
@@ -309,9 +317,14 @@ impl Elaborator<'_> {
         Some(Value::Scalar(Scalar { expr: self.arena.leaf(Leaf::Time), measure: Measure::Of(Dim::TIME) }))
     }
 
+    /// The known name nearest to a mistyped one; of very many mistyped ones the last are not looked for.
+    pub(super) fn nearest<'n>(&self, typed: &str, known: impl Iterator<Item = &'n str>) -> Option<String> {
+        if self.diag.refusals().len() < SUGGESTIONS { suggest::nearest(typed, known) } else { None }
+    }
+
     /// The known name nearest to a mistyped one.
     fn similar(&self, name: &Ident, scope: &Scope) -> Option<String> {
-        let own = scope.space.map_or(Vec::new(), |space| self.names.all(space));
+        let own = scope.space.into_iter().flat_map(|space| self.names.all(space));
         let bound = scope.bound.iter().map(|(known, _)| known.as_str());
         let fixed = ["t", "pi", "ground"].into_iter();
         if scope.space == Some(SpaceId::MECHANISM)
@@ -319,7 +332,7 @@ impl Elaborator<'_> {
         {
             return Some(full);
         }
-        nearest(&name.to_string(), bound.chain(own.iter().map(String::as_str)).chain(fixed))
+        self.nearest(&name.to_string(), bound.chain(own).chain(fixed))
     }
 
     fn field(&mut self, owner: &ast::Expr, field: &Ident, scope: &Scope) -> Option<Value> {
@@ -333,8 +346,8 @@ impl Elaborator<'_> {
                 if let Some((_, argument)) = arguments.iter().find(|(known, _)| *known == name) {
                     return Some(argument.clone());
                 }
-                let near = nearest(&name, arguments.iter().map(|(known, _)| known.as_str()));
-                let known = arguments.iter().map(|(known, _)| known.clone()).collect();
+                let near = self.nearest(&name, arguments.iter().map(|(known, _)| known.as_str()));
+                let known = Known::of(arguments.iter().map(|(known, _)| known.as_str()));
                 return self.refuse(field, Fact::UnknownField { owner: format!("a `{kind}` joint"), name, near, known });
             }
             (_, "x" | "y") => {}
@@ -363,9 +376,8 @@ impl Elaborator<'_> {
                 if let Some(group) = self.names.find(space, &name) {
                     return self.of_group(group, field);
                 }
-                let own = self.names.words(space).into_iter();
-                let known: Vec<String> = own.chain(["position", "angle", "x", "y"].map(str::to_owned)).collect();
-                let near = nearest(&name, known.iter().map(String::as_str));
+                let known = || self.names.words(space).chain(["position", "angle", "x", "y"]);
+                let (near, known) = (self.nearest(&name, known()), Known::of(known()));
                 let owner = format!("`{}`", self.names.frames[frame.0].name);
                 self.refuse(field, Fact::UnknownField { owner, name, near, known })
             }
@@ -389,5 +401,5 @@ fn unknown_field(value: &Value, name: String) -> Fact {
         Value::Vector(_) => &["x", "y"],
         _ => &[],
     };
-    Fact::UnknownField { owner: value.noun().to_owned(), name, near: None, known: known.iter().map(|known| (*known).to_owned()).collect() }
+    Fact::UnknownField { owner: value.noun().to_owned(), name, near: None, known: Known::of(known.iter().copied()) }
 }

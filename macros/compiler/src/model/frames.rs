@@ -4,6 +4,7 @@ use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
 use super::names::{Context, EntityId, Frame};
 use super::register::Register;
+use super::statement::FixedValue;
 use super::suggest::nearest;
 use super::value::{Fixed, FrameId, Value};
 use super::{Body, Coordinate, Name, Requirement};
@@ -31,6 +32,10 @@ impl Elaborator<'_> {
             return self.refuse(mark.value.range, Fact::NotFixed { place: "a point or an axis" });
         }
         let local = [vector.x, vector.y];
+        let noun = if mark.is_axis { "a component of the axis" } else { "a coordinate of the point" };
+        for part in local {
+            self.has_to_be_finite(part, &mark.value, noun);
+        }
         if mark.is_axis {
             let is_zero = local.iter().all(|part| self.arena.as_constant(*part).is_some_and(|value| value.is_zero()));
             if is_zero {
@@ -40,6 +45,15 @@ impl Elaborator<'_> {
             return Some(Value::Axis(Fixed { frame, local, measure }));
         }
         Some(Value::Point(Fixed { frame, local, measure: Measure::Of(Dim::LENGTH) }))
+    }
+
+    /// Takes note of a value that is looked at once all defaults are known; true.
+    fn has_to_be_finite(&mut self, expr: Expr, written: &ast::Expr, noun: &'static str) -> bool {
+        if self.arena.as_constant(expr).is_none() && !self.names.is_abstract() && !self.is_unused {
+            let (item, range, place) = (std::ptr::from_ref(written), written.range, self.place.clone());
+            self.fixed_values.push(FixedValue { expr, item, range, noun, place });
+        }
+        true
     }
 
     /// Resolves every point and axis, used or not, and gives the local coordinates of the points.
@@ -107,7 +121,7 @@ impl Elaborator<'_> {
             for (which, expr) in found.unwrap_or_default() {
                 if !self.is_fixed(expr) {
                     self.refuse::<()>(start.value.range, Fact::NotFixed { place: "a start value" });
-                } else if starts[which].replace(expr).is_some() {
+                } else if self.has_to_be_finite(expr, &start.value, "the start value") && starts[which].replace(expr).is_some() {
                     self.refuse::<()>(&start.what, Fact::DuplicateStart { name: word.clone(), body: frame.name.to_string() });
                     break;
                 }

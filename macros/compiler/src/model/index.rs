@@ -2,13 +2,11 @@
 
 use super::elaborate::{Elaborator, Scope};
 use super::names::{GroupId, SpaceId};
-use super::suggest::nearest;
 use super::value::Value;
-use crate::diag::{Fact, Range};
+use crate::diag::{Fact, Known, Range};
 use crate::syntax::ast::{self, Bounds, ExprKind, Operator};
 use proc_macro2::Ident;
 use std::collections::BTreeSet;
-use std::ops::Range as Span;
 
 /// No range is longer, so that a slip of the pen does not fill the memory.
 const LONGEST: usize = 10_000;
@@ -33,9 +31,11 @@ impl Elaborator<'_> {
         };
         let Some(number) = usize::try_from(number).ok().filter(|number| is_there(*number)) else {
             let known = found.keys().filter(|indices| indices.starts_with(&at)).filter_map(|indices| indices.get(rank));
-            let known: Vec<usize> = known.copied().collect::<BTreeSet<usize>>().into_iter().collect();
+            let known: BTreeSet<usize> = known.copied().collect();
             let name = self.member_name(group, &at);
-            return self.refuse(index.range, Fact::IndexOutOfRange { name, index: number, known });
+            let (first, last) = (known.first().copied(), known.last().copied());
+            let known = Known::of(known.iter().map(|index| format!("{name}[{index}]")));
+            return self.refuse(index.range, Fact::IndexOutOfRange { name, index: number, ends: first.zip(last), known });
         };
         at.push(number);
         self.member(group, at, index.range)
@@ -80,8 +80,8 @@ impl Elaborator<'_> {
         if self.names.outputs.contains(&(space, name.clone())) {
             return self.refuse(field, Fact::OutputRead { name });
         }
-        let known = self.names.words(space);
-        let near = nearest(&name, known.iter().map(String::as_str));
+        let near = self.nearest(&name, self.names.words(space));
+        let known = Known::of(self.names.words(space));
         let owner = self.names.spaces[space.0].prefix.trim_end_matches('.').to_owned();
         self.refuse(field, Fact::UnknownField { owner: format!("`{owner}`"), name, near, known })
     }
@@ -99,19 +99,18 @@ impl Elaborator<'_> {
     }
 
     /// What a loop runs over. `is_inner` if it stands in another loop: there it may run over nothing in some rounds.
-    pub(super) fn rounds(&mut self, bounds: &Bounds, is_inner: bool, scope: &Scope) -> Option<Span<i64>> {
+    pub(super) fn rounds(&mut self, bounds: &Bounds, is_inner: bool, scope: &Scope) -> Option<Vec<i64>> {
         let (from, to) = (self.whole(&bounds.from, scope), self.whole(&bounds.to, scope));
         let (from, to) = (from?, to?);
-        let end = to.saturating_add(i64::from(bounds.is_inclusive));
+        let rounds = i128::from(to) - i128::from(from) + i128::from(bounds.is_inclusive);
         let range = bounds.from.range.to(bounds.to.range);
-        if end < from || end == from && !is_inner {
+        if rounds < 0 || rounds == 0 && !is_inner {
             return self.refuse(range, Fact::EmptyRange { from, to, is_inclusive: bounds.is_inclusive });
         }
-        let rounds = end.abs_diff(from);
-        if rounds > LONGEST as u64 {
-            return self.refuse(range, Fact::LongRange { rounds, limit: LONGEST });
+        match usize::try_from(rounds).ok().filter(|rounds| *rounds <= LONGEST) {
+            Some(rounds) => Some((from..=to).take(rounds).collect()),
+            None => self.give_up(range, Fact::LongRange { rounds, limit: LONGEST }),
         }
-        Some(from..end)
     }
 
     /// A whole number that the compiler knows: of literals, loop variables and whole `let`s.
@@ -119,9 +118,16 @@ impl Elaborator<'_> {
         match &expr.kind {
             ExprKind::Number { digits, unit } => match digits.parse() {
                 Ok(number) if unit.is_empty() => Some(number),
+                Err(_) if unit.is_empty() && digits.bytes().all(|digit| digit.is_ascii_digit()) => {
+                    self.refuse(expr.range, Fact::WholeTooLarge { found: digits.clone() })
+                }
                 _ => self.refuse(expr.range, Fact::NotWhole { found: format!("`{digits}{unit}`") }),
             },
-            ExprKind::Negative(value) => self.whole(value, scope).map(|value| -value),
+            ExprKind::Negative(value) => {
+                let value = self.whole(value, scope)?;
+                let too_large = Fact::WholeTooLarge { found: format!("-({value})") };
+                value.checked_neg().or_else(|| self.refuse(expr.range, too_large))
+            }
             ExprKind::Binary(operator, lhs, rhs) if *operator != Operator::Power => {
                 let (one, two) = (self.whole(lhs, scope), self.whole(rhs, scope));
                 self.whole_of_two(expr.range, *operator, one?, two?)
@@ -146,6 +152,9 @@ impl Elaborator<'_> {
         };
         match result {
             Some(result) => Some(result),
+            None if matches!(operator, Operator::Add | Operator::Sub | Operator::Mul) => {
+                self.refuse(range, Fact::WholeTooLarge { found: format!("{one} {} {two}", symbol(operator)) })
+            }
             None => self.refuse(range, Fact::NotWhole { found: format!("`{one} {} {two}`", symbol(operator)) }),
         }
     }
@@ -158,8 +167,9 @@ impl Elaborator<'_> {
         }
         let constant = self.arena.as_constant(scalar.expr);
         let whole = constant.filter(|value| value.denominator() == 1 && value.pi_power() == 0);
-        match whole.and_then(|value| i64::try_from(value.numerator()).ok()) {
-            Some(number) => Some(number),
+        match whole.map(|value| i64::try_from(value.numerator())) {
+            Some(Ok(number)) => Some(number),
+            Some(Err(_)) => self.refuse(range, Fact::WholeTooLarge { found: whole.map_or(0, |value| value.numerator()).to_string() }),
             None if constant.is_some() => self.refuse(range, Fact::NotWhole { found: "a fraction".into() }),
             None => self.refuse(range, Fact::NotKnownWhole),
         }

@@ -6,7 +6,6 @@ use super::elaborate::{Blame, Elaborator, Scope, Timeless};
 use super::names::{Context, EntityId};
 use super::signature::{noun, places, too_few, too_many, unknown_argument};
 use super::statement::Row;
-use super::suggest::nearest;
 use super::value::{Fixed, FrameId, Function, Scalar, Value};
 use crate::diag::{Fact, Range};
 use crate::expr::Leaf;
@@ -97,7 +96,7 @@ impl Elaborator<'_> {
             return self.refuse(kind, Fact::ComponentAsConstraint { name: word });
         }
         let known = self.names.definitions.keys().map(String::as_str).chain(library::constraints());
-        let near = nearest(&word, known);
+        let near = self.nearest(&word, known);
         self.refuse(kind, Fact::UnknownConstraint { name: word, near })
     }
 

@@ -28,7 +28,7 @@ impl Elaborator<'_> {
     }
 
     /// A function is checked once on its own, with an argument that nothing is known of.
-    fn check_function(&mut self, function: &ast::Function) {
+    fn check_function(&mut self, function: &Rc<ast::Function>) {
         let (from, to) = (self.dimension(&function.from), self.dimension(&function.to));
         let (Some(from), Some(to)) = (from, to) else { return };
         let Some(argument) = &function.argument else {
@@ -41,7 +41,7 @@ impl Elaborator<'_> {
         let mut scope = Scope::mechanism().timeless("a function of one variable");
         scope.bound.push((argument.to_string(), Value::Scalar(Scalar { expr: leaf, measure: Measure::Of(from) })));
         self.names.open_functions.push(function.name.to_string());
-        self.scalar_of(&function.value, to, &scope);
+        self.once(Rc::as_ptr(function), |this| this.scalar_of(&function.value, to, &scope));
         self.names.open_functions.pop();
     }
 

@@ -216,14 +216,14 @@ impl Names {
     }
 
     /// The names that are visible from a space, in the order declared.
-    pub(super) fn all(&self, space: SpaceId) -> Vec<String> {
-        let own = self.words(space);
-        if space == SpaceId::MECHANISM { own } else { own.into_iter().chain(self.words(SpaceId::MECHANISM)).collect() }
+    pub(super) fn all(&self, space: SpaceId) -> impl Iterator<Item = &str> {
+        let outer = (space != SpaceId::MECHANISM).then(|| self.words(SpaceId::MECHANISM));
+        self.words(space).chain(outer.into_iter().flatten())
     }
 
     /// The names of one space, in the order declared.
-    pub(super) fn words(&self, space: SpaceId) -> Vec<String> {
-        self.spaces[space.0].order.iter().map(|group| self.groups[group.0].word.clone()).collect()
+    pub(super) fn words(&self, space: SpaceId) -> impl Iterator<Item = &str> {
+        self.spaces[space.0].order.iter().map(|group| self.groups[group.0].word.as_str())
     }
 
     /// `body.name` for a point or an axis of this name.
@@ -248,8 +248,8 @@ impl Names {
     }
 
     /// The names of declared functions, in order.
-    pub(super) fn functions(&self) -> Vec<String> {
+    pub(super) fn functions(&self) -> impl Iterator<Item = &str> {
         let groups = self.spaces[SpaceId::MECHANISM.0].order.iter().map(|group| &self.groups[group.0]);
-        groups.filter(|group| group.what == "a function").map(|group| group.word.clone()).collect()
+        groups.filter(|group| group.what == "a function").map(|group| group.word.as_str())
     }
 }

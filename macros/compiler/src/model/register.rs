@@ -8,7 +8,6 @@ use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
 use super::layout::{Of, Place};
 use super::names::{Context, Declared, Entity, EntityId, Made, Progress, SpaceId};
-use super::suggest::nearest;
 use super::value::{FrameId, Scalar, Value};
 use crate::diag::Fact;
 use crate::expr::Leaf;
@@ -17,7 +16,7 @@ use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-/// No mechanism has more items, loops gone through and parts taken apart.
+/// No mechanism has more items, loops gone through and parts taken apart, and rounds of loops.
 pub(super) const MOST: usize = 100_000;
 
 /// Parts are not nested deeper.
@@ -43,7 +42,6 @@ pub(super) struct Register {
     pub(super) open: Vec<String>,
     /// How many loops are being gone through.
     loops: usize,
-    pub(super) count: usize,
     has_ground: bool,
 }
 
@@ -83,7 +81,7 @@ impl Elaborator<'_> {
             self.number_item(item, context, place, register);
         }
         for item in items {
-            if register.count > MOST {
+            if self.diag.is_exhausted() {
                 return;
             }
             self.item(item, context, place, register);
@@ -98,18 +96,18 @@ impl Elaborator<'_> {
                 let value = dim.map(|dim| Value::Scalar(Scalar { expr: leaf, measure: Measure::Of(dim) }));
                 let progress = value.map_or(Progress::Failed, Progress::Done);
                 let written = (&parameter.name, parameter.indices.as_slice());
-                let Some(id) = self.declare(written, Entity::Known, progress, "a parameter", context, register) else { return };
+                let Some(id) = self.declare(written, Entity::Known, progress, "a parameter", context) else { return };
                 register.places[place].items.push((Of::Parameter, id, register.parameters.len()));
                 register.parameters.push((id, parameter.clone()));
             }
             Item::Let(binding) => {
                 let written = (&binding.name, binding.indices.as_slice());
-                let id = self.declare(written, Entity::Let(binding.clone()), Progress::Untouched, "a `let`", context, register);
+                let id = self.declare(written, Entity::Let(binding.clone()), Progress::Untouched, "a `let`", context);
                 register.lets.extend(id);
             }
             Item::Function(function) => {
                 let entity = Entity::Function(function.clone());
-                if self.declare((&function.name, &[]), entity, Progress::Untouched, "a function", context, register).is_some() {
+                if self.declare((&function.name, &[]), entity, Progress::Untouched, "a function", context).is_some() {
                     register.functions.push(function.clone());
                 }
             }
@@ -130,7 +128,7 @@ impl Elaborator<'_> {
             }
             Item::Body(frame) => {
                 let written = (&frame.name, frame.indices.as_slice());
-                let Some(id) = self.declare(written, Entity::Known, Progress::Failed, "a body", context, register) else { return };
+                let Some(id) = self.declare(written, Entity::Known, Progress::Failed, "a body", context) else { return };
                 let path = self.names.declared[id.0].name.path.clone();
                 let number = self.new_frame(&path);
                 self.names.declared[id.0].progress = Progress::Done(Value::Body(number));
@@ -141,7 +139,7 @@ impl Elaborator<'_> {
             Item::Joint(joint) => {
                 let what = if joint.is_drive { "a drive" } else { "a joint" };
                 let written = (&joint.name, joint.indices.as_slice());
-                let id = self.declare(written, Entity::Joint(joint.clone()), Progress::Untouched, what, context, register);
+                let id = self.declare(written, Entity::Joint(joint.clone()), Progress::Untouched, what, context);
                 register.joints.extend(id.map(|id| (id, joint.clone())));
             }
             Item::Output(output) => self.output_item(output, context, place, register),
@@ -172,7 +170,7 @@ impl Elaborator<'_> {
             return;
         }
         let declared = Declared { entity: Entity::Known, progress: Progress::Failed, name, context: context.clone() };
-        let id = self.insert(declared, register);
+        let id = self.insert(declared);
         register.places[place].items.push((Of::Output, id, register.outputs.len()));
         register.outputs.push((id, output.clone()));
     }
@@ -192,6 +190,10 @@ impl Elaborator<'_> {
         let rounds = self.at(self.situation(context), |this| {
             this.once(item, |this| this.rounds(bounds, register.loops > 0, &Scope::of(context).timeless("an index")))
         });
+        let rounds = rounds.unwrap_or_default();
+        if self.charge(rounds.len(), variable).is_none() {
+            return Vec::new();
+        }
         let word = variable.to_string();
         let round = |number: i64| {
             let mut bound = context.bound.to_vec();
@@ -199,9 +201,7 @@ impl Elaborator<'_> {
             bound.push((word.clone(), Value::Scalar(value)));
             Context { space: context.space, bound: Rc::new(bound) }
         };
-        let rounds: Vec<Context> = rounds.into_iter().flatten().map(round).collect();
-        register.count += rounds.len();
-        rounds
+        rounds.into_iter().map(round).collect()
     }
 
     /// A loop variable does not hide another name.
@@ -233,14 +233,11 @@ impl Elaborator<'_> {
             return;
         }
         if register.open.len() >= DEEPEST {
-            // One part is as deep as another.
-            if !self.diag.refusals().iter().any(|refusal| matches!(refusal.fact, Fact::PartsTooDeep { .. })) {
-                self.refuse::<()>(&part.kind, Fact::PartsTooDeep { limit: DEEPEST });
-            }
+            self.give_up::<()>(&part.kind, Fact::PartsTooDeep { limit: DEEPEST });
             return;
         }
         let written = (&part.name, part.indices.as_slice());
-        let Some(id) = self.declare(written, Entity::Known, Progress::Failed, "a part", context, register) else { return };
+        let Some(id) = self.declare(written, Entity::Known, Progress::Failed, "a part", context) else { return };
         let path = self.names.declared[id.0].name.path.clone();
         let slots = self.at(Some(path.clone()).filter(|_| is_one_of_many(context)), |this| {
             this.once(Rc::as_ptr(part), |this| {
@@ -256,7 +253,7 @@ impl Elaborator<'_> {
         let made = Rc::new(Made { component: component.clone(), part: part.clone(), slots, outside: context.clone() });
         for (number, formal) in component.head.parameters.iter().enumerate() {
             let entity = Entity::Argument(made.clone(), number);
-            let id = self.declare((&formal.name, &[]), entity, Progress::Untouched, "an argument", &inner, register);
+            let id = self.declare((&formal.name, &[]), entity, Progress::Untouched, "an argument", &inner);
             register.lets.extend(id);
         }
         let number = register.places.len();
@@ -286,7 +283,7 @@ impl Elaborator<'_> {
         if let Some(component) = self.names.components.get(&word) {
             return Some(component.clone());
         }
-        let near = nearest(&word, self.names.components.keys().map(String::as_str));
+        let near = self.nearest(&word, self.names.components.keys().map(String::as_str));
         let meant = near.as_ref().and_then(|near| self.names.components.get(near)).cloned();
         let is_constraint = self.known_definition(&word).is_some();
         self.once(Rc::as_ptr(part), |this| this.refuse::<()>(&part.kind, Fact::UnknownComponent { name: word, near, is_constraint }));
@@ -296,6 +293,9 @@ impl Elaborator<'_> {
     /// The points and axes of a frame.
     fn fill(&mut self, frame: FrameId, marks: &Marks, context: &Context, register: &mut Register) {
         for mark in &marks.single {
+            if self.diag.is_exhausted() {
+                return;
+            }
             let Some(indices) = self.written_indices(&mark.indices, Rc::as_ptr(mark), context) else { continue };
             let word = mark.name.to_string();
             if matches!(word.as_str(), "x" | "y" | "angle" | "position") {
@@ -307,7 +307,7 @@ impl Elaborator<'_> {
             let what = if mark.is_axis { "an axis" } else { "a point" };
             let entity = Entity::Mark(frame, mark.clone());
             let declared = Declared { entity, progress: Progress::Untouched, name, context: context.clone() };
-            let id = self.insert(declared, register);
+            let id = self.insert(declared);
             let body = self.names.frames[frame.0].name.clone();
             match self.join(space, &word, what, indices, id) {
                 Ok(()) => register.marks.push(id),

@@ -18,6 +18,9 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     let definitions = definitions.into_iter().map(|(name, definition)| (name, Rc::new(definition))).collect();
     let mut work = Elaborator::new(diag, Names::new(definitions));
     let register = work.register(&tree.items);
+    if work.diag.is_exhausted() {
+        return None;
+    }
     let layout = work.layout(&register);
     let parameters = work.parameters(&register);
     work.lets_and_functions(&register);
@@ -28,6 +31,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     let methods = work.methods(&layout, &outputs);
     work.unused_components(&register);
     work.requirements_hold(&parameters);
+    work.fixed_values_are_finite(&parameters);
     let sketch = work.sketch(&register);
     let Elaborator { arena, functions, requirements, .. } = work;
     let model = Model {
@@ -126,7 +130,7 @@ impl Elaborator<'_> {
             let help = "a quantity that follows from others is declared with `let`";
             return self.refuse(parameter.default.range, Fact::NotConstant { place: "the default of a parameter", help });
         }
-        if !self.numbers(&[], &[default])[0].is_finite() {
+        if !self.is_finite(default, &[]) {
             return self.refuse(parameter.default.range, Fact::NotFinite { place: "the default" });
         }
         let bounds = match &parameter.limits {

@@ -4,7 +4,7 @@ use super::elaborate::{Blame, Elaborator, Scope};
 use super::value::{FrameId, Scalar, Value};
 use super::{Name, Parameter, Requirement};
 use crate::diag::{Fact, Range};
-use crate::expr::{Values, evaluate};
+use crate::expr::{Expr, Node, Unary, Values, evaluate};
 use crate::syntax::ast::{self, ExprKind, Relation, Statement};
 use proc_macro2::Ident;
 use std::collections::BTreeSet;
@@ -14,6 +14,21 @@ use std::collections::BTreeSet;
 pub(super) struct Row {
     pub(super) residual: Scalar,
     pub(super) range: Range,
+}
+
+/// The cosine of a right angle is no more than this share of the angle: of its last digit.
+const RIGHT: f64 = 2.0 * f64::EPSILON;
+
+/// What depends on parameters alone and has to be finite.
+pub(super) struct FixedValue {
+    pub(super) expr: Expr,
+    /// What is refused once, however often it stands.
+    pub(super) item: *const ast::Expr,
+    pub(super) range: Range,
+    /// What it is in words.
+    pub(super) noun: &'static str,
+    /// Which of many it is.
+    pub(super) place: Option<String>,
 }
 
 impl Elaborator<'_> {
@@ -176,6 +191,41 @@ impl Elaborator<'_> {
                 self.diag.refuse::<()>(*place, Fact::RequirementFailsAtDefaults { why, value: values[0] });
             }
         }
+    }
+
+    /// Points, axes and start values are finite at the declared defaults.
+    pub(super) fn fixed_values_are_finite(&mut self, parameters: &[Parameter]) {
+        if !self.diag.is_clean() {
+            return;
+        }
+        let defaults: Vec<_> = parameters.iter().map(|parameter| parameter.default).collect();
+        let defaults = self.numbers(&[], &defaults);
+        for FixedValue { expr, item, range, noun, place } in std::mem::take(&mut self.fixed_values) {
+            if !self.is_finite(expr, &defaults) {
+                self.at(place, |this| this.once(item, |this| this.refuse::<()>(range, Fact::NotFinite { place: noun })));
+            }
+        }
+    }
+
+    /// An expression of parameters alone has a finite value, as far as it is known here. That of a tangent is none at a right angle,
+    /// which no binary number is.
+    pub(super) fn is_finite(&self, expr: Expr, parameters: &[f64]) -> bool {
+        if self.arena.as_constant(expr).is_some() {
+            return true;
+        }
+        let mut roots = vec![expr];
+        for under in self.arena.reachable(&[expr]) {
+            match *self.arena.node(under) {
+                Node::Call { function, .. } if matches!(self.functions.get(function as usize), Some(super::Function::Rust(_))) => {
+                    return true;
+                }
+                Node::Unary(Unary::Tan, angle) => roots.push(angle),
+                _ => {}
+            }
+        }
+        let values = self.numbers(parameters, &roots);
+        let is_right = |angle: &f64| libm::cos(*angle).abs() < RIGHT * angle.abs().max(1.0);
+        values[0].is_finite() && !values[1..].iter().any(is_right)
     }
 
     /// The values of expressions of parameters alone.

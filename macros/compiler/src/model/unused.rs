@@ -1,6 +1,6 @@
 //! Components of which there is no part: a mistake in them is found all the same.
 //!
-//! Each is gone through once with arguments of which nothing is known but their kind, apart from everything else, and nothing of
+//! Each that is in no other of them is gone through once, the others with it, with arguments of which nothing is known but their kind, apart from everything else, and nothing of
 //! it is kept. What depends on arguments that may be whole numbers is not looked at: these say how often something stands.
 
 use super::Dim;
@@ -8,22 +8,21 @@ use super::elaborate::Elaborator;
 use super::layout::Place;
 use super::names::{Context, Entity, Progress};
 use super::register::Register;
-use crate::syntax::ast::{self, Kind};
+use crate::syntax::ast::{self, Item, Kind};
+use proc_macro2::Ident;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
 impl Elaborator<'_> {
     /// Looks at the components that are not used.
     pub(super) fn unused_components(&mut self, register: &Register) {
-        let used: BTreeSet<*const ast::Component> =
-            register.places.iter().filter_map(|place| place.component.as_ref()).map(Rc::as_ptr).collect();
-        let components: Vec<Rc<ast::Component>> = self.names.components.values().cloned().collect();
-        for component in components {
+        let mut seen: BTreeSet<*const ast::Component> = places(register).collect();
+        for component in outermost_first(self.names.components.values().cloned().collect()) {
             let key = Rc::as_ptr(&component);
-            if !used.contains(&key) && !self.refused.contains(&(key as usize)) && !counts(&component) {
+            if !seen.contains(&key) && !self.refused.contains(&(key as usize)) && !counts(&component) {
                 self.is_unused = true;
                 let (functions, requirements) = (self.functions.len(), self.requirements.len());
-                self.unused(&component, register);
+                seen.extend(self.unused(&component, register));
                 self.functions.truncate(functions);
                 self.requirements.truncate(requirements);
                 self.requirement_places.truncate(requirements);
@@ -32,7 +31,8 @@ impl Elaborator<'_> {
         }
     }
 
-    fn unused(&mut self, component: &Rc<ast::Component>, register: &Register) -> Option<()> {
+    /// Gives the components that were gone through.
+    fn unused(&mut self, component: &Rc<ast::Component>, register: &Register) -> Vec<*const ast::Component> {
         let word = component.head.name.to_string();
         let context = Context { space: self.names.new_space(format!("{word}.")), bound: Rc::default() };
         // Its parameters are numbered after those of the mechanism, which it sees.
@@ -42,8 +42,8 @@ impl Elaborator<'_> {
         own.places.push(Place { component: Some(component.clone()), ..Place::default() });
         let definitions: Vec<ast::Definition> = self.names.definitions.values().map(|definition| (**definition).clone()).collect();
         for formal in &component.head.parameters {
-            let value = self.unknown(&formal.kind, &definitions)?;
-            self.declare((&formal.name, &[]), Entity::Known, Progress::Done(value), "an argument", &context, &mut own);
+            let Some(value) = self.unknown(&formal.kind, &definitions) else { return Vec::new() };
+            self.declare((&formal.name, &[]), Entity::Known, Progress::Done(value), "an argument", &context);
         }
         own.open.push(word);
         self.items(&component.items, &context, 0, &mut own);
@@ -54,8 +54,43 @@ impl Elaborator<'_> {
         self.marks(&own);
         self.joints(&own);
         self.outputs(&own);
-        Some(())
+        places(&own).collect()
     }
+}
+
+fn places(register: &Register) -> impl Iterator<Item = *const ast::Component> {
+    register.places.iter().filter_map(|place| place.component.as_ref()).map(Rc::as_ptr)
+}
+
+/// Those with parts before the components of the parts.
+fn outermost_first(components: Vec<Rc<ast::Component>>) -> Vec<Rc<ast::Component>> {
+    let (mut visited, mut order) = (vec![false; components.len()], Vec::new());
+    for at in 0..components.len() {
+        let mut pending = vec![(at, false)];
+        while let Some((at, is_done)) = pending.pop() {
+            if is_done {
+                order.push(at);
+            } else if !std::mem::replace(&mut visited[at], true) {
+                pending.push((at, true));
+                let inner = |kind: &&Ident| components.binary_search_by(|known| known.head.name.cmp(kind)).ok();
+                pending.extend(kinds_of_parts(&components[at]).iter().filter_map(inner).map(|inner| (inner, false)));
+            }
+        }
+    }
+    order.into_iter().rev().map(|at| components[at].clone()).collect()
+}
+
+/// The components that a component names.
+fn kinds_of_parts(component: &ast::Component) -> Vec<&Ident> {
+    let (mut kinds, mut pending): (Vec<&Ident>, Vec<&Item>) = (Vec::new(), component.items.iter().collect());
+    while let Some(item) = pending.pop() {
+        match item {
+            Item::For(repeated) => pending.extend(&repeated.items),
+            Item::Part(part) => kinds.push(&part.kind),
+            _ => {}
+        }
+    }
+    kinds
 }
 
 /// It takes a number that may be one of how many.

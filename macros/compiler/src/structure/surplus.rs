@@ -85,6 +85,7 @@ fn nothing_to_drive(view: &View, drive: usize, joints: &[usize]) -> Fact {
     Fact::NothingToDrive {
         drive: view.model.joints[drive].name.to_string(),
         joints: view.joints(joints),
+        equations: [view.of_joints(), joints.iter().map(|joint| view.model.joints[*joint].residuals.len()).sum()],
         coordinates: view.coordinates(&view.group.part.unknowns),
         free: view.coordinates(view.free),
     }

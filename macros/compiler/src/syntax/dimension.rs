@@ -1,7 +1,7 @@
 //! Dimensions: products of powers of names.
 
 use super::ast::Dimension;
-use super::tokens::{Parsed, expected, name, wrong};
+use super::tokens::{Parsed, expected, literal, name, wrong};
 use crate::diag::{Fact, Range};
 use syn::parse::ParseStream;
 use syn::{LitInt, Token};
@@ -46,7 +46,7 @@ pub(super) fn dimension(input: ParseStream) -> Parsed<Dimension> {
 }
 
 fn exponent(input: ParseStream) -> Parsed<i16> {
-    if !input.peek(LitInt) {
+    if !literal(input)? || !input.peek(LitInt) {
         return expected(input, "a whole number");
     }
     let literal: LitInt = input.parse()?;

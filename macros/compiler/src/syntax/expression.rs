@@ -11,12 +11,12 @@
 //! ```
 
 use super::ast::{Expr, ExprKind, Operator, Path, Relation};
-use super::tokens::{Parsed, braces, brackets, expected, is_path, parentheses, path, wrong};
+use super::tokens::{Parsed, braces, brackets, expected, is_path, literal, parentheses, path, wrong};
 use crate::diag::{Fact, Range};
 use proc_macro2::Span;
 use quote::ToTokens;
 use syn::parse::ParseStream;
-use syn::{Ident, Lit, Token, token};
+use syn::{Ident, Lit, LitBool, Token, token};
 
 /// No tree may be deeper than this, so that no walk over it can exhaust the stack; a sum of as many
 /// terms is that deep.
@@ -154,7 +154,7 @@ pub(super) fn indices(input: ParseStream) -> Parsed<Vec<Expr>> {
 
 fn atom(input: ParseStream, room: u16) -> Parsed<Expr> {
     let room = deeper(room, input.span().into())?;
-    if input.peek(Lit) {
+    if literal(input)? || input.peek(LitBool) {
         return number(input);
     }
     if input.peek(Token![if]) {
@@ -305,7 +305,7 @@ fn node(kind: ExprKind, range: Range) -> Parsed<Expr> {
         ExprKind::If { lhs, rhs, then, otherwise, .. } => [lhs, rhs, then, otherwise].iter().map(|item| item.depth).max().unwrap_or(0),
     };
     if below >= DEPTH {
-        return wrong(range, Fact::TooDeep { limit: DEPTH });
+        return wrong(range, Fact::TooLong { limit: DEPTH });
     }
     Ok(Expr { kind, range, depth: below + 1 })
 }

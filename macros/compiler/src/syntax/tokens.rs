@@ -36,6 +36,19 @@ fn next(input: ParseStream) -> String {
     }
 }
 
+/// Reading a whole number takes its digits squared: a longer one is not read.
+const MOST_DIGITS: usize = 400;
+
+/// A literal comes next; of a number, it is not longer than one may be.
+pub(super) fn literal(input: ParseStream) -> Parsed<bool> {
+    let Some((literal, _)) = input.cursor().literal() else { return Ok(false) };
+    let text = literal.to_string();
+    if text.len() > MOST_DIGITS && text.starts_with(|first: char| first.is_ascii_digit()) {
+        return wrong(literal.span(), Fact::NumberTooLong { number: text, limit: MOST_DIGITS });
+    }
+    Ok(true)
+}
+
 /// The content of `( … )`.
 pub(super) fn parentheses<'a>(input: &ParseBuffer<'a>) -> syn::Result<(ParseBuffer<'a>, Range)> {
     let content;

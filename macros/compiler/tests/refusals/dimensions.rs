@@ -4,7 +4,11 @@ crate::refusals! {
     item angle_for_a_length: "param a: Length = «30deg»;" => "expected a length (m), found an angle (rad)";
     item length_for_an_angle: "body b { start angle = «30mm»; }" => "expected an angle (rad), found a length (m)";
     item angle_added_to_a_length: "output b = «length + crank.angle»;" => "cannot add an angle (rad) to a length (m)\nhelp: an arc is a radius times an angle";
-    item length_subtracted_from_a_time: "output b = «t - length»;" => "cannot subtract a length (m) from a time (s)";
+    item length_subtracted_from_a_time: "output b = «t - length»;" => "cannot subtract a length (m) from a time (s)\nhelp: give `t` a factor with a unit, such as `2mm_s * t`";
+    item a_polynomial_of_time_without_units: "drive a = drive_angle(ram, «0.5 + 2.0 * t + 0.1 * t^2»);" => "cannot add a quantity in s² to a time (s)\nhelp: give `t` a factor with a unit, such as `2rad_s * t` for an angle, `2mm_s * t` for a length";
+    item a_rate_without_its_unit: "drive a = drive_angle(ram, «30deg + 2.0 * t»);" => "cannot add a time (s) to an angle (rad)\nhelp: give `t` a factor with a unit, such as `2rad_s * t`";
+    item a_rate_that_lacks_the_time: "drive a = drive_angle(ram, «30deg + speed»);" => "cannot add an angular velocity (rad/s) to an angle (rad)\nhelp: multiply the rate by `t`";
+    item a_square_of_time_for_an_angle: "drive a = drive_angle(ram, «0.1 * t^2»);" => "`C` of `drive_angle` is an angle (rad), found a quantity in s²\nhelp: multiply it by a quantity in rad/s²";
     item sine_of_a_length: "output b = sin(«length»);" => "expected an angle (rad), found a length (m)";
     item arc_sine_of_a_length: "output b = asin(«length»);" => "expected a pure number, found a length (m)";
     item root_of_a_length_is_no_length: "let a: Length = «sqrt(length)»;" => "expected a length (m), found a quantity in m^(1/2)";
@@ -24,8 +28,8 @@ crate::refusals! {
     item number_by_vector: "output b = «2 / crank.A»;" => "nothing can be divided by a vector\nhelp: write `norm(v)` for its length";
     item equation_of_unlike: "joint a = { «crank.x == crank.angle»; }" => "cannot equate a length (m) with an angle (rad)\nhelp: an arc is a radius times an angle";
     item equation_of_vector_and_number: "joint a = { «crank.A == 0»; }" => "cannot equate a point with a number\nhelp: write `.x` or `.y` for one component, or `(x, y)` on the other side for both";
-    item comparison_of_unlike: "output b = if «length < t» { 1 } else { 2 };" => "cannot compare a length (m) with a time (s)";
-    item choice_of_unlike: "output b = «if length < 1 { length } else { t }»;" => "cannot choose between a length (m) and a time (s)";
+    item comparison_of_unlike: "output b = if «length < t» { 1 } else { 2 };" => "cannot compare a length (m) with a time (s)\nhelp: give `t` a factor with a unit, such as `2mm_s * t`";
+    item choice_of_unlike: "output b = «if length < 1 { length } else { t }»;" => "cannot choose between a length (m) and a time (s)\nhelp: give `t` a factor with a unit, such as `2mm_s * t`";
     item power_of_a_length: "output b = length^«speed»;" => "expected a pure number, found an angular velocity (rad/s)";
     item odd_power_of_a_length: "output b = «length^0.3»;" => "a length (m) can only be raised to a number that is written out, a multiple of 1/6\nhelp: divide it by a quantity of its kind, and raise the ratio";
     item exponent_with_a_dimension: "output b = 2^«length»;" => "expected a pure number, found a length (m)";

@@ -9,6 +9,7 @@ mod definitions;
 mod dimensions;
 mod duplicates;
 mod joints;
+mod limits;
 mod mobility;
 mod names;
 mod parameters;

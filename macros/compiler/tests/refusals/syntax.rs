@@ -62,5 +62,8 @@ fn chains_have_a_limit() {
     crate::item(&format!("{} let a150 = 1 + «nothing»;", chain.join("\n")), "nothing is called `nothing` here");
     let chain: Vec<String> = (0..1000).map(|link| format!("let a{link} = a{} + 1;", link + 1)).collect();
     let text = chain.join("\n").replace("a201 + 1", "«a201 + 1»");
-    crate::item(&format!("{text} let a1000 = 1;"), "this is nested more than 400 deep\nhelp: name parts of it with `let`");
+    crate::item(
+        &format!("{text} let a1000 = 1;"),
+        "this is used before it is declared, and so is what it is made of, more than 400 steps deep\nhelp: declare first what others are made of",
+    );
 }

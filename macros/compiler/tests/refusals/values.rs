@@ -19,8 +19,15 @@ crate::refusals! {
     item default_is_no_number: "param a: Number = «sqrt(-1)»;" => "the default is not a finite number";
     item default_from_a_parameter: "param a: Length = «2 * length»;" => "the default of a parameter is a constant: numbers, units, `pi` and functions of them\nhelp: a quantity that follows from others is declared with `let`";
     item default_from_time: "param a: Time = 2 * «t»;" => "the default of a parameter does not change with time: `t` cannot be used in it";
-    item number_too_large: "param a: Length = «1e60mm»;" => "`1e60mm` cannot be kept exactly\nnote: numbers have up to 36 digits and lie between 1e-36 and 1e36";
-    item number_too_long: "param a: Length = «3.1415926535897932384626433832795028841971693993751mm»;" => "`3.1415926535897932384626433832795028841971693993751mm` cannot be kept exactly\nnote: numbers have up to 36 digits and lie between 1e-36 and 1e36";
+    item number_too_large: "param a: Length = «1e60mm»;" => "`1e60mm` cannot be kept exactly\nnote: in m, rad, s and kg, numbers lie between 1e-16 and 1e36, those of few digits down to 1e-36";
+    item number_too_small: "param a: Length = «1e-35mm»;" => "`1e-35mm` cannot be kept exactly\nnote: in m, rad, s and kg, numbers lie between 1e-16 and 1e36, those of few digits down to 1e-36";
+    item number_too_small_for_its_digits: "param a: Length = «1.23456789012345678901e-20m»;" => "`1.23456789012345678901e-20m` cannot be kept exactly\nnote: in m, rad, s and kg, numbers lie between 1e-16 and 1e36, those of few digits down to 1e-36";
+    item a_start_that_is_no_number: "body b { start x = «1mm * sqrt(-1)»; }" => "the start value is not a finite number";
+    item a_start_that_is_no_number_at_the_defaults: "body b { start angle = «asin(length / 50mm)»; }" => "the start value is not a finite number";
+    item a_point_that_is_no_number: "body b { point P = «(1mm * ln(-2), 0mm)»; }" => "a coordinate of the point is not a finite number";
+    item a_point_at_infinity: "param off: Angle = 0deg; body b { point P = «(1mm, 1mm * tan(90deg + off))»; }" => "a coordinate of the point is not a finite number";
+    item an_axis_at_infinity: "body b { axis u = «(1, tan(-270deg))»; }" => "a component of the axis is not a finite number";
+    item a_default_at_infinity: "param a: Number = «tan(450deg)»;" => "the default is not a finite number";
     item point_that_moves: "body b { point P = «(crank.x, 0mm)»; }" => "a point or an axis may depend on parameters only, not on what moves\nhelp: what moves along a body is a body of its own";
     item point_in_time: "body b { point P = (1mm / 1s * «t», 0mm); }" => "a point or an axis does not change with time: `t` cannot be used in it";
     item start_in_time: "body b { start angle = speed * «t»; }" => "a start value does not change with time: `t` cannot be used in it";
@@ -39,4 +46,21 @@ crate::refusals! {
     item table_of_a_parameter: "output b = table(crank.angle, [(0deg, 1mm), (90deg, «length»)]);" => "an entry of a table is a constant: numbers, units, `pi` and functions of them\nhelp: multiply the table by what changes";
     item table_with_unknown_ends: "output b = table(crank.angle, [(0deg, 1mm), (90deg, 2mm)], «cyclic»);" => "outside its range a table is `periodic`, `linear` or `hold`, not `cyclic`";
     item modified_trapezoidal_is_a_function: "output b = «modified_trapezoidal» + 1;" => "expected a number or a vector, found a function\nhelp: give it its argument, as in `f(x)`";
+}
+
+/// Of more digits than can be kept exactly those are kept that tell one number from another.
+#[test]
+fn many_digits_are_read() {
+    for number in [
+        "0.1234567890123456789012345678901234mm",
+        "1234567890.123456789012345678901234mm",
+        "3.1415926535897932384626433832795028841971693993751mm",
+        "57.29577951308232087679815481410517033240547246656432deg",
+        "0x1F",
+        "1.5e-17m",
+    ] {
+        let source = format!("mechanism M {{ let a = {number}; body b {{ }} joint w = weld(ground.position, b.position); }}");
+        let refused = reuleaux_compiler::compile(source.parse().expect("the source consists of tokens"));
+        assert!(refused.is_ok(), "{number}: {:?}", refused.err());
+    }
 }

@@ -1,6 +1,6 @@
 //! What is said of loops, arrays and parts.
 
-use super::words::{did_you_mean, list};
+use super::words::{did_you_mean, first_of};
 use crate::diag::Fact;
 use std::fmt::{Formatter, Result};
 
@@ -15,17 +15,15 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
         Fact::ArrayWithoutIndex { name } => write!(f, "`{name}` is an array\nhelp: say which one, such as `{name}[0]`"),
         Fact::NoArray { found, is_member: false } => write!(f, "{found} has no index\nhelp: take `[…]` away"),
         Fact::NoArray { found, is_member: true } => write!(f, "{found} has no further index\nhelp: take the last `[…]` away"),
-        Fact::IndexOutOfRange { name, index, known } => {
+        Fact::IndexOutOfRange { name, index, ends, known } => {
             write!(f, "there is no `{name}[{index}]`")?;
-            match known.as_slice() {
-                [] => Ok(()),
-                [only] => write!(f, "\nnote: there is `{name}[{only}]` only"),
-                [first, .., last] if last - first + 1 == known.len() => {
+            match ends {
+                None => Ok(()),
+                Some((only, last)) if only == last => write!(f, "\nnote: there is `{name}[{only}]` only"),
+                Some((first, last)) if last - first == known.count - 1 => {
                     write!(f, "\nnote: there are `{name}[{first}]` to `{name}[{last}]`")
                 }
-                many => {
-                    write!(f, "\nnote: there are {}", list(&many.iter().map(|index| format!("{name}[{index}]")).collect::<Vec<_>>()))
-                }
+                Some(_) => write!(f, "\nnote: there are {}", first_of(&known.first, known.count)),
             }
         }
         Fact::NegativeIndex { index } => write!(f, "an index counts from 0, this one is {index}"),
@@ -50,7 +48,10 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
             write!(f, "\nhelp: a loop counts upwards: write `{to}..={from}`")
         }
         Fact::LongRange { rounds, limit } => write!(f, "this loop has {rounds} rounds, at most {limit} are possible"),
-        Fact::TooManyItems { limit } => write!(f, "loops and parts make more than {limit} items"),
+        Fact::TooManyItems { limit } => {
+            write!(f, "loops and parts make more than {limit} items\nnote: every round of a loop counts, also of one with nothing in it")
+        }
+        Fact::WholeTooLarge { found } => write!(f, "`{found}` is too large: an index or the end of a range stays below 2^63"),
         Fact::UnknownComponent { name, is_constraint: true, .. } => {
             write!(f, "`{name}` is a constraint, not a component\nhelp: write `joint name = {name}(…);`")
         }

@@ -22,7 +22,7 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
         Fact::HasNoValue { joint, row, of, drives, has_none_anywhere } => {
             write!(f, "{}", equation(*row, *of))?;
             let place = if *has_none_anywhere { "at t = 0" } else { "near the start" };
-            write!(f, " of `{joint}` has no value {place}: a root of something negative, or a division by zero")?;
+            write!(f, " of `{joint}` has no value {place}: a root of something negative, a division by zero or a number beyond 1e308")?;
             if *has_none_anywhere {
                 return write!(f, "\nhelp: let `{joint}` have another value at t = 0");
             }
@@ -92,7 +92,7 @@ fn of_gap(Gap { length, angle, other }: &Gap) -> String {
     {
         parts.push(format!("{} {unit}", significant(*other)).trim_end().to_owned());
     }
-    parts.join(" and ")
+    if parts.is_empty() { "an amount that is not finite".to_owned() } else { parts.join(" and ") }
 }
 
 /// `crank` (100 mm) + `coupler` (200 mm) is 30 mm short of `ground` (330 mm)

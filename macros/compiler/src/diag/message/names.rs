@@ -1,6 +1,6 @@
 //! What is said of names.
 
-use super::words::{did_you_mean, list, listed};
+use super::words::{did_you_mean, first_of, list, listed, shortened};
 use crate::diag::Fact;
 use crate::model::Dim;
 use std::fmt::{Formatter, Result};
@@ -20,8 +20,8 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
         Fact::UnknownName { name, near } => write!(f, "nothing is called `{name}` here{}", did_you_mean(near)),
         Fact::UnknownField { owner, name, near, known } => {
             write!(f, "{owner} has no `{name}`{}", did_you_mean(near))?;
-            if near.is_none() && !known.is_empty() {
-                write!(f, "\nnote: it has {}", listed(known.iter().map(String::as_str)))?;
+            if near.is_none() && known.count > 0 {
+                write!(f, "\nnote: it has {}", first_of(&known.first, known.count))?;
             }
             Ok(())
         }
@@ -43,7 +43,7 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
             write!(f, "no unit is called `Hz`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`")
         }
         Fact::UnknownUnit { number, name, near } => {
-            write!(f, "no unit is called `{name}`{}", did_you_mean(&near.as_ref().map(|near| format!("{number}{near}"))))?;
+            write!(f, "no unit is called `{}`{}", shortened(name), did_you_mean(&near.as_ref().map(|near| format!("{number}{near}"))))?;
             if near.is_none() {
                 write!(f, "\nnote: there are {}", listed(crate::model::unit::names()))?;
             }

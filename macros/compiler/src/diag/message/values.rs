@@ -1,5 +1,6 @@
 //! What is said of kinds, dimensions and values.
 
+use super::words::shortened;
 use crate::diag::{Fact, remedy};
 use crate::model::Dim;
 use std::fmt::{Formatter, Result};
@@ -21,7 +22,11 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
                 return write!(f, "\nhelp: multiply the rate by `t`");
             }
             // What follows a law of time is often meant to follow time itself.
-            if *found == Dim::TIME { write!(f, "\nhelp: multiply the time by a rate in {}", wanted.per(Dim::TIME).unit()) } else { Ok(()) }
+            match *found {
+                Dim::TIME => write!(f, "\nhelp: multiply the time by a rate in {}", wanted.per(Dim::TIME).unit()),
+                found if found.is_of_time() => write!(f, "\nhelp: multiply it by a quantity in {}", wanted.per(found).unit()),
+                _ => Ok(()),
+            }
         }
         Fact::WrongDefault { wanted, found } => write!(f, "the parameter takes {wanted}, its default is {found}"),
         Fact::WrongDimension { wanted, found } => write!(f, "expected {wanted}, found {found}"),
@@ -57,15 +62,20 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
         }
         Fact::NotAnOutput { found } => write!(f, "an output is a number, a vector, a point or a body that moves, found {found}"),
 
-        Fact::NumberTooLong { number } => {
-            write!(f, "`{number}` cannot be kept exactly\nnote: numbers have up to 36 digits and lie between 1e-36 and 1e36")
+        Fact::NumberTooLong { number, limit } => {
+            write!(f, "`{}` has more than {limit} digits\nhelp: of a number, 17 digits are as good as all", shortened(number))
+        }
+        Fact::NumberOutOfRange { number } => {
+            write!(f, "`{}` cannot be kept exactly", shortened(number))?;
+            write!(f, "\nnote: in m, rad, s and kg, numbers lie between 1e-16 and 1e36, those of few digits down to 1e-36")
         }
         Fact::NotFinite { place } => write!(f, "{place} is not a finite number"),
-        Fact::TooLarge { limit } => {
-            write!(
-                f,
-                "the equations grow beyond {limit} operations here\nhelp: a function that calls others several times is written out at every call"
-            )
+        Fact::TooLarge { limit, in_function } => {
+            write!(f, "the equations grow beyond {limit} operations here")?;
+            match in_function {
+                true => write!(f, "\nhelp: a function that calls others several times is written out at every call"),
+                false => write!(f, "\nhelp: declare less of it, or make several mechanisms of it"),
+            }
         }
         Fact::DivisionByZero => write!(f, "division by zero"),
         Fact::EqualityInChoice => write!(f, "equality of measured numbers is an accident\nhelp: compare with `<`, `<=`, `>` or `>=`"),

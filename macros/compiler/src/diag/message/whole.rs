@@ -13,7 +13,7 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
         }
         Fact::Repeats { joint, other } => write!(f, "`{joint}` demands the same as `{other}`\nhelp: take one of them away"),
         Fact::FollowsFrom { joint, is_drive, rows, of, others, free, moves } => {
-            let place = if *moves { "in every position" } else { "where the mechanism stands" };
+            let place = if *moves { "in every position tried" } else { "where the mechanism stands" };
             let sources = if others.is_empty() { "the rest of it".to_owned() } else { list(others) };
             match (rows == of, of) {
                 (true, 1) => write!(f, "`{joint}` adds nothing: its equation follows from {sources} {place}")?,
@@ -93,14 +93,18 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
             }
             if example.is_empty() { Ok(()) } else { write!(f, ", such as `{example}`") }
         }
-        Fact::NothingToDrive { drive, joints, coordinates, free } => {
+        Fact::NothingToDrive { drive, joints, equations: [equations, of], coordinates, free } => {
             write!(f, "`{drive}` has nothing to drive: ")?;
             match coordinates.as_slice() {
                 [] => write!(f, "{} {} already what it would move", list(joints), if joints.len() == 1 { "holds" } else { "hold" })?,
                 [only] => write!(f, "{} determines `{only}` already", list(joints))?,
                 many => {
                     write!(f, "{} {} no freedom", list(joints), if joints.len() == 1 { "leaves" } else { "leave" })?;
-                    write!(f, "\nnote: they are {} on {}: mobility 0", plural(many.len(), "equation"), plural(many.len(), "coordinate"))?;
+                    let on = plural(many.len(), "coordinate");
+                    match equations == of {
+                        true => write!(f, "\nnote: they are {} on {on}: mobility 0", plural(*equations, "equation"))?,
+                        false => write!(f, "\nnote: {equations} of their {of} equations are on {on} alone: {}", list(many))?,
+                    }
                 }
             }
             if free.is_empty() {

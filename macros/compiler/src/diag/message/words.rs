@@ -15,6 +15,12 @@ pub(super) fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
     }
 }
 
+/// What is too long to be read as a whole: its beginning.
+pub(super) fn shortened(text: &str) -> String {
+    const LONGEST: usize = 60;
+    if text.chars().count() <= LONGEST { text.to_owned() } else { text.chars().take(LONGEST / 2).chain(['…']).collect() }
+}
+
 /// `a`, `b` and `c`; of many the first few.
 pub(super) fn list(names: &[String]) -> String {
     const MOST: usize = 6;

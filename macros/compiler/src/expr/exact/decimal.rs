@@ -2,33 +2,81 @@
 
 use super::Exact;
 
+/// No number has more digits in its numerator.
+const MOST: usize = 37;
+
+/// Of so many digits the rounding of the last one is ten thousand times finer than that of an `f64`.
+const FEWEST: usize = 20;
+
 impl Exact {
     /// Reads an unsigned decimal literal such as `12.5e-3` or `1_000`, exactly.
     ///
     /// `None` when it is not one, or does not fit.
     #[must_use]
-    pub fn decimal(digits: &str) -> Option<Exact> {
-        let (mantissa, exponent) = match digits.split_once(['e', 'E']) {
-            Some((mantissa, exponent)) => (mantissa, power_of_ten(exponent)?),
-            None => (digits, 0),
-        };
-        let (value, shift) = significant(mantissa)?;
-        let mut exact = Exact::reduced(value, 1, 0)?;
-        let ten = Exact::integer(10);
-        let mut rest = exponent.checked_add(shift)?;
+    pub fn decimal(literal: &str) -> Option<Exact> {
+        let (digits, exponent) = significant(literal)?;
+        if digits.len() > MOST { None } else { scaled(&digits, exponent, Exact::ONE) }
+    }
+
+    /// A decimal literal in a unit of this size: exactly, or of more digits than fit as many as do, the last one rounded.
+    ///
+    /// `None` when it is no literal, is out of range, or has not twenty digits then.
+    #[must_use]
+    pub fn measured(literal: &str, size: Exact) -> Option<Exact> {
+        let (digits, exponent) = significant(literal)?;
+        let longest = digits.len().min(MOST);
+        (FEWEST.min(longest)..=longest).rev().find_map(|kept| {
+            let (rounded, shift) = rounded(&digits, kept);
+            scaled(&rounded, exponent.checked_add(shift)?, size)
+        })
+    }
+}
+
+/// A whole number of at most 37 digits times a power of ten, times a size.
+fn scaled(digits: &[u8], exponent: i64, size: Exact) -> Option<Exact> {
+    let value = digits.iter().fold(0_i128, |value, digit| 10 * value + i128::from(*digit));
+    let exact = Exact::reduced(value, 1, 0)?;
+    let with_power = |exact: Exact| {
+        let (mut exact, mut rest) = (exact, exponent);
         // A number other than 0 leaves the range after at most 120 factors.
         while rest != 0 && !exact.is_zero() {
+            let ten = Exact::integer(10);
             exact = if rest > 0 { exact.checked_mul(ten)? } else { exact.checked_div(ten)? };
             rest -= rest.signum();
         }
         Some(exact)
-    }
+    };
+    // What does not fit in one order may fit in the other.
+    with_power(exact).and_then(|exact| exact.checked_mul(size)).or_else(|| with_power(exact.checked_mul(size)?))
 }
 
-/// The digits of a mantissa without trailing zeros as a whole number, and the power of ten that
-/// belongs to it.
-fn significant(mantissa: &str) -> Option<(i128, i64)> {
-    let (mut value, mut zeros, mut decimals) = (0_i128, 0_i64, 0_i64);
+/// The first digits, the last of them rounded, and the power of ten that the others were.
+fn rounded(digits: &[u8], kept: usize) -> (Vec<u8>, i64) {
+    let mut first = digits[..kept].to_vec();
+    if digits.get(kept).is_some_and(|next| *next >= 5) {
+        let last = first.iter().rposition(|digit| *digit != 9);
+        match last {
+            Some(last) => {
+                first[last] += 1;
+                first[last + 1..].fill(0);
+            }
+            // 999… becomes 1000…
+            None => {
+                first.fill(0);
+                first.insert(0, 1);
+            }
+        }
+    }
+    (first, (digits.len() - kept) as i64)
+}
+
+/// The digits of a literal without zeros before and after them, and the power of ten that belongs to the last one.
+fn significant(literal: &str) -> Option<(Vec<u8>, i64)> {
+    let (mantissa, exponent) = match literal.split_once(['e', 'E']) {
+        Some((mantissa, exponent)) => (mantissa, power_of_ten(exponent)?),
+        None => (literal, 0),
+    };
+    let (mut digits, mut decimals): (Vec<u8>, i64) = (Vec::new(), 0);
     let (mut after_point, mut any) = (false, false);
     for character in mantissa.chars() {
         match character {
@@ -37,21 +85,18 @@ fn significant(mantissa: &str) -> Option<(i128, i64)> {
             '0'..='9' => {
                 any = true;
                 decimals += i64::from(after_point);
-                zeros += 1;
-                let digit = i128::from(character as u32 - '0' as u32);
-                // Zeros wait for a digit behind them, so that `1.000…` always fits.
-                if digit != 0 {
-                    for _ in 0..zeros {
-                        value = value.checked_mul(10)?;
-                    }
-                    value = value.checked_add(digit)?;
-                    zeros = 0;
+                if character != '0' || !digits.is_empty() {
+                    digits.push(character as u8 - b'0');
                 }
             }
             _ => return None,
         }
     }
-    any.then_some((value, zeros - decimals))
+    let written = digits.len();
+    digits.truncate(digits.iter().rposition(|digit| *digit != 0).map_or(0, |last| last + 1));
+    any.then_some(())?;
+    let zeros = (written - digits.len()) as i64;
+    Some((digits, exponent.checked_add(zeros - decimals)?))
 }
 
 fn power_of_ten(exponent: &str) -> Option<i64> {

@@ -69,6 +69,25 @@ fn decimals_are_read_exactly() {
     assert_eq!(Exact::decimal(&format!("1{}e-500", "0".repeat(500))), Some(Exact::ONE));
 }
 
+/// The oracle is the standard library's reading of decimals.
+#[test]
+fn digits_beyond_those_that_fit_are_rounded() {
+    let metre = Exact::ONE;
+    for (text, size) in [
+        ("3.1415926535897932384626433832795028841971693993751", metre),
+        ("0.1234567890123456789012345678901234567890123456789", metre),
+        ("99999999999999999999.99999999999999999999999999999999999", metre),
+        ("0.000123456789012345678901234567890123456789", metre),
+    ] {
+        assert_eq!(Exact::measured(text, size).map(Exact::to_f64), text.parse().ok(), "{text}");
+    }
+    let millimetre = Exact::ratio(1, 1000).expect("it fits");
+    assert_eq!(Exact::measured("1000.0000000000000000000000000000000000000000000001", millimetre), Some(Exact::ONE));
+    assert_eq!(Exact::measured("1e38", millimetre), Exact::decimal("1e35"));
+    assert_eq!(Exact::measured("1.23456789012345678901e-20", metre), None);
+    assert_eq!(Exact::measured("1e40", metre), None);
+}
+
 #[test]
 fn what_is_no_decimal_or_does_not_fit_is_none() {
     for text in [
