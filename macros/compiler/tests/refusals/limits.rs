@@ -39,7 +39,7 @@ fn doubling(levels: usize, last: &str) -> String {
 #[test]
 fn parts_that_double_have_a_limit() {
     assert_eq!(refusals(&doubling(18, "part p = C18();")), [TOO_MANY]);
-    let deep = "parts stand in parts, more than 20 deep\nhelp: let each part take the one before as an argument: `for i in 1..n { part name[i] = Name(name[i - 1].end); }`";
+    let deep = "parts are nested more than 20 deep\nhelp: declare the innermost parts in the mechanism, beside the others";
     assert_eq!(refusals(&doubling(25, "part p = C25();")), [deep]);
 }
 
