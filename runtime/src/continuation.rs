@@ -331,8 +331,10 @@ pub(crate) fn reached<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
 fn is_surely_finite<T: Lanes, const N: usize>(time: T, there: &Coordinates<T, N>, unsure: Option<&[usize]>, iterated: &[usize]) -> T::Mask {
     // Several sums side by side, so that none has to wait long for the one before.
     let mut sums = [time, T::of(0.0), T::of(0.0)];
-    for &i in iterated.iter().filter(|i| **i < N) {
-        sums[1] = sums[1] + there.qdd[i];
+    for &i in iterated {
+        if i < N {
+            sums[1] = sums[1] + there.qdd[i];
+        }
     }
     let mut add = |i: usize| {
         sums[0] = sums[0] + there.q[i];
