@@ -139,8 +139,10 @@ fn follow<T: Lanes, E: Stages<T, N> + ?Sized, const N: usize>(
 ) -> T::Mask {
     let h = t - state.t;
     let Walk { found, condition, iterations } = walk;
-    let mut found =
-        found.and(moving).and(is_surely_finite(h, there, E::UNSURE, E::ITERATED)).and(is_resolved(state, &there.q, h, E::COMPUTED_ANGLES));
+    let found = found.and(moving).and(is_resolved(state, &there.q, h, E::COMPUTED_ANGLES));
+    // In memory what is iterated is looked at once only; what lies in registers is put there when it is sure.
+    let accelerations = if E::IN_PLACE { state.extrapolate(h, found, there, E::ITERATED) } else { sum(&there.qdd, E::ITERATED) };
+    let mut found = found.and(is_surely_finite(h + accelerations, there, E::UNSURE));
     // A prediction that was right to half of its digits comes from the same branch.
     if iterations > SURE {
         // A copy, so that the usual case need not have it in memory.
@@ -148,7 +150,13 @@ fn follow<T: Lanes, E: Stages<T, N> + ?Sized, const N: usize>(
         found = found.and(comes_from(equations, state, h, &there, condition));
     }
     if !found.not().all() {
-        state.follow_on(t, &Stride { h, found, condition, iterations }, there, E::ITERATED);
+        if !E::IN_PLACE {
+            state.extrapolate(h, found, there, E::ITERATED);
+        }
+        state.follow_on(t, &Stride { h, found, condition, iterations }, there);
+    }
+    if E::IN_PLACE && !found.all() {
+        state.forget_trend(found);
     }
     found
 }
@@ -177,7 +185,7 @@ fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     for _ in 0..most {
         let next = if step.abs() >= (t - here.t).abs() { t } else { here.t + step };
         match self::reached(equations, next, Care::follow(equations, &here, next - here.t)) {
-            Ok((reached, _)) if !is_same_branch(equations, &here, &reached) && halves(&mut step, next, &here, t - state.t) => {}
+            Ok((reached, _)) if !is_same_branch(equations, &here, &reached) && halves(equations, &mut step, next, &here, t - state.t) => {}
             Ok((reached, off)) if next == t => match off {
                 Some(cause) => return fail(cause, t, state),
                 None => {
@@ -193,7 +201,7 @@ fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
                 }
             }
             Err(refusal) => {
-                if !halves(&mut step, next, &here, t - state.t) {
+                if !halves(equations, &mut step, next, &here, t - state.t) {
                     if let Some(beyond) = crossing::cross(equations, &waypoint, &here, t) {
                         if beyond.t == t {
                             *state = beyond;
@@ -219,11 +227,19 @@ fn largest_condition<T: Float>(share: f64) -> T {
     T::of(share) / T::ROOT_EPSILON.sqrt()
 }
 
-/// Halves a step; false if it cannot be any shorter, of a way that takes `whole` (s).
-fn halves<T: Float, const N: usize>(step: &mut T, next: T, here: &State<T, N>, whole: T) -> bool {
+/// Halves a step; false if it cannot be any shorter: time, or what moves, would not change by a rounding of it.
+///
+/// * `whole`: given, s, how long the way takes of which it is a step.
+fn halves<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, step: &mut T, next: T, here: &State<T, N>, whole: T) -> bool {
     *step = (next - here.t) * T::of(0.5);
+    let (h, zero) = (*step, T::of(0.0));
     let time = here.t.abs().max(next.abs()).max(T::EPSILON * whole.abs());
-    step.abs() > T::of(SHORTEST_STEP) * T::EPSILON * time
+    let length = length_of(equations.characteristic_length());
+    let ways = || E::ITERATED.iter().filter(|i| **i < N).map(|&i| (i, (h * here.qd[i]).abs() + (h * h * here.qdd[i]).abs()));
+    let size = |i: usize| if names::coordinate(E::COORDINATES, i).kind == CoordinateKind::Length { length } else { T::of(1.0) };
+    let moves = || ways().any(|(i, way)| way > T::EPSILON * (here.q[i].abs() + size(i)));
+    let rests = || ways().all(|(_, way)| way == zero);
+    h.abs() > T::of(SHORTEST_STEP) * T::EPSILON * time && (rests() || moves())
 }
 
 /// Every computed angle came to where it was expected: a drive that goes on after a rest may turn anything in one long step.
@@ -325,17 +341,26 @@ pub(crate) fn reached<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     Ok((state, care.contradiction()))
 }
 
-/// A sum is not finite if a term is not. Of rates the squares are looked at, which accelerations contain; what is iterated is finite, and
-/// so are its rates if its accelerations are.
+/// The sum of these entries.
 #[inline(always)]
-fn is_surely_finite<T: Lanes, const N: usize>(time: T, there: &Coordinates<T, N>, unsure: Option<&[usize]>, iterated: &[usize]) -> T::Mask {
-    // Several sums side by side, so that none has to wait long for the one before.
-    let mut sums = [time, T::of(0.0), T::of(0.0)];
-    for &i in iterated {
+fn sum<T: Lanes, const N: usize>(vector: &SVector<T, N>, indices: &[usize]) -> T {
+    let mut sum = T::of(0.0);
+    for &i in indices {
         if i < N {
-            sums[1] = sums[1] + there.qdd[i];
+            sum = sum + vector[i];
         }
     }
+    sum
+}
+
+/// A sum is not finite if a term is not. Of rates the squares are looked at, which accelerations contain; what is iterated is finite, and
+/// so are its rates if its accelerations are.
+///
+/// * `sum`: given, the time that the step takes and the accelerations of what is iterated.
+#[inline(always)]
+fn is_surely_finite<T: Lanes, const N: usize>(sum: T, there: &Coordinates<T, N>, unsure: Option<&[usize]>) -> T::Mask {
+    // Three sums side by side, so that none has to wait long for the one before.
+    let mut sums = [sum, T::of(0.0), T::of(0.0)];
     let mut add = |i: usize| {
         sums[0] = sums[0] + there.q[i];
         sums[1] = sums[1] + there.qdd[i];

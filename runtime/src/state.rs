@@ -192,18 +192,33 @@ impl<T: Lanes, const N: usize> Trend<T, N> {
 }
 
 impl<T: Lanes, const N: usize> State<T, N> {
-    /// Becomes the state at `t`, on the same branch, in the lanes in which it was found; `iterated` unknowns get a trend.
+    /// Takes note of what a step of `h` (s) tells about the next, in the lanes in which it was found; the sum of the accelerations of
+    /// the `iterated` unknowns.
     #[inline(always)]
-    pub(crate) fn follow_on(&mut self, t: T, stride: &Stride<T>, there: &Coordinates<T, N>, iterated: &[usize]) {
-        let (&Stride { h, found, condition, iterations }, Coordinates { q, qd, qdd }) = (stride, there);
+    pub(crate) fn extrapolate(&mut self, h: T, found: T::Mask, there: &Coordinates<T, N>, iterated: &[usize]) -> T {
         let twice = T::of(2.0) * (h * h);
+        let mut sum = T::of(0.0);
         for &i in iterated {
             if i < N {
-                let rates = T::of(17.0) * qd[i] + T::of(14.0) * self.qd[i];
-                let rest = (T::of(31.0) * (q[i] - self.q[i]) - twice * self.qdd[i]) - h * rates;
+                let rates = T::of(17.0) * there.qd[i] + T::of(14.0) * self.qd[i];
+                let rest = (T::of(31.0) * (there.q[i] - self.q[i]) - twice * self.qdd[i]) - h * rates;
                 self.trend.rest[i] = T::pick(found, rest, self.trend.rest[i]);
+                sum = sum + there.qdd[i];
             }
         }
+        sum
+    }
+
+    /// Nothing is known any more in the lanes in which a step was not found.
+    #[cold]
+    pub(crate) fn forget_trend(&mut self, found: T::Mask) {
+        self.trend.span = T::pick(found, self.trend.span, T::of(0.0));
+    }
+
+    /// Becomes the state at `t`, on the same branch, in the lanes in which it was found.
+    #[inline(always)]
+    pub(crate) fn follow_on(&mut self, t: T, stride: &Stride<T>, there: &Coordinates<T, N>) {
+        let (&Stride { h, found, condition, iterations }, Coordinates { q, qd, qdd }) = (stride, there);
         self.iterations = iterations;
         if found.all() {
             (self.trend.span, self.condition) = (h, condition);

@@ -32,3 +32,40 @@ fn a_plate_ends_at_its_dead_point_in_however_many_steps() {
         assert!((failure.time - 0.006_565_6).abs() < 1e-7, "{failure}");
     }
 }
+
+mechanism! {
+    /// A plate whose branch ends soon after the start, and soon before it.
+    #[closure(off)]
+    mechanism Cylinders {
+        for i in 0..3 {
+            param x[i]: Length = 0;  param y[i]: Length = 0;  param u[i]: Length = 0;  param v[i]: Length = 0;
+            param length[i]: Length = 0;  param stroke[i]: Length = 0;  param frequency[i]: AngularVelocity = 0;  param phase[i]: Angle = 0;
+        }
+        ground { for i in 0..3 { point A[i] = (x[i], y[i]); } }
+        body plate { for i in 0..3 { point P[i] = (u[i], v[i]); } }
+        for i in 0..3 { drive cylinder[i] = drive_distance(ground.A[i], plate.P[i], length[i] + stroke[i] * sin(frequency[i] * t + phase[i])); }
+    }
+}
+
+/// The ends are by a continuation with proofs of its own.
+#[test]
+fn a_fold_microseconds_away_is_found_at_once() {
+    let plate = Cylinders {
+        x: [-0.19863637082840407, -0.040251815062978424, -0.13118587342370508],
+        y: [0.35216587860532855, -0.2796646688094684, 0.18426541559154241],
+        u: [0.21505865518973238, -0.11372585666351381, 0.12356442405875717],
+        v: [-0.058337130328609405, -0.16124012376468258, 0.08683184258802712],
+        length: [0.8395634409550663, 0.33308065743800647, 0.4932738571520102],
+        stroke: [0.14599891504281629, 0.1150722779207019, 0.028061950232131042],
+        frequency: [12.566370614359172, 18.84955592153876, 12.566370614359172],
+        phase: [-2.0063029160785573, 0.0, 1.9464611001221508],
+    };
+    let start = plate.solve_near(0.0, &[0.22861825034547667, 0.09838692459484638, -0.6764737424603271].into()).unwrap();
+    assert!(plate.solve_from(1e-6, &start).is_ok());
+    for (t, end) in [(1e-5, 6.089994854759e-6), (-1e-5, -3.788481266168e-6)] {
+        let failure = plate.solve_from(t, &start).unwrap_err();
+        assert!(matches!(failure.cause, Cause::Singular { .. }), "{failure}");
+        // Rounding of lengths moves the fold by as much as it takes to move the plate by a rounding.
+        assert!((failure.time - end).abs() < 1e-13, "{:e}", failure.time - end);
+    }
+}
