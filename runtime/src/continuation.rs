@@ -33,6 +33,12 @@ const LARGEST_LAPSE: f64 = 0.2;
 /// Up to this share of ε^(−1/4) a condition says that a change point is not too near to look across.
 const CLEAR: f64 = 0.0625;
 
+/// From this share of 1 / √ε on a condition may be that of the end of a branch.
+const NEARLY_SINGULAR: f64 = 1.0 / 64.0;
+
+/// A step that goes less far than this share of 1 / condition there, and fails, was the last.
+const LEAST_WAY: f64 = 0.01;
+
 /// The shortest step, in roundings of the time it leads to.
 const SHORTEST_STEP: f64 = 8.0;
 
@@ -237,7 +243,10 @@ fn halves<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, ste
     let length = length_of(equations.characteristic_length());
     let ways = || E::ITERATED.iter().filter(|i| **i < N).map(|&i| (i, (h * here.qd[i]).abs() + (h * h * here.qdd[i]).abs()));
     let size = |i: usize| if names::coordinate(E::COORDINATES, i).kind == CoordinateKind::Length { length } else { T::of(1.0) };
-    let moves = || ways().any(|(i, way)| way > T::EPSILON * (here.q[i].abs() + size(i)));
+    // Where a fold is so near, rounding errors make the least steps fail and succeed in turn.
+    let is_at_end = here.condition * T::ROOT_EPSILON > T::of(NEARLY_SINGULAR);
+    let least = |i: usize| if is_at_end { T::of(LEAST_WAY) * size(i) / here.condition } else { T::EPSILON * (here.q[i].abs() + size(i)) };
+    let moves = || ways().any(|(i, way)| way > least(i));
     let rests = || ways().all(|(_, way)| way == zero);
     h.abs() > T::of(SHORTEST_STEP) * T::EPSILON * time && (rests() || moves())
 }
