@@ -78,7 +78,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     ///
     /// The solution meant is that of the declared equations with these parameters and this time, each number taken exactly as the
     /// double that it is; where `T` is `f32`, the errors of computing with `f32` are all in the bound. It is enclosed by interval
-    /// arithmetic with centres of 32 digits ([`Enclosure`](crate::Enclosure)), anew in each call, which takes as long as some hundred steps.
+    /// arithmetic with centres of 32 digits ([`Enclosure`](crate::Enclosure)), anew in each call, which takes as long as some four hundred steps.
     ///
     /// ```
     /// use reuleaux::Mechanism;
