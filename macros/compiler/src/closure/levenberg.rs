@@ -187,3 +187,29 @@ pub(super) fn cholesky(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option
     }
     Some(right)
 }
+
+/// A x = b by elimination with pivots from the column; None if A is singular.
+pub(super) fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
+    let n = b.len();
+    for k in 0..n {
+        let pivot = (k..n).max_by(|one, two| a[*one][k].abs().total_cmp(&a[*two][k].abs()))?;
+        a.swap(k, pivot);
+        b.swap(k, pivot);
+        if a[k][k] == 0.0 {
+            return None;
+        }
+        let (done, rest) = a.split_at_mut(k + 1);
+        for (i, row) in rest.iter_mut().enumerate() {
+            let multiplier = row[k] / done[k][k];
+            if multiplier != 0.0 {
+                row[k..].iter_mut().zip(&done[k][k..]).for_each(|(entry, above)| *entry -= multiplier * above);
+                b[k + 1 + i] -= multiplier * b[k];
+            }
+        }
+    }
+    for k in (0..n).rev() {
+        let known: f64 = (k + 1..n).map(|j| a[k][j] * b[j]).sum();
+        b[k] = (b[k] - known) / a[k][k];
+    }
+    b.iter().all(|value| value.is_finite()).then_some(b)
+}

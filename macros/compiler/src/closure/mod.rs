@@ -3,30 +3,37 @@
 //! In: a [`System`] and the defaults. Out: a [`Closure`]: the configuration that the generated
 //! `solve` starts from. What the declaration does not say of the start follows from the joints.
 //!
-//! 1. `search`: equations are minimised by the method of Levenberg and Marquardt (`levenberg`) from the declared start values and,
-//!    for what is not declared, from several guesses; of the assemblies found the one nearest to what was declared is taken.
-//! 2. `order`: large systems, and small ones that did not close at once, are closed block by block in the order of the
-//!    [`Structure`], with other assemblies of earlier blocks where a later one needs them.
-//! 3. `verdict`: what does not close (`loops`, `gap`, `links`, `shortest`), closes in two ways that are equally near, or is singular only here
+//! 1. `nearest`: of small systems all assemblies that may be the nearest are gone through, block by block in the order of the
+//!    [`Structure`]; `assemblies` finds those of a block, which is solved for what it iterates (`reduced`), and whole turns that
+//!    nothing counts (`turns`) are taken away.
+//! 2. `order`: large systems are closed block by block, each with its nearest assembly, with others where a later block needs them.
+//! 3. `search`: what did not close, or depends on functions that are not known here, is minimised from several guesses by the method
+//!    of Levenberg and Marquardt (`levenberg`).
+//! 4. `verdict`: what does not close (`loops`, `gap`, `links`, `shortest`), closes in two ways that are equally near, or is singular only here
 //!    (`regular`) is refused.
 //!
 //! Not done here: emitting, redundancy.
 
+mod assemblies;
 mod contradiction;
+mod far;
 mod gap;
 mod identity;
 mod levenberg;
 mod links;
 mod loops;
+mod nearest;
 mod order;
 mod poses;
 mod rank;
+mod reduced;
 mod redundancy;
 mod regular;
 mod rows;
 mod search;
 mod shortest;
 mod tour;
+mod turns;
 mod verdict;
 
 pub use gap::Gap;
@@ -35,14 +42,18 @@ pub(crate) use poses::Poses;
 pub(crate) use redundancy::surplus;
 pub use shortest::Bound;
 
-use crate::diag::Diag;
+use crate::diag::{Diag, Warning};
 use crate::expr::{Evaluator, Expr, Node, Values, evaluate};
 use crate::model::{Dim, Function, Model};
 use crate::structure::Structure;
 use crate::syntax::ast::Closing;
 use crate::system::{Equation, System};
 use levenberg::Problem;
+use nearest::Reach;
 use order::Assembled;
+use reduced::Reduced;
+use std::cell::OnceCell;
+use turns::Turns;
 
 /// Beyond this many coordinates the minimisation of all equations at once would be felt in `cargo check`.
 const LARGEST: usize = 60;
@@ -56,13 +67,15 @@ pub struct Closure {
     pub is_closed: bool,
     /// What would be refused, had the mechanism not allowed it.
     pub remark: Option<String>,
+    /// What may not be meant.
+    pub warnings: Vec<Warning>,
 }
 
 /// Looks for the assembled configuration nearest to the declared start.
 pub(crate) fn close(model: &Model, system: &System, structure: &Structure, diag: &mut Diag) -> Option<Closure> {
     with_room(model, system, |room| {
         if model.closing == Closing::Off {
-            return Some(Closure { start: room.unassembled(), is_closed: false, remark: None });
+            return Some(Closure { start: room.unassembled(), is_closed: false, remark: None, warnings: Vec::new() });
         }
         let mut assembled = room.assembled(structure);
         if model.closing == Closing::Deny && !model.equations_only {
@@ -72,7 +85,9 @@ pub(crate) fn close(model: &Model, system: &System, structure: &Structure, diag:
             redundancy::equations_are_independent(room, structure, &assembled.start, diag)?;
         }
         let verdict = if model.equations_only { None } else { verdict::judge(room, structure, &mut assembled) };
-        let mut closure = Closure { start: room.rounded(&assembled.start), is_closed: assembled.is_closed, remark: None };
+        let start = room.finished(structure, &assembled);
+        let warnings = if assembled.is_closed && !model.equations_only { room.far_starts(structure, &start) } else { Vec::new() };
+        let mut closure = Closure { start, is_closed: assembled.is_closed, remark: None, warnings };
         match verdict {
             Some((range, fact)) if model.closing == Closing::Deny => return diag.refuse(range, fact),
             Some((_, fact)) => closure.remark = Some(fact.to_string()),
@@ -92,7 +107,7 @@ fn with_room<R>(model: &Model, system: &System, work: impl FnOnce(&Room) -> R) -
     let start = |start: Expr| evaluate(&system.arena, &[start], &known).pop().filter(|value| value.is_finite());
     let declared = system.unknowns.iter().map(|unknown| unknown.start.and_then(start)).collect();
     let size = size(system, &known);
-    work(&Room { model, system, known, size, declared })
+    work(&Room { model, system, known, size, declared, turns: OnceCell::new() })
 }
 
 /// What is known before anything is closed.
@@ -104,9 +119,16 @@ struct Room<'a> {
     size: f64,
     /// Declared start values, by unknown.
     declared: Vec<Option<f64>>,
+    /// Found when first asked for.
+    turns: OnceCell<Turns>,
 }
 
 impl Room<'_> {
+    /// Which angles may be whole turns more or less.
+    fn turns(&self) -> &Turns {
+        self.turns.get_or_init(|| Turns::new(self))
+    }
+
     /// The declared start as it stands.
     fn unassembled(&self) -> Vec<f64> {
         self.declared.iter().map(|value| value.unwrap_or(0.0)).collect()
@@ -114,16 +136,38 @@ impl Room<'_> {
 
     /// The assembly to start from, or how far an assembly was found.
     fn assembled(&self, structure: &Structure) -> Assembled {
+        let is_small = self.system.unknowns.len() <= LARGEST && !self.model.equations_only;
+        if let Some(assembled) = is_small.then(|| self.nearest_of_all(structure, Reach::Nearest)).flatten() {
+            return assembled;
+        }
         if self.system.unknowns.len() <= LARGEST || self.model.equations_only {
             let found = self.search(&mut self.whole(), if self.declared.iter().all(Option::is_some) { 1 } else { search::GUESSES });
             let is_closed = !found.assemblies.is_empty();
             if is_closed || self.model.equations_only {
                 let mut assemblies = found.assemblies.into_iter();
                 let start = assemblies.next().unwrap_or(found.first);
-                return Assembled { start, is_closed, open: None, found: Vec::new(), others: assemblies.collect() };
+                return Assembled {
+                    start,
+                    is_closed,
+                    open: None,
+                    found: Vec::new(),
+                    others: assemblies.collect(),
+                    is_nearest: false,
+                    is_settled: false,
+                };
             }
         }
         self.in_order(structure)
+    }
+
+    /// No equation has a Rust function in it.
+    fn is_known_throughout(&self) -> bool {
+        !self.model.functions.iter().any(|function| matches!(function, Function::Rust(_)))
+    }
+
+    /// An equation without Rust functions.
+    fn is_known(&self, equation: usize) -> bool {
+        self.system.equations[equation].phi.is_some_and(|phi| is_known(self.model, self.system, phi))
     }
 
     /// What a unit step of an unknown is.
@@ -131,9 +175,29 @@ impl Room<'_> {
         if self.system.unknowns[unknown].dim == Dim::ANGLE { 1.0 } else { self.size }
     }
 
-    /// What is zero to rounding is zero, for the eye that reads generated code.
-    fn rounded(&self, start: &[f64]) -> Vec<f64> {
-        start.iter().enumerate().map(|(unknown, value)| if value.abs() <= 1e-13 * self.scale(unknown) { 0.0 } else { *value }).collect()
+    /// The start at the rounding limit, with the whole turns that bring it nearest to what is declared.
+    fn finished(&self, structure: &Structure, assembled: &Assembled) -> Vec<f64> {
+        let mut start = assembled.start.clone();
+        if assembled.is_closed && !self.model.equations_only {
+            let has_turned = self.turn_to_start(&mut start);
+            if has_turned || !assembled.is_settled {
+                self.settle(structure, &mut start);
+            }
+        }
+        // There is one zero only.
+        start.iter().map(|value| value + 0.0).collect()
+    }
+
+    /// Takes an assembly to the rounding limit, block by block.
+    fn settle(&self, structure: &Structure, start: &mut [f64]) {
+        for block in structure.blocks.iter().filter(|block| order::parts(block).1.iter().all(|equation| self.is_known(*equation))) {
+            let mut reduced = Reduced::new(self, block);
+            let mut values: Vec<f64> = reduced.unknowns.iter().map(|unknown| start[*unknown]).collect();
+            reduced.set_out_from(start);
+            if reduced.settle(&mut values) {
+                reduced.unknowns.iter().zip(values).for_each(|(unknown, value)| start[*unknown] = value);
+            }
+        }
     }
 
     /// All equations for all unknowns.
@@ -180,6 +244,9 @@ fn place(unknowns: &[usize], unknown: usize) -> Option<usize> {
 
 /// An expression without Rust functions.
 fn is_known(model: &Model, system: &System, root: Expr) -> bool {
+    if !model.functions.iter().any(|function| matches!(function, Function::Rust(_))) {
+        return true;
+    }
     let is_rust = |expr: &Expr| {
         let Node::Call { function, .. } = system.arena.node(*expr) else { return false };
         matches!(model.functions.get(*function as usize), Some(Function::Rust(_)))

@@ -5,6 +5,7 @@
 
 use super::Room;
 use super::levenberg::Problem;
+use super::reduced::Reduced;
 use super::search::{Found, GUESSES};
 use crate::structure::{Block, Structure};
 use crate::syntax::ast::Closing;
@@ -28,6 +29,10 @@ pub(super) struct Assembled {
     pub(super) found: Vec<Vec<Vec<f64>>>,
     /// Where all was closed at once, the assemblies that are not as near.
     pub(super) others: Vec<Vec<f64>>,
+    /// Whether all assemblies that may be as near were looked at.
+    pub(super) is_nearest: bool,
+    /// Each block was taken to the rounding limit.
+    pub(super) is_settled: bool,
 }
 
 /// The unknowns and equations of a block, the explicit ones last.
@@ -70,13 +75,9 @@ impl Upstream {
     pub(super) fn surety(&self, room: &Room, structure: &Structure) -> Vec<bool> {
         let mut is_sure: Vec<bool> = Vec::new();
         for (index, block) in structure.blocks.iter().enumerate() {
-            let is_known = |equation: &usize| {
-                let equation = &room.system.equations[*equation];
-                equation.phi.is_some_and(|phi| super::is_known(room.model, room.system, phi))
-            };
             // Blocks stand in order: what is upstream has been looked at.
             let sure = self.of_block[index].iter().all(|other| is_sure.get(*other) == Some(&true));
-            is_sure.push(sure && parts(block).1.iter().all(is_known));
+            is_sure.push(sure && parts(block).1.iter().all(|equation| room.is_known(*equation)));
         }
         is_sure
     }
@@ -126,10 +127,18 @@ impl Room<'_> {
             found[index] = assemblies;
             is_closed &= closes;
             if !closes && should_close.get(index) == Some(&true) {
-                return Assembled { start, is_closed, open: Some(index), found, others: Vec::new() };
+                return Assembled {
+                    start,
+                    is_closed,
+                    open: Some(index),
+                    found,
+                    others: Vec::new(),
+                    is_nearest: false,
+                    is_settled: self.is_known_throughout(),
+                };
             }
         }
-        Assembled { start, is_closed, open: None, found, others: Vec::new() }
+        Assembled { start, is_closed, open: None, found, others: Vec::new(), is_nearest: false, is_settled: self.is_known_throughout() }
     }
 
     /// The nearest assembly of a block, or what comes nearest to one.
@@ -141,6 +150,16 @@ impl Room<'_> {
 
     /// The assemblies of a block, the nearest first.
     fn close_block(&self, block: &Block, start: &[f64]) -> Found {
+        if parts(block).1.iter().all(|equation| self.is_known(*equation)) {
+            let mut reduced = Reduced::new(self, block);
+            if let Some(alone) = self.alone(&mut reduced, block, start).filter(|alone| alone.is_nearest()) {
+                return Found { first: alone.values.clone(), assemblies: vec![alone.values] };
+            }
+            let assemblies = self.assemblies(&mut reduced, block, start);
+            if let Some(first) = assemblies.first().cloned() {
+                return Found { assemblies, first };
+            }
+        }
         let mut problem = self.block_problem(block, start);
         // What is computed has one value only.
         let is_open = block.iterated.iter().any(|unknown| self.declared[*unknown].is_none());

@@ -3,10 +3,12 @@
 //! In: a [`Closure`]. Out: its configuration and some before and after it in time. What is chosen by them must be right anywhere:
 //! they only make it likely to be quick. Not done here: choosing.
 
+use super::levenberg::solve;
 use super::{Closure, Room, call, levenberg, size};
 use crate::expr::{Arena, Evaluator, Expr, Values, evaluate};
 use crate::model::{Dim, Model};
 use crate::system::System;
+use std::cell::OnceCell;
 
 /// How far the fastest angle goes from the start to each pose, in rad.
 const WAYS: [f64; 5] = [-0.9, -0.35, 0.35, 0.9, 1.7];
@@ -47,7 +49,7 @@ impl<'a> Poses<'a> {
                 |(rate, unknown): (&f64, &crate::system::Unknown)| if unknown.dim == Dim::ANGLE { rate.abs() } else { rate.abs() / size };
             let fastest = rates.iter().zip(&system.unknowns).map(scaled).fold(0.0, f64::max);
             if fastest > 0.0 && fastest.is_finite() {
-                let room = Room { model, system, known, size, declared: vec![None; closure.start.len()] };
+                let room = Room { model, system, known, size, declared: vec![None; closure.start.len()], turns: OnceCell::new() };
                 poses.extend(WAYS.map(|way| moved(&room, &closure.start, &rates, way / fastest)));
             }
         }
@@ -104,30 +106,4 @@ fn rates(system: &System, known: &Values, start: &[f64]) -> Option<Vec<f64>> {
     };
     let matrix: Option<Vec<Vec<f64>>> = system.equations.iter().map(row).collect();
     solve(matrix?, nu.to_vec())
-}
-
-/// A x = b by elimination with pivots from the column.
-fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
-    let n = b.len();
-    for k in 0..n {
-        let pivot = (k..n).max_by(|one, two| a[*one][k].abs().total_cmp(&a[*two][k].abs()))?;
-        a.swap(k, pivot);
-        b.swap(k, pivot);
-        if a[k][k] == 0.0 {
-            return None;
-        }
-        let (done, rest) = a.split_at_mut(k + 1);
-        for (i, row) in rest.iter_mut().enumerate() {
-            let multiplier = row[k] / done[k][k];
-            if multiplier != 0.0 {
-                row[k..].iter_mut().zip(&done[k][k..]).for_each(|(entry, above)| *entry -= multiplier * above);
-                b[k + 1 + i] -= multiplier * b[k];
-            }
-        }
-    }
-    for k in (0..n).rev() {
-        let known: f64 = (k + 1..n).map(|j| a[k][j] * b[j]).sum();
-        b[k] = (b[k] - known) / a[k][k];
-    }
-    b.iter().all(|value| value.is_finite()).then_some(b)
 }

@@ -10,16 +10,25 @@
 //! are best determined and 0 where they are not. At a dead point of a four-bar it is the sine of the angle between coupler and rocker.
 
 use super::Room;
+use super::assemblies::strays;
 use super::levenberg::{Problem, minimise, settle};
 use super::order::parts;
-use crate::expr::{Expr, Values, evaluate};
+use super::reduced::Reduced;
+use crate::expr::{Evaluator, Expr, Values};
 use crate::structure::Block;
 
-/// Below this the block is singular: two assemblies are as near to each other as rounding lets them be found, √ε and some tens.
-const SINGULAR: f64 = 1e-6;
+/// A block is singular here if so many times what rounding may be off changes its reduced Jacobian by half of itself: then it cannot be
+/// told from the place where it is singular. At a dead point that is so for a condition above about 1/√ε.
+const ROUNDINGS: f64 = 8.0;
+
+/// A change of the Jacobian, as a share of itself, up to which it is regular.
+const SHARE: f64 = 0.5;
 
 /// Above this it is regular beyond doubt.
 const REGULAR: f64 = 1e-4;
+
+/// Steps to where rounding errors are all that is left.
+const STEPS: usize = 60;
 
 /// What is near, in sizes or rad.
 const NEAR: f64 = 0.1;
@@ -41,7 +50,7 @@ impl Room<'_> {
             return false;
         }
         settle(&mut problem, &mut q);
-        if measure(&mut problem, block, &sizes, &q) > SINGULAR {
+        if self.is_resolved(block, start, &mut q) {
             return false;
         }
         (0..24_u32).any(|attempt| {
@@ -56,19 +65,42 @@ impl Room<'_> {
         })
     }
 
+    /// Whether rounding errors leave the Jacobian of a block as it is.
+    fn is_resolved(&self, block: &Block, start: &[f64], q: &mut Vec<f64>) -> bool {
+        let mut reduced = Reduced::new(self, block);
+        reduced.set_out_from(start);
+        for _ in 0..STEPS {
+            let Some(here) = reduced.linearize(q) else { return false };
+            let (Some(off), Some(step)) = (reduced.rounding(&here), here.newton()) else { return false };
+            // Where two assemblies meet Newton's method goes half the way each time, until it is lost in rounding errors.
+            if length(&step) > length(&off) {
+                *q = reduced.moved(q, &here, &step);
+                continue;
+            }
+            return [ROUNDINGS, -ROUNDINGS].into_iter().all(|times| {
+                let step: Vec<f64> = off.iter().map(|off| times * off).collect();
+                let there = reduced.moved(q, &here, &step);
+                let there = reduced.linearize(&there);
+                there.and_then(|there| strays(&here.r, &there.r)).is_some_and(|share| share <= SHARE)
+            });
+        }
+        false
+    }
+
     /// What an entry of each row of a block can be: its largest by any unknown of the mechanism, there or anywhere near, in scaled
     /// unknowns, or 1.
     ///
     /// By the block's own unknowns alone a row may be small just because the block is singular, and there alone just because it is the
     /// square of something that vanishes there.
-    fn row_sizes(&self, block: &Block, start: &[f64]) -> Vec<f64> {
+    pub(super) fn row_sizes(&self, block: &Block, start: &[f64]) -> Vec<f64> {
         let near: Vec<f64> = start.iter().enumerate().map(|(unknown, value)| value + NEAR * self.scale(unknown)).collect();
         let size = |equation: &usize| {
             let row = &self.system.equations[*equation].jacobian;
             let entries: Vec<Expr> = row.iter().map(|(_, entry)| *entry).collect();
-            let largest = |coordinates: &[f64]| {
-                let values = evaluate(&self.system.arena, &entries, &Values { coordinates, ..self.known });
-                row.iter().zip(values).fold(0.0, |size: f64, ((unknown, _), value)| size.max((value * self.scale(*unknown)).abs()))
+            let (mut evaluator, mut values) = (Evaluator::new(&self.system.arena, &entries), vec![0.0; entries.len()]);
+            let mut largest = |coordinates: &[f64]| {
+                evaluator.run(&Values { coordinates, ..self.known }, &mut values);
+                row.iter().zip(&values).fold(0.0, |size: f64, ((unknown, _), value)| size.max((value * self.scale(*unknown)).abs()))
             };
             largest(start).max(largest(&near))
         };
@@ -109,6 +141,10 @@ fn measure(problem: &mut Problem, block: &Block, sizes: &[f64], q: &[f64]) -> f6
         }
     }
     smallest_pivot(reduced)
+}
+
+fn length(vector: &[f64]) -> f64 {
+    vector.iter().map(|entry| entry * entry).sum::<f64>().sqrt()
 }
 
 /// Gauss's elimination with the largest pivot of all that is left; entries are at most about 1.

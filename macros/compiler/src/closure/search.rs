@@ -6,6 +6,7 @@
 
 use super::Room;
 use super::levenberg::{Problem, minimise};
+use super::turns::within_a_turn;
 use crate::model::Dim;
 use std::cmp::Ordering;
 
@@ -32,7 +33,7 @@ pub(super) struct Found {
 }
 
 /// Squared distances from the declared start: of what is declared, of undeclared angles from 0, of undeclared places from 0.
-type Distance = [f64; 3];
+pub(super) type Distance = [f64; 3];
 
 impl Room<'_> {
     /// Looks for assemblies from the declared start, with guesses of what is not declared.
@@ -108,7 +109,7 @@ impl Room<'_> {
         (0..one.len()).filter(|unknown| !self.is_one_place(*unknown, one[*unknown], other[*unknown])).collect()
     }
 
-    fn is_one_place(&self, unknown: usize, one: f64, other: f64) -> bool {
+    pub(super) fn is_one_place(&self, unknown: usize, one: f64, other: f64) -> bool {
         if self.is_angle(unknown) {
             // Whole turns lead to the same place.
             let turns = (one - other) / core::f64::consts::TAU;
@@ -122,18 +123,36 @@ impl Room<'_> {
         self.system.unknowns[unknown].dim == Dim::ANGLE
     }
 
-    fn add_distance(&self, distance: &mut Distance, unknown: usize, value: f64) {
-        let scale = if self.is_angle(unknown) { 1.0 } else { 1.0 / self.size };
-        match self.declared[unknown] {
-            Some(declared) => distance[0] += ((value - declared) * scale).powi(2),
-            None if self.is_angle(unknown) => distance[1] += value.powi(2),
-            None => distance[2] += (value * scale).powi(2),
+    /// Adds how far an unknown is from where it should start.
+    pub(super) fn add_distance(&self, distance: &mut Distance, unknown: usize, value: f64) {
+        let level = match self.declared[unknown] {
+            Some(_) => 0,
+            None if self.is_angle(unknown) => 1,
+            None => 2,
+        };
+        distance[level] += self.away(unknown, value).powi(2);
+    }
+
+    /// How far an unknown is from its declared value, or from 0, in rad or sizes; whole turns that nothing counts aside.
+    pub(super) fn away(&self, unknown: usize, value: f64) -> f64 {
+        let away = value - self.declared[unknown].unwrap_or(0.0);
+        match self.is_angle(unknown) {
+            true if self.turns().is_free(unknown) => within_a_turn(away),
+            true => away,
+            false => away / self.size,
         }
+    }
+
+    /// How far some unknowns are from where they should start.
+    pub(super) fn distance(&self, unknowns: &[usize], values: &[f64]) -> Distance {
+        let mut distance = [0.0; 3];
+        unknowns.iter().zip(values).for_each(|(unknown, value)| self.add_distance(&mut distance, *unknown, *value));
+        distance
     }
 }
 
 /// What is before it decides, unless it is alike.
-fn compare(one: &Distance, other: &Distance) -> Ordering {
+pub(super) fn compare(one: &Distance, other: &Distance) -> Ordering {
     let is_alike = |(a, b): (&f64, &f64)| (a - b).abs() <= ALIKE * a.max(*b) + NOTHING;
     one.iter().zip(other).find(|(a, b)| !is_alike((a, b))).map_or(Ordering::Equal, |(a, b)| a.total_cmp(b))
 }
@@ -184,11 +203,7 @@ impl<'a> Shown<'a> {
     }
 
     fn distance(&self, q: &[f64]) -> Distance {
-        let mut distance = [0.0; 3];
-        for (unknown, value) in self.unknowns.iter().zip(q) {
-            self.room.add_distance(&mut distance, *unknown, *value);
-        }
-        distance
+        self.room.distance(&self.unknowns, q)
     }
 
     fn guess(&self, problem: &Problem, attempt: usize, index: usize) -> f64 {

@@ -14,6 +14,7 @@ use super::gap::Opened;
 use super::identity::LOOKS;
 use super::links::{self, Link, Place};
 use super::loops::{Loop, Loops};
+use super::nearest::Reach;
 use super::order::{Assembled, Upstream, parts};
 use super::shortest::{self, Bound};
 use crate::diag::{Fact, Range};
@@ -26,9 +27,6 @@ const IN_LINE: f64 = 1e-5;
 
 /// A start that is nearer than this to the assembly tells it apart from any that is regular, in rad and sizes.
 const TOLD: f64 = 1e-3;
-
-/// An equation holds that is off by less than a step of this, in rad and sizes.
-const HOLDS: f64 = 1e-6;
 
 /// How often an assembly that is equally near at its block is followed through the blocks after it.
 const MOST_FOLLOWED: usize = 8;
@@ -49,6 +47,9 @@ pub(super) fn judge(room: &Room, structure: &Structure, assembled: &mut Assemble
     judge.prefer_regular(&is_sure, assembled);
     if let Some(refusal) = judge.without_rate(&is_sure, &assembled.start) {
         return Some(refusal);
+    }
+    if assembled.is_nearest {
+        return judge.iterated(&is_sure).find_map(|block| judge.singular(block, &assembled.start)).or_else(|| judge.rival(assembled));
     }
     let mut followed = 0;
     judge
@@ -73,13 +74,28 @@ impl Judge<'_> {
     fn prefer_regular(&self, is_sure: &[bool], assembled: &mut Assembled) {
         let is_regular =
             |start: &[f64]| !self.iterated(is_sure).any(|block| self.room.is_singular_here(&self.structure.blocks[block], start));
-        if assembled.others.is_empty() || is_regular(&assembled.start) {
+        if is_regular(&assembled.start) {
             return;
         }
-        let is_meant = |other: &&Vec<f64>| self.room.is_as_declared(&assembled.start, other) && is_regular(other);
-        if let Some(regular) = assembled.others.iter().find(is_meant) {
-            assembled.start = regular.clone();
+        if assembled.is_nearest
+            && let Some(all) = self.room.nearest_of_all(self.structure, Reach::All)
+        {
+            *assembled = all;
         }
+        let is_meant = |other: &&Vec<f64>| self.room.is_as_declared(&assembled.start, other) && is_regular(other);
+        let meant: Vec<Vec<f64>> = assembled.others.iter().filter(is_meant).cloned().collect();
+        if let [regular, others @ ..] = meant.as_slice() {
+            assembled.start.clone_from(regular);
+            assembled.others = others.to_vec();
+        }
+    }
+
+    /// Another assembly of all there are that is as near.
+    fn rival(&self, assembled: &Assembled) -> Option<(Range, Fact)> {
+        let (room, start) = (self.room, &assembled.start);
+        let is_rival = |other: &&Vec<f64>| !room.differing(start, other).is_empty() && room.are_equally_near(start, other);
+        let other = assembled.others.iter().find(is_rival)?;
+        Some(self.two_ways(&room.differing(start, other), start, other))
     }
 
     /// A block that does not close; nothing is refused if it closes after all, and the start is where.
@@ -253,26 +269,11 @@ impl Judge<'_> {
                 continue;
             }
             *followed += 1;
-            if self.follow(index, &mut other) && room.are_equally_near(start, &other) && self.is_as_checked(&other) {
+            if self.follow(index, &mut other) && room.are_equally_near(start, &other) && room.is_as_checked(self.structure, &other) {
                 return Some(self.two_ways(&differing, start, &other));
             }
         }
         None
-    }
-
-    /// The equations that are checked instead of solved hold.
-    fn is_as_checked(&self, q: &[f64]) -> bool {
-        let room = self.room;
-        let values = super::Values { coordinates: q, ..room.known };
-        self.structure.checked.iter().all(|equation| {
-            let equation = &room.system.equations[*equation];
-            let roots: Vec<super::Expr> = equation.phi.into_iter().chain(equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
-            let values = super::evaluate(&room.system.arena, &roots, &values);
-            let Some((phi, slopes)) = values.split_first() else { return true };
-            let steps = slopes.iter().zip(&equation.jacobian).map(|(slope, (unknown, _))| (slope * room.scale(*unknown)).abs());
-            // What is no number here is not judged.
-            phi.is_nan() || phi.abs() <= HOLDS * steps.fold(0.0, f64::max)
-        })
     }
 
     fn is_told(&self, unknown: usize, declared: f64, start: &[f64]) -> bool {

@@ -52,7 +52,7 @@ codes! {
     E0012: SpaceBeforeUnit;
     E0013: ExponentTooLarge;
     E0014: OnlyAtTheTop StartInLoop;
-    E0015: ClosingWord AttributeTwice;
+    E0015: ClosingWord AllowedWord AttributeTwice;
     // Names.
     E0101: UnknownName;
     E0102: UnknownField;

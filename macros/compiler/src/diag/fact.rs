@@ -19,6 +19,7 @@ pub enum Fact {
     NumberType,
     UnknownAttribute { name: String },
     ClosingWord { near: Option<String> },
+    AllowedWord { near: Option<String> },
     AttributeTwice { name: String },
     TokensAfter { what: &'static str, help: &'static str },
     UnknownItem { word: String },

@@ -10,7 +10,9 @@ mod values;
 mod whole;
 mod words;
 
-use super::{Fact, remedy};
+pub(crate) use assembly::{degrees, millimetres, significant};
+
+use super::{Doubt, Fact, remedy};
 use std::fmt;
 use words::{did_you_mean, equation, listed, plural, range_of, shortened};
 
@@ -62,12 +64,16 @@ impl fmt::Display for Fact {
             Fact::UnknownAttribute { name } => {
                 write!(
                     f,
-                    "`#[{name}]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]` and `#[closure(…)]` before `mechanism`"
+                    "`#[{name}]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[closure(…)]` and `#[allow(far_start)]` before `mechanism`"
                 )
             }
             Fact::AttributeTwice { name } => write!(f, "`#[{name}]` stands here twice\nhelp: take one of them away"),
             Fact::ClosingWord { near } => {
                 write!(f, "`#[closure(…)]` takes one of `deny`, `allow` and `off`{}", did_you_mean(near))
+            }
+            Fact::AllowedWord { near } => {
+                write!(f, "`#[allow(…)]` takes the word `far_start` here{}", did_you_mean(near))?;
+                write!(f, "\nnote: a lint of Rust is allowed for the module in which the mechanism stands")
             }
             Fact::TokensAfter { what, help } => write!(f, "nothing may follow {what}\nhelp: {help}"),
             Fact::UnknownItem { word } => {
@@ -284,5 +290,16 @@ impl fmt::Display for Fact {
             | Fact::SingularStart { .. }
             | Fact::AmbiguousStart { .. } => assembly::write(f, self),
         }
+    }
+}
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Doubt::FarStart { body, coordinate, found, declared, apart, drive, instead } = self;
+        match drive {
+            Some(drive) => write!(f, "`{drive}` puts `{body}` at {found} at t = 0, {apart} from its declared start at {declared}")?,
+            None => write!(f, "the nearest assembly has `{body}` at {found}, {apart} from its declared start at {declared}")?,
+        }
+        write!(f, "\nhelp: write `start {coordinate} = {instead};`, or `#[allow(far_start)]` before the mechanism")
     }
 }

@@ -8,9 +8,12 @@ mod fact;
 mod message;
 mod remedy;
 mod shown;
+mod warning;
 
 pub use code::PAGES;
 pub use fact::{Count, Demand, Fact, Forgotten, Known};
+pub(crate) use message::{degrees, millimetres, significant};
+pub use warning::{Doubt, Warning};
 
 use proc_macro2::{Ident, Span, TokenStream};
 

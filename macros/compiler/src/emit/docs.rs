@@ -57,14 +57,17 @@ pub(super) fn mechanism(model: &Model, system: &System, closure: &Closure, plan:
 
 /// What a mechanism accepts that others would be refused for.
 fn assembly(model: &Model, closure: &Closure) -> String {
-    match (&closure.remark, model.closing) {
+    let doubts = closure.warnings.iter().map(|warning| warning.doubt.to_string());
+    let far: String = doubts.map(|doubt| format!("\nNote: {}.\n", doubt.lines().next().unwrap_or_default())).collect();
+    let assembled = match (&closure.remark, model.closing) {
         (Some(remark), _) => {
             let fact = remark.lines().next().unwrap_or_default();
             format!("\nAt the declared defaults and t = 0, as `#[closure(allow)]` accepts: {fact}.\n")
         }
         (None, Closing::Off) => "\n`start` is as declared: with `#[closure(off)]` no assembly is looked for.\n".to_owned(),
         (None, _) => String::new(),
-    }
+    };
+    assembled + &far
 }
 
 /// What is found in which order.

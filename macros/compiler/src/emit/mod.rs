@@ -28,10 +28,11 @@ pub(crate) use definition::{error_pages, export, library_pages, resume};
 pub(crate) use stub::{fallback, stub};
 
 use crate::closure::Closure;
+use crate::diag::Warning;
 use crate::model::{Function, Model};
 use crate::picture::Picture;
 use crate::plan::{Cost, Plan, Solution, Summary};
-use crate::syntax::ast::Docs;
+use crate::syntax::ast::{Closing, Docs};
 use crate::system::System;
 use functions::Emitter;
 use parameters::Parameters;
@@ -59,6 +60,9 @@ pub(crate) fn emit(model: &Model, system: &System, closure: &Closure, plan: &Pla
     let outputs = emitter.outputs();
     let solve = if model.equations_only { quote!() } else { solve(model, system) };
     let slices = if model.equations_only { quote!() } else { emitter.slices() };
+    // Where defaults only hold a place nothing is said of them.
+    let warns = model.closing == Closing::Deny && !model.allows_far_start;
+    let warnings = closure.warnings.iter().filter(|_| warns).map(Warning::to_tokens);
     let state = if model.equations_only && model.outputs.is_empty() { quote!() } else { state(model, system) };
     let name = &model.name;
     quote! {
@@ -80,6 +84,7 @@ pub(crate) fn emit(model: &Model, system: &System, closure: &Closure, plan: &Pla
         #solve
         #state
         #slices
+        #(#warnings)*
     }
 }
 

@@ -62,6 +62,8 @@ pub struct Model {
     pub equations_only: bool,
     /// What is done where the declared defaults do not assemble.
     pub closing: Closing,
+    /// There is no warning where the assembly is far from the declared start.
+    pub allows_far_start: bool,
     /// What the mechanism and its components are made of.
     pub layout: Layout,
     /// The fields of the generated structs.

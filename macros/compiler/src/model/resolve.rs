@@ -41,6 +41,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
         name: tree.name.clone(),
         equations_only: tree.equations_only,
         closing: tree.closing,
+        allows_far_start: tree.allows_far_start,
         layout,
         parameters,
         bodies,

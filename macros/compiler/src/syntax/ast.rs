@@ -19,6 +19,8 @@ pub struct Mechanism {
     pub equations_only: bool,
     /// `#[closure(…)]`
     pub closing: Closing,
+    /// `#[allow(far_start)]`: no warning where the assembly is far from the declared start.
+    pub allows_far_start: bool,
     /// `pub` and the like.
     pub visibility: TokenStream,
     /// Name of the generated struct.

@@ -50,8 +50,8 @@ fn head(input: ParseStream) -> Parsed<Mechanism> {
     if name == "T" {
         return wrong(&name, Fact::NumberType);
     }
-    let Options { equations_only, closing } = options;
-    Ok(Mechanism { docs, equations_only, closing, visibility, name, items: Vec::new() })
+    let Options { equations_only, closing, allows_far_start } = options;
+    Ok(Mechanism { docs, equations_only, closing, allows_far_start, visibility, name, items: Vec::new() })
 }
 
 /// A mechanism of which only the name could be read.
@@ -60,6 +60,7 @@ fn salvaged(name: Ident) -> Mechanism {
         docs: Docs::default(),
         equations_only: false,
         closing: Closing::default(),
+        allows_far_start: false,
         visibility: quote::quote!(pub),
         name,
         items: Vec::new(),

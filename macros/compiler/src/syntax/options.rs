@@ -1,4 +1,4 @@
-//! What stands before a mechanism: doc comments, `#[equations_only]`, `#[closure(…)]`.
+//! What stands before a mechanism: doc comments, `#[equations_only]`, `#[closure(…)]`, `#[allow(far_start)]`.
 
 use super::ast::{Closing, Docs};
 use super::tokens::{Attribute, Parsed, attributes, wrong};
@@ -11,35 +11,52 @@ use syn::parse::{ParseStream, Parser};
 pub(super) struct Options {
     pub(super) equations_only: bool,
     pub(super) closing: Closing,
+    pub(super) allows_far_start: bool,
 }
 
 /// Doc comments and options, in any order.
 pub(super) fn options(input: ParseStream) -> Parsed<(Docs, Options)> {
     let (docs, attributes) = attributes(input)?;
-    let (mut equations_only, mut closing) = (None, None);
+    let (mut equations_only, mut closing, mut far_start) = (None, None, None);
     for attribute in attributes {
         let name = attribute.name.to_string();
         let again = match name.as_str() {
             "equations_only" => equations_only.replace(()).is_some(),
             "closure" => closing.replace(self::closing(&attribute)?).is_some(),
+            "allow" => far_start.replace(allowed(&attribute)?).is_some(),
             _ => return wrong(&attribute.name, Fact::UnknownAttribute { name }),
         };
         if again {
             return wrong(&attribute.name, Fact::AttributeTwice { name });
         }
     }
-    Ok((docs, Options { equations_only: equations_only.is_some(), closing: closing.unwrap_or_default() }))
+    let (equations_only, allows_far_start) = (equations_only.is_some(), far_start.is_some());
+    Ok((docs, Options { equations_only, closing: closing.unwrap_or_default(), allows_far_start }))
 }
 
-/// `#[closure(deny)]`, `#[closure(allow)]`, `#[closure(off)]`
-fn closing(attribute: &Attribute) -> Parsed<Closing> {
+/// `#[allow(far_start)]`
+fn allowed(attribute: &Attribute) -> Parsed<()> {
+    match word(attribute) {
+        Some(word) if word == "far_start" => Ok(()),
+        Some(word) => wrong(&word, Fact::AllowedWord { near: nearest(&word.to_string(), ["far_start"].into_iter()) }),
+        None => wrong(&attribute.name, Fact::AllowedWord { near: None }),
+    }
+}
+
+/// The one word in the parentheses of an attribute.
+fn word(attribute: &Attribute) -> Option<syn::Ident> {
     let word = |content: ParseStream| {
         let inner;
         syn::parenthesized!(inner in content);
         let word = syn::Ident::parse_any(&inner)?;
         if inner.is_empty() { Ok(word) } else { Err(inner.error("one word")) }
     };
-    let Ok(word) = word.parse2(attribute.rest.clone()) else {
+    word.parse2(attribute.rest.clone()).ok()
+}
+
+/// `#[closure(deny)]`, `#[closure(allow)]`, `#[closure(off)]`
+fn closing(attribute: &Attribute) -> Parsed<Closing> {
+    let Some(word) = word(attribute) else {
         return wrong(&attribute.name, Fact::ClosingWord { near: None });
     };
     match word.to_string().as_str() {

@@ -111,16 +111,16 @@ fn of_bound(bound: &Bound) -> String {
     }
 }
 
-fn millimetres(length: f64) -> String {
+pub(crate) fn millimetres(length: f64) -> String {
     format!("{} mm", significant(length * 1e3))
 }
 
-fn degrees(angle: f64) -> String {
+pub(crate) fn degrees(angle: f64) -> String {
     format!("{}°", significant(angle.to_degrees()))
 }
 
 /// Four digits and no zeros after them.
-fn significant(value: f64) -> String {
+pub(crate) fn significant(value: f64) -> String {
     let digits = if value == 0.0 { 0 } else { value.abs().log10().floor() as i32 };
     let decimals = (3 - digits).clamp(0, 9) as usize;
     let text = format!("{value:.decimals$}");
