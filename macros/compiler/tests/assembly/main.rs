@@ -2,6 +2,7 @@
 
 mod accepted;
 mod gaps;
+mod nearest;
 mod starts;
 
 use reuleaux_compiler::Compiled;

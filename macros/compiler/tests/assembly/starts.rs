@@ -1,7 +1,7 @@
 //! Which assembly a start leads to, and what starts do not tell.
 
 use crate::{Random, accepted, four_bar, refused, start};
-use reuleaux_compiler::diag::Fact;
+use reuleaux_compiler::diag::{Doubt, Fact};
 
 #[test]
 fn the_nearer_assembly_is_taken() {
@@ -88,4 +88,186 @@ fn two_mirrors_of_one_start_at_the_dead_point_of_the_slider() {
     }
     accepted(&slider(199.0));
     accepted(&slider(101.0));
+}
+
+/// A four-bar whose coupler and rocker both have a start.
+fn told(angle: f64, coupler: f64, rocker: f64) -> String {
+    let source = four_bar([400.0, 100.0, 350.0, 300.0], angle, &format!("start angle = ({rocker}) * 1deg;"));
+    source.replace("point B = (350mm, 0mm);", &format!("point B = (350mm, 0mm); start angle = ({coupler}) * 1deg;"))
+}
+
+#[test]
+fn two_starts_that_contradict_each_other_are_weighed() {
+    // With the crank at 0° coupler and rocker are at ±54.3° and ±108.6°, both above or both below.
+    let wrapped = |angle: f64| angle - 360.0 * (angle / 360.0).round();
+    let far = |side: f64, coupler: f64, rocker: f64| wrapped(side * 54.31 - coupler).hypot(wrapped(side * 108.63 - rocker));
+    for (coupler, rocker) in
+        [(-75.0, 110.0), (75.0, -110.0), (-50.0, 20.0), (-20.0, 50.0), (170.0, -170.0), (300.0, 100.0), (-400.0, 500.0)]
+    {
+        let side = if far(1.0, coupler, rocker) < far(-1.0, coupler, rocker) { 1.0 } else { -1.0 };
+        let compiled = accepted(&told(0.0, coupler, rocker));
+        for (body, declared, right) in [("coupler.angle", coupler, 54.31), ("rocker.angle", rocker, 108.63)] {
+            let found = start(&compiled, body).to_degrees();
+            assert!(wrapped(found - side * right).abs() < 0.01, "{body} = {found} for {coupler} and {rocker}");
+            assert!((found - declared).abs() <= 180.0 + 1e-9, "{body} = {found} makes turns that {declared} does not ask for");
+        }
+    }
+}
+
+#[test]
+fn starts_in_the_middle_between_two_assemblies_tell_nothing() {
+    // Mirrored at the ground, coupler and rocker at ±(54.3°, 108.6°): as far from 0° and 180° as from 180° and 0°.
+    for (coupler, rocker) in [(0.0, 0.0), (180.0, 0.0), (0.0, 180.0), (180.0, 180.0), (-180.0, 360.0)] {
+        assert!(matches!(refused(&told(0.0, coupler, rocker)), Fact::AmbiguousStart { is_declared: true, .. }), "{coupler} and {rocker}");
+        accepted(&told(0.0, coupler + 1.0, rocker));
+        accepted(&told(1.0, coupler, rocker));
+    }
+}
+
+/// A crank that a wheel of another ratio follows.
+fn geared(ratio: f64, starts: [&str; 2]) -> String {
+    format!(
+        "mechanism Geared {{ ground {{ axis u = (1, 0); point W = (300mm, 200mm); }} body crank {{ point A = (50mm, 0mm); {} }}
+            body rod {{ point B = (150mm, 0mm); }} body piston {{}} body wheel {{ {} }} joint o = revolute(ground.position, crank.position);
+            joint a = revolute(crank.A, rod.position); joint b = revolute(rod.B, piston.position);
+            joint c = translational(ground.u, ground.position, piston.position); joint w = revolute(ground.W, wheel.position);
+            joint mesh = {{ wheel.angle == {ratio} * crank.angle; }} drive input = drive_x(piston.position, 150mm + 10mm_s * t); }}",
+        starts[0], starts[1]
+    )
+}
+
+#[test]
+fn turns_that_a_gear_counts_stay_linked() {
+    // r = 50, l = 150, x = 150: cos = (r² + x² − l²) / (2 r x).
+    let crank = (50.0_f64 / 300.0).acos().to_degrees();
+    for ratio in [0.5, -0.5, 2.0, 1.0 / 3.0, -1.0] {
+        for (declared, wheel) in [(70.0, None), (-70.0, None), (430.0, None), (70.0, Some(-150.0)), (-70.0, Some(200.0))] {
+            let wheel: Option<f64> = wheel;
+            let starts =
+                [format!("start angle = {declared}deg;"), wheel.map_or(String::new(), |wheel| format!("start angle = {wheel}deg;"))];
+            let compiled = accepted(&geared(ratio, [&starts[0], &starts[1]]));
+            let [found, follows] = ["crank.angle", "wheel.angle"].map(|name| start(&compiled, name).to_degrees());
+            assert!((follows - ratio * found).abs() < 1e-9, "{found} and {follows} for {ratio}");
+            // Of all angles of the crank, whatever turns it makes, the nearest: turns count here.
+            let far = |angle: f64| (angle - declared).powi(2) + wheel.map_or(0.0, |wheel| (ratio * angle - wheel).powi(2));
+            let all = (-2..=2).flat_map(|turns| [crank, -crank].map(|angle| angle + 360.0 * f64::from(turns)));
+            let nearest = all.min_by(|one, other| far(*one).total_cmp(&far(*other))).expect("there are many");
+            assert!((found - nearest).abs() < 1e-6, "{found}, not {nearest}, for {ratio}, {declared} and {wheel:?}");
+        }
+    }
+}
+
+#[test]
+fn bodies_that_must_be_parallel_make_whole_turns_together() {
+    let source = |crank: f64, table: f64| {
+        four_bar([400.0, 100.0, 350.0, 300.0], 30.0, &format!("start angle = {crank}deg;")).replace(
+            "drive input",
+            &format!("body desk {{ start angle = {table}deg; }} joint p = revolute(rocker.B, desk.position); joint q = relative_angle(rocker, desk, 10deg); drive input"),
+        )
+    };
+    for (rocker, table, turns) in [(70.0, 80.0, 0.0), (430.0, 440.0, 1.0), (-290.0, -280.0, -1.0), (790.0, 800.0, 2.0)] {
+        let compiled = accepted(&source(rocker, table));
+        let [rocker, table] = ["rocker.angle", "desk.angle"].map(|name| start(&compiled, name).to_degrees());
+        assert!((table - rocker - 10.0).abs() < 1e-9 && (rocker - 360.0 * turns).abs() < 180.0, "{rocker} and {table}");
+    }
+}
+
+/// What is said of an assembly that is far from its start: the body, and the drive that puts it there.
+fn doubts(source: &str) -> Vec<(String, Option<String>)> {
+    let told = |doubt: &Doubt| {
+        let Doubt::FarStart { body, drive, .. } = doubt;
+        (body.clone(), drive.clone())
+    };
+    accepted(source).closure.warnings.iter().map(|warning| told(&warning.doubt)).collect()
+}
+
+#[test]
+fn an_assembly_far_from_its_start_is_told() {
+    let far = |body: &str| vec![(body.to_owned(), None)];
+    assert_eq!(doubts(&told(0.0, 54.0, 109.0)), []);
+    assert_eq!(doubts(&told(0.0, 20.0, 70.0)), []);
+    assert_eq!(doubts(&told(0.0, 54.0, 60.0)), far("rocker"));
+    assert_eq!(doubts(&told(0.0, 5.0, 109.0)), far("coupler"));
+    assert_eq!(doubts(&told(0.0, 414.0, -251.0)), []);
+    // Nothing is said of what is not declared.
+    assert_eq!(doubts(&four_bar([400.0, 100.0, 350.0, 300.0], 30.0, "")), []);
+    let at = |declared: f64, driven: f64| {
+        let source = told(driven, 54.0, 109.0);
+        source.replace("point A = (100mm, 0mm);", &format!("point A = (100mm, 0mm); start angle = {declared}deg;"))
+    };
+    assert_eq!(doubts(&at(90.0, 0.0)), [("crank".to_owned(), Some("input".to_owned()))]);
+    for (declared, driven) in [(40.0, 0.0), (360.0, 0.0), (0.0, 720.0), (-355.0, 0.0)] {
+        assert_eq!(doubts(&at(declared, driven)), [], "{declared} for {driven}");
+    }
+}
+
+#[test]
+fn a_place_far_from_its_start_is_told() {
+    let peg = |x: f64, y: f64| {
+        format!(
+            "mechanism Peg {{ ground {{ point F = (-150mm, 0mm); point G = (150mm, 0mm); }} body peg {{ start position = ({x}mm, {y}mm); }}
+                joint one = distance(ground.F, peg.position, 250mm); joint two = distance(ground.G, peg.position, 250mm);
+                joint level = absolute_angle(peg, 0); }}"
+        )
+    };
+    // It stands at (0, 200); its size is 150 mm, the longest distance of a point.
+    assert_eq!(doubts(&peg(0.0, 180.0)), []);
+    assert_eq!(doubts(&peg(45.0, 200.0)), []);
+    assert_eq!(doubts(&peg(0.0, 120.0)), [("peg".to_owned(), None)]);
+    assert_eq!(doubts(&peg(60.0, 200.0)), [("peg".to_owned(), None)]);
+    let warning = accepted(&peg(0.0, 120.0)).closure.warnings[0].doubt.to_string();
+    assert!(
+        warning.starts_with("the nearest assembly has `peg` at (0 mm, 200 mm), 80 mm from its declared start at (0 mm, 120 mm)"),
+        "{warning}"
+    );
+}
+
+#[test]
+fn a_start_that_rounding_tells_from_a_dead_point_is_solvable() {
+    // Longer by e than the distance of 300 mm, two links of 150 mm are off the line by about √(2 e / 300).
+    for e in [1e-4, 1e-6, 1e-8, 1e-10, 1e-11] {
+        let compiled = accepted(&four_bar([400.0, 100.0, 150.0, 150.0 + e], 0.0, "start angle = 179deg;"));
+        let (coupler, rocker): (f64, f64) = (150.0, 150.0 + e);
+        // The excess is what the rounded numbers say, in which e is one of many digits.
+        let excess = (rocker - 150.0) / 300.0;
+        let half = (2.0 * excess * (1.0 + coupler / rocker)).sqrt() / core::f64::consts::SQRT_2;
+        let found = core::f64::consts::PI - start(&compiled, "rocker.angle");
+        assert!((found / half - 1.0).abs() < 2e-2, "{found} for {half} at {e}");
+    }
+    for e in ["0.0000000000000001", "0.00000000000000001", "0"] {
+        let source = four_bar([400.0, 100.0, 150.0, 150.0], 0.0, "start angle = 179deg;");
+        let source = source.replace("body rocker { point B = (150mm", &format!("body rocker {{ point B = (150mm + {e}mm"));
+        assert!(matches!(refused(&source), Fact::SingularStart { .. }), "{e}");
+    }
+}
+
+#[test]
+fn a_stage_as_near_to_its_fold_as_you_like_is_solvable() {
+    for reach in [1.0, 1e-3, 1e-6, 2e-8, 1e-9, 1e-12, 1e-14, 1e-15] {
+        let source = format!(
+            "mechanism Stage {{ body stage {{ start position = ({reach:e}m, 0m); }} joint rail = {{ stage.position.y == 0m; stage.angle == 0; }}
+                drive piezo = drive_distance(ground.position, stage.position, {reach:e}m * (1 + 0.5 * sin(10rad_s * t))); }}"
+        );
+        let compiled = accepted(&source);
+        assert!((start(&compiled, "stage.x") / reach - 1.0).abs() < 1e-15, "{reach}: {}", start(&compiled, "stage.x"));
+        assert_eq!((start(&compiled, "stage.y"), start(&compiled, "stage.angle")), (0.0, 0.0));
+    }
+}
+
+/// The start holds to rounding, in equations evaluated elsewhere.
+#[test]
+fn a_start_is_at_the_rounding_limit() {
+    let mut random = Random(0x2545_f491_4f6c_dd1d);
+    for _ in 0..20 {
+        let lengths =
+            [random.between(300.0, 450.0), random.between(50.0, 120.0), random.between(300.0, 420.0), random.between(300.0, 400.0)];
+        let angle = random.between(-180.0, 180.0);
+        let compiled = accepted(&four_bar(lengths, angle, "start angle = 70deg;"));
+        let [ground, crank, coupler, rocker] = lengths.map(|length| length / 1e3);
+        let angles = ["crank.angle", "coupler.angle", "rocker.angle"].map(|name| start(&compiled, name));
+        let [one, two, three] = angles.map(f64::sin_cos);
+        let x = crank * one.1 + coupler * two.1 - rocker * three.1 - ground;
+        let y = crank * one.0 + coupler * two.0 - rocker * three.0;
+        assert!(x.abs() < 4e-16 && y.abs() < 4e-16, "{x:e} and {y:e} for {lengths:?} at {angle}");
+    }
 }
