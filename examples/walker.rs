@@ -23,6 +23,7 @@ use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, large
 
 mechanism! {
     /// Three pairs of legs, walking to the left.
+    #[allow(far_start)]
     pub mechanism Walker {
         param speed: AngularVelocity = -60rpm;
         let pairs = 3;

@@ -48,6 +48,7 @@ fn reference_mechanisms_need_none() {
 
 reuleaux::mechanism! {
     /// Four-bars side by side, half of them at rest.
+    #[allow(far_start)]
     pub mechanism Row {
         param incline: Angle = 10deg;
         component FourBar(O: Point, C: Point, law: Angle) {

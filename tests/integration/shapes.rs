@@ -8,6 +8,7 @@ macro_rules! of_four_bars {
     ($(#[$doc:meta])* $name:ident { $($items:tt)* }) => {
         mechanism! {
             $(#[$doc])*
+            #[allow(far_start)]
             pub(crate) mechanism $name {
                 component FourBar(O: Point, C: Point) {
                     body crank { point A = (100mm, 0mm); }
@@ -283,6 +284,7 @@ fn a_slice_says_what_it_holds() {
 
 mechanism! {
     /// Slides on a rail that rests at an angle, each with a dyad of its own; the rail is the rocker of a parallelogram that is held.
+    #[allow(far_start)]
     pub mechanism Rail {
         let n = 60;
         param held: Angle = 0.02rad;

@@ -2,6 +2,7 @@
 
 reuleaux::mechanism! {
     /// Two legs on one crank.
+    #[allow(far_start)]
     pub mechanism Walker {
         param speed: AngularVelocity = 30rpm;
         let legs = 2;
@@ -51,6 +52,7 @@ reuleaux::mechanism! {
 
 reuleaux::mechanism! {
     /// The same, written out.
+    #[allow(far_start)]
     pub mechanism WrittenOut {
         param speed: AngularVelocity = 30rpm;
         param shin_0: Length = 39.3mm;

@@ -3,9 +3,8 @@
 //!
 //! `REULEAUX_NEAREST=1000 cargo test -p reuleaux-compiler --test assembly nearest` looks at as many of each kind.
 
-use crate::{Random, accepted, four_bar, refused, start};
+use crate::{Random, start};
 use core::f64::consts::{PI, TAU};
-use reuleaux_compiler::diag::Fact;
 
 type Point = [f64; 2];
 
