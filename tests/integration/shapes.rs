@@ -8,7 +8,6 @@ macro_rules! of_four_bars {
     ($(#[$doc:meta])* $name:ident { $($items:tt)* }) => {
         mechanism! {
             $(#[$doc])*
-            #[allow(far_start)]
             pub(crate) mechanism $name {
                 component FourBar(O: Point, C: Point) {
                     body crank { point A = (100mm, 0mm); }
@@ -109,6 +108,7 @@ macro_rules! row {
     ($name:ident, $n:literal) => {
         mechanism! {
             /// Four-bars in a row, each a little larger than the one before.
+            #[allow(far_start)]
             pub(crate) mechanism $name {
                 let n = $n;
                 ground { for i in 0..=n { point P[i] = (i * 1m, i * i * 1mm); } }
