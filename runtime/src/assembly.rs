@@ -2,20 +2,30 @@
 //!
 //! At the declared defaults the start is an assembled configuration. Parameters that differ are changed step by step on the
 //! straight way from the defaults, as time is in `continuation`: a step is accepted if in every block Newton's method has a short
-//! way and the determinant keeps its sign. Where the branch ends on the way, at a fold, there may still be an assembly of the same
-//! branch at the parameters themselves: it is taken if every determinant has the sign that it has at the defaults, and it is a
-//! failure to find only another.
+//! way and the determinant keeps its sign. How long a step may be has nothing to do with how long the whole way is: an offset of 1 m
+//! may be set to 1e10 m, and what it moves goes that far with it. So the last step tells where the next one leads (a secant), and
+//! a long one is accepted too if the solution is near to what was foretold, compared with the way there. Where the branch ends on the
+//! way, at a fold, there may still be an assembly of the same branch at the parameters themselves: it is taken if every determinant
+//! has the sign that it has at the defaults, and it is a failure to find only another.
 
 use nalgebra::SVector;
 
 use crate::careful::Care;
-use crate::continuation;
+use crate::continuation::{self, LARGEST_LAPSE, Reached};
+use crate::pass::Stop;
+use crate::scale::Scale;
 use crate::stages::Stages;
 use crate::verdict;
-use crate::{BranchEnd, Cause, Failure, Float, Mechanism, State};
+use crate::{BranchEnd, Cause, CoordinateKind, Failure, Float, Mechanism, State, names};
 
 /// Steps from the defaults to the parameters, accepted or not.
 const MOST_STEPS: usize = 2000;
+
+/// How far from where it was foretold a solution may be: this share of the way there, or of L; and in rad.
+const SURPRISE: f64 = 0.05;
+
+/// How far an angle may go in one step, in rad.
+const LONGEST_TURN: f64 = 0.8;
 
 /// The state at t = 0 on the branch of the declared start.
 ///
@@ -67,25 +77,73 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(
 ) -> Result<(State<T, N>, Option<Cause<T>>), (T, State<T, N>)> {
     let (zero, one) = (T::of(0.0), T::of(1.0));
     let (mut here, mut reached, mut step) = (origin.clone(), zero, one);
+    // What q changes by with the share of the way.
+    let mut slope = SVector::from_element(zero);
     for _ in 0..MOST_STEPS {
         let next = if reached + step < one { reached + step } else { one };
-        let stage = if next < one { equations.toward(next) } else { None };
-        let followed = match &stage {
-            Some(between) => continuation::reached(between, zero, Care::follow(between, &here, zero)),
-            None => continuation::reached(equations, zero, Care::follow(equations, &here, zero)),
-        };
-        match followed {
+        let between = if next < one { equations.toward(next) } else { None };
+        let by = next - reached;
+        match stride(between.as_ref().unwrap_or(equations), &here, &slope, by) {
             // On the way redundant joints need not fit.
-            Ok((state, _)) if next < one => (here, reached, step) = (state, next, step + step),
+            Ok((state, _)) if next < one => {
+                slope = SVector::from_fn(|i, _| (state.q[i] - here.q[i]) / by);
+                (here, reached, step) = (state, next, step + step);
+            }
             Ok(found) => return Ok(found),
-            Err(_) => step = T::of(0.5) * (next - reached),
+            Err(_) => step = T::of(0.5) * by,
         }
-        // Rounding errors of the parameters move a fold by about as much.
-        if step < T::ROOT_EPSILON {
+        // Rounding errors of the parameters move a fold by about as much; those of the defaults are less than any step is short.
+        if step < T::ROOT_EPSILON * reached + T::EPSILON * T::EPSILON {
             break;
         }
     }
     Err((reached, here))
+}
+
+/// One step: from `here` to other parameters, to which the way is about `slope` times `by`.
+fn stride<T: Float, E: Stages<T, N>, const N: usize>(
+    equations: &E,
+    here: &State<T, N>,
+    slope: &SVector<T, N>,
+    by: T,
+) -> Result<Reached<T, N>, Stop<T>> {
+    let zero = T::of(0.0);
+    let slanted = State { qd: *slope, qdd: SVector::from_element(zero), ..here.clone() };
+    let foretold = SVector::from_fn(|i, _| here.q[i] + slope[i] * by);
+    match continuation::reached(equations, zero, Care::follow(equations, &slanted, by)) {
+        // As near as that no other assembly of this branch's sign can be.
+        Ok(found) if is_as_foretold::<T, E, N>(equations, &here.q, &foretold, &found.0, T::of(LARGEST_LAPSE) / found.0.condition) => {
+            Ok(found)
+        }
+        Ok(_) => Err(Stop::Far),
+        Err(stop) => {
+            let found = continuation::reached(equations, zero, Care::close(equations, &foretold))?;
+            let is_same = found.0.branch == here.branch;
+            if is_same && is_as_foretold::<T, E, N>(equations, &here.q, &foretold, &found.0, T::of(SURPRISE)) {
+                Ok(found)
+            } else {
+                Err(stop)
+            }
+        }
+    }
+}
+
+/// Whether q is near to where it was foretold, compared with the way from where it was before.
+fn is_as_foretold<T: Float, E: Stages<T, N>, const N: usize>(
+    equations: &E,
+    before: &SVector<T, N>,
+    foretold: &SVector<T, N>,
+    found: &State<T, N>,
+    surprise: T,
+) -> bool {
+    let scale = Scale::of(equations);
+    (0..N).all(|i| {
+        let (way, off) = ((foretold[i] - before[i]).abs(), (found.q[i] - foretold[i]).abs());
+        match names::coordinate(E::COORDINATES, i).kind {
+            CoordinateKind::Angle => way <= T::of(LONGEST_TURN) && off <= surprise,
+            CoordinateKind::Length => off <= surprise * (way + scale.length),
+        }
+    })
 }
 
 /// The block that is nearest to singular where a branch ends.

@@ -28,7 +28,7 @@ const LARGEST_SURPRISE: f64 = 0.6;
 
 /// A state and the one that the state after it expects behind it may be this share of 1 / condition apart: about so far away may
 /// another assembly be.
-const LARGEST_LAPSE: f64 = 0.2;
+pub(crate) const LARGEST_LAPSE: f64 = 0.2;
 
 /// Up to this share of ε^(−1/4) a condition says that a change point is not too near to look across.
 const CLEAR: f64 = 0.0625;

@@ -193,3 +193,40 @@ fn each_way_there_leads_to_the_same_assembly() {
         assert!((at_once.q - guess).norm() < 1e-9, "{lengths:?}");
     }
 }
+
+mechanism! {
+    /// A cart on a rail that a rod holds at a distance from a post beside the rail.
+    pub mechanism Cart {
+        param reach: Length = 100m;
+        param aside: Length = 30m;
+        body cart { start x = 90m; }
+        joint rail = { cart.position.y == 0m; cart.angle == 0; }
+        joint rod = distance((0m, aside), cart.position, reach);
+    }
+}
+
+#[test]
+fn what_nothing_ends_is_followed_however_far_it_goes() {
+    for reach in [101.0, 1e3, 1e5, 1e7, 1e10, 1e12, 31.0, 30.01] {
+        for aside in [30.0, 0.0, -30.0, 1.0] {
+            let state = Cart { reach, aside }.solve(0.0).unwrap_or_else(|failure| panic!("{failure} at {reach} and {aside}"));
+            let right = f64::sqrt((reach - aside) * (reach + aside));
+            assert!((state.cart().position.x / right - 1.0).abs() < 1e-12, "{} for {right}", state.cart().position.x);
+        }
+    }
+}
+
+#[test]
+fn a_linkage_of_any_size_is_the_declared_one_made_larger() {
+    let mut random = fastrand::Rng::with_seed(3);
+    for scale in [1e-9, 1e-4, 10.0, 1e4, 1e8] {
+        for _ in 0..5 {
+            let lengths = DECLARED.map(|length| scale * length * (1.0 + 0.05 * random.f64()));
+            let [crank_length, coupler_length, rocker_length, base] = lengths;
+            let mechanism = Left { crank_length, coupler_length, rocker_length, base };
+            let state = mechanism.solve(0.0).unwrap_or_else(|failure| panic!("{failure} at {scale}"));
+            let (found, right) = (mechanism.pin(&state).value, pin(lengths, 0.0, 1.0));
+            assert!((found.x - right[0]).hypot(found.y - right[1]) < 1e-14 * scale, "{scale}");
+        }
+    }
+}
