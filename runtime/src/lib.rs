@@ -127,6 +127,10 @@ pub mod library {
 /// How accurate is it?
 ///
 #[cfg_attr(doc, doc = include_str!("accuracy/page.md"))]
+#[cfg_attr(doc, doc = include_str!("accuracy/references.md"))]
+#[cfg_attr(doc, doc = include_str!("accuracy/measured.md"))]
+#[cfg_attr(doc, doc = include_str!("accuracy/time.md"))]
+#[cfg_attr(doc, doc = include_str!("accuracy/diagram.svg"))]
 #[cfg(feature = "certify")]
 pub mod accuracy {}
 

@@ -141,8 +141,7 @@ pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
     let place = iterate.place.nudged(&iterate.correction, problem.turns());
     let condition = iterate.factors.condition(&problem.sizes(), &problem.scale().share);
     // Sine and cosine say nothing of an angle whose own rounding is no small one.
-    let is_lost =
-        |k: usize| problem.coordinate(k).kind == CoordinateKind::Angle && !(T::EPSILON * place.x[k].abs() <= T::of(COARSEST_ANGLE));
+    let is_lost = |k: usize| problem.coordinate(k).kind == CoordinateKind::Angle && T::EPSILON * place.x[k].abs() > T::of(COARSEST_ANGLE);
     if let Some(k) = (0..N).find(|&k| is_lost(k)) {
         return Err(Miss::NoConvergence { correction: T::EPSILON * place.x[k].abs(), iterations });
     }

@@ -169,9 +169,9 @@ where
     let mut all = Lockstep::<CrankRocker<W::Lane>, W, L, 9>::new(cranks, [W::Lane::of(0.0); L]);
     for t in times::<W::Lane>() {
         all.advance([t; L]);
-        for lane in 0..L {
+        for (lane, crank) in cranks.iter().enumerate() {
             let state = all.lane(lane).expect("a state");
-            is_right(&cranks[lane], &state, &[(8, rocker(t.to_f64(), cranks[lane].crank_length.to_f64()))], bound);
+            is_right(crank, &state, &[(8, rocker(t.to_f64(), crank.crank_length.to_f64()))], bound);
             hash.add(&state);
         }
     }

@@ -324,7 +324,7 @@ impl Family<21> for Platform {
         let is_one = now.iter().all(|way| way.abs() > SHORTEST);
         let bodies = texts(&["plate", "link[0]", "link[1]", "link[2]"]);
         let origins = vec![("plate".to_owned(), plate.origin())];
-        is_one.then(|| Sample { start, guess, distances, bodies, origins, mechanism })
+        is_one.then_some(Sample { start, guess, distances, bodies, origins, mechanism })
     }
 }
 
@@ -359,7 +359,7 @@ impl Family<15> for Stephenson {
         let is_one = now.iter().all(|way| way.abs() > SHORTEST);
         let bodies = texts(&["plate", "link[0]", "link[1]", "link[2]"]);
         let origins = vec![("plate".to_owned(), plate.origin())];
-        is_one.then(|| Sample { start, guess, distances, bodies, origins, mechanism })
+        is_one.then_some(Sample { start, guess, distances, bodies, origins, mechanism })
     }
 }
 

@@ -8,6 +8,9 @@ use core::f64::consts::{PI, TAU};
 
 type Point = [f64; 2];
 
+/// The angles of two bars, and a point that they carry.
+type Dyad = (f64, f64, Point);
+
 /// A linkage: its declaration without starts, the bodies whose angles tell assemblies apart, and those angles in each assembly.
 struct Linkage {
     declaration: String,
@@ -100,7 +103,7 @@ impl FourBar {
     }
 
     /// The angles of coupler and rocker and the place of P, for an angle of the crank; and how well it closes.
-    fn closed(&self, crank: f64) -> (f64, Option<[(f64, f64, Point); 2]>) {
+    fn closed(&self, crank: f64) -> (f64, Option<[Dyad; 2]>) {
         let a = [self.crank * crank.cos(), self.crank * crank.sin()];
         let (square, points) = circles(a, self.coupler, self.c, self.rocker);
         let all = points.map(|points| {
