@@ -6,6 +6,7 @@ use reuleaux::{Cause, mechanism};
 
 mechanism! {
     /// A four-bar whose crank does not go round.
+    #[closure(start)]
     mechanism Rocking {
         param crank_length: Length = 200mm;
         param coupler_length: Length = 260mm;

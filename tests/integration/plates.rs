@@ -4,6 +4,7 @@ use reuleaux::{Cause, mechanism};
 
 mechanism! {
     /// A plate held by three cylinders, whose branch ends at 0.0065656 s.
+    #[closure(start)]
     mechanism Plate {
         ground { point A = (11mm, -155mm);  point B = (-204mm, 196mm);  point C = (289mm, 75mm); }
         body plate {

@@ -26,6 +26,7 @@ declared! {
 }
 declared! {
     /// A four-bar driven at its rocker.
+    #[closure(start)]
     RockerDrivenFourBar (
         ground_D_x: Length = 4.5, crank_B_x: Length = 1, coupler_C_x: Length = 4, rocker_C_x: Length = 2.5,
         c0: Angle = 1.7, c1: AngularVelocity = 1

@@ -25,6 +25,7 @@ mechanism! {
         joint level = absolute_angle(stone, 0);
         joint post = absolute_x(stone.position, 130mm);
         drive motor = drive_angle(crank, speed * t);
+        range t in 0s..=0.1s;
         for i in 0..2 { part gear[i] = Gear(crank); }
         component Gear(turned_by: Body) {
             param teeth: Number = 20 in 10..=40;

@@ -5,10 +5,12 @@
 mod elements;
 mod mistakes;
 mod model;
+pub(crate) mod motion;
 
 use fastrand::Rng;
 use mistakes::KINDS;
 use model::Model;
+use motion::Verdict;
 use reuleaux_compiler::diag::Refusal;
 use reuleaux_compiler::{Compiled, compile};
 use std::num::NonZero;
@@ -41,6 +43,22 @@ fn what_can_be_assembled_is_accepted() {
             scope.spawn(move || (first..MODELS).step_by(threads).for_each(is_accepted));
         }
     });
+}
+
+/// How many motions are followed.
+const MOTIONS: u64 = 60;
+
+#[test]
+fn motions_end_where_it_is_said_and_nowhere_else() {
+    let threads = thread::available_parallelism().map_or(1, NonZero::get) as u64;
+    let judged = thread::scope(|scope| {
+        let judge = |first: u64| (first..MOTIONS).step_by(threads as usize).map(motion::judge).collect::<Vec<Verdict>>();
+        let all: Vec<_> = (0..threads).map(|first| scope.spawn(move || judge(first))).collect();
+        all.into_iter().flat_map(|judged| judged.join().expect("a motion is as it is said")).collect::<Vec<Verdict>>()
+    });
+    let count = |verdict: Verdict| judged.iter().filter(|judged| **judged == verdict).count();
+    // Few are too hard to be judged.
+    assert!(count(Verdict::GoesOn) > 5 && count(Verdict::Ends) > 20 && count(Verdict::Open) < 20, "{judged:?}");
 }
 
 #[test]

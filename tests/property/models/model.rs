@@ -156,7 +156,8 @@ impl Model {
 
     /// The whole mechanism, an item a line.
     pub(super) fn declaration(&self) -> String {
-        let mut text = "pub mechanism Random {\n".to_owned();
+        // Most of these linkages cannot turn round.
+        let mut text = "#[closure(start)]\npub mechanism Random {\n".to_owned();
         for item in &self.items {
             let _ = writeln!(text, "    {}", item.text);
         }

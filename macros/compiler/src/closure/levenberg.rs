@@ -3,6 +3,7 @@
 //! Reference: Moré (1978), The Levenberg-Marquardt algorithm: implementation and theory.
 
 use crate::expr::{Evaluator, Values};
+use std::cell::Cell;
 
 /// min ½ ‖Φ(q)‖², rows that cannot be evaluated left out.
 pub(super) struct Problem<'a> {
@@ -26,6 +27,8 @@ pub(super) struct Problem<'a> {
     pub(super) scales: Vec<f64>,
     /// The sum of squares below which the rows count as closed, [`CLOSED`] at least.
     pub(super) closed: f64,
+    /// Operations are counted here.
+    pub(super) effort: &'a Cell<u64>,
 }
 
 /// The rows count as closed when the sum of their squares, in scaled unknowns, is below this.
@@ -46,6 +49,7 @@ impl Problem<'_> {
             self.coordinates[*unknown] = *value;
         }
         self.evaluator.run(&Values { coordinates: &self.coordinates, ..self.known }, &mut values);
+        self.effort.set(self.effort.get() + (self.evaluator.steps() + self.rows * q.len()) as u64);
         let (phi, entries) = values.split_at(self.rows);
         let mut linear = Linear { phi: phi.to_vec(), jacobian: vec![vec![0.0; q.len()]; self.rows] };
         for ((row, column), entry) in self.pattern.iter().zip(entries) {

@@ -33,6 +33,7 @@ mod rows;
 mod search;
 mod shortest;
 mod tour;
+mod travel;
 mod turns;
 mod verdict;
 
@@ -42,17 +43,17 @@ pub(crate) use poses::Poses;
 pub(crate) use redundancy::surplus;
 pub use shortest::Bound;
 
-use crate::diag::{Diag, Warning};
+use crate::diag::{Diag, Doubt, Warning};
 use crate::expr::{Evaluator, Expr, Node, Values, evaluate};
 use crate::model::{Dim, Function, Model};
 use crate::structure::Structure;
-use crate::syntax::ast::Closing;
+use crate::syntax::ast::{Closing, Following};
 use crate::system::{Equation, System};
 use levenberg::Problem;
 use nearest::Reach;
 use order::Assembled;
 use reduced::Reduced;
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell};
 use turns::Turns;
 
 /// Beyond this many coordinates the minimisation of all equations at once would be felt in `cargo check`.
@@ -69,13 +70,29 @@ pub struct Closure {
     pub remark: Option<String>,
     /// What may not be meant.
     pub warnings: Vec<Warning>,
+    /// What was found where the motion was followed.
+    pub followed: Followed,
+    /// Operations of the interpreter: for the start, and for following the motion from there.
+    pub effort: [u64; 2],
+}
+
+/// What following the motion from the start has shown.
+#[derive(Clone, Debug, Default)]
+pub struct Followed {
+    /// The times, in s, between which the motion goes on throughout; both 0 where that is not known.
+    pub reached: [f64; 2],
+    /// Where it ends, or could go on in two ways, and where it does so at the bounds of parameters.
+    pub remarks: Vec<String>,
+    /// It ends where no range is declared, so that less may be meant.
+    pub warning: Option<Warning>,
 }
 
 /// Looks for the assembled configuration nearest to the declared start.
 pub(crate) fn close(model: &Model, system: &System, structure: &Structure, diag: &mut Diag) -> Option<Closure> {
     with_room(model, system, |room| {
         if model.closing == Closing::Off {
-            return Some(Closure { start: room.unassembled(), is_closed: false, remark: None, warnings: Vec::new() });
+            let (start, followed) = (room.unassembled(), Followed::default());
+            return Some(Closure { start, is_closed: false, remark: None, warnings: Vec::new(), followed, effort: [0; 2] });
         }
         let mut assembled = room.assembled(structure);
         if model.closing == Closing::Deny && !model.equations_only {
@@ -87,11 +104,29 @@ pub(crate) fn close(model: &Model, system: &System, structure: &Structure, diag:
         let verdict = if model.equations_only { None } else { verdict::judge(room, structure, &mut assembled) };
         let start = room.finished(structure, &assembled);
         let warnings = if assembled.is_closed && !model.equations_only { room.far_starts(structure, &start) } else { Vec::new() };
-        let mut closure = Closure { start, is_closed: assembled.is_closed, remark: None, warnings };
+        let is_fine = assembled.is_closed && verdict.is_none();
+        let (followed, effort) = (Followed::default(), [room.effort.get(), 0]);
+        let mut closure = Closure { start, is_closed: assembled.is_closed, remark: None, warnings, followed, effort };
         match verdict {
             Some((range, fact)) if model.closing == Closing::Deny => return diag.refuse(range, fact),
             Some((_, fact)) => closure.remark = Some(fact.to_string()),
             None => {}
+        }
+        if is_fine && model.following != Following::Off && !model.equations_only {
+            // Who says for how long it moves means it; where that is inferred, less may be meant.
+            let is_meant = model.range.is_some() || model.following == Following::Strict;
+            let travel = travel::travel(room, structure, &closure.start, room.effort.get());
+            closure.effort[1] = travel.spent;
+            closure.followed = Followed { reached: travel.reached, remarks: travel.notes, warning: None };
+            match travel.end {
+                Some((range, fact)) if model.closing == Closing::Deny && is_meant => return diag.refuse(range, fact),
+                Some((range, fact)) if model.closing == Closing::Deny => {
+                    closure.followed.remarks.insert(0, fact.to_string());
+                    closure.followed.warning = Some(Warning { doubt: Doubt::MotionEnds(Box::new(fact)), range });
+                }
+                Some((_, fact)) => closure.followed.remarks.insert(0, fact.to_string()),
+                None => {}
+            }
         }
         Some(closure)
     })
@@ -107,7 +142,7 @@ fn with_room<R>(model: &Model, system: &System, work: impl FnOnce(&Room) -> R) -
     let start = |start: Expr| evaluate(&system.arena, &[start], &known).pop().filter(|value| value.is_finite());
     let declared = system.unknowns.iter().map(|unknown| unknown.start.and_then(start)).collect();
     let size = size(system, &known);
-    work(&Room { model, system, known, size, declared, turns: OnceCell::new() })
+    work(&Room { model, system, known, size, declared, turns: OnceCell::new(), effort: Cell::default() })
 }
 
 /// What is known before anything is closed.
@@ -121,6 +156,8 @@ struct Room<'a> {
     declared: Vec<Option<f64>>,
     /// Found when first asked for.
     turns: OnceCell<Turns>,
+    /// Operations that were spent.
+    effort: Cell<u64>,
 }
 
 impl Room<'_> {
@@ -230,6 +267,7 @@ impl Room<'_> {
             shift: Vec::new(),
             known: self.known,
             closed: levenberg::CLOSED,
+            effort: &self.effort,
             scales: unknowns.iter().map(scale).collect(),
             unknowns,
             coordinates,

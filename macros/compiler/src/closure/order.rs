@@ -61,6 +61,11 @@ impl Upstream {
         Upstream { of_block: structure.blocks.iter().enumerate().map(direct).collect() }
     }
 
+    /// The blocks on which a block depends itself.
+    pub(super) fn direct(&self, block: usize) -> impl Iterator<Item = usize> {
+        self.of_block[block].iter().copied()
+    }
+
     /// All blocks on which a block depends, through others too.
     pub(super) fn all(&self, block: usize) -> BTreeSet<usize> {
         let mut found = BTreeSet::new();

@@ -8,7 +8,7 @@ use super::{Closure, Room, call, levenberg, size};
 use crate::expr::{Arena, Evaluator, Expr, Values, evaluate};
 use crate::model::{Dim, Model};
 use crate::system::System;
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell};
 
 /// How far the fastest angle goes from the start to each pose, in rad.
 const WAYS: [f64; 5] = [-0.9, -0.35, 0.35, 0.9, 1.7];
@@ -49,7 +49,8 @@ impl<'a> Poses<'a> {
                 |(rate, unknown): (&f64, &crate::system::Unknown)| if unknown.dim == Dim::ANGLE { rate.abs() } else { rate.abs() / size };
             let fastest = rates.iter().zip(&system.unknowns).map(scaled).fold(0.0, f64::max);
             if fastest > 0.0 && fastest.is_finite() {
-                let room = Room { model, system, known, size, declared: vec![None; closure.start.len()], turns: OnceCell::new() };
+                let declared = vec![None; closure.start.len()];
+                let room = Room { model, system, known, size, declared, turns: OnceCell::new(), effort: Cell::default() };
                 poses.extend(WAYS.map(|way| moved(&room, &closure.start, &rates, way / fastest)));
             }
         }

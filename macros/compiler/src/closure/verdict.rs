@@ -57,6 +57,13 @@ pub(super) fn judge(room: &Room, structure: &Structure, assembled: &mut Assemble
         .find_map(|block| judge.singular(block, &assembled.start).or_else(|| judge.ambiguous(block, assembled, &mut followed)))
 }
 
+/// The two bodies of a block whose joints lie on one straight line, at a configuration.
+pub(super) fn bodies_in_line(room: &Room, structure: &Structure, block: usize, q: &[f64]) -> Option<BTreeSet<usize>> {
+    let upstream = Upstream::new(room, structure);
+    let judge = Judge { room, structure, upstream: &upstream, loops: Loops { room, structure, upstream: &upstream } };
+    judge.in_line(block, &judge.loops.bodies(&structure.blocks[block]), q)
+}
+
 struct Judge<'a> {
     room: &'a Room<'a>,
     structure: &'a Structure,

@@ -65,7 +65,7 @@ codes! {
     E0109: UnknownStart;
     E0110: Duplicate DuplicateMark;
     E0111: DuplicateStart;
-    E0112: DuplicateGround;
+    E0112: DuplicateGround DuplicateRange;
     E0113: Reserved Generated GeneratedType NumberType;
     E0114: Cycle;
     E0115: Recursion ComponentRecursion;
@@ -137,7 +137,8 @@ codes! {
     E0902: HasNoValue HasNoRate;
     E0903: SingularStart;
     E0904: AmbiguousStart;
+    E0905: MotionEnds Crosses;
     // Parameters.
-    E1001: EmptyBounds;
+    E1001: EmptyBounds RangeWithoutEnd;
     E1002: DefaultOutOfBounds;
 }

@@ -73,6 +73,8 @@ pub enum Fact {
     DuplicateMark { name: String, body: String },
     DuplicateStart { name: String, body: String },
     DuplicateGround,
+    DuplicateRange,
+    RangeWithoutEnd,
     Reserved { name: String },
     Generated { name: String },
     Cycle { name: String, through: Vec<String> },
@@ -158,6 +160,8 @@ pub enum Fact {
     HasNoRate { joint: String, row: usize, of: usize },
     HasNoValue { joint: String, row: usize, of: usize, drives: Vec<String>, has_none_anywhere: bool },
     SingularStart { bodies: Vec<String>, in_line: bool, drives: Vec<String>, has_others: bool },
+    MotionEnds { joint: String, driven: Vec<Driven>, time: f64, in_line: Vec<String>, until: f64, declared: Option<[f64; 2]> },
+    Crosses { driven: Vec<Driven>, time: f64 },
     AmbiguousStart { body: String, coordinate: &'static str, is_angle: bool, values: [f64; 2], place: [f64; 2], is_declared: bool },
 }
 
@@ -184,6 +188,17 @@ impl Known {
         }
         known
     }
+}
+
+/// What a drive moves, and where that is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Driven {
+    /// The body, or the drive itself where it moves no single coordinate.
+    pub name: String,
+    /// `x`, `y`, `angle`; nothing for a drive.
+    pub coordinate: &'static str,
+    /// Its value, in SI, if it is known.
+    pub value: Option<(f64, Dim)>,
 }
 
 /// What a joint demands of a sum of coordinates, and what others make of it.

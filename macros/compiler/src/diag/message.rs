@@ -69,7 +69,7 @@ impl fmt::Display for Fact {
             }
             Fact::AttributeTwice { name } => write!(f, "`#[{name}]` stands here twice\nhelp: take one of them away"),
             Fact::ClosingWord { near } => {
-                write!(f, "`#[closure(…)]` takes one of `deny`, `allow` and `off`{}", did_you_mean(near))
+                write!(f, "`#[closure(…)]` takes one of `deny`, `start`, `allow` and `off`{}", did_you_mean(near))
             }
             Fact::AllowedWord { near } => {
                 write!(f, "`#[allow(…)]` takes the word `far_start` here{}", did_you_mean(near))?;
@@ -77,9 +77,10 @@ impl fmt::Display for Fact {
             }
             Fact::TokensAfter { what, help } => write!(f, "nothing may follow {what}\nhelp: {help}"),
             Fact::UnknownItem { word } => {
-                let known = ["param", "let", "ground", "body", "joint", "drive", "output", "part", "for", "component", "function", "use"];
+                let known =
+                    ["param", "let", "ground", "body", "joint", "drive", "output", "range", "part", "for", "component", "function", "use"];
                 // Words as short as `for` are near to many others: they come last.
-                let (rare, often): (Vec<&str>, Vec<&str>) = known.iter().partition(|known| matches!(**known, "part" | "for"));
+                let (rare, often): (Vec<&str>, Vec<&str>) = known.iter().partition(|known| matches!(**known, "part" | "for" | "range"));
                 let near = crate::model::suggest::nearest;
                 let near = near(word, often.into_iter()).or_else(|| near(word, rare.into_iter()));
                 write!(f, "`{word}` is no item of a mechanism{}", did_you_mean(&near))?;
@@ -156,6 +157,7 @@ impl fmt::Display for Fact {
             | Fact::DuplicateMark { .. }
             | Fact::DuplicateStart { .. }
             | Fact::DuplicateGround
+            | Fact::DuplicateRange
             | Fact::Reserved { .. }
             | Fact::Generated { .. }
             | Fact::Cycle { .. }
@@ -226,6 +228,7 @@ impl fmt::Display for Fact {
             | Fact::TableEnds { .. }
             | Fact::NotConstant { .. }
             | Fact::EmptyBounds { .. }
+            | Fact::RangeWithoutEnd
             | Fact::DefaultOutOfBounds { .. }
             | Fact::NotFixed { .. }
             | Fact::FunctionNeedsArgument
@@ -288,6 +291,8 @@ impl fmt::Display for Fact {
             | Fact::HasNoRate { .. }
             | Fact::HasNoValue { .. }
             | Fact::SingularStart { .. }
+            | Fact::MotionEnds { .. }
+            | Fact::Crosses { .. }
             | Fact::AmbiguousStart { .. } => assembly::write(f, self),
         }
     }
@@ -295,7 +300,10 @@ impl fmt::Display for Fact {
 
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Doubt::FarStart { body, coordinate, found, declared, apart, drive, instead } = self;
+        let Doubt::FarStart { body, coordinate, found, declared, apart, drive, instead } = self else {
+            let Doubt::MotionEnds(fact) = self else { return Ok(()) };
+            return write!(f, "{fact}");
+        };
         match drive {
             Some(drive) => write!(f, "`{drive}` puts `{body}` at {found} at t = 0, {apart} from its declared start at {declared}")?,
             None => write!(f, "the nearest assembly has `{body}` at {found}, {apart} from its declared start at {declared}")?,

@@ -11,8 +11,9 @@ mod shown;
 mod warning;
 
 pub use code::PAGES;
-pub use fact::{Count, Demand, Fact, Forgotten, Known};
+pub use fact::{Count, Demand, Driven, Fact, Forgotten, Known};
 pub(crate) use message::{degrees, millimetres, significant};
+pub(crate) use remedy::quantity;
 pub use warning::{Doubt, Warning};
 
 use proc_macro2::{Ident, Span, TokenStream};

@@ -54,7 +54,7 @@ pub(super) fn of_dimensions(one: Dim, two: Dim) -> &'static str {
 }
 
 /// A value in the unit of a drawing: `5 mm`, `30°`, else in SI.
-pub(super) fn quantity(value: f64, dim: Dim) -> String {
+pub(crate) fn quantity(value: f64, dim: Dim) -> String {
     // Twelve digits, so that a decimal fraction comes out of the conversion as it went in.
     let short = |value: f64| format!("{:.12}", value).trim_end_matches('0').trim_end_matches('.').to_owned();
     match dim {

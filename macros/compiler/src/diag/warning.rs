@@ -3,7 +3,7 @@
 //! Stable Rust lets no macro warn. What the ecosystem does instead is done here: a deprecated constant is used under the tokens in
 //! question, so that the compiler warns with its note. It is silent under `#[allow(deprecated)]`.
 
-use super::Range;
+use super::{Fact, Range};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -36,12 +36,18 @@ pub enum Doubt {
         /// What to declare instead.
         instead: String,
     },
+    /// The motion ends before everything has repeated itself.
+    MotionEnds(Box<Fact>),
 }
 
 impl Warning {
     /// A warning of the lint `deprecated`.
     pub(crate) fn to_tokens(&self) -> TokenStream {
-        let (name, words) = (Ident::new("far_start", self.range.first), self.doubt.to_string());
+        let name = match self.doubt {
+            Doubt::FarStart { .. } => "far_start",
+            Doubt::MotionEnds(_) => "motion_ends",
+        };
+        let (name, words) = (Ident::new(name, self.range.first), self.doubt.to_string());
         quote! {
             const _: () = {
                 #[deprecated(note = #words)]

@@ -1,7 +1,8 @@
 //! What is written above generated items.
 
 use super::abridged::{Abridged, list};
-use crate::closure::Closure;
+use crate::closure::{Closure, Followed};
+use crate::diag::significant;
 use crate::expr::{Evaluator, Leaf, Values, show};
 use crate::model::{Function, Method, Model, Output, Parameter};
 use crate::picture::Picture;
@@ -27,6 +28,7 @@ pub(super) fn mechanism(model: &Model, system: &System, closure: &Closure, plan:
         "\n{n} coordinates, {m} equations, {drives} of them drives{redundant}: mobility {mobility} without drives, as counted."
     );
     page.push_str(&assembly(model, closure));
+    page.push_str(&followed(&closure.followed));
     // HTML in a page of Markdown stands between blank lines.
     let _ = writeln!(page, "\n{}\n{}", picture.svg().unwrap_or_default(), picture.words());
     parameters(&mut page, model, system);
@@ -68,6 +70,20 @@ fn assembly(model: &Model, closure: &Closure) -> String {
         (None, _) => String::new(),
     };
     assembled + &far
+}
+
+/// What was found where the motion was followed from the start.
+fn followed(found: &Followed) -> String {
+    let [from, to] = found.reached;
+    let mut lines = String::new();
+    if from < to {
+        let [from, to] = found.reached.map(significant);
+        let _ = writeln!(lines, "\nFollowed from t = {from} s to {to} s at the declared defaults, the motion goes on throughout.");
+    }
+    for remark in &found.remarks {
+        let _ = writeln!(lines, "\nWhere the motion was followed: {}.", remark.lines().next().unwrap_or_default());
+    }
+    lines
 }
 
 /// What is found in which order.

@@ -62,7 +62,7 @@ pub(crate) fn emit(model: &Model, system: &System, closure: &Closure, plan: &Pla
     let slices = if model.equations_only { quote!() } else { emitter.slices() };
     // Where defaults only hold a place nothing is said of them.
     let warns = model.closing == Closing::Deny && !model.allows_far_start;
-    let warnings = closure.warnings.iter().filter(|_| warns).map(Warning::to_tokens);
+    let warnings = closure.warnings.iter().filter(|_| warns).chain(&closure.followed.warning).map(Warning::to_tokens);
     let state = if model.equations_only && model.outputs.is_empty() { quote!() } else { state(model, system) };
     let name = &model.name;
     quote! {

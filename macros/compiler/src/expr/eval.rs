@@ -144,6 +144,11 @@ impl Evaluator {
         }
     }
 
+    /// How many operations a run takes.
+    pub(crate) fn steps(&self) -> usize {
+        self.steps.len()
+    }
+
     /// Writes the values of the roots, in their order, as many as `found` has room for.
     pub fn run(&mut self, values: &Values, found: &mut [f64]) {
         self.slots.clear();

@@ -1,9 +1,11 @@
 //! The values that a parameter may have.
 
-use super::Bounds;
 use super::dimension::Dim;
 use super::elaborate::{Elaborator, Scope};
+use super::register::Register;
+use super::{Bounds, Parameter, Times};
 use crate::diag::Fact;
+use crate::expr::{Expr, Leaf};
 use crate::syntax::ast::{self, ExprKind, Limits};
 
 impl Bounds {
@@ -33,6 +35,30 @@ impl Elaborator<'_> {
             return self.refuse(limits.range, Fact::EmptyBounds { bounds: bounds.text, is_point: from == to });
         }
         Some(bounds)
+    }
+
+    /// The declared range of time, between whose ends there is a time.
+    pub(super) fn times(&mut self, register: &Register, parameters: &[Parameter]) -> Option<Times> {
+        let limits = register.range.as_ref()?.limits.clone();
+        let place = "the end of a range of time";
+        let scope = Scope::mechanism().timeless(place);
+        let defaults: Vec<Expr> = parameters.iter().map(|parameter| parameter.default).collect();
+        let defaults = self.numbers(&[], &defaults);
+        let mut end = |written: &ast::Expr| {
+            let expr = self.scalar_of(written, Dim::TIME, &scope)?.expr;
+            if self.arena.leaves(expr).iter().any(|leaf| !matches!(leaf, Leaf::Parameter(_))) {
+                return self.refuse(written.range, Fact::NotFixed { place });
+            }
+            let value = self.numbers(&defaults, &[expr])[0];
+            if value.is_finite() { Some(value) } else { self.refuse(written.range, Fact::NotFinite { place }) }
+        };
+        let (from, to) = (end(limits.from.as_ref()?), end(limits.to.as_ref()?));
+        let (from, to) = (from?, to?);
+        if from >= to {
+            let bounds = format!("{from} s .. {to} s");
+            return self.refuse(limits.range, Fact::EmptyBounds { bounds, is_point: false });
+        }
+        Some(Times { from, to })
     }
 
     /// One end; none where there is none.

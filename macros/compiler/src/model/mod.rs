@@ -38,7 +38,7 @@ pub use sketch::Sketch;
 pub use spline::{Ends, Table};
 
 use crate::expr::{Arena, Expr};
-use crate::syntax::ast::{Closing, Docs, Relation};
+use crate::syntax::ast::{Closing, Docs, Following, Relation};
 use proc_macro2::{Ident, TokenStream};
 
 pub(crate) use definition::{check as check_definition, check_names};
@@ -64,6 +64,10 @@ pub struct Model {
     pub closing: Closing,
     /// There is no warning where the assembly is far from the declared start.
     pub allows_far_start: bool,
+    /// How the motion is followed from the start.
+    pub following: Following,
+    /// The range of time, if it is declared.
+    pub range: Option<Times>,
     /// What the mechanism and its components are made of.
     pub layout: Layout,
     /// The fields of the generated structs.
@@ -110,6 +114,15 @@ pub struct Bounds {
     pub is_inclusive: bool,
     /// As declared: `5 mm ..= 50 mm`.
     pub text: String,
+}
+
+/// The times that a mechanism is meant for, in s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Times {
+    /// The first.
+    pub from: f64,
+    /// The last.
+    pub to: f64,
 }
 
 /// A moving body: a list of coordinates with a kind.

@@ -42,6 +42,7 @@ pub(super) struct Register {
     pub(super) open: Vec<String>,
     /// How many loops are being gone through.
     loops: usize,
+    pub(super) range: Option<Rc<ast::Times>>,
     has_ground: bool,
 }
 
@@ -152,6 +153,10 @@ impl Elaborator<'_> {
                 }
                 register.loops -= 1;
             }
+            Item::Range(times) if register.range.is_some() => {
+                self.diag.refuse::<()>(&times.keyword, Fact::DuplicateRange);
+            }
+            Item::Range(times) => register.range = Some(times.clone()),
             Item::Use(uses) => self.names_are_new(uses),
             _ => {}
         }

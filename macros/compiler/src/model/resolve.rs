@@ -32,6 +32,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     work.unused_components(&register);
     work.requirements_hold(&parameters);
     work.fixed_values_are_finite(&parameters);
+    let range = work.times(&register, &parameters);
     let sketch = work.sketch(&register);
     let Elaborator { arena, functions, requirements, .. } = work;
     let model = Model {
@@ -42,6 +43,8 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
         equations_only: tree.equations_only,
         closing: tree.closing,
         allows_far_start: tree.allows_far_start,
+        following: tree.following,
+        range,
         layout,
         parameters,
         bodies,

@@ -21,6 +21,8 @@ pub struct Mechanism {
     pub closing: Closing,
     /// `#[allow(far_start)]`: no warning where the assembly is far from the declared start.
     pub allows_far_start: bool,
+    /// How the motion is followed from the start.
+    pub following: Following,
     /// `pub` and the like.
     pub visibility: TokenStream,
     /// Name of the generated struct.
@@ -38,6 +40,18 @@ pub enum Closing {
     /// It is said in its documentation.
     Allow,
     /// No assembly is looked for.
+    Off,
+}
+
+/// What becomes of a motion that ends.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Following {
+    /// It is refused within a declared range, and warned of where none is declared.
+    #[default]
+    Declared,
+    /// It is refused in any case.
+    Strict,
+    /// The motion is not followed.
     Off,
 }
 
@@ -71,12 +85,23 @@ pub enum Item {
     Output(Rc<Output>),
     /// `component Name(parameters) { items }`
     Component(Rc<Component>),
+    /// `range t in from..to;`
+    Range(Rc<Times>),
     /// `part name = Component(arguments);`
     Part(Rc<Part>),
     /// `for variable in from..to { items }`
     For(Rc<For<Vec<Item>>>),
     /// An item that was refused, as far as its name could be read.
     Refused(Refused),
+}
+
+/// The times that a mechanism is meant for.
+#[derive(Clone, Debug)]
+pub struct Times {
+    /// `range`
+    pub keyword: Ident,
+    /// The first and the last.
+    pub limits: Limits,
 }
 
 /// What a refused item would have declared; the stub of the mechanism has it all the same.

@@ -1,8 +1,8 @@
 //! The items of a mechanism.
 
 use super::ast::{
-    Argument, Closing, Docs, Expr, Frame, Function, Item, Joint, JointBody, Let, Limits, Mark, Marks, Mechanism, Output, Parameter,
-    Refused, Start, Use,
+    Argument, Closing, Docs, Expr, Following, Frame, Function, Item, Joint, JointBody, Let, Limits, Mark, Marks, Mechanism, Output,
+    Parameter, Refused, Start, Times, Use,
 };
 use super::definition::statement;
 use super::dimension::{dimension, required_dimension};
@@ -50,8 +50,8 @@ fn head(input: ParseStream) -> Parsed<Mechanism> {
     if name == "T" {
         return wrong(&name, Fact::NumberType);
     }
-    let Options { equations_only, closing, allows_far_start } = options;
-    Ok(Mechanism { docs, equations_only, closing, allows_far_start, visibility, name, items: Vec::new() })
+    let Options { equations_only, closing, following, allows_far_start } = options;
+    Ok(Mechanism { docs, equations_only, closing, following, allows_far_start, visibility, name, items: Vec::new() })
 }
 
 /// A mechanism of which only the name could be read.
@@ -61,6 +61,7 @@ fn salvaged(name: Ident) -> Mechanism {
         equations_only: false,
         closing: Closing::default(),
         allows_far_start: false,
+        following: Following::default(),
         visibility: quote::quote!(pub),
         name,
         items: Vec::new(),
@@ -109,11 +110,11 @@ fn item(input: ParseStream, place: Place, diag: &mut Diag) -> Parsed<Item> {
     let Some(keyword) = keyword(input) else {
         return expected(
             input,
-            "an item: `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `part`, `for`, `component`, `function` or `use`",
+            "an item: `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `range`, `part`, `for`, `component`, `function` or `use`",
         );
     };
     let word = keyword.to_string();
-    if !place.is_top && matches!(word.as_str(), "use" | "function" | "ground" | "component") {
+    if !place.is_top && matches!(word.as_str(), "use" | "function" | "ground" | "component" | "range") {
         return wrong(&keyword, Fact::OnlyAtTheTop { word });
     }
     let item = match word.as_str() {
@@ -125,6 +126,7 @@ fn item(input: ParseStream, place: Place, diag: &mut Diag) -> Parsed<Item> {
         "body" => Item::Body(Rc::new(body(input, docs)?)),
         "joint" | "drive" | "redundant" => Item::Joint(Rc::new(joint(input, docs)?)),
         "output" => Item::Output(Rc::new(output(input, docs)?)),
+        "range" => Item::Range(Rc::new(times(input)?)),
         "component" => Item::Component(Rc::new(component(input, docs, diag)?)),
         "part" => Item::Part(Rc::new(part(input, docs)?)),
         "for" => Item::For(Rc::new(repeated_items(input, diag)?)),
@@ -233,6 +235,21 @@ fn limits(input: ParseStream) -> Parsed<Limits> {
     let to = if is_open { None } else { Some(expression(input)?) };
     let range = to.as_ref().map_or(range, |to| range.to(to.range));
     Ok(Limits { from, to, is_inclusive, range })
+}
+
+/// `range t in from..to;`
+fn times(input: ParseStream) -> Parsed<Times> {
+    let keyword = Ident::parse_any(input)?;
+    if self::keyword(input).is_none_or(|word| word != "t") || !input.peek2(Token![in]) {
+        return expected(input, "`t in from..to`");
+    }
+    Ident::parse_any(input)?;
+    let limits = limits(input)?;
+    if limits.from.is_none() || limits.to.is_none() {
+        return wrong(limits.range, Fact::RangeWithoutEnd);
+    }
+    semicolon(input)?;
+    Ok(Times { keyword, limits })
 }
 
 /// `output name = value;`

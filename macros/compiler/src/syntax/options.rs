@@ -1,6 +1,6 @@
 //! What stands before a mechanism: doc comments, `#[equations_only]`, `#[closure(…)]`, `#[allow(far_start)]`.
 
-use super::ast::{Closing, Docs};
+use super::ast::{Closing, Docs, Following};
 use super::tokens::{Attribute, Parsed, attributes, wrong};
 use crate::diag::Fact;
 use crate::model::suggest::nearest;
@@ -12,6 +12,7 @@ pub(super) struct Options {
     pub(super) equations_only: bool,
     pub(super) closing: Closing,
     pub(super) allows_far_start: bool,
+    pub(super) following: Following,
 }
 
 /// Doc comments and options, in any order.
@@ -31,7 +32,8 @@ pub(super) fn options(input: ParseStream) -> Parsed<(Docs, Options)> {
         }
     }
     let (equations_only, allows_far_start) = (equations_only.is_some(), far_start.is_some());
-    Ok((docs, Options { equations_only, closing: closing.unwrap_or_default(), allows_far_start }))
+    let (closing, following) = closing.unwrap_or_default();
+    Ok((docs, Options { equations_only, closing, following, allows_far_start }))
 }
 
 /// `#[allow(far_start)]`
@@ -54,15 +56,16 @@ fn word(attribute: &Attribute) -> Option<syn::Ident> {
     word.parse2(attribute.rest.clone()).ok()
 }
 
-/// `#[closure(deny)]`, `#[closure(allow)]`, `#[closure(off)]`
-fn closing(attribute: &Attribute) -> Parsed<Closing> {
+/// `#[closure(deny)]`, `#[closure(start)]`, `#[closure(allow)]`, `#[closure(off)]`, and how the motion is followed.
+fn closing(attribute: &Attribute) -> Parsed<(Closing, Following)> {
     let Some(word) = word(attribute) else {
         return wrong(&attribute.name, Fact::ClosingWord { near: None });
     };
     match word.to_string().as_str() {
-        "deny" => Ok(Closing::Deny),
-        "allow" => Ok(Closing::Allow),
-        "off" => Ok(Closing::Off),
-        other => wrong(&word, Fact::ClosingWord { near: nearest(other, ["deny", "allow", "off"].into_iter()) }),
+        "deny" => Ok((Closing::Deny, Following::Strict)),
+        "start" => Ok((Closing::Deny, Following::Off)),
+        "allow" => Ok((Closing::Allow, Following::Declared)),
+        "off" => Ok((Closing::Off, Following::Off)),
+        other => wrong(&word, Fact::ClosingWord { near: nearest(other, ["deny", "start", "allow", "off"].into_iter()) }),
     }
 }

@@ -54,7 +54,8 @@ fn random_linkages_that_were_assembled_first_are_accepted() {
     let mut random = Random(0x0123_4567_89ab_cdef);
     for _ in 0..60 {
         // Dyads hung on points of what is there, their lengths measured where they were put.
-        let mut source = String::from("mechanism Linkage { ground { point O = (0mm, 0mm); } body crank { point A = (100mm, 0mm); } ");
+        let mut source =
+            String::from("#[closure(start)] mechanism Linkage { ground { point O = (0mm, 0mm); } body crank { point A = (100mm, 0mm); } ");
         source += "joint o = revolute(ground.O, crank.position); drive input = drive_angle(crank, 30deg + 1rad_s * t); ";
         let mut last = (String::from("crank.A"), [100.0 * 30_f64.to_radians().cos(), 50.0]);
         let dyads = 1 + (random.between(0.0, 5.0) as usize);

@@ -30,7 +30,7 @@ fn four_bars_close_if_and_only_if_a_triangle_does() {
         let tip = [crank * angle.to_radians().cos(), crank * angle.to_radians().sin()];
         let distance = (ground - tip[0]).hypot(tip[1]);
         let wanted = (distance - coupler - rocker).max((coupler - rocker).abs() - distance);
-        let source = four_bar(lengths, angle, "start angle = 100deg;");
+        let source = format!("#[closure(start)] {}", four_bar(lengths, angle, "start angle = 100deg;"));
         if wanted.abs() < 1e-3 {
             continue;
         }
@@ -57,7 +57,7 @@ fn slider_cranks_close_if_and_only_if_the_rod_reaches_the_line() {
     for _ in 0..40 {
         let [crank, rod, height, angle] = [(20.0, 100.0), (20.0, 200.0), (0.0, 200.0), (-180.0, 180.0)].map(|(a, b)| random.between(a, b));
         let source = format!(
-            "mechanism Slider {{ ground {{ axis u = (1, 0); point P = (0mm, {height}mm); }} body crank {{ point A = ({crank}mm, 0mm); }}
+            "#[closure(start)] mechanism Slider {{ ground {{ axis u = (1, 0); point P = (0mm, {height}mm); }} body crank {{ point A = ({crank}mm, 0mm); }}
                 body rod {{ point B = ({rod}mm, 0mm); start angle = 10deg; }} body piston {{}}
                 joint o = revolute(ground.position, crank.position); joint a = revolute(crank.A, rod.position);
                 joint b = revolute(rod.B, piston.position); joint c = translational(ground.u, ground.P, piston.position);
@@ -76,7 +76,7 @@ fn slider_cranks_close_if_and_only_if_the_rod_reaches_the_line() {
 fn the_second_of_two_loops_is_named() {
     // The second loop stands on the rocker of the first, which is at 90° of a rectangle.
     let second = |rod: f64| {
-        four_bar([400.0, 100.0, 400.0, 100.0], 90.0, "start angle = 90deg;").replace(
+        format!("#[closure(start)] {}", four_bar([400.0, 100.0, 400.0, 100.0], 90.0, "start angle = 90deg;")).replace(
             "drive input",
             &format!(
                 "body link {{ point D = ({rod}mm, 0mm); }} body lever {{ point D = (50mm, 0mm); start angle = 200deg; }}

@@ -3,6 +3,7 @@
 mod accepted;
 mod gaps;
 mod nearest;
+mod range;
 mod starts;
 
 use reuleaux_compiler::Compiled;
@@ -16,7 +17,7 @@ fn accepted(source: &str) -> Compiled {
 
 /// The one fact for which a mechanism is refused.
 fn refused(source: &str) -> Fact {
-    let refusals = reuleaux_compiler::compile(source.parse().expect("tokens")).expect_err(source);
+    let refusals = reuleaux_compiler::compile(source.parse().expect("tokens")).err().unwrap_or_else(|| panic!("accepted: {source}"));
     assert_eq!(refusals.len(), 1, "{source}");
     refusals[0].fact.clone()
 }

@@ -50,7 +50,7 @@ fn mirror_images_are_refused_and_both_are_told() {
 fn a_start_of_a_later_body_tells_earlier_ones_apart() {
     // The second loop hangs on the coupler of the first, which is symmetric; its lever is on one side for each of the two.
     let source = |starts: &str| {
-        four_bar([400.0, 100.0, 350.0, 300.0], 0.0, "").replace(
+        format!("#[closure(start)] {}", four_bar([400.0, 100.0, 350.0, 300.0], 0.0, "")).replace(
             "drive input",
             &format!(
                 "body link {{ point D = (250mm, 0mm); }} body lever {{ point D = (300mm, 0mm); {starts} }}
@@ -175,7 +175,7 @@ fn bodies_that_must_be_parallel_make_whole_turns_together() {
 /// What is said of an assembly that is far from its start: the body, and the drive that puts it there.
 fn doubts(source: &str) -> Vec<(String, Option<String>)> {
     let told = |doubt: &Doubt| {
-        let Doubt::FarStart { body, drive, .. } = doubt;
+        let Doubt::FarStart { body, drive, .. } = doubt else { panic!("{doubt:?}") };
         (body.clone(), drive.clone())
     };
     accepted(source).closure.warnings.iter().map(|warning| told(&warning.doubt)).collect()

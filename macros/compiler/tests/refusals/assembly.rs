@@ -29,7 +29,16 @@ four_bar! {
         => "the start is singular: `coupler` and `rocker` are in line at t = 0\nnote: two assemblies meet there, and how fast `coupler` and `rocker` are moving is not determined\nhelp: let `input` have another value at t = 0";
 }
 
+four_bar! {
+    a_range_that_is_too_long: "range t in 0s..350ms; body coupler { point B = (150mm, 0mm); } body rocker { point B = (300mm, 0mm); start angle = 100deg; } joint c = revolute(rocker.position, ground.C); drive «input» = drive_angle(crank, 60rpm * t);"
+        => "`crank` stops at 114° at t = 0.3166 s: `c` cannot stay closed beyond that\nnote: `coupler` and `rocker` are in line there\nhelp: end the range before it, `range t in 0s..0.31s;`, or change a length";
+    a_range_that_begins_too_early: "range t in -350ms..0.1s; body coupler { point B = (150mm, 0mm); } body rocker { point B = (300mm, 0mm); start angle = 100deg; } joint c = revolute(rocker.position, ground.C); drive «input» = drive_angle(crank, 60rpm * t);"
+        => "`crank` stops at -114° at t = -0.3166 s: `c` cannot stay closed beyond that\nnote: `coupler` and `rocker` are in line there\nhelp: end the range before it, `range t in -0.31s..0.1s;`, or change a length";
+}
+
 crate::refusals! {
+    mechanism a_crank_that_cannot_turn: "#[closure(deny)] mechanism FourBar { ground { point C = (400mm, 0mm); } body crank { point A = (100mm, 0mm); } joint o = revolute(ground.position, crank.position); joint a = revolute(crank.A, coupler.position); joint b = revolute(coupler.B, rocker.B); body coupler { point B = (150mm, 0mm); } body rocker { point B = (300mm, 0mm); start angle = 100deg; } joint c = revolute(rocker.position, ground.C); drive «input» = drive_angle(crank, 60rpm * t); }"
+        => "`crank` stops at 114° at t = 0.3166 s: `c` cannot stay closed beyond that\nnote: `coupler` and `rocker` are in line there\nnote: no `range` is declared, so it is followed until everything repeats itself, to t = 1 s\nhelp: write `range t in 0s..0.31s;` if it is to go no further, or change a length";
     mechanism slider_out_of_reach: "mechanism Slider { ground { axis u = (1, 0); point P = (0mm, 120mm); } body crank { point A = (50mm, 0mm); } body rod { point B = (90mm, 0mm); } body piston {} joint o = revolute(ground.position, crank.position); joint a = revolute(crank.A, rod.position); joint b = revolute(rod.B, piston.position); joint «c» = translational(ground.u, ground.P, piston.position); drive input = drive_angle(crank, 1rad_s * t); }"
         => "`c` stays open by 30 mm when `o`, `a` and `b` are closed\nnote: `rod` (90 mm) is 30 mm shorter than the distance of `a` from the line of `c` (120 mm)\nhelp: change a length or a place, or let `input` have another value at t = 0";
     mechanism wheels_too_far_apart: "mechanism Idler { param r: Length = 40mm; ground { point B = (170mm, 0mm); } body idler { } joint one = distance(ground.position, idler.position, 2 * r); joint «two» = distance(ground.B, idler.position, 2 * r); drive input = drive_angle(idler, 1rad_s * t); }"
@@ -44,8 +53,8 @@ crate::refusals! {
         => "`c[2]` stays open by 12.31 mm when `o[2]`, `a[2]` and `b[2]` are closed\nnote: `coupler[2]` (200 mm) + `rocker[2]` (200 mm) is 12.31 mm short of the distance from `a[2]` to `c[2]` (412.3 mm)\nhelp: change a length or a place, or let `input[2]` have another value at t = 0";
     mechanism an_equation_out_of_range: "mechanism Wave { body b {} joint o = revolute((0mm, 0mm), b.position); joint «s» = { sin(b.angle) == 1.5; } }"
         => "`s` stays open by 0.5 when `o` is closed\nhelp: change a length or a place";
-    mechanism word_of_closure: "#[closure(«alow»)] mechanism Crank { body crank {} }" => "`#[closure(…)]` takes one of `deny`, `allow` and `off`\nhelp: did you mean `allow`?";
-    mechanism no_word_of_closure: "#[«closure»] mechanism Crank { body crank {} }" => "`#[closure(…)]` takes one of `deny`, `allow` and `off`";
+    mechanism word_of_closure: "#[closure(«alow»)] mechanism Crank { body crank {} }" => "`#[closure(…)]` takes one of `deny`, `start`, `allow` and `off`\nhelp: did you mean `allow`?";
+    mechanism no_word_of_closure: "#[«closure»] mechanism Crank { body crank {} }" => "`#[closure(…)]` takes one of `deny`, `start`, `allow` and `off`";
     mechanism word_of_allow: "#[allow(«far_star»)] mechanism Crank { body crank {} }" => "`#[allow(…)]` takes the word `far_start` here\nhelp: did you mean `far_start`?\nnote: a lint of Rust is allowed for the module in which the mechanism stands";
     mechanism lint_of_rust: "#[allow(«dead_code»)] mechanism Crank { body crank {} }" => "`#[allow(…)]` takes the word `far_start` here\nnote: a lint of Rust is allowed for the module in which the mechanism stands";
     mechanism closure_twice: "#[closure(off)] #[«closure»(allow)] mechanism Crank { body crank {} }" => "`#[closure]` stands here twice\nhelp: take one of them away";

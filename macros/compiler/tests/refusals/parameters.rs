@@ -15,6 +15,14 @@ crate::refusals! {
     item inclusive_bounds_without_an_end: "param r: Length = 10mm in 5mm..=«;»" => "expected the greatest value, found `;`";
     item bounds_in_a_part: "component Arm(P: Point) { param r: Length = «1mm» in 2mm..; body limb {} joint j = revolute(P, limb.position); } part arm = Arm(ground.O);" => "the default, 1 mm, does not lie in 2 mm ..\nnote: in `arm.r`\nhelp: widen the range, or take a default within";
     item bounds_in_an_array: "for i in 0..3 { param r[i]: Length = «i * 1mm» in 1mm..; }" => "the default, 0 m, does not lie in 1 mm ..\nnote: in `r[0]`\nhelp: widen the range, or take a default within";
+    item range_of_something_else: "range «x» in 0s..1s;" => "expected `t in from..to`, found `x`";
+    item range_without_a_last_time: "range t in «0s..»;" => "a range of time has two ends\nhelp: write `range t in 0s..1s;`";
+    item range_without_a_first_time: "range t in «..1s»;" => "a range of time has two ends\nhelp: write `range t in 0s..1s;`";
+    item range_the_wrong_way_round: "range t in «1s..0s»;" => "no value lies in 1 s .. 0 s\nhelp: the lesser value stands first";
+    item range_of_another_dimension: "range t in 0s..«90deg»;" => "expected a time (s), found an angle (rad)";
+    item range_that_moves: "range t in 0s..«1s * crank.angle / 1rad»;" => "the end of a range of time may depend on parameters only, not on what moves\nhelp: what moves along a body is a body of its own";
+    item range_that_is_not_finite: "range t in 0s..«1s * ln(0)»;" => "the end of a range of time is not a finite number";
+    item range_in_a_loop: "for i in 0..2 { «range» t in 0s..1s; }" => "`range` stands in the mechanism itself, not in a component or a loop\nhelp: move it out";
     item coordinate_of_a_point: "body b { point A = («100deg», 0mm); }" => "a coordinate of a point is a length (m), found an angle (rad)\nhelp: write `100mm`";
     item coordinate_of_a_place: "joint j = revolute((1mm, «2kg»), crank.A);" => "a coordinate of a point is a length (m), found a mass (kg)\nhelp: write `2mm`";
     item coordinate_of_a_start: "body b { start position = («speed», 0mm); }" => "a coordinate of a point is a length (m), found an angular velocity (rad/s)";

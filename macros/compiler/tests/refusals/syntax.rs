@@ -10,8 +10,8 @@ crate::refusals! {
     item keyword_that_is_used_as_a_name: "body «async» { point B = (1m, 0m); } joint weld = weld(async.position, async.B); output end = async.B;" => "`async` is a word of Rust and cannot be a name\nhelp: write `async_`";
     item keyword_since_2024: "body «gen» { point B = (1m, 0m); }" => "`gen` is a word of Rust and cannot be a name\nhelp: write `gen_`";
     item underscore_that_is_used_as_a_name: "body «_» { point B = (1m, 0m); } joint weld = weld(_.position, crank.O);" => "expected the name of the body, found `_`";
-    item item_is_unknown: "«parm» a: Length = 10mm;" => "`parm` is no item of a mechanism\nhelp: did you mean `param`?\nnote: items are `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `part`, `for`, `component`, `function` and `use`";
-    item item_is_no_word: "«5» a: Length = 10mm;" => "expected an item: `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `part`, `for`, `component`, `function` or `use`, found `5`";
+    item item_is_unknown: "«parm» a: Length = 10mm;" => "`parm` is no item of a mechanism\nhelp: did you mean `param`?\nnote: items are `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
+    item item_is_no_word: "«5» a: Length = 10mm;" => "expected an item: `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `range`, `part`, `for`, `component`, `function` or `use`, found `5`";
     item item_of_a_body_is_unknown: "body b { «pointt» P = (0mm, 0mm); }" => "`pointt` is no item of a body\nhelp: did you mean `point`?\nnote: a body has `point`, `axis` and `start`";
     item mass_is_to_come: "body b { «mass» = 2kg; }" => "`mass` is no item of a body\nnote: a body has `point`, `axis` and `start`";
     item body_without_braces: "body b«;»" => "expected `{` and the points of the body, found `;`";

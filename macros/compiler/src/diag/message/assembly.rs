@@ -2,7 +2,8 @@
 
 use super::words::{equation, list};
 use crate::closure::{Bound, Gap};
-use crate::diag::Fact;
+use crate::diag::{Driven, Fact};
+use crate::model::Dim;
 use std::fmt::{Formatter, Result};
 
 pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
@@ -59,8 +60,76 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
             let [x, y] = place.map(|value| significant(value * 1e3));
             write!(f, "\nhelp: write `start position = ({x}mm, {y}mm);` in {of}")
         }
+        Fact::MotionEnds { joint, driven, time, in_line, until, declared } => {
+            match driven.as_slice() {
+                [only] => write!(f, "{}", stops(only))?,
+                _ => write!(f, "the motion stops")?,
+            }
+            write!(f, " at t = {} s", significant(*time))?;
+            if driven.len() > 1 {
+                write!(f, ", {}", places(driven))?;
+            }
+            write!(f, ": `{joint}` cannot stay closed beyond that")?;
+            if !in_line.is_empty() {
+                write!(f, "\nnote: {} are in line there", list(in_line))?;
+            }
+            let before = short_of(*time);
+            let [from, to] = if *time < 0.0 {
+                [before, declared.map_or(0.0, |declared| declared[1])]
+            } else {
+                [declared.map_or(0.0, |declared| declared[0]), before]
+            };
+            let range = format!("range t in {}s..{}s;", significant(from), significant(to));
+            if declared.is_some() {
+                return write!(f, "\nhelp: end the range before it, `{range}`, or change a length");
+            }
+            write!(
+                f,
+                "\nnote: no `range` is declared, so it is followed until everything repeats itself, to t = {} s",
+                significant(*until)
+            )?;
+            write!(f, "\nhelp: write `{range}` if it is to go no further, or change a length")
+        }
+        Fact::Crosses { driven, time } => {
+            write!(f, "two assemblies meet at t = {} s", significant(*time))?;
+            if driven.is_empty() { Ok(()) } else { write!(f, ", {}", places(driven)) }
+        }
         _ => Ok(()),
     }
+}
+
+/// `crank` stops at 43.8°
+fn stops(driven: &Driven) -> String {
+    match place(driven) {
+        Some(place) => format!("`{}` stops at {place}", driven.name),
+        None => format!("`{}` stops", driven.name),
+    }
+}
+
+/// `crank` at 43.8° and `slider` at x = 30 mm
+fn places(driven: &[Driven]) -> String {
+    let one = |driven: &Driven| match place(driven) {
+        Some(place) => format!("`{}` at {place}", driven.name),
+        None => format!("`{}`", driven.name),
+    };
+    let all: Vec<String> = driven.iter().map(one).collect();
+    match all.split_last() {
+        Some((last, first)) if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        _ => all.concat(),
+    }
+}
+
+fn place(driven: &Driven) -> Option<String> {
+    let (value, dim) = driven.value?;
+    let value = if dim == Dim::ANGLE { degrees(value) } else { millimetres(value) };
+    Some(if matches!(driven.coordinate, "" | "angle") { value } else { format!("{} = {value}", driven.coordinate) })
+}
+
+/// The last number of two digits before a time, nearer to 0.
+fn short_of(time: f64) -> f64 {
+    let unit = 10.0_f64.powf(time.abs().log10().floor() - 1.0);
+    let whole = (time.abs() / unit * (1.0 - 1e-6)).floor();
+    (whole * unit).copysign(time)
 }
 
 /// Why it does not close, if that is known, and what to do.

@@ -78,6 +78,7 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
             write!(f, "the start of `{body}` gives `{name}` twice\nhelp: take one away")?;
             if name == "angle" { Ok(()) } else { write!(f, "; `position` is both `x` and `y`") }
         }
+        Fact::DuplicateRange => write!(f, "there is one range of time only\nhelp: take one of them away"),
         Fact::DuplicateGround => write!(f, "there is one ground only\nhelp: put all its points and axes into one `ground {{ … }}`"),
         Fact::Reserved { name } if name == "ground" => {
             write!(f, "`ground` is what stands still\nhelp: its points go into `ground {{ … }}`, without `body`; all else has another name")

@@ -107,6 +107,7 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
                 write!(f, "the lesser value stands first")
             }
         }
+        Fact::RangeWithoutEnd => write!(f, "a range of time has two ends\nhelp: write `range t in 0s..1s;`"),
         Fact::DefaultOutOfBounds { value, bounds } => {
             write!(f, "the default, {value}, does not lie in {bounds}\nhelp: widen the range, or take a default within")
         }

@@ -1,0 +1,103 @@
+//! Whether the motion goes on from the start over the whole range of time.
+//!
+//! In: a start that is closed and regular. Out: what is remarkable on the way: where a loop cannot stay closed, with the time and what
+//! the drive has come to, which is refused where a range is declared; and where two branches cross. The range is the declared one, or as long as it takes until
+//! all laws repeat themselves or rest.
+//!
+//! 1. `law`: how long that is.
+//! 2. `chain`: blocks are solved one after the other, as the generated code does, by the interpreter.
+//! 3. `walk`: step by step, each short enough that the branch is sure.
+//! 4. `turn`: where no step succeeds the block is followed along its own curve, which shows where it turns back.
+//! 5. `blame`: what is said.
+//! 6. `corners`: the same with parameters at the ends of their bounds.
+//!
+//! Nothing is refused that was not seen: where a step can be made neither on the path nor along the curve, where a Rust function is
+//! needed, or where it would take more operations than the search for the start took, nothing is said.
+
+mod blame;
+mod chain;
+mod corners;
+mod law;
+mod matrix;
+mod turn;
+mod walk;
+
+use super::Room;
+use crate::diag::{Fact, Range};
+use crate::structure::Structure;
+use blame::Blame;
+use chain::{Chain, Path};
+use walk::Way;
+
+/// Operations that are spent in any case: a start that is declared exactly is found in no time.
+const LEAST: u64 = 200_000;
+
+/// Times that are nearer to each other than this part of the range are one.
+const ONE_TIME: f64 = 1e-9;
+
+/// What following the motion has shown.
+#[derive(Default)]
+pub(super) struct Travel {
+    /// The first and the last time that were reached.
+    pub(super) reached: [f64; 2],
+    /// Where the motion ends within the range.
+    pub(super) end: Option<(Range, Fact)>,
+    /// What is worth a line on the page of the type.
+    pub(super) notes: Vec<String>,
+    /// Operations of the interpreter.
+    pub(super) spent: u64,
+}
+
+/// Follows the motion from an assembled start; `effort`: given, the operations that the start took.
+pub(super) fn travel(room: &Room, structure: &Structure, start: &[f64], effort: u64) -> Travel {
+    let most = effort.max(LEAST);
+    let mut travel = Travel::default();
+    travel.both_ways(room, structure, start, most);
+    if travel.end.is_none() && travel.reached != [0.0; 2] {
+        corners::visit(&mut travel, room, structure, start, most);
+    }
+    travel
+}
+
+impl Travel {
+    /// Forwards and backwards from t = 0 at the parameters of a room, as far as the range goes.
+    fn both_ways(&mut self, room: &Room, structure: &Structure, start: &[f64], most: u64) {
+        for sign in [1.0, -1.0] {
+            let path = Path { sign, from: room.known.parameters.to_vec(), to: None };
+            let Some(mut chain) = Chain::new(room, structure, start, path, most.saturating_sub(self.spent)) else { return };
+            self.along(&mut chain, structure, start);
+            self.spent = most - chain.left;
+            if self.end.is_some() || chain.left == 0 {
+                return;
+            }
+        }
+    }
+
+    /// One way from t = 0.
+    fn along(&mut self, chain: &mut Chain, structure: &Structure, start: &[f64]) {
+        let (room, sign) = (chain.room, chain.path.sign);
+        let blocks: Vec<usize> = chain.members.iter().map(|member| member.block).collect();
+        let span = law::span(room, structure, blocks.into_iter(), start);
+        let stops = span.as_ref().map(|span| span.stops.clone()).unwrap_or_default();
+        let declared = room.model.range.map(|range| sign * if sign > 0.0 { range.to } else { range.from });
+        let until = match (declared, span) {
+            // What repeats itself is followed once.
+            (Some(declared), Some(span)) if sign > 0.0 => declared.min(span.until),
+            (Some(declared), _) => declared,
+            (None, Some(span)) if sign > 0.0 => span.until,
+            _ => return,
+        };
+        if until <= 0.0 || !until.is_finite() {
+            return;
+        }
+        let Some(begin) = chain.begin(start) else { return };
+        let way = chain.follow(begin, until, &stops);
+        let blame = Blame { room, structure, chain, until };
+        match way {
+            Way::Through(_) => self.reached[usize::from(sign > 0.0)] = sign * until,
+            Way::End(place) if place.at < until * (1.0 - ONE_TIME) => self.end = blame.end(&place),
+            Way::Crossing(place) if place.at < until * (1.0 - ONE_TIME) => self.notes.extend(blame.crossing(&place)),
+            Way::End(_) | Way::Crossing(_) | Way::Lost => {}
+        }
+    }
+}
