@@ -202,7 +202,7 @@ pub(crate) fn solve<T: Float, L: Linear<T, K>, const K: usize, const N: usize>(
 /// A length that has become larger than L is measured by itself.
 fn grown<T: Float, const K: usize, const N: usize>(mut scale: Scale<T, K>, block: &Block<K>, q: &SVector<T, N>) -> Scale<T, K> {
     for k in 0..K {
-        let size = q[block.unknowns[k]].abs();
+        let size = of(q, block.unknowns[k]).abs();
         if block.kinds[k] == CoordinateKind::Length && size > scale.length {
             (scale.column[k], scale.share[k]) = (size, T::of(1.0) / size);
         }

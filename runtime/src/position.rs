@@ -34,7 +34,7 @@ const COARSEST_ANGLE: f64 = 1.0 / 64.0;
 const LARGEST_CHANGE: f64 = 0.25;
 
 /// Rounding errors are looked for at these places, as multiples of the way to where another solution may be.
-const PLACES: [f64; 8] = [0.5, -0.5, 1.0, -1.0, 1.9, -1.9, 2.9, -2.9];
+const PLACES: [f64; 4] = [0.5, 1.0, 1.9, 2.9];
 
 /// How much larger rounding errors may be than they are there.
 const BEYOND_PLACES: f64 = 2.0;
@@ -189,8 +189,10 @@ fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: &
     // Up to the cube root of ε what Φ has of third order is below rounding.
     let reach = smaller(T::of(1.0) / curvature, cube_root_of_epsilon());
     let mut error = T::EPSILON * scale.norm(&place.x);
-    for multiple in PLACES {
-        let way = along.map(|entry| T::of(multiple) * reach * entry);
+    // Each is converted where it stands, before the machine runs: a loop over doubles would convert them then.
+    let [a, b, c, d] = PLACES;
+    for multiple in [T::of(a), T::of(-a), T::of(b), T::of(-b), T::of(c), T::of(-c), T::of(d), T::of(-d)] {
+        let way = along.map(|entry| multiple * reach * entry);
         let there = place.moved(T::of(1.0), &way, problem.turns());
         let way = SVector::from_fn(|k, _| there.x[k] - place.x[k]);
         let (beside, jacobian) = problem.linearize(&there);

@@ -110,9 +110,10 @@ impl<'a, T: Lanes, const N: usize> Departure<'a, T, N> {
         let mut way = T::of(0.0);
         for k in 0..K {
             let i = scene.unknowns[k];
-            let terms = [first * self.here.qd[i], second * self.here.qdd[i], rest * self.here.trend.rest[i]];
+            let of = |vector: &SVector<T, N>| of(vector, i);
+            let terms = [first * of(&self.here.qd), second * of(&self.here.qdd), rest * of(&self.here.trend.rest)];
             // q̈ comes last.
-            x[k] = ((self.here.q[i] + terms[2]) + terms[0]) + terms[1];
+            x[k] = ((of(&self.here.q) + terms[2]) + terms[0]) + terms[1];
             way = way + (terms[0].abs() + terms[1].abs() + terms[2].abs()) * scene.share[k];
         }
         (x, way)
@@ -130,7 +131,7 @@ impl<'a, T: Lanes, const N: usize> Departure<'a, T, N> {
         let side = *self.sides.get(name)?;
         let mut follows = self.moving.and(way.at_most(T::of(LONGEST_PREDICTION)));
         let mut place = if self.is_small {
-            Place::after(SVector::from_fn(|k, _| self.here.q[scene.unknowns[k]]), x, scene.turns)
+            Place::after(SVector::from_fn(|k, _| of(&self.here.q, scene.unknowns[k])), x, scene.turns)
         } else {
             Place::at(x, scene.turns)
         };
@@ -179,6 +180,12 @@ fn is_found<T: Lanes>(length: T, next: T, condition: T, effect: T) -> T::Mask {
     let is_short = (length * length * (T::of(1.0 / ILL) * condition).max(T::of(1.0))).at_most(T::EPSILON);
     let is_last = next.at_most(T::of(ROUNDINGS) * T::EPSILON * effect);
     is_short.and(is_last).and((condition * T::ROOT_EPSILON).at_most(T::of(CERTAIN)))
+}
+
+/// The entry of an unknown, whose index is in range.
+#[inline(always)]
+fn of<T: Lanes, const N: usize>(vector: &SVector<T, N>, unknown: usize) -> T {
+    vector.data.0[0].get(unknown).copied().unwrap_or(T::of(f64::NAN))
 }
 
 /// After a correction that was not the last.

@@ -64,12 +64,13 @@ pub(crate) fn diverging<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     next: T,
 ) -> Option<(Cause<T>, T)> {
     let scale = Scale::of(equations);
-    let size = |i: usize| here.q[i].abs() / scale.length;
-    let is_length = |i: &usize| names::coordinate(E::COORDINATES, *i).kind == CoordinateKind::Length;
-    let most = (0..N).filter(is_length).reduce(|best, i| if size(i) > size(best) { i } else { best })?;
-    let grows = here.q[most] * here.qd[most] * (next - here.t) > T::of(0.0);
-    let cause = Cause::Diverges { coordinate: names::coordinate(E::COORDINATES, most), value: here.q[most] };
-    (size(most) > T::of(FAR) && grows).then(|| (cause, here.t + here.q[most] / here.qd[most]))
+    let named = |i: usize| names::coordinate(E::COORDINATES, i);
+    let all = here.q.iter().zip(here.qd.iter()).enumerate().map(|(i, (&place, &rate))| (named(i), place, rate));
+    let lengths = all.filter(|(coordinate, ..)| coordinate.kind == CoordinateKind::Length);
+    let (coordinate, value, rate) = lengths.reduce(|best, next| if next.1.abs() > best.1.abs() { next } else { best })?;
+    let grows = value * rate * (next - here.t) > T::of(0.0);
+    let is_far = value.abs() / scale.length > T::of(FAR);
+    (is_far && grows).then(|| (Cause::Diverges { coordinate, value }, here.t + value / rate))
 }
 
 /// The coordinate in which two positions differ most.
