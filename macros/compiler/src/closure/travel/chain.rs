@@ -214,7 +214,9 @@ impl<'a> Chain<'a> {
             let contraction = size / last;
             // The next correction would be smaller by as much again, at least.
             let is_close = iteration > 0 && contraction < 1.0 && contraction * size <= enough;
-            let is_there = !member.is_iterated || size <= rounding || is_close;
+            // Near its limit of accuracy a correction is not smaller than the one before it.
+            let is_at_its_limit = contraction > 0.5 && size <= 1e3 * rounding;
+            let is_there = !member.is_iterated || size <= rounding || is_close || is_at_its_limit;
             if is_there {
                 let rate = factors.solve(&local.drift).ok_or(failed)?;
                 for ((unknown, rate), scale) in member.unknowns.iter().zip(&rate).zip(&member.scales) {
@@ -222,9 +224,7 @@ impl<'a> Chain<'a> {
                 }
                 return Ok(Settled { correction: first, sign: factors.sign, size: factors.size });
             }
-            // Near its limit of accuracy a correction is not smaller than the one before it.
-            let is_stuck = contraction > 0.5 && size > 1e3 * rounding;
-            if is_stuck {
+            if contraction > 0.5 {
                 return Err(failed);
             }
             last = size;

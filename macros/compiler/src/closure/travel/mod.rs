@@ -12,7 +12,7 @@
 //! 6. `corners`: the same with parameters at the ends of their bounds.
 //!
 //! Nothing is refused that was not seen: where a step can be made neither on the path nor along the curve, where a Rust function is
-//! needed, or where it would take more operations than the search for the start took, nothing is said.
+//! needed, or where it would take too many operations, nothing is said.
 
 mod blame;
 mod chain;
@@ -32,6 +32,9 @@ use walk::Way;
 /// Operations that are spent in any case: a start that is declared exactly is found in no time.
 const LEAST: u64 = 200_000;
 
+/// The same for each coordinate: reading and deriving its equations takes far longer.
+const LEAST_EACH: u64 = 1_000;
+
 /// Times that are nearer to each other than this part of the range are one.
 const ONE_TIME: f64 = 1e-9;
 
@@ -50,7 +53,7 @@ pub(super) struct Travel {
 
 /// Follows the motion from an assembled start; `effort`: given, the operations that the start took.
 pub(super) fn travel(room: &Room, structure: &Structure, start: &[f64], effort: u64) -> Travel {
-    let most = effort.max(LEAST);
+    let most = effort.max(LEAST + LEAST_EACH * start.len() as u64);
     let mut travel = Travel::default();
     travel.both_ways(room, structure, start, most);
     if travel.end.is_none() && travel.reached != [0.0; 2] {
