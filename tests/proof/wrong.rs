@@ -30,8 +30,7 @@ where
     let mut random = fastrand::Rng::with_seed(11);
     let (mechanism, file) = (M::default(), file(&format!("mechanisms/{name}.json")));
     let states = list(&file["states"]);
-    let assemblies: Vec<Vec<Decimal>> =
-        file["other_assemblies_at_t0"].as_array().into_iter().flatten().map(|other| decimals(other)).collect();
+    let assemblies: Vec<Vec<Decimal>> = file["other_assemblies_at_t0"].as_array().into_iter().flatten().map(decimals).collect();
     for (index, reference) in states.iter().enumerate() {
         let solution = decimals(&reference["q"]);
         let doubles: Vec<f64> = solution.iter().map(|entry| entry.value).collect();

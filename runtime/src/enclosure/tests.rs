@@ -7,6 +7,7 @@ use crate::table::Ends;
 use crate::{Real, Table};
 
 /// Functions at doubles, as a double and what is left over (mpmath 1.3.0, 400 bits).
+#[allow(clippy::approx_constant, clippy::excessive_precision)] // Multiples of π as doubles are where functions are hardest.
 const VALUES: &[(&str, f64, [f64; 2])] = &[
     ("sin", 0.0, [0.0, 0.0]),
     ("sin", 1e-09, [1e-09, -1.6666666666666669e-28]),
@@ -110,7 +111,7 @@ fn functions_of_balls_hold_the_values_of_what_is_in_them() {
             for share in [-1.0, -0.3, 0.9, 1.0] {
                 // A ball in which x is, near its edge or not.
                 let ball = Ball::around(Twofold::of(x) - Twofold::of(share * radius), radius * (1.0 + 1e-12));
-                assert!(!(outside(value(name, ball), Twofold { high, low }) > 1e-30 * (1.0 + high.abs())), "{name} {x} in {ball:?}");
+                assert!(outside(value(name, ball), Twofold { high, low }) <= 1e-30 * (1.0 + high.abs()), "{name} {x} in {ball:?}");
             }
         }
     }
@@ -123,7 +124,7 @@ fn samples(ball: Ball) -> impl Iterator<Item = Twofold> {
 
 #[test]
 fn arithmetic_holds_what_numbers_do() {
-    let balls = || (1..60).map(|n| f64::from(n)).map(|n| Ball::around(Twofold::of(libm::sin(n) * n), libm::exp2(-n) + 1e-3 / n));
+    let balls = || (1..60).map(f64::from).map(|n| Ball::around(Twofold::of(libm::sin(n) * n), libm::exp2(-n) + 1e-3 / n));
     for (a, b) in balls().zip(balls().skip(11)) {
         for (x, y) in samples(a).flat_map(|x| samples(b).map(move |y| (x, y))) {
             for (found, number) in [(a + b, x + y), (a - b, x - y), (a * b, x * y), (a / b, x / y)] {
