@@ -15,7 +15,7 @@ use crate::scale::length_of;
 use crate::stages::{Coordinates, Stages};
 use crate::straight::{Departure, SURE};
 use crate::verdict;
-use crate::{Cause, CoordinateKind, Culprit, Failure, Float, Lanes, Mask, State, names};
+use crate::{Cause, CoordinateKind, Culprit, Failure, Float, Lanes, Mask, State, Values, names};
 
 /// Steps of one continuation, accepted or not, by a mechanism of a few coordinates; more coordinates take fewer, in about the same time.
 const MOST_STEPS: usize = 1_000_000;
@@ -346,7 +346,7 @@ pub(crate) fn reached<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
         }
     }
     let Found { branch, condition, iterations, .. } = care.found();
-    let state = State { branch, condition, iterations, mark: equations.mark(), ..State::new(t, q, qd, qdd) };
+    let state = State::solved(Values { t, q, qd, qdd, branch, condition, iterations }, equations.mark());
     Ok((state, care.contradiction()))
 }
 

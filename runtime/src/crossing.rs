@@ -15,7 +15,7 @@ use crate::careful::Care;
 use crate::continuation::{is_same_branch, reached};
 use crate::order::greater;
 use crate::stages::Stages;
-use crate::{Float, State};
+use crate::{Float, State, Values};
 
 /// The least condition next to a crossing, as a share of 1 / √ε: two branches that do not meet are told apart before.
 const CLOSE: f64 = 1.0 / 256.0;
@@ -105,7 +105,7 @@ fn interpolated<T: Float, const N: usize>(near: &State<T, N>, far: &State<T, N>,
         (second + s * (of(6.0) * c3 + s * (of(12.0) * c4 + s * of(20.0) * c5))) / (h * h)
     });
     let condition = greater(near.condition * near.condition, far.condition * far.condition);
-    State { branch: far.branch, condition, iterations: far.iterations, ..State::new(t, q, qd, qdd) }
+    State::solved(Values { t, q, qd, qdd, branch: far.branch, condition, iterations: far.iterations }, 0)
 }
 
 /// By steps of half of what is left, so close to the crossing that the condition is `close`.

@@ -108,7 +108,7 @@ pub use real::Real;
 #[doc(hidden)]
 pub use stages::mark_of;
 pub use stages::{Coordinates, Stages, at_once, improved_at_once, improved_by};
-pub use state::{Motion, Orientation, PlanarBody, State};
+pub use state::{Motion, Orientation, PlanarBody, State, Values};
 pub use sweep::{Sweep, sweep};
 pub use table::{Ends, Table};
 

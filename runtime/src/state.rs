@@ -1,13 +1,27 @@
 //! A solved state, and the ways to look at it.
 
+use core::ops::{Deref, DerefMut};
+
 use nalgebra::{SVector, Vector2};
 
 use crate::continuation::Stride;
 use crate::{Coordinates, Float, Lanes, Mask, Real};
 
 /// Position, velocity and acceleration of a mechanism at one instant.
+///
+/// Its fields are those of [`Values`]: `state.q`, `state.t` and so on. They may be written to, and what was written is where the next
+/// step sets out from; but nothing of such a state is taken for solved any more.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State<T, const N: usize> {
+    pub(crate) values: Values<T, N>,
+    /// Of the parameters that it was solved with; 0 if it was not.
+    pub(crate) mark: u64,
+    pub(crate) trend: Trend<T, N>,
+}
+
+/// What a [`State`] tells.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Values<T, const N: usize> {
     /// Time in s.
     pub t: T,
     /// Coordinates in m and rad.
@@ -24,9 +38,24 @@ pub struct State<T, const N: usize> {
     pub condition: T,
     /// How often Φ_q was formed and factored to get here from the predicted or guessed position.
     pub iterations: usize,
-    /// Of the parameters that it was solved with.
-    pub(crate) mark: u64,
-    pub(crate) trend: Trend<T, N>,
+}
+
+impl<T, const N: usize> Deref for State<T, N> {
+    type Target = Values<T, N>;
+
+    #[inline(always)]
+    fn deref(&self) -> &Values<T, N> {
+        &self.values
+    }
+}
+
+impl<T, const N: usize> DerefMut for State<T, N> {
+    /// What is written to was not solved.
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut Values<T, N> {
+        self.mark = 0;
+        &mut self.values
+    }
 }
 
 /// What the step to a state tells about the next, beyond the state itself: a help for predictions, and no part of what the state is,
@@ -104,19 +133,22 @@ impl<T: Real, const N: usize> State<T, N> {
         let pick = |vector: &SVector<T, N>| SVector::from_fn(|k, _| vector.get(held[k]).copied().unwrap_or(T::of(f64::NAN)));
         let branch = held.map(|i| self.branch.get(i).copied().unwrap_or(Orientation::Positive));
         let trend = Trend { span: self.trend.span, rest: pick(&self.trend.rest) };
-        let Self { t, condition, iterations, .. } = *self;
-        State { t, q: pick(&self.q), qd: pick(&self.qd), qdd: pick(&self.qdd), branch, condition, iterations, mark: 0, trend }
+        let Values { t, condition, iterations, .. } = self.values;
+        let values = Values { t, q: pick(&self.q), qd: pick(&self.qd), qdd: pick(&self.qdd), branch, condition, iterations };
+        State { values, mark: 0, trend }
     }
 
     /// Takes back what became of a part; the rest rests.
     pub(crate) fn take<const P: usize>(&mut self, held: &[usize; P], part: &State<T, P>) {
         for (k, &i) in held.iter().enumerate() {
             if i < N {
-                (self.q[i], self.qd[i], self.qdd[i]) = (part.q[k], part.qd[k], part.qdd[k]);
+                let there = &mut self.values;
+                (there.q[i], there.qd[i], there.qdd[i]) = (part.q[k], part.qd[k], part.qdd[k]);
                 self.trend.rest[i] = part.trend.rest[k];
             }
         }
-        (self.t, self.condition, self.iterations) = (part.t, part.condition, part.iterations);
+        let there = &mut self.values;
+        (there.t, there.condition, there.iterations) = (part.t, part.condition, part.iterations);
         self.trend.span = part.trend.span;
     }
 
@@ -162,8 +194,19 @@ impl<T: Real, const N: usize> State<T, N> {
     /// A state that was not solved for: a moment (s), positions (m, rad), rates and accelerations.
     #[must_use]
     pub fn new(t: T, q: SVector<T, N>, qd: SVector<T, N>, qdd: SVector<T, N>) -> Self {
-        let (branch, condition, trend) = ([Orientation::Positive; N], T::of(1.0), Trend::none());
-        Self { t, q, qd, qdd, branch, condition, iterations: 0, mark: 0, trend }
+        let (branch, condition) = ([Orientation::Positive; N], T::of(1.0));
+        Self::solved(Values { t, q, qd, qdd, branch, condition, iterations: 0 }, 0)
+    }
+
+    /// A state that was solved for, with parameters of this mark.
+    pub(crate) fn solved(values: Values<T, N>, mark: u64) -> Self {
+        Self { values, mark, trend: Trend::none() }
+    }
+
+    /// The values, to write to without the state being any the wiser: for tests of what a step leaves as it is.
+    #[doc(hidden)]
+    pub fn in_secret(&mut self) -> &mut Values<T, N> {
+        &mut self.values
     }
 }
 
@@ -219,15 +262,16 @@ impl<T: Lanes, const N: usize> State<T, N> {
     #[inline(always)]
     pub(crate) fn follow_on(&mut self, t: T, stride: &Stride<T>, there: &Coordinates<T, N>) {
         let (&Stride { h, found, condition, iterations }, Coordinates { q, qd, qdd }) = (stride, there);
-        self.iterations = iterations;
+        let here = &mut self.values;
+        here.iterations = iterations;
         if found.all() {
-            (self.trend.span, self.condition) = (h, condition);
-            (self.t, self.q, self.qd, self.qdd) = (t, *q, *qd, *qdd);
+            (self.trend.span, here.condition) = (h, condition);
+            (here.t, here.q, here.qd, here.qdd) = (t, *q, *qd, *qdd);
         } else {
             let pick = |then, otherwise| T::pick(found, then, otherwise);
-            (self.trend.span, self.condition) = (pick(h, self.trend.span), pick(condition, self.condition));
-            self.t = pick(t, self.t);
-            (self.q, self.qd, self.qdd) = (q.zip_map(&self.q, pick), qd.zip_map(&self.qd, pick), qdd.zip_map(&self.qdd, pick));
+            (self.trend.span, here.condition) = (pick(h, self.trend.span), pick(condition, here.condition));
+            here.t = pick(t, here.t);
+            (here.q, here.qd, here.qdd) = (q.zip_map(&here.q, pick), qd.zip_map(&here.qd, pick), qdd.zip_map(&here.qdd, pick));
         }
     }
 }

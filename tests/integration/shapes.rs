@@ -159,10 +159,21 @@ fn what_rests_is_taken_from_the_state_before() {
     let scene = Scene { held: 0.9 };
     let mut state = scene.solve(0.0).unwrap();
     // A mark that a solution would remove.
-    let mark = state.0.q[5] + 1e-3;
-    state.0.q[5] = mark;
+    let solved = state.q[5];
+    let mark = solved + 1e-3;
+    state.0.in_secret().q[5] = mark;
     scene.advance(&mut state, 0.01).unwrap();
     assert_eq!(state.q[5], mark);
+    // Who writes to a state openly has it solved again.
+    state.0.q[5] = mark;
+    scene.advance(&mut state, 0.02).unwrap();
+    assert!((state.q[5] - solved).abs() < 1e-15);
+    for wrong in [f64::NAN, f64::INFINITY, 1e300] {
+        state.0.qd[5] = wrong;
+        if scene.advance(&mut state, 0.03).is_ok() {
+            assert_eq!((state.qd[5], state.qdd[5]), (0.0, 0.0));
+        }
+    }
 }
 
 #[test]
@@ -198,7 +209,7 @@ fn a_block_whose_drive_rests_is_not_solved_again() {
     let rockers = [14, 86];
     let marks = rockers.map(|i| state.0.q[i] + 1e-3);
     for (i, mark) in rockers.into_iter().zip(marks) {
-        state.0.q[i] = mark;
+        state.0.in_secret().q[i] = mark;
     }
     relay.advance(&mut state, 3.41).unwrap();
     assert_eq!(rockers.map(|i| state.q[i]), marks);

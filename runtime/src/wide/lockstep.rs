@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::Wide;
 use crate::continuation::stride;
 use crate::state::Trend;
-use crate::{Failure, Family, Mask, Mechanism, Orientation, Stages, State};
+use crate::{Failure, Family, Mask, Mechanism, Orientation, Stages, State, Values};
 
 /// `L` mechanisms of one declaration, one in each lane of `W`, with the states they have reached.
 ///
@@ -137,8 +137,8 @@ where
 
     fn pick(&self, lane: usize) -> State<W::Lane, N> {
         let of = |vector: &SVector<W, N>| vector.map(|entry| entry.to_lanes()[lane]);
-        let State { t, q, qd, qdd, condition, iterations, trend, .. } = &self.state;
-        State {
+        let State { values: Values { t, q, qd, qdd, condition, iterations, .. }, trend, .. } = &self.state;
+        let values = Values {
             t: t.to_lanes()[lane],
             q: of(q),
             qd: of(qd),
@@ -146,9 +146,8 @@ where
             branch: self.branches.map(|sides| W::to_sides(sides)[lane]),
             condition: condition.to_lanes()[lane],
             iterations: *iterations,
-            mark: 0,
-            trend: Trend { span: trend.span.to_lanes()[lane], rest: of(&trend.rest) },
-        }
+        };
+        State { values, mark: 0, trend: Trend { span: trend.span.to_lanes()[lane], rest: of(&trend.rest) } }
     }
 
     fn put(&mut self, lane: usize, from: &State<W::Lane, N>) {
@@ -157,7 +156,7 @@ where
             lanes[lane] = value;
             *number = W::from_lanes(lanes);
         };
-        let State { t, q, qd, qdd, condition, iterations, trend, .. } = &mut self.state;
+        let State { values: Values { t, q, qd, qdd, condition, iterations, .. }, trend, .. } = &mut self.state;
         set(t, from.t);
         set(condition, from.condition);
         set(&mut trend.span, from.trend.span);
@@ -171,7 +170,7 @@ where
             *sides = W::from_sides(lanes);
         }
         if lane == 0 {
-            self.state.branch = from.branch;
+            self.state.values.branch = from.branch;
         }
     }
 }
