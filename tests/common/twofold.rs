@@ -113,8 +113,13 @@ impl Real for Twofold {
 
     /// The remainder to a whole number of quarter turns by the series, and then the quarters.
     fn sin_cos(self) -> (Self, Self) {
-        let quarters = (self / QUARTER).high.round();
-        let rest = self - QUARTER * Self::of(quarters);
+        let (mut rest, mut quarters) = (self, 0.0_f64);
+        // Of a large angle more than once: the number of quarter turns is rounded itself.
+        for _ in 0..3 {
+            let more = (rest / QUARTER).high.round();
+            rest = rest - QUARTER * Self::of(more);
+            quarters = quarters.rem_euclid(4.0) + more.rem_euclid(4.0);
+        }
         let square = -(rest * rest);
         let sine = Self::series(rest, |term, n| term * square / Self::of(2.0 * n * (2.0 * n + 1.0)));
         let cosine = Self::series(Self::of(1.0), |term, n| term * square / Self::of(2.0 * n * (2.0 * n - 1.0)));

@@ -1,0 +1,99 @@
+//! Cases are bytes: whatever bytes there are, they are a case, and the same bytes are the same case.
+
+use reuleaux::Float;
+
+/// Bytes that are read one after the other; after the last one come zeros.
+#[derive(Clone, Debug)]
+pub struct Bytes<'a> {
+    rest: &'a [u8],
+    /// Numbers are none, nearly nothing, or at most this.
+    largest: f64,
+}
+
+/// Numbers at which something ends: of `f64`, and those of them that `f32` has.
+const EDGES: [f64; 32] = [
+    0.0,
+    -0.0,
+    f64::NAN,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    f64::MAX,
+    f64::MIN,
+    f64::MIN_POSITIVE,
+    5e-324,
+    -5e-324,
+    1e300,
+    -1e300,
+    1e-300,
+    1e160,
+    -1e160,
+    1e-160,
+    1e100,
+    1e60,
+    f32::MAX as f64,
+    f32::MIN_POSITIVE as f64,
+    1e-45,
+    1e30,
+    1e20,
+    1e-20,
+    1e16,
+    9_007_199_254_740_993.0,
+    1e10,
+    -1e10,
+    1e-10,
+    86400.0,
+    f64::EPSILON,
+    1.0 + f64::EPSILON,
+];
+
+impl<'a> Bytes<'a> {
+    /// From the first one, with numbers up to `largest`, and those that are not finite.
+    #[must_use]
+    pub fn new(bytes: &'a [u8], largest: f64) -> Self {
+        Self { rest: bytes, largest }
+    }
+
+    /// All were read.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.rest.is_empty()
+    }
+
+    /// The next one.
+    pub fn next(&mut self) -> u8 {
+        let (first, rest) = self.rest.split_first().unwrap_or((&0, &[]));
+        self.rest = rest;
+        *first
+    }
+
+    /// A number below `end`.
+    pub fn below(&mut self, end: usize) -> usize {
+        usize::from(self.next()) % end
+    }
+
+    /// Once in so many times.
+    pub fn is_one_in(&mut self, times: usize) -> bool {
+        self.below(times) == times - 1
+    }
+
+    /// From −1 to 1.
+    pub fn share(&mut self) -> f64 {
+        let [high, low] = [self.next(), self.next()];
+        f64::from(i16::from_be_bytes([high, low])) / 32768.0
+    }
+
+    /// A number near another one, or far from it, or no number at all.
+    pub fn number<T: Float>(&mut self, near: T) -> T {
+        let value = near.to_f64();
+        let number = match self.below(8) {
+            0 => value,
+            1 => value * (1.0 + 0.1 * self.share()),
+            2 => value + self.share(),
+            3 => value * 100.0 * self.share(),
+            4 => 10.0 * self.share(),
+            5 => value * 10_f64.powi(i32::from(self.next()) - 128),
+            _ => EDGES[self.below(EDGES.len())],
+        };
+        T::of(if number.is_finite() { number.clamp(-self.largest, self.largest) } else { number })
+    }
+}
