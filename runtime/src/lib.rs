@@ -25,6 +25,17 @@
 //! | T | `T` | number type, [`Real`] to evaluate, [`Lanes`] to follow in time and [`Float`] to solve in every way | | |
 //! | L | `characteristic_length` | length that is worth a radian: scaled coordinates are x/L, y/L and φ | 1 | m |
 //!
+//! # What every call guarantees
+//!
+//! - It does not panic, and but for `parallel` does not allocate, whatever the parameters, times, guesses and states: NaN, infinities, subnormal numbers,
+//!   states of other parameters or states that were never solved for.
+//! - It returns. What takes very many steps ends with [`Cause::TooManySteps`] after a million of them, in lanes after a million each.
+//! - `Ok` is a state: every equation, that of velocities and that of accelerations hold to rounding errors of their terms. `Err` says
+//!   why there is none, and a state that could not be taken to its time stays as it was.
+//! - Fields of a state can be written to. What was written is where the next step sets out from, and is not taken for solved.
+//!
+//! `tests/abuse` calls everything with anything and judges what comes back by numbers of 32 digits.
+//!
 //! # Features
 //!
 //! `std` (default) asks nalgebra for it and nothing else. `certify` (default) bounds the errors of states, proves that they are solutions,
