@@ -108,7 +108,8 @@ fn stride<T: Float, E: Stages<T, N>, const N: usize>(
     by: T,
 ) -> Result<Reached<T, N>, Stop<T>> {
     let zero = T::of(0.0);
-    let slanted = State { qd: *slope, qdd: SVector::from_element(zero), ..here.clone() };
+    let mut slanted = here.clone();
+    (slanted.qd, slanted.qdd) = (*slope, SVector::from_element(zero));
     let foretold = SVector::from_fn(|i, _| here.q[i] + slope[i] * by);
     match continuation::reached(equations, zero, Care::follow(equations, &slanted, by)) {
         // As near as that no other assembly of this branch's sign can be.
