@@ -4,7 +4,7 @@ use reuleaux::Float;
 
 /// Bytes that are read one after the other; after the last one come zeros.
 #[derive(Clone, Debug)]
-pub struct Bytes<'a> {
+pub(crate) struct Bytes<'a> {
     rest: &'a [u8],
     /// Numbers are none, nearly nothing, or at most this.
     largest: f64,
@@ -49,41 +49,41 @@ const EDGES: [f64; 32] = [
 impl<'a> Bytes<'a> {
     /// From the first one, with numbers up to `largest`, and those that are not finite.
     #[must_use]
-    pub fn new(bytes: &'a [u8], largest: f64) -> Self {
+    pub(crate) fn new(bytes: &'a [u8], largest: f64) -> Self {
         Self { rest: bytes, largest }
     }
 
     /// All were read.
     #[must_use]
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.rest.is_empty()
     }
 
     /// The next one.
-    pub fn next(&mut self) -> u8 {
+    pub(crate) fn next(&mut self) -> u8 {
         let (first, rest) = self.rest.split_first().unwrap_or((&0, &[]));
         self.rest = rest;
         *first
     }
 
     /// A number below `end`.
-    pub fn below(&mut self, end: usize) -> usize {
+    pub(crate) fn below(&mut self, end: usize) -> usize {
         usize::from(self.next()) % end
     }
 
     /// Once in so many times.
-    pub fn is_one_in(&mut self, times: usize) -> bool {
+    pub(crate) fn is_one_in(&mut self, times: usize) -> bool {
         self.below(times) == times - 1
     }
 
     /// From −1 to 1.
-    pub fn share(&mut self) -> f64 {
+    pub(crate) fn share(&mut self) -> f64 {
         let [high, low] = [self.next(), self.next()];
         f64::from(i16::from_be_bytes([high, low])) / 32768.0
     }
 
     /// A number near another one, or far from it, or no number at all.
-    pub fn number<T: Float>(&mut self, near: T) -> T {
+    pub(crate) fn number<T: Float>(&mut self, near: T) -> T {
         let value = near.to_f64();
         let number = match self.below(8) {
             0 => value,

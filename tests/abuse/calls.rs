@@ -18,7 +18,7 @@ const CALLS: usize = 4;
 
 /// What came of a case.
 #[derive(Clone, Debug, Default)]
-pub struct Count {
+pub(crate) struct Count {
     /// States.
     pub found: usize,
     /// Failures.
@@ -104,7 +104,7 @@ where
 ///
 /// # Errors
 /// The first state that is none.
-pub fn calls<M, T, const ROWS: usize, const N: usize>(defaults: &M, bytes: &mut Bytes<'_>, count: &mut Count) -> Result<(), String>
+pub(crate) fn calls<M, T, const ROWS: usize, const N: usize>(defaults: &M, bytes: &mut Bytes<'_>, count: &mut Count) -> Result<(), String>
 where
     T: Float,
     M: Family<T, Over<T> = M> + Mechanism<T, N> + std::fmt::Debug,
@@ -167,7 +167,7 @@ where
 ///
 /// # Errors
 /// The first state that is none.
-pub fn lanes<M, W, const LANES: usize, const ROWS: usize, const N: usize>(
+pub(crate) fn lanes<M, W, const LANES: usize, const ROWS: usize, const N: usize>(
     defaults: &M,
     bytes: &mut Bytes<'_>,
     count: &mut Count,

@@ -17,7 +17,7 @@ const RATES: f64 = 1e5;
 ///
 /// # Errors
 /// What is wrong with it.
-pub fn judge<T: Float, E: Equations<Twofold, M, N>, const M: usize, const N: usize>(
+pub(crate) fn judge<T: Float, E: Equations<Twofold, M, N>, const M: usize, const N: usize>(
     exact: &E,
     is_moderate: bool,
     iterated: &[usize],

@@ -39,7 +39,8 @@ fn carried<const N: usize>(state: &reuleaux::State<f64, N>, place: Vector2<f64>,
     let mut moved = state.clone();
     let rotation = Rotation2::new(turn);
     for body in (0..N).step_by(3) {
-        for (vector, shift) in [(&mut moved.q, place), (&mut moved.qd, Vector2::zeros()), (&mut moved.qdd, Vector2::zeros())] {
+        let values = &mut *moved;
+        for (vector, shift) in [(&mut values.q, place), (&mut values.qd, Vector2::zeros()), (&mut values.qdd, Vector2::zeros())] {
             let turned = rotation * Vector2::new(vector[body], vector[body + 1]) + shift;
             (vector[body], vector[body + 1]) = (turned.x, turned.y);
         }

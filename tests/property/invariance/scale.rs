@@ -10,7 +10,8 @@ use super::{cases, difference};
 /// A state with all lengths multiplied.
 fn scaled<const N: usize>(state: &State<f64, N>, factor: f64) -> State<f64, N> {
     let mut scaled = state.clone();
-    for vector in [&mut scaled.q, &mut scaled.qd, &mut scaled.qdd] {
+    let values = &mut *scaled;
+    for vector in [&mut values.q, &mut values.qd, &mut values.qdd] {
         for (index, entry) in vector.iter_mut().enumerate() {
             *entry *= if index % 3 == 2 { 1.0 } else { factor };
         }
