@@ -30,7 +30,7 @@ pub(crate) fn judge<T: Float, E: Equations<Twofold, M, N>, const M: usize, const
         }
     }
     let (condition, epsilon) = (state.condition.to_f64(), T::EPSILON.to_f64());
-    if !state.t.is_finite() || !(condition * epsilon < 1.0) {
+    if !state.t.is_finite() || condition.is_nan() || condition * epsilon >= 1.0 {
         return Err(format!("t = {:?}, condition = {condition:?}", state.t));
     }
     // An angle that is iterated has digits; one that is computed is what its law says, and no more is asked of such a time.

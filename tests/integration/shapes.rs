@@ -167,7 +167,7 @@ fn what_rests_is_taken_from_the_state_before() {
     // Who writes to a state openly has it solved again.
     state.0.q[5] = mark;
     scene.advance(&mut state, 0.02).unwrap();
-    assert!((state.q[5] - solved).abs() < 1e-15);
+    assert!(f64::abs(state.q[5] - solved) < 1e-15);
     for wrong in [f64::NAN, f64::INFINITY, 1e300] {
         state.0.qd[5] = wrong;
         if scene.advance(&mut state, 0.03).is_ok() {

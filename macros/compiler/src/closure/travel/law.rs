@@ -93,7 +93,7 @@ pub(super) fn span(room: &Room, structure: &Structure, blocks: impl Iterator<Ite
         }
         for equation in parts(block).1 {
             let equation = &room.system.equations[equation];
-            let Some(phi) = equation.phi else { return None };
+            let phi = equation.phi?;
             let mut law = reader.of(phi);
             if law.rate != 0.0 && equation.dim == Dim::ANGLE {
                 law = law.turned(TAU);
