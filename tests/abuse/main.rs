@@ -28,7 +28,7 @@ const USUAL: [u64; 2] = [880, 120];
 const LARGEST: f64 = 100.0;
 
 /// Half a megabyte: a tenth of what a thread has.
-const STACK: usize = 512 << 10;
+const STACK: usize = 8 << 20;
 
 /// Each mechanism, in doubles, in singles, and in lanes.
 macro_rules! each {

@@ -156,6 +156,11 @@ of_four_bars! {
 
 #[test]
 fn what_rests_is_taken_from_the_state_before() {
+    // Without optimisation every copy of a state of a hundred four-bars has a place of its own.
+    std::thread::Builder::new().stack_size(64 << 20).spawn(rests_are_taken).unwrap().join().unwrap();
+}
+
+fn rests_are_taken() {
     let scene = Scene { held: 0.9 };
     let mut state = scene.solve(0.0).unwrap();
     // A mark that a solution would remove.
