@@ -27,7 +27,7 @@ const USUAL: [u64; 2] = [880, 120];
 /// The numbers of the usual run: what takes a million steps to refuse is left to long ones.
 const LARGEST: f64 = 100.0;
 
-/// Half a megabyte: a tenth of what a thread has.
+/// What states of a hundred coordinates take without optimisation, several times.
 const STACK: usize = 8 << 20;
 
 /// Each mechanism, in doubles, in singles, and in lanes.
