@@ -139,7 +139,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// Rounds the solution next to a state: q, q̇ and q̈ as good as `T` can hold them, whatever the condition.
     ///
     /// Residuals are evaluated with twice the digits, and the equations are those of [`error_bound`](Self::error_bound): time,
-    /// parameters and literals are the doubles that they are, exactly. It pays where the [condition](State::condition) is above some
+    /// parameters and literals are the doubles that they are, exactly. It pays where the [condition](crate::Values::condition) is above some
     /// hundred and rates or accelerations are wanted to the last digits; below, a state is as good already as one needs. The state
     /// stays on its branch: no other solution is as near.
     ///
