@@ -165,9 +165,6 @@ pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
 #[cold]
 fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: &Place<T, N>, factors: &P::Factors, condition: T) -> bool {
     let scale = problem.scale();
-    let product = |matrix: &SMatrix<T, N, N>, vector: &SVector<T, N>, row: usize| {
-        (0..N).fold(T::of(0.0), |sum, column| sum + matrix[(row, column)] * vector[column])
-    };
     let (phi, jacobian) = problem.linearize(place);
     let here = P::Factors::dense(&jacobian);
     // Whatever is solved for with a nearly singular matrix lies along what it nearly maps to zero.
@@ -183,7 +180,8 @@ fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: &
     let curvature = [step, -step].into_iter().fold(T::of(0.0), |largest, step| {
         let (_, jacobian) = problem.linearize(&place.moved(step, &along, problem.turns()));
         let there = P::Factors::dense(&jacobian);
-        let change = SVector::from_fn(|row, _| product(&there, &along, row) - product(&here, &along, row));
+        let (there, here) = (product(&there, &along), product(&here, &along));
+        let change = SVector::from_fn(|row, _| there[row] - here[row]);
         greater(largest, scale.norm(&factors.solve(&change)) / step.abs())
     });
     // Up to the cube root of ε what Φ has of third order is below rounding.
@@ -197,13 +195,22 @@ fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: &
         let way = SVector::from_fn(|k, _| there.x[k] - place.x[k]);
         let (beside, jacobian) = problem.linearize(&there);
         let slope = P::Factors::dense(&jacobian);
-        let rest = SVector::from_fn(|row, _| {
-            let mean = T::of(0.5) * (product(&slope, &way, row) + product(&here, &way, row));
-            (beside[row] - phi[row]) - mean
-        });
+        let (there, here) = (product(&slope, &way), product(&here, &way));
+        let rest = SVector::from_fn(|row, _| (beside[row] - phi[row]) - T::of(0.5) * (there[row] + here[row]));
         error = greater(error, T::of(BEYOND_PLACES) * scale.norm(&factors.solve(&rest)));
     }
     condition * T::EPSILON < T::of(1.0) && curvature * error <= T::of(LARGEST_CHANGE)
+}
+
+/// A v, without an index that could be out of bounds.
+fn product<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, vector: &SVector<T, N>) -> SVector<T, N> {
+    let mut product = SVector::<T, N>::from_element(T::of(0.0));
+    for (column, &factor) in matrix.data.0.iter().zip(vector.iter()) {
+        for (sum, &entry) in product.iter_mut().zip(column) {
+            *sum = *sum + entry * factor;
+        }
+    }
+    product
 }
 
 /// ∛ε
