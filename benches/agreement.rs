@@ -1,7 +1,7 @@
 //! What is measured is right: contenders go where the exact motion goes, and workloads have the blocks they are there for.
 
-use reuleaux_benches::workloads::name;
-use reuleaux_benches::{exact, times, workloads};
+use crate::workloads::name;
+use crate::{exact, times, workloads};
 
 /// Steps that are looked at.
 const STEPS: usize = 50;

@@ -1,6 +1,8 @@
 //! Mechanisms that are measured, and everything that is measured on them: the generated solver, what one would write by hand,
 //! and other people's solvers, each of which follows a tracked point through a thousand steps.
 
+#[cfg(test)]
+mod agreement;
 pub mod contender;
 pub mod exact;
 pub mod hand;

@@ -103,3 +103,43 @@ fn stress_families() {
     family_is_bounded::<Arm, _>("small_distance", on("rocker"));
     family_is_bounded::<InLineSliderCrank, _>("unit_ratio", |_| true);
 }
+
+/// Solves from guesses a hundred times as far off as those of the file, for cases and for solved ones among them.
+fn far_guesses_are_judged<M, const N: usize>(family: &str, is_meant: impl Fn(&Value) -> bool) -> [usize; 2]
+where
+    M: Declared + Mechanism<f64, N> + Family<f64>,
+    M::Over<Enclosure>: Stages<Enclosure, N>,
+{
+    let file = file(&format!("stress/{family}.json"));
+    let mut counts = [0; 2];
+    for case in list(&file["cases"]).iter().filter(|case| is_meant(case)) {
+        let (mechanism, label) = (of::<M>(&case["model"]), text(&case["label"]));
+        let (solution, guess) = (numbers(&case["q"]), numbers(&case["initial_guess"]));
+        let far: Vec<f64> = guess.iter().zip(&solution).map(|(guess, solution)| solution + 100.0 * (guess - solution)).collect();
+        counts[0] += 1;
+        if let Ok(state) = mechanism.solve_near(number(&case["t"]), &vector(&far)) {
+            counts[1] += 1;
+            let proven = mechanism.certify(&state);
+            assert!(proven.is_ok(), "{family}, {label}: {proven:?} at a condition of {:e}", state.condition);
+        }
+    }
+    counts
+}
+
+#[test]
+fn far_guesses_lead_to_solutions_or_to_verdicts() {
+    let counts = [
+        far_guesses_are_judged::<FourBar, _>("change_point", |_| true),
+        far_guesses_are_judged::<Dyad, _>("collinear_dyad", |_| true),
+        far_guesses_are_judged::<RockerDrivenFourBar, _>("dead_point", |_| true),
+        far_guesses_are_judged::<FourBar, _>("far_origin", |_| true),
+        far_guesses_are_judged::<FourBar, _>("many_turns", |_| true),
+        far_guesses_are_judged::<SmallAndLarge, _>("mixed_scales", |_| true),
+        far_guesses_are_judged::<Rail, _>("small_distance", on("rail")),
+        far_guesses_are_judged::<Arm, _>("small_distance", on("rocker")),
+        far_guesses_are_judged::<InLineSliderCrank, _>("unit_ratio", |_| true),
+    ];
+    for [cases, solved] in counts {
+        println!("{solved} of {cases}");
+    }
+}

@@ -1,7 +1,17 @@
 //! Every mistake gives one error, in the compiler's own words, also where the mechanism is used.
 //!
-//! One mistake a file; `macros/compiler/tests/refusals` has many more of them, without rustc.
-//! `TRYBUILD=overwrite cargo test -p reuleaux-tests --test ui` writes the expected output anew.
+//! One mistake per file; `macros/compiler/tests/refusals` has many more, without rustc. The files are compiled by rustc itself, against
+//! the library that these tests were linked with. Two commands take longer:
+//!
+//! - `cargo test -p reuleaux-tests --test ui -- --ignored` compiles them once more, by cargo and in a project of their own (trybuild);
+//! - `TRYBUILD=overwrite cargo test -p reuleaux-tests --test ui -- --ignored` writes the expected output anew.
+
+mod rustc;
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rustc::{Rustc, plain};
 
 /// Mistakes by family.
 const FAMILIES: [&str; 15] = [
@@ -22,26 +32,63 @@ const FAMILIES: [&str; 15] = [
     "parameters",
 ];
 
-#[test]
-fn one_mistake_gives_one_error() {
-    let cases = trybuild::TestCases::new();
-    for family in FAMILIES {
-        cases.compile_fail(format!("ui/{family}/*.rs"));
-    }
-    cases.pass("ui/accepted/*.rs");
+/// The Rust files of a folder, relative to the package.
+fn cases(family: &str) -> Vec<PathBuf> {
+    let folder = Path::new("ui").join(family);
+    let entries = std::fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let files = entries.map(|entry| entry.expect("an entry of the folder").path());
+    let mut cases: Vec<PathBuf> = files.filter(|file| file.extension().is_some_and(|extension| extension == "rs")).collect();
+    cases.sort();
+    cases
 }
 
-/// A mistake that is told twice is told once too often.
+/// The complaints about each case, found by as many threads as there are processors.
+fn complaints(cases: &[PathBuf], of_case: impl Fn(&Path) -> Option<String> + Sync) -> Vec<String> {
+    let next = AtomicUsize::new(0);
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let work = || {
+        let claimed = std::iter::from_fn(|| cases.get(next.fetch_add(1, Ordering::Relaxed)));
+        claimed.filter_map(|case| of_case(case)).collect::<Vec<String>>()
+    };
+    std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+        workers.into_iter().flat_map(|worker| worker.join().expect("no thread panics")).collect()
+    })
+}
+
 #[test]
-fn expected_output_has_one_error() {
-    for family in FAMILIES {
-        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("ui").join(family);
-        for file in std::fs::read_dir(folder).expect("the folder of the family").flatten() {
-            if file.path().extension().is_some_and(|extension| extension == "stderr") {
-                let text = std::fs::read_to_string(file.path()).expect("expected output is text");
-                let errors = text.lines().filter(|line| line.starts_with("error")).count();
-                assert_eq!(errors, 1, "{}", file.path().display());
-            }
+fn one_mistake_gives_one_error() {
+    let rustc = Rustc::of_this_build();
+    let cases: Vec<PathBuf> = FAMILIES.iter().flat_map(|family| cases(family)).collect();
+    let complaints = complaints(&cases, |case| {
+        let expected = std::fs::read_to_string(case.with_extension("stderr")).unwrap_or_else(|error| panic!("{}: {error}", case.display()));
+        let found = match rustc.compile(case) {
+            Ok(()) => return Some(format!("{} is accepted", case.display())),
+            Err(found) => found,
+        };
+        let errors = expected.lines().filter(|line| line.starts_with("error")).count();
+        if errors != 1 {
+            // A mistake that is told twice is told once too often.
+            return Some(format!("{} has {errors} errors", case.display()));
         }
+        (plain(&expected) != plain(&found)).then(|| format!("{}\nexpected:\n{expected}\nfound:\n{found}", case.display()))
+    });
+    assert!(complaints.is_empty(), "{}", complaints.join("\n\n"));
+}
+
+#[test]
+fn what_is_accepted_runs() {
+    let rustc = Rustc::of_this_build();
+    let complaints = complaints(&cases("accepted"), |case| rustc.run(case).err().map(|found| format!("{}\n{found}", case.display())));
+    assert!(complaints.is_empty(), "{}", complaints.join("\n\n"));
+}
+
+#[test]
+#[ignore = "builds all dependencies once more: minutes"]
+fn cargo_says_the_same() {
+    let trybuild = trybuild::TestCases::new();
+    for family in FAMILIES {
+        trybuild.compile_fail(format!("ui/{family}/*.rs"));
     }
+    trybuild.pass("ui/accepted/*.rs");
 }
