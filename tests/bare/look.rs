@@ -47,11 +47,12 @@ fn assembly(target: Option<&str>, features: &str, level: &str) -> Result<String,
     fs::create_dir_all(&folder)?;
     let file = folder.join("bare.s");
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.args(["rustc", "--quiet", "--package", "reuleaux-bare", "--lib", "--crate-type", "staticlib", "--release"]);
-    cargo.args(["--features", features, "--target-dir"]).arg(&folder);
-    let profile = ["lto=\"fat\"", "panic=\"abort\"", "codegen-units=1", &format!("opt-level={level}")];
-    for setting in profile {
-        cargo.args(["--config", &format!("profile.release.{setting}")]);
+    // The profile of tests, made that of a release: so that macros are not built once more.
+    cargo.args(["rustc", "--quiet", "--package", "reuleaux-bare", "--lib", "--crate-type", "staticlib", "--features", features]);
+    let level = format!("opt-level={level}");
+    let release = ["debug=false", "debug-assertions=false", "overflow-checks=false", "incremental=false"];
+    for setting in ["lto=\"fat\"", "panic=\"abort\"", "codegen-units=1", &level].into_iter().chain(release) {
+        cargo.args(["--config", &format!("profile.dev.{setting}")]);
     }
     if let Some(target) = target {
         cargo.args(["--target", target]);
