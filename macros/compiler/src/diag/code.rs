@@ -38,7 +38,7 @@ macro_rules! codes {
 
 codes! {
     // Grammar.
-    E0001: Syntax Expected;
+    E0001: Syntax Expected Unnamed;
     E0002: NotANumber;
     E0003: TooDeep TooLong LongChain PartsTooDeep;
     E0004: Keyword;

@@ -14,7 +14,7 @@ pub(crate) use assembly::{degrees, millimetres, significant};
 
 use super::{Doubt, Fact, remedy};
 use std::fmt;
-use words::{did_you_mean, equation, listed, plural, range_of, shortened};
+use words::{did_you_mean, equation, is_power, listed, plural, range_of, shortened};
 
 impl Fact {
     /// The sentence as a compile error says it: with the code at the end of the first line.
@@ -38,7 +38,22 @@ impl fmt::Display for Fact {
         match self {
             Fact::Syntax { message } => write!(f, "{message}"),
             Fact::Expected { what: "`;`", found } => write!(f, "expected `;`, found {found}\nhelp: end what stands before it with `;`"),
-            Fact::Expected { what, found } => write!(f, "expected {what}, found {}", shortened(found)),
+            Fact::Expected { what: what @ "`=`", found } if found == "`==`" => {
+                write!(
+                    f,
+                    "expected {what}, found {found}\nhelp: a name gets its value with `=`; `==` stands between the sides of an equation"
+                )
+            }
+            Fact::Expected { what, found } => {
+                write!(f, "expected {what}, found {}", shortened(found))?;
+                match (*what, found.as_str()) {
+                    ("an expression", "`.`") => write!(f, "\nhelp: a number begins with a digit, such as `0.5`"),
+                    ("the name of the joint", "`=`") => write!(f, "\nhelp: write `joint name = …`"),
+                    ("the name of the drive", "`=`") => write!(f, "\nhelp: write `drive name = …`"),
+                    _ => Ok(()),
+                }
+            }
+            Fact::Unnamed { word, kind } => write!(f, "a {word} has a name of its own\nhelp: write `{word} name = {kind}(…);`"),
             Fact::NotANumber { found } => write!(f, "expected a number, found {found}{}", remedy::of_kind("a number", "text")),
             Fact::PartsTooDeep { limit } => {
                 write!(f, "parts are nested more than {limit} deep\nhelp: declare the innermost parts in the mechanism, beside the others")
@@ -59,6 +74,9 @@ impl fmt::Display for Fact {
                 f,
                 "this is used before it is declared, and so is what it is made of, more than {limit} steps deep\nhelp: declare first what others are made of"
             ),
+            Fact::Keyword { word } if word == "mut" => {
+                write!(f, "nothing here changes\nhelp: take `mut` away; what is to be set at run time is a `param`")
+            }
             Fact::Keyword { word } => write!(f, "`{word}` is a word of Rust and cannot be a name\nhelp: write `{word}_`"),
             Fact::NumberType => write!(f, "`T` is the number type of generated code\nhelp: choose another name for the mechanism"),
             Fact::UnknownAttribute { name } => {
@@ -76,6 +94,9 @@ impl fmt::Display for Fact {
                 write!(f, "\nnote: a lint of Rust is allowed for the module in which the mechanism stands")
             }
             Fact::TokensAfter { what, help } => write!(f, "nothing may follow {what}\nhelp: {help}"),
+            Fact::UnknownItem { word } if word == "pub" => {
+                write!(f, "all of a mechanism is as public as the mechanism\nhelp: take `pub` away")
+            }
             Fact::UnknownItem { word } => {
                 let known =
                     ["param", "let", "ground", "body", "joint", "drive", "output", "range", "part", "for", "component", "function", "use"];
@@ -98,6 +119,7 @@ impl fmt::Display for Fact {
                 write!(f, "a joint names its constraint by a single word\nhelp: write `use {path};` above, and `{last}(…)` here")
             }
             Fact::DoubleStar => write!(f, "`**` is no operator\nhelp: a power is written `a^b`"),
+            Fact::MethodCall { name } if is_power(name) => write!(f, "there are no methods here\nhelp: a power is written `a^b`"),
             Fact::MethodCall { name } => write!(f, "there are no methods here\nhelp: write `{name}(value)` for `value.{name}()`"),
             Fact::SpaceBeforeUnit { number, unit } => {
                 if crate::model::unit::lookup(unit).is_some() {

@@ -3,6 +3,37 @@
 /// A name with more letters was not typed by a person.
 const LONGEST: usize = 60;
 
+/// What others call a thing, and what it is called here.
+const SYNONYMS: [(&str, &[&str]); 27] = [
+    ("body", &["link", "bar", "rigid", "member"]),
+    ("ground", &["frame", "base", "world", "fixed"]),
+    ("param", &["parameter", "var", "variable", "input"]),
+    ("let", &["const", "static", "def"]),
+    ("function", &["fn", "func", "law"]),
+    ("joint", &["constraint", "connect", "pair"]),
+    ("drive", &["driver", "motor", "actuator", "motion"]),
+    ("output", &["measure", "sensor", "result"]),
+    ("start", &["initial", "guess", "init"]),
+    ("revolute", &["pin", "hinge", "pivot", "rotary", "rotational"]),
+    ("translational", &["prismatic", "slider", "slide", "linear", "sliding"]),
+    ("weld", &["rigid", "fixed", "fix", "clamp"]),
+    ("drive_relative_angle", &["motor", "actuator", "servo"]),
+    ("gear_pair", &["gear", "gears", "spur"]),
+    ("rack_pinion", &["rack", "pinion"]),
+    ("m", &["meter", "meters", "metre", "metres"]),
+    ("mm", &["millimeter", "millimeters", "millimetre", "millimetres"]),
+    ("cm", &["centimeter", "centimeters", "centimetre", "centimetres"]),
+    ("in", &["inch", "inches"]),
+    ("ft", &["foot", "feet"]),
+    ("rad", &["radian", "radians"]),
+    ("deg", &["degree", "degrees"]),
+    ("turn", &["rev", "revs", "revolution", "revolutions", "turns"]),
+    ("s", &["sec", "secs", "second", "seconds"]),
+    ("ms", &["msec", "millisecond", "milliseconds"]),
+    ("min", &["minute", "minutes"]),
+    ("h", &["hour", "hours", "hr"]),
+];
+
 /// The known name nearest to a mistyped one, if it is near enough to be meant.
 pub(crate) fn nearest<'a>(typed: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
     let letters = |text: &str| text.chars().flat_map(char::to_lowercase).take(LONGEST + 1).collect::<Vec<char>>();
@@ -12,7 +43,15 @@ pub(crate) fn nearest<'a>(typed: &str, known: impl Iterator<Item = &'a str>) -> 
     }
     // Any two single letters are one replacement apart; that is no reason to mix them up.
     let limit = if typed.len() < 2 { 0 } else { (typed.len() / 3).max(1) };
+    let is_synonym = |name: &str| {
+        let mut others = SYNONYMS.iter().filter(|(known, _)| *known == name).flat_map(|(_, others)| others.iter());
+        // One slip in a long word.
+        others.any(|other| distance(&typed, &other.chars().collect::<Vec<char>>()) <= typed.len() / 6)
+    };
     let scored = known.filter_map(|name| {
+        if is_synonym(name) {
+            return Some(((0, 0), name));
+        }
         let letters = letters(name);
         let excess = letters.len().abs_diff(typed.len());
         let distance = if excess <= limit { distance(&typed, &letters) } else { excess };

@@ -55,9 +55,6 @@ const UNITS: &[Unit] = &[
     unit("kgm2", 1, 1, Dim::new(2, 0, 0, 1)),
 ];
 
-/// The letters of the longest unit.
-const LONGEST: usize = 6;
-
 /// Size in SI and dimension of the unit of this name.
 pub(crate) fn lookup(name: &str) -> Option<(Exact, Dim)> {
     let unit = UNITS.iter().find(|unit| unit.name == name)?;
@@ -68,10 +65,7 @@ pub(crate) fn lookup(name: &str) -> Option<(Exact, Dim)> {
 
 /// The unit that was meant by a mistyped one: a letter typed twice is the most likely slip.
 pub(crate) fn meant(name: &str) -> Option<String> {
-    let letters: Vec<char> = name.chars().take(LONGEST + 2).collect();
-    if letters.len() > LONGEST + 1 {
-        return None;
-    }
+    let letters: Vec<char> = name.chars().collect();
     let is_repeated = |at: &usize| *at > 0 && letters[*at] == letters[at - 1];
     let without = |at: usize| letters[..at].iter().chain(&letters[at + 1..]).collect::<String>();
     let shorter = (0..letters.len()).filter(is_repeated).map(without).find(|shorter| lookup(shorter).is_some());

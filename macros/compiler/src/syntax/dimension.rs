@@ -18,7 +18,7 @@ pub(super) fn required_dimension(input: ParseStream) -> Parsed<Dimension> {
     dimension(input)
 }
 
-/// `Length * Angle / Time^2`
+/// `Length * Angle / Time^2`, also `Length * Angle * Time^-2`
 pub(super) fn dimension(input: ParseStream) -> Parsed<Dimension> {
     let mut factors = Vec::new();
     let mut sign = 1;
@@ -46,12 +46,18 @@ pub(super) fn dimension(input: ParseStream) -> Parsed<Dimension> {
 }
 
 fn exponent(input: ParseStream) -> Parsed<i16> {
+    let sign = if input.peek(Token![-]) {
+        input.parse::<Token![-]>()?;
+        -1
+    } else {
+        1
+    };
     if !literal(input)? || !input.peek(LitInt) {
         return expected(input, "a whole number");
     }
     let literal: LitInt = input.parse()?;
     match literal.base10_parse::<u8>() {
-        Ok(exponent) if exponent <= LARGEST_EXPONENT => Ok(i16::from(exponent)),
+        Ok(exponent) if exponent <= LARGEST_EXPONENT => Ok(sign * i16::from(exponent)),
         _ => wrong(literal.span(), Fact::ExponentTooLarge { limit: LARGEST_EXPONENT }),
     }
 }

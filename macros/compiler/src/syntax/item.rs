@@ -374,6 +374,9 @@ fn joint(input: ParseStream, docs: Docs) -> Parsed<Joint> {
     }
     let is_drive = word == "drive";
     let (name, indices) = declared(input, if is_drive { "the name of the drive" } else { "the name of the joint" })?;
+    if input.peek(token::Paren) {
+        return wrong(&name, Fact::Unnamed { word: if is_drive { "drive" } else { "joint" }, kind: name.to_string() });
+    }
     equals(input)?;
     let body = if input.peek(token::Brace) { equations(input)? } else { instance(input)? };
     Ok(Joint { docs, is_drive, is_redundant, name, indices, body })

@@ -32,6 +32,8 @@ fn next(input: ParseStream) -> String {
             Delimiter::Bracket => "`[`".to_owned(),
             Delimiter::None => "an expression of a macro".to_owned(),
         },
+        // Two tokens, but no `=`.
+        Some(_) if input.peek(Token![==]) => "`==`".to_owned(),
         Some((tree, _)) => format!("`{tree}`"),
     }
 }

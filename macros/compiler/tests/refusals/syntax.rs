@@ -38,6 +38,16 @@ crate::refusals! {
     item function_without_result: "function f(a: Angle) «=» 1mm;" => "expected `->` and the dimension of the value, found `=`";
     item exponent_of_a_dimension: "param a: Length^«99» = 1;" => "the exponent of a dimension is at most 6";
     item attribute_is_unknown: "#[«inline»] output b = crank.x;" => "`#[inline]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[closure(…)]` and `#[allow(far_start)]` before `mechanism`";
+    item two_equal_signs: "let a «=»= 3mm;" => "expected `=`, found `==`\nhelp: a name gets its value with `=`; `==` stands between the sides of an equation";
+    item number_without_its_first_digit: "param a: Length = «.»5m;" => "expected an expression, found `.`\nhelp: a number begins with a digit, such as `0.5`";
+    item joint_without_a_name: "joint «revolute»(ground.C, crank.A);" => "a joint has a name of its own\nhelp: write `joint name = revolute(…);`";
+    item joint_without_any_name: "joint «=» revolute(ground.C, crank.A);" => "expected the name of the joint, found `=`\nhelp: write `joint name = …`";
+    item drive_without_a_name: "drive «drive_angle»(crank, 1rad_s * t);" => "a drive has a name of its own\nhelp: write `drive name = drive_angle(…);`";
+    item let_that_changes: "let «mut» a = 3mm;" => "nothing here changes\nhelp: take `mut` away; what is to be set at run time is a `param`";
+    item public_item: "«pub» param a: Length = 3mm;" => "all of a mechanism is as public as the mechanism\nhelp: take `pub` away";
+    item body_by_another_name: "«link» b { point P = (0mm, 0mm); }" => "`link` is no item of a mechanism\nhelp: did you mean `body`?\nnote: items are `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
+    item function_as_in_rust: "«fn» f(x: Angle) -> Length = 1mm;" => "`fn` is no item of a mechanism\nhelp: did you mean `function`?\nnote: items are `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
+    item power_as_a_method: "output b = length.«powi»(2);" => "there are no methods here\nhelp: a power is written `a^b`";
     item glob_use: "use crate::«*»;" => "expected the name of a constraint or `{ … }`, found `*`";
     mechanism keyword_is_misspelled: "pub «mechansim» Crank { body crank {} }" => "expected `mechanism Name { … }`, found `mechansim`";
     mechanism mechanism_without_a_name: "pub mechanism «{» body crank {} }" => "expected the name of the mechanism, found `{`";

@@ -1,6 +1,6 @@
 //! What is said of names.
 
-use super::words::{did_you_mean, first_of, list, listed, shortened};
+use super::words::{did_you_mean, first_of, is_power, list, listed, shortened};
 use crate::diag::Fact;
 use crate::model::Dim;
 use std::fmt::{Formatter, Result};
@@ -27,6 +27,9 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
         }
         Fact::UnknownFunction { name, is_constraint: true, .. } => {
             write!(f, "`{name}` is a constraint, not a function\nhelp: write `joint name = {name}(…);`")
+        }
+        Fact::UnknownFunction { name, .. } if is_power(name) => {
+            write!(f, "no function is called `{name}`\nhelp: a power is written `a^b`")
         }
         Fact::UnknownFunction { name, near: None, .. } => {
             write!(f, "no function is called `{name}`\nhelp: declare it, such as `function {name}(x: Angle) -> Length = …;`")

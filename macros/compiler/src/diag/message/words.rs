@@ -106,3 +106,8 @@ pub(super) fn range_of([least, most]: &[usize; 2], noun: &str) -> String {
 pub(super) fn equation(row: usize, of: usize) -> String {
     if of == 1 { "the equation".to_owned() } else { format!("equation {row} of {of}") }
 }
+
+/// What others call a power.
+pub(super) fn is_power(name: &str) -> bool {
+    ["pow", "powi", "powf", "power", "sqr", "square", "squared"].contains(&name)
+}
