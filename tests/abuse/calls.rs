@@ -1,6 +1,7 @@
 //! Calls in any order with any arguments: each returns an error or a state, and a state is one.
 
 use std::cell::{Cell, RefCell};
+use std::collections::BTreeSet;
 
 use reuleaux::nalgebra::SVector;
 use reuleaux::wide::{Lockstep, Wide};
@@ -23,6 +24,17 @@ pub(crate) struct Count {
     pub found: usize,
     /// Failures.
     pub refused: usize,
+    /// What was called, and what came of it.
+    pub outcomes: BTreeSet<String>,
+}
+
+impl Count {
+    /// A call and its outcome, without numbers.
+    fn note<T: std::fmt::Debug, const N: usize>(&mut self, call: &str, failure: Option<&Failure<T, N>>) {
+        let letters = |text: String| text.chars().take_while(|letter| letter.is_alphanumeric() || *letter == '_').collect::<String>();
+        let outcome = failure.map_or_else(|| "Ok".to_owned(), |failure| letters(format!("{:?}", failure.cause)));
+        self.outcomes.insert(format!("{} {outcome}", letters(call.to_owned())));
+    }
 }
 
 /// The mechanism with parameters from some bytes.
@@ -112,16 +124,19 @@ where
 {
     let mechanism = with_parameters(defaults, bytes);
     let (exact, is_moderate) = exactly(&mechanism);
-    let mut seen = |what: &dyn Fn() -> String, found: &Result<State<T, N>, Failure<T, N>>| match found {
-        Ok(state) => {
-            count.found += 1;
-            judge(&exact, is_moderate, M::ITERATED, state).map_err(|why| format!("{}: {why}\nof {mechanism:?}\n{state:?}", what()))
-        }
-        Err(failure) => {
-            count.refused += 1;
-            // A failure can be told.
-            let told = failure.to_string();
-            if told.contains('`') { Ok(()) } else { Err(format!("{}: {told}", what())) }
+    let mut seen = |what: &dyn Fn() -> String, found: &Result<State<T, N>, Failure<T, N>>| {
+        count.note(&what(), found.as_ref().err());
+        match found {
+            Ok(state) => {
+                count.found += 1;
+                judge(&exact, is_moderate, M::ITERATED, state).map_err(|why| format!("{}: {why}\nof {mechanism:?}\n{state:?}", what()))
+            }
+            Err(failure) => {
+                count.refused += 1;
+                // A failure can be told.
+                let told = failure.to_string();
+                if told.contains('`') { Ok(()) } else { Err(format!("{}: {told}", what())) }
+            }
         }
     };
     for _ in 0..CALLS {
@@ -184,7 +199,9 @@ where
     let mut all = Lockstep::<M, W, LANES, N>::new(each, [(); LANES].map(|()| time(bytes)));
     for _ in 0..CALLS {
         for (lane, (exact, is_moderate)) in exact.iter().enumerate() {
-            match all.lane(lane) {
+            let found = all.lane(lane);
+            count.note("lane", found.as_ref().err().copied());
+            match found {
                 Ok(state) => {
                     count.found += 1;
                     judge(exact, *is_moderate, M::ITERATED, &state).map_err(|why| format!("lane {lane}: {why}\nof {shown}\n{state:?}"))?;

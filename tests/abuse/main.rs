@@ -2,19 +2,23 @@
 //! equations as far as doubles can, recomputed with 32 digits.
 //!
 //! A case is made of bytes, and all of it follows from them: which mechanism, over which numbers, which parameters, states, guesses and
-//! times, in which order. The usual run is short, and its
-//! numbers are at most a hundred or no numbers; a long one, with any numbers, is
+//! times, in which order. The usual run has the cases of `corpus.txt`, in which each call of each mechanism has each outcome that was
+//! ever seen, and some random ones, whose numbers are at most a hundred or no numbers. A long one, with any numbers, is
 //!
 //! ```text
 //! REULEAUX_FUZZ_CASES=100000 cargo test --release -p reuleaux-tests --test abuse -- --nocapture
 //! ```
 //!
-//! and `REULEAUX_FUZZ_SEED=17 REULEAUX_FUZZ_CASES=1` repeats the case 17.
+//! and `REULEAUX_FUZZ_SEED=17 REULEAUX_FUZZ_CASES=1` repeats the case 17. With `REULEAUX_FUZZ_KEEP=1`, cases with new outcomes are
+//! written to the corpus.
 
 mod bytes;
 mod calls;
 mod judge;
 mod mechanisms;
+
+use std::collections::BTreeSet;
+use std::time::{Duration, Instant};
 
 use bytes::Bytes;
 use calls::{Count, calls, lanes};
@@ -56,6 +60,42 @@ fn case(bytes: &[u8], largest: f64, count: &mut Count) -> Result<(), String> {
     Ok(())
 }
 
+/// Kept cases: the bytes of one in each line.
+const CORPUS: &str = include_str!("corpus.txt");
+
+/// Where it lies.
+const CORPUS_FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/abuse/corpus.txt");
+
+/// A kept case takes no longer, with optimisation.
+const PATIENCE: Duration = Duration::from_millis(5);
+
+/// The cases of the corpus.
+fn kept() -> Vec<(String, Vec<u8>)> {
+    let byte = |digits: &[u8]| u8::from_str_radix(std::str::from_utf8(digits).expect("two digits"), 16).expect("a byte");
+    let case = |(number, line): (usize, &str)| (format!("corpus, line {}", number + 1), line.as_bytes().chunks(2).map(byte).collect());
+    CORPUS.lines().enumerate().map(case).collect()
+}
+
+/// Writes what random cases have that the corpus has not.
+fn keep(cases: &[(String, Vec<u8>)]) {
+    let mut corpus = CORPUS.to_owned();
+    let mut seen = BTreeSet::new();
+    let mut is_new = |bytes: &[u8]| {
+        let (mut count, begin) = (Count::default(), Instant::now());
+        case(bytes, f64::MAX, &mut count).expect("a case that is right");
+        let which = bytes.first().copied().unwrap_or(0) % 40;
+        let is_quick = begin.elapsed() < PATIENCE;
+        is_quick && count.outcomes.into_iter().fold(false, |is_new, outcome| seen.insert((which, outcome)) || is_new)
+    };
+    kept().iter().for_each(|(_, bytes)| {
+        is_new(bytes);
+    });
+    for (_, bytes) in cases.iter().filter(|(_, bytes)| is_new(bytes)) {
+        corpus.extend(bytes.iter().map(|byte| format!("{byte:02x}")).chain(["\n".to_owned()]));
+    }
+    std::fs::write(CORPUS_FILE, corpus).expect("the corpus can be written");
+}
+
 /// The bytes of a case.
 fn random(seed: u64) -> Vec<u8> {
     let mut random = fastrand::Rng::with_seed(seed);
@@ -79,12 +119,22 @@ fn all(cases: Vec<(String, Vec<u8>)>, largest: f64) -> Count {
 }
 
 #[test]
+fn kept_cases_return_states_or_errors() {
+    let count = all(kept(), f64::MAX);
+    assert!(count.outcomes.len() > 20, "{count:?}");
+}
+
+#[test]
 fn whatever_is_called_returns_a_state_or_an_error() {
     let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse().ok());
     let cases: Option<u64> = number("REULEAUX_FUZZ_CASES");
     let largest = if cases.is_some() { f64::MAX } else { LARGEST };
     let (first, cases) = (number("REULEAUX_FUZZ_SEED").unwrap_or(USUAL[0]), cases.unwrap_or(USUAL[1]));
-    let count = all((first..first + cases).map(|seed| (format!("seed {seed}"), random(seed))).collect(), largest);
+    let random: Vec<_> = (first..first + cases).map(|seed| (format!("seed {seed}"), random(seed))).collect();
+    if std::env::var_os("REULEAUX_FUZZ_KEEP").is_some() {
+        keep(&random);
+    }
+    let count = all(random, largest);
     println!("{cases} cases from seed {first}: {count:?}");
     assert!(count.found >= count.refused || cases < 100, "{count:?}");
 }
