@@ -12,7 +12,7 @@
 use nalgebra::SVector;
 
 use crate::careful::Care;
-use crate::continuation::{is_same_branch, reached};
+use crate::continuation::{is_same_branch, pass, reached};
 use crate::order::greater;
 use crate::stages::Stages;
 use crate::{Float, State, Values};
@@ -24,7 +24,7 @@ const CLOSE: f64 = 1.0 / 256.0;
 const MOST_STEPS: usize = 64;
 
 /// Between two states of this condition, one on either side, the motion is a polynomial, to as many digits as they have.
-const STRAIGHT: f64 = 1.0 / 64.0;
+const STRAIGHT: f64 = 1.0 / 32.0;
 
 /// So much further from the crossing than the last state that was found there are others again.
 const REACH: f64 = 4.0;
@@ -63,7 +63,8 @@ pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     let near = approach(equations, &before, crossing, close)?;
     let far = approach(equations, &beyond, crossing, close)?;
     let meets = step(equations, &near, far.t, true)?;
-    if meets.branch != far.branch || far.branch == here.branch {
+    // Two crossings at once leave every sign as it was; then steps as usual go to places behind it.
+    if meets.branch != far.branch || (far.branch == here.branch && !is_there) {
         return None;
     }
     if !is_there {
@@ -71,7 +72,57 @@ pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     }
     let between = T::of(STRAIGHT) / T::ROOT_EPSILON.sqrt();
     let [near, far] = [approach(equations, &before, crossing, between)?, approach(equations, &beyond, crossing, between)?];
-    Some(State { mark: equations.mark(), ..interpolated(&near, &far, t) })
+    let mut there = extrapolated(equations, near, far, crossing, t)?;
+    // What is computed follows from what is iterated to the last digit.
+    there.values.q = pass(equations, t, &Care::inspect(equations, &there.values.q)).ok()?.q;
+    Some(State { mark: equations.mark(), ..there })
+}
+
+/// The state at `t`, next to the crossing, by polynomials through states at ±h, ±2h and ±4h from it, as far as there are such states.
+///
+/// ```text
+/// error of q and q̇:  a h⁶ + b h⁸ + …        (64 x_h − x_2h) / 63,    then (256 x_h − x_2h) / 255
+/// error of q̈:        a h⁴ + b h⁶ + …        (16 x_h − x_2h) / 15,    then (64 x_h − x_2h) / 63
+/// ```
+///
+/// Stoer, Bulirsch: Introduction to Numerical Analysis, 3.4.
+fn extrapolated<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    near: State<T, N>,
+    far: State<T, N>,
+    crossing: T,
+    t: T,
+) -> Option<State<T, N>> {
+    let h = greater((crossing - near.t).abs(), (far.t - crossing).abs());
+    let h = if far.t > near.t { h } else { -h };
+    let between = |near: &State<T, N>, far: &State<T, N>, multiple: f64| {
+        let near = step(equations, near, crossing - T::of(multiple) * h, false)?;
+        let far = step(equations, far, crossing + T::of(multiple) * h, false)?;
+        let there = interpolated(&near, &far, t);
+        Some((near, far, there))
+    };
+    let (near, far, mut there) = between(&near, &far, 1.0)?;
+    let Some((near, far, second)) = between(&near, &far, 2.0) else { return Some(there) };
+    there = combined(there, &second, 64.0, 16.0);
+    if let Some((_, _, third)) = between(&near, &far, 4.0) {
+        there = combined(there, &combined(second, &third, 64.0, 16.0), 256.0, 64.0);
+    }
+    Some(there)
+}
+
+/// (f x_h − x_2h) / (f − 1), with f a `factor` of q and q̇, and one of q̈.
+fn combined<T: Float, const N: usize>(mut fine: State<T, N>, coarse: &State<T, N>, factor: f64, of_accelerations: f64) -> State<T, N> {
+    let of = |fine: &mut SVector<T, N>, coarse: &SVector<T, N>, factor: f64| {
+        let share = T::of(1.0 / (factor - 1.0));
+        for (entry, other) in fine.iter_mut().zip(coarse.iter()) {
+            *entry = *entry + share * (*entry - *other);
+        }
+    };
+    let Values { q, qd, qdd, .. } = &mut fine.values;
+    of(q, &coarse.q, factor);
+    of(qd, &coarse.qd, factor);
+    of(qdd, &coarse.qdd, of_accelerations);
+    fine
 }
 
 /// The state at `t` of the polynomial of fifth degree through two states, their rates and their accelerations, on the branch of the second.

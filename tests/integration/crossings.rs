@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use reuleaux::nalgebra::SVector;
-use reuleaux::{Cause, Failure, Mechanism, Motion, State, mechanism};
+use reuleaux::{Cause, Equations, Failure, Mechanism, Motion, State, mechanism};
 
 mechanism! {
     /// A parallelogram; when its links are in line it could go on as an antiparallelogram.
@@ -99,6 +99,93 @@ fn the_crossing_itself_is_a_state() {
     let piston = isosceles.piston();
     assert!(piston.position.x.abs() < 1e-14 && (piston.velocity.x + 0.1 * 60f64.to_radians()).abs() < 1e-12, "{piston:?}");
     assert!(piston.acceleration.x.abs() < 1e-9, "{piston:?}");
+}
+
+mechanism! {
+    /// Wheels in a row, each coupled to the next: as many parallelograms one after the other.
+    mechanism Wheels {
+        let rods = 5;
+        for i in 0..=rods {
+            body wheel[i] { point P = (100mm, 0mm);  start angle = 45deg; }
+            joint axle[i] = revolute((i * 400mm, 0mm), wheel[i].position);
+        }
+        for i in 0..rods {
+            body rod[i] { point Q = (400mm, 0mm); }
+            joint p[i] = revolute(wheel[i].P, rod[i].position);
+            joint q[i] = revolute(rod[i].Q, wheel[i + 1].P);
+        }
+        drive input = drive_angle(wheel[0], 45deg + 60rpm * t);
+    }
+}
+
+mechanism! {
+    /// A scissor lift whose foot is pushed through under its other foot: all of its arms then stand upright, and two signs change at once.
+    mechanism Scissors {
+        param arm: Length = 800mm;
+        let stages = 3;
+        ground { axis floor = (1, 0); }
+        for i in 0..stages {
+            body rising[i]  { point m = (arm / 2, 0mm);  point b = (arm, 0mm);  start angle = 20deg; }
+            body falling[i] { point m = (arm / 2, 0mm);  point b = (arm, 0mm);  start angle = -20deg; }
+            joint mid[i] = revolute(rising[i].m, falling[i].m);
+        }
+        joint foot = revolute(ground.position, rising[0].position);
+        joint roll = point_on_line(ground.position, ground.floor, falling[0].b);
+        for i in 1..stages {
+            joint l[i] = revolute(falling[i - 1].position, rising[i].position);
+            joint r[i] = revolute(rising[i - 1].b, falling[i].b);
+        }
+        drive push = drive_distance(ground.position, falling[0].b, 750mm - 50mm_s * t);
+    }
+}
+
+mechanism! {
+    /// One stage of it.
+    mechanism Scissor {
+        ground { axis floor = (1, 0); }
+        body rising  { point m = (400mm, 0mm);  point b = (800mm, 0mm);  start angle = 20deg; }
+        body falling { point m = (400mm, 0mm);  point b = (800mm, 0mm);  start angle = -20deg; }
+        joint mid = revolute(rising.m, falling.m);
+        joint foot = revolute(ground.position, rising.position);
+        joint roll = point_on_line(ground.position, ground.floor, falling.b);
+        drive push = drive_distance(ground.position, falling.b, 750mm - 50mm_s * t);
+    }
+}
+
+/// Around a crossing every equation holds to rounding, and so do those of velocities and accelerations as far as the condition allows.
+fn holds_around<M, const N: usize>(mechanism: &M, crossing: f64)
+where
+    M: Mechanism<f64, N> + Equations<f64, N, N>,
+{
+    let digits = (3..=15).flat_map(|digits| [-0.1f64.powi(digits), 0.1f64.powi(digits)]);
+    for t in digits.chain([0.0]).map(|off| crossing + off) {
+        let state = mechanism.solve(t).unwrap_or_else(|failure| panic!("{failure}"));
+        let (phi, jacobian) = mechanism.linearize(&state.q, t);
+        assert!(phi.amax() < 1e-14, "{t}: {phi:?}");
+        let rates = jacobian * state.qd - mechanism.nu(&state.q, t);
+        let accelerations = jacobian * state.qdd - mechanism.gamma(&state.q, &state.qd, t);
+        assert!(rates.amax() < 1e-11 && accelerations.amax() < 1e-8, "{t}: {:e} {:e}", rates.amax(), accelerations.amax());
+    }
+}
+
+#[test]
+fn equations_hold_around_crossings_of_several_blocks() {
+    holds_around(&Wheels::default(), 0.375);
+    holds_around(&Scissors::default(), 15.0);
+    holds_around(&Scissor::default(), 15.0);
+    holds_around(&Isosceles::default(), 59.0 / 60.0);
+}
+
+/// However the steps fall, the arms turn evenly through the upright: the foot is at C, which becomes negative.
+#[test]
+fn a_scissor_passes_the_upright_in_however_many_steps() {
+    for steps in [7, 10, 100, 1000, 1001] {
+        for state in Scissor::default().sweep((0..=steps).map(|step| 20.0 * f64::from(step) / f64::from(steps))) {
+            let state = state.unwrap_or_else(|failure| panic!("{steps} steps: {failure}"));
+            let right = ((0.75 - 0.05 * state.t) / 0.8).acos();
+            assert!((state.rising().angle - right).abs() < 1e-14 * state.condition, "{steps} steps: {state:?}");
+        }
+    }
 }
 
 mechanism! {
