@@ -163,14 +163,22 @@ impl<T: Float> Cause<T> {
                 "`{name}` does not settle at t = {t} s: after {iterations} corrections they are still {:.1e} long",
                 correction.to_f64()
             ),
+            Cause::TooManySteps { steps } if self.last.as_ref().is_some_and(|last| last.condition.to_f64() > CREEPING) => write!(
+                f,
+                "`{name}` does not reach t = {t} s in {steps} steps: they become short where it is nearly singular, as in the last state \
+                 of this failure; `solve_near` may find a state behind that from a guess"
+            ),
             Cause::TooManySteps { steps } => write!(
                 f,
-                "`{name}` does not reach t = {t} s in {steps} steps, so far is it from where they began: go on with `solve_from` from the \
+                "`{name}` does not reach t = {t} s in {steps} steps, so far is that time from the state before: go on with `solve_from` from the \
                  last state of this failure, `sweep` through times between, or give `solve_near` a guess for this time"
             ),
         }
     }
 }
+
+/// Above this condition steps are short for that reason.
+const CREEPING: f64 = 1e5;
 
 /// A quantity in SI as one would write it: a length in mm or m, an angle in degrees, three digits.
 struct Measure(f64, &'static str);

@@ -154,9 +154,12 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
         enclosure::polish(self, state)
     }
 
-    /// The states at these times (s): the first as by [`solve`](Self::solve), each further one from the one before.
+    /// The states at these times (s), such as `(0..=360).map(|i| f64::from(i) * 1e-3)`: the first as by [`solve`](Self::solve), each
+    /// further one from the one before.
     ///
-    /// The iterator ends after the first failure.
+    /// The iterator ends after the first failure. A change point on the way is passed on the branch that goes on smoothly. A state at
+    /// the change point itself is the limit of those around it: its equations hold to rounding, but no
+    /// [certificate](Self::certify) is possible there, since there is another solution next to it.
     fn sweep<I: IntoIterator<Item = T>>(&self, times: I) -> Sweep<'_, Self, I::IntoIter, T, N>
     where
         Self: Sized,

@@ -33,8 +33,9 @@ pub struct Values<T, const N: usize> {
     /// The name of the branch: for each block the sign of the determinant of its Jacobian, at the index of the block's first
     /// unknown. A sign changes only where the block is singular.
     pub branch: [Orientation; N],
-    /// How near to singular Φ_q is, of the blocks that were solved for this state (not those that rest): by about how much rounding errors are multiplied in q, q̇ and q̈. 1 at best; its decimal
-    /// logarithm is the number of digits lost. It grows without bound towards a dead point.
+    /// How near to singular Φ_q is, of the blocks that were solved for this state (not those that rest): rounding errors are
+    /// multiplied in q by about as much. 1 at best; its decimal logarithm is the number of digits that q has lost. Near a dead point
+    /// q̇ loses twice as many, and q̈ three times as many; `error_bound` says how many, and `polish` wins them back.
     pub condition: T,
     /// How often Φ_q was formed and factored to get here from the predicted or guessed position.
     pub iterations: usize,

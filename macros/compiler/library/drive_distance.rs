@@ -7,8 +7,8 @@
 ///   γ = γ_distance + 2 C C̈ + 2 Ċ²
 /// ```
 ///
-/// Degenerate case: where C passes through zero the row's derivative vanishes and the solver reports
-/// a singular configuration. A law that is constantly zero is refused.
+/// Degenerate case: where C passes through zero the row's derivative vanishes, and the distance could grow again on either side. A
+/// motion through it goes on smoothly; no state can be found there from a guess. A law that is constantly zero is refused.
 ///
 /// Reference: Nikravesh, section 4.2.6; Haug, section 3.5.
 constraint drive_distance(P: Point, Q: Point, C: Length) {

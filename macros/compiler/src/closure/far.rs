@@ -8,7 +8,7 @@ use super::turns::within_a_turn;
 use crate::diag::{Doubt, Warning, degrees, millimetres, significant};
 use crate::model::Said;
 use crate::structure::Structure;
-use core::f64::consts::FRAC_PI_4;
+use core::f64::consts::{FRAC_PI_4, TAU};
 
 /// An angle farther from its declared value than this is far, in rad.
 const FAR_ANGLE: f64 = FRAC_PI_4;
@@ -45,7 +45,10 @@ impl Room<'_> {
             // A drive may begin whole turns away.
             let apart = within_a_turn(start[unknown] - declared(unknown)).abs();
             if apart > FAR_ANGLE {
-                let instead = format!("{}deg", significant(start[unknown].to_degrees().round()));
+                // 70 radians are 70 degrees without their unit.
+                let is_without_unit = declared(unknown).abs() > TAU && declared(unknown).fract() == 0.0;
+                let meant = if is_without_unit { declared(unknown) } else { start[unknown].to_degrees().round() };
+                let instead = format!("{}deg", significant(meant));
                 return Some(doubt("angle", unknown, degrees(start[unknown]), degrees(declared(unknown)), degrees(apart), instead));
             }
         }

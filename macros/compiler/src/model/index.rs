@@ -104,7 +104,9 @@ impl Elaborator<'_> {
         let (from, to) = (from?, to?);
         let rounds = i128::from(to) - i128::from(from) + i128::from(bounds.is_inclusive);
         let range = bounds.from.range.to(bounds.to.range);
-        if rounds < 0 || rounds == 0 && !is_inner {
+        // A number of rounds with a name may be none; nobody writes `2..2` on purpose.
+        let is_written_out = [&bounds.from, &bounds.to].iter().all(|end| matches!(end.kind, ExprKind::Number { .. }));
+        if rounds < 0 || rounds == 0 && !is_inner && is_written_out {
             return self.refuse(range, Fact::EmptyRange { from, to, is_inclusive: bounds.is_inclusive });
         }
         match usize::try_from(rounds).ok().filter(|rounds| *rounds <= LONGEST) {

@@ -347,7 +347,7 @@ fn mark(input: ParseStream) -> Parsed<Mark> {
     let (name, indices) = declared(input, if is_axis { "the name of the axis" } else { "the name of the point" })?;
     equals(input)?;
     let value = expression(input)?;
-    if input.peek(Token![,]) {
+    if input.peek(Token![,]) && !matches!(value.kind, ExprKind::Tuple(..)) {
         return wrong(value.range, Fact::PairWithoutParentheses { what: if is_axis { "an axis" } else { "a point" } });
     }
     semicolon(input)?;
