@@ -4,12 +4,13 @@
 
 use core::cell::Cell;
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 #[cfg(feature = "certify")]
 use crate::enclosure::Wanted;
+use crate::iterate;
 use crate::lanes::Mask;
-use crate::linear::Linear;
+use crate::linear::{Linear, regular_part};
 use crate::order::greater;
 use crate::pass::{Solved, Stop, bound};
 use crate::place::Place;
@@ -92,6 +93,8 @@ enum Mode<'a, T, const N: usize> {
     Close { guess: &'a SVector<T, N> },
     /// Nothing is solved: these are the positions, and the block that is nearest to singular is looked for.
     Inspect { q: &'a SVector<T, N> },
+    /// These are the positions in whatever direction the equations hardly determine; in all others they are corrected.
+    Settle { q: &'a SVector<T, N> },
     /// Solutions are enclosed next to a state, which only [`Enclosure`](crate::Enclosure) can do.
     #[cfg(feature = "certify")]
     Enclose(&'a Wanted<N>),
@@ -131,6 +134,11 @@ impl<'a, T: Float, const N: usize> Care<'a, T, N> {
     /// At given positions.
     pub(crate) fn inspect<E: Description<T, N> + ?Sized>(equations: &E, q: &'a SVector<T, N>) -> Self {
         Self::new(equations, Mode::Inspect { q }, [Orientation::Positive; N])
+    }
+
+    /// At positions next to which branches cross.
+    pub(crate) fn settle<E: Description<T, N> + ?Sized>(equations: &E, q: &'a SVector<T, N>) -> Self {
+        Self::new(equations, Mode::Settle { q }, [Orientation::Positive; N])
     }
 
     /// The equation that is off most, if any is.
@@ -187,6 +195,11 @@ pub(crate) fn solve<T: Float, L: Linear<T, K>, const K: usize, const N: usize>(
             }
             Position { place, factors, condition, iterations: 0 }
         }
+        Mode::Settle { q } => {
+            let place = settled(&part, picked(q))?;
+            let factors = L::factor(&part.linearize(&place).1).map_err(|row| Stop::NotFinite(Culprit::Row(part.row(row))))?;
+            Position { place, factors, condition: T::of(1.0), iterations: SETTLING }
+        }
         #[cfg(feature = "certify")]
         Mode::Enclose(_) => return Err(Stop::Far),
     };
@@ -197,6 +210,33 @@ pub(crate) fn solve<T: Float, L: Linear<T, K>, const K: usize, const N: usize>(
     found.iterations = found.iterations.max(position.iterations);
     care.found.set(found);
     Ok(Solved { x: position.place.x.data.0[0], turn: position.place.turn, factors: position.factors })
+}
+
+/// Corrections of a position between two crossing branches: in the directions in which it is corrected it is right to half of its
+/// digits.
+const SETTLING: usize = 2;
+
+/// At a crossing residuals are so many roundings of their terms; where two branches only come near to each other, there is a gap.
+const GAP: f64 = 8.0;
+
+/// A place at which the equations hold to rounding, whatever is determined of it being corrected.
+///
+/// # Errors
+/// If they do not.
+fn settled<T: Float, P: Problem<T, K>, const K: usize>(problem: &P, mut place: Place<T, K>) -> Result<Place<T, K>, Stop<T>> {
+    let column = &problem.scale().column;
+    for _ in 0..SETTLING {
+        let (phi, jacobian) = problem.linearize(&place);
+        let (sizes, rows) = (iterate::sizes(problem, &jacobian), P::Factors::dense(&jacobian));
+        let scaled = SMatrix::from_fn(|i, j| rows[(i, j)] * column[j] / sizes[i]);
+        let residual = SVector::from_fn(|i, _| -phi[i] / sizes[i]);
+        let correction = regular_part(&scaled, &residual).ok_or(Stop::Far)?;
+        place = place.moved(T::of(1.0), &SVector::from_fn(|j, _| correction[j] * column[j]), problem.turns());
+    }
+    let (phi, jacobian) = problem.linearize(&place);
+    let sizes = iterate::sizes(problem, &jacobian);
+    let holds = phi.iter().zip(&sizes).all(|(residual, &size)| residual.abs() <= T::of(GAP) * T::EPSILON * size);
+    if holds { Ok(place) } else { Err(Stop::Far) }
 }
 
 /// A length that has become larger than L is measured by itself.

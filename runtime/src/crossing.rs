@@ -67,14 +67,14 @@ pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     if meets.branch != far.branch || (far.branch == here.branch && !is_there) {
         return None;
     }
+    let between = T::of(STRAIGHT) / T::ROOT_EPSILON.sqrt();
+    let [near, far] = [approach(equations, &before, crossing, between)?, approach(equations, &beyond, crossing, between)?];
+    // Between branches that only come near to each other there is no solution.
+    let mut there = extrapolated(equations, near, far, crossing, if is_there { t } else { crossing })?;
+    there.values.q = pass(equations, there.values.t, &Care::settle(equations, &there.values.q)).ok()?.q;
     if !is_there {
         return Some(beyond);
     }
-    let between = T::of(STRAIGHT) / T::ROOT_EPSILON.sqrt();
-    let [near, far] = [approach(equations, &before, crossing, between)?, approach(equations, &beyond, crossing, between)?];
-    let mut there = extrapolated(equations, near, far, crossing, t)?;
-    // What is computed follows from what is iterated to the last digit.
-    there.values.q = pass(equations, t, &Care::inspect(equations, &there.values.q)).ok()?.q;
     Some(State { mark: equations.mark(), ..there })
 }
 

@@ -90,7 +90,10 @@ impl<T: Float, L: Linear<T, N>, const N: usize> Iterate<T, L, N> {
 }
 
 /// The magnitudes of the terms of each residual; where nothing is known of them, those of its row of Φ_q, a length counting L.
-fn sizes<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, jacobian: &<P::Factors as Linear<T, N>>::Matrix) -> SVector<T, N> {
+pub(crate) fn sizes<T: Float, P: Problem<T, N>, const N: usize>(
+    problem: &P,
+    jacobian: &<P::Factors as Linear<T, N>>::Matrix,
+) -> SVector<T, N> {
     let (sizes, zero) = (problem.sizes(), T::of(0.0));
     if sizes.iter().all(|&size| size > zero) {
         return sizes;

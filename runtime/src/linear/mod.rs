@@ -27,7 +27,7 @@ use crate::{Float, Lanes};
 
 pub use elimination::{Eliminated, Elimination, Order};
 pub use factor::Factors;
-pub(crate) use rank::weakest;
+pub(crate) use rank::{regular_part, weakest};
 pub use small::Small;
 pub use sparse::{Entries, Sparse};
 

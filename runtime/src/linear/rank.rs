@@ -2,9 +2,9 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::Factors;
 use super::factor::Pivoting;
 use super::permuted::entry;
+use super::{Factors, Linear};
 use crate::Float;
 
 /// The row that depends on the others and the unknown that they leave undetermined.
@@ -36,6 +36,18 @@ pub(crate) fn weakest<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, size:
         right[k] = right[k] * entry(factors.column_scale.as_slice(), column) / entry(size.as_slice(), column);
     }
     Some((*factors.rows.get(largest(&left))?, *factors.columns.get(largest(&right))?))
+}
+
+/// x of A x = b as far as A is regular: entries and pivots that are a small share of the others count as zero, and what they alone
+/// determine is zero in x.
+///
+/// * `matrix`: given, A, in units in which rows and columns are about 1.
+pub(crate) fn regular_part<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, b: &SVector<T, N>) -> Option<SVector<T, N>> {
+    let zero = T::of(0.0);
+    let mut factors = Factors::equilibrated(&matrix.map(|entry| if entry.abs() > T::ROOT_EPSILON { entry } else { zero })).ok()?;
+    factors.eliminate(Pivoting::Full);
+    factors.rank = (0..factors.rank.min(N)).find(|&k| factors.lu[k][k].abs() <= T::ROOT_EPSILON).unwrap_or(factors.rank);
+    Some(factors.solve(b))
 }
 
 /// Index of the entry with the largest magnitude, the first of equals.

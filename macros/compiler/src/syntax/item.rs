@@ -1,8 +1,8 @@
 //! The items of a mechanism.
 
 use super::ast::{
-    Argument, Closing, Docs, Expr, Following, Frame, Function, Item, Joint, JointBody, Let, Limits, Mark, Marks, Mechanism, Output,
-    Parameter, Refused, Start, Times, Use,
+    Argument, Closing, Docs, Expr, ExprKind, Following, Frame, Function, Item, Joint, JointBody, Let, Limits, Mark, Marks, Mechanism,
+    Output, Parameter, Refused, Start, Times, Use,
 };
 use super::definition::statement;
 use super::dimension::{dimension, required_dimension};
