@@ -228,8 +228,8 @@ fn settled<T: Float, P: Problem<T, K>, const K: usize>(problem: &P, mut place: P
     for _ in 0..SETTLING {
         let (phi, jacobian) = problem.linearize(&place);
         let (sizes, rows) = (iterate::sizes(problem, &jacobian), P::Factors::dense(&jacobian));
-        let scaled = SMatrix::from_fn(|i, j| rows[(i, j)] * column[j] / sizes[i]);
-        let residual = SVector::from_fn(|i, _| -phi[i] / sizes[i]);
+        let scaled = SMatrix::<T, K, K>::from_fn(|i, j| rows[(i, j)] * column[j] / sizes[i]);
+        let residual = SVector::<T, K>::from_fn(|i, _| -phi[i] / sizes[i]);
         let correction = regular_part(&scaled, &residual).ok_or(Stop::Far)?;
         place = place.moved(T::of(1.0), &SVector::from_fn(|j, _| correction[j] * column[j]), problem.turns());
     }

@@ -112,7 +112,15 @@ pub enum Culprit {
 impl<T: Float, const N: usize> fmt::Display for Failure<T, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (name, t) = (self.mechanism, self.time.to_f64());
-        self.cause.fmt(f, name, t)?;
+        match (&self.cause, &self.last) {
+            (Cause::TooManySteps { steps }, Some(last)) if last.condition.to_f64() > CREEPING => write!(
+                f,
+                "`{name}` does not reach t = {t} s in {steps} steps: at t = {} s, where it is nearly singular, they become too short; \
+                 `solve_near` may find a state beyond from a guess",
+                last.t.to_f64()
+            )?,
+            (cause, _) => cause.fmt(f, name, t)?,
+        }
         let Some(BranchEnd { share, row, coordinate }) = &self.end else { return Ok(()) };
         write!(
             f,
@@ -162,11 +170,6 @@ impl<T: Float> Cause<T> {
                 f,
                 "`{name}` does not settle at t = {t} s: after {iterations} corrections they are still {:.1e} long",
                 correction.to_f64()
-            ),
-            Cause::TooManySteps { steps } if self.last.as_ref().is_some_and(|last| last.condition.to_f64() > CREEPING) => write!(
-                f,
-                "`{name}` does not reach t = {t} s in {steps} steps: they become short where it is nearly singular, as in the last state \
-                 of this failure; `solve_near` may find a state behind that from a guess"
             ),
             Cause::TooManySteps { steps } => write!(
                 f,

@@ -1,6 +1,6 @@
 //! Positions where two branches of a mechanism cross: it could go on as either, and goes on as the one that is smooth.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use reuleaux::nalgebra::SVector;
 use reuleaux::{Cause, Equations, Failure, Mechanism, Motion, State, mechanism};
@@ -205,18 +205,47 @@ mechanism! {
     }
 }
 
-/// Where branches come near to each other and do not meet, none is left: a crank that is longer stops, a shorter one turns the rocker back.
+/// The angle of the rocker of `Nearly` by plane geometry: of the triangle of its pivot, its pin and the pin of the crank, on the side on
+/// which the rod crosses the line of the pivots.
+fn crossed(crank: f64, more: f64) -> f64 {
+    let (x, y) = (0.5 * crank.cos() - 2.0, 0.5 * crank.sin());
+    let (distance, rocker) = (x.hypot(y), 0.5 + more);
+    let inner = ((distance * distance + rocker * rocker - 4.0) / (2.0 * distance * rocker)).acos();
+    y.atan2(x) - inner + TAU
+}
+
+/// Where branches come near to each other and do not meet, none is left: a crank that is longer stops, a shorter one turns the rocker
+/// back. Four roundings of a length are enough to tell.
 #[test]
 fn what_only_comes_near_is_no_crossing() {
-    for digits in 3..=11 {
+    let (crossing, end) = (119.0 / 60.0, 4.0);
+    for digits in 3..=14 {
         let off = 0.1f64.powi(digits);
         for more in [off, -off] {
             let nearly = Nearly { more };
-            let start = nearly.solve(0.0).unwrap();
-            let side = start.branch;
+            let side = nearly.solve(0.0).unwrap().branch;
             for steps in [3, 10, 31, 100] {
-                for state in nearly.sweep((0..=steps).map(|step| 4.0 * f64::from(step) / f64::from(steps))).map_while(Result::ok) {
+                let mut last = Err("no state".to_owned());
+                for state in nearly.sweep((0..=steps).map(|step| end * f64::from(step) / f64::from(steps))) {
+                    last = state.map_err(|failure| failure.to_string());
+                    let Ok(state) = &last else { break };
                     assert_eq!(state.branch, side, "{more:e}, {steps} steps: {state:?}");
+                    assert!(nearly.phi(&state.q, state.t).amax() < 1e-14, "{more:e}, {steps} steps: {state:?}");
+                }
+                match last {
+                    Ok(state) => {
+                        let right = crossed(state.crank().angle, more);
+                        assert!(more > 0.0 && (state.rocker().angle - right).abs() < 1e-13, "{more:e}, {steps} steps: {state:?}");
+                    }
+                    Err(_) => assert!(more < 0.0, "{more:e}, {steps} steps: {last:?}"),
+                }
+            }
+            // Nowhere in the opening, which is some √more long, is there a state.
+            let opening = off.sqrt();
+            for place in (-20..=20).map(|place| crossing + opening * f64::from(place) / 10.0) {
+                if let Ok(state) = nearly.solve(place) {
+                    assert!(nearly.phi(&state.q, state.t).amax() < 1e-14, "{more:e} at {place}: {state:?}");
+                    assert_eq!(state.branch, side, "{more:e} at {place}: {state:?}");
                 }
             }
         }

@@ -38,15 +38,15 @@ pub(crate) fn weakest<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, size:
     Some((*factors.rows.get(largest(&left))?, *factors.columns.get(largest(&right))?))
 }
 
-/// x of A x = b as far as A is regular: entries and pivots that are a small share of the others count as zero, and what they alone
+/// x of A x = b as far as A is regular: entries and pivots below ε to the power 1/4 of the others count as zero, and what they alone
 /// determine is zero in x.
 ///
 /// * `matrix`: given, A, in units in which rows and columns are about 1.
 pub(crate) fn regular_part<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, b: &SVector<T, N>) -> Option<SVector<T, N>> {
-    let zero = T::of(0.0);
-    let mut factors = Factors::equilibrated(&matrix.map(|entry| if entry.abs() > T::ROOT_EPSILON { entry } else { zero })).ok()?;
+    let (zero, weak) = (T::of(0.0), T::ROOT_EPSILON.sqrt());
+    let mut factors = Factors::equilibrated(&matrix.map(|entry| if entry.abs() > weak { entry } else { zero })).ok()?;
     factors.eliminate(Pivoting::Full);
-    factors.rank = (0..factors.rank.min(N)).find(|&k| factors.lu[k][k].abs() <= T::ROOT_EPSILON).unwrap_or(factors.rank);
+    factors.rank = (0..factors.rank.min(N)).find(|&k| factors.lu[k][k].abs() <= weak).unwrap_or(factors.rank);
     Some(factors.solve(b))
 }
 
