@@ -275,6 +275,9 @@ pub(crate) fn is_same_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>
     is_resolved(here, &there.q, h, E::COMPUTED_ANGLES) && comes_from(equations, here, h, &coordinates, there.condition)
 }
 
+/// Rounding errors of positions, as a multiple of ε times their condition.
+const ROUNDINGS: f64 = 4.0;
+
 /// The state after a step expects behind it, at q − h q̇ + h² q̈ / 2, the state before, as far as another assembly may be away.
 #[cold]
 #[inline(never)]
@@ -286,7 +289,9 @@ fn comes_from<T: Lanes, E: Stages<T, N> + ?Sized, const N: usize>(
     condition: T,
 ) -> T::Mask {
     let length = length_of(equations.characteristic_length());
-    let nearest = T::of(LARGEST_LAPSE) / condition.max(here.condition);
+    let condition = condition.max(here.condition);
+    // What rounding errors may make of two positions is no lapse.
+    let nearest = T::of(LARGEST_LAPSE) / condition + T::of(ROUNDINGS) * T::EPSILON * condition;
     let mut comes = T::Mask::of(true);
     for &i in E::ITERATED {
         let Some(coordinate) = E::COORDINATES.get(i) else { continue };

@@ -36,8 +36,11 @@ const LARGEST_CHANGE: f64 = 0.25;
 /// Rounding errors are looked for at these places, as multiples of the way to where another solution may be.
 const PLACES: [f64; 4] = [0.5, 1.0, 1.9, 2.9];
 
+/// The furthest of them are at the cube root of ε.
+const FAR_PLACES: f64 = 1.0 / 2.9;
+
 /// How much larger rounding errors may be than they are there.
-const BEYOND_PLACES: f64 = 2.0;
+const BEYOND_PLACES: f64 = 6.0;
 
 /// A solution of Φ(q, t) = 0.
 pub(crate) struct Position<T, L, const N: usize> {
@@ -184,20 +187,24 @@ fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: &
         let change = SVector::from_fn(|row, _| there[row] - here[row]);
         greater(largest, scale.norm(&factors.solve(&change)) / step.abs())
     });
-    // Up to the cube root of ε what Φ has of third order is below rounding.
-    let reach = smaller(T::of(1.0) / curvature, cube_root_of_epsilon());
+    // Up to the cube root of ε what Φ has of third order is below rounding. Sums whose terms hardly change are rounded alike near to q,
+    // and only further away it shows how.
+    let furthest = T::of(FAR_PLACES) * cube_root_of_epsilon();
+    let reaches = [smaller(T::of(1.0) / curvature, furthest), furthest];
     let mut error = T::EPSILON * scale.norm(&place.x);
     // Each is converted where it stands, before the machine runs: a loop over doubles would convert them then.
     let [a, b, c, d] = PLACES;
     for multiple in [T::of(a), T::of(-a), T::of(b), T::of(-b), T::of(c), T::of(-c), T::of(d), T::of(-d)] {
-        let way = along.map(|entry| multiple * reach * entry);
-        let there = place.moved(T::of(1.0), &way, problem.turns());
-        let way = SVector::from_fn(|k, _| there.x[k] - place.x[k]);
-        let (beside, jacobian) = problem.linearize(&there);
-        let slope = P::Factors::dense(&jacobian);
-        let (there, here) = (product(&slope, &way), product(&here, &way));
-        let rest = SVector::from_fn(|row, _| (beside[row] - phi[row]) - T::of(0.5) * (there[row] + here[row]));
-        error = greater(error, T::of(BEYOND_PLACES) * scale.norm(&factors.solve(&rest)));
+        for reach in reaches {
+            let way = along.map(|entry| multiple * reach * entry);
+            let there = place.moved(T::of(1.0), &way, problem.turns());
+            let way = SVector::from_fn(|k, _| there.x[k] - place.x[k]);
+            let (beside, jacobian) = problem.linearize(&there);
+            let slope = P::Factors::dense(&jacobian);
+            let (there, here) = (product(&slope, &way), product(&here, &way));
+            let rest = SVector::from_fn(|row, _| (beside[row] - phi[row]) - T::of(0.5) * (there[row] + here[row]));
+            error = greater(error, T::of(BEYOND_PLACES) * scale.norm(&factors.solve(&rest)));
+        }
     }
     condition * T::EPSILON < T::of(1.0) && curvature * error <= T::of(LARGEST_CHANGE)
 }
