@@ -25,6 +25,10 @@ fn errors<M: Declared, const N: usize>(mechanism: &M, found: &State<f64, N>, ref
     [worse(q, of_point(0, "q", "r")), worse(qd, of_point(1, "qd", "v")), worse(qdd, of_point(2, "qdd", "a"))]
 }
 
+/// Steps of a fine sweep, and the corrections that each of them may take on average.
+const STEPS: u32 = 1000;
+const MOST_CORRECTIONS: f64 = 1.05;
+
 /// Solves a mechanism in all ways and prints the largest errors.
 fn check<M: Declared + Default + Mechanism<f64, N>, const N: usize>(name: &str) {
     let (mechanism, file) = (M::default(), file(&format!("mechanisms/{name}.json")));
@@ -54,7 +58,13 @@ fn check<M: Declared + Default + Mechanism<f64, N>, const N: usize>(name: &str) 
         let found = mechanism.solve(number(&reference["t"])).unwrap_or_else(|failure| panic!("{failure}"));
         note("from the start", &found, reference);
     }
-    println!("{name}: largest relative errors of q {:.1e}, q̇ {:.1e}, q̈ {:.1e}", largest[0], largest[1], largest[2]);
+    // A step forms Φ_q where it is predicted to go and once more after a correction: two times, and seldom more.
+    let (begin, end) = (times[0], times[times.len() - 1]);
+    let steps = (0..=STEPS).map(|step| begin + (end - begin) * f64::from(step) / f64::from(STEPS));
+    let formed = mechanism.sweep(steps).skip(1).map(|state| state.unwrap_or_else(|failure| panic!("{failure}")).iterations);
+    let corrections = formed.map(|times| times.saturating_sub(1)).sum::<usize>() as f64 / f64::from(STEPS);
+    assert!(corrections <= MOST_CORRECTIONS, "{name}: {corrections} corrections a step");
+    println!("{name}: {corrections} corrections a step, largest relative errors of q {:.1e}, q̇ {:.1e}, q̈ {:.1e}", largest[0], largest[1], largest[2]);
 }
 
 #[test]
