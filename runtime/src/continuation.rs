@@ -10,6 +10,7 @@ use nalgebra::SVector;
 
 use crate::careful::{Care, Found};
 use crate::crossing;
+use crate::order::greater;
 use crate::pass::{Pass, Stop, Walk};
 use crate::scale::length_of;
 use crate::stages::{Coordinates, Stages};
@@ -32,6 +33,9 @@ pub(crate) const LARGEST_LAPSE: f64 = 0.2;
 
 /// Up to this share of ε^(−1/4) a condition says that a change point is not too near to look across.
 const CLEAR: f64 = 0.0625;
+
+/// The same where there are few digits.
+const LEAST_CLEAR: f64 = 16.0;
 
 /// From this share of 1 / √ε on a condition may be that of the end of a branch.
 const NEARLY_SINGULAR: f64 = 1.0 / 64.0;
@@ -202,7 +206,7 @@ fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
             Ok((reached, _)) => {
                 here = reached;
                 step = step + step;
-                if here.condition <= largest_condition(CLEAR) {
+                if here.condition <= greater(largest_condition(CLEAR), T::of(LEAST_CLEAR)) {
                     waypoint = here.clone();
                 }
             }

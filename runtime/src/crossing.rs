@@ -20,11 +20,17 @@ use crate::{Float, State, Values};
 /// The least condition next to a crossing, as a share of 1 / √ε: two branches that do not meet are told apart before.
 const CLOSE: f64 = 1.0 / 256.0;
 
+/// The same where there are few digits.
+const LEAST_CLOSE: f64 = 64.0;
+
 /// Steps towards the crossing, each of half of what is left.
 const MOST_STEPS: usize = 64;
 
 /// Between two states of this condition, one on either side, the motion is a polynomial, to as many digits as they have.
 const STRAIGHT: f64 = 1.0 / 32.0;
+
+/// The same where there are few digits.
+const LEAST_STRAIGHT: f64 = 16.0;
 
 /// So much further from the crossing than the last state that was found there are others again.
 const REACH: f64 = 4.0;
@@ -41,7 +47,7 @@ pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     here: &State<T, N>,
     t: T,
 ) -> Option<State<T, N>> {
-    let close = T::of(CLOSE) / T::ROOT_EPSILON;
+    let close = greater(T::of(CLOSE) / T::ROOT_EPSILON, T::of(LEAST_CLOSE));
     if here.condition < close || waypoint.t == here.t {
         return None;
     }
@@ -67,7 +73,7 @@ pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     if meets.branch != far.branch || (far.branch == here.branch && !is_there) {
         return None;
     }
-    let between = T::of(STRAIGHT) / T::ROOT_EPSILON.sqrt();
+    let between = greater(T::of(STRAIGHT) / T::ROOT_EPSILON.sqrt(), T::of(LEAST_STRAIGHT));
     let [near, far] = [approach(equations, &before, crossing, between)?, approach(equations, &beyond, crossing, between)?];
     // Between branches that only come near to each other there is no solution.
     let mut there = extrapolated(equations, near, far, crossing, if is_there { t } else { crossing })?;

@@ -266,3 +266,16 @@ fn a_guess_at_the_crossing_finds_no_state() {
         }
     }
 }
+
+/// In single precision, too: the rod does not turn, to what is left of seven digits.
+#[test]
+fn single_precision_passes_as_well() {
+    let parallelogram = Parallelogram::<f32>::with_defaults();
+    for steps in [3_u16, 7, 20, 100, 300] {
+        for state in parallelogram.sweep((0..=steps).map(|step| 4.0 * f32::from(step) / f32::from(steps))) {
+            let state = state.unwrap_or_else(|failure| panic!("{steps} steps: {failure}"));
+            let lost = 4.0 * f32::EPSILON * state.condition.max(100.0);
+            assert!(state.rod().angle.abs() < lost, "{steps} steps: {state:?}");
+        }
+    }
+}
