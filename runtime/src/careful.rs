@@ -32,6 +32,11 @@ pub struct Care<'a, T: Lanes, const N: usize> {
 }
 
 impl<T: Lanes, const N: usize> Care<'_, T, N> {
+    /// The positions that are given, if they are.
+    pub(crate) fn given(&self) -> Option<&SVector<T, N>> {
+        if let Mode::Inspect { q } = self.mode { Some(q) } else { None }
+    }
+
     /// What the pass encloses, if it does.
     #[cfg(feature = "certify")]
     pub(crate) fn wanted(&self) -> Option<&Wanted<N>> {
@@ -39,7 +44,6 @@ impl<T: Lanes, const N: usize> Care<'_, T, N> {
     }
 
     /// The name of a coordinate.
-    #[cfg(feature = "certify")]
     pub(crate) fn coordinate(&self, index: usize) -> Coordinate {
         names::coordinate(self.coordinates, index)
     }
@@ -105,6 +109,11 @@ impl<'a, T: Lanes, const N: usize> Care<'a, T, N> {
     #[cfg(feature = "certify")]
     pub(crate) fn enclose<E: Description<T, N> + ?Sized>(equations: &E, wanted: &'a Wanted<N>) -> Self {
         Self::new(equations, Mode::Enclose(wanted), [Orientation::Positive; N])
+    }
+
+    /// At the positions of a state.
+    pub(crate) fn at_state<E: Description<T, N> + ?Sized>(equations: &E, q: &'a SVector<T, N>) -> Self {
+        Self::new(equations, Mode::Inspect { q }, [Orientation::Positive; N])
     }
 
     fn new<E: Description<T, N> + ?Sized>(equations: &E, mode: Mode<'a, T, N>, branch: [Orientation; N]) -> Self {

@@ -4,6 +4,9 @@ use crate::{Lanes, Orientation};
 
 /// A [`Real`](crate::Real) with an order, a rounding unit and a way into messages: `f64` and `f32`.
 pub trait Float: Lanes<Mask = bool, Sides = Orientation> + PartialOrd {
+    /// 0
+    const ZERO: Self;
+
     /// The nearest `f64`, for messages.
     fn to_f64(self) -> f64;
 
@@ -21,6 +24,8 @@ pub trait Float: Lanes<Mask = bool, Sides = Orientation> + PartialOrd {
 }
 
 impl Float for f64 {
+    const ZERO: Self = 0.0;
+
     #[inline]
     fn to_f64(self) -> f64 {
         self
@@ -40,6 +45,8 @@ impl Float for f64 {
 }
 
 impl Float for f32 {
+    const ZERO: Self = 0.0;
+
     #[inline]
     fn to_f64(self) -> f64 {
         f64::from(self)

@@ -2,16 +2,15 @@
 
 use nalgebra::SVector;
 
-#[cfg(feature = "certify")]
-use crate::Family;
 use crate::assembly::assemble;
 use crate::careful::Care;
 use crate::continuation;
 #[cfg(feature = "certify")]
 use crate::enclosure::{self, Certificate, Doubt, Enclosure, ErrorBound};
+use crate::gradient::{self, Gradient};
 use crate::stages::Stages;
 use crate::verdict;
-use crate::{Cause, Culprit, Failure, Float, State, Sweep};
+use crate::{Cause, Culprit, Failure, Family, Float, State, Sweep};
 
 /// A mechanism with as many equations as coordinates, which can be solved. Everything with [`Stages`] is one.
 ///
@@ -152,6 +151,81 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
         Self::Over<Enclosure>: Stages<Enclosure, N>,
     {
         enclosure::polish(self, state)
+    }
+
+    /// A state with its derivatives by parameters: the mechanism and the state over [`Gradient`]s, so that whatever is computed of them,
+    /// each output and its rate and acceleration, has its exact derivatives too.
+    ///
+    /// * `state`: given, a state of this mechanism.
+    /// * `by`: picks the parameters; the derivatives are in the order in which it names them.
+    ///
+    /// ```
+    /// use reuleaux::{Mechanism, mechanism};
+    /// mechanism! {
+    ///     /// A slide on a rail, pushed by a rod of which it is the far end.
+    ///     mechanism Slide {
+    ///         param crank_length: Length = 50mm;
+    ///         param rod_length: Length = 150mm;
+    ///         ground { axis rail = (1, 0); }
+    ///         body crank { point A = (crank_length, 0mm); }
+    ///         body rod { point B = (rod_length, 0mm);  start angle = -10deg; }
+    ///         body slide { start x = 200mm; }
+    ///         joint o = revolute(ground.position, crank.position);
+    ///         joint a = revolute(crank.A, rod.position);
+    ///         joint b = revolute(rod.B, slide.position);
+    ///         joint guide = translational(ground.rail, ground.position, slide.position);
+    ///         drive turn = drive_angle(crank, 60rpm * t);
+    ///         output stroke = slide.position.x;
+    ///     }
+    /// }
+    /// let slide = Slide::default();
+    /// let state = slide.solve(0.1)?;
+    /// let (varied, state) = slide.derivatives(&state, |slide| [&mut slide.crank_length, &mut slide.rod_length])?;
+    /// let [by_crank, by_rod] = varied.stroke(&SlideState(state)).value.by;
+    /// // x = r cos θ + √(l² − r² sin² θ)
+    /// let (sine, cosine) = (0.2 * std::f64::consts::PI).sin_cos();
+    /// let root = (0.15f64.powi(2) - (0.05 * sine).powi(2)).sqrt();
+    /// assert!((by_crank - (cosine - 0.05 * sine * sine / root)).abs() < 1e-15);
+    /// assert!((by_rod - 0.15 / root).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// Nothing is iterated: each parameter costs one more right-hand side for the Jacobian of the state, for q, q̇ and q̈. Where the
+    /// derivative of an acceleration needs the third derivative of a Rust function, which is unknown, it is NaN.
+    ///
+    /// # Errors
+    /// If the state is none of this mechanism, or Φ_q is singular there.
+    #[allow(clippy::type_complexity, reason = "a mechanism and its state, over numbers with derivatives")]
+    fn derivatives<const P: usize>(
+        &self,
+        state: &State<T, N>,
+        by: impl for<'a> FnOnce(&'a mut Self::Over<Gradient<T, P>>) -> [&'a mut Gradient<T, P>; P],
+    ) -> Result<(Self::Over<Gradient<T, P>>, State<Gradient<T, P>, N>), Failure<T, N>>
+    where
+        Self: Family<T>,
+        Self::Over<Gradient<T, P>>: Stages<Gradient<T, P>, N>,
+    {
+        gradient::derivatives(self, state, by)
+    }
+
+    /// A state with its derivatives by any variables on which the parameters depend.
+    ///
+    /// * `state`: given, a state of this mechanism.
+    /// * `varied`: given, this mechanism, each parameter with its derivatives by the variables: one length that several parameters
+    ///   share, or an angle of which two coordinates are sine and cosine.
+    ///
+    /// # Errors
+    /// As [`derivatives`](Self::derivatives).
+    fn derivatives_along<const P: usize>(
+        &self,
+        state: &State<T, N>,
+        varied: &Self::Over<Gradient<T, P>>,
+    ) -> Result<State<Gradient<T, P>, N>, Failure<T, N>>
+    where
+        Self: Family<T>,
+        Self::Over<Gradient<T, P>>: Stages<Gradient<T, P>, N>,
+    {
+        gradient::derivatives_along(self, state, varied)
     }
 
     /// The states at these times (s), such as `(0..=360).map(|i| f64::from(i) * 1e-3)`: the first as by [`solve`](Self::solve), each

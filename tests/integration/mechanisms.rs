@@ -64,7 +64,10 @@ fn check<M: Declared + Default + Mechanism<f64, N>, const N: usize>(name: &str) 
     let formed = mechanism.sweep(steps).skip(1).map(|state| state.unwrap_or_else(|failure| panic!("{failure}")).iterations);
     let corrections = formed.map(|times| times.saturating_sub(1)).sum::<usize>() as f64 / f64::from(STEPS);
     assert!(corrections <= MOST_CORRECTIONS, "{name}: {corrections} corrections a step");
-    println!("{name}: {corrections} corrections a step, largest relative errors of q {:.1e}, q̇ {:.1e}, q̈ {:.1e}", largest[0], largest[1], largest[2]);
+    println!(
+        "{name}: {corrections} corrections a step, largest relative errors of q {:.1e}, q̇ {:.1e}, q̈ {:.1e}",
+        largest[0], largest[1], largest[2]
+    );
 }
 
 #[test]

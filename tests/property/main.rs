@@ -3,6 +3,7 @@
 mod bits;
 mod derivatives;
 mod dual;
+mod gradients;
 mod invariance;
 mod laws;
 mod models;
