@@ -10,11 +10,7 @@ const CUBE: Table = Table {
     knots: &KNOTS,
     coefficients: &COEFFICIENTS,
     ends: Ends::Linear,
-    single: Single {
-        knots: &Single::knots(&KNOTS),
-        coefficients: &Single::coefficients(&COEFFICIENTS),
-        period: Single::period(&KNOTS),
-    },
+    single: Single { knots: &Single::knots(&KNOTS), coefficients: &Single::coefficients(&COEFFICIENTS), period: Single::period(&KNOTS) },
 };
 
 #[test]

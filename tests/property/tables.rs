@@ -203,7 +203,11 @@ fn emitted(table: &Table, ends: &str) -> reuleaux::Table {
             "linear" => reuleaux::Ends::Linear,
             _ => reuleaux::Ends::Hold,
         },
-        single: reuleaux::Single { knots: knots.leak(), coefficients: coefficients.leak(), period: reuleaux::Single::period(&[first, last]) },
+        single: reuleaux::Single {
+            knots: knots.leak(),
+            coefficients: coefficients.leak(),
+            period: reuleaux::Single::period(&[first, last]),
+        },
     }
 }
 
@@ -234,7 +238,8 @@ fn single_precision_is_off_by_rounding_only() {
     for (_, ends, table) in tables() {
         let emitted = emitted(&table, ends);
         let knots = table.knots.iter().flat_map(|knot| [*knot as f32, (*knot as f32).next_up(), (*knot as f32).next_down()]);
-        let others: Vec<f32> = (0..200).map(|number| between(&mut rng, -10.0, 10.0) as f32 * if number % 4 == 0 { 1e4 } else { 1.0 }).collect();
+        let others: Vec<f32> =
+            (0..200).map(|number| between(&mut rng, -10.0, 10.0) as f32 * if number % 4 == 0 { 1e4 } else { 1.0 }).collect();
         for x in knots.chain(others) {
             let found = reuleaux::Real::table(x, &emitted);
             let found = [found.0, found.1, found.2].map(f64::from);
