@@ -139,8 +139,18 @@ impl Table {
         let end = if is_before { first } else { last };
         let is_outside = is_before || beyond(x, last) > 0.0;
         match self.ends {
-            // Of a large quotient the floor may be a period off; of what is then left it is not.
-            Ends::Periodic => self.cubic_single(wrapped(wrapped([x, 0.0], first, *period), first, *period)),
+            Ends::Periodic => {
+                let near = shifted([x, 0.0], libm::floorf(beyond(x, first) / period[0]), *period);
+                // The floor of a rounded quotient may be one period off.
+                let turn = if difference(near, first) < 0.0 {
+                    -1.0
+                } else if difference(near, last) >= 0.0 {
+                    1.0
+                } else {
+                    0.0
+                };
+                self.cubic_single(shifted(near, turn, *period))
+            }
             Ends::Linear if is_outside => {
                 let (value, slope, _) = self.cubic_single(end);
                 (value + slope * beyond(x, end), slope, 0.0)
@@ -173,16 +183,20 @@ fn difference(a: [f32; 2], b: [f32; 2]) -> f32 {
     (a[0] - b[0]) + (a[1] - b[1])
 }
 
-/// x less whole periods, as a sum of two.
-fn wrapped(x: [f32; 2], first: [f32; 2], period: [f32; 2]) -> [f32; 2] {
-    let turns = libm::floorf(difference(x, first) / period[0]);
+/// x less some whole periods, as a sum of two.
+fn shifted(x: [f32; 2], turns: f32, period: [f32; 2]) -> [f32; 2] {
     let [high, low] = product(turns, period[0]);
-    let rest = x[0] - high;
-    let left = x[1] - low - turns * period[1];
-    // The sum of the two without rounding, for |rest| that may be the smaller one (Knuth).
-    let sum = rest + left;
-    let part = sum - rest;
-    [sum, (rest - (sum - part)) + (left - part)]
+    let [rest, lost] = sum(x[0], -high);
+    sum(rest, lost + (x[1] - low - turns * period[1]))
+}
+
+/// a + b as a sum of two, without rounding.
+///
+/// Reference: Knuth, The Art of Computer Programming, volume 2, section 4.2.2.
+fn sum(a: f32, b: f32) -> [f32; 2] {
+    let high = a + b;
+    let part = high - a;
+    [high, (a - (high - part)) + (b - part)]
 }
 
 /// a b as a sum of two, without rounding.
