@@ -111,13 +111,13 @@ pub enum Culprit {
 
 impl<T: Float, const N: usize> fmt::Display for Failure<T, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (name, t) = (self.mechanism, self.time.to_f64());
+        let (name, t) = (self.mechanism, Plain(self.time.to_f64()));
         match (&self.cause, &self.last) {
             (Cause::TooManySteps { steps }, Some(last)) if last.condition.to_f64() > CREEPING => write!(
                 f,
                 "`{name}` does not reach t = {t} s in {steps} steps: at t = {} s, where it is nearly singular, they become too short; \
                  `solve_near` may find a state beyond from a guess",
-                last.t.to_f64()
+                Plain(last.t.to_f64())
             )?,
             (cause, _) => cause.fmt(f, name, t)?,
         }
@@ -132,7 +132,7 @@ impl<T: Float, const N: usize> fmt::Display for Failure<T, N> {
 
 impl<T: Float> Cause<T> {
     /// What happened to the mechanism of this name at time t.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>, name: &str, t: f64) -> fmt::Result {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>, name: &str, t: Plain) -> fmt::Result {
         match self {
             Cause::DoesNotClose { row, residual, gap } => {
                 write!(
@@ -183,6 +183,19 @@ impl<T: Float> Cause<T> {
 /// Above this condition steps are short for that reason.
 const CREEPING: f64 = 1e5;
 
+/// A number with all its digits; one that would have more than six before the point, or more than twelve zeros after it, with an
+/// exponent.
+#[derive(Clone, Copy)]
+struct Plain(f64);
+
+impl fmt::Display for Plain {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let &Plain(value) = self;
+        let is_usual = value == 0.0 || !value.is_finite() || (1e-13..1e6).contains(&value.abs());
+        if is_usual { write!(f, "{value}") } else { write!(f, "{value:e}") }
+    }
+}
+
 /// A quantity in SI as one would write it: a length in mm or m, an angle in degrees, three digits.
 struct Measure(f64, &'static str);
 
@@ -230,7 +243,7 @@ impl<T: Float, const N: usize> Error for Failure<T, N> {}
 impl<T: Float> fmt::Display for ParameterOutOfRange<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let space = if self.unit.is_empty() { "" } else { " " };
-        write!(f, "`{}` = {}{space}{}: {}", self.name, self.value.to_f64(), self.unit, self.why)
+        write!(f, "`{}` = {}{space}{}: {}", self.name, Plain(self.value.to_f64()), self.unit, self.why)
     }
 }
 
@@ -239,7 +252,7 @@ impl<T: Float> Error for ParameterOutOfRange<T> {}
 #[cfg(test)]
 mod tests {
     extern crate std;
-    use super::Measure;
+    use super::{Measure, Plain};
     use std::string::ToString;
 
     #[test]
@@ -257,6 +270,26 @@ mod tests {
             (f64::INFINITY, "m", "inf m"),
         ] {
             assert_eq!(Measure(value, unit).to_string(), shown);
+        }
+    }
+
+    #[test]
+    fn very_large_and_very_small_numbers_have_an_exponent() {
+        for (value, shown) in [
+            (0.0, "0"),
+            (-0.0, "-0"),
+            (0.25, "0.25"),
+            (999_999.5, "999999.5"),
+            (1e6, "1e6"),
+            (1e300, "1e300"),
+            (-1.234e-300, "-1.234e-300"),
+            (1e-13, "0.0000000000001"),
+            (9e-14, "9e-14"),
+            (f64::MIN_POSITIVE / 2.0, "1.1125369292536007e-308"),
+            (f64::NAN, "NaN"),
+            (f64::NEG_INFINITY, "-inf"),
+        ] {
+            assert_eq!(Plain(value).to_string(), shown);
         }
     }
 }

@@ -123,7 +123,7 @@ pub use stages::mark_of;
 pub use stages::{Coordinates, Stages, at_once, improved_at_once, improved_by};
 pub use state::{Motion, Orientation, PlanarBody, State, Values};
 pub use sweep::{Sweep, sweep};
-pub use table::{Ends, Table};
+pub use table::{Ends, Single, Table};
 
 #[doc(hidden)]
 pub use reuleaux_macros::__resume;

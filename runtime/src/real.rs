@@ -11,8 +11,7 @@ use crate::{Table, single};
 ///
 /// There are no comparison operators, because lanes and intervals have no single answer to a comparison.
 /// For `f64` every function is that of `libm`, for `f32` too but for sine, cosine, tangent and arc sine, which `libm` computes with
-/// doubles: so the bits are the same on every platform, and `f32` needs no double but for [`table`](Self::table) and
-/// [`map`](Self::map).
+/// doubles: so the bits are the same on every platform, and `f32` needs no double but for [`map`](Self::map).
 ///
 /// An angle is never wrapped, and its sine is that of the number that is stored. After many turns that number is a coarse one: at
 /// 10 000 turns neighbouring numbers are 7e-12 rad apart in `f64` and 4e-3 rad, a quarter of a degree, in `f32`.
@@ -64,7 +63,8 @@ pub trait Real:
         Self::select_less(self, other, other, self)
     }
 
-    /// Value, first and second derivative at `self` of a cubic spline, as [`Table::evaluate`] defines them.
+    /// Value, first and second derivative at `self` of a cubic spline, as [`Table::evaluate`] defines them, and for `f32`
+    /// [`Table::evaluate_single`].
     fn table(self, table: &Table) -> (Self, Self, Self);
 
     /// Value, first and second derivative at `self` of a function that exists for `f64` only, such as a measured law.
@@ -197,7 +197,7 @@ impl Real for f32 {
     }
     #[inline]
     fn table(self, table: &Table) -> (Self, Self, Self) {
-        narrow(table.evaluate(f64::from(self)))
+        table.evaluate_single(self)
     }
     #[inline]
     fn map(self, function: fn(f64) -> (f64, f64, f64)) -> (Self, Self, Self) {

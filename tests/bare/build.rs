@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A module with the first mechanism of a file. One with a table, which is evaluated in doubles, is not for `f32`.
+/// A module with the first mechanism of a file.
 fn module(number: usize, text: &str) -> Option<String> {
     let declaration = between(text, "mechanism! {").unwrap_or(text);
     let name = declaration.split("mechanism ").nth(1)?.split([' ', '{']).next()?;
@@ -59,10 +59,8 @@ fn module(number: usize, text: &str) -> Option<String> {
         (indent(line) <= 8).then(|| output.split([' ', ':']).next())?
     });
     let outputs: String = outputs.map(|output| format!("core::hint::black_box(mechanism.{output}(state));")).collect();
-    let except = if text.contains("table(") { "#[cfg(not(feature = \"single\"))]" } else { "" };
     Some(format!(
-        "{except}
-        mod m{number} {{
+        "mod m{number} {{
             use super::T;
             reuleaux::mechanism! {{ {declaration} }}
             /// Every way to a state, and what is made of it.

@@ -116,19 +116,14 @@ fn hold_ends_stand_still() {
 fn compiler_and_runtime_agree_bit_for_bit() {
     let mut rng = Rng::with_seed(11);
     for (_, ends, table) in tables() {
-        let ends = match ends {
-            "periodic" => reuleaux::Ends::Periodic,
-            "linear" => reuleaux::Ends::Linear,
-            _ => reuleaux::Ends::Hold,
-        };
-        let runtime = reuleaux::Table { knots: table.knots.clone().leak(), coefficients: table.coefficients.clone().leak(), ends };
+        let runtime = emitted(&table, ends);
         let special = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -0.0, 1e300, -1e300, 1e17];
         let inside: Vec<f64> = (0..200).map(|_| between(&mut rng, -12.0, 18.0)).collect();
         let near = table.knots.iter().flat_map(|knot| [knot.next_down(), *knot, knot.next_up()]);
         for x in special.into_iter().chain(inside).chain(near) {
             let ([a, b, c], (d, e, f)) = (table.evaluate(x), runtime.evaluate(x));
             for (compiled, run) in [(a, d), (b, e), (c, f)] {
-                assert!(compiled.to_bits() == run.to_bits() || (compiled.is_nan() && run.is_nan()), "{ends:?} at {x:e}: {compiled} {run}");
+                assert!(compiled.to_bits() == run.to_bits() || (compiled.is_nan() && run.is_nan()), "{ends} at {x:e}: {compiled} {run}");
             }
         }
     }
@@ -193,4 +188,69 @@ fn emitted_tables_are_the_splines_through_their_points() {
             assert_eq!(Tables::default().outputs(&at)[index], table.evaluate(x), "{ends} at {x}");
         }
     }
+}
+
+/// The table as it is emitted.
+fn emitted(table: &Table, ends: &str) -> reuleaux::Table {
+    let knots: Vec<[f32; 2]> = table.knots.iter().map(|knot| reuleaux::Single::knots(&[*knot])[0]).collect();
+    let coefficients: Vec<[f32; 4]> = table.coefficients.iter().map(|row| reuleaux::Single::coefficients(&[*row])[0]).collect();
+    let [first, last] = [table.knots[0], table.knots[table.knots.len() - 1]];
+    reuleaux::Table {
+        knots: table.knots.clone().leak(),
+        coefficients: table.coefficients.clone().leak(),
+        ends: match ends {
+            "periodic" => reuleaux::Ends::Periodic,
+            "linear" => reuleaux::Ends::Linear,
+            _ => reuleaux::Ends::Hold,
+        },
+        single: reuleaux::Single {
+            knots: knots.leak(),
+            coefficients: coefficients.leak(),
+            period: reuleaux::Single::period(&[first, last]),
+        },
+    }
+}
+
+/// How far off value and derivatives in `f32` may be: as the page of `Table::evaluate_single` says.
+fn allowed(table: &Table, ends: &str, x: f64) -> [f64; 3] {
+    let (first, last) = (table.knots[0], table.knots[table.knots.len() - 1]);
+    let inside = if ends == "periodic" { first + (x - first).rem_euclid(last - first) } else { x.clamp(first, last) };
+    // Rounding may choose the interval beside, which goes on as this one.
+    let reached = table.knots.partition_point(|knot| *knot <= inside);
+    let intervals = reached.saturating_sub(2)..(reached + 1).min(table.coefficients.len());
+    let of_interval = |interval: usize| {
+        let [c0, c1, c2, c3] = table.coefficients[interval].map(f64::abs);
+        let d = table.knots[interval + 1] - table.knots[interval];
+        [c0 + d * (c1 + d * (c2 + d * c3)), c1 + d * (2.0 * c2 + d * 3.0 * c3), 2.0 * c2 + d * 6.0 * c3]
+    };
+    let u = f64::from(f32::EPSILON) / 2.0;
+    let mut most = intervals.map(of_interval).fold([0.0; 3], |most: [f64; 3], next| core::array::from_fn(|i| most[i].max(next[i])));
+    if ends == "linear" {
+        most[0] += most[1] * (x - inside).abs();
+    }
+    most.map(|size| 8.0 * u * size)
+}
+
+#[test]
+fn single_precision_is_off_by_rounding_only() {
+    let mut rng = Rng::with_seed(11);
+    let mut worst = 0.0_f64;
+    for (_, ends, table) in tables() {
+        let emitted = emitted(&table, ends);
+        let knots = table.knots.iter().flat_map(|knot| [*knot as f32, (*knot as f32).next_up(), (*knot as f32).next_down()]);
+        let others: Vec<f32> =
+            (0..200).map(|number| between(&mut rng, -10.0, 10.0) as f32 * if number % 4 == 0 { 1e4 } else { 1.0 }).collect();
+        for x in knots.chain(others) {
+            let found = reuleaux::Real::table(x, &emitted);
+            let found = [found.0, found.1, found.2].map(f64::from);
+            let (exact, allowed) = (table.evaluate(f64::from(x)), allowed(&table, ends, f64::from(x)));
+            for order in 0..3 {
+                let off = (found[order] - exact[order]).abs();
+                worst = worst.max(off / allowed[order]);
+                assert!(off <= allowed[order], "{order} of {ends} at {x}: {found:?} for {exact:?}");
+            }
+        }
+    }
+    // The bound is not a loose one.
+    assert!(worst > 0.1, "{worst}");
 }

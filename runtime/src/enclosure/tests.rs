@@ -3,7 +3,7 @@
 use super::ball::Ball;
 use super::twofold::Twofold;
 use super::{Enclosure, functions};
-use crate::table::Ends;
+use crate::table::{Ends, Single};
 use crate::{Real, Table};
 
 /// Functions at doubles, as a double and what is left over (mpmath 1.3.0, 400 bits).
@@ -156,10 +156,13 @@ const KNOTS: [f64; 4] = [0.0, 1.0, 1.5, 3.0];
 /// (x − 1)³ and what it goes on as, with two continuous derivatives: −1 + 3x − 3x² + x³ everywhere.
 const SPLINE: [[f64; 4]; 3] = [[-1.0, 3.0, -3.0, 1.0], [0.0, 0.0, 0.0, 1.0], [0.125, 0.75, 1.5, 1.0]];
 
+/// In `f32` nothing is enclosed.
+const SINGLE: Single = Single { knots: &[], coefficients: &[], period: [0.0; 2] };
+
 #[test]
 fn tables_hold_their_values_across_knots() {
     for ends in [Ends::Linear, Ends::Hold, Ends::Periodic] {
-        let table = Table { knots: &KNOTS, coefficients: &SPLINE, ends };
+        let table = Table { knots: &KNOTS, coefficients: &SPLINE, ends, single: SINGLE };
         for step in -40..=80 {
             let x = f64::from(step) * 0.0625;
             for radius in [0.0, 1e-9, 0.06, 0.5] {
@@ -211,6 +214,6 @@ fn derivatives_are_those_of_the_values() {
     of(&|x| three / (x + x * x), "3 / (x + x²)");
     of(&|x| (-x).abs() - x.max(three), "|−x| − max(x, 3)");
     of(&|x| (x - three).atan2(x * x - three), "atan2(x − 3, x² − 3)");
-    let table = Table { knots: &KNOTS, coefficients: &SPLINE, ends: Ends::Linear };
+    let table = Table { knots: &KNOTS, coefficients: &SPLINE, ends: Ends::Linear, single: SINGLE };
     of(&|x| x.table(&table).0, "a table");
 }

@@ -213,7 +213,7 @@ impl Room<'_> {
     fn misfit(&self, joint: usize, pose: &Pose) -> (Option<f64>, Option<f64>) {
         let known = Values { time: pose.time, coordinates: &pose.q, ..self.known };
         let (mut length, mut angle): (Option<f64>, Option<f64>) = (None, None);
-        for equation in self.system.equations.iter().filter(|equation| equation.joint == joint) {
+        for equation in self.system.of_joint(joint) {
             let gap = if equation.dim == Dim::ANGLE { &mut angle } else { &mut length };
             if let Some(way) = self.way(equation, known, pose.q.clone()) {
                 *gap = Some(gap.unwrap_or(0.0).hypot(way));
@@ -244,9 +244,8 @@ impl Room<'_> {
 
     /// The bodies in the equations of a joint.
     fn touched(&self, joint: usize) -> Vec<String> {
-        let equations = self.system.equations.iter().filter(|equation| equation.joint == joint);
-        let bodies: BTreeSet<usize> =
-            equations.flat_map(|equation| &equation.jacobian).map(|(unknown, _)| self.system.unknowns[*unknown].body).collect();
+        let entries = self.system.of_joint(joint).iter().flat_map(|equation| &equation.jacobian);
+        let bodies: BTreeSet<usize> = entries.map(|(unknown, _)| self.system.unknowns[*unknown].body).collect();
         bodies.into_iter().map(|body| self.model.bodies[body].name.to_string()).collect()
     }
 }

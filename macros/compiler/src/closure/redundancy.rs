@@ -16,7 +16,7 @@ use crate::model::{Model, Said};
 use crate::structure::{self, Block, Piece, Structure};
 use crate::syntax::ast::Closing;
 use crate::system::System;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The equations that are checked instead of solved. Where `#[closure(…)]` accepts defaults that are placeholders their pattern decides.
 ///
@@ -100,7 +100,8 @@ fn pieces(system: &System, structure: &Structure) -> Vec<Piece> {
     if system.unknowns.len() > LARGEST {
         return pieces;
     }
-    let equations = (0..system.equations.len()).filter(|equation| !structure.checked.contains(equation)).collect();
+    let checked: BTreeSet<usize> = structure.checked.iter().copied().collect();
+    let equations = (0..system.equations.len()).filter(|equation| !checked.contains(equation)).collect();
     vec![Piece { unknowns: (0..system.unknowns.len()).collect(), equations, is_surplus: true }]
 }
 
@@ -198,8 +199,9 @@ impl Search<'_, '_> {
     /// One refusal for each joint with equations that follow from others.
     fn refuse_dependent(&mut self, basis: &Basis, piece: &Piece, dependent: &[usize], free: &[String], moves: bool) {
         let joint = |row: &usize| self.room.system.equations[piece.equations[*row]].joint;
-        for index in dependent.iter().map(joint).collect::<BTreeSet<usize>>() {
-            let own: Vec<usize> = dependent.iter().copied().filter(|row| joint(row) == index).collect();
+        let mut of_joint: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        dependent.iter().for_each(|row| of_joint.entry(joint(row)).or_default().push(*row));
+        for (index, own) in of_joint {
             let sources: BTreeSet<usize> = own.iter().flat_map(|row| basis.sources(*row)).map(|row| joint(&row)).collect();
             if sources.is_empty() {
                 // It has no slope, as the square of what vanishes: nothing can be solved for by it, and it follows from nothing.

@@ -77,6 +77,8 @@ impl Emitter<'_> {
         let (m, n) = self.sizes();
         let page = docs::routine("Φ(q, t) and Φ_q(q, t), which share most of their work.", &self.plan.linearize);
         let (q, t, matrix, phi) = (local("q"), local("t"), local("matrix"), local("phi"));
+        // The matrix has its sizes where it is made: were they found at the end, rustc would hold every entry open until then, and for
+        // some thousand entries that takes most of the time.
         let body = match &self.plan.linearize {
             Code::Straight(routine) => {
                 let Lines { reads, steps, results } = self.lines(routine);
@@ -84,7 +86,7 @@ impl Emitter<'_> {
                 quote! {
                     #reads
                     #steps
-                    let mut #matrix = ::reuleaux::nalgebra::SMatrix::from_element(T::of(0.0));
+                    let mut #matrix = ::reuleaux::nalgebra::SMatrix::<T, #m, #n>::from_element(T::of(0.0));
                     #writes
                     (::core::convert::From::from([#(#rows),*]), #matrix)
                 }
@@ -95,8 +97,8 @@ impl Emitter<'_> {
                     Target::Entry(row, column) => quote!(#matrix[(#row, #column)] = #value;),
                 });
                 quote! {
-                    let mut #phi = ::reuleaux::nalgebra::SVector::from_element(T::of(0.0));
-                    let mut #matrix = ::reuleaux::nalgebra::SMatrix::from_element(T::of(0.0));
+                    let mut #phi = ::reuleaux::nalgebra::SVector::<T, #m>::from_element(T::of(0.0));
+                    let mut #matrix = ::reuleaux::nalgebra::SMatrix::<T, #m, #n>::from_element(T::of(0.0));
                     #groups
                     (#phi, #matrix)
                 }

@@ -216,8 +216,22 @@ fn tables(model: &Model) -> TokenStream {
         let knots = list(&table.knots);
         let coefficients = table.coefficients.iter().map(|row| list(row));
         let ends = Ident::new(&format!("{:?}", table.ends), Span::call_site());
+        let [count, intervals] = [table.knots.len(), table.coefficients.len()].map(Literal::usize_unsuffixed);
         quote! {
-            const #name: ::reuleaux::Table = ::reuleaux::Table { knots: &#knots, coefficients: &[#(#coefficients),*], ends: ::reuleaux::Ends::#ends };
+            const #name: ::reuleaux::Table = {
+                const KNOTS: [::core::primitive::f64; #count] = #knots;
+                const COEFFICIENTS: [[::core::primitive::f64; 4]; #intervals] = [#(#coefficients),*];
+                ::reuleaux::Table {
+                    knots: &KNOTS,
+                    coefficients: &COEFFICIENTS,
+                    ends: ::reuleaux::Ends::#ends,
+                    single: ::reuleaux::Single {
+                        knots: &::reuleaux::Single::knots(&KNOTS),
+                        coefficients: &::reuleaux::Single::coefficients(&COEFFICIENTS),
+                        period: ::reuleaux::Single::period(&KNOTS),
+                    },
+                }
+            };
         }
     };
     model.functions.iter().enumerate().map(table).collect()

@@ -36,6 +36,9 @@ const ALL_NAMED: usize = 20;
 /// In mechanisms with more bodies names would hide what they name.
 const MOST_NAMED: usize = 60;
 
+/// With more joints and drives, or more points, there is no picture: each place would have to be held against every other.
+const MOST_PLACES: usize = 1000;
+
 /// A mechanism as it is drawn.
 #[derive(Clone, Debug)]
 pub struct Picture {
@@ -91,6 +94,10 @@ pub(crate) fn draw(model: &Model, system: &System, closure: &Closure) -> Picture
     let bodies = model.bodies.len();
     if bodies > MOST_DRAWN {
         return Picture::none(format!("There is no picture: in one of {bodies} bodies nothing could be told apart."));
+    }
+    let (joints, points) = (model.joints.len(), model.sketch.points.len());
+    if let Some((count, what)) = [(joints, "joints"), (points, "points")].into_iter().find(|(count, _)| *count > MOST_PLACES) {
+        return Picture::none(format!("There is no picture: in one of {count} {what} nothing could be told apart."));
     }
     if !closure.is_closed {
         return Picture::none("There is no picture: no assembly was found at the declared defaults.".into());

@@ -44,13 +44,14 @@ fn clearance(scene: &Scene) -> f64 {
             hinges.push(at);
         }
     }
+    let bars: Vec<Option<(Place, Place)>> = scene.bodies.iter().map(|body| farthest(&body.points)).collect();
     let mut least = f64::INFINITY;
     for (index, hinge) in hinges.iter().enumerate() {
         least = hinges[..index].iter().map(|other| (*other - *hinge).norm()).fold(least, f64::min);
-        for body in &scene.bodies {
+        for (body, bar) in scene.bodies.iter().zip(&bars) {
             let is_own = body.points.iter().any(|at| (*at - *hinge).norm() <= near);
-            if let (Some((one, two)), false) = (farthest(&body.points), is_own) {
-                least = least.min(hinge.to_segment(one, two));
+            if let (Some((one, two)), false) = (bar, is_own) {
+                least = least.min(hinge.to_segment(*one, *two));
             }
         }
     }

@@ -7,7 +7,7 @@ use super::shape::{Column, Piece, Shape, Tracer};
 use super::{Cost, Routine, Words, schedule};
 use crate::expr::{Arena, Expr};
 
-/// Up to this many operations straight lines are as quick to compile as loops, and read better.
+/// Up to this many operations, and as many results, straight lines are as quick to compile as loops, and read better.
 pub(super) const STRAIGHT: usize = 1500;
 
 /// How some results are computed.
@@ -56,7 +56,7 @@ impl Code {
 /// Decides how some results are computed.
 pub(super) fn code(arena: &Arena, tracer: &Tracer, cells: Vec<Cell>, words: &Words) -> Code {
     let results: Vec<Expr> = cells.iter().flatten().map(|(_, result)| *result).collect();
-    if arena.reachable(&results).len() <= STRAIGHT {
+    if results.len() <= STRAIGHT && arena.reachable(&results).len() <= STRAIGHT {
         return Code::Straight(schedule::routine(arena, results, words));
     }
     let is_zero = |result: &Expr| arena.as_constant(*result).is_some_and(|value| value.is_zero());

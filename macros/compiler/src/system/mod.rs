@@ -73,6 +73,15 @@ pub struct Output {
     pub components: Vec<[Expr; 3]>,
 }
 
+impl System {
+    /// The equations of a joint of the model; those of one joint stand together, in the order of joints.
+    pub(crate) fn of_joint(&self, joint: usize) -> &[Equation] {
+        let first = self.equations.partition_point(|equation| equation.joint < joint);
+        let rest = &self.equations[first..];
+        &rest[..rest.partition_point(|equation| equation.joint == joint)]
+    }
+}
+
 /// Differentiates every residual and output of a model.
 pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     let mut arena = model.arena.clone();
