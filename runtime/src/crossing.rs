@@ -101,32 +101,32 @@ fn extrapolated<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
 ) -> Option<State<T, N>> {
     let h = greater((crossing - near.t).abs(), (far.t - crossing).abs());
     let h = if far.t > near.t { h } else { -h };
-    let between = |near: &State<T, N>, far: &State<T, N>, multiple: f64| {
-        let near = step(equations, near, crossing - T::of(multiple) * h, false)?;
-        let far = step(equations, far, crossing + T::of(multiple) * h, false)?;
+    let between = |near: &State<T, N>, far: &State<T, N>, h: T| {
+        let near = step(equations, near, crossing - h, false)?;
+        let far = step(equations, far, crossing + h, false)?;
         let there = interpolated(&near, &far, t);
         Some((near, far, there))
     };
-    let (near, far, mut there) = between(&near, &far, 1.0)?;
-    let Some((near, far, second)) = between(&near, &far, 2.0) else { return Some(there) };
-    there = combined(there, &second, 64.0, 16.0);
-    if let Some((_, _, third)) = between(&near, &far, 4.0) {
-        there = combined(there, &combined(second, &third, 64.0, 16.0), 256.0, 64.0);
+    let (near, far, mut there) = between(&near, &far, h)?;
+    let Some((near, far, second)) = between(&near, &far, T::of(2.0) * h) else { return Some(there) };
+    let shares = [T::of(1.0 / 63.0), T::of(1.0 / 15.0)];
+    there = combined(there, &second, shares);
+    if let Some((_, _, third)) = between(&near, &far, T::of(4.0) * h) {
+        there = combined(there, &combined(second, &third, shares), [T::of(1.0 / 255.0), T::of(1.0 / 63.0)]);
     }
     Some(there)
 }
 
-/// (f x_h − x_2h) / (f − 1), with f a `factor` of q and q̇, and one of q̈.
-fn combined<T: Float, const N: usize>(mut fine: State<T, N>, coarse: &State<T, N>, factor: f64, of_accelerations: f64) -> State<T, N> {
-    let of = |fine: &mut SVector<T, N>, coarse: &SVector<T, N>, factor: f64| {
-        let share = T::of(1.0 / (factor - 1.0));
+/// x_h + s (x_h − x_2h), with one share s of q and q̇, and one of q̈.
+fn combined<T: Float, const N: usize>(mut fine: State<T, N>, coarse: &State<T, N>, [share, of_accelerations]: [T; 2]) -> State<T, N> {
+    let of = |fine: &mut SVector<T, N>, coarse: &SVector<T, N>, share: T| {
         for (entry, other) in fine.iter_mut().zip(coarse.iter()) {
             *entry = *entry + share * (*entry - *other);
         }
     };
     let Values { q, qd, qdd, .. } = &mut fine.values;
-    of(q, &coarse.q, factor);
-    of(qd, &coarse.qd, factor);
+    of(q, &coarse.q, share);
+    of(qd, &coarse.qd, share);
     of(qdd, &coarse.qdd, of_accelerations);
     fine
 }

@@ -115,7 +115,8 @@ fn derivatives_by_every_parameter_are_those_of_all_equations_at_once() {
 fn derivatives_of_outputs_are_their_differences() {
     let cam = Cam::default();
     let state = cam.solve(0.3).expect("it moves");
-    let (varied, there) = cam.derivatives(&state, |cam| [&mut cam.base, &mut cam.arm, &mut cam.rod_length, &mut cam.speed]).expect("a state");
+    let (varied, there) =
+        cam.derivatives(&state, |cam| [&mut cam.base, &mut cam.arm, &mut cam.rod_length, &mut cam.speed]).expect("a state");
     let there = CamState(there);
     let (place, mean) = (varied.place(&there), varied.mean(&there));
     let found = [place.value, place.rate, place.acceleration, mean.value.x, mean.rate.y, mean.acceleration.y];
