@@ -1,0 +1,199 @@
+//! Synthesis: which four-bar draws a given curve? Six lengths are fitted to twenty-four points of it, by the method of
+//! Broyden, Fletcher, Goldfarb and Shanno with little memory (crate `argmin`).
+//!
+//! The curve is that of a four-bar whose lengths the search does not know; it must find them. Derivatives by the lengths come with a
+//! state, at less than half of what a step costs; differences would need twelve more sweeps for each gradient, which is tried as well.
+
+use std::cell::Cell;
+use std::error::Error;
+use std::time::Instant;
+
+use argmin::core::{CostFunction, Executor, Gradient as Slope, State as _};
+use argmin::solver::linesearch::MoreThuenteLineSearch;
+use argmin::solver::quasinewton::LBFGS;
+use reuleaux::{Mechanism, mechanism};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, carried, largest_difference, place, polar, steps};
+
+mechanism! {
+    /// A crank-rocker of any lengths, whose tip draws a curve.
+    pub mechanism Curve {
+        param ground_length: Length = 400mm;
+        param crank_length: Length = 100mm;
+        param coupler_length: Length = 350mm;
+        param rocker_length: Length = 300mm;
+        param along: Length = 175mm;
+        param across: Length = 80mm;
+
+        ground { point O = (0mm, 0mm);  point C = (ground_length, 0mm); }
+        body crank   { point A = (crank_length, 0mm); }
+        body coupler { point B = (coupler_length, 0mm);  point P = (along, across); }
+        body rocker  { point B = (rocker_length, 0mm);  start angle = 70deg; }
+
+        joint o = revolute(ground.O, crank.position);
+        joint a = revolute(crank.A, coupler.position);
+        joint b = revolute(coupler.B, rocker.B);
+        joint c = revolute(rocker.position, ground.C);
+        drive input = drive_angle(crank, 60rpm * t);
+
+        output tip = coupler.P;
+    }
+}
+
+/// Lengths in the order of the declaration, in m.
+type Lengths = [f64; 6];
+
+/// What the search does not know.
+const SOUGHT: Lengths = [0.42, 0.105, 0.34, 0.31, 0.19, 0.09];
+
+/// Points on the curve.
+const POINTS: u32 = 24;
+
+fn with([ground_length, crank_length, coupler_length, rocker_length, along, across]: Lengths) -> Curve {
+    Curve { ground_length, crank_length, coupler_length, rocker_length, along, across }
+}
+
+fn lengths(of: &[f64]) -> Lengths {
+    std::array::from_fn(|i| of[i])
+}
+
+fn times() -> impl Iterator<Item = f64> {
+    steps(0.0, 1.0, POINTS).take(POINTS as usize)
+}
+
+/// The curve by plane geometry.
+fn target() -> Vec<Place> {
+    let [ground, crank, coupler, rocker, along, across] = SOUGHT;
+    let tip = |t: f64| {
+        let pin = polar(crank, std::f64::consts::TAU * t);
+        let end = apex(pin, place(ground, 0.0), coupler, rocker);
+        carried(place(along, across), pin, place(coupler, 0.0), end)
+    };
+    times().map(tip).collect()
+}
+
+/// Half of the sum of squares of what is between the tip and the points, in m².
+struct Fit {
+    target: Vec<Place>,
+    with_derivatives: bool,
+    sweeps: Cell<usize>,
+}
+
+impl Fit {
+    /// The sum for these lengths.
+    fn sum(&self, of: Lengths) -> Result<f64, argmin::core::Error> {
+        self.sweeps.set(self.sweeps.get() + 1);
+        let mut sum = 0.0;
+        let curve = with(of);
+        for (state, point) in curve.sweep(times()).zip(&self.target) {
+            sum += 0.5 * (curve.tip(&state?).value - point).norm_squared();
+        }
+        Ok(sum)
+    }
+
+    /// Its derivative by each length, from the derivatives of the tip.
+    fn slope(&self, of: Lengths) -> Result<Vec<f64>, argmin::core::Error> {
+        self.sweeps.set(self.sweeps.get() + 1);
+        let mut slope = vec![0.0; 6];
+        let curve = with(of);
+        for (state, point) in curve.sweep(times()).zip(&self.target) {
+            let state = state?;
+            let (varied, state) = curve.derivatives(&state, |curve| {
+                let Curve { ground_length, crank_length, coupler_length, rocker_length, along, across } = curve;
+                [ground_length, crank_length, coupler_length, rocker_length, along, across]
+            })?;
+            let tip = varied.tip(&CurveState(state)).value;
+            let off = [tip.x.value - point.x, tip.y.value - point.y];
+            for (k, slope) in slope.iter_mut().enumerate() {
+                *slope += off[0] * tip.x.by[k] + off[1] * tip.y.by[k];
+            }
+        }
+        Ok(slope)
+    }
+
+    /// The same from central differences.
+    fn difference(&self, of: Lengths) -> Result<Vec<f64>, argmin::core::Error> {
+        let h = 1e-6;
+        let moved = |k: usize, by: f64| {
+            let mut of = of;
+            of[k] += by;
+            self.sum(of)
+        };
+        (0..6).map(|k| Ok((moved(k, h)? - moved(k, -h)?) / (2.0 * h))).collect()
+    }
+}
+
+impl CostFunction for &Fit {
+    type Param = Vec<f64>;
+    type Output = f64;
+    fn cost(&self, of: &Vec<f64>) -> Result<f64, argmin::core::Error> {
+        self.sum(lengths(of))
+    }
+}
+
+impl Slope for &Fit {
+    type Param = Vec<f64>;
+    type Gradient = Vec<f64>;
+    fn gradient(&self, of: &Vec<f64>) -> Result<Vec<f64>, argmin::core::Error> {
+        if self.with_derivatives { self.slope(lengths(of)) } else { self.difference(lengths(of)) }
+    }
+}
+
+/// The lengths that are found, the sweeps that it took, and the seconds.
+fn fitted(with_derivatives: bool) -> Result<(Lengths, usize, f64), argmin::core::Error> {
+    let fit = Fit { target: target(), with_derivatives, sweeps: Cell::new(0) };
+    let Curve { ground_length, crank_length, coupler_length, rocker_length, along, across } = Curve::default();
+    let start = vec![ground_length, crank_length, coupler_length, rocker_length, along, across];
+    let solver = LBFGS::new(MoreThuenteLineSearch::new(), 6).with_tolerance_grad(1e-12)?.with_tolerance_cost(0.0)?;
+    let begin = Instant::now();
+    let result = Executor::new(&fit, solver).configure(|state| state.param(start).max_iters(500)).run()?;
+    let found = result.state().get_best_param().ok_or(argmin::core::Error::msg("no lengths"))?;
+    Ok((lengths(found), fit.sweeps.get(), begin.elapsed().as_secs_f64()))
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let (found, sweeps, seconds) = fitted(true)?;
+    let (_, sweeps_of_differences, seconds_of_differences) = fitted(false)?;
+    println!("lengths found (mm): {:.6?}", found.map(|length| 1e3 * length));
+    println!("with derivatives: {sweeps} sweeps; with differences: {sweeps_of_differences}");
+    println!(
+        "{:.1} times fewer, in {:.1} times less time",
+        sweeps_of_differences as f64 / sweeps as f64,
+        seconds_of_differences / seconds
+    );
+    let off = largest_difference(found.into_iter().zip(SOUGHT));
+    assert!(off < 1e-7, "off by {off} m");
+    assert!(3 * sweeps < sweeps_of_differences, "{sweeps} of {sweeps_of_differences}");
+
+    let curve = |of: Lengths| -> Result<Vec<Place>, Box<dyn Error>> {
+        let curve = with(of);
+        curve.sweep(steps(0.0, 1.0, 180)).map(|state| Ok(curve.tip(&state?).value)).collect()
+    };
+    let [first, last] = [curve([0.4, 0.1, 0.35, 0.3, 0.175, 0.08])?, curve(found)?];
+    draw(&first, &last)?;
+    Ok(())
+}
+
+/// The curve before and after, with the points.
+fn draw(first: &[Place], last: &[Place]) -> Result<(), Box<dyn Error>> {
+    let mut scene = Scene::new();
+    let [ground, ..] = SOUGHT;
+    scene.faint(|scene| {
+        scene.line(Ink::Output, first.iter().copied());
+    });
+    scene.line(Ink::Trace, last.iter().copied());
+    for point in target() {
+        scene.disc(Ink::Input, point, 0.003);
+    }
+    scene.pivot(place(0.0, 0.0)).pivot(place(ground, 0.0));
+    let over = |curve: &[Place]| (0..).map(|step| 2.0 * f64::from(step)).zip(curve.iter().map(|place| 1e3 * place.y)).collect::<Vec<_>>();
+    let points = (0..).map(|step| 360.0 / f64::from(POINTS) * f64::from(step)).zip(target().into_iter().map(|place| 1e3 * place.y));
+    Plate::new("Four-bar fitted to a curve", scene, Abscissa { name: "crank angle in °", range: 0.0..360.0, step: 60.0 })
+        .diagram(
+            Diagram::new("height of the tip in mm")
+                .curve(Ink::Output, "before", over(first))
+                .curve(Ink::Trace, "after", over(last))
+                .circles("given", points),
+        )
+        .save("coupler_fit")?;
+    Ok(())
+}
