@@ -2,13 +2,12 @@
 //!
 //! In: a block and what lies before it. Out: its assemblies, each once, as near to the declared start as whole turns allow. They are
 //! looked for from guesses that fill the space of the iterated unknowns evenly, half of them with what is declared as it is declared,
-//! until many in a row have led to nothing new.
-//!
-//! Where all iterated unknowns are angles that do not count turns, the residuals are a map of a torus into a space of the same
-//! dimension, whose degree is zero: as many regular assemblies have a positive determinant as have a negative one (Milnor 1965,
-//! Topology from the Differentiable Viewpoint, §5). As long as there are not, one is missing and it is searched on.
+//! until many in a row have led to nothing new; then, along `curve`s, for those that are joined to what was found. Where by their `degree`
+//! one is missing still, it is searched on.
 
 use super::Room;
+use super::curve::Curve;
+use super::degree::side;
 use super::levenberg::solve;
 use super::order::parts;
 use super::reduced::Reduced;
@@ -16,13 +15,14 @@ use super::search::compare;
 use super::turns::turns_to_zero;
 use crate::structure::Block;
 use core::f64::consts::{PI, TAU};
+use core::ops::RangeInclusive;
 use std::collections::BTreeSet;
 
-/// So many guesses lead to nothing new before a block counts as searched, for each iterated unknown.
-const IDLE: usize = 5;
+/// So many guesses lead to nothing new before a block counts as searched: for each iterated unknown, and for each assembly that was found.
+const IDLE: [usize; 2] = [5, 3];
 
-/// And so many more for each assembly that was found.
-const IDLE_EACH: usize = 3;
+/// The same where curves are followed from what was found.
+const IDLE_JOINED: [usize; 2] = [3, 3];
 
 /// The most guesses, for each iterated unknown.
 const MOST: usize = 40;
@@ -36,8 +36,12 @@ const FEW: [usize; 2] = [24, 8];
 /// Of angles that count turns, so many of them to either side are looked at.
 const TURNS: i32 = 2;
 
-/// A pivot, relative to the largest, above which a determinant has a sign.
-const SIGNED: f64 = 1e-6;
+/// Blocks with so many iterated unknowns may have assemblies that few guesses lead to: curves are followed from what was found. With fewer
+/// that is done where one is missing.
+const JOINED: RangeInclusive<usize> = 3..=6;
+
+/// The most steps along curves, for a block.
+const ALONG: usize = 4000;
 
 /// How far around an assembly it is looked whether it is alone there, in rad and sizes.
 const AROUND: [f64; 3] = [0.5, 0.2, 0.05];
@@ -110,7 +114,7 @@ impl Room<'_> {
             return found;
         }
         let counts = self.counting_turns(block);
-        let is_torus = (0..k).all(|index| self.is_angle(block.iterated[index]) && !counts[index]);
+        let mut is_even = None;
         let is_open = block.iterated.iter().any(|unknown| self.declared[*unknown].is_none());
         let shares = shares(k);
         let guess = |attempt: usize, index: usize| {
@@ -127,32 +131,27 @@ impl Room<'_> {
             _ if is_open => FEW[0],
             _ => FEW[1],
         };
-        let (mut idle, mut balance) = (0, 0_i32);
+        let (mut idle, mut steps, mut left_out) = (0, ALONG, Vec::new());
         for attempt in 0..most {
             let mut x = declared.clone();
             if attempt > 0 {
                 x[..k].iter_mut().enumerate().for_each(|(index, value)| *value = guess(attempt, index));
             }
-            let closes = reduced.close(&mut x);
-            if closes {
-                self.turn(block, &counts, reduced, &mut x);
-            }
-            let known = found.iter().position(|known| closes && self.is_one(&reduced.unknowns, known, &x));
-            if closes && known.is_none() {
-                idle = 0;
-                balance += reduced.linearize(&x).map_or(0, |linear| side(linear.r));
-                found.push(x);
+            let is_new = reduced.close(&mut x) && self.keep(block, &counts, reduced, &mut found, x).1;
+            idle = if is_new { 0 } else { idle + 1 };
+            let [of_unknown, of_found] = if JOINED.contains(&k) && !found.is_empty() { IDLE_JOINED } else { IDLE };
+            if k > LARGE || idle < of_unknown * k + of_found * found.len() {
                 continue;
             }
-            if let Some(known) =
-                known.filter(|known| self.distance(&reduced.unknowns, &x) < self.distance(&reduced.unknowns, &found[*known]))
-            {
-                found[known] = x;
+            if JOINED.contains(&k) {
+                self.join(block, &counts, reduced, &mut found, &mut left_out, &mut steps);
             }
-            idle += 1;
-            let is_balanced = !is_torus || balance == 0 || found.is_empty();
-            if k <= LARGE && idle >= IDLE * k + IDLE_EACH * found.len() && is_balanced {
+            let balance: i32 = found.iter().map(|x| reduced.linearize(x).map_or(0, |linear| side(linear.r))).sum();
+            if balance == 0 || found.is_empty() || !*is_even.get_or_insert_with(|| self.has_degree_zero(block, &counts, start)) {
                 break;
+            }
+            if k < *JOINED.start() {
+                self.join(block, &counts, reduced, &mut found, &mut left_out, &mut steps);
             }
         }
         self.with_turns(block, &counts, reduced, &mut found);
@@ -161,6 +160,53 @@ impl Room<'_> {
             compare(&distance(one), &distance(other))
         });
         found
+    }
+
+    /// Keeps an assembly, unless it is there already: of one assembly the nearer description is kept. Where it stands, and whether it
+    /// is new.
+    fn keep(&self, block: &Block, counts: &[bool], reduced: &mut Reduced, found: &mut Vec<Vec<f64>>, mut x: Vec<f64>) -> (usize, bool) {
+        self.turn(block, counts, reduced, &mut x);
+        let unknowns = &reduced.unknowns;
+        let Some(known) = found.iter().position(|known| self.is_one(unknowns, known, &x)) else {
+            found.push(x);
+            return (found.len() - 1, true);
+        };
+        if self.distance(unknowns, &x) < self.distance(unknowns, &found[known]) {
+            found[known] = x;
+        }
+        (known, false)
+    }
+
+    /// Adds the assemblies that are joined to those that were found, by one curve or by several.
+    ///
+    /// * `left_out`: of each assembly, which residuals were left out on a curve through it.
+    /// * `steps`: how many are left.
+    fn join(
+        &self,
+        block: &Block,
+        counts: &[bool],
+        reduced: &mut Reduced,
+        found: &mut Vec<Vec<f64>>,
+        left_out: &mut Vec<Vec<bool>>,
+        steps: &mut usize,
+    ) {
+        let (k, unknowns) = (reduced.iterated, reduced.unknowns.clone());
+        let mut from = 0;
+        while let Some(begin) = found.get(from).cloned() {
+            left_out.resize(found.len(), vec![false; k]);
+            for residual in 0..k {
+                if std::mem::replace(&mut left_out[from][residual], true) {
+                    continue;
+                }
+                let is_back = |x: &[f64]| self.is_one(&unknowns, &begin, x);
+                for x in (Curve { reduced, left_out: residual }).follow(&begin, &is_back, steps) {
+                    let (place, _) = self.keep(block, counts, reduced, found, x);
+                    left_out.resize(found.len(), vec![false; k]);
+                    left_out[place][residual] = true;
+                }
+            }
+            from += 1;
+        }
     }
 
     /// Of each iterated unknown, whether an equation of the block does not allow it to be turned with the angles it is linked to.
@@ -237,32 +283,6 @@ pub(super) fn strays(a: &[Vec<f64>], b: &[Vec<f64>]) -> Option<f64> {
         }
     }
     Some(sums.into_iter().fold(0.0, f64::max))
-}
-
-/// The sign of a determinant; 0 where it has none to be sure of.
-fn side(mut a: Vec<Vec<f64>>) -> i32 {
-    let n = a.len();
-    let mut sign = 1;
-    for k in 0..n {
-        let largest = a[k..].iter().flat_map(|row| &row[k..]).fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
-        let Some(pivot) = (k..n).max_by(|one, two| a[*one][k].abs().total_cmp(&a[*two][k].abs())) else { return 0 };
-        if a[pivot][k].abs() <= SIGNED * largest {
-            return 0;
-        }
-        if pivot != k {
-            a.swap(k, pivot);
-            sign = -sign;
-        }
-        if a[k][k] < 0.0 {
-            sign = -sign;
-        }
-        let (done, rest) = a.split_at_mut(k + 1);
-        for row in rest {
-            let multiplier = row[k] / done[k][k];
-            row[k..].iter_mut().zip(&done[k][k..]).for_each(|(entry, above)| *entry -= multiplier * above);
-        }
-    }
-    sign
 }
 
 /// By how much of a cube's side each coordinate of a point goes on from the point before, so that points fill the cube evenly: the

@@ -4,8 +4,9 @@
 //! `solve` starts from. What the declaration does not say of the start follows from the joints.
 //!
 //! 1. `nearest`: of small systems all assemblies that may be the nearest are gone through, block by block in the order of the
-//!    [`Structure`]; `assemblies` finds those of a block, which is solved for what it iterates (`reduced`), and whole turns that
-//!    nothing counts (`turns`) are taken away.
+//!    [`Structure`]; `assemblies` finds those of a block, which is solved for what it iterates (`reduced`), from guesses and along
+//!    `curve`s from what was found, for as long as one is missing by their `degree`; whole turns that nothing counts (`turns`) are
+//!    taken away.
 //! 2. `order`: large systems are closed block by block, each with its nearest assembly, with others where a later block needs them.
 //! 3. `search`: what did not close, or depends on functions that are not known here, is minimised from several guesses by the method
 //!    of Levenberg and Marquardt (`levenberg`).
@@ -16,6 +17,8 @@
 
 mod assemblies;
 mod contradiction;
+mod curve;
+mod degree;
 mod far;
 mod gap;
 mod identity;

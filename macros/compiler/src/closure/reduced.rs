@@ -68,7 +68,7 @@ pub(super) struct Reduced<'a> {
 /// A block at a place.
 pub(super) struct Linear {
     /// The residuals once what is explicit has followed, in shares of the rows' sizes.
-    g: Vec<f64>,
+    pub(super) g: Vec<f64>,
     /// Their derivatives by scaled iterated unknowns.
     pub(super) r: Vec<Vec<f64>>,
     /// How far each explicit unknown has to go to follow, scaled.

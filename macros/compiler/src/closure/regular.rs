@@ -17,12 +17,13 @@ use super::reduced::Reduced;
 use crate::expr::{Evaluator, Expr, Values};
 use crate::structure::Block;
 
-/// A block is singular here if so many times what rounding may be off changes its reduced Jacobian by half of itself: then it cannot be
-/// told from the place where it is singular. At a dead point that is so for a condition above about 1/√ε.
-const ROUNDINGS: f64 = 8.0;
+/// A block is regular here if what rounding may be off changes its reduced Jacobian by less than this share of itself, as the run time
+/// asks for too: so much velocities may be wrong. At a dead point that is so for a condition below about 1/√ε.
+const SHARE: f64 = 0.25;
 
-/// A change of the Jacobian, as a share of itself, up to which it is regular.
-const SHARE: f64 = 0.5;
+/// How much further than rounding errors it is looked. Where two assemblies are one, Newton's method may leave off by rounding errors of
+/// the residual and of its own length, from where these change the Jacobian by as little as a quarter.
+const ROUNDINGS: f64 = 2.0;
 
 /// Above this it is regular beyond doubt.
 const REGULAR: f64 = 1e-4;

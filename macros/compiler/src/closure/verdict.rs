@@ -44,6 +44,10 @@ pub(super) fn judge(room: &Room, structure: &Structure, assembled: &mut Assemble
             None => *assembled = room.forward(structure, std::mem::take(&mut assembled.start), open + 1, &is_sure),
         }
     }
+    if assembled.is_closed && !assembled.is_settled {
+        // Next to where a block is singular, rounding errors of those before it are what decides.
+        room.settle(structure, &mut assembled.start);
+    }
     judge.prefer_regular(&is_sure, assembled);
     if let Some(refusal) = judge.without_rate(&is_sure, &assembled.start) {
         return Some(refusal);

@@ -3,6 +3,7 @@
 mod accepted;
 mod gaps;
 mod nearest;
+mod plates;
 mod range;
 mod starts;
 

@@ -6,35 +6,35 @@
 use crate::{Random, start};
 use core::f64::consts::{PI, TAU};
 
-type Point = [f64; 2];
+pub(crate) type Point = [f64; 2];
 
 /// The angles of two bars, and a point that they carry.
-type Dyad = (f64, f64, Point);
+pub(crate) type Dyad = (f64, f64, Point);
 
 /// A linkage: its declaration without starts, the bodies whose angles tell assemblies apart, and those angles in each assembly.
-struct Linkage {
-    declaration: String,
-    bodies: Vec<&'static str>,
-    assemblies: Vec<Vec<f64>>,
+pub(crate) struct Linkage {
+    pub(crate) declaration: String,
+    pub(crate) bodies: Vec<&'static str>,
+    pub(crate) assemblies: Vec<Vec<f64>>,
 }
 
 /// Angles that are nearer than this tell nothing, in rad; nor do squares of distances that agree to such a part.
 const CLOSE: f64 = 1e-4;
 
-fn minus(one: Point, other: Point) -> Point {
+pub(crate) fn minus(one: Point, other: Point) -> Point {
     [one[0] - other[0], one[1] - other[1]]
 }
 
-fn length(way: Point) -> f64 {
+pub(crate) fn length(way: Point) -> f64 {
     way[0].hypot(way[1])
 }
 
-fn angle(way: Point) -> f64 {
+pub(crate) fn angle(way: Point) -> f64 {
     way[1].atan2(way[0])
 }
 
 /// From a place by a way that is turned.
-fn from(place: Point, way: Point, angle: f64) -> Point {
+pub(crate) fn from(place: Point, way: Point, angle: f64) -> Point {
     let (sine, cosine) = angle.sin_cos();
     [place[0] + cosine * way[0] - sine * way[1], place[1] + sine * way[0] + cosine * way[1]]
 }
@@ -53,27 +53,27 @@ fn circles(one: Point, r: f64, other: Point, s: f64) -> (f64, Option<[Point; 2]>
 }
 
 /// Three decimals, so that what is written is what is meant.
-fn rounded(value: f64) -> f64 {
+pub(crate) fn rounded(value: f64) -> f64 {
     (value * 1e3).round() / 1e3
 }
 
-fn place(random: &mut Random, size: f64) -> Point {
+pub(crate) fn place(random: &mut Random, size: f64) -> Point {
     [random.between(-size, size), random.between(-size, size)]
 }
 
 /// A binary link from one place to another.
-fn link(name: &str, length: f64) -> String {
+pub(crate) fn link(name: &str, length: f64) -> String {
     format!("body {name} {{ point B = ({length}mm, 0mm); /*{name}*/ }} ")
 }
 
 /// A crank from (0, 0) to A, a coupler from A to B with a point P on it, a rocker from C to B; all in mm.
-struct FourBar {
-    crank: f64,
-    at: f64,
-    coupler: f64,
-    rocker: f64,
-    c: Point,
-    p: Point,
+pub(crate) struct FourBar {
+    pub(crate) crank: f64,
+    pub(crate) at: f64,
+    pub(crate) coupler: f64,
+    pub(crate) rocker: f64,
+    pub(crate) c: Point,
+    pub(crate) p: Point,
 }
 
 impl FourBar {
@@ -102,8 +102,19 @@ impl FourBar {
         )
     }
 
+    /// An angle of the crank between each two at which coupler and rocker are in line: in every range in which it closes there is one.
+    fn between_ends(&self) -> Vec<f64> {
+        let (ground, crank) = (length(self.c), self.crank);
+        let cosines = [self.coupler + self.rocker, self.coupler - self.rocker]
+            .map(|reach| (ground * ground + crank * crank - reach * reach) / (2.0 * ground * crank));
+        let ends = cosines.into_iter().filter(|cosine| cosine.abs() <= 1.0).flat_map(|cosine| [cosine.acos(), -cosine.acos()]);
+        let mut ends: Vec<f64> = ends.map(|end| within_a_turn(angle(self.c) + end)).collect();
+        ends.sort_by(f64::total_cmp);
+        ends.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect()
+    }
+
     /// The angles of coupler and rocker and the place of P, for an angle of the crank; and how well it closes.
-    fn closed(&self, crank: f64) -> (f64, Option<[Dyad; 2]>) {
+    pub(crate) fn closed(&self, crank: f64) -> (f64, Option<[Dyad; 2]>) {
         let a = [self.crank * crank.cos(), self.crank * crank.sin()];
         let (square, points) = circles(a, self.coupler, self.c, self.rocker);
         let all = points.map(|points| {
@@ -163,21 +174,23 @@ fn random_stephenson(random: &mut Random) -> Linkage {
     let at = turned.to_radians();
     let q = [d[0] + lever * at.cos(), d[1] + lever * at.sin()];
     let declaration = format!("{declaration} drive input = drive_angle(lever, ({turned}) * 1deg + 1rad_s * t);");
-    let assemblies = scanned(&bar, reach, q).into_iter().map(|(crank, side)| {
+    let assemblies = scanned(&bar, &|_, (_, _, p)| length(minus(*p, q)) - reach).into_iter().map(|(crank, side)| {
         let (coupler, rocker, p) = bar.closed(crank).1.expect("it closes where it was found")[side];
         vec![crank, coupler, rocker, angle(minus(q, p)), at]
     });
     Linkage { assemblies: assemblies.collect(), declaration, bodies: vec!["crank", "coupler", "rocker", "reach", "lever"] }
 }
 
-/// All angles of the crank, each with the side of the coupler, for which P is as far from Q as the link is long.
+/// All angles of the crank, each with the side of the coupler, for which something vanishes.
 ///
-/// The circle is cut into the ranges in which the four-bar closes. In each the distance is sampled, densely near the ends, where both
+/// The circle is cut into the ranges in which the four-bar closes. In each it is sampled, densely near the ends, where both
 /// sides meet; every change of sign is bisected, and every extremum that may reach zero is looked at for two.
-fn scanned(bar: &FourBar, reach: f64, q: Point) -> Vec<(f64, usize)> {
-    const STEPS: usize = 2000;
+pub(crate) fn scanned(bar: &FourBar, off: &dyn Fn(f64, &Dyad) -> f64) -> Vec<(f64, usize)> {
+    const STEPS: usize = 720;
     let closes = |crank: f64| bar.closed(crank).0 >= 0.0;
-    let grid: Vec<f64> = (0..=STEPS).map(|step| TAU * step as f64 / STEPS as f64 - PI).collect();
+    let mut grid: Vec<f64> = (0..=STEPS).map(|step| TAU * step as f64 / STEPS as f64 - PI).collect();
+    grid.extend(bar.between_ends());
+    grid.sort_by(f64::total_cmp);
     let edge = |mut inside: f64, mut outside: f64| {
         for _ in 0..60 {
             let middle = 0.5 * (inside + outside);
@@ -210,7 +223,7 @@ fn scanned(bar: &FourBar, reach: f64, q: Point) -> Vec<(f64, usize)> {
     }
     let mut found: Vec<(f64, usize)> = Vec::new();
     for side in 0..2 {
-        let off = |crank: f64| bar.closed(crank).1.map_or(f64::NAN, |all| length(minus(all[side].2, q)) - reach);
+        let off = |crank: f64| bar.closed(crank).1.map_or(f64::NAN, |all| off(crank, &all[side]));
         let root = |mut one: f64, mut other: f64| {
             let sign = off(one).signum();
             for _ in 0..80 {
@@ -233,7 +246,7 @@ fn scanned(bar: &FourBar, reach: f64, q: Point) -> Vec<(f64, usize)> {
                     let (mut low, mut high) = (range[index - 1], range[index + 1]);
                     for _ in 0..60 {
                         let (one, other) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
-                        if off(one).abs() < off(other).abs() { high = other } else { low = one }
+                        if off(one) * here < off(other) * here { high = other } else { low = one }
                     }
                     if off(low) * here < 0.0 {
                         found.push((root(range[index - 1], low), side));
@@ -252,7 +265,7 @@ fn scanned(bar: &FourBar, reach: f64, q: Point) -> Vec<(f64, usize)> {
     apart
 }
 
-fn within_a_turn(angle: f64) -> f64 {
+pub(crate) fn within_a_turn(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 
@@ -278,13 +291,13 @@ fn order(one: [f64; 2], other: [f64; 2]) -> Option<core::cmp::Ordering> {
 }
 
 /// Looks at random linkages of a kind; how many of them could be judged.
-fn look(kind: fn(&mut Random) -> Linkage, seed: u64, least: usize) {
+pub(crate) fn look(kind: fn(&mut Random) -> Linkage, seed: u64, least: usize) {
     let count = std::env::var("REULEAUX_NEAREST").ok().and_then(|count| count.parse().ok()).unwrap_or(least);
     let mut random = Random(seed);
     let (mut judged, mut wrong) = (0, Vec::new());
     for number in 0..2 * count {
         let linkage = kind(&mut random);
-        let how_many = 1 + number % 3;
+        let how_many = (1 + number % 3).min(linkage.bodies.len());
         let mut declared: Vec<Option<f64>> = vec![None; linkage.bodies.len()];
         while declared.iter().flatten().count() < how_many {
             let which = (random.between(0.0, linkage.bodies.len() as f64) as usize).min(linkage.bodies.len() - 1);

@@ -241,6 +241,39 @@ fn a_start_that_rounding_tells_from_a_dead_point_is_solvable() {
     }
 }
 
+/// Two bars of given lengths in m, stretched but for a gap, from a pivot at `off` m to a slider.
+fn stretched([one, two]: [f64; 2], gap: f64, off: f64) -> String {
+    format!(
+        "mechanism Stretched {{ ground {{ axis u = (1, 0); point P = ({off}m, 0m); }} body slider {{}}
+            body one {{ point A = ({one}m, 0m); start angle = 0.3rad; }} body two {{ point B = ({two}m, 0m); start angle = -0.3rad; }}
+            joint o = revolute(ground.P, one.position); joint a = revolute(one.A, two.position);
+            joint b = revolute(two.B, slider.position); joint r = translational(ground.u, ground.P, slider.position);
+            drive d = drive_x(slider.position, {off}m + {one}m + {two}m - {gap:e}m - 1m_s * t); }}"
+    )
+}
+
+#[test]
+fn a_gap_is_solvable_as_long_as_rounding_leaves_the_jacobian() {
+    for off in [0.0, 10.0, 1000.0] {
+        // The drive's value is a multiple of its last digit.
+        let digit = f64::EPSILON * f64::max(1.0, off);
+        for gap in [1e6, 1e4, 1e3, 300.0, 100.0, 64.0, 45.0].map(|digits| digits * digit) {
+            let compiled = accepted(&stretched([1.0, 1.0], gap, off));
+            let left = 2.0 - (start(&compiled, "slider.x") - off);
+            let wanted = 2.0 * (0.25 * left).sqrt().asin();
+            let found = start(&compiled, "one.angle");
+            assert!((found / wanted - 1.0).abs() < 0.25, "{found:e} for {wanted:e} at {gap:e} of {off}");
+        }
+        let mut random = Random(0x1f2e_3d4c_5b6a_7988);
+        for lengths in core::iter::once([1.0, 1.0]).chain((0..20).map(|_| [0; 2].map(|_| random.between(0.3, 1.5)))) {
+            for gap in [0.0, 0.25 * digit] {
+                let fact = refused(&stretched(lengths, gap, off));
+                assert!(matches!(fact, Fact::SingularStart { .. }), "{fact} {lengths:?} {gap:e} of {off}");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_stage_as_near_to_its_fold_as_you_like_is_solvable() {
     for reach in [1.0, 1e-3, 1e-6, 2e-8, 1e-9, 1e-12, 1e-14, 1e-15] {
