@@ -155,11 +155,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (_, sweeps_of_differences, seconds_of_differences) = fitted(false)?;
     println!("lengths found (mm): {:.6?}", found.map(|length| 1e3 * length));
     println!("with derivatives: {sweeps} sweeps; with differences: {sweeps_of_differences}");
-    println!(
-        "{:.1} times fewer, in {:.1} times less time",
-        sweeps_of_differences as f64 / sweeps as f64,
-        seconds_of_differences / seconds
-    );
+    println!("{:.1} times fewer, in {:.1} times less time", sweeps_of_differences as f64 / sweeps as f64, seconds_of_differences / seconds);
     let off = largest_difference(found.into_iter().zip(SOUGHT));
     assert!(off < 1e-7, "off by {off} m");
     assert!(3 * sweeps < sweeps_of_differences, "{sweeps} of {sweeps_of_differences}");

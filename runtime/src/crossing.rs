@@ -7,7 +7,8 @@
 //! ```
 //!
 //! Where two branches only come near to each other both turn away from a fold or from a bend, and to go straight on would be a jump. So the
-//! crossing is approached from both sides as closely as rounding allows, and both ways must come to the same.
+//! crossing is approached from both sides as closely as rounding allows, both ways must come to the same, and at the crossing itself no
+//! gap may be left: there the equations hold to a few roundings of their terms, corrected in every direction that they determine.
 
 use nalgebra::SVector;
 

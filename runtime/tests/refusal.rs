@@ -28,7 +28,8 @@ fn dead_point_is_reported_not_divided_by() {
         let FourBar { ground, rocker, .. } = CRANK_ROCKER;
         let cosine = (reach.powi(2) - ground.powi(2) - rocker.powi(2)) / (2.0 * ground * rocker);
         let dead = ROCKER_DRIVEN.from - cosine.acos();
-        assert!((failure.time - dead).abs() <= 1e-14 && failure.time >= dead - 1e-15, "{} {dead}", failure.time);
+        // So near to it that a rate would be a quarter off.
+        assert!((failure.time - dead).abs() <= 1e-14 && failure.time >= dead - 4e-15, "{} {dead}", failure.time);
         let last = failure.last.as_ref().unwrap();
         assert!((last.t - dead).abs() <= 1e-14);
         assert!(last.q.iter().chain(&last.qd).chain(&last.qdd).all(|x| x.is_finite()));
