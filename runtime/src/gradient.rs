@@ -22,7 +22,7 @@ use crate::names;
 use crate::pass::{Pass, Solved, Stop};
 use crate::place::Place;
 use crate::problem::{Block, Evaluate};
-use crate::{Cause, Culprit, Failure, Family, Float, Lanes, Orientation, Real, Stages, State, Table, Values};
+use crate::{Cause, CoordinateKind, Culprit, Description, Failure, Family, Float, Lanes, Orientation, Real, Stages, State, Table, Values};
 
 /// A number and its partial derivatives by `P` parameters: what [`derivatives`](crate::Mechanism::derivatives) computes with.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -249,11 +249,11 @@ fn solve<T: Float, L: Linear<Gradient<T, P>, K>, const P: usize, const K: usize,
     }
     let off = factors.solve_refined(&phi);
     let length = care.lengths().0.value;
-    let is_off = |k: usize| {
-        let size = if block.kinds[k] == crate::CoordinateKind::Length { length } else { T::of(1.0) };
-        !(off[k].value.abs() <= T::of(OFF) * (size + x[k].value.abs()))
+    let is_near = |k: usize| {
+        let size = if block.kinds[k] == CoordinateKind::Length { length } else { T::of(1.0) };
+        off[k].value.abs() <= T::of(OFF) * (size + x[k].value.abs())
     };
-    if (0..K).any(is_off) {
+    if !(0..K).all(is_near) {
         return Err(Stop::Far);
     }
     let x = SVector::<Gradient<T, P>, K>::from_fn(|k, _| Gradient { value: x[k].value, by: off[k].by.map(|by| -by) });
@@ -329,7 +329,7 @@ pub(crate) fn derivatives<T, E, const P: usize, const N: usize>(
 ) -> Result<Derived<T, E, P, N>, Failure<T, N>>
 where
     T: Float,
-    E: Family<T> + crate::Description<T, N>,
+    E: Family<T> + Description<T, N>,
     E::Over<Gradient<T, P>>: Stages<Gradient<T, P>, N>,
 {
     let mut varied = E::gather([mechanism], |[parameter]| Gradient::constant(parameter));
@@ -348,7 +348,7 @@ pub(crate) fn derivatives_along<T, E, const P: usize, const N: usize>(
 ) -> Result<State<Gradient<T, P>, N>, Failure<T, N>>
 where
     T: Float,
-    E: Family<T> + crate::Description<T, N>,
+    E: Family<T> + Description<T, N>,
     E::Over<Gradient<T, P>>: Stages<Gradient<T, P>, N>,
 {
     let fail = |cause| Failure { mechanism: E::NAME, cause, time: state.t, end: None, last: Some(state.clone()) };

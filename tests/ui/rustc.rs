@@ -16,10 +16,10 @@ pub(crate) struct Rustc {
 }
 
 impl Rustc {
-    /// Asks cargo which libraries this test was linked with. Cargo has just built them, so it builds nothing.
+    /// Asks cargo which libraries this test was linked with. When the whole workspace is tested, cargo has just built them.
     pub(crate) fn of_this_build() -> Self {
         let mut cargo = Command::new(env!("CARGO"));
-        cargo.args(["test", "--package", "reuleaux-tests", "--test", "ui", "--no-run", "--quiet", "--message-format", "json"]);
+        cargo.args(["test", "--workspace", "--test", "ui", "--no-run", "--quiet", "--message-format", "json"]);
         let output = cargo.output().expect("cargo runs");
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let messages = String::from_utf8(output.stdout).expect("cargo writes text");
