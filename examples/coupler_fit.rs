@@ -2,7 +2,7 @@
 //! Broyden, Fletcher, Goldfarb and Shanno with little memory (crate `argmin`).
 //!
 //! The curve is that of a four-bar whose lengths the search does not know; it must find them. Derivatives by the lengths come with a
-//! state, at less than half of what a step costs; differences would need twelve more sweeps for each gradient, which is tried as well.
+//! state, each for about the price of a step; differences would need twelve more sweeps for each gradient, which is tried as well.
 
 use std::cell::Cell;
 use std::error::Error;

@@ -39,16 +39,19 @@ const OFF: f64 = 1e-3;
 impl<T: Float, const P: usize> Gradient<T, P> {
     /// What depends on no parameter.
     #[must_use]
+    #[inline(always)]
     pub fn constant(value: T) -> Self {
         Self { value, by: [T::of(0.0); P] }
     }
 
     /// f(x) by its value and slope at x.
+    #[inline(always)]
     fn chain(self, value: T, slope: T) -> Self {
         Self { value, by: self.by.map(|by| slope * by) }
     }
 
     /// f(a, b) by its value and its slopes.
+    #[inline(always)]
     fn chain_of_two(self, other: Self, value: T, [own, others]: [T; 2]) -> Self {
         Self { value, by: array::from_fn(|k| own * at(&self.by, k) + others * at(&other.by, k)) }
     }
@@ -62,13 +65,14 @@ impl<T: Float, const P: usize> Gradient<T, P> {
 }
 
 /// The entry at an index, which is in range.
+#[inline(always)]
 fn at<T: Float, const P: usize>(by: &[T; P], index: usize) -> T {
     by.get(index).copied().unwrap_or(T::of(f64::NAN))
 }
 
 impl<T: Float, const P: usize> Add for Gradient<T, P> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         Self { value: self.value + other.value, by: array::from_fn(|k| at(&self.by, k) + at(&other.by, k)) }
     }
@@ -76,7 +80,7 @@ impl<T: Float, const P: usize> Add for Gradient<T, P> {
 
 impl<T: Float, const P: usize> Sub for Gradient<T, P> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         Self { value: self.value - other.value, by: array::from_fn(|k| at(&self.by, k) - at(&other.by, k)) }
     }
@@ -84,7 +88,7 @@ impl<T: Float, const P: usize> Sub for Gradient<T, P> {
 
 impl<T: Float, const P: usize> Mul for Gradient<T, P> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         self.chain_of_two(other, self.value * other.value, [other.value, self.value])
     }
@@ -92,7 +96,7 @@ impl<T: Float, const P: usize> Mul for Gradient<T, P> {
 
 impl<T: Float, const P: usize> Div for Gradient<T, P> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn div(self, other: Self) -> Self {
         let share = T::of(1.0) / other.value;
         let quotient = self.value / other.value;
@@ -102,18 +106,19 @@ impl<T: Float, const P: usize> Div for Gradient<T, P> {
 
 impl<T: Float, const P: usize> Neg for Gradient<T, P> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Self { value: -self.value, by: self.by.map(|by| -by) }
     }
 }
 
 impl<T: Float, const P: usize> Real for Gradient<T, P> {
-    #[inline]
+    #[inline(always)]
     fn of(value: f64) -> Self {
         Self::constant(T::of(value))
     }
 
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let (sine, cosine) = self.value.sin_cos();
         (self.chain(sine, cosine), self.chain(cosine, -sine))
@@ -155,7 +160,7 @@ impl<T: Float, const P: usize> Real for Gradient<T, P> {
         self.chain(self.value.ln(), T::of(1.0) / self.value)
     }
 
-    #[inline]
+    #[inline(always)]
     fn abs(self) -> Self {
         if self.value < T::of(0.0) { -self } else { self }
     }
@@ -164,7 +169,7 @@ impl<T: Float, const P: usize> Real for Gradient<T, P> {
         Self::constant(self.value.sign())
     }
 
-    #[inline]
+    #[inline(always)]
     fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self {
         if lhs.value < rhs.value { then } else { otherwise }
     }
@@ -195,12 +200,12 @@ impl<T: Float, const P: usize> Lanes for Gradient<T, P> {
     const EPSILON: Self = Self { value: T::EPSILON, by: [T::ZERO; P] };
     const ROOT_EPSILON: Self = Self { value: T::ROOT_EPSILON, by: [T::ZERO; P] };
 
-    #[inline]
+    #[inline(always)]
     fn at_most(self, bound: Self) -> bool {
         self.value <= bound.value
     }
 
-    #[inline]
+    #[inline(always)]
     fn pick(mask: bool, then: Self, otherwise: Self) -> Self {
         if mask { then } else { otherwise }
     }
@@ -213,6 +218,7 @@ impl<T: Float, const P: usize> Lanes for Gradient<T, P> {
         a == b
     }
 
+    #[inline(always)]
     fn turn(self) -> (Self, Self) {
         let (sine, cosine) = self.value.turn();
         (self.chain(sine, cosine), self.chain(cosine, -sine))
@@ -232,6 +238,7 @@ impl<T: Float, const P: usize> Lanes for Gradient<T, P> {
 ///
 /// # Errors
 /// If they fulfil no equations, or the Jacobian is singular.
+#[inline]
 fn solve<T: Float, L: Linear<Gradient<T, P>, K>, const P: usize, const K: usize, const N: usize>(
     care: &Care<'_, Gradient<T, P>, N>,
     block: &Block<K>,
