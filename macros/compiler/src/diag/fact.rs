@@ -8,574 +8,162 @@ use crate::model::Dim;
 #[allow(missing_docs)] // The sentence in `message.rs` is the documentation of each fact.
 pub enum Fact {
     // Syntax.
-    Syntax {
-        message: String,
-    },
-    Expected {
-        what: &'static str,
-        found: String,
-    },
-    /// `joint revolute(P, Q);`
-    Unnamed {
-        word: &'static str,
-        kind: String,
-    },
-    NotANumber {
-        found: &'static str,
-    },
-    TooDeep {
-        limit: u16,
-    },
-    PartsTooDeep {
-        limit: usize,
-    },
-    TooLong {
-        limit: u16,
-    },
-    LongChain {
-        limit: u16,
-        in_function: bool,
-    },
-    Keyword {
-        word: String,
-    },
+    Syntax { message: String },
+    Expected { what: &'static str, found: String },
+    Unnamed { word: &'static str, kind: String },
+    NotANumber { found: &'static str },
+    TooDeep { limit: u16 },
+    PartsTooDeep { limit: usize },
+    TooLong { limit: u16 },
+    LongChain { limit: u16, in_function: bool },
+    Keyword { word: String },
     NumberType,
-    UnknownAttribute {
-        name: String,
-    },
-    ClosingWord {
-        near: Option<String>,
-    },
-    AllowedWord {
-        near: Option<String>,
-    },
-    AttributeTwice {
-        name: String,
-    },
-    TokensAfter {
-        what: &'static str,
-        help: &'static str,
-    },
-    UnknownItem {
-        word: String,
-    },
-    UnknownBodyItem {
-        word: String,
-    },
+    UnknownAttribute { name: String },
+    ClosingWord { near: Option<String> },
+    AllowedWord { near: Option<String> },
+    AttributeTwice { name: String },
+    TokensAfter { what: &'static str, help: &'static str },
+    UnknownItem { word: String },
+    UnknownBodyItem { word: String },
     OneArgument,
-    PairWithoutParentheses {
-        what: &'static str,
-    },
-    PathOfConstraint {
-        path: String,
-        last: String,
-    },
+    PairWithoutParentheses { what: &'static str },
+    PathOfConstraint { path: String, last: String },
     DoubleStar,
-    MethodCall {
-        name: String,
-    },
-    SpaceBeforeUnit {
-        number: String,
-        unit: String,
-    },
-    ExponentTooLarge {
-        limit: u8,
-    },
-    OnlyAtTheTop {
-        word: String,
-    },
+    MethodCall { name: String },
+    SpaceBeforeUnit { number: String, unit: String },
+    ExponentTooLarge { limit: u8 },
+    OnlyAtTheTop { word: String },
     StartInLoop,
-    IndexInEquations {
-        name: String,
-    },
+    IndexInEquations { name: String },
     // Arrays and parts.
-    WithoutIndex {
-        name: String,
-        variable: String,
-    },
-    DuplicateInLoop {
-        name: String,
-        variable: String,
-    },
-    ArrayWithoutIndex {
-        name: String,
-    },
-    NoArray {
-        found: &'static str,
-        is_member: bool,
-    },
-    IndexOutOfRange {
-        name: String,
-        index: i64,
-        ends: Option<(usize, usize)>,
-        known: Known,
-    },
-    NegativeIndex {
-        index: i64,
-    },
-    MissingIndex {
-        what: &'static str,
-        missing: String,
-        known: String,
-    },
-    NotWhole {
-        found: String,
-    },
+    WithoutIndex { name: String, variable: String },
+    DuplicateInLoop { name: String, variable: String },
+    ArrayWithoutIndex { name: String },
+    NoArray { found: &'static str, is_member: bool },
+    IndexOutOfRange { name: String, index: i64, ends: Option<(usize, usize)>, known: Known },
+    NegativeIndex { index: i64 },
+    MissingIndex { what: &'static str, missing: String, known: String },
+    NotWhole { found: String },
     NotKnownWhole,
-    EmptyRange {
-        from: i64,
-        to: i64,
-        is_inclusive: bool,
-    },
-    LongRange {
-        rounds: i128,
-        limit: usize,
-    },
-    TooManyItems {
-        limit: usize,
-    },
-    WholeTooLarge {
-        found: String,
-    },
-    UnknownComponent {
-        name: String,
-        near: Option<String>,
-        is_constraint: bool,
-    },
-    ComponentAsConstraint {
-        name: String,
-    },
-    ComponentRecursion {
-        name: String,
-    },
-    ParameterAsArgument {
-        component: String,
-        name: String,
-        part: String,
-    },
-    OutsideOfComponent {
-        name: String,
-        what: &'static str,
-    },
-    UnlikeParts {
-        name: String,
-        component: String,
-    },
-    UnlikeOutputs {
-        name: String,
-    },
-    GeneratedType {
-        name: String,
-    },
-    InInstance {
-        place: String,
-        fact: Box<Fact>,
-    },
+    EmptyRange { from: i64, to: i64, is_inclusive: bool },
+    LongRange { rounds: i128, limit: usize },
+    TooManyItems { limit: usize },
+    WholeTooLarge { found: String },
+    UnknownComponent { name: String, near: Option<String>, is_constraint: bool },
+    ComponentAsConstraint { name: String },
+    ComponentRecursion { name: String },
+    ParameterAsArgument { component: String, name: String, part: String },
+    OutsideOfComponent { name: String, what: &'static str },
+    UnlikeParts { name: String, component: String },
+    UnlikeOutputs { name: String },
+    GeneratedType { name: String },
+    InInstance { place: String, fact: Box<Fact> },
     // Names.
-    UnknownName {
-        name: String,
-        near: Option<String>,
-    },
-    OutputRead {
-        name: String,
-    },
-    UnitAlone {
-        name: String,
-    },
-    UnknownField {
-        owner: String,
-        name: String,
-        near: Option<String>,
-        known: Known,
-    },
-    UnknownFunction {
-        name: String,
-        near: Option<String>,
-        is_constraint: bool,
-    },
-    UnknownConstraint {
-        name: String,
-        near: Option<String>,
-    },
-    UnknownUnit {
-        number: String,
-        name: String,
-        near: Option<String>,
-    },
-    UnknownDimension {
-        name: String,
-        near: Option<String>,
-    },
-    UnknownStart {
-        name: String,
-        near: Option<String>,
-    },
-    NotAConstraint {
-        name: String,
-    },
-    UnknownKind {
-        name: String,
-        near: Option<String>,
-    },
-    Duplicate {
-        name: String,
-        first: &'static str,
-    },
-    DuplicateMark {
-        name: String,
-        body: String,
-    },
-    DuplicateStart {
-        name: String,
-        body: String,
-    },
+    UnknownName { name: String, near: Option<String> },
+    OutputRead { name: String },
+    UnitAlone { name: String },
+    UnknownField { owner: String, name: String, near: Option<String>, known: Known },
+    UnknownFunction { name: String, near: Option<String>, is_constraint: bool },
+    UnknownConstraint { name: String, near: Option<String> },
+    UnknownUnit { number: String, name: String, near: Option<String> },
+    UnknownDimension { name: String, near: Option<String> },
+    UnknownStart { name: String, near: Option<String> },
+    NotAConstraint { name: String },
+    UnknownKind { name: String, near: Option<String> },
+    Duplicate { name: String, first: &'static str },
+    DuplicateMark { name: String, body: String },
+    DuplicateStart { name: String, body: String },
     DuplicateGround,
     DuplicateRange,
     RangeWithoutEnd,
-    Reserved {
-        name: String,
-    },
-    Generated {
-        name: String,
-    },
-    Cycle {
-        name: String,
-        through: Vec<String>,
-    },
-    Recursion {
-        name: String,
-    },
+    Reserved { name: String },
+    Generated { name: String },
+    Cycle { name: String, through: Vec<String> },
+    Recursion { name: String },
     // Arity.
-    TooManyArguments {
-        definition: String,
-        signature: String,
-        takes: [usize; 2],
-        found: usize,
-    },
-    MissingArguments {
-        definition: String,
-        signature: String,
-        takes: [usize; 2],
-        found: usize,
-        missing: Vec<String>,
-    },
-    UnknownArgument {
-        definition: String,
-        name: String,
-        signature: String,
-        near: Option<String>,
-    },
-    DuplicateArgument {
-        name: String,
-        is_also_in_order: bool,
-    },
-    PositionalAfterNamed {
-        next: Option<String>,
-    },
-    FunctionArity {
-        name: String,
-        wanted: usize,
-        found: usize,
-    },
-    DefaultBefore {
-        name: String,
-    },
+    TooManyArguments { definition: String, signature: String, takes: [usize; 2], found: usize },
+    MissingArguments { definition: String, signature: String, takes: [usize; 2], found: usize, missing: Vec<String> },
+    UnknownArgument { definition: String, name: String, signature: String, near: Option<String> },
+    DuplicateArgument { name: String, is_also_in_order: bool },
+    PositionalAfterNamed { next: Option<String> },
+    FunctionArity { name: String, wanted: usize, found: usize },
+    DefaultBefore { name: String },
     // Kinds and dimensions.
-    NotA {
-        wanted: &'static str,
-        found: &'static str,
-    },
-    WrongArgument {
-        parameter: String,
-        definition: String,
-        wanted: String,
-        found: String,
-        instead: Option<String>,
-    },
-    WrongArgumentDimension {
-        parameter: String,
-        definition: String,
-        wanted: Dim,
-        found: Dim,
-    },
-    WrongDefault {
-        wanted: String,
-        found: &'static str,
-    },
-    WrongDimension {
-        wanted: Dim,
-        found: Dim,
-    },
-    Unlike {
-        action: &'static str,
-        one: Dim,
-        two: Dim,
-    },
-    NotALength {
-        found: Dim,
-        instead: Option<String>,
-    },
-    FunctionTakes {
-        wanted: Dim,
-        found: Dim,
-    },
+    NotA { wanted: &'static str, found: &'static str },
+    WrongArgument { parameter: String, definition: String, wanted: String, found: String, instead: Option<String> },
+    WrongArgumentDimension { parameter: String, definition: String, wanted: Dim, found: Dim },
+    WrongDefault { wanted: String, found: &'static str },
+    WrongDimension { wanted: Dim, found: Dim },
+    Unlike { action: &'static str, one: Dim, two: Dim },
+    NotALength { found: Dim, instead: Option<String> },
+    FunctionTakes { wanted: Dim, found: Dim },
     OrderOfBodies,
-    CannotCompare {
-        one: &'static str,
-        two: &'static str,
-    },
-    CannotEquate {
-        one: &'static str,
-        two: &'static str,
-    },
-    NotTwoComponents {
-        found: usize,
-    },
+    CannotCompare { one: &'static str, two: &'static str },
+    CannotEquate { one: &'static str, two: &'static str },
+    NotTwoComponents { found: usize },
     VectorAndNumber,
     VectorTimesVector,
     NumberByVector,
-    PowerOfDimension {
-        base: Dim,
-    },
-    NotAnOutput {
-        found: &'static str,
-    },
+    PowerOfDimension { base: Dim },
+    NotAnOutput { found: &'static str },
     // Values.
-    NumberTooLong {
-        number: String,
-        limit: usize,
-    },
-    NumberOutOfRange {
-        number: String,
-    },
-    NotFinite {
-        place: &'static str,
-    },
-    TooLarge {
-        limit: usize,
-        in_function: bool,
-    },
+    NumberTooLong { number: String, limit: usize },
+    NumberOutOfRange { number: String },
+    NotFinite { place: &'static str },
+    TooLarge { limit: usize, in_function: bool },
     DivisionByZero,
     EqualityInChoice,
     ListOutsideTable,
-    TableArity {
-        found: usize,
-    },
+    TableArity { found: usize },
     TableNeedsList,
     TableNeedsPairs,
-    TableNotIncreasing {
-        before: f64,
-        found: f64,
-        dim: Dim,
-    },
-    TableTooShort {
-        found: usize,
-    },
-    TableNotPeriodic {
-        first: f64,
-        last: f64,
-        dim: Dim,
-    },
-    TableEnds {
-        found: String,
-    },
-    NotConstant {
-        place: &'static str,
-        help: &'static str,
-    },
-    EmptyBounds {
-        bounds: String,
-        is_point: bool,
-    },
-    DefaultOutOfBounds {
-        value: String,
-        bounds: String,
-    },
-    NotFixed {
-        place: &'static str,
-    },
+    TableNotIncreasing { before: f64, found: f64, dim: Dim },
+    TableTooShort { found: usize },
+    TableNotPeriodic { first: f64, last: f64, dim: Dim },
+    TableEnds { found: String },
+    NotConstant { place: &'static str, help: &'static str },
+    EmptyBounds { bounds: String, is_point: bool },
+    DefaultOutOfBounds { value: String, bounds: String },
+    NotFixed { place: &'static str },
     FunctionNeedsArgument,
-    ZeroAxis {
-        name: String,
-    },
+    ZeroAxis { name: String },
     // Joints.
-    TimeIn {
-        place: &'static str,
-    },
+    TimeIn { place: &'static str },
     TimeInDefinition,
-    TimeInJoint {
-        joint: String,
-    },
-    RequirementFails {
-        why: String,
-        instead: Option<String>,
-    },
-    RequirementFailsAtDefaults {
-        why: String,
-        value: f64,
-    },
-    RowOfNothing {
-        joint: String,
-        row: usize,
-        of: usize,
-        at_defaults: bool,
-    },
-    OnGround {
-        joint: String,
-        kind: String,
-    },
-    NoEquations {
-        name: String,
-    },
-    EmptyBundle {
-        name: String,
-    },
+    TimeInJoint { joint: String },
+    RequirementFails { why: String, instead: Option<String> },
+    RequirementFailsAtDefaults { why: String, value: f64 },
+    RowOfNothing { joint: String, row: usize, of: usize, at_defaults: bool },
+    OnGround { joint: String, kind: String },
+    NoEquations { name: String },
+    EmptyBundle { name: String },
     GroundStart,
-    InDefinition {
-        definition: String,
-        quantities: Vec<(String, Dim)>,
-        fact: Box<Fact>,
-    },
+    InDefinition { definition: String, quantities: Vec<(String, Dim)>, fact: Box<Fact> },
     // The whole.
-    NoBodies {
-        name: String,
-    },
-    BodyIsFree {
-        body: String,
-        example: String,
-    },
-    Repeats {
-        joint: String,
-        other: String,
-    },
-    NotOnGround {
-        bodies: Vec<String>,
-    },
-    FreeCoordinates {
-        body: String,
-        coordinates: Vec<String>,
-        has_place: bool,
-        example: String,
-    },
-    DrivesMissing {
-        name: String,
-        count: Box<Count>,
-        forgotten: Box<Forgotten>,
-        candidates: Vec<String>,
-        example: String,
-    },
-    NothingToDrive {
-        drive: String,
-        joints: Vec<String>,
-        equations: [usize; 2],
-        coordinates: Vec<String>,
-        free: Vec<String>,
-    },
-    DrivesContend {
-        drives: Vec<String>,
-        freedoms: usize,
-        joints: Vec<String>,
-        coordinates: Vec<String>,
-        free: Vec<String>,
-    },
-    Follows {
-        joint: String,
-        is_drive: bool,
-        rows: Vec<usize>,
-        of: usize,
-        others: Vec<String>,
-    },
-    Contradicts {
-        joint: String,
-        others: Vec<String>,
-        demand: Option<Box<Demand>>,
-        off: String,
-    },
-    Collides {
-        joint: String,
-        others: Vec<String>,
-        off: String,
-    },
-    FollowsFrom {
-        joint: String,
-        is_drive: bool,
-        rows: usize,
-        of: usize,
-        others: Vec<String>,
-        free: Vec<String>,
-        moves: bool,
-    },
-    NotRedundant {
-        joint: String,
-        free: Vec<String>,
-    },
-    CannotHold {
-        joint: String,
-        bodies: Vec<String>,
-        length: Option<f64>,
-        angle: Option<f64>,
-        time: Option<f64>,
-        is_redundant: bool,
-    },
-    TooManyEquations {
-        joint: String,
-        others: Vec<String>,
-        equations: usize,
-        coordinates: Vec<String>,
-        free: Vec<String>,
-        for_free: usize,
-    },
+    NoBodies { name: String },
+    BodyIsFree { body: String, example: String },
+    Repeats { joint: String, other: String },
+    NotOnGround { bodies: Vec<String> },
+    FreeCoordinates { body: String, coordinates: Vec<String>, has_place: bool, example: String },
+    DrivesMissing { name: String, count: Box<Count>, forgotten: Box<Forgotten>, candidates: Vec<String>, example: String },
+    NothingToDrive { drive: String, joints: Vec<String>, equations: [usize; 2], coordinates: Vec<String>, free: Vec<String> },
+    DrivesContend { drives: Vec<String>, freedoms: usize, joints: Vec<String>, coordinates: Vec<String>, free: Vec<String> },
+    Follows { joint: String, is_drive: bool, rows: Vec<usize>, of: usize, others: Vec<String> },
+    Contradicts { joint: String, others: Vec<String>, demand: Option<Box<Demand>>, off: String },
+    Collides { joint: String, others: Vec<String>, off: String },
+    FollowsFrom { joint: String, is_drive: bool, rows: usize, of: usize, others: Vec<String>, free: Vec<String>, moves: bool },
+    NotRedundant { joint: String, free: Vec<String> },
+    CannotHold { joint: String, bodies: Vec<String>, length: Option<f64>, angle: Option<f64>, time: Option<f64>, is_redundant: bool },
+    TooManyEquations { joint: String, others: Vec<String>, equations: usize, coordinates: Vec<String>, free: Vec<String>, for_free: usize },
     // The assembly at the declared defaults.
-    StaysOpen {
-        joint: String,
-        gap: Box<Gap>,
-        others: Vec<String>,
-        drives: Vec<String>,
-        bound: Option<Box<Bound>>,
-    },
-    NeverCloses {
-        joints: Vec<String>,
-        drives: Vec<String>,
-        bound: Option<Box<Bound>>,
-    },
-    HasNoRate {
-        joint: String,
-        row: usize,
-        of: usize,
-    },
-    HasNoValue {
-        joint: String,
-        row: usize,
-        of: usize,
-        drives: Vec<String>,
-        has_none_anywhere: bool,
-    },
-    SingularStart {
-        bodies: Vec<String>,
-        in_line: bool,
-        drives: Vec<String>,
-        has_others: bool,
-    },
-    MotionEnds {
-        joint: String,
-        driven: Vec<Driven>,
-        time: f64,
-        in_line: Vec<String>,
-        until: f64,
-        declared: Option<[f64; 2]>,
-    },
-    Crosses {
-        driven: Vec<Driven>,
-        time: f64,
-    },
-    AmbiguousStart {
-        body: String,
-        coordinate: &'static str,
-        is_angle: bool,
-        values: [f64; 2],
-        place: [f64; 2],
-        is_declared: bool,
-    },
+    StaysOpen { joint: String, gap: Box<Gap>, others: Vec<String>, drives: Vec<String>, bound: Option<Box<Bound>> },
+    NeverCloses { joints: Vec<String>, drives: Vec<String>, bound: Option<Box<Bound>> },
+    HasNoRate { joint: String, row: usize, of: usize },
+    HasNoValue { joint: String, row: usize, of: usize, drives: Vec<String>, has_none_anywhere: bool },
+    SingularStart { bodies: Vec<String>, in_line: bool, drives: Vec<String>, has_others: bool },
+    MotionEnds { joint: String, driven: Vec<Driven>, time: f64, in_line: Vec<String>, until: f64, declared: Option<[f64; 2]> },
+    Crosses { driven: Vec<Driven>, time: f64 },
+    AmbiguousStart { body: String, coordinate: &'static str, is_angle: bool, values: [f64; 2], place: [f64; 2], is_declared: bool },
 }
 
 /// The names that there are: the first few, and how many in all.
