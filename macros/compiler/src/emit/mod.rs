@@ -263,11 +263,22 @@ fn state_name(mechanism: &Ident) -> Ident {
     format_ident!("{}State", mechanism, span = Span::call_site())
 }
 
+/// The module of the generated state. Its names come out of it by a glob, to which any other item of the same name is preferred: there may
+/// be mechanisms `Crank` and `CrankState`.
+fn state_module(mechanism: &Ident) -> Ident {
+    format_ident!("state_of_{}", mechanism, span = Span::call_site())
+}
+
+/// The generated state, whatever else has its name.
+fn state_path(mechanism: &Ident) -> TokenStream {
+    let (module, state) = (state_module(mechanism), state_name(mechanism));
+    quote!(#module::#state)
+}
+
 /// The functions that solve a mechanism.
 fn solve(model: &Model, system: &System) -> TokenStream {
-    let (name, state, n) = (&model.name, state_name(&model.name), system.unknowns.len());
-    let failure = format_ident!("{}Failure", name, span = Span::call_site());
-    let solving = solving(name, &state, &failure, &model.visibility, n, true);
+    let (name, state, n) = (&model.name, state_path(&model.name), system.unknowns.len());
+    let solving = solving(name, &state, n, true);
     quote! {
         #solving
         #[automatically_derived]
@@ -287,14 +298,10 @@ fn solve(model: &Model, system: &System) -> TokenStream {
 /// The functions that solve a mechanism or a slice of one.
 ///
 /// A sweep prepares what there is to prepare, if it `can_prepare`.
-fn solving(name: &Ident, state: &Ident, failure: &Ident, visibility: &TokenStream, n: usize, can_prepare: bool) -> TokenStream {
-    let failure_page = format!("Why there is no state of [`{name}`].");
+fn solving(name: &Ident, state: &TokenStream, n: usize, can_prepare: bool) -> TokenStream {
     let result = quote!(::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>>);
     let prepared = if can_prepare { quote!(self.prepared()) } else { quote!(*self) };
     quote! {
-        #[doc = #failure_page]
-        #[allow(dead_code)]
-        #visibility type #failure<T = ::core::primitive::f64> = ::reuleaux::Failure<T, #n>;
         #[automatically_derived]
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code)]
         impl<T: ::reuleaux::Float> #name<T> {
@@ -333,15 +340,36 @@ fn solving(name: &Ident, state: &Ident, failure: &Ident, visibility: &TokenStrea
     }
 }
 
+/// A name for the failures of what is found as the path `of`.
+fn failure(name: &Ident, of: &str, visibility: &TokenStream, n: usize) -> TokenStream {
+    let page = format!("Why there is no state of [`{}`]({of}).", of.trim_start_matches("super::"));
+    quote! {
+        #[doc = #page]
+        #[allow(dead_code)]
+        #visibility type #name<T = ::core::primitive::f64> = ::reuleaux::Failure<T, #n>;
+    }
+}
+
 fn state(model: &Model, system: &System) -> TokenStream {
-    let (visibility, state, n) = (&model.visibility, state_name(&model.name), system.unknowns.len());
-    let first_line = format!("A state of [`{}`]: time, position, velocity and acceleration of every body.", model.name);
+    let (name, visibility, n) = (&model.name, &model.visibility, system.unknowns.len());
+    let (module, own_name, state) = (state_module(name), state_name(name), state_path(name));
+    let first_line = format!("A state of [`{name}`](super::{name}): time, position, velocity and acceleration of every body.");
+    let failure_name = (!model.equations_only).then(|| format_ident!("{}Failure", name, span = Span::call_site()));
+    let failure = failure_name.as_ref().map(|failure_name| failure(failure_name, &format!("super::{name}"), &quote!(pub), n));
+    // The names of a stub come by a glob, too, and have to give way.
+    let names = if model.has_stub { quote!({ #own_name, #failure_name }) } else { quote!(*) };
     let accessors = Accessors::new(&model.layout, &model.name, visibility, None);
     let (own, views) = (accessors.of_mechanism(), accessors.views(n));
     quote! {
-        #[doc = #first_line]
-        #[derive(Clone, Debug, PartialEq)]
-        #visibility struct #state<T = ::core::primitive::f64>(pub ::reuleaux::State<T, #n>);
+        #[allow(non_snake_case)]
+        mod #module {
+            #[doc = #first_line]
+            #[derive(Clone, Debug, PartialEq)]
+            pub struct #own_name<T = ::core::primitive::f64>(pub ::reuleaux::State<T, #n>);
+            #failure
+        }
+        #[allow(unused_imports, unreachable_pub)]
+        #visibility use #module::#names;
         #[automatically_derived]
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case)]
         impl<T: ::reuleaux::Real> #state<T> { #own }

@@ -5,7 +5,7 @@ use super::columns::Columns;
 use super::expression::local;
 use super::functions::Emitter;
 use super::routine::{Lines, lines_at};
-use super::{docs, docs_or, state_name};
+use super::{docs, docs_or, state_path};
 use crate::model::Method;
 use crate::plan::{Outputs, Routine, Shape, Words};
 use proc_macro2::TokenStream;
@@ -32,7 +32,7 @@ impl Emitter<'_> {
             Outputs::Each(routines) => self.each(method, routines),
             Outputs::Alike(alike) => self.alike(method, &alike.0, &alike.1),
         };
-        let (docs, name, state) = (docs_or(&method.docs, &docs::output(method, first)), &method.name, state_name(&self.model.name));
+        let (docs, name, state) = (docs_or(&method.docs, &docs::output(method, first)), &method.name, state_path(&self.model.name));
         let kind = array_type(kind, &method.sizes);
         quote! {
             #docs

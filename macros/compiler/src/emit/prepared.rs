@@ -4,7 +4,7 @@ use super::expression::local;
 use super::functions::Emitter;
 use super::scene::Scene;
 use super::stages::Shelf;
-use super::{solving, state_name};
+use super::{failure, solving, state_path};
 use crate::plan::{Lines, Solution, Solving};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -22,8 +22,9 @@ impl Emitter<'_> {
         let (steps, names) = self.fixed(lines);
         let count = names.len();
         let type_name = format_ident!("{}Prepared", mechanism, span = Span::call_site());
-        let (state, failure) = (state_name(mechanism), format_ident!("{}PreparedFailure", mechanism, span = Span::call_site()));
-        let solving = solving(&type_name, &state, &failure, &self.model.visibility, n, false);
+        let failure_name = format_ident!("{}Failure", type_name);
+        let failure = failure(&failure_name, &type_name.to_string(), &self.model.visibility, n);
+        let solving = solving(&type_name, &state_path(mechanism), n, false);
         let lists = self.lists(solution, &Shelf::whole(n));
         let step = self.plan.moving.as_ref().map(|_| {
             quote! {
@@ -96,6 +97,7 @@ impl Emitter<'_> {
                 #[inline(always)]
                 fn stages(&self, t: T, pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { self.mechanism.#stages(&self.fixed, t, pass) }
             }
+            #failure
             #solving
         };
         (quote!(self.#stages(&self.of_parameters(), #t, #pass)), types)

@@ -4,7 +4,7 @@ use super::arrays::{array_at, array_type};
 use super::expression::local;
 use super::functions::Emitter;
 use super::stages::{Shelf, number, results, stages_of};
-use super::{docs, docs_or, plan_constant, solving};
+use super::{docs, docs_or, failure, plan_constant, solving};
 use crate::model::Method;
 use crate::plan::Slice;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -21,7 +21,8 @@ impl Emitter<'_> {
         let word = method.name.to_string();
         let word = word.trim_start_matches("r#");
         let name = slice_name(mechanism, &self.model.methods, word);
-        let [state, failure] = ["State", "Failure"].map(|what| slice_name(&format_ident!("{mechanism}{what}"), &self.model.methods, word));
+        let [state, failure_name] =
+            ["State", "Failure"].map(|what| slice_name(&format_ident!("{mechanism}{what}"), &self.model.methods, word));
         let (solve_for, stages) = (format_ident!("solve_for_{word}", span = Span::call_site()), local(&format!("stages_for_{word}")));
         let shelf = Shelf::new(&slice.held, &[], format!("for_{word}_"));
         let (description, constants) = (self.description(&name, &shelf, word), self.lists(&slice.solution, &shelf));
@@ -35,7 +36,8 @@ impl Emitter<'_> {
             format!("What is upstream of the output `{word}` of [`{mechanism}`], and nothing else, made by [`{mechanism}::{solve_for}`].");
         let method_page =
             format!("The mechanism for the output `{word}` alone: whatever is not upstream of it is not solved, nor compiled.");
-        let solving = solving(&name, &state, &failure, visibility, n, false);
+        let failure = failure(&failure_name, &name.to_string(), visibility, n);
+        let solving = solving(&name, &quote!(#state), n, false);
         let value = self.slice_state(method, &state, slice);
         quote! {
             #[automatically_derived]
@@ -75,6 +77,7 @@ impl Emitter<'_> {
                 }
                 #of_trait
             }
+            #failure
             #solving
             #value
         }

@@ -64,6 +64,8 @@ pub struct Model {
     pub closing: Closing,
     /// There is no warning where the assembly is far from the declared start.
     pub allows_far_start: bool,
+    /// It names constraints with `use`, and a stub stands beside it for the case that one of them is none.
+    pub has_stub: bool,
     /// How the motion is followed from the start.
     pub following: Following,
     /// The range of time, if it is declared.

@@ -43,6 +43,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
         equations_only: tree.equations_only,
         closing: tree.closing,
         allows_far_start: tree.allows_far_start,
+        has_stub: tree.items.iter().any(|item| matches!(item, ast::Item::Use(_))),
         following: tree.following,
         range,
         layout,
