@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use reuleaux::nalgebra::SVector;
 use reuleaux::wide::{Lockstep, Wide};
-use reuleaux::{Equations, Failure, Family, Float, Mechanism, Stages, State};
+use reuleaux::{Enclosure, Equations, Failure, Family, Float, Mechanism, Stages, State};
 use reuleaux_tests::common::twofold::Twofold;
 
 use super::bytes::Bytes;
@@ -16,6 +16,9 @@ const LARGE: f64 = 1e6;
 
 /// Calls of one case.
 const CALLS: usize = 4;
+
+/// Of so many states one is enclosed and polished, which takes longer than to find it.
+const PROOFS: usize = 16;
 
 /// What came of a case.
 #[derive(Clone, Debug, Default)]
@@ -121,6 +124,7 @@ where
     T: Float,
     M: Family<T, Over<T> = M> + Mechanism<T, N> + std::fmt::Debug,
     M::Over<Twofold>: Equations<Twofold, ROWS, N>,
+    M::Over<Enclosure>: Stages<Enclosure, N>,
 {
     let mechanism = with_parameters(defaults, bytes);
     let (exact, is_moderate) = exactly(&mechanism);
@@ -129,7 +133,22 @@ where
         match found {
             Ok(state) => {
                 count.found += 1;
-                judge(&exact, is_moderate, M::ITERATED, state).map_err(|why| format!("{}: {why}\nof {mechanism:?}\n{state:?}", what()))
+                let wrong = |why: String| format!("{}: {why}\nof {mechanism:?}\n{state:?}", what());
+                judge(&exact, is_moderate, M::ITERATED, state).map_err(wrong)?;
+                if count.found % PROOFS != 0 {
+                    return Ok(());
+                }
+                // A bound may be refused, and so may a proof; a state that was polished is still one.
+                let (bound, proof) = (mechanism.error_bound(state), mechanism.certify(state));
+                if proof.is_ok() && bound.is_err() {
+                    return Err(wrong(format!("{proof:?}, but {bound:?}")));
+                }
+                let mut polished = state.clone();
+                match mechanism.polish(&mut polished) {
+                    Ok(()) => judge(&exact, is_moderate, M::ITERATED, &polished).map_err(|why| wrong(format!("polished: {why}"))),
+                    Err(_) if format!("{polished:?}") == format!("{state:?}") => Ok(()),
+                    Err(doubt) => Err(wrong(format!("{doubt}, but it was changed: {polished:?}"))),
+                }
             }
             Err(failure) => {
                 count.refused += 1;
