@@ -111,8 +111,8 @@ impl<'a, T: Lanes, const N: usize> Care<'a, T, N> {
         Self::new(equations, Mode::Enclose(wanted), [Orientation::Positive; N])
     }
 
-    /// At the positions of a state.
-    pub(crate) fn at_state<E: Description<T, N> + ?Sized>(equations: &E, q: &'a SVector<T, N>) -> Self {
+    /// At given positions.
+    pub(crate) fn inspect<E: Description<T, N> + ?Sized>(equations: &E, q: &'a SVector<T, N>) -> Self {
         Self::new(equations, Mode::Inspect { q }, [Orientation::Positive; N])
     }
 
@@ -138,11 +138,6 @@ impl<'a, T: Float, const N: usize> Care<'a, T, N> {
     /// From a rough guess.
     pub(crate) fn close<E: Description<T, N> + ?Sized>(equations: &E, guess: &'a SVector<T, N>) -> Self {
         Self::new(equations, Mode::Close { guess }, [Orientation::Positive; N])
-    }
-
-    /// At given positions.
-    pub(crate) fn inspect<E: Description<T, N> + ?Sized>(equations: &E, q: &'a SVector<T, N>) -> Self {
-        Self::new(equations, Mode::Inspect { q }, [Orientation::Positive; N])
     }
 
     /// At positions next to which branches cross.

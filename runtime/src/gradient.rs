@@ -361,7 +361,7 @@ where
     let fail = |cause| Failure { mechanism: E::NAME, cause, time: state.t, end: None, last: Some(state.clone()) };
     mechanism.validate().map_err(|parameter| fail(Cause::ParameterOutOfRange(parameter)))?;
     let q = state.q.map(Gradient::constant);
-    let care = Care::at_state(varied, &q);
+    let care = Care::inspect(varied, &q);
     let found = varied.stages(Gradient::constant(state.t), &mut Pass::careful(&care)).map_err(|stop| match stop {
         Stop::NotFinite(of) => fail(Cause::NotFinite { of }),
         Stop::Far | Stop::Open(_) => fail(Cause::NoConvergence { correction: T::of(OFF), iterations: 0 }),

@@ -113,12 +113,10 @@ impl Table {
 
     /// Third derivative at `x`: constant from knot to knot, and at a knot that of the interval behind it.
     pub(crate) fn third_derivative(&self, x: f64) -> f64 {
-        let (_, _, before) = self.evaluate(x);
         let (Some(&first), Some(&last)) = (self.knots.first(), self.knots.last()) else { return f64::NAN };
-        let outside = !before.is_finite() || x < first || x > last;
         let x = match self.ends {
             Ends::Periodic => x - (last - first) * libm::floor((x - first) / (last - first)),
-            Ends::Linear | Ends::Hold if outside => return 0.0,
+            Ends::Linear | Ends::Hold if x < first || x > last => return 0.0,
             Ends::Linear | Ends::Hold => x,
         };
         let interval = self.knots.partition_point(|&knot| knot <= x).min(self.coefficients.len()).saturating_sub(1);

@@ -135,7 +135,7 @@ where
                 count.found += 1;
                 let wrong = |why: String| format!("{}: {why}\nof {mechanism:?}\n{state:?}", what());
                 judge(&exact, is_moderate, M::ITERATED, state).map_err(wrong)?;
-                if count.found % PROOFS != 0 {
+                if !count.found.is_multiple_of(PROOFS) {
                     return Ok(());
                 }
                 // A bound may be refused, and so may a proof; a state that was polished is still one.
