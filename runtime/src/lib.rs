@@ -61,69 +61,46 @@ extern crate std;
 // Emitted code names its types by `::reuleaux`; this lets examples and macros inside the crate do so too.
 extern crate self as reuleaux;
 
-mod assembly;
-mod careful;
-mod continuation;
-mod crossing;
-mod damping;
+// From the bottom to the top: a module uses those above it in this list, and none below.
+mod api;
 #[cfg(feature = "certify")]
 mod enclosure;
-mod equations;
-mod failure;
-mod family;
-mod float;
-mod gradient;
-mod iterate;
-mod lanes;
+mod explain;
 mod linear;
-mod mechanism;
 mod names;
-mod order;
-#[cfg(feature = "rayon")]
-pub mod parallel;
-mod pass;
-mod place;
-mod plan;
-mod position;
-mod problem;
-mod real;
-mod scale;
-mod single;
-mod stages;
+mod newton;
+mod number;
+mod path;
+mod solve;
 mod state;
-mod straight;
-mod sweep;
-mod table;
-mod turn;
-mod verdict;
-#[cfg(feature = "wide")]
-pub mod wide;
 
-#[doc(hidden)]
-pub use continuation::step_in_part;
+#[cfg(feature = "rayon")]
+pub use api::parallel;
+pub use api::{Gradient, Mechanism, Sweep, sweep};
 #[cfg(feature = "certify")]
 pub use enclosure::{Certificate, Doubt, Enclosure, ErrorBound};
-pub use equations::{Description, Equations, ParameterOutOfRange};
-pub use failure::{BranchEnd, Cause, Culprit, Failure};
-pub use family::Family;
-pub use float::Float;
-pub use gradient::Gradient;
-pub use lanes::{Lanes, Mask};
-pub use linear::{Eliminated, Elimination, Entries, Factors, Linear, Order, Small, Sparse};
-pub use mechanism::Mechanism;
+pub use explain::Failure;
+pub use linear::{Eliminated, Elimination, Entries, FactorReal, Factors, Linear, Order, Small, Sparse};
 pub use nalgebra;
-pub use names::{Coordinate, CoordinateKind, Row};
-pub use pass::{Pass, Solved, Stop};
-pub use place::Place;
-pub use plan::{Operations, Plan, PlanStage};
-pub use problem::Block;
-pub use real::Real;
+pub use names::{
+    BranchEnd, Cause, Coordinate, CoordinateKind, Culprit, Description, Operations, ParameterOutOfRange, Plan, PlanStage, Row,
+};
+pub use newton::{Block, Place, Solved, Stop};
+pub use number::{DetSign, Ends, Float, Mask, Real, SimdReal, Single, Table};
 #[doc(hidden)]
-pub use stages::mark_of;
-pub use stages::{Coordinates, Stages, at_once, improved_at_once, improved_by};
-pub use state::{Motion, Orientation, PlanarBody, State, Values};
-pub use sweep::{Sweep, sweep};
-pub use table::{Ends, Single, Table};
+pub use path::step_in_part;
+#[doc(hidden)]
+pub use solve::mark_of;
+pub use solve::{Equations, Family, Pass, SolverReal, Stages, at_once, improved_at_once, improved_by};
+pub use state::{Coordinates, Motion, PlanarBody, State, Values};
+
+/// For crates in which a number has several lanes, such as `reuleaux-wide`: what is no part of the language.
+#[doc(hidden)]
+pub mod for_lanes {
+    pub use crate::number::sin_cos::{LARGEST as SIN_COS_RANGE, within_range as sin_cos_in_range};
+    pub use crate::path::stride as step_lanes;
+    pub use crate::solve::{ColdStart, NoColdStart};
+}
 
 #[doc(hidden)]
 pub use reuleaux_macros::__resume;

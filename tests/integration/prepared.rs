@@ -1,6 +1,6 @@
 //! What depends on parameters only is computed once for each set of them.
 
-use reuleaux::{Lanes, mechanism};
+use reuleaux::{SimdReal, mechanism};
 
 mechanism! {
     /// A slide on an incline, pushed by a crank through a rod.

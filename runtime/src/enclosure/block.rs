@@ -10,17 +10,14 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::Doubt;
 use super::ball::{Ball, up};
 use super::moving::Enclosure;
 use super::system::{excess, inverse, product_of_magnitudes, solve_all};
 use super::twofold::Twofold;
-use crate::careful::Care;
+use super::{Doubt, Wanted};
 use crate::linear::Linear;
-use crate::pass::{Solved, Stop};
-use crate::place::Place;
-use crate::problem::{Block, Evaluate};
-use crate::{CoordinateKind, Culprit};
+use crate::names::{self, CoordinateKind, Culprit};
+use crate::newton::{Block, Evaluate, Place, Solved, Stop};
 
 /// Corrections of a state that is near a solution; five are usual, most of them for the last digits.
 const MOST_CORRECTIONS: usize = 40;
@@ -36,17 +33,16 @@ const NARROWEST: f64 = 1e-27;
 /// # Errors
 /// Where that cannot be proven; the reason is left with what is wanted.
 pub(super) fn solve<L: Linear<Enclosure, K>, const K: usize, const N: usize>(
-    care: &Care<'_, Enclosure, N>,
+    wanted: &Wanted<N>,
     block: &Block<K>,
     evaluate: &Evaluate<'_, Enclosure, L, K>,
 ) -> Result<Solved<Enclosure, L, K>, Stop<Enclosure>> {
-    let Some(wanted) = care.wanted() else { return Err(Stop::Far) };
-    let name = || care.coordinate(block.unknowns.first().copied().unwrap_or(0));
+    let name = || names::coordinate(wanted.coordinates, block.unknowns.first().copied().unwrap_or(0));
     let doubt = |doubt: Doubt| {
         wanted.doubt.set(Some(doubt));
         Stop::NotFinite(Culprit::Coordinate(name()))
     };
-    let length = care.lengths().0.value.center.high;
+    let length = wanted.lengths.0.value.center.high;
     let length = if length > 0.0 && length.is_finite() { length } else { 1.0 };
     let columns = block.kinds.map(|kind| if kind == CoordinateKind::Length { length } else { 1.0 });
 

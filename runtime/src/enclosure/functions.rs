@@ -3,8 +3,7 @@
 
 use super::ball::{Ball, ROUNDING, down, up};
 use super::twofold::Twofold;
-use crate::Table;
-use crate::table::Ends;
+use crate::number::{Ends, Table};
 
 /// π/2 and ln 2, to 2⁻¹⁰⁷ of them.
 const QUARTER: Twofold = Twofold { high: core::f64::consts::FRAC_PI_2, low: 6.123_233_995_736_766e-17 };

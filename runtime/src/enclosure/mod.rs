@@ -19,10 +19,11 @@ use core::fmt;
 
 use nalgebra::SVector;
 
-use crate::careful::Care;
-use crate::names;
-use crate::pass::{Pass, Stop};
-use crate::{Coordinate, CoordinateKind, Culprit, Description, Family, Float, Real, Row, Stages, State};
+use crate::names::{self, Coordinate, CoordinateKind, Culprit, Description, Row};
+use crate::newton::{self, Stop};
+use crate::number::{Float, Real};
+use crate::solve::{Family, Pass, Stages, lengths_of};
+use crate::state::State;
 
 use ball::Ball;
 pub use moving::Enclosure;
@@ -68,14 +69,19 @@ pub enum Doubt {
     Unproven(Coordinate),
 }
 
-/// What a pass over balls looks for.
-pub(crate) struct Wanted<const N: usize> {
+/// Encloses the solution next to a state, block by block.
+pub struct Wanted<const N: usize> {
     /// The state's q.
     q: SVector<f64, N>,
     /// No other solution may be as near to the state.
     alone: bool,
-    /// Why the pass has ended early.
+    /// L and 1/L.
+    lengths: (Enclosure, Enclosure),
+    coordinates: &'static [Coordinate],
+    /// Why a block could not be enclosed.
     doubt: Cell<Option<Doubt>>,
+    /// The first verified equation that does not hold: its index in Φ.
+    off: Cell<Option<usize>>,
 }
 
 /// The solution next to a state.
@@ -90,14 +96,14 @@ where
 {
     mechanism.validate().map_err(|parameter| Doubt::ParameterOutOfRange(parameter.name))?;
     let enclosed = E::gather([mechanism], |[parameter]| Enclosure::of(parameter.to_f64()));
-    let wanted = Wanted { q: state.q.map(Float::to_f64), alone, doubt: Cell::new(None) };
-    let care = Care::enclose(&enclosed, &wanted);
+    let (q, lengths, coordinates) = (state.q.map(Float::to_f64), lengths_of(&enclosed), E::COORDINATES);
+    let wanted = Wanted { q, alone, lengths, coordinates, doubt: Cell::new(None), off: Cell::new(None) };
     let coordinate = |index: usize| names::coordinate(E::COORDINATES, index);
-    let found = enclosed.stages(Enclosure::time(state.t.to_f64()), &mut Pass::careful(&care)).map_err(|stop| {
+    let found = enclosed.stages(Enclosure::time(state.t.to_f64()), &mut Pass::cold(&wanted)).map_err(|stop| {
         let of = |culprit| if let Stop::NotFinite(Culprit::Coordinate(of)) = culprit { of } else { coordinate(0) };
         wanted.doubt.get().unwrap_or(Doubt::NoSolution(of(stop)))
     })?;
-    if let Some(row) = care.off() {
+    if let Some(row) = wanted.off.get() {
         return Err(Doubt::DoesNotHold(names::row(E::ROWS, row)));
     }
     let is_bounded = |of: &Enclosure| [of.value, of.rate, of.acceleration].iter().all(|ball| ball.magnitude().is_finite());
@@ -155,7 +161,7 @@ where
         return Err(Doubt::Unproven(names::coordinate(E::COORDINATES, index)));
     }
     let within = distance(mechanism, state, &found)?;
-    let length = crate::scale::length_of(mechanism.characteristic_length());
+    let length = newton::length_of(mechanism.characteristic_length());
     let radius = (0..N).fold(T::of(0.0), |radius, i| {
         let share = match names::coordinate(E::COORDINATES, i).kind {
             CoordinateKind::Length => above((within.q[i] / length).to_f64()),

@@ -6,12 +6,11 @@ use nalgebra::{SMatrix, SVector};
 
 use super::ball::{Ball, ROUNDING};
 use super::twofold::Twofold;
-use super::{block, functions};
-use crate::careful::Care;
-use crate::linear::Linear;
-use crate::pass::{Solved, Stop};
-use crate::problem::{Block, Evaluate};
-use crate::{Lanes, Orientation, Real, Table};
+use super::{Wanted, block, functions};
+use crate::linear::{FactorReal, Linear};
+use crate::newton::{Block, Evaluate, Solved, Stop};
+use crate::number::{DetSign, Real, SimdReal, Table};
+use crate::solve::{ColdStart, SolverReal};
 
 /// A quantity with its first and second derivative by time, each enclosed by an interval; the number type of
 /// [`certify`](crate::Mechanism::certify).
@@ -210,10 +209,9 @@ impl Real for Enclosure {
 }
 
 /// Where the solver compares, nothing is decided by it: a block is enclosed as a whole, and of the rest only q counts.
-impl Lanes for Enclosure {
+impl SimdReal for Enclosure {
     type Mask = bool;
-    type Dense<const K: usize> = Unsolved;
-    type Sides = Orientation;
+    type Sides = DetSign;
 
     const EPSILON: Self = Self::at_rest(Ball::exact(ROUNDING));
     const ROOT_EPSILON: Self = Self::at_rest(Ball::exact(1.0 / 2_251_799_813_685_248.0)); // 2⁻⁵¹
@@ -222,33 +220,50 @@ impl Lanes for Enclosure {
         true
     }
 
-    fn may_vanish(self, _: Self) -> bool {
-        self.value.may_vanish()
-    }
-
     fn pick(mask: bool, then: Self, otherwise: Self) -> Self {
         if mask { then } else { otherwise }
     }
 
-    fn sides(self) -> Orientation {
+    fn sides(self) -> DetSign {
         self.value.center.high.sides()
     }
 
-    fn same(a: Orientation, b: Orientation) -> bool {
+    fn same(a: DetSign, b: DetSign) -> bool {
         a == b
     }
 
     fn turn(self) -> (Self, Self) {
         self.sin_cos()
     }
+}
 
-    fn carefully<L: Linear<Self, K>, const K: usize, const N: usize>(
-        care: &Care<'_, Self, N>,
+impl FactorReal for Enclosure {
+    type Dense<const K: usize> = Unsolved;
+}
+
+impl SolverReal for Enclosure {
+    type Cold<'a, const N: usize> = Wanted<N>;
+}
+
+impl<const N: usize> ColdStart<Enclosure, N> for Wanted<N> {
+    fn lengths(&self) -> (Enclosure, Enclosure) {
+        self.lengths
+    }
+
+    fn solve_block<L: Linear<Enclosure, K>, const K: usize>(
+        &self,
         block: &Block<K>,
-        _: [Self; K],
-        evaluate: &Evaluate<'_, Self, L, K>,
-    ) -> Result<Solved<Self, L, K>, Stop<Self>> {
-        block::solve(care, block, evaluate)
+        _: [Enclosure; K],
+        evaluate: &Evaluate<'_, Enclosure, L, K>,
+    ) -> Result<Solved<Enclosure, L, K>, Stop<Enclosure>> {
+        block::solve(self, block, evaluate)
+    }
+
+    /// An equation holds if zero is among its residuals.
+    fn check(&self, row: usize, residual: Enclosure, _: Enclosure) {
+        if !residual.value.may_vanish() && self.off.get().is_none() {
+            self.off.set(Some(row));
+        }
     }
 }
 
@@ -283,8 +298,8 @@ impl<const K: usize> Linear<Enclosure, K> for Unsolved {
         Enclosure::at_rest(Ball::anything())
     }
 
-    fn sides(&self) -> Orientation {
-        Orientation::Positive
+    fn sides(&self) -> DetSign {
+        DetSign::Positive
     }
 
     fn is_regular(&self) -> bool {

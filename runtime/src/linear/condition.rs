@@ -4,8 +4,8 @@ use nalgebra::SVector;
 
 use super::Factors;
 use super::permuted::entry;
-use crate::Float;
-use crate::order::greater;
+use crate::number::Float;
+use crate::number::order::greater;
 
 impl<T: Float, const N: usize> Factors<T, N> {
     /// An estimate, from below, of ‖ |A⁻¹| |A| ‖ in scaled unknowns: by how much one rounding of each entry of A is multiplied

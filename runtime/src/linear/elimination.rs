@@ -3,7 +3,7 @@
 //! In: the entries of A that are not always zero. Out: those of L and U, and what tells whether they can be trusted. The order is
 //! data, [`Order`]; the functions provided here run over it, and emitted code says the same in straight lines where those are short.
 
-use crate::Real;
+use crate::number::Real;
 
 /// Which entries there are, and in which order a matrix of K rows is eliminated.
 ///

@@ -23,7 +23,7 @@ mod sparse;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::{Float, Lanes};
+use crate::number::{Float, SimdReal};
 
 pub use elimination::{Eliminated, Elimination, Order};
 pub use factor::Factors;
@@ -31,8 +31,18 @@ pub(crate) use rank::{regular_part, weakest};
 pub use small::Small;
 pub use sparse::{Entries, Sparse};
 
+/// A [`SimdReal`] of which matrices of any size can be factored.
+pub trait FactorReal: SimdReal {
+    /// Factors of matrices of any size.
+    type Dense<const K: usize>: Linear<Self, K, Matrix = SMatrix<Self, K, K>>;
+}
+
+impl<T: Float> FactorReal for T {
+    type Dense<const K: usize> = Factors<T, K>;
+}
+
 /// Factors of a square matrix, however they are made.
-pub trait Linear<T: Lanes, const N: usize>: Sized {
+pub trait Linear<T: SimdReal, const N: usize>: Sized {
     /// How the matrix is given.
     type Matrix;
 

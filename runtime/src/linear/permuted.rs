@@ -1,6 +1,6 @@
 //! Entries by an index out of a permutation. It is in range, always, but rustc cannot know: what is written so has no panic in it.
 
-use crate::Real;
+use crate::number::Real;
 
 /// The entry at `index`.
 #[inline(always)]

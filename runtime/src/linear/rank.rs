@@ -5,7 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use super::factor::Pivoting;
 use super::permuted::entry;
 use super::{Factors, Linear};
-use crate::Float;
+use crate::number::Float;
 
 /// The row that depends on the others and the unknown that they leave undetermined.
 ///

@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::{Factors, Linear};
-use crate::{Float, Lanes};
+use crate::number::{Float, SimdReal};
 
 /// The adjugate and the determinant of a matrix of up to three rows.
 ///
@@ -30,7 +30,7 @@ const NOISE: f64 = 8.0;
 /// And one below this: the smallest normal number that every type has.
 const NOTHING: f64 = f32::MIN_POSITIVE as f64;
 
-impl<T: Lanes, const N: usize> Linear<T, N> for Small<T, N> {
+impl<T: SimdReal, const N: usize> Linear<T, N> for Small<T, N> {
     type Matrix = SMatrix<T, N, N>;
 
     #[inline(always)]
@@ -109,7 +109,7 @@ impl<T: Float, const N: usize> Small<T, N> {
 
 /// adj A, with A adj A = det A.
 #[inline(always)]
-fn adjugate<T: Lanes, const N: usize>(a: &SMatrix<T, N, N>) -> SMatrix<T, N, N> {
+fn adjugate<T: SimdReal, const N: usize>(a: &SMatrix<T, N, N>) -> SMatrix<T, N, N> {
     let minor = |i: usize, j: usize| match N {
         1 => T::of(1.0),
         2 => {

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::permuted::{entry, put};
 use super::{Factors, Linear};
-use crate::{Float, Orientation};
+use crate::number::{DetSign, Float};
 
 impl<T: Float, const N: usize> Linear<T, N> for Factors<T, N> {
     type Matrix = SMatrix<T, N, N>;
@@ -56,7 +56,7 @@ impl<T: Float, const N: usize> Linear<T, N> for Factors<T, N> {
         self.amplification(sizes, &self.column_scale, &self.column_scale.map(|scale| T::of(1.0) / scale))
     }
 
-    fn sides(&self) -> Orientation {
+    fn sides(&self) -> DetSign {
         self.orientation
     }
 

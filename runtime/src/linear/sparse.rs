@@ -9,10 +9,9 @@ use core::marker::PhantomData;
 
 use nalgebra::{SMatrix, SVector};
 
-use super::Linear;
 use super::elimination::{Eliminated, Elimination};
-use crate::lanes::Mask;
-use crate::{Float, Lanes};
+use super::{FactorReal, Linear};
+use crate::number::{Float, Mask, SimdReal};
 
 /// A matrix by its entries that are not always zero.
 #[derive(Clone, Copy, Debug)]
@@ -33,9 +32,9 @@ pub struct Entries<T, const K: usize, const ENTRIES: usize> {
 /// is asked for. Then L U is A but for relative changes of its rows by at most about K g ε (Higham: Accuracy and Stability of
 /// Numerical Algorithms, 9.3), x is correct to about cond(A) g ε, and one step of refinement leaves the square of this, which is
 /// below the unavoidable cond(A) ε up to the condition of 1/√ε that counts as singular. The units of rows do not matter, and the
-/// determinant has the sign that it shows. Where this does not hold, [dense factors](Lanes::Dense) are used.
+/// determinant has the sign that it shows. Where this does not hold, [dense factors](FactorReal::Dense) are used.
 #[derive(Clone, Copy, Debug)]
-pub struct Sparse<T: Lanes, E, const K: usize, const ENTRIES: usize, const FACTORS: usize> {
+pub struct Sparse<T: FactorReal, E, const K: usize, const ENTRIES: usize, const FACTORS: usize> {
     matrix: Entries<T, K, ENTRIES>,
     /// L and U.
     lu: [T; FACTORS],
@@ -48,7 +47,7 @@ pub struct Sparse<T: Lanes, E, const K: usize, const ENTRIES: usize, const FACTO
 
 impl<T, E, const K: usize, const ENTRIES: usize, const FACTORS: usize> Linear<T, K> for Sparse<T, E, K, ENTRIES, FACTORS>
 where
-    T: Lanes,
+    T: FactorReal,
     E: Elimination<T, K, ENTRIES, FACTORS>,
 {
     type Matrix = Entries<T, K, ENTRIES>;
@@ -142,7 +141,7 @@ where
 
 impl<T, E, const K: usize, const ENTRIES: usize, const FACTORS: usize> Sparse<T, E, K, ENTRIES, FACTORS>
 where
-    T: Lanes,
+    T: FactorReal,
     E: Elimination<T, K, ENTRIES, FACTORS>,
 {
     /// x of A x = b by L and U.
@@ -167,13 +166,13 @@ where
 
 /// Refuses the first row with an entry that is not finite in any lane; where it is in some, the others go on.
 #[cold]
-fn any_finite<T: Lanes>(values: &[T], pattern: &[(usize, usize)]) -> Result<(), usize> {
+fn any_finite<T: SimdReal>(values: &[T], pattern: &[(usize, usize)]) -> Result<(), usize> {
     let is_bad = |value: &T| value.abs().at_most(T::of(f64::MAX)).not().all();
     values.iter().zip(pattern).find(|(value, _)| is_bad(value)).map_or(Ok(()), |(_, &(row, _))| Err(row))
 }
 
 /// A power of two next to ε^(−1/4).
 #[inline(always)]
-fn largest_growth<T: Lanes>() -> T {
+fn largest_growth<T: SimdReal>() -> T {
     T::select_less(T::EPSILON, T::of(1e-12), T::of(8192.0), T::of(64.0))
 }

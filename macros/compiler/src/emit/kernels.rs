@@ -63,7 +63,7 @@ impl Emitter<'_> {
         quote! {
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
-            impl<T: ::reuleaux::Lanes> #name<T> { #(#functions)* }
+            impl<T: ::reuleaux::SolverReal> #name<T> { #(#functions)* }
         }
     }
 

@@ -34,11 +34,11 @@ impl Emitter<'_> {
                 {
                     ::reuleaux::Stages::<T, #n>::mark(&self.mechanism)
                 }
-                fn step(&self, state: &mut ::reuleaux::State<T, #n>, t: T) -> ::core::primitive::bool
+                fn partial_step(&self, state: &mut ::reuleaux::State<T, #n>, t: T) -> ::core::option::Option<::core::primitive::bool>
                 where
                     T: ::reuleaux::Float,
                 {
-                    ::reuleaux::Stages::<T, #n>::step(&self.mechanism, state, t)
+                    ::reuleaux::Stages::<T, #n>::partial_step(&self.mechanism, state, t)
                 }
             }
         });
@@ -50,7 +50,7 @@ impl Emitter<'_> {
         let types = quote! {
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens, dead_code)]
-            impl<T: ::reuleaux::Lanes> #mechanism<T> {
+            impl<T: ::reuleaux::SolverReal> #mechanism<T> {
                 /// The mechanism with everything computed that depends on its parameters only, for loops that take a state along
                 /// with `advance`; `sweep` does so by itself.
                 #[must_use]
@@ -72,7 +72,7 @@ impl Emitter<'_> {
                 fixed: [T; #count],
             }
             #[automatically_derived]
-            impl<T: ::reuleaux::Lanes> #description for #type_name<T> {
+            impl<T: ::reuleaux::SolverReal> #description for #type_name<T> {
                 const NAME: &'static ::core::primitive::str = <#mechanism<T> as #description>::NAME;
                 const COORDINATES: &'static [::reuleaux::Coordinate] = <#mechanism<T> as #description>::COORDINATES;
                 const ROWS: &'static [::reuleaux::Row] = <#mechanism<T> as #description>::ROWS;
@@ -81,7 +81,7 @@ impl Emitter<'_> {
                 fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> { self.mechanism.validate() }
             }
             #[automatically_derived]
-            impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #type_name<T> {
+            impl<T: ::reuleaux::SolverReal> ::reuleaux::Stages<T, #n> for #type_name<T> {
                 #lists
                 #step
                 fn toward(&self, share: T) -> ::core::option::Option<Self> {
@@ -115,7 +115,7 @@ fn as_it_is(mechanism: &Ident) -> TokenStream {
     quote! {
         #[automatically_derived]
         #[allow(dead_code)]
-        impl<T: ::reuleaux::Lanes> #mechanism<T> {
+        impl<T: ::reuleaux::SolverReal> #mechanism<T> {
             /// The mechanism itself: what depends on its parameters alone is little, or is computed where it is used.
             #[must_use]
             pub fn prepared(&self) -> Self { *self }

@@ -29,7 +29,7 @@ impl Emitter<'_> {
             #kernels
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
-            impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> {
+            impl<T: ::reuleaux::SolverReal> ::reuleaux::Stages<T, #n> for #name<T> {
                 #lists
                 #toward
                 #improved

@@ -1,8 +1,8 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::{Entries, Sparse};
-use crate::Orientation;
 use crate::linear::{Elimination, Factors, Linear, Order};
+use crate::number::DetSign;
 
 /// A loop of four: each row has two neighbours, and elimination fills two entries.
 struct Ring;
@@ -164,7 +164,7 @@ fn the_sign_of_the_determinant_counts_the_exchanges() {
     let sparse = full_of(at([(2, 1), (0, 0), (3, 2), (1, 3)])).unwrap();
     assert!(sparse.is_stable);
     // Columns 0, 3, 1, 2 by row: two inversions.
-    assert_eq!(sparse.sides(), Orientation::Positive);
+    assert_eq!(sparse.sides(), DetSign::Positive);
     let sparse = full_of(at([(2, 1), (0, 0), (3, 3), (1, 2)])).unwrap();
-    assert_eq!(sparse.sides(), Orientation::Negative);
+    assert_eq!(sparse.sides(), DetSign::Negative);
 }

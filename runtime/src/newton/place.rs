@@ -1,0 +1,157 @@
+//! Where Newton's method stands: the unknowns, and sine and cosine of those that are angles.
+
+use nalgebra::SVector;
+
+use crate::number::{Mask, SimdReal};
+
+/// Up to this length a correction turns sine and cosine instead of having them computed again.
+const SMALL_TURN: f64 = 1.0 / 256.0;
+
+/// Up to this length the way of a step does.
+const SHORT_TURN: f64 = 1.0 / 32.0;
+
+/// Unknowns with the sines and cosines that the equations need of them.
+#[derive(Clone, Copy, Debug)]
+pub struct Place<T, const K: usize> {
+    /// The unknowns, in m and rad.
+    pub x: SVector<T, K>,
+    /// (sine, cosine) of the unknowns that turn; without meaning for others.
+    pub turn: [(T, T); K],
+}
+
+impl<T: SimdReal, const K: usize> Place<T, K> {
+    /// At x; `turns` says of which unknowns sine and cosine are needed.
+    #[inline(always)]
+    pub(crate) fn at(x: SVector<T, K>, turns: &[bool; K]) -> Self {
+        let mut turn = [(T::of(0.0), T::of(1.0)); K];
+        // Two at a time, which take as long as one.
+        for k in (0..K).step_by(2) {
+            if k + 1 < K && turns[k] && turns[k + 1] {
+                [turn[k], turn[k + 1]] = T::turns([x[k], x[k + 1]]);
+            } else {
+                if turns[k] {
+                    turn[k] = x[k].turn();
+                }
+                if k + 1 < K && turns[k + 1] {
+                    turn[k + 1] = x[k + 1].turn();
+                }
+            }
+        }
+        Self { x, turn }
+    }
+
+    /// At x, which is mostly near to `before`: sines and cosines there are known long before x is, and turned by what is between.
+    #[inline(always)]
+    pub(crate) fn after(before: SVector<T, K>, x: SVector<T, K>, turns: &[bool; K]) -> Self {
+        let mut there = Self::at(before, turns);
+        let mut is_near = T::Mask::of(true);
+        for k in 0..K {
+            if turns[k] {
+                let by = x[k] - before[k];
+                is_near = is_near.and(by.abs().at_most(T::of(SHORT_TURN)));
+                there.turn[k] = turned_shortly(there.turn[k], by);
+            }
+        }
+        there.x = x;
+        if is_near.all() { there } else { Self::anew(x, *turns) }
+    }
+
+    /// At x.
+    #[cold]
+    #[inline(never)]
+    fn anew(x: SVector<T, K>, turns: [bool; K]) -> Self {
+        Self::at(x, &turns)
+    }
+
+    /// At x + λ δ.
+    #[inline(always)]
+    pub(crate) fn moved(&self, lambda: T, correction: &SVector<T, K>, turns: &[bool; K]) -> Self {
+        let mut there = *self;
+        for k in 0..K {
+            let by = lambda * correction[k];
+            there.x[k] = self.x[k] + by;
+            if turns[k] {
+                let is_small = by.abs().at_most(T::of(SMALL_TURN)).all();
+                there.turn[k] = if is_small { turned(self.turn[k], by) } else { there.x[k].turn() };
+            }
+        }
+        there
+    }
+
+    /// At x + δ with δ at most about √ε: its square does not show in sine and cosine.
+    pub(crate) fn nudged(&self, correction: &SVector<T, K>, turns: &[bool; K]) -> Self {
+        self.nudged_back(&correction.map(|entry| -entry), turns)
+    }
+
+    /// At x − δ with δ at most about √ε.
+    #[inline(always)]
+    pub(crate) fn nudged_back(&self, correction: &SVector<T, K>, turns: &[bool; K]) -> Self {
+        let mut there = *self;
+        for k in 0..K {
+            there.x[k] = self.x[k] - correction[k];
+            if turns[k] {
+                let (sine, cosine) = self.turn[k];
+                there.turn[k] = (sine - cosine * correction[k], cosine + sine * correction[k]);
+            }
+        }
+        there
+    }
+
+    /// `then` in the lanes where the answer is yes, `self` in the others.
+    #[inline(always)]
+    pub(crate) fn replaced(&self, mask: T::Mask, then: &Self) -> Self {
+        let pick = |then, otherwise| T::pick(mask, then, otherwise);
+        Self {
+            x: SVector::from_fn(|k, _| pick(then.x[k], self.x[k])),
+            turn: core::array::from_fn(|k| (pick(then.turn[k].0, self.turn[k].0), pick(then.turn[k].1, self.turn[k].1))),
+        }
+    }
+}
+
+/// Sine and cosine of an angle that is larger by δ, |δ| ≤ 1/32.
+///
+/// The series leave out less than 8e-20 and 3e-22.
+#[inline(always)]
+fn turned_shortly<T: SimdReal>((sine, cosine): (T, T), by: T) -> (T, T) {
+    let z = by * by;
+    let zz = z * z;
+    let small = by - (by * z) * ((T::of(1.0 / 6.0) - z * T::of(1.0 / 120.0)) + zz * T::of(1.0 / 5040.0));
+    let less = T::of(0.5) * z - zz * ((T::of(1.0 / 24.0) - z * T::of(1.0 / 720.0)) + zz * T::of(1.0 / 40320.0));
+    (sine + (cosine * small - sine * less), cosine - (sine * small + cosine * less))
+}
+
+/// Sine and cosine of an angle that is larger by δ, |δ| ≤ 1/256.
+///
+/// sin δ = δ − δ³/6 + δ⁵/120 and cos δ − 1 = −δ²/2 + δ⁴/24 − δ⁶/720 leave out less than 3e-21 and 1e-24; the sum and the
+/// products round once or twice each, as a sine computed anew does.
+#[inline(always)]
+fn turned<T: SimdReal>((sine, cosine): (T, T), by: T) -> (T, T) {
+    let square = by * by;
+    let less = square * (T::of(0.5) - square * (T::of(1.0 / 24.0) - square * T::of(1.0 / 720.0)));
+    let small = by - by * square * (T::of(1.0 / 6.0) - square * T::of(1.0 / 120.0));
+    (sine + (cosine * small - sine * less), cosine - (sine * small + cosine * less))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Place, SHORT_TURN};
+    use nalgebra::SVector;
+
+    /// Sines and cosines that were turned on are as good as those computed anew, over several turns and up to the longest way.
+    #[test]
+    fn turned_angles_are_within_two_roundings() {
+        for step in -400..=400 {
+            let from = f64::from(step) * 0.0937;
+            for share in [1.0, 0.999, 0.5, -0.73, 1e-3, -1e-9, 0.0] {
+                let right = |place: &Place<f64, 1>| {
+                    let (sine, cosine) = libm::sincos(place.x[0]);
+                    let (found, error) = (place.turn[0], |found: f64, exact: f64| (found - exact).abs() / f64::EPSILON);
+                    assert!(error(found.0, sine) <= 2.0 && error(found.1, cosine) <= 2.0, "{from} and {share}: {found:?}");
+                };
+                let (before, turns) = (SVector::from([from]), [true]);
+                right(&Place::after(before, SVector::from([from + share * SHORT_TURN]), &turns));
+                right(&Place::after(before, SVector::from([from + 40.0 * share * SHORT_TURN]), &turns));
+            }
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! Metres and radians on one scale: a length counts as its share of L, an angle as it is.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::names::{self, Coordinate, CoordinateKind, Description};
+use crate::number::order::greater;
+use crate::number::{Float, Mask, SimdReal};
+
+/// The size of each coordinate: L for lengths, 1 for angles.
+#[derive(Clone)]
+pub(crate) struct Scale<T, const N: usize> {
+    /// L in m.
+    pub(crate) length: T,
+    /// L or 1, by coordinate.
+    pub(crate) column: SVector<T, N>,
+    /// 1/L or 1, by coordinate.
+    pub(crate) share: SVector<T, N>,
+}
+
+impl<T: Float, const N: usize> Scale<T, N> {
+    /// The scale of a mechanism; a characteristic length that is no length counts as 1 m.
+    pub(crate) fn of<E: Description<T, N> + ?Sized>(equations: &E) -> Self {
+        Self::new(equations.characteristic_length(), E::COORDINATES)
+    }
+
+    fn new(length: T, coordinates: &[Coordinate]) -> Self {
+        let length = length_of(length);
+        Self::by_kind(length, T::of(1.0) / length, &core::array::from_fn(|i| names::coordinate(coordinates, i).kind))
+    }
+
+    /// The greatest scaled entry, max(|δ_x| / L, |δ_φ|): NaN if one is, 0 if there is none.
+    pub(crate) fn norm(&self, vector: &SVector<T, N>) -> T {
+        vector.iter().zip(self.share.iter()).fold(T::of(0.0), |norm, (&entry, &share)| greater(norm, entry.abs() * share))
+    }
+
+    /// How far row `row` is from being fulfilled, in m: |Φ_i| by the norm of its gradient, an angle counting L metres.
+    pub(crate) fn gap(&self, row: usize, residual: T, jacobian: &SMatrix<T, N, N>) -> T {
+        let squares = (0..N).fold(T::of(0.0), |sum, j| {
+            let entry = jacobian.data.0[j].get(row).copied().unwrap_or(T::of(f64::NAN)) * self.column[j];
+            sum + entry * entry
+        });
+        residual.abs() * self.length / squares.sqrt()
+    }
+}
+
+impl<T: SimdReal, const N: usize> Scale<T, N> {
+    /// The scale of coordinates of these kinds, with L and 1/L.
+    #[inline(always)]
+    pub(crate) fn by_kind(length: T, share: T, kinds: &[CoordinateKind; N]) -> Self {
+        let pick = |of_length: T| {
+            SVector::from_fn(|i, _| match kinds[i] {
+                CoordinateKind::Length => of_length,
+                CoordinateKind::Angle => T::of(1.0),
+            })
+        };
+        Self { length, column: pick(length), share: pick(share) }
+    }
+}
+
+/// L; a characteristic length that is no length counts as 1 m.
+#[inline(always)]
+pub(crate) fn length_of<T: SimdReal>(length: T) -> T {
+    let is_length = T::of(f64::from(f32::MIN_POSITIVE)).at_most(length).and(length.at_most(T::of(f64::from(f32::MAX))));
+    T::pick(is_length, length, T::of(1.0))
+}

@@ -1,0 +1,66 @@
+//! Numbers that the Newton loop can compare.
+
+use super::{DetSign, SimdReal};
+
+/// A [`Real`](crate::Real) with an order, a rounding unit and a way into messages: `f64` and `f32`.
+pub trait Float: SimdReal<Mask = bool, Sides = DetSign> + PartialOrd {
+    /// 0
+    const ZERO: Self;
+
+    /// The nearest `f64`, for messages.
+    fn to_f64(self) -> f64;
+
+    /// What tells it apart from all other numbers.
+    fn bits(self) -> u64;
+
+    /// Neither infinite nor NaN.
+    fn is_finite(self) -> bool;
+
+    /// The greatest power of two that is not above |`self`|; 1 for zero, subnormal, infinite and NaN.
+    ///
+    /// Multiplying by it and dividing by it are exact, which makes it the right number to scale with.
+    #[must_use]
+    fn binade(self) -> Self;
+}
+
+impl Float for f64 {
+    const ZERO: Self = 0.0;
+
+    #[inline]
+    fn to_f64(self) -> f64 {
+        self
+    }
+    #[inline]
+    fn bits(self) -> u64 {
+        self.to_bits()
+    }
+    #[inline]
+    fn is_finite(self) -> bool {
+        f64::is_finite(self)
+    }
+    #[inline]
+    fn binade(self) -> Self {
+        if self.is_normal() { f64::from_bits(self.to_bits() & 0x7FF0_0000_0000_0000) } else { 1.0 }
+    }
+}
+
+impl Float for f32 {
+    const ZERO: Self = 0.0;
+
+    #[inline]
+    fn to_f64(self) -> f64 {
+        f64::from(self)
+    }
+    #[inline]
+    fn bits(self) -> u64 {
+        u64::from(self.to_bits())
+    }
+    #[inline]
+    fn is_finite(self) -> bool {
+        f32::is_finite(self)
+    }
+    #[inline]
+    fn binade(self) -> Self {
+        if self.is_normal() { f32::from_bits(self.to_bits() & 0x7F80_0000) } else { 1.0 }
+    }
+}

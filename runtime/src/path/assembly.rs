@@ -1,0 +1,184 @@
+//! The first state: on the branch of the declared start, whatever the parameters.
+//!
+//! At the declared defaults the start is an assembled configuration. Parameters that differ are changed step by step on the
+//! straight way from the defaults, as time is in `continuation`: a step is accepted if in every block Newton's method has a short
+//! way and the determinant keeps its sign. How long a step may be has nothing to do with how long the whole way is: an offset of 1 m
+//! may be set to 1e10 m, and what it moves goes that far with it. So the last step tells where the next one leads (a secant), and
+//! a long one is accepted too if the solution is near to what was foretold, compared with the way there. Where the branch ends on the
+//! way, at a fold, there may still be an assembly of the same branch at the parameters themselves: it is taken if every determinant
+//! has the sign that it has at the defaults, and it is a failure to find only another.
+
+use nalgebra::SVector;
+
+use super::branch::{LARGEST_LAPSE, jump};
+use super::reached::{Reached, inspect, reached, state};
+use crate::names::{self, BranchEnd, Cause, CoordinateKind, Culprit};
+use crate::newton::{Scale, Stop};
+use crate::number::Float;
+use crate::solve::{ColdSolver, Stages};
+use crate::state::State;
+
+/// Steps from the defaults to the parameters, accepted or not.
+const MOST_STEPS: usize = 2000;
+
+/// How far from where it was foretold a solution may be: this share of the way there, or of L; and in rad.
+const SURPRISE: f64 = 0.05;
+
+/// How far an angle may go in one step, in rad.
+const LONGEST_TURN: f64 = 0.8;
+
+/// Why there is no first state.
+pub(crate) struct Unassembled<T, const N: usize> {
+    pub(crate) cause: Cause<T>,
+    /// Where the branch ends on the way from the declared defaults.
+    pub(crate) end: Option<BranchEnd<T>>,
+    /// The last state on that way.
+    pub(crate) last: Option<State<T, N>>,
+}
+
+/// The state at t = 0 on the branch of the declared start.
+///
+/// # Errors
+/// Why there is none: at these parameters, or on the way to them.
+pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E) -> Result<State<T, N>, Unassembled<T, N>> {
+    let zero = T::of(0.0);
+    let near = |guess: &SVector<T, N>| assemble_near(equations, zero, guess);
+    let alone = |cause| Unassembled { cause, end: None, last: None };
+    let start = equations.start();
+    let Some(defaults) = equations.toward(zero) else { return near(&start).map_err(alone) };
+    // Defaults may be placeholders that close nowhere; then the start is only a guess.
+    let Ok(origin) = assemble_near(&defaults, zero, &defaults.start()) else { return near(&start).map_err(alone) };
+    if equations.validate().is_err() {
+        return near(&start).map_err(alone);
+    }
+    let (share, here) = match follow(equations, &origin) {
+        Ok((state, None)) => return Ok(state),
+        Ok((_, Some(cause))) => return Err(alone(cause)),
+        Err(end) => end,
+    };
+    let mut cause = None;
+    for found in [near(&here.q), near(&start)] {
+        cause = Some(match found {
+            Ok(state) if state.branch == origin.branch => return Ok(state),
+            Ok(mirrored) => jump(equations, &here.q, &mirrored.q),
+            Err(other) => less_open(cause, other),
+        });
+    }
+    let Some(cause) = cause else { return near(&start).map_err(alone) };
+    let end = end(equations, share, &here);
+    Err(Unassembled { cause, end, last: Some(here) })
+}
+
+/// The state at `t` (s) that Newton's method finds from a rough `guess` of q, of whatever branch.
+///
+/// # Errors
+/// Why there is none.
+pub(crate) fn assemble_near<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    t: T,
+    guess: &SVector<T, N>,
+) -> Result<State<T, N>, Cause<T>> {
+    equations.validate().map_err(Cause::ParameterOutOfRange)?;
+    if !t.is_finite() {
+        return Err(Cause::NotFinite { of: Culprit::Time });
+    }
+    let guess = equations.improved(t, guess);
+    Ok(state(equations, t, ColdSolver::from_guess(equations, &guess))?)
+}
+
+/// Of two loops that stay open the one that is nearer to closing; else the cause that was found before.
+fn less_open<T: Float>(before: Option<Cause<T>>, now: Cause<T>) -> Cause<T> {
+    match (before, now) {
+        (Some(Cause::DoesNotClose { gap: one, .. }), Cause::DoesNotClose { gap: two, .. }) if two < one => now,
+        (Some(before), _) => before,
+        (None, now) => now,
+    }
+}
+
+/// From the assembly at the defaults to that at the parameters, with the redundant joint that does not fit there, or to where the
+/// branch ends: the share of the way, and the last state.
+#[allow(clippy::type_complexity)]
+fn follow<T: Float, E: Stages<T, N>, const N: usize>(
+    equations: &E,
+    origin: &State<T, N>,
+) -> Result<(State<T, N>, Option<Cause<T>>), (T, State<T, N>)> {
+    let (zero, one) = (T::of(0.0), T::of(1.0));
+    let (mut here, mut reached, mut step) = (origin.clone(), zero, one);
+    // What q changes by with the share of the way.
+    let mut slope = SVector::from_element(zero);
+    for _ in 0..MOST_STEPS {
+        let next = if reached + step < one { reached + step } else { one };
+        let between = if next < one { equations.toward(next) } else { None };
+        let by = next - reached;
+        match stride(between.as_ref().unwrap_or(equations), &here, &slope, by) {
+            // On the way redundant joints need not fit.
+            Ok((state, _)) if next < one => {
+                slope = SVector::from_fn(|i, _| (state.q[i] - here.q[i]) / by);
+                (here, reached, step) = (state, next, step + step);
+            }
+            Ok(found) => return Ok(found),
+            Err(_) => step = T::of(0.5) * by,
+        }
+        // Rounding errors of the parameters move a fold by about as much; those of the defaults are less than any step is short.
+        if step < T::ROOT_EPSILON * reached + T::EPSILON * T::EPSILON {
+            break;
+        }
+    }
+    Err((reached, here))
+}
+
+/// One step: from `here` to other parameters, to which the way is about `slope` times `by`.
+fn stride<T: Float, E: Stages<T, N>, const N: usize>(
+    equations: &E,
+    here: &State<T, N>,
+    slope: &SVector<T, N>,
+    by: T,
+) -> Result<Reached<T, N>, Stop<T>> {
+    let zero = T::of(0.0);
+    let mut slanted = here.clone();
+    (slanted.qd, slanted.qdd) = (*slope, SVector::from_element(zero));
+    let foretold = SVector::from_fn(|i, _| here.q[i] + slope[i] * by);
+    match reached(equations, zero, ColdSolver::from_prediction(equations, &slanted, by)) {
+        // As near as that no other assembly of this branch's sign can be.
+        Ok(found) if is_as_foretold::<T, E, N>(equations, &here.q, &foretold, &found.0, T::of(LARGEST_LAPSE) / found.0.condition) => {
+            Ok(found)
+        }
+        Ok(_) => Err(Stop::Far),
+        Err(stop) => {
+            let found = reached(equations, zero, ColdSolver::from_guess(equations, &foretold))?;
+            let is_same = found.0.branch == here.branch;
+            if is_same && is_as_foretold::<T, E, N>(equations, &here.q, &foretold, &found.0, T::of(SURPRISE)) {
+                Ok(found)
+            } else {
+                Err(stop)
+            }
+        }
+    }
+}
+
+/// Whether q is near to where it was foretold, compared with the way from where it was before.
+fn is_as_foretold<T: Float, E: Stages<T, N>, const N: usize>(
+    equations: &E,
+    before: &SVector<T, N>,
+    foretold: &SVector<T, N>,
+    found: &State<T, N>,
+    surprise: T,
+) -> bool {
+    let scale = Scale::of(equations);
+    (0..N).all(|i| {
+        let (way, off) = ((foretold[i] - before[i]).abs(), (found.q[i] - foretold[i]).abs());
+        match names::coordinate(E::COORDINATES, i).kind {
+            CoordinateKind::Angle => way <= T::of(LONGEST_TURN) && off <= surprise,
+            CoordinateKind::Length => off <= surprise * (way + scale.length),
+        }
+    })
+}
+
+/// The block that is nearest to singular where a branch ends.
+fn end<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, share: T, here: &State<T, N>) -> Option<BranchEnd<T>> {
+    let there = equations.toward(share)?;
+    match inspect(&there, here.t, &here.q)? {
+        Cause::Singular { row, coordinate, .. } => Some(BranchEnd { share, row, coordinate }),
+        _ => None,
+    }
+}

@@ -1,0 +1,107 @@
+//! All equations of a mechanism as one system.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::{Equations, Pass, SolverReal};
+use crate::linear::Factors;
+use crate::names::{self, Coordinate, Row};
+use crate::newton::{self, Block, Place, Problem, Scale, Stop};
+use crate::number::Float;
+use crate::state::Coordinates;
+
+/// As many equations of a mechanism as it has coordinates, at one time.
+struct Chosen<'a, E: ?Sized, T, const M: usize, const N: usize> {
+    equations: &'a E,
+    /// Their indices in Φ.
+    rows: &'a [usize; N],
+    t: T,
+    scale: Scale<T, N>,
+}
+
+impl<T: Float, E: Equations<T, M, N> + ?Sized, const M: usize, const N: usize> Problem<T, N> for Chosen<'_, E, T, M, N> {
+    type Factors = Factors<T, N>;
+
+    fn linearize(&self, place: &Place<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        let (phi, jacobian) = self.equations.linearize(&place.x, self.t);
+        // A row that does not exist says nothing, and the matrix is singular.
+        let is_row = |i: usize| self.rows[i] < M;
+        let zero = T::of(0.0);
+        (
+            SVector::from_fn(|i, _| if is_row(i) { phi[self.rows[i]] } else { zero }),
+            SMatrix::from_fn(|i, j| if is_row(i) { jacobian[(self.rows[i], j)] } else { zero }),
+        )
+    }
+
+    fn turns(&self) -> &[bool; N] {
+        &[false; N]
+    }
+
+    fn scale(&self) -> &Scale<T, N> {
+        &self.scale
+    }
+
+    fn sizes(&self) -> SVector<T, N> {
+        SVector::from_element(T::of(0.0))
+    }
+
+    fn row(&self, index: usize) -> Row {
+        names::row(E::ROWS, self.rows.get(index).copied().unwrap_or(index))
+    }
+
+    fn coordinate(&self, index: usize) -> Coordinate {
+        names::coordinate(E::COORDINATES, index)
+    }
+}
+
+/// All equations of a mechanism as one system.
+///
+/// # Errors
+/// Why there is no solution near what the pass sets out from.
+pub fn at_once<T: SolverReal, E: Equations<T, N, N> + ?Sized, const N: usize>(
+    equations: &E,
+    t: T,
+    pass: &mut Pass<'_, T, N>,
+) -> Result<Coordinates<T, N>, Stop<T>> {
+    let all = core::array::from_fn(|index| index);
+    let kinds = core::array::from_fn(|index| names::coordinate(E::COORDINATES, index).kind);
+    let block = Block { unknowns: all, equations: all, kinds, turns: [false; N] };
+    let solved = pass.large(&block, [T::of(0.0); N], |place| {
+        let (phi, jacobian) = equations.linearize(&place.x, t);
+        (phi.data.0[0], jacobian.transpose().data.0)
+    })?;
+    let q = SVector::from(solved.x);
+    let rates = |b: SVector<T, N>| SVector::from(solved.rates(b.data.0[0]));
+    let qd = rates(equations.nu(&q, t));
+    let qdd = rates(equations.gamma(&q, &qd, t));
+    Ok(Coordinates { q, qd, qdd })
+}
+
+/// Up to this many coordinates a guess is improved with all equations as one dense system.
+const LARGEST_WHOLE: usize = 48;
+
+/// A guess of q improved by Newton's method on all coordinates; the guess itself where that leads nowhere.
+///
+/// Taken all at once, equations share the error of the guess, and the assembly that is found is the one near it. Block by block,
+/// what is solved first pulls what comes after.
+pub fn improved_at_once<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
+    equations: &E,
+    t: T,
+    guess: &SVector<T, N>,
+) -> SVector<T, N> {
+    improved_by(equations, &core::array::from_fn(|row| row), t, guess)
+}
+
+/// The same where there are more equations than coordinates, of which those in `rows` are solved.
+pub fn improved_by<T: Float, E: Equations<T, M, N> + ?Sized, const M: usize, const N: usize>(
+    equations: &E,
+    rows: &[usize; N],
+    t: T,
+    guess: &SVector<T, N>,
+) -> SVector<T, N> {
+    // A constant condition: for large N the dense system is not even compiled.
+    if const { N > LARGEST_WHOLE } {
+        return *guess;
+    }
+    let chosen = Chosen { equations, rows, t, scale: Scale::of(equations) };
+    newton::close(&chosen, &Place::at(*guess, chosen.turns())).map_or(*guess, |position| position.place.x)
+}

@@ -1,0 +1,259 @@
+//! A block with care: from a guess or from a prediction that may be bad, to a solution, or to the reason why there is none.
+//!
+//! Seldom run, so it is compiled once for each size of block and takes the equations through a pointer.
+
+use core::cell::Cell;
+
+use nalgebra::{SMatrix, SVector};
+
+use super::solver::bound;
+use super::{ColdStart, SolverReal, lengths_of};
+use crate::linear::{Linear, regular_part};
+use crate::names::{self, Cause, Coordinate, CoordinateKind, Culprit, Description, Row};
+use crate::newton::{self, Block, Evaluate, LONGEST_PREDICTION, Miss, Part, Place, Position, Problem, Refusal, Scale, Solved, Stop};
+use crate::number::order::greater;
+use crate::number::{DetSign, Float};
+use crate::state::State;
+
+impl<T: Float> SolverReal for T {
+    type Cold<'a, const N: usize> = ColdSolver<'a, T, N>;
+}
+
+/// How the blocks of a mechanism are solved from a cold start, and what was found so far.
+pub struct ColdSolver<'a, T: Float, const N: usize> {
+    origin: Origin<'a, T, N>,
+    /// L and 1/L.
+    lengths: (T, T),
+    rows: &'static [Row],
+    coordinates: &'static [Coordinate],
+    report: Cell<ColdReport<T, N>>,
+}
+
+/// What blocks are solved from.
+enum Origin<'a, T, const N: usize> {
+    /// A prediction from this state, `h` seconds before; across a change point determinants may change their signs.
+    Prediction { here: &'a State<T, N>, h: T, is_across: bool },
+    /// A rough guess of q.
+    Guess(&'a SVector<T, N>),
+    /// Nothing is solved: q is given, and the block nearest to singular is looked for.
+    Inspection(&'a SVector<T, N>),
+    /// A position between two crossing branches: it is corrected only in the directions that the equations determine.
+    Crossing(&'a SVector<T, N>),
+}
+
+/// What a cold start has found.
+#[derive(Clone, Copy)]
+pub(crate) struct ColdReport<T, const N: usize> {
+    /// The signs of the blocks' determinants, each at the index of the block's first unknown.
+    pub(crate) branch: [DetSign; N],
+    /// The largest condition of a block.
+    pub(crate) condition: T,
+    /// The largest number of factorisations of a block.
+    pub(crate) iterations: usize,
+    /// At an inspection: the block nearest to singular.
+    pub(crate) worst: Option<Cause<T>>,
+    /// Of the verified equations that do not hold, the one with the largest residual by its bound: its index in Φ, its residual,
+    /// and the residual divided by the bound.
+    pub(crate) off: Option<(usize, T, T)>,
+}
+
+impl<'a, T: Float, const N: usize> ColdSolver<'a, T, N> {
+    fn new<E: Description<T, N> + ?Sized>(equations: &E, origin: Origin<'a, T, N>, branch: [DetSign; N]) -> Self {
+        let report = Cell::new(ColdReport { branch, condition: T::of(1.0), iterations: 0, worst: None, off: None });
+        Self { origin, lengths: lengths_of(equations), rows: E::ROWS, coordinates: E::COORDINATES, report }
+    }
+
+    /// From a state to a moment `h` (s) later.
+    pub(crate) fn from_prediction<E: Description<T, N> + ?Sized>(equations: &E, here: &'a State<T, N>, h: T) -> Self {
+        Self::new(equations, Origin::Prediction { here, h, is_across: false }, here.branch)
+    }
+
+    /// From a state to a moment `h` (s) later, on the other side of a change point.
+    pub(crate) fn across<E: Description<T, N> + ?Sized>(equations: &E, here: &'a State<T, N>, h: T) -> Self {
+        Self::new(equations, Origin::Prediction { here, h, is_across: true }, here.branch)
+    }
+
+    /// From a rough guess of q.
+    pub(crate) fn from_guess<E: Description<T, N> + ?Sized>(equations: &E, guess: &'a SVector<T, N>) -> Self {
+        Self::new(equations, Origin::Guess(guess), [DetSign::Positive; N])
+    }
+
+    /// At a given q.
+    pub(crate) fn inspection<E: Description<T, N> + ?Sized>(equations: &E, q: &'a SVector<T, N>) -> Self {
+        Self::new(equations, Origin::Inspection(q), [DetSign::Positive; N])
+    }
+
+    /// Next to q, at which branches cross.
+    pub(crate) fn at_crossing<E: Description<T, N> + ?Sized>(equations: &E, q: &'a SVector<T, N>) -> Self {
+        Self::new(equations, Origin::Crossing(q), [DetSign::Positive; N])
+    }
+
+    /// What was found.
+    pub(crate) fn report(&self) -> ColdReport<T, N> {
+        self.report.get()
+    }
+
+    /// The verified equation that is off most, if one does not hold.
+    pub(crate) fn contradiction(&self) -> Option<Cause<T>> {
+        let (row, residual, _) = self.report.get().off?;
+        Some(Cause::DoesNotHold { row: names::row(self.rows, row), residual })
+    }
+}
+
+impl<T: Float, const N: usize> ColdStart<T, N> for ColdSolver<'_, T, N> {
+    fn lengths(&self) -> (T, T) {
+        self.lengths
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn solve_block<L: Linear<T, K>, const K: usize>(
+        &self,
+        block: &Block<K>,
+        sizes: [T; K],
+        evaluate: &Evaluate<'_, T, L, K>,
+    ) -> Result<Solved<T, L, K>, Stop<T>> {
+        let mut part: Part<'_, T, L, K> = Part {
+            evaluate,
+            block,
+            scale: Scale::by_kind(self.lengths.0, self.lengths.1, &block.kinds),
+            sizes: SVector::from(sizes),
+            rows: self.rows,
+            coordinates: self.coordinates,
+        };
+        let first = block.unknowns.first().copied().unwrap_or(0);
+        let picked = |q: &SVector<T, N>| Place::at(SVector::from_fn(|k, _| of(q, block.unknowns[k])), &block.turns);
+        let mut report = self.report.get();
+        let position = match &self.origin {
+            Origin::Prediction { here, h, is_across } => {
+                part.scale = grown(part.scale, block, &here.q);
+                let side = here.branch.get(first).copied().filter(|_| !is_across);
+                let position = follow(&part, here, *h, &block.unknowns, side)?;
+                if side.is_some_and(|before| before != position.factors.sides()) {
+                    return Err(Stop::Far);
+                }
+                position
+            }
+            Origin::Guess(guess) => newton::close(&part, &picked(guess)).map_err(|miss| open(&part, miss))?,
+            Origin::Inspection(q) => {
+                let place = picked(q);
+                let (_, jacobian) = part.linearize(&place);
+                let factors = L::factor(&jacobian).map_err(|row| Stop::NotFinite(Culprit::Row(part.row(row))))?;
+                let condition = factors.condition(&part.sizes, &part.scale.share);
+                if report.worst.is_none() || condition > report.condition {
+                    report.worst = Some(part.singular(&place));
+                }
+                Position { place, factors, condition, iterations: 0 }
+            }
+            Origin::Crossing(q) => {
+                let place = settled(&part, picked(q))?;
+                let factors = L::factor(&part.linearize(&place).1).map_err(|row| Stop::NotFinite(Culprit::Row(part.row(row))))?;
+                Position { place, factors, condition: T::of(1.0), iterations: SETTLING }
+            }
+        };
+        if let Some(side) = report.branch.get_mut(first) {
+            *side = position.factors.sides();
+        }
+        report.condition = greater(report.condition, position.condition);
+        report.iterations = report.iterations.max(position.iterations);
+        self.report.set(report);
+        Ok(Solved { x: position.place.x.data.0[0], turn: position.place.turn, factors: position.factors })
+    }
+
+    fn check(&self, row: usize, residual: T, size: T) {
+        let mut report = self.report.get();
+        let bound = bound(report.condition, size);
+        let holds = residual.abs() <= bound;
+        // NaN never holds, and no residual is off by more.
+        let share = residual.abs() / bound;
+        let is_known = report.off.is_some_and(|(_, _, most)| share <= most || !most.at_most(most));
+        if !holds && !is_known && size.at_most(size) {
+            report.off = Some((row, residual, share));
+            self.report.set(report);
+        }
+    }
+}
+
+/// Corrections of a position between two crossing branches: in the directions in which it is corrected it is right to half of its
+/// digits.
+const SETTLING: usize = 2;
+
+/// At a crossing residuals are so many roundings of their terms; where two branches only come near to each other, there is a gap.
+const GAP: f64 = 8.0;
+
+/// A place at which the equations hold to rounding, whatever is determined of it being corrected.
+///
+/// # Errors
+/// If they do not.
+fn settled<T: Float, P: Problem<T, K>, const K: usize>(problem: &P, mut place: Place<T, K>) -> Result<Place<T, K>, Stop<T>> {
+    let column = &problem.scale().column;
+    for _ in 0..SETTLING {
+        let (phi, jacobian) = problem.linearize(&place);
+        let (sizes, rows) = (newton::sizes(problem, &jacobian), P::Factors::dense(&jacobian));
+        let scaled = SMatrix::<T, K, K>::from_fn(|i, j| rows[(i, j)] * column[j] / sizes[i]);
+        let residual = SVector::<T, K>::from_fn(|i, _| -phi[i] / sizes[i]);
+        let correction = regular_part(&scaled, &residual).ok_or(Stop::Far)?;
+        place = place.moved(T::of(1.0), &SVector::from_fn(|j, _| correction[j] * column[j]), problem.turns());
+    }
+    let (phi, jacobian) = problem.linearize(&place);
+    let sizes = newton::sizes(problem, &jacobian);
+    let holds = phi.iter().zip(&sizes).all(|(residual, &size)| residual.abs() <= T::of(GAP) * T::EPSILON * size);
+    if holds { Ok(place) } else { Err(Stop::Far) }
+}
+
+/// A length that has become larger than L is measured by itself.
+fn grown<T: Float, const K: usize, const N: usize>(mut scale: Scale<T, K>, block: &Block<K>, q: &SVector<T, N>) -> Scale<T, K> {
+    for k in 0..K {
+        let size = of(q, block.unknowns[k]).abs();
+        if block.kinds[k] == CoordinateKind::Length && size > scale.length {
+            (scale.column[k], scale.share[k]) = (size, T::of(1.0) / size);
+        }
+    }
+    scale
+}
+
+/// From q + h q̇ + h² q̈ / 2 to the solution next to it.
+fn follow<T: Float, P: Problem<T, K>, const K: usize, const N: usize>(
+    problem: &P,
+    here: &State<T, N>,
+    h: T,
+    unknowns: &[usize; K],
+    side: Option<DetSign>,
+) -> Result<Position<T, P::Factors, K>, Stop<T>> {
+    let mut x = SVector::from_element(T::of(0.0));
+    let mut way = x;
+    for k in 0..K {
+        let i = unknowns[k];
+        let (first, second) = (h * of(&here.qd, i), h * h * T::of(0.5) * of(&here.qdd, i));
+        x[k] = of(&here.q, i) + (first + second);
+        way[k] = first.abs() + second.abs();
+    }
+    // Angles repeat: a prediction that goes far may come to the solution of another turn.
+    if problem.scale().norm(&way) > T::of(LONGEST_PREDICTION) {
+        return Err(Stop::Far);
+    }
+    Ok(newton::follow(problem, &Place::at(x, problem.turns()), side)?)
+}
+
+/// The entry of an unknown, whose index is in range.
+fn of<T: Float, const N: usize>(vector: &SVector<T, N>, unknown: usize) -> T {
+    vector.get(unknown).copied().unwrap_or(T::of(f64::NAN))
+}
+
+/// Why a block could not be closed.
+fn open<T: Float, P: Problem<T, K>, const K: usize>(problem: &P, miss: Miss<T, K>) -> Stop<T> {
+    match miss {
+        Miss::NotFinite(of) => Stop::NotFinite(of),
+        Miss::Singular(place) | Miss::Stuck(place) => Stop::Open(problem.widest_gap(&place).unwrap_or_else(|| problem.singular(&place))),
+        Miss::NoConvergence { correction, iterations } => Stop::Open(Cause::NoConvergence { correction, iterations }),
+    }
+}
+
+impl<T> From<Refusal> for Stop<T> {
+    fn from(refusal: Refusal) -> Self {
+        match refusal {
+            Refusal::NotFinite(of) => Stop::NotFinite(of),
+            Refusal::Singular | Refusal::Far => Stop::Far,
+        }
+    }
+}

@@ -1,0 +1,37 @@
+//! States of several lanes, and those of each lane.
+
+use super::{State, Trend, Values};
+use crate::number::{DetSign, Real};
+
+impl<T: Real, const N: usize> State<T, N> {
+    /// The state over another number type, number by number, on this branch. It is not taken for solved.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn map<U: Real>(&self, of: impl Fn(T) -> U, branch: [DetSign; N]) -> State<U, N> {
+        let Values { t, q, qd, qdd, condition, iterations, .. } = &self.values;
+        let values = Values {
+            t: of(*t),
+            q: q.map(&of),
+            qd: qd.map(&of),
+            qdd: qdd.map(&of),
+            branch,
+            condition: of(*condition),
+            iterations: *iterations,
+        };
+        let extrapolation = Trend { span: of(self.trend.span), rest: self.trend.rest.map(&of) };
+        State { values, mark: 0, trend: extrapolation }
+    }
+
+    /// Merges another state into this one, number by number; the branch stays as it is, of both iterations the larger number counts.
+    #[doc(hidden)]
+    pub fn merge<U: Real>(&mut self, other: &State<U, N>, merge: impl Fn(&mut T, U)) {
+        let State { values: Values { t, q, qd, qdd, condition, iterations, .. }, trend, .. } = self;
+        merge(t, other.t);
+        merge(condition, other.condition);
+        merge(&mut trend.span, other.trend.span);
+        *iterations = (*iterations).max(other.iterations);
+        for (own, others) in [(q, &other.q), (qd, &other.qd), (qdd, &other.qdd), (&mut trend.rest, &other.trend.rest)] {
+            own.iter_mut().zip(others.iter()).for_each(|(own, &other)| merge(own, other));
+        }
+    }
+}

@@ -1,0 +1,33 @@
+//! A step that was made: the state becomes the one at its end.
+
+use super::{Coordinates, State};
+use crate::number::{Mask, SimdReal};
+
+/// What a step straight on comes to.
+pub(crate) struct Stride<T: SimdReal> {
+    /// The time it takes, s.
+    pub(crate) h: T,
+    /// The lanes in which it was made, one at least.
+    pub(crate) found: T::Mask,
+    pub(crate) condition: T,
+    pub(crate) iterations: usize,
+}
+
+impl<T: SimdReal, const N: usize> State<T, N> {
+    /// Becomes the state at `t`, on the same branch, in the lanes in which it was found.
+    #[inline(always)]
+    pub(crate) fn follow_on(&mut self, t: T, stride: &Stride<T>, there: &Coordinates<T, N>) {
+        let (&Stride { h, found, condition, iterations }, Coordinates { q, qd, qdd }) = (stride, there);
+        let here = &mut self.values;
+        here.iterations = iterations;
+        if found.all() {
+            (self.trend.span, here.condition) = (h, condition);
+            (here.t, here.q, here.qd, here.qdd) = (t, *q, *qd, *qdd);
+        } else {
+            let pick = |then, otherwise| T::pick(found, then, otherwise);
+            (self.trend.span, here.condition) = (pick(h, self.trend.span), pick(condition, here.condition));
+            here.t = pick(t, here.t);
+            (here.q, here.qd, here.qdd) = (q.zip_map(&here.q, pick), qd.zip_map(&here.qd, pick), qdd.zip_map(&here.qdd, pick));
+        }
+    }
+}
