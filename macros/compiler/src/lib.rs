@@ -19,6 +19,7 @@ pub mod library;
 pub mod model;
 pub mod picture;
 pub mod plan;
+pub mod quantity;
 pub mod structure;
 pub mod syntax;
 pub mod system;

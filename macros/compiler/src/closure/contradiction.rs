@@ -10,7 +10,7 @@ use super::tour::Pose;
 use super::{LARGEST, Room};
 use crate::diag::Fact;
 use crate::expr::{Expr, Values, evaluate};
-use crate::model::Dim;
+use crate::quantity::Dim;
 use crate::system::Equation;
 use std::cmp::Reverse;
 use std::collections::BTreeSet;

@@ -13,8 +13,9 @@
 
 use super::Room;
 use super::levenberg::{Linear, Problem, cholesky, minimise};
+use crate::diag::Gap;
 use crate::expr::{Expr, Values, evaluate};
-use crate::model::Dim;
+use crate::quantity::Dim;
 use crate::system::Equation;
 
 /// Weights of the rows that must hold, one after the other.
@@ -26,17 +27,6 @@ const HOLDS: f64 = 1e-7;
 /// How many guesses are made, and from how many of them the gap is minimised.
 const GUESSES: usize = 24;
 const BEST: usize = 4;
-
-/// What stays open.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Gap {
-    /// How far points or lines are apart, in m.
-    pub length: f64,
-    /// By how much angles differ, in rad.
-    pub angle: f64,
-    /// By how much the sides of another equation differ, in SI, and its unit.
-    pub other: Option<(f64, String)>,
-}
 
 /// What comes of opening a joint.
 pub(super) enum Opened {

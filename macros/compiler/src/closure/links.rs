@@ -13,7 +13,7 @@
 
 use super::Room;
 use crate::expr::{Expr, Values, evaluate};
-use crate::model::Dim;
+use crate::quantity::Dim;
 use core::f64::consts::FRAC_PI_2;
 
 /// Where a point is, and of what it is a part.

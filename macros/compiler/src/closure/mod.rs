@@ -40,15 +40,14 @@ mod travel;
 mod turns;
 mod verdict;
 
-pub use gap::Gap;
 pub(crate) use identity::rows_depend_on_positions;
 pub(crate) use poses::Poses;
 pub(crate) use redundancy::surplus;
-pub use shortest::Bound;
 
 use crate::diag::{Diag, Doubt, Warning};
 use crate::expr::{Evaluator, Expr, Node, Values, evaluate};
-use crate::model::{Dim, Function, Model};
+use crate::model::{Function, Model};
+use crate::quantity::Dim;
 use crate::structure::Structure;
 use crate::syntax::ast::{Closing, Following};
 use crate::system::{Equation, System};

@@ -6,7 +6,8 @@
 use super::levenberg::solve;
 use super::{Closure, Room, call, levenberg, size};
 use crate::expr::{Arena, Evaluator, Expr, Values, evaluate};
-use crate::model::{Dim, Model};
+use crate::model::Model;
+use crate::quantity::Dim;
 use crate::system::System;
 use std::cell::{Cell, OnceCell};
 

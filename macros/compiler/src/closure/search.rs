@@ -7,7 +7,7 @@
 use super::Room;
 use super::levenberg::{Problem, minimise};
 use super::turns::within_a_turn;
-use crate::model::Dim;
+use crate::quantity::Dim;
 use std::cmp::Ordering;
 
 /// How many guesses of what is not declared are tried.

@@ -8,6 +8,7 @@
 
 use super::Room;
 use super::links::{Link, Place};
+use crate::diag::Bound;
 use std::collections::BTreeMap;
 
 /// With more places than this the search for a bound would be felt.
@@ -15,24 +16,6 @@ const MOST: usize = 120;
 
 /// What is missing must be more than this part of the length.
 const CLEARLY: f64 = 1e-9;
-
-/// A link that is too long for the others.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Bound {
-    /// The others: what they are called and how long they are, in m.
-    pub ways: Vec<(String, f64)>,
-    /// What is too long: what it is called and how long it is, in m.
-    pub span: (String, f64),
-    /// No angle of a drive plays a part.
-    pub is_always: bool,
-}
-
-impl Bound {
-    /// How much is missing, in m.
-    pub(crate) fn missing(&self) -> f64 {
-        self.span.1 - self.ways.iter().map(|(_, length)| length).sum::<f64>()
-    }
-}
 
 /// The link that is longest for the others. Bodies that are not `moving` stand still, all together.
 pub(super) fn longest(room: &Room, links: &[Link], moving: &dyn Fn(usize) -> bool, is_always: bool) -> Option<Bound> {

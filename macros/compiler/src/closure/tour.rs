@@ -7,7 +7,7 @@ use super::levenberg::minimise;
 use super::search::{GUESSES, guess};
 use super::{LARGEST, Room};
 use crate::expr::{Expr, Values, evaluate};
-use crate::model::Dim;
+use crate::quantity::Dim;
 use crate::structure::Piece;
 
 /// How far the fastest drive goes from the start to each pose, in rad or in lengths of the mechanism; one after the other to

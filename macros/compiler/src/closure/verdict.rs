@@ -16,9 +16,9 @@ use super::links::{self, Link, Place};
 use super::loops::{Loop, Loops};
 use super::nearest::Reach;
 use super::order::{Assembled, Upstream, parts};
-use super::shortest::{self, Bound};
-use crate::diag::{Fact, Range};
-use crate::model::Dim;
+use super::shortest;
+use crate::diag::{Bound, Fact, Range};
+use crate::quantity::Dim;
 use crate::structure::Structure;
 use std::collections::BTreeSet;
 

@@ -1,7 +1,6 @@
 //! Joints: a definition with its parameters bound to arguments, or equations written inline.
 
 use super::Name;
-use super::dimension::{Dim, Measure};
 use super::elaborate::{Blame, Elaborator, Scope, Timeless};
 use super::names::{Context, EntityId};
 use super::signature::{noun, places, too_few, too_many, unknown_argument};
@@ -10,6 +9,7 @@ use super::value::{Fixed, FrameId, Function, Scalar, Value};
 use crate::diag::{Fact, Range};
 use crate::expr::Leaf;
 use crate::library;
+use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, Argument, Definition, Formal, JointBody, Kind};
 use proc_macro2::Ident;
 use std::rc::Rc;
@@ -198,11 +198,11 @@ impl Elaborator<'_> {
                 if !vector.measure.fits(Dim::LENGTH) {
                     return self.refuse(argument.range, Fact::WrongDimension { wanted: Dim::LENGTH, found: vector.measure.settled() });
                 }
-                let measure = Measure::Of(Dim::LENGTH);
+                let measure = InferredDim::Known(Dim::LENGTH);
                 Some(Value::Point(Fixed { frame: FrameId::GROUND, local: [vector.x, vector.y], measure }))
             }
             (Kind::Axis, Value::Vector(vector)) if self.is_fixed(vector.x) && self.is_fixed(vector.y) => {
-                let measure = Measure::Of(vector.measure.settled());
+                let measure = InferredDim::Known(vector.measure.settled());
                 Some(Value::Axis(Fixed { frame: FrameId::GROUND, local: [vector.x, vector.y], measure }))
             }
             (Kind::Quantity, value @ Value::Scalar(_)) => Some(value),
@@ -217,7 +217,7 @@ impl Elaborator<'_> {
                     };
                     return self.refuse(argument.range, fact);
                 }
-                Some(Value::Scalar(Scalar { measure: Measure::Of(wanted), ..scalar }))
+                Some(Value::Scalar(Scalar { measure: InferredDim::Known(wanted), ..scalar }))
             }
             (Kind::Function(from, to), Value::Function(function)) => {
                 let (from, to) = (self.dimension(from)?, self.dimension(to)?);
@@ -247,10 +247,12 @@ impl Elaborator<'_> {
 
     fn function_argument(&mut self, range: Range, function: Function, from: Dim, to: Dim) -> Option<Function> {
         let (takes, gives) = match &function {
-            Function::Written(written) => (Measure::Of(self.dimension(&written.from)?), Measure::Of(self.dimension(&written.to)?)),
+            Function::Written(written) => {
+                (InferredDim::Known(self.dimension(&written.from)?), InferredDim::Known(self.dimension(&written.to)?))
+            }
             Function::Numbered { from, to, .. } => (*from, *to),
         };
-        let (from, to) = (Measure::Of(from), Measure::Of(to));
+        let (from, to) = (InferredDim::Known(from), InferredDim::Known(to));
         if from.common(takes).is_none() {
             return self.refuse(range, Fact::FunctionTakes { wanted: from.settled(), found: takes.settled() });
         }

@@ -1,6 +1,5 @@
 //! Items that nothing else refers to by name: each is looked at once, in the order written.
 
-use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
 use super::names::{Context, EntityId, is_generated};
 use super::register::Register;
@@ -9,6 +8,7 @@ use super::value::{FrameId, Scalar, Value};
 use super::{Joint, Layout, Method, Name, Of, Output, Residual};
 use crate::diag::{Fact, Range};
 use crate::expr::Leaf;
+use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast;
 use proc_macro2::Ident;
 use std::collections::BTreeSet;
@@ -39,7 +39,7 @@ impl Elaborator<'_> {
         };
         let leaf = self.arena.leaf(Leaf::Parameter(u32::MAX));
         let mut scope = Scope::mechanism().timeless("a function of one variable");
-        scope.bound.push((argument.to_string(), Value::Scalar(Scalar { expr: leaf, measure: Measure::Of(from) })));
+        scope.bound.push((argument.to_string(), Value::Scalar(Scalar { expr: leaf, measure: InferredDim::Known(from) })));
         self.names.open_functions.push(function.name.to_string());
         self.once(Rc::as_ptr(function), |this| this.scalar_of(&function.value, to, &scope));
         self.names.open_functions.pop();

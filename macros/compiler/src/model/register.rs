@@ -4,13 +4,13 @@
 //! other. Nothing is resolved here but whole numbers.
 
 use super::declare::{duplicate, is_reserved};
-use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
 use super::layout::{Of, Place};
 use super::names::{Context, Declared, Entity, EntityId, Made, Progress, SpaceId};
 use super::value::{FrameId, Scalar, Value};
 use crate::diag::Fact;
 use crate::expr::Leaf;
+use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, Item, Marks};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
@@ -94,7 +94,7 @@ impl Elaborator<'_> {
             Item::Parameter(parameter) => {
                 let leaf = self.arena.leaf(Leaf::Parameter(register.parameters.len() as u32));
                 let dim = self.once(Rc::as_ptr(parameter), |this| this.dimension(&parameter.dimension));
-                let value = dim.map(|dim| Value::Scalar(Scalar { expr: leaf, measure: Measure::Of(dim) }));
+                let value = dim.map(|dim| Value::Scalar(Scalar { expr: leaf, measure: InferredDim::Known(dim) }));
                 let progress = value.map_or(Progress::Failed, Progress::Done);
                 let written = (&parameter.name, parameter.indices.as_slice());
                 let Some(id) = self.declare(written, Entity::Known, progress, "a parameter", context) else { return };
@@ -202,7 +202,7 @@ impl Elaborator<'_> {
         let word = variable.to_string();
         let round = |number: i64| {
             let mut bound = context.bound.to_vec();
-            let value = Scalar { expr: self.arena.integer(number), measure: Measure::Of(Dim::NUMBER) };
+            let value = Scalar { expr: self.arena.integer(number), measure: InferredDim::Known(Dim::NUMBER) };
             bound.push((word.clone(), Value::Scalar(value)));
             Context { space: context.space, bound: Rc::new(bound) }
         };

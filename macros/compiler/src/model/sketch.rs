@@ -2,13 +2,13 @@
 //!
 //! Everything here is an expression in an arena of its own, so that looking at a mechanism does not change how it is solved.
 
-use super::dimension::Dim;
 use super::elaborate::{Elaborator, Scope};
 use super::names::{Entity, EntityId};
 use super::register::Register;
 use super::value::{Fixed, FrameId, Function, Scalar, Value};
 use crate::diag::Range;
 use crate::expr::{Arena, Expr, Leaf};
+use crate::quantity::{Dim, InferredDim};
 
 /// Mechanisms with more bodies are not drawn: nothing could be told apart.
 pub const MOST_DRAWN: usize = 200;
@@ -125,7 +125,7 @@ impl Elaborator<'_> {
         match function {
             Function::Numbered { number, .. } => Some(self.arena.call(*number, 0, expr)),
             Function::Written(written) => {
-                let measure = super::dimension::Measure::Of(self.dimension(&written.from)?);
+                let measure = InferredDim::Known(self.dimension(&written.from)?);
                 self.written(range, written, Scalar { expr, measure }).map(|scalar| scalar.expr)
             }
         }

@@ -4,7 +4,8 @@ use super::plane::{Place, place};
 use super::scene::{Figure, Instant, Scene, Seen, Sign};
 use crate::expr::{Evaluator, Expr, Values, evaluate};
 use crate::model::sketch::{Argument, Local, Made};
-use crate::model::{Dim, Function, Model, Name};
+use crate::model::{Function, Model, Name};
+use crate::quantity::Dim;
 use crate::system::System;
 use core::f64::consts::TAU;
 

@@ -11,7 +11,7 @@ use super::Cost;
 use super::stages::Iteration;
 use crate::closure::Poses;
 use crate::expr::{Arena, Expr};
-use crate::model::Dim;
+use crate::quantity::Dim;
 use crate::system::System;
 use order::{Entry, in_order};
 use std::collections::BTreeSet;

@@ -28,7 +28,8 @@ pub(crate) use words::Words;
 
 use crate::closure::{Closure, Poses};
 use crate::expr::{Arena, Expr, Leaf};
-use crate::model::{Dim, Model};
+use crate::model::Model;
+use crate::quantity::Dim;
 use crate::structure::Structure;
 use crate::system::{Output, System};
 use joints::Joints;

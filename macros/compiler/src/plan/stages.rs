@@ -10,7 +10,7 @@
 
 use super::{Elimination, linear};
 use crate::expr::{Arena, Expr, Jets, Leaf, Substitution, derivative};
-use crate::model::Dim;
+use crate::quantity::Dim;
 use crate::structure::{Block, Explicit, Structure};
 use crate::system::{Output, System, magnitude};
 

@@ -3,7 +3,8 @@
 use super::dependence::{self, Dependent, Sum};
 use crate::diag::{Demand, Diag, Fact};
 use crate::expr::{Exact, Expr, Leaf, Node, show};
-use crate::model::{Dim, Model, Said};
+use crate::model::{Model, Said};
+use crate::quantity::Dim;
 use crate::system::System;
 use std::collections::BTreeSet;
 

@@ -7,7 +7,8 @@
 use super::incidence::Incidence;
 use crate::diag::{Diag, Fact};
 use crate::expr::{Arena, Expr, Leaf, Values, evaluate};
-use crate::model::{Dim, Model, Said};
+use crate::model::{Model, Said};
+use crate::quantity::Dim;
 use crate::system::{Equation, System};
 use std::collections::{BTreeMap, BTreeSet};
 

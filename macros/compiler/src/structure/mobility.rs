@@ -6,7 +6,8 @@ use super::matching::{self, Matching};
 use super::parts::Part;
 use super::verdict::coordinate;
 use crate::diag::{Count, Diag, Fact, Forgotten};
-use crate::model::{Dim, Model};
+use crate::model::Model;
+use crate::quantity::Dim;
 use crate::system::System;
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -13,7 +13,8 @@ mod magnitude;
 
 use crate::diag::{Diag, Fact};
 use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Substitution};
-use crate::model::{Dim, Model, Said};
+use crate::model::{Model, Said};
+use crate::quantity::Dim;
 use std::collections::BTreeMap;
 
 pub(crate) use magnitude::magnitude;

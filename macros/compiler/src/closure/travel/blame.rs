@@ -7,7 +7,7 @@ use super::chain::Chain;
 use super::walk::Place;
 use crate::diag::{Driven, Fact, Range};
 use crate::expr::{Binary, Expr, Leaf, Node};
-use crate::model::Dim;
+use crate::quantity::Dim;
 use crate::structure::Structure;
 use std::cell::{Cell, OnceCell};
 use std::collections::BTreeSet;

@@ -9,7 +9,8 @@
 use super::super::order::parts;
 use super::super::{Room, Values, evaluate};
 use crate::expr::{Binary, Expr, Leaf, Node, Unary};
-use crate::model::{Dim, Ends, Function};
+use crate::model::{Ends, Function};
+use crate::quantity::Dim;
 use crate::structure::Structure;
 use core::f64::consts::TAU;
 use std::collections::BTreeMap;

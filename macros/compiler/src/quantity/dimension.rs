@@ -1,6 +1,5 @@
 //! What a number measures: products of powers of length, angle, time and mass.
 
-use crate::syntax::ast::Dimension;
 use std::fmt;
 
 /// Exponents are kept in sixths, so that square and cube roots stay exact.
@@ -60,12 +59,6 @@ impl Dim {
         NAMED.iter().find(|(known, _)| *known == name).map(|(_, [l, a, t, m])| Dim::new(*l, *a, *t, *m))
     }
 
-    /// The product of powers that was written, if all its names are known.
-    pub(crate) fn of(written: &Dimension) -> Option<Dim> {
-        let factor = |(name, exponent): &(proc_macro2::Ident, i16)| Dim::named(&name.to_string())?.power(WHOLE * exponent);
-        written.factors.iter().try_fold(Dim::NUMBER, |product, written| Some(product.times(factor(written)?)))
-    }
-
     /// All names, for suggestions.
     pub(crate) fn names<'a>() -> impl Iterator<Item = &'a str> {
         NAMED.iter().map(|(name, _)| *name)
@@ -92,6 +85,11 @@ impl Dim {
             *exponent = i16::try_from(product / i32::from(WHOLE)).ok()?;
         }
         Some(result)
+    }
+
+    /// The dimension of a whole power.
+    pub(crate) fn raised(self, exponent: i16) -> Option<Dim> {
+        self.power(WHOLE * exponent)
     }
 
     /// The same without its radians.
@@ -178,30 +176,32 @@ impl fmt::Display for Dim {
 
 /// What a number measures, as far as it is known: a bare number takes what its place asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Measure {
+pub(crate) enum InferredDim {
     /// Whatever is asked for.
-    Flexible,
-    /// This.
-    Of(Dim),
+    Any,
+    /// A dimension of its own.
+    Known(Dim),
 }
 
-impl Measure {
+impl InferredDim {
     /// What it measures when no place asks for anything.
     pub(crate) fn settled(self) -> Dim {
         match self {
-            Measure::Flexible => Dim::NUMBER,
-            Measure::Of(dim) => dim,
+            InferredDim::Any => Dim::NUMBER,
+            InferredDim::Known(dim) => dim,
         }
     }
 
     /// The common measure of two numbers that are added or compared.
-    pub(crate) fn common(self, other: Measure) -> Option<Measure> {
+    pub(crate) fn common(self, other: InferredDim) -> Option<InferredDim> {
         match (self, other) {
-            (Measure::Flexible, measure) | (measure, Measure::Flexible) => Some(measure),
-            (Measure::Of(one), Measure::Of(two)) if one == two => Some(self),
+            (InferredDim::Any, measure) | (measure, InferredDim::Any) => Some(measure),
+            (InferredDim::Known(one), InferredDim::Known(two)) if one == two => Some(self),
             // Radians matter only where there is nothing else: an arc is a length.
-            (Measure::Of(one), Measure::Of(two)) if one.agrees(two) && one.is_extended() => Some(Measure::Of(one.without_angle())),
-            (Measure::Of(one), Measure::Of(two)) if one.agrees(two) => Some(if two.is_of_turning() { other } else { self }),
+            (InferredDim::Known(one), InferredDim::Known(two)) if one.agrees(two) && one.is_extended() => {
+                Some(InferredDim::Known(one.without_angle()))
+            }
+            (InferredDim::Known(one), InferredDim::Known(two)) if one.agrees(two) => Some(if two.is_of_turning() { other } else { self }),
             _ => None,
         }
     }
@@ -212,40 +212,40 @@ impl Measure {
     /// angle is no ratio, and an angular velocity no frequency.
     pub(crate) fn fits(self, wanted: Dim) -> bool {
         match self {
-            Measure::Flexible => true,
-            Measure::Of(found) if found == wanted => true,
-            Measure::Of(found) if found.agrees(wanted) && wanted.is_extended() => true,
-            Measure::Of(found) => found.agrees(wanted) && found == found.without_angle() && wanted.is_of_turning(),
+            InferredDim::Any => true,
+            InferredDim::Known(found) if found == wanted => true,
+            InferredDim::Known(found) if found.agrees(wanted) && wanted.is_extended() => true,
+            InferredDim::Known(found) => found.agrees(wanted) && found == found.without_angle() && wanted.is_of_turning(),
         }
     }
 
     /// The measure of a product.
-    pub(crate) fn times(self, other: Measure) -> Measure {
+    pub(crate) fn times(self, other: InferredDim) -> InferredDim {
         match (self, other) {
-            (Measure::Flexible, measure) | (measure, Measure::Flexible) => measure,
-            (Measure::Of(one), Measure::Of(two)) => Measure::Of(one.times(two)),
+            (InferredDim::Any, measure) | (measure, InferredDim::Any) => measure,
+            (InferredDim::Known(one), InferredDim::Known(two)) => InferredDim::Known(one.times(two)),
         }
     }
 
     /// The measure of a quotient.
-    pub(crate) fn per(self, other: Measure) -> Measure {
+    pub(crate) fn per(self, other: InferredDim) -> InferredDim {
         match (self, other) {
-            (measure, Measure::Flexible) => measure,
-            (Measure::Flexible, Measure::Of(dim)) => Measure::Of(Dim::NUMBER.per(dim)),
-            (Measure::Of(one), Measure::Of(two)) => Measure::Of(one.per(two)),
+            (measure, InferredDim::Any) => measure,
+            (InferredDim::Any, InferredDim::Known(dim)) => InferredDim::Known(Dim::NUMBER.per(dim)),
+            (InferredDim::Known(one), InferredDim::Known(two)) => InferredDim::Known(one.per(two)),
         }
     }
 
     /// The measure of a power with exponent `sixths / 6`.
-    pub(crate) fn power(self, sixths: i16) -> Option<Measure> {
+    pub(crate) fn power(self, sixths: i16) -> Option<InferredDim> {
         match self {
-            Measure::Flexible => Some(Measure::Flexible),
-            Measure::Of(dim) => dim.power(sixths).map(Measure::Of),
+            InferredDim::Any => Some(InferredDim::Any),
+            InferredDim::Known(dim) => dim.power(sixths).map(InferredDim::Known),
         }
     }
 }
 
-impl fmt::Display for Measure {
+impl fmt::Display for InferredDim {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         self.settled().fmt(formatter)
     }

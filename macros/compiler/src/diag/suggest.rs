@@ -1,5 +1,7 @@
 //! Did you mean …?
 
+use crate::quantity::{unit, units};
+
 /// A name with more letters was not typed by a person.
 const LONGEST: usize = 60;
 
@@ -59,6 +61,15 @@ pub(crate) fn nearest<'a>(typed: &str, known: impl Iterator<Item = &'a str>) -> 
     });
     // The order of declaration decides between equals, so that messages are the same on every run.
     scored.min_by_key(|(score, _)| *score).map(|(_, name)| name.to_owned())
+}
+
+/// The unit that was meant by a mistyped one: a letter typed twice is the most likely slip.
+pub(crate) fn nearest_unit(typed: &str) -> Option<String> {
+    let letters: Vec<char> = typed.chars().collect();
+    let is_repeated = |at: &usize| *at > 0 && letters[*at] == letters[at - 1];
+    let without = |at: usize| letters[..at].iter().chain(&letters[at + 1..]).collect::<String>();
+    let shorter = (0..letters.len()).filter(is_repeated).map(without).find(|shorter| unit(shorter).is_some());
+    shorter.or_else(|| nearest(typed, units()))
 }
 
 /// Optimal string alignment distance: insertions, deletions, replacements, swaps of neighbours;

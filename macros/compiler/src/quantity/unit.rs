@@ -63,15 +63,6 @@ pub(crate) fn lookup(name: &str) -> Option<(Exact, Dim)> {
     Some((size, unit.dim))
 }
 
-/// The unit that was meant by a mistyped one: a letter typed twice is the most likely slip.
-pub(crate) fn meant(name: &str) -> Option<String> {
-    let letters: Vec<char> = name.chars().collect();
-    let is_repeated = |at: &usize| *at > 0 && letters[*at] == letters[at - 1];
-    let without = |at: usize| letters[..at].iter().chain(&letters[at + 1..]).collect::<String>();
-    let shorter = (0..letters.len()).filter(is_repeated).map(without).find(|shorter| lookup(shorter).is_some());
-    shorter.or_else(|| super::suggest::nearest(name, names()))
-}
-
 /// All unit names, for suggestions and the language reference.
 pub(crate) fn names<'a>() -> impl Iterator<Item = &'a str> {
     UNITS.iter().map(|unit| unit.name)
