@@ -12,6 +12,7 @@ mod builtin;
 mod declare;
 mod definition;
 mod elaborate;
+pub(crate) mod example;
 mod frames;
 mod index;
 mod instance;

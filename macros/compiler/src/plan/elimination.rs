@@ -9,7 +9,7 @@ mod tests;
 
 use super::Cost;
 use super::stages::Iteration;
-use crate::closure::Poses;
+use crate::assembly::Poses;
 use crate::expr::{Arena, Expr};
 use crate::quantity::Dim;
 use crate::system::System;

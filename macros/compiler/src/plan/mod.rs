@@ -26,7 +26,7 @@ pub use solution::{Iterated, Lines, Part, Solution, Solving, Summary};
 pub use stages::{Iteration, Stage};
 pub(crate) use words::Words;
 
-use crate::closure::{Closure, Poses};
+use crate::assembly::{Assembly, Poses};
 use crate::expr::{Arena, Expr, Leaf};
 use crate::model::Model;
 use crate::quantity::Dim;
@@ -151,12 +151,12 @@ pub struct Cost {
 }
 
 /// Schedules everything that is generated.
-pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, closure: &Closure) -> Plan {
+pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, assembly: &Assembly) -> Plan {
     let mut arena = system.arena.clone();
     let solved = (!model.equations_only).then(|| {
         let outputs = method_outputs(&mut arena, model, system);
         let (mut stages, outputs) = stages::stages(&mut arena, system, structure, &outputs);
-        eliminations(&arena, model, system, closure, &mut stages);
+        eliminations(&arena, model, system, assembly, &mut stages);
         (stages, outputs)
     });
     let words = Words::new(model, system);
@@ -197,13 +197,13 @@ fn method_outputs(arena: &mut Arena, model: &Model, system: &System) -> Vec<Outp
 }
 
 /// Chooses how large blocks are eliminated; most mechanisms have none.
-fn eliminations(arena: &Arena, model: &Model, system: &System, closure: &Closure, stages: &mut [Stage]) {
+fn eliminations(arena: &Arena, model: &Model, system: &System, assembly: &Assembly, stages: &mut [Stage]) {
     let mut poses = None;
     for stage in stages {
         if let Stage::Block(block) = stage
             && block.unknowns.len() > elimination::CLOSED_FORM
         {
-            let poses = poses.get_or_insert_with(|| Poses::new(model, system, closure));
+            let poses = poses.get_or_insert_with(|| Poses::new(model, system, assembly));
             block.elimination = Some(Box::new(elimination::elimination(arena, system, block, poses)));
         }
     }

@@ -10,11 +10,13 @@
 //! ```
 
 mod magnitude;
+mod pattern;
 
 use crate::diag::{Diag, Fact};
 use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Substitution};
 use crate::model::{Model, Said};
 use crate::quantity::Dim;
+use crate::structure::Pattern;
 use std::collections::BTreeMap;
 
 pub(crate) use magnitude::magnitude;
@@ -28,6 +30,8 @@ pub struct System {
     pub unknowns: Vec<Unknown>,
     /// One for each row, in the order declared.
     pub equations: Vec<Equation>,
+    /// Which equation contains which unknown.
+    pub pattern: Pattern,
     /// One for each output, in the order declared.
     pub outputs: Vec<Output>,
     /// The largest of these is the characteristic length: local coordinates of points, or, if all points are origins, the lengths
@@ -75,6 +79,12 @@ pub struct Output {
 }
 
 impl System {
+    /// The name of an unknown: `crank.angle`.
+    pub(crate) fn name(&self, model: &Model, unknown: usize) -> String {
+        let unknown = &self.unknowns[unknown];
+        format!("{}.{}", model.bodies[unknown.body].name, unknown.name)
+    }
+
     /// The equations of a joint of the model; those of one joint stand together, in the order of joints.
     pub(crate) fn of_joint(&self, joint: usize) -> &[Equation] {
         let first = self.equations.partition_point(|equation| equation.joint < joint);
@@ -118,7 +128,8 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     let lengths = lengths(&mut arena, model, &unknowns, &equations);
     has_bodies(model, diag);
     no_joint_repeats_another(model, &mut arena, diag);
-    diag.is_clean().then_some(System { arena, unknowns, equations, outputs, lengths })
+    let pattern = pattern::pattern(model, &arena, unknowns.len(), &equations);
+    diag.is_clean().then_some(System { arena, unknowns, equations, pattern, outputs, lengths })
 }
 
 fn unknowns(model: &Model) -> Vec<Unknown> {
