@@ -7,8 +7,8 @@ mod order;
 #[cfg(test)]
 mod tests;
 
-use super::Cost;
-use super::stages::Iteration;
+use super::routine::Cost;
+use super::stage::{Elimination, Iteration};
 use crate::assembly::Poses;
 use crate::expr::{Arena, Expr};
 use crate::quantity::Dim;
@@ -21,23 +21,6 @@ pub(super) const CLOSED_FORM: usize = 3;
 
 /// Elimination of more operations is left to a loop over tables: straight lines of this length are felt in rustc.
 const LONGEST: usize = 2000;
-
-/// A fixed order of elimination. Indices are those in the block.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Elimination {
-    /// Row and column of each entry of the Jacobian that is not always zero, row by row.
-    pub pattern: Vec<(usize, usize)>,
-    /// The row of each pivot.
-    pub rows: Vec<usize>,
-    /// The column of each pivot.
-    pub columns: Vec<usize>,
-    /// Row and column of each entry of L and U, by number of the pivot, row by row.
-    pub factors: Vec<(usize, usize)>,
-    /// Whether each pivot is the number 1 or −1, so that nothing is divided by it.
-    pub is_unit: Vec<bool>,
-    /// Operations of one factorisation.
-    pub cost: Cost,
-}
 
 /// The elimination of a block.
 pub(super) fn elimination(arena: &Arena, system: &System, block: &Iteration, poses: &Poses) -> Elimination {

@@ -1,6 +1,7 @@
 //! One routine: which nodes get a name, in which order they are computed.
 
-use super::{Cost, Routine, Step, Words};
+use super::routine::{Cost, Routine, Step};
+use super::words::Words;
 use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
 use std::collections::{BTreeMap, BTreeSet};
 

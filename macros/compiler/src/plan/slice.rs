@@ -3,8 +3,9 @@
 //! In: the stages of a mechanism. Out: [`Slice`]s: some of the stages, and which unknowns a state of the slice must hold so that
 //! the next can be found from it. Not done here: printing.
 
-use super::solution::{Frame, Solution, Solving, solution};
-use super::stages::Stage;
+use super::lines::Frame;
+use super::solution::{Solution, Solving, solution};
+use super::stage::Stage;
 use crate::expr::{Arena, Leaf};
 use crate::system::Output;
 use std::collections::BTreeSet;
