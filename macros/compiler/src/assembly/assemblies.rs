@@ -9,7 +9,7 @@ use super::curve::Curve;
 use super::degree::side;
 use super::reduced::Reduced;
 use crate::numeric::Numeric;
-use crate::numeric::least_squares::solve;
+use crate::numeric::dense::Factors;
 use crate::numeric::search::compare;
 use crate::numeric::turns::turns_to_zero;
 use crate::structure::Block;
@@ -275,8 +275,9 @@ impl Numeric<'_> {
 /// The norm of A⁻¹ B − 1, the greatest sum of magnitudes in a row; None if A is singular.
 pub(super) fn strays(a: &[Vec<f64>], b: &[Vec<f64>]) -> Option<f64> {
     let mut sums = vec![0.0; a.len()];
+    let factors = Factors::new(a.to_vec())?;
     for column in 0..a.len() {
-        let solved = solve(a.to_vec(), b.iter().map(|row| row[column]).collect())?;
+        let solved = factors.solve(&b.iter().map(|row| row[column]).collect::<Vec<f64>>())?;
         for (row, (sum, value)) in sums.iter_mut().zip(solved).enumerate() {
             *sum += (value - if row == column { 1.0 } else { 0.0 }).abs();
         }

@@ -13,7 +13,7 @@
 //! Reference: Allgower and Georg (1990), Numerical Continuation Methods, chapters 2 and 6.
 
 use super::reduced::{Linear, Reduced};
-use crate::numeric::least_squares::solve;
+use crate::numeric::dense::solve;
 
 /// The first step along a curve, and the longest and the shortest, in rad and sizes.
 const STEP: f64 = 0.15;
@@ -88,7 +88,7 @@ impl Curve<'_, '_> {
     /// The direction at an assembly.
     fn begin(&mut self, from: &[f64]) -> Option<Place> {
         let linear = self.reduced.linearize(from)?;
-        let along = unit(solve(linear.r.clone(), self.only(1.0))?)?;
+        let along = unit(solve(linear.r.clone(), &self.only(1.0))?)?;
         Some(Place { x: from.to_vec(), linear, along })
     }
 
@@ -102,10 +102,10 @@ impl Curve<'_, '_> {
             matrix[self.left_out].clone_from(&here.along);
             let mut right: Vec<f64> = linear.g.iter().map(|g| -g).collect();
             right[self.left_out] = 0.0;
-            let change = solve(matrix.clone(), right)?;
+            let change = solve(matrix.clone(), &right)?;
             let length = dot(&change, &change).sqrt();
             if length <= CORRECTED * step {
-                let along = unit(solve(matrix, self.only(1.0))?)?;
+                let along = unit(solve(matrix, &self.only(1.0))?)?;
                 return (dot(&along, &here.along) >= TURNED[0]).then_some(Place { x, linear, along });
             }
             if length > ASTRAY * step * 0.5_f64.powi(correction as i32) {

@@ -6,7 +6,8 @@
 use super::Assembly;
 use crate::expr::{Arena, Evaluator, Expr, Values, evaluate};
 use crate::model::Model;
-use crate::numeric::least_squares::{self, solve};
+use crate::numeric::dense::solve;
+use crate::numeric::least_squares;
 use crate::numeric::{Numeric, call};
 use crate::quantity::Dim;
 use crate::system::System;
@@ -107,5 +108,5 @@ fn rates(system: &System, known: &Values, start: &[f64]) -> Option<Vec<f64>> {
         Some(row)
     };
     let matrix: Option<Vec<Vec<f64>>> = system.equations.iter().map(row).collect();
-    solve(matrix?, nu.to_vec())
+    solve(matrix?, nu)
 }

@@ -10,7 +10,8 @@
 //! and Marquardt on g and then by Newton's. Not done here: choosing guesses and assemblies.
 
 use crate::expr::{Evaluator, Expr, Values, magnitudes};
-use crate::numeric::least_squares::{CLOSED, cholesky, solve};
+use crate::numeric::dense::{cholesky, solve};
+use crate::numeric::least_squares::CLOSED;
 use crate::numeric::{Numeric, place};
 use crate::structure::Block;
 
@@ -85,7 +86,7 @@ impl Linear {
 
     /// Newton's step of the iterated unknowns; None where they are not determined.
     pub(super) fn newton(&self) -> Option<Vec<f64>> {
-        solve(self.r.clone(), self.g.iter().map(|g| -g).collect())
+        solve(self.r.clone(), &self.g.iter().map(|g| -g).collect::<Vec<f64>>())
     }
 
     /// Steps as long as rounding errors would close it.
@@ -281,7 +282,7 @@ impl<'a> Reduced<'a> {
         for row in 0..k {
             let mut error = vec![0.0; k];
             error[row] = floors[row] + through;
-            let way = solve(linear.r.clone(), error)?;
+            let way = solve(linear.r.clone(), &error)?;
             let length = square(&way).sqrt();
             total += length;
             if length > longest {

@@ -13,6 +13,7 @@ use super::assemblies::strays;
 use super::reduced::Reduced;
 use crate::expr::{Evaluator, Expr, Values};
 use crate::numeric::Numeric;
+use crate::numeric::dense::Factors;
 use crate::numeric::least_squares::{Problem, minimise, settle};
 use crate::structure::Block;
 
@@ -140,31 +141,10 @@ fn measure(problem: &mut Problem, block: &Block, sizes: &[f64], q: &[f64]) -> f6
             reduced[column] = if largest > 0.0 { entry / largest } else { 0.0 };
         }
     }
-    smallest_pivot(reduced)
+    // Entries are at most about 1.
+    Factors::new(reduced).map_or(0.0, |factors| factors.smallest_pivot.min(1.0))
 }
 
 fn length(vector: &[f64]) -> f64 {
     vector.iter().map(|entry| entry * entry).sum::<f64>().sqrt()
-}
-
-/// Gauss's elimination with the largest pivot of all that is left; entries are at most about 1.
-fn smallest_pivot(mut a: Vec<Vec<f64>>) -> f64 {
-    let n = a.len();
-    let mut smallest = 1.0_f64;
-    for k in 0..n {
-        let left = (k..n).flat_map(|i| (k..n).map(move |j| (i, j)));
-        let Some((i, j)) = left.max_by(|one, two| a[one.0][one.1].abs().total_cmp(&a[two.0][two.1].abs())) else { return smallest };
-        a.swap(k, i);
-        a.iter_mut().for_each(|row| row.swap(k, j));
-        smallest = smallest.min(a[k][k].abs());
-        if a[k][k] == 0.0 {
-            return 0.0;
-        }
-        let (done, rest) = a.split_at_mut(k + 1);
-        for row in rest {
-            let multiplier = row[k] / done[k][k];
-            row[k..].iter_mut().zip(&done[k][k..]).for_each(|(entry, above)| *entry -= multiplier * above);
-        }
-    }
-    smallest
 }

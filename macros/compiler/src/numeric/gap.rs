@@ -12,7 +12,8 @@
 //! Reference: Nocedal and Wright, Numerical Optimization, sections 10.3 and 17.1.
 
 use super::Numeric;
-use super::least_squares::{Linear, Problem, cholesky, minimise};
+use super::dense::cholesky;
+use super::least_squares::{Linear, Problem, minimise};
 use crate::diag::Gap;
 use crate::expr::{Expr, Values, evaluate};
 use crate::quantity::Dim;

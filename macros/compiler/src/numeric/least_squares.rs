@@ -2,6 +2,7 @@
 //!
 //! Reference: Moré (1978), The Levenberg-Marquardt algorithm: implementation and theory.
 
+use super::dense::cholesky;
 use crate::expr::{Evaluator, Values};
 use std::cell::Cell;
 
@@ -162,58 +163,4 @@ fn step(linear: &Linear, columns: &[usize], damping: f64) -> Option<Vec<f64>> {
         row[i] += damping;
     }
     cholesky(matrix, right)
-}
-
-/// A x = b for a symmetric A of which the lower half is read; `None` if it is not positive definite.
-pub(crate) fn cholesky(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<Vec<f64>> {
-    let n = right.len();
-    for i in 0..n {
-        for j in 0..=i {
-            let sum: f64 = (0..j).map(|k| matrix[i][k] * matrix[j][k]).sum();
-            let value = matrix[i][j] - sum;
-            if i == j {
-                if value <= 0.0 || !value.is_finite() {
-                    return None;
-                }
-                matrix[i][i] = value.sqrt();
-            } else {
-                matrix[i][j] = value / matrix[j][j];
-            }
-        }
-    }
-    for i in 0..n {
-        let sum: f64 = (0..i).map(|k| matrix[i][k] * right[k]).sum();
-        right[i] = (right[i] - sum) / matrix[i][i];
-    }
-    for i in (0..n).rev() {
-        let sum: f64 = (i + 1..n).map(|k| matrix[k][i] * right[k]).sum();
-        right[i] = (right[i] - sum) / matrix[i][i];
-    }
-    Some(right)
-}
-
-/// A x = b by elimination with pivots from the column; None if A is singular.
-pub(crate) fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
-    let n = b.len();
-    for k in 0..n {
-        let pivot = (k..n).max_by(|one, two| a[*one][k].abs().total_cmp(&a[*two][k].abs()))?;
-        a.swap(k, pivot);
-        b.swap(k, pivot);
-        if a[k][k] == 0.0 {
-            return None;
-        }
-        let (done, rest) = a.split_at_mut(k + 1);
-        for (i, row) in rest.iter_mut().enumerate() {
-            let multiplier = row[k] / done[k][k];
-            if multiplier != 0.0 {
-                row[k..].iter_mut().zip(&done[k][k..]).for_each(|(entry, above)| *entry -= multiplier * above);
-                b[k + 1 + i] -= multiplier * b[k];
-            }
-        }
-    }
-    for k in (0..n).rev() {
-        let known: f64 = (k + 1..n).map(|j| a[k][j] * b[j]).sum();
-        b[k] = (b[k] - known) / a[k][k];
-    }
-    b.iter().all(|value| value.is_finite()).then_some(b)
 }
