@@ -12,7 +12,7 @@
 //!
 //! Reference: Allgower and Georg (1990), Numerical Continuation Methods, chapters 2 and 6.
 
-use super::reduced::{Linear, Reduced};
+use super::reduced::{LinearizedBlock, Reduced};
 use crate::numeric::dense::solve;
 
 /// The first step along a curve, and the longest and the shortest, in rad and sizes.
@@ -36,14 +36,14 @@ const TURNED: [f64; 2] = [0.85, 0.97];
 const HALVED: usize = 8;
 
 /// A place on a curve.
-struct Place {
+struct CurvePoint {
     x: Vec<f64>,
-    linear: Linear,
+    linear: LinearizedBlock,
     /// The direction of the curve, of length 1.
     along: Vec<f64>,
 }
 
-impl Place {
+impl CurvePoint {
     /// The residual that was left out, and its derivative along the curve.
     fn residual(&self, left_out: usize) -> [f64; 2] {
         [self.linear.g[left_out], dot(&self.linear.r[left_out], &self.along)]
@@ -86,14 +86,14 @@ impl Curve<'_, '_> {
     }
 
     /// The direction at an assembly.
-    fn begin(&mut self, from: &[f64]) -> Option<Place> {
+    fn begin(&mut self, from: &[f64]) -> Option<CurvePoint> {
         let linear = self.reduced.linearize(from)?;
         let along = unit(solve(linear.r.clone(), &self.only(1.0))?)?;
-        Some(Place { x: from.to_vec(), linear, along })
+        Some(CurvePoint { x: from.to_vec(), linear, along })
     }
 
     /// The next place, if a step leads to it that goes nearly straight on.
-    fn next(&mut self, here: &Place, step: f64) -> Option<Place> {
+    fn next(&mut self, here: &CurvePoint, step: f64) -> Option<CurvePoint> {
         let way: Vec<f64> = here.along.iter().map(|along| along * step).collect();
         let mut x = self.reduced.moved(&here.x, &here.linear, &way);
         for correction in 0..=CORRECTIONS {
@@ -106,7 +106,7 @@ impl Curve<'_, '_> {
             let length = dot(&change, &change).sqrt();
             if length <= CORRECTED * step {
                 let along = unit(solve(matrix, &self.only(1.0))?)?;
-                return (dot(&along, &here.along) >= TURNED[0]).then_some(Place { x, linear, along });
+                return (dot(&along, &here.along) >= TURNED[0]).then_some(CurvePoint { x, linear, along });
             }
             if length > ASTRAY * step * 0.5_f64.powi(correction as i32) {
                 return None;
@@ -117,7 +117,7 @@ impl Curve<'_, '_> {
     }
 
     /// About where the residual that was left out vanishes between two places.
-    fn crossings(&mut self, here: &Place, there: &Place, step: f64, is_first: bool, halvings: usize) -> Vec<Vec<f64>> {
+    fn crossings(&mut self, here: &CurvePoint, there: &CurvePoint, step: f64, is_first: bool, halvings: usize) -> Vec<Vec<f64>> {
         let ([a, da], [b, db]) = (here.residual(self.left_out), there.residual(self.left_out));
         // At an assembly it vanishes; it is the one that is set out from.
         if is_first && a.abs() < da.abs() * 1e-6 {

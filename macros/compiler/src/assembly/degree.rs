@@ -8,7 +8,7 @@
 //! are one for which the degree is defined where bars and pins keep the places near what is known as long as the residuals are bounded;
 //! and there are values that it does not attain, as the residual of a bar, |h|² − c², is never below −c².
 
-use super::links::{self, Link, Place};
+use super::links::{self, BodyPoint, Link};
 use crate::numeric::Numeric;
 use crate::structure::Block;
 use std::collections::BTreeSet;
@@ -33,7 +33,7 @@ impl Numeric<'_> {
         let body = |unknown: &usize| self.system.unknowns[*unknown].body;
         let moving: BTreeSet<usize> = unknowns.iter().filter(|unknown| !self.is_angle(**unknown)).map(body).collect();
         // What does not move in this block is ground to it.
-        let moves = |place: &Place| place.body.filter(|body| moving.contains(body));
+        let moves = |place: &BodyPoint| place.body.filter(|body| moving.contains(body));
         let mut held: BTreeSet<Option<usize>> = BTreeSet::from([None]);
         for _ in &moving {
             for link in &links {

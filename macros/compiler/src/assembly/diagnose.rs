@@ -9,7 +9,7 @@
 //! A block is judged only where every number upstream of it is known in the compiler: no row that uses a Rust function is.
 //! Not done here: rows that depend on each other everywhere.
 
-use super::links::{self, Link, Place};
+use super::links::{self, BodyPoint, Link};
 use super::loops::{Loop, Loops};
 use super::nearest::Reach;
 use super::order::{Assembled, Upstream};
@@ -237,7 +237,7 @@ impl Judge<'_> {
     /// The two bodies of a loop whose joints lie on one straight line.
     fn in_line(&self, index: usize, bodies: &BTreeSet<usize>, start: &[f64]) -> Option<BTreeSet<usize>> {
         let links = links::read(self.numeric, &self.loops.around(index).equations, start);
-        let mut places: Vec<Place> = Vec::new();
+        let mut places: Vec<BodyPoint> = Vec::new();
         for link in &links {
             match link {
                 Link::Pin(one, other) | Link::Rod(one, other, _) => places.extend([*one, *other]),
@@ -245,7 +245,7 @@ impl Judge<'_> {
             }
         }
         let direction = |body: &usize| {
-            let of_body: Vec<&Place> = places.iter().filter(|place| place.body == Some(*body)).collect();
+            let of_body: Vec<&BodyPoint> = places.iter().filter(|place| place.body == Some(*body)).collect();
             let [one, other] = of_body.as_slice() else { return None };
             let along = [other.at[0] - one.at[0], other.at[1] - one.at[1]];
             let length = along[0].hypot(along[1]);

@@ -18,7 +18,7 @@ use core::f64::consts::FRAC_PI_2;
 
 /// Where a point is, and of what it is a part.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct BodyPoint {
     /// The body, or ground.
     pub(super) body: Option<usize>,
     pub(super) at: [f64; 2],
@@ -30,11 +30,11 @@ pub(super) struct Place {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Link {
     /// They coincide.
-    Pin(Place, Place),
+    Pin(BodyPoint, BodyPoint),
     /// They are so far apart.
-    Rod(Place, Place, f64),
+    Rod(BodyPoint, BodyPoint, f64),
     /// The place lies on a line in ground, n · r = c.
-    Line(Place, [f64; 2], f64),
+    Line(BodyPoint, [f64; 2], f64),
 }
 
 /// Numbers that should agree do so to within this part.
@@ -44,12 +44,12 @@ const AGREES: f64 = 1e-6;
 type Frame = [usize; 3];
 
 /// Rows of a joint that are lengths, at one configuration.
-struct Row {
+struct LengthRow {
     phi: f64,
     slopes: Vec<(usize, f64)>,
 }
 
-impl Row {
+impl LengthRow {
     fn slope(&self, unknown: usize) -> f64 {
         self.slopes.iter().find(|(known, _)| *known == unknown).map_or(0.0, |(_, slope)| *slope)
     }
@@ -60,16 +60,16 @@ pub(super) fn read(numeric: &Numeric, equations: &[usize], q: &[f64]) -> Vec<Lin
     let mut joints: Vec<usize> = equations.iter().map(|equation| numeric.system.equations[*equation].joint).collect();
     joints.sort_unstable();
     joints.dedup();
-    joints.into_iter().flat_map(|joint| Reader { numeric, joint, q }.links()).collect()
+    joints.into_iter().flat_map(|joint| LinkReader { numeric, joint, q }.links()).collect()
 }
 
-struct Reader<'a> {
+struct LinkReader<'a> {
     numeric: &'a Numeric<'a>,
     joint: usize,
     q: &'a [f64],
 }
 
-impl Reader<'_> {
+impl LinkReader<'_> {
     fn links(&self) -> Vec<Link> {
         // Equations stand in the order of their joints.
         let all = &self.numeric.system.equations;
@@ -102,7 +102,7 @@ impl Reader<'_> {
     }
 
     /// A row at the configuration with one coordinate changed.
-    fn row(&self, row: usize, changed: Option<(usize, f64)>) -> Option<Row> {
+    fn row(&self, row: usize, changed: Option<(usize, f64)>) -> Option<LengthRow> {
         let equation = &self.numeric.system.equations[row];
         let mut coordinates = self.q.to_vec();
         if let Some((unknown, by)) = changed {
@@ -111,15 +111,15 @@ impl Reader<'_> {
         let roots: Vec<Expr> = equation.phi.into_iter().chain(equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
         let values = evaluate(&self.numeric.system.arena, &roots, &Values { coordinates: &coordinates, ..self.numeric.known });
         let slopes = equation.jacobian.iter().zip(values.get(1..)?).map(|((unknown, _), value)| (*unknown, *value)).collect();
-        values.iter().all(|value| value.is_finite()).then_some(Row { phi: values[0], slopes })
+        values.iter().all(|value| value.is_finite()).then_some(LengthRow { phi: values[0], slopes })
     }
 
-    fn place(&self, body: usize, [x, y, _]: Frame, offset: [f64; 2]) -> Place {
-        Place { body: Some(body), at: [self.q[x] + offset[0], self.q[y] + offset[1]], joint: self.joint }
+    fn place(&self, body: usize, [x, y, _]: Frame, offset: [f64; 2]) -> BodyPoint {
+        BodyPoint { body: Some(body), at: [self.q[x] + offset[0], self.q[y] + offset[1]], joint: self.joint }
     }
 
-    fn ground(&self, at: [f64; 2]) -> Place {
-        Place { body: None, at, joint: self.joint }
+    fn ground(&self, at: [f64; 2]) -> BodyPoint {
+        BodyPoint { body: None, at, joint: self.joint }
     }
 
     fn is_near(&self, one: f64, other: f64) -> bool {
@@ -129,7 +129,7 @@ impl Reader<'_> {
     fn pin(&self, x: usize, y: usize) -> Option<Link> {
         let frames = self.frames(x)?;
         let (first, second) = (self.row(x, None)?, self.row(y, None)?);
-        let offset_of = |frame: &Frame, first: &Row, second: &Row| {
+        let offset_of = |frame: &Frame, first: &LengthRow, second: &LengthRow| {
             let sign = first.slope(frame[0]);
             let is_place =
                 sign.abs() == 1.0 && second.slope(frame[1]) == sign && first.slope(frame[1]) == 0.0 && second.slope(frame[0]) == 0.0;
@@ -164,12 +164,12 @@ impl Reader<'_> {
     fn rod(&self, row: usize) -> Option<Link> {
         let here = self.row(row, None)?;
         let size = self.numeric.size;
-        let mut places: Vec<(Place, [f64; 2])> = Vec::new();
+        let mut places: Vec<(BodyPoint, [f64; 2])> = Vec::new();
         for (body, frame) in self.frames(row)? {
             let [x, y, angle] = frame;
             let (right, up) = (self.row(row, Some((x, size)))?, self.row(row, Some((y, size)))?);
             // Φ is |h|² − c², and h moves with the body.
-            let is_square = |row: &Row, unknown| self.is_near(row.slope(unknown) - here.slope(unknown), 2.0 * size);
+            let is_square = |row: &LengthRow, unknown| self.is_near(row.slope(unknown) - here.slope(unknown), 2.0 * size);
             if !is_square(&right, x) || !is_square(&up, y) {
                 return None;
             }

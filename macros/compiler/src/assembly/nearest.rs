@@ -30,7 +30,7 @@ impl Numeric<'_> {
     /// The nearest assembly of all; none if none closes.
     pub(super) fn nearest_of_all(&self, structure: &Structure, reach: Reach) -> Option<Assembled> {
         let upstream = Upstream::new(self, structure);
-        let mut tree = Tree {
+        let mut tree = SearchTree {
             numeric: self,
             structure,
             above: (0..structure.blocks.len()).map(|block| upstream.all(block).into_iter().collect()).collect(),
@@ -91,7 +91,7 @@ pub(super) enum Reach {
     All,
 }
 
-struct Tree<'a> {
+struct SearchTree<'a> {
     numeric: &'a Numeric<'a>,
     structure: &'a Structure,
     /// The blocks that each one depends on.
@@ -115,7 +115,7 @@ struct Looked<'a> {
     all: BTreeMap<Vec<usize>, Vec<Vec<f64>>>,
 }
 
-impl Tree<'_> {
+impl SearchTree<'_> {
     /// Goes through the blocks from one on, with those before it as they are.
     fn descend(&mut self, index: usize, q: &mut [f64], distance: Distance) {
         self.looks += 1;

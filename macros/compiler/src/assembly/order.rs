@@ -6,7 +6,7 @@
 use super::reduced::Reduced;
 use crate::numeric::Numeric;
 use crate::numeric::least_squares::Problem;
-use crate::numeric::search::{Found, GUESSES};
+use crate::numeric::search::{GUESSES, SearchResult};
 use crate::structure::{Block, Structure};
 use crate::syntax::ast::Closing;
 use std::collections::BTreeSet;
@@ -117,7 +117,7 @@ impl Numeric<'_> {
         let mut is_closed = true;
         let mut found = vec![Vec::new(); structure.blocks.len()];
         for (index, block) in structure.blocks.iter().enumerate().skip(first) {
-            let Found { assemblies, first } = self.close_block(block, &start);
+            let SearchResult { assemblies, first } = self.close_block(block, &start);
             let closes = !assemblies.is_empty();
             let (unknowns, _) = block.parts();
             unknowns.iter().zip(assemblies.first().unwrap_or(&first)).for_each(|(unknown, value)| start[*unknown] = *value);
@@ -140,21 +140,21 @@ impl Numeric<'_> {
 
     /// The nearest assembly of a block, or what comes nearest to one.
     pub(crate) fn nearest(&self, block: &Block, start: &[f64]) -> (Vec<f64>, bool) {
-        let Found { assemblies, first } = self.close_block(block, start);
+        let SearchResult { assemblies, first } = self.close_block(block, start);
         let closes = !assemblies.is_empty();
         (assemblies.into_iter().next().unwrap_or(first), closes)
     }
 
     /// The assemblies of a block, the nearest first.
-    fn close_block(&self, block: &Block, start: &[f64]) -> Found {
+    fn close_block(&self, block: &Block, start: &[f64]) -> SearchResult {
         if block.parts().1.iter().all(|equation| self.is_known(*equation)) {
             let mut reduced = Reduced::new(self, block);
             if let Some(alone) = self.alone(&mut reduced, block, start).filter(|alone| alone.is_nearest()) {
-                return Found { first: alone.values.clone(), assemblies: vec![alone.values] };
+                return SearchResult { first: alone.values.clone(), assemblies: vec![alone.values] };
             }
             let assemblies = self.assemblies(&mut reduced, block, start);
             if let Some(first) = assemblies.first().cloned() {
-                return Found { assemblies, first };
+                return SearchResult { assemblies, first };
             }
         }
         let mut problem = self.block_problem(block, start);

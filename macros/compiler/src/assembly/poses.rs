@@ -24,10 +24,10 @@ pub(crate) struct Poses<'a> {
     parameters: Vec<f64>,
     /// L: what is worth a radian.
     pub(crate) size: f64,
-    poses: Vec<Pose>,
+    poses: Vec<ClosedPose>,
 }
 
-struct Pose {
+struct ClosedPose {
     time: f64,
     q: Vec<f64>,
     /// The loops close there.
@@ -43,7 +43,7 @@ impl<'a> Poses<'a> {
         let parameters = evaluate(&system.arena, &defaults, &nothing);
         let known = Values { parameters: &parameters, ..nothing };
         let size = crate::numeric::size(system, &known);
-        let mut poses = vec![Pose { time: 0.0, q: assembly.start.clone(), is_closed: assembly.is_closed }];
+        let mut poses = vec![ClosedPose { time: 0.0, q: assembly.start.clone(), is_closed: assembly.is_closed }];
         if assembly.is_closed
             && let Some(rates) = rates(system, &known, &assembly.start)
         {
@@ -68,7 +68,7 @@ impl<'a> Poses<'a> {
     pub(crate) fn values(&self, arena: &Arena, exprs: &[Expr]) -> Vec<Vec<f64>> {
         let functions = |number: u32, x: f64| call(self.model, number, x);
         let mut evaluator = Evaluator::new(arena, exprs);
-        let values = |pose: &Pose| {
+        let values = |pose: &ClosedPose| {
             let mut found = vec![f64::NAN; exprs.len()];
             let (time, parameters, coordinates) = (pose.time, self.parameters.as_slice(), pose.q.as_slice());
             evaluator
@@ -80,13 +80,13 @@ impl<'a> Poses<'a> {
 }
 
 /// Where the mechanism is a while later, or before.
-fn moved(numeric: &Numeric, start: &[f64], rates: &[f64], time: f64) -> Pose {
+fn moved(numeric: &Numeric, start: &[f64], rates: &[f64], time: f64) -> ClosedPose {
     let predicted: Vec<f64> = start.iter().zip(rates).map(|(value, rate)| value + rate * time).collect();
     let mut q = predicted.clone();
     let mut problem = numeric.whole();
     problem.known.time = time;
     let is_closed = least_squares::minimise(&mut problem, &mut q, &vec![true; start.len()]);
-    Pose { time, q: if is_closed { q } else { predicted }, is_closed }
+    ClosedPose { time, q: if is_closed { q } else { predicted }, is_closed }
 }
 
 /// q̇ of Φ_q q̇ = ν at the start; None where it is not to be had.

@@ -66,7 +66,7 @@ pub(super) struct Reduced<'a> {
 }
 
 /// A block at a place.
-pub(super) struct Linear {
+pub(super) struct LinearizedBlock {
     /// The residuals once what is explicit has followed, in shares of the rows' sizes.
     pub(super) g: Vec<f64>,
     /// Their derivatives by scaled iterated unknowns.
@@ -79,7 +79,7 @@ pub(super) struct Linear {
     open: f64,
 }
 
-impl Linear {
+impl LinearizedBlock {
     fn cost(&self) -> f64 {
         square(&self.g)
     }
@@ -138,7 +138,7 @@ impl<'a> Reduced<'a> {
     }
 
     /// The block linearised where its unknowns are `x`; None where it is not defined.
-    pub(super) fn linearize(&mut self, x: &[f64]) -> Option<Linear> {
+    pub(super) fn linearize(&mut self, x: &[f64]) -> Option<LinearizedBlock> {
         for (unknown, value) in self.unknowns.iter().zip(x) {
             self.coordinates[*unknown] = *value;
         }
@@ -174,14 +174,14 @@ impl<'a> Reduced<'a> {
                 r.push(along.into_iter().map(|along| along / self.sizes[index]).collect());
             }
         }
-        let linear = Linear { g, r, follows, moves, open };
+        let linear = LinearizedBlock { g, r, follows, moves, open };
         let is_finite =
             linear.cost().is_finite() && square(&linear.follows).is_finite() && linear.r.iter().all(|row| square(row).is_finite());
         is_finite.then_some(linear)
     }
 
     /// Moves the unknowns by a step of those that are iterated, in scaled unknowns; the others follow.
-    pub(super) fn moved(&self, x: &[f64], linear: &Linear, step: &[f64]) -> Vec<f64> {
+    pub(super) fn moved(&self, x: &[f64], linear: &LinearizedBlock, step: &[f64]) -> Vec<f64> {
         let k = self.iterated;
         let mut there = x.to_vec();
         for (index, value) in there.iter_mut().enumerate() {
@@ -236,7 +236,7 @@ impl<'a> Reduced<'a> {
     }
 
     /// The residuals vanish, to rounding.
-    fn is_closed(&self, linear: &Linear) -> bool {
+    fn is_closed(&self, linear: &LinearizedBlock) -> bool {
         if linear.is_closed() || !linear.is_nearly_closed() {
             return linear.is_closed();
         }
@@ -274,7 +274,7 @@ impl<'a> Reduced<'a> {
 
     /// How far an assembly may be off by rounding, in scaled iterated unknowns: where the worst of the residuals' rounding errors leads,
     /// as far as all of them together may. None where the block is singular.
-    pub(super) fn rounding(&self, linear: &Linear) -> Option<Vec<f64>> {
+    pub(super) fn rounding(&self, linear: &LinearizedBlock) -> Option<Vec<f64>> {
         let (floors, k) = (self.floors(), self.iterated);
         // Rounding errors of what is explicit come to the residuals by way of its own equations.
         let through: f64 = floors[k..].iter().sum();
@@ -301,7 +301,7 @@ fn square(values: &[f64]) -> f64 {
 }
 
 /// (RᵀR + λ r² I) δ = −Rᵀg with the longest column r, and no entry of δ longer than `longest`.
-fn damped(linear: &Linear, damping: f64, longest: f64) -> Option<Vec<f64>> {
+fn damped(linear: &LinearizedBlock, damping: f64, longest: f64) -> Option<Vec<f64>> {
     let k = linear.r.first().map_or(0, Vec::len);
     let (mut matrix, mut right) = (vec![vec![0.0; k]; k], vec![0.0; k]);
     for (g, row) in linear.g.iter().zip(&linear.r) {

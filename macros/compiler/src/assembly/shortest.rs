@@ -6,7 +6,7 @@
 //!
 //! Reference for the shortest way: Dijkstra (1959), A note on two problems in connexion with graphs.
 
-use super::links::{Link, Place};
+use super::links::{BodyPoint, Link};
 use crate::diag::Bound;
 use crate::numeric::Numeric;
 use std::collections::BTreeMap;
@@ -57,8 +57,8 @@ struct Graph {
 
 impl Graph {
     fn new(numeric: &Numeric, links: &[Link], moving: &dyn Fn(usize) -> bool) -> Option<Graph> {
-        let group = |place: &Place| place.body.filter(|body| moving(*body));
-        let places: Vec<Place> = links
+        let group = |place: &BodyPoint| place.body.filter(|body| moving(*body));
+        let places: Vec<BodyPoint> = links
             .iter()
             .flat_map(|link| match link {
                 Link::Pin(one, other) | Link::Rod(one, other, _) => vec![*one, *other],
@@ -169,7 +169,7 @@ fn apart(one: [f64; 2], other: [f64; 2]) -> f64 {
 }
 
 /// `crank`, `ground`, or where two places are of different bodies that stand still, what lies between their joints.
-fn name(numeric: &Numeric, one: &Place, other: &Place) -> String {
+fn name(numeric: &Numeric, one: &BodyPoint, other: &BodyPoint) -> String {
     match (one.body, other.body) {
         (Some(body), Some(same)) if body == same => format!("`{}`", numeric.model.bodies[body].name),
         (None, None) => "`ground`".to_owned(),

@@ -8,7 +8,7 @@ mod overdetermined;
 
 use crate::diag::Diag;
 use crate::model::Model;
-use crate::redundancy::Exact;
+use crate::redundancy::ExactDependence;
 use crate::structure::{maximum, overdetermined, underdetermined};
 use crate::system::System;
 use std::collections::BTreeSet;
@@ -18,7 +18,7 @@ pub(crate) fn check(model: &Model, system: &System, redundant: &BTreeSet<usize>,
     if model.equations_only {
         return Some(());
     }
-    let exact = Exact::new(model, system);
+    let exact = ExactDependence::new(model, system);
     // What numbers have not found to follow as a whole may follow in part.
     exact.no_row_follows_from_others(false, diag);
     if !diag.is_clean() {

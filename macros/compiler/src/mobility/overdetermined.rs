@@ -11,7 +11,7 @@ use crate::system::System;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Equations that contend for unknowns, and the first of them that found none.
-struct Group {
+struct Contention {
     part: DmPart,
     first: usize,
 }
@@ -23,7 +23,7 @@ pub(super) fn nothing_is_demanded_twice(model: &Model, system: &System, pattern:
         let joints: BTreeSet<usize> = group.part.equations.iter().map(|equation| system.equations[*equation].joint).collect();
         let (drives, joints): (Vec<usize>, Vec<usize>) = joints.into_iter().partition(|joint| model.joints[*joint].is_drive);
         let free: BTreeSet<usize> = under.unknowns.difference(&group.part.unknowns).copied().collect();
-        let view = View { model, system, group: &group, free: &free, missing: under.equations.len() };
+        let view = Contenders { model, system, group: &group, free: &free, missing: under.equations.len() };
         let (blamed, fact) = match drives.as_slice() {
             [] => joints_contend(&view, &joints),
             [drive] => (*drive, nothing_to_drive(&view, *drive, &joints)),
@@ -36,17 +36,17 @@ pub(super) fn nothing_is_demanded_twice(model: &Model, system: &System, pattern:
 }
 
 /// A group and what is around it.
-struct View<'a> {
+struct Contenders<'a> {
     model: &'a Model,
     system: &'a System,
-    group: &'a Group,
+    group: &'a Contention,
     /// Coordinates elsewhere that have too few equations.
     free: &'a BTreeSet<usize>,
     /// How many equations these have.
     missing: usize,
 }
 
-impl View<'_> {
+impl Contenders<'_> {
     fn joints(&self, joints: &[usize]) -> Vec<String> {
         joints.iter().map(|joint| self.model.joints[*joint].name.to_string()).collect()
     }
@@ -63,7 +63,7 @@ impl View<'_> {
 }
 
 /// Joints alone demand more than there is to demand: the mobility of the group is below zero.
-fn joints_contend(view: &View, joints: &[usize]) -> (usize, Fact) {
+fn joints_contend(view: &Contenders, joints: &[usize]) -> (usize, Fact) {
     let blamed = view.system.equations[view.group.first].joint;
     let others: Vec<usize> = joints.iter().copied().filter(|joint| *joint != blamed).collect();
     let fact = Fact::TooManyEquations {
@@ -78,7 +78,7 @@ fn joints_contend(view: &View, joints: &[usize]) -> (usize, Fact) {
 }
 
 /// Joints leave a drive no freedom.
-fn nothing_to_drive(view: &View, drive: usize, joints: &[usize]) -> Fact {
+fn nothing_to_drive(view: &Contenders, drive: usize, joints: &[usize]) -> Fact {
     Fact::NothingToDrive {
         drive: view.model.joints[drive].name.to_string(),
         joints: view.joints(joints),
@@ -89,7 +89,7 @@ fn nothing_to_drive(view: &View, drive: usize, joints: &[usize]) -> Fact {
 }
 
 /// Joints leave fewer freedoms than there are drives for them.
-fn drives_contend(view: &View, drives: &[usize], joints: &[usize]) -> Fact {
+fn drives_contend(view: &Contenders, drives: &[usize], joints: &[usize]) -> Fact {
     Fact::DrivesContend {
         drives: view.joints(drives),
         freedoms: view.group.part.unknowns.len() - view.of_joints(),
@@ -100,12 +100,12 @@ fn drives_contend(view: &View, drives: &[usize], joints: &[usize]) -> Fact {
 }
 
 /// What contends: drives together that share equations, of joints the first group.
-fn groups(model: &Model, system: &System, pattern: &Pattern) -> Vec<Group> {
+fn groups(model: &Model, system: &System, pattern: &Pattern) -> Vec<Contention> {
     let mut order: Vec<usize> = (0..system.equations.len()).collect();
     order.sort_by_key(|equation| model.joints[system.equations[*equation].joint].is_drive);
     let ordered = pattern.in_order(&order);
     let matching = maximum(&ordered);
-    let mut groups: Vec<Option<Group>> = Vec::new();
+    let mut groups: Vec<Option<Contention>> = Vec::new();
     let mut group_of: BTreeMap<usize, usize> = BTreeMap::new();
     for free in matching.free_equations() {
         if ordered.rows[free].is_empty() {
@@ -114,7 +114,7 @@ fn groups(model: &Model, system: &System, pattern: &Pattern) -> Vec<Group> {
         }
         let DmPart { equations, unknowns } = contending(&ordered, &matching, vec![free]);
         let mut joined =
-            Group { part: DmPart { equations: equations.iter().map(|row| order[*row]).collect(), unknowns }, first: order[free] };
+            Contention { part: DmPart { equations: equations.iter().map(|row| order[*row]).collect(), unknowns }, first: order[free] };
         let is_of_drive = |equation: usize| model.joints[system.equations[equation].joint].is_drive;
         let known: BTreeSet<usize> = joined.part.equations.iter().filter_map(|equation| group_of.get(equation).copied()).collect();
         // Where joints alone are too many, a drive is not to blame as well.
@@ -123,7 +123,7 @@ fn groups(model: &Model, system: &System, pattern: &Pattern) -> Vec<Group> {
         }
         // What else is too much of the same joints shows when the first is mended; of one joint it is one mistake.
         let joint = system.equations[joined.first].joint;
-        let is_of_another = |group: &Group| system.equations[group.first].joint != joint;
+        let is_of_another = |group: &Contention| system.equations[group.first].joint != joint;
         if !is_of_drive(joined.first) && known.iter().any(|known| groups[*known].as_ref().is_some_and(is_of_another)) {
             continue;
         }

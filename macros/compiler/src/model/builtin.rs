@@ -3,7 +3,7 @@
 use super::Function as Numbered;
 use super::elaborate::{Elaborator, Scope};
 use super::spline::{Ends, Table};
-use super::value::{Function, Scalar, Value, Vector};
+use super::value::{FunctionValue, Scalar, Value, Vector};
 use crate::diag::{Fact, Range};
 use crate::expr::{Expr, Unary};
 use crate::library;
@@ -199,18 +199,25 @@ impl Elaborator<'_> {
     }
 
     /// The function behind a Rust path, the same number each time it is named.
-    pub(super) fn rust_function(&mut self, path: &ast::Path, from: InferredDim, to: InferredDim) -> Function {
+    pub(super) fn rust_function(&mut self, path: &ast::Path, from: InferredDim, to: InferredDim) -> FunctionValue {
         let written = path.tokens.to_string();
         let known = self.functions.iter().position(|known| matches!(known, Numbered::Rust(tokens) if tokens.to_string() == written));
         let number = known.unwrap_or_else(|| {
             self.functions.push(Numbered::Rust(path.tokens.clone()));
             self.functions.len() - 1
         });
-        Function::Numbered { number: number as u32, from, to }
+        FunctionValue::Numbered { number: number as u32, from, to }
     }
 
     /// The value of a function at an argument.
-    fn apply(&mut self, range: Range, path: &ast::Path, function: &Function, arguments: &[ast::Expr], scope: &Scope) -> Option<Scalar> {
+    fn apply(
+        &mut self,
+        range: Range,
+        path: &ast::Path,
+        function: &FunctionValue,
+        arguments: &[ast::Expr],
+        scope: &Scope,
+    ) -> Option<Scalar> {
         let [argument] = arguments else {
             let name = path.last.to_string();
             return self.refuse(path.range, Fact::FunctionArity { name, wanted: 1, found: arguments.len() });
@@ -223,11 +230,11 @@ impl Elaborator<'_> {
             _ => Some(()),
         };
         match function {
-            Function::Numbered { number, from, to } => {
+            FunctionValue::Numbered { number, from, to } => {
                 accepts(self, *from)?;
                 Some(Scalar { expr: self.arena.call(*number, 0, value.expr), measure: *to })
             }
-            Function::Written(written) => {
+            FunctionValue::Written(written) => {
                 let from = self.dimension(&written.from)?;
                 accepts(self, InferredDim::Known(from))?;
                 self.written(range, written, Scalar { measure: InferredDim::Known(from), ..value })
@@ -271,8 +278,8 @@ impl Elaborator<'_> {
         library::functions().any(|known| name == known)
     }
 
-    pub(super) fn library_function(&mut self, name: &Ident) -> Option<Function> {
-        library::function(&name.to_string()).map(Function::Written)
+    pub(super) fn library_function(&mut self, name: &Ident) -> Option<FunctionValue> {
+        library::function(&name.to_string()).map(FunctionValue::Written)
     }
 
     /// `table(x, [(x0, y0), …], periodic)`

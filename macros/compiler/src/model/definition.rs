@@ -6,8 +6,8 @@ use super::Name;
 use super::elaborate::{Elaborator, Scope};
 use super::names::{Names, RESERVED};
 use super::signature::noun;
-use super::statement::Row;
-use super::value::{Fixed, Function, Scalar, Value};
+use super::statement::ScalarEquation;
+use super::value::{Fixed, FunctionValue, Scalar, Value};
 use crate::diag::nearest;
 use crate::diag::{Diag, Fact};
 use crate::expr::Leaf;
@@ -50,7 +50,7 @@ impl Elaborator<'_> {
         let place = Name::plain(&definition.name);
         let rows = self.statements(&definition.statements, scope, &place, &[])?;
         let of = rows.len();
-        for (row, Row { residual, range }) in rows.into_iter().enumerate() {
+        for (row, ScalarEquation { residual, range }) in rows.into_iter().enumerate() {
             let depends = self.arena.leaves(residual.expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)));
             if !depends {
                 return self.refuse(range, Fact::RowOfNothing { joint: definition.name.to_string(), row: row + 1, of, at_defaults: false });
@@ -136,7 +136,7 @@ impl Elaborator<'_> {
                 let (from, to) = (self.dimension(from)?, self.dimension(to)?);
                 self.functions.push(Numbered::Rust(Default::default()));
                 let number = self.functions.len() as u32 - 1;
-                Value::Function(Function::Numbered { number, from: InferredDim::Known(from), to: InferredDim::Known(to) })
+                Value::Function(FunctionValue::Numbered { number, from: InferredDim::Known(from), to: InferredDim::Known(to) })
             }
             Kind::Joint(name) => {
                 let word = name.to_string();

@@ -22,7 +22,7 @@ pub(crate) struct Elaborator<'a> {
     /// Where each requirement is to be blamed, and the joint that asks for it.
     pub(super) requirement_places: Vec<(Range, Name)>,
     /// The definition being instantiated and the token to blame for what goes wrong in it.
-    pub(super) blame: Option<Blame>,
+    pub(super) blame: Option<Instance>,
     /// How many values are being looked at, one inside the other.
     pub(super) depth: u16,
     /// How many items there are so far, loops gone through and parts taken apart, and rounds of loops.
@@ -41,7 +41,7 @@ pub(crate) struct Elaborator<'a> {
 
 /// A definition that is being instantiated.
 #[derive(Clone)]
-pub(super) struct Blame {
+pub(super) struct Instance {
     /// What is underlined: the joint's kind.
     pub(super) place: Range,
     /// The definition, or one of its equations, in words.
@@ -129,7 +129,7 @@ impl Elaborator<'_> {
     pub(super) fn refuse<T>(&mut self, range: impl Into<Range>, fact: Fact) -> Option<T> {
         match self.blame.clone() {
             None => self.say(range, fact),
-            Some(Blame { place, definition, quantities }) => {
+            Some(Instance { place, definition, quantities }) => {
                 self.say(place, Fact::InDefinition { definition, quantities, fact: Box::new(fact) })
             }
         }

@@ -1,7 +1,7 @@
 //! Bodies and ground: coordinates, points and axes fixed in them, start values.
 
 use super::elaborate::{Elaborator, Scope};
-use super::names::{Context, EntityId, Frame};
+use super::names::{Context, EntityId, FrameScope};
 use super::register::Register;
 use super::statement::FixedValue;
 use super::value::{Fixed, FrameId, Value};
@@ -20,7 +20,7 @@ impl Elaborator<'_> {
         let first = 3 * (self.names.frames.len() as u32 - 1);
         let coordinates = [0, 1, 2].map(|offset| self.arena.leaf(Leaf::Coordinate(first + offset)));
         let space = self.names.new_space(format!("{name}."));
-        self.names.frames.push(Frame { name: name.to_owned(), coordinates: Some(coordinates), space });
+        self.names.frames.push(FrameScope { name: name.to_owned(), coordinates: Some(coordinates), space });
         FrameId(self.names.frames.len() - 1)
     }
 

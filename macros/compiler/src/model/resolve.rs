@@ -2,9 +2,9 @@
 
 use super::bounds::in_words;
 use super::elaborate::{Elaborator, Scope};
-use super::names::{Context, Declared, Entity, EntityId, Made, Names, Progress, is_generated};
+use super::names::{Context, Declared, Entity, EntityId, Names, PartArguments, Progress, is_generated};
 use super::register::{Register, is_one_of_many};
-use super::value::{Function, Scalar, Value};
+use super::value::{FunctionValue, Scalar, Value};
 use super::{Layout, Method, Model, Name, Parameter};
 use crate::diag::nearest;
 use crate::diag::{Diag, Fact, Range};
@@ -197,7 +197,7 @@ impl Elaborator<'_> {
             let (from, to) = (self.dimension(&function.from)?, self.dimension(&function.to)?);
             return Some(Value::Function(self.rust_function(path, InferredDim::Known(from), InferredDim::Known(to))));
         }
-        Some(Value::Function(Function::Written(function.clone())))
+        Some(Value::Function(FunctionValue::Written(function.clone())))
     }
 
     fn joint_value(&mut self, joint: &ast::Joint, context: &Context) -> Option<Value> {
@@ -210,7 +210,7 @@ impl Elaborator<'_> {
     }
 
     /// An argument of a part: it stands outside of its component, a default inside.
-    fn made_with(&mut self, id: EntityId, made: &Rc<Made>, number: usize) -> Option<Value> {
+    fn made_with(&mut self, id: EntityId, made: &Rc<PartArguments>, number: usize) -> Option<Value> {
         let formal = &made.component.head.parameters[number];
         let owner = self.names.declared[id.0].context.clone();
         let (written, context) = match (made.slots[number], &formal.default) {

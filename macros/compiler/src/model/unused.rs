@@ -4,7 +4,7 @@
 //! it is kept. What depends on arguments that may be whole numbers is not looked at: these say how often something stands.
 
 use super::elaborate::Elaborator;
-use super::layout::Place;
+use super::layout::OpenPart;
 use super::names::{Context, Entity, Progress};
 use super::register::Register;
 use crate::quantity::Dim;
@@ -39,7 +39,7 @@ impl Elaborator<'_> {
         let known = register.parameters.len();
         let mut own = Register::default();
         own.parameters.clone_from(&register.parameters);
-        own.places.push(Place { component: Some(component.clone()), ..Place::default() });
+        own.places.push(OpenPart { component: Some(component.clone()), ..OpenPart::default() });
         let definitions: Vec<ast::Definition> = self.names.definitions.values().map(|definition| (**definition).clone()).collect();
         for formal in &component.head.parameters {
             let Some(value) = self.unknown(&formal.kind, &definitions) else { return Vec::new() };

@@ -40,7 +40,7 @@ pub(crate) struct Fixed {
 
 /// A function of one variable.
 #[derive(Clone, Debug)]
-pub(crate) enum Function {
+pub(crate) enum FunctionValue {
     /// Written in the language.
     Written(Rc<ast::Function>),
     /// Known to the arena by number: a Rust function or a table.
@@ -58,7 +58,7 @@ pub(crate) enum Value {
     Point(Fixed),
     Axis(Fixed),
     Body(FrameId),
-    Function(Function),
+    Function(FunctionValue),
     Joint {
         kind: String,
         arguments: Arguments,

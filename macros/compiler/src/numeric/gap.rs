@@ -13,7 +13,7 @@
 
 use super::Numeric;
 use super::dense::cholesky;
-use super::least_squares::{Linear, Problem, minimise};
+use super::least_squares::{Linearization, Problem, minimise};
 use crate::diag::Gap;
 use crate::expr::{Expr, Values, evaluate};
 use crate::quantity::Dim;
@@ -133,7 +133,7 @@ impl Numeric<'_> {
 }
 
 /// ‖w Φ_g‖
-fn open_by(linear: &Linear, weights: &[f64], own: usize) -> f64 {
+fn open_by(linear: &Linearization, weights: &[f64], own: usize) -> f64 {
     linear.phi.iter().zip(weights).take(own).map(|(value, weight)| (value * weight).powi(2)).sum::<f64>().sqrt()
 }
 
@@ -157,7 +157,7 @@ fn weights(numeric: &Numeric, problem: &mut Problem, rows: &[usize], start: &[f6
 fn descend(problem: &mut Problem, q: &mut [f64], weights: &[f64], own: usize, penalty: f64) {
     let squares: Vec<f64> =
         weights.iter().enumerate().map(|(row, weight)| if row < own { weight * weight } else { (weight * penalty).powi(2) }).collect();
-    let value = |linear: &Linear| linear.phi.iter().zip(&squares).map(|(phi, square)| phi * phi * square).sum::<f64>();
+    let value = |linear: &Linearization| linear.phi.iter().zip(&squares).map(|(phi, square)| phi * phi * square).sum::<f64>();
     let mut here = problem.raw(q);
     let mut damping = 1e-6;
     for _ in 0..40 {
@@ -168,7 +168,7 @@ fn descend(problem: &mut Problem, q: &mut [f64], weights: &[f64], own: usize, pe
             let step = cholesky((0..q.len()).map(shifted).collect(), gradient.clone());
             if let Some(step) = step {
                 let trial: Vec<f64> = q.iter().zip(&step).zip(&problem.scales).map(|((q, step), scale)| q - step * scale).collect();
-                let there: Linear = problem.raw(&trial);
+                let there: Linearization = problem.raw(&trial);
                 if value(&there) < value(&here) {
                     is_lower = value(&there) < value(&here) * (1.0 - 1e-13);
                     q.copy_from_slice(&trial);
@@ -186,12 +186,12 @@ fn descend(problem: &mut Problem, q: &mut [f64], weights: &[f64], own: usize, pe
 }
 
 /// JᵀW²Φ and JᵀW²J + Σ (W²Φ)_k ∇²Φ_k, the last by central differences of J; in scaled unknowns.
-fn second_order(problem: &mut Problem, q: &[f64], here: &Linear, squares: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
+fn second_order(problem: &mut Problem, q: &[f64], here: &Linearization, squares: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
     // The cube root of ε balances rounding and truncation.
     const STEP: f64 = 1e-5;
     let n = q.len();
     let pull: Vec<f64> = here.phi.iter().zip(squares).map(|(phi, square)| phi * square).collect();
-    let times = |linear: &Linear| -> Vec<f64> {
+    let times = |linear: &Linearization| -> Vec<f64> {
         (0..n).map(|column| linear.jacobian.iter().zip(&pull).map(|(row, pull)| row[column] * pull).sum()).collect()
     };
     let gradient = times(here);

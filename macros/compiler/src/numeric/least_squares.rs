@@ -37,14 +37,14 @@ pub(crate) const CLOSED: f64 = 1e-20;
 
 /// Rows and Jacobian at a place, in scaled unknowns.
 #[derive(Clone)]
-pub(crate) struct Linear {
+pub(crate) struct Linearization {
     pub(crate) phi: Vec<f64>,
     pub(crate) jacobian: Vec<Vec<f64>>,
 }
 
 impl Problem<'_> {
     /// Rows and Jacobian as they are, in scaled unknowns.
-    pub(crate) fn raw(&mut self, q: &[f64]) -> Linear {
+    pub(crate) fn raw(&mut self, q: &[f64]) -> Linearization {
         let mut values = vec![0.0; self.rows + self.pattern.len()];
         for (unknown, value) in self.unknowns.iter().zip(q) {
             self.coordinates[*unknown] = *value;
@@ -52,7 +52,7 @@ impl Problem<'_> {
         self.evaluator.run(&Values { coordinates: &self.coordinates, ..self.known }, &mut values);
         self.effort.set(self.effort.get() + (self.evaluator.steps() + self.rows * q.len()) as u64);
         let (phi, entries) = values.split_at(self.rows);
-        let mut linear = Linear { phi: phi.to_vec(), jacobian: vec![vec![0.0; q.len()]; self.rows] };
+        let mut linear = Linearization { phi: phi.to_vec(), jacobian: vec![vec![0.0; q.len()]; self.rows] };
         for ((row, column), entry) in self.pattern.iter().zip(entries) {
             linear.jacobian[*row][*column] = entry * self.scales[*column];
         }
@@ -61,7 +61,7 @@ impl Problem<'_> {
     }
 
     /// The same with rows of comparable size.
-    fn linearize(&mut self, q: &[f64]) -> Linear {
+    fn linearize(&mut self, q: &[f64]) -> Linearization {
         let mut linear = self.raw(q);
         for ((value, row), is_known) in linear.phi.iter_mut().zip(&mut linear.jacobian).zip(&self.is_known) {
             let size = row.iter().fold(0.0, |size: f64, entry| size.max(entry.abs()));
@@ -145,7 +145,7 @@ fn square(values: &[f64]) -> f64 {
 }
 
 /// (JᵀJ + λ I) δ = JᵀΦ by Cholesky's method.
-fn step(linear: &Linear, columns: &[usize], damping: f64) -> Option<Vec<f64>> {
+fn step(linear: &Linearization, columns: &[usize], damping: f64) -> Option<Vec<f64>> {
     let n = columns.len();
     let mut matrix = vec![vec![0.0; n]; n];
     let mut right = vec![0.0; n];

@@ -25,7 +25,7 @@ const NOTHING: f64 = 1e-12;
 const ONE_PLACE: f64 = 1e-4;
 
 /// What a search has found.
-pub(crate) struct Found {
+pub(crate) struct SearchResult {
     /// Different assemblies, the nearest first; they are values of the problem's unknowns.
     pub(crate) assemblies: Vec<Vec<f64>>,
     /// The first guess, with the equations as small as they became from there.
@@ -37,10 +37,10 @@ pub(crate) type Distance = [f64; 3];
 
 impl Numeric<'_> {
     /// Looks for assemblies from the declared start, with guesses of what is not declared.
-    pub(crate) fn search(&self, problem: &mut Problem, guesses: usize) -> Found {
+    pub(crate) fn search(&self, problem: &mut Problem, guesses: usize) -> SearchResult {
         let shown = Shown::new(self, problem);
         let is_told = (0..shown.declared.len()).all(|index| shown.declared[index].is_some() || !shown.is_angle[index]);
-        let mut found = Found { assemblies: Vec::new(), first: Vec::new() };
+        let mut found = SearchResult { assemblies: Vec::new(), first: Vec::new() };
         for attempt in 0..guesses {
             let q = (0..shown.declared.len()).map(|index| shown.declared[index].unwrap_or_else(|| shown.guess(problem, attempt, index)));
             let (q, closes) = shown.descend(problem, q.collect());

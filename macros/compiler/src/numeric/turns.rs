@@ -18,12 +18,12 @@ const SETS: [[u32; 7]; 2] = [[1, 3, 8, 17, 29, 41, 59], [5, 2, 13, 7, 31, 19, 47
 pub(crate) struct Turns {
     /// The group of each angle, by unknown.
     group: Vec<Option<usize>>,
-    groups: Vec<Group>,
+    groups: Vec<LinkedAngles>,
 }
 
 /// Angles that are linked.
 #[derive(Clone, Default)]
-pub(crate) struct Group {
+pub(crate) struct LinkedAngles {
     pub(crate) members: Vec<usize>,
     /// The equations that do not allow them to be turned together.
     pub(crate) counted_by: Vec<usize>,
@@ -48,7 +48,7 @@ impl Turns {
             let first = find(&mut leader, unknown);
             let group = turns.group[first].unwrap_or(turns.groups.len());
             if group == turns.groups.len() {
-                turns.groups.push(Group::default());
+                turns.groups.push(LinkedAngles::default());
             }
             turns.groups[group].members.push(unknown);
             turns.group[unknown] = Some(group);
@@ -64,7 +64,7 @@ impl Turns {
     }
 
     /// The angles that an angle is linked to, itself among them.
-    pub(crate) fn linked(&self, unknown: usize) -> Option<&Group> {
+    pub(crate) fn linked(&self, unknown: usize) -> Option<&LinkedAngles> {
         self.groups.get((*self.group.get(unknown)?)?)
     }
 
@@ -74,7 +74,7 @@ impl Turns {
     }
 
     /// The groups that can be turned.
-    pub(crate) fn free(&self) -> impl Iterator<Item = &Group> {
+    pub(crate) fn free(&self) -> impl Iterator<Item = &LinkedAngles> {
         self.groups.iter().filter(|group| group.counted_by.is_empty())
     }
 }

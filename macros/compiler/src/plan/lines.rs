@@ -1,7 +1,7 @@
 //! Stages as straight lines: what is named before a block, inside its loop, and after it.
 
 use super::routine::{Cost, Step};
-use super::schedule::{Work, cost};
+use super::schedule::{Scheduler, cost};
 use super::shape::Tracer;
 use super::stage::{Iteration, Stage};
 use super::words::Words;
@@ -106,7 +106,7 @@ pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet
     roots.extend(&hoisted);
     let apart = if is_apart { of_parameters(arena, &roots) } else { BTreeSet::new() };
     hoisted.extend(&apart);
-    let mut work = Work::new(arena, &roots, &hoisted, words);
+    let mut work = Scheduler::new(arena, &roots, &hoisted, words);
     for expr in &apart {
         work.serve(*expr);
     }
@@ -144,7 +144,7 @@ fn of_parameters(arena: &Arena, roots: &[Expr]) -> BTreeSet<Expr> {
 }
 
 /// Names for sine and cosine of an unknown that are known before anything else.
-fn known_turn(arena: &Arena, work: &mut Work, unknown: usize) -> [Option<String>; 2] {
+fn known_turn(arena: &Arena, work: &mut Scheduler, unknown: usize) -> [Option<String>; 2] {
     let leaf = Node::Leaf(Leaf::Coordinate(unknown as u32));
     let mut names = [None, None];
     let Some(angle) = arena.all().find(|expr| *arena.node(*expr) == leaf) else { return names };
@@ -156,7 +156,7 @@ fn known_turn(arena: &Arena, work: &mut Work, unknown: usize) -> [Option<String>
     names
 }
 
-fn part(arena: &Arena, work: &mut Work, stage: &Stage, moving: &BTreeSet<Expr>, words: &Words) -> Part {
+fn part(arena: &Arena, work: &mut Scheduler, stage: &Stage, moving: &BTreeSet<Expr>, words: &Words) -> Part {
     match stage {
         Stage::Explicit { unknown, motion, .. } => {
             for expr in motion {
@@ -174,7 +174,7 @@ fn part(arena: &Arena, work: &mut Work, stage: &Stage, moving: &BTreeSet<Expr>, 
     }
 }
 
-fn iterated(arena: &Arena, work: &mut Work, system: &Iteration, moving: &BTreeSet<Expr>, words: &Words) -> Iterated {
+fn iterated(arena: &Arena, work: &mut Scheduler, system: &Iteration, moving: &BTreeSet<Expr>, words: &Words) -> Iterated {
     for expr in fixed(arena, system, moving).iter().chain(&system.sizes) {
         work.serve(*expr);
     }
@@ -185,7 +185,7 @@ fn iterated(arena: &Arena, work: &mut Work, system: &Iteration, moving: &BTreeSe
     for expr in &results {
         inner.serve(*expr);
     }
-    let serve_all = |work: &mut Work, roots: &[Expr]| {
+    let serve_all = |work: &mut Scheduler, roots: &[Expr]| {
         for expr in roots {
             work.serve(*expr);
         }
@@ -198,7 +198,7 @@ fn iterated(arena: &Arena, work: &mut Work, system: &Iteration, moving: &BTreeSe
 }
 
 /// Sine and cosine of the unknowns have the same names in the loop and after it: the loop keeps them.
-fn turns(arena: &Arena, outer: &mut Work, inner: &mut Work, system: &Iteration, words: &Words) -> Vec<[Option<String>; 2]> {
+fn turns(arena: &Arena, outer: &mut Scheduler, inner: &mut Scheduler, system: &Iteration, words: &Words) -> Vec<[Option<String>; 2]> {
     let mut turns = Vec::new();
     for unknown in &system.unknowns {
         let mut names = [None, None];

@@ -35,7 +35,7 @@ use crate::expr::{Arena, Expr, Leaf};
 use crate::model::Model;
 use crate::quantity::Dim;
 use crate::structure::Structure;
-use crate::system::{Output, System};
+use crate::system::{OutputMotion, System};
 use joints::Joints;
 use lines::Frame;
 use rolled::Cell;
@@ -115,13 +115,13 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, as
 }
 
 /// All components of each method's outputs; those of a body are its coordinates.
-fn method_outputs(arena: &mut Arena, model: &Model, system: &System) -> Vec<Output> {
+fn method_outputs(arena: &mut Arena, model: &Model, system: &System) -> Vec<OutputMotion> {
     let mut components = |member: &usize| -> Vec<[Expr; 3]> {
         let Some(body) = model.outputs[*member].body else { return system.outputs[*member].components.clone() };
         let own = (0..system.unknowns.len()).filter(|unknown| system.unknowns[*unknown].body == body);
         own.map(|unknown| [Leaf::Coordinate, Leaf::Velocity, Leaf::Acceleration].map(|leaf| arena.leaf(leaf(unknown as u32)))).collect()
     };
-    model.methods.iter().map(|method| Output { components: method.members.iter().flat_map(&mut components).collect() }).collect()
+    model.methods.iter().map(|method| OutputMotion { components: method.members.iter().flat_map(&mut components).collect() }).collect()
 }
 
 /// Chooses how large blocks are eliminated; most mechanisms have none.
@@ -144,12 +144,12 @@ fn solving(
     system: &System,
     words: &Words,
     stages: &[Stage],
-    outputs: &[Output],
+    outputs: &[OutputMotion],
 ) -> (Solution, Vec<Slice>, Option<Slice>) {
     let is_angle: Vec<bool> = system.unknowns.iter().map(|unknown| unknown.dim == Dim::ANGLE).collect();
     let joints: Vec<usize> = system.equations.iter().map(|equation| equation.joint).collect();
     let frame = Frame { arena, tracer, words, is_angle: &is_angle, joints: &joints };
-    let slice = |output: &Output| {
+    let slice = |output: &OutputMotion| {
         let is_angle: Vec<bool> = is_angle.iter().copied().chain(output.components.iter().map(|_| false)).collect();
         let words = words.with_outputs(output.components.len());
         slice::upstream(&Frame { words: &words, is_angle: &is_angle, ..frame }, stages, output, system.unknowns.len())

@@ -13,18 +13,23 @@ use super::stage::{Iteration, Stage};
 use crate::expr::{Arena, Expr, Jets, Leaf, Substitution, derivative};
 use crate::quantity::Dim;
 use crate::structure::{Block, Explicit, Structure};
-use crate::system::{Output, System, magnitude};
+use crate::system::{OutputMotion, System, magnitude};
 
 /// The stages of a mechanism whose every unknown belongs to a block, and outputs in terms of what moves.
-pub(super) fn stages(arena: &mut Arena, system: &System, structure: &Structure, outputs: &[Output]) -> (Vec<Stage>, Vec<Output>) {
-    let mut work = Work { arena, system, jets: Jets::new(), constants: Substitution::new() };
+pub(super) fn stages(
+    arena: &mut Arena,
+    system: &System,
+    structure: &Structure,
+    outputs: &[OutputMotion],
+) -> (Vec<Stage>, Vec<OutputMotion>) {
+    let mut work = StageBuilder { arena, system, jets: Jets::new(), constants: Substitution::new() };
     let mut stages: Vec<Stage> = structure.blocks.iter().flat_map(|block| work.block(block)).collect();
     stages.extend(structure.checked.iter().filter_map(|equation| work.check(*equation)));
     let outputs = outputs.iter().map(|output| work.output(output)).collect();
     (stages, outputs)
 }
 
-struct Work<'a> {
+struct StageBuilder<'a> {
     arena: &'a mut Arena,
     system: &'a System,
     jets: Jets,
@@ -32,7 +37,7 @@ struct Work<'a> {
     constants: Substitution,
 }
 
-impl Work<'_> {
+impl StageBuilder<'_> {
     fn block(&mut self, block: &Block) -> Vec<Stage> {
         let mut stages = Vec::new();
         if !block.iterated.is_empty()
@@ -86,9 +91,9 @@ impl Work<'_> {
     }
 
     /// An output, constants put in.
-    fn output(&mut self, output: &Output) -> Output {
+    fn output(&mut self, output: &OutputMotion) -> OutputMotion {
         let component = |motion: &[Expr; 3]| motion.map(|expr| self.constants.of(self.arena, expr));
-        Output { components: output.components.iter().map(component).collect() }
+        OutputMotion { components: output.components.iter().map(component).collect() }
     }
 
     /// What is constant is put into everything that follows: a pin on ground costs nothing.

@@ -10,7 +10,7 @@
 use crate::expr::{Arena, Binary, Exact, Expr, Leaf, Node, Unary};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Elimination ends after as many sums: it is for loops of gears and the like, not for what fills up.
+/// ExactElimination ends after as many sums: it is for loops of gears and the like, not for what fills up.
 const MOST_SUMS: usize = 200_000;
 
 /// Σ cᵢ termᵢ
@@ -43,12 +43,12 @@ pub(super) struct Dependent {
 pub(super) fn dependent(arena: &Arena, rows: &[(usize, Expr)]) -> Vec<Dependent> {
     let is_moving = moving(arena);
     let sums = rows.iter().filter_map(|(row, phi)| Some((*row, Sum::of(arena, *phi, &is_moving)?)));
-    let mut elimination = Elimination::default();
+    let mut elimination = ExactElimination::default();
     let mut dependent = Vec::new();
     for (row, whole) in entangled(sums.collect()) {
-        let Some(Work { sum: left, mut made_of }) = elimination.reduced(row, whole.clone()) else { continue };
+        let Some(ReducedRow { sum: left, mut made_of }) = elimination.reduced(row, whole.clone()) else { continue };
         match left.moving.keys().next_back() {
-            Some(term) => elimination.keep(*term, Work { sum: left, made_of }),
+            Some(term) => elimination.keep(*term, ReducedRow { sum: left, made_of }),
             None => {
                 made_of.remove(&row);
                 dependent.push(Dependent { row, others: made_of.into_keys().collect(), whole, left });
@@ -95,7 +95,7 @@ fn entangled(rows: Vec<(usize, Sum)>) -> Vec<(usize, Sum)> {
 }
 
 /// A row while it is reduced.
-struct Work {
+struct ReducedRow {
     sum: Sum,
     /// The multiples of rows that it is the sum of.
     made_of: BTreeMap<usize, Exact>,
@@ -103,21 +103,21 @@ struct Work {
 
 /// Rows that do not depend on each other, each with a term that no later one has.
 #[derive(Default)]
-struct Elimination {
-    kept: Vec<(Expr, Work)>,
+struct ExactElimination {
+    kept: Vec<(Expr, ReducedRow)>,
     of_term: BTreeMap<Expr, usize>,
     sums: usize,
 }
 
-impl Elimination {
-    fn keep(&mut self, term: Expr, work: Work) {
+impl ExactElimination {
+    fn keep(&mut self, term: Expr, work: ReducedRow) {
         self.of_term.insert(term, self.kept.len());
         self.kept.push((term, work));
     }
 
     /// A row without the terms of those that are kept; none where a coefficient does not fit.
-    fn reduced(&mut self, row: usize, sum: Sum) -> Option<Work> {
-        let mut work = Work { sum, made_of: [(row, Exact::ONE)].into() };
+    fn reduced(&mut self, row: usize, sum: Sum) -> Option<ReducedRow> {
+        let mut work = ReducedRow { sum, made_of: [(row, Exact::ONE)].into() };
         // A kept row has no terms of those before it: taken in their order, each is needed once.
         while let Some(next) = work.sum.moving.keys().filter_map(|term| self.of_term.get(term)).min() {
             let (term, kept) = &self.kept[*next];

@@ -9,27 +9,27 @@ use crate::system::System;
 use std::collections::BTreeSet;
 
 /// Rows that depend on others everywhere, by exact arithmetic.
-pub(crate) struct Exact<'a> {
+pub(crate) struct ExactDependence<'a> {
     model: &'a Model,
     system: &'a System,
     dependent: Vec<Dependent>,
 }
 
-impl<'a> Exact<'a> {
+impl<'a> ExactDependence<'a> {
     /// Looks at joints before drives. Numbers decide about redundant joints.
-    pub(crate) fn new(model: &'a Model, system: &'a System) -> Exact<'a> {
+    pub(crate) fn new(model: &'a Model, system: &'a System) -> ExactDependence<'a> {
         let mut rows: Vec<(usize, Expr)> =
             system.equations.iter().enumerate().filter_map(|(row, equation)| Some((row, equation.phi?))).collect();
         rows.retain(|(row, _)| !model.joints[system.equations[*row].joint].is_redundant);
         rows.sort_by_key(|(row, _)| model.joints[system.equations[*row].joint].is_drive);
-        Exact { model, system, dependent: elimination::dependent(&system.arena, &rows) }
+        ExactDependence { model, system, dependent: elimination::dependent(&system.arena, &rows) }
     }
 
     /// Refuses joints whose rows are combinations of other rows, or contradict them.
     ///
     /// * `only_entire_joints`: ignore joints of which some rows are independent.
     pub(crate) fn no_row_follows_from_others(&self, only_entire_joints: bool, diag: &mut Diag) {
-        let Exact { model, system, dependent } = self;
+        let ExactDependence { model, system, dependent } = self;
         let mut said = Said::default();
         for found in dependent.iter().filter(|found| found.left.is_constant()) {
             let joint = system.equations[found.row].joint;
@@ -62,7 +62,7 @@ impl<'a> Exact<'a> {
 
     /// Refuses rows that differ from a combination of others by a term in parameters and time: they agree at best by chance.
     pub(crate) fn no_rows_collide(&self, diag: &mut Diag) {
-        let Exact { model, system, dependent } = self;
+        let ExactDependence { model, system, dependent } = self;
         let mut said = Said::default();
         for found in dependent {
             let joint = system.equations[found.row].joint;

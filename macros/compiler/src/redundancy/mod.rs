@@ -21,7 +21,7 @@ use crate::numeric::{Numeric, at_defaults};
 use crate::structure::{Block, SMALL, Structure, Subsystem};
 use crate::syntax::ast::Closing;
 use crate::system::System;
-pub(crate) use exact::Exact;
+pub(crate) use exact::ExactDependence;
 use rows::Rows;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -29,7 +29,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(crate) fn find(model: &Model, system: &System, diag: &mut Diag) -> Option<BTreeSet<usize>> {
     identity::rows_depend_on_positions(model, system, diag)?;
     if !model.equations_only {
-        Exact::new(model, system).no_row_follows_from_others(true, diag);
+        ExactDependence::new(model, system).no_row_follows_from_others(true, diag);
     }
     if diag.is_clean() { left_over(model, system, diag) } else { None }
 }

@@ -4,6 +4,7 @@ use super::Structure;
 use super::pattern::{Entry, Pattern};
 use super::{components, contending, matching, tearing};
 use crate::compile;
+use crate::expr::tests::random::Random;
 use std::collections::BTreeSet;
 
 fn structure(declaration: &str) -> Structure {
@@ -135,10 +136,10 @@ fn a_joint_too_many_here_and_one_too_few_there_is_named() {
 
 #[test]
 fn a_group_that_contends_is_as_small_as_can_be() {
-    let mut random = Random(0x1357_9bdf_0246_8ace);
+    let mut random = Random::new(0x1357_9bdf_0246_8ace);
     let mut groups = 0;
     for _ in 0..500 {
-        let n = 2 + random.below(9);
+        let n = 2 + random.below(9) as usize;
         let mut pattern = random_pattern(&mut random, n);
         pattern.unknowns = n;
         let matching = matching::maximum(&pattern);
@@ -157,9 +158,9 @@ fn a_group_that_contends_is_as_small_as_can_be() {
 
 #[test]
 fn every_unknown_is_found_once_and_after_what_it_needs() {
-    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    let mut random = Random::new(0x9e37_79b9_7f4a_7c15);
     for _ in 0..500 {
-        let n = 1 + random.below(14);
+        let n = 1 + random.below(14) as usize;
         let pattern = random_pattern(&mut random, n);
         let matching = matching::maximum(&pattern);
         if !matching.free_unknowns().is_empty() {
@@ -190,9 +191,9 @@ fn every_unknown_is_found_once_and_after_what_it_needs() {
 
 #[test]
 fn the_matching_is_as_large_as_can_be() {
-    let mut random = Random(0x2545_f491_4f6c_dd1d);
+    let mut random = Random::new(0x2545_f491_4f6c_dd1d);
     for _ in 0..500 {
-        let n = 1 + random.below(7);
+        let n = 1 + random.below(7) as usize;
         let pattern = random_pattern(&mut random, n);
         let found = matching::maximum(&pattern).of_equation.iter().flatten().count();
         assert_eq!(found, largest(&pattern, 0, &mut vec![false; n]));
@@ -215,20 +216,8 @@ fn largest(pattern: &Pattern, equation: usize, taken: &mut Vec<bool>) -> usize {
 
 fn random_pattern(random: &mut Random, n: usize) -> Pattern {
     let rows = (0..n).map(|_| {
-        let unknowns: BTreeSet<usize> = (0..1 + random.below(3)).map(|_| random.below(n)).collect();
+        let unknowns: BTreeSet<usize> = (0..1 + random.below(3)).map(|_| random.below(n as u64) as usize).collect();
         unknowns.into_iter().map(|unknown| Entry { unknown, is_pivot: random.below(2) == 0 }).collect()
     });
     Pattern { unknowns: n, rows: rows.collect() }
-}
-
-/// Marsaglia's xorshift.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, limit: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % limit as u64) as usize
-    }
 }

@@ -33,7 +33,7 @@ pub struct System {
     /// Which equation contains which unknown.
     pub pattern: Pattern,
     /// One for each output, in the order declared.
-    pub outputs: Vec<Output>,
+    pub outputs: Vec<OutputMotion>,
     /// The largest of these is the characteristic length: local coordinates of points, or, if all points are origins, the lengths
     /// that joints and drives demand.
     pub lengths: Vec<Expr>,
@@ -73,7 +73,7 @@ pub struct Equation {
 
 /// An output's components.
 #[derive(Clone, Debug)]
-pub struct Output {
+pub struct OutputMotion {
     /// Value, rate and acceleration of each component.
     pub components: Vec<[Expr; 3]>,
 }
@@ -123,7 +123,7 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     let outputs = model
         .outputs
         .iter()
-        .map(|output| Output { components: output.components.iter().map(|part| motion.of(&mut arena, *part)).collect() });
+        .map(|output| OutputMotion { components: output.components.iter().map(|part| motion.of(&mut arena, *part)).collect() });
     let outputs = outputs.collect();
     let lengths = lengths(&mut arena, model, &unknowns, &equations);
     has_bodies(model, diag);

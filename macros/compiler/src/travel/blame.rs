@@ -1,7 +1,7 @@
 //! What is said of a place where the motion ends, or where branches cross.
 
 use super::chain::Chain;
-use super::walk::Place;
+use super::walk::Event;
 use crate::assembly::bodies_in_line;
 use crate::assembly::loops::Loops;
 use crate::assembly::order::Upstream;
@@ -13,7 +13,7 @@ use crate::quantity::Dim;
 use crate::structure::Structure;
 use std::collections::BTreeSet;
 
-pub(super) struct Blame<'a, 'b> {
+pub(super) struct EndReport<'a, 'b> {
     pub(super) numeric: &'a Numeric<'b>,
     pub(super) structure: &'a Structure,
     pub(super) chain: &'a Chain<'b>,
@@ -21,9 +21,9 @@ pub(super) struct Blame<'a, 'b> {
     pub(super) until: f64,
 }
 
-impl Blame<'_, '_> {
+impl EndReport<'_, '_> {
     /// The loop that cannot stay closed, under the drive that brings it there.
-    pub(super) fn end(&self, place: &Place) -> Option<(Range, Fact)> {
+    pub(super) fn end(&self, place: &Event) -> Option<(Range, Fact)> {
         let block = self.chain.members[place.member].block;
         let time = self.chain.path.sign * place.at;
         let (known, declared) = (Values { time, ..self.numeric.known }, self.numeric.declared.clone());
@@ -52,7 +52,7 @@ impl Blame<'_, '_> {
     }
 
     /// A line on a place where branches cross.
-    pub(super) fn crossing(&self, place: &Place) -> Option<String> {
+    pub(super) fn crossing(&self, place: &Event) -> Option<String> {
         let block = self.chain.members[place.member].block;
         let time = self.chain.path.sign * place.at;
         let upstream = Upstream::new(self.numeric, self.structure);

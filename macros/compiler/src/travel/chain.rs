@@ -18,7 +18,7 @@ const MOST_ITERATIONS: usize = 12;
 const ROUNDING: f64 = 1e-14;
 
 /// Along what the mechanism is followed.
-pub(super) struct Path {
+pub(super) struct MotionPath {
     /// Forwards in time, or backwards; nothing where parameters change.
     pub(super) sign: f64,
     /// The parameters where it begins.
@@ -27,7 +27,7 @@ pub(super) struct Path {
     pub(super) to: Option<Vec<f64>>,
 }
 
-impl Path {
+impl MotionPath {
     fn parameters(&self, at: f64) -> Cow<'_, [f64]> {
         let Some(to) = &self.to else { return Cow::Borrowed(&self.from) };
         let between = |(from, to): (&f64, &f64)| if from == to { *from } else { from + at * (to - from) };
@@ -64,7 +64,7 @@ pub(super) struct Local {
 
 /// A place on the path.
 #[derive(Clone, Debug)]
-pub(super) struct Pose {
+pub(super) struct PathPose {
     /// How far along the path.
     pub(super) at: f64,
     pub(super) q: Vec<f64>,
@@ -94,7 +94,7 @@ pub(super) enum Stop {
 pub(super) struct Chain<'a> {
     pub(super) numeric: &'a Numeric<'a>,
     pub(super) members: Vec<Member>,
-    pub(super) path: Path,
+    pub(super) path: MotionPath,
     upstream: Upstream,
     /// The member that a block is.
     place: Vec<Option<usize>>,
@@ -104,7 +104,7 @@ pub(super) struct Chain<'a> {
 
 impl<'a> Chain<'a> {
     /// The iterated blocks that can be judged and all that is upstream of them; none if there is nothing to follow.
-    pub(super) fn new(numeric: &'a Numeric<'a>, structure: &Structure, q: &[f64], path: Path, left: u64) -> Option<Chain<'a>> {
+    pub(super) fn new(numeric: &'a Numeric<'a>, structure: &Structure, q: &[f64], path: MotionPath, left: u64) -> Option<Chain<'a>> {
         let upstream = Upstream::new(numeric, structure);
         let is_sure = upstream.surety(numeric, structure);
         let mut is_needed = vec![false; structure.blocks.len()];

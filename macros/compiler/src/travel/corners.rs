@@ -4,7 +4,7 @@
 //! is the one that the declared one becomes when all parameters change together, as at run time.
 
 use super::Travel;
-use super::chain::{Chain, Path};
+use super::chain::{Chain, MotionPath};
 use super::walk::Way;
 use crate::expr::Leaf;
 use crate::expr::Values;
@@ -45,7 +45,7 @@ pub(super) fn visit(travel: &mut Travel, numeric: &Numeric, structure: &Structur
 fn at(travel: &mut Travel, numeric: &Numeric, structure: &Structure, start: &[f64], (corner, most): (&Corner, u64)) -> Option<String> {
     let mut to = numeric.known.parameters.to_vec();
     corner.iter().for_each(|(parameter, value)| to[*parameter] = *value);
-    let path = Path { sign: 0.0, from: numeric.known.parameters.to_vec(), to: Some(to.clone()) };
+    let path = MotionPath { sign: 0.0, from: numeric.known.parameters.to_vec(), to: Some(to.clone()) };
     let mut chain = Chain::new(numeric, structure, start, path, most - travel.spent)?;
     let begin = chain.begin(start)?;
     let way = chain.follow(begin, 1.0, &[]);

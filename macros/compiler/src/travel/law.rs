@@ -74,7 +74,7 @@ impl Law {
 
 /// How long a mechanism has to be followed.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Span {
+pub(super) struct Horizon {
     /// After this time it has done all that it does.
     pub(super) until: f64,
     /// The times at which laws change, increasing.
@@ -82,8 +82,8 @@ pub(super) struct Span {
 }
 
 /// The span from t = 0; none where something goes on for ever, or nobody knows what it does.
-pub(super) fn span(numeric: &Numeric, structure: &Structure, blocks: impl Iterator<Item = usize>, q: &[f64]) -> Option<Span> {
-    let mut reader = Reader { numeric, q, known: BTreeMap::new(), computed: BTreeMap::new(), stops: Vec::new() };
+pub(super) fn span(numeric: &Numeric, structure: &Structure, blocks: impl Iterator<Item = usize>, q: &[f64]) -> Option<Horizon> {
+    let mut reader = LawReader { numeric, q, known: BTreeMap::new(), computed: BTreeMap::new(), stops: Vec::new() };
     let mut whole = Law::default();
     for block in blocks {
         let block = &structure.blocks[block];
@@ -109,7 +109,7 @@ pub(super) fn span(numeric: &Numeric, structure: &Structure, blocks: impl Iterat
     stops.sort_by(f64::total_cmp);
     stops.dedup();
     let until = stops.last().copied().unwrap_or(0.0) + common(&whole.periods);
-    (until > 0.0 && until.is_finite()).then_some(Span { until, stops })
+    (until > 0.0 && until.is_finite()).then_some(Horizon { until, stops })
 }
 
 /// The least common period, or the longest one where there is none that is not far longer.
@@ -124,7 +124,7 @@ fn common(periods: &[f64]) -> f64 {
     (1..=MOST_ROUNDS).find(is_common).map_or(longest, |rounds| rounds as f64 * longest)
 }
 
-struct Reader<'a> {
+struct LawReader<'a> {
     numeric: &'a Numeric<'a>,
     q: &'a [f64],
     known: BTreeMap<Expr, Law>,
@@ -134,7 +134,7 @@ struct Reader<'a> {
     stops: Vec<f64>,
 }
 
-impl Reader<'_> {
+impl LawReader<'_> {
     /// The law of a coordinate that is computed from one equation, linear in it.
     fn computed(&mut self, unknown: usize, equation: usize) -> Law {
         let equation = &self.numeric.system.equations[equation];

@@ -28,8 +28,8 @@ use crate::numeric::{Numeric, at_defaults};
 use crate::structure::Structure;
 use crate::syntax::ast::{Closing, Following};
 use crate::system::System;
-use blame::Blame;
-use chain::{Chain, Path};
+use blame::EndReport;
+use chain::{Chain, MotionPath};
 use walk::Way;
 
 /// Operations that are spent in any case: a start that is declared exactly is found in no time.
@@ -102,7 +102,7 @@ impl Travel {
     /// Forwards and backwards from t = 0 at the parameters of a numeric, as far as the range goes.
     fn both_ways(&mut self, numeric: &Numeric, structure: &Structure, start: &[f64], most: u64) {
         for sign in [1.0, -1.0] {
-            let path = Path { sign, from: numeric.known.parameters.to_vec(), to: None };
+            let path = MotionPath { sign, from: numeric.known.parameters.to_vec(), to: None };
             let Some(mut chain) = Chain::new(numeric, structure, start, path, most.saturating_sub(self.spent)) else { return };
             self.along(&mut chain, structure, start);
             self.spent = most - chain.left;
@@ -131,7 +131,7 @@ impl Travel {
         }
         let Some(begin) = chain.begin(start) else { return };
         let way = chain.follow(begin, until, &stops);
-        let blame = Blame { numeric, structure, chain, until };
+        let blame = EndReport { numeric, structure, chain, until };
         match way {
             Way::Through(_) => self.reached[usize::from(sign > 0.0)] = sign * until,
             Way::End(place) if place.at < until * (1.0 - ONE_TIME) => self.end = blame.end(&place),

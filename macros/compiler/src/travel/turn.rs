@@ -13,8 +13,8 @@
 //!
 //! Reference: Keller (1977), Numerical solution of bifurcation and nonlinear eigenvalue problems.
 
-use super::chain::{Chain, Pose, Stop};
-use super::walk::Place;
+use super::chain::{Chain, PathPose, Stop};
+use super::walk::Event;
 use crate::numeric::dense::Factors;
 
 /// Steps along the curve.
@@ -35,8 +35,8 @@ const MOST_HALVINGS: usize = 100;
 /// What was seen after a pose.
 #[derive(Debug)]
 pub(super) enum Seen {
-    End(Place),
-    Crossing(Place),
+    End(Event),
+    Crossing(Event),
     /// The motion goes on, or nothing is known of it.
     Nothing,
 }
@@ -72,11 +72,11 @@ struct Ruler {
 
 impl Chain<'_> {
     /// Looks along the curve of a member until `reach` of the path is passed.
-    pub(super) fn look(&mut self, member: usize, here: &Pose, reach: f64) -> Seen {
+    pub(super) fn look(&mut self, member: usize, here: &PathPose, reach: f64) -> Seen {
         self.looked(member, here, reach).unwrap_or(Seen::Nothing)
     }
 
-    fn looked(&mut self, index: usize, here: &Pose, reach: f64) -> Option<Seen> {
+    fn looked(&mut self, index: usize, here: &PathPose, reach: f64) -> Option<Seen> {
         let member = &self.members[index];
         let rates: Vec<f64> = member.unknowns.iter().zip(&member.scales).map(|(unknown, scale)| here.rates[*unknown] / scale).collect();
         let speed = rates.iter().map(|rate| rate * rate).sum::<f64>().sqrt();
@@ -115,7 +115,7 @@ impl Chain<'_> {
     }
 
     /// Where dt/ds vanishes between two spots: t is greatest there.
-    fn turn(&mut self, index: usize, before: Spot, after: Spot, along: &[f64], step: f64) -> Option<Place> {
+    fn turn(&mut self, index: usize, before: Spot, after: Spot, along: &[f64], step: f64) -> Option<Event> {
         // Regula falsi, with the weight of an end that stays halved (Illinois).
         let (mut low, mut high) = ((0.0, before.pace()), (step, after.pace()));
         let mut best = before.clone();
@@ -138,11 +138,11 @@ impl Chain<'_> {
         }
         let margin = 8.0 * f64::EPSILON * best.at.abs();
         let is_end = best.sign == before.sign && best.at > before.at + margin && best.at > after.at + margin;
-        is_end.then_some(Place { member: index, at: best.at, q: best.q })
+        is_end.then_some(Event { member: index, at: best.at, q: best.q })
     }
 
     /// Where another branch crosses between two spots.
-    fn crossing(&mut self, index: usize, before: Spot, after: Spot, along: &[f64], step: f64) -> Option<Place> {
+    fn crossing(&mut self, index: usize, before: Spot, after: Spot, along: &[f64], step: f64) -> Option<Event> {
         let (mut low, mut high, mut nearest) = (0.0, step, after.clone());
         for _ in 0..30 {
             let way = (low + high) / 2.0;
@@ -161,7 +161,7 @@ impl Chain<'_> {
             }
             nearest = spot;
         }
-        (nearest.at > before.at && nearest.at < after.at).then_some(Place { member: index, at: nearest.at, q: nearest.q })
+        (nearest.at > before.at && nearest.at < after.at).then_some(Event { member: index, at: nearest.at, q: nearest.q })
     }
 
     /// The spot at a way from another one.

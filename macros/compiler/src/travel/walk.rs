@@ -4,7 +4,7 @@
 //! only if the new rates say the same of it as the old ones, so that no other assembly is taken for this one. Not done here: how
 //! an end is told from a narrow place (`turn`).
 
-use super::chain::{Chain, Pose, Stop};
+use super::chain::{Chain, PathPose, Stop};
 use super::turn::Seen;
 
 /// What a block moves in a step at most, in rad and in lengths of the block.
@@ -35,18 +35,18 @@ const AT_AN_END: f64 = 1e-7;
 #[derive(Debug)]
 pub(super) enum Way {
     /// To the end of the path.
-    Through(Pose),
+    Through(PathPose),
     /// To an end of travel.
-    End(Place),
+    End(Event),
     /// To where two branches cross.
-    Crossing(Place),
+    Crossing(Event),
     /// Nowhere that could be told.
     Lost,
 }
 
 /// A place where something is remarkable.
 #[derive(Clone, Debug)]
-pub(super) struct Place {
+pub(super) struct Event {
     /// The member to which it belongs.
     pub(super) member: usize,
     pub(super) at: f64,
@@ -56,8 +56,8 @@ pub(super) struct Place {
 
 impl Chain<'_> {
     /// The start as a pose, with all members solved exactly.
-    pub(super) fn begin(&mut self, q: &[f64]) -> Option<Pose> {
-        let mut pose = Pose { at: 0.0, q: q.to_vec(), rates: vec![0.0; q.len()], sides: Vec::new() };
+    pub(super) fn begin(&mut self, q: &[f64]) -> Option<PathPose> {
+        let mut pose = PathPose { at: 0.0, q: q.to_vec(), rates: vec![0.0; q.len()], sides: Vec::new() };
         for index in 0..self.members.len() {
             let local = self.local(index, 0.0, &pose.q, &pose.rates).ok()?;
             self.members[index].level(&local.jacobian);
@@ -72,12 +72,12 @@ impl Chain<'_> {
     }
 
     /// Follows the path to its end; `stops`: given, places that no step passes over, increasing.
-    pub(super) fn follow(&mut self, start: Pose, until: f64, stops: &[f64]) -> Way {
+    pub(super) fn follow(&mut self, start: PathPose, until: f64, stops: &[f64]) -> Way {
         let longest = until / FEWEST;
-        let (mut here, mut before): (Pose, Option<Pose>) = (start, None);
+        let (mut here, mut before): (PathPose, Option<PathPose>) = (start, None);
         let mut step = self.reach(&here).min(longest);
         let mut short = vec![longest * SHORT; self.members.len()];
-        let mut end: Option<Place> = None;
+        let mut end: Option<Event> = None;
         loop {
             let left = until - here.at;
             if left <= SHORTEST * until {
@@ -124,7 +124,7 @@ impl Chain<'_> {
     }
 
     /// How far the path may be followed until something has moved far.
-    fn reach(&self, pose: &Pose) -> f64 {
+    fn reach(&self, pose: &PathPose) -> f64 {
         let fastest = |most: f64, member: &super::chain::Member| {
             if member.is_iterated { most.max(member.most(|unknown| pose.rates[unknown])) } else { most }
         };
@@ -132,11 +132,12 @@ impl Chain<'_> {
     }
 
     /// One step; with it, by what part of what is allowed old and new rates differ at most.
-    fn step(&mut self, here: &Pose, before: Option<&Pose>, next: f64) -> Result<(Pose, f64), Stop> {
+    fn step(&mut self, here: &PathPose, before: Option<&PathPose>, next: f64) -> Result<(PathPose, f64), Stop> {
         let h = next - here.at;
         // Second rates by the last step; after a kink they would be wrong, and are not used where the step is much longer.
         let last = before.map(|before| (before, here.at - before.at)).filter(|(_, last)| h <= 3.0 * last);
-        let mut there = Pose { at: next, q: here.q.clone(), rates: vec![0.0; here.q.len()], sides: Vec::with_capacity(self.members.len()) };
+        let mut there =
+            PathPose { at: next, q: here.q.clone(), rates: vec![0.0; here.q.len()], sides: Vec::with_capacity(self.members.len()) };
         let mut worst = 0.0_f64;
         for index in 0..self.members.len() {
             let failed = Stop::Member(index);

@@ -1,11 +1,12 @@
 //! Exact elimination on rows whose dependence is known.
 
 use super::dependent;
+use crate::expr::tests::random::Random;
 use crate::expr::{Arena, Expr, Leaf};
 
 #[test]
 fn rows_that_follow_from_others_are_found_with_the_others_and_what_is_left() {
-    let mut random = Random(0xfeed_5eed_cafe_0001);
+    let mut random = Random::new(0xfeed_5eed_cafe_0001);
     for _ in 0..300 {
         let mut arena = Arena::new();
         let unknowns: Vec<Expr> = (0..5).map(|index| arena.leaf(Leaf::Coordinate(index))).collect();
@@ -28,17 +29,5 @@ fn rows_that_follow_from_others_are_found_with_the_others_and_what_is_left() {
             assert_eq!((found.row, found.others.iter().copied().collect::<Vec<_>>()), (3, vec![0, 2]));
             assert_eq!((found.left.constant.to_f64(), found.left.fixed.len()), (left, terms));
         }
-    }
-}
-
-/// Marsaglia's xorshift.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, limit: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % limit as u64) as usize
     }
 }
