@@ -51,7 +51,7 @@ impl Interpreter {
             parameters: model.parameters.iter().map(|parameter| parameter.name.to_string()).collect(),
             size: (system.equations.len(), system.unknowns.len()),
             pattern: system.equations.iter().enumerate().flat_map(place).collect(),
-            start: compiled.closure.start,
+            start: compiled.assembly.start,
             functions: model.functions,
             rows: Evaluator::new(&system.arena, &roots),
             outputs: Evaluator::new(&system.arena, &outputs),

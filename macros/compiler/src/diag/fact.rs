@@ -1,7 +1,6 @@
 //! What can be wrong with a declaration: facts with their numbers. `message.rs` has the words.
 
-use crate::closure::{Bound, Gap};
-use crate::model::Dim;
+use crate::quantity::Dim;
 
 /// Something wrong with a declaration.
 #[derive(Clone, Debug, PartialEq)]
@@ -235,4 +234,33 @@ pub struct Count {
     pub drives: usize,
     /// How many more there would have to be.
     pub missing: usize,
+}
+
+/// What stays open.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gap {
+    /// How far points or lines are apart, in m.
+    pub length: f64,
+    /// By how much angles differ, in rad.
+    pub angle: f64,
+    /// By how much the sides of another equation differ, in SI, and its unit.
+    pub other: Option<(f64, String)>,
+}
+
+/// A link that is too long for the others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bound {
+    /// The others: what they are called and how long they are, in m.
+    pub ways: Vec<(String, f64)>,
+    /// What is too long: what it is called and how long it is, in m.
+    pub span: (String, f64),
+    /// No angle of a drive plays a part.
+    pub is_always: bool,
+}
+
+impl Bound {
+    /// How much is missing, in m.
+    pub(crate) fn missing(&self) -> f64 {
+        self.span.1 - self.ways.iter().map(|(_, length)| length).sum::<f64>()
+    }
 }

@@ -1,7 +1,7 @@
 //! What is written above generated items.
 
 use super::abridged::{Abridged, list};
-use crate::closure::{Closure, Followed};
+use crate::assembly::Assembly;
 use crate::diag::significant;
 use crate::expr::{Evaluator, Leaf, Values, show};
 use crate::model::{Function, Method, Model, Output, Parameter};
@@ -9,10 +9,11 @@ use crate::picture::Picture;
 use crate::plan::{Code, Cost, Elimination, Plan, Solution, Summary};
 use crate::syntax::ast::Closing;
 use crate::system::System;
+use crate::travel::Motion;
 use std::fmt::Write;
 
 /// The page of the generated struct: the picture, and tables of parameters, coordinates and equations.
-pub(super) fn mechanism(model: &Model, system: &System, closure: &Closure, plan: &Plan, picture: &Picture) -> String {
+pub(super) fn mechanism(model: &Model, system: &System, assembly: &Assembly, motion: &Motion, plan: &Plan, picture: &Picture) -> String {
     let mut page = String::new();
     let (n, m) = (system.unknowns.len(), system.equations.len());
     let drives: usize = model.joints.iter().filter(|joint| joint.is_drive).map(|joint| joint.residuals.len()).sum();
@@ -27,8 +28,8 @@ pub(super) fn mechanism(model: &Model, system: &System, closure: &Closure, plan:
         page,
         "\n{n} coordinates, {m} equations, {drives} of them drives{redundant}: mobility {mobility} without drives, as counted."
     );
-    page.push_str(&assembly(model, closure));
-    page.push_str(&followed(&closure.followed));
+    page.push_str(&assembled(model, assembly));
+    page.push_str(&followed(motion));
     // HTML in a page of Markdown stands between blank lines.
     let _ = writeln!(page, "\n{}\n{}", picture.svg().unwrap_or_default(), picture.words());
     parameters(&mut page, model, system);
@@ -58,10 +59,10 @@ pub(super) fn mechanism(model: &Model, system: &System, closure: &Closure, plan:
 }
 
 /// What a mechanism accepts that others would be refused for.
-fn assembly(model: &Model, closure: &Closure) -> String {
-    let doubts = closure.warnings.iter().map(|warning| warning.doubt.to_string());
+fn assembled(model: &Model, assembly: &Assembly) -> String {
+    let doubts = assembly.warnings.iter().map(|warning| warning.doubt.to_string());
     let far: String = doubts.map(|doubt| format!("\nNote: {}.\n", doubt.lines().next().unwrap_or_default())).collect();
-    let assembled = match (&closure.remark, model.closing) {
+    let assembled = match (&assembly.remark, model.closing) {
         (Some(remark), _) => {
             let fact = remark.lines().next().unwrap_or_default();
             format!("\nAt the declared defaults and t = 0, as `#[closure(allow)]` accepts: {fact}.\n")
@@ -73,7 +74,7 @@ fn assembly(model: &Model, closure: &Closure) -> String {
 }
 
 /// What was found where the motion was followed from the start.
-fn followed(found: &Followed) -> String {
+fn followed(found: &Motion) -> String {
     let [from, to] = found.reached;
     let mut lines = String::new();
     if from < to {

@@ -27,13 +27,14 @@ mod validate;
 pub(crate) use definition::{error_pages, export, library_pages, resume};
 pub(crate) use stub::{fallback, stub};
 
-use crate::closure::Closure;
+use crate::assembly::Assembly;
 use crate::diag::Warning;
 use crate::model::{Function, Model};
 use crate::picture::Picture;
 use crate::plan::{Cost, Plan, Solution, Summary};
 use crate::syntax::ast::{Closing, Docs};
 use crate::system::System;
+use crate::travel::Motion;
 use functions::Emitter;
 use parameters::Parameters;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -49,12 +50,13 @@ pub(crate) fn identifier(name: &str) -> Ident {
 }
 
 /// The generated struct, its functions and its traits.
-pub(crate) fn emit(model: &Model, system: &System, closure: &Closure, plan: &Plan, picture: &Picture) -> TokenStream {
+pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: &Motion, plan: &Plan, picture: &Picture) -> TokenStream {
     let emitter = Emitter { model, system, plan };
-    let (structure, defaults) = (structure(model, &docs::mechanism(model, system, closure, plan, picture)), defaults(model, system));
+    let (structure, defaults) =
+        (structure(model, &docs::mechanism(model, system, assembly, motion, plan, picture)), defaults(model, system));
     let (constants, tables) = (constants(model, system, plan), tables(model));
     let equations = [emitter.phi(), emitter.jacobian(), emitter.linearize(), emitter.nu(), emitter.gamma()];
-    let (start, length, validate) = (start(closure), emitter.characteristic_length(), emitter.validate());
+    let (start, length, validate) = (start(assembly), emitter.characteristic_length(), emitter.validate());
     let traits = emitter.traits();
     let stages = emitter.stages();
     let outputs = emitter.outputs();
@@ -62,7 +64,7 @@ pub(crate) fn emit(model: &Model, system: &System, closure: &Closure, plan: &Pla
     let slices = if model.equations_only { quote!() } else { emitter.slices() };
     // Where defaults only hold a place nothing is said of them.
     let warns = model.closing == Closing::Deny && !model.allows_far_start;
-    let warnings = closure.warnings.iter().filter(|_| warns).chain(&closure.followed.warning).map(Warning::to_tokens);
+    let warnings = assembly.warnings.iter().filter(|_| warns).chain(&motion.warning).map(Warning::to_tokens);
     let state = if model.equations_only && model.outputs.is_empty() { quote!() } else { state(model, system) };
     let name = &model.name;
     quote! {
@@ -243,9 +245,9 @@ fn signed(value: f64) -> TokenStream {
     if value.is_sign_negative() { quote!(-#size) } else { quote!(#size) }
 }
 
-fn start(closure: &Closure) -> TokenStream {
-    let n = closure.start.len();
-    let values = closure.start.iter().map(|value| {
+fn start(assembly: &Assembly) -> TokenStream {
+    let n = assembly.start.len();
+    let values = assembly.start.iter().map(|value| {
         let value = signed(*value);
         quote!(T::of(#value))
     });

@@ -36,4 +36,4 @@ pub use simplify::{RULES, Rewrite, Rule};
 pub use substitute::Substitution;
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

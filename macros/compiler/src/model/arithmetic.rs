@@ -1,10 +1,10 @@
 //! Sums, products, powers and choices of numbers and vectors, and equations between them.
 
-use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
 use super::value::{Scalar, Value, Vector};
 use crate::diag::{Fact, Range};
 use crate::expr::{Exact, Expr, Unary};
+use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, Operator, Relation};
 
 impl Elaborator<'_> {
@@ -40,7 +40,7 @@ impl Elaborator<'_> {
             let found = (self.scalar(x, scope), self.scalar(y, scope));
             let (one, two) = (found.0?, found.1?);
             let (blamed, parts, found) = match [one, two].map(|scalar| scalar.measure.fits(Dim::LENGTH)) {
-                [true, true] => return Some(Vector { x: one.expr, y: two.expr, measure: Measure::Of(Dim::LENGTH) }),
+                [true, true] => return Some(Vector { x: one.expr, y: two.expr, measure: InferredDim::Known(Dim::LENGTH) }),
                 [false, true] => (x.range, vec![x], one),
                 [true, false] => (y.range, vec![y], two),
                 [false, false] => (written.range, vec![x, y], one),
@@ -97,7 +97,7 @@ impl Elaborator<'_> {
     fn remainder(&mut self, range: Range, lhs: &ast::Expr, rhs: &ast::Expr, scope: &Scope) -> Option<Scalar> {
         let (one, two) = (self.whole(lhs, scope), self.whole(rhs, scope));
         let result = self.whole_of_two(range, Operator::Rem, one?, two?)?;
-        Some(Scalar { expr: self.arena.integer(result), measure: Measure::Of(Dim::NUMBER) })
+        Some(Scalar { expr: self.arena.integer(result), measure: InferredDim::Known(Dim::NUMBER) })
     }
 
     /// Vectors are added to vectors, and multiplied or divided by numbers.
@@ -157,7 +157,7 @@ impl Elaborator<'_> {
         let whole_multiple_of = |unit: f64| constant.map(|value| value * unit).filter(|value| value.fract() == 0.0);
         let sixths = whole_multiple_of(6.0).filter(|value| value.abs() <= f64::from(i16::MAX)).map(|value| value as i16);
         let measure = match one.measure {
-            Measure::Of(base) if base != Dim::NUMBER => sixths.and_then(|sixths| one.measure.power(sixths)),
+            InferredDim::Known(base) if base != Dim::NUMBER => sixths.and_then(|sixths| one.measure.power(sixths)),
             plain => Some(plain),
         };
         let Some(measure) = measure else {

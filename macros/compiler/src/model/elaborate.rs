@@ -1,14 +1,12 @@
 //! Expressions: from the tree to values in the arena, with dimensions checked on the way.
 
-use super::dimension::{Dim, Measure};
 use super::names::{Context, Names, SpaceId};
 use super::statement::FixedValue;
-use super::suggest;
-use super::unit;
 use super::value::{Fixed, FrameId, Scalar, Value, Vector};
 use super::{Function as Numbered, Name, Requirement};
-use crate::diag::{Diag, Fact, Known, Range};
+use crate::diag::{Diag, Fact, Known, Range, nearest, nearest_unit};
 use crate::expr::{Arena, Exact, Expr, Leaf};
+use crate::quantity::{self, Dim, InferredDim};
 use crate::syntax::ast::{self, ExprKind};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
@@ -24,7 +22,7 @@ pub(crate) struct Elaborator<'a> {
     /// Where each requirement is to be blamed, and the joint that asks for it.
     pub(super) requirement_places: Vec<(Range, Name)>,
     /// The definition being instantiated and the token to blame for what goes wrong in it.
-    pub(super) blame: Option<Blame>,
+    pub(super) blame: Option<Instance>,
     /// How many values are being looked at, one inside the other.
     pub(super) depth: u16,
     /// How many items there are so far, loops gone through and parts taken apart, and rounds of loops.
@@ -43,7 +41,7 @@ pub(crate) struct Elaborator<'a> {
 
 /// A definition that is being instantiated.
 #[derive(Clone)]
-pub(super) struct Blame {
+pub(super) struct Instance {
     /// What is underlined: the joint's kind.
     pub(super) place: Range,
     /// The definition, or one of its equations, in words.
@@ -131,7 +129,7 @@ impl Elaborator<'_> {
     pub(super) fn refuse<T>(&mut self, range: impl Into<Range>, fact: Fact) -> Option<T> {
         match self.blame.clone() {
             None => self.say(range, fact),
-            Some(Blame { place, definition, quantities }) => {
+            Some(Instance { place, definition, quantities }) => {
                 self.say(place, Fact::InDefinition { definition, quantities, fact: Box::new(fact) })
             }
         }
@@ -210,7 +208,7 @@ impl Elaborator<'_> {
         if !scalar.measure.fits(wanted) {
             return self.refuse(expr.range, Fact::WrongDimension { wanted, found: scalar.measure.settled() });
         }
-        Some(Scalar { measure: Measure::Of(wanted), ..scalar })
+        Some(Scalar { measure: InferredDim::Known(wanted), ..scalar })
     }
 
     /// A vector in ground; a point counts as its position and an axis as its direction.
@@ -254,11 +252,11 @@ impl Elaborator<'_> {
     }
 
     fn number(&mut self, range: Range, digits: &str, unit: &str) -> Option<Scalar> {
-        let (size, measure) = match unit::lookup(unit) {
-            Some((size, dim)) => (size, Measure::Of(dim)),
-            None if unit.is_empty() => (Exact::ONE, Measure::Flexible),
+        let (size, measure) = match quantity::unit(unit) {
+            Some((size, dim)) => (size, InferredDim::Known(dim)),
+            None if unit.is_empty() => (Exact::ONE, InferredDim::Any),
             None => {
-                let near = unit::meant(unit);
+                let near = nearest_unit(unit);
                 return self.refuse(range, Fact::UnknownUnit { number: digits.to_owned(), name: unit.to_owned(), near });
             }
         };
@@ -271,7 +269,7 @@ impl Elaborator<'_> {
     fn named(&mut self, path: &ast::Path, scope: &Scope) -> Option<Value> {
         let Some(name) = &path.name else {
             // A path can only be a Rust function; its dimensions follow from where it is used.
-            return Some(Value::Function(self.rust_function(path, Measure::Flexible, Measure::Flexible)));
+            return Some(Value::Function(self.rust_function(path, InferredDim::Any, InferredDim::Any)));
         };
         if let Some(value) = scope.value_of(name) {
             return Some(value.clone());
@@ -280,7 +278,7 @@ impl Elaborator<'_> {
             return None;
         }
         if name == "pi" {
-            return Some(Value::Scalar(Scalar { expr: self.arena.constant(Exact::PI), measure: Measure::Flexible }));
+            return Some(Value::Scalar(Scalar { expr: self.arena.constant(Exact::PI), measure: InferredDim::Any }));
         }
         if name == "ground" {
             return Some(Value::Body(FrameId::GROUND));
@@ -302,7 +300,7 @@ impl Elaborator<'_> {
             return self.refuse(path.range, Fact::OutputRead { name: name.to_string() });
         }
         let near = self.similar(name, scope);
-        if near.is_none() && unit::lookup(&name.to_string()).is_some() {
+        if near.is_none() && quantity::unit(&name.to_string()).is_some() {
             return self.refuse(path.range, Fact::UnitAlone { name: name.to_string() });
         }
         self.refuse(path.range, Fact::UnknownName { name: name.to_string(), near })
@@ -314,12 +312,12 @@ impl Elaborator<'_> {
             Some(Timeless::Joint(joint)) => return self.refuse(range, Fact::TimeInJoint { joint: joint.clone() }),
             None => {}
         }
-        Some(Value::Scalar(Scalar { expr: self.arena.leaf(Leaf::Time), measure: Measure::Of(Dim::TIME) }))
+        Some(Value::Scalar(Scalar { expr: self.arena.leaf(Leaf::Time), measure: InferredDim::Known(Dim::TIME) }))
     }
 
     /// The known name nearest to a mistyped one; of very many mistyped ones the last are not looked for.
     pub(super) fn nearest<'n>(&self, typed: &str, known: impl Iterator<Item = &'n str>) -> Option<String> {
-        if self.diag.refusals().len() < SUGGESTIONS { suggest::nearest(typed, known) } else { None }
+        if self.diag.refusals().len() < SUGGESTIONS { nearest(typed, known) } else { None }
     }
 
     /// The known name nearest to a mistyped one.
@@ -364,10 +362,10 @@ impl Elaborator<'_> {
     fn body_field(&mut self, frame: FrameId, field: &Ident) -> Option<Value> {
         let zero = self.arena.integer(0);
         let [x, y, angle] = self.names.frames[frame.0].coordinates.unwrap_or([zero; 3]);
-        let length = Measure::Of(Dim::LENGTH);
+        let length = InferredDim::Known(Dim::LENGTH);
         let name = field.to_string();
         match name.as_str() {
-            "angle" => Some(Value::Scalar(Scalar { expr: angle, measure: Measure::Of(Dim::ANGLE) })),
+            "angle" => Some(Value::Scalar(Scalar { expr: angle, measure: InferredDim::Known(Dim::ANGLE) })),
             "x" => Some(Value::Scalar(Scalar { expr: x, measure: length })),
             "y" => Some(Value::Scalar(Scalar { expr: y, measure: length })),
             "position" => Some(Value::Point(Fixed { frame, local: [zero; 2], measure: length })),

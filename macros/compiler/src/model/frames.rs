@@ -1,15 +1,15 @@
 //! Bodies and ground: coordinates, points and axes fixed in them, start values.
 
-use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
-use super::names::{Context, EntityId, Frame};
+use super::names::{Context, EntityId, FrameScope};
 use super::register::Register;
 use super::statement::FixedValue;
-use super::suggest::nearest;
 use super::value::{Fixed, FrameId, Value};
 use super::{Body, Coordinate, Name, Requirement};
+use crate::diag::nearest;
 use crate::diag::{Fact, Range};
 use crate::expr::{Expr, Leaf};
+use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast;
 use std::collections::BTreeSet;
 use std::rc::Rc;
@@ -20,7 +20,7 @@ impl Elaborator<'_> {
         let first = 3 * (self.names.frames.len() as u32 - 1);
         let coordinates = [0, 1, 2].map(|offset| self.arena.leaf(Leaf::Coordinate(first + offset)));
         let space = self.names.new_space(format!("{name}."));
-        self.names.frames.push(Frame { name: name.to_owned(), coordinates: Some(coordinates), space });
+        self.names.frames.push(FrameScope { name: name.to_owned(), coordinates: Some(coordinates), space });
         FrameId(self.names.frames.len() - 1)
     }
 
@@ -41,10 +41,10 @@ impl Elaborator<'_> {
             if is_zero {
                 return self.refuse(mark.value.range, Fact::ZeroAxis { name: mark.name.to_string() });
             }
-            let measure = Measure::Of(vector.measure.settled());
+            let measure = InferredDim::Known(vector.measure.settled());
             return Some(Value::Axis(Fixed { frame, local, measure }));
         }
-        Some(Value::Point(Fixed { frame, local, measure: Measure::Of(Dim::LENGTH) }))
+        Some(Value::Point(Fixed { frame, local, measure: InferredDim::Known(Dim::LENGTH) }))
     }
 
     /// Takes note of a value that is looked at once all defaults are known; true.
@@ -80,7 +80,7 @@ impl Elaborator<'_> {
         let name = self.names.declared[mark.0].name.clone();
         let (joint, why) = (name.to_string(), "an axis of length zero has no direction".to_owned());
         let dim = match axis.measure {
-            Measure::Of(dim) => dim.times(dim),
+            InferredDim::Known(dim) => dim.times(dim),
             _ => Dim::NUMBER,
         };
         self.requirements.push(Requirement { lhs, relation: ast::Relation::Greater, rhs, dim, joint, why });

@@ -11,8 +11,8 @@ mod bounds;
 mod builtin;
 mod declare;
 mod definition;
-pub(crate) mod dimension;
 mod elaborate;
+pub(crate) mod example;
 mod frames;
 mod index;
 mod instance;
@@ -26,18 +26,16 @@ mod signature;
 pub mod sketch;
 pub(crate) mod spline;
 mod statement;
-pub(crate) mod suggest;
-pub(crate) mod unit;
 mod unused;
 pub(crate) mod value;
 
-pub use dimension::Dim;
 pub use layout::{Component, Field, Layout, Of, Part};
 pub use name::Name;
 pub use sketch::Sketch;
 pub use spline::{Ends, Table};
 
 use crate::expr::{Arena, Expr};
+use crate::quantity::Dim;
 use crate::syntax::ast::{Closing, Docs, Following, Relation};
 use proc_macro2::{Ident, TokenStream};
 

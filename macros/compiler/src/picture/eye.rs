@@ -3,8 +3,9 @@
 use super::plane::{Place, place};
 use super::scene::{Figure, Instant, Scene, Seen, Sign};
 use crate::expr::{Evaluator, Expr, Values, evaluate};
-use crate::model::sketch::{Argument, Local, Made};
-use crate::model::{Dim, Function, Model, Name};
+use crate::model::sketch::{Argument, Instantiation, Local};
+use crate::model::{Function, Model, Name};
+use crate::quantity::Dim;
 use crate::system::System;
 use core::f64::consts::TAU;
 
@@ -69,7 +70,7 @@ struct Eye<'a> {
 impl Eye<'_> {
     /// The joints with their arguments, and with what their equations say of bodies and rates.
     fn signs(&self) -> Vec<Sign> {
-        let sign = |(joint, made): (&crate::model::Joint, &Made)| Sign {
+        let sign = |(joint, made): (&crate::model::Joint, &Instantiation)| Sign {
             name: plain(&joint.name),
             kind: made.kind.clone(),
             is_drive: joint.is_drive,
@@ -113,7 +114,7 @@ impl Eye<'_> {
         at.body.map_or(Place::default(), |body| self.bodies[body].origin) + self.direction(at)
     }
 
-    fn arguments(&self, made: &Made) -> Vec<(String, Seen)> {
+    fn arguments(&self, made: &Instantiation) -> Vec<(String, Seen)> {
         made.arguments.iter().map(|(name, argument)| (name.clone(), self.seen(argument))).collect()
     }
 

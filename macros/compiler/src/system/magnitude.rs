@@ -4,7 +4,7 @@
 //! position is badly determined: at a dead point.
 
 use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
-use crate::model::Dim;
+use crate::quantity::Dim;
 use crate::system::Unknown;
 use std::collections::BTreeMap;
 

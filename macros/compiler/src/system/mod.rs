@@ -10,10 +10,13 @@
 //! ```
 
 mod magnitude;
+mod pattern;
 
 use crate::diag::{Diag, Fact};
 use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Substitution};
-use crate::model::{Dim, Model, Said};
+use crate::model::{Model, Said};
+use crate::quantity::Dim;
+use crate::structure::Pattern;
 use std::collections::BTreeMap;
 
 pub(crate) use magnitude::magnitude;
@@ -27,8 +30,10 @@ pub struct System {
     pub unknowns: Vec<Unknown>,
     /// One for each row, in the order declared.
     pub equations: Vec<Equation>,
+    /// Which equation contains which unknown.
+    pub pattern: Pattern,
     /// One for each output, in the order declared.
-    pub outputs: Vec<Output>,
+    pub outputs: Vec<OutputMotion>,
     /// The largest of these is the characteristic length: local coordinates of points, or, if all points are origins, the lengths
     /// that joints and drives demand.
     pub lengths: Vec<Expr>,
@@ -68,12 +73,18 @@ pub struct Equation {
 
 /// An output's components.
 #[derive(Clone, Debug)]
-pub struct Output {
+pub struct OutputMotion {
     /// Value, rate and acceleration of each component.
     pub components: Vec<[Expr; 3]>,
 }
 
 impl System {
+    /// The name of an unknown: `crank.angle`.
+    pub(crate) fn name(&self, model: &Model, unknown: usize) -> String {
+        let unknown = &self.unknowns[unknown];
+        format!("{}.{}", model.bodies[unknown.body].name, unknown.name)
+    }
+
     /// The equations of a joint of the model; those of one joint stand together, in the order of joints.
     pub(crate) fn of_joint(&self, joint: usize) -> &[Equation] {
         let first = self.equations.partition_point(|equation| equation.joint < joint);
@@ -112,12 +123,13 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     let outputs = model
         .outputs
         .iter()
-        .map(|output| Output { components: output.components.iter().map(|part| motion.of(&mut arena, *part)).collect() });
+        .map(|output| OutputMotion { components: output.components.iter().map(|part| motion.of(&mut arena, *part)).collect() });
     let outputs = outputs.collect();
     let lengths = lengths(&mut arena, model, &unknowns, &equations);
     has_bodies(model, diag);
     no_joint_repeats_another(model, &mut arena, diag);
-    diag.is_clean().then_some(System { arena, unknowns, equations, outputs, lengths })
+    let pattern = pattern::pattern(model, &arena, unknowns.len(), &equations);
+    diag.is_clean().then_some(System { arena, unknowns, equations, pattern, outputs, lengths })
 }
 
 fn unknowns(model: &Model) -> Vec<Unknown> {

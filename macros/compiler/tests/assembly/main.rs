@@ -27,7 +27,7 @@ fn refused(source: &str) -> Fact {
 fn start(compiled: &Compiled, name: &str) -> f64 {
     let (system, model) = (&compiled.system, &compiled.model);
     let is_wanted = |unknown: &reuleaux_compiler::system::Unknown| format!("{}.{}", model.bodies[unknown.body].name, unknown.name) == name;
-    compiled.closure.start[system.unknowns.iter().position(is_wanted).expect(name)]
+    compiled.assembly.start[system.unknowns.iter().position(is_wanted).expect(name)]
 }
 
 /// A four-bar with pivots at (0, 0) and (ground, 0), in mm and degrees.

@@ -1,9 +1,8 @@
 //! What is said of the assembly at the declared defaults.
 
 use super::words::{equation, list};
-use crate::closure::{Bound, Gap};
-use crate::diag::{Driven, Fact};
-use crate::model::Dim;
+use crate::diag::{Bound, Driven, Fact, Gap};
+use crate::quantity::Dim;
 use std::fmt::{Formatter, Result};
 
 pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {

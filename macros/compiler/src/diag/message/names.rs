@@ -2,7 +2,7 @@
 
 use super::words::{did_you_mean, first_of, is_power, list, listed, shortened};
 use crate::diag::Fact;
-use crate::model::Dim;
+use crate::quantity::Dim;
 use std::fmt::{Formatter, Result};
 
 pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
@@ -48,7 +48,7 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
         Fact::UnknownUnit { number, name, near } => {
             write!(f, "no unit is called `{}`{}", shortened(name), did_you_mean(&near.as_ref().map(|near| format!("{number}{near}"))))?;
             if near.is_none() {
-                write!(f, "\nnote: there are {}", listed(crate::model::unit::names()))?;
+                write!(f, "\nnote: there are {}", listed(crate::quantity::units()))?;
             }
             Ok(())
         }
