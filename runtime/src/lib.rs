@@ -45,7 +45,7 @@
 //! # Rooms
 //!
 //! [`Equations`] is what a mechanism gives, [`Mechanism`] what one can ask of it, [`State`] and [`Failure`] the two answers.
-//! Behind them: [`Stages`] (which unknowns are found together), [`Pass`] (what they are found from), `straight` (the usual step of a
+//! Behind them: [`Stages`] (which unknowns are found together), [`Solver`] (what they are found from), `straight` (the usual step of a
 //! sweep), `careful` and `position` (Newton's method wherever that is not enough), `continuation` (following a branch in time),
 //! `linear` (small systems, and larger ones with and without known zeros), `enclosure` (how far a state is from the truth, with proof).
 
@@ -85,20 +85,20 @@ pub use nalgebra;
 pub use names::{
     BranchEnd, Cause, Coordinate, CoordinateKind, Culprit, Description, Operations, ParameterOutOfRange, Plan, PlanStage, Row,
 };
-pub use newton::{Block, Place, Solved, Stop};
+pub use newton::{Block, Iterate, Solved, StepError};
 pub use number::{DetSign, Ends, Float, Mask, Real, SimdReal, Single, Table};
 #[doc(hidden)]
 pub use path::step_in_part;
 #[doc(hidden)]
-pub use solve::mark_of;
-pub use solve::{Equations, Family, Pass, SolverReal, Stages, at_once, improved_at_once, improved_by};
+pub use solve::parameter_hash;
+pub use solve::{Equations, Family, Solver, SolverReal, Stages, at_once, refined_guess_at_once, refined_guess_by_rows};
 pub use state::{Coordinates, Motion, PlanarBody, State, Values};
 
 /// For crates in which a number has several lanes, such as `reuleaux-wide`: what is no part of the language.
 #[doc(hidden)]
 pub mod for_lanes {
     pub use crate::number::sin_cos::{LARGEST as SIN_COS_RANGE, within_range as sin_cos_in_range};
-    pub use crate::path::stride as step_lanes;
+    pub use crate::path::step_lanes;
     pub use crate::solve::{ColdStart, NoColdStart};
 }
 

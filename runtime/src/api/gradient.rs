@@ -19,9 +19,9 @@ use nalgebra::{SMatrix, SVector};
 use crate::explain::Failure;
 use crate::linear::{FactorReal, Factors, Linear};
 use crate::names::{self, Cause, Coordinate, CoordinateKind, Culprit, Description};
-use crate::newton::{Block, Evaluate, Place, Solved, Stop};
+use crate::newton::{Block, Evaluate, Iterate, Solved, StepError};
 use crate::number::{DetSign, Float, Real, SimdReal, Table};
-use crate::solve::{ColdStart, Family, Pass, SolverReal, Stages, lengths_of};
+use crate::solve::{ColdStart, Family, Solver, SolverReal, Stages, lengths_of};
 use crate::state::{State, Values};
 
 /// A number and its partial derivatives by `P` parameters: what [`derivatives`](crate::Mechanism::derivatives) computes with.
@@ -98,9 +98,9 @@ impl<T: Float, const P: usize> Div for Gradient<T, P> {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
-        let share = T::of(1.0) / other.value;
+        let reciprocal = T::of(1.0) / other.value;
         let quotient = self.value / other.value;
-        self.chain_of_two(other, quotient, [share, -(quotient * share)])
+        self.chain_of_two(other, quotient, [reciprocal, -(quotient * reciprocal)])
     }
 }
 
@@ -194,7 +194,7 @@ fn leg<T: Float>(x: T) -> T {
 /// Where the solver compares, it compares numbers, not their derivatives.
 impl<T: Float, const P: usize> SimdReal for Gradient<T, P> {
     type Mask = bool;
-    type Sides = DetSign;
+    type Signs = DetSign;
 
     const EPSILON: Self = Self { value: T::EPSILON, by: [T::ZERO; P] };
     const ROOT_EPSILON: Self = Self { value: T::ROOT_EPSILON, by: [T::ZERO; P] };
@@ -209,17 +209,17 @@ impl<T: Float, const P: usize> SimdReal for Gradient<T, P> {
         if mask { then } else { otherwise }
     }
 
-    fn sides(self) -> DetSign {
-        self.value.sides()
+    fn signs(self) -> DetSign {
+        self.value.signs()
     }
 
-    fn same(a: DetSign, b: DetSign) -> bool {
+    fn same_signs(a: DetSign, b: DetSign) -> bool {
         a == b
     }
 
     #[inline(always)]
-    fn turn(self) -> (Self, Self) {
-        let (sine, cosine) = self.value.turn();
+    fn fast_sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = self.value.fast_sin_cos();
         (self.chain(sine, cosine), self.chain(cosine, -sine))
     }
 }
@@ -255,11 +255,11 @@ impl<T: Float, const P: usize, const N: usize> ColdStart<Gradient<T, P>, N> for 
         block: &Block<K>,
         _: [Gradient<T, P>; K],
         evaluate: &Evaluate<'_, Gradient<T, P>, L, K>,
-    ) -> Result<Solved<Gradient<T, P>, L, K>, Stop<Gradient<T, P>>> {
+    ) -> Result<Solved<Gradient<T, P>, L, K>, StepError<Gradient<T, P>>> {
         let first = names::coordinate(self.coordinates, block.unknowns.first().copied().unwrap_or(0));
-        let bad = || Stop::NotFinite(Culprit::Coordinate(first));
+        let bad = || StepError::NotFinite(Culprit::Coordinate(first));
         let x = SVector::from_fn(|k, _| self.q.get(block.unknowns[k]).copied().unwrap_or(Gradient::of(f64::NAN)));
-        let still = Place::at(x, &block.turns);
+        let still = Iterate::at(x, &block.needs_sin_cos);
         let (phi, matrix) = evaluate(&still);
         let factors = L::factor(&matrix).map_err(|_| bad())?;
         if !factors.is_regular() {
@@ -272,16 +272,16 @@ impl<T: Float, const P: usize, const N: usize> ColdStart<Gradient<T, P>, N> for 
             off[k].value.abs() <= T::of(OFF) * (size + x[k].value.abs())
         };
         if !(0..K).all(is_near) {
-            return Err(Stop::Far);
+            return Err(StepError::Far);
         }
         let x = SVector::<Gradient<T, P>, K>::from_fn(|k, _| Gradient { value: x[k].value, by: off[k].by.map(|by| -by) });
-        let turn = array::from_fn(|k| {
-            let (sine, cosine) = (still.turn[k].0.value, still.turn[k].1.value);
+        let sin_cos = array::from_fn(|k| {
+            let (sine, cosine) = (still.sin_cos[k].0.value, still.sin_cos[k].1.value);
             (x[k].chain(sine, cosine), x[k].chain(cosine, -sine))
         });
-        let there = Place { x, turn };
+        let there = Iterate { x, sin_cos };
         let factors = L::factor(&evaluate(&there).1).map_err(|_| bad())?;
-        Ok(Solved { x: there.x.data.0[0], turn, factors })
+        Ok(Solved { x: there.x.data.0[0], sin_cos, factors })
     }
 
     /// The state is verified already.
@@ -330,12 +330,12 @@ impl<T: Float, const P: usize, const K: usize> Linear<Gradient<T, P>, K> for Den
         self.solve_regular(b)
     }
 
-    fn growth(&self, sizes: &SVector<Gradient<T, P>, K>, shares: &SVector<Gradient<T, P>, K>) -> Gradient<T, P> {
-        Gradient::constant(self.factors.growth(&sizes.map(|size| size.value), &shares.map(|share| share.value)))
+    fn error_amplification(&self, sizes: &SVector<Gradient<T, P>, K>, reciprocals: &SVector<Gradient<T, P>, K>) -> Gradient<T, P> {
+        Gradient::constant(self.factors.error_amplification(&sizes.map(|size| size.value), &reciprocals.map(|reciprocal| reciprocal.value)))
     }
 
-    fn sides(&self) -> DetSign {
-        self.factors.sides()
+    fn det_sign(&self) -> DetSign {
+        self.factors.det_sign()
     }
 
     fn is_regular(&self) -> bool {
@@ -377,9 +377,9 @@ where
     mechanism.validate().map_err(|parameter| fail(Cause::ParameterOutOfRange(parameter)))?;
     let q = state.q.map(Gradient::constant);
     let differentiation = Differentiation { q: &q, lengths: lengths_of(varied), coordinates: E::COORDINATES };
-    let found = varied.stages(Gradient::constant(state.t), &mut Pass::cold(&differentiation)).map_err(|stop| match stop {
-        Stop::NotFinite(of) => fail(Cause::NotFinite { of }),
-        Stop::Far | Stop::Open(_) => fail(Cause::NoConvergence { correction: T::of(OFF), iterations: 0 }),
+    let found = varied.stages(Gradient::constant(state.t), &mut Solver::cold(&differentiation)).map_err(|error| match error {
+        StepError::NotFinite(of) => fail(Cause::NotFinite { of }),
+        StepError::Far | StepError::Open(_) => fail(Cause::NoConvergence { correction: T::of(OFF), iterations: 0 }),
     })?;
     let is_finite = |entry: &Gradient<T, P>| entry.value.is_finite();
     if let Some(index) = (0..N).find(|&i| ![&found.q, &found.qd, &found.qdd].iter().all(|entries| is_finite(&entries[i]))) {

@@ -14,10 +14,10 @@ use super::ball::{Ball, up};
 use super::moving::Enclosure;
 use super::system::{excess, inverse, product_of_magnitudes, solve_all};
 use super::twofold::Twofold;
-use super::{Doubt, Wanted};
+use super::{Doubt, EnclosureSolver};
 use crate::linear::Linear;
 use crate::names::{self, CoordinateKind, Culprit};
-use crate::newton::{Block, Evaluate, Place, Solved, Stop};
+use crate::newton::{Block, Evaluate, Iterate, Solved, StepError};
 
 /// Corrections of a state that is near a solution; five are usual, most of them for the last digits.
 const MOST_CORRECTIONS: usize = 40;
@@ -33,23 +33,23 @@ const NARROWEST: f64 = 1e-27;
 /// # Errors
 /// Where that cannot be proven; the reason is left with what is wanted.
 pub(super) fn solve<L: Linear<Enclosure, K>, const K: usize, const N: usize>(
-    wanted: &Wanted<N>,
+    solver: &EnclosureSolver<N>,
     block: &Block<K>,
     evaluate: &Evaluate<'_, Enclosure, L, K>,
-) -> Result<Solved<Enclosure, L, K>, Stop<Enclosure>> {
-    let name = || names::coordinate(wanted.coordinates, block.unknowns.first().copied().unwrap_or(0));
+) -> Result<Solved<Enclosure, L, K>, StepError<Enclosure>> {
+    let name = || names::coordinate(solver.coordinates, block.unknowns.first().copied().unwrap_or(0));
     let doubt = |doubt: Doubt| {
-        wanted.doubt.set(Some(doubt));
-        Stop::NotFinite(Culprit::Coordinate(name()))
+        solver.doubt.set(Some(doubt));
+        StepError::NotFinite(Culprit::Coordinate(name()))
     };
-    let length = wanted.lengths.0.value.center.high;
+    let length = solver.lengths.0.value.center.high;
     let length = if length > 0.0 && length.is_finite() { length } else { 1.0 };
     let columns = block.kinds.map(|kind| if kind == CoordinateKind::Length { length } else { 1.0 });
 
-    let start = SVector::<f64, K>::from_fn(|k, _| wanted.q[block.unknowns[k]]);
+    let start = SVector::<f64, K>::from_fn(|k, _| solver.q[block.unknowns[k]]);
     // Residuals of unknowns that move as they are said to, and their Jacobian.
     let linearize = |x: &SVector<Enclosure, K>| {
-        let (phi, matrix) = evaluate(&Place::at(*x, &block.turns));
+        let (phi, matrix) = evaluate(&Iterate::at(*x, &block.needs_sin_cos));
         (phi, L::dense(&matrix).map(|entry| entry.value))
     };
     let within = |center: &SVector<Twofold, K>, radius: &SVector<f64, K>| {
@@ -88,14 +88,14 @@ pub(super) fn solve<L: Linear<Enclosure, K>, const K: usize, const N: usize>(
         (false, true) => in_wide,
         (false, false) => return Err(doubt(Doubt::NoSolution(name()))),
     };
-    if wanted.alone && !is_alone {
+    if solver.alone && !is_alone {
         return Err(doubt(Doubt::Another(name())));
     }
 
     // The rates are those with which the residuals stay zero: first of unknowns at rest, then of unknowns that move evenly.
     let mut x = within(&center, &radius);
     let (at_rest, jacobian) = linearize(&x);
-    let is_proven = is_narrow_proven && (is_wide_proven || !wanted.alone) && are_proven(phi.as_slice().iter());
+    let is_proven = is_narrow_proven && (is_wide_proven || !solver.alone) && are_proven(phi.as_slice().iter());
     let spread = excess(&inverse, &jacobian);
     let solve = |b: SVector<Ball, K>| solve_all(&jacobian, &inverse, &spread, &b);
     let rates = solve(at_rest.map(|residual| -residual.rate));
@@ -107,9 +107,9 @@ pub(super) fn solve<L: Linear<Enclosure, K>, const K: usize, const N: usize>(
     for k in 0..K {
         x[k].acceleration = accelerations[k].with_doubts_of(x[k].value);
     }
-    let there = Place::at(x, &block.turns);
+    let there = Iterate::at(x, &block.needs_sin_cos);
     let factors = L::factor(&evaluate(&there).1).map_err(|_| doubt(Doubt::NoSolution(name())))?;
-    Ok(Solved { x: x.data.0[0], turn: there.turn, factors })
+    Ok(Solved { x: x.data.0[0], sin_cos: there.sin_cos, factors })
 }
 
 /// Where Newton's method comes to from doubles, and the inverse of the Jacobian there, roughly.

@@ -20,9 +20,9 @@ use core::fmt;
 use nalgebra::SVector;
 
 use crate::names::{self, Coordinate, CoordinateKind, Culprit, Description, Row};
-use crate::newton::{self, Stop};
+use crate::newton::{self, StepError};
 use crate::number::{Float, Real};
-use crate::solve::{Family, Pass, Stages, lengths_of};
+use crate::solve::{Family, Solver, Stages, lengths_of};
 use crate::state::State;
 
 use ball::Ball;
@@ -70,7 +70,7 @@ pub enum Doubt {
 }
 
 /// Encloses the solution next to a state, block by block.
-pub struct Wanted<const N: usize> {
+pub struct EnclosureSolver<const N: usize> {
     /// The state's q.
     q: SVector<f64, N>,
     /// No other solution may be as near to the state.
@@ -97,13 +97,13 @@ where
     mechanism.validate().map_err(|parameter| Doubt::ParameterOutOfRange(parameter.name))?;
     let enclosed = E::gather([mechanism], |[parameter]| Enclosure::of(parameter.to_f64()));
     let (q, lengths, coordinates) = (state.q.map(Float::to_f64), lengths_of(&enclosed), E::COORDINATES);
-    let wanted = Wanted { q, alone, lengths, coordinates, doubt: Cell::new(None), off: Cell::new(None) };
+    let solver = EnclosureSolver { q, alone, lengths, coordinates, doubt: Cell::new(None), off: Cell::new(None) };
     let coordinate = |index: usize| names::coordinate(E::COORDINATES, index);
-    let found = enclosed.stages(Enclosure::time(state.t.to_f64()), &mut Pass::cold(&wanted)).map_err(|stop| {
-        let of = |culprit| if let Stop::NotFinite(Culprit::Coordinate(of)) = culprit { of } else { coordinate(0) };
-        wanted.doubt.get().unwrap_or(Doubt::NoSolution(of(stop)))
+    let found = enclosed.stages(Enclosure::time(state.t.to_f64()), &mut Solver::cold(&solver)).map_err(|error| {
+        let of = |culprit| if let StepError::NotFinite(Culprit::Coordinate(of)) = culprit { of } else { coordinate(0) };
+        solver.doubt.get().unwrap_or(Doubt::NoSolution(of(error)))
     })?;
-    if let Some(row) = wanted.off.get() {
+    if let Some(row) = solver.off.get() {
         return Err(Doubt::DoesNotHold(names::row(E::ROWS, row)));
     }
     let is_bounded = |of: &Enclosure| [of.value, of.rate, of.acceleration].iter().all(|ball| ball.magnitude().is_finite());

@@ -6,9 +6,9 @@ use nalgebra::{SMatrix, SVector};
 
 use super::ball::{Ball, ROUNDING};
 use super::twofold::Twofold;
-use super::{Wanted, block, functions};
+use super::{EnclosureSolver, block, functions};
 use crate::linear::{FactorReal, Linear};
-use crate::newton::{Block, Evaluate, Solved, Stop};
+use crate::newton::{Block, Evaluate, Solved, StepError};
 use crate::number::{DetSign, Real, SimdReal, Table};
 use crate::solve::{ColdStart, SolverReal};
 
@@ -211,7 +211,7 @@ impl Real for Enclosure {
 /// Where the solver compares, nothing is decided by it: a block is enclosed as a whole, and of the rest only q counts.
 impl SimdReal for Enclosure {
     type Mask = bool;
-    type Sides = DetSign;
+    type Signs = DetSign;
 
     const EPSILON: Self = Self::at_rest(Ball::exact(ROUNDING));
     const ROOT_EPSILON: Self = Self::at_rest(Ball::exact(1.0 / 2_251_799_813_685_248.0)); // 2⁻⁵¹
@@ -224,15 +224,15 @@ impl SimdReal for Enclosure {
         if mask { then } else { otherwise }
     }
 
-    fn sides(self) -> DetSign {
-        self.value.center.high.sides()
+    fn signs(self) -> DetSign {
+        self.value.center.high.signs()
     }
 
-    fn same(a: DetSign, b: DetSign) -> bool {
+    fn same_signs(a: DetSign, b: DetSign) -> bool {
         a == b
     }
 
-    fn turn(self) -> (Self, Self) {
+    fn fast_sin_cos(self) -> (Self, Self) {
         self.sin_cos()
     }
 }
@@ -242,10 +242,10 @@ impl FactorReal for Enclosure {
 }
 
 impl SolverReal for Enclosure {
-    type Cold<'a, const N: usize> = Wanted<N>;
+    type Cold<'a, const N: usize> = EnclosureSolver<N>;
 }
 
-impl<const N: usize> ColdStart<Enclosure, N> for Wanted<N> {
+impl<const N: usize> ColdStart<Enclosure, N> for EnclosureSolver<N> {
     fn lengths(&self) -> (Enclosure, Enclosure) {
         self.lengths
     }
@@ -255,7 +255,7 @@ impl<const N: usize> ColdStart<Enclosure, N> for Wanted<N> {
         block: &Block<K>,
         _: [Enclosure; K],
         evaluate: &Evaluate<'_, Enclosure, L, K>,
-    ) -> Result<Solved<Enclosure, L, K>, Stop<Enclosure>> {
+    ) -> Result<Solved<Enclosure, L, K>, StepError<Enclosure>> {
         block::solve(self, block, evaluate)
     }
 
@@ -294,11 +294,11 @@ impl<const K: usize> Linear<Enclosure, K> for Unsolved {
         self.solve_regular(b)
     }
 
-    fn growth(&self, _: &SVector<Enclosure, K>, _: &SVector<Enclosure, K>) -> Enclosure {
+    fn error_amplification(&self, _: &SVector<Enclosure, K>, _: &SVector<Enclosure, K>) -> Enclosure {
         Enclosure::at_rest(Ball::anything())
     }
 
-    fn sides(&self) -> DetSign {
+    fn det_sign(&self) -> DetSign {
         DetSign::Positive
     }
 

@@ -34,11 +34,11 @@ impl<T: Float, const N: usize> fmt::Display for Failure<T, N> {
             )?,
             (cause, _) => cause.fmt(f, name, t)?,
         }
-        let Some(BranchEnd { share, row, coordinate }) = &self.end else { return Ok(()) };
+        let Some(BranchEnd { lambda, row, coordinate }) = &self.end else { return Ok(()) };
         write!(
             f,
             "; on the way from its defaults to these parameters the branch ends at {:.4} %, where {row} does not determine {coordinate}",
-            100.0 * share.to_f64()
+            100.0 * lambda.to_f64()
         )
     }
 }

@@ -1,7 +1,7 @@
 //! What to say when there is no solution. In: how a pass or the continuation ended. Out: a [`Cause`].
 
 use crate::names::{self, Cause, CoordinateKind};
-use crate::newton::{Scale, Stop};
+use crate::newton::{Scale, StepError};
 use crate::number::Float;
 use crate::path::{self, Ended};
 use crate::solve::{ColdSolver, Stages};
@@ -28,8 +28,8 @@ pub(crate) fn of_continuation<T: Float, E: Stages<T, N> + ?Sized, const N: usize
 ) -> Failure<T, N> {
     let (cause, time, last) = match ended {
         Ended::Refused(cause) => (cause, t, state.clone()),
-        Ended::Lost { stop, here, next } => {
-            let ended = || (end_of_branch(equations, next, &here, stop), next);
+        Ended::Lost { error, here, next } => {
+            let ended = || (end_of_branch(equations, next, &here, error), next);
             let (cause, time) = diverging(equations, &here, next).unwrap_or_else(ended);
             (cause, time, here)
         }
@@ -46,9 +46,9 @@ fn end_of_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
     next: T,
     here: &State<T, N>,
-    stop: Stop<T>,
+    error: StepError<T>,
 ) -> Cause<T> {
-    if let Stop::NotFinite(of) = stop {
+    if let StepError::NotFinite(of) = error {
         return Cause::NotFinite { of };
     }
     if is_dead_point(here)
@@ -56,9 +56,9 @@ fn end_of_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     {
         return cause;
     }
-    match path::reached(equations, next, ColdSolver::from_guess(equations, &here.predict(next))) {
+    match path::cold_state(equations, next, ColdSolver::from_guess(equations, &here.predict(next))) {
         Ok((other, _)) => path::jump(equations, &here.q, &other.q),
-        Err(stop) => stop.into(),
+        Err(error) => error.into(),
     }
 }
 

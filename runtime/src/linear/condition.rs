@@ -16,8 +16,8 @@ impl<T: Float, const N: usize> Factors<T, N> {
     /// condition number of a matrix, 1979.
     ///
     /// * `sizes`: given, by row, what the rounding errors of b are a share of; it counts where it is larger than the row of |A| c.
-    /// * `columns`, `shares`: given, what counts as 1 in each unknown, c, and one over it.
-    pub(super) fn amplification(&self, sizes: &SVector<T, N>, columns: &SVector<T, N>, shares: &SVector<T, N>) -> T {
+    /// * `columns`, `reciprocals`: given, what counts as 1 in each unknown, c, and one over it.
+    pub(super) fn error_amplification_by(&self, sizes: &SVector<T, N>, columns: &SVector<T, N>, reciprocals: &SVector<T, N>) -> T {
         if self.rank < N {
             return T::of(f64::INFINITY);
         }
@@ -37,7 +37,7 @@ impl<T: Float, const N: usize> Factors<T, N> {
         self.substitute_back(&mut y);
         y.iter()
             .zip(&self.columns)
-            .map(|(y, &column)| y.abs() * (entry(self.column_scale.as_slice(), column) * entry(shares.as_slice(), column)))
+            .map(|(y, &column)| y.abs() * (entry(self.column_scale.as_slice(), column) * entry(reciprocals.as_slice(), column)))
             .fold(T::of(0.0), greater)
     }
 }

@@ -69,16 +69,16 @@ pub trait Linear<T: SimdReal, const N: usize>: Sized {
     /// By how much rounding errors grow on their way from A x − b to x; without meaning if A is singular.
     ///
     /// * `sizes`: given, by row, what the rounding errors of b are a share of; the row of A counts where it is larger.
-    /// * `shares`: given, by unknown, one over what counts as 1 in it.
-    fn growth(&self, sizes: &SVector<T, N>, shares: &SVector<T, N>) -> T;
+    /// * `reciprocals`: given, by unknown, one over what counts as 1 in it.
+    fn error_amplification(&self, sizes: &SVector<T, N>, reciprocals: &SVector<T, N>) -> T;
 
-    /// The [`growth`](Self::growth) of rounding errors, 1 at least; infinite if A is singular.
-    fn condition(&self, sizes: &SVector<T, N>, shares: &SVector<T, N>) -> T {
-        T::pick(self.is_regular(), self.growth(sizes, shares).max(T::of(1.0)), T::of(f64::INFINITY))
+    /// The [`error_amplification`](Self::error_amplification) of rounding errors, 1 at least; infinite if A is singular.
+    fn condition(&self, sizes: &SVector<T, N>, reciprocals: &SVector<T, N>) -> T {
+        T::pick(self.is_regular(), self.error_amplification(sizes, reciprocals).max(T::of(1.0)), T::of(f64::INFINITY))
     }
 
     /// The sign of det A; without meaning if A is singular.
-    fn sides(&self) -> T::Sides;
+    fn det_sign(&self) -> T::Signs;
 
     /// A has full rank, to rounding.
     fn is_regular(&self) -> T::Mask;

@@ -15,7 +15,7 @@ pub struct Small<T, const N: usize> {
     adjugate: SMatrix<T, N, N>,
     determinant: T,
     /// One over the determinant.
-    share: T,
+    reciprocal: T,
     /// The determinant's expansion with all terms positive: what its rounding errors are a share of.
     magnitude: T,
 }
@@ -40,7 +40,7 @@ impl<T: SimdReal, const N: usize> Linear<T, N> for Small<T, N> {
         let term = |j: usize| matrix[(0, j)] * adjugate[(j, 0)];
         let determinant = (1..N).fold(term(0), |sum, j| sum + term(j));
         let magnitude = (1..N).fold(term(0).abs(), |sum, j| sum + term(j).abs());
-        Ok(Self { matrix: *matrix, adjugate, determinant, share: T::of(1.0) / determinant, magnitude })
+        Ok(Self { matrix: *matrix, adjugate, determinant, reciprocal: T::of(1.0) / determinant, magnitude })
     }
 
     #[inline(always)]
@@ -51,7 +51,7 @@ impl<T: SimdReal, const N: usize> Linear<T, N> for Small<T, N> {
     #[inline(always)]
     fn solve_regular(&self, b: &SVector<T, N>) -> SVector<T, N> {
         // The quotient is taken last: it need not wait for b, nor b for it.
-        SVector::from_fn(|i, _| (1..N).fold(self.adjugate[(i, 0)] * b[0], |sum, k| sum + self.adjugate[(i, k)] * b[k]) * self.share)
+        SVector::from_fn(|i, _| (1..N).fold(self.adjugate[(i, 0)] * b[0], |sum, k| sum + self.adjugate[(i, k)] * b[k]) * self.reciprocal)
     }
 
     #[inline]
@@ -74,22 +74,22 @@ impl<T: SimdReal, const N: usize> Linear<T, N> for Small<T, N> {
     }
 
     #[inline(always)]
-    fn growth(&self, sizes: &SVector<T, N>, shares: &SVector<T, N>) -> T {
+    fn error_amplification(&self, sizes: &SVector<T, N>, reciprocals: &SVector<T, N>) -> T {
         // Loops, since rustc does not always compile a closure over the entries into its caller.
-        let (share, mut largest) = (self.share.abs(), T::of(0.0));
+        let (reciprocal, mut largest) = (self.reciprocal.abs(), T::of(0.0));
         for i in 0..N {
-            let mut growth = self.adjugate[(i, 0)].abs() * sizes[0];
+            let mut amplification = self.adjugate[(i, 0)].abs() * sizes[0];
             for k in 1..N {
-                growth = growth + self.adjugate[(i, k)].abs() * sizes[k];
+                amplification = amplification + self.adjugate[(i, k)].abs() * sizes[k];
             }
-            largest = largest.max((growth * share) * shares[i]);
+            largest = largest.max((amplification * reciprocal) * reciprocals[i]);
         }
         largest
     }
 
     #[inline(always)]
-    fn sides(&self) -> T::Sides {
-        self.determinant.sides()
+    fn det_sign(&self) -> T::Signs {
+        self.determinant.signs()
     }
 
     #[inline(always)]

@@ -103,9 +103,9 @@ where
 
     /// As dense factors estimate it, in unknowns by their own size.
     #[inline]
-    fn growth(&self, sizes: &SVector<T, K>, shares: &SVector<T, K>) -> T {
+    fn error_amplification(&self, sizes: &SVector<T, K>, reciprocals: &SVector<T, K>) -> T {
         if !self.is_stable.all() {
-            return self.pivoted().map_or(T::of(f64::NAN), |factors| factors.growth(sizes, shares));
+            return self.pivoted().map_or(T::of(f64::NAN), |factors| factors.error_amplification(sizes, reciprocals));
         }
         let zero = T::of(0.0);
         let mut b = [zero; K];
@@ -117,17 +117,17 @@ where
         }
         // Each sign is the one that makes the sum longer.
         let z = E::substitute(&self.lu, &b, |size, known| T::select_less(zero, known, -(size + known), size - known));
-        z.iter().zip(shares.iter()).fold(T::of(0.0), |largest, (&entry, &share)| largest.max(entry.abs() * share))
+        z.iter().zip(reciprocals.iter()).fold(T::of(0.0), |largest, (&entry, &share)| largest.max(entry.abs() * share))
     }
 
     #[inline]
-    fn sides(&self) -> T::Sides {
+    fn det_sign(&self) -> T::Signs {
         if !self.is_stable.all() {
-            return self.pivoted().map_or(T::of(1.0).sides(), |factors| factors.sides());
+            return self.pivoted().map_or(T::of(1.0).signs(), |factors| factors.det_sign());
         }
         let is_pivot = |place: &usize| E::ORDER.factors[*place].0 == E::ORDER.factors[*place].1;
         let sign = T::of(if const { E::ORDER.is_odd() } { -1.0 } else { 1.0 });
-        (0..FACTORS).filter(is_pivot).fold(sign, |sign, place| T::select_less(self.lu[place], T::of(0.0), -sign, sign)).sides()
+        (0..FACTORS).filter(is_pivot).fold(sign, |sign, place| T::select_less(self.lu[place], T::of(0.0), -sign, sign)).signs()
     }
 
     #[inline]

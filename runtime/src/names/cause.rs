@@ -6,9 +6,9 @@ use super::{Coordinate, ParameterOutOfRange, Row};
 /// and would have to go on as its mirror image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BranchEnd<T> {
-    /// The share of the way, 0 at the defaults and 1 at these parameters; [`Stages::toward`](crate::Stages::toward) gives the
+    /// The share of the way, 0 at the defaults and 1 at these parameters; [`Stages::interpolated`](crate::Stages::interpolated) gives the
     /// mechanism there, with the parameters that it has.
-    pub share: T,
+    pub lambda: T,
     /// A row of the block that becomes singular there.
     pub row: Row,
     /// The coordinate of the block that its rows do not determine there.

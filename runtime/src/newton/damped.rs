@@ -5,10 +5,10 @@
 
 use nalgebra::SVector;
 
-use super::iterate::{History, Iterate};
 use super::limits::LONGEST_STEP;
-use super::position::{Miss, Position, accept};
-use super::{Place, Problem};
+use super::newton_step::{History, NewtonStep};
+use super::position::{NewtonError, Position, accept};
+use super::{Iterate, Problem};
 use crate::linear::Linear;
 use crate::number::Float;
 use crate::number::order::smaller;
@@ -25,28 +25,28 @@ const SMALLEST_FACTOR: f64 = 1e-6;
 /// `Stuck` with the best position where no step brings Φ nearer to zero, `Singular`, `NoConvergence` or `NotFinite`.
 pub(crate) fn damped<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
-    guess: &Place<T, N>,
-) -> Result<Position<T, P::Factors, N>, Miss<T, N>> {
+    guess: &Iterate<T, N>,
+) -> Result<Position<T, P::Factors, N>, NewtonError<T, N>> {
     let scale = problem.scale();
     let one = T::of(1.0);
-    let mut iterate = Iterate::at(problem, *guess)?;
+    let mut step = NewtonStep::at(problem, *guess)?;
     let mut history = History::new();
     let mut predicted = one;
     for iterations in 1..=ITERATIONS {
-        if iterate.has_settled(&history) {
-            return accept(problem, iterate, iterations);
+        if step.has_settled(&history) {
+            return accept(problem, step, iterations);
         }
-        let longest = smaller(one, T::of(LONGEST_STEP) / iterate.length);
-        let Some(DampedStep { lambda, simplified }) = monotone_step(problem, &iterate, smaller(predicted, longest)) else {
-            return Err(Miss::Stuck(iterate.place));
+        let longest = smaller(one, T::of(LONGEST_STEP) / step.length);
+        let Some(DampedStep { lambda, simplified }) = monotone_step(problem, &step, smaller(predicted, longest)) else {
+            return Err(NewtonError::Stuck(step.iterate));
         };
-        let next = Iterate::at(problem, iterate.moved(lambda, problem))?;
+        let next = NewtonStep::at(problem, step.moved(lambda, problem))?;
         let change = scale.norm(&SVector::from_fn(|i, _| simplified[i] - next.correction[i]));
-        predicted = at_most_one(iterate.length * scale.norm(&simplified) * lambda / (change * next.length));
-        history = history.after(iterate.length, lambda == one);
-        iterate = next;
+        predicted = at_most_one(step.length * scale.norm(&simplified) * lambda / (change * next.length));
+        history = history.after(step.length, lambda == one);
+        step = next;
     }
-    Err(Miss::NoConvergence { correction: iterate.length, iterations: ITERATIONS })
+    Err(NewtonError::NoConvergence { correction: step.length, iterations: ITERATIONS })
 }
 
 /// A step that passed the test.
@@ -60,20 +60,20 @@ struct DampedStep<T, const N: usize> {
 /// The longest of the steps tried, from λ = `first` down, for which |δ̄| < |δ|.
 fn monotone_step<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
-    iterate: &Iterate<T, P::Factors, N>,
+    step: &NewtonStep<T, P::Factors, N>,
     first: T,
 ) -> Option<DampedStep<T, N>> {
     let scale = problem.scale();
     let (half, one) = (T::of(0.5), T::of(1.0));
     let mut lambda = first;
     while lambda >= T::of(SMALLEST_FACTOR) {
-        let (phi, _) = problem.linearize(&iterate.moved(lambda, problem));
-        let simplified = iterate.factors.solve(&phi.map(|residual| -residual));
-        if scale.norm(&simplified) < iterate.length {
+        let (phi, _) = problem.linearize(&step.moved(lambda, problem));
+        let simplified = step.factors.solve(&phi.map(|residual| -residual));
+        if scale.norm(&simplified) < step.length {
             return Some(DampedStep { lambda, simplified });
         }
-        let remainder = scale.norm(&SVector::from_fn(|i, _| simplified[i] - (one - lambda) * iterate.correction[i]));
-        lambda = smaller(half * lambda, half * iterate.length * lambda * lambda / remainder);
+        let remainder = scale.norm(&SVector::from_fn(|i, _| simplified[i] - (one - lambda) * step.correction[i]));
+        lambda = smaller(half * lambda, half * step.length * lambda * lambda / remainder);
     }
     None
 }

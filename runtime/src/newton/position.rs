@@ -2,9 +2,9 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::iterate::Iterate;
-use super::limits::CERTAIN;
-use super::{Place, Problem};
+use super::limits::WELL_CONDITIONED;
+use super::newton_step::NewtonStep;
+use super::{Iterate, Problem};
 use crate::linear::Linear;
 use crate::names::{CoordinateKind, Culprit};
 use crate::number::Float;
@@ -29,7 +29,7 @@ const BEYOND_PLACES: f64 = 6.0;
 /// A solution of Φ(q, t) = 0.
 pub(crate) struct Position<T, L, const N: usize> {
     /// q, at the rounding limit.
-    pub(crate) place: Place<T, N>,
+    pub(crate) iterate: Iterate<T, N>,
     /// Factors of Φ_q at q, of full rank.
     pub(crate) factors: L,
     /// Condition of Φ_q.
@@ -39,13 +39,13 @@ pub(crate) struct Position<T, L, const N: usize> {
 }
 
 /// Why there is no solution here.
-pub(crate) enum Miss<T, const N: usize> {
+pub(crate) enum NewtonError<T, const N: usize> {
     /// The equations are not defined at an iterate.
     NotFinite(Culprit),
     /// The equations hold here, but Φ_q is singular.
-    Singular(Place<T, N>),
+    Singular(Iterate<T, N>),
     /// No step from here, however short, comes nearer.
-    Stuck(Place<T, N>),
+    Stuck(Iterate<T, N>),
     /// Corrections go on at this length.
     NoConvergence { correction: T, iterations: usize },
 }
@@ -53,21 +53,21 @@ pub(crate) enum Miss<T, const N: usize> {
 /// Makes the last correction, with the factors that velocities will use as well.
 pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
-    iterate: Iterate<T, P::Factors, N>,
+    step: NewtonStep<T, P::Factors, N>,
     iterations: usize,
-) -> Result<Position<T, P::Factors, N>, Miss<T, N>> {
-    let place = iterate.place.nudged(&iterate.correction, problem.turns());
-    let condition = iterate.factors.condition(&problem.sizes(), &problem.scale().share);
+) -> Result<Position<T, P::Factors, N>, NewtonError<T, N>> {
+    let iterate = step.iterate.nudged(&step.correction, problem.needs_sin_cos());
+    let condition = step.factors.condition(&problem.sizes(), &problem.scale().reciprocal);
     // Sine and cosine say nothing of an angle whose own rounding is no small one.
-    let is_lost = |k: usize| problem.coordinate(k).kind == CoordinateKind::Angle && T::EPSILON * place.x[k].abs() > T::of(COARSEST_ANGLE);
+    let is_lost = |k: usize| problem.coordinate(k).kind == CoordinateKind::Angle && T::EPSILON * iterate.x[k].abs() > T::of(COARSEST_ANGLE);
     if let Some(k) = (0..N).find(|&k| is_lost(k)) {
-        return Err(Miss::NoConvergence { correction: T::EPSILON * place.x[k].abs(), iterations });
+        return Err(NewtonError::NoConvergence { correction: T::EPSILON * iterate.x[k].abs(), iterations });
     }
-    let is_certain = condition * T::ROOT_EPSILON <= T::of(CERTAIN);
-    if is_certain || (iterate.factors.is_regular() && is_isolated(problem, &place, &iterate.factors, condition)) {
-        Ok(Position { place, factors: iterate.factors, condition, iterations })
+    let is_certain = condition * T::ROOT_EPSILON <= T::of(WELL_CONDITIONED);
+    if is_certain || (step.factors.is_regular() && is_isolated(problem, &iterate, &step.factors, condition)) {
+        Ok(Position { iterate, factors: step.factors, condition, iterations })
     } else {
-        Err(Miss::Singular(place))
+        Err(NewtonError::Singular(iterate))
     }
 }
 
@@ -81,9 +81,14 @@ pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
 /// ω (|Φ_q⁻¹ r| + ε |q|) ≤ 1/4
 /// ```
 #[cold]
-fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: &Place<T, N>, factors: &P::Factors, condition: T) -> bool {
+fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(
+    problem: &P,
+    iterate: &Iterate<T, N>,
+    factors: &P::Factors,
+    condition: T,
+) -> bool {
     let scale = problem.scale();
-    let (phi, jacobian) = problem.linearize(place);
+    let (phi, jacobian) = problem.linearize(iterate);
     let here = P::Factors::dense(&jacobian);
     // Whatever is solved for with a nearly singular matrix lies along what it nearly maps to zero.
     let mut share = T::of(0.382);
@@ -96,7 +101,7 @@ fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: &
     let along = along.map(|entry| entry / size);
     let step = T::of(1.0) / condition;
     let curvature = [step, -step].into_iter().fold(T::of(0.0), |largest, step| {
-        let (_, jacobian) = problem.linearize(&place.moved(step, &along, problem.turns()));
+        let (_, jacobian) = problem.linearize(&iterate.moved(step, &along, problem.needs_sin_cos()));
         let there = P::Factors::dense(&jacobian);
         let (there, here) = (product(&there, &along), product(&here, &along));
         let change = SVector::from_fn(|row, _| there[row] - here[row]);
@@ -106,14 +111,14 @@ fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(problem: &P, place: &
     // and only further away it shows how.
     let furthest = T::of(FAR_PLACES) * cube_root_of_epsilon();
     let reaches = [smaller(T::of(1.0) / curvature, furthest), furthest];
-    let mut error = T::EPSILON * scale.norm(&place.x);
+    let mut error = T::EPSILON * scale.norm(&iterate.x);
     // Each is converted where it stands, before the machine runs: a loop over doubles would convert them then.
     let [a, b, c, d] = PLACES;
     for multiple in [T::of(a), T::of(-a), T::of(b), T::of(-b), T::of(c), T::of(-c), T::of(d), T::of(-d)] {
         for reach in reaches {
             let way = along.map(|entry| multiple * reach * entry);
-            let there = place.moved(T::of(1.0), &way, problem.turns());
-            let way = SVector::from_fn(|k, _| there.x[k] - place.x[k]);
+            let there = iterate.moved(T::of(1.0), &way, problem.needs_sin_cos());
+            let way = SVector::from_fn(|k, _| there.x[k] - iterate.x[k]);
             let (beside, jacobian) = problem.linearize(&there);
             let slope = P::Factors::dense(&jacobian);
             let (there, here) = (product(&slope, &way), product(&here, &way));
@@ -140,7 +145,7 @@ fn cube_root_of_epsilon<T: Float>() -> T {
     T::select_less(T::EPSILON, T::of(1e-12), T::of(6.1e-6), T::of(4.9e-3))
 }
 
-impl<T, const N: usize> From<Culprit> for Miss<T, N> {
+impl<T, const N: usize> From<Culprit> for NewtonError<T, N> {
     fn from(culprit: Culprit) -> Self {
         Self::NotFinite(culprit)
     }

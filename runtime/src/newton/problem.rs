@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::{Place, Scale};
+use super::{Iterate, Scale};
 use crate::linear::{Linear, weakest};
 use crate::names::{self, Cause, Coordinate, CoordinateKind, Culprit, Row};
 use crate::number::Float;
@@ -14,10 +14,10 @@ pub(crate) trait Problem<T: Float, const K: usize> {
     type Factors: Linear<T, K>;
 
     /// Residuals and their Jacobian.
-    fn linearize(&self, place: &Place<T, K>) -> Linearized<T, Self::Factors, K>;
+    fn linearize(&self, iterate: &Iterate<T, K>) -> Linearized<T, Self::Factors, K>;
 
     /// Of which unknowns sine and cosine are needed.
-    fn turns(&self) -> &[bool; K];
+    fn needs_sin_cos(&self) -> &[bool; K];
 
     /// The size of each unknown.
     fn scale(&self) -> &Scale<T, K>;
@@ -38,17 +38,17 @@ pub(crate) trait Problem<T: Float, const K: usize> {
     }
 
     /// Which row depends on the others here, and which unknown they leave free.
-    fn singular(&self, place: &Place<T, K>) -> Cause<T> {
-        let (_, jacobian) = self.linearize(place);
+    fn singular(&self, iterate: &Iterate<T, K>) -> Cause<T> {
+        let (_, jacobian) = self.linearize(iterate);
         let (row, coordinate) = weakest(&Self::Factors::dense(&jacobian), &self.scale().column).unwrap_or((0, 0));
         let factors = Self::Factors::factor(&jacobian);
-        let condition = factors.map_or(T::of(f64::NAN), |factors| factors.condition(&self.sizes(), &self.scale().share));
+        let condition = factors.map_or(T::of(f64::NAN), |factors| factors.condition(&self.sizes(), &self.scale().reciprocal));
         Cause::Singular { row: self.row(row), coordinate: self.coordinate(coordinate), condition }
     }
 
     /// Which row stays open furthest here; None if all are closed.
-    fn widest_gap(&self, place: &Place<T, K>) -> Option<Cause<T>> {
-        let (phi, jacobian) = self.linearize(place);
+    fn widest_gap(&self, iterate: &Iterate<T, K>) -> Option<Cause<T>> {
+        let (phi, jacobian) = self.linearize(iterate);
         let jacobian = Self::Factors::dense(&jacobian);
         let mut widest = T::of(CLOSED) * T::ROOT_EPSILON * self.scale().length;
         let mut cause = None;
@@ -82,7 +82,7 @@ const CLOSED: f64 = 16.0;
 pub(crate) type Linearized<T, L, const K: usize> = (SVector<T, K>, <L as Linear<T, K>>::Matrix);
 
 /// Residuals and their Jacobian at a place.
-pub(crate) type Evaluate<'b, T, L, const K: usize> = dyn Fn(&Place<T, K>) -> Linearized<T, L, K> + 'b;
+pub(crate) type Evaluate<'b, T, L, const K: usize> = dyn Fn(&Iterate<T, K>) -> Linearized<T, L, K> + 'b;
 
 /// A block of a mechanism: some of its equations and unknowns, everything before them known.
 pub(crate) struct Part<'a, T, L: Linear<T, K>, const K: usize>
@@ -108,18 +108,18 @@ pub struct Block<const K: usize> {
     /// What the unknowns measure.
     pub kinds: [CoordinateKind; K],
     /// Of which unknowns sine and cosine are needed.
-    pub turns: [bool; K],
+    pub needs_sin_cos: [bool; K],
 }
 
 impl<T: Float, L: Linear<T, K>, const K: usize> Problem<T, K> for Part<'_, T, L, K> {
     type Factors = L;
 
-    fn linearize(&self, place: &Place<T, K>) -> Linearized<T, L, K> {
-        (self.evaluate)(place)
+    fn linearize(&self, iterate: &Iterate<T, K>) -> Linearized<T, L, K> {
+        (self.evaluate)(iterate)
     }
 
-    fn turns(&self) -> &[bool; K] {
-        &self.block.turns
+    fn needs_sin_cos(&self) -> &[bool; K] {
+        &self.block.needs_sin_cos
     }
 
     fn scale(&self) -> &Scale<T, K> {

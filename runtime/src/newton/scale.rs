@@ -14,7 +14,7 @@ pub(crate) struct Scale<T, const N: usize> {
     /// L or 1, by coordinate.
     pub(crate) column: SVector<T, N>,
     /// 1/L or 1, by coordinate.
-    pub(crate) share: SVector<T, N>,
+    pub(crate) reciprocal: SVector<T, N>,
 }
 
 impl<T: Float, const N: usize> Scale<T, N> {
@@ -30,7 +30,7 @@ impl<T: Float, const N: usize> Scale<T, N> {
 
     /// The greatest scaled entry, max(|δ_x| / L, |δ_φ|): NaN if one is, 0 if there is none.
     pub(crate) fn norm(&self, vector: &SVector<T, N>) -> T {
-        vector.iter().zip(self.share.iter()).fold(T::of(0.0), |norm, (&entry, &share)| greater(norm, entry.abs() * share))
+        vector.iter().zip(self.reciprocal.iter()).fold(T::of(0.0), |norm, (&entry, &reciprocal)| greater(norm, entry.abs() * reciprocal))
     }
 
     /// How far row `row` is from being fulfilled, in m: |Φ_i| by the norm of its gradient, an angle counting L metres.
@@ -46,14 +46,14 @@ impl<T: Float, const N: usize> Scale<T, N> {
 impl<T: SimdReal, const N: usize> Scale<T, N> {
     /// The scale of coordinates of these kinds, with L and 1/L.
     #[inline(always)]
-    pub(crate) fn by_kind(length: T, share: T, kinds: &[CoordinateKind; N]) -> Self {
+    pub(crate) fn by_kind(length: T, reciprocal: T, kinds: &[CoordinateKind; N]) -> Self {
         let pick = |of_length: T| {
             SVector::from_fn(|i, _| match kinds[i] {
                 CoordinateKind::Length => of_length,
                 CoordinateKind::Angle => T::of(1.0),
             })
         };
-        Self { length, column: pick(length), share: pick(share) }
+        Self { length, column: pick(length), reciprocal: pick(reciprocal) }
     }
 }
 

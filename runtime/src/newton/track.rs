@@ -1,9 +1,9 @@
 //! From a prediction to the solution that is surely on the same branch, or to none.
 
-use super::iterate::{History, Iterate};
 use super::limits::{LARGEST_CONTRACTION, LONGEST_FIRST_CORRECTION};
+use super::newton_step::{History, NewtonStep};
 use super::position::{Position, accept};
-use super::{Place, Problem};
+use super::{Iterate, Problem};
 use crate::linear::Linear;
 use crate::names::Culprit;
 use crate::number::{Float, Mask};
@@ -12,7 +12,7 @@ use crate::number::{Float, Mask};
 const FOLLOWING_ITERATIONS: usize = 12;
 
 /// Why a predicted position does not lead to one that is surely on the same branch.
-pub(crate) enum Refusal {
+pub(crate) enum TrackError {
     /// The equations are not defined at an iterate.
     NotFinite(Culprit),
     /// Φ_q is singular there.
@@ -23,37 +23,37 @@ pub(crate) enum Refusal {
 
 /// Newton's method from a prediction: full steps only, and none if the solution is far or convergence slow.
 ///
-/// * `side`: given, the orientation before. Where two branches cross, the one that goes straight on changes it, and so does the
+/// * `sign`: given, the orientation before. Where two branches cross, the one that goes straight on changes it, and so does the
 ///   prediction: what is then found on the old side is another branch.
-pub(crate) fn follow<T: Float, P: Problem<T, N>, const N: usize>(
+pub(crate) fn track<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
-    prediction: &Place<T, N>,
-    side: Option<T::Sides>,
-) -> Result<Position<T, P::Factors, N>, Refusal> {
+    prediction: &Iterate<T, N>,
+    sign: Option<T::Signs>,
+) -> Result<Position<T, P::Factors, N>, TrackError> {
     let mut history = History::new();
-    let mut place = *prediction;
+    let mut iterate = *prediction;
     for iterations in 1..=FOLLOWING_ITERATIONS {
-        let iterate = Iterate::at(problem, place)?;
-        if iterate.has_settled(&history) {
-            return accept(problem, iterate, iterations).map_err(|_| Refusal::Singular);
+        let step = NewtonStep::at(problem, iterate)?;
+        if step.has_settled(&history) {
+            return accept(problem, step, iterations).map_err(|_| TrackError::Singular);
         }
-        if iterations == 1 && side.is_some_and(|side| !T::same(iterate.factors.sides(), side).all()) {
-            return Err(Refusal::Far);
+        if iterations == 1 && sign.is_some_and(|sign| !T::same_signs(step.factors.det_sign(), sign).all()) {
+            return Err(TrackError::Far);
         }
-        let is_far = match history.contraction(iterate.length) {
-            Some(theta) => theta > T::of(LARGEST_CONTRACTION) && !iterate.is_rounding(),
-            None => iterate.length > T::of(LONGEST_FIRST_CORRECTION),
+        let is_far = match history.contraction(step.length) {
+            Some(theta) => theta > T::of(LARGEST_CONTRACTION) && !step.is_rounding(),
+            None => step.length > T::of(LONGEST_FIRST_CORRECTION),
         };
         if is_far {
-            return Err(Refusal::Far);
+            return Err(TrackError::Far);
         }
-        place = iterate.moved(T::of(1.0), problem);
-        history = history.after(iterate.length, true);
+        iterate = step.moved(T::of(1.0), problem);
+        history = history.after(step.length, true);
     }
-    Err(Refusal::Far)
+    Err(TrackError::Far)
 }
 
-impl From<Culprit> for Refusal {
+impl From<Culprit> for TrackError {
     fn from(culprit: Culprit) -> Self {
         Self::NotFinite(culprit)
     }

@@ -5,7 +5,7 @@
 //! an answer for each lane.
 //!
 //! ```text
-//! x₀ = q + h q̇ + h² q̈ / 2 + e      e: what this leaves out, from the step before (Trend)
+//! x₀ = q + h q̇ + h² q̈ / 2 + e      e: what this leaves out, from the step before (Extrapolation)
 //! A₀ δ = Φ(x₀)                      A₀ = Φ_q(x₀)
 //! x  = x₀ − δ                       the solution if |δ| ≤ √ε, for then |δ|² is below rounding
 //! A  η = Φ(x)                       and if |η|, which nothing waits for, is a rounding
@@ -15,8 +15,8 @@
 
 use nalgebra::SVector;
 
-use super::limits::{CERTAIN, LARGEST_CONTRACTION, LONGEST_FIRST_CORRECTION, LONGEST_PREDICTION};
-use super::{Linearized, Place};
+use super::limits::{LARGEST_CONTRACTION, LONGEST_FIRST_CORRECTION, LONGEST_PREDICTION, WELL_CONDITIONED};
+use super::{Iterate, Linearized};
 use crate::linear::Linear;
 use crate::number::{Mask, SimdReal};
 use crate::state::{Coordinates, State};
@@ -36,9 +36,9 @@ const MOST_CORRECTIONS: usize = 4;
 const SMALL: usize = 3;
 
 /// Where a pass sets out from, and how far it goes.
-pub(crate) struct Departure<'a, T: SimdReal, const N: usize> {
+pub(crate) struct Predictor<'a, T: SimdReal, const N: usize> {
     here: &'a State<T, N>,
-    sides: &'a [T::Sides; N],
+    signs: &'a [T::Signs; N],
     /// The lanes that set out.
     moving: T::Mask,
     /// What q̇, q̈ and the rest of the trend are multiplied by.
@@ -48,20 +48,20 @@ pub(crate) struct Departure<'a, T: SimdReal, const N: usize> {
 }
 
 /// What solving a block straight on needs to know of it.
-pub(crate) struct Scene<'a, T, const K: usize> {
+pub(crate) struct BlockData<'a, T, const K: usize> {
     /// Indices of the unknowns in q.
     pub(crate) unknowns: &'a [usize; K],
     /// Which unknowns turn.
-    pub(crate) turns: &'a [bool; K],
+    pub(crate) needs_sin_cos: &'a [bool; K],
     /// One over what counts as 1 in each unknown.
-    pub(crate) share: &'a SVector<T, K>,
+    pub(crate) reciprocal: &'a SVector<T, K>,
     /// What rounding errors of Φ are a share of.
     pub(crate) sizes: &'a SVector<T, K>,
 }
 
 /// A solution.
-pub(crate) struct Arrival<T: SimdReal, L, const K: usize> {
-    pub(crate) place: Place<T, K>,
+pub(crate) struct BlockSolution<T: SimdReal, L, const K: usize> {
+    pub(crate) iterate: Iterate<T, K>,
     pub(crate) factors: L,
     pub(crate) condition: T,
     /// Number of factorisations.
@@ -70,12 +70,12 @@ pub(crate) struct Arrival<T: SimdReal, L, const K: usize> {
     pub(crate) found: T::Mask,
 }
 
-impl<'a, T: SimdReal, const N: usize> Departure<'a, T, N> {
-    /// From a state, whose signs of determinants are `sides`, to a moment h later, in the lanes that are `moving`, with this many
+impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
+    /// From a state, whose signs of determinants are `signs`, to a moment h later, in the lanes that are `moving`, with this many
     /// unknowns that are iterated.
     #[inline(always)]
-    pub(crate) fn new(here: &'a State<T, N>, sides: &'a [T::Sides; N], h: T, moving: T::Mask, iterated: usize) -> Self {
-        Self { here, sides, moving, weights: here.trend.weights(h), is_small: iterated <= SMALL }
+    pub(crate) fn new(here: &'a State<T, N>, signs: &'a [T::Signs; N], h: T, moving: T::Mask, iterated: usize) -> Self {
+        Self { here, signs, moving, weights: here.extrapolation.weights(h), is_small: iterated <= SMALL }
     }
 
     /// Where the unknowns `own` were, if they rested and the `inputs` rest where they did.
@@ -89,17 +89,17 @@ impl<'a, T: SimdReal, const N: usize> Departure<'a, T, N> {
 
     /// Predictions of these unknowns, and the scaled length of the way there.
     #[inline(always)]
-    fn predict<const K: usize>(&self, scene: &Scene<'_, T, K>) -> (SVector<T, K>, T) {
+    fn predict<const K: usize>(&self, data: &BlockData<'_, T, K>) -> (SVector<T, K>, T) {
         let [first, second, rest] = self.weights;
         let mut x = SVector::from_element(T::of(0.0));
         let mut way = T::of(0.0);
         for k in 0..K {
-            let i = scene.unknowns[k];
+            let i = data.unknowns[k];
             let of = |vector: &SVector<T, N>| of(vector, i);
-            let terms = [first * of(&self.here.qd), second * of(&self.here.qdd), rest * of(&self.here.trend.rest)];
+            let terms = [first * of(&self.here.qd), second * of(&self.here.qdd), rest * of(&self.here.extrapolation.rest)];
             // q̈ comes last.
             x[k] = ((of(&self.here.q) + terms[2]) + terms[0]) + terms[1];
-            way = way + (terms[0].abs() + terms[1].abs() + terms[2].abs()) * scene.share[k];
+            way = way + (terms[0].abs() + terms[1].abs() + terms[2].abs()) * data.reciprocal[k];
         }
         (x, way)
     }
@@ -108,50 +108,50 @@ impl<'a, T: SimdReal, const N: usize> Departure<'a, T, N> {
     #[inline(always)]
     pub(crate) fn solve<L: Linear<T, K>, const K: usize>(
         &self,
-        scene: &Scene<'_, T, K>,
+        data: &BlockData<'_, T, K>,
         name: usize,
-        evaluate: impl Fn(&Place<T, K>) -> Linearized<T, L, K>,
-    ) -> Option<Arrival<T, L, K>> {
-        let (x, way) = self.predict(scene);
-        let side = *self.sides.get(name)?;
+        evaluate: impl Fn(&Iterate<T, K>) -> Linearized<T, L, K>,
+    ) -> Option<BlockSolution<T, L, K>> {
+        let (x, way) = self.predict(data);
+        let sign = *self.signs.get(name)?;
         let mut follows = self.moving.and(way.at_most(T::of(LONGEST_PREDICTION)));
-        let mut place = if self.is_small {
-            Place::after(SVector::from_fn(|k, _| of(&self.here.q, scene.unknowns[k])), x, scene.turns)
+        let mut iterate = if self.is_small {
+            Iterate::after(SVector::from_fn(|k, _| of(&self.here.q, data.unknowns[k])), x, data.needs_sin_cos)
         } else {
-            Place::at(x, scene.turns)
+            Iterate::at(x, data.needs_sin_cos)
         };
         let mut longest = T::of(LONGEST_FIRST_CORRECTION);
         let mut iterations = 0;
         loop {
             iterations += 2;
-            let (phi, jacobian) = evaluate(&place);
+            let (phi, jacobian) = evaluate(&iterate);
             let factors = L::factor(&jacobian).ok()?;
             // Where two branches cross, the one that goes straight on changes its sign: the other is not followed instead.
-            follows = follows.and(T::same(factors.sides(), side));
+            follows = follows.and(T::same_signs(factors.det_sign(), sign));
             let correction = factors.solve_regular(&phi);
-            let there = place.nudged_back(&correction, scene.turns);
+            let there = iterate.nudged_back(&correction, data.needs_sin_cos);
 
             let (phi, jacobian) = evaluate(&there);
             let factors = L::factor(&jacobian).ok()?;
-            let next = norm(&factors.solve_regular(&phi), scene.share);
-            let growth = factors.growth(scene.sizes, scene.share);
-            let condition = growth.max(T::of(1.0));
+            let next = norm(&factors.solve_regular(&phi), data.reciprocal);
+            let amplification = factors.error_amplification(data.sizes, data.reciprocal);
+            let condition = amplification.max(T::of(1.0));
 
-            let length = norm(&correction, scene.share);
+            let length = norm(&correction, data.reciprocal);
             let is_short = length.at_most(T::ROOT_EPSILON);
-            let is_last = next.at_most(T::of(ROUNDINGS) * T::EPSILON * growth);
-            let is_alike = factors.is_regular().and(follows).and(T::same(factors.sides(), side));
-            let mut found = is_short.and(is_last).and(growth.at_most(T::of(ILL))).and(is_alike);
+            let is_last = next.at_most(T::of(ROUNDINGS) * T::EPSILON * amplification);
+            let is_alike = factors.is_regular().and(follows).and(T::same_signs(factors.det_sign(), sign));
+            let mut found = is_short.and(is_last).and(amplification.at_most(T::of(ILL))).and(is_alike);
             if !found.all() {
-                found = is_found(length, next, condition, growth + norm(&there.x, scene.share)).and(is_alike);
+                found = is_found(length, next, condition, amplification + norm(&there.x, data.reciprocal)).and(is_alike);
             }
             if found.all() || found.or(follows.not()).all() || iterations >= 2 * MOST_CORRECTIONS {
-                let arrival = Arrival { place: there, factors, condition, iterations, found };
-                return (!found.not().all()).then_some(arrival);
+                let solution = BlockSolution { iterate: there, factors, condition, iterations, found };
+                return (!found.not().all()).then_some(solution);
             }
-            // SimdReal that have arrived stand still: they come to the same again.
+            // Lanes that have arrived stand still: they come to the same again.
             follows = follows.and(found.or(length.at_most(longest)));
-            place = further(place, correction, *scene.turns).replaced(found, &place);
+            iterate = further(iterate, correction, *data.needs_sin_cos).replaced(found, &iterate);
             longest = length * T::of(LARGEST_CONTRACTION);
         }
     }
@@ -164,7 +164,7 @@ impl<'a, T: SimdReal, const N: usize> Departure<'a, T, N> {
 fn is_found<T: SimdReal>(length: T, next: T, condition: T, effect: T) -> T::Mask {
     let is_short = (length * length * (T::of(1.0 / ILL) * condition).max(T::of(1.0))).at_most(T::EPSILON);
     let is_last = next.at_most(T::of(ROUNDINGS) * T::EPSILON * effect);
-    is_short.and(is_last).and((condition * T::ROOT_EPSILON).at_most(T::of(CERTAIN)))
+    is_short.and(is_last).and((condition * T::ROOT_EPSILON).at_most(T::of(WELL_CONDITIONED)))
 }
 
 /// The entry of an unknown, whose index is in range.
@@ -176,12 +176,12 @@ fn of<T: SimdReal, const N: usize>(vector: &SVector<T, N>, unknown: usize) -> T 
 /// After a correction that was not the last.
 #[cold]
 #[inline(never)]
-fn further<T: SimdReal, const K: usize>(place: Place<T, K>, correction: SVector<T, K>, turns: [bool; K]) -> Place<T, K> {
-    place.moved(T::of(-1.0), &correction, &turns)
+fn further<T: SimdReal, const K: usize>(iterate: Iterate<T, K>, correction: SVector<T, K>, needs_sin_cos: [bool; K]) -> Iterate<T, K> {
+    iterate.moved(T::of(-1.0), &correction, &needs_sin_cos)
 }
 
 /// The sum of scaled magnitudes; NaN if one is.
 #[inline(always)]
-fn norm<T: SimdReal, const K: usize>(vector: &SVector<T, K>, share: &SVector<T, K>) -> T {
-    (0..K).fold(T::of(0.0), |sum, k| sum + vector[k].abs() * share[k])
+fn norm<T: SimdReal, const K: usize>(vector: &SVector<T, K>, reciprocal: &SVector<T, K>) -> T {
+    (0..K).fold(T::of(0.0), |sum, k| sum + vector[k].abs() * reciprocal[k])
 }

@@ -3,7 +3,7 @@
 use super::{DetSign, SimdReal};
 
 /// A [`Real`](crate::Real) with an order, a rounding unit and a way into messages: `f64` and `f32`.
-pub trait Float: SimdReal<Mask = bool, Sides = DetSign> + PartialOrd {
+pub trait Float: SimdReal<Mask = bool, Signs = DetSign> + PartialOrd {
     /// 0
     const ZERO: Self;
 

@@ -31,7 +31,7 @@ pub trait SimdReal: Real {
     type Mask: Mask;
 
     /// The signs of determinants.
-    type Sides: Copy + Debug;
+    type Signs: Copy + Debug;
 
     /// The difference between 1 and the next greater number.
     const EPSILON: Self;
@@ -47,21 +47,21 @@ pub trait SimdReal: Real {
     fn pick(mask: Self::Mask, then: Self, otherwise: Self) -> Self;
 
     /// The sign of each lane; zero counts as positive.
-    fn sides(self) -> Self::Sides;
+    fn signs(self) -> Self::Signs;
 
     /// Where signs are the same.
-    fn same(a: Self::Sides, b: Self::Sides) -> Self::Mask;
+    fn same_signs(a: Self::Signs, b: Self::Signs) -> Self::Mask;
 
     /// (sine, cosine) with a relative error of 2 ε at most, for the loops of the solver, where speed counts and bits need not be the
     /// same as those of [`sin_cos`](Real::sin_cos).
     #[must_use]
-    fn turn(self) -> (Self, Self);
+    fn fast_sin_cos(self) -> (Self, Self);
 
     /// (sine, cosine) of several angles, which may be computed side by side.
     #[inline(always)]
     #[must_use]
-    fn turns<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
-        angles.map(Self::turn)
+    fn fast_sin_cos_of_each<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
+        angles.map(Self::fast_sin_cos)
     }
 }
 
@@ -90,10 +90,10 @@ impl Mask for bool {
 
 /// A scalar is one lane.
 macro_rules! scalar {
-    ($scalar:ident, root: $root:expr, turn: $turn:expr, turns: $turns:expr) => {
+    ($scalar:ident, root: $root:expr, one: $one:expr, each: $each:expr) => {
         impl SimdReal for $scalar {
             type Mask = bool;
-            type Sides = DetSign;
+            type Signs = DetSign;
 
             const EPSILON: Self = $scalar::EPSILON;
             const ROOT_EPSILON: Self = $root;
@@ -107,24 +107,24 @@ macro_rules! scalar {
                 if mask { then } else { otherwise }
             }
             #[inline(always)]
-            fn sides(self) -> DetSign {
+            fn signs(self) -> DetSign {
                 if self < 0.0 { DetSign::Negative } else { DetSign::Positive }
             }
             #[inline(always)]
-            fn same(a: DetSign, b: DetSign) -> bool {
+            fn same_signs(a: DetSign, b: DetSign) -> bool {
                 a == b
             }
             #[inline(always)]
-            fn turn(self) -> (Self, Self) {
-                $turn(self)
+            fn fast_sin_cos(self) -> (Self, Self) {
+                $one(self)
             }
             #[inline(always)]
-            fn turns<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
-                $turns(angles)
+            fn fast_sin_cos_of_each<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
+                $each(angles)
             }
         }
     };
 }
 
-scalar!(f64, root: 1.0 / 67_108_864.0, turn: sin_cos::sin_cos, turns: sin_cos::sin_cos_of_each);
-scalar!(f32, root: 3.452_669_8e-4, turn: single::sin_cos, turns: single::sin_cos_of_each);
+scalar!(f64, root: 1.0 / 67_108_864.0, one: sin_cos::sin_cos, each: sin_cos::sin_cos_of_each);
+scalar!(f32, root: 3.452_669_8e-4, one: single::sin_cos, each: single::sin_cos_of_each);

@@ -11,9 +11,9 @@
 use nalgebra::SVector;
 
 use super::branch::{LARGEST_LAPSE, jump};
-use super::reached::{Reached, inspect, reached, state};
+use super::cold::{CheckedState, cold_state, inspect, valid_state};
 use crate::names::{self, BranchEnd, Cause, CoordinateKind, Culprit};
-use crate::newton::{Scale, Stop};
+use crate::newton::{Scale, StepError};
 use crate::number::Float;
 use crate::solve::{ColdSolver, Stages};
 use crate::state::State;
@@ -45,13 +45,13 @@ pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E)
     let near = |guess: &SVector<T, N>| assemble_near(equations, zero, guess);
     let alone = |cause| Unassembled { cause, end: None, last: None };
     let start = equations.start();
-    let Some(defaults) = equations.toward(zero) else { return near(&start).map_err(alone) };
+    let Some(defaults) = equations.interpolated(zero) else { return near(&start).map_err(alone) };
     // Defaults may be placeholders that close nowhere; then the start is only a guess.
     let Ok(origin) = assemble_near(&defaults, zero, &defaults.start()) else { return near(&start).map_err(alone) };
     if equations.validate().is_err() {
         return near(&start).map_err(alone);
     }
-    let (share, here) = match follow(equations, &origin) {
+    let (lambda, here) = match follow(equations, &origin) {
         Ok((state, None)) => return Ok(state),
         Ok((_, Some(cause))) => return Err(alone(cause)),
         Err(end) => end,
@@ -65,7 +65,7 @@ pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E)
         });
     }
     let Some(cause) = cause else { return near(&start).map_err(alone) };
-    let end = end(equations, share, &here);
+    let end = end(equations, lambda, &here);
     Err(Unassembled { cause, end, last: Some(here) })
 }
 
@@ -82,8 +82,8 @@ pub(crate) fn assemble_near<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     if !t.is_finite() {
         return Err(Cause::NotFinite { of: Culprit::Time });
     }
-    let guess = equations.improved(t, guess);
-    Ok(state(equations, t, ColdSolver::from_guess(equations, &guess))?)
+    let guess = equations.refined_guess(t, guess);
+    Ok(valid_state(equations, t, ColdSolver::from_guess(equations, &guess))?)
 }
 
 /// Of two loops that stay open the one that is nearer to closing; else the cause that was found before.
@@ -108,7 +108,7 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(
     let mut slope = SVector::from_element(zero);
     for _ in 0..MOST_STEPS {
         let next = if reached + step < one { reached + step } else { one };
-        let between = if next < one { equations.toward(next) } else { None };
+        let between = if next < one { equations.interpolated(next) } else { None };
         let by = next - reached;
         match stride(between.as_ref().unwrap_or(equations), &here, &slope, by) {
             // On the way redundant joints need not fit.
@@ -133,24 +133,24 @@ fn stride<T: Float, E: Stages<T, N>, const N: usize>(
     here: &State<T, N>,
     slope: &SVector<T, N>,
     by: T,
-) -> Result<Reached<T, N>, Stop<T>> {
+) -> Result<CheckedState<T, N>, StepError<T>> {
     let zero = T::of(0.0);
     let mut slanted = here.clone();
     (slanted.qd, slanted.qdd) = (*slope, SVector::from_element(zero));
     let foretold = SVector::from_fn(|i, _| here.q[i] + slope[i] * by);
-    match reached(equations, zero, ColdSolver::from_prediction(equations, &slanted, by)) {
+    match cold_state(equations, zero, ColdSolver::from_prediction(equations, &slanted, by)) {
         // As near as that no other assembly of this branch's sign can be.
         Ok(found) if is_as_foretold::<T, E, N>(equations, &here.q, &foretold, &found.0, T::of(LARGEST_LAPSE) / found.0.condition) => {
             Ok(found)
         }
-        Ok(_) => Err(Stop::Far),
-        Err(stop) => {
-            let found = reached(equations, zero, ColdSolver::from_guess(equations, &foretold))?;
+        Ok(_) => Err(StepError::Far),
+        Err(error) => {
+            let found = cold_state(equations, zero, ColdSolver::from_guess(equations, &foretold))?;
             let is_same = found.0.branch == here.branch;
             if is_same && is_as_foretold::<T, E, N>(equations, &here.q, &foretold, &found.0, T::of(SURPRISE)) {
                 Ok(found)
             } else {
-                Err(stop)
+                Err(error)
             }
         }
     }
@@ -175,10 +175,10 @@ fn is_as_foretold<T: Float, E: Stages<T, N>, const N: usize>(
 }
 
 /// The block that is nearest to singular where a branch ends.
-fn end<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, share: T, here: &State<T, N>) -> Option<BranchEnd<T>> {
-    let there = equations.toward(share)?;
+fn end<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, lambda: T, here: &State<T, N>) -> Option<BranchEnd<T>> {
+    let there = equations.interpolated(lambda)?;
     match inspect(&there, here.t, &here.q)? {
-        Cause::Singular { row, coordinate, .. } => Some(BranchEnd { share, row, coordinate }),
+        Cause::Singular { row, coordinate, .. } => Some(BranchEnd { lambda, row, coordinate }),
         _ => None,
     }
 }

@@ -7,10 +7,10 @@
 //! expected. Otherwise it is halved; after a success it is doubled.
 
 use super::branch::is_same_branch;
+use super::cold::cold_state;
 use super::crossing;
-use super::reached::reached;
 use crate::names::{self, Cause, CoordinateKind, Culprit};
-use crate::newton::{Stop, length_of};
+use crate::newton::{StepError, length_of};
 use crate::number::Float;
 use crate::number::order::greater;
 use crate::solve::{ColdSolver, Stages};
@@ -42,7 +42,7 @@ pub(crate) enum Ended<T, const N: usize> {
     /// There is no state at this time with these parameters.
     Refused(Cause<T>),
     /// No step from `here` towards `next`, however short, stays on the branch.
-    Lost { stop: Stop<T>, here: State<T, N>, next: T },
+    Lost { error: StepError<T>, here: State<T, N>, next: T },
     /// So many steps were made, and the last one came to `here`.
     TooManySteps { steps: usize, here: State<T, N> },
 }
@@ -67,14 +67,14 @@ pub(crate) fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usiz
         return Err(Ended::Refused(Cause::ParameterOutOfRange(parameter)));
     }
     // A state of slightly other parameters is first put in order where it is; one of these parameters stays as it is.
-    let seated = reached(equations, state.t, ColdSolver::from_prediction(equations, state, T::of(0.0)));
+    let seated = cold_state(equations, state.t, ColdSolver::from_prediction(equations, state, T::of(0.0)));
     let mut here = seated.map_or_else(|_| state.clone(), |(seated, _)| seated);
     let mut waypoint = here.clone();
     let mut step = t - state.t;
     let most = const { MOST_STEPS / (1 + 10 * N / MANY) };
     for _ in 0..most {
         let next = if step.abs() >= (t - here.t).abs() { t } else { here.t + step };
-        match reached(equations, next, ColdSolver::from_prediction(equations, &here, next - here.t)) {
+        match cold_state(equations, next, ColdSolver::from_prediction(equations, &here, next - here.t)) {
             Ok((there, _)) if !is_same_branch(equations, &here, &there) && halves(equations, &mut step, next, &here, t - state.t) => {}
             Ok((there, off)) if next == t => match off {
                 Some(cause) => return Err(Ended::Refused(cause)),
@@ -90,7 +90,7 @@ pub(crate) fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usiz
                     waypoint = here.clone();
                 }
             }
-            Err(stop) => {
+            Err(error) => {
                 if !halves(equations, &mut step, next, &here, t - state.t) {
                     if let Some(beyond) = crossing::cross(equations, &waypoint, &here, t) {
                         if beyond.t == t {
@@ -101,7 +101,7 @@ pub(crate) fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usiz
                         (here, waypoint) = (beyond.clone(), beyond);
                         continue;
                     }
-                    return Err(Ended::Lost { stop, here, next });
+                    return Err(Ended::Lost { error, here, next });
                 }
             }
         }

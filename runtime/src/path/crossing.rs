@@ -13,7 +13,7 @@
 use nalgebra::SVector;
 
 use super::branch::is_same_branch;
-use super::reached::{pass, reached};
+use super::cold::{cold_state, solve_stages};
 use crate::number::Float;
 use crate::number::order::greater;
 use crate::solve::{ColdSolver, Stages};
@@ -79,11 +79,11 @@ pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     let [near, far] = [approach(equations, &before, crossing, between)?, approach(equations, &beyond, crossing, between)?];
     // Between branches that only come near to each other there is no solution.
     let mut there = extrapolated(equations, near, far, crossing, if is_there { t } else { crossing })?;
-    there.values.q = pass(equations, there.values.t, &ColdSolver::at_crossing(equations, &there.values.q)).ok()?.q;
+    there.values.q = solve_stages(equations, there.values.t, &ColdSolver::at_crossing(equations, &there.values.q)).ok()?.q;
     if !is_there {
         return Some(beyond);
     }
-    Some(State { mark: equations.mark(), ..there })
+    Some(State { parameter_hash: equations.parameter_hash(), ..there })
 }
 
 /// The state at `t`, next to the crossing, by polynomials through states at ±h, ±2h and ±4h from it, as far as there are such states.
@@ -193,6 +193,6 @@ fn step<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
 ) -> Option<State<T, N>> {
     let h = t - here.t;
     let solver = if is_across { ColdSolver::across(equations, here, h) } else { ColdSolver::from_prediction(equations, here, h) };
-    let (there, _) = reached(equations, t, solver).ok()?;
+    let (there, _) = cold_state(equations, t, solver).ok()?;
     is_same_branch(equations, here, &there).then_some(there)
 }

@@ -2,14 +2,14 @@
 
 mod assembly;
 mod branch;
+mod cold;
 mod continuation;
 mod crossing;
-mod reached;
 mod step;
 
 pub(crate) use assembly::{Unassembled, assemble, assemble_near};
 pub(crate) use branch::jump;
+pub(crate) use cold::{cold_state, inspect};
 pub(crate) use continuation::{Ended, advance_by_steps};
-pub(crate) use reached::{inspect, reached};
 pub(crate) use step::step;
-pub use step::{step_in_part, stride};
+pub use step::{step_in_part, step_lanes};

@@ -2,10 +2,10 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::{Equations, Pass, SolverReal};
+use super::{Equations, Solver, SolverReal};
 use crate::linear::Factors;
 use crate::names::{self, Coordinate, Row};
-use crate::newton::{self, Block, Place, Problem, Scale, Stop};
+use crate::newton::{self, Block, Iterate, Problem, Scale, StepError};
 use crate::number::Float;
 use crate::state::Coordinates;
 
@@ -21,8 +21,8 @@ struct Chosen<'a, E: ?Sized, T, const M: usize, const N: usize> {
 impl<T: Float, E: Equations<T, M, N> + ?Sized, const M: usize, const N: usize> Problem<T, N> for Chosen<'_, E, T, M, N> {
     type Factors = Factors<T, N>;
 
-    fn linearize(&self, place: &Place<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
-        let (phi, jacobian) = self.equations.linearize(&place.x, self.t);
+    fn linearize(&self, iterate: &Iterate<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        let (phi, jacobian) = self.equations.linearize(&iterate.x, self.t);
         // A row that does not exist says nothing, and the matrix is singular.
         let is_row = |i: usize| self.rows[i] < M;
         let zero = T::of(0.0);
@@ -32,7 +32,7 @@ impl<T: Float, E: Equations<T, M, N> + ?Sized, const M: usize, const N: usize> P
         )
     }
 
-    fn turns(&self) -> &[bool; N] {
+    fn needs_sin_cos(&self) -> &[bool; N] {
         &[false; N]
     }
 
@@ -60,17 +60,17 @@ impl<T: Float, E: Equations<T, M, N> + ?Sized, const M: usize, const N: usize> P
 pub fn at_once<T: SolverReal, E: Equations<T, N, N> + ?Sized, const N: usize>(
     equations: &E,
     t: T,
-    pass: &mut Pass<'_, T, N>,
-) -> Result<Coordinates<T, N>, Stop<T>> {
+    solver: &mut Solver<'_, T, N>,
+) -> Result<Coordinates<T, N>, StepError<T>> {
     let all = core::array::from_fn(|index| index);
     let kinds = core::array::from_fn(|index| names::coordinate(E::COORDINATES, index).kind);
-    let block = Block { unknowns: all, equations: all, kinds, turns: [false; N] };
-    let solved = pass.large(&block, [T::of(0.0); N], |place| {
-        let (phi, jacobian) = equations.linearize(&place.x, t);
+    let block = Block { unknowns: all, equations: all, kinds, needs_sin_cos: [false; N] };
+    let solved = solver.large(&block, [T::of(0.0); N], |iterate| {
+        let (phi, jacobian) = equations.linearize(&iterate.x, t);
         (phi.data.0[0], jacobian.transpose().data.0)
     })?;
     let q = SVector::from(solved.x);
-    let rates = |b: SVector<T, N>| SVector::from(solved.rates(b.data.0[0]));
+    let rates = |b: SVector<T, N>| SVector::from(solved.solve(b.data.0[0]));
     let qd = rates(equations.nu(&q, t));
     let qdd = rates(equations.gamma(&q, &qd, t));
     Ok(Coordinates { q, qd, qdd })
@@ -83,16 +83,16 @@ const LARGEST_WHOLE: usize = 48;
 ///
 /// Taken all at once, equations share the error of the guess, and the assembly that is found is the one near it. Block by block,
 /// what is solved first pulls what comes after.
-pub fn improved_at_once<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
+pub fn refined_guess_at_once<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
     equations: &E,
     t: T,
     guess: &SVector<T, N>,
 ) -> SVector<T, N> {
-    improved_by(equations, &core::array::from_fn(|row| row), t, guess)
+    refined_guess_by_rows(equations, &core::array::from_fn(|row| row), t, guess)
 }
 
 /// The same where there are more equations than coordinates, of which those in `rows` are solved.
-pub fn improved_by<T: Float, E: Equations<T, M, N> + ?Sized, const M: usize, const N: usize>(
+pub fn refined_guess_by_rows<T: Float, E: Equations<T, M, N> + ?Sized, const M: usize, const N: usize>(
     equations: &E,
     rows: &[usize; N],
     t: T,
@@ -103,5 +103,5 @@ pub fn improved_by<T: Float, E: Equations<T, M, N> + ?Sized, const M: usize, con
         return *guess;
     }
     let chosen = Chosen { equations, rows, t, scale: Scale::of(equations) };
-    newton::close(&chosen, &Place::at(*guess, chosen.turns())).map_or(*guess, |position| position.place.x)
+    newton::solve_from_guess(&chosen, &Iterate::at(*guess, chosen.needs_sin_cos())).map_or(*guess, |position| position.iterate.x)
 }

@@ -10,7 +10,9 @@ use super::solver::bound;
 use super::{ColdStart, SolverReal, lengths_of};
 use crate::linear::{Linear, regular_part};
 use crate::names::{self, Cause, Coordinate, CoordinateKind, Culprit, Description, Row};
-use crate::newton::{self, Block, Evaluate, LONGEST_PREDICTION, Miss, Part, Place, Position, Problem, Refusal, Scale, Solved, Stop};
+use crate::newton::{
+    self, Block, Evaluate, Iterate, LONGEST_PREDICTION, NewtonError, Part, Position, Problem, Scale, Solved, StepError, TrackError,
+};
 use crate::number::order::greater;
 use crate::number::{DetSign, Float};
 use crate::state::State;
@@ -112,7 +114,7 @@ impl<T: Float, const N: usize> ColdStart<T, N> for ColdSolver<'_, T, N> {
         block: &Block<K>,
         sizes: [T; K],
         evaluate: &Evaluate<'_, T, L, K>,
-    ) -> Result<Solved<T, L, K>, Stop<T>> {
+    ) -> Result<Solved<T, L, K>, StepError<T>> {
         let mut part: Part<'_, T, L, K> = Part {
             evaluate,
             block,
@@ -122,42 +124,42 @@ impl<T: Float, const N: usize> ColdStart<T, N> for ColdSolver<'_, T, N> {
             coordinates: self.coordinates,
         };
         let first = block.unknowns.first().copied().unwrap_or(0);
-        let picked = |q: &SVector<T, N>| Place::at(SVector::from_fn(|k, _| of(q, block.unknowns[k])), &block.turns);
+        let picked = |q: &SVector<T, N>| Iterate::at(SVector::from_fn(|k, _| of(q, block.unknowns[k])), &block.needs_sin_cos);
         let mut report = self.report.get();
         let position = match &self.origin {
             Origin::Prediction { here, h, is_across } => {
                 part.scale = grown(part.scale, block, &here.q);
-                let side = here.branch.get(first).copied().filter(|_| !is_across);
-                let position = follow(&part, here, *h, &block.unknowns, side)?;
-                if side.is_some_and(|before| before != position.factors.sides()) {
-                    return Err(Stop::Far);
+                let sign = here.branch.get(first).copied().filter(|_| !is_across);
+                let position = follow(&part, here, *h, &block.unknowns, sign)?;
+                if sign.is_some_and(|before| before != position.factors.det_sign()) {
+                    return Err(StepError::Far);
                 }
                 position
             }
-            Origin::Guess(guess) => newton::close(&part, &picked(guess)).map_err(|miss| open(&part, miss))?,
+            Origin::Guess(guess) => newton::solve_from_guess(&part, &picked(guess)).map_err(|error| open(&part, error))?,
             Origin::Inspection(q) => {
-                let place = picked(q);
-                let (_, jacobian) = part.linearize(&place);
-                let factors = L::factor(&jacobian).map_err(|row| Stop::NotFinite(Culprit::Row(part.row(row))))?;
-                let condition = factors.condition(&part.sizes, &part.scale.share);
+                let iterate = picked(q);
+                let (_, jacobian) = part.linearize(&iterate);
+                let factors = L::factor(&jacobian).map_err(|row| StepError::NotFinite(Culprit::Row(part.row(row))))?;
+                let condition = factors.condition(&part.sizes, &part.scale.reciprocal);
                 if report.worst.is_none() || condition > report.condition {
-                    report.worst = Some(part.singular(&place));
+                    report.worst = Some(part.singular(&iterate));
                 }
-                Position { place, factors, condition, iterations: 0 }
+                Position { iterate, factors, condition, iterations: 0 }
             }
             Origin::Crossing(q) => {
-                let place = settled(&part, picked(q))?;
-                let factors = L::factor(&part.linearize(&place).1).map_err(|row| Stop::NotFinite(Culprit::Row(part.row(row))))?;
-                Position { place, factors, condition: T::of(1.0), iterations: SETTLING }
+                let iterate = settled(&part, picked(q))?;
+                let factors = L::factor(&part.linearize(&iterate).1).map_err(|row| StepError::NotFinite(Culprit::Row(part.row(row))))?;
+                Position { iterate, factors, condition: T::of(1.0), iterations: SETTLING }
             }
         };
-        if let Some(side) = report.branch.get_mut(first) {
-            *side = position.factors.sides();
+        if let Some(sign) = report.branch.get_mut(first) {
+            *sign = position.factors.det_sign();
         }
         report.condition = greater(report.condition, position.condition);
         report.iterations = report.iterations.max(position.iterations);
         self.report.set(report);
-        Ok(Solved { x: position.place.x.data.0[0], turn: position.place.turn, factors: position.factors })
+        Ok(Solved { x: position.iterate.x.data.0[0], sin_cos: position.iterate.sin_cos, factors: position.factors })
     }
 
     fn check(&self, row: usize, residual: T, size: T) {
@@ -165,10 +167,10 @@ impl<T: Float, const N: usize> ColdStart<T, N> for ColdSolver<'_, T, N> {
         let bound = bound(report.condition, size);
         let holds = residual.abs() <= bound;
         // NaN never holds, and no residual is off by more.
-        let share = residual.abs() / bound;
-        let is_known = report.off.is_some_and(|(_, _, most)| share <= most || !most.at_most(most));
+        let excess = residual.abs() / bound;
+        let is_known = report.off.is_some_and(|(_, _, most)| excess <= most || !most.at_most(most));
         if !holds && !is_known && size.at_most(size) {
-            report.off = Some((row, residual, share));
+            report.off = Some((row, residual, excess));
             self.report.set(report);
         }
     }
@@ -185,20 +187,20 @@ const GAP: f64 = 8.0;
 ///
 /// # Errors
 /// If they do not.
-fn settled<T: Float, P: Problem<T, K>, const K: usize>(problem: &P, mut place: Place<T, K>) -> Result<Place<T, K>, Stop<T>> {
+fn settled<T: Float, P: Problem<T, K>, const K: usize>(problem: &P, mut iterate: Iterate<T, K>) -> Result<Iterate<T, K>, StepError<T>> {
     let column = &problem.scale().column;
     for _ in 0..SETTLING {
-        let (phi, jacobian) = problem.linearize(&place);
+        let (phi, jacobian) = problem.linearize(&iterate);
         let (sizes, rows) = (newton::sizes(problem, &jacobian), P::Factors::dense(&jacobian));
         let scaled = SMatrix::<T, K, K>::from_fn(|i, j| rows[(i, j)] * column[j] / sizes[i]);
         let residual = SVector::<T, K>::from_fn(|i, _| -phi[i] / sizes[i]);
-        let correction = regular_part(&scaled, &residual).ok_or(Stop::Far)?;
-        place = place.moved(T::of(1.0), &SVector::from_fn(|j, _| correction[j] * column[j]), problem.turns());
+        let correction = regular_part(&scaled, &residual).ok_or(StepError::Far)?;
+        iterate = iterate.moved(T::of(1.0), &SVector::from_fn(|j, _| correction[j] * column[j]), problem.needs_sin_cos());
     }
-    let (phi, jacobian) = problem.linearize(&place);
+    let (phi, jacobian) = problem.linearize(&iterate);
     let sizes = newton::sizes(problem, &jacobian);
     let holds = phi.iter().zip(&sizes).all(|(residual, &size)| residual.abs() <= T::of(GAP) * T::EPSILON * size);
-    if holds { Ok(place) } else { Err(Stop::Far) }
+    if holds { Ok(iterate) } else { Err(StepError::Far) }
 }
 
 /// A length that has become larger than L is measured by itself.
@@ -206,7 +208,7 @@ fn grown<T: Float, const K: usize, const N: usize>(mut scale: Scale<T, K>, block
     for k in 0..K {
         let size = of(q, block.unknowns[k]).abs();
         if block.kinds[k] == CoordinateKind::Length && size > scale.length {
-            (scale.column[k], scale.share[k]) = (size, T::of(1.0) / size);
+            (scale.column[k], scale.reciprocal[k]) = (size, T::of(1.0) / size);
         }
     }
     scale
@@ -218,8 +220,8 @@ fn follow<T: Float, P: Problem<T, K>, const K: usize, const N: usize>(
     here: &State<T, N>,
     h: T,
     unknowns: &[usize; K],
-    side: Option<DetSign>,
-) -> Result<Position<T, P::Factors, K>, Stop<T>> {
+    sign: Option<DetSign>,
+) -> Result<Position<T, P::Factors, K>, StepError<T>> {
     let mut x = SVector::from_element(T::of(0.0));
     let mut way = x;
     for k in 0..K {
@@ -230,9 +232,9 @@ fn follow<T: Float, P: Problem<T, K>, const K: usize, const N: usize>(
     }
     // Angles repeat: a prediction that goes far may come to the solution of another turn.
     if problem.scale().norm(&way) > T::of(LONGEST_PREDICTION) {
-        return Err(Stop::Far);
+        return Err(StepError::Far);
     }
-    Ok(newton::follow(problem, &Place::at(x, problem.turns()), side)?)
+    Ok(newton::track(problem, &Iterate::at(x, problem.needs_sin_cos()), sign)?)
 }
 
 /// The entry of an unknown, whose index is in range.
@@ -241,19 +243,21 @@ fn of<T: Float, const N: usize>(vector: &SVector<T, N>, unknown: usize) -> T {
 }
 
 /// Why a block could not be closed.
-fn open<T: Float, P: Problem<T, K>, const K: usize>(problem: &P, miss: Miss<T, K>) -> Stop<T> {
-    match miss {
-        Miss::NotFinite(of) => Stop::NotFinite(of),
-        Miss::Singular(place) | Miss::Stuck(place) => Stop::Open(problem.widest_gap(&place).unwrap_or_else(|| problem.singular(&place))),
-        Miss::NoConvergence { correction, iterations } => Stop::Open(Cause::NoConvergence { correction, iterations }),
+fn open<T: Float, P: Problem<T, K>, const K: usize>(problem: &P, error: NewtonError<T, K>) -> StepError<T> {
+    match error {
+        NewtonError::NotFinite(of) => StepError::NotFinite(of),
+        NewtonError::Singular(iterate) | NewtonError::Stuck(iterate) => {
+            StepError::Open(problem.widest_gap(&iterate).unwrap_or_else(|| problem.singular(&iterate)))
+        }
+        NewtonError::NoConvergence { correction, iterations } => StepError::Open(Cause::NoConvergence { correction, iterations }),
     }
 }
 
-impl<T> From<Refusal> for Stop<T> {
-    fn from(refusal: Refusal) -> Self {
-        match refusal {
-            Refusal::NotFinite(of) => Stop::NotFinite(of),
-            Refusal::Singular | Refusal::Far => Stop::Far,
+impl<T> From<TrackError> for StepError<T> {
+    fn from(error: TrackError) -> Self {
+        match error {
+            TrackError::NotFinite(of) => StepError::NotFinite(of),
+            TrackError::Singular | TrackError::Far => StepError::Far,
         }
     }
 }

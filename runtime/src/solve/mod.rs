@@ -8,13 +8,13 @@ mod real;
 mod solver;
 mod stages;
 
-pub use at_once::{at_once, improved_at_once, improved_by};
+pub use at_once::{at_once, refined_guess_at_once, refined_guess_by_rows};
 pub(crate) use cold::{ColdReport, ColdSolver};
 
 pub use equations::Equations;
 pub use family::Family;
 pub(crate) use real::lengths_of;
 pub use real::{ColdStart, NoColdStart, SolverReal};
-pub use solver::Pass;
-pub(crate) use solver::Walk;
-pub use stages::{Stages, mark_of};
+pub use solver::Solver;
+pub(crate) use solver::StepReport;
+pub use stages::{Stages, parameter_hash};

@@ -2,7 +2,7 @@
 
 use crate::linear::{FactorReal, Linear};
 use crate::names::Description;
-use crate::newton::{Block, Evaluate, Solved, Stop, length_of};
+use crate::newton::{Block, Evaluate, Solved, StepError, length_of};
 use crate::number::SimdReal;
 
 /// A [`SimdReal`] over which a mechanism can be followed in time: `f64` and `f32`, registers of several lanes, and numbers that carry
@@ -31,7 +31,7 @@ pub trait ColdStart<T: SolverReal, const N: usize> {
         block: &Block<K>,
         sizes: [T; K],
         evaluate: &Evaluate<'_, T, L, K>,
-    ) -> Result<Solved<T, L, K>, Stop<T>>;
+    ) -> Result<Solved<T, L, K>, StepError<T>>;
 
     /// Records the residual of an equation that is verified and not solved.
     ///
@@ -54,7 +54,7 @@ impl<T: SolverReal, const N: usize> ColdStart<T, N> for NoColdStart {
         _: &Block<K>,
         _: [T; K],
         _: &Evaluate<'_, T, L, K>,
-    ) -> Result<Solved<T, L, K>, Stop<T>> {
+    ) -> Result<Solved<T, L, K>, StepError<T>> {
         match *self {}
     }
 

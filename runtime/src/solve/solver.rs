@@ -5,7 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use super::{ColdStart, SolverReal, lengths_of};
 use crate::linear::{Elimination, Entries, Linear, Small, Sparse};
 use crate::names::Description;
-use crate::newton::{Block, Departure, Linearized, Place, Scale, Scene, Solved, Stop};
+use crate::newton::{Block, BlockData, Iterate, Linearized, Predictor, Scale, Solved, StepError};
 use crate::number::{Mask, SimdReal};
 use crate::state::Coordinates;
 
@@ -13,26 +13,26 @@ use crate::state::Coordinates;
 ///
 /// What is needed for care lies elsewhere, so that a pass straight on can stay in registers, and of the two ways through a block
 /// rustc compiles only the one that is gone.
-pub struct Pass<'a, T: SolverReal, const N: usize>(Way<'a, T, N>);
+pub struct Solver<'a, T: SolverReal, const N: usize>(Method<'a, T, N>);
 
 /// How blocks are solved.
-enum Way<'a, T: SolverReal, const N: usize> {
-    Straight(Straight<'a, T, N>),
-    Careful(&'a T::Cold<'a, N>),
+enum Method<'a, T: SolverReal, const N: usize> {
+    WarmStart(WarmStart<'a, T, N>),
+    ColdStart(&'a T::Cold<'a, N>),
 }
 
 /// A pass straight on, the usual case.
-struct Straight<'a, T: SolverReal, const N: usize> {
-    from: Departure<'a, T, N>,
+struct WarmStart<'a, T: SolverReal, const N: usize> {
+    predictor: Predictor<'a, T, N>,
     /// L and 1/L.
     length: T,
-    share: T,
-    walk: Walk<T>,
+    reciprocal: T,
+    report: StepReport<T>,
 }
 
 /// What a pass straight on leaves behind.
 #[derive(Clone, Copy)]
-pub(crate) struct Walk<T: SolverReal> {
+pub(crate) struct StepReport<T: SolverReal> {
     /// The lanes in which all blocks were solved.
     pub(crate) found: T::Mask,
     /// The worst condition of a block.
@@ -46,40 +46,40 @@ pub(crate) struct Walk<T: SolverReal> {
 /// what is felt in a machine has not: some 1e-13 of its size in double precision, at a condition of 1.
 pub(crate) const HOLDS: f64 = 64.0;
 
-impl<'a, T: SolverReal, const N: usize> Pass<'a, T, N> {
+impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
     /// From a state to a moment later, straight on.
     #[inline(always)]
-    pub(crate) fn straight<E: Description<T, N> + ?Sized>(equations: &E, from: Departure<'a, T, N>) -> Self {
-        let (length, share) = lengths_of(equations);
-        let walk = Walk { found: T::Mask::of(true), condition: T::of(1.0), iterations: 0 };
-        Self(Way::Straight(Straight { from, length, share, walk }))
+    pub(crate) fn warm<E: Description<T, N> + ?Sized>(equations: &E, predictor: Predictor<'a, T, N>) -> Self {
+        let (length, reciprocal) = lengths_of(equations);
+        let report = StepReport { found: T::Mask::of(true), condition: T::of(1.0), iterations: 0 };
+        Self(Method::WarmStart(WarmStart { predictor, length, reciprocal, report }))
     }
 
     /// With care.
     #[inline(always)]
     pub(crate) fn cold(cold: &'a T::Cold<'a, N>) -> Self {
-        Self(Way::Careful(cold))
+        Self(Method::ColdStart(cold))
     }
 
     /// What a pass straight on leaves behind.
     #[inline(always)]
-    pub(crate) fn walk(&self) -> Option<Walk<T>> {
-        if let Way::Straight(straight) = &self.0 { Some(straight.walk) } else { None }
+    pub(crate) fn report(&self) -> Option<StepReport<T>> {
+        if let Method::WarmStart(warm) = &self.0 { Some(warm.report) } else { None }
     }
 
     /// L and 1/L
     #[inline(always)]
     fn lengths(&self) -> (T, T) {
         match &self.0 {
-            Way::Straight(straight) => (straight.length, straight.share),
-            Way::Careful(care) => care.lengths(),
+            Method::WarmStart(warm) => (warm.length, warm.reciprocal),
+            Method::ColdStart(cold) => cold.lengths(),
         }
     }
 
     /// It begins with nothing; a pass straight on writes over the state before, in which constants are what they always are.
     #[inline(always)]
-    pub fn starts_anew(&self) -> bool {
-        matches!(self.0, Way::Careful(_))
+    pub fn is_cold_start(&self) -> bool {
+        matches!(self.0, Method::ColdStart(_))
     }
 
     /// Where unknowns of a block are if nothing moves it: where they were, if they rested and so did and do all `inputs`. None if
@@ -87,8 +87,8 @@ impl<'a, T: SolverReal, const N: usize> Pass<'a, T, N> {
     #[inline]
     pub fn resting<const K: usize>(&self, found: &Coordinates<T, N>, inputs: &[usize], own: [usize; K]) -> Option<[T; K]> {
         match &self.0 {
-            Way::Straight(straight) => straight.from.resting(found, inputs, own),
-            Way::Careful(_) => None,
+            Method::WarmStart(warm) => warm.predictor.resting(found, inputs, own),
+            Method::ColdStart(_) => None,
         }
     }
 
@@ -104,9 +104,9 @@ impl<'a, T: SolverReal, const N: usize> Pass<'a, T, N> {
         &mut self,
         block: &Block<K>,
         sizes: [T; K],
-        evaluate: impl Fn(&Place<T, K>) -> ([T; K], [[T; K]; K]),
-    ) -> Result<Solved<T, Small<T, K>, K>, Stop<T>> {
-        self.block(block, sizes, |place| dense(evaluate(place)))
+        evaluate: impl Fn(&Iterate<T, K>) -> ([T; K], [[T; K]; K]),
+    ) -> Result<Solved<T, Small<T, K>, K>, StepError<T>> {
+        self.block(block, sizes, |iterate| dense(evaluate(iterate)))
     }
 
     /// Solves a larger block: by a pivoted factorisation.
@@ -117,9 +117,9 @@ impl<'a, T: SolverReal, const N: usize> Pass<'a, T, N> {
         &mut self,
         block: &Block<K>,
         sizes: [T; K],
-        evaluate: impl Fn(&Place<T, K>) -> ([T; K], [[T; K]; K]),
-    ) -> Result<Solved<T, T::Dense<K>, K>, Stop<T>> {
-        self.block(block, sizes, |place| dense(evaluate(place)))
+        evaluate: impl Fn(&Iterate<T, K>) -> ([T; K], [[T; K]; K]),
+    ) -> Result<Solved<T, T::Dense<K>, K>, StepError<T>> {
+        self.block(block, sizes, |iterate| dense(evaluate(iterate)))
     }
 
     /// Solves a larger block of whose Jacobian `evaluate` gives the entries that are not always zero, in the order of the
@@ -133,14 +133,14 @@ impl<'a, T: SolverReal, const N: usize> Pass<'a, T, N> {
         elimination: E,
         block: &Block<K>,
         sizes: [T; K],
-        evaluate: impl Fn(&Place<T, K>) -> ([T; K], [T; ENTRIES]),
-    ) -> Result<Solved<T, Sparse<T, E, K, ENTRIES, FACTORS>, K>, Stop<T>> {
+        evaluate: impl Fn(&Iterate<T, K>) -> ([T; K], [T; ENTRIES]),
+    ) -> Result<Solved<T, Sparse<T, E, K, ENTRIES, FACTORS>, K>, StepError<T>> {
         // Of the elimination only the type is needed.
         let _ = elimination;
-        let (length, share) = self.lengths();
-        let columns = Scale::by_kind(length, share, &block.kinds).column.data.0[0];
-        self.block(block, sizes, |place| {
-            let (phi, values) = evaluate(place);
+        let (length, reciprocal) = self.lengths();
+        let columns = Scale::by_kind(length, reciprocal, &block.kinds).column.data.0[0];
+        self.block(block, sizes, |iterate| {
+            let (phi, values) = evaluate(iterate);
             (SVector::from(phi), Entries { values, columns })
         })
     }
@@ -154,10 +154,10 @@ impl<'a, T: SolverReal, const N: usize> Pass<'a, T, N> {
     pub fn check(&mut self, row: usize, residual: T, [terms, lengths, angles]: [T; 3]) {
         let size = terms + self.lengths().0 * lengths + angles;
         match &mut self.0 {
-            Way::Straight(Straight { walk, .. }) => {
-                walk.found = walk.found.and(residual.abs().at_most(bound(walk.condition, size)));
+            Method::WarmStart(WarmStart { report, .. }) => {
+                report.found = report.found.and(residual.abs().at_most(bound(report.condition, size)));
             }
-            Way::Careful(care) => care.check(row, residual, size),
+            Method::ColdStart(cold) => cold.check(row, residual, size),
         }
     }
 
@@ -166,24 +166,24 @@ impl<'a, T: SolverReal, const N: usize> Pass<'a, T, N> {
         &mut self,
         block: &Block<K>,
         sizes: [T; K],
-        evaluate: impl Fn(&Place<T, K>) -> Linearized<T, L, K>,
-    ) -> Result<Solved<T, L, K>, Stop<T>> {
-        let Straight { from, length, share, walk } = match &mut self.0 {
-            Way::Straight(straight) => straight,
-            Way::Careful(care) => return care.solve_block(block, sizes, &evaluate),
+        evaluate: impl Fn(&Iterate<T, K>) -> Linearized<T, L, K>,
+    ) -> Result<Solved<T, L, K>, StepError<T>> {
+        let WarmStart { predictor, length, reciprocal, report } = match &mut self.0 {
+            Method::WarmStart(warm) => warm,
+            Method::ColdStart(cold) => return cold.solve_block(block, sizes, &evaluate),
         };
-        let scene = Scene {
+        let data = BlockData {
             unknowns: &block.unknowns,
-            turns: &block.turns,
-            share: &Scale::by_kind(*length, *share, &block.kinds).share,
+            needs_sin_cos: &block.needs_sin_cos,
+            reciprocal: &Scale::by_kind(*length, *reciprocal, &block.kinds).reciprocal,
             sizes: &SVector::from(sizes),
         };
         let name = block.unknowns.first().copied().unwrap_or(0);
-        let Some(arrival) = from.solve(&scene, name, evaluate) else { return Err(Stop::Far) };
-        walk.found = walk.found.and(arrival.found);
-        walk.condition = walk.condition.max(arrival.condition);
-        walk.iterations = walk.iterations.max(arrival.iterations);
-        Ok(Solved { x: arrival.place.x.data.0[0], turn: arrival.place.turn, factors: arrival.factors })
+        let Some(solution) = predictor.solve(&data, name, evaluate) else { return Err(StepError::Far) };
+        report.found = report.found.and(solution.found);
+        report.condition = report.condition.max(solution.condition);
+        report.iterations = report.iterations.max(solution.iterations);
+        Ok(Solved { x: solution.iterate.x.data.0[0], sin_cos: solution.iterate.sin_cos, factors: solution.factors })
     }
 }
 

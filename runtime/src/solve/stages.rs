@@ -2,9 +2,9 @@
 
 use nalgebra::SVector;
 
-use super::{Pass, SolverReal};
+use super::{Solver, SolverReal};
 use crate::names::Description;
-use crate::newton::Stop;
+use crate::newton::StepError;
 use crate::number::Float;
 use crate::state::{Coordinates, State};
 
@@ -19,20 +19,20 @@ pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
 
     /// The unknowns that may be found to be no finite numbers, or to have no finite rates, if the pass says that all went well; None if
     /// any may.
-    const UNSURE: Option<&'static [usize]> = None;
+    const MAY_BE_NON_FINITE: Option<&'static [usize]> = None;
 
     /// The mechanism with parameters that are this share of the way from their declared defaults, for which
     /// [`start`](Description::start) is assembled, to these. None if they are the defaults, or have none.
-    fn toward(&self, share: T) -> Option<Self>
+    fn interpolated(&self, lambda: T) -> Option<Self>
     where
         Self: Sized,
     {
-        let _ = share;
+        let _ = lambda;
         None
     }
 
     /// A rough guess of q (m, rad) at time `t` (s), made better if there is a way.
-    fn improved(&self, t: T, guess: &SVector<T, N>) -> SVector<T, N>
+    fn refined_guess(&self, t: T, guess: &SVector<T, N>) -> SVector<T, N>
     where
         T: Float,
     {
@@ -42,7 +42,7 @@ pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
 
     /// Tells sets of parameters apart; 0 where nothing is left as it was in the state before, so that it does not matter.
     #[doc(hidden)]
-    fn mark(&self) -> u64
+    fn parameter_hash(&self) -> u64
     where
         T: Float,
     {
@@ -66,7 +66,7 @@ pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
     ///
     /// # Errors
     /// Why there are none near what the pass sets out from.
-    fn stages(&self, t: T, pass: &mut Pass<'_, T, N>) -> Result<Coordinates<T, N>, Stop<T>>;
+    fn stages(&self, t: T, solver: &mut Solver<'_, T, N>) -> Result<Coordinates<T, N>, StepError<T>>;
 
     /// There are so many coordinates that they are better written in place than copied.
     #[doc(hidden)]
@@ -74,14 +74,14 @@ pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
 
     /// The same in place.
     ///
-    /// * `found`: given, anything if the pass [starts anew](Pass::starts_anew), else the state it sets out from; returned, q, q̇ and q̈.
+    /// * `found`: given, anything if the pass [starts anew](Solver::is_cold_start), else the state it sets out from; returned, q, q̇ and q̈.
     ///
     /// # Errors
     /// Why there are none near what the pass sets out from.
     #[doc(hidden)]
     #[inline(always)]
-    fn stages_in_place(&self, t: T, pass: &mut Pass<'_, T, N>, found: &mut Coordinates<T, N>) -> Result<(), Stop<T>> {
-        *found = self.stages(t, pass)?;
+    fn stages_in_place(&self, t: T, solver: &mut Solver<'_, T, N>, found: &mut Coordinates<T, N>) -> Result<(), StepError<T>> {
+        *found = self.stages(t, solver)?;
         Ok(())
     }
 }
@@ -102,7 +102,7 @@ const MOST: usize = 256;
 
 /// Tells sets of parameters apart by all of their bits (the hash of Fowler, Noll and Vo, by words); not 0.
 #[doc(hidden)]
-pub fn mark_of<T: Float>(parameters: &[T]) -> u64 {
+pub fn parameter_hash<T: Float>(parameters: &[T]) -> u64 {
     let hash = parameters.iter().fold(0xcbf2_9ce4_8422_2325_u64, |hash, parameter| {
         let mixed = (hash ^ parameter.bits()).wrapping_mul(0x0000_0100_0000_01b3);
         mixed ^ (mixed >> 29)

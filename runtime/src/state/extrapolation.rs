@@ -15,27 +15,27 @@ use crate::number::{Real, SimdReal};
 /// is what q + s q̇ + s² q̈ / 2 leaves out one such step further on, by the polynomial of fifth degree through both states, their
 /// rates and their accelerations; it is wrong by s⁶ / 90 times the sixth derivative.
 #[derive(Clone, Debug)]
-pub(crate) struct Trend<T, const N: usize> {
+pub(crate) struct Extrapolation<T, const N: usize> {
     /// s, in s; 0 if there was no step.
     pub(crate) span: T,
     /// e but for the term with q̈, in m and rad.
     pub(crate) rest: SVector<T, N>,
 }
 
-impl<T, const N: usize> PartialEq for Trend<T, N> {
+impl<T, const N: usize> PartialEq for Extrapolation<T, N> {
     fn eq(&self, _: &Self) -> bool {
         true
     }
 }
 
-impl<T: Real, const N: usize> Trend<T, N> {
+impl<T: Real, const N: usize> Extrapolation<T, N> {
     /// Nothing is known.
     pub(crate) fn none() -> Self {
         Self { span: T::of(0.0), rest: SVector::from_element(T::of(0.0)) }
     }
 }
 
-impl<T: SimdReal, const N: usize> Trend<T, N> {
+impl<T: SimdReal, const N: usize> Extrapolation<T, N> {
     /// What q̇, q̈ and `rest` are multiplied by in a step of length `h`: e counts with the cube of the quotient of the lengths, and not
     /// at all where the step is more than twice as long, as far as one cannot see.
     #[inline(always)]
@@ -57,7 +57,7 @@ impl<T: SimdReal, const N: usize> State<T, N> {
             if i < N {
                 let rates = T::of(17.0) * there.qd[i] + T::of(14.0) * self.qd[i];
                 let rest = (T::of(31.0) * (there.q[i] - self.q[i]) - twice * self.qdd[i]) - h * rates;
-                self.trend.rest[i] = T::pick(found, rest, self.trend.rest[i]);
+                self.extrapolation.rest[i] = T::pick(found, rest, self.extrapolation.rest[i]);
                 sum = sum + there.qdd[i];
             }
         }
@@ -66,7 +66,7 @@ impl<T: SimdReal, const N: usize> State<T, N> {
 
     /// Nothing is known any more in the lanes in which a step was not found.
     #[cold]
-    pub(crate) fn forget_trend(&mut self, found: T::Mask) {
-        self.trend.span = T::pick(found, self.trend.span, T::of(0.0));
+    pub(crate) fn forget_extrapolation(&mut self, found: T::Mask) {
+        self.extrapolation.span = T::pick(found, self.extrapolation.span, T::of(0.0));
     }
 }

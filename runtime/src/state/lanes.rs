@@ -1,6 +1,6 @@
 //! States of several lanes, and those of each lane.
 
-use super::{State, Trend, Values};
+use super::{Extrapolation, State, Values};
 use crate::number::{DetSign, Real};
 
 impl<T: Real, const N: usize> State<T, N> {
@@ -18,19 +18,19 @@ impl<T: Real, const N: usize> State<T, N> {
             condition: of(*condition),
             iterations: *iterations,
         };
-        let extrapolation = Trend { span: of(self.trend.span), rest: self.trend.rest.map(&of) };
-        State { values, mark: 0, trend: extrapolation }
+        let extrapolation = Extrapolation { span: of(self.extrapolation.span), rest: self.extrapolation.rest.map(&of) };
+        State { values, parameter_hash: 0, extrapolation: extrapolation }
     }
 
     /// Merges another state into this one, number by number; the branch stays as it is, of both iterations the larger number counts.
     #[doc(hidden)]
     pub fn merge<U: Real>(&mut self, other: &State<U, N>, merge: impl Fn(&mut T, U)) {
-        let State { values: Values { t, q, qd, qdd, condition, iterations, .. }, trend, .. } = self;
+        let State { values: Values { t, q, qd, qdd, condition, iterations, .. }, extrapolation, .. } = self;
         merge(t, other.t);
         merge(condition, other.condition);
-        merge(&mut trend.span, other.trend.span);
+        merge(&mut extrapolation.span, other.extrapolation.span);
         *iterations = (*iterations).max(other.iterations);
-        for (own, others) in [(q, &other.q), (qd, &other.qd), (qdd, &other.qdd), (&mut trend.rest, &other.trend.rest)] {
+        for (own, others) in [(q, &other.q), (qd, &other.qd), (qdd, &other.qdd), (&mut extrapolation.rest, &other.extrapolation.rest)] {
             own.iter_mut().zip(others.iter()).for_each(|(own, &other)| merge(own, other));
         }
     }

@@ -13,9 +13,9 @@ mod motion;
 mod step;
 
 pub use coordinates::Coordinates;
-pub(crate) use extrapolation::Trend;
+pub(crate) use extrapolation::Extrapolation;
 pub use motion::{Motion, PlanarBody};
-pub(crate) use step::Stride;
+pub(crate) use step::Step;
 
 /// Position, velocity and acceleration of a mechanism at one instant.
 ///
@@ -25,8 +25,8 @@ pub(crate) use step::Stride;
 pub struct State<T, const N: usize> {
     pub(crate) values: Values<T, N>,
     /// Of the parameters that it was solved with; 0 if it was not.
-    pub(crate) mark: u64,
-    pub(crate) trend: Trend<T, N>,
+    pub(crate) parameter_hash: u64,
+    pub(crate) extrapolation: Extrapolation<T, N>,
 }
 
 /// What a [`State`] tells.
@@ -64,7 +64,7 @@ impl<T, const N: usize> DerefMut for State<T, N> {
     /// What is written to was not solved.
     #[inline(always)]
     fn deref_mut(&mut self) -> &mut Values<T, N> {
-        self.mark = 0;
+        self.parameter_hash = 0;
         &mut self.values
     }
 }
@@ -89,10 +89,10 @@ impl<T: Real, const N: usize> State<T, N> {
     pub(crate) fn part<const P: usize>(&self, held: &[usize; P]) -> State<T, P> {
         let pick = |vector: &SVector<T, N>| SVector::from_fn(|k, _| vector.get(held[k]).copied().unwrap_or(T::of(f64::NAN)));
         let branch = held.map(|i| self.branch.get(i).copied().unwrap_or(DetSign::Positive));
-        let trend = Trend { span: self.trend.span, rest: pick(&self.trend.rest) };
+        let extrapolation = Extrapolation { span: self.extrapolation.span, rest: pick(&self.extrapolation.rest) };
         let Values { t, condition, iterations, .. } = self.values;
         let values = Values { t, q: pick(&self.q), qd: pick(&self.qd), qdd: pick(&self.qdd), branch, condition, iterations };
-        State { values, mark: 0, trend }
+        State { values, parameter_hash: 0, extrapolation }
     }
 
     /// Takes back what became of a part; the rest rests.
@@ -101,12 +101,12 @@ impl<T: Real, const N: usize> State<T, N> {
             if i < N {
                 let there = &mut self.values;
                 (there.q[i], there.qd[i], there.qdd[i]) = (part.q[k], part.qd[k], part.qdd[k]);
-                self.trend.rest[i] = part.trend.rest[k];
+                self.extrapolation.rest[i] = part.extrapolation.rest[k];
             }
         }
         let there = &mut self.values;
         (there.t, there.condition, there.iterations) = (part.t, part.condition, part.iterations);
-        self.trend.span = part.trend.span;
+        self.extrapolation.span = part.extrapolation.span;
     }
 
     /// The motion of the body whose x, y and φ begin at index `first`.
@@ -133,13 +133,13 @@ impl<T: Real, const N: usize> State<T, N> {
     }
 
     /// A state that was solved for, with parameters of this mark.
-    pub(crate) fn solved(values: Values<T, N>, mark: u64) -> Self {
-        Self { values, mark, trend: Trend::none() }
+    pub(crate) fn solved(values: Values<T, N>, parameter_hash: u64) -> Self {
+        Self { values, parameter_hash, extrapolation: Extrapolation::none() }
     }
 
     /// The values, to write to without the state being any the wiser: for tests of what a step leaves as it is.
     #[doc(hidden)]
-    pub fn in_secret(&mut self) -> &mut Values<T, N> {
+    pub fn values_kept_as_solved(&mut self) -> &mut Values<T, N> {
         &mut self.values
     }
 }

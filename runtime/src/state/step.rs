@@ -4,7 +4,7 @@ use super::{Coordinates, State};
 use crate::number::{Mask, SimdReal};
 
 /// What a step straight on comes to.
-pub(crate) struct Stride<T: SimdReal> {
+pub(crate) struct Step<T: SimdReal> {
     /// The time it takes, s.
     pub(crate) h: T,
     /// The lanes in which it was made, one at least.
@@ -16,16 +16,16 @@ pub(crate) struct Stride<T: SimdReal> {
 impl<T: SimdReal, const N: usize> State<T, N> {
     /// Becomes the state at `t`, on the same branch, in the lanes in which it was found.
     #[inline(always)]
-    pub(crate) fn follow_on(&mut self, t: T, stride: &Stride<T>, there: &Coordinates<T, N>) {
-        let (&Stride { h, found, condition, iterations }, Coordinates { q, qd, qdd }) = (stride, there);
+    pub(crate) fn follow_on(&mut self, t: T, step: &Step<T>, there: &Coordinates<T, N>) {
+        let (&Step { h, found, condition, iterations }, Coordinates { q, qd, qdd }) = (step, there);
         let here = &mut self.values;
         here.iterations = iterations;
         if found.all() {
-            (self.trend.span, here.condition) = (h, condition);
+            (self.extrapolation.span, here.condition) = (h, condition);
             (here.t, here.q, here.qd, here.qdd) = (t, *q, *qd, *qdd);
         } else {
             let pick = |then, otherwise| T::pick(found, then, otherwise);
-            (self.trend.span, here.condition) = (pick(h, self.trend.span), pick(condition, here.condition));
+            (self.extrapolation.span, here.condition) = (pick(h, self.extrapolation.span), pick(condition, here.condition));
             here.t = pick(t, here.t);
             (here.q, here.qd, here.qdd) = (q.zip_map(&here.q, pick), qd.zip_map(&here.qd, pick), qdd.zip_map(&here.qdd, pick));
         }

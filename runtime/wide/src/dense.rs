@@ -53,17 +53,18 @@ impl<W: Wide<L>, const K: usize, const L: usize> Linear<W, K> for LaneFactors<W,
         self.each_solution(b, Factors::solve_refined)
     }
 
-    fn growth(&self, sizes: &SVector<W, K>, shares: &SVector<W, K>) -> W {
+    fn error_amplification(&self, sizes: &SVector<W, K>, reciprocals: &SVector<W, K>) -> W {
         let of_lane = |vector: &SVector<W, K>, lane: usize| vector.map(|entry| entry.to_lanes()[lane]);
-        let growth = |lane: usize, factors: &Factors<W::Lane, K>| factors.growth(&of_lane(sizes, lane), &of_lane(shares, lane));
-        W::from_lanes(self.each(growth, || Real::of(f64::NAN)))
+        let amplification =
+            |lane: usize, factors: &Factors<W::Lane, K>| factors.error_amplification(&of_lane(sizes, lane), &of_lane(reciprocals, lane));
+        W::from_lanes(self.each(amplification, || Real::of(f64::NAN)))
     }
 
-    fn sides(&self) -> W::Sides {
-        W::from_sides(self.each(|_, factors| Linear::sides(factors), || DetSign::Positive))
+    fn det_sign(&self) -> W::Signs {
+        W::from_signs(self.each(|_, factors| Linear::det_sign(factors), || DetSign::Positive))
     }
 
     fn is_regular(&self) -> W::Mask {
-        W::mask(self.each(|_, factors| Linear::is_regular(factors), || false))
+        W::mask_from_lanes(self.each(|_, factors| Linear::is_regular(factors), || false))
     }
 }

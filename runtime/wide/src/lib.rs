@@ -32,14 +32,14 @@ pub trait Wide<const L: usize>: SolverReal {
     fn to_lanes(self) -> [Self::Lane; L];
 
     /// Signs with these lanes.
-    fn from_sides(lanes: [DetSign; L]) -> Self::Sides;
+    fn from_signs(lanes: [DetSign; L]) -> Self::Signs;
 
     /// The signs by lane.
-    fn to_sides(sides: Self::Sides) -> [DetSign; L];
+    fn to_signs(signs: Self::Signs) -> [DetSign; L];
 
     /// The answer by lane.
-    fn answers(mask: Self::Mask) -> [bool; L];
+    fn mask_to_lanes(mask: Self::Mask) -> [bool; L];
 
     /// An answer with these lanes.
-    fn mask(answers: [bool; L]) -> Self::Mask;
+    fn mask_from_lanes(answers: [bool; L]) -> Self::Mask;
 }

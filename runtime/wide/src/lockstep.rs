@@ -50,7 +50,7 @@ pub struct Lockstep<M: Family<W::Lane>, W: Wide<L>, const L: usize, const N: usi
     each: [M; L],
     wide: M::Over<W>,
     state: State<W, N>,
-    branches: [W::Sides; N],
+    branches: [W::Signs; N],
     /// The lanes that have not ended.
     moving: W::Mask,
     ended: [Option<Failure<W::Lane, N>>; L],
@@ -68,7 +68,7 @@ where
         let wide = M::gather(each.each_ref(), W::from_lanes);
         let nothing = SVector::from_element(W::of(f64::NAN));
         let (state, ended) = (State::new(W::from_lanes(times), nothing, nothing, nothing), core::array::from_fn(|_| None));
-        let mut this = Self { each, wide, state, branches: [W::from_sides([DetSign::Positive; L]); N], moving: W::Mask::of(true), ended };
+        let mut this = Self { each, wide, state, branches: [W::from_signs([DetSign::Positive; L]); N], moving: W::Mask::of(true), ended };
         for (lane, t) in times.into_iter().enumerate() {
             match this.each[lane].solve(t) {
                 Ok(state) => this.put(lane, &state),
@@ -85,14 +85,14 @@ where
         let t = W::from_lanes(times);
         let found = step_lanes(&self.wide, &mut self.state, &self.branches, t, self.moving);
         if !found.all() {
-            self.finish(times, W::answers(found));
+            self.finish(times, W::mask_to_lanes(found));
         }
     }
 
     /// A lane that does not move again, and why.
     fn end(&mut self, lane: usize, failure: Failure<W::Lane, N>) {
         self.ended[lane] = Some(failure);
-        self.moving = W::mask(self.ended.each_ref().map(Option::is_none));
+        self.moving = W::mask_from_lanes(self.ended.each_ref().map(Option::is_none));
     }
 
     /// Takes those mechanisms along one by one that could not go straight on with the others.
@@ -134,7 +134,7 @@ where
     }
 
     fn pick(&self, lane: usize) -> State<W::Lane, N> {
-        self.state.map(|number| number.to_lanes()[lane], self.branches.map(|sides| W::to_sides(sides)[lane]))
+        self.state.map(|number| number.to_lanes()[lane], self.branches.map(|signs| W::to_signs(signs)[lane]))
     }
 
     fn put(&mut self, lane: usize, from: &State<W::Lane, N>) {
@@ -143,10 +143,10 @@ where
             lanes[lane] = value;
             *number = W::from_lanes(lanes);
         });
-        for (sides, side) in self.branches.iter_mut().zip(from.branch) {
-            let mut lanes = W::to_sides(*sides);
+        for (signs, side) in self.branches.iter_mut().zip(from.branch) {
+            let mut lanes = W::to_signs(*signs);
             lanes[lane] = side;
-            *sides = W::from_sides(lanes);
+            *signs = W::from_signs(lanes);
         }
         if lane == 0 {
             self.state.branch = from.branch;

@@ -15,7 +15,7 @@ pub struct LaneMask<R>(R);
 
 /// A register as a number. Functions are those of `libm`, lane by lane, but for what one instruction computes.
 macro_rules! register {
-    ($(#[$doc:meta])* $name:ident($register:ident), $lane:ident, $lanes:literal, bits: $bits:ident, turn: $turn:expr) => {
+    ($(#[$doc:meta])* $name:ident($register:ident), $lane:ident, $lanes:literal, bits: $bits:ident, sin_cos: $sin_cos:expr) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct $name(pub $register);
@@ -178,7 +178,7 @@ macro_rules! register {
 
         impl SimdReal for $name {
             type Mask = LaneMask<$register>;
-            type Sides = LaneMask<$register>;
+            type Signs = LaneMask<$register>;
 
             const EPSILON: Self = Self::splat($lane::EPSILON);
             const ROOT_EPSILON: Self = Self::splat(<$lane as SimdReal>::ROOT_EPSILON);
@@ -192,16 +192,16 @@ macro_rules! register {
                 Self(mask.0.bitselect(then.0, otherwise.0))
             }
             #[inline(always)]
-            fn sides(self) -> Self::Sides {
+            fn signs(self) -> Self::Signs {
                 LaneMask(self.0.simd_lt($register::splat(0.0)))
             }
             #[inline(always)]
-            fn same(a: Self::Sides, b: Self::Sides) -> Self::Mask {
+            fn same_signs(a: Self::Signs, b: Self::Signs) -> Self::Mask {
                 LaneMask(a.0 ^ b.0).not()
             }
             #[inline(always)]
-            fn turn(self) -> (Self, Self) {
-                let (sine, cosine) = $turn(self.0);
+            fn fast_sin_cos(self) -> (Self, Self) {
+                let (sine, cosine) = $sin_cos(self.0);
                 (Self(sine), Self(cosine))
             }
         }
@@ -227,19 +227,19 @@ macro_rules! register {
                 self.to_array()
             }
             #[inline]
-            fn from_sides(lanes: [DetSign; $lanes]) -> Self::Sides {
-                Self::mask(lanes.map(|side| side == DetSign::Negative))
+            fn from_signs(lanes: [DetSign; $lanes]) -> Self::Signs {
+                Self::mask_from_lanes(lanes.map(|side| side == DetSign::Negative))
             }
             #[inline]
-            fn to_sides(sides: Self::Sides) -> [DetSign; $lanes] {
-                Self::answers(sides).map(|negative| if negative { DetSign::Negative } else { DetSign::Positive })
+            fn to_signs(signs: Self::Signs) -> [DetSign; $lanes] {
+                Self::mask_to_lanes(signs).map(|negative| if negative { DetSign::Negative } else { DetSign::Positive })
             }
             #[inline(always)]
-            fn answers(mask: Self::Mask) -> [bool; $lanes] {
+            fn mask_to_lanes(mask: Self::Mask) -> [bool; $lanes] {
                 mask.0.to_array().map(|lane| lane.to_bits() != 0)
             }
             #[inline(always)]
-            fn mask(answers: [bool; $lanes]) -> Self::Mask {
+            fn mask_from_lanes(answers: [bool; $lanes]) -> Self::Mask {
                 LaneMask($register::new(answers.map(|answer| $lane::from_bits(if answer { $bits::MAX } else { 0 }))))
             }
         }
@@ -248,30 +248,30 @@ macro_rules! register {
 
 register!(
     /// Four `f64` in one register.
-    F64x4(f64x4), f64, 4, bits: u64, turn: turn_of_four
+    F64x4(f64x4), f64, 4, bits: u64, sin_cos: sin_cos_of_four
 );
 register!(
     /// Eight `f32` in one register.
-    F32x8(f32x8), f32, 8, bits: u32, turn: turn_of_eight
+    F32x8(f32x8), f32, 8, bits: u32, sin_cos: sin_cos_of_eight
 );
 
 /// (sine, cosine), all lanes at once unless one is far from zero.
 #[inline(always)]
-fn turn_of_four(x: f64x4) -> (f64x4, f64x4) {
+fn sin_cos_of_four(x: f64x4) -> (f64x4, f64x4) {
     if x.abs().simd_lt(f64x4::splat(SIN_COS_RANGE)).all() {
         let (sine, cosine) = sin_cos_in_range(F64x4(x));
         (sine.0, cosine.0)
     } else {
-        turn_by_lane(x)
+        sin_cos_by_lane(x)
     }
 }
 
 /// (sine, cosine), four lanes at a time in double precision and rounded.
 #[inline(always)]
-fn turn_of_eight(x: f32x8) -> (f32x8, f32x8) {
+fn sin_cos_of_eight(x: f32x8) -> (f32x8, f32x8) {
     // Written out, since rustc does not compile closures over eight lanes into their caller.
     let [a, b, c, d, e, f, g, h] = x.to_array().map(f64::from);
-    let (low, high) = (turn_of_four(f64x4::new([a, b, c, d])), turn_of_four(f64x4::new([e, f, g, h])));
+    let (low, high) = (sin_cos_of_four(f64x4::new([a, b, c, d])), sin_cos_of_four(f64x4::new([e, f, g, h])));
     let both = |low: f64x4, high: f64x4| {
         let ([a, b, c, d], [e, f, g, h]) = (low.to_array(), high.to_array());
         f32x8::new([a as f32, b as f32, c as f32, d as f32, e as f32, f as f32, g as f32, h as f32])
@@ -281,8 +281,8 @@ fn turn_of_eight(x: f32x8) -> (f32x8, f32x8) {
 
 #[cold]
 #[inline(never)]
-fn turn_by_lane(x: f64x4) -> (f64x4, f64x4) {
-    let pairs = x.to_array().map(SimdReal::turn);
+fn sin_cos_by_lane(x: f64x4) -> (f64x4, f64x4) {
+    let pairs = x.to_array().map(SimdReal::fast_sin_cos);
     (f64x4::new(pairs.map(|(sine, _)| sine)), f64x4::new(pairs.map(|(_, cosine)| cosine)))
 }
 

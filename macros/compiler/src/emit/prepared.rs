@@ -28,11 +28,11 @@ impl Emitter<'_> {
         let lists = self.lists(solution, &Shelf::whole(n));
         let step = self.plan.moving.as_ref().map(|_| {
             quote! {
-                fn mark(&self) -> ::core::primitive::u64
+                fn parameter_hash(&self) -> ::core::primitive::u64
                 where
                     T: ::reuleaux::Float,
                 {
-                    ::reuleaux::Stages::<T, #n>::mark(&self.mechanism)
+                    ::reuleaux::Stages::<T, #n>::parameter_hash(&self.mechanism)
                 }
                 fn partial_step(&self, state: &mut ::reuleaux::State<T, #n>, t: T) -> ::core::option::Option<::core::primitive::bool>
                 where
@@ -42,7 +42,7 @@ impl Emitter<'_> {
                 }
             }
         });
-        let result = quote!(::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>>);
+        let result = quote!(::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::StepError<T>>);
         let description = quote!(::reuleaux::Description<T, #n>);
         let visibility = &self.model.visibility;
         let page =
@@ -59,7 +59,7 @@ impl Emitter<'_> {
                 fn of_parameters(&self) -> [T; #count] { #steps [#(#names),*] }
                 #[doc(hidden)]
                 #[inline(always)]
-                fn #stages(&self, #fixed: &[T; #count], #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result {
+                fn #stages(&self, #fixed: &[T; #count], #t: T, #pass: &mut ::reuleaux::Solver<'_, T, #n>) -> #result {
                     let [#(#names),*] = *#fixed;
                     #body
                 }
@@ -84,18 +84,18 @@ impl Emitter<'_> {
             impl<T: ::reuleaux::SolverReal> ::reuleaux::Stages<T, #n> for #type_name<T> {
                 #lists
                 #step
-                fn toward(&self, share: T) -> ::core::option::Option<Self> {
-                    let between = ::reuleaux::Stages::<T, #n>::toward(&self.mechanism, share);
+                fn interpolated(&self, lambda: T) -> ::core::option::Option<Self> {
+                    let between = ::reuleaux::Stages::<T, #n>::interpolated(&self.mechanism, lambda);
                     ::core::option::Option::map(between, |mechanism| mechanism.prepared())
                 }
-                fn improved(&self, t: T, guess: &::reuleaux::nalgebra::SVector<T, #n>) -> ::reuleaux::nalgebra::SVector<T, #n>
+                fn refined_guess(&self, t: T, guess: &::reuleaux::nalgebra::SVector<T, #n>) -> ::reuleaux::nalgebra::SVector<T, #n>
                 where
                     T: ::reuleaux::Float,
                 {
-                    ::reuleaux::Stages::<T, #n>::improved(&self.mechanism, t, guess)
+                    ::reuleaux::Stages::<T, #n>::refined_guess(&self.mechanism, t, guess)
                 }
                 #[inline(always)]
-                fn stages(&self, t: T, pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { self.mechanism.#stages(&self.fixed, t, pass) }
+                fn stages(&self, t: T, pass: &mut ::reuleaux::Solver<'_, T, #n>) -> #result { self.mechanism.#stages(&self.fixed, t, pass) }
             }
             #failure
             #solving

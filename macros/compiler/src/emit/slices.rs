@@ -66,14 +66,14 @@ impl Emitter<'_> {
             impl<T: ::reuleaux::SolverReal> #mechanism<T> {
                 #[doc(hidden)]
                 #[inline(always)]
-                fn #stages(&self, #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>, #to) -> #result { #body }
+                fn #stages(&self, #t: T, #pass: &mut ::reuleaux::Solver<'_, T, #n>, #to) -> #result { #body }
             }
             #description
             #[automatically_derived]
             impl<T: ::reuleaux::SolverReal> ::reuleaux::Stages<T, #n> for #name<T> {
                 #constants
-                fn toward(&self, share: T) -> ::core::option::Option<Self> {
-                    ::core::option::Option::map(::reuleaux::Stages::<T, #whole>::toward(&self.0, share), Self)
+                fn interpolated(&self, lambda: T) -> ::core::option::Option<Self> {
+                    ::core::option::Option::map(::reuleaux::Stages::<T, #whole>::interpolated(&self.0, lambda), Self)
                 }
                 #of_trait
             }
@@ -170,7 +170,7 @@ impl Emitter<'_> {
             {
                 const HELD: [::core::primitive::usize; #n] = [#(#held),*];
                 let moving = #name(*self, [#(state.q[#places]),*]);
-                ::core::option::Option::Some(::reuleaux::step_in_part(&moving, state, &HELD, ::reuleaux::Stages::<T, #whole>::mark(self), t))
+                ::core::option::Option::Some(::reuleaux::step_in_part(&moving, state, &HELD, ::reuleaux::Stages::<T, #whole>::parameter_hash(self), t))
             }
         };
         let part = quote! {
@@ -184,7 +184,7 @@ impl Emitter<'_> {
             impl<T: ::reuleaux::SolverReal> #mechanism<T> {
                 #[doc(hidden)]
                 #[inline(always)]
-                fn #stages(&self, #given: &[T; #count], #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>, #to) -> #result { #body }
+                fn #stages(&self, #given: &[T; #count], #t: T, #pass: &mut ::reuleaux::Solver<'_, T, #n>, #to) -> #result { #body }
             }
             #description
             #[automatically_derived]

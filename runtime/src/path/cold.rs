@@ -3,9 +3,9 @@
 use nalgebra::SVector;
 
 use crate::names::{self, Cause, Culprit};
-use crate::newton::Stop;
+use crate::newton::StepError;
 use crate::number::Float;
-use crate::solve::{ColdReport, ColdSolver, Pass, Stages};
+use crate::solve::{ColdReport, ColdSolver, Solver, Stages};
 use crate::state::{Coordinates, State, Values};
 
 /// A cold start through all stages, compiled once for each mechanism.
@@ -13,50 +13,50 @@ use crate::state::{Coordinates, State, Values};
 /// # Errors
 /// Why it ended early.
 #[inline(never)]
-pub(crate) fn pass<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+pub(crate) fn solve_stages<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
     t: T,
     solver: &ColdSolver<'_, T, N>,
-) -> Result<Coordinates<T, N>, Stop<T>> {
-    equations.stages(t, &mut Pass::cold(solver))
+) -> Result<Coordinates<T, N>, StepError<T>> {
+    equations.stages(t, &mut Solver::cold(solver))
 }
 
 /// The state at the end of a cold start, in which all equations hold.
 ///
 /// # Errors
 /// Why there is none.
-pub(crate) fn state<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+pub(crate) fn valid_state<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
     t: T,
     solver: ColdSolver<'_, T, N>,
-) -> Result<State<T, N>, Stop<T>> {
-    match reached(equations, t, solver)? {
-        (_, Some(cause)) => Err(Stop::Open(cause)),
+) -> Result<State<T, N>, StepError<T>> {
+    match cold_state(equations, t, solver)? {
+        (_, Some(cause)) => Err(StepError::Open(cause)),
         (state, None) => Ok(state),
     }
 }
 
 /// A state, and why it is none if an equation that is checked does not hold in it.
-pub(crate) type Reached<T, const N: usize> = (State<T, N>, Option<Cause<T>>);
+pub(crate) type CheckedState<T, const N: usize> = (State<T, N>, Option<Cause<T>>);
 
 /// The state at the end of a cold start, and which of the equations that are not solved does not hold in it.
 ///
 /// # Errors
 /// Why there is none.
-pub(crate) fn reached<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+pub(crate) fn cold_state<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
     t: T,
     solver: ColdSolver<'_, T, N>,
-) -> Result<Reached<T, N>, Stop<T>> {
-    let there = pass(equations, t, &solver)?;
+) -> Result<CheckedState<T, N>, StepError<T>> {
+    let there = solve_stages(equations, t, &solver)?;
     let Coordinates { q, qd, qdd } = there;
     for vector in [&q, &qd, &qdd] {
         if let Some(index) = vector.iter().position(|entry| !entry.is_finite()) {
-            return Err(Stop::NotFinite(Culprit::Coordinate(names::coordinate(E::COORDINATES, index))));
+            return Err(StepError::NotFinite(Culprit::Coordinate(names::coordinate(E::COORDINATES, index))));
         }
     }
     let ColdReport { branch, condition, iterations, .. } = solver.report();
-    let state = State::solved(Values { t, q, qd, qdd, branch, condition, iterations }, equations.mark());
+    let state = State::solved(Values { t, q, qd, qdd, branch, condition, iterations }, equations.parameter_hash());
     Ok((state, solver.contradiction()))
 }
 
@@ -64,6 +64,6 @@ pub(crate) fn reached<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
 pub(crate) fn inspect<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, t: T, q: &SVector<T, N>) -> Option<Cause<T>> {
     let solver = ColdSolver::inspection(equations, q);
     // Only the report is wanted, not the rates at the end.
-    let _ = pass(equations, t, &solver);
+    let _ = solve_stages(equations, t, &solver);
     solver.report().worst
 }
