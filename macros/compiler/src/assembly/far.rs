@@ -52,7 +52,7 @@ impl Numeric<'_> {
                 return Some(doubt("angle", unknown, degrees(start[unknown]), degrees(declared(unknown)), degrees(apart), instead));
             }
         }
-        let places: Vec<usize> = own.into_iter().filter(|unknown| !self.is_angle(*unknown)).collect();
+        let places: Vec<usize> = own.into_iter().filter(|unknown| self.is_position(*unknown)).collect();
         let apart = places.iter().map(|unknown| (start[*unknown] - declared(*unknown)).powi(2)).sum::<f64>().sqrt();
         let first = places.iter().copied().find(|unknown| self.declared[*unknown].is_some()).filter(|_| apart > FAR_PLACE * self.size)?;
         let shown = |of: &dyn Fn(usize) -> f64| {

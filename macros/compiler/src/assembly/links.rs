@@ -13,7 +13,7 @@
 
 use crate::expr::{Expr, Values, evaluate};
 use crate::numeric::Numeric;
-use crate::quantity::Dim;
+use crate::quantity::{Dim, Role};
 use core::f64::consts::FRAC_PI_2;
 
 /// Where a point is, and of what it is a part.
@@ -94,8 +94,8 @@ impl LinkReader<'_> {
         bodies.dedup();
         let frame = |body: usize| {
             let first = unknowns.partition_point(|unknown| unknown.body < body);
-            let names = ["x", "y", "angle"];
-            let is_planar = names.iter().enumerate().all(|(i, name)| unknowns.get(first + i).is_some_and(|found| found.name == *name));
+            let mut roles = Role::PLANE.iter().enumerate();
+            let is_planar = roles.all(|(i, role)| unknowns.get(first + i).is_some_and(|found| found.role == *role));
             is_planar.then_some((body, [first, first + 1, first + 2]))
         };
         bodies.into_iter().map(frame).collect()

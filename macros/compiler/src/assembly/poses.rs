@@ -9,7 +9,6 @@ use crate::model::Model;
 use crate::numeric::dense::solve;
 use crate::numeric::least_squares;
 use crate::numeric::{Numeric, call};
-use crate::quantity::Dim;
 use crate::system::System;
 
 /// How far the fastest angle goes from the start to each pose, in rad.
@@ -47,8 +46,7 @@ impl<'a> Poses<'a> {
         if assembly.is_closed
             && let Some(rates) = rates(system, &known, &assembly.start)
         {
-            let scaled =
-                |(rate, unknown): (&f64, &crate::system::Unknown)| if unknown.dim == Dim::ANGLE { rate.abs() } else { rate.abs() / size };
+            let scaled = |(rate, unknown): (&f64, &crate::system::Unknown)| rate.abs() / unknown.role.scale(size);
             let fastest = rates.iter().zip(&system.unknowns).map(scaled).fold(0.0, f64::max);
             if fastest > 0.0 && fastest.is_finite() {
                 let declared = vec![None; assembly.start.len()];

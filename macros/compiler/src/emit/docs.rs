@@ -39,7 +39,13 @@ pub(super) fn mechanism(model: &Model, system: &System, assembly: &Assembly, mot
         if !table.shows([&model.bodies[unknown.body].name].into_iter()) {
             continue;
         }
-        let _ = writeln!(page, "| `q[{index}]` | `{}` | {} | {} |", model.bodies[unknown.body].name, unknown.name, unknown.dim.unit());
+        let _ = writeln!(
+            page,
+            "| `q[{index}]` | `{}` | {} | {} |",
+            model.bodies[unknown.body].name,
+            unknown.role.name(),
+            unknown.role.dim().unit()
+        );
     }
     table.rest(&mut page, |more| format!("| | {more} | | |"));
     equations(&mut page, model, system);
@@ -140,7 +146,7 @@ fn eliminated(page: &mut String, elimination: &Elimination) -> std::fmt::Result 
 /// `crank.angle`
 pub(super) fn coordinate_name(model: &Model, system: &System, unknown: usize) -> String {
     match system.unknowns.get(unknown) {
-        Some(unknown) => format!("{}.{}", model.bodies[unknown.body].name, unknown.name),
+        Some(unknown) => format!("{}.{}", model.bodies[unknown.body].name, unknown.role.name()),
         // What a slice is for comes after all unknowns.
         None => format!("component {} of the output", unknown - system.unknowns.len() + 1),
     }
@@ -180,7 +186,7 @@ fn equations(page: &mut String, model: &Model, system: &System) {
         Leaf::Parameter(index) => model.parameters.get(index as usize).map_or(String::new(), |parameter| parameter.name.to_string()),
         Leaf::Coordinate(index) | Leaf::Velocity(index) | Leaf::Acceleration(index) => {
             let Some(unknown) = system.unknowns.get(index as usize) else { return String::new() };
-            let symbol = if unknown.name == "angle" { "φ" } else { unknown.name };
+            let symbol = unknown.role.symbol();
             format!("{symbol}_{}", model.bodies[unknown.body].name)
         }
     };

@@ -6,7 +6,7 @@ use super::routine::{Lines, lines};
 use super::stages::number;
 use crate::model::Model;
 use crate::plan::{Code, Plan, Routine, Target};
-use crate::quantity::Dim;
+use crate::quantity::Role;
 use crate::system::{System, Unknown};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -211,7 +211,7 @@ impl Emitter<'_> {
         let (name, (m, n)) = (&self.model.name, self.sizes());
         let word = name.to_string();
         let coordinates = self.system.unknowns.iter().map(|unknown| {
-            let (body, name) = (self.model.bodies[unknown.body].name.to_string(), unknown.name);
+            let (body, name) = (self.model.bodies[unknown.body].name.to_string(), unknown.role.name());
             let kind = kind(unknown);
             quote!(::reuleaux::Coordinate { body: #body, name: #name, kind: #kind })
         });
@@ -258,5 +258,5 @@ impl Emitter<'_> {
 
 /// What an unknown measures.
 fn kind(unknown: &Unknown) -> TokenStream {
-    if unknown.dim == Dim::ANGLE { quote!(::reuleaux::CoordinateKind::Angle) } else { quote!(::reuleaux::CoordinateKind::Length) }
+    if unknown.role == Role::Angle { quote!(::reuleaux::CoordinateKind::Angle) } else { quote!(::reuleaux::CoordinateKind::Length) }
 }

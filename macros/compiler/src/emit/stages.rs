@@ -5,7 +5,7 @@ use super::functions::Emitter;
 use super::parameters::Parameters;
 use super::scene::Scene;
 use crate::plan::{Lines, Solution, Solving, Summary, Words};
-use crate::quantity::Dim;
+use crate::quantity::Role;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use std::collections::{BTreeMap, BTreeSet};
@@ -55,7 +55,7 @@ impl Emitter<'_> {
 
     /// Computed angles that move
     fn computed_angles(&self, solution: &Solution, shelf: &Shelf) -> TokenStream {
-        let is_angle = |unknown: usize| self.system.unknowns.get(unknown).is_some_and(|unknown| unknown.dim == Dim::ANGLE);
+        let is_angle = |unknown: usize| self.system.unknowns.get(unknown).is_some_and(|unknown| unknown.role == Role::Angle);
         let angle = |stage: &Summary| match *stage {
             Summary::Explicit { unknown, moves: true } if is_angle(unknown) => shelf.place(unknown).map(Literal::usize_unsuffixed),
             _ => None,
@@ -155,7 +155,7 @@ impl Emitter<'_> {
 
     /// An unknown by its index in q; components of outputs, which follow, are never solved for.
     pub(super) fn index(&self, unknown: usize) -> Index {
-        let is_length = self.system.unknowns.get(unknown).is_some_and(|unknown| unknown.dim != Dim::ANGLE);
+        let is_length = self.system.unknowns.get(unknown).is_some_and(|unknown| unknown.role.is_position());
         Index { place: number(unknown), kind: kind(is_length), is_length }
     }
 

@@ -2,7 +2,7 @@
 
 use crate::diag::{Count, Diag, Fact, Forgotten};
 use crate::model::{Model, example};
-use crate::quantity::Dim;
+use crate::quantity::{Axis, Role};
 use crate::structure::{DmPart, Entry, Matching, Pattern, maximum};
 use crate::system::System;
 use std::collections::{BTreeMap, BTreeSet};
@@ -18,7 +18,7 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
     let drives = drives(model);
     let solved = pattern.rows.iter().filter(|row| !row.is_empty()).count();
     let in_none = in_no_equation(pattern);
-    let is_place = |unknown: &usize| system.unknowns[*unknown].dim != Dim::ANGLE;
+    let is_place = |unknown: &usize| system.unknowns[*unknown].role.is_position();
     let body = |unknown: &usize| system.unknowns[*unknown].body;
     let has_no_place = |unknown: &&usize| in_none.iter().filter(|other| is_place(other) && body(other) == body(unknown)).count() > 1;
     // One coordinate of a body may be what a drive was meant for, if there is none yet; its place as a whole hardly ever is.
@@ -62,7 +62,7 @@ fn candidates(model: &Model, system: &System, pattern: &Pattern, under: &DmPart)
     let on_ground: BTreeSet<usize> =
         joints.map(|(row, _)| row).filter(|row| !row.is_empty()).filter(is_on_ground).map(|row| body(&row[0])).collect();
     let (mut angles, mut places): (Vec<usize>, Vec<usize>) =
-        under.unknowns.iter().partition(|unknown| system.unknowns[**unknown].dim == Dim::ANGLE);
+        under.unknowns.iter().partition(|unknown| system.unknowns[**unknown].role == Role::Angle);
     for candidates in [&mut angles, &mut places] {
         candidates.sort_by_key(|unknown| !on_ground.contains(&system.unknowns[*unknown].body));
     }
@@ -77,8 +77,10 @@ fn forgotten(model: &Model, system: &System, pattern: &Pattern, under: &DmPart, 
         if model.sketch.joints.is_empty() || example::is_joined(model, body) {
             return None;
         }
-        let unknown = |name: &str| under.unknowns.iter().copied().find(|unknown| is_called(system, *unknown, body, name));
-        Some([unknown("x")?, unknown("y")?])
+        let is_meant =
+            |unknown: usize, axis| system.unknowns[unknown].body == body && system.unknowns[unknown].role == Role::Position(axis);
+        let unknown = |axis| under.unknowns.iter().copied().find(|unknown| is_meant(*unknown, axis));
+        Some([unknown(Axis::X)?, unknown(Axis::Y)?])
     };
     let bodies: BTreeSet<usize> = under.unknowns.iter().map(|unknown| system.unknowns[*unknown].body).collect();
     let mut places: Vec<(usize, [usize; 2])> = bodies.into_iter().filter_map(|body| Some((body, place(body)?))).collect();
@@ -99,10 +101,6 @@ fn forgotten(model: &Model, system: &System, pattern: &Pattern, under: &DmPart, 
 /// But for those that are checked instead of solved: nothing stands in them.
 fn every_row_finds_an_unknown(pattern: &Pattern) -> bool {
     maximum(pattern).free_equations().into_iter().all(|row| pattern.rows[row].is_empty())
-}
-
-fn is_called(system: &System, unknown: usize, body: usize, name: &str) -> bool {
-    system.unknowns[unknown].body == body && system.unknowns[unknown].name == name
 }
 
 /// A joint of a body with ground, to be typed.
@@ -148,9 +146,9 @@ fn drive_for(model: &Model, system: &System, unknown: usize) -> String {
     let name = ["input", "motor", "feed", "drive_1"].iter().find(taken).unwrap_or(&"another");
     let unknown = &system.unknowns[unknown];
     let body = &model.bodies[unknown.body].name;
-    match unknown.name {
-        "angle" => format!("drive {name} = drive_angle({body}, 60rpm * t);"),
-        axis => format!("drive {name} = drive_{axis}({body}.position, 10mm * sin(1rad_s * t));"),
+    match unknown.role {
+        Role::Position(_) => format!("drive {name} = drive_{}({body}.position, 10mm * sin(1rad_s * t));", unknown.role.name()),
+        Role::Angle | Role::Quaternion(_) => format!("drive {name} = drive_angle({body}, 60rpm * t);"),
     }
 }
 

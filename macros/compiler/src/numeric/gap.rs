@@ -111,7 +111,7 @@ impl Numeric<'_> {
                         .jacobian
                         .iter()
                         .zip(slopes)
-                        .filter(|((unknown, _), _)| !self.is_angle(*unknown) && Some(self.system.unknowns[*unknown].body) == body);
+                        .filter(|((unknown, _), _)| self.is_position(*unknown) && Some(self.system.unknowns[*unknown].body) == body);
                     let h = of_body.map(|(_, slope)| (slope / 2.0).powi(2)).sum::<f64>().sqrt();
                     match h * h - phi {
                         square if square >= 0.0 => gap.length = gap.length.hypot(h - square.sqrt()),
@@ -128,7 +128,7 @@ impl Numeric<'_> {
 
     /// A place occurs in an equation, not angles alone.
     fn is_placed(&self, equation: &Equation) -> bool {
-        equation.jacobian.iter().any(|(unknown, _)| !self.is_angle(*unknown))
+        equation.jacobian.iter().any(|(unknown, _)| self.is_position(*unknown))
     }
 }
 

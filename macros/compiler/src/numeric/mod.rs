@@ -20,7 +20,6 @@ pub(crate) mod turns;
 
 use crate::expr::{Evaluator, Expr, Node, Values, evaluate};
 use crate::model::{Function, Model};
-use crate::quantity::Dim;
 use crate::system::{Equation, System};
 use least_squares::Problem;
 use std::cell::{Cell, OnceCell};
@@ -88,7 +87,7 @@ impl Numeric<'_> {
 
     /// What a unit step of an unknown is.
     pub(crate) fn scale(&self, unknown: usize) -> f64 {
-        if self.system.unknowns[unknown].dim == Dim::ANGLE { 1.0 } else { self.size }
+        self.system.unknowns[unknown].role.scale(self.size)
     }
 
     /// All equations for all unknowns.

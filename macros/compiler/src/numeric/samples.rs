@@ -87,9 +87,7 @@ impl Numeric<'_> {
         for subsystem in subsystems.iter().filter(|subsystem| subsystem.is_overdetermined) {
             let mut best: Option<(f64, Vec<f64>)> = None;
             for attempt in 0..TRIES {
-                let is_angle = |unknown: usize| self.system.unknowns[unknown].dim == Dim::ANGLE;
-                let reach = |unknown: usize| if is_angle(unknown) { 1.0 } else { self.size / core::f64::consts::PI };
-                let guess = |unknown: &usize| guess(attempt, *unknown) * reach(*unknown);
+                let guess = |unknown: &usize| guess(attempt, *unknown) * self.reach(*unknown);
                 let mut own: Vec<f64> =
                     subsystem.unknowns.iter().map(|unknown| self.declared[*unknown].unwrap_or_else(|| guess(unknown))).collect();
                 let mut problem = self.problem(&subsystem.equations, subsystem.unknowns.clone(), q.clone());

@@ -5,7 +5,7 @@ use super::scene::{Figure, Instant, Scene, Seen, Sign};
 use crate::expr::{Evaluator, Expr, Values, evaluate};
 use crate::model::sketch::{Argument, Instantiation, Local};
 use crate::model::{Function, Model, Name};
-use crate::quantity::Dim;
+use crate::quantity::{Axis, Dim, Role};
 use crate::system::System;
 use core::f64::consts::TAU;
 
@@ -50,10 +50,12 @@ fn figures(model: &Model, system: &System, q: &[f64]) -> Vec<Figure> {
     let mut bodies: Vec<Figure> = model.bodies.iter().map(named).collect();
     for (unknown, value) in system.unknowns.iter().zip(q) {
         let body = &mut bodies[unknown.body];
-        match unknown.name {
-            "x" => body.origin.x = *value,
-            "y" => body.origin.y = *value,
-            _ => body.angle = *value,
+        match unknown.role {
+            Role::Position(Axis::X) => body.origin.x = *value,
+            Role::Position(Axis::Y) => body.origin.y = *value,
+            Role::Angle => body.angle = *value,
+            // The picture is one of the plane.
+            Role::Position(Axis::Z) | Role::Quaternion(_) => {}
         }
     }
     bodies

@@ -33,7 +33,7 @@ pub(crate) use words::Words;
 use crate::assembly::{Assembly, Poses};
 use crate::expr::{Arena, Expr, Leaf};
 use crate::model::Model;
-use crate::quantity::Dim;
+use crate::quantity::Role;
 use crate::structure::Structure;
 use crate::system::{OutputMotion, System};
 use joints::Joints;
@@ -146,7 +146,7 @@ fn solving(
     stages: &[Stage],
     outputs: &[OutputMotion],
 ) -> (Solution, Vec<Slice>, Option<Slice>) {
-    let is_angle: Vec<bool> = system.unknowns.iter().map(|unknown| unknown.dim == Dim::ANGLE).collect();
+    let is_angle: Vec<bool> = system.unknowns.iter().map(|unknown| unknown.role == Role::Angle).collect();
     let joints: Vec<usize> = system.equations.iter().map(|equation| equation.joint).collect();
     let frame = Frame { arena, tracer, words, is_angle: &is_angle, joints: &joints };
     let slice = |output: &OutputMotion| {

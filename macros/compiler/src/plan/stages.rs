@@ -74,7 +74,7 @@ impl StageBuilder<'_> {
     /// By how much an equation changes with the unknowns that measure this, at most.
     fn slope(&mut self, equation: usize, dim: Dim) -> Expr {
         let mut sum = self.arena.integer(0);
-        let measures = |unknown: usize| self.system.unknowns[unknown].dim == dim;
+        let measures = |unknown: usize| self.system.unknowns[unknown].role.dim() == dim;
         for (_, entry) in self.system.equations[equation].jacobian.iter().filter(|(unknown, _)| measures(*unknown)) {
             let entry = self.constants.of(self.arena, *entry);
             let size = magnitude(self.arena, entry, &[], &self.system.unknowns);

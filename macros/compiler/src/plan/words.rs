@@ -17,7 +17,7 @@ pub(crate) struct Words {
 impl Words {
     /// From the names of bodies, coordinates and parameters.
     pub(crate) fn new(model: &Model, system: &System) -> Words {
-        let coordinate = |unknown: &crate::system::Unknown| format!("{}_{}", model.bodies[unknown.body].name.local, unknown.name);
+        let coordinate = |unknown: &crate::system::Unknown| format!("{}_{}", model.bodies[unknown.body].name.local, unknown.role.name());
         Words {
             coordinates: system.unknowns.iter().map(coordinate).collect(),
             parameters: model.parameters.iter().map(|parameter| format!("self.{}", parameter.name)).collect(),

@@ -228,7 +228,7 @@ impl Numeric<'_> {
     /// angle that is off. None if no way leads there.
     fn way(&self, equation: &Equation, known: Values, mut q: Vec<f64>) -> Option<f64> {
         let measures = if equation.dim == Dim::ANGLE { Dim::ANGLE } else { Dim::LENGTH };
-        let entries = equation.jacobian.iter().filter(|(unknown, _)| self.system.unknowns[*unknown].dim == measures);
+        let entries = equation.jacobian.iter().filter(|(unknown, _)| self.system.unknowns[*unknown].role.dim() == measures);
         let body = entries.clone().map(|(unknown, _)| self.system.unknowns[*unknown].body).next_back()?;
         let own: Vec<(usize, Expr)> = entries.filter(|(unknown, _)| self.system.unknowns[*unknown].body == body).copied().collect();
         let roots: Vec<Expr> = equation.phi.into_iter().chain(own.iter().map(|(_, entry)| *entry)).collect();

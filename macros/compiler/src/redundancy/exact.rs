@@ -93,7 +93,7 @@ fn demand(model: &Model, system: &System, found: &Dependent) -> Option<Demand> {
     // What is added stands first, and its first multiple is one.
     terms.sort_by_key(|(unknown, factor)| (factor.signum() < 0, *unknown));
     let (first, unit) = *terms.first()?;
-    let dim = system.unknowns[first].dim;
+    let dim = system.unknowns[first].role.dim();
     let mut form = String::new();
     for (unknown, factor) in &terms {
         let factor = factor.checked_div(unit)?;

@@ -4,7 +4,6 @@
 //! position is badly determined: at a dead point.
 
 use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
-use crate::quantity::Dim;
 use crate::system::Unknown;
 use std::collections::BTreeMap;
 
@@ -14,7 +13,7 @@ pub(crate) fn magnitude(arena: &mut Arena, root: Expr, unknowns: &[usize], all: 
     let mut sizes: BTreeMap<Expr, Expr> = BTreeMap::new();
     let mut is_moving: BTreeMap<Expr, bool> = BTreeMap::new();
     let (zero, one) = (arena.integer(0), arena.integer(1));
-    let is_length = |index: u32| all[index as usize].dim == Dim::LENGTH;
+    let is_length = |index: u32| all[index as usize].role.is_position();
     for expr in arena.reachable(&[root]) {
         let node = *arena.node(expr);
         let moves = match node {

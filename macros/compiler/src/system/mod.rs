@@ -15,7 +15,7 @@ mod pattern;
 use crate::diag::{Diag, Fact};
 use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Substitution};
 use crate::model::{Model, Said};
-use crate::quantity::Dim;
+use crate::quantity::{Dim, Role};
 use crate::structure::Pattern;
 use std::collections::BTreeMap;
 
@@ -44,10 +44,8 @@ pub struct System {
 pub struct Unknown {
     /// Index of its body in the model.
     pub body: usize,
-    /// `x`, `y`, `angle`.
-    pub name: &'static str,
-    /// A length or an angle.
-    pub dim: Dim,
+    /// Its part in the placement of the body.
+    pub role: Role,
     /// Its declared start value, a function of parameters.
     pub start: Option<Expr>,
 }
@@ -82,7 +80,7 @@ impl System {
     /// The name of an unknown: `crank.angle`.
     pub(crate) fn name(&self, model: &Model, unknown: usize) -> String {
         let unknown = &self.unknowns[unknown];
-        format!("{}.{}", model.bodies[unknown.body].name, unknown.name)
+        format!("{}.{}", model.bodies[unknown.body].name, unknown.role.name())
     }
 
     /// The equations of a joint of the model; those of one joint stand together, in the order of joints.
@@ -137,7 +135,7 @@ fn unknowns(model: &Model) -> Vec<Unknown> {
         declared
             .coordinates
             .iter()
-            .map(move |coordinate| Unknown { body, name: coordinate.name, dim: coordinate.dim, start: coordinate.start })
+            .map(move |coordinate| Unknown { body, role: coordinate.role, start: coordinate.start })
             .collect::<Vec<_>>()
     };
     model.bodies.iter().enumerate().flat_map(of_body).collect()

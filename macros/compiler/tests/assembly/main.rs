@@ -26,7 +26,8 @@ fn refused(source: &str) -> Fact {
 /// The value of a coordinate at the start.
 fn start(compiled: &Compiled, name: &str) -> f64 {
     let (system, model) = (&compiled.system, &compiled.model);
-    let is_wanted = |unknown: &reuleaux_compiler::system::Unknown| format!("{}.{}", model.bodies[unknown.body].name, unknown.name) == name;
+    let is_wanted =
+        |unknown: &reuleaux_compiler::system::Unknown| format!("{}.{}", model.bodies[unknown.body].name, unknown.role.name()) == name;
     compiled.assembly.start[system.unknowns.iter().position(is_wanted).expect(name)]
 }
 
