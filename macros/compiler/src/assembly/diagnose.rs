@@ -157,7 +157,7 @@ impl Judge<'_> {
     fn without_value(&self, equations: &[usize], drives: Vec<String>, start: &[f64]) -> Option<(Range, Fact)> {
         let all = &self.numeric.system.equations;
         let has_value_at = |equation: usize, coordinates: &[f64]| {
-            let roots: Vec<Expr> = all[equation].phi.into_iter().collect();
+            let roots: Vec<Expr> = all[equation].phi().into_iter().collect();
             let values = Values { coordinates, ..self.numeric.known };
             evaluate(&self.numeric.system.arena, &roots, &values).iter().all(|value| value.is_finite())
         };
@@ -208,7 +208,7 @@ impl Judge<'_> {
             return None;
         }
         let bodies = self.loops.bodies(block);
-        let iterated: BTreeSet<usize> = block.iterated.iter().map(|unknown| numeric.system.unknowns[*unknown].body).collect();
+        let iterated: BTreeSet<usize> = block.iterated.iter().map(|unknown| numeric.system.coordinates[*unknown].body).collect();
         let in_line = self.in_line(index, &bodies, start);
         let named = in_line.as_ref().unwrap_or(&iterated);
         let names = named.iter().map(|body| numeric.model.bodies[*body].name.to_string()).collect();
@@ -321,17 +321,17 @@ impl Judge<'_> {
         // Of those that differ well the last one: the body that closes the loop.
         let unknown = candidates.iter().copied().rfind(|unknown| apart(*unknown) >= most / 2.0).unwrap_or(differing[0]);
         let shown = |q: &[f64]| if numeric.is_angle(unknown) { half_a_turn(q[unknown]) } else { q[unknown] };
-        let body = numeric.system.unknowns[unknown].body;
+        let body = numeric.system.coordinates[unknown].body;
         let name = &numeric.model.bodies[body].name;
         let along = |axis: Axis, q: &[f64]| {
-            let found = numeric.system.unknowns.iter().position(|unknown| unknown.body == body && unknown.role == Role::Position(axis));
+            let found = numeric.system.coordinates.iter().position(|unknown| unknown.body == body && unknown.role == Role::Position(axis));
             found.map_or(0.0, |unknown| q[unknown])
         };
         // The positive one is offered.
         let (one, other) = if shown(one) < shown(other) { (other, one) } else { (one, other) };
         let fact = Fact::AmbiguousStart {
             body: name.to_string(),
-            coordinate: numeric.system.unknowns[unknown].role,
+            coordinate: numeric.system.coordinates[unknown].role,
             values: [shown(one), shown(other)],
             place: [along(Axis::X, one), along(Axis::Y, one)],
             is_declared: differing.iter().any(|unknown| numeric.declared[*unknown].is_some()),

@@ -30,7 +30,7 @@ impl Numeric<'_> {
     }
 
     fn far_start(&self, structure: &Structure, start: &[f64], body: usize) -> Option<Doubt> {
-        let own: Vec<usize> = (0..start.len()).filter(|unknown| self.system.unknowns[*unknown].body == body).collect();
+        let own: Vec<usize> = (0..start.len()).filter(|unknown| self.system.coordinates[*unknown].body == body).collect();
         let declared = |unknown: usize| self.declared[unknown].unwrap_or(start[unknown]);
         let doubt = |coordinate, unknown: usize, found: String, declared: String, apart: String, instead: String| Doubt::FarStart {
             body: self.model.bodies[body].name.to_string(),

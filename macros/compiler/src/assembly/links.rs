@@ -87,7 +87,7 @@ impl LinkReader<'_> {
 
     /// Bodies whose place occurs in a row; `None` if a body has other coordinates than x, y and angle.
     fn frames(&self, row: usize) -> Option<Vec<(usize, Frame)>> {
-        let unknowns = &self.numeric.system.unknowns;
+        let unknowns = &self.numeric.system.coordinates;
         let mut bodies: Vec<usize> =
             self.numeric.system.equations[row].jacobian.iter().map(|(unknown, _)| unknowns[*unknown].body).collect();
         bodies.sort_unstable();
@@ -108,7 +108,7 @@ impl LinkReader<'_> {
         if let Some((unknown, by)) = changed {
             coordinates[unknown] += by;
         }
-        let roots: Vec<Expr> = equation.phi.into_iter().chain(equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
+        let roots: Vec<Expr> = equation.phi().into_iter().chain(equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
         let values = evaluate(&self.numeric.system.arena, &roots, &Values { coordinates: &coordinates, ..self.numeric.known });
         let slopes = equation.jacobian.iter().zip(values.get(1..)?).map(|((unknown, _), value)| (*unknown, *value)).collect();
         values.iter().all(|value| value.is_finite()).then_some(LengthRow { phi: values[0], slopes })

@@ -5,7 +5,7 @@ use super::names::{Context, EntityId, FrameScope};
 use super::register::Register;
 use super::statement::FixedValue;
 use super::value::{Fixed, FrameId, Value};
-use super::{Body, Coordinate, Name, Requirement};
+use super::{Body, BodyCoordinate, Name, Requirement};
 use crate::diag::nearest;
 use crate::diag::{Fact, Range};
 use crate::expr::{Expr, Leaf};
@@ -135,7 +135,7 @@ impl Elaborator<'_> {
                 }
             }
         }
-        let coordinates = Role::PLANE.into_iter().zip(starts).map(|(role, start)| Coordinate { role, start }).collect();
+        let coordinates = Role::PLANE.into_iter().zip(starts).map(|(role, start)| BodyCoordinate { role, start }).collect();
         Body { name: name.clone(), first: 0, coordinates }
     }
 }

@@ -135,12 +135,12 @@ pub struct Body {
     /// The index in q of its first coordinate.
     pub first: usize,
     /// Its coordinates, in their order in q.
-    pub coordinates: Vec<Coordinate>,
+    pub coordinates: Vec<BodyCoordinate>,
 }
 
 /// One coordinate of a body.
 #[derive(Clone, Debug)]
-pub struct Coordinate {
+pub struct BodyCoordinate {
     /// Its part in the placement of the body.
     pub role: Role,
     /// Its declared start value, a function of parameters.

@@ -110,7 +110,7 @@ impl Numeric<'_> {
     }
 
     pub(crate) fn is_one_place(&self, unknown: usize, one: f64, other: f64) -> bool {
-        match self.system.unknowns[unknown].role.period() {
+        match self.system.coordinates[unknown].role.period() {
             Some(period) => {
                 let turns = (one - other) / period;
                 (turns - turns.round()).abs() * period < ONE_PLACE
@@ -120,11 +120,11 @@ impl Numeric<'_> {
     }
 
     pub(crate) fn is_angle(&self, unknown: usize) -> bool {
-        self.system.unknowns[unknown].role == Role::Angle
+        self.system.coordinates[unknown].role == Role::Angle
     }
 
     pub(crate) fn is_position(&self, unknown: usize) -> bool {
-        self.system.unknowns[unknown].role.is_position()
+        self.system.coordinates[unknown].role.is_position()
     }
 
     /// How far a guess reaches for each radian that a guessed angle is turned.

@@ -48,7 +48,7 @@ fn plain(name: &Name) -> String {
 fn figures(model: &Model, system: &System, q: &[f64]) -> Vec<Figure> {
     let named = |body: &crate::model::Body| Figure { name: plain(&body.name), origin: Place::default(), angle: 0.0, points: Vec::new() };
     let mut bodies: Vec<Figure> = model.bodies.iter().map(named).collect();
-    for (unknown, value) in system.unknowns.iter().zip(q) {
+    for (unknown, value) in system.coordinates.iter().zip(q) {
         let body = &mut bodies[unknown.body];
         match unknown.role {
             Role::Position(Axis::X) => body.origin.x = *value,
@@ -84,7 +84,7 @@ impl Eye<'_> {
         let rates: Vec<Expr> = self.system.equations.iter().map(|equation| equation.nu).collect();
         for (equation, rate) in self.system.equations.iter().zip(evaluate(&self.system.arena, &rates, &self.known)) {
             let sign = &mut signs[equation.joint];
-            let bodies = equation.jacobian.iter().map(|(unknown, _)| self.system.unknowns[*unknown].body);
+            let bodies = equation.jacobian.iter().map(|(unknown, _)| self.system.coordinates[*unknown].body);
             for body in bodies {
                 if !sign.bodies.contains(&body) {
                     sign.bodies.push(body);

@@ -105,3 +105,26 @@ impl Role {
         matches!(self, Role::Position(_))
     }
 }
+
+/// The part that a speed plays in the motion of its body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum SpeedRole {
+    /// The velocity of the body's origin along an axis of ground.
+    Linear(Axis),
+    /// The angular velocity of the body about an axis of ground.
+    Angular(Axis),
+}
+
+impl SpeedRole {
+    /// The speeds of a body in the plane, in their order in u.
+    pub const PLANE: [SpeedRole; 3] = [SpeedRole::Linear(Axis::X), SpeedRole::Linear(Axis::Y), SpeedRole::Angular(Axis::Z)];
+
+    /// What its integral measures: a small displacement along it.
+    #[must_use]
+    pub fn displacement(self) -> Dim {
+        match self {
+            SpeedRole::Linear(_) => Dim::LENGTH,
+            SpeedRole::Angular(_) => Dim::ANGLE,
+        }
+    }
+}

@@ -78,7 +78,7 @@ impl Numeric<'_> {
     pub(super) fn names(&self, subsystem: &Subsystem, columns: &[usize]) -> Vec<String> {
         let name = |column: &usize| self.system.name(self.model, subsystem.unknowns[*column]);
         // Where an angle is free, places mostly follow it.
-        let is_angle = |column: &&usize| self.system.unknowns[subsystem.unknowns[**column]].role == Role::Angle;
+        let is_angle = |column: &&usize| self.system.coordinates[subsystem.unknowns[**column]].role == Role::Angle;
         let angles: Vec<String> = columns.iter().filter(is_angle).map(name).collect();
         if angles.is_empty() { columns.iter().map(name).collect() } else { angles }
     }

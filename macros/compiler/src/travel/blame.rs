@@ -90,11 +90,11 @@ impl EndReport<'_, '_> {
         if let [(unknown, entry)] = row.jacobian.as_slice()
             && system.arena.as_constant(*entry).is_some()
         {
-            let unknown = (&system.unknowns[*unknown], q[*unknown]);
+            let unknown = (&system.coordinates[*unknown], q[*unknown]);
             let name = model.bodies[unknown.0.body].name.to_string();
             return Driven { name, coordinate: Some(unknown.0.role), value: Some((unknown.1, unknown.0.role.dim())) };
         }
-        let value = row.phi.and_then(|phi| self.demand(phi, row.dim, time));
+        let value = row.phi().and_then(|phi| self.demand(phi, row.dim, time));
         Driven { name, coordinate: None, value }
     }
 

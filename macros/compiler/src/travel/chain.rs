@@ -255,7 +255,7 @@ impl Member {
         let mut roots: Vec<Expr> = Vec::new();
         for (row, equation) in equations.iter().enumerate() {
             let equation = &numeric.system.equations[*equation];
-            roots.extend(equation.phi);
+            roots.extend(equation.phi());
             nu.push(equation.nu);
             for (unknown, entry) in &equation.jacobian {
                 match unknowns.iter().position(|own| own == unknown) {
@@ -271,7 +271,7 @@ impl Member {
             }
         }
         roots.extend(own_roots.into_iter().chain(other_roots).chain(nu));
-        let scales = unknowns.iter().map(|unknown| numeric.system.unknowns[*unknown].role.scale(length)).collect();
+        let scales = unknowns.iter().map(|unknown| numeric.system.coordinates[*unknown].role.scale(length)).collect();
         let evaluator = Evaluator::new(&numeric.system.arena, &roots);
         let (values, sizes) = (vec![f64::NAN; roots.len()], vec![1.0; equations.len()]);
         Member { block, unknowns, is_iterated, evaluator, values, own, others, scales, sizes }
