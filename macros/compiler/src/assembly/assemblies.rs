@@ -240,7 +240,7 @@ impl Numeric<'_> {
     /// Adds the assemblies that differ by whole turns from those found, where blocks after this one count them.
     fn with_turns(&self, block: &Block, counts: &[bool], reduced: &mut Reduced, found: &mut Vec<Vec<f64>>) {
         for (unknown, counts) in block.iterated.iter().zip(counts) {
-            if *counts || !self.is_angle(*unknown) || self.turns().is_free(*unknown) {
+            if *counts || self.is_position(*unknown) || self.turns().is_free(*unknown) {
                 continue;
             }
             let members = self.linked(reduced, *unknown);

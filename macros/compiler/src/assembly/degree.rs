@@ -30,8 +30,8 @@ impl Numeric<'_> {
         }
         let (unknowns, equations) = block.parts();
         let links = links::read(self, &equations, start);
-        let body = |unknown: &usize| self.system.unknowns[*unknown].body;
-        let moving: BTreeSet<usize> = unknowns.iter().filter(|unknown| !self.is_angle(**unknown)).map(body).collect();
+        let body = |unknown: &usize| self.system.coordinates[*unknown].body;
+        let moving: BTreeSet<usize> = unknowns.iter().filter(|unknown| self.is_position(**unknown)).map(body).collect();
         // What does not move in this block is ground to it.
         let moves = |place: &BodyPoint| place.body.filter(|body| moving.contains(body));
         let mut held: BTreeSet<Option<usize>> = BTreeSet::from([None]);

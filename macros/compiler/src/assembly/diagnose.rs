@@ -19,7 +19,7 @@ use crate::expr::{Expr, Values, evaluate};
 use crate::numeric::Numeric;
 use crate::numeric::gap::Opened;
 use crate::numeric::samples::LOOKS;
-use crate::quantity::Dim;
+use crate::quantity::{Axis, Role};
 use crate::structure::Structure;
 use std::collections::BTreeSet;
 
@@ -157,7 +157,7 @@ impl Judge<'_> {
     fn without_value(&self, equations: &[usize], drives: Vec<String>, start: &[f64]) -> Option<(Range, Fact)> {
         let all = &self.numeric.system.equations;
         let has_value_at = |equation: usize, coordinates: &[f64]| {
-            let roots: Vec<Expr> = all[equation].phi.into_iter().collect();
+            let roots: Vec<Expr> = all[equation].phi().into_iter().collect();
             let values = Values { coordinates, ..self.numeric.known };
             evaluate(&self.numeric.system.arena, &roots, &values).iter().all(|value| value.is_finite())
         };
@@ -208,7 +208,7 @@ impl Judge<'_> {
             return None;
         }
         let bodies = self.loops.bodies(block);
-        let iterated: BTreeSet<usize> = block.iterated.iter().map(|unknown| numeric.system.unknowns[*unknown].body).collect();
+        let iterated: BTreeSet<usize> = block.iterated.iter().map(|unknown| numeric.system.coordinates[*unknown].body).collect();
         let in_line = self.in_line(index, &bodies, start);
         let named = in_line.as_ref().unwrap_or(&iterated);
         let names = named.iter().map(|body| numeric.model.bodies[*body].name.to_string()).collect();
@@ -313,29 +313,27 @@ impl Judge<'_> {
         let half_a_turn = |angle: f64| angle - (angle / core::f64::consts::TAU).round() * core::f64::consts::TAU;
         let apart = |unknown: usize| {
             let by = one[unknown] - other[unknown];
-            if numeric.is_angle(unknown) { half_a_turn(by).abs() } else { by.abs() / numeric.size }
+            if numeric.is_angle(unknown) { half_a_turn(by).abs() } else { by.abs() / numeric.scale(unknown) }
         };
         let angles: Vec<usize> = differing.iter().copied().filter(|unknown| numeric.is_angle(*unknown)).collect();
         let candidates = if angles.is_empty() { differing.to_vec() } else { angles };
         let most = candidates.iter().map(|unknown| apart(*unknown)).fold(0.0, f64::max);
         // Of those that differ well the last one: the body that closes the loop.
         let unknown = candidates.iter().copied().rfind(|unknown| apart(*unknown) >= most / 2.0).unwrap_or(differing[0]);
-        let is_angle = numeric.system.unknowns[unknown].dim == Dim::ANGLE;
-        let shown = |q: &[f64]| if is_angle { half_a_turn(q[unknown]) } else { q[unknown] };
-        let body = numeric.system.unknowns[unknown].body;
+        let shown = |q: &[f64]| if numeric.is_angle(unknown) { half_a_turn(q[unknown]) } else { q[unknown] };
+        let body = numeric.system.coordinates[unknown].body;
         let name = &numeric.model.bodies[body].name;
-        let of_body = |what: &str, q: &[f64]| {
-            let found = numeric.system.unknowns.iter().position(|unknown| unknown.body == body && unknown.name == what);
+        let along = |axis: Axis, q: &[f64]| {
+            let found = numeric.system.coordinates.iter().position(|unknown| unknown.body == body && unknown.role == Role::Position(axis));
             found.map_or(0.0, |unknown| q[unknown])
         };
         // The positive one is offered.
         let (one, other) = if shown(one) < shown(other) { (other, one) } else { (one, other) };
         let fact = Fact::AmbiguousStart {
             body: name.to_string(),
-            coordinate: numeric.system.unknowns[unknown].name,
-            is_angle,
+            coordinate: numeric.system.coordinates[unknown].role,
             values: [shown(one), shown(other)],
-            place: [of_body("x", one), of_body("y", one)],
+            place: [along(Axis::X, one), along(Axis::Y, one)],
             is_declared: differing.iter().any(|unknown| numeric.declared[*unknown].is_some()),
         };
         (name.into(), fact)

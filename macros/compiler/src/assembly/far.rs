@@ -30,7 +30,7 @@ impl Numeric<'_> {
     }
 
     fn far_start(&self, structure: &Structure, start: &[f64], body: usize) -> Option<Doubt> {
-        let own: Vec<usize> = (0..start.len()).filter(|unknown| self.system.unknowns[*unknown].body == body).collect();
+        let own: Vec<usize> = (0..start.len()).filter(|unknown| self.system.coordinates[*unknown].body == body).collect();
         let declared = |unknown: usize| self.declared[unknown].unwrap_or(start[unknown]);
         let doubt = |coordinate, unknown: usize, found: String, declared: String, apart: String, instead: String| Doubt::FarStart {
             body: self.model.bodies[body].name.to_string(),
@@ -52,7 +52,7 @@ impl Numeric<'_> {
                 return Some(doubt("angle", unknown, degrees(start[unknown]), degrees(declared(unknown)), degrees(apart), instead));
             }
         }
-        let places: Vec<usize> = own.into_iter().filter(|unknown| !self.is_angle(*unknown)).collect();
+        let places: Vec<usize> = own.into_iter().filter(|unknown| self.is_position(*unknown)).collect();
         let apart = places.iter().map(|unknown| (start[*unknown] - declared(*unknown)).powi(2)).sum::<f64>().sqrt();
         let first = places.iter().copied().find(|unknown| self.declared[*unknown].is_some()).filter(|_| apart > FAR_PLACE * self.size)?;
         let shown = |of: &dyn Fn(usize) -> f64| {

@@ -13,7 +13,7 @@
 
 use crate::expr::{Expr, Values, evaluate};
 use crate::numeric::Numeric;
-use crate::quantity::Dim;
+use crate::quantity::{Dim, Role};
 use core::f64::consts::FRAC_PI_2;
 
 /// Where a point is, and of what it is a part.
@@ -87,15 +87,15 @@ impl LinkReader<'_> {
 
     /// Bodies whose place occurs in a row; `None` if a body has other coordinates than x, y and angle.
     fn frames(&self, row: usize) -> Option<Vec<(usize, Frame)>> {
-        let unknowns = &self.numeric.system.unknowns;
+        let unknowns = &self.numeric.system.coordinates;
         let mut bodies: Vec<usize> =
             self.numeric.system.equations[row].jacobian.iter().map(|(unknown, _)| unknowns[*unknown].body).collect();
         bodies.sort_unstable();
         bodies.dedup();
         let frame = |body: usize| {
             let first = unknowns.partition_point(|unknown| unknown.body < body);
-            let names = ["x", "y", "angle"];
-            let is_planar = names.iter().enumerate().all(|(i, name)| unknowns.get(first + i).is_some_and(|found| found.name == *name));
+            let mut roles = Role::PLANE.iter().enumerate();
+            let is_planar = roles.all(|(i, role)| unknowns.get(first + i).is_some_and(|found| found.role == *role));
             is_planar.then_some((body, [first, first + 1, first + 2]))
         };
         bodies.into_iter().map(frame).collect()
@@ -108,7 +108,7 @@ impl LinkReader<'_> {
         if let Some((unknown, by)) = changed {
             coordinates[unknown] += by;
         }
-        let roots: Vec<Expr> = equation.phi.into_iter().chain(equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
+        let roots: Vec<Expr> = equation.phi().into_iter().chain(equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
         let values = evaluate(&self.numeric.system.arena, &roots, &Values { coordinates: &coordinates, ..self.numeric.known });
         let slopes = equation.jacobian.iter().zip(values.get(1..)?).map(|((unknown, _), value)| (*unknown, *value)).collect();
         values.iter().all(|value| value.is_finite()).then_some(LengthRow { phi: values[0], slopes })

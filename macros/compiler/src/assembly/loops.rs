@@ -34,7 +34,7 @@ impl Loops<'_> {
             let equations = blocks[block].parts().1.into_iter().map(|equation| &self.numeric.system.equations[equation]);
             equations
                 .flat_map(|equation| equation.jacobian.iter())
-                .map(|(unknown, _)| self.numeric.system.unknowns[*unknown].body)
+                .map(|(unknown, _)| self.numeric.system.coordinates[*unknown].body)
                 .collect()
         };
         let held: BTreeSet<usize> = (0..index).filter(|block| !is_computed(*block)).flat_map(of_equations).collect();
@@ -78,6 +78,6 @@ impl Loops<'_> {
 
     /// The bodies that move with a block.
     pub(crate) fn bodies(&self, block: &Block) -> BTreeSet<usize> {
-        block.parts().0.iter().map(|unknown| self.numeric.system.unknowns[*unknown].body).collect()
+        block.parts().0.iter().map(|unknown| self.numeric.system.coordinates[*unknown].body).collect()
     }
 }

@@ -83,11 +83,11 @@ pub(crate) fn assemble(model: &Model, system: &System, structure: &Structure, di
 impl Numeric<'_> {
     /// The assembly to start from, or how far an assembly was found.
     fn assembled(&self, structure: &Structure) -> Assembled {
-        let is_small = self.system.unknowns.len() <= SMALL && !self.model.equations_only;
+        let is_small = self.system.coordinates.len() <= SMALL && !self.model.equations_only;
         if let Some(assembled) = is_small.then(|| self.nearest_of_all(structure, Reach::Nearest)).flatten() {
             return assembled;
         }
-        if self.system.unknowns.len() <= SMALL || self.model.equations_only {
+        if self.system.coordinates.len() <= SMALL || self.model.equations_only {
             let found = self.search(&mut self.whole(), if self.declared.iter().all(Option::is_some) { 1 } else { search::GUESSES });
             let is_closed = !found.assemblies.is_empty();
             if is_closed || self.model.equations_only {

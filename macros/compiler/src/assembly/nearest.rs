@@ -61,7 +61,7 @@ impl Numeric<'_> {
         let values = Values { coordinates: q, ..self.known };
         structure.checked.iter().all(|equation| {
             let equation = &self.system.equations[*equation];
-            let roots: Vec<Expr> = equation.phi.into_iter().chain(equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
+            let roots: Vec<Expr> = equation.phi().into_iter().chain(equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
             let values = evaluate(&self.system.arena, &roots, &values);
             let Some((phi, slopes)) = values.split_first() else { return true };
             let steps = slopes.iter().zip(&equation.jacobian).map(|(slope, (unknown, _))| (slope * self.scale(*unknown)).abs());

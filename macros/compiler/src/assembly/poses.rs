@@ -9,7 +9,6 @@ use crate::model::Model;
 use crate::numeric::dense::solve;
 use crate::numeric::least_squares;
 use crate::numeric::{Numeric, call};
-use crate::quantity::Dim;
 use crate::system::System;
 
 /// How far the fastest angle goes from the start to each pose, in rad.
@@ -47,9 +46,8 @@ impl<'a> Poses<'a> {
         if assembly.is_closed
             && let Some(rates) = rates(system, &known, &assembly.start)
         {
-            let scaled =
-                |(rate, unknown): (&f64, &crate::system::Unknown)| if unknown.dim == Dim::ANGLE { rate.abs() } else { rate.abs() / size };
-            let fastest = rates.iter().zip(&system.unknowns).map(scaled).fold(0.0, f64::max);
+            let scaled = |(rate, unknown): (&f64, &crate::system::Coordinate)| rate.abs() / unknown.role.scale(size);
+            let fastest = rates.iter().zip(&system.coordinates).map(scaled).fold(0.0, f64::max);
             if fastest > 0.0 && fastest.is_finite() {
                 let declared = vec![None; assembly.start.len()];
                 let numeric = Numeric::new(model, system, known, declared);
@@ -91,7 +89,7 @@ fn moved(numeric: &Numeric, start: &[f64], rates: &[f64], time: f64) -> ClosedPo
 
 /// q̇ of Φ_q q̇ = ν at the start; None where it is not to be had.
 fn rates(system: &System, known: &Values, start: &[f64]) -> Option<Vec<f64>> {
-    let n = system.unknowns.len();
+    let n = system.coordinates.len();
     let mut roots: Vec<Expr> = system.equations.iter().map(|equation| equation.nu).collect();
     roots.extend(system.equations.iter().flat_map(|equation| equation.jacobian.iter().map(|(_, entry)| *entry)));
     let values = evaluate(&system.arena, &roots, &Values { coordinates: start, ..*known });

@@ -105,7 +105,7 @@ impl<'a> Reduced<'a> {
         let (unknowns, equations) = block.parts();
         let column = |unknown: usize| place(&unknowns, unknown);
         let sizes = if block.iterated.is_empty() { vec![1.0; equations.len()] } else { numeric.row_sizes(block, &numeric.unassembled()) };
-        let mut roots: Vec<Expr> = equations.iter().filter_map(|equation| numeric.system.equations[*equation].phi).collect();
+        let mut roots: Vec<Expr> = equations.iter().filter_map(|equation| numeric.system.equations[*equation].phi()).collect();
         let phi = roots.clone();
         let mut rows = Vec::new();
         for equation in &equations {

@@ -7,7 +7,7 @@
 use crate::diag::{Diag, Fact};
 use crate::expr::{Arena, Expr, Leaf, Values, evaluate};
 use crate::model::{Model, Said, example};
-use crate::quantity::Dim;
+use crate::quantity::Role;
 use crate::system::{Equation, System};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -22,7 +22,7 @@ pub(crate) fn check(model: &Model, system: &System, diag: &mut Diag) -> Option<(
 
 /// A body whose coordinates occur in no equation is connected to nothing.
 fn every_body_is_held(model: &Model, system: &System, diag: &mut Diag) {
-    let held: BTreeSet<usize> = system.pattern.rows.iter().flatten().map(|entry| system.unknowns[entry.unknown].body).collect();
+    let held: BTreeSet<usize> = system.pattern.rows.iter().flatten().map(|entry| system.coordinates[entry.unknown].body).collect();
     let mut said = Said::default();
     let on_ground = bodies_on_ground(model, system);
     for (index, body) in model.bodies.iter().enumerate() {
@@ -68,12 +68,12 @@ struct Groups {
 impl Groups {
     fn new(model: &Model, system: &System) -> Groups {
         let bodies_of: Vec<BTreeSet<usize>> =
-            system.pattern.rows.iter().map(|row| row.iter().map(|entry| system.unknowns[entry.unknown].body).collect()).collect();
+            system.pattern.rows.iter().map(|row| row.iter().map(|entry| system.coordinates[entry.unknown].body).collect()).collect();
         let groups = groups(model.bodies.len(), &bodies_of);
         let mut of_group: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         let mut is_held: BTreeSet<usize> = BTreeSet::new();
         let is_alone = |group: usize| groups.iter().filter(|other| **other == group).count() == 1;
-        let is_of_angles = |row: usize| system.pattern.rows[row].iter().all(|entry| system.unknowns[entry.unknown].dim == Dim::ANGLE);
+        let is_of_angles = |row: usize| system.pattern.rows[row].iter().all(|entry| system.coordinates[entry.unknown].role == Role::Angle);
         for (row, bodies) in bodies_of.iter().enumerate() {
             let Some(first) = bodies.first() else { continue };
             of_group.entry(groups[*first]).or_default().push(row);
@@ -108,9 +108,9 @@ fn groups(bodies: usize, rows: &[BTreeSet<usize>]) -> Vec<usize> {
 
 /// Σ ∂Φ/∂x = 0 over all bodies, and the same for y.
 fn can_be_shifted(system: &System, arena: &mut Arena, equation: &Equation) -> bool {
-    ["x", "y"].into_iter().all(|name| {
+    Role::PLANE.into_iter().filter(|role| role.is_position()).all(|role| {
         let entries: Vec<Expr> =
-            equation.jacobian.iter().filter(|(unknown, _)| system.unknowns[*unknown].name == name).map(|(_, entry)| *entry).collect();
+            equation.jacobian.iter().filter(|(unknown, _)| system.coordinates[*unknown].role == role).map(|(_, entry)| *entry).collect();
         let zero = arena.integer(0);
         let sum = entries.into_iter().fold(zero, |sum, entry| arena.add(sum, entry));
         sum == zero || vanishes(arena, sum)

@@ -1,6 +1,6 @@
 //! What can be wrong with a declaration: facts with their numbers. `message.rs` has the words.
 
-use crate::quantity::Dim;
+use crate::quantity::{Dim, Role};
 
 /// Something wrong with a declaration.
 #[derive(Clone, Debug, PartialEq)]
@@ -162,7 +162,7 @@ pub enum Fact {
     SingularStart { bodies: Vec<String>, in_line: bool, drives: Vec<String>, has_others: bool },
     MotionEnds { joint: String, driven: Vec<Driven>, time: f64, in_line: Vec<String>, until: f64, declared: Option<[f64; 2]> },
     Crosses { driven: Vec<Driven>, time: f64 },
-    AmbiguousStart { body: String, coordinate: &'static str, is_angle: bool, values: [f64; 2], place: [f64; 2], is_declared: bool },
+    AmbiguousStart { body: String, coordinate: Role, values: [f64; 2], place: [f64; 2], is_declared: bool },
 }
 
 /// The names that there are: the first few, and how many in all.
@@ -195,8 +195,8 @@ impl Known {
 pub struct Driven {
     /// The body, or the drive itself where it moves no single coordinate.
     pub name: String,
-    /// `x`, `y`, `angle`; nothing for a drive.
-    pub coordinate: &'static str,
+    /// The coordinate; none of a drive itself.
+    pub coordinate: Option<Role>,
     /// Its value, in SI, if it is known.
     pub value: Option<(f64, Dim)>,
 }

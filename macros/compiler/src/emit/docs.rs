@@ -15,7 +15,7 @@ use std::fmt::Write;
 /// The page of the generated struct: the picture, and tables of parameters, coordinates and equations.
 pub(super) fn mechanism(model: &Model, system: &System, assembly: &Assembly, motion: &Motion, plan: &Plan, picture: &Picture) -> String {
     let mut page = String::new();
-    let (n, m) = (system.unknowns.len(), system.equations.len());
+    let (n, m) = (system.coordinates.len(), system.equations.len());
     let drives: usize = model.joints.iter().filter(|joint| joint.is_drive).map(|joint| joint.residuals.len()).sum();
     let checked = plan.checked.len();
     let mobility = n as i64 - (m - drives - checked) as i64;
@@ -35,11 +35,17 @@ pub(super) fn mechanism(model: &Model, system: &System, assembly: &Assembly, mot
     parameters(&mut page, model, system);
     let _ = writeln!(page, "\n# Coordinates\n\n| | body | coordinate | unit |\n| --- | --- | --- | --- |");
     let mut table = Abridged::new(model);
-    for (index, unknown) in system.unknowns.iter().enumerate() {
+    for (index, unknown) in system.coordinates.iter().enumerate() {
         if !table.shows([&model.bodies[unknown.body].name].into_iter()) {
             continue;
         }
-        let _ = writeln!(page, "| `q[{index}]` | `{}` | {} | {} |", model.bodies[unknown.body].name, unknown.name, unknown.dim.unit());
+        let _ = writeln!(
+            page,
+            "| `q[{index}]` | `{}` | {} | {} |",
+            model.bodies[unknown.body].name,
+            unknown.role.name(),
+            unknown.role.dim().unit()
+        );
     }
     table.rest(&mut page, |more| format!("| | {more} | | |"));
     equations(&mut page, model, system);
@@ -95,11 +101,11 @@ fn solution(page: &mut String, model: &Model, system: &System, solution: &Soluti
         .filter_map(|stage| if let Summary::Block { unknowns, .. } = stage { Some(unknowns) } else { None })
         .collect();
     let iterated: usize = blocks.iter().map(|unknowns| unknowns.len()).sum();
-    let (explicit, blocks) = (system.unknowns.len() - iterated, blocks.len());
+    let (explicit, blocks) = (system.coordinates.len() - iterated, blocks.len());
     let _ = writeln!(page, "\n# Solution\n\n{explicit} coordinates are computed, {iterated} are iterated in {blocks} blocks.\n\n```text");
     let name = |unknown: &usize| coordinate_name(model, system, *unknown);
     let mut table = Abridged::new(model);
-    let body = |unknown: &usize| &model.bodies[system.unknowns[*unknown].body].name;
+    let body = |unknown: &usize| &model.bodies[system.coordinates[*unknown].body].name;
     for stage in &solution.stages {
         let is_shown = match stage {
             Summary::Explicit { unknown, .. } => table.shows([body(unknown)].into_iter()),
@@ -139,10 +145,10 @@ fn eliminated(page: &mut String, elimination: &Elimination) -> std::fmt::Result 
 
 /// `crank.angle`
 pub(super) fn coordinate_name(model: &Model, system: &System, unknown: usize) -> String {
-    match system.unknowns.get(unknown) {
-        Some(unknown) => format!("{}.{}", model.bodies[unknown.body].name, unknown.name),
+    match system.coordinates.get(unknown) {
+        Some(unknown) => format!("{}.{}", model.bodies[unknown.body].name, unknown.role.name()),
         // What a slice is for comes after all unknowns.
-        None => format!("component {} of the output", unknown - system.unknowns.len() + 1),
+        None => format!("component {} of the output", unknown - system.coordinates.len() + 1),
     }
 }
 
@@ -178,9 +184,9 @@ fn equations(page: &mut String, model: &Model, system: &System) {
         Leaf::Time => "t".to_owned(),
         Leaf::Datum(index) => format!("d{index}"),
         Leaf::Parameter(index) => model.parameters.get(index as usize).map_or(String::new(), |parameter| parameter.name.to_string()),
-        Leaf::Coordinate(index) | Leaf::Velocity(index) | Leaf::Acceleration(index) => {
-            let Some(unknown) = system.unknowns.get(index as usize) else { return String::new() };
-            let symbol = if unknown.name == "angle" { "φ" } else { unknown.name };
+        Leaf::Coordinate(index) | Leaf::Speed(index) | Leaf::Acceleration(index) => {
+            let Some(unknown) = system.coordinates.get(index as usize) else { return String::new() };
+            let symbol = unknown.role.symbol();
             format!("{symbol}_{}", model.bodies[unknown.body].name)
         }
     };
@@ -191,7 +197,7 @@ fn equations(page: &mut String, model: &Model, system: &System) {
     let mut table = Abridged::new(model);
     for equation in &system.equations {
         let joint = &model.joints[equation.joint];
-        let Some(phi) = equation.phi else { continue };
+        let Some(phi) = equation.phi() else { continue };
         if !table.shows([&joint.name].into_iter()) {
             continue;
         }

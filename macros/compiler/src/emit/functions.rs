@@ -6,8 +6,8 @@ use super::routine::{Lines, lines};
 use super::stages::number;
 use crate::model::Model;
 use crate::plan::{Code, Plan, Routine, Target};
-use crate::quantity::Dim;
-use crate::system::{System, Unknown};
+use crate::quantity::Role;
+use crate::system::{Coordinate, System};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -24,7 +24,7 @@ impl Emitter<'_> {
     }
 
     fn sizes(&self) -> (usize, usize) {
-        (self.system.equations.len(), self.system.unknowns.len())
+        (self.system.equations.len(), self.system.coordinates.len())
     }
 
     /// Φ
@@ -210,8 +210,8 @@ impl Emitter<'_> {
     pub(super) fn traits(&self) -> TokenStream {
         let (name, (m, n)) = (&self.model.name, self.sizes());
         let word = name.to_string();
-        let coordinates = self.system.unknowns.iter().map(|unknown| {
-            let (body, name) = (self.model.bodies[unknown.body].name.to_string(), unknown.name);
+        let coordinates = self.system.coordinates.iter().map(|unknown| {
+            let (body, name) = (self.model.bodies[unknown.body].name.to_string(), unknown.role.name());
             let kind = kind(unknown);
             quote!(::reuleaux::Coordinate { body: #body, name: #name, kind: #kind })
         });
@@ -257,6 +257,6 @@ impl Emitter<'_> {
 }
 
 /// What an unknown measures.
-fn kind(unknown: &Unknown) -> TokenStream {
-    if unknown.dim == Dim::ANGLE { quote!(::reuleaux::CoordinateKind::Angle) } else { quote!(::reuleaux::CoordinateKind::Length) }
+fn kind(unknown: &Coordinate) -> TokenStream {
+    if unknown.role == Role::Angle { quote!(::reuleaux::CoordinateKind::Angle) } else { quote!(::reuleaux::CoordinateKind::Length) }
 }

@@ -144,7 +144,7 @@ fn defaults(model: &Model, system: &System) -> TokenStream {
 
 fn constants(model: &Model, system: &System, plan: &Plan) -> TokenStream {
     let solution = plan.solution.as_ref().map(|solution| plan_constant(model, system, solution));
-    let (coordinates, equations, entries) = (system.unknowns.len(), system.equations.len(), plan.pattern.len());
+    let (coordinates, equations, entries) = (system.coordinates.len(), system.equations.len(), plan.pattern.len());
     let pairs = plan.pattern.iter().map(|(row, column)| {
         let (row, column) = (Literal::usize_unsuffixed(*row), Literal::usize_unsuffixed(*column));
         quote!((#row, #column))
@@ -279,7 +279,7 @@ fn state_path(mechanism: &Ident) -> TokenStream {
 
 /// The functions that solve a mechanism.
 fn solve(model: &Model, system: &System) -> TokenStream {
-    let (name, state, n) = (&model.name, state_path(&model.name), system.unknowns.len());
+    let (name, state, n) = (&model.name, state_path(&model.name), system.coordinates.len());
     let solving = solving(name, &state, n, true);
     quote! {
         #solving
@@ -353,7 +353,7 @@ fn failure(name: &Ident, of: &str, visibility: &TokenStream, n: usize) -> TokenS
 }
 
 fn state(model: &Model, system: &System) -> TokenStream {
-    let (name, visibility, n) = (&model.name, &model.visibility, system.unknowns.len());
+    let (name, visibility, n) = (&model.name, &model.visibility, system.coordinates.len());
     let (module, own_name, state) = (state_module(name), state_name(name), state_path(name));
     let first_line = format!("A state of [`{name}`](super::{name}): time, position, velocity and acceleration of every body.");
     let failure_name = (!model.equations_only).then(|| format_ident!("{}Failure", name, span = Span::call_site()));

@@ -12,7 +12,7 @@ use quote::{format_ident, quote};
 impl Emitter<'_> {
     /// The body of `stages`, and the type that keeps what depends on parameters only; none if nothing does.
     pub(super) fn prepared(&self, solution: &Solution, body: TokenStream) -> (TokenStream, TokenStream) {
-        let (mechanism, n) = (&self.model.name, self.system.unknowns.len());
+        let (mechanism, n) = (&self.model.name, self.system.coordinates.len());
         let lines = match &solution.solving {
             Solving::Straight(lines) if !lines.fixed_names.is_empty() => lines,
             _ => return (body, as_it_is(mechanism)),

@@ -44,7 +44,7 @@ fn reads(routine: &Routine, place: impl Fn(usize) -> TokenStream) -> TokenStream
     for (expr, leaf) in &routine.leaves {
         let (source, index) = match *leaf {
             Leaf::Coordinate(index) => ("q", index),
-            Leaf::Velocity(index) => ("qd", index),
+            Leaf::Speed(index) => ("qd", index),
             Leaf::Acceleration(index) => ("qdd", index),
             Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_) => continue,
         };

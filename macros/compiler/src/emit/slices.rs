@@ -28,7 +28,7 @@ impl Emitter<'_> {
         let (description, constants) = (self.description(&name, &shelf, word), self.lists(&slice.solution, &shelf));
         let (body, kernels) = self.solving(&slice.solution.solving, &shelf);
         let plan = plan_constant(self.model, self.system, &slice.solution);
-        let (n, whole) = (slice.held.len(), self.system.unknowns.len());
+        let (n, whole) = (slice.held.len(), self.system.coordinates.len());
         let (t, pass) = (local("t"), local("pass"));
         let (argument, to, result) = results(&slice.solution.solving, n);
         let of_trait = stages_of(&slice.solution.solving, n, &quote!(self.0.#stages(#t, #pass, #argument)));
@@ -85,8 +85,8 @@ impl Emitter<'_> {
 
     /// Names, start and size: those of the mechanism, as far as they belong to the slice.
     fn description(&self, name: &Ident, shelf: &Shelf, output: &str) -> TokenStream {
-        let (mechanism, whole, n) = (&self.model.name, self.system.unknowns.len(), shelf.held.len());
-        let coordinates = shelf.held.iter().map(|unknown| match self.system.unknowns.get(*unknown) {
+        let (mechanism, whole, n) = (&self.model.name, self.system.coordinates.len(), shelf.held.len());
+        let coordinates = shelf.held.iter().map(|unknown| match self.system.coordinates.get(*unknown) {
             Some(_) => {
                 let index = number(*unknown);
                 quote!(<#mechanism<T> as ::reuleaux::Description<T, #whole>>::COORDINATES[#index])
@@ -153,7 +153,7 @@ impl Emitter<'_> {
     /// A step in which only what moves is solved, and the type that it is solved by; nothing where all of it moves.
     pub(super) fn moving(&self) -> (TokenStream, TokenStream) {
         let Some(slice) = &self.plan.moving else { return (quote!(), quote!()) };
-        let (mechanism, whole, n) = (&self.model.name, self.system.unknowns.len(), slice.held.len());
+        let (mechanism, whole, n) = (&self.model.name, self.system.coordinates.len(), slice.held.len());
         let name = format_ident!("{}Moving", mechanism, span = Span::call_site());
         let shelf = Shelf::new(&slice.held, &slice.given, "moving_".to_owned());
         let (body, kernels) = self.solving(&slice.solution.solving, &shelf);

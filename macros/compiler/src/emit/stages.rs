@@ -5,7 +5,7 @@ use super::functions::Emitter;
 use super::parameters::Parameters;
 use super::scene::Scene;
 use crate::plan::{Lines, Solution, Solving, Summary, Words};
-use crate::quantity::Dim;
+use crate::quantity::Role;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use std::collections::{BTreeMap, BTreeSet};
@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 impl Emitter<'_> {
     /// The runtime's trait `Stages`.
     pub(super) fn stages(&self) -> TokenStream {
-        let (name, n) = (&self.model.name, self.system.unknowns.len());
+        let (name, n) = (&self.model.name, self.system.coordinates.len());
         if self.model.equations_only {
             return quote!();
         }
@@ -55,7 +55,7 @@ impl Emitter<'_> {
 
     /// Computed angles that move
     fn computed_angles(&self, solution: &Solution, shelf: &Shelf) -> TokenStream {
-        let is_angle = |unknown: usize| self.system.unknowns.get(unknown).is_some_and(|unknown| unknown.dim == Dim::ANGLE);
+        let is_angle = |unknown: usize| self.system.coordinates.get(unknown).is_some_and(|unknown| unknown.role == Role::Angle);
         let angle = |stage: &Summary| match *stage {
             Summary::Explicit { unknown, moves: true } if is_angle(unknown) => shelf.place(unknown).map(Literal::usize_unsuffixed),
             _ => None,
@@ -109,7 +109,7 @@ impl Emitter<'_> {
 
     /// A guess improved with all equations
     fn improved(&self) -> TokenStream {
-        let n = self.system.unknowns.len();
+        let n = self.system.coordinates.len();
         let checked: BTreeSet<usize> = self.plan.checked.iter().copied().collect();
         let improved = if checked.is_empty() {
             quote!(::reuleaux::refined_guess_at_once(self, t, guess))
@@ -155,7 +155,7 @@ impl Emitter<'_> {
 
     /// An unknown by its index in q; components of outputs, which follow, are never solved for.
     pub(super) fn index(&self, unknown: usize) -> Index {
-        let is_length = self.system.unknowns.get(unknown).is_some_and(|unknown| unknown.dim != Dim::ANGLE);
+        let is_length = self.system.coordinates.get(unknown).is_some_and(|unknown| unknown.role.is_position());
         Index { place: number(unknown), kind: kind(is_length), is_length }
     }
 

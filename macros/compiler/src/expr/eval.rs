@@ -30,7 +30,7 @@ impl Values<'_> {
             Leaf::Datum(_) => return f64::NAN,
             Leaf::Parameter(i) => (self.parameters, i),
             Leaf::Coordinate(i) => (self.coordinates, i),
-            Leaf::Velocity(i) => (self.velocities, i),
+            Leaf::Speed(i) => (self.velocities, i),
             Leaf::Acceleration(i) => (self.accelerations, i),
         };
         list.get(number as usize).copied().unwrap_or(f64::NAN)

@@ -2,7 +2,7 @@
 
 use crate::diag::{Count, Diag, Fact, Forgotten};
 use crate::model::{Model, example};
-use crate::quantity::Dim;
+use crate::quantity::{Axis, Role};
 use crate::structure::{DmPart, Entry, Matching, Pattern, maximum};
 use crate::system::System;
 use std::collections::{BTreeMap, BTreeSet};
@@ -18,8 +18,8 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
     let drives = drives(model);
     let solved = pattern.rows.iter().filter(|row| !row.is_empty()).count();
     let in_none = in_no_equation(pattern);
-    let is_place = |unknown: &usize| system.unknowns[*unknown].dim != Dim::ANGLE;
-    let body = |unknown: &usize| system.unknowns[*unknown].body;
+    let is_place = |unknown: &usize| system.coordinates[*unknown].role.is_position();
+    let body = |unknown: &usize| system.coordinates[*unknown].body;
     let has_no_place = |unknown: &&usize| in_none.iter().filter(|other| is_place(other) && body(other) == body(unknown)).count() > 1;
     // One coordinate of a body may be what a drive was meant for, if there is none yet; its place as a whole hardly ever is.
     let missing = matching.free_unknowns().len();
@@ -39,7 +39,7 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
     let forgotten = if missing > 1 { forgotten(model, system, pattern, under, &chosen) } else { Forgotten::default() };
     let fact = Fact::DrivesMissing {
         name: model.name.to_string(),
-        count: Box::new(Count { coordinates: system.unknowns.len(), joints: solved - drives, drives, missing }),
+        count: Box::new(Count { coordinates: system.coordinates.len(), joints: solved - drives, drives, missing }),
         forgotten: Box::new(forgotten),
         candidates: shown.iter().map(|unknown| system.name(model, *unknown)).collect(),
         example: chosen.first().map_or(String::new(), |unknown| drive_for(model, system, *unknown)),
@@ -56,15 +56,15 @@ fn in_no_equation(pattern: &Pattern) -> Vec<usize> {
 /// What a drive could take: a row for any of these would find an unknown. The angles of bodies that are joined to ground, as
 /// cranks are, then other angles; after them places, which are the first where there are no angles.
 fn candidates(model: &Model, system: &System, pattern: &Pattern, under: &DmPart) -> [Vec<usize>; 2] {
-    let body = |entry: &Entry| system.unknowns[entry.unknown].body;
+    let body = |entry: &Entry| system.coordinates[entry.unknown].body;
     let is_on_ground = |row: &&Vec<Entry>| row.iter().all(|entry| body(entry) == body(&row[0]));
     let joints = pattern.rows.iter().zip(&system.equations).filter(|(_, equation)| !model.joints[equation.joint].is_drive);
     let on_ground: BTreeSet<usize> =
         joints.map(|(row, _)| row).filter(|row| !row.is_empty()).filter(is_on_ground).map(|row| body(&row[0])).collect();
     let (mut angles, mut places): (Vec<usize>, Vec<usize>) =
-        under.unknowns.iter().partition(|unknown| system.unknowns[**unknown].dim == Dim::ANGLE);
+        under.unknowns.iter().partition(|unknown| system.coordinates[**unknown].role == Role::Angle);
     for candidates in [&mut angles, &mut places] {
-        candidates.sort_by_key(|unknown| !on_ground.contains(&system.unknowns[*unknown].body));
+        candidates.sort_by_key(|unknown| !on_ground.contains(&system.coordinates[*unknown].body));
     }
     if angles.is_empty() { [places, angles] } else { [angles, places] }
 }
@@ -77,10 +77,12 @@ fn forgotten(model: &Model, system: &System, pattern: &Pattern, under: &DmPart, 
         if model.sketch.joints.is_empty() || example::is_joined(model, body) {
             return None;
         }
-        let unknown = |name: &str| under.unknowns.iter().copied().find(|unknown| is_called(system, *unknown, body, name));
-        Some([unknown("x")?, unknown("y")?])
+        let is_meant =
+            |unknown: usize, axis| system.coordinates[unknown].body == body && system.coordinates[unknown].role == Role::Position(axis);
+        let unknown = |axis| under.unknowns.iter().copied().find(|unknown| is_meant(*unknown, axis));
+        Some([unknown(Axis::X)?, unknown(Axis::Y)?])
     };
-    let bodies: BTreeSet<usize> = under.unknowns.iter().map(|unknown| system.unknowns[*unknown].body).collect();
+    let bodies: BTreeSet<usize> = under.unknowns.iter().map(|unknown| system.coordinates[*unknown].body).collect();
     let mut places: Vec<(usize, [usize; 2])> = bodies.into_iter().filter_map(|body| Some((body, place(body)?))).collect();
     places.sort_by_key(|(body, place)| (!place.iter().all(|unknown| chosen.contains(unknown)), !loose.contains(body)));
     let can_be_held = |place: &[usize; 2]| {
@@ -101,10 +103,6 @@ fn every_row_finds_an_unknown(pattern: &Pattern) -> bool {
     maximum(pattern).free_equations().into_iter().all(|row| pattern.rows[row].is_empty())
 }
 
-fn is_called(system: &System, unknown: usize, body: usize, name: &str) -> bool {
-    system.unknowns[unknown].body == body && system.unknowns[unknown].name == name
-}
-
 /// A joint of a body with ground, to be typed.
 fn pin(model: &Model, body: usize) -> String {
     example::revolute(&example::place_of_ground(model), &example::place_of(model, body))
@@ -114,13 +112,13 @@ fn pin(model: &Model, body: usize) -> String {
 fn loose_ends(model: &Model, system: &System, pattern: &Pattern, under: &DmPart) -> Vec<usize> {
     let mut neighbours: BTreeMap<usize, BTreeSet<Option<usize>>> = BTreeMap::new();
     for (row, equation) in pattern.rows.iter().zip(&system.equations) {
-        let bodies: BTreeSet<usize> = row.iter().map(|entry| system.unknowns[entry.unknown].body).collect();
+        let bodies: BTreeSet<usize> = row.iter().map(|entry| system.coordinates[entry.unknown].body).collect();
         for body in bodies.iter().filter(|_| !model.joints[equation.joint].is_drive) {
             let others = bodies.iter().filter(|other| *other != body).map(|other| Some(*other));
             neighbours.entry(*body).or_default().extend(others.chain((bodies.len() == 1).then_some(None)));
         }
     }
-    let has_freedom: BTreeSet<usize> = under.unknowns.iter().map(|unknown| system.unknowns[*unknown].body).collect();
+    let has_freedom: BTreeSet<usize> = under.unknowns.iter().map(|unknown| system.coordinates[*unknown].body).collect();
     neighbours.into_iter().filter(|(body, others)| others.len() == 1 && has_freedom.contains(body)).map(|(body, _)| body).collect()
 }
 
@@ -146,11 +144,11 @@ fn chosen(pattern: &Pattern, candidates: &[usize], most: usize) -> Vec<usize> {
 fn drive_for(model: &Model, system: &System, unknown: usize) -> String {
     let taken = |name: &&&str| model.joints.iter().all(|joint| joint.name.path != **name);
     let name = ["input", "motor", "feed", "drive_1"].iter().find(taken).unwrap_or(&"another");
-    let unknown = &system.unknowns[unknown];
+    let unknown = &system.coordinates[unknown];
     let body = &model.bodies[unknown.body].name;
-    match unknown.name {
-        "angle" => format!("drive {name} = drive_angle({body}, 60rpm * t);"),
-        axis => format!("drive {name} = drive_{axis}({body}.position, 10mm * sin(1rad_s * t));"),
+    match unknown.role {
+        Role::Position(_) => format!("drive {name} = drive_{}({body}.position, 10mm * sin(1rad_s * t));", unknown.role.name()),
+        Role::Angle | Role::Quaternion(_) => format!("drive {name} = drive_angle({body}, 60rpm * t);"),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Functions that are always there, and functions of one variable that users give.
 
+use super::Components;
 use super::Function as Numbered;
 use super::elaborate::{Elaborator, Scope};
 use super::spline::{Ends, Table};
@@ -150,10 +151,11 @@ impl Elaborator<'_> {
         let measure = one.measure.times(two.measure);
         let arena = &mut self.arena;
         let expr = if word == "dot" {
-            let (xx, yy) = (arena.mul(one.x, two.x), arena.mul(one.y, two.y));
-            arena.add(xx, yy)
+            let products = one.parts.zip(two.parts, |one, two| arena.mul(one, two));
+            arena.sum(&products)
         } else {
-            let (xy, yx) = (arena.mul(one.x, two.y), arena.mul(one.y, two.x));
+            let ([ax, ay], [bx, by]) = (one.parts.in_plane()?, two.parts.in_plane()?);
+            let (xy, yx) = (arena.mul(ax, by), arena.mul(ay, bx));
             arena.sub(xy, yx)
         };
         Some(Scalar { expr, measure })
@@ -164,37 +166,40 @@ impl Elaborator<'_> {
         if let ("unit" | "norm", Value::Axis(axis)) = (word, &value) {
             // A rotation keeps lengths, so the length of an axis is that of its local coordinates.
             let mut axis = *axis;
-            let [x, y] = axis.local;
-            let length = self.length(x, y);
+            let length = self.length(axis.local);
             if word == "norm" {
                 return Some(Value::Scalar(Scalar { expr: length, measure: axis.measure }));
             }
-            axis.local = [self.arena.div(x, length), self.arena.div(y, length)];
+            axis.local = axis.local.map(|part| self.arena.div(part, length));
             axis.measure = InferredDim::Known(Dim::NUMBER);
             return Some(Value::Axis(axis));
         }
         let noun = value.noun();
-        let Some(Vector { x, y, measure }) = self.as_vector(value) else {
+        let Some(Vector { parts, measure }) = self.as_vector(value) else {
             return self.refuse(argument.range, Fact::NotA { wanted: "a vector or a point", found: noun });
         };
         Some(match word {
-            "perp" => Value::Vector(Vector { x: self.arena.neg(y), y: x, measure }),
-            "norm" => Value::Scalar(Scalar { expr: self.length(x, y), measure }),
+            "perp" => {
+                let [x, y] = parts.in_plane()?;
+                Value::Vector(Vector { parts: Components::plane(self.arena.neg(y), x), measure })
+            }
+            "norm" => Value::Scalar(Scalar { expr: self.length(parts), measure }),
             "direction" => {
+                let [x, y] = parts.in_plane()?;
                 let expr = self.arena.binary(crate::expr::Binary::Atan2, y, x);
                 Value::Scalar(Scalar { expr, measure: InferredDim::Known(Dim::ANGLE) })
             }
             _ => {
-                let length = self.length(x, y);
-                let [x, y] = [self.arena.div(x, length), self.arena.div(y, length)];
-                Value::Vector(Vector { x, y, measure: InferredDim::Known(Dim::NUMBER) })
+                let length = self.length(parts);
+                let parts = parts.map(|part| self.arena.div(part, length));
+                Value::Vector(Vector { parts, measure: InferredDim::Known(Dim::NUMBER) })
             }
         })
     }
 
-    fn length(&mut self, x: Expr, y: Expr) -> Expr {
-        let (xx, yy) = (self.arena.mul(x, x), self.arena.mul(y, y));
-        let sum = self.arena.add(xx, yy);
+    fn length(&mut self, parts: Components) -> Expr {
+        let squares = parts.map(|part| self.arena.mul(part, part));
+        let sum = self.arena.sum(&squares);
         self.arena.sqrt(sum)
     }
 

@@ -1,6 +1,7 @@
 //! A definition is checked where it is written: with arguments that nothing is known of but their
 //! kind.
 
+use super::Components;
 use super::Function as Numbered;
 use super::Name;
 use super::elaborate::{Elaborator, Scope};
@@ -176,7 +177,7 @@ impl Elaborator<'_> {
 
     fn unknown_fixed(&mut self, measure: InferredDim) -> Fixed {
         let frame = self.new_frame("a body");
-        let local = [self.unknown_scalar(measure).expr, self.unknown_scalar(measure).expr];
+        let local = Components::plane(self.unknown_scalar(measure).expr, self.unknown_scalar(measure).expr);
         Fixed { frame, local, measure }
     }
 }

@@ -3,10 +3,10 @@
 use super::names::{Context, Names, SpaceId};
 use super::statement::FixedValue;
 use super::value::{Fixed, FrameId, Scalar, Value, Vector};
-use super::{Function as Numbered, Name, Requirement};
+use super::{Components, Function as Numbered, Name, Requirement};
 use crate::diag::{Diag, Fact, Known, Range, nearest, nearest_unit};
 use crate::expr::{Arena, Exact, Expr, Leaf};
-use crate::quantity::{self, Dim, InferredDim};
+use crate::quantity::{self, Dim, InferredDim, Role};
 use crate::syntax::ast::{self, ExprKind};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
@@ -234,21 +234,27 @@ impl Elaborator<'_> {
     /// r_P = r + A(φ) s'
     fn place(&mut self, point: Fixed) -> Vector {
         let turned = self.direction(point);
-        let Some([x, y, _]) = self.names.frames[point.frame.0].coordinates else { return turned };
-        Vector { x: self.arena.add(x, turned.x), y: self.arena.add(y, turned.y), measure: point.measure }
+        let coordinates = &self.names.frames[point.frame.0].coordinates;
+        let origin: Vec<Expr> = coordinates.iter().filter(|(role, _)| role.is_position()).map(|(_, expr)| *expr).collect();
+        let Some(origin) = Components::new(&origin) else { return turned };
+        Vector { parts: origin.zip(turned.parts, |origin, part| self.arena.add(origin, part)), measure: point.measure }
     }
 
     /// A(φ) s', A = [cos −sin; sin cos]
     fn direction(&mut self, axis: Fixed) -> Vector {
-        let [sx, sy] = axis.local;
-        let Some([_, _, angle]) = self.names.frames[axis.frame.0].coordinates else {
-            return Vector { x: sx, y: sy, measure: axis.measure };
+        let (Some([sx, sy]), Some(angle)) = (axis.local.in_plane(), self.coordinate(axis.frame, Role::Angle)) else {
+            return Vector { parts: axis.local, measure: axis.measure };
         };
         let arena = &mut self.arena;
         let (sine, cosine) = (arena.sin(angle), arena.cos(angle));
         let (cx, sy_) = (arena.mul(cosine, sx), arena.mul(sine, sy));
         let (sx_, cy) = (arena.mul(sine, sx), arena.mul(cosine, sy));
-        Vector { x: arena.sub(cx, sy_), y: arena.add(sx_, cy), measure: axis.measure }
+        Vector { parts: Components::plane(arena.sub(cx, sy_), arena.add(sx_, cy)), measure: axis.measure }
+    }
+
+    /// A coordinate of a body; ground has none.
+    fn coordinate(&self, frame: FrameId, role: Role) -> Option<Expr> {
+        self.names.frames[frame.0].coordinates.iter().find(|(other, _)| *other == role).map(|(_, expr)| *expr)
     }
 
     fn number(&mut self, range: Range, digits: &str, unit: &str) -> Option<Scalar> {
@@ -348,33 +354,37 @@ impl Elaborator<'_> {
                 let known = Known::of(arguments.iter().map(|(known, _)| known.as_str()));
                 return self.refuse(field, Fact::UnknownField { owner: format!("a `{kind}` joint"), name, near, known });
             }
-            (_, "x" | "y") => {}
+            _ if axis(&name).is_some() => {}
             _ => return self.refuse(field, unknown_field(&value, name)),
         }
         let unknown = unknown_field(&value, name.clone());
         let Some(vector) = self.as_vector(value) else {
             return self.refuse(field, unknown);
         };
-        let expr = if name == "x" { vector.x } else { vector.y };
+        let expr = *vector.parts.get(axis(&name)?)?;
         Some(Value::Scalar(Scalar { expr, measure: vector.measure }))
     }
 
     fn body_field(&mut self, frame: FrameId, field: &Ident) -> Option<Value> {
         let zero = self.arena.integer(0);
-        let [x, y, angle] = self.names.frames[frame.0].coordinates.unwrap_or([zero; 3]);
-        let length = InferredDim::Known(Dim::LENGTH);
         let name = field.to_string();
-        match name.as_str() {
-            "angle" => Some(Value::Scalar(Scalar { expr: angle, measure: InferredDim::Known(Dim::ANGLE) })),
-            "x" => Some(Value::Scalar(Scalar { expr: x, measure: length })),
-            "y" => Some(Value::Scalar(Scalar { expr: y, measure: length })),
-            "position" => Some(Value::Point(Fixed { frame, local: [zero; 2], measure: length })),
-            _ => {
+        match Role::named(&name) {
+            Some(role) => {
+                let expr = self.coordinate(frame, role).unwrap_or(zero);
+                Some(Value::Scalar(Scalar { expr, measure: InferredDim::Known(role.dim()) }))
+            }
+            None if name == "position" => {
+                let local = Components::plane(zero, zero);
+                Some(Value::Point(Fixed { frame, local, measure: InferredDim::Known(Dim::LENGTH) }))
+            }
+            None => {
                 let space = self.names.frames[frame.0].space;
                 if let Some(group) = self.names.find(space, &name) {
                     return self.of_group(group, field);
                 }
-                let known = || self.names.words(space).chain(["position", "angle", "x", "y"]);
+                let (axes, others): (Vec<Role>, Vec<Role>) = Role::PLANE.into_iter().partition(|role| role.is_position());
+                let words: Vec<&str> = others.into_iter().chain(axes).map(Role::name).collect();
+                let known = || self.names.words(space).chain(["position"]).chain(words.iter().copied());
                 let (near, known) = (self.nearest(&name, known()), Known::of(known()));
                 let owner = format!("`{}`", self.names.frames[frame.0].name);
                 self.refuse(field, Fact::UnknownField { owner, name, near, known })
@@ -393,11 +403,17 @@ impl Elaborator<'_> {
     }
 }
 
+/// The place of a component in a vector.
+fn axis(name: &str) -> Option<usize> {
+    Role::PLANE.into_iter().filter(|role| role.is_position()).position(|role| role.name() == name)
+}
+
 fn unknown_field(value: &Value, name: String) -> Fact {
-    let known: &[&str] = match value {
-        Value::Point(_) | Value::Axis(_) => &["x", "y", "body"],
-        Value::Vector(_) => &["x", "y"],
-        _ => &[],
+    let axes = Role::PLANE.into_iter().filter(|role| role.is_position()).map(Role::name);
+    let known: Vec<&str> = match value {
+        Value::Point(_) | Value::Axis(_) => axes.chain(["body"]).collect(),
+        Value::Vector(_) => axes.collect(),
+        _ => Vec::new(),
     };
-    Fact::UnknownField { owner: value.noun().to_owned(), name, near: None, known: Known::of(known.iter().copied()) }
+    Fact::UnknownField { owner: value.noun().to_owned(), name, near: None, known: Known::of(known.into_iter()) }
 }

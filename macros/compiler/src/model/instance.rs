@@ -43,7 +43,7 @@ impl Elaborator<'_> {
             Value::Point(fixed) | Value::Axis(fixed) => Some(fixed.frame == FrameId::GROUND),
             Value::Body(frame) => Some(*frame == FrameId::GROUND),
             Value::Scalar(scalar) => (!self.is_still(scalar.expr)).then_some(false),
-            Value::Vector(vector) => (!self.is_still(vector.x) || !self.is_still(vector.y)).then_some(false),
+            Value::Vector(vector) => vector.parts.iter().any(|part| !self.is_still(*part)).then_some(false),
             Value::Joint { .. } | Value::Part(_) | Value::Array { .. } => Some(false),
             Value::Function(_) => None,
         };
@@ -194,16 +194,16 @@ impl Elaborator<'_> {
                 Some(value)
             }
             // A constant vector is a place or a direction in ground.
-            (Kind::Point, Value::Vector(vector)) if self.is_fixed(vector.x) && self.is_fixed(vector.y) => {
+            (Kind::Point, Value::Vector(vector)) if vector.parts.iter().all(|part| self.is_fixed(*part)) => {
                 if !vector.measure.fits(Dim::LENGTH) {
                     return self.refuse(argument.range, Fact::WrongDimension { wanted: Dim::LENGTH, found: vector.measure.settled() });
                 }
                 let measure = InferredDim::Known(Dim::LENGTH);
-                Some(Value::Point(Fixed { frame: FrameId::GROUND, local: [vector.x, vector.y], measure }))
+                Some(Value::Point(Fixed { frame: FrameId::GROUND, local: vector.parts, measure }))
             }
-            (Kind::Axis, Value::Vector(vector)) if self.is_fixed(vector.x) && self.is_fixed(vector.y) => {
+            (Kind::Axis, Value::Vector(vector)) if vector.parts.iter().all(|part| self.is_fixed(*part)) => {
                 let measure = InferredDim::Known(vector.measure.settled());
-                Some(Value::Axis(Fixed { frame: FrameId::GROUND, local: [vector.x, vector.y], measure }))
+                Some(Value::Axis(Fixed { frame: FrameId::GROUND, local: vector.parts, measure }))
             }
             (Kind::Quantity, value @ Value::Scalar(_)) => Some(value),
             (Kind::Scalar(written), Value::Scalar(scalar)) => {

@@ -96,7 +96,7 @@ impl Elaborator<'_> {
                 return Some(Output { name: name.clone(), body: Some(frame.0 - 1), components: Vec::new(), dim: Dim::NUMBER });
             }
             other => match self.as_vector(other) {
-                Some(vector) => (vec![vector.x, vector.y], vector.measure),
+                Some(vector) => (vector.parts.to_vec(), vector.measure),
                 None => return self.refuse(output.value.range, Fact::NotAnOutput { found: noun }),
             },
         };

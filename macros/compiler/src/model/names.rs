@@ -6,6 +6,7 @@
 use super::Name;
 use super::value::{FrameId, Value};
 use crate::expr::Expr;
+use crate::quantity::Role;
 use crate::syntax::ast::{self, Definition};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
@@ -132,8 +133,10 @@ pub(super) struct Space {
 /// A frame and what is fixed in it.
 pub(super) struct FrameScope {
     pub(super) name: String,
-    /// x, y and angle; ground has none.
-    pub(super) coordinates: Option<[Expr; 3]>,
+    /// Where its coordinates begin in q.
+    pub(super) first: usize,
+    /// What places it; ground has none.
+    pub(super) coordinates: Vec<(Role, Expr)>,
     /// Its points and axes.
     pub(super) space: SpaceId,
 }
@@ -167,7 +170,7 @@ pub(crate) struct Names {
 impl Names {
     /// With ground as the only frame.
     pub(super) fn new(definitions: BTreeMap<String, Rc<Definition>>) -> Names {
-        let ground = FrameScope { name: "ground".into(), coordinates: None, space: SpaceId(1) };
+        let ground = FrameScope { name: "ground".into(), first: 0, coordinates: Vec::new(), space: SpaceId(1) };
         Names {
             frames: vec![ground],
             spaces: vec![Space::default(), Space { prefix: "ground.".into(), ..Space::default() }],

@@ -5,6 +5,7 @@
 
 use super::declare::{duplicate, is_reserved};
 use super::elaborate::{Elaborator, Scope};
+use super::frames::start_words;
 use super::layout::{Of, OpenPart};
 use super::names::{Context, Declared, Entity, EntityId, PartArguments, Progress, SpaceId};
 use super::value::{FrameId, Scalar, Value};
@@ -308,7 +309,7 @@ impl Elaborator<'_> {
             }
             let Some(indices) = self.written_indices(&mark.indices, Rc::as_ptr(mark), context) else { continue };
             let word = mark.name.to_string();
-            if matches!(word.as_str(), "x" | "y" | "angle" | "position") {
+            if start_words().any(|known| known == word) {
                 self.once(Rc::as_ptr(mark), |this| this.refuse::<()>(&mark.name, Fact::Reserved { name: word }));
                 continue;
             }

@@ -2,6 +2,7 @@
 //!
 //! Everything here is an expression in an arena of its own, so that looking at a mechanism does not change how it is solved.
 
+use super::Components;
 use super::elaborate::{Elaborator, Scope};
 use super::names::{Entity, EntityId};
 use super::register::Register;
@@ -41,7 +42,7 @@ pub struct Local {
     /// The body that it moves with; none for ground.
     pub body: Option<usize>,
     /// Its components in the body's frame, functions of parameters; those of a point are lengths.
-    pub local: [Expr; 2],
+    pub local: Components,
 }
 
 /// A constraint with its arguments.

@@ -1,5 +1,6 @@
 //! What an expression stands for while names are resolved.
 
+use super::Components;
 use super::names::{GroupId, SpaceId};
 use crate::expr::Expr;
 use crate::quantity::InferredDim;
@@ -25,8 +26,7 @@ pub(crate) struct Scalar {
 /// A vector in ground.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Vector {
-    pub(crate) x: Expr,
-    pub(crate) y: Expr,
+    pub(crate) parts: Components,
     pub(crate) measure: InferredDim,
 }
 
@@ -34,7 +34,7 @@ pub(crate) struct Vector {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fixed {
     pub(crate) frame: FrameId,
-    pub(crate) local: [Expr; 2],
+    pub(crate) local: Components,
     pub(crate) measure: InferredDim,
 }
 

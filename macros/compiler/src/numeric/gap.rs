@@ -97,7 +97,7 @@ impl Numeric<'_> {
     fn gap(&self, rows: &[usize], coordinates: &[f64]) -> Gap {
         let mut gap = Gap { length: 0.0, angle: 0.0, other: None };
         for equation in rows.iter().map(|equation| &self.system.equations[*equation]) {
-            let Some(phi) = equation.phi else { continue };
+            let Some(phi) = equation.phi() else { continue };
             let roots: Vec<Expr> = std::iter::once(phi).chain(equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
             let values = evaluate(&self.system.arena, &roots, &Values { coordinates, ..self.known });
             let (phi, slopes) = (values[0], &values[1..]);
@@ -106,12 +106,12 @@ impl Numeric<'_> {
                 dim if dim == Dim::ANGLE => gap.angle = gap.angle.hypot(phi),
                 dim if dim == Dim::LENGTH.times(Dim::LENGTH) && self.is_placed(equation) => {
                     // Φ = |h|² − c², of which the derivative by the first body's place is 2 h.
-                    let body = equation.jacobian.iter().map(|(unknown, _)| self.system.unknowns[*unknown].body).min();
+                    let body = equation.jacobian.iter().map(|(unknown, _)| self.system.coordinates[*unknown].body).min();
                     let of_body = equation
                         .jacobian
                         .iter()
                         .zip(slopes)
-                        .filter(|((unknown, _), _)| !self.is_angle(*unknown) && Some(self.system.unknowns[*unknown].body) == body);
+                        .filter(|((unknown, _), _)| self.is_position(*unknown) && Some(self.system.coordinates[*unknown].body) == body);
                     let h = of_body.map(|(_, slope)| (slope / 2.0).powi(2)).sum::<f64>().sqrt();
                     match h * h - phi {
                         square if square >= 0.0 => gap.length = gap.length.hypot(h - square.sqrt()),
@@ -128,7 +128,7 @@ impl Numeric<'_> {
 
     /// A place occurs in an equation, not angles alone.
     fn is_placed(&self, equation: &Equation) -> bool {
-        equation.jacobian.iter().any(|(unknown, _)| !self.is_angle(*unknown))
+        equation.jacobian.iter().any(|(unknown, _)| self.is_position(*unknown))
     }
 }
 

@@ -20,7 +20,6 @@ pub(crate) mod turns;
 
 use crate::expr::{Evaluator, Expr, Node, Values, evaluate};
 use crate::model::{Function, Model};
-use crate::quantity::Dim;
 use crate::system::{Equation, System};
 use least_squares::Problem;
 use std::cell::{Cell, OnceCell};
@@ -49,7 +48,7 @@ pub(crate) fn at_defaults<R>(model: &Model, system: &System, work: impl FnOnce(&
     let parameters = evaluate(&system.arena, &defaults, &nothing);
     let known = Values { parameters: &parameters, ..nothing };
     let start = |start: Expr| evaluate(&system.arena, &[start], &known).pop().filter(|value| value.is_finite());
-    let declared = system.unknowns.iter().map(|unknown| unknown.start.and_then(start)).collect();
+    let declared = system.coordinates.iter().map(|unknown| unknown.start.and_then(start)).collect();
     work(&Numeric::new(model, system, known, declared))
 }
 
@@ -83,12 +82,12 @@ impl Numeric<'_> {
 
     /// An equation without Rust functions.
     pub(crate) fn is_known(&self, equation: usize) -> bool {
-        self.system.equations[equation].phi.is_some_and(|phi| is_known(self.model, self.system, phi))
+        self.system.equations[equation].phi().is_some_and(|phi| is_known(self.model, self.system, phi))
     }
 
     /// What a unit step of an unknown is.
     pub(crate) fn scale(&self, unknown: usize) -> f64 {
-        if self.system.unknowns[unknown].dim == Dim::ANGLE { 1.0 } else { self.size }
+        self.system.coordinates[unknown].role.scale(self.size)
     }
 
     /// All equations for all unknowns.
@@ -101,8 +100,8 @@ impl Numeric<'_> {
     /// Some equations and their derivatives at the defaults, as functions of some unknowns alone.
     pub(crate) fn problem(&self, equations: &[usize], unknowns: Vec<usize>, coordinates: Vec<f64>) -> Problem<'_> {
         let rows: Vec<&Equation> =
-            equations.iter().map(|equation| &self.system.equations[*equation]).filter(|equation| equation.phi.is_some()).collect();
-        let mut roots: Vec<Expr> = rows.iter().filter_map(|equation| equation.phi).collect();
+            equations.iter().map(|equation| &self.system.equations[*equation]).filter(|equation| equation.phi().is_some()).collect();
+        let mut roots: Vec<Expr> = rows.iter().filter_map(|equation| equation.phi()).collect();
         let mut pattern = Vec::new();
         for (row, equation) in rows.iter().enumerate() {
             for (unknown, entry) in &equation.jacobian {
@@ -115,7 +114,7 @@ impl Numeric<'_> {
         let scale = |unknown: &usize| self.scale(*unknown);
         Problem {
             rows: rows.len(),
-            is_known: rows.iter().map(|equation| equation.phi.is_some_and(|phi| is_known(self.model, self.system, phi))).collect(),
+            is_known: rows.iter().map(|equation| equation.phi().is_some_and(|phi| is_known(self.model, self.system, phi))).collect(),
             pattern,
             evaluator: Evaluator::new(&self.system.arena, &roots),
             shift: Vec::new(),

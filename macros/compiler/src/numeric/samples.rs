@@ -58,7 +58,7 @@ impl Numeric<'_> {
     /// Coordinates that have nothing to do with each other.
     pub(crate) fn anywhere(&self, look: usize) -> Vec<f64> {
         let share = |unknown: usize| 2.0 * ((unknown * LOOKS + look + 1) as f64 * 0.618_033_988_749_895).fract();
-        (0..self.system.unknowns.len()).map(|unknown| share(unknown) * self.scale(unknown)).collect()
+        (0..self.system.coordinates.len()).map(|unknown| share(unknown) * self.scale(unknown)).collect()
     }
 
     /// An assembly at t = 0 without the equations that are left out, and whether it is one.
@@ -87,9 +87,7 @@ impl Numeric<'_> {
         for subsystem in subsystems.iter().filter(|subsystem| subsystem.is_overdetermined) {
             let mut best: Option<(f64, Vec<f64>)> = None;
             for attempt in 0..TRIES {
-                let is_angle = |unknown: usize| self.system.unknowns[unknown].dim == Dim::ANGLE;
-                let reach = |unknown: usize| if is_angle(unknown) { 1.0 } else { self.size / core::f64::consts::PI };
-                let guess = |unknown: &usize| guess(attempt, *unknown) * reach(*unknown);
+                let guess = |unknown: &usize| guess(attempt, *unknown) * self.reach(*unknown);
                 let mut own: Vec<f64> =
                     subsystem.unknowns.iter().map(|unknown| self.declared[*unknown].unwrap_or_else(|| guess(unknown))).collect();
                 let mut problem = self.problem(&subsystem.equations, subsystem.unknowns.clone(), q.clone());
@@ -110,7 +108,7 @@ impl Numeric<'_> {
     /// How far some equations are from holding: the sum of their squares, in rad and in lengths of the mechanism.
     fn open(&self, equations: &[usize], q: &[f64]) -> f64 {
         let rows = equations.iter().map(|equation| &self.system.equations[*equation]);
-        let (dims, roots): (Vec<Dim>, Vec<Expr>) = rows.filter_map(|row| Some((row.dim, row.phi?))).unzip();
+        let (dims, roots): (Vec<Dim>, Vec<Expr>) = rows.filter_map(|row| Some((row.dim, row.phi()?))).unzip();
         let values = evaluate(&self.system.arena, &roots, &Values { coordinates: q, ..self.known });
         let share = |(value, dim): (&f64, &Dim)| match *dim {
             Dim::ANGLE => *value,
@@ -157,7 +155,7 @@ impl Numeric<'_> {
         }
         let pace = self.pace(subsystems, start);
         let unit = if pace > 0.0 { 1.0 / pace } else { WITHOUT_RATE };
-        let ways = if self.system.unknowns.len() > SMALL { &WAYS[..FEW] } else { &WAYS[..] };
+        let ways = if self.system.coordinates.len() > SMALL { &WAYS[..FEW] } else { &WAYS[..] };
         for side in [1.0, -1.0] {
             let mut here = begin.clone();
             for (number, way) in ways.iter().enumerate() {

@@ -7,7 +7,7 @@
 use super::Numeric;
 use super::least_squares::{Problem, minimise};
 use super::turns::within_a_turn;
-use crate::quantity::Dim;
+use crate::quantity::Role;
 use std::cmp::Ordering;
 
 /// How many guesses of what is not declared are tried.
@@ -110,17 +110,26 @@ impl Numeric<'_> {
     }
 
     pub(crate) fn is_one_place(&self, unknown: usize, one: f64, other: f64) -> bool {
-        if self.is_angle(unknown) {
-            // Whole turns lead to the same place.
-            let turns = (one - other) / core::f64::consts::TAU;
-            (turns - turns.round()).abs() * core::f64::consts::TAU < ONE_PLACE
-        } else {
-            (one - other).abs() < ONE_PLACE * self.size
+        match self.system.coordinates[unknown].role.period() {
+            Some(period) => {
+                let turns = (one - other) / period;
+                (turns - turns.round()).abs() * period < ONE_PLACE
+            }
+            None => (one - other).abs() < ONE_PLACE * self.scale(unknown),
         }
     }
 
     pub(crate) fn is_angle(&self, unknown: usize) -> bool {
-        self.system.unknowns[unknown].dim == Dim::ANGLE
+        self.system.coordinates[unknown].role == Role::Angle
+    }
+
+    pub(crate) fn is_position(&self, unknown: usize) -> bool {
+        self.system.coordinates[unknown].role.is_position()
+    }
+
+    /// How far a guess reaches for each radian that a guessed angle is turned.
+    pub(crate) fn reach(&self, unknown: usize) -> f64 {
+        self.scale(unknown) / if self.is_position(unknown) { core::f64::consts::PI } else { 1.0 }
     }
 
     /// Adds how far an unknown is from where it should start.
@@ -136,11 +145,7 @@ impl Numeric<'_> {
     /// How far an unknown is from its declared value, or from 0, in rad or sizes; whole turns that nothing counts aside.
     pub(crate) fn away(&self, unknown: usize, value: f64) -> f64 {
         let away = value - self.declared[unknown].unwrap_or(0.0);
-        match self.is_angle(unknown) {
-            true if self.turns().is_free(unknown) => within_a_turn(away),
-            true => away,
-            false => away / self.size,
-        }
+        if self.is_angle(unknown) && self.turns().is_free(unknown) { within_a_turn(away) } else { away / self.scale(unknown) }
     }
 
     /// How far some unknowns are from where they should start.
@@ -208,7 +213,7 @@ impl<'a> Shown<'a> {
 
     fn guess(&self, problem: &Problem, attempt: usize, index: usize) -> f64 {
         let turn = guess(attempt, problem.unknowns[index]);
-        if self.is_angle[index] { turn } else { turn * self.numeric.size / core::f64::consts::PI }
+        turn * self.numeric.reach(self.unknowns[index])
     }
 }
 

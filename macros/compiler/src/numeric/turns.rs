@@ -34,7 +34,7 @@ impl Turns {
         let system = numeric.system;
         let angles =
             |equation: usize| system.equations[equation].jacobian.iter().map(|(unknown, _)| *unknown).filter(|u| numeric.is_angle(*u));
-        let mut leader: Vec<usize> = (0..system.unknowns.len()).collect();
+        let mut leader: Vec<usize> = (0..system.coordinates.len()).collect();
         let counts = counting(numeric, |set, unknown| SETS[set][unknown % 7] + (unknown as u32 / 7) % 100);
         for equation in (0..system.equations.len()).filter(|equation| counts[*equation]) {
             let linked: Vec<usize> = angles(equation).collect();
@@ -43,8 +43,8 @@ impl Turns {
                 leader[ends[0].max(ends[1])] = ends[0].min(ends[1]);
             }
         }
-        let mut turns = Turns { group: vec![None; system.unknowns.len()], groups: Vec::new() };
-        for unknown in (0..system.unknowns.len()).filter(|unknown| numeric.is_angle(*unknown)) {
+        let mut turns = Turns { group: vec![None; system.coordinates.len()], groups: Vec::new() };
+        for unknown in (0..system.coordinates.len()).filter(|unknown| numeric.is_angle(*unknown)) {
             let first = find(&mut leader, unknown);
             let group = turns.group[first].unwrap_or(turns.groups.len());
             if group == turns.groups.len() {
@@ -83,7 +83,7 @@ impl Turns {
 fn counting(numeric: &Numeric, turns: impl Fn(usize, usize) -> u32) -> Vec<bool> {
     let system = numeric.system;
     let roots: Vec<(usize, Expr)> =
-        system.equations.iter().enumerate().filter_map(|(number, equation)| Some((number, equation.phi?))).collect();
+        system.equations.iter().enumerate().filter_map(|(number, equation)| Some((number, equation.phi()?))).collect();
     let phi: Vec<Expr> = roots.iter().map(|(_, phi)| *phi).collect();
     let begin = numeric.anywhere(0);
     let known = Values { coordinates: &begin, ..numeric.known };

@@ -11,7 +11,6 @@ use super::routine::Cost;
 use super::stage::{Elimination, Iteration};
 use crate::assembly::Poses;
 use crate::expr::{Arena, Expr};
-use crate::quantity::Dim;
 use crate::system::System;
 use order::{PivotCandidate, in_order};
 use std::collections::BTreeSet;
@@ -30,8 +29,7 @@ pub(super) fn elimination(arena: &Arena, system: &System, block: &Iteration, pos
     let stored: Vec<(usize, usize, Expr)> = all.filter(|(_, _, expr)| !zero(expr)).collect();
     let exprs: Vec<Expr> = stored.iter().map(|(_, _, expr)| *expr).collect();
     let values = poses.values(arena, &exprs);
-    let weights: Vec<f64> =
-        block.unknowns.iter().map(|unknown| if system.unknowns[*unknown].dim == Dim::ANGLE { 1.0 } else { poses.size }).collect();
+    let weights: Vec<f64> = block.unknowns.iter().map(|unknown| system.coordinates[*unknown].role.scale(poses.size)).collect();
     let entry = |(number, (row, column, expr)): (usize, &(usize, usize, Expr))| PivotCandidate {
         place: (*row, *column),
         values: values.iter().map(|pose| pose[number] * weights[*column]).collect(),

@@ -114,7 +114,7 @@ pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet
     let fixed_names = apart.iter().filter_map(|expr| work.names.get(expr).cloned()).collect();
     let turned = turned.iter().map(|unknown| (*unknown, known_turn(arena, &mut work, *unknown))).collect();
     let parts = stages.iter().zip(&moving).map(|(stage, moving)| part(arena, &mut work, stage, moving, words)).collect();
-    let name = |index: usize| [Leaf::Coordinate, Leaf::Velocity, Leaf::Acceleration].map(|leaf| words.leaf(leaf(index as u32)));
+    let name = |index: usize| [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration].map(|leaf| words.leaf(leaf(index as u32)));
     let cost = cost(arena, &work.needed);
     Lines { parts, names: work.names, unknowns: (0..n).map(name).collect(), turned, fixed, fixed_names, cost }
 }

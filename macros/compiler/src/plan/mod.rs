@@ -33,7 +33,7 @@ pub(crate) use words::Words;
 use crate::assembly::{Assembly, Poses};
 use crate::expr::{Arena, Expr, Leaf};
 use crate::model::Model;
-use crate::quantity::Dim;
+use crate::quantity::Role;
 use crate::structure::Structure;
 use crate::system::{OutputMotion, System};
 use joints::Joints;
@@ -97,13 +97,13 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, as
     Plan {
         linearized: joints.linearized().iter().flatten().map(|(target, _)| *target).collect(),
         linearize: code(joints.linearized()),
-        phi: code(joints.rows(|equation| equation.phi)),
+        phi: code(joints.rows(|equation| equation.phi())),
         jacobian: code(joints.entries()),
         nu: code(joints.rows(|equation| Some(equation.nu))),
         gamma: code(joints.rows(|equation| Some(equation.gamma))),
         pattern: joints.pattern(),
         outputs: outputs::outputs(&arena, &tracer, model, system, &words),
-        start: line(system.unknowns.iter().filter_map(|unknown| unknown.start).collect()),
+        start: line(system.coordinates.iter().filter_map(|unknown| unknown.start).collect()),
         lengths: line(distinct(&arena, &system.lengths)),
         requirements: line(sides),
         checked: structure.checked.clone(),
@@ -118,8 +118,8 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, as
 fn method_outputs(arena: &mut Arena, model: &Model, system: &System) -> Vec<OutputMotion> {
     let mut components = |member: &usize| -> Vec<[Expr; 3]> {
         let Some(body) = model.outputs[*member].body else { return system.outputs[*member].components.clone() };
-        let own = (0..system.unknowns.len()).filter(|unknown| system.unknowns[*unknown].body == body);
-        own.map(|unknown| [Leaf::Coordinate, Leaf::Velocity, Leaf::Acceleration].map(|leaf| arena.leaf(leaf(unknown as u32)))).collect()
+        let own = (0..system.coordinates.len()).filter(|unknown| system.coordinates[*unknown].body == body);
+        own.map(|unknown| [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration].map(|leaf| arena.leaf(leaf(unknown as u32)))).collect()
     };
     model.methods.iter().map(|method| OutputMotion { components: method.members.iter().flat_map(&mut components).collect() }).collect()
 }
@@ -146,13 +146,13 @@ fn solving(
     stages: &[Stage],
     outputs: &[OutputMotion],
 ) -> (Solution, Vec<Slice>, Option<Slice>) {
-    let is_angle: Vec<bool> = system.unknowns.iter().map(|unknown| unknown.dim == Dim::ANGLE).collect();
+    let is_angle: Vec<bool> = system.coordinates.iter().map(|unknown| unknown.role == Role::Angle).collect();
     let joints: Vec<usize> = system.equations.iter().map(|equation| equation.joint).collect();
     let frame = Frame { arena, tracer, words, is_angle: &is_angle, joints: &joints };
     let slice = |output: &OutputMotion| {
         let is_angle: Vec<bool> = is_angle.iter().copied().chain(output.components.iter().map(|_| false)).collect();
         let words = words.with_outputs(output.components.len());
-        slice::upstream(&Frame { words: &words, is_angle: &is_angle, ..frame }, stages, output, system.unknowns.len())
+        slice::upstream(&Frame { words: &words, is_angle: &is_angle, ..frame }, stages, output, system.coordinates.len())
     };
     let slices = outputs.iter().map(slice).collect();
     (solution::solution(&frame, stages, true), slices, slice::moving(&frame, stages))

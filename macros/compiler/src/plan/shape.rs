@@ -85,7 +85,7 @@ enum Operation {
     Time,
     Parameter(u32),
     Coordinate(u32),
-    Velocity(u32),
+    Speed(u32),
     Acceleration(u32),
     Unary(Unary, u32),
     Binary(Binary, u32, u32),
@@ -265,7 +265,7 @@ impl Trace {
             Leaf::Datum(_) => Operation::Datum,
             Leaf::Parameter(index) => Operation::Parameter(slot(&mut self.parameters, index)),
             Leaf::Coordinate(index) => Operation::Coordinate(slot(&mut self.unknowns, index)),
-            Leaf::Velocity(index) => Operation::Velocity(slot(&mut self.unknowns, index)),
+            Leaf::Speed(index) => Operation::Speed(slot(&mut self.unknowns, index)),
             Leaf::Acceleration(index) => Operation::Acceleration(slot(&mut self.unknowns, index)),
         }
     }
@@ -296,7 +296,7 @@ impl Copy {
             Operation::Time | Operation::Datum => Node::Leaf(Leaf::Time),
             Operation::Parameter(slot) => Node::Leaf(Leaf::Parameter(slot)),
             Operation::Coordinate(slot) => Node::Leaf(Leaf::Coordinate(slot)),
-            Operation::Velocity(slot) => Node::Leaf(Leaf::Velocity(slot)),
+            Operation::Speed(slot) => Node::Leaf(Leaf::Speed(slot)),
             Operation::Acceleration(slot) => Node::Leaf(Leaf::Acceleration(slot)),
             Operation::Unary(function, a) => Node::Unary(function, at(a)),
             Operation::Binary(function, a, b) => Node::Binary(function, at(a), at(b)),

@@ -88,7 +88,7 @@ fn timed(arena: &Arena, stages: &[Stage]) -> BTreeSet<usize> {
 /// The unknowns in the expressions of a stage.
 fn leaves(arena: &Arena, stage: &Stage) -> BTreeSet<usize> {
     let leaf = |leaf: &Leaf| match leaf {
-        Leaf::Coordinate(index) | Leaf::Velocity(index) | Leaf::Acceleration(index) => Some(*index as usize),
+        Leaf::Coordinate(index) | Leaf::Speed(index) | Leaf::Acceleration(index) => Some(*index as usize),
         Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_) => None,
     };
     stage.results().iter().flat_map(|result| arena.leaves(*result)).filter_map(|found| leaf(&found)).collect()

@@ -10,7 +10,7 @@
 
 use super::linear;
 use super::stage::{Iteration, Stage};
-use crate::expr::{Arena, Expr, Jets, Leaf, Substitution, derivative};
+use crate::expr::{Arena, Expr, Jets, Leaf, Seed, Substitution, derivative};
 use crate::quantity::Dim;
 use crate::structure::{Block, Explicit, Structure};
 use crate::system::{OutputMotion, System, magnitude};
@@ -22,7 +22,8 @@ pub(super) fn stages(
     structure: &Structure,
     outputs: &[OutputMotion],
 ) -> (Vec<Stage>, Vec<OutputMotion>) {
-    let mut work = StageBuilder { arena, system, jets: Jets::new(), constants: Substitution::new() };
+    let mut work =
+        StageBuilder { arena, system, jets: Jets::along(Seed::motion(system.kinematics.clone())), constants: Substitution::new() };
     let mut stages: Vec<Stage> = structure.blocks.iter().flat_map(|block| work.block(block)).collect();
     stages.extend(structure.checked.iter().filter_map(|equation| work.check(*equation)));
     let outputs = outputs.iter().map(|output| work.output(output)).collect();
@@ -62,22 +63,22 @@ impl StageBuilder<'_> {
 
     /// An equation that must hold of itself, unless it does so whatever the parameters.
     fn check(&mut self, equation: usize) -> Option<Stage> {
-        let residual = self.constants.of(self.arena, self.system.equations[equation].phi?);
+        let residual = self.constants.of(self.arena, self.system.equations[equation].phi()?);
         if self.arena.as_constant(residual).is_some_and(|value| value.is_zero()) {
             return None;
         }
         let [lengths, angles] = [Dim::LENGTH, Dim::ANGLE].map(|dim| self.slope(equation, dim));
-        let sizes = [magnitude(self.arena, residual, &[], &self.system.unknowns), lengths, angles];
+        let sizes = [magnitude(self.arena, residual, &[], &self.system.coordinates), lengths, angles];
         Some(Stage::Check { equation, residual, sizes })
     }
 
     /// By how much an equation changes with the unknowns that measure this, at most.
     fn slope(&mut self, equation: usize, dim: Dim) -> Expr {
         let mut sum = self.arena.integer(0);
-        let measures = |unknown: usize| self.system.unknowns[unknown].dim == dim;
+        let measures = |unknown: usize| self.system.coordinates[unknown].role.dim() == dim;
         for (_, entry) in self.system.equations[equation].jacobian.iter().filter(|(unknown, _)| measures(*unknown)) {
             let entry = self.constants.of(self.arena, *entry);
-            let size = magnitude(self.arena, entry, &[], &self.system.unknowns);
+            let size = magnitude(self.arena, entry, &[], &self.system.coordinates);
             sum = self.arena.add(sum, size);
         }
         sum
@@ -98,7 +99,7 @@ impl StageBuilder<'_> {
 
     /// What is constant is put into everything that follows: a pin on ground costs nothing.
     fn note_constants(&mut self, unknown: usize, motion: &[Expr; 3]) {
-        let leaves = [Leaf::Coordinate, Leaf::Velocity, Leaf::Acceleration];
+        let leaves = [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration];
         for (leaf, expr) in leaves.into_iter().zip(motion) {
             if self.arena.as_constant(*expr).is_some() {
                 self.constants.replace(leaf(unknown as u32), *expr);
@@ -123,7 +124,7 @@ impl StageBuilder<'_> {
         let zero = self.arena.integer(0);
         let mut without = Substitution::new();
         without.replace(Leaf::Coordinate(explicit.unknown as u32), zero);
-        let rest = without.of(self.arena, equation.phi?);
+        let rest = without.of(self.arena, equation.phi()?);
         let quotient = self.arena.div(rest, coefficient);
         Some(self.arena.neg(quotient))
     }
@@ -138,7 +139,7 @@ impl StageBuilder<'_> {
         let (mut still, mut unaccelerated) = (Substitution::new(), Substitution::new());
         let zero = self.arena.integer(0);
         for unknown in &block.iterated {
-            still.replace(Leaf::Velocity(*unknown as u32), zero);
+            still.replace(Leaf::Speed(*unknown as u32), zero);
             unaccelerated.replace(Leaf::Acceleration(*unknown as u32), zero);
         }
         let mut found = Iteration {
@@ -153,18 +154,18 @@ impl StageBuilder<'_> {
         };
         let mut seconds = Vec::new();
         for equation in &block.residuals {
-            let residual = inside.of(self.arena, self.system.equations[*equation].phi?);
+            let residual = inside.of(self.arena, self.system.equations[*equation].phi()?);
             let [residual, first, second] = self.jets.of(self.arena, residual).map(|expr| self.constants.of(self.arena, expr));
             let row = block.iterated.iter().map(|unknown| derivative(self.arena, residual, Leaf::Coordinate(*unknown as u32)));
             found.jacobian.push(row.collect());
             let first = still.of(self.arena, first);
             found.rates.push(self.arena.neg(first));
             seconds.push(second);
-            found.sizes.push(magnitude(self.arena, residual, &block.iterated, &self.system.unknowns));
+            found.sizes.push(magnitude(self.arena, residual, &block.iterated, &self.system.coordinates));
             found.residuals.push(residual);
         }
         // What nothing moves rests: its equations are not solved for rates, and its rates are in nobody's accelerations.
-        self.note_rest(&found.rates, &block.iterated, Leaf::Velocity);
+        self.note_rest(&found.rates, &block.iterated, Leaf::Speed);
         for second in seconds {
             let second = self.constants.of(self.arena, second);
             let second = unaccelerated.of(self.arena, second);

@@ -228,10 +228,10 @@ impl Numeric<'_> {
     /// angle that is off. None if no way leads there.
     fn way(&self, equation: &Equation, known: Values, mut q: Vec<f64>) -> Option<f64> {
         let measures = if equation.dim == Dim::ANGLE { Dim::ANGLE } else { Dim::LENGTH };
-        let entries = equation.jacobian.iter().filter(|(unknown, _)| self.system.unknowns[*unknown].dim == measures);
-        let body = entries.clone().map(|(unknown, _)| self.system.unknowns[*unknown].body).next_back()?;
-        let own: Vec<(usize, Expr)> = entries.filter(|(unknown, _)| self.system.unknowns[*unknown].body == body).copied().collect();
-        let roots: Vec<Expr> = equation.phi.into_iter().chain(own.iter().map(|(_, entry)| *entry)).collect();
+        let entries = equation.jacobian.iter().filter(|(unknown, _)| self.system.coordinates[*unknown].role.dim() == measures);
+        let body = entries.clone().map(|(unknown, _)| self.system.coordinates[*unknown].body).next_back()?;
+        let own: Vec<(usize, Expr)> = entries.filter(|(unknown, _)| self.system.coordinates[*unknown].body == body).copied().collect();
+        let roots: Vec<Expr> = equation.phi().into_iter().chain(own.iter().map(|(_, entry)| *entry)).collect();
         let begin = q.clone();
         for _ in 0..STRAIGHT_ON {
             let values = evaluate(&self.system.arena, &roots, &Values { coordinates: &q, ..known });
@@ -246,7 +246,7 @@ impl Numeric<'_> {
     /// The bodies in the equations of a joint.
     fn touched(&self, joint: usize) -> Vec<String> {
         let entries = self.system.of_joint(joint).iter().flat_map(|equation| &equation.jacobian);
-        let bodies: BTreeSet<usize> = entries.map(|(unknown, _)| self.system.unknowns[*unknown].body).collect();
+        let bodies: BTreeSet<usize> = entries.map(|(unknown, _)| self.system.coordinates[*unknown].body).collect();
         bodies.into_iter().map(|body| self.model.bodies[body].name.to_string()).collect()
     }
 }

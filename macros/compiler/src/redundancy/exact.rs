@@ -19,7 +19,7 @@ impl<'a> ExactDependence<'a> {
     /// Looks at joints before drives. Numbers decide about redundant joints.
     pub(crate) fn new(model: &'a Model, system: &'a System) -> ExactDependence<'a> {
         let mut rows: Vec<(usize, Expr)> =
-            system.equations.iter().enumerate().filter_map(|(row, equation)| Some((row, equation.phi?))).collect();
+            system.equations.iter().enumerate().filter_map(|(row, equation)| Some((row, equation.phi()?))).collect();
         rows.retain(|(row, _)| !model.joints[system.equations[*row].joint].is_redundant);
         rows.sort_by_key(|(row, _)| model.joints[system.equations[*row].joint].is_drive);
         ExactDependence { model, system, dependent: elimination::dependent(&system.arena, &rows) }
@@ -93,7 +93,7 @@ fn demand(model: &Model, system: &System, found: &Dependent) -> Option<Demand> {
     // What is added stands first, and its first multiple is one.
     terms.sort_by_key(|(unknown, factor)| (factor.signum() < 0, *unknown));
     let (first, unit) = *terms.first()?;
-    let dim = system.unknowns[first].dim;
+    let dim = system.coordinates[first].role.dim();
     let mut form = String::new();
     for (unknown, factor) in &terms {
         let factor = factor.checked_div(unit)?;

@@ -71,7 +71,7 @@ pub(crate) fn drives_have_something_to_drive(
     diag: &mut Diag,
 ) -> Option<()> {
     let is_suspicious = is_open || numeric.has_singular_block(structure, start);
-    if numeric.system.unknowns.len() > SMALL || !is_suspicious {
+    if numeric.system.coordinates.len() > SMALL || !is_suspicious {
         return Some(());
     }
     let subsystems = subsystems(numeric.system, structure);
@@ -118,12 +118,12 @@ fn subsystems(system: &System, structure: &Structure) -> Vec<Subsystem> {
         is_overdetermined: !block.iterated.is_empty(),
     };
     let subsystems: Vec<Subsystem> = structure.blocks.iter().map(subsystem).collect();
-    if system.unknowns.len() > SMALL {
+    if system.coordinates.len() > SMALL {
         return subsystems;
     }
     let checked: BTreeSet<usize> = structure.checked.iter().copied().collect();
     let equations = (0..system.equations.len()).filter(|equation| !checked.contains(equation)).collect();
-    vec![Subsystem { unknowns: (0..system.unknowns.len()).collect(), equations, is_overdetermined: true }]
+    vec![Subsystem { unknowns: (0..system.coordinates.len()).collect(), equations, is_overdetermined: true }]
 }
 
 /// What is looked through.

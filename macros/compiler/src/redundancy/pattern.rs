@@ -18,8 +18,8 @@ pub(super) fn overdetermined(model: &Model, system: &System) -> Option<Vec<Subsy
     if !has_mark && matching.free_equations().is_empty() {
         return None;
     }
-    if system.unknowns.len() <= SMALL {
-        let unknowns = (0..system.unknowns.len()).collect();
+    if system.coordinates.len() <= SMALL {
+        let unknowns = (0..system.coordinates.len()).collect();
         return Some(vec![Subsystem { unknowns, equations: (0..system.equations.len()).collect(), is_overdetermined: true }]);
     }
     // Where freedoms are left in a large system, drives are what is missing first.

@@ -5,7 +5,7 @@ use crate::model::Joint;
 use crate::numeric::Numeric;
 use crate::numeric::basis::{Basis, DEPENDENT, Matrix};
 use crate::numeric::samples::Pose;
-use crate::quantity::Dim;
+use crate::quantity::Role;
 use crate::structure::{Block, Structure, Subsystem};
 use crate::system::Equation;
 use std::collections::BTreeMap;
@@ -76,12 +76,9 @@ impl Numeric<'_> {
 
     /// The coordinates in these columns of a subsystem.
     pub(super) fn names(&self, subsystem: &Subsystem, columns: &[usize]) -> Vec<String> {
-        let name = |column: &usize| {
-            let unknown = &self.system.unknowns[subsystem.unknowns[*column]];
-            format!("{}.{}", self.model.bodies[unknown.body].name, unknown.name)
-        };
+        let name = |column: &usize| self.system.name(self.model, subsystem.unknowns[*column]);
         // Where an angle is free, places mostly follow it.
-        let is_angle = |column: &&usize| self.system.unknowns[subsystem.unknowns[**column]].dim == Dim::ANGLE;
+        let is_angle = |column: &&usize| self.system.coordinates[subsystem.unknowns[**column]].role == Role::Angle;
         let angles: Vec<String> = columns.iter().filter(is_angle).map(name).collect();
         if angles.is_empty() { columns.iter().map(name).collect() } else { angles }
     }

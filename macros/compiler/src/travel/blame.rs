@@ -86,16 +86,16 @@ impl EndReport<'_, '_> {
         let (system, model) = (&self.numeric.system, &self.numeric.model);
         let name = model.joints[drive].name.to_string();
         let mut rows = system.equations.iter().filter(|equation| equation.joint == drive);
-        let (Some(row), None) = (rows.next(), rows.next()) else { return Driven { name, coordinate: "", value: None } };
+        let (Some(row), None) = (rows.next(), rows.next()) else { return Driven { name, coordinate: None, value: None } };
         if let [(unknown, entry)] = row.jacobian.as_slice()
             && system.arena.as_constant(*entry).is_some()
         {
-            let unknown = (&system.unknowns[*unknown], q[*unknown]);
+            let unknown = (&system.coordinates[*unknown], q[*unknown]);
             let name = model.bodies[unknown.0.body].name.to_string();
-            return Driven { name, coordinate: unknown.0.name, value: Some((unknown.1, unknown.0.dim)) };
+            return Driven { name, coordinate: Some(unknown.0.role), value: Some((unknown.1, unknown.0.role.dim())) };
         }
-        let value = row.phi.and_then(|phi| self.demand(phi, row.dim, time));
-        Driven { name, coordinate: "", value }
+        let value = row.phi().and_then(|phi| self.demand(phi, row.dim, time));
+        Driven { name, coordinate: None, value }
     }
 
     /// The one expression of time in an equation, which is a term of it, or the square of one.

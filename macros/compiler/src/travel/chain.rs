@@ -240,7 +240,7 @@ fn length(numeric: &Numeric, q: &[f64]) -> f64 {
     if lengths.iter().any(|length| length.is_finite() && *length != 0.0) {
         return numeric.size;
     }
-    let places = q.iter().enumerate().filter(|(unknown, _)| !numeric.is_angle(*unknown)).map(|(_, value)| value.abs());
+    let places = q.iter().enumerate().filter(|(unknown, _)| numeric.is_position(*unknown)).map(|(_, value)| value.abs());
     let farthest = places.fold(0.0, f64::max);
     if farthest > 0.0 && farthest.is_finite() { farthest } else { numeric.size }
 }
@@ -255,7 +255,7 @@ impl Member {
         let mut roots: Vec<Expr> = Vec::new();
         for (row, equation) in equations.iter().enumerate() {
             let equation = &numeric.system.equations[*equation];
-            roots.extend(equation.phi);
+            roots.extend(equation.phi());
             nu.push(equation.nu);
             for (unknown, entry) in &equation.jacobian {
                 match unknowns.iter().position(|own| own == unknown) {
@@ -271,7 +271,7 @@ impl Member {
             }
         }
         roots.extend(own_roots.into_iter().chain(other_roots).chain(nu));
-        let scales = unknowns.iter().map(|unknown| if numeric.is_angle(*unknown) { 1.0 } else { length }).collect();
+        let scales = unknowns.iter().map(|unknown| numeric.system.coordinates[*unknown].role.scale(length)).collect();
         let evaluator = Evaluator::new(&numeric.system.arena, &roots);
         let (values, sizes) = (vec![f64::NAN; roots.len()], vec![1.0; equations.len()]);
         Member { block, unknowns, is_iterated, evaluator, values, own, others, scales, sizes }

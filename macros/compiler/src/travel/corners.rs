@@ -68,7 +68,7 @@ fn at(travel: &mut Travel, numeric: &Numeric, structure: &Structure, start: &[f6
 
 /// Combinations of ends of bounds.
 fn corners(numeric: &Numeric) -> Vec<Corner> {
-    let roots: Vec<_> = numeric.system.equations.iter().filter_map(|equation| equation.phi).collect();
+    let roots: Vec<_> = numeric.system.equations.iter().filter_map(|equation| equation.phi()).collect();
     let nodes = numeric.system.arena.reachable(&roots);
     let leaves = nodes.into_iter().filter_map(|expr| match numeric.system.arena.node(expr) {
         crate::expr::Node::Leaf(Leaf::Parameter(number)) => Some(*number as usize),

@@ -94,7 +94,7 @@ pub(super) fn span(numeric: &Numeric, structure: &Structure, blocks: impl Iterat
         }
         for equation in block.parts().1 {
             let equation = &numeric.system.equations[equation];
-            let phi = equation.phi?;
+            let phi = equation.phi()?;
             let mut law = reader.of(phi);
             if law.rate != 0.0 && equation.dim == Dim::ANGLE {
                 law = law.turned(TAU);
@@ -139,7 +139,7 @@ impl LawReader<'_> {
     fn computed(&mut self, unknown: usize, equation: usize) -> Law {
         let equation = &self.numeric.system.equations[equation];
         let pivot = equation.jacobian.iter().find(|(other, _)| *other == unknown).map(|(_, entry)| *entry);
-        let (Some(phi), Some(pivot)) = (equation.phi, pivot) else { return Law::wild() };
+        let (Some(phi), Some(pivot)) = (equation.phi(), pivot) else { return Law::wild() };
         let pivot = self.value(pivot, 0.0);
         // Taken for something that rests, the coordinate leaves all the rest of its equation.
         let others = std::mem::take(&mut self.known);
