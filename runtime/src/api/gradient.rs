@@ -1,6 +1,6 @@
 //! Derivatives by parameters: the emitted code is run over numbers that carry them along.
 //!
-//! In: a mechanism, a state of it, and the parameters that are asked for. Out: the same state over [`Gradient`]s. A block is not solved
+//! In: a mechanism, a state of it, and the selected parameters. Out: the same state over [`Gradient`]s. A block is not solved
 //! again; its factors are those of the state, and each parameter is one more right-hand side:
 //!
 //! ```text
@@ -24,7 +24,7 @@ use crate::number::{DetSign, Float, Real, SimdReal, Table};
 use crate::solve::{ColdStart, Family, Solver, SolverReal, Stages, lengths_of};
 use crate::state::{State, Values};
 
-/// A number and its partial derivatives by `P` parameters: what [`derivatives`](crate::Mechanism::derivatives) computes with.
+/// A number and its partial derivatives by `P` parameters: the number type of [`derivatives`](crate::Mechanism::derivatives).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gradient<T, const P: usize> {
     /// The number.
@@ -33,11 +33,11 @@ pub struct Gradient<T, const P: usize> {
     pub by: [T; P],
 }
 
-/// A correction of more than this, as a share of the unknown or of its scale, says that a state is none.
+/// A state with a larger correction than this, as a fraction of the unknown plus its scale, is not a solution.
 const OFF: f64 = 1e-3;
 
 impl<T: Float, const P: usize> Gradient<T, P> {
-    /// What depends on no parameter.
+    /// A constant, which depends on no parameter.
     #[must_use]
     #[inline(always)]
     pub fn constant(value: T) -> Self {
@@ -56,7 +56,7 @@ impl<T: Float, const P: usize> Gradient<T, P> {
         Self { value, by: array::from_fn(|k| own * at(&self.by, k) + others * at(&other.by, k)) }
     }
 
-    /// A function by its value and three derivatives; the third counts only where x depends on a parameter.
+    /// A function with its value and three derivatives; the third is used only where x depends on a parameter.
     fn derived(self, [value, first, second, third]: [T; 4]) -> (Self, Self, Self) {
         let zero = T::of(0.0);
         let of_second = |by: T| if by == zero { zero } else { third * by };
@@ -179,7 +179,7 @@ impl<T: Float, const P: usize> Real for Gradient<T, P> {
         self.derived([value, first, second, T::of(table.third_derivative(self.value.to_f64()))])
     }
 
-    /// Of a Rust function no third derivative is known: where its argument depends on a parameter, what would need it is NaN.
+    /// The third derivative of a Rust function is unknown: where its argument depends on a parameter, results that need it are NaN.
     fn map(self, function: fn(f64) -> (f64, f64, f64)) -> (Self, Self, Self) {
         let (value, first, second) = self.value.map(function);
         self.derived([value, first, second, T::of(f64::NAN)])
@@ -191,7 +191,7 @@ fn leg<T: Float>(x: T) -> T {
     ((T::of(1.0) - x) * (T::of(1.0) + x)).sqrt()
 }
 
-/// Where the solver compares, it compares numbers, not their derivatives.
+/// Comparisons look at the numbers and not at their derivatives.
 impl<T: Float, const P: usize> SimdReal for Gradient<T, P> {
     type Mask = bool;
     type Signs = DetSign;
@@ -288,7 +288,7 @@ impl<T: Float, const P: usize, const N: usize> ColdStart<Gradient<T, P>, N> for 
     fn check(&self, _: usize, _: Gradient<T, P>, _: Gradient<T, P>) {}
 }
 
-/// Factors of a matrix of numbers, beside the derivatives of its entries.
+/// Factors of a matrix of numbers, with the derivatives of its entries.
 #[derive(Clone, Copy, Debug)]
 pub struct DenseGradient<T, const P: usize, const K: usize> {
     factors: Factors<T, K>,

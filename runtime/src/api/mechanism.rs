@@ -1,4 +1,4 @@
-//! What one can ask of a mechanism.
+//! What a mechanism can be asked for.
 
 use nalgebra::SVector;
 
@@ -15,12 +15,12 @@ use crate::state::State;
 
 /// A mechanism with as many equations as coordinates, which can be solved. Everything with [`Stages`] is one.
 ///
-/// Methods that take a time return the state then, with q, q̇ and q̈ at the rounding limit.
+/// Methods that take a time return the state at that time, with q, q̇ and q̈ at the rounding limit.
 /// They fail with the [`Cause`] and the last valid state, and never panic.
 pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
-    /// The state at `t` (s) on the branch of the declared start: assembled at t = 0, then followed in time, which takes the longer
-    /// the further `t` is. Parameters that differ from the defaults are followed from there as well,
-    /// and where the branch ends on that way, [`Failure::end`] says where.
+    /// The state at `t` (s) on the branch of the declared start: assembled at t = 0, then followed in time; the run time grows with
+    /// `t`. Parameters that differ from the defaults are reached by continuation as well; if the branch ends before them,
+    /// [`Failure::end`] says where.
     ///
     /// # Errors
     /// Any [`Cause`]. For many times in order, [`sweep`](Self::sweep) does not begin at zero again and again.
@@ -38,7 +38,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
         Ok(state)
     }
 
-    /// The state at `t` (s) that Newton's method finds from a rough `guess` of q (m, rad), of whatever branch.
+    /// The state at `t` (s) that Newton's method finds from a rough `guess` of q (m, rad), on any branch.
     ///
     /// # Errors
     /// Any [`Cause`] but `BranchLost` and `TooManySteps`.
@@ -62,7 +62,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     }
 
     /// Takes a state of this mechanism to time `t` (s) in place: [`solve_from`](Self::solve_from) without a copy, for loops in
-    /// which every nanosecond counts. A state that cannot be taken there stays as it is.
+    /// which every nanosecond counts. If that fails, the state is unchanged.
     ///
     /// # Errors
     /// Any [`Cause`].
@@ -75,8 +75,8 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
         path::advance_by_steps(self, state, t).map_err(|ended| verdict::of_continuation(self, state, t, ended))
     }
 
-    /// How far each coordinate of a state may be from the solution next to it, and its rates from theirs; to some ten digits, this is
-    /// how far they are.
+    /// Bounds of the distance of a state from the solution next to it, for each coordinate and its rates. The bounds are sharp to
+    /// about ten digits.
     ///
     /// The solution meant is that of the declared equations with these parameters and this time, each number taken exactly as the
     /// double that it is; where `T` is `f32`, the errors of computing with `f32` are all in the bound. It is enclosed by interval
@@ -111,7 +111,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// ```
     ///
     /// # Errors
-    /// Where no solution can be proven to be near.
+    /// If no solution can be proven to be near.
     #[cfg(feature = "certify")]
     fn error_bound(&self, state: &State<T, N>) -> Result<ErrorBound<T, N>, Doubt>
     where
@@ -121,14 +121,14 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
         enclosure::error_bound(self, state)
     }
 
-    /// Proves that there is exactly one solution within a radius of a state, and says the radius.
+    /// Proves that there is exactly one solution within a radius of a state, and returns the radius.
     ///
     /// The proof is Krawczyk's: an operator that maps a box around the state into itself, block by block, in
     /// [interval arithmetic](crate::Enclosure) with all roundings counted. It holds for the declared equations, each number taken exactly as
     /// the double that it is. Equations of redundant joints, which follow from the others, are checked and not proven.
     ///
     /// # Errors
-    /// Why there is no proof. There never is one for a state without a solution within the radius.
+    /// Why there is no proof. A state without a solution within the radius is never certified.
     #[cfg(feature = "certify")]
     fn certify(&self, state: &State<T, N>) -> Result<Certificate<T, N>, Doubt>
     where
@@ -138,15 +138,16 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
         enclosure::certify(self, state)
     }
 
-    /// Rounds the solution next to a state: q, q̇ and q̈ as good as `T` can hold them, whatever the condition.
+    /// Replaces a state by the rounded solution next to it: q, q̇ and q̈ as accurate as `T` allows, whatever the condition.
     ///
     /// Residuals are evaluated with twice the digits, and the equations are those of [`error_bound`](Self::error_bound): time,
-    /// parameters and literals are the doubles that they are, exactly. It pays where the [condition](crate::Values::condition) is above some
-    /// hundred and rates or accelerations are wanted to the last digits; below, a state is as good already as one needs. The state
+    /// parameters and literals are the doubles that they are, exactly. It is worthwhile where the
+    /// [condition](crate::Values::condition) is above about a hundred and rates or accelerations are needed to the last digits. The
+    /// state
     /// stays on its branch: no other solution is as near.
     ///
     /// # Errors
-    /// Where this cannot be proven; the state stays as it is.
+    /// If this cannot be proven; the state is unchanged.
     #[cfg(feature = "certify")]
     fn polish(&self, state: &mut State<T, N>) -> Result<(), Doubt>
     where
@@ -156,11 +157,11 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
         enclosure::polish(self, state)
     }
 
-    /// A state with its derivatives by parameters: the mechanism and the state over [`Gradient`]s, so that whatever is computed of them,
-    /// each output and its rate and acceleration, has its exact derivatives too.
+    /// A state with its derivatives by parameters: the mechanism and the state over [`Gradient`]s, so that everything computed from
+    /// them, such as outputs with their rates and accelerations, has exact derivatives too.
     ///
     /// * `state`: given, a state of this mechanism.
-    /// * `by`: picks the parameters; the derivatives are in the order in which it names them.
+    /// * `by`: given, selects the parameters; the derivatives are in this order.
     ///
     /// ```
     /// use reuleaux::{Mechanism, mechanism};
@@ -197,7 +198,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// derivative of an acceleration needs the third derivative of a Rust function, which is unknown, it is NaN.
     ///
     /// # Errors
-    /// If the state is none of this mechanism, or Φ_q is singular there.
+    /// If the state does not belong to this mechanism, or Φ_q is singular there.
     #[allow(clippy::type_complexity, reason = "a mechanism and its state, over numbers with derivatives")]
     fn derivatives<const P: usize>(
         &self,

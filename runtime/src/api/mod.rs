@@ -1,4 +1,4 @@
-//! What one can ask of a mechanism.
+//! The interface of a mechanism: states, sweeps, derivatives.
 
 mod gradient;
 mod mechanism;

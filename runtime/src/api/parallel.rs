@@ -1,7 +1,7 @@
 //! Sweeps of many mechanisms on all processors (feature `rayon`).
 //!
-//! In: parameter sets, times, and what is wanted of each sweep. Out: that, in the order of the parameter sets, whichever was ready
-//! first. Each sweep runs on one thread from beginning to end, so that its numbers are those of a sweep alone.
+//! In: parameter sets, times, and a function of each sweep. Out: its results, in the order of the parameter sets. Each sweep runs
+//! on one thread from beginning to end, so that its numbers are those of a sweep alone.
 
 use core::sync::atomic::{AtomicUsize, Ordering};
 use std::vec::Vec;
@@ -11,16 +11,16 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIter
 use super::{Mechanism, Sweep};
 use crate::number::Float;
 
-/// How many sweeps have ended.
+/// The number of completed sweeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
-    /// Those that have ended, this one included.
+    /// Completed sweeps, including this one.
     pub done: usize,
-    /// All of them.
+    /// All sweeps.
     pub of: usize,
 }
 
-/// Sweeps each mechanism over the same times (s) and collects what `each` makes of the states, in the order of `mechanisms`.
+/// Sweeps each mechanism over the same times (s) and collects the results of `each`, in the order of `mechanisms`.
 ///
 /// * `each`: given, called once for each mechanism with its sweep, on any thread. Only what it returns is kept, so that a sweep of a
 ///   million times may leave one number.

@@ -29,7 +29,7 @@ pub struct Sweep<'a, E: ?Sized, I, T, const N: usize> {
     progress: Progress<State<T, N>>,
 }
 
-/// How far a sweep has come.
+/// Progress of a sweep.
 #[derive(Clone, Debug)]
 enum Progress<S> {
     Fresh,

@@ -1,4 +1,4 @@
-//! The one error of this crate, and its sentences.
+//! The error type of this crate, and its messages.
 
 use core::error::Error;
 use core::fmt;
@@ -16,9 +16,9 @@ pub struct Failure<T, const N: usize> {
     pub cause: Cause<T>,
     /// When, in s.
     pub time: T,
-    /// Where the branch ends on the way from the declared defaults to these parameters, if it could not be followed as far as that.
+    /// Where the branch ends between the declared defaults and these parameters, if it does.
     pub end: Option<BranchEnd<T>>,
-    /// The last valid state on the way there.
+    /// The last valid state before the failure.
     pub last: Option<State<T, N>>,
 }
 

@@ -1,4 +1,4 @@
-//! What to say when there is no solution. In: how a pass or the continuation ended. Out: a [`Cause`].
+//! Diagnosis of a continuation that ended early. In: how it ended. Out: a [`Failure`].
 
 use crate::names::{self, Cause, CoordinateKind};
 use crate::newton::{Scale, StepError};
@@ -9,16 +9,16 @@ use crate::state::State;
 
 use super::Failure;
 
-/// A branch that ends at a state with a condition above ε to the power −1/4 ends at a dead point: approaching one up to
-/// the rounding of t gives a condition of about ε to the power −1/2.
+/// Whether a branch that ends here ends at a dead point: the condition is above ε^(−1/4). Approaching a dead point to the rounding
+/// of t gives about ε^(−1/2).
 fn is_dead_point<T: Float, const N: usize>(state: &State<T, N>) -> bool {
     state.condition * T::ROOT_EPSILON.sqrt() > T::of(1.0)
 }
 
-/// A motion that ends with a length of more than this many L, growing, diverges.
+/// A motion that ends with a growing length of more than this many L diverges.
 const FAR: f64 = 100.0;
 
-/// The failure of a continuation to time `t` (s) that ended early, and left `state` as it was.
+/// The failure of a continuation to time `t` (s), which left `state` unchanged.
 #[cold]
 pub(crate) fn of_continuation<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
@@ -41,7 +41,7 @@ pub(crate) fn of_continuation<T: Float, E: Stages<T, N> + ?Sized, const N: usize
     Failure { mechanism: E::NAME, cause, time, end: None, last: Some(last) }
 }
 
-/// Why the branch could not be followed from `here` to `next`, a moment later.
+/// Why the branch could not be followed from `here` to `next`.
 fn end_of_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
     next: T,
@@ -62,7 +62,7 @@ fn end_of_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     }
 }
 
-/// Where the motion ends because a length grows beyond all bounds: which, and about when.
+/// The coordinate that grows beyond all bounds, and the approximate time; None if the motion does not diverge.
 ///
 /// ```text
 /// x = c / (t∞ − t)      t∞ = t + x / ẋ

@@ -23,7 +23,7 @@ pub struct Factors<T, const N: usize> {
     pub(crate) columns: [usize; N],
     /// Number of pivots that are not rounding noise; N for a regular matrix.
     pub(crate) rank: usize,
-    /// Sign of the determinant; without meaning when the rank is below N.
+    /// Sign of the determinant; unspecified if the rank is below N.
     pub(crate) orientation: DetSign,
 }
 
@@ -56,8 +56,8 @@ impl<T: Float, const N: usize> Factors<T, N> {
 
     /// R A C in place of the factors: the largest entry of each column, then of each row, is brought between 1 and 2.
     ///
-    /// Columns come first: an entry of a revolute's row by an angle is an arm, and positions are then measured by arms, each by its
-    /// own, whether they are nanometres or kilometres.
+    /// Columns come first: an entry of a revolute's row by an angle is an arm, and positions are then scaled by their own arms,
+    /// whether these are nanometres or kilometres.
     pub(super) fn equilibrated(matrix: &SMatrix<T, N, N>) -> Result<Self, usize> {
         let (zero, one) = (T::of(0.0), T::of(1.0));
         let mut lu = matrix.data.0;

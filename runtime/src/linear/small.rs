@@ -16,7 +16,7 @@ pub struct Small<T, const N: usize> {
     determinant: T,
     /// One over the determinant.
     reciprocal: T,
-    /// The determinant's expansion with all terms positive: what its rounding errors are a share of.
+    /// The determinant's expansion with the magnitudes of its terms, to which its rounding errors are proportional.
     magnitude: T,
 }
 
@@ -27,7 +27,7 @@ const EXACT: usize = 2;
 /// A determinant below this many roundings of its terms is noise.
 const NOISE: f64 = 8.0;
 
-/// And one below this: the smallest normal number that every type has.
+/// So is one below this, the smallest positive normal number of `f32`.
 const NOTHING: f64 = f32::MIN_POSITIVE as f64;
 
 impl<T: SimdReal, const N: usize> Linear<T, N> for Small<T, N> {
@@ -99,7 +99,7 @@ impl<T: SimdReal, const N: usize> Linear<T, N> for Small<T, N> {
 }
 
 impl<T: Float, const N: usize> Small<T, N> {
-    /// With a singular matrix: what full pivoting makes of it, so that Newton's method can leave a singular position.
+    /// The basic solution for a singular matrix, by full pivoting, so that Newton's method can leave a singular position.
     #[cold]
     fn basic_solution(&self, b: &SVector<T, N>) -> SVector<T, N> {
         let nothing = SVector::from_element(T::of(f64::NAN));

@@ -1,6 +1,6 @@
-//! Systems whose zeros are known: elimination in a fixed order, watched.
+//! Sparse systems: elimination in a fixed order, with a test of its stability.
 //!
-//! A fixed order may meet a small pivot, although the matrix is regular: there elimination with pivoting takes its place.
+//! A fixed order may meet a small pivot although the matrix is regular; elimination with pivoting then replaces it.
 
 #[cfg(test)]
 mod tests;
@@ -18,7 +18,7 @@ use crate::number::{Float, Mask, SimdReal};
 pub struct Entries<T, const K: usize, const ENTRIES: usize> {
     /// In the order of the pattern.
     pub(crate) values: [T; ENTRIES],
-    /// c: what counts as 1 in each unknown.
+    /// c: the scale of each unknown.
     pub(crate) columns: [T; K],
 }
 
@@ -29,7 +29,7 @@ pub struct Entries<T, const K: usize, const ENTRIES: usize> {
 /// |U(i, i)| c_i ≥ √ε (|A| c)_i
 /// ```
 ///
-/// is asked for. Then L U is A but for relative changes of its rows by at most about K g ε (Higham: Accuracy and Stability of
+/// is required. Then L U equals A up to relative changes of its rows by at most about K g ε (Higham: Accuracy and Stability of
 /// Numerical Algorithms, 9.3), x is correct to about cond(A) g ε, and one step of refinement leaves the square of this, which is
 /// below the unavoidable cond(A) ε up to the condition of 1/√ε that counts as singular. The units of rows do not matter, and the
 /// determinant has the sign that it shows. Where this does not hold, [dense factors](FactorReal::Dense) are used.
@@ -40,7 +40,7 @@ pub struct Sparse<T: FactorReal, E, const K: usize, const ENTRIES: usize, const 
     lu: [T; FACTORS],
     /// |A| c by pivot.
     sizes: [T; K],
-    /// Whether L and U are good.
+    /// Whether L and U are stable.
     is_stable: T::Mask,
     elimination: PhantomData<E>,
 }
@@ -150,7 +150,7 @@ where
         SVector::from(E::substitute(&self.lu, &b.data.0[0], |b, known| b - known))
     }
 
-    /// The factors with pivoting. They are made when they are asked for: to keep them would cost every other pose their copies.
+    /// The factors with pivoting. They are computed on demand: storing them would make every other state copy them.
     #[cold]
     #[inline(never)]
     fn pivoted(&self) -> Result<T::Dense<K>, usize> {

@@ -1,13 +1,13 @@
-//! Why there is no state, as data.
+//! Causes of failure, as data.
 
 use super::{Coordinate, ParameterOutOfRange, Row};
 
-/// Where the branch of the declared start ends while parameters are changed from their declared defaults: beyond, it does not close,
-/// and would have to go on as its mirror image.
+/// Where the branch of the declared start ends while parameters are changed from the declared defaults: beyond, its loops do not
+/// close, or close only as the mirror image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BranchEnd<T> {
-    /// The share of the way, 0 at the defaults and 1 at these parameters; [`Stages::interpolated`](crate::Stages::interpolated) gives the
-    /// mechanism there, with the parameters that it has.
+    /// λ on the line of parameters: 0 at the defaults, 1 at these parameters. [`Stages::interpolated`](crate::Stages::interpolated)
+    /// returns the mechanism there.
     pub lambda: T,
     /// A row of the block that becomes singular there.
     pub row: Row,
@@ -18,41 +18,41 @@ pub struct BranchEnd<T> {
 /// What happened.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cause<T> {
-    /// No position was found that fulfils the equations: from the given start, every way nearer ends.
+    /// No position was found that fulfils the equations: from the given start no step reduces the residuals any further.
     DoesNotClose {
         /// The row that stays open furthest.
         row: Row,
         /// Its residual, in its unit.
         residual: T,
-        /// Its residual divided by the length of its gradient, in m; of an angle, the arc at L.
+        /// Its residual divided by the norm of its gradient, in m; for an angle, the arc at radius L.
         gap: T,
     },
-    /// An equation of a redundant joint does not follow from the others, with these parameters: it would bend something.
+    /// An equation of a redundant joint does not follow from the others with these parameters: the mechanism would be strained.
     DoesNotHold {
-        /// The row that is off most, for the rounding errors that it may have.
+        /// The row with the largest residual, relative to its bound for rounding errors.
         row: Row,
         /// Its residual, in its unit.
         residual: T,
     },
-    /// Φ_q is singular, or as good as: a dead point, where the branch ends; a change point from which no branch goes on smoothly, or
-    /// to which [`solve_near`](crate::Mechanism::solve_near) came from a guess; or equations that depend on each other. On the way from
-    /// one state to another the failure's time is the one at which it happens, to rounding.
+    /// Φ_q is singular, or nearly so: a dead point, where the branch ends; a change point without a smooth continuation, or one
+    /// that [`solve_near`](crate::Mechanism::solve_near) found from a guess; or dependent equations. Between two states the
+    /// failure's time is that of the singularity, to rounding.
     Singular {
         /// A row that depends on the others.
         row: Row,
-        /// The coordinate that they leave most undetermined.
+        /// The coordinate that is determined least.
         coordinate: Coordinate,
         /// Condition at the last position reached.
         condition: T,
     },
-    /// The motion jumps: the branch ends, and the next assembly is not near.
+    /// The motion would jump: the branch ends, and the next assembly is not close.
     BranchLost {
         /// The coordinate that jumps most.
         coordinate: Coordinate,
-        /// By how much, in m or rad.
+        /// The size of the jump, in m or rad.
         jump: T,
     },
-    /// The motion diverges: a length grows beyond all bounds, about at the failure's time.
+    /// The motion diverges: a length grows beyond all bounds, approximately at the failure's time.
     Diverges {
         /// The coordinate that grows most.
         coordinate: Coordinate,
@@ -64,16 +64,16 @@ pub enum Cause<T> {
         /// Where it first appeared.
         of: Culprit,
     },
-    /// A parameter has a value for which the mechanism has no meaning.
+    /// A parameter has a value for which the mechanism is not defined.
     ParameterOutOfRange(ParameterOutOfRange<T>),
-    /// Newton's method went on without settling.
+    /// Newton's method did not converge.
     NoConvergence {
         /// Length of the last correction, scaled.
         correction: T,
         /// Number of corrections.
         iterations: usize,
     },
-    /// The way there takes more steps than one call makes.
+    /// The time is not reached within the steps of one call.
     TooManySteps {
         /// Number of steps made.
         steps: usize,

@@ -1,4 +1,4 @@
-//! What the unknowns and the equations are called, for messages.
+//! Names of unknowns and equations, for messages.
 
 /// One entry of q.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -7,11 +7,11 @@ pub struct Coordinate {
     pub body: &'static str,
     /// `"x"`, `"y"` or `"angle"`.
     pub name: &'static str,
-    /// What it measures.
+    /// The quantity that it measures.
     pub kind: CoordinateKind,
 }
 
-/// What a coordinate measures, and so how it is scaled.
+/// The quantity that a coordinate measures, which determines its scale.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CoordinateKind {
     /// Metres.
@@ -46,12 +46,12 @@ impl CoordinateKind {
     }
 }
 
-/// The coordinate with this index; a nameless one where a hand-written table is too short.
+/// The coordinate with this index; `?` if a hand-written table is too short.
 pub(crate) fn coordinate(coordinates: &[Coordinate], index: usize) -> Coordinate {
     coordinates.get(index).copied().unwrap_or(Coordinate { body: "?", name: "?", kind: CoordinateKind::Angle })
 }
 
-/// The row with this index; a nameless one where a hand-written table is too short.
+/// The row with this index; `?` if a hand-written table is too short.
 pub(crate) fn row(rows: &[Row], index: usize) -> Row {
     rows.get(index).copied().unwrap_or(Row { joint: "?", kind: "equation", index: 1, of: 1, unit: "" })
 }

@@ -1,11 +1,11 @@
-//! What a mechanism says of itself besides its equations.
+//! The description of a mechanism besides its equations.
 
 use nalgebra::SVector;
 
 use super::{Coordinate, Row};
 use crate::number::Real;
 
-/// What a mechanism says of itself: names, where to start, how large it is. Emitted code implements it.
+/// Names, start and size of a mechanism. Emitted code implements it.
 pub trait Description<T: Real, const N: usize> {
     /// The mechanism as declared.
     const NAME: &'static str;
@@ -16,20 +16,20 @@ pub trait Description<T: Real, const N: usize> {
     /// The rows, in the order of Φ.
     const ROWS: &'static [Row];
 
-    /// A guess of q at t = 0, near the assembly that is meant.
+    /// A guess of q at t = 0, near the intended assembly.
     fn start(&self) -> SVector<T, N>;
 
-    /// L, the length in metres that is worth a radian when lengths and angles are compared; above zero.
+    /// L in metres, above zero: the length that equals one radian when lengths and angles are compared.
     fn characteristic_length(&self) -> T;
 
-    /// Whether every parameter lies where the equations make sense.
+    /// Whether every parameter has a value for which the equations are defined.
     ///
     /// # Errors
     /// The first parameter that does not.
     fn validate(&self) -> Result<(), ParameterOutOfRange<T>>;
 }
 
-/// A parameter for which a mechanism has no meaning.
+/// A parameter for which a mechanism is not defined.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterOutOfRange<T> {
     /// The parameter as declared.
@@ -38,6 +38,6 @@ pub struct ParameterOutOfRange<T> {
     pub value: T,
     /// The SI unit of the value; empty for a pure number.
     pub unit: &'static str,
-    /// Why not, or what it should be: `"it must not be zero"`.
+    /// What is wrong with it, or what it must be: `"it must not be zero"`.
     pub why: &'static str,
 }

@@ -1,4 +1,4 @@
-//! What a mechanism says of itself: the names of its unknowns and equations, and what may be said about them.
+//! Names and descriptions: of unknowns, equations and parameters, of a mechanism's plan, and of causes of failure.
 
 mod cause;
 mod coordinate;

@@ -1,7 +1,7 @@
-//! Newton's method that only ever comes nearer: error-controlled damping.
+//! Damped Newton method: every accepted step reduces the error estimate (error-controlled damping).
 //!
-//! Deuflhard: Newton Methods for Nonlinear Problems, 3.3.3, algorithm NLEQ-ERR. A step q + λ δ is accepted if the correction
-//! δ̄ that the old Jacobian asks for at the new place is shorter than δ (natural monotonicity test).
+//! Deuflhard: Newton Methods for Nonlinear Problems, 3.3.3, algorithm NLEQ-ERR. A step q + λ δ is accepted if the simplified
+//! correction δ̄, computed at the new iterate with the old Jacobian, is shorter than δ (natural monotonicity test).
 
 use nalgebra::SVector;
 
@@ -13,16 +13,16 @@ use crate::linear::Linear;
 use crate::number::Float;
 use crate::number::order::smaller;
 
-/// Steps tried. Damped convergence is slow only next to singular positions.
+/// Largest number of steps. Damped convergence is slow only next to singular positions.
 const ITERATIONS: usize = 100;
 
-/// Smallest damping factor: below it the step is called off.
+/// Smallest damping factor; below it the iteration ends.
 const SMALLEST_FACTOR: f64 = 1e-6;
 
 /// Newton's method with damped steps from a rough guess. It does not cross singular positions.
 ///
 /// # Errors
-/// `Stuck` with the best position where no step brings Φ nearer to zero, `Singular`, `NoConvergence` or `NotFinite`.
+/// `Stuck` with the best position, from which no step passes the test; `Singular`, `NoConvergence` or `NotFinite`.
 pub(crate) fn damped<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
     guess: &Iterate<T, N>,
@@ -57,7 +57,7 @@ struct DampedStep<T, const N: usize> {
     simplified: SVector<T, N>,
 }
 
-/// The longest of the steps tried, from λ = `first` down, for which |δ̄| < |δ|.
+/// The first step, from λ = `first` down, for which |δ̄| < |δ|.
 fn monotone_step<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
     step: &NewtonStep<T, P::Factors, N>,
@@ -78,7 +78,7 @@ fn monotone_step<T: Float, P: Problem<T, N>, const N: usize>(
     None
 }
 
-/// The smaller of x and 1; 1 for NaN, which stands for 0 / 0 where there is nothing left to correct.
+/// The smaller of x and 1; 1 for NaN, which is 0 / 0 after an exact solution.
 fn at_most_one<T: Float>(x: T) -> T {
     smaller(T::of(1.0), x)
 }

@@ -1,4 +1,4 @@
-//! From a rough guess to a solution.
+//! Newton's method from a rough guess.
 
 use super::damped::damped;
 use super::limits::LONGEST_STEP;
@@ -8,13 +8,15 @@ use super::{Iterate, Problem};
 use crate::number::Float;
 use crate::number::order::smaller;
 
-/// Corrections tried without damping. Over the reference mechanisms with guesses off by 0.6 rad and 0.6 L, 10 are usual.
+/// Largest number of corrections without damping. The reference mechanisms need about 10 from guesses that are off by 0.6 rad and
+/// 0.6 L.
 const CLOSING_ITERATIONS: usize = 50;
 
-/// Assembles from a rough guess: Newton's method with limited steps and, if that does not settle, damped from the same guess.
+/// Solves from a rough guess: Newton's method with limited steps and, if it does not converge, the damped method from the same
+/// guess.
 ///
-/// Limited steps may cross singular positions, which from rough guesses they often must; damped ones never do, but end at
-/// the best position that can be reached without.
+/// Limited steps can cross singular positions, as is often necessary from a rough guess. Damped steps never do; they end at the
+/// best position on this side.
 pub(crate) fn solve_from_guess<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
     guess: &Iterate<T, N>,

@@ -1,30 +1,30 @@
-//! Where Newton's method stands: the unknowns, and sine and cosine of those that are angles.
+//! Iterates of Newton's method: the unknowns, with sine and cosine of those that are angles.
 
 use nalgebra::SVector;
 
 use crate::number::{Mask, SimdReal};
 
-/// Up to this length a correction turns sine and cosine instead of having them computed again.
+/// Up to this angle, in rad, a correction rotates sine and cosine with the shorter series instead of recomputing them.
 const TINY_ROTATION: f64 = 1.0 / 256.0;
 
-/// Up to this length the way of a step does.
+/// Up to this angle, in rad, the change from one state to the next rotates them with the longer series.
 const SMALL_ROTATION: f64 = 1.0 / 32.0;
 
-/// Unknowns with the sines and cosines that the equations need of them.
+/// Unknowns with the sines and cosines that occur in the equations.
 #[derive(Clone, Copy, Debug)]
 pub struct Iterate<T, const K: usize> {
     /// The unknowns, in m and rad.
     pub x: SVector<T, K>,
-    /// (sine, cosine) of the unknowns that turn; without meaning for others.
+    /// (sine, cosine) of the unknowns that need them; unspecified for the others.
     pub sin_cos: [(T, T); K],
 }
 
 impl<T: SimdReal, const K: usize> Iterate<T, K> {
-    /// At x; `needs_sin_cos` says of which unknowns sine and cosine are needed.
+    /// At x, with sine and cosine of the unknowns marked in `needs_sin_cos`.
     #[inline(always)]
     pub(crate) fn at(x: SVector<T, K>, needs_sin_cos: &[bool; K]) -> Self {
         let mut sin_cos = [(T::of(0.0), T::of(1.0)); K];
-        // Two at a time, which take as long as one.
+        // In pairs: two take as long as one.
         for k in (0..K).step_by(2) {
             if k + 1 < K && needs_sin_cos[k] && needs_sin_cos[k + 1] {
                 [sin_cos[k], sin_cos[k + 1]] = T::fast_sin_cos_of_each([x[k], x[k + 1]]);
@@ -40,7 +40,8 @@ impl<T: SimdReal, const K: usize> Iterate<T, K> {
         Self { x, sin_cos }
     }
 
-    /// At x, which is mostly near to `before`: sines and cosines there are known long before x is, and turned by what is between.
+    /// At x, which is usually close to `before`: sines and cosines are computed at `before`, which is known early, and rotated by
+    /// the difference.
     #[inline(always)]
     pub(crate) fn after(before: SVector<T, K>, x: SVector<T, K>, needs_sin_cos: &[bool; K]) -> Self {
         let mut there = Self::at(before, needs_sin_cos);
@@ -78,12 +79,12 @@ impl<T: SimdReal, const K: usize> Iterate<T, K> {
         there
     }
 
-    /// At x + δ with δ at most about √ε: its square does not show in sine and cosine.
+    /// At x + δ, with |δ| at most about √ε, so that δ² is below rounding in sine and cosine.
     pub(crate) fn nudged(&self, correction: &SVector<T, K>, needs_sin_cos: &[bool; K]) -> Self {
         self.nudged_back(&correction.map(|entry| -entry), needs_sin_cos)
     }
 
-    /// At x − δ with δ at most about √ε.
+    /// At x − δ, with |δ| at most about √ε.
     #[inline(always)]
     pub(crate) fn nudged_back(&self, correction: &SVector<T, K>, needs_sin_cos: &[bool; K]) -> Self {
         let mut there = *self;
@@ -97,7 +98,7 @@ impl<T: SimdReal, const K: usize> Iterate<T, K> {
         there
     }
 
-    /// `then` in the lanes where the answer is yes, `self` in the others.
+    /// `then` in the lanes where `mask` is true, `self` in the others.
     #[inline(always)]
     pub(crate) fn replaced(&self, mask: T::Mask, then: &Self) -> Self {
         let pick = |then, otherwise| T::pick(mask, then, otherwise);
@@ -108,9 +109,9 @@ impl<T: SimdReal, const K: usize> Iterate<T, K> {
     }
 }
 
-/// Sine and cosine of an angle that is larger by δ, |δ| ≤ 1/32.
+/// Sine and cosine of an angle increased by δ, |δ| ≤ 1/32.
 ///
-/// The series leave out less than 8e-20 and 3e-22.
+/// The truncation errors are below 8e-20 and 3e-22.
 #[inline(always)]
 fn rotated_small<T: SimdReal>((sine, cosine): (T, T), by: T) -> (T, T) {
     let z = by * by;
@@ -120,10 +121,10 @@ fn rotated_small<T: SimdReal>((sine, cosine): (T, T), by: T) -> (T, T) {
     (sine + (cosine * small - sine * less), cosine - (sine * small + cosine * less))
 }
 
-/// Sine and cosine of an angle that is larger by δ, |δ| ≤ 1/256.
+/// Sine and cosine of an angle increased by δ, |δ| ≤ 1/256.
 ///
-/// sin δ = δ − δ³/6 + δ⁵/120 and cos δ − 1 = −δ²/2 + δ⁴/24 − δ⁶/720 leave out less than 3e-21 and 1e-24; the sum and the
-/// products round once or twice each, as a sine computed anew does.
+/// sin δ = δ − δ³/6 + δ⁵/120 and cos δ − 1 = −δ²/2 + δ⁴/24 − δ⁶/720 have truncation errors below 3e-21 and 1e-24; the sum and the
+/// products round once or twice each, as a recomputed sine does.
 #[inline(always)]
 fn rotated_tiny<T: SimdReal>((sine, cosine): (T, T), by: T) -> (T, T) {
     let square = by * by;
@@ -137,7 +138,7 @@ mod tests {
     use super::{Iterate, SMALL_ROTATION};
     use nalgebra::SVector;
 
-    /// Sines and cosines that were turned on are as good as those computed anew, over several turns and up to the longest way.
+    /// Rotated sines and cosines are as accurate as recomputed ones, over several turns and up to the largest rotation.
     #[test]
     fn turned_angles_are_within_two_roundings() {
         for step in -400..=400 {

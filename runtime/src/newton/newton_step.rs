@@ -1,4 +1,4 @@
-//! One Newton iterate: Φ and Φ_q at q, the factors of Φ_q, and the correction δ they ask for.
+//! One Newton step: Φ and Φ_q at q, the factors of Φ_q, and the correction δ.
 
 use nalgebra::SVector;
 
@@ -7,13 +7,13 @@ use crate::linear::Linear;
 use crate::names::Culprit;
 use crate::number::Float;
 
-/// Relative change of Φ_q along δ, in ε, up to which Φ_q at q serves at q + δ. It is also the relative error that this leaves in q̇.
+/// Largest relative change of Φ_q along δ, in ε, at which Φ_q at q is still used at q + δ. The relative error in q̇ is the same.
 const SAME_JACOBIAN: f64 = 32.0;
 
-/// Corrections that shrink no faster than this no longer come nearer. Where two solutions meet Newton's method still halves them.
+/// Contraction from which on the iteration has stalled. At a double solution Newton's method still contracts by 1/2.
 const STALLED: f64 = 0.7;
 
-/// A correction may be a rounding error if it is no longer than this many times the first-order effect of one rounding of each term.
+/// A correction may be a rounding error up to this multiple of the first-order effect of one rounding in each term.
 const ROUNDINGS: f64 = 4.0;
 
 /// A position with its linearisation.
@@ -26,21 +26,21 @@ pub(crate) struct NewtonStep<T, L, const N: usize> {
     pub(crate) correction: SVector<T, N>,
     /// Scaled norm of δ.
     pub(crate) length: T,
-    /// The magnitudes of the terms of each residual: rounding errors are a share of them.
+    /// The magnitudes of the terms of each residual, to which its rounding errors are proportional.
     sizes: SVector<T, N>,
 }
 
-/// What is known from the corrections before this one.
+/// Lengths and contractions of the previous corrections.
 #[derive(Clone, Copy)]
 pub(crate) struct History<T> {
-    /// Length of the last correction; None if it was not made in full.
+    /// Length of the last correction; None if it was shortened.
     previous: Option<T>,
-    /// ω as it was seen in the contraction before.
+    /// ω, estimated from the previous contraction.
     curvature: Option<T>,
 }
 
 impl<T: Float, L: Linear<T, N>, const N: usize> NewtonStep<T, L, N> {
-    /// Linearises at a place and solves for the correction.
+    /// Linearises at an iterate and solves for the correction.
     ///
     /// # Errors
     /// The row or the coordinate that is not finite.
@@ -50,7 +50,7 @@ impl<T: Float, L: Linear<T, N>, const N: usize> NewtonStep<T, L, N> {
         let sizes = sizes::<T, P, N>(problem, &jacobian);
         let correction = factors.solve(&phi.map(|residual| -residual));
         let length = problem.scale().norm(&correction);
-        // Whatever is not finite in Φ or δ shows in the length.
+        // Any entry of Φ or δ that is not finite makes the length not finite.
         if length.is_finite() {
             Ok(Self { iterate, factors, correction, length, sizes })
         } else {
@@ -63,10 +63,10 @@ impl<T: Float, L: Linear<T, N>, const N: usize> NewtonStep<T, L, N> {
         self.iterate.moved(lambda, &self.correction, problem.needs_sin_cos())
     }
 
-    /// Whether q + δ is the solution, to rounding, and Φ_q at q its Jacobian.
+    /// Whether q + δ is the solution to rounding, with Φ_q at q as its Jacobian.
     ///
-    /// They are if Φ_q does not change along δ, so that the next correction would be far below this one; or if corrections no longer
-    /// become shorter and δ may be a rounding error. Where two solutions meet, corrections are halved each time until then.
+    /// True if Φ_q does not change along δ, so that the next correction would be far shorter than this one; or if corrections have
+    /// stopped shrinking and δ may be a rounding error. At a double solution corrections are halved each time until then.
     pub(crate) fn has_settled(&self, history: &History<T>) -> bool {
         let change = history.curvature(self.length).map(|curvature| curvature * self.length);
         let is_stalled = || history.contraction(self.length).is_some_and(|theta| theta >= T::of(STALLED));
@@ -75,7 +75,7 @@ impl<T: Float, L: Linear<T, N>, const N: usize> NewtonStep<T, L, N> {
             || (is_stalled() && self.is_rounding())
     }
 
-    /// Whether rounding errors alone may ask for this correction: |δ| ≤ 4 ε (|Φ_q⁻¹| s + |q|) in each unknown, s the magnitudes of
+    /// Whether rounding errors alone may cause this correction: |δ| ≤ 4 ε (|Φ_q⁻¹| s + |q|) in each unknown, s the magnitudes of
     /// the terms of Φ.
     pub(crate) fn is_rounding(&self) -> bool {
         let zero = T::of(0.0);
@@ -89,7 +89,8 @@ impl<T: Float, L: Linear<T, N>, const N: usize> NewtonStep<T, L, N> {
     }
 }
 
-/// The magnitudes of the terms of each residual; where nothing is known of them, those of its row of Φ_q, a length counting L.
+/// The magnitudes of the terms of each residual; where they are unknown, the magnitude of its row of Φ_q, with lengths weighted by
+/// L.
 pub(crate) fn sizes<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
     jacobian: &<P::Factors as Linear<T, N>>::Matrix,
@@ -103,7 +104,7 @@ pub(crate) fn sizes<T: Float, P: Problem<T, N>, const N: usize>(
     SVector::from_fn(|i, _| if sizes[i] > zero { sizes[i] } else { of_row(i) })
 }
 
-/// What was not finite first: a coordinate, else a row, else a correction.
+/// The first number that is not finite: in q, else in Φ, else in δ.
 #[cold]
 fn culprit<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
@@ -122,13 +123,13 @@ impl<T: Float> History<T> {
         Self { previous: None, curvature: None }
     }
 
-    /// θ = |δ| / |previous δ|, for a correction that follows one made in full.
+    /// θ = |δ| / |previous δ|, if the previous correction was applied in full.
     pub(crate) fn contraction(&self, length: T) -> Option<T> {
         self.previous.map(|previous| length / previous)
     }
 
-    /// ω, the relative change of Φ_q per unit of length, from θ ≈ ω/2 |previous δ|; from the contraction before this one if
-    /// there was one, because this one may be rounding already. Deuflhard: Newton Methods for Nonlinear Problems, 2.1.
+    /// ω, the relative change of Φ_q per unit of length, from θ ≈ ω/2 |previous δ|; the previous contraction is preferred, because
+    /// this one may be rounding already. Deuflhard: Newton Methods for Nonlinear Problems, 2.1.
     fn curvature(&self, length: T) -> Option<T> {
         self.curvature.or_else(|| self.curvature_seen(length))
     }
@@ -138,13 +139,13 @@ impl<T: Float> History<T> {
         self.previous.map(|previous| T::of(2.0) * length / (previous * previous))
     }
 
-    /// After a correction of this length, made in full or not.
+    /// After a correction of this length, applied in full or shortened.
     pub(crate) fn after(&self, length: T, in_full: bool) -> Self {
         let previous = in_full.then_some(length);
         Self { previous, curvature: self.curvature_seen(length) }
     }
 
-    /// Length of the last correction, if it was made in full.
+    /// Length of the last correction, if it was applied in full.
     pub(crate) fn last(&self) -> Option<T> {
         self.previous
     }

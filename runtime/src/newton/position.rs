@@ -1,4 +1,4 @@
-//! Solutions of Φ(q, t) = 0: the last correction, and whether there is exactly one solution here.
+//! Solutions of Φ(q, t) = 0: the last correction, and the test whether the solution is isolated.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -10,20 +10,20 @@ use crate::names::{CoordinateKind, Culprit};
 use crate::number::Float;
 use crate::number::order::{greater, smaller};
 
-/// The largest rounding error of an angle, in rad.
+/// Largest rounding error of an angle, in rad.
 const COARSEST_ANGLE: f64 = 1.0 / 64.0;
 
-/// Φ_q may change by this share of itself within the rounding errors of q; it is also the relative error of q̇ at worst. From 1 on
-/// another solution may be as near.
+/// Largest relative change of Φ_q within the rounding errors of q; it also bounds the relative error of q̇. From 1 on another
+/// solution may be as close.
 const LARGEST_CHANGE: f64 = 0.25;
 
-/// Rounding errors are looked for at these places, as multiples of the way to where another solution may be.
+/// Rounding errors are sampled at these distances, as multiples of the distance to a possible second solution.
 const PLACES: [f64; 4] = [0.5, 1.0, 1.9, 2.9];
 
-/// The furthest of them are at the cube root of ε.
+/// The largest sampling distance, times this factor, is at most ∛ε.
 const FAR_PLACES: f64 = 1.0 / 2.9;
 
-/// How much larger rounding errors may be than they are there.
+/// Factor by which rounding errors may exceed the sampled ones.
 const BEYOND_PLACES: f64 = 6.0;
 
 /// A solution of Φ(q, t) = 0.
@@ -38,19 +38,19 @@ pub(crate) struct Position<T, L, const N: usize> {
     pub(crate) iterations: usize,
 }
 
-/// Why there is no solution here.
+/// Why Newton's method from a rough guess failed.
 pub(crate) enum NewtonError<T, const N: usize> {
     /// The equations are not defined at an iterate.
     NotFinite(Culprit),
     /// The equations hold here, but Φ_q is singular.
     Singular(Iterate<T, N>),
-    /// No step from here, however short, comes nearer.
+    /// No step from here, however short, reduces the error.
     Stuck(Iterate<T, N>),
-    /// Corrections go on at this length.
+    /// The iteration did not converge; the last correction has this length.
     NoConvergence { correction: T, iterations: usize },
 }
 
-/// Makes the last correction, with the factors that velocities will use as well.
+/// Applies the last correction. The factors are those that velocities and accelerations use.
 pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
     step: NewtonStep<T, P::Factors, N>,
@@ -58,7 +58,7 @@ pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
 ) -> Result<Position<T, P::Factors, N>, NewtonError<T, N>> {
     let iterate = step.iterate.nudged(&step.correction, problem.needs_sin_cos());
     let condition = step.factors.condition(&problem.sizes(), &problem.scale().reciprocal);
-    // Sine and cosine say nothing of an angle whose own rounding is no small one.
+    // Sine and cosine are meaningless where the angle itself is rounded coarsely.
     let is_lost = |k: usize| problem.coordinate(k).kind == CoordinateKind::Angle && T::EPSILON * iterate.x[k].abs() > T::of(COARSEST_ANGLE);
     if let Some(k) = (0..N).find(|&k| is_lost(k)) {
         return Err(NewtonError::NoConvergence { correction: T::EPSILON * iterate.x[k].abs(), iterations });
@@ -71,11 +71,12 @@ pub(crate) fn accept<T: Float, P: Problem<T, N>, const N: usize>(
     }
 }
 
-/// Whether a solution with a large condition is one for itself: Φ_q changes by less than a quarter wherever rounding errors may have
-/// taken it (Newton and Kantorovich). Next to a fold it does not; where lengths differ by many orders of magnitude it does.
+/// Whether an ill-conditioned solution is isolated: Φ_q changes by less than a quarter within the rounding errors of q (Newton and
+/// Kantorovich). The test fails next to a fold, and passes where the condition is large only because lengths differ by many orders
+/// of magnitude.
 ///
 /// ```text
-/// v                                    what Φ_q nearly maps to zero, |v| = 1
+/// v approximate null vector of Φ_q, |v| = 1
 /// ω = |Φ_q⁻¹ (Φ_q(q + λ v) − Φ_q) v| / λ      so that another solution may be at q ± 2 v / ω
 /// r = Φ(q + w) − Φ − (Φ_q(q + w) + Φ_q) w / 2     rounding errors of Φ, at w of about v / ω
 /// ω (|Φ_q⁻¹ r| + ε |q|) ≤ 1/4
@@ -90,7 +91,7 @@ fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(
     let scale = problem.scale();
     let (phi, jacobian) = problem.linearize(iterate);
     let here = P::Factors::dense(&jacobian);
-    // Whatever is solved for with a nearly singular matrix lies along what it nearly maps to zero.
+    // A solution with a nearly singular matrix points along its approximate null vector.
     let mut share = T::of(0.382);
     let along = factors.solve(&SVector::from_fn(|k, _| {
         let row = (0..N).fold(T::of(0.0), |sum, column| greater(sum, here[(k, column)].abs() * scale.column[column]));
@@ -107,12 +108,12 @@ fn is_isolated<T: Float, P: Problem<T, N>, const N: usize>(
         let change = SVector::from_fn(|row, _| there[row] - here[row]);
         greater(largest, scale.norm(&factors.solve(&change)) / step.abs())
     });
-    // Up to the cube root of ε what Φ has of third order is below rounding. Sums whose terms hardly change are rounded alike near to q,
-    // and only further away it shows how.
+    // Up to ∛ε the third-order terms of Φ are below rounding. Close to q, sums of nearly constant terms all round the same way, so
+    // that only samples further away reveal the rounding error.
     let furthest = T::of(FAR_PLACES) * cube_root_of_epsilon();
     let reaches = [smaller(T::of(1.0) / curvature, furthest), furthest];
     let mut error = T::EPSILON * scale.norm(&iterate.x);
-    // Each is converted where it stands, before the machine runs: a loop over doubles would convert them then.
+    // Converted one by one at compile time; a loop over doubles would convert them at run time, which `f32` must not need.
     let [a, b, c, d] = PLACES;
     for multiple in [T::of(a), T::of(-a), T::of(b), T::of(-b), T::of(c), T::of(-c), T::of(d), T::of(-d)] {
         for reach in reaches {

@@ -1,4 +1,4 @@
-//! What Newton's method is run on: a square system with names.
+//! Square systems, with names, to which Newton's method is applied.
 
 use nalgebra::SVector;
 
@@ -16,13 +16,13 @@ pub(crate) trait Problem<T: Float, const K: usize> {
     /// Residuals and their Jacobian.
     fn linearize(&self, iterate: &Iterate<T, K>) -> Linearized<T, Self::Factors, K>;
 
-    /// Of which unknowns sine and cosine are needed.
+    /// Which unknowns occur in sines or cosines.
     fn needs_sin_cos(&self) -> &[bool; K];
 
     /// The size of each unknown.
     fn scale(&self) -> &Scale<T, K>;
 
-    /// What the rounding errors of each residual are a share of; 0 where the Jacobian tells.
+    /// The magnitude of the terms of each residual, to which its rounding errors are proportional; 0 to take it from the Jacobian.
     fn sizes(&self) -> SVector<T, K>;
 
     /// The name of a row.
@@ -37,7 +37,7 @@ pub(crate) trait Problem<T: Float, const K: usize> {
         Some(Culprit::Coordinate(self.coordinate(index)))
     }
 
-    /// Which row depends on the others here, and which unknown they leave free.
+    /// The row that depends on the others here, and the unknown that they leave undetermined.
     fn singular(&self, iterate: &Iterate<T, K>) -> Cause<T> {
         let (_, jacobian) = self.linearize(iterate);
         let (row, coordinate) = weakest(&Self::Factors::dense(&jacobian), &self.scale().column).unwrap_or((0, 0));
@@ -46,7 +46,7 @@ pub(crate) trait Problem<T: Float, const K: usize> {
         Cause::Singular { row: self.row(row), coordinate: self.coordinate(coordinate), condition }
     }
 
-    /// Which row stays open furthest here; None if all are closed.
+    /// The row with the largest gap here; None if all are closed.
     fn widest_gap(&self, iterate: &Iterate<T, K>) -> Option<Cause<T>> {
         let (phi, jacobian) = self.linearize(iterate);
         let jacobian = Self::Factors::dense(&jacobian);
@@ -63,7 +63,7 @@ pub(crate) trait Problem<T: Float, const K: usize> {
     }
 }
 
-/// A gap is no larger than its residual allows: at a dead point the gradient that it was divided by vanishes.
+/// Limits a gap to what its residual allows; at a dead point the gradient in the denominator vanishes.
 fn at_most<T: Float>(gap: T, residual: T, unit: &str, length: T) -> T {
     let residual = residual.abs();
     match unit {
@@ -75,21 +75,21 @@ fn at_most<T: Float>(gap: T, residual: T, unit: &str, length: T) -> T {
     }
 }
 
-/// A gap of √ε L times this is closed: at a dead point, where rounding errors in Φ move q by about √ε.
+/// Gaps up to this multiple of √ε L count as closed: at a dead point rounding errors in Φ move q by about √ε.
 const CLOSED: f64 = 16.0;
 
-/// Residuals and their Jacobian, in the form that is factored.
+/// Residuals and their Jacobian, in the form in which it is factored.
 pub(crate) type Linearized<T, L, const K: usize> = (SVector<T, K>, <L as Linear<T, K>>::Matrix);
 
-/// Residuals and their Jacobian at a place.
+/// Residuals and their Jacobian as a function of the iterate.
 pub(crate) type Evaluate<'b, T, L, const K: usize> = dyn Fn(&Iterate<T, K>) -> Linearized<T, L, K> + 'b;
 
-/// A block of a mechanism: some of its equations and unknowns, everything before them known.
+/// A block of a mechanism: some of its equations and unknowns; all previous blocks are solved.
 pub(crate) struct Part<'a, T, L: Linear<T, K>, const K: usize>
 where
     T: Float,
 {
-    /// Called through a pointer, so that what is done with it is compiled once and not for every block anew.
+    /// Called through a pointer, so that the algorithms are compiled once for each size and not for each block.
     pub(crate) evaluate: &'a Evaluate<'a, T, L, K>,
     pub(crate) block: &'a Block<K>,
     pub(crate) scale: Scale<T, K>,
@@ -107,7 +107,7 @@ pub struct Block<const K: usize> {
     pub equations: [usize; K],
     /// What the unknowns measure.
     pub kinds: [CoordinateKind; K],
-    /// Of which unknowns sine and cosine are needed.
+    /// Which unknowns occur in sines or cosines.
     pub needs_sin_cos: [bool; K],
 }
 

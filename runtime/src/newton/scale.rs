@@ -1,4 +1,4 @@
-//! Metres and radians on one scale: a length counts as its share of L, an angle as it is.
+//! Scaling of metres and radians: lengths are divided by L, angles are taken as they are.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -18,7 +18,7 @@ pub(crate) struct Scale<T, const N: usize> {
 }
 
 impl<T: Float, const N: usize> Scale<T, N> {
-    /// The scale of a mechanism; a characteristic length that is no length counts as 1 m.
+    /// The scale of a mechanism.
     pub(crate) fn of<E: Description<T, N> + ?Sized>(equations: &E) -> Self {
         Self::new(equations.characteristic_length(), E::COORDINATES)
     }
@@ -28,12 +28,12 @@ impl<T: Float, const N: usize> Scale<T, N> {
         Self::by_kind(length, T::of(1.0) / length, &core::array::from_fn(|i| names::coordinate(coordinates, i).kind))
     }
 
-    /// The greatest scaled entry, max(|δ_x| / L, |δ_φ|): NaN if one is, 0 if there is none.
+    /// The largest scaled entry, max(|δ_x| / L, |δ_φ|); NaN if an entry is, 0 if there is none.
     pub(crate) fn norm(&self, vector: &SVector<T, N>) -> T {
         vector.iter().zip(self.reciprocal.iter()).fold(T::of(0.0), |norm, (&entry, &reciprocal)| greater(norm, entry.abs() * reciprocal))
     }
 
-    /// How far row `row` is from being fulfilled, in m: |Φ_i| by the norm of its gradient, an angle counting L metres.
+    /// The gap of row `row` in m: |Φ_i| divided by the norm of its gradient, with angles weighted by L.
     pub(crate) fn gap(&self, row: usize, residual: T, jacobian: &SMatrix<T, N, N>) -> T {
         let squares = (0..N).fold(T::of(0.0), |sum, j| {
             let entry = jacobian.data.0[j].get(row).copied().unwrap_or(T::of(f64::NAN)) * self.column[j];
@@ -57,7 +57,7 @@ impl<T: SimdReal, const N: usize> Scale<T, N> {
     }
 }
 
-/// L; a characteristic length that is no length counts as 1 m.
+/// L in m; 1 m if the characteristic length is not a positive finite number.
 #[inline(always)]
 pub(crate) fn length_of<T: SimdReal>(length: T) -> T {
     let is_length = T::of(f64::from(f32::MIN_POSITIVE)).at_most(length).and(length.at_most(T::of(f64::from(f32::MAX))));

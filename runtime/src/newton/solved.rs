@@ -1,4 +1,4 @@
-//! A block that is solved, or why it is not.
+//! The result for one block: the unknowns and the factors of the Jacobian, or the reason why there is none.
 
 use nalgebra::SVector;
 
@@ -6,28 +6,28 @@ use crate::linear::Linear;
 use crate::names::{Cause, Culprit};
 use crate::number::{Float, SimdReal};
 
-/// Why a pass ended early.
+/// Why a block was not solved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StepError<T> {
-    /// A shorter step may do.
+    /// No solution was found close to the prediction; a shorter step may succeed.
     Far,
     /// A number is not finite.
     NotFinite(Culprit),
-    /// The equations do not hold anywhere near, or their Jacobian is singular.
+    /// No solution was found from the guess, or the Jacobian is singular there.
     Open(Cause<T>),
 }
 
-/// A block with its unknowns found.
+/// A solved block.
 pub struct Solved<T, L, const K: usize> {
     /// The unknowns, in m and rad.
     pub x: [T; K],
-    /// (sine, cosine) of those that turn.
+    /// (sine, cosine) of the unknowns that need them.
     pub sin_cos: [(T, T); K],
     pub(crate) factors: L,
 }
 
 impl<T: SimdReal, L: Linear<T, K>, const K: usize> Solved<T, L, K> {
-    /// The rates that the block's Jacobian maps to `b`, refined where that makes them better.
+    /// x with Φ_q x = `b`, with a step of iterative refinement where that improves it.
     #[inline(always)]
     pub fn solve(&self, b: [T; K]) -> [T; K] {
         self.factors.solve_refined(&SVector::from(b)).data.0[0]

@@ -1,4 +1,4 @@
-//! From a prediction to the solution that is surely on the same branch, or to none.
+//! Newton's method from a prediction to the solution on the same branch.
 
 use super::limits::{LARGEST_CONTRACTION, LONGEST_FIRST_CORRECTION};
 use super::newton_step::{History, NewtonStep};
@@ -8,10 +8,10 @@ use crate::linear::Linear;
 use crate::names::Culprit;
 use crate::number::{Float, Mask};
 
-/// Corrections of a predicted position; with that contraction, five reach rounding.
+/// Largest number of corrections; with the largest contraction allowed, five reach rounding.
 const FOLLOWING_ITERATIONS: usize = 12;
 
-/// Why a predicted position does not lead to one that is surely on the same branch.
+/// Why no solution on the same branch was found with certainty.
 pub(crate) enum TrackError {
     /// The equations are not defined at an iterate.
     NotFinite(Culprit),
@@ -21,10 +21,10 @@ pub(crate) enum TrackError {
     Far,
 }
 
-/// Newton's method from a prediction: full steps only, and none if the solution is far or convergence slow.
+/// Newton's method from a prediction, with full steps only. It gives up where the solution is far or convergence is slow.
 ///
-/// * `sign`: given, the orientation before. Where two branches cross, the one that goes straight on changes it, and so does the
-///   prediction: what is then found on the old side is another branch.
+/// * `sign`: given, the sign of the determinant at the previous state. Where two branches cross, the smooth continuation changes
+///   the sign, and so does the prediction: a solution with the old sign would lie on the other branch.
 pub(crate) fn track<T: Float, P: Problem<T, N>, const N: usize>(
     problem: &P,
     prediction: &Iterate<T, N>,

@@ -1,17 +1,17 @@
-//! A block straight on: from a prediction that is nearly right to the solution next to it, the usual case in a sweep.
+//! Warm start of a block: a predictor-corrector step from the previous state, the usual case in a sweep.
 //!
-//! In: what the last states tell. Out: the unknowns and the factors of the Jacobian there, or nothing, and then the step is done
-//! again from a cold start, which also knows why. There are no names and no failures here, and every comparison has
-//! an answer for each lane.
+//! In: the previous state and its extrapolation. Out: the unknowns and the factors of the Jacobian there, or nothing; the step is
+//! then repeated from a cold start, which also finds the cause. Nothing here reports a cause, and every comparison has one answer
+//! per lane.
 //!
 //! ```text
-//! x₀ = q + h q̇ + h² q̈ / 2 + e      e: what this leaves out, from the step before (Extrapolation)
+//! x₀ = q + h q̇ + h² q̈ / 2 + e e: estimate of the remainder, from the previous step (Extrapolation)
 //! A₀ δ = Φ(x₀)                      A₀ = Φ_q(x₀)
 //! x  = x₀ − δ                       the solution if |δ| ≤ √ε, for then |δ|² is below rounding
-//! A  η = Φ(x)                       and if |η|, which nothing waits for, is a rounding
+//! A η = Φ(x) and if |η| is a rounding error (no later result depends on η)
 //! ```
 //!
-//! A longer δ is made as well, and the next one is looked at.
+//! If δ is longer, it is applied as well and the next correction is judged.
 
 use nalgebra::SVector;
 
@@ -21,41 +21,42 @@ use crate::linear::Linear;
 use crate::number::{Mask, SimdReal};
 use crate::state::{Coordinates, State};
 
-/// A correction after the last may be this many times the first-order effect of one rounding of each term.
+/// The correction after the last one, η, may be this many times the first-order effect of one rounding in each term.
 const ROUNDINGS: f64 = 2.0;
 
-/// From this condition on the last correction has to be shorter than √ε: what its square leaves out would be felt otherwise, where the
-/// condition tells more than rounding does.
+/// From this condition on the last correction has to be shorter than √ε: its square, times the condition, would otherwise exceed
+/// rounding.
 const ILL: f64 = 256.0;
 
-/// Corrections, each of which squares the error: from 0.2 the fourth is below √ε, and more are a case for care.
+/// Largest number of corrections. Each squares the error: from 0.2 the fourth is below √ε. A step that needs more is left to a cold
+/// start.
 const MOST_CORRECTIONS: usize = 4;
 
-/// Of so few unknowns a step is a chain of results that each wait for the one before, and it is shorter by a tenth if sines and cosines of
-/// the predicted angles are turned on from those before; more unknowns keep a processor busy all the time, and the turns cost more.
+/// Up to this number of iterated unknowns a step is bound by latency, and rotating sines and cosines from those of the previous
+/// state makes it 10 % faster. With more unknowns it is bound by throughput, and recomputing them is faster.
 const SMALL: usize = 3;
 
-/// Where a pass sets out from, and how far it goes.
+/// The previous state and the step from it.
 pub(crate) struct Predictor<'a, T: SimdReal, const N: usize> {
     here: &'a State<T, N>,
     signs: &'a [T::Signs; N],
-    /// The lanes that set out.
+    /// The lanes that take part in the step.
     moving: T::Mask,
-    /// What q̇, q̈ and the rest of the trend are multiplied by.
+    /// Weights of q̇, q̈ and the stored remainder.
     weights: [T; 3],
-    /// There are so few unknowns that each result is waited for.
+    /// Whether there are so few unknowns that the step is bound by latency.
     is_small: bool,
 }
 
-/// What solving a block straight on needs to know of it.
+/// The data of a block that a warm start needs.
 pub(crate) struct BlockData<'a, T, const K: usize> {
     /// Indices of the unknowns in q.
     pub(crate) unknowns: &'a [usize; K],
-    /// Which unknowns turn.
+    /// Which unknowns occur in sines or cosines.
     pub(crate) needs_sin_cos: &'a [bool; K],
-    /// One over what counts as 1 in each unknown.
+    /// By unknown: 1/L for lengths, 1 for angles.
     pub(crate) reciprocal: &'a SVector<T, K>,
-    /// What rounding errors of Φ are a share of.
+    /// The magnitudes of the terms of Φ, to which rounding errors are proportional.
     pub(crate) sizes: &'a SVector<T, K>,
 }
 
@@ -66,19 +67,18 @@ pub(crate) struct BlockSolution<T: SimdReal, L, const K: usize> {
     pub(crate) condition: T,
     /// Number of factorisations.
     pub(crate) iterations: usize,
-    /// The lanes in which it is one.
+    /// The lanes in which the block was solved.
     pub(crate) found: T::Mask,
 }
 
 impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
-    /// From a state, whose signs of determinants are `signs`, to a moment h later, in the lanes that are `moving`, with this many
-    /// unknowns that are iterated.
+    /// From a state to a time `h` (s) later, in the lanes `moving`.
     #[inline(always)]
     pub(crate) fn new(here: &'a State<T, N>, signs: &'a [T::Signs; N], h: T, moving: T::Mask, iterated: usize) -> Self {
         Self { here, signs, moving, weights: here.extrapolation.weights(h), is_small: iterated <= SMALL }
     }
 
-    /// Where the unknowns `own` were, if they rested and the `inputs` rest where they did.
+    /// The previous values of the unknowns `own`, if they were at rest and the `inputs` are at rest and unchanged.
     #[inline]
     pub(crate) fn resting<const K: usize>(&self, found: &Coordinates<T, N>, inputs: &[usize], own: [usize; K]) -> Option<[T; K]> {
         let (here, zero) = (self.here, T::of(0.0));
@@ -87,7 +87,7 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
         (inputs.iter().all(rests) && own.iter().all(|&i| rested(i))).then(|| own.map(|i| here.q[i]))
     }
 
-    /// Predictions of these unknowns, and the scaled length of the way there.
+    /// The predicted unknowns, and the scaled length of the predicted change.
     #[inline(always)]
     fn predict<const K: usize>(&self, data: &BlockData<'_, T, K>) -> (SVector<T, K>, T) {
         let [first, second, rest] = self.weights;
@@ -97,14 +97,14 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
             let i = data.unknowns[k];
             let of = |vector: &SVector<T, N>| of(vector, i);
             let terms = [first * of(&self.here.qd), second * of(&self.here.qdd), rest * of(&self.here.extrapolation.rest)];
-            // q̈ comes last.
+            // The term with q̈ is added last: it is available last.
             x[k] = ((of(&self.here.q) + terms[2]) + terms[0]) + terms[1];
             way = way + (terms[0].abs() + terms[1].abs() + terms[2].abs()) * data.reciprocal[k];
         }
         (x, way)
     }
 
-    /// Solves a block whose orientation is kept at index `name`; None where no lane arrives.
+    /// Solves a block whose sign is stored at index `name`; None if no lane was solved.
     #[inline(always)]
     pub(crate) fn solve<L: Linear<T, K>, const K: usize>(
         &self,
@@ -126,7 +126,7 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
             iterations += 2;
             let (phi, jacobian) = evaluate(&iterate);
             let factors = L::factor(&jacobian).ok()?;
-            // Where two branches cross, the one that goes straight on changes its sign: the other is not followed instead.
+            // Where two branches cross, the smooth continuation changes the sign. A warm step does not switch to the other branch.
             follows = follows.and(T::same_signs(factors.det_sign(), sign));
             let correction = factors.solve_regular(&phi);
             let there = iterate.nudged_back(&correction, data.needs_sin_cos);
@@ -149,7 +149,7 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
                 let solution = BlockSolution { iterate: there, factors, condition, iterations, found };
                 return (!found.not().all()).then_some(solution);
             }
-            // Lanes that have arrived stand still: they come to the same again.
+            // Lanes that are solved keep their iterate, so that the next pass repeats the same result.
             follows = follows.and(found.or(length.at_most(longest)));
             iterate = further(iterate, correction, *data.needs_sin_cos).replaced(found, &iterate);
             longest = length * T::of(LARGEST_CONTRACTION);
@@ -157,8 +157,8 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
     }
 }
 
-/// Whether a correction of this length was the last, with `next` after it, where that shows not at once: the condition is large, or rounding
-/// errors of the unknowns themselves are felt.
+/// Whether a correction of this length was the last, followed by one of length `next`: the precise test, for a large condition or
+/// where rounding errors of the unknowns themselves matter.
 #[cold]
 #[inline(never)]
 fn is_found<T: SimdReal>(length: T, next: T, condition: T, effect: T) -> T::Mask {
@@ -173,7 +173,7 @@ fn of<T: SimdReal, const N: usize>(vector: &SVector<T, N>, unknown: usize) -> T 
     vector.data.0[0].get(unknown).copied().unwrap_or(T::of(f64::NAN))
 }
 
-/// After a correction that was not the last.
+/// Applies a correction that is not the last.
 #[cold]
 #[inline(never)]
 fn further<T: SimdReal, const K: usize>(iterate: Iterate<T, K>, correction: SVector<T, K>, needs_sin_cos: [bool; K]) -> Iterate<T, K> {

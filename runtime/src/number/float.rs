@@ -1,8 +1,8 @@
-//! Numbers that the Newton loop can compare.
+//! Scalar floating-point numbers.
 
 use super::{DetSign, SimdReal};
 
-/// A [`Real`](crate::Real) with an order, a rounding unit and a way into messages: `f64` and `f32`.
+/// A scalar [`SimdReal`] with an order and a conversion to `f64`: `f64` and `f32`.
 pub trait Float: SimdReal<Mask = bool, Signs = DetSign> + PartialOrd {
     /// 0
     const ZERO: Self;
@@ -10,7 +10,7 @@ pub trait Float: SimdReal<Mask = bool, Signs = DetSign> + PartialOrd {
     /// The nearest `f64`, for messages.
     fn to_f64(self) -> f64;
 
-    /// What tells it apart from all other numbers.
+    /// Its bit pattern.
     fn bits(self) -> u64;
 
     /// Neither infinite nor NaN.

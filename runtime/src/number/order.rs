@@ -1,4 +1,4 @@
-//! Comparisons that say what they do with NaN.
+//! Comparisons with a defined result for NaN.
 
 use super::Float;
 

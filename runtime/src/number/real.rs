@@ -1,19 +1,19 @@
-//! The number type of emitted code. In: nothing but arithmetic and the functions of the language.
-//! Not here: comparisons, which only the Newton loop needs ([`Float`](crate::Float)).
+//! The number type of emitted code: arithmetic and the functions of the language. Comparisons, which only the solver needs, are in
+//! [`SimdReal`](crate::SimdReal) and [`Float`](crate::Float).
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::{Table, single};
 
-/// A number over which emitted code is generic: `f64` and `f32`, and whatever else can do this arithmetic
-/// (SIMD lanes, dual numbers, intervals).
+/// A number over which emitted code is generic: `f64` and `f32`, and any other type with this arithmetic (SIMD registers, dual
+/// numbers, intervals).
 ///
 /// There are no comparison operators, because lanes and intervals have no single answer to a comparison.
 /// For `f64` every function is that of `libm`, for `f32` too but for sine, cosine, tangent and arc sine, which `libm` computes with
 /// doubles: so the bits are the same on every platform, and `f32` needs no double but for [`map`](Self::map).
 ///
-/// An angle is never wrapped, and its sine is that of the number that is stored. After many turns that number is a coarse one: at
+/// Angles are never wrapped; the sine of an angle is that of the stored number. After many turns stored numbers are coarse: at
 /// 10 000 turns neighbouring numbers are 7e-12 rad apart in `f64` and 4e-3 rad, a quarter of a degree, in `f32`.
 pub trait Real:
     Copy + Debug + PartialEq + 'static + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>

@@ -4,30 +4,30 @@ use core::fmt::Debug;
 
 use super::{DetSign, Real, sin_cos, single};
 
-/// The answer to a comparison, by lane.
+/// The result of a comparison, by lane.
 pub trait Mask: Copy + Debug {
-    /// The same answer in every lane.
+    /// The same value in every lane.
     fn of(answer: bool) -> Self;
 
-    /// Yes in every lane.
+    /// Whether it is true in every lane.
     fn all(self) -> bool;
 
-    /// Yes in both.
+    /// Logical and, by lane.
     #[must_use]
     fn and(self, other: Self) -> Self;
 
-    /// The other answer.
+    /// Logical not, by lane.
     #[must_use]
     fn not(self) -> Self;
 
-    /// Yes in one at least.
+    /// Logical or, by lane.
     #[must_use]
     fn or(self, other: Self) -> Self;
 }
 
-/// A [`Real`] with which a mechanism can be followed in time: `f64` and `f32`, which are one lane each, and numbers of several lanes.
+/// A [`Real`] with comparisons by lane: `f64` and `f32`, which have one lane each, and numbers of several lanes.
 pub trait SimdReal: Real {
-    /// What a comparison says.
+    /// The result of a comparison.
     type Mask: Mask;
 
     /// The signs of determinants.
@@ -36,28 +36,28 @@ pub trait SimdReal: Real {
     /// The difference between 1 and the next greater number.
     const EPSILON: Self;
 
-    /// √ε, the length of a correction after which the next one is about a rounding.
+    /// √ε: after a Newton correction of this length the next one is about a rounding error.
     const ROOT_EPSILON: Self;
 
-    /// Whether `self` ≤ `bound`; no where one of them is NaN.
+    /// `self` ≤ `bound`, by lane; false if one of them is NaN.
     fn at_most(self, bound: Self) -> Self::Mask;
 
-    /// `then` where the answer is yes, `otherwise` where it is no.
+    /// `then` in the lanes where `mask` is true, `otherwise` in the others.
     #[must_use]
     fn pick(mask: Self::Mask, then: Self, otherwise: Self) -> Self;
 
     /// The sign of each lane; zero counts as positive.
     fn signs(self) -> Self::Signs;
 
-    /// Where signs are the same.
+    /// The lanes in which the signs are equal.
     fn same_signs(a: Self::Signs, b: Self::Signs) -> Self::Mask;
 
-    /// (sine, cosine) with a relative error of 2 ε at most, for the loops of the solver, where speed counts and bits need not be the
-    /// same as those of [`sin_cos`](Real::sin_cos).
+    /// (sine, cosine) with a relative error of at most 2 ε, for the solver's loops: faster than [`sin_cos`](Real::sin_cos), and not
+    /// bit-identical to it.
     #[must_use]
     fn fast_sin_cos(self) -> (Self, Self);
 
-    /// (sine, cosine) of several angles, which may be computed side by side.
+    /// (sine, cosine) of several angles, possibly vectorised.
     #[inline(always)]
     #[must_use]
     fn fast_sin_cos_of_each<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {

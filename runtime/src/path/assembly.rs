@@ -1,12 +1,12 @@
-//! The first state: on the branch of the declared start, whatever the parameters.
+//! The first state, on the branch of the declared start, for any parameters.
 //!
-//! At the declared defaults the start is an assembled configuration. Parameters that differ are changed step by step on the
-//! straight way from the defaults, as time is in `continuation`: a step is accepted if in every block Newton's method has a short
-//! way and the determinant keeps its sign. How long a step may be has nothing to do with how long the whole way is: an offset of 1 m
-//! may be set to 1e10 m, and what it moves goes that far with it. So the last step tells where the next one leads (a secant), and
-//! a long one is accepted too if the solution is near to what was foretold, compared with the way there. Where the branch ends on the
-//! way, at a fold, there may still be an assembly of the same branch at the parameters themselves: it is taken if every determinant
-//! has the sign that it has at the defaults, and it is a failure to find only another.
+//! The declared start is assembled at the default parameters. Other parameters are reached by continuation along the straight line
+//! λ ↦ defaults + λ (parameters − defaults), as in `continuation` along time: a step is accepted if Newton's method needs only
+//! short corrections in every block and the determinants keep their signs. The length of a step is not tied to that of the whole
+//! line: an offset of 1 m may become 1e10 m, and whatever it moves goes as far. So the last step predicts the next one (a secant),
+//! and a long step is also accepted if the solution is close to the prediction, relative to the predicted change. Where the branch
+//! ends on the line, at a fold, the same branch may still exist at the parameters themselves: an assembly there is accepted if
+//! every determinant has the same sign as at the defaults; finding only another one is a failure.
 
 use nalgebra::SVector;
 
@@ -18,13 +18,14 @@ use crate::number::Float;
 use crate::solve::{ColdSolver, Stages};
 use crate::state::State;
 
-/// Steps from the defaults to the parameters, accepted or not.
+/// Largest number of steps from the defaults to the parameters, accepted or not.
 const MOST_STEPS: usize = 2000;
 
-/// How far from where it was foretold a solution may be: this share of the way there, or of L; and in rad.
+/// Largest distance between solution and prediction: of a length, as a fraction of the predicted change plus L; of an angle, in
+/// rad.
 const SURPRISE: f64 = 0.05;
 
-/// How far an angle may go in one step, in rad.
+/// Largest change of an angle in one step, in rad.
 const LONGEST_TURN: f64 = 0.8;
 
 /// Why there is no first state.
@@ -32,21 +33,21 @@ pub(crate) struct Unassembled<T, const N: usize> {
     pub(crate) cause: Cause<T>,
     /// Where the branch ends on the way from the declared defaults.
     pub(crate) end: Option<BranchEnd<T>>,
-    /// The last state on that way.
+    /// The last state on that line.
     pub(crate) last: Option<State<T, N>>,
 }
 
 /// The state at t = 0 on the branch of the declared start.
 ///
 /// # Errors
-/// Why there is none: at these parameters, or on the way to them.
+/// Why there is none, at these parameters or on the line to them.
 pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E) -> Result<State<T, N>, Unassembled<T, N>> {
     let zero = T::of(0.0);
     let near = |guess: &SVector<T, N>| assemble_near(equations, zero, guess);
     let alone = |cause| Unassembled { cause, end: None, last: None };
     let start = equations.start();
     let Some(defaults) = equations.interpolated(zero) else { return near(&start).map_err(alone) };
-    // Defaults may be placeholders that close nowhere; then the start is only a guess.
+    // The defaults may be placeholders that do not close; then the start is only a guess.
     let Ok(origin) = assemble_near(&defaults, zero, &defaults.start()) else { return near(&start).map_err(alone) };
     if equations.validate().is_err() {
         return near(&start).map_err(alone);
@@ -69,7 +70,7 @@ pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E)
     Err(Unassembled { cause, end, last: Some(here) })
 }
 
-/// The state at `t` (s) that Newton's method finds from a rough `guess` of q, of whatever branch.
+/// The state at `t` (s) that Newton's method finds from a rough `guess` of q, on any branch.
 ///
 /// # Errors
 /// Why there is none.
@@ -86,7 +87,7 @@ pub(crate) fn assemble_near<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     Ok(valid_state(equations, t, ColdSolver::from_guess(equations, &guess))?)
 }
 
-/// Of two loops that stay open the one that is nearer to closing; else the cause that was found before.
+/// Of two open loops the one with the smaller gap; else the first cause.
 fn less_open<T: Float>(before: Option<Cause<T>>, now: Cause<T>) -> Cause<T> {
     match (before, now) {
         (Some(Cause::DoesNotClose { gap: one, .. }), Cause::DoesNotClose { gap: two, .. }) if two < one => now,
@@ -95,8 +96,8 @@ fn less_open<T: Float>(before: Option<Cause<T>>, now: Cause<T>) -> Cause<T> {
     }
 }
 
-/// From the assembly at the defaults to that at the parameters, with the redundant joint that does not fit there, or to where the
-/// branch ends: the share of the way, and the last state.
+/// Follows the branch from the defaults. Returns the state at the parameters, with the redundant joint that does not fit there if
+/// there is one; or λ and the last state where the branch ends.
 #[allow(clippy::type_complexity)]
 fn follow<T: Float, E: Stages<T, N>, const N: usize>(
     equations: &E,
@@ -104,14 +105,14 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(
 ) -> Result<(State<T, N>, Option<Cause<T>>), (T, State<T, N>)> {
     let (zero, one) = (T::of(0.0), T::of(1.0));
     let (mut here, mut reached, mut step) = (origin.clone(), zero, one);
-    // What q changes by with the share of the way.
+    // dq/dλ, from the last step.
     let mut slope = SVector::from_element(zero);
     for _ in 0..MOST_STEPS {
         let next = if reached + step < one { reached + step } else { one };
         let between = if next < one { equations.interpolated(next) } else { None };
         let by = next - reached;
         match stride(between.as_ref().unwrap_or(equations), &here, &slope, by) {
-            // On the way redundant joints need not fit.
+            // Redundant joints need not fit between the defaults and the parameters.
             Ok((state, _)) if next < one => {
                 slope = SVector::from_fn(|i, _| (state.q[i] - here.q[i]) / by);
                 (here, reached, step) = (state, next, step + step);
@@ -119,7 +120,7 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(
             Ok(found) => return Ok(found),
             Err(_) => step = T::of(0.5) * by,
         }
-        // Rounding errors of the parameters move a fold by about as much; those of the defaults are less than any step is short.
+        // Rounding errors of the parameters move a fold by about this much; those of the defaults are smaller than any step.
         if step < T::ROOT_EPSILON * reached + T::EPSILON * T::EPSILON {
             break;
         }
@@ -127,7 +128,7 @@ fn follow<T: Float, E: Stages<T, N>, const N: usize>(
     Err((reached, here))
 }
 
-/// One step: from `here` to other parameters, to which the way is about `slope` times `by`.
+/// One step from `here` to other parameters, with the predicted change `slope` times `by`.
 fn stride<T: Float, E: Stages<T, N>, const N: usize>(
     equations: &E,
     here: &State<T, N>,
@@ -139,7 +140,7 @@ fn stride<T: Float, E: Stages<T, N>, const N: usize>(
     (slanted.qd, slanted.qdd) = (*slope, SVector::from_element(zero));
     let foretold = SVector::from_fn(|i, _| here.q[i] + slope[i] * by);
     match cold_state(equations, zero, ColdSolver::from_prediction(equations, &slanted, by)) {
-        // As near as that no other assembly of this branch's sign can be.
+        // No other assembly with the same sign can be this close.
         Ok(found) if is_as_foretold::<T, E, N>(equations, &here.q, &foretold, &found.0, T::of(LARGEST_LAPSE) / found.0.condition) => {
             Ok(found)
         }
@@ -156,7 +157,7 @@ fn stride<T: Float, E: Stages<T, N>, const N: usize>(
     }
 }
 
-/// Whether q is near to where it was foretold, compared with the way from where it was before.
+/// Whether q is close to its prediction, relative to the predicted change.
 fn is_as_foretold<T: Float, E: Stages<T, N>, const N: usize>(
     equations: &E,
     before: &SVector<T, N>,

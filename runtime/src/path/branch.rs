@@ -8,14 +8,15 @@ use crate::number::{Float, Mask};
 use crate::solve::{SolverReal, Stages};
 use crate::state::{Coordinates, State};
 
-/// How far an angle may be from its prediction, in rad.
+/// Largest distance of a computed angle from its prediction, in rad.
 const LARGEST_SURPRISE: f64 = 0.6;
 
-/// A state and the one that the state after it expects behind it may be this share of 1 / condition apart: about so far away may
-/// another assembly be.
+/// Largest distance between a state and its prediction backwards from the next state, as a fraction of 1 / condition: another
+/// assembly may be about 1 / condition away.
 pub(crate) const LARGEST_LAPSE: f64 = 0.2;
 
-/// Every computed angle came to where it was expected: a drive that goes on after a rest may turn anything in one long step.
+/// Whether every computed angle is close to its prediction. A drive that resumes after a dwell may turn by any angle in one long
+/// step.
 #[inline(always)]
 pub(super) fn is_resolved<T: SolverReal, const N: usize>(here: &State<T, N>, q: &SVector<T, N>, h: T, angles: &[usize]) -> T::Mask {
     let mut resolved = T::Mask::of(true);
@@ -28,7 +29,7 @@ pub(super) fn is_resolved<T: SolverReal, const N: usize>(here: &State<T, N>, q: 
     resolved
 }
 
-/// A step came to where it was expected, and from where it began.
+/// Whether a step stayed on the branch, seen forwards and backwards.
 pub(crate) fn is_same_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
     here: &State<T, N>,
@@ -42,7 +43,8 @@ pub(crate) fn is_same_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>
 /// Rounding errors of positions, as a multiple of ε times their condition.
 const ROUNDINGS: f64 = 4.0;
 
-/// The state after a step expects behind it, at q − h q̇ + h² q̈ / 2, the state before, as far as another assembly may be away.
+/// Whether the prediction backwards from the new state, q − h q̇ + h² q̈ / 2, meets the old state, to the distance at which another
+/// assembly may be.
 #[cold]
 #[inline(never)]
 pub(super) fn comes_from<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
@@ -54,20 +56,20 @@ pub(super) fn comes_from<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize
 ) -> T::Mask {
     let length = length_of(equations.characteristic_length());
     let condition = condition.max(here.condition);
-    // What rounding errors may make of two positions is no lapse.
+    // Rounding errors of the two positions are allowed for.
     let nearest = T::of(LARGEST_LAPSE) / condition + T::of(ROUNDINGS) * T::EPSILON * condition;
     let mut comes = T::Mask::of(true);
     for &i in E::ITERATED {
         let Some(coordinate) = E::COORDINATES.get(i) else { continue };
         let lapse = (there.q[i] - here.q[i]) - h * (there.qd[i] - T::of(0.5) * (h * there.qdd[i]));
-        // A length that is larger than L is measured by itself.
+        // A length larger than L is scaled by its own value.
         let size = if coordinate.kind == CoordinateKind::Length { length.max(here.q[i].abs()) } else { T::of(1.0) };
         comes = comes.and(lapse.abs().at_most(nearest * size));
     }
     comes
 }
 
-/// The coordinate in which two positions differ most.
+/// The jump between two positions, by the coordinate in which they differ most.
 pub(crate) fn jump<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
     from: &SVector<T, N>,

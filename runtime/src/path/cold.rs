@@ -11,7 +11,7 @@ use crate::state::{Coordinates, State, Values};
 /// A cold start through all stages, compiled once for each mechanism.
 ///
 /// # Errors
-/// Why it ended early.
+/// Why a block was not solved.
 #[inline(never)]
 pub(crate) fn solve_stages<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
@@ -21,7 +21,7 @@ pub(crate) fn solve_stages<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations.stages(t, &mut Solver::cold(solver))
 }
 
-/// The state at the end of a cold start, in which all equations hold.
+/// The state found by a cold start; all equations hold in it.
 ///
 /// # Errors
 /// Why there is none.
@@ -36,10 +36,10 @@ pub(crate) fn valid_state<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     }
 }
 
-/// A state, and why it is none if an equation that is checked does not hold in it.
+/// A state, and the redundant equation that does not hold in it, if there is one.
 pub(crate) type CheckedState<T, const N: usize> = (State<T, N>, Option<Cause<T>>);
 
-/// The state at the end of a cold start, and which of the equations that are not solved does not hold in it.
+/// The state found by a cold start, and the redundant equation that does not hold in it, if there is one.
 ///
 /// # Errors
 /// Why there is none.
@@ -63,7 +63,7 @@ pub(crate) fn cold_state<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
 /// The block nearest to singular at q.
 pub(crate) fn inspect<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, t: T, q: &SVector<T, N>) -> Option<Cause<T>> {
     let solver = ColdSolver::inspection(equations, q);
-    // Only the report is wanted, not the rates at the end.
+    // Only the report is needed, not the rates.
     let _ = solve_stages(equations, t, &solver);
     solver.report().worst
 }

@@ -1,10 +1,10 @@
-//! From one state to another along the branch. In: a state and a time. Out: the state then, reached by steps that are each short
-//! enough to be sure of the branch.
+//! Continuation in time along a branch. In: a state and a time. Out: the state at that time, reached by steps short enough to stay
+//! on the branch with certainty.
 //!
-//! A step is accepted if in every block the prediction does not go far, the solution is near it, Newton's method contracts well,
-//! and the determinant keeps its sign: assemblies that meet somewhere have different signs; if the new state, seen backwards, came from
-//! the old one: two assemblies of the same sign, one of which ended on the way, do not; and if computed angles came to where they were
-//! expected. Otherwise it is halved; after a success it is doubled.
+//! A step is accepted if in every block the predicted change is small, the solution is close to the prediction, Newton's method
+//! contracts well and the determinant keeps its sign (two assemblies that meet at a fold have opposite signs); if the prediction
+//! backwards from the new state meets the old one (this excludes another assembly of the same sign after the branch has ended); and
+//! if computed angles are close to their predictions. A rejected step is halved; after a success the step is doubled.
 
 use super::branch::is_same_branch;
 use super::cold::cold_state;
@@ -16,34 +16,35 @@ use crate::number::order::greater;
 use crate::solve::{ColdSolver, Stages};
 use crate::state::State;
 
-/// Steps of one continuation, accepted or not, by a mechanism of a few coordinates; more coordinates take fewer, in about the same time.
+/// Largest number of steps of one continuation, accepted or not, for a mechanism of a few coordinates. It decreases with the number
+/// of coordinates, so that the time stays about the same.
 const MOST_STEPS: usize = 1_000_000;
 
-/// The coordinates that take a tenth of them.
+/// With this many coordinates the limit is about a tenth.
 const MANY: usize = 90;
 
-/// Up to this share of ε^(−1/4) a condition says that a change point is not too near to look across.
+/// Up to this condition, as a fraction of ε^(−1/4), a state is far enough from a change point to estimate where that is.
 const CLEAR: f64 = 0.0625;
 
-/// The same where there are few digits.
+/// The least such limit, for single precision.
 const LEAST_CLEAR: f64 = 16.0;
 
-/// From this share of 1 / √ε on a condition may be that of the end of a branch.
+/// From this condition on, as a fraction of 1 / √ε, a state may be at the end of a branch.
 const NEARLY_SINGULAR: f64 = 1.0 / 64.0;
 
-/// A step that goes less far than this share of 1 / condition there, and fails, was the last.
+/// At the end of a branch: a step that fails and changes q by less than this fraction of 1 / condition is not halved again.
 const LEAST_WAY: f64 = 0.01;
 
-/// The shortest step, in roundings of the time it leads to.
+/// The shortest step, in roundings of time.
 const SHORTEST_STEP: f64 = 8.0;
 
-/// Why a continuation ended before it was there.
+/// Why a continuation ended early.
 pub(crate) enum Ended<T, const N: usize> {
     /// There is no state at this time with these parameters.
     Refused(Cause<T>),
     /// No step from `here` towards `next`, however short, stays on the branch.
     Lost { error: StepError<T>, here: State<T, N>, next: T },
-    /// So many steps were made, and the last one came to `here`.
+    /// The limit of steps was reached, at `here`.
     TooManySteps { steps: usize, here: State<T, N> },
 }
 
@@ -66,7 +67,8 @@ pub(crate) fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usiz
     if let Err(parameter) = equations.validate() {
         return Err(Ended::Refused(Cause::ParameterOutOfRange(parameter)));
     }
-    // A state of slightly other parameters is first put in order where it is; one of these parameters stays as it is.
+    // A state of slightly different parameters is first solved again at its own time; a state of these parameters does not change
+    // by that.
     let seated = cold_state(equations, state.t, ColdSolver::from_prediction(equations, state, T::of(0.0)));
     let mut here = seated.map_or_else(|_| state.clone(), |(seated, _)| seated);
     let mut waypoint = here.clone();
@@ -109,14 +111,14 @@ pub(crate) fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usiz
     Err(Ended::TooManySteps { steps: most, here })
 }
 
-/// This share of ε^(−1/4).
+/// This fraction of ε^(−1/4).
 fn largest_condition<T: Float>(share: f64) -> T {
     T::of(share) / T::ROOT_EPSILON.sqrt()
 }
 
-/// Halves a step; false if it cannot be any shorter: time, or what moves, would not change by a rounding of it.
+/// Halves a step; false if it cannot be shorter, because time or the coordinates would change by less than their rounding.
 ///
-/// * `whole`: given, s, how long the way takes of which it is a step.
+/// * `whole`: given, s, the whole time to be covered.
 fn halves<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, step: &mut T, next: T, here: &State<T, N>, whole: T) -> bool {
     *step = (next - here.t) * T::of(0.5);
     let (h, zero) = (*step, T::of(0.0));
@@ -124,7 +126,7 @@ fn halves<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, ste
     let length = length_of(equations.characteristic_length());
     let ways = || E::ITERATED.iter().filter(|i| **i < N).map(|&i| (i, (h * here.qd[i]).abs() + (h * h * here.qdd[i]).abs()));
     let size = |i: usize| if names::coordinate(E::COORDINATES, i).kind == CoordinateKind::Length { length } else { T::of(1.0) };
-    // Where a fold is so near, rounding errors make the least steps fail and succeed in turn.
+    // So close to a fold rounding errors let the shortest steps fail and succeed at random.
     let is_at_end = here.condition * T::ROOT_EPSILON > T::of(NEARLY_SINGULAR);
     let least = |i: usize| if is_at_end { T::of(LEAST_WAY) * size(i) / here.condition } else { T::EPSILON * (here.q[i].abs() + size(i)) };
     let moves = || ways().any(|(i, way)| way > least(i));

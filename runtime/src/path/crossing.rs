@@ -1,14 +1,15 @@
-//! Across a change point, where two branches cross. In: states before it. Out: the state behind it, or at it, on the branch that goes on
-//! smoothly.
+//! Passing a change point, where two branches cross. In: states before it. Out: the state behind it, or at it, on the smooth
+//! continuation of the branch.
 //!
 //! ```text
 //! κ = c / |t× − t|              condition on either side of the crossing at t×
 //! t× = t + (t − t₀) κ₀ / (κ − κ₀)
 //! ```
 //!
-//! Where two branches only come near to each other both turn away from a fold or from a bend, and to go straight on would be a jump. So the
-//! crossing is approached from both sides as closely as rounding allows, both ways must come to the same, and at the crossing itself no
-//! gap may be left: there the equations hold to a few roundings of their terms, corrected in every direction that they determine.
+//! Where two branches only come close to each other, both turn away, and passing straight on would be a jump from one to the other.
+//! So the crossing is approached from both sides as closely as rounding allows, both approaches must meet, and no gap may remain at
+//! the crossing itself: the equations must hold there to a few roundings of their terms, after correction in every direction that
+//! they determine.
 
 use nalgebra::SVector;
 
@@ -19,30 +20,32 @@ use crate::number::order::greater;
 use crate::solve::{ColdSolver, Stages};
 use crate::state::{State, Values};
 
-/// The least condition next to a crossing, as a share of 1 / √ε: two branches that do not meet are told apart before.
+/// The least condition next to a crossing, as a fraction of 1 / √ε; two branches that do not meet are distinguished at a smaller
+/// one.
 const CLOSE: f64 = 1.0 / 256.0;
 
-/// The same where there are few digits.
+/// The least such limit, for single precision.
 const LEAST_CLOSE: f64 = 64.0;
 
-/// Steps towards the crossing, each of half of what is left.
+/// Largest number of steps towards the crossing, each half of the remaining time.
 const MOST_STEPS: usize = 64;
 
-/// Between two states of this condition, one on either side, the motion is a polynomial, to as many digits as they have.
+/// Between two states of this condition (a fraction of ε^(−1/4)), one on either side, a polynomial of fifth degree is as accurate
+/// as the states.
 const STRAIGHT: f64 = 1.0 / 32.0;
 
-/// The same where there are few digits.
+/// The least such limit, for single precision.
 const LEAST_STRAIGHT: f64 = 16.0;
 
-/// So much further from the crossing than the last state that was found there are others again.
+/// Times within this multiple of the last state's distance from the crossing count as the crossing itself.
 const REACH: f64 = 4.0;
 
-/// The state behind a change point, no further from it than `waypoint`, on the branch that goes on smoothly; if `t` is the change point
-/// itself, the state there. None if no branch goes on.
+/// The state behind a change point, no further from it than `waypoint`, on the smooth continuation of the branch; if `t` is the
+/// change point itself, the state there. None if the branch has no smooth continuation.
 ///
 /// * `waypoint`: given, a state before the change point, well conditioned.
 /// * `here`: given, the last state before it.
-/// * `t`: given, s, where the motion is to go: at the change point, or behind it.
+/// * `t`: given, s, the time to be reached: at the change point, or behind it.
 pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
     waypoint: &State<T, N>,
@@ -58,7 +61,7 @@ pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     if !is_there && (t - crossing) * (crossing - waypoint.t) <= T::of(0.0) {
         return None;
     }
-    // From ever nearer places, until it is not too far across.
+    // From closer and closer to the crossing, until a step across it succeeds.
     let (mut before, mut beyond) = (waypoint.clone(), None);
     for _ in 0..MOST_STEPS {
         beyond = step(equations, &before, crossing + (crossing - before.t), true);
@@ -71,13 +74,13 @@ pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     let near = approach(equations, &before, crossing, close)?;
     let far = approach(equations, &beyond, crossing, close)?;
     let meets = step(equations, &near, far.t, true)?;
-    // Two crossings at once leave every sign as it was; then steps as usual go to places behind it.
+    // Two simultaneous crossings leave all signs unchanged; ordinary steps then reach states behind them.
     if meets.branch != far.branch || (far.branch == here.branch && !is_there) {
         return None;
     }
     let between = greater(T::of(STRAIGHT) / T::ROOT_EPSILON.sqrt(), T::of(LEAST_STRAIGHT));
     let [near, far] = [approach(equations, &before, crossing, between)?, approach(equations, &beyond, crossing, between)?];
-    // Between branches that only come near to each other there is no solution.
+    // Between branches that only come close there is no solution.
     let mut there = extrapolated(equations, near, far, crossing, if is_there { t } else { crossing })?;
     there.values.q = solve_stages(equations, there.values.t, &ColdSolver::at_crossing(equations, &there.values.q)).ok()?.q;
     if !is_there {
@@ -86,7 +89,8 @@ pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     Some(State { parameter_hash: equations.parameter_hash(), ..there })
 }
 
-/// The state at `t`, next to the crossing, by polynomials through states at ±h, ±2h and ±4h from it, as far as there are such states.
+/// The state at `t`, next to the crossing, by extrapolation of polynomials through states at ±h, ±2h and ±4h from it, as far as
+/// these states exist.
 ///
 /// ```text
 /// error of q and q̇:  a h⁶ + b h⁸ + …        (64 x_h − x_2h) / 63,    then (256 x_h − x_2h) / 255
@@ -119,7 +123,7 @@ fn extrapolated<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     Some(there)
 }
 
-/// x_h + s (x_h − x_2h), with one share s of q and q̇, and one of q̈.
+/// x_h + s (x_h − x_2h), with one weight s for q and q̇, and one for q̈.
 fn combined<T: Float, const N: usize>(mut fine: State<T, N>, coarse: &State<T, N>, [share, of_accelerations]: [T; 2]) -> State<T, N> {
     let of = |fine: &mut SVector<T, N>, coarse: &SVector<T, N>, share: T| {
         for (entry, other) in fine.iter_mut().zip(coarse.iter()) {
@@ -167,7 +171,7 @@ fn interpolated<T: Float, const N: usize>(near: &State<T, N>, far: &State<T, N>,
     State::solved(Values { t, q, qd, qdd, branch: far.branch, condition, iterations: far.iterations }, 0)
 }
 
-/// By steps of half of what is left, so close to the crossing that the condition is `close`.
+/// Approaches the crossing by steps of half of the remaining time, until the condition is `close`.
 fn approach<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
     from: &State<T, N>,
@@ -184,7 +188,7 @@ fn approach<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     None
 }
 
-/// One step, across the crossing or on this side of it, if it is surely on the same branch.
+/// One step, across the crossing or on this side of it, if it certainly stays on the branch.
 fn step<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
     here: &State<T, N>,

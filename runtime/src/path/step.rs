@@ -8,32 +8,32 @@ use crate::number::{Float, Mask};
 use crate::solve::{Solver, SolverReal, Stages, StepReport};
 use crate::state::{Coordinates, State, Step};
 
-/// One warm step, of those coordinates that may move; whether it was made.
+/// One warm step of the coordinates that may move; whether it succeeded.
 ///
-/// * `state`: given, a solved state; returned, the state at `t` (s) if the step was made, else as it was.
+/// * `state`: given, a solved state; returned, the state at `t` (s) if the step succeeded, else unchanged.
 #[inline]
 pub(crate) fn step<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, state: &mut State<T, N>, t: T) -> bool {
     equations.partial_step(state, t).unwrap_or_else(|| step_of_all(equations, state, t))
 }
 
-/// One step straight on; whether it was made.
+/// One warm step; whether it succeeded.
 ///
-/// A function of its own for each mechanism, so that its stages are compiled into it and their results never leave the registers.
+/// One function for each mechanism, so that its stages are inlined and their results stay in registers.
 #[inline(never)]
 fn step_of_all<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, state: &mut State<T, N>, t: T) -> bool {
     if state.parameter_hash != equations.parameter_hash() {
         return false;
     }
-    // Every block keeps its sign: the branch's name stays.
+    // Every block keeps its sign, so that the branch is unchanged.
     let signs = state.branch;
     step_lanes(equations, state, &signs, t, true)
 }
 
-/// One step straight on of those coordinates that move; whether it was made.
+/// One warm step of the moving coordinates only; whether it succeeded.
 ///
-/// * `part`: given, what moves, as a mechanism of its own.
-/// * `held`: given, the indices in q of its coordinates.
-/// * `parameter_hash`: given, of the parameters.
+/// * `part`: given, the moving part as a mechanism of its own.
+/// * `held`: given, the indices of its coordinates in q.
+/// * `parameter_hash`: given, the hash of the current parameters.
 #[doc(hidden)]
 pub fn step_in_part<T: Float, E: Stages<T, P>, const P: usize, const N: usize>(
     part: &E,
@@ -42,7 +42,7 @@ pub fn step_in_part<T: Float, E: Stages<T, P>, const P: usize, const N: usize>(
     parameter_hash: u64,
     t: T,
 ) -> bool {
-    // With other parameters what rested does not rest.
+    // With other parameters the part at rest has moved.
     if state.parameter_hash != parameter_hash {
         return false;
     }
@@ -54,9 +54,9 @@ pub fn step_in_part<T: Float, E: Stages<T, P>, const P: usize, const N: usize>(
     is_made
 }
 
-/// One step straight on, in the lanes that are `moving`; the lanes that made it. The state is then the one at `t` in these.
+/// One warm step in the lanes `moving`. Returns the lanes in which it succeeded; in these the state becomes that at `t`.
 ///
-/// * `signs`: given, the branch: by block, at the index of its first unknown.
+/// * `signs`: given, the signs of the determinants, each at the index of its block's first unknown.
 #[inline(always)]
 pub fn step_lanes<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
@@ -80,7 +80,7 @@ pub fn step_lanes<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
     }
 }
 
-/// Makes the step to where a pass has led, in the lanes in which it led anywhere; which they are.
+/// Updates the state from the result of a warm start, in the lanes in which the step is accepted; returns these lanes.
 #[inline(always)]
 fn make_step<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
     equations: &E,
@@ -93,12 +93,12 @@ fn make_step<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
     let h = t - state.t;
     let StepReport { found, condition, iterations } = report;
     let found = found.and(moving).and(is_resolved(state, &there.q, h, E::COMPUTED_ANGLES));
-    // In memory what is iterated is looked at once only; what lies in registers is put there when it is sure.
+    // Coordinates in memory are read only once; coordinates in registers are stored when the step is accepted.
     let accelerations = if E::IN_PLACE { state.extrapolate(h, found, there, E::ITERATED) } else { sum(&there.qdd, E::ITERATED) };
     let mut found = found.and(is_surely_finite(h + accelerations, there, E::MAY_BE_NON_FINITE));
-    // A prediction that was right to half of its digits comes from the same branch.
+    // A prediction that was right to half of its digits lies on the same branch; others are checked backwards.
     if iterations > ONE_CORRECTION {
-        // A copy, so that the usual case need not have it in memory.
+        // A copy, so that the usual case can keep the original in registers.
         let there = Coordinates { q: there.q, qd: there.qd, qdd: there.qdd };
         found = found.and(comes_from(equations, state, h, &there, condition));
     }
@@ -126,13 +126,13 @@ fn sum<T: SolverReal, const N: usize>(vector: &SVector<T, N>, indices: &[usize])
     sum
 }
 
-/// A sum is not finite if a term is not. Of rates the squares are looked at, which accelerations contain; what is iterated is finite, and
-/// so are its rates if its accelerations are.
+/// Whether all coordinates are finite: a sum is not finite if one of its terms is not. Rates enter by their squares, which
+/// accelerations contain. Iterated coordinates are finite, and their rates are if their accelerations are.
 ///
-/// * `sum`: given, the time that the step takes and the accelerations of what is iterated.
+/// * `sum`: given, the length of the step plus the accelerations of the iterated coordinates.
 #[inline(always)]
 fn is_surely_finite<T: SolverReal, const N: usize>(sum: T, there: &Coordinates<T, N>, indices: Option<&[usize]>) -> T::Mask {
-    // Three sums sign by sign, so that none has to wait long for the one before.
+    // Three independent sums, which shorten the chain of dependent additions.
     let mut sums = [sum, T::of(0.0), T::of(0.0)];
     let mut add = |i: usize| {
         sums[0] = sums[0] + there.q[i];
@@ -144,6 +144,6 @@ fn is_surely_finite<T: SolverReal, const N: usize>(sum: T, there: &Coordinates<T
         None => (0..N).for_each(add),
     }
     let sum = (sums[0] + sums[1]) + sums[2];
-    // Nothing is left of a number; ∞ and NaN stay NaN.
+    // 0 for a finite sum, NaN for ∞ and NaN.
     (T::of(0.0) * sum).at_most(T::of(0.0))
 }

@@ -9,7 +9,7 @@ use crate::newton::{self, Block, Iterate, Problem, Scale, StepError};
 use crate::number::Float;
 use crate::state::Coordinates;
 
-/// As many equations of a mechanism as it has coordinates, at one time.
+/// A square selection of a mechanism's equations at one time.
 struct Chosen<'a, E: ?Sized, T, const M: usize, const N: usize> {
     equations: &'a E,
     /// Their indices in Φ.
@@ -23,7 +23,7 @@ impl<T: Float, E: Equations<T, M, N> + ?Sized, const M: usize, const N: usize> P
 
     fn linearize(&self, iterate: &Iterate<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
         let (phi, jacobian) = self.equations.linearize(&iterate.x, self.t);
-        // A row that does not exist says nothing, and the matrix is singular.
+        // A row that does not exist is zero, and the matrix is singular.
         let is_row = |i: usize| self.rows[i] < M;
         let zero = T::of(0.0);
         (
@@ -56,7 +56,7 @@ impl<T: Float, E: Equations<T, M, N> + ?Sized, const M: usize, const N: usize> P
 /// All equations of a mechanism as one system.
 ///
 /// # Errors
-/// Why there is no solution near what the pass sets out from.
+/// Why it was not solved.
 pub fn at_once<T: SolverReal, E: Equations<T, N, N> + ?Sized, const N: usize>(
     equations: &E,
     t: T,
@@ -76,13 +76,13 @@ pub fn at_once<T: SolverReal, E: Equations<T, N, N> + ?Sized, const N: usize>(
     Ok(Coordinates { q, qd, qdd })
 }
 
-/// Up to this many coordinates a guess is improved with all equations as one dense system.
+/// Up to this many coordinates a guess is refined with all equations as one dense system.
 const LARGEST_WHOLE: usize = 48;
 
-/// A guess of q improved by Newton's method on all coordinates; the guess itself where that leads nowhere.
+/// A guess of q, refined by Newton's method on all coordinates; the guess itself if that fails.
 ///
-/// Taken all at once, equations share the error of the guess, and the assembly that is found is the one near it. Block by block,
-/// what is solved first pulls what comes after.
+/// Solved all at once, the equations share the error of the guess, and the assembly next to it is found. Solved block by block, the
+/// first blocks drag the later ones away from it.
 pub fn refined_guess_at_once<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
     equations: &E,
     t: T,
@@ -91,14 +91,14 @@ pub fn refined_guess_at_once<T: Float, E: Equations<T, N, N> + ?Sized, const N: 
     refined_guess_by_rows(equations, &core::array::from_fn(|row| row), t, guess)
 }
 
-/// The same where there are more equations than coordinates, of which those in `rows` are solved.
+/// The same for a mechanism with more equations than coordinates, of which those in `rows` are solved.
 pub fn refined_guess_by_rows<T: Float, E: Equations<T, M, N> + ?Sized, const M: usize, const N: usize>(
     equations: &E,
     rows: &[usize; N],
     t: T,
     guess: &SVector<T, N>,
 ) -> SVector<T, N> {
-    // A constant condition: for large N the dense system is not even compiled.
+    // A constant condition, so that for large N the dense system is not compiled at all.
     if const { N > LARGEST_WHOLE } {
         return *guess;
     }

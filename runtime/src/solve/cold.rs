@@ -1,6 +1,7 @@
-//! A block with care: from a guess or from a prediction that may be bad, to a solution, or to the reason why there is none.
+//! Cold start: globalised Newton for one block, from a rough guess or an unreliable prediction. It returns the solution or the
+//! cause of failure.
 //!
-//! Seldom run, so it is compiled once for each size of block and takes the equations through a pointer.
+//! It runs seldom, so that it is compiled once for each size of block and calls the equations through a pointer.
 
 use core::cell::Cell;
 
@@ -176,17 +177,17 @@ impl<T: Float, const N: usize> ColdStart<T, N> for ColdSolver<'_, T, N> {
     }
 }
 
-/// Corrections of a position between two crossing branches: in the directions in which it is corrected it is right to half of its
-/// digits.
+/// Number of corrections of a position between two crossing branches; half of its digits are already right in the directions that
+/// are corrected.
 const SETTLING: usize = 2;
 
-/// At a crossing residuals are so many roundings of their terms; where two branches only come near to each other, there is a gap.
+/// At a crossing residuals are at most this many roundings of their terms; where two branches only come close, a gap remains.
 const GAP: f64 = 8.0;
 
-/// A place at which the equations hold to rounding, whatever is determined of it being corrected.
+/// An iterate at which the equations hold to rounding, corrected in the directions that they determine.
 ///
 /// # Errors
-/// If they do not.
+/// If a gap remains.
 fn settled<T: Float, P: Problem<T, K>, const K: usize>(problem: &P, mut iterate: Iterate<T, K>) -> Result<Iterate<T, K>, StepError<T>> {
     let column = &problem.scale().column;
     for _ in 0..SETTLING {
@@ -203,7 +204,7 @@ fn settled<T: Float, P: Problem<T, K>, const K: usize>(problem: &P, mut iterate:
     if holds { Ok(iterate) } else { Err(StepError::Far) }
 }
 
-/// A length that has become larger than L is measured by itself.
+/// A length larger than L is scaled by its own value.
 fn grown<T: Float, const K: usize, const N: usize>(mut scale: Scale<T, K>, block: &Block<K>, q: &SVector<T, N>) -> Scale<T, K> {
     for k in 0..K {
         let size = of(q, block.unknowns[k]).abs();
@@ -214,7 +215,7 @@ fn grown<T: Float, const K: usize, const N: usize>(mut scale: Scale<T, K>, block
     scale
 }
 
-/// From q + h q̇ + h² q̈ / 2 to the solution next to it.
+/// Tracks from the prediction q + h q̇ + h² q̈ / 2.
 fn follow<T: Float, P: Problem<T, K>, const K: usize, const N: usize>(
     problem: &P,
     here: &State<T, N>,
@@ -230,7 +231,7 @@ fn follow<T: Float, P: Problem<T, K>, const K: usize, const N: usize>(
         x[k] = of(&here.q, i) + (first + second);
         way[k] = first.abs() + second.abs();
     }
-    // Angles repeat: a prediction that goes far may come to the solution of another turn.
+    // Angles are periodic: a long prediction may lead to the solution a whole turn away.
     if problem.scale().norm(&way) > T::of(LONGEST_PREDICTION) {
         return Err(StepError::Far);
     }
@@ -242,7 +243,7 @@ fn of<T: Float, const N: usize>(vector: &SVector<T, N>, unknown: usize) -> T {
     vector.get(unknown).copied().unwrap_or(T::of(f64::NAN))
 }
 
-/// Why a block could not be closed.
+/// Why a block was not solved from a guess.
 fn open<T: Float, P: Problem<T, K>, const K: usize>(problem: &P, error: NewtonError<T, K>) -> StepError<T> {
     match error {
         NewtonError::NotFinite(of) => StepError::NotFinite(of),

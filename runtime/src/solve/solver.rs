@@ -1,4 +1,4 @@
-//! One pass through the stages of a mechanism: what its blocks are solved from, and what that leaves behind.
+//! The solver that stages call for each block: a warm start from the previous state, or a cold start.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -9,10 +9,10 @@ use crate::newton::{Block, BlockData, Iterate, Linearized, Predictor, Scale, Sol
 use crate::number::{Mask, SimdReal};
 use crate::state::Coordinates;
 
-/// One pass through the stages of a mechanism.
+/// Solves the blocks of one evaluation of [`Stages`](crate::solve::Stages), in order.
 ///
-/// What is needed for care lies elsewhere, so that a pass straight on can stay in registers, and of the two ways through a block
-/// rustc compiles only the one that is gone.
+/// The data of a cold start lies elsewhere, so that a warm start stays in registers, and rustc compiles only the branch that is
+/// taken.
 pub struct Solver<'a, T: SolverReal, const N: usize>(Method<'a, T, N>);
 
 /// How blocks are solved.
@@ -21,7 +21,7 @@ enum Method<'a, T: SolverReal, const N: usize> {
     ColdStart(&'a T::Cold<'a, N>),
 }
 
-/// A pass straight on, the usual case.
+/// A warm start, the usual case.
 struct WarmStart<'a, T: SolverReal, const N: usize> {
     predictor: Predictor<'a, T, N>,
     /// L and 1/L.
@@ -30,24 +30,24 @@ struct WarmStart<'a, T: SolverReal, const N: usize> {
     report: StepReport<T>,
 }
 
-/// What a pass straight on leaves behind.
+/// The result of a warm start.
 #[derive(Clone, Copy)]
 pub(crate) struct StepReport<T: SolverReal> {
     /// The lanes in which all blocks were solved.
     pub(crate) found: T::Mask,
-    /// The worst condition of a block.
+    /// The largest condition of a block.
     pub(crate) condition: T,
-    /// The most factorisations of a block.
+    /// The largest number of factorisations of a block.
     pub(crate) iterations: usize,
 }
 
-/// An equation that follows from others holds if its residual is at most this many roundings of its terms, and of what its coordinates
-/// are a share of, times the condition of the blocks before it. Errors of some blocks one after the other have room in that, and
-/// what is felt in a machine has not: some 1e-13 of its size in double precision, at a condition of 1.
+/// A redundant equation holds if its residual is at most this many roundings of its terms and of the scales of its coordinates,
+/// times the condition of the previous blocks. The bound covers the accumulated errors of several blocks, and is far below any real
+/// misfit: about 1e-13 of the size of the mechanism in double precision at a condition of 1.
 pub(crate) const HOLDS: f64 = 64.0;
 
 impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
-    /// From a state to a moment later, straight on.
+    /// A warm start from a previous state.
     #[inline(always)]
     pub(crate) fn warm<E: Description<T, N> + ?Sized>(equations: &E, predictor: Predictor<'a, T, N>) -> Self {
         let (length, reciprocal) = lengths_of(equations);
@@ -55,13 +55,13 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
         Self(Method::WarmStart(WarmStart { predictor, length, reciprocal, report }))
     }
 
-    /// With care.
+    /// A cold start.
     #[inline(always)]
     pub(crate) fn cold(cold: &'a T::Cold<'a, N>) -> Self {
         Self(Method::ColdStart(cold))
     }
 
-    /// What a pass straight on leaves behind.
+    /// The result of a warm start.
     #[inline(always)]
     pub(crate) fn report(&self) -> Option<StepReport<T>> {
         if let Method::WarmStart(warm) = &self.0 { Some(warm.report) } else { None }
@@ -76,14 +76,15 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
         }
     }
 
-    /// It begins with nothing; a pass straight on writes over the state before, in which constants are what they always are.
+    /// True on a cold start, which must write every entry. A warm start overwrites the previous state in place, where constants are
+    /// already right.
     #[inline(always)]
     pub fn is_cold_start(&self) -> bool {
         matches!(self.0, Method::ColdStart(_))
     }
 
-    /// Where unknowns of a block are if nothing moves it: where they were, if they rested and so did and do all `inputs`. None if
-    /// it has to be solved.
+    /// The unknowns `own` of a block at rest: their previous values, if they and all `inputs` were and are at rest. None if the
+    /// block must be solved.
     #[inline]
     pub fn resting<const K: usize>(&self, found: &Coordinates<T, N>, inputs: &[usize], own: [usize; K]) -> Option<[T; K]> {
         match &self.0 {
@@ -94,11 +95,11 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
 
     /// Solves a block of one to three unknowns: in closed form.
     ///
-    /// `evaluate` gives residuals and their Jacobian, everything before the block known; rounding errors of the residuals are a
-    /// share of `sizes`.
+    /// `evaluate` returns residuals and their Jacobian, with all previous blocks solved; rounding errors of the residuals are
+    /// proportional to `sizes`.
     ///
     /// # Errors
-    /// Why the block has no solution near.
+    /// Why the block was not solved.
     #[inline(always)]
     pub fn small<const K: usize>(
         &mut self,
@@ -112,7 +113,7 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
     /// Solves a larger block: by a pivoted factorisation.
     ///
     /// # Errors
-    /// Why the block has no solution near.
+    /// Why the block was not solved.
     pub fn large<const K: usize>(
         &mut self,
         block: &Block<K>,
@@ -122,11 +123,12 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
         self.block(block, sizes, |iterate| dense(evaluate(iterate)))
     }
 
-    /// Solves a larger block of whose Jacobian `evaluate` gives the entries that are not always zero, in the order of the
-    /// elimination's pattern: by elimination in its order, and where that meets a small pivot by a pivoted factorisation.
+    /// Solves a larger block with a sparse Jacobian: by elimination in a fixed order, or by a pivoted factorisation where that
+    /// order meets a small pivot. `evaluate` returns the entries that are not identically zero, in the order of the elimination's
+    /// pattern.
     ///
     /// # Errors
-    /// Why the block has no solution near.
+    /// Why the block was not solved.
     #[inline]
     pub fn sparse<E: Elimination<T, K, ENTRIES, FACTORS>, const K: usize, const ENTRIES: usize, const FACTORS: usize>(
         &mut self,
@@ -135,7 +137,7 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
         sizes: [T; K],
         evaluate: impl Fn(&Iterate<T, K>) -> ([T; K], [T; ENTRIES]),
     ) -> Result<Solved<T, Sparse<T, E, K, ENTRIES, FACTORS>, K>, StepError<T>> {
-        // Of the elimination only the type is needed.
+        // Only the type of the elimination is needed.
         let _ = elimination;
         let (length, reciprocal) = self.lengths();
         let columns = Scale::by_kind(length, reciprocal, &block.kinds).column.data.0[0];
@@ -145,11 +147,11 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
         })
     }
 
-    /// Takes note of the residual of an equation that is not solved since it follows from others.
+    /// Verifies a redundant equation, which is not solved because it follows from others.
     ///
     /// * `row`: given, its index in Φ.
-    /// * `terms`, `lengths`, `angles`: given, the magnitude of its terms, and its slope by lengths and by angles: it shows their errors
-    ///   too, which are a share of L and of 1.
+    /// * `terms`, `lengths`, `angles`: given, the magnitude of its terms, and its slopes by lengths and by angles, whose errors are
+    ///   proportional to L and to 1.
     #[inline(always)]
     pub fn check(&mut self, row: usize, residual: T, [terms, lengths, angles]: [T; 3]) {
         let size = terms + self.lengths().0 * lengths + angles;

@@ -1,4 +1,4 @@
-//! How a mechanism is solved: stage by stage, or all at once.
+//! The stages of a mechanism's solution, which emitted code implements.
 
 use nalgebra::SVector;
 
@@ -8,21 +8,21 @@ use crate::newton::StepError;
 use crate::number::Float;
 use crate::state::{Coordinates, State};
 
-/// The way a mechanism is solved: block by block in emitted code. What is written by hand can have [`at_once`].
+/// The solution of a mechanism, stage by stage. Emitted code implements it block by block; hand-written mechanisms can call
+/// [`at_once`].
 pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
-    /// The angles that are computed rather than iterated. Those that are iterated never go far in one step; of these it is checked
-    /// that they came to where they were expected.
+    /// Angles that are computed rather than iterated. Iterated angles never change much in one step; computed angles are compared
+    /// with their prediction after each step.
     const COMPUTED_ANGLES: &'static [usize] = &[];
 
-    /// The unknowns that are iterated, of which a prediction is needed.
+    /// Unknowns that are iterated and therefore predicted.
     const ITERATED: &'static [usize] = &ALL;
 
-    /// The unknowns that may be found to be no finite numbers, or to have no finite rates, if the pass says that all went well; None if
-    /// any may.
+    /// Coordinates that must be tested for NaN and infinity even after a successful step; None for all.
     const MAY_BE_NON_FINITE: Option<&'static [usize]> = None;
 
-    /// The mechanism with parameters that are this share of the way from their declared defaults, for which
-    /// [`start`](Description::start) is assembled, to these. None if they are the defaults, or have none.
+    /// The mechanism with parameters interpolated between the declared defaults (λ = 0), for which [`start`](Description::start) is
+    /// assembled, and these (λ = 1). None if there are no parameters, or they are the defaults.
     fn interpolated(&self, lambda: T) -> Option<Self>
     where
         Self: Sized,
@@ -31,7 +31,7 @@ pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
         None
     }
 
-    /// A rough guess of q (m, rad) at time `t` (s), made better if there is a way.
+    /// A rough guess of q (m, rad) at time `t` (s), refined if the mechanism has a method for it.
     fn refined_guess(&self, t: T, guess: &SVector<T, N>) -> SVector<T, N>
     where
         T: Float,
@@ -40,7 +40,7 @@ pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
         *guess
     }
 
-    /// Tells sets of parameters apart; 0 where nothing is left as it was in the state before, so that it does not matter.
+    /// A hash of the parameters; 0 for mechanisms that keep nothing from the previous state and need none.
     #[doc(hidden)]
     fn parameter_hash(&self) -> u64
     where
@@ -49,9 +49,10 @@ pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
         0
     }
 
-    /// A warm step of those coordinates that move, where the others rest; whether it was made. None if all may move.
+    /// A warm step of the moving coordinates of a mechanism that is partly at rest; whether it succeeded. None if all coordinates
+    /// may move.
     ///
-    /// * `state`: given, the state to start from; returned, the state at `t` if the step was made, else as it was.
+    /// * `state`: given, the previous state; returned, the state at `t` if the step succeeded, else unchanged.
     #[doc(hidden)]
     #[inline]
     fn partial_step(&self, state: &mut State<T, N>, t: T) -> Option<bool>
@@ -65,19 +66,19 @@ pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
     /// q, q̇ and q̈ at time `t` (s).
     ///
     /// # Errors
-    /// Why there are none near what the pass sets out from.
+    /// Why a block was not solved.
     fn stages(&self, t: T, solver: &mut Solver<'_, T, N>) -> Result<Coordinates<T, N>, StepError<T>>;
 
-    /// There are so many coordinates that they are better written in place than copied.
+    /// Whether there are so many coordinates that writing them in place is faster than copying.
     #[doc(hidden)]
     const IN_PLACE: bool = false;
 
-    /// The same in place.
+    /// q, q̇ and q̈ at time `t` (s), written in place.
     ///
-    /// * `found`: given, anything if the pass [starts anew](Solver::is_cold_start), else the state it sets out from; returned, q, q̇ and q̈.
+    /// * `found`: given, the previous state, or anything on a [cold start](Solver::is_cold_start); returned, q, q̇ and q̈.
     ///
     /// # Errors
-    /// Why there are none near what the pass sets out from.
+    /// Why a block was not solved.
     #[doc(hidden)]
     #[inline(always)]
     fn stages_in_place(&self, t: T, solver: &mut Solver<'_, T, N>, found: &mut Coordinates<T, N>) -> Result<(), StepError<T>> {
@@ -86,7 +87,7 @@ pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
     }
 }
 
-/// The first indices there are; those beyond the number of coordinates are passed over.
+/// The first indices; those beyond the number of coordinates are skipped.
 static ALL: [usize; MOST] = {
     let mut indices = [0; MOST];
     let mut index = 0;
@@ -97,10 +98,10 @@ static ALL: [usize; MOST] = {
     indices
 };
 
-/// Of a mechanism written by hand, as many unknowns as this get a better prediction.
+/// In a hand-written mechanism this many unknowns get an extrapolated prediction.
 const MOST: usize = 256;
 
-/// Tells sets of parameters apart by all of their bits (the hash of Fowler, Noll and Vo, by words); not 0.
+/// A hash of all bits of the parameters (Fowler, Noll and Vo, by words); never 0.
 #[doc(hidden)]
 pub fn parameter_hash<T: Float>(parameters: &[T]) -> u64 {
     let hash = parameters.iter().fold(0xcbf2_9ce4_8422_2325_u64, |hash, parameter| {

@@ -1,4 +1,4 @@
-//! q, q̇ and q̈ on their way into a state.
+//! q, q̇ and q̈ of one evaluation, before they become a state.
 
 use nalgebra::SVector;
 
@@ -23,7 +23,7 @@ impl<T: Real, const N: usize> Coordinates<T, N> {
         Self { q: zero, qd: zero, qdd: zero }
     }
 
-    /// Those of a state.
+    /// The coordinates of a state.
     #[inline(always)]
     pub(crate) fn of(state: &State<T, N>) -> Self {
         Self { q: state.q, qd: state.qd, qdd: state.qdd }

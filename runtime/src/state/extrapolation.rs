@@ -1,24 +1,24 @@
-//! What the last step tells about the next one.
+//! Extrapolation from the last step to the next.
 
 use nalgebra::SVector;
 
 use super::{Coordinates, State};
 use crate::number::{Real, SimdReal};
 
-/// What the step to a state tells about the next, beyond the state itself: a help for predictions, and no part of what the state is,
-/// so that all of them are equal.
+/// The remainder of a quadratic prediction, estimated from the last step. It only improves predictions and is not part of the
+/// state's value, so that all extrapolations compare equal.
 ///
 /// ```text
-/// e = 31 (q − q₀) − s (17 q̇ + 14 q̇₀) + s² (7 q̈ / 2 − 2 q̈₀)      s: length of the step, from q₀, q̇₀, q̈₀
+/// e = 31 (q − q₀) − s (17 q̇ + 14 q̇₀) + s² (7 q̈ / 2 − 2 q̈₀) s: length of the last step, which began at q₀, q̇₀, q̈₀
 /// ```
 ///
-/// is what q + s q̇ + s² q̈ / 2 leaves out one such step further on, by the polynomial of fifth degree through both states, their
-/// rates and their accelerations; it is wrong by s⁶ / 90 times the sixth derivative.
+/// is the remainder of q + s q̇ + s² q̈ / 2 after another step of the same length, by the polynomial of fifth degree through both
+/// states with their rates and accelerations. Its error is s⁶ / 90 times the sixth derivative.
 #[derive(Clone, Debug)]
 pub(crate) struct Extrapolation<T, const N: usize> {
-    /// s, in s; 0 if there was no step.
+    /// s, in seconds; 0 if there was no step.
     pub(crate) span: T,
-    /// e but for the term with q̈, in m and rad.
+    /// e without the term in q̈, in m and rad.
     pub(crate) rest: SVector<T, N>,
 }
 
@@ -29,15 +29,15 @@ impl<T, const N: usize> PartialEq for Extrapolation<T, N> {
 }
 
 impl<T: Real, const N: usize> Extrapolation<T, N> {
-    /// Nothing is known.
+    /// No previous step.
     pub(crate) fn none() -> Self {
         Self { span: T::of(0.0), rest: SVector::from_element(T::of(0.0)) }
     }
 }
 
 impl<T: SimdReal, const N: usize> Extrapolation<T, N> {
-    /// What q̇, q̈ and `rest` are multiplied by in a step of length `h`: e counts with the cube of the quotient of the lengths, and not
-    /// at all where the step is more than twice as long, as far as one cannot see.
+    /// The weights of q̇, q̈ and `rest` in a prediction over `h` (s). e is scaled by (h/s)³, and dropped when the step more than
+    /// doubles.
     #[inline(always)]
     pub(crate) fn weights(&self, h: T) -> [T; 3] {
         let quotient = h / self.span;
@@ -47,8 +47,8 @@ impl<T: SimdReal, const N: usize> Extrapolation<T, N> {
 }
 
 impl<T: SimdReal, const N: usize> State<T, N> {
-    /// Takes note of what a step of `h` (s) tells about the next, in the lanes in which it was found; the sum of the accelerations of
-    /// the `iterated` unknowns.
+    /// Stores the extrapolation of a step of `h` (s), in the lanes `found`; returns the sum of the accelerations of the `iterated`
+    /// unknowns.
     #[inline(always)]
     pub(crate) fn extrapolate(&mut self, h: T, found: T::Mask, there: &Coordinates<T, N>, iterated: &[usize]) -> T {
         let twice = T::of(2.0) * (h * h);
@@ -64,7 +64,7 @@ impl<T: SimdReal, const N: usize> State<T, N> {
         sum
     }
 
-    /// Nothing is known any more in the lanes in which a step was not found.
+    /// Discards the extrapolation in the lanes in which the step failed.
     #[cold]
     pub(crate) fn forget_extrapolation(&mut self, found: T::Mask) {
         self.extrapolation.span = T::pick(found, self.extrapolation.span, T::of(0.0));

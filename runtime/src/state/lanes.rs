@@ -1,10 +1,10 @@
-//! States of several lanes, and those of each lane.
+//! Conversions between a state of several lanes and the states of single lanes.
 
 use super::{Extrapolation, State, Values};
 use crate::number::{DetSign, Real};
 
 impl<T: Real, const N: usize> State<T, N> {
-    /// The state over another number type, number by number, on this branch. It is not taken for solved.
+    /// The state over another number type, converted number by number, on the given branch. It counts as not solved.
     #[doc(hidden)]
     #[must_use]
     pub fn map<U: Real>(&self, of: impl Fn(T) -> U, branch: [DetSign; N]) -> State<U, N> {
@@ -22,7 +22,8 @@ impl<T: Real, const N: usize> State<T, N> {
         State { values, parameter_hash: 0, extrapolation: extrapolation }
     }
 
-    /// Merges another state into this one, number by number; the branch stays as it is, of both iterations the larger number counts.
+    /// Merges another state into this one, number by number. The branch is kept; of the two numbers of iterations the larger one is
+    /// taken.
     #[doc(hidden)]
     pub fn merge<U: Real>(&mut self, other: &State<U, N>, merge: impl Fn(&mut T, U)) {
         let State { values: Values { t, q, qd, qdd, condition, iterations, .. }, extrapolation, .. } = self;

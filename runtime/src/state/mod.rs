@@ -19,17 +19,17 @@ pub(crate) use step::Step;
 
 /// Position, velocity and acceleration of a mechanism at one instant.
 ///
-/// Its fields are those of [`Values`]: `state.q`, `state.t` and so on. They may be written to, and what was written is where the next
-/// step sets out from; but nothing of such a state is taken for solved any more.
+/// Its fields are those of [`Values`]: `state.q`, `state.t` and so on. They may be written to: the next step then starts from what
+/// was written, and the state no longer counts as solved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State<T, const N: usize> {
     pub(crate) values: Values<T, N>,
-    /// Of the parameters that it was solved with; 0 if it was not.
+    /// Hash of the parameters for which the state was solved; 0 if it was not solved.
     pub(crate) parameter_hash: u64,
     pub(crate) extrapolation: Extrapolation<T, N>,
 }
 
-/// What a [`State`] tells.
+/// The values of a [`State`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Values<T, const N: usize> {
     /// Time in s.
@@ -43,11 +43,11 @@ pub struct Values<T, const N: usize> {
     /// The name of the branch: for each block the sign of the determinant of its Jacobian, at the index of the block's first
     /// unknown. A sign changes only where the block is singular.
     pub branch: [DetSign; N],
-    /// How near to singular Φ_q is, of the blocks that were solved for this state (not those that rest): rounding errors are
-    /// multiplied in q by about as much. 1 at best; its decimal logarithm is the number of digits that q has lost. Near a dead point
-    /// q̇ loses twice as many, and q̈ three times as many; `error_bound` says how many, and `polish` wins them back.
+    /// Condition of Φ_q, over the blocks that were solved for this state (not those at rest): rounding errors are amplified in q by
+    /// about this factor. 1 at best; its decimal logarithm is the number of digits that q has lost. Near a dead point q̇ loses
+    /// twice as many digits, and q̈ three times as many; `error_bound` bounds the errors, and `polish` removes them.
     pub condition: T,
-    /// How often Φ_q was formed and factored to get here from the predicted or guessed position.
+    /// Number of factorisations of Φ_q, from the predicted or guessed position.
     pub iterations: usize,
 }
 
@@ -61,7 +61,7 @@ impl<T, const N: usize> Deref for State<T, N> {
 }
 
 impl<T, const N: usize> DerefMut for State<T, N> {
-    /// What is written to was not solved.
+    /// A state that was written to no longer counts as solved.
     #[inline(always)]
     fn deref_mut(&mut self) -> &mut Values<T, N> {
         self.parameter_hash = 0;
@@ -95,7 +95,7 @@ impl<T: Real, const N: usize> State<T, N> {
         State { values, parameter_hash: 0, extrapolation }
     }
 
-    /// Takes back what became of a part; the rest rests.
+    /// Copies the solved sub-state back; other coordinates keep their values.
     pub(crate) fn take<const P: usize>(&mut self, held: &[usize; P], part: &State<T, P>) {
         for (k, &i) in held.iter().enumerate() {
             if i < N {
@@ -125,19 +125,19 @@ impl<T: Real, const N: usize> State<T, N> {
 }
 
 impl<T: Real, const N: usize> State<T, N> {
-    /// A state that was not solved for: a moment (s), positions (m, rad), rates and accelerations.
+    /// A state that was not solved for, from time (s), positions (m, rad), rates and accelerations.
     #[must_use]
     pub fn new(t: T, q: SVector<T, N>, qd: SVector<T, N>, qdd: SVector<T, N>) -> Self {
         let (branch, condition) = ([DetSign::Positive; N], T::of(1.0));
         Self::solved(Values { t, q, qd, qdd, branch, condition, iterations: 0 }, 0)
     }
 
-    /// A state that was solved for, with parameters of this mark.
+    /// A state that was solved for, with the parameters of this hash.
     pub(crate) fn solved(values: Values<T, N>, parameter_hash: u64) -> Self {
         Self { values, parameter_hash, extrapolation: Extrapolation::none() }
     }
 
-    /// The values, to write to without the state being any the wiser: for tests of what a step leaves as it is.
+    /// The values, to be changed while the state still counts as solved: for tests of what a step leaves unchanged.
     #[doc(hidden)]
     pub fn values_kept_as_solved(&mut self) -> &mut Values<T, N> {
         &mut self.values
@@ -145,7 +145,7 @@ impl<T: Real, const N: usize> State<T, N> {
 }
 
 impl<T: Float, const N: usize> State<T, N> {
-    /// Where the mechanism is at `t` (s) as far as this state knows: q + h q̇ + h² q̈ / 2, h = `t` − `self.t`.
+    /// The predicted q at `t` (s): q + h q̇ + h² q̈ / 2, h = `t` − `self.t`.
     pub(crate) fn predict(&self, t: T) -> SVector<T, N> {
         let h = t - self.t;
         SVector::from_fn(|i, _| self.q[i] + h * (self.qd[i] + h * T::of(0.5) * self.qdd[i]))

@@ -1,20 +1,20 @@
-//! A step that was made: the state becomes the one at its end.
+//! Accepted steps.
 
 use super::{Coordinates, State};
 use crate::number::{Mask, SimdReal};
 
-/// What a step straight on comes to.
+/// An accepted warm step.
 pub(crate) struct Step<T: SimdReal> {
-    /// The time it takes, s.
+    /// Its length in s.
     pub(crate) h: T,
-    /// The lanes in which it was made, one at least.
+    /// The lanes in which it was accepted, at least one.
     pub(crate) found: T::Mask,
     pub(crate) condition: T,
     pub(crate) iterations: usize,
 }
 
 impl<T: SimdReal, const N: usize> State<T, N> {
-    /// Becomes the state at `t`, on the same branch, in the lanes in which it was found.
+    /// Becomes the state at `t` (s), on the same branch, in the lanes in which the step was accepted.
     #[inline(always)]
     pub(crate) fn follow_on(&mut self, t: T, step: &Step<T>, there: &Coordinates<T, N>) {
         let (&Step { h, found, condition, iterations }, Coordinates { q, qd, qdd }) = (step, there);

@@ -1,4 +1,4 @@
-//! Large matrices of lanes: pivots differ from lane to lane, so that each has factors of its own.
+//! Dense matrices of registers: pivots differ from lane to lane, so that each lane has its own factors.
 
 use nalgebra::{SMatrix, SVector};
 use reuleaux::{DetSign, Factors, Float, Linear, Real};
@@ -6,12 +6,12 @@ use reuleaux::{DetSign, Factors, Float, Linear, Real};
 use super::Wide;
 use super::register::matrix_of_lane;
 
-/// The factors of each lane's matrix; none where it is not finite.
+/// The factors of each lane's matrix; None where it is not finite.
 #[derive(Clone, Copy, Debug)]
 pub struct LaneFactors<W: Wide<L>, const K: usize, const L: usize>([Option<Factors<W::Lane, K>>; L]);
 
 impl<W: Wide<L>, const K: usize, const L: usize> LaneFactors<W, K, L> {
-    /// Something that is done with the factors of each lane, and what it is where there are none.
+    /// Applies a function to the factors of each lane, with a default where there are none.
     fn each<R>(&self, what: impl Fn(usize, &Factors<W::Lane, K>) -> R, without: impl Fn() -> R) -> [R; L] {
         core::array::from_fn(|lane| self.0[lane].as_ref().map_or_else(&without, |factors| what(lane, factors)))
     }

@@ -1,9 +1,9 @@
-//! Several mechanisms side by side: one in each lane of a SIMD register.
+//! Several mechanisms side by side, one in each lane of a SIMD register.
 //!
-//! `FourBar<F64x4>` is four parameter sets of one declaration, and [`Lockstep`] takes them along together, each at its own time if
-//! need be. The usual step is computed for all lanes at once; a lane that cannot go straight on (a dead point is near, the step is
-//! long) is taken over by the scalar code, so that it ends as it would alone, in a state or in a [`Failure`](reuleaux::Failure) of its
-//! own, while the others go on. States are those of scalar code to a few roundings.
+//! `FourBar<F64x4>` is four parameter sets of one declaration, and [`Lockstep`] advances them together, each at its own time if
+//! need be. A warm step is computed for all lanes at once. Where it fails in a lane (near a dead point, or because the step is
+//! long), the scalar code redoes that lane, which ends as it would alone, in a state or in a [`Failure`](reuleaux::Failure) of its
+//! own, while the others continue. States agree with those of scalar code to a few roundings.
 //!
 //! Registers of 256 bits need a processor with AVX and a compiler that may use it: `RUSTFLAGS="-C target-cpu=native"`.
 
@@ -31,15 +31,15 @@ pub trait Wide<const L: usize>: SolverReal {
     /// The lanes of the number.
     fn to_lanes(self) -> [Self::Lane; L];
 
-    /// Signs with these lanes.
+    /// The signs of determinants with these lanes.
     fn from_signs(lanes: [DetSign; L]) -> Self::Signs;
 
     /// The signs by lane.
     fn to_signs(signs: Self::Signs) -> [DetSign; L];
 
-    /// The answer by lane.
+    /// A mask as booleans.
     fn mask_to_lanes(mask: Self::Mask) -> [bool; L];
 
-    /// An answer with these lanes.
+    /// A mask from booleans.
     fn mask_from_lanes(answers: [bool; L]) -> Self::Mask;
 }

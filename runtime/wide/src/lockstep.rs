@@ -1,4 +1,4 @@
-//! Mechanisms of one declaration that are taken along together.
+//! Mechanisms of one declaration that advance together.
 
 use nalgebra::SVector;
 use reuleaux::for_lanes::step_lanes;
@@ -51,7 +51,7 @@ pub struct Lockstep<M: Family<W::Lane>, W: Wide<L>, const L: usize, const N: usi
     wide: M::Over<W>,
     state: State<W, N>,
     branches: [W::Signs; N],
-    /// The lanes that have not ended.
+    /// The lanes that have not failed.
     moving: W::Mask,
     ended: [Option<Failure<W::Lane, N>>; L],
 }
@@ -78,8 +78,8 @@ where
         this
     }
 
-    /// Takes each mechanism to its own time (s), on its branch. One that cannot be taken there stays in the last state before, and
-    /// does not move again; [`lane`](Self::lane) says why.
+    /// Advances each mechanism to its own time (s), on its branch. One that fails keeps its last state and does not move again;
+    /// [`lane`](Self::lane) returns the reason.
     #[inline]
     pub fn advance(&mut self, times: [W::Lane; L]) {
         let t = W::from_lanes(times);
@@ -89,13 +89,13 @@ where
         }
     }
 
-    /// A lane that does not move again, and why.
+    /// Ends a lane with a failure.
     fn end(&mut self, lane: usize, failure: Failure<W::Lane, N>) {
         self.ended[lane] = Some(failure);
         self.moving = W::mask_from_lanes(self.ended.each_ref().map(Option::is_none));
     }
 
-    /// Takes those mechanisms along one by one that could not go straight on with the others.
+    /// Advances one by one the mechanisms whose warm step failed.
     #[cold]
     #[inline(never)]
     fn finish(&mut self, times: [W::Lane; L], found: [bool; L]) {
@@ -116,7 +116,8 @@ where
         &self.wide
     }
 
-    /// The states of all lanes, for outputs; of a lane that has ended, its last state, or NaN if it had none. Its `branch` is that of
+    /// The states of all lanes, for outputs; a lane that has ended keeps its last state, or NaN if it had none. Its `branch` is
+    /// that of
     /// the first lane.
     pub const fn state(&self) -> &State<W, N> {
         &self.state

@@ -9,11 +9,12 @@ use wide::{f32x8, f64x4};
 
 use super::{LaneFactors, Wide};
 
-/// The answers of a comparison: all bits of a lane are set where it is yes.
+/// The result of a comparison: all bits of a lane are set where it is true.
 #[derive(Clone, Copy, Debug)]
 pub struct LaneMask<R>(R);
 
-/// A register as a number. Functions are those of `libm`, lane by lane, but for what one instruction computes.
+/// Implements the number traits for a register. Functions are those of `libm`, lane by lane, except where one instruction computes
+/// them.
 macro_rules! register {
     ($(#[$doc:meta])* $name:ident($register:ident), $lane:ident, $lanes:literal, bits: $bits:ident, sin_cos: $sin_cos:expr) => {
         $(#[$doc])*
@@ -255,7 +256,7 @@ register!(
     F32x8(f32x8), f32, 8, bits: u32, sin_cos: sin_cos_of_eight
 );
 
-/// (sine, cosine), all lanes at once unless one is far from zero.
+/// (sine, cosine), all lanes at once unless an angle is very large.
 #[inline(always)]
 fn sin_cos_of_four(x: f64x4) -> (f64x4, f64x4) {
     if x.abs().simd_lt(f64x4::splat(SIN_COS_RANGE)).all() {
