@@ -1,9 +1,8 @@
-//! How far a state is from the truth, with proof: its mechanism is computed anew over [`Enclosure`]s.
+//! Rigorous error bounds: the mechanism is evaluated over [`Enclosure`]s around a state.
 //!
-//! In: a mechanism and a state that may be one of it. Out: balls around q, q̇ and q̈ of the solution next to it, or why none can be
-//! proven. The same emitted code as in a step goes from block to block; only what a block does with its equations is different
-//! ([`block`]). Centres of balls have 32 digits, so that their radii are far below a rounding, and the error of a state is known as well
-//! as that.
+//! In: a mechanism and a state. Out: balls that contain q, q̇ and q̈ of the solution next to the state, or the reason why none can
+//! be proven. The emitted code is the same as in a step; only the solution of a block differs ([`block`]). Centres of balls have 32
+//! digits, so that radii are far below a rounding, and the error of a state is known to about ten digits.
 
 mod ball;
 mod block;
@@ -28,7 +27,7 @@ use crate::state::State;
 use ball::Ball;
 pub use moving::Enclosure;
 
-/// Bounds of the errors of a state, by coordinate: a solution lies within them, on all of them at once.
+/// Bounds of the errors of a state, by coordinate: a solution lies within all of them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorBound<T, const N: usize> {
     /// Of q, in m and rad.
@@ -42,30 +41,29 @@ pub struct ErrorBound<T, const N: usize> {
 /// The proof that within a radius of a state there is exactly one solution.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Certificate<T, const N: usize> {
-    /// The greatest entry of `within.q`, lengths as shares of the characteristic length L.
+    /// The largest entry of `within.q`, with lengths divided by the characteristic length L.
     pub radius: T,
     /// Exactly one q with Φ(q, t) = 0 is within these bounds of the state's, and its q̇ and q̈ are within theirs.
     pub within: ErrorBound<T, N>,
 }
 
-/// Why nothing could be proven of a state.
+/// Why nothing could be proven about a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Doubt {
     /// The parameter of this name is out of range.
     ParameterOutOfRange(&'static str),
-    /// The state has no finite number there, or a rate that is none.
+    /// The coordinate or one of its rates is not finite in the state.
     NotFinite(Coordinate),
-    /// No solution was proven near this coordinate and those that are found with it: the state is none of this mechanism at this
+    /// No solution was proven near this coordinate and the others of its block: the state does not belong to this mechanism at this
     /// time, or the Jacobian is singular there.
     NoSolution(Coordinate),
-    /// There is a solution, but as near to the state as it is there may be another one, which differs in this coordinate and those
-    /// that are found with it. [`error_bound`](crate::Mechanism::error_bound) can still be said.
+    /// There is a solution, but another one may be as close to the state, with a different value of this coordinate and the others
+    /// of its block. [`error_bound`](crate::Mechanism::error_bound) is still available.
     Another(Coordinate),
     /// A row of a redundant joint does not hold.
     DoesNotHold(Row),
-    /// This coordinate depends on a function that is known by its values only, and nothing is proven of what lies between them; or on a
-    /// condition that may be true or not within the error of the state.
-    /// [`error_bound`](crate::Mechanism::error_bound) takes it for smooth.
+    /// This coordinate depends on a function that is known only by its values at doubles, or on a condition that is undecided
+    /// within the error of the state. [`error_bound`](crate::Mechanism::error_bound) assumes that it is smooth.
     Unproven(Coordinate),
 }
 
@@ -73,7 +71,7 @@ pub enum Doubt {
 pub struct EnclosureSolver<const N: usize> {
     /// The state's q.
     q: SVector<f64, N>,
-    /// No other solution may be as near to the state.
+    /// Whether to prove that no other solution is as close to the state.
     alone: bool,
     /// L and 1/L.
     lengths: (Enclosure, Enclosure),
@@ -113,10 +111,10 @@ where
     }
 }
 
-/// How far a state is from what encloses the solution.
+/// Bounds of the distance of a state from the enclosed solution.
 ///
 /// # Errors
-/// Where the state is not finite.
+/// If the state is not finite.
 fn distance<T: Float, E: Description<T, N>, const N: usize>(
     _: &E,
     state: &State<T, N>,
@@ -133,7 +131,7 @@ fn distance<T: Float, E: Description<T, N>, const N: usize>(
     Ok(ErrorBound { q, qd, qdd })
 }
 
-/// A number that is not below.
+/// An upper bound in `T`.
 fn above<T: Float>(bound: f64) -> T {
     T::of(bound) * (T::of(1.0) + T::of(2.0) * T::EPSILON) + T::of(f64::from(f32::MIN_POSITIVE))
 }
@@ -180,7 +178,7 @@ where
     E::Over<Enclosure>: Stages<Enclosure, N>,
 {
     let found = enclosed(mechanism, state, true)?;
-    // An entry that cannot be told from the truth stays.
+    // An entry that cannot be distinguished from the solution is kept.
     let rounded = |entries: &mut SVector<T, N>, part: fn(&Enclosure) -> Ball| {
         for (entry, of) in entries.iter_mut().zip(found.iter()) {
             let is_as_good = (Ball::exact(entry.to_f64()) - part(of)).least() <= 0.0;

@@ -1,4 +1,4 @@
-//! Balls that move: what the emitted code is run over.
+//! Balls with rates: the number type over which emitted code is evaluated for certificates.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -16,7 +16,7 @@ use crate::solve::{ColdStart, SolverReal};
 /// [`certify`](crate::Mechanism::certify).
 ///
 /// Intervals have a centre of 32 digits and a radius, and are rounded outward. Derivatives are carried along by the rules of
-/// differentiation, so that q̇ and q̈ are those of the q that fulfils Φ(q, t) = 0: the emitted ν and γ are not asked.
+/// differentiation, so that q̇ and q̈ are those of the q that fulfils Φ(q, t) = 0; the emitted ν and γ are not used.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Enclosure {
     pub(super) value: Ball,
@@ -28,7 +28,7 @@ const ZERO: Ball = Ball::exact(0.0);
 const TWO: Ball = Ball::exact(2.0);
 
 impl Enclosure {
-    /// What does not move.
+    /// A constant.
     pub(super) const fn at_rest(value: Ball) -> Self {
         Self { value, rate: ZERO, acceleration: ZERO }
     }
@@ -44,7 +44,7 @@ impl Enclosure {
         Self { value, rate, acceleration: second * (self.rate * self.rate) + first * self.acceleration }
     }
 
-    /// What holds both.
+    /// A hull of both.
     fn hull(self, other: Self) -> Self {
         Self {
             value: self.value.hull(other.value),
@@ -53,7 +53,7 @@ impl Enclosure {
         }
     }
 
-    /// The derivatives of a function are known as far as its second: a value, a first and a second derivative that move.
+    /// A function and its first two derivatives, with their rates as far as they are known: no third derivative is.
     fn derived(self, [value, first, second]: [Ball; 3]) -> (Self, Self, Self) {
         let unknown = Ball::anything();
         (
@@ -187,7 +187,7 @@ impl Real for Enclosure {
         Self { value: Ball::around(Twofold::of(0.0), 1.0).doubted(), rate: unknown, acceleration: unknown }
     }
 
-    /// Both, where it depends on which numbers are meant; then nothing is proven, since there may be a jump between them.
+    /// The hull of both if the comparison is undecided; nothing is proven then, since there may be a jump.
     fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self {
         let selected = match lhs.value.is_less(rhs.value) {
             Some(true) => then,
@@ -208,7 +208,7 @@ impl Real for Enclosure {
     }
 }
 
-/// Where the solver compares, nothing is decided by it: a block is enclosed as a whole, and of the rest only q counts.
+/// Comparisons decide nothing here: a block is enclosed as a whole, and of the result only q is used.
 impl SimdReal for Enclosure {
     type Mask = bool;
     type Signs = DetSign;
@@ -267,7 +267,7 @@ impl<const N: usize> ColdStart<Enclosure, N> for EnclosureSolver<N> {
     }
 }
 
-/// Nobody's factors: rates are enclosed together with positions, and those that the emitted code asks for are not looked at.
+/// Placeholder factors: rates are enclosed together with positions, and the rates that emitted code solves for are not used.
 #[derive(Clone, Copy, Debug)]
 pub struct Unsolved;
 

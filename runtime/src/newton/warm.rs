@@ -104,16 +104,16 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
         (x, way)
     }
 
-    /// Solves a block whose sign is stored at index `name`; None if no lane was solved.
+    /// Solves a block whose sign is stored at index `first`; None if no lane was solved.
     #[inline(always)]
     pub(crate) fn solve<L: Linear<T, K>, const K: usize>(
         &self,
         data: &BlockData<'_, T, K>,
-        name: usize,
+        first: usize,
         evaluate: impl Fn(&Iterate<T, K>) -> Linearized<T, L, K>,
     ) -> Option<BlockSolution<T, L, K>> {
         let (x, way) = self.predict(data);
-        let sign = *self.signs.get(name)?;
+        let sign = *self.signs.get(first)?;
         let mut follows = self.moving.and(way.at_most(T::of(LONGEST_PREDICTION)));
         let mut iterate = if self.is_small {
             Iterate::after(SVector::from_fn(|k, _| of(&self.here.q, data.unknowns[k])), x, data.needs_sin_cos)

@@ -10,7 +10,7 @@ pub struct Table {
     pub knots: &'static [f64],
     /// One polynomial per interval, one fewer than there are knots.
     pub coefficients: &'static [[f64; 4]],
-    /// What holds outside the first and the last knot.
+    /// The continuation outside the first and the last knot.
     pub ends: Ends,
     /// The same for `f32`.
     pub single: Single,

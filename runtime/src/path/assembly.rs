@@ -138,17 +138,17 @@ fn stride<T: Float, E: Stages<T, N>, const N: usize>(
     let zero = T::of(0.0);
     let mut slanted = here.clone();
     (slanted.qd, slanted.qdd) = (*slope, SVector::from_element(zero));
-    let foretold = SVector::from_fn(|i, _| here.q[i] + slope[i] * by);
+    let predicted = SVector::from_fn(|i, _| here.q[i] + slope[i] * by);
     match cold_state(equations, zero, ColdSolver::from_prediction(equations, &slanted, by)) {
         // No other assembly with the same sign can be this close.
-        Ok(found) if is_as_foretold::<T, E, N>(equations, &here.q, &foretold, &found.0, T::of(LARGEST_LAPSE) / found.0.condition) => {
+        Ok(found) if is_as_predicted::<T, E, N>(equations, &here.q, &predicted, &found.0, T::of(LARGEST_LAPSE) / found.0.condition) => {
             Ok(found)
         }
         Ok(_) => Err(StepError::Far),
         Err(error) => {
-            let found = cold_state(equations, zero, ColdSolver::from_guess(equations, &foretold))?;
+            let found = cold_state(equations, zero, ColdSolver::from_guess(equations, &predicted))?;
             let is_same = found.0.branch == here.branch;
-            if is_same && is_as_foretold::<T, E, N>(equations, &here.q, &foretold, &found.0, T::of(SURPRISE)) {
+            if is_same && is_as_predicted::<T, E, N>(equations, &here.q, &predicted, &found.0, T::of(SURPRISE)) {
                 Ok(found)
             } else {
                 Err(error)
@@ -158,16 +158,16 @@ fn stride<T: Float, E: Stages<T, N>, const N: usize>(
 }
 
 /// Whether q is close to its prediction, relative to the predicted change.
-fn is_as_foretold<T: Float, E: Stages<T, N>, const N: usize>(
+fn is_as_predicted<T: Float, E: Stages<T, N>, const N: usize>(
     equations: &E,
     before: &SVector<T, N>,
-    foretold: &SVector<T, N>,
+    predicted: &SVector<T, N>,
     found: &State<T, N>,
     surprise: T,
 ) -> bool {
     let scale = Scale::of(equations);
     (0..N).all(|i| {
-        let (way, off) = ((foretold[i] - before[i]).abs(), (found.q[i] - foretold[i]).abs());
+        let (way, off) = ((predicted[i] - before[i]).abs(), (found.q[i] - predicted[i]).abs());
         match names::coordinate(E::COORDINATES, i).kind {
             CoordinateKind::Angle => way <= T::of(LONGEST_TURN) && off <= surprise,
             CoordinateKind::Length => off <= surprise * (way + scale.length),

@@ -32,7 +32,7 @@ pub struct ColdSolver<'a, T: Float, const N: usize> {
     report: Cell<ColdReport<T, N>>,
 }
 
-/// What blocks are solved from.
+/// The point from which blocks are solved.
 enum Origin<'a, T, const N: usize> {
     /// A prediction from this state, `h` seconds before; across a change point determinants may change their signs.
     Prediction { here: &'a State<T, N>, h: T, is_across: bool },
@@ -44,7 +44,7 @@ enum Origin<'a, T, const N: usize> {
     Crossing(&'a SVector<T, N>),
 }
 
-/// What a cold start has found.
+/// The result of a cold start.
 #[derive(Clone, Copy)]
 pub(crate) struct ColdReport<T, const N: usize> {
     /// The signs of the blocks' determinants, each at the index of the block's first unknown.
@@ -91,7 +91,7 @@ impl<'a, T: Float, const N: usize> ColdSolver<'a, T, N> {
         Self::new(equations, Origin::Crossing(q), [DetSign::Positive; N])
     }
 
-    /// What was found.
+    /// The result so far.
     pub(crate) fn report(&self) -> ColdReport<T, N> {
         self.report.get()
     }
