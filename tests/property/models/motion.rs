@@ -82,7 +82,7 @@ impl<'a> Tracker<'a> {
         let rows: Vec<_> = system.equations.iter().collect();
         let n = rows.len();
         assert_eq!(n, system.coordinates.len());
-        let mut roots: Vec<Expr> = rows.iter().filter_map(|row| row.phi).collect();
+        let mut roots: Vec<Expr> = rows.iter().filter_map(|row| row.phi()).collect();
         roots.extend(rows.iter().map(|row| row.nu));
         let mut pattern = Vec::new();
         for (index, row) in rows.iter().enumerate() {
