@@ -19,7 +19,7 @@ impl<T: Real, const N: usize> State<T, N> {
             iterations: *iterations,
         };
         let extrapolation = Extrapolation { span: of(self.extrapolation.span), rest: self.extrapolation.rest.map(&of) };
-        State { values, parameter_hash: 0, extrapolation: extrapolation }
+        State { values, parameter_hash: 0, extrapolation }
     }
 
     /// Merges another state into this one, number by number. The branch is kept; of the two numbers of iterations the larger one is
