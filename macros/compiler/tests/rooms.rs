@@ -6,6 +6,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+use syn::spanned::Spanned as _;
+use syn::visit::{self, Visit};
 use syn::{Item, UseTree, Visibility};
 
 /// From the bottom up; `compile` enters them from the top.
@@ -61,6 +63,99 @@ fn circles_of_files_are_small_and_within_a_room() {
         let rooms: BTreeSet<&str> = circle.iter().map(|file| room(file)).collect();
         assert!(rooms.len() == 1 && circle.len() <= LARGEST_CIRCLE, "{circle:#?}");
     }
+}
+
+/// Types of one name would have to be told apart by their rooms.
+#[test]
+fn no_two_types_share_a_name() {
+    let mut places: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for (name, counted) in counted() {
+        for declared in counted.types {
+            places.entry(declared).or_default().insert(name.clone());
+        }
+    }
+    places.retain(|_, files| files.len() > 1);
+    assert!(places.is_empty(), "{places:#?}");
+}
+
+/// The longest function that a reader has to keep in mind at once.
+const LONGEST_FUNCTION: usize = 100;
+
+#[test]
+fn functions_are_short() {
+    let long: Vec<(String, usize)> =
+        counted().into_iter().flat_map(|(_, counted)| counted.functions).filter(|(_, lines)| *lines > LONGEST_FUNCTION).collect();
+    assert!(long.is_empty(), "{long:?}");
+}
+
+/// `cargo test -p reuleaux-compiler --test rooms -- --ignored --nocapture` prints the size of each room.
+#[test]
+#[ignore = "prints a table"]
+fn the_size_of_each_room() {
+    let mut rooms: BTreeMap<String, (usize, usize, (usize, String))> = BTreeMap::new();
+    for ((name, text), (_, counted)) in sources().into_iter().zip(counted()) {
+        let room = rooms.entry(room(&name).to_owned()).or_default();
+        room.0 += 1;
+        room.1 += text.lines().count();
+        if let Some((function, lines)) = counted.functions.into_iter().max_by_key(|(_, lines)| *lines) {
+            room.2 = room.2.clone().max((lines, format!("{function} in {name}")));
+        }
+    }
+    println!("| room | files | lines | longest function |\n| --- | ---: | ---: | --- |");
+    for (room, (files, lines, (longest, function))) in &rooms {
+        println!("| {room} | {files} | {lines} | {longest}: {function} |");
+    }
+    let circles = circles();
+    println!("lines in all: {}", rooms.values().map(|(_, lines, _)| lines).sum::<usize>());
+    println!("circles of files: {}, the largest of {}", circles.len(), circles.iter().map(Vec::len).max().unwrap_or(0));
+}
+
+/// What is counted in a file, tests left out.
+#[derive(Default)]
+struct Counted {
+    types: Vec<String>,
+    /// With how many lines each.
+    functions: Vec<(String, usize)>,
+}
+
+impl<'a> Visit<'a> for Counted {
+    fn visit_item_struct(&mut self, item: &'a syn::ItemStruct) {
+        self.types.push(item.ident.to_string());
+    }
+
+    fn visit_item_enum(&mut self, item: &'a syn::ItemEnum) {
+        self.types.push(item.ident.to_string());
+    }
+
+    fn visit_item_trait(&mut self, item: &'a syn::ItemTrait) {
+        self.types.push(item.ident.to_string());
+        visit::visit_item_trait(self, item);
+    }
+
+    fn visit_item_fn(&mut self, item: &'a syn::ItemFn) {
+        self.functions.push((item.sig.ident.to_string(), lines(&item.block)));
+        visit::visit_item_fn(self, item);
+    }
+
+    fn visit_impl_item_fn(&mut self, item: &'a syn::ImplItemFn) {
+        self.functions.push((item.sig.ident.to_string(), lines(&item.block)));
+    }
+}
+
+fn lines(block: &syn::Block) -> usize {
+    let span = block.span();
+    span.end().line - span.start().line + 1
+}
+
+fn counted() -> Vec<(String, Counted)> {
+    let count = |(name, text): (String, String)| {
+        let mut counted = Counted::default();
+        if !name.contains("tests") {
+            counted.visit_file(&syn::parse_file(&text).expect("Rust"));
+        }
+        (name, counted)
+    };
+    sources().into_iter().map(count).collect()
 }
 
 fn place(room: &str) -> Option<usize> {
