@@ -1,4 +1,4 @@
-//! Names for items: which space they belong to, with which indices, and whether they are taken.
+//! Declares the names of items: namespaces, indices, and conflicts between names.
 
 use super::Name;
 use super::builtin::BUILTINS;
@@ -11,7 +11,7 @@ use crate::syntax::ast;
 use proc_macro2::Ident;
 
 impl Elaborator<'_> {
-    /// Gives an item its name in the space where it stands.
+    /// Declares an item in the namespace of its context.
     pub(super) fn declare(
         &mut self,
         (name, indices): (&Ident, &[ast::Expr]),
@@ -24,7 +24,7 @@ impl Elaborator<'_> {
         let indices = self.written_indices(indices, item, context)?;
         let word = name.to_string();
         if is_reserved(&word) {
-            // The item is there all the same, so that nobody misses it.
+            // The item is declared all the same, so that its uses are not reported as well.
             self.names.misused.insert(word.clone());
             self.once(item, |this| this.refuse::<()>(name, NameFact::Reserved { name: word.clone() }));
         }
@@ -46,13 +46,13 @@ impl Elaborator<'_> {
         EntityId(self.names.declared.len() - 1)
     }
 
-    /// Counts items or rounds of loops, and gives up where there are too many.
+    /// Counts items or loop iterations; gives up if there are too many.
     pub(super) fn charge(&mut self, number: usize, range: impl Into<Range>) -> Option<()> {
         self.count += number;
         if self.count > MOST { self.give_up(range, ArrayFact::TooManyItems { limit: MOST }) } else { Some(()) }
     }
 
-    /// Puts an item among those of its name, or says what has the name already.
+    /// Adds an item under its name. If the name is taken, returns what kind of item has it.
     pub(super) fn join(
         &mut self,
         space: SpaceId,
@@ -71,7 +71,7 @@ impl Elaborator<'_> {
         };
         let group = &mut self.names.groups[group.0];
         if group.what != what || group.ranks != indices.len() || group.members.contains_key(&indices) {
-            // Which of the two is meant where the name is used, nobody knows: that is not to be told as a second mistake.
+            // A use of the name is ambiguous; it is not to be reported as a second error.
             for member in group.members.values() {
                 self.names.declared[member.0].progress = Progress::Failed;
             }
@@ -89,14 +89,14 @@ impl Elaborator<'_> {
         self.at(self.situation(context), |this| this.once(item, |this| this.indices(indices, &scope)))
     }
 
-    /// `word`: given, the very one of the item in the tree.
+    /// `word` must be the identifier in the tree itself: its address identifies the declaration.
     pub(super) fn full_name(&mut self, space: SpaceId, word: &Ident, indices: &[usize]) -> Name {
         let next = self.names.declarations.len();
         let declaration = *self.names.declarations.entry(std::ptr::from_ref(word)).or_insert(next);
         Name::within(&self.names.spaces[space.0].prefix, word, declaration, indices)
     }
 
-    /// Which of many is being registered, in words.
+    /// Describes the enclosing part and loop variables, for messages; `None` outside of both.
     pub(super) fn situation(&self, context: &Context) -> Option<String> {
         let owner = self.names.spaces[context.space.0].prefix.trim_end_matches('.');
         let value = |value: &Value| match value {
@@ -113,7 +113,7 @@ impl Elaborator<'_> {
     }
 }
 
-/// A name is taken, perhaps by the same item in another round of a loop.
+/// The error for a name that is taken, possibly by the same item in another loop iteration.
 pub(super) fn duplicate(name: String, first: &'static str, in_loop: Option<&(String, Value)>) -> Fact {
     match in_loop {
         Some((variable, _)) => ArrayFact::DuplicateInLoop { name, variable: variable.clone() }.into(),
