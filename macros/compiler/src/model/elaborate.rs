@@ -1,5 +1,6 @@
 //! Evaluates expressions of the syntax tree to values in the arena, and checks their dimensions.
 
+use super::key::Key;
 use super::names::{Context, Names, SpaceId};
 use super::statement::FixedValue;
 use super::value::{Fixed, FrameId, Scalar, Value, Vector};
@@ -10,7 +11,6 @@ use crate::quantity::{self, Dim, InferredDim, Role};
 use crate::syntax::ast::{self, ExprKind};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
-use std::rc::Rc;
 
 /// State while a mechanism or a definition is resolved.
 pub(crate) struct Elaborator<'a> {
@@ -30,13 +30,13 @@ pub(crate) struct Elaborator<'a> {
     /// Current item, if its declaration is expanded several times: ``in `leg[3].coupler` ``.
     pub(super) place: Option<String>,
     /// Declarations that were rejected; they are not checked again for other instances.
-    pub(super) refused: BTreeSet<usize>,
+    pub(super) refused: BTreeSet<Key>,
     /// Values to check once all defaults are known, such as points and start values.
     pub(super) fixed_values: Vec<FixedValue>,
     /// True while a component without parts is checked: its arguments may be anything.
     pub(super) is_unused: bool,
     /// Values of functions of the language computed before, by function and argument.
-    pub(super) calls: BTreeMap<(*const ast::Function, Expr), (Rc<ast::Function>, Scalar)>,
+    pub(super) calls: BTreeMap<(ast::NodeId, Expr), (ast::Node<ast::Function>, Scalar)>,
 }
 
 /// A definition being instantiated.
