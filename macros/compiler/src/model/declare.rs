@@ -11,10 +11,10 @@ use crate::diag::{ArrayFact, Fact, NameFact, Range};
 use crate::syntax::ast;
 use proc_macro2::Ident;
 
-/// A name as it was written.
+/// A declared name, as written.
 #[derive(Clone, Copy)]
 pub(super) struct Written<'a> {
-    /// The name of which item it is.
+    /// Key of the declaration.
     pub(super) key: Key,
     pub(super) name: &'a Ident,
     pub(super) indices: &'a [ast::Expr],
@@ -61,7 +61,7 @@ impl Elaborator<'_> {
         if self.count > MOST { self.give_up(range, ArrayFact::TooManyItems { limit: MOST }) } else { Some(()) }
     }
 
-    /// Adds an item under its name. If the name is taken, returns what kind of item has it.
+    /// Adds an item under its name. If the name is taken, returns the sort of item that has it.
     pub(super) fn join(&mut self, space: SpaceId, word: &str, sort: Sort, indices: Vec<usize>, id: EntityId) -> Result<(), Sort> {
         let Some(group) = self.names.find(space, word) else {
             let path = format!("{}{word}", self.names.spaces[space.0].prefix);
@@ -91,7 +91,7 @@ impl Elaborator<'_> {
         self.at(self.situation(context), |this| this.once(key, |this| this.indices(indices, &scope)))
     }
 
-    /// The name from outside; items with the same `key` are of one declaration.
+    /// The name with its full path; items with the same `key` have one declaration.
     pub(super) fn full_name(&mut self, space: SpaceId, key: Key, word: &Ident, indices: &[usize]) -> Name {
         let next = self.names.declarations.len();
         let declaration = *self.names.declarations.entry(key).or_insert(next);

@@ -64,7 +64,7 @@ pub struct Part {
     pub component: usize,
     /// Number of its first body.
     pub first: usize,
-    /// For each field the numbers of its members; the last index varies fastest.
+    /// For each field the numbers of its elements; the last index varies fastest.
     pub members: Vec<Vec<usize>>,
 }
 
@@ -80,7 +80,7 @@ pub(super) struct OpenPart {
     pub(super) id: Option<EntityId>,
 }
 
-/// Members of one name while they are gathered.
+/// Elements of one name while they are gathered.
 struct Gathered {
     first: EntityId,
     of: Of,
@@ -121,7 +121,7 @@ impl Elaborator<'_> {
         layout
     }
 
-    /// The members of each name, in the order in which the names were first declared.
+    /// The elements of each name, in the order in which the names were first declared.
     fn gathered(&self, place: &OpenPart, component_of: &[usize]) -> Vec<Gathered> {
         let mut gathered: Vec<Gathered> = Vec::new();
         let mut by_word: BTreeMap<(bool, String), usize> = BTreeMap::new();

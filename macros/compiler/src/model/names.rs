@@ -109,7 +109,7 @@ pub(super) struct Declared {
     pub(super) context: Context,
 }
 
-/// What a name was given to.
+/// Sort of item that a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sort {
     Parameter,
@@ -126,7 +126,7 @@ pub(super) enum Sort {
 }
 
 impl Sort {
-    /// In a sentence.
+    /// Noun for messages: `a body`.
     pub(super) fn noun(self) -> &'static str {
         match self {
             Sort::Parameter => "a parameter",
@@ -143,7 +143,7 @@ impl Sort {
         }
     }
 
-    /// Components see it in the mechanism around them, since it does not move.
+    /// True if components see such items of the mechanism around them: they do not move.
     pub(super) fn is_seen_from_components(self) -> bool {
         matches!(self, Sort::Parameter | Sort::Let | Sort::Function)
     }
@@ -187,7 +187,7 @@ pub(crate) struct Names {
     pub(super) spaces: Vec<Space>,
     pub(super) groups: Vec<NamedItems>,
     pub(super) declared: Vec<Declared>,
-    /// The numbers of declarations in the tree, by their names.
+    /// Number of each declaration in the tree, by the key of its name.
     pub(super) declarations: BTreeMap<Key, usize>,
     /// Imported constraints, and constraints of the library that were looked up.
     pub(super) definitions: BTreeMap<String, Rc<Definition>>,
