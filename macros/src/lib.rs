@@ -1,10 +1,10 @@
 //! The procedural macros of reuleaux, and the reference of its language.
 //!
-//! Users depend on the crate `reuleaux`, which re-exports both macros: [`mechanism!`] declares a mechanism and becomes a type that
-//! can be solved, [`constraint!`] defines a kind of joint that mechanisms can use. The joints, drives and motion laws that are
-//! always there are the modules of `reuleaux::library`, one manual page each.
+//! Users depend on the crate `reuleaux`, which re-exports both macros: [`mechanism!`] declares a mechanism and generates a type that
+//! solves it, [`constraint!`] defines a kind of joint for use in mechanisms. The modules of `reuleaux::library` document the built-in
+//! joints, drives and motion laws, one manual page each.
 //!
-//! This crate is only doors: the compiler behind them is the ordinary library `reuleaux-compiler`.
+//! This crate only forwards to the compiler, the ordinary library `reuleaux-compiler`.
 
 use proc_macro::TokenStream;
 
@@ -20,7 +20,7 @@ pub fn constraint(tokens: TokenStream) -> TokenStream {
     reuleaux_compiler::constraint(tokens.into()).into()
 }
 
-/// Goes on with a mechanism after a definition has been handed over.
+/// Resumes the compilation of a mechanism after a definition has been handed over.
 #[doc(hidden)]
 #[proc_macro]
 pub fn __resume(tokens: TokenStream) -> TokenStream {
@@ -34,7 +34,7 @@ pub fn __library_pages(_: TokenStream) -> TokenStream {
     reuleaux_compiler::library_pages().into()
 }
 
-/// The pages of the index of errors, as modules.
+/// The pages of the error index, as modules.
 #[doc(hidden)]
 #[proc_macro]
 pub fn __error_pages(_: TokenStream) -> TokenStream {

@@ -17,26 +17,26 @@ use crate::travel::{self, Motion};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::quote;
 
-/// Every noun that is made on the way from tokens to tokens.
+/// The result of every stage from tokens to tokens.
 #[derive(Clone, Debug)]
 pub struct Compiled {
-    /// Names are ids, quantities have dimensions.
+    /// Names resolved to ids, quantities with dimensions.
     pub model: Model,
     /// Unknowns and equations.
     pub system: System,
-    /// The order of solution.
+    /// Blocks in the order of solution.
     pub structure: Structure,
-    /// The configuration to start from.
+    /// Initial configuration.
     pub assembly: Assembly,
-    /// How the motion goes on from there.
+    /// Motion from the initial configuration.
     pub motion: Motion,
-    /// Straight lines.
+    /// Straight-line code to generate.
     pub plan: Plan,
-    /// What it looks like.
+    /// Picture of the mechanism.
     pub picture: Picture,
 }
 
-/// A definition under the name it has in a mechanism.
+/// Definitions, each with its name in the mechanism.
 type Known = Vec<(String, ast::Definition)>;
 
 /// Compiles a `mechanism!` declaration to Rust.
@@ -49,10 +49,10 @@ pub fn mechanism(tokens: TokenStream) -> TokenStream {
     quote!(#fallback #rest)
 }
 
-/// Compiles a mechanism as far as its plan, without `use` items; for tests and tools.
+/// Compiles a declaration without `use` items and returns the result of every stage; for tests and tools.
 ///
 /// # Errors
-/// Everything that is wrong with the declaration.
+/// All errors in the declaration.
 pub fn compile(tokens: TokenStream) -> Result<Compiled, Vec<Refusal>> {
     let mut diag = Diag::default();
     let tree = syntax::parse(tokens, &mut diag);
@@ -60,7 +60,7 @@ pub fn compile(tokens: TokenStream) -> Result<Compiled, Vec<Refusal>> {
     compiled.ok_or_else(|| diag.refusals().to_vec())
 }
 
-/// Compiles a `constraint!` invocation to the macros that stand for its definitions.
+/// Compiles a `constraint!` invocation to the macros that export its definitions.
 #[must_use]
 pub fn constraint(tokens: TokenStream) -> TokenStream {
     let mut diag = Diag::default();
@@ -70,10 +70,10 @@ pub fn constraint(tokens: TokenStream) -> TokenStream {
     quote!(#errors #exports)
 }
 
-/// What is wrong with a `constraint!` invocation; for tests and tools.
+/// Checks a `constraint!` invocation; for tests and tools.
 ///
 /// # Errors
-/// Everything that is wrong with the definitions.
+/// All errors in the definitions.
 pub fn check_constraint(tokens: TokenStream) -> Result<(), Vec<Refusal>> {
     let mut diag = Diag::default();
     if let Some(definitions) = syntax::parse_definitions(tokens, &mut diag) {
@@ -82,7 +82,7 @@ pub fn check_constraint(tokens: TokenStream) -> Result<(), Vec<Refusal>> {
     if diag.is_clean() { Ok(()) } else { Err(diag.refusals().to_vec()) }
 }
 
-/// Goes on with a mechanism after a definition has been handed over:
+/// Resumes the compilation of a mechanism after a definition has been handed over. The tokens are
 /// `{ definitions } { known } name { mechanism }`.
 #[must_use]
 pub fn resume(tokens: TokenStream) -> TokenStream {
@@ -95,25 +95,25 @@ pub fn resume(tokens: TokenStream) -> TokenStream {
     let mut diag = Diag::default();
     let Some(tree) = syntax::parse(mechanism.stream(), &mut diag) else { return diag.to_tokens() };
     if definitions.is_empty() {
-        // The definition has been refused where it stands; nothing is left to say here.
+        // The definition was rejected where it is written; an error here would only repeat that.
         return emit::stub(&tree);
     }
     continued(&tree, mechanism.stream(), quote!(#known #name { #definitions }), diag)
 }
 
-/// The manual pages of the library as modules.
+/// The manual pages of the library, as modules.
 #[must_use]
 pub fn library_pages() -> TokenStream {
     emit::library_pages()
 }
 
-/// The pages of the index of errors as modules.
+/// The pages of the error index, as modules.
 #[must_use]
 pub fn error_pages() -> TokenStream {
     emit::error_pages()
 }
 
-/// Asks for the next definition that is not known yet, or compiles.
+/// Requests the next missing definition; compiles the mechanism if none is missing.
 fn continued(tree: &ast::Mechanism, tokens: TokenStream, known: TokenStream, mut diag: Diag) -> TokenStream {
     if let Some(missing) = missing(tree, &known)
         && diag.is_clean()
@@ -134,14 +134,14 @@ fn continued(tree: &ast::Mechanism, tokens: TokenStream, known: TokenStream, mut
     }
 }
 
-/// The first constraint in a `use` item that has not been handed over.
+/// First constraint of a `use` item whose definition has not been handed over.
 fn missing<'a>(tree: &'a ast::Mechanism, known: &TokenStream) -> Option<&'a ast::Use> {
     let names = names(known);
     let uses = tree.items.iter().filter_map(|item| if let ast::Item::Use(uses) = item { Some(uses) } else { None });
     uses.flatten().find(|used| !names.contains(&used.name.to_string()))
 }
 
-/// From what was written to straight lines. A room is not entered if the one before refused.
+/// Runs all stages after parsing. A stage runs only if the one before it reported no error.
 fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<Compiled> {
     if !diag.is_clean() {
         return None;
@@ -149,18 +149,18 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     let model = model::resolve(tree, definitions, diag)?;
     // Every name is an id, every quantity has a dimension.
     let system = system::assemble(&model, diag)?;
-    // There are unknowns and equations only, with all their derivatives.
+    // Only unknowns and equations are left, with all their derivatives.
     connectivity::check(&model, &system, diag)?;
-    // All bodies hang on ground.
+    // All bodies are connected to ground.
     let redundant = redundancy::find(&model, &system, diag)?;
-    // No row says what others say, but for those of redundant joints, which are checked instead of solved.
+    // No row is redundant, except in joints declared redundant: those rows are checked instead of solved.
     let structure = structure::analyze(&system.pattern, &redundant);
     mobility::check(&model, &system, &redundant, diag)?;
     // Every unknown belongs to a block, and the blocks are in order.
     let assembly = assembly::assemble(&model, &system, &structure, diag)?;
-    // There is a configuration to start from, an assembled one unless the mechanism allows others.
+    // There is an initial configuration; it is assembled unless the mechanism allows others.
     let motion = travel::follow(&model, &system, &structure, &assembly, diag)?;
-    // The motion goes on over its range, as far as that was seen.
+    // The motion continues over its declared range, as far as it was followed.
     let plan = plan::schedule(&model, &system, &structure, &assembly);
     // Nothing is left to decide.
     let picture = picture::draw(&model, &system, &assembly);
@@ -194,7 +194,7 @@ fn names(known: &TokenStream) -> Vec<String> {
     entries(known.clone()).into_iter().map(|(name, _)| name).collect()
 }
 
-/// A single definition goes by the name of its `use` item, those of a bundle by their own.
+/// A single definition takes the name in its `use` item; the definitions of a bundle keep their own names.
 fn definitions(known: TokenStream, diag: &mut Diag) -> Known {
     let mut definitions = Known::new();
     for (name, tokens) in entries(known) {

@@ -1,7 +1,7 @@
-//! The expansion of a mechanism as a file, for those who want to read what was generated.
+//! Writes the expansion of a mechanism to a file, for reading the generated code.
 //!
-//! With the environment variable `REULEAUX_EXPAND` set to a folder, `cargo check` writes `<folder>/<Name>.rs` for each mechanism
-//! that it compiles. Cargo does not know of the variable: what is fresh is not compiled again.
+//! If the environment variable `REULEAUX_EXPAND` names a folder, `cargo check` writes `<folder>/<Name>.rs` for each mechanism that it
+//! compiles. Cargo does not track the variable: it does not recompile a crate that is up to date.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -13,7 +13,7 @@ use std::process::{Command, Stdio};
 /// The environment variable that names the folder.
 const VARIABLE: &str = "REULEAUX_EXPAND";
 
-/// Writes the expansion of a mechanism if that is wanted; an error in words if it cannot be written.
+/// Writes the expansion of a mechanism if requested. Returns a `compile_error!` if the file cannot be written.
 pub(crate) fn write(name: &str, tokens: &TokenStream) -> TokenStream {
     let Some(folder) = std::env::var_os(VARIABLE).filter(|folder| !folder.is_empty()) else { return quote!() };
     let path = path(folder, name);
@@ -39,7 +39,7 @@ fn save(path: &Path, code: &str) -> io::Result<()> {
     std::fs::write(path, code)
 }
 
-/// The code as rustfmt has it; none if there is no rustfmt.
+/// Formats the code with rustfmt; `None` if rustfmt is not available.
 fn formatted(code: &str) -> Option<Vec<u8>> {
     let mut rustfmt = Command::new("rustfmt")
         .args(["--edition", "2024", "--emit", "stdout"])

@@ -1,13 +1,13 @@
-//! The compiler behind reuleaux's macros, as an ordinary library: from a mechanism's declaration to
-//! its constraint equations, their Jacobian, ν and γ as Rust code.
+//! The compiler behind reuleaux's macros, as an ordinary library. It translates the declaration of a mechanism into Rust code for its
+//! constraint equations, their Jacobian, ν and γ.
 //!
 //! ```text
 //! tokens ─parse─▶ Ast ─resolve─▶ Model ─assemble─▶ System ─analyze─▶ Structure ─assemble─▶ Assembly ─schedule─▶ Plan ─emit─▶ tokens
 //! ```
 //!
-//! Each room reads only nouns made before it; `compile.rs` is the whole way on one page. Users
-//! depend on the crate `reuleaux`, which re-exports the macros; this crate is for tests, fuzzers,
-//! benchmarks and build scripts, and its interface may change in any version.
+//! Each stage reads only the results of earlier stages; `compile.rs` shows all stages on one page. Users depend on the crate
+//! `reuleaux`, which re-exports the macros. This crate is for tests, fuzzers, benchmarks and build scripts; its interface may change in
+//! any version.
 
 pub mod assembly;
 mod compile;

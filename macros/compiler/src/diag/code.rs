@@ -1,19 +1,18 @@
 //! The code of each fact, and the page of each code.
 //!
-//! A code is told at the end of a refusal's first line, `[reuleaux::E0305]`, and has a page of its own in the index that users
-//! read, `reuleaux::errors`. The hundreds are families: 00 grammar, 01 names, 02 arguments, 03 kinds and dimensions, 04 values,
-//! 05 loops, arrays and parts, 06 equations, 07 mobility, 08 redundancy, 09 closure, 10 parameters.
+//! The first line of every error ends with its code, `[reuleaux::E0305]`. Each code has a page in the error index for users,
+//! `reuleaux::errors`. The hundreds are families: 00 grammar, 01 names, 02 arguments, 03 kinds and dimensions, 04 values, 05 loops,
+//! arrays and parts, 06 equations, 07 mobility, 08 redundancy, 09 assembly, 10 parameters.
 //!
 //! To give a new fact its code:
 //!
-//! 1. Put its family and name into the line below whose page explains it, or into a new line under the next free number of its family.
-//! 2. For a new line write `errors/<code>.md`: what is wrong in one line, some sentences of mechanics, a wrong model in a
-//!    `compile_fail` block, a right one in a plain block, and what to do.
-//! 3. `REULEAUX_GOLDEN=write cargo test -p reuleaux-compiler --test errors` writes under the wrong model what the compiler says
-//!    of it, and checks the page.
+//! 1. Add its family and name to the line below whose page explains it, or to a new line under the next free number of its family.
+//! 2. For a new line write `errors/<code>.md`: the error in one line, some sentences of mechanics, a rejected model in a `compile_fail`
+//!    block, an accepted one in a plain block, and what to do.
+//! 3. `REULEAUX_GOLDEN=write cargo test -p reuleaux-compiler --test errors` writes the compiler's message under the rejected model, and
+//!    checks the page.
 //!
-//! A fact in no line does not compile, nor does a line without its page. A number that was given once is never given to
-//! something else.
+//! A fact without a line does not compile, nor does a line without its page. A number is never reused.
 
 use super::fact::{
     ArityFact as Arity, ArrayFact as Array, AssemblyFact as Assembly, EquationFact as Equation, Fact, GrammarFact as Grammar,
@@ -28,13 +27,13 @@ macro_rules! codes {
             pub fn code(&self) -> &'static str {
                 match self {
                     $($(Fact::$family($family::$fact { .. }))|+ => stringify!($code),)*
-                    // Where it was is no part of what is wrong.
+                    // The instance in which an error occurs does not change its code.
                     Fact::InInstance { fact, .. } | Fact::InDefinition { fact, .. } => fact.code(),
                 }
             }
         }
 
-        /// Every code with its page, in Markdown.
+        /// All codes with their pages, in Markdown.
         pub const PAGES: &[(&str, &str)] = &[$((stringify!($code), include_str!(concat!("../../errors/", stringify!($code), ".md")))),*];
     };
 }
@@ -135,7 +134,7 @@ codes! {
     E0801: System::Repeats System::Follows System::FollowsFrom;
     E0802: System::Contradicts System::CannotHold System::Collides;
     E0803: System::NotRedundant;
-    // Closure.
+    // Assembly.
     E0901: Assembly::StaysOpen Assembly::NeverCloses;
     E0902: Assembly::HasNoValue Assembly::HasNoRate;
     E0903: Assembly::SingularStart;

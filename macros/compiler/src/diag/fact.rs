@@ -1,8 +1,8 @@
-//! What can be wrong with a declaration: facts with their numbers, in families. `message.rs` has the words, a file for each family.
+//! Errors in a declaration: facts with their numbers, in families. `message.rs` turns them into sentences, in one file per family.
 
 use crate::quantity::{Dim, Role};
 
-/// Something wrong with a declaration.
+/// An error in a declaration.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // Each family has its documentation.
 pub enum Fact {
@@ -32,7 +32,7 @@ families! {
     Grammar: GrammarFact, Array: ArrayFact, Name: NameFact, Arity: ArityFact, Value: ValueFact, Equation: EquationFact, System: SystemFact, Assembly: AssemblyFact
 }
 
-/// Tokens that are no declaration.
+/// Tokens that are not a valid declaration.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum GrammarFact {
@@ -92,7 +92,7 @@ pub enum ArrayFact {
     GeneratedType { name: String },
 }
 
-/// Names: unknown, taken, or in a circle.
+/// Names: unknown, taken, or in a cycle.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum NameFact {
@@ -175,7 +175,7 @@ pub enum ValueFact {
     ZeroAxis { name: String },
 }
 
-/// Joints, drives and definitions, each for itself.
+/// Joints, drives and definitions, each on its own.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum EquationFact {
@@ -226,17 +226,17 @@ pub enum AssemblyFact {
     AmbiguousStart { body: String, coordinate: Role, values: [f64; 2], place: [f64; 2], is_declared: bool },
 }
 
-/// The names that there are: the first few, and how many in all.
+/// Known names: the first few, and how many there are in all.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Known {
-    /// The first few.
+    /// The first few names.
     pub first: Vec<String>,
-    /// How many there are.
+    /// Number of all names.
     pub count: usize,
 }
 
 impl Known {
-    /// More of them would not be read.
+    /// Largest number of names in a message.
     const MOST: usize = 12;
 
     pub(crate) fn of(names: impl Iterator<Item = impl Into<String>>) -> Known {
@@ -251,76 +251,76 @@ impl Known {
     }
 }
 
-/// What a drive moves, and where that is.
+/// A driven coordinate with its value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Driven {
-    /// The body, or the drive itself where it moves no single coordinate.
+    /// Name of the body, or of the drive if it moves no single coordinate.
     pub name: String,
-    /// The coordinate; none of a drive itself.
+    /// Coordinate; `None` if the name is that of the drive.
     pub coordinate: Option<Role>,
-    /// Its value, in SI, if it is known.
+    /// Value of the coordinate in SI, if it is known.
     pub value: Option<(f64, Dim)>,
 }
 
-/// What a joint demands of a sum of coordinates, and what others make of it.
+/// A sum of coordinates for which a joint and the other joints demand different values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Demand {
     /// `crank.angle`, or a sum such as `b.angle - a.angle`.
     pub form: String,
-    /// What the joint demands, with its unit.
+    /// Value that the joint demands, with its unit.
     pub wanted: String,
-    /// What the others demand.
+    /// Value that the other joints demand.
     pub found: String,
 }
 
-/// What speaks for a joint that was forgotten.
+/// Evidence that a joint was forgotten.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Forgotten {
-    /// Bodies that are joined to one neighbour only.
+    /// Bodies joined to a single neighbour.
     pub loose: Vec<String>,
-    /// A joint that would hold a body, to be typed.
+    /// A joint that would hold a body, as a line to type.
     pub line: Option<String>,
-    /// The coordinates that it would hold.
+    /// Coordinates that this joint would hold.
     pub holds: Vec<String>,
 }
 
-/// What there is of coordinates, equations and drives.
+/// Numbers of coordinates, equations and drives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Count {
-    /// Coordinates of all bodies.
+    /// Number of coordinates of all bodies.
     pub coordinates: usize,
-    /// Equations of joints.
+    /// Number of equations of joints.
     pub joints: usize,
-    /// Equations of drives.
+    /// Number of equations of drives.
     pub drives: usize,
-    /// How many more there would have to be.
+    /// Number of equations that are missing.
     pub missing: usize,
 }
 
-/// What stays open.
+/// A gap that remains in the assembly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gap {
-    /// How far points or lines are apart, in m.
+    /// Distance between points or lines, in m.
     pub length: f64,
-    /// By how much angles differ, in rad.
+    /// Difference of angles, in rad.
     pub angle: f64,
-    /// By how much the sides of another equation differ, in SI, and its unit.
+    /// Difference between the sides of another equation, in SI, with its unit.
     pub other: Option<(f64, String)>,
 }
 
 /// A link that is too long for the others.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bound {
-    /// The others: what they are called and how long they are, in m.
+    /// The other links, with their lengths in m.
     pub ways: Vec<(String, f64)>,
-    /// What is too long: what it is called and how long it is, in m.
+    /// The link that is too long, with its length in m.
     pub span: (String, f64),
-    /// No angle of a drive plays a part.
+    /// True if the gap does not depend on the angle of a drive.
     pub is_always: bool,
 }
 
 impl Bound {
-    /// How much is missing, in m.
+    /// Missing length, in m.
     pub(crate) fn missing(&self) -> f64 {
         self.span.1 - self.ways.iter().map(|(_, length)| length).sum::<f64>()
     }

@@ -1,7 +1,7 @@
-//! Every sentence the compiler says. Rooms report facts with their numbers; this page alone has words.
+//! All messages of the compiler. Stages report facts with their numbers; only this module contains text.
 //!
-//! A message starts lower-case and ends without a full stop; code stands in backticks; what to
-//! type comes after `help:`, a further fact after `note:`.
+//! A message starts lower-case and ends without a full stop. Code is in backticks, a suggestion follows `help:`, a further fact follows
+//! `note:`.
 
 mod arity;
 mod arrays;
@@ -19,9 +19,9 @@ use super::{Doubt, Fact};
 use std::fmt;
 
 impl Fact {
-    /// The sentence as a compile error says it: with the code at the end of the first line.
+    /// The message of a compile error, with the code at the end of the first line.
     ///
-    /// There it stays in sight where only first lines are shown, and can be searched for.
+    /// There the code is visible even if only first lines are shown, and can be searched for.
     #[must_use]
     pub fn message(&self) -> String {
         let sentence = self.to_string();
@@ -30,7 +30,7 @@ impl Fact {
     }
 }
 
-/// The first line, and what comes after it.
+/// Splits a message after its first line.
 fn parted(sentence: &str) -> (&str, &str) {
     sentence.split_at(sentence.find('\n').unwrap_or(sentence.len()))
 }

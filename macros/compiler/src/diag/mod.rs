@@ -1,7 +1,7 @@
-//! The sink into which every room puts its refusals, and where they lie.
+//! Collects the errors of all stages with their source ranges.
 //!
-//! In: facts and the tokens they are about. Out: `compile_error!` tokens, one block per refusal.
-//! Not done here: words. `message.rs` alone turns a fact into a sentence.
+//! In: facts and the tokens they concern. Out: `compile_error!` tokens, one block per error. Not done here: sentences. `message.rs`
+//! alone turns a fact into a sentence.
 
 mod code;
 mod fact;
@@ -23,7 +23,7 @@ pub use warning::{Doubt, Warning};
 
 use proc_macro2::{Ident, Span, TokenStream};
 
-/// The stretch of source a fact is about: from its first token to its last.
+/// Source range of a fact: from its first token to its last.
 #[derive(Clone, Copy, Debug)]
 pub struct Range {
     /// Span of the first token.
@@ -51,12 +51,12 @@ impl From<&Ident> for Range {
     }
 }
 
-/// One refusal: a fact, and the smallest stretch of source that is to blame.
+/// One error: a fact, and the smallest source range at fault.
 #[derive(Clone, Debug)]
 pub struct Refusal {
-    /// What is wrong, with its numbers.
+    /// The fact, with its numbers.
     pub fact: Fact,
-    /// Where.
+    /// Source range.
     pub range: Range,
 }
 
@@ -73,17 +73,16 @@ impl From<syn::Error> for Box<Refusal> {
 }
 
 impl Refusal {
-    /// The refusal as a `syn` error whose underline covers the whole range.
+    /// Converts to a `syn` error whose underline covers the whole range.
     pub fn to_error(&self) -> syn::Error {
-        // `Span::join` gives nothing on stable Rust; an error made from two tokens is underlined
-        // from the first to the second.
+        // `Span::join` returns `None` on stable Rust; an error made from two tokens is underlined from the first to the second.
         let ends = [Ident::new("a", self.range.first), Ident::new("b", self.range.last)];
         let tokens: TokenStream = ends.into_iter().map(proc_macro2::TokenTree::from).collect();
         syn::Error::new_spanned(tokens, self.fact.message())
     }
 }
 
-/// A keyword was found where a name or an expression should stand.
+/// True if the fact is that the keyword `word` was found instead of a name or an expression.
 fn is_about(fact: &Fact, word: &str) -> bool {
     match fact {
         Fact::Grammar(GrammarFact::Keyword { word: other }) => other == word,
@@ -94,7 +93,7 @@ fn is_about(fact: &Fact, word: &str) -> bool {
     }
 }
 
-/// Gathers refusals; a room stops at its door if there are any.
+/// All errors so far. A stage runs only if there are none.
 #[derive(Debug, Default)]
 pub struct Diag {
     refusals: Vec<Refusal>,
@@ -102,10 +101,9 @@ pub struct Diag {
 }
 
 impl Diag {
-    /// Takes note of a refusal and gives `None`, so that a caller can return it at once.
+    /// Reports an error and returns `None`, so that a caller can return it at once.
     ///
-    /// A word that cannot be a name is refused once, not wherever it stands.
-    /// Nothing is taken note of any more once the sink is [exhausted](Diag::exhaust).
+    /// A word that cannot be a name is reported once, not for each use. No error is reported after [`exhaust`](Diag::exhaust).
     pub fn refuse<T>(&mut self, range: impl Into<Range>, fact: impl Into<Fact>) -> Option<T> {
         let fact = fact.into();
         let is_known = |refusal: &Refusal| match &refusal.fact {
@@ -123,27 +121,27 @@ impl Diag {
         None
     }
 
-    /// A limit was met and refused: the rest is not looked at, so that nothing true could be said of it.
+    /// Suppresses all further errors: a limit was exceeded, and the rest of the declaration is not checked.
     pub fn exhaust(&mut self) {
         self.is_exhausted = true;
     }
 
-    /// A limit was met.
+    /// True if a limit was exceeded.
     pub fn is_exhausted(&self) -> bool {
         self.is_exhausted
     }
 
-    /// Nothing was refused so far.
+    /// True if there are no errors so far.
     pub fn is_clean(&self) -> bool {
         self.refusals.is_empty()
     }
 
-    /// Everything refused so far, in the order it was found.
+    /// All errors so far, in the order reported.
     pub fn refusals(&self) -> &[Refusal] {
         &self.refusals
     }
 
-    /// All refusals as `compile_error!` invocations.
+    /// All errors as `compile_error!` invocations.
     pub fn to_tokens(&self) -> TokenStream {
         self.refusals.iter().map(|refusal| refusal.to_error().to_compile_error()).collect()
     }

@@ -1,8 +1,8 @@
-//! What to type instead, where it follows from what was found and what was wanted.
+//! Suggested corrections, from what was found and what was expected.
 
 use crate::quantity::Dim;
 
-/// For a thing of another kind than its place asks for; empty where nothing can be said.
+/// For a value of the wrong kind; empty if there is no suggestion.
 pub(super) fn of_kind(wanted: &str, found: &str) -> &'static str {
     match (wanted, found) {
         ("a number", "a body") | ("a number or a vector", "a body") => {
@@ -22,7 +22,7 @@ pub(super) fn of_kind(wanted: &str, found: &str) -> &'static str {
     }
 }
 
-/// For two things that should be equal.
+/// For two values that cannot be equated.
 pub(super) fn of_equation(one: &str, two: &str) -> &'static str {
     match (one, two) {
         ("a number", "a point" | "a vector" | "an axis") | ("a point" | "a vector" | "an axis", "a number") => {
@@ -34,7 +34,7 @@ pub(super) fn of_equation(one: &str, two: &str) -> &'static str {
     }
 }
 
-/// For two quantities that should be alike.
+/// For two quantities with different dimensions.
 pub(super) fn of_dimensions(one: Dim, two: Dim) -> &'static str {
     let is_rate = |rate: Dim, of: Dim| rate.times(Dim::TIME) == of && !of.is_of_time();
     if is_rate(one, two) || is_rate(two, one) {
@@ -53,9 +53,9 @@ pub(super) fn of_dimensions(one: Dim, two: Dim) -> &'static str {
     }
 }
 
-/// A value in the unit of a drawing: `5 mm`, `30°`, else in SI.
+/// A value in the units of a drawing, `5 mm` or `30°`; other dimensions in SI.
 pub(crate) fn quantity(value: f64, dim: Dim) -> String {
-    // Twelve digits, so that a decimal fraction comes out of the conversion as it went in.
+    // Twelve decimals, so that the conversion of units preserves decimal fractions.
     let short = |value: f64| format!("{:.12}", value).trim_end_matches('0').trim_end_matches('.').to_owned();
     match dim {
         Dim::ANGLE => format!("{}°", short(value.to_degrees())),

@@ -1,13 +1,12 @@
-//! A refusal as a reader sees it, for tests and pages: rustc is not needed to look at one.
+//! Renders an error as a user sees it, for tests and pages, without rustc.
 //!
-//! In: a refusal, and the source that was parsed to the tokens it blames. Spans know their lines and columns only outside of
-//! rustc, so that this is no part of what the macros do.
+//! In: an error, and the source of its tokens. Spans have lines and columns only outside of rustc, so that the macros do not use this.
 
 use super::Refusal;
 use std::ops::Range;
 
 impl Refusal {
-    /// The text that is underlined, of the first line if it goes on.
+    /// The underlined text; of several lines the first one.
     #[must_use]
     pub fn underlined<'a>(&self, source: &'a str) -> &'a str {
         let (line, columns) = self.place(source);
@@ -15,7 +14,7 @@ impl Refusal {
         line.get(byte(columns.start)..byte(columns.end)).unwrap_or("")
     }
 
-    /// Message, line and underline, in the manner of rustc.
+    /// Message, source line and underline, in the style of rustc.
     ///
     /// ```text
     /// error: expected a length (m), found an angle (rad) [reuleaux::E0305]
@@ -30,7 +29,7 @@ impl Refusal {
         format!("error: {message}\n  |\n  | {line}\n  | {}{}\n", " ".repeat(columns.start), "^".repeat(columns.len().max(1)))
     }
 
-    /// The line on which the blamed tokens begin, and from which character to which they are underlined.
+    /// The first source line of the tokens at fault, and the columns to underline.
     fn place<'a>(&self, source: &'a str) -> (&'a str, Range<usize>) {
         let (first, last) = (self.range.first.start(), self.range.last.end());
         let line = source.lines().nth(first.line.saturating_sub(1)).unwrap_or("");

@@ -1,11 +1,11 @@
-//! Did you mean …?
+//! Suggestions for mistyped names.
 
 use crate::quantity::{unit, units};
 
-/// A name with more letters was not typed by a person.
+/// Longest name that gets a suggestion; a longer one was not typed by a person.
 const LONGEST: usize = 60;
 
-/// What others call a thing, and what it is called here.
+/// Words of the language with their synonyms elsewhere.
 const SYNONYMS: [(&str, &[&str]); 27] = [
     ("body", &["link", "bar", "rigid", "member"]),
     ("ground", &["frame", "base", "world", "fixed"]),
@@ -36,18 +36,18 @@ const SYNONYMS: [(&str, &[&str]); 27] = [
     ("h", &["hour", "hours", "hr"]),
 ];
 
-/// The known name nearest to a mistyped one, if it is near enough to be meant.
+/// Known name nearest to a mistyped one, if it is similar enough.
 pub(crate) fn nearest<'a>(typed: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
     let letters = |text: &str| text.chars().flat_map(char::to_lowercase).take(LONGEST + 1).collect::<Vec<char>>();
     let typed = letters(typed);
     if typed.len() > LONGEST {
         return None;
     }
-    // Any two single letters are one replacement apart; that is no reason to mix them up.
+    // Any two single letters are one replacement apart; that does not make them similar.
     let limit = if typed.len() < 2 { 0 } else { (typed.len() / 3).max(1) };
     let is_synonym = |name: &str| {
         let mut others = SYNONYMS.iter().filter(|(known, _)| *known == name).flat_map(|(_, others)| others.iter());
-        // One slip in a long word.
+        // One typing error in a long word.
         others.any(|other| distance(&typed, &other.chars().collect::<Vec<char>>()) <= typed.len() / 6)
     };
     let scored = known.filter_map(|name| {
@@ -59,11 +59,11 @@ pub(crate) fn nearest<'a>(typed: &str, known: impl Iterator<Item = &'a str>) -> 
         let distance = if excess <= limit { distance(&typed, &letters) } else { excess };
         (distance <= limit).then_some(((distance, excess), name))
     });
-    // The order of declaration decides between equals, so that messages are the same on every run.
+    // Of equally near names the first declared one is taken, so that messages are the same on every run.
     scored.min_by_key(|(score, _)| *score).map(|(_, name)| name.to_owned())
 }
 
-/// The unit that was meant by a mistyped one: a letter typed twice is the most likely slip.
+/// Unit nearest to a mistyped one; a letter typed twice is the most likely error.
 pub(crate) fn nearest_unit(typed: &str) -> Option<String> {
     let letters: Vec<char> = typed.chars().collect();
     let is_repeated = |at: &usize| *at > 0 && letters[*at] == letters[at - 1];
@@ -72,8 +72,7 @@ pub(crate) fn nearest_unit(typed: &str) -> Option<String> {
     shorter.or_else(|| nearest(typed, units()))
 }
 
-/// Optimal string alignment distance: insertions, deletions, replacements, swaps of neighbours;
-/// a change of case alone counts as nothing.
+/// Optimal string alignment distance: insertions, deletions, replacements, swaps of neighbours; a change of case costs nothing.
 ///
 /// Reference: Damerau (1964), A technique for computer detection and correction of spelling errors.
 fn distance(one: &[char], two: &[char]) -> usize {

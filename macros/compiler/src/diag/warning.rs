@@ -1,47 +1,47 @@
-//! What refuses nothing and is said nevertheless.
+//! Warnings: the declaration is accepted.
 //!
-//! Stable Rust lets no macro warn. What the ecosystem does instead is done here: a deprecated constant is used under the tokens in
-//! question, so that the compiler warns with its note. It is silent under `#[allow(deprecated)]`.
+//! Macros cannot warn on stable Rust. Like other crates, this module uses a deprecated constant at the tokens in question, so that
+//! rustc warns with the note of the constant. `#[allow(deprecated)]` silences it.
 
 use super::{Fact, Range};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-/// A doubt, and the stretch of source that it is about.
+/// A warning, and the source range it is about.
 #[derive(Clone, Debug)]
 pub struct Warning {
-    /// What is doubtful, with its numbers.
+    /// The doubtful fact, with its numbers.
     pub doubt: Doubt,
-    /// Where.
+    /// Source range.
     pub range: Range,
 }
 
-/// What may not be meant as it is.
+/// A valid declaration that may not be meant.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Doubt {
     /// The nearest assembly is far from a declared start.
     FarStart {
-        /// The body, as called from outside.
+        /// Path of the body.
         body: String,
         /// `angle` or `position`.
         coordinate: &'static str,
-        /// Where it is assembled, with units.
+        /// Assembled value, with units.
         found: String,
-        /// Where it was declared to be.
+        /// Declared value.
         declared: String,
-        /// How far that is.
+        /// Difference between the two.
         apart: String,
-        /// The drive that puts it there, whatever is declared.
+        /// Drive that determines the value, whatever is declared.
         drive: Option<String>,
-        /// What to declare instead.
+        /// Suggested declaration.
         instead: String,
     },
-    /// The motion ends before everything has repeated itself.
+    /// The motion ends before it has repeated itself as a whole.
     MotionEnds(Box<Fact>),
 }
 
 impl Warning {
-    /// A warning of the lint `deprecated`.
+    /// Tokens that trigger the lint `deprecated`.
     pub(crate) fn to_tokens(&self) -> TokenStream {
         let name = match self.doubt {
             Doubt::FarStart { .. } => "far_start",

@@ -1,4 +1,4 @@
-//! Where expressions live. Nodes come in, places go out; equal expressions get equal places.
+//! Storage of expressions: nodes by index. Equal expressions have equal indices.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -15,19 +15,19 @@ pub struct Arena {
 }
 
 impl Arena {
-    /// An arena with nothing in it.
+    /// Creates an empty arena.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// The operation at a place.
+    /// The node of an expression.
     #[must_use]
     pub fn node(&self, expr: Expr) -> &Node {
         &self.nodes[expr.index()]
     }
 
-    /// How many nodes have been built.
+    /// Number of nodes.
     #[must_use]
     pub fn len(&self) -> usize {
         self.nodes.len()
@@ -38,15 +38,15 @@ impl Arena {
         (0..self.nodes.len() as u32).map(Expr)
     }
 
-    /// Whether nothing has been built yet.
+    /// True if there are no nodes.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.nodes.is_empty()
     }
 
-    /// Builds a node: simplified by [`RULES`], and the same place for the same node.
+    /// Builds a node, simplified by [`RULES`]; equal nodes get the same index.
     ///
-    /// Operands are simplified already, so that a node found in the store needs no rule.
+    /// Operands are simplified already, so that a stored node needs no rule.
     pub fn build(&mut self, node: Node) -> Expr {
         if let Some(&place) = self.places.get(&node) {
             return place;
@@ -59,7 +59,7 @@ impl Arena {
         self.place(node)
     }
 
-    /// Stores a node as it is: a copy of one that another arena has simplified already, in the same order of operands.
+    /// Stores a node without simplification: a copy of one that another arena has simplified already, with operands in the same order.
     pub(crate) fn place(&mut self, node: Node) -> Expr {
         let nodes = &mut self.nodes;
         *self.places.entry(node).or_insert_with(|| {
@@ -78,7 +78,7 @@ impl Arena {
         self.constant(Exact::integer(value))
     }
 
-    /// A quantity from outside.
+    /// A variable: time, a parameter, a coordinate or the like.
     pub fn leaf(&mut self, leaf: Leaf) -> Expr {
         self.build(Node::Leaf(leaf))
     }
@@ -98,7 +98,7 @@ impl Arena {
         self.unary(Unary::Neg, a)
     }
 
-    /// a₁ + a₂ + …, from the left; 0 of nothing.
+    /// a₁ + a₂ + …, from the left; 0 for no terms.
     pub fn sum(&mut self, terms: &[Expr]) -> Expr {
         let mut terms = terms.iter().copied();
         let first = terms.next().unwrap_or_else(|| self.integer(0));
@@ -179,7 +179,7 @@ impl Arena {
         self.build(Node::Call { function, order, argument })
     }
 
-    /// The exact number at a place, if the node there is one.
+    /// The value of a constant; `None` for any other node.
     #[must_use]
     pub fn as_constant(&self, expr: Expr) -> Option<Exact> {
         match *self.node(expr) {
@@ -194,9 +194,9 @@ impl Arena {
         self.reachable_until(roots, |_| false)
     }
 
-    /// As [`Arena::reachable`], but leaves out what is `known` and does not look below it.
+    /// Like [`Arena::reachable`], but leaves out `known` nodes and does not descend below them.
     pub(crate) fn reachable_until(&self, roots: &[Expr], known: impl Fn(Expr) -> bool) -> Vec<Expr> {
-        // The largest pending place has no parent left to be visited, hence each comes out once.
+        // The largest pending index has no parent left to visit, hence each node comes out once.
         let mut pending: BTreeSet<Expr> = roots.iter().copied().filter(|&e| !known(e)).collect();
         let mut found = Vec::new();
         while let Some(expr) = pending.pop_last() {
@@ -207,7 +207,7 @@ impl Arena {
         found
     }
 
-    /// The quantities from outside that an expression depends on.
+    /// The leaves that an expression depends on.
     #[must_use]
     pub fn leaves(&self, root: Expr) -> BTreeSet<Leaf> {
         let under = self.reachable(&[root]);

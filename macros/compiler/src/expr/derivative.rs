@@ -1,7 +1,7 @@
-//! Partial derivatives. An expression and a leaf come in, an expression goes out.
+//! Partial derivatives of an expression by a leaf.
 //!
-//! All other leaves are held fixed, also the rates of the leaf. At a kink (`abs` and `sign` at
-//! 0, the border of a `select`) the derivative is the one of the branch that is evaluated there.
+//! All other leaves are held fixed, including the rates of the leaf. At a kink (`abs` and `sign` at 0, the border of a `select`) the
+//! derivative is that of the branch that is evaluated there.
 
 use std::collections::HashMap;
 
@@ -12,8 +12,7 @@ pub fn derivative(arena: &mut Arena, root: Expr, by: Leaf) -> Expr {
     Derivatives::new(by).of(arena, root)
 }
 
-/// The partial derivatives by one leaf of all expressions asked for so far, so that many rows
-/// share their work. Belongs to one arena.
+/// Partial derivatives by one leaf, stored so that many rows share their work. Belongs to one arena.
 #[derive(Clone, Debug)]
 pub struct Derivatives {
     by: Leaf,
@@ -21,7 +20,7 @@ pub struct Derivatives {
 }
 
 impl Derivatives {
-    /// Nothing is derived yet.
+    /// Creates an empty cache of derivatives by `by`.
     #[must_use]
     pub fn new(by: Leaf) -> Self {
         Derivatives { by, known: HashMap::new() }
@@ -36,14 +35,14 @@ impl Derivatives {
         self.known[&root]
     }
 
-    /// The derivative of one node whose operands are derived already.
+    /// The derivative of one node whose operands have been differentiated.
     fn slope(&self, arena: &mut Arena, expr: Expr) -> Expr {
         let node = *arena.node(expr);
         let zero = arena.integer(0);
         let d = |operand: Expr| self.known[&operand];
         match node {
             Node::Leaf(leaf) if leaf == self.by => arena.integer(1),
-            // Without this line, dead nodes would be built only to be multiplied by 0.
+            // Without this line, unused nodes would be built only to be multiplied by 0.
             _ if node.children().all(|operand| d(operand) == zero) => zero,
             Node::Constant(_) | Node::Leaf(_) => zero,
             Node::Unary(function, a) => of_unary(arena, function, expr, a, d(a)),
@@ -135,7 +134,7 @@ pub(super) fn one_plus_square(arena: &mut Arena, a: Expr) -> Expr {
     arena.add(square, one)
 }
 
-/// √((1 − a)(1 + a)), which keeps its digits near a = ±1 where √(1 − a²) does not.
+/// √((1 − a)(1 + a)), which keeps its accuracy near a = ±1, unlike √(1 − a²).
 pub(super) fn cosine_of_arcsine(arena: &mut Arena, a: Expr) -> Expr {
     let one = arena.integer(1);
     let minus = arena.sub(one, a);

@@ -1,16 +1,15 @@
-//! The interpreter. An expression and the numbers of its leaves come in, an `f64` goes out.
+//! The interpreter: evaluates an expression to an `f64`, given the values of its leaves.
 //!
-//! This page defines what an expression means. Emitted code performs the same operations in the
-//! same association and agrees bit for bit.
+//! It defines the meaning of expressions. Generated code performs the same operations in the same association and agrees bit for bit.
 
 use super::{Arena, Binary, Expr, Leaf, Node, Unary};
 
-/// The numbers of all leaves, in SI units. A leaf that is missing here counts as NaN.
+/// Values of all leaves, in SI units. A missing leaf counts as NaN.
 #[derive(Clone, Copy)]
 pub struct Values<'a> {
     /// t, in seconds.
     pub time: f64,
-    /// By number of parameter.
+    /// Parameters, by number.
     pub parameters: &'a [f64],
     /// q, by number of coordinate.
     pub coordinates: &'a [f64],
@@ -18,7 +17,7 @@ pub struct Values<'a> {
     pub velocities: &'a [f64],
     /// q̈, by number of coordinate.
     pub accelerations: &'a [f64],
-    /// Value, first and second derivative of the function of this number.
+    /// Value, first and second derivative of the function with this number.
     pub functions: &'a dyn Fn(u32, f64) -> [f64; 3],
 }
 
@@ -26,7 +25,7 @@ impl Values<'_> {
     fn of(&self, leaf: Leaf) -> f64 {
         let (list, number) = match leaf {
             Leaf::Time => return self.time,
-            // Shapes are printed, not evaluated.
+            // Expressions with data are printed, not evaluated.
             Leaf::Datum(_) => return f64::NAN,
             Leaf::Parameter(i) => (self.parameters, i),
             Leaf::Coordinate(i) => (self.coordinates, i),
@@ -38,7 +37,7 @@ impl Values<'_> {
 }
 
 impl Unary {
-    /// The function's value.
+    /// Evaluates the function.
     #[must_use]
     pub fn apply(self, a: f64) -> f64 {
         match self {
@@ -61,7 +60,7 @@ impl Unary {
 }
 
 impl Binary {
-    /// The function's value.
+    /// Evaluates the function.
     #[must_use]
     pub fn apply(self, a: f64, b: f64) -> f64 {
         match self {
@@ -74,7 +73,7 @@ impl Binary {
     }
 }
 
-/// The values of `roots`, in their order.
+/// Evaluates `roots`, in their order.
 #[must_use]
 pub fn evaluate(arena: &Arena, roots: &[Expr], values: &Values) -> Vec<f64> {
     let mut found = vec![f64::NAN; roots.len()];
@@ -82,7 +81,7 @@ pub fn evaluate(arena: &Arena, roots: &[Expr], values: &Values) -> Vec<f64> {
     found
 }
 
-/// What rounding errors of each root are a share of: the sums of its terms as if none cancelled, sines and cosines counting as 1.
+/// Rounding scale of each root: the sum of its terms as if none cancelled, with sines and cosines taken as 1.
 pub(crate) fn magnitudes(arena: &Arena, roots: &[Expr], values: &Values) -> Vec<f64> {
     let order = arena.reachable(roots);
     let of = evaluate(arena, &order, values);
@@ -102,7 +101,7 @@ pub(crate) fn magnitudes(arena: &Arena, roots: &[Expr], values: &Values) -> Vec<
     roots.iter().map(|root| sizes[slot(*root)]).collect()
 }
 
-/// The interpreter made ready for some roots, for those who evaluate them often.
+/// The interpreter prepared for some roots, for repeated evaluation.
 #[derive(Clone, Debug)]
 pub struct Evaluator {
     steps: Vec<Instruction>,
@@ -127,7 +126,7 @@ impl Evaluator {
     #[must_use]
     pub fn new(arena: &Arena, roots: &[Expr]) -> Self {
         let order = arena.reachable(roots);
-        // Every operand is in the list, which ascends; the place where it is or would be serves.
+        // The list ascends and contains every operand, so that the partition point is the slot.
         let slot = |expr: Expr| order.partition_point(|&e| e < expr);
         let step = |&expr: &Expr| match *arena.node(expr) {
             Node::Constant(value) => Instruction::Constant(value.to_f64()),
@@ -144,12 +143,12 @@ impl Evaluator {
         }
     }
 
-    /// How many operations a run takes.
+    /// Number of operations in a run.
     pub(crate) fn steps(&self) -> usize {
         self.steps.len()
     }
 
-    /// Writes the values of the roots, in their order, as many as `found` has room for.
+    /// Writes the values of the roots in their order, up to the length of `found`.
     pub fn run(&mut self, values: &Values, found: &mut [f64]) {
         self.slots.clear();
         for step in &self.steps {

@@ -1,7 +1,7 @@
 //! Exact numbers: a rational times a power of π.
 //!
-//! Literals and unit factors come in; the nearest `f64` goes out, rounded once. An operation
-//! whose exact result does not fit gives `None`, and the caller keeps it as an operation.
+//! Literals and unit factors come in; the nearest `f64` goes out, rounded once. An operation whose exact result does not fit returns
+//! `None`, and the caller keeps it as an operation.
 
 mod decimal;
 mod rounding;
@@ -58,13 +58,13 @@ impl Exact {
         self.pi
     }
 
-    /// Whether the number is 0.
+    /// True if the number is 0.
     #[must_use]
     pub const fn is_zero(self) -> bool {
         self.numerator == 0
     }
 
-    /// Whether the number is 1.
+    /// True if the number is 1.
     #[must_use]
     pub fn is_one(self) -> bool {
         self == Exact::ONE
@@ -88,7 +88,7 @@ impl Exact {
         Exact { numerator: self.numerator.abs(), ..self }
     }
 
-    /// x + y; `None` when it does not fit, as the sum of different powers of π does not.
+    /// x + y; `None` when it does not fit, as for different powers of π.
     #[must_use]
     pub fn checked_add(self, other: Exact) -> Option<Exact> {
         if self.is_zero() {
@@ -131,7 +131,7 @@ impl Exact {
         self.checked_mul(inverse)
     }
 
-    /// √x when it is exact: squares of rationals times an even power of π.
+    /// √x if it is exact, for squares of rationals times an even power of π.
     #[must_use]
     pub fn checked_sqrt(self) -> Option<Exact> {
         if self.numerator < 0 || self.pi % 2 != 0 {

@@ -1,15 +1,15 @@
-//! Derivatives along a direction. An expression comes in; its value, first and second derivative go out.
+//! Derivatives along a direction: value, first and second derivative of an expression.
 //!
-//! The direction is a [`Seed`]: what the derivative D makes of each leaf. Along the motion u and u̇ are leaves of their own and
-//! D(q) = N(q) u, time runs at rate 1, parameters rest. The derivatives are propagated together as Taylor coefficients through each
-//! operation, which gives shorter and better conditioned expressions than differentiating twice.
+//! The direction is a [`Seed`], the derivative D of each leaf. Along the motion u and u̇ are separate leaves and D(q) = N(q) u, time
+//! has rate 1, parameters are constant. The derivatives are propagated together as Taylor coefficients through each operation, which
+//! gives shorter and better conditioned expressions than differentiating twice.
 
 use std::collections::HashMap;
 
 use super::derivative::{cosine_of_arcsine, one_plus_square, sum_of_squares, turning};
 use super::{Arena, Binary, Expr, Leaf, Node, Unary};
 
-/// Value, first and second rate.
+/// Value, first and second derivative.
 type Jet = [Expr; 3];
 
 /// The rate of a coordinate.
@@ -21,16 +21,16 @@ pub enum Rate {
     Given([Expr; 2]),
 }
 
-/// A direction: what D makes of each leaf.
+/// A direction: the derivative D of each leaf.
 #[derive(Clone, Debug, Default)]
 pub struct Seed {
-    /// D(t) = 1; otherwise time rests.
+    /// True if D(t) = 1; otherwise time is constant.
     time_runs: bool,
-    /// D(u) = u̇; otherwise speeds are constant.
+    /// True if D(u) = u̇; otherwise speeds are constant.
     speeds_change: bool,
-    /// D(p) = 1 for this parameter; all others rest.
+    /// Parameter with D(p) = 1; all others are constant.
     parameter: Option<u32>,
-    /// D(q) of each coordinate; those beyond the last one rest.
+    /// D(q) of each coordinate; those beyond the last one are constant.
     coordinates: Vec<Rate>,
 }
 
@@ -47,15 +47,14 @@ impl Seed {
         Seed { speeds_change: false, ..Seed::motion(coordinates) }
     }
 
-    /// By a parameter at fixed q, u and t.
+    /// Along a parameter, at fixed q, u and t.
     #[must_use]
     pub fn parameter(parameter: u32) -> Seed {
         Seed { parameter: Some(parameter), ..Seed::default() }
     }
 }
 
-/// The jets of all expressions asked for so far, so that many rows share their work. Belongs to
-/// one arena.
+/// The jets along one seed, stored so that many rows share their work. Belongs to one arena.
 #[derive(Clone, Debug)]
 pub struct Jets {
     seed: Seed,
@@ -63,7 +62,7 @@ pub struct Jets {
 }
 
 impl Jets {
-    /// Along a direction.
+    /// Creates an empty cache of jets along a seed.
     #[must_use]
     pub fn along(seed: Seed) -> Self {
         Jets { seed, known: HashMap::new() }
@@ -78,7 +77,7 @@ impl Jets {
         self.known[&root]
     }
 
-    /// The jet of one node whose operands have theirs already.
+    /// The jet of one node whose operands have jets already.
     fn jet(&self, arena: &mut Arena, expr: Expr) -> Jet {
         let node = *arena.node(expr);
         let zero = arena.integer(0);
@@ -86,7 +85,7 @@ impl Jets {
         match node {
             Node::Constant(_) => [expr, zero, zero],
             Node::Leaf(leaf) => self.of_leaf(arena, expr, leaf),
-            // Without this line, dead nodes would be built only to be multiplied by 0.
+            // Without this line, unused nodes would be built only to be multiplied by 0.
             _ if node.children().all(|operand| j(operand)[1..] == [zero, zero]) => [expr, zero, zero],
             Node::Unary(function, a) => of_unary(arena, function, expr, j(a)),
             Node::Binary(function, a, b) => of_binary(arena, function, expr, j(a), j(b)),

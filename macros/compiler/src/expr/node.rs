@@ -1,20 +1,20 @@
-//! What an expression is made of. A [`Node`] is one operation; an [`Expr`] is its place.
+//! Nodes of expressions. A [`Node`] is one operation; an [`Expr`] is its index.
 
 use super::Exact;
 
-/// The place of a node in its [`Arena`](super::Arena). Equal places mean equal expressions.
+/// Index of a node in its [`Arena`](super::Arena). Equal indices mean equal expressions.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Expr(pub(crate) u32);
 
 impl Expr {
-    /// The place as a number; children have smaller ones than their parents.
+    /// The index as a number; children have smaller indices than their parents.
     #[must_use]
     pub const fn index(self) -> usize {
         self.0 as usize
     }
 }
 
-/// A quantity that an expression takes from outside.
+/// A variable of an expression.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Leaf {
     /// The time t.
@@ -27,7 +27,7 @@ pub enum Leaf {
     Speed(u32),
     /// The rate u̇ of the speed of the same number.
     Acceleration(u32),
-    /// A number that differs from place to place, where one expression stands for many of the same shape.
+    /// Placeholder for a number, in an expression shared by several of the same shape.
     Datum(u32),
 }
 
@@ -80,7 +80,7 @@ pub enum Binary {
 pub enum Node {
     /// An exact number.
     Constant(Exact),
-    /// A quantity from outside.
+    /// A variable.
     Leaf(Leaf),
     /// A function of one operand.
     Unary(Unary, Expr),
@@ -88,23 +88,22 @@ pub enum Node {
     Binary(Binary, Expr, Expr),
     /// `if lhs < rhs { then } else { otherwise }`; both branches are evaluated.
     Select {
-        /// What is compared.
+        /// Left side of the comparison.
         lhs: Expr,
-        /// What it is compared with.
+        /// Right side of the comparison.
         rhs: Expr,
         /// The value when `lhs < rhs`.
         then: Expr,
-        /// The value when not, also when one side is NaN.
+        /// The value otherwise, also if one side is NaN.
         otherwise: Expr,
     },
-    /// A derivative of a function of one variable that the arena knows only by number.
+    /// A derivative of a function of one variable, which the arena knows only by number.
     Call {
-        /// The number of the function.
+        /// Number of the function.
         function: u32,
-        /// The order of the derivative: 0 is the function itself. Nobody can evaluate an order
-        /// above 2, but differentiation may produce it.
+        /// Order of the derivative; 0 is the function itself. Orders above 2 cannot be evaluated, but differentiation may produce them.
         order: u8,
-        /// Where the function is taken.
+        /// Argument of the function.
         argument: Expr,
     },
 }

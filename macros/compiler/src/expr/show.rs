@@ -1,16 +1,16 @@
-//! Printing for people. An expression and the names of its leaves come in, a formula goes out.
+//! Prints an expression as a formula, given the names of its leaves.
 //!
-//! The formula is for reading: it shows neither sharing nor the order of association, and what
-//! would make it too long stands as `…`.
+//! The formula is for reading: it shows neither sharing nor the order of association, and operands that make it too long are replaced
+//! by `…`.
 
 use std::collections::HashMap;
 
 use super::{Arena, Binary, Exact, Expr, Leaf, Node, Unary};
 
-/// The formula is not longer than this many characters, unless one name is.
+/// Longest formula in characters, unless one name is longer.
 const LONGEST: usize = 400;
 
-/// How tightly a formula holds together.
+/// Binding strength of a formula, the weakest first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Level {
     Negation,
@@ -23,13 +23,13 @@ enum Level {
 struct Formula {
     text: String,
     level: Level,
-    // The formula is `base` to the power `exponent`.
+    // The formula is a power with this base and exponent.
     base: Expr,
     exponent: u32,
 }
 
 impl Formula {
-    /// The text, in parentheses unless it holds together at least as tightly as asked.
+    /// The text, in parentheses if it binds less tightly than `level`.
     fn within(&self, level: Level) -> Token {
         let text = &self.text;
         Token::Operand(if self.level >= level { text.clone() } else { format!("({text})") })
@@ -137,8 +137,7 @@ fn constant(value: Exact) -> (Level, Vec<Token>) {
     (level, vec![Token::Operand(text)])
 }
 
-/// A number that is not negative. Short decimals stay decimals, other short fractions stay
-/// fractions, and what is long is rounded for the eye.
+/// Formats a number that is not negative. Short decimals stay decimals, other short fractions stay fractions, long numbers are rounded.
 fn magnitude(value: Exact) -> (Level, String) {
     let (above, below) = (value.numerator(), value.denominator());
     let rounded = || (Level::Atom, value.to_f64().to_string());
@@ -158,7 +157,7 @@ fn magnitude(value: Exact) -> (Level, String) {
     }
 }
 
-/// Puts parts side by side; the longest operands give way to `…` until the rest is short enough.
+/// Joins tokens; the longest operands are replaced by `…` until the formula is short enough.
 fn join(mut parts: Vec<Token>) -> String {
     let length = |part: &Token| match part {
         Token::Sign(text) => text.chars().count(),

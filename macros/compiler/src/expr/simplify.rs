@@ -1,8 +1,8 @@
-//! Rewriting. A node about to be built comes in; a simpler expression goes out, or nothing.
+//! Rules that replace a node about to be built by a simpler expression.
 //!
-//! The arena asks the rules in this order for each new node, and what a rule builds goes the
-//! same way, so that no rule matches anywhere in a finished expression. It ends, because each
-//! rule removes an operation, moves a minus outward, or sorts two operands.
+//! The arena tries the rules in this order for each new node and simplifies their results in the same way, so that no rule matches
+//! anywhere in a finished expression. This terminates, because each rule removes an operation, moves a minus outward, or sorts two
+//! operands.
 //!
 //! A rule never costs accuracy: the new form has at most as many roundings as the old one, for
 //! all finite operands (0 · x is taken as 0). Hence nothing here distributes, reassociates a
@@ -15,17 +15,17 @@ mod signs;
 
 use super::{Arena, Expr, Node};
 
-/// Gives what to write for a node instead, or `None` when the law does not apply to it.
+/// Returns the replacement of a node, or `None` if the law does not apply.
 pub type Rewrite = fn(&mut Arena, &Node) -> Option<Expr>;
 
 /// One law of simplification.
 #[derive(Clone, Copy, Debug)]
 pub struct Rule {
-    /// What the law says, as a name.
+    /// Name of the law.
     pub name: &'static str,
-    /// What the law says, as a formula; a, b, x are any expressions, c is a constant.
+    /// Formula of the law; a, b, x are any expressions, c is a constant.
     pub law: &'static str,
-    /// The law at work.
+    /// Applies the law.
     pub rewrite: Rewrite,
 }
 
@@ -59,7 +59,7 @@ pub const RULES: &[Rule] = &[
     rule("zero_absorbs_divisors", "0 / x = 0, x not 0", identities::divide_zero),
     rule("equal_branches_need_no_choice", "a < b ? x : x = x", identities::equal_branches),
     rule("nothing_is_less_than_itself", "x < x ? a : b = b", identities::equal_sides),
-    // Minus signs move outward and meet. A negative constant counts as the minus of one.
+    // Minus signs move outward and combine. A negative constant counts as a negated positive one.
     rule("minus_minus_is_plus", "−(−x) = x", signs::negate_negation),
     rule("negated_difference_turns", "−(a − b) = b − a", signs::negate_difference),
     rule("plus_minus_is_minus", "a + (−b) = a − b", signs::add_negation),
@@ -72,7 +72,7 @@ pub const RULES: &[Rule] = &[
     rule("minus_leaves_divisors", "a / (−b) = −(a / b)", signs::divisor),
     rule("odd_functions_pass_minus", "f(−x) = −f(x), f odd", signs::odd_function),
     rule("even_functions_drop_minus", "f(−x) = f(x), f even", signs::even_function),
-    // Constants meet, where that saves a rounding.
+    // Constants are combined if that saves a rounding.
     rule("divisor_two_to_n_is_a_factor", "x / 2ⁿ = 2⁻ⁿ · x", constants::divide_by_power_of_two),
     rule("constant_factors_meet", "c₁ · (c₂ · x) = c · x", constants::merge_factors),
     rule("constant_divisors_meet", "(x / c₁) / c₂ = x / c", constants::merge_divisors),

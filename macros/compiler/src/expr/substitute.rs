@@ -1,9 +1,9 @@
-//! Replacing leaves by expressions.
+//! Replaces leaves by expressions.
 
 use super::{Arena, Expr, Leaf, Node};
 use std::collections::{BTreeMap, HashMap};
 
-/// Expressions to stand in for leaves. A substitution belongs to one arena.
+/// Replacements of leaves by expressions. A substitution belongs to one arena.
 #[derive(Clone, Debug, Default)]
 pub struct Substitution {
     map: BTreeMap<Leaf, Expr>,
@@ -11,13 +11,13 @@ pub struct Substitution {
 }
 
 impl Substitution {
-    /// Replaces nothing yet.
+    /// Creates a substitution that replaces nothing.
     #[must_use]
     pub fn new() -> Substitution {
         Substitution::default()
     }
 
-    /// From now on `leaf` is replaced by `by`; `by` itself is left as it is.
+    /// Replaces `leaf` by `by` from now on; `by` itself is not changed.
     pub fn replace(&mut self, leaf: Leaf, by: Expr) {
         self.map.insert(leaf, by);
         self.memo.clear();
@@ -34,7 +34,7 @@ impl Substitution {
             let is_same = node.children().all(|child| new(child) == child);
             let replaced = match node {
                 Node::Leaf(leaf) => self.map.get(&leaf).copied().unwrap_or(expr),
-                // Building anew would only find the same node again.
+                // Building it anew would only find the same node again.
                 _ if is_same => expr,
                 Node::Constant(_) => expr,
                 Node::Unary(function, value) => {

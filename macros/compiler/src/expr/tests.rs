@@ -1,4 +1,4 @@
-//! Sentences that are true of expressions.
+//! Tests of expressions.
 
 mod arena;
 mod derivative;
@@ -13,12 +13,12 @@ mod simplify;
 use super::{Arena, Expr, Values};
 use formula::parse;
 
-/// The expression that a formula of [`formula`] stands for.
+/// The expression of a formula in the language of [`formula`].
 fn expr(arena: &mut Arena, text: &str) -> Expr {
     parse(text).build(arena)
 }
 
-/// What the numbered functions are in these tests: f₀(x) = x³, f₁(x) = 1/x, otherwise nothing.
+/// Numbered functions of these tests: f₀(x) = x³, f₁(x) = 1/x, all others undefined.
 fn functions(number: u32, x: f64) -> [f64; 3] {
     match number {
         0 => [x * x * x, 3.0 * x * x, 6.0 * x],
@@ -27,7 +27,7 @@ fn functions(number: u32, x: f64) -> [f64; 3] {
     }
 }
 
-/// Where the tests stand: numbers that nothing distinguishes.
+/// Generic values of all leaves.
 #[derive(Clone)]
 struct Point {
     time: f64,
@@ -50,7 +50,7 @@ impl Point {
         }
     }
 
-    /// The point a little later, when accelerations stay what they are.
+    /// The values after a time `s` at constant accelerations.
     fn later(&self, s: f64) -> Point {
         let mut point = self.clone();
         point.time += s;
@@ -77,7 +77,7 @@ impl Point {
     }
 }
 
-/// Fails unless two numbers agree relative to their size, or to 1 when they are smaller.
+/// Fails unless two numbers agree relative to their magnitude, or to 1 if they are smaller.
 fn assert_close(found: f64, expected: f64, tolerance: f64, what: &str) {
     let scale = expected.abs().max(1.0);
     let difference = (found - expected).abs();

@@ -1,7 +1,7 @@
-//! The standard library: one file per kind, written in the language itself.
+//! The standard library: one file per joint or function, written in the language itself.
 //!
-//! A new kind is a new file under `library/` and a new line here; no other code knows its name.
-//! Each file's doc comment is its manual page; the runtime shows them all in its rustdoc.
+//! A new joint or function is a new file under `library/` and a new line here; no other code contains its name. The doc comment of each
+//! file is its manual page; the rustdoc of the runtime shows all of them.
 
 use crate::diag::Diag;
 use crate::syntax::{
@@ -65,14 +65,14 @@ pub fn pages() -> impl Iterator<Item = (&'static str, &'static str)> {
     CONSTRAINTS.iter().chain(FUNCTIONS).copied()
 }
 
-/// The constraint of this name.
+/// Constraint with this name; `None` if there is none in the library.
 pub(crate) fn find(name: &str) -> Option<Rc<Definition>> {
     let tokens = tokens(CONSTRAINTS, name)?;
-    // A page that does not parse is found by this crate's tests.
+    // The tests of this crate find a page that does not parse.
     syntax::parse_exported(tokens, &mut Diag::default())?.into_iter().next().map(Rc::new)
 }
 
-/// The function of this name.
+/// Function with this name; `None` if there is none in the library.
 pub(crate) fn function(name: &str) -> Option<Node<Function>> {
     syntax::parse_function(tokens(FUNCTIONS, name)?, &mut Diag::default()).map(Node::new)
 }

@@ -1,4 +1,4 @@
-//! Sums, products, powers and choices of numbers and vectors, and equations between them.
+//! Arithmetic of numbers and vectors: sums, products, powers, choices, and the residuals of equations.
 
 use super::Components;
 use super::elaborate::{Elaborator, Scope};
@@ -35,7 +35,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// A place: a vector whose coordinates are lengths. Where they are written out, the one that is none is to blame.
+    /// Evaluates a point: a vector of lengths. If its coordinates are written out, the error marks the one that is not a length.
     pub(super) fn location(&mut self, written: &ast::Expr, scope: &Scope) -> Option<Vector> {
         if let ast::ExprKind::Tuple(items) = &written.kind
             && let [x, y] = items.as_slice()
@@ -76,7 +76,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// `one operator two`; the range of `two` is blamed where only it is wrong.
+    /// Evaluates `one operator two`. An error that concerns `two` alone is reported at its range `second`.
     fn combine(&mut self, range: Range, operator: Operator, one: Scalar, (two, second): (Scalar, Range)) -> Option<Scalar> {
         let (expr, measure) = match operator {
             Operator::Mul => (self.arena.mul(one.expr, two.expr), one.measure.times(two.measure)),
@@ -98,14 +98,14 @@ impl Elaborator<'_> {
         Some(Scalar { expr, measure })
     }
 
-    /// `one % two`, of whole numbers that the compiler knows.
+    /// Evaluates `one % two` for whole numbers known at compile time.
     fn remainder(&mut self, range: Range, lhs: &ast::Expr, rhs: &ast::Expr, scope: &Scope) -> Option<Scalar> {
         let (one, two) = (self.whole(lhs, scope), self.whole(rhs, scope));
         let result = self.whole_of_two(range, Operator::Rem, one?, two?)?;
         Some(Scalar { expr: self.arena.integer(result), measure: InferredDim::Known(Dim::NUMBER) })
     }
 
-    /// Vectors are added to vectors, and multiplied or divided by numbers.
+    /// Adds vectors to vectors, and multiplies or divides vectors by numbers.
     fn combine_vectors(
         &mut self,
         range: Range,
@@ -146,7 +146,7 @@ impl Elaborator<'_> {
         self.combine_parts(range, operator, one, &others, right.0.range).map(Value::Vector)
     }
 
-    /// Each component with a number of its own.
+    /// Combines each component with its own number.
     fn combine_parts(&mut self, range: Range, operator: Operator, one: Vector, others: &[Scalar], second: Range) -> Option<Vector> {
         let pairs = one.parts.iter().zip(others);
         let scalar = |expr: &Expr| Scalar { expr: *expr, measure: one.measure };
@@ -157,7 +157,7 @@ impl Elaborator<'_> {
         Some(Vector { parts: Components::new(&parts)?, measure: combined.first()?.measure })
     }
 
-    /// Whole powers are multiplications, halves are square roots of them, others exponentials.
+    /// Builds a power: multiplications for a whole exponent, a power of the square root for a half-integer, exp and ln otherwise.
     fn power(&mut self, range: Range, base: &ast::Expr, exponent: &ast::Expr, scope: &Scope) -> Option<Scalar> {
         let (one, two) = (self.scalar(base, scope), self.scalar(exponent, scope));
         let (one, two) = (one?, two?);
@@ -193,8 +193,8 @@ impl Elaborator<'_> {
         Some(Scalar { expr, measure })
     }
 
-    /// A power above the second, also where its base is 0: it vanishes there with its first two derivatives, which roots and logarithms
-    /// do not show. Below 0 it is not finite.
+    /// Extends a fractional power above the second to the base 0. There it vanishes with its first two derivatives, but its formula
+    /// with roots or logarithms is singular. Below 0 it is not finite.
     fn with_zero(&mut self, base: Expr, power: Expr) -> Expr {
         let (zero, one) = (self.arena.integer(0), self.arena.integer(1));
         let sign = self.arena.unary(Unary::Sign, base);
@@ -232,7 +232,7 @@ impl Elaborator<'_> {
         Some(Value::Scalar(Scalar { expr, measure }))
     }
 
-    /// Left minus right side of an equation, one residual for a number, two for a vector.
+    /// Residuals of an equation, left minus right side: one for a number, two for a vector.
     pub(super) fn residuals(&mut self, lhs: &ast::Expr, rhs: &ast::Expr, scope: &Scope) -> Option<Vec<Scalar>> {
         let range = lhs.range.to(rhs.range);
         let (left, right) = (self.value(lhs, scope), self.value(rhs, scope));
@@ -255,7 +255,7 @@ impl Elaborator<'_> {
     }
 }
 
-/// A number with another unit, as the length that may have been meant.
+/// The digits of a number in mm, as the length that was probably meant.
 fn in_millimetres(written: &ast::Expr) -> Option<String> {
     match &written.kind {
         ast::ExprKind::Number { digits, .. } => Some(format!("{digits}mm")),

@@ -1,4 +1,4 @@
-//! The values that a parameter may have.
+//! Declared ranges of parameters and of time.
 
 use super::elaborate::{Elaborator, Scope};
 use super::register::Register;
@@ -9,7 +9,7 @@ use crate::quantity::Dim;
 use crate::syntax::ast::{self, ExprKind, Limits};
 
 impl Bounds {
-    /// A value lies within.
+    /// True if `value` lies within the bounds.
     #[must_use]
     pub fn hold(&self, value: f64) -> bool {
         let is_below = |to: f64| if self.is_inclusive { value <= to } else { value < to };
@@ -18,7 +18,7 @@ impl Bounds {
 }
 
 impl Elaborator<'_> {
-    /// The declared bounds of a parameter: constants, between which there is a value.
+    /// Evaluates the declared bounds of a parameter. Reports bounds that are not constant, and empty ranges.
     pub(super) fn bounds(&mut self, limits: &Limits, dim: Dim, scope: &Scope) -> Option<Bounds> {
         let scope = &scope.clone().timeless("the bound of a parameter");
         let (from, to) = (self.bound(limits.from.as_ref(), dim, scope), self.bound(limits.to.as_ref(), dim, scope));
@@ -37,7 +37,7 @@ impl Elaborator<'_> {
         Some(bounds)
     }
 
-    /// The declared range of time, between whose ends there is a time.
+    /// Evaluates the declared range of time. Reports an empty range.
     pub(super) fn times(&mut self, register: &Register, parameters: &[Parameter]) -> Option<Times> {
         let limits = register.range.as_ref()?.limits.clone();
         let place = "the end of a range of time";
@@ -61,7 +61,7 @@ impl Elaborator<'_> {
         Some(Times { from, to })
     }
 
-    /// One end; none where there is none.
+    /// Evaluates one bound; `Some(None)` if it is not written.
     fn bound(&mut self, written: Option<&ast::Expr>, dim: Dim, scope: &Scope) -> Option<Option<f64>> {
         let Some(written) = written else { return Some(None) };
         let expr = self.scalar_of(written, dim, scope)?.expr;
@@ -74,7 +74,7 @@ impl Elaborator<'_> {
     }
 }
 
-/// A constant as a person writes it: a number as it was written, anything else by its value.
+/// Text of a constant: a number with a unit as written, anything else by its value in SI.
 pub(super) fn in_words(written: &ast::Expr, value: f64, dim: Dim) -> String {
     let (sign, inner) = match &written.kind {
         ExprKind::Negative(inner) => ("-", &inner.kind),

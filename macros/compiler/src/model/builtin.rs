@@ -1,4 +1,4 @@
-//! Functions that are always there, and functions of one variable that users give.
+//! Built-in functions, and functions of one variable declared by users.
 
 use super::Components;
 use super::Function as Numbered;
@@ -135,7 +135,7 @@ impl Elaborator<'_> {
             return self.refuse(range, ValueFact::Unlike { action: "compare", one: one.measure.settled(), two: two.measure.settled() });
         };
         Some(match word {
-            // Where nothing is less, as with NaN, the first one stays.
+            // If neither operand is less, as with NaN, the first one is returned.
             "min" => Scalar { expr: self.arena.select(two.expr, one.expr, two.expr, one.expr), measure },
             "max" => Scalar { expr: self.arena.select(one.expr, two.expr, two.expr, one.expr), measure },
             _ => {
@@ -144,7 +144,7 @@ impl Elaborator<'_> {
         })
     }
 
-    /// a·b, and the third component of a × b.
+    /// Dot product a·b, or the third component of a × b.
     fn product(&mut self, word: &str, arguments: &[ast::Expr], scope: &Scope) -> Option<Scalar> {
         let (one, two) = (self.vector(&arguments[0], scope), self.vector(&arguments[1], scope));
         let (one, two) = (one?, two?);
@@ -203,7 +203,7 @@ impl Elaborator<'_> {
         self.arena.sqrt(sum)
     }
 
-    /// The function behind a Rust path, the same number each time it is named.
+    /// Function with this Rust path; the same path always gets the same number.
     pub(super) fn rust_function(&mut self, path: &ast::Path, from: InferredDim, to: InferredDim) -> FunctionValue {
         let written = path.tokens.to_string();
         let known = self.functions.iter().position(|known| matches!(known, Numbered::Rust(tokens) if tokens.to_string() == written));
@@ -214,7 +214,7 @@ impl Elaborator<'_> {
         FunctionValue::Numbered { number: number as u32, from, to }
     }
 
-    /// The value of a function at an argument.
+    /// Applies a function to its argument.
     fn apply(
         &mut self,
         range: Range,
@@ -247,11 +247,11 @@ impl Elaborator<'_> {
         }
     }
 
-    /// The body of a function written in the language, at an argument.
+    /// Evaluates the body of a function written in the language.
     pub(super) fn written(&mut self, range: Range, function: &ast::Node<ast::Function>, argument: Scalar) -> Option<Scalar> {
         let name = function.name.to_string();
         if let Some(first) = self.names.open_functions.iter().position(|open| *open == name) {
-            // Functions that call each other are refused once.
+            // A cycle of functions is reported once.
             let circle = &self.names.open_functions[first..];
             let is_in_it = |fact: &Fact| matches!(fact, Fact::Name(NameFact::Recursion { name }) if circle.contains(name));
             let is_known = self.diag.refusals().iter().any(|refusal| is_in_it(&refusal.fact));
@@ -262,13 +262,13 @@ impl Elaborator<'_> {
             return Some(*known);
         }
         let to = self.dimension(&function.to)?;
-        // A function sees the parameters and other functions of its mechanism, and its argument.
+        // A function can use its argument, and the parameters and functions of its mechanism.
         let mut inner = Scope::mechanism().timeless("a function of one variable");
         if let Some(formal) = &function.argument {
             inner.bound.push((formal.to_string(), Value::Scalar(argument)));
         }
         self.names.open_functions.push(name);
-        // What is wrong with a function is wrong in every call, and in every function that calls it.
+        // An error in a function is reported once, not again for each call or for each function that calls it.
         let value = self.once(function, |this| this.scalar_of(&function.value, to, &inner));
         if value.is_none() {
             self.refused.insert(Key::from(function));
@@ -314,7 +314,7 @@ impl Elaborator<'_> {
         Some(Scalar { expr: self.arena.call(number as u32, 0, argument.expr), measure: to })
     }
 
-    /// The numbers of a table, with the first ones in increasing order.
+    /// Reads the pairs of a table; their first numbers must increase.
     fn table_pairs(&mut self, items: &[ast::Expr], mut from: InferredDim, to: &mut InferredDim, scope: &Scope) -> Option<Vec<(f64, f64)>> {
         let mut pairs: Vec<(f64, f64)> = Vec::new();
         for item in items {
@@ -347,7 +347,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// One constant of a table; all of a column measure the same.
+    /// Evaluates one constant of a table; all entries of a column have the same dimension.
     fn table_entry(&mut self, entry: &ast::Expr, column: &mut InferredDim, scope: &Scope) -> Option<f64> {
         let scalar = self.scalar(entry, scope)?;
         let Some(common) = column.common(scalar.measure) else {

@@ -1,4 +1,4 @@
-//! Names for items: which space they belong to, with which indices, and whether they are taken.
+//! Declares the names of items: namespaces, indices, and conflicts between names.
 
 use super::Name;
 use super::builtin::BUILTINS;
@@ -11,17 +11,17 @@ use crate::diag::{ArrayFact, Fact, NameFact, Range};
 use crate::syntax::ast;
 use proc_macro2::Ident;
 
-/// A name as it was written.
+/// A declared name, as written.
 #[derive(Clone, Copy)]
 pub(super) struct Written<'a> {
-    /// The name of which item it is.
+    /// Key of the declaration.
     pub(super) key: Key,
     pub(super) name: &'a Ident,
     pub(super) indices: &'a [ast::Expr],
 }
 
 impl Elaborator<'_> {
-    /// Gives an item its name in the space where it stands.
+    /// Declares an item in the namespace of its context.
     pub(super) fn declare(
         &mut self,
         Written { key, name, indices }: Written,
@@ -33,7 +33,7 @@ impl Elaborator<'_> {
         let indices = self.written_indices(indices, key, context)?;
         let word = name.to_string();
         if is_reserved(&word) {
-            // The item is there all the same, so that nobody misses it.
+            // The item is declared all the same, so that its uses are not reported as well.
             self.names.misused.insert(word.clone());
             self.once(key, |this| this.refuse::<()>(name, NameFact::Reserved { name: word.clone() }));
         }
@@ -55,13 +55,13 @@ impl Elaborator<'_> {
         EntityId(self.names.declared.len() - 1)
     }
 
-    /// Counts items or rounds of loops, and gives up where there are too many.
+    /// Counts items or loop iterations; gives up if there are too many.
     pub(super) fn charge(&mut self, number: usize, range: impl Into<Range>) -> Option<()> {
         self.count += number;
         if self.count > MOST { self.give_up(range, ArrayFact::TooManyItems { limit: MOST }) } else { Some(()) }
     }
 
-    /// Puts an item among those of its name, or says what has the name already.
+    /// Adds an item under its name. If the name is taken, returns the sort of item that has it.
     pub(super) fn join(&mut self, space: SpaceId, word: &str, sort: Sort, indices: Vec<usize>, id: EntityId) -> Result<(), Sort> {
         let Some(group) = self.names.find(space, word) else {
             let path = format!("{}{word}", self.names.spaces[space.0].prefix);
@@ -73,7 +73,7 @@ impl Elaborator<'_> {
         };
         let group = &mut self.names.groups[group.0];
         if group.sort != sort || group.ranks != indices.len() || group.members.contains_key(&indices) {
-            // Which of the two is meant where the name is used, nobody knows: that is not to be told as a second mistake.
+            // A use of the name is ambiguous; it is not to be reported as a second error.
             for member in group.members.values() {
                 self.names.declared[member.0].progress = Progress::Failed;
             }
@@ -91,14 +91,14 @@ impl Elaborator<'_> {
         self.at(self.situation(context), |this| this.once(key, |this| this.indices(indices, &scope)))
     }
 
-    /// The name from outside; items with the same `key` are of one declaration.
+    /// The name with its full path; items with the same `key` have one declaration.
     pub(super) fn full_name(&mut self, space: SpaceId, key: Key, word: &Ident, indices: &[usize]) -> Name {
         let next = self.names.declarations.len();
         let declaration = *self.names.declarations.entry(key).or_insert(next);
         Name::within(&self.names.spaces[space.0].prefix, word, declaration, indices)
     }
 
-    /// Which of many is being registered, in words.
+    /// Describes the enclosing part and loop variables, for messages; `None` outside of both.
     pub(super) fn situation(&self, context: &Context) -> Option<String> {
         let owner = self.names.spaces[context.space.0].prefix.trim_end_matches('.');
         let value = |value: &Value| match value {
@@ -115,7 +115,7 @@ impl Elaborator<'_> {
     }
 }
 
-/// A name is taken, perhaps by the same item in another round of a loop.
+/// The error for a name that is taken, possibly by the same item in another loop iteration.
 pub(super) fn duplicate(name: String, first: &'static str, in_loop: Option<&(String, Value)>) -> Fact {
     match in_loop {
         Some((variable, _)) => ArrayFact::DuplicateInLoop { name, variable: variable.clone() }.into(),

@@ -1,5 +1,4 @@
-//! A definition is checked where it is written: with arguments that nothing is known of but their
-//! kind.
+//! Checks a definition where it is written, with arguments of which only the kind is known.
 
 use super::Components;
 use super::Function as Numbered;
@@ -18,16 +17,16 @@ use crate::syntax::ast::{Definition, Definitions, Dimension, Kind};
 use proc_macro2::Ident;
 use std::rc::Rc;
 
-/// What a parameter may take beside a dimension.
+/// Kinds of parameters other than dimensions.
 const KINDS: &[&str] = &["Point", "Axis", "Body", "Quantity", "Function", "Joint"];
 
-/// Reports what is wrong with a definition. `others` are definitions it may name as joint kinds.
+/// Reports the errors in a definition, which may use the definitions in `others` as kinds of joints.
 pub(crate) fn check(definition: &Definition, others: &[Definition], diag: &mut Diag) {
     let mut work = Elaborator::new(diag, Names::abstract_());
     work.check(definition, others);
 }
 
-/// Reports names that are exported twice, and those that stand for nothing.
+/// Reports duplicate names among the exports, and empty bundles.
 pub(crate) fn check_names(definitions: &Definitions, diag: &mut Diag) {
     let unique = |names: Vec<&Ident>, diag: &mut Diag| {
         for (position, name) in names.iter().enumerate() {
@@ -63,7 +62,7 @@ impl Elaborator<'_> {
         Some(())
     }
 
-    /// Every parameter bound to something that nothing else is known of.
+    /// Binds every parameter to an unknown value of its kind.
     fn formals(&mut self, definition: &Definition, others: &[Definition]) -> Option<Scope> {
         let mut scope = Scope::default();
         let mut seen_default = false;
@@ -88,7 +87,7 @@ impl Elaborator<'_> {
         Some(scope)
     }
 
-    /// The parameters of a component: their names and kinds, before it is used.
+    /// Checks the names and the kinds of the parameters of a component.
     pub(super) fn head_is_sound(&mut self, head: &Definition) -> Option<()> {
         for (number, formal) in head.parameters.iter().enumerate() {
             let (name, before) = (formal.name.to_string(), &head.parameters[..number]);
@@ -125,7 +124,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// An argument of this kind of which nothing else is known.
+    /// An unknown argument of the given kind.
     pub(super) fn unknown(&mut self, kind: &Kind, others: &[Definition]) -> Option<Value> {
         Some(match kind {
             Kind::Point => Value::Point(self.unknown_fixed(InferredDim::Known(Dim::LENGTH))),
@@ -161,7 +160,7 @@ impl Elaborator<'_> {
         })
     }
 
-    /// A single word that is no dimension may be a kind that was mistyped.
+    /// Resolves a dimension. A single unknown word may be a mistyped kind.
     fn kind_dimension(&mut self, written: &Dimension) -> Option<Dim> {
         if let [(word, 1)] = written.factors.as_slice()
             && Dim::named(&word.to_string()).is_none()

@@ -1,4 +1,4 @@
-//! Expressions: from the tree to values in the arena, with dimensions checked on the way.
+//! Evaluates expressions of the syntax tree to values in the arena, and checks their dimensions.
 
 use super::key::Key;
 use super::names::{Context, Names, SpaceId};
@@ -12,99 +12,98 @@ use crate::syntax::ast::{self, ExprKind};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Everything that is built while a mechanism or a definition is resolved.
+/// State while a mechanism or a definition is resolved.
 pub(crate) struct Elaborator<'a> {
     pub(super) arena: Arena,
     pub(super) diag: &'a mut Diag,
     pub(super) names: Names,
     pub(super) functions: Vec<Numbered>,
     pub(super) requirements: Vec<Requirement>,
-    /// Where each requirement is to be blamed, and the joint that asks for it.
+    /// For each requirement, the source range of its error, and the joint that states it.
     pub(super) requirement_places: Vec<(Range, Name)>,
-    /// The definition being instantiated and the token to blame for what goes wrong in it.
+    /// Definition being instantiated, and the token at which its errors are reported.
     pub(super) blame: Option<Instance>,
-    /// How many values are being looked at, one inside the other.
+    /// Current nesting of values being evaluated.
     pub(super) depth: u16,
-    /// How many items there are so far, loops gone through and parts taken apart, and rounds of loops.
+    /// Number of items so far, with loops unrolled and parts expanded, plus the number of loop iterations.
     pub(super) count: usize,
-    /// The item that is being looked at, if it is one of many: `in `leg[3].coupler``.
+    /// Current item, if its declaration is expanded several times: ``in `leg[3].coupler` ``.
     pub(super) place: Option<String>,
-    /// Items that were refused in one place and are not looked at in others.
+    /// Declarations that were rejected; they are not checked again for other instances.
     pub(super) refused: BTreeSet<Key>,
-    /// Points and start values that are looked at once all defaults are known.
+    /// Values to check once all defaults are known, such as points and start values.
     pub(super) fixed_values: Vec<FixedValue>,
-    /// A component is looked at of which there is no part: its arguments may be anything.
+    /// True while a component without parts is checked: its arguments may be anything.
     pub(super) is_unused: bool,
-    /// Values of functions that were written out before, by function and argument.
+    /// Values of functions of the language computed before, by function and argument.
     pub(super) calls: BTreeMap<(ast::NodeId, Expr), (ast::Node<ast::Function>, Scalar)>,
 }
 
-/// A definition that is being instantiated.
+/// A definition being instantiated.
 #[derive(Clone)]
 pub(super) struct Instance {
-    /// What is underlined: the joint's kind.
+    /// Source range for errors: the kind of the joint.
     pub(super) place: Range,
-    /// The definition, or one of its equations, in words.
+    /// The definition, or one of its equations, for messages.
     pub(super) definition: String,
-    /// What the arguments measure for which the definition leaves it open.
+    /// Dimensions of the arguments for which the definition allows any.
     pub(super) quantities: Vec<(String, Dim)>,
 }
 
-/// No chain of names that are used before they are declared may be longer, so that none exhausts
-/// the stack.
+/// Largest nesting of values: a longer chain of names that are used before they are declared could exhaust the stack.
 const DEEPEST: u16 = 400;
 
-/// Who has mistyped more names than these has not mistyped them.
+/// After this many errors mistyped names get no more suggestions.
 const SUGGESTIONS: usize = 100;
 
-/// No mechanism that is compiled in reasonable time has more operations.
+/// Largest number of operations: a mechanism with more does not compile in reasonable time.
 const LARGEST: usize = 200_000;
 
-/// What names mean where an expression stands.
+/// Names visible to an expression.
 #[derive(Clone, Default)]
 pub(super) struct Scope {
     /// Names bound here, innermost last.
     pub(super) bound: Vec<(String, Value)>,
-    /// The names of this space and of the mechanism are visible.
+    /// Namespace whose names are visible, besides those of the mechanism.
     pub(super) space: Option<SpaceId>,
-    /// Why `t` may not be used here, if it may not.
+    /// Where `t` is not allowed, if it is not allowed here.
     pub(super) timeless: Option<Timeless>,
 }
 
-/// Where `t` may not be used.
+/// A place where `t` is not allowed.
 #[derive(Clone)]
 pub(super) enum Timeless {
-    /// In a start value, a point, and the like.
+    /// A start value, a point and the like.
     Place(&'static str),
-    /// In the joint of this name.
+    /// The joint of this name.
     Joint(String),
 }
 
 impl Scope {
-    /// Where everything declared in the mechanism is visible.
+    /// Scope with all names of the mechanism.
     pub(super) fn mechanism() -> Scope {
         Scope { space: Some(SpaceId::MECHANISM), ..Scope::default() }
     }
 
-    /// What is visible where an item stands.
+    /// Scope of an item.
     pub(super) fn of(context: &Context) -> Scope {
         Scope { space: Some(context.space), bound: context.bound.to_vec(), ..Scope::default() }
     }
 
-    /// The same, but `t` is refused.
+    /// The same scope without `t`.
     pub(super) fn timeless(mut self, place: &'static str) -> Scope {
         self.timeless = Some(Timeless::Place(place));
         self
     }
 
-    /// What a name bound here stands for.
+    /// Value of a name bound in this scope.
     pub(super) fn value_of(&self, name: &Ident) -> Option<&Value> {
         self.bound.iter().rev().find(|(known, _)| name == known).map(|(_, value)| value)
     }
 }
 
 impl Elaborator<'_> {
-    /// With nothing in it yet.
+    /// Creates an elaborator without expressions.
     pub(super) fn new(diag: &mut Diag, names: Names) -> Elaborator<'_> {
         Elaborator {
             arena: Arena::new(),
@@ -124,8 +123,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// Takes note of a refusal. Inside a definition that is being instantiated the place to blame
-    /// is the joint that uses it.
+    /// Reports an error. Inside a definition that is being instantiated it is reported at the joint that uses the definition.
     pub(super) fn refuse<T>(&mut self, range: impl Into<Range>, fact: impl Into<Fact>) -> Option<T> {
         let fact = fact.into();
         match self.blame.clone() {
@@ -136,7 +134,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// Takes note of a refusal at this very place; of an item that stands many times with which of them it is.
+    /// Reports an error at this very range, and names the current item if its declaration is expanded several times.
     pub(super) fn say<T>(&mut self, range: impl Into<Range>, fact: impl Into<Fact>) -> Option<T> {
         let fact = match &self.place {
             Some(place) => Fact::InInstance { place: place.clone(), fact: Box::new(fact.into()) },
@@ -145,7 +143,7 @@ impl Elaborator<'_> {
         self.diag.refuse(range, fact)
     }
 
-    /// The value of any expression; an array is none before all its indices are there.
+    /// Evaluates an expression. An array without all its indices is an error.
     pub(super) fn value(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Value> {
         match self.value_or_array(expr, scope)? {
             Value::Array { group, at } => {
@@ -156,7 +154,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// The value of any expression.
+    /// Evaluates an expression, which may be an array without all its indices.
     pub(super) fn value_or_array(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Value> {
         let in_function = !self.names.open_functions.is_empty();
         if self.depth >= DEEPEST {
@@ -171,7 +169,7 @@ impl Elaborator<'_> {
         value
     }
 
-    /// Refuses what goes beyond a limit, and everything after it in silence.
+    /// Reports that a limit is exceeded, and suppresses all errors after it.
     pub(super) fn give_up<T>(&mut self, range: impl Into<Range>, fact: impl Into<Fact>) -> Option<T> {
         self.refuse::<()>(range, fact);
         self.diag.exhaust();
@@ -195,7 +193,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// A number, or a refusal.
+    /// Evaluates an expression that must be a number.
     pub(super) fn scalar(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Scalar> {
         match self.value(expr, scope)? {
             Value::Scalar(scalar) => Some(scalar),
@@ -203,7 +201,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// A number that measures what its place asks for.
+    /// Evaluates a number that must have the dimension `wanted`.
     pub(super) fn scalar_of(&mut self, expr: &ast::Expr, wanted: Dim, scope: &Scope) -> Option<Scalar> {
         let scalar = self.scalar(expr, scope)?;
         if !scalar.measure.fits(wanted) {
@@ -212,7 +210,7 @@ impl Elaborator<'_> {
         Some(Scalar { measure: InferredDim::Known(wanted), ..scalar })
     }
 
-    /// A vector in ground; a point counts as its position and an axis as its direction.
+    /// Evaluates a vector in ground; a point stands for its position and an axis for its direction.
     pub(super) fn vector(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Vector> {
         let value = self.value(expr, scope)?;
         let noun = value.noun();
@@ -222,7 +220,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// The vector that a value stands for where one is asked for.
+    /// Converts a value to a vector; a point becomes its position, an axis its direction.
     pub(super) fn as_vector(&mut self, value: Value) -> Option<Vector> {
         match value {
             Value::Vector(vector) => Some(vector),
@@ -253,7 +251,7 @@ impl Elaborator<'_> {
         Vector { parts: Components::plane(arena.sub(cx, sy_), arena.add(sx_, cy)), measure: axis.measure }
     }
 
-    /// A coordinate of a body; ground has none.
+    /// Coordinate of a body; `None` for ground.
     fn coordinate(&self, frame: FrameId, role: Role) -> Option<Expr> {
         self.names.frames[frame.0].coordinates.iter().find(|(other, _)| *other == role).map(|(_, expr)| *expr)
     }
@@ -275,7 +273,7 @@ impl Elaborator<'_> {
 
     fn named(&mut self, path: &ast::Path, scope: &Scope) -> Option<Value> {
         let Some(name) = &path.name else {
-            // A path can only be a Rust function; its dimensions follow from where it is used.
+            // A path of several segments is a Rust function, whose dimensions follow from its use.
             return Some(Value::Function(self.rust_function(path, InferredDim::Any, InferredDim::Any)));
         };
         if let Some(value) = scope.value_of(name) {
@@ -322,12 +320,12 @@ impl Elaborator<'_> {
         Some(Value::Scalar(Scalar { expr: self.arena.leaf(Leaf::Time), measure: InferredDim::Known(Dim::TIME) }))
     }
 
-    /// The known name nearest to a mistyped one; of very many mistyped ones the last are not looked for.
+    /// Known name nearest to a mistyped one; `None` after too many errors.
     pub(super) fn nearest<'n>(&self, typed: &str, known: impl Iterator<Item = &'n str>) -> Option<String> {
         if self.diag.refusals().len() < SUGGESTIONS { nearest(typed, known) } else { None }
     }
 
-    /// The known name nearest to a mistyped one.
+    /// Visible name nearest to a mistyped one.
     fn similar(&self, name: &Ident, scope: &Scope) -> Option<String> {
         let own = scope.space.into_iter().flat_map(|space| self.names.all(space));
         let bound = scope.bound.iter().map(|(known, _)| known.as_str());
@@ -393,18 +391,18 @@ impl Elaborator<'_> {
         }
     }
 
-    /// The expression depends on nothing that moves.
+    /// True if the expression contains no coordinate.
     pub(super) fn is_still(&self, expr: Expr) -> bool {
         !self.arena.leaves(expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)))
     }
 
-    /// The expression depends on nothing that moves and not on time.
+    /// True if the expression contains parameters only.
     pub(super) fn is_fixed(&self, expr: Expr) -> bool {
         self.arena.leaves(expr).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)))
     }
 }
 
-/// The place of a component in a vector.
+/// Index of a component of a vector, by name.
 fn axis(name: &str) -> Option<usize> {
     Role::PLANE.into_iter().filter(|role| role.is_position()).position(|role| role.name() == name)
 }

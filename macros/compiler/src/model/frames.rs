@@ -15,7 +15,7 @@ use crate::syntax::ast;
 use std::collections::BTreeSet;
 
 impl Elaborator<'_> {
-    /// A frame with fresh coordinates.
+    /// Adds a frame with new coordinates.
     pub(super) fn new_frame(&mut self, name: &str) -> FrameId {
         let first = self.names.frames.last().map_or(0, |before| before.first + before.coordinates.len());
         let leaf = |(offset, role): (usize, Role)| (role, self.arena.leaf(Leaf::Coordinate((first + offset) as u32)));
@@ -25,7 +25,7 @@ impl Elaborator<'_> {
         FrameId(self.names.frames.len() - 1)
     }
 
-    /// A point or an axis of a frame.
+    /// Resolves a point or an axis of a frame.
     pub(super) fn fixed(&mut self, frame: FrameId, mark: &ast::Node<ast::Mark>, context: &Context) -> Option<Value> {
         let scope = Scope::of(context).timeless("a point or an axis");
         let vector = if mark.is_axis { self.vector(&mark.value, &scope)? } else { self.location(&mark.value, &scope)? };
@@ -48,7 +48,7 @@ impl Elaborator<'_> {
         Some(Value::Point(Fixed { frame, local, measure: InferredDim::Known(Dim::LENGTH) }))
     }
 
-    /// Takes note of a value that is looked at once all defaults are known; true.
+    /// Records a value to be checked for finiteness once all defaults are known. Always returns true.
     fn has_to_be_finite(&mut self, expr: Expr, item: Key, range: Range, noun: &'static str) -> bool {
         if self.arena.as_constant(expr).is_none() && !self.names.is_abstract() && !self.is_unused {
             let place = self.place.clone();
@@ -57,7 +57,7 @@ impl Elaborator<'_> {
         true
     }
 
-    /// Resolves every point and axis, used or not, and gives the local coordinates of the points.
+    /// Resolves every point and axis, used or not; returns the local coordinates of the points.
     pub(super) fn marks(&mut self, register: &Register) -> Vec<Expr> {
         let mut lengths = Vec::new();
         for mark in &register.marks {
@@ -71,7 +71,7 @@ impl Elaborator<'_> {
         lengths
     }
 
-    /// An axis that depends on parameters must not vanish with them.
+    /// Requires that an axis that depends on parameters does not vanish.
     fn has_direction(&mut self, mark: EntityId, axis: &Fixed) {
         if axis.local.iter().all(|part| self.arena.leaves(*part).is_empty()) {
             return;
@@ -88,7 +88,7 @@ impl Elaborator<'_> {
         self.requirement_places.push((Range::from(&name), name));
     }
 
-    /// All bodies with their coordinates and start values.
+    /// Resolves all bodies with their coordinates and start values.
     pub(super) fn bodies(&mut self, register: &Register) -> Vec<Body> {
         let body = |(id, frame): &(EntityId, ast::Node<ast::Frame>)| {
             self.of(*id, frame, |this, name, context| Some(this.body(frame, name, context)))
@@ -99,7 +99,7 @@ impl Elaborator<'_> {
             body.first = next;
             next += body.coordinates.len();
         }
-        // `leg[0]` and `leg_0` would be one name in generated code.
+        // `leg[0]` and `leg_0` would get the same name in generated code.
         let mut taken = BTreeSet::new();
         for body in &mut bodies {
             while !taken.insert(body.name.local.clone()) {
@@ -142,7 +142,7 @@ impl Elaborator<'_> {
     }
 }
 
-/// The words that may stand behind `start`.
+/// The words allowed after `start`.
 pub(super) fn start_words() -> impl Iterator<Item = &'static str> {
     Role::PLANE.into_iter().map(Role::name).chain(["position"])
 }

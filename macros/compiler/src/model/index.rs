@@ -1,4 +1,4 @@
-//! Arrays: whole numbers known to the compiler, and what stands behind a name with indices.
+//! Arrays: whole numbers known at compile time, and names with indices.
 
 use super::elaborate::{Elaborator, Scope};
 use super::names::{GroupId, SpaceId};
@@ -9,7 +9,7 @@ use crate::syntax::ast::{self, Bounds, ExprKind, Operator};
 use proc_macro2::Ident;
 use std::collections::BTreeSet;
 
-/// No range is longer, so that a slip of the pen does not fill the memory.
+/// Longest range of a loop, so that a typing error does not exhaust the memory.
 const LONGEST: usize = 10_000;
 
 impl Elaborator<'_> {
@@ -42,7 +42,7 @@ impl Elaborator<'_> {
         self.member(group, at, index.range)
     }
 
-    /// What a name stands for: an item, or an array that still wants its indices.
+    /// Value of a name: an item, or an array that still lacks its indices.
     pub(super) fn of_group(&mut self, group: GroupId, range: impl Into<Range>) -> Option<Value> {
         self.member(group, Vec::new(), range.into())
     }
@@ -55,13 +55,13 @@ impl Elaborator<'_> {
         self.entity(entity, range)
     }
 
-    /// `leg[3]`, or as much of it as there are indices.
+    /// Name of an array element, or of an array with some of its indices: `leg[3]`.
     pub(super) fn member_name(&self, group: GroupId, at: &[usize]) -> String {
         let indices: String = at.iter().map(|index| format!("[{index}]")).collect();
         format!("{}{indices}", self.names.group(group).path)
     }
 
-    /// A name from where an item of `space` stands; of the mechanism around a component it sees what does not move.
+    /// Value of a name used by an item of `space`. A component sees only parameters, `let`s and functions of the mechanism.
     pub(super) fn visible(&mut self, range: Range, group: GroupId, space: SpaceId) -> Option<Value> {
         let known = self.names.group(group);
         let is_own = space == SpaceId::MECHANISM || self.names.find(space, &known.word) == Some(group);
@@ -87,7 +87,7 @@ impl Elaborator<'_> {
         self.refuse(field, NameFact::UnknownField { owner: format!("`{owner}`"), name, near, known })
     }
 
-    /// The indices of a declared name.
+    /// Evaluates the indices of a declared name.
     pub(super) fn indices(&mut self, written: &[ast::Expr], scope: &Scope) -> Option<Vec<usize>> {
         let index = |this: &mut Self, expr: &ast::Expr| {
             let number = this.whole(expr, scope)?;
@@ -99,13 +99,13 @@ impl Elaborator<'_> {
         written.iter().map(|expr| index(self, expr)).collect()
     }
 
-    /// What a loop runs over. `is_inner` if it stands in another loop: there it may run over nothing in some rounds.
+    /// Values of a loop variable. `is_inner`: the loop is inside another loop and may be empty.
     pub(super) fn rounds(&mut self, bounds: &Bounds, is_inner: bool, scope: &Scope) -> Option<Vec<i64>> {
         let (from, to) = (self.whole(&bounds.from, scope), self.whole(&bounds.to, scope));
         let (from, to) = (from?, to?);
         let rounds = i128::from(to) - i128::from(from) + i128::from(bounds.is_inclusive);
         let range = bounds.from.range.to(bounds.to.range);
-        // A number of rounds with a name may be none; nobody writes `2..2` on purpose.
+        // A range with a computed bound may be empty; nobody writes `2..2` on purpose.
         let is_written_out = [&bounds.from, &bounds.to].iter().all(|end| matches!(end.kind, ExprKind::Number { .. }));
         if rounds < 0 || rounds == 0 && !is_inner && is_written_out {
             return self.refuse(range, ArrayFact::EmptyRange { from, to, is_inclusive: bounds.is_inclusive });
@@ -116,7 +116,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// A whole number that the compiler knows: of literals, loop variables and whole `let`s.
+    /// Evaluates a whole number known at compile time: literals, loop variables and whole `let`s.
     pub(super) fn whole(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<i64> {
         match &expr.kind {
             ExprKind::Number { digits, unit } => match digits.parse() {
@@ -148,9 +148,9 @@ impl Elaborator<'_> {
             Operator::Add => one.checked_add(two),
             Operator::Sub => one.checked_sub(two),
             Operator::Mul => one.checked_mul(two),
-            // The remainder is never negative, so that it can be an index.
+            // The remainder is never negative, so that it can serve as an index.
             Operator::Rem => one.checked_rem_euclid(two),
-            // A quotient means the same here as in an expression, so there must be no remainder.
+            // Division means the same as in other expressions: the quotient must be exact.
             _ => one.checked_rem(two).filter(|rest| *rest == 0).and_then(|_| one.checked_div(two)),
         };
         match result {

@@ -1,4 +1,4 @@
-//! Joints: a definition with its parameters bound to arguments, or equations written inline.
+//! Joints: definitions with parameters bound to arguments, or equations written inline.
 
 use super::Name;
 use super::elaborate::{Elaborator, Instance, Scope, Timeless};
@@ -37,7 +37,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// Something of a frame was given, but only of ground, and nothing that moves.
+    /// True if points, axes or bodies were given, all of them of ground, and no argument moves.
     fn is_on_ground(&self, arguments: &[(String, Value)]) -> bool {
         let of_ground = |value: &Value| match value {
             Value::Point(fixed) | Value::Axis(fixed) => Some(fixed.frame == FrameId::GROUND),
@@ -67,7 +67,7 @@ impl Elaborator<'_> {
         Scope { timeless, ..Scope::of(context) }
     }
 
-    /// The arguments of a joint by the names of its definition; none for equations.
+    /// Arguments of a joint by parameter name; empty for inline equations.
     pub(super) fn bind_joint(&mut self, joint: &ast::Joint, context: &Context) -> Option<Vec<(String, Value)>> {
         let JointBody::Of { kind, arguments } = &joint.body else { return Some(Vec::new()) };
         let definition = self.definition(kind)?;
@@ -75,7 +75,7 @@ impl Elaborator<'_> {
         self.bind(&definition, kind, arguments, &scope)
     }
 
-    /// The first argument of a joint that depends on time.
+    /// Source range of the first argument of a joint that depends on time.
     pub(super) fn time_dependent_argument(&mut self, id: EntityId, joint: &ast::Joint) -> Option<Range> {
         let JointBody::Of { kind, arguments } = &joint.body else { return None };
         let definition = self.known_definition(&kind.to_string())?;
@@ -100,7 +100,7 @@ impl Elaborator<'_> {
         self.refuse(kind, NameFact::UnknownConstraint { name: word, near })
     }
 
-    /// The constraint of this name, brought in or of the library, which is read once.
+    /// Constraint with this name, imported or of the library; a library page is parsed once.
     pub(super) fn known_definition(&mut self, word: &str) -> Option<Rc<Definition>> {
         if let Some(definition) = self.names.definitions.get(word) {
             return Some(definition.clone());
@@ -113,7 +113,7 @@ impl Elaborator<'_> {
         found
     }
 
-    /// Binds every parameter of a definition, or says which argument is to blame.
+    /// Binds every parameter of a definition to a value, or reports the argument at fault.
     fn bind(&mut self, definition: &Definition, kind: &Ident, given: &[Argument], scope: &Scope) -> Option<Vec<(String, Value)>> {
         let slots: Vec<Option<&ast::Expr>> = self
             .slots(definition, kind, given)?
@@ -125,7 +125,7 @@ impl Elaborator<'_> {
         for (formal, slot) in definition.parameters.iter().zip(slots) {
             let value = match (slot, &formal.default) {
                 (Some(argument), _) => self.argument(definition, formal, argument, scope),
-                // A default stands in the definition and sees the parameters before it.
+                // A default belongs to the definition and can use the parameters before it.
                 (None, Some(default)) => {
                     let inner = Scope { bound: bound.clone(), ..Scope::default() };
                     self.argument(definition, formal, default, &inner)
@@ -138,7 +138,7 @@ impl Elaborator<'_> {
         complete.then_some(bound)
     }
 
-    /// The number of the argument that was written for each parameter of a definition, if any.
+    /// For each parameter of a definition, the index of its argument, if one was written.
     pub(super) fn slots(&mut self, definition: &Definition, kind: &Ident, given: &[Argument]) -> Option<Vec<Option<usize>>> {
         let wanted = &definition.parameters;
         let mut slots: Vec<Option<usize>> = vec![None; wanted.len()];
@@ -170,10 +170,10 @@ impl Elaborator<'_> {
         if missing.is_empty() { Some(slots) } else { self.refuse(kind, too_few(definition, given.len(), missing)) }
     }
 
-    /// One argument, of the kind its parameter takes.
+    /// Evaluates an argument and checks its kind.
     pub(super) fn argument(&mut self, definition: &Definition, formal: &Formal, argument: &ast::Expr, scope: &Scope) -> Option<Value> {
         let value = match (&formal.kind, &argument.kind) {
-            // Of a place that is written out each coordinate is looked at.
+            // If a point is written out, each coordinate is checked.
             (Kind::Point, ast::ExprKind::Tuple(items)) if items.len() == 2 => Value::Vector(self.location(argument, scope)?),
             _ => self.value(argument, scope)?,
         };
@@ -193,7 +193,7 @@ impl Elaborator<'_> {
             (Kind::Point, value @ Value::Point(_)) | (Kind::Axis, value @ Value::Axis(_)) | (Kind::Body, value @ Value::Body(_)) => {
                 Some(value)
             }
-            // A constant vector is a place or a direction in ground.
+            // A constant vector stands for a point or a direction in ground.
             (Kind::Point, Value::Vector(vector)) if vector.parts.iter().all(|part| self.is_fixed(*part)) => {
                 if !vector.measure.fits(Dim::LENGTH) {
                     return self.refuse(argument.range, ValueFact::WrongDimension { wanted: Dim::LENGTH, found: vector.measure.settled() });
@@ -233,7 +233,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// What might have been meant by an argument of another kind.
+    /// Suggests a replacement for an argument of the wrong kind.
     fn instead(&self, wanted: &Kind, argument: &ast::Expr, found: &Value) -> Option<String> {
         match (wanted, found, &argument.kind) {
             (Kind::Point, Value::Body(frame), ast::ExprKind::Path(path)) => {

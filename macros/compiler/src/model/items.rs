@@ -1,4 +1,4 @@
-//! Items that nothing else refers to by name: each is looked at once, in the order written.
+//! Items that no other item refers to by name; each is resolved once, in the order written.
 
 use super::elaborate::{Elaborator, Scope};
 use super::names::{Context, EntityId, is_generated};
@@ -14,8 +14,7 @@ use proc_macro2::Ident;
 use std::collections::BTreeSet;
 
 impl Elaborator<'_> {
-    /// Resolves `let`s, arguments of parts and functions in the order written: whether anything uses them or not, a
-    /// mistake in them is found.
+    /// Resolves `let`s, arguments of parts and functions in the order written, so that errors in unused ones are found as well.
     pub(super) fn lets_and_functions(&mut self, register: &Register) {
         for binding in &register.lets {
             let range = Range::from(&self.names.declared[binding.0].name);
@@ -26,7 +25,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// A function is checked once on its own, with an argument that nothing is known of.
+    /// Checks a function once on its own, with an unknown argument.
     fn check_function(&mut self, function: &ast::Node<ast::Function>) {
         let (from, to) = (self.dimension(&function.from), self.dimension(&function.to));
         let (Some(from), Some(to)) = (from, to) else { return };
@@ -63,11 +62,11 @@ impl Elaborator<'_> {
         Some(Joint { name: name.clone(), kind, is_drive: joint.is_drive, is_redundant: joint.is_redundant, residuals })
     }
 
-    /// Every row depends on a position, and those of a joint not on time; one refusal is enough.
+    /// Checks that every row depends on a position, and that no row of a joint depends on time; reports at most one error.
     fn rows_are_sound(&mut self, id: EntityId, joint: &ast::Joint, rows: &[ScalarEquation]) {
         let (name, of) = (joint.name.to_string(), rows.len());
         let leaves = |row: &ScalarEquation| self.arena.leaves(row.residual.expr);
-        // What is given to a component that is not used may move.
+        // An argument of an unused component may move.
         let may_move = |leaf: &Leaf| matches!(leaf, Leaf::Coordinate(_)) || self.is_unused && matches!(leaf, Leaf::Parameter(_));
         let is_of_nothing = |row: &ScalarEquation| !leaves(row).iter().any(may_move);
         if let Some(row) = rows.iter().position(is_of_nothing) {
@@ -78,7 +77,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// All outputs; none for one that was refused.
+    /// Resolves all outputs; `None` for each rejected one.
     pub(super) fn outputs(&mut self, register: &Register) -> Vec<Option<Output>> {
         let output = |(id, output): &(EntityId, ast::Node<ast::Output>)| {
             self.of(*id, output, |this, name, context| this.output(output, name, context))
@@ -102,7 +101,7 @@ impl Elaborator<'_> {
         Some(Output { name: name.clone(), body: None, components, dim: measure.settled() })
     }
 
-    /// One method for each name of an output, those of parts under the names on the way to them.
+    /// One method for each output name. The method of an output in a part begins with the names of the enclosing parts.
     pub(super) fn methods(&mut self, layout: &Layout, outputs: &[Option<Output>]) -> Vec<Method> {
         let mut methods = Vec::new();
         self.methods_of(layout, &[0], &[], "", &mut methods);
@@ -123,11 +122,11 @@ impl Elaborator<'_> {
                 self.refuse::<()>(&method.name, ArrayFact::UnlikeOutputs { name: method.name.to_string() });
             }
         }
-        // Refused outputs have no number; where there is one, nothing is emitted anyway.
+        // Rejected outputs have no number, but then no code is emitted.
         methods
     }
 
-    /// The methods of outputs in some parts of one component.
+    /// Adds the methods of the outputs in some parts of one component.
     fn methods_of(&self, layout: &Layout, parts: &[usize], sizes: &[usize], prefix: &str, methods: &mut Vec<Method>) {
         let Some(first) = parts.first() else { return };
         let component = &layout.components[layout.parts[*first].component];

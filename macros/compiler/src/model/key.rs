@@ -1,8 +1,8 @@
-//! What a refusal is about, so that an item that stands many times is refused once.
+//! Keys of parts of the syntax tree, so that a declaration that is expanded several times is rejected once.
 
 use crate::syntax::ast::{Node, NodeId};
 
-/// A part of the tree of what was written.
+/// Key of a part of the syntax tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Key {
     /// An item as a whole.
@@ -17,7 +17,7 @@ pub(super) enum Key {
     Default(NodeId, usize),
     /// A value of a point, an axis or a body, by its number.
     Value(NodeId, usize),
-    /// A missing member of an array, by the declaration of its first member.
+    /// A missing element of an array, by the declaration of its first element.
     Array(usize),
 }
 

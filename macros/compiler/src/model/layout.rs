@@ -1,6 +1,6 @@
-//! What the mechanism and its components are made of, part by part: after this the generated types are made.
+//! Composition of the mechanism and its components, from which the generated types are made.
 //!
-//! All parts of a component are alike: they have the same names with the same sizes, and their bodies stand in the same order.
+//! All parts of a component are alike: the same names with the same sizes, and the bodies in the same order.
 
 use super::elaborate::Elaborator;
 use super::key::Key;
@@ -16,35 +16,35 @@ use std::collections::BTreeMap;
 pub struct Layout {
     /// The mechanism, and every component that is used.
     pub components: Vec<Component>,
-    /// The mechanism, and all parts in the order in which they stand.
+    /// The mechanism, and all parts in the order of expansion.
     pub parts: Vec<Part>,
 }
 
-/// What all parts of a component have in common.
+/// Properties that all parts of a component share.
 #[derive(Clone, Debug)]
 pub struct Component {
-    /// Its name; the mechanism itself has none here.
+    /// Name; `None` for the mechanism itself.
     pub name: Option<Ident>,
     /// Doc attributes of the generated struct of parameters.
     pub docs: Docs,
-    /// What it has, in the order declared.
+    /// Fields, in the order declared.
     pub fields: Vec<Field>,
 }
 
-/// A name that generated types know.
+/// A name in the generated types.
 #[derive(Clone, Debug)]
 pub struct Field {
-    /// The name.
+    /// Name.
     pub name: Ident,
     /// Doc attributes of the field, the accessor or the method.
     pub docs: Docs,
-    /// What it is.
+    /// Kind of item.
     pub of: Of,
-    /// How many there are for each index; empty for a single one.
+    /// Size for each index; empty for a single item.
     pub sizes: Vec<usize>,
 }
 
-/// What a name stands for.
+/// Kind of item that a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Of {
     /// A parameter.
@@ -60,11 +60,11 @@ pub enum Of {
 /// One part.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// The number of its component.
+    /// Number of its component.
     pub component: usize,
-    /// The number of its first body.
+    /// Number of its first body.
     pub first: usize,
-    /// For each field the numbers of its members, the last index running fastest.
+    /// For each field the numbers of its elements; the last index varies fastest.
     pub members: Vec<Vec<usize>>,
 }
 
@@ -72,15 +72,15 @@ pub struct Part {
 #[derive(Default)]
 pub(super) struct OpenPart {
     pub(super) component: Option<ast::Node<ast::Component>>,
-    /// The number of its first body.
+    /// Number of its first body.
     pub(super) first: usize,
-    /// What generated types know, with its number among those of its kind.
+    /// Items that appear in the generated types, each with its number among items of its kind.
     pub(super) items: Vec<(Of, EntityId, usize)>,
-    /// Where the part was declared.
+    /// Declaration of the part.
     pub(super) id: Option<EntityId>,
 }
 
-/// Members of one name while they are gathered.
+/// Elements of one name while they are gathered.
 struct Gathered {
     first: EntityId,
     of: Of,
@@ -121,7 +121,7 @@ impl Elaborator<'_> {
         layout
     }
 
-    /// The members of each name, in the order in which the names were first declared.
+    /// The elements of each name, in the order in which the names were first declared.
     fn gathered(&self, place: &OpenPart, component_of: &[usize]) -> Vec<Gathered> {
         let mut gathered: Vec<Gathered> = Vec::new();
         let mut by_word: BTreeMap<(bool, String), usize> = BTreeMap::new();
@@ -138,7 +138,7 @@ impl Elaborator<'_> {
         gathered
     }
 
-    /// How many there are for each index. Generated arrays have no gaps.
+    /// Size for each index. Reports gaps, which generated arrays cannot have.
     fn sizes(&mut self, field: &Gathered) -> Vec<usize> {
         let ranks = field.members.keys().next().map_or(0, Vec::len);
         let size = |rank: usize| field.members.keys().filter_map(|indices| indices.get(rank)).max().map_or(0, |most| most + 1);
@@ -163,7 +163,7 @@ impl Elaborator<'_> {
                 });
                 break;
             }
-            // The next place of an array without gaps.
+            // The next element of an array without gaps.
             for rank in (0..ranks).rev() {
                 wanted[rank] += 1;
                 if wanted[rank] < sizes[rank] {
@@ -186,7 +186,7 @@ impl Elaborator<'_> {
         Field { name: self.names.declared[field.first.0].name.word.clone(), docs: docs.clone(), of: field.of, sizes: sizes.to_vec() }
     }
 
-    /// A part has what the first part of its component has.
+    /// Checks that a part has the same fields as the first part of its component.
     fn are_alike(&mut self, place: &OpenPart, first: (&Component, &Part), found: (&[Gathered], &[Vec<usize>], &Part)) {
         let ((component, one), (gathered, sizes, two)) = (first, found);
         let bodies = |part: &Part, number: usize| part.members[number].iter().map(|body| body - part.first).collect::<Vec<_>>();

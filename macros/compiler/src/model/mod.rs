@@ -1,10 +1,9 @@
-//! From the tree of what was written to a model in which every name is an id and every quantity
-//! has a dimension.
+//! Resolves the syntax tree to a model in which every name is an id and every quantity has a dimension.
 //!
 //! In: an [`ast::Mechanism`](crate::syntax::ast::Mechanism) and the definitions it uses. Out: a
 //! [`Model`], whose joints are lists of residuals in one arena. Not done here: derivatives.
 //!
-//! Items may stand in any order: parameters, `let`s and points are resolved when first asked for.
+//! Items may be declared in any order: parameters, `let`s and points are resolved on first use.
 
 mod arithmetic;
 mod bounds;
@@ -48,30 +47,30 @@ pub(crate) use names::is_generated;
 pub(crate) use register::is_of_generated_type;
 pub(crate) use resolve::{Outline, outline, resolve};
 
-/// A mechanism in which nothing is only a name any more.
+/// A mechanism with all names resolved.
 #[derive(Clone, Debug)]
 pub struct Model {
     /// All expressions.
     pub arena: Arena,
     /// Doc attributes of the generated struct.
     pub docs: Docs,
-    /// `pub` and the like.
+    /// Visibility, such as `pub`.
     pub visibility: TokenStream,
     /// Name of the generated struct.
     pub name: Ident,
-    /// No `solve` is generated.
+    /// True if no `solve` is generated.
     pub equations_only: bool,
-    /// What is done where the declared defaults do not assemble.
+    /// Policy if the mechanism does not assemble at the declared defaults.
     pub closing: Closing,
-    /// There is no warning where the assembly is far from the declared start.
+    /// True if an assembly far from the declared start causes no warning.
     pub allows_far_start: bool,
-    /// It names constraints with `use`, and a stub stands beside it for the case that one of them is none.
+    /// True if constraints are imported with `use`; a stub of the type is emitted as well, in case one of them is not a constraint.
     pub has_stub: bool,
-    /// How the motion is followed from the start.
+    /// Policy for following the motion from the start.
     pub following: Following,
-    /// The range of time, if it is declared.
+    /// Declared range of time, if any.
     pub range: Option<Times>,
-    /// What the mechanism and its components are made of.
+    /// Composition of the mechanism and its components.
     pub layout: Layout,
     /// The fields of the generated structs.
     pub parameters: Vec<Parameter>,
@@ -83,81 +82,81 @@ pub struct Model {
     pub joints: Vec<Joint>,
     /// Named outputs, in the order declared.
     pub outputs: Vec<Output>,
-    /// The methods that give them.
+    /// Generated methods that return the outputs.
     pub methods: Vec<Method>,
-    /// Functions that the arena knows by number.
+    /// Functions that the arena refers to by number.
     pub functions: Vec<Function>,
     /// Conditions on parameters.
     pub requirements: Vec<Requirement>,
-    /// What a picture needs.
+    /// Geometry for the picture.
     pub sketch: Sketch,
 }
 
 /// A field of the generated struct.
 #[derive(Clone, Debug)]
 pub struct Parameter {
-    /// Its name.
+    /// Name.
     pub name: Name,
-    /// What it measures.
+    /// Dimension.
     pub dim: Dim,
-    /// Its default, a constant.
+    /// Default value, a constant.
     pub default: Expr,
-    /// Where it lies, if that was declared.
+    /// Declared range, if any.
     pub bounds: Option<Bounds>,
 }
 
-/// The values that a parameter may have, in SI.
+/// Declared range of a parameter, in SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bounds {
-    /// The least one.
+    /// Lower bound.
     pub from: Option<f64>,
-    /// The greatest one.
+    /// Upper bound.
     pub to: Option<f64>,
-    /// The greatest one is allowed.
+    /// True if the upper bound belongs to the range.
     pub is_inclusive: bool,
-    /// As declared: `5 mm ..= 50 mm`.
+    /// As written: `5 mm ..= 50 mm`.
     pub text: String,
 }
 
-/// The times that a mechanism is meant for, in s.
+/// Range of time of a mechanism, in s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Times {
-    /// The first.
+    /// Start.
     pub from: f64,
-    /// The last.
+    /// End.
     pub to: f64,
 }
 
 /// A moving body: a list of coordinates with a kind.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// Its name.
+    /// Name.
     pub name: Name,
-    /// The index in q of its first coordinate.
+    /// Index in q of the first coordinate.
     pub first: usize,
-    /// Its coordinates, in their order in q.
+    /// Coordinates, in their order in q.
     pub coordinates: Vec<BodyCoordinate>,
 }
 
 /// One coordinate of a body.
 #[derive(Clone, Debug)]
 pub struct BodyCoordinate {
-    /// Its part in the placement of the body.
+    /// Role in the placement of the body.
     pub role: Role,
-    /// Its declared start value, a function of parameters.
+    /// Declared start value, a function of parameters.
     pub start: Option<Expr>,
 }
 
 /// A joint or a drive: residuals that must vanish.
 #[derive(Clone, Debug)]
 pub struct Joint {
-    /// Its name.
+    /// Name.
     pub name: Name,
-    /// The constraint it is made of; `equation` if written inline.
+    /// Name of the constraint; `equation` for inline equations.
     pub kind: String,
-    /// Declared by `drive`.
+    /// True if declared by `drive`.
     pub is_drive: bool,
-    /// Declared by `redundant joint`: those of its equations that follow from others are checked instead of solved.
+    /// True if declared by `redundant joint`: equations that follow from others are checked instead of solved.
     pub is_redundant: bool,
     /// Left minus right side of each scalar equation.
     pub residuals: Vec<Residual>,
@@ -166,35 +165,35 @@ pub struct Joint {
 /// Left minus right side of one scalar equation.
 #[derive(Clone, Copy, Debug)]
 pub struct Residual {
-    /// Its value.
+    /// Value.
     pub expr: Expr,
-    /// Its dimension.
+    /// Dimension.
     pub dim: Dim,
 }
 
 /// A named output.
 #[derive(Clone, Debug)]
 pub struct Output {
-    /// Its name.
+    /// Name.
     pub name: Name,
-    /// The body that it is, if it is a whole one.
+    /// Index of the body, if the output is a whole body.
     pub body: Option<usize>,
     /// One component for a number, two for a vector or a point, none for a body.
     pub components: Vec<Expr>,
-    /// What it measures.
+    /// Dimension.
     pub dim: Dim,
 }
 
 /// A generated method: one output, or an array of them.
 #[derive(Clone, Debug)]
 pub struct Method {
-    /// Its name; that of an output in a part begins with the part's.
+    /// Name; for an output of a part it begins with the name of the part.
     pub name: Ident,
     /// Doc attributes.
     pub docs: Docs,
-    /// How many outputs there are for each index; empty for a single one.
+    /// Size for each index; empty for a single output.
     pub sizes: Vec<usize>,
-    /// The outputs by number, the last index running fastest.
+    /// The outputs by number; the last index varies fastest.
     pub members: Vec<usize>,
 }
 
@@ -212,14 +211,14 @@ pub enum Function {
 pub struct Requirement {
     /// Left side.
     pub lhs: Expr,
-    /// How they must compare.
+    /// Relation that must hold.
     pub relation: Relation,
     /// Right side.
     pub rhs: Expr,
-    /// What both sides measure.
+    /// Dimension of both sides.
     pub dim: Dim,
-    /// The joint that asks for it, with the name of what is compared: `g.a`.
+    /// Joint that states the condition, with the name of the compared quantity: `g.a`.
     pub joint: String,
-    /// What to do instead.
+    /// Advice to the user if the condition fails.
     pub why: String,
 }

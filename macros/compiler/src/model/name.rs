@@ -1,4 +1,4 @@
-//! What a declared item is called.
+//! Names of declared items.
 
 use crate::diag::Range;
 use proc_macro2::Ident;
@@ -6,18 +6,18 @@ use quote::{ToTokens, TokenStreamExt};
 use std::collections::BTreeSet;
 use std::fmt;
 
-/// The name of an item, as written and as called from outside.
+/// The name of an item, as written and with its path.
 #[derive(Clone, Debug)]
 pub struct Name {
-    /// As written where it was declared.
+    /// Identifier as written in the declaration.
     pub word: Ident,
-    /// The number of its declaration: all rounds of a loop and all parts of a component have it in common.
+    /// Number of the declaration; all iterations of a loop and all parts of a component share it.
     pub declaration: usize,
-    /// Its own indices.
+    /// Indices of the item itself.
     pub indices: Vec<usize>,
-    /// As it is called from outside: `leg[3].coupler`.
+    /// Full path: `leg[3].coupler`.
     pub path: String,
-    /// The same as a name of Rust, `leg_3_coupler`; that of a body is unlike all others.
+    /// Path as a Rust identifier, `leg_3_coupler`; unique for bodies.
     pub local: String,
 }
 
@@ -30,12 +30,12 @@ impl Name {
         Name { word: word.clone(), declaration: 0, indices: Vec::new(), path, local }
     }
 
-    /// Its word and its own indices: `coupler[2]`.
+    /// Identifier with the item's own indices: `coupler[2]`.
     pub(super) fn own(&self) -> String {
         self.indices.iter().fold(self.word.to_string(), |name, index| format!("{name}[{index}]"))
     }
 
-    /// A name in a space whose names begin with `prefix`.
+    /// A name in a namespace whose paths begin with `prefix`.
     pub(super) fn within(prefix: &str, word: &Ident, declaration: usize, indices: &[usize]) -> Name {
         let mut name = Name { declaration, indices: indices.to_vec(), ..Name::plain(word) };
         name.path = format!("{prefix}{}", name.own());
@@ -62,12 +62,12 @@ impl ToTokens for Name {
     }
 }
 
-/// The declarations of which something has been said.
+/// Declarations for which an error has been reported.
 #[derive(Default)]
 pub(crate) struct Said(BTreeSet<usize>);
 
 impl Said {
-    /// Nothing has been said of this item, nor of another by the same declaration: in another round of a loop, or in another part.
+    /// Records an error for this item. True if it is the first one for its declaration, in any loop iteration and any part.
     pub(crate) fn is_new(&mut self, name: &Name) -> bool {
         self.0.insert(name.declaration)
     }

@@ -1,7 +1,7 @@
-//! All names of a mechanism, and how far what they stand for has been resolved.
+//! All names of a mechanism, and the state of their resolution.
 //!
-//! Names live in spaces: that of the mechanism, one for each part, one for each body. A name with indices is an array, and
-//! each of its members is an item of its own.
+//! Names live in namespaces: that of the mechanism, one for each part, one for each body. A name with indices is an array, and each of
+//! its elements is a separate item.
 
 use super::Name;
 use super::key::Key;
@@ -13,7 +13,7 @@ use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-/// Names that expressions give a meaning of their own.
+/// Names with a predefined meaning in expressions.
 pub(super) const RESERVED: &[&str] = &["t", "pi", "ground"];
 
 /// Names of generated functions, which an output may not have.
@@ -38,12 +38,12 @@ const GENERATED: &[&str] = &[
     "default",
 ];
 
-/// A generated function has this name.
+/// True if a generated function has this name.
 pub(crate) fn is_generated(name: &Ident) -> bool {
     GENERATED.iter().any(|known| name == known)
 }
 
-/// Number of a space; that of the mechanism is 0.
+/// Number of a namespace; that of the mechanism is 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct SpaceId(pub(super) usize);
 
@@ -52,7 +52,7 @@ impl SpaceId {
     pub(super) const MECHANISM: SpaceId = SpaceId(0);
 }
 
-/// Number of a name in its space.
+/// Number of a declared name: a single item, or an array of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct GroupId(pub(super) usize);
 
@@ -60,44 +60,44 @@ pub(crate) struct GroupId(pub(super) usize);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct EntityId(pub(super) usize);
 
-/// How far an item has been resolved.
+/// State of the resolution of an item.
 #[derive(Clone)]
 pub(super) enum Progress {
     Untouched,
     Open,
     Done(Value),
-    /// It was refused; whoever needs it stays silent.
+    /// The item was rejected; its uses report no further error.
     Failed,
 }
 
-/// What a declared item is.
+/// Kind of a declared item.
 #[derive(Clone)]
 pub(super) enum Entity {
-    /// A parameter, a body, a part: known from the beginning.
+    /// A parameter, a body, a part: its value is known from the beginning.
     Known,
     Let(ast::Node<ast::Let>),
     Function(ast::Node<ast::Function>),
     Joint(ast::Node<ast::Joint>),
     Mark(FrameId, ast::Node<ast::Mark>),
-    /// What a part was made with, by the number of the component's parameter.
+    /// An argument of a part, with the number of the component's parameter.
     Argument(Rc<PartArguments>, usize),
 }
 
-/// A part and what was written between its parentheses.
+/// A part with its arguments.
 pub(super) struct PartArguments {
     pub(super) component: ast::Node<ast::Component>,
     pub(super) part: ast::Node<ast::Part>,
-    /// For each parameter of the component the argument's number, if there is one.
+    /// For each parameter of the component, the index of its argument, if one was written.
     pub(super) slots: Vec<Option<usize>>,
-    /// Where the part was declared.
+    /// Context in which the part is declared.
     pub(super) outside: Context,
 }
 
-/// Where an item stands: in which space, in which round of which loops.
+/// Context of an item: its namespace, and the enclosing loops.
 #[derive(Clone)]
 pub(super) struct Context {
     pub(super) space: SpaceId,
-    /// The variables of the loops around it.
+    /// Variables of the enclosing loops.
     pub(super) bound: Rc<Vec<(String, Value)>>,
 }
 
@@ -109,7 +109,7 @@ pub(super) struct Declared {
     pub(super) context: Context,
 }
 
-/// What a name was given to.
+/// Sort of item that a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sort {
     Parameter,
@@ -126,7 +126,7 @@ pub(super) enum Sort {
 }
 
 impl Sort {
-    /// In a sentence.
+    /// Noun for messages: `a body`.
     pub(super) fn noun(self) -> &'static str {
         match self {
             Sort::Parameter => "a parameter",
@@ -143,41 +143,41 @@ impl Sort {
         }
     }
 
-    /// Components see it in the mechanism around them, since it does not move.
+    /// True if components see such items of the mechanism around them: they do not move.
     pub(super) fn is_seen_from_components(self) -> bool {
         matches!(self, Sort::Parameter | Sort::Let | Sort::Function)
     }
 }
 
-/// One name of a space: a single item, or an array of them.
+/// One name of a namespace: a single item, or an array of them.
 pub(super) struct NamedItems {
     pub(super) word: String,
-    /// As it is called from outside: `leg[3].coupler`.
+    /// Full path: `leg[3].coupler`.
     pub(super) path: String,
     pub(super) sort: Sort,
-    /// How many indices its members have.
+    /// Number of indices of each element.
     pub(super) ranks: usize,
-    /// By their indices; a single item has none.
+    /// Elements by their indices; a single item has none.
     pub(super) members: BTreeMap<Vec<usize>, EntityId>,
 }
 
-/// Names that belong together.
+/// A namespace.
 #[derive(Default)]
 pub(super) struct Space {
-    /// How a name in it is called from outside: empty, or `leg[3].`.
+    /// Prefix of the paths of its names: empty, or `leg[3].`.
     pub(super) prefix: String,
     pub(super) groups: BTreeMap<String, GroupId>,
     pub(super) order: Vec<GroupId>,
 }
 
-/// A frame and what is fixed in it.
+/// A frame with its coordinates, points and axes.
 pub(super) struct FrameScope {
     pub(super) name: String,
-    /// Where its coordinates begin in q.
+    /// Index in q of the first coordinate.
     pub(super) first: usize,
-    /// What places it; ground has none.
+    /// Coordinates that place the frame; ground has none.
     pub(super) coordinates: Vec<(Role, Expr)>,
-    /// Its points and axes.
+    /// Namespace of its points and axes.
     pub(super) space: SpaceId,
 }
 
@@ -187,28 +187,28 @@ pub(crate) struct Names {
     pub(super) spaces: Vec<Space>,
     pub(super) groups: Vec<NamedItems>,
     pub(super) declared: Vec<Declared>,
-    /// The numbers of declarations in the tree, by their names.
+    /// Number of each declaration in the tree, by the key of its name.
     pub(super) declarations: BTreeMap<Key, usize>,
-    /// Constraints that were brought in, and those of the library that were asked for.
+    /// Imported constraints, and constraints of the library that were looked up.
     pub(super) definitions: BTreeMap<String, Rc<Definition>>,
     pub(super) library: BTreeMap<String, Option<Rc<Definition>>>,
     pub(super) components: BTreeMap<String, ast::Node<ast::Component>>,
-    /// Names with a meaning of their own that were given to something else: what a use of them means is not clear.
+    /// Names with a predefined meaning that were declared as something else: their uses are ambiguous.
     pub(super) misused: BTreeSet<String>,
-    /// Items that are being resolved, each for the one before it.
+    /// Items being resolved; each is needed by the one before it.
     pub(super) open: Vec<EntityId>,
-    /// Functions whose bodies are being looked at, to stop recursion.
+    /// Functions being evaluated, to detect recursion.
     pub(super) open_functions: Vec<String>,
-    /// A definition is checked on its own, with bodies and numbers nothing is known of.
+    /// True while a definition is checked on its own, with unknown bodies and numbers.
     pub(super) is_abstract: bool,
-    /// Outputs by the space they belong to: names that no expression can read.
+    /// Outputs by namespace: names that no expression can read.
     pub(super) outputs: BTreeSet<(SpaceId, String)>,
-    /// Names that `use` items brought in.
+    /// Names imported by `use` items.
     pub(super) used: Vec<String>,
 }
 
 impl Names {
-    /// With ground as the only frame.
+    /// Names with ground as the only frame.
     pub(super) fn new(definitions: BTreeMap<String, Rc<Definition>>) -> Names {
         let ground = FrameScope { name: "ground".into(), first: 0, coordinates: Vec::new(), space: SpaceId(1) };
         Names {
@@ -229,7 +229,7 @@ impl Names {
         }
     }
 
-    /// For checking a definition on its own.
+    /// Names for checking a definition on its own.
     pub(super) fn abstract_() -> Names {
         Names { is_abstract: true, ..Names::new(BTreeMap::new()) }
     }
@@ -238,18 +238,18 @@ impl Names {
         self.is_abstract
     }
 
-    /// A fresh space whose names begin with `prefix`.
+    /// Adds a namespace whose paths begin with `prefix`.
     pub(super) fn new_space(&mut self, prefix: String) -> SpaceId {
         self.spaces.push(Space { prefix, ..Space::default() });
         SpaceId(self.spaces.len() - 1)
     }
 
-    /// The name in a space, if it is declared there.
+    /// Looks a name up in one namespace.
     pub(super) fn find(&self, space: SpaceId, word: &str) -> Option<GroupId> {
         self.spaces[space.0].groups.get(word).copied()
     }
 
-    /// What a name means where an item of a space stands: its own names, then those of the mechanism.
+    /// Looks a name up for an item of a namespace: there first, then in the mechanism.
     pub(super) fn visible(&self, space: SpaceId, word: &str) -> Option<GroupId> {
         self.find(space, word).or_else(|| self.find(SpaceId::MECHANISM, word))
     }
@@ -258,18 +258,18 @@ impl Names {
         &self.groups[group.0]
     }
 
-    /// The names that are visible from a space, in the order declared.
+    /// The names visible in a namespace, in the order declared.
     pub(super) fn all(&self, space: SpaceId) -> impl Iterator<Item = &str> {
         let outer = (space != SpaceId::MECHANISM).then(|| self.words(SpaceId::MECHANISM));
         self.words(space).chain(outer.into_iter().flatten())
     }
 
-    /// The names of one space, in the order declared.
+    /// The names of one namespace, in the order declared.
     pub(super) fn words(&self, space: SpaceId) -> impl Iterator<Item = &str> {
         self.spaces[space.0].order.iter().map(|group| self.groups[group.0].word.as_str())
     }
 
-    /// `body.name` for a point or an axis of this name.
+    /// Path `body.name` of a point or an axis with this name.
     pub(super) fn mark_called(&self, name: &Ident) -> Option<String> {
         let word = name.to_string();
         let owner = self.frames.iter().find(|frame| self.find(frame.space, &word).is_some())?;

@@ -1,7 +1,7 @@
-//! Every item gets its name: loops are gone through, parts become the items of their components.
+//! Registers every item by name: loops are unrolled, parts are expanded to the items of their components.
 //!
-//! Bodies, parameters, joints and outputs are numbered in the order in which they come to stand, a part's own next to each
-//! other. Nothing is resolved here but whole numbers.
+//! Bodies, parameters, joints and outputs are numbered in the order of expansion, those of one part consecutively. Only whole numbers
+//! are evaluated here.
 
 use super::declare::Written;
 use super::declare::{duplicate, is_reserved};
@@ -19,17 +19,17 @@ use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-/// No mechanism has more items, loops gone through and parts taken apart, and rounds of loops.
+/// Largest number of items, with loops unrolled and parts expanded, plus the number of loop iterations.
 pub(super) const MOST: usize = 100_000;
 
-/// Parts are not nested deeper.
+/// Deepest nesting of parts.
 const DEEPEST: usize = 20;
 
-/// What was declared, in the order in which it came to stand.
+/// Declared items, in the order of expansion.
 #[derive(Default)]
 pub(super) struct Register {
     pub(super) parameters: Vec<(EntityId, ast::Node<ast::Parameter>)>,
-    /// `let`s and arguments of parts: whether anything uses them or not, a mistake in them is found.
+    /// `let`s and arguments of parts, used or not, so that errors in all of them are found.
     pub(super) lets: Vec<EntityId>,
     pub(super) functions: Vec<ast::Node<ast::Function>>,
     pub(super) bodies: Vec<(EntityId, ast::Node<ast::Frame>)>,
@@ -37,13 +37,13 @@ pub(super) struct Register {
     pub(super) joints: Vec<(EntityId, ast::Node<ast::Joint>)>,
     pub(super) outputs: Vec<(EntityId, ast::Node<ast::Output>)>,
     output_names: BTreeMap<(SpaceId, String), BTreeSet<Vec<usize>>>,
-    /// The parts as written, the mechanism's place left out.
+    /// The parts as written, without an entry for the mechanism.
     pub(super) parts: Vec<ast::Node<ast::Part>>,
     /// The mechanism and its parts.
     pub(super) places: Vec<OpenPart>,
-    /// The components whose items are being gone through, to stop recursion.
+    /// Components being expanded, to detect recursion.
     pub(super) open: Vec<String>,
-    /// How many loops are being gone through.
+    /// Number of enclosing loops.
     loops: usize,
     pub(super) range: Option<ast::Node<ast::Times>>,
     has_ground: bool,
@@ -78,9 +78,9 @@ impl Elaborator<'_> {
         }
     }
 
-    /// Registers items that stand together; `place` is the part they belong to.
+    /// Registers a list of items; `place` is the index of the part they belong to.
     pub(super) fn items(&mut self, items: &[Item], context: &Context, place: usize, register: &mut Register) {
-        // Whole numbers come first: they say how often everything else stands.
+        // Numbers come first: loop bounds and indices depend on them.
         for item in items {
             self.number_item(item, context, place, register);
         }
@@ -174,7 +174,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// Outputs are a set of names of their own.
+    /// Registers an output. Outputs have a namespace of their own.
     fn output_item(&mut self, output: &ast::Node<ast::Output>, context: &Context, place: usize, register: &mut Register) {
         let Some(indices) = self.written_indices(&output.indices, output, context) else { return };
         let name = self.full_name(context.space, Key::Name(output.id()), &output.name, &indices);
@@ -192,7 +192,7 @@ impl Elaborator<'_> {
         register.outputs.push((id, output.clone()));
     }
 
-    /// One context for each round of a loop.
+    /// The contexts of a loop, one for each iteration.
     fn repeat(&mut self, item: Key, variable: &Ident, bounds: &ast::Bounds, context: &Context, register: &mut Register) -> Vec<Context> {
         if !self.variable_is_new(item, variable, context) {
             return Vec::new();
@@ -214,7 +214,7 @@ impl Elaborator<'_> {
         rounds.into_iter().map(round).collect()
     }
 
-    /// A loop variable does not hide another name.
+    /// Checks that a loop variable does not hide another name.
     fn variable_is_new(&mut self, item: Key, variable: &Ident, context: &Context) -> bool {
         let word = variable.to_string();
         let first = if context.bound.iter().any(|(known, _)| *known == word) {
@@ -231,7 +231,7 @@ impl Elaborator<'_> {
         false
     }
 
-    /// A part: its arguments and the items of its component, in a space of their own.
+    /// Registers a part: its arguments and the items of its component, in a new namespace.
     fn part(&mut self, part: &ast::Node<ast::Part>, context: &Context, place: usize, register: &mut Register) {
         let Some(component) = self.component_called(part) else { return };
         let word = component.head.name.to_string();
@@ -255,7 +255,7 @@ impl Elaborator<'_> {
                 this.slots(&component.head, &part.kind, &part.arguments)
             })
         });
-        // Without its arguments it is still there, for its own names.
+        // Even if its arguments are wrong, the part is registered for the names in it.
         let slots = slots.unwrap_or_else(|| vec![None; component.head.parameters.len()]);
         let space = self.names.new_space(format!("{path}."));
         self.names.declared[id.0].progress = Progress::Done(Value::Part(space));
@@ -288,7 +288,7 @@ impl Elaborator<'_> {
         register.open.pop();
     }
 
-    /// A parameter in a component is set in Rust; only what stands in its head is given here.
+    /// Reports an argument for a parameter inside the component: it is set in Rust. Arguments are for the parameters in the head.
     fn arguments_are_no_parameters(&mut self, part: &ast::Part, component: &ast::Component) -> Option<()> {
         let is_formal = |name: &Ident| component.head.parameters.iter().any(|formal| formal.name == *name);
         let is_parameter = |name: &Ident| component.items.iter().any(|item| matches!(item, Item::Parameter(inner) if inner.name == *name));
@@ -298,7 +298,7 @@ impl Elaborator<'_> {
         self.refuse(name, ArrayFact::ParameterAsArgument { component, name: name.to_string(), part })
     }
 
-    /// The component of a part; where there is none of this name, the one that was meant.
+    /// Component of a part. Reports an unknown name, and returns the component that was probably meant.
     fn component_called(&mut self, part: &ast::Node<ast::Part>) -> Option<ast::Node<ast::Component>> {
         let word = part.kind.to_string();
         if let Some(component) = self.names.components.get(&word) {
@@ -311,7 +311,7 @@ impl Elaborator<'_> {
         meant
     }
 
-    /// The points and axes of a frame.
+    /// Registers the points and axes of a frame.
     fn fill(&mut self, frame: FrameId, marks: &Marks, context: &Context, register: &mut Register) {
         for mark in &marks.single {
             if self.diag.is_exhausted() {
@@ -347,7 +347,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// No two `use` items bring in the same name.
+    /// Checks that no two `use` items import the same name.
     fn names_are_new(&mut self, uses: &[ast::Use]) {
         for used in uses {
             let name = used.name.to_string();
@@ -360,13 +360,13 @@ impl Elaborator<'_> {
     }
 }
 
-/// It has a name of its own beside others that were declared with it.
+/// True in a loop or in a component, where a declaration may be expanded several times.
 pub(super) fn is_one_of_many(context: &Context) -> bool {
     context.space != SpaceId::MECHANISM || !context.bound.is_empty()
 }
 
-/// After the name of the mechanism it would be that of a generated type: of the state and views of it, of a failure, of a slice for
-/// an output, of what is prepared or moves.
+/// True if the name of the mechanism followed by `word` may be a generated type: the state or a view of it, a failure, a slice for an
+/// output, a prepared or a moving mechanism.
 pub(crate) fn is_of_generated_type(word: &str) -> bool {
     let is_of_slice = word.strip_prefix("For").is_some_and(|output| output.starts_with(|first: char| first.is_uppercase() || first == '_'));
     let is_of_failure = word.strip_prefix("Failure").is_some_and(|rest| rest.is_empty() || rest.starts_with("For"));

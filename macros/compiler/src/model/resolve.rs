@@ -1,4 +1,4 @@
-//! The items of a mechanism: registered by name first, resolved when asked for, each once.
+//! Resolves the items of a mechanism: registered by name first, then resolved once each, on first use.
 
 use super::bounds::in_words;
 use super::elaborate::{Elaborator, Scope};
@@ -14,7 +14,7 @@ use crate::syntax::ast::{self, Definition};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-/// Resolves a whole mechanism; `definitions` are those its `use` items brought in.
+/// Resolves a whole mechanism; `definitions` are imported by its `use` items.
 pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definition)>, diag: &mut Diag) -> Option<Model> {
     let definitions = definitions.into_iter().map(|(name, definition)| (name, Rc::new(definition))).collect();
     let mut work = Elaborator::new(diag, Names::new(definitions));
@@ -61,17 +61,17 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     diag.is_clean().then_some(model)
 }
 
-/// What a mechanism promises, as far as it can be read.
+/// Public interface of a mechanism, as far as it can be read.
 pub(crate) struct Outline {
     pub(crate) layout: Layout,
     pub(crate) methods: Vec<Method>,
     /// The outputs by number.
     pub(crate) outputs: Vec<ast::Node<ast::Output>>,
-    /// How many bodies there are.
+    /// Number of bodies.
     pub(crate) bodies: usize,
 }
 
-/// The outline of a mechanism, whatever is wrong with it: for its stub.
+/// Outline of a mechanism despite its errors, for its stub.
 pub(crate) fn outline(tree: &ast::Mechanism) -> Outline {
     let mut diag = Diag::default();
     let mut work = Elaborator::new(&mut diag, Names::new(BTreeMap::new()));
@@ -92,7 +92,7 @@ impl Elaborator<'_> {
         register.parameters.iter().filter_map(|declared| parameter(self, declared)).collect()
     }
 
-    /// Looks at a declared item, unless it was refused in another place.
+    /// Resolves a declared item, unless its declaration was rejected before.
     pub(super) fn of<T>(
         &mut self,
         id: EntityId,
@@ -105,7 +105,7 @@ impl Elaborator<'_> {
         self.at(place, |this| this.once(item, |this| look(this, &name, &context)))
     }
 
-    /// Looks at an item, unless it was refused before: what is declared once is refused once.
+    /// Runs `look` on a declaration, unless it was rejected before, so that each declaration is rejected only once.
     pub(super) fn once<T>(&mut self, item: impl Into<Key>, look: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
         let key = item.into();
         if self.refused.contains(&key) {
@@ -119,7 +119,7 @@ impl Elaborator<'_> {
         found
     }
 
-    /// Says of what is refused meanwhile where it stands.
+    /// Runs `look`; errors that it reports name `place`.
     pub(super) fn at<T>(&mut self, place: Option<String>, look: impl FnOnce(&mut Self) -> T) -> T {
         let outer = std::mem::replace(&mut self.place, place);
         let found = look(self);
@@ -128,7 +128,7 @@ impl Elaborator<'_> {
     }
 
     fn parameter(&mut self, parameter: &ast::Parameter, name: &Name, context: &Context) -> Option<Parameter> {
-        // An unknown dimension has been refused by `register`.
+        // An unknown dimension was reported by `register`.
         let dim = parameter.dimension.dim()?;
         let scope = Scope::of(context).timeless("the default of a parameter");
         let default = self.scalar_of(&parameter.default, dim, &scope)?.expr;
@@ -151,7 +151,7 @@ impl Elaborator<'_> {
         Some(Parameter { name: name.clone(), dim, default, bounds })
     }
 
-    /// The dimension behind its names.
+    /// Resolves the names in a dimension.
     pub(super) fn dimension(&mut self, written: &ast::Dimension) -> Option<Dim> {
         if let Some((unknown, _)) = written.factors.iter().find(|(name, _)| Dim::named(&name.to_string()).is_none()) {
             let name = unknown.to_string();
@@ -161,7 +161,7 @@ impl Elaborator<'_> {
         written.dim()
     }
 
-    /// The value of a declared item, resolved when it is first asked for; `range` is where it is asked for.
+    /// Value of a declared item, resolved on first use; `range` is the use.
     pub(super) fn entity(&mut self, id: EntityId, range: Range) -> Option<Value> {
         let declared = &self.names.declared[id.0];
         match &declared.progress {
@@ -193,7 +193,7 @@ impl Elaborator<'_> {
     }
 
     fn function_value(&mut self, function: &ast::Node<ast::Function>) -> Option<Value> {
-        // A signature over a Rust path gives the function its dimensions.
+        // A signature declares the dimensions of a Rust function.
         if let (None, ast::ExprKind::Path(path)) = (&function.argument, &function.value.kind) {
             let (from, to) = (self.dimension(&function.from)?, self.dimension(&function.to)?);
             return Some(Value::Function(self.rust_function(path, InferredDim::Known(from), InferredDim::Known(to))));
@@ -204,13 +204,13 @@ impl Elaborator<'_> {
     fn joint_value(&mut self, joint: &ast::Joint, context: &Context) -> Option<Value> {
         let arguments = Rc::new(self.bind_joint(joint, context)?);
         match &joint.body {
-            // A definition that was renamed by `use` is still of its own kind.
+            // A definition renamed by `use` keeps its own kind.
             ast::JointBody::Of { kind, .. } => Some(Value::Joint { kind: self.definition(kind)?.name.to_string(), arguments }),
             ast::JointBody::Equations(_) => Some(Value::Joint { kind: "equation".into(), arguments }),
         }
     }
 
-    /// An argument of a part: it stands outside of its component, a default inside.
+    /// Evaluates an argument of a part. A written argument belongs to the context of the part, a default to the component.
     fn made_with(&mut self, id: EntityId, made: &Rc<PartArguments>, number: usize) -> Option<Value> {
         let formal = &made.component.head.parameters[number];
         let owner = self.names.declared[id.0].context.clone();
@@ -225,7 +225,7 @@ impl Elaborator<'_> {
         self.at(place, |this| this.once(key, |this| this.argument(&made.component.head, formal, written, &scope)))
     }
 
-    /// A `let`: a bare number becomes a pure number unless a dimension is said.
+    /// Evaluates a `let`. A bare number is a pure number unless a dimension is declared.
     pub(super) fn binding(&mut self, binding: &ast::Let, scope: &Scope) -> Option<Value> {
         if let Some(written) = &binding.dimension {
             let dim = self.dimension(written)?;

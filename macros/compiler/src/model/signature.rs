@@ -1,4 +1,4 @@
-//! What a definition takes, in words.
+//! Signatures of definitions, for messages.
 
 use crate::diag::nearest;
 use crate::diag::{ArityFact, Range};
@@ -53,7 +53,7 @@ pub(super) fn noun(kind: &Kind) -> String {
     }
 }
 
-/// Where the argument for each parameter was written.
+/// Source range of the argument for each parameter.
 pub(super) fn places(definition: &Definition, given: &[Argument]) -> Vec<(String, Range)> {
     let place = |(position, argument): (usize, &Argument)| {
         let name = argument.name.as_ref().or(definition.parameters.get(position).map(|formal| &formal.name))?;
@@ -62,7 +62,7 @@ pub(super) fn places(definition: &Definition, given: &[Argument]) -> Vec<(String
     given.iter().enumerate().filter_map(place).collect()
 }
 
-/// How many arguments a definition takes, at least and at most.
+/// Smallest and largest number of arguments.
 fn takes(definition: &Definition) -> [usize; 2] {
     let required = definition.parameters.iter().filter(|formal| formal.default.is_none()).count();
     [required, definition.parameters.len()]

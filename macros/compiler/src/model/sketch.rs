@@ -1,6 +1,6 @@
-//! What equations no longer know and a picture needs: where points lie in their bodies, and what joints were made with.
+//! Geometry for the picture that the equations do not contain: points in their bodies, and the arguments of joints.
 //!
-//! Everything here is an expression in an arena of its own, so that looking at a mechanism does not change how it is solved.
+//! All its expressions are in a separate arena, so that drawing a mechanism does not change how it is solved.
 
 use super::Components;
 use super::elaborate::{Elaborator, Scope};
@@ -11,17 +11,17 @@ use crate::diag::Range;
 use crate::expr::{Arena, Expr, Leaf};
 use crate::quantity::{Dim, InferredDim};
 
-/// Mechanisms with more bodies are not drawn: nothing could be told apart.
+/// Mechanisms with more bodies are not drawn: their parts could not be distinguished.
 pub const MOST_DRAWN: usize = 200;
 
-/// The geometry of a mechanism, as far as it was declared.
+/// Declared geometry of a mechanism.
 #[derive(Clone, Debug, Default)]
 pub struct Sketch {
-    /// Its expressions.
+    /// All expressions of the sketch.
     pub arena: Arena,
     /// The declared points of bodies and of ground.
     pub points: Vec<Mark>,
-    /// For each joint or drive, in the order declared, what it was made with.
+    /// For each joint or drive, in the order declared, its arguments.
     pub joints: Vec<Instantiation>,
     /// The outputs that are points of bodies.
     pub outputs: Vec<Mark>,
@@ -30,27 +30,27 @@ pub struct Sketch {
 /// A point with a name.
 #[derive(Clone, Debug)]
 pub struct Mark {
-    /// What it is called; that of a body without the body's name.
+    /// Name; for a point of a body without the name of the body.
     pub name: String,
-    /// Where it is.
+    /// Position.
     pub at: Local,
 }
 
 /// A point or an axis by its local coordinates.
 #[derive(Clone, Copy, Debug)]
 pub struct Local {
-    /// The body that it moves with; none for ground.
+    /// Body that it moves with; `None` for ground.
     pub body: Option<usize>,
-    /// Its components in the body's frame, functions of parameters; those of a point are lengths.
+    /// Components in the frame of the body, functions of parameters; lengths for a point.
     pub local: Components,
 }
 
 /// A constraint with its arguments.
 #[derive(Clone, Debug, Default)]
 pub struct Instantiation {
-    /// The constraint's own name, whatever a `use` item calls it.
+    /// Name in the definition of the constraint, even if a `use` item renames it.
     pub kind: String,
-    /// The arguments by the names of the definition; none for equations written inline.
+    /// Arguments by parameter name; empty for inline equations.
     pub arguments: Vec<(String, Argument)>,
 }
 
@@ -61,18 +61,18 @@ pub enum Argument {
     Point(Local),
     /// An axis, of any length.
     Axis(Local),
-    /// A body; none is ground.
+    /// A body; `None` for ground.
     Body(Option<usize>),
-    /// A number with what it measures.
+    /// A number with its dimension.
     Number(Expr, Dim),
-    /// A function of one variable, written out for the time in the variable's place.
+    /// A function of one variable, as an expression in which time stands for the variable.
     Function(Expr),
     /// Another joint.
     Joint(Instantiation),
 }
 
 impl Elaborator<'_> {
-    /// What was declared of a mechanism's looks; to be asked for when everything else has been resolved.
+    /// Collects the declared geometry; call it after everything else has been resolved.
     pub(super) fn sketch(&mut self, register: &Register) -> Sketch {
         if !self.diag.is_clean() || register.bodies.len() > MOST_DRAWN {
             return Sketch::default();
@@ -120,7 +120,7 @@ impl Elaborator<'_> {
         })
     }
 
-    /// The value of a function at t: functions of one variable do not know the time, so that it can stand for the variable.
+    /// Value of a function at t. Functions of one variable do not depend on time, so that t can stand for the variable.
     fn written_out(&mut self, range: Range, function: &FunctionValue) -> Option<Expr> {
         let expr = self.arena.leaf(Leaf::Time);
         match function {

@@ -1,13 +1,13 @@
 //! Tables of measured values as cubic splines with a continuous second derivative.
 
-/// What happens outside a table's range.
+/// Extrapolation outside the range of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ends {
-    /// It repeats.
+    /// Periodic repetition.
     Periodic,
-    /// It goes on along its tangent; the second derivative is zero at the ends.
+    /// Straight line along the end tangent; the second derivative is zero at the ends.
     Linear,
-    /// It keeps its end values; the slope is zero at the ends.
+    /// Constant end value; the slope is zero at the ends.
     Hold,
 }
 
@@ -19,7 +19,7 @@ pub struct Table {
     pub knots: Vec<f64>,
     /// One row for each interval.
     pub coefficients: Vec<[f64; 4]>,
-    /// What happens outside.
+    /// Extrapolation outside the knots.
     pub ends: Ends,
 }
 
@@ -95,7 +95,7 @@ fn slopes(widths: &[f64], secants: &[f64], ends: Ends) -> Vec<f64> {
     tridiagonal(&rows)
 }
 
-/// Solves a tridiagonal system; each row is (below, diagonal, above, right side).
+/// Solves a tridiagonal system; each row is (below, diagonal, above, right-hand side).
 fn tridiagonal(rows: &[(f64, f64, f64, f64)]) -> Vec<f64> {
     let mut reduced: Vec<(f64, f64)> = Vec::with_capacity(rows.len());
     for (i, (below, diagonal, above, right)) in rows.iter().enumerate() {

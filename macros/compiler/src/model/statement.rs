@@ -10,25 +10,25 @@ use crate::syntax::ast::{self, ExprKind, Relation, Statement};
 use proc_macro2::Ident;
 use std::collections::BTreeSet;
 
-/// One scalar equation: left minus right side, and what to blame for it.
+/// One scalar equation: left minus right side, and the source range for its errors.
 #[derive(Clone, Copy)]
 pub(super) struct ScalarEquation {
     pub(super) residual: Scalar,
     pub(super) range: Range,
 }
 
-/// The cosine of a right angle is no more than this share of the angle: of its last digit.
+/// An angle counts as a right angle if its |cos| is below this fraction of it, the error of its last digit.
 const RIGHT: f64 = 2.0 * f64::EPSILON;
 
-/// What depends on parameters alone and has to be finite.
+/// A value that depends on parameters alone and must be finite.
 pub(super) struct FixedValue {
     pub(super) expr: Expr,
-    /// What is refused once, however often it stands.
+    /// Expression in the tree, reported once for all its instances.
     pub(super) item: Key,
     pub(super) range: Range,
-    /// What it is in words.
+    /// Noun for messages.
     pub(super) noun: &'static str,
-    /// Which of many it is.
+    /// Description of the instance, if the declaration is expanded several times.
     pub(super) place: Option<String>,
 }
 
@@ -63,7 +63,7 @@ impl Elaborator<'_> {
                 }
                 Statement::Require(requirement) => complete &= self.requirement(requirement, &scope, joint, places).is_some(),
             }
-            // Inside an instance one error is enough: the next would blame the same token.
+            // One error per instance is enough: the next one would mark the same token.
             if !complete && self.blame.is_some() {
                 return None;
             }
@@ -74,7 +74,7 @@ impl Elaborator<'_> {
         complete.then_some(rows)
     }
 
-    /// Inside a definition that is being instantiated, names the equation in what is refused.
+    /// Runs `read`. Inside a definition that is being instantiated, its errors name the equation.
     fn numbered<T>(&mut self, number: usize, of: usize, read: impl FnOnce(&mut Self) -> T) -> T {
         let outer = self.blame.clone();
         if let (Some(Instance { definition, .. }), true) = (&mut self.blame, of > 1) {
@@ -85,7 +85,7 @@ impl Elaborator<'_> {
         value
     }
 
-    /// A condition: on bodies it is decided here, on numbers it is kept until defaults are known.
+    /// Checks a condition between bodies; keeps one between numbers until the defaults are known, unless it is constant.
     fn requirement(&mut self, requirement: &ast::Requirement, scope: &Scope, joint: &Name, places: &[(String, Range)]) -> Option<()> {
         let (left, right) = (self.value(&requirement.lhs, scope), self.value(&requirement.rhs, scope));
         let (left, right) = (left?, right?);
@@ -97,7 +97,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// Two bodies must be the same, or must not be.
+    /// Checks that two bodies are the same, or that they differ.
     fn body_requirement(
         &mut self,
         requirement: &ast::Requirement,
@@ -106,7 +106,7 @@ impl Elaborator<'_> {
         places: &[(String, Range)],
     ) -> Option<()> {
         let ast::Requirement { lhs, relation, rhs, why } = requirement;
-        // Where another body is asked for, what was given first is right.
+        // If the bodies must differ, the first argument is taken as right.
         let (holds, sides) = match relation {
             Relation::Equal => (one == two, [(lhs, two), (rhs, one)]),
             Relation::Different => (one != two, [(rhs, one), (lhs, two)]),
@@ -121,7 +121,7 @@ impl Elaborator<'_> {
         self.refuse_at(place, range(requirement), EquationFact::RequirementFails { why: why.clone(), instead })
     }
 
-    /// What to give instead of a point or an axis whose body must, or must not, be another.
+    /// Suggests another point or axis, if its body must, or must not, be `other`.
     fn of_a_body(&self, given: &Value, relation: Relation, other: FrameId) -> Option<String> {
         let body = &self.names.frames[other.0].name;
         match (given, relation) {
@@ -148,7 +148,7 @@ impl Elaborator<'_> {
         };
         let (lhs, rhs) = (one.expr, two.expr);
         if self.names.is_abstract() || !self.is_fixed(lhs) || !self.is_fixed(rhs) {
-            // A law of time can be zero at times; that is for the solver to notice.
+            // A function of time may vanish at some instants; the solver has to detect that.
             return Some(());
         }
         let why = requirement.why.clone();
@@ -161,7 +161,7 @@ impl Elaborator<'_> {
                 self.refuse_at(place, range(requirement), EquationFact::RequirementFails { why, instead: None })
             };
         }
-        // What is compared goes by the name it has in the definition.
+        // The compared quantity has its name in the definition.
         let compared = match &requirement.lhs.kind {
             ExprKind::Path(path) => format!("{joint}.{}", path.last),
             _ => joint.to_string(),
@@ -172,13 +172,13 @@ impl Elaborator<'_> {
         Some(())
     }
 
-    /// Refuses at an argument if one is to blame.
+    /// Reports an error at the argument at fault, if there is one.
     fn refuse_at<T>(&mut self, place: Option<Range>, range: Range, fact: impl Into<Fact>) -> Option<T> {
         let place = place.or(self.blame.as_ref().map(|blame| blame.place));
         self.say(place.unwrap_or(range), fact)
     }
 
-    /// Conditions on parameters must hold at the declared defaults.
+    /// Checks that the conditions on parameters hold at the declared defaults.
     pub(super) fn requirements_hold(&mut self, parameters: &[Parameter]) {
         if !self.diag.is_clean() {
             return;
@@ -190,7 +190,7 @@ impl Elaborator<'_> {
             let Requirement { lhs, relation, rhs, ref why, joint: ref compared, .. } = self.requirements[index];
             let (why, compared) = (why.clone(), compared.clone());
             let values = self.numbers(&defaults, &[lhs, rhs]);
-            // Each condition of a declaration is asked for once, however many parts there are.
+            // Each condition of a declaration is reported once, however many parts there are.
             let (place, joint) = &self.requirement_places[index];
             if !holds(relation, values[0], values[1]) && said.insert((joint.declaration, compared.replacen(&joint.path, "", 1))) {
                 self.diag.refuse::<()>(*place, EquationFact::RequirementFailsAtDefaults { why, value: values[0] });
@@ -198,7 +198,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// Points, axes and start values are finite at the declared defaults.
+    /// Checks that points, axes and start values are finite at the declared defaults.
     pub(super) fn fixed_values_are_finite(&mut self, parameters: &[Parameter]) {
         if !self.diag.is_clean() {
             return;
@@ -212,8 +212,8 @@ impl Elaborator<'_> {
         }
     }
 
-    /// An expression of parameters alone has a finite value, as far as it is known here. That of a tangent is none at a right angle,
-    /// which no binary number is.
+    /// True if an expression of parameters alone has a finite value, as far as the compiler can evaluate it. The tangent of a right
+    /// angle is not finite, although no binary number is a right angle.
     pub(super) fn is_finite(&self, expr: Expr, parameters: &[f64]) -> bool {
         if self.arena.as_constant(expr).is_some() {
             return true;
@@ -233,7 +233,7 @@ impl Elaborator<'_> {
         values[0].is_finite() && !values[1..].iter().any(is_right)
     }
 
-    /// The values of expressions of parameters alone.
+    /// Evaluates expressions of parameters alone.
     pub(super) fn numbers(&self, parameters: &[f64], roots: &[crate::expr::Expr]) -> Vec<f64> {
         let functions = |number: u32, x: f64| match self.functions.get(number as usize) {
             Some(super::Function::Table(table)) => table.evaluate(x),
@@ -244,7 +244,7 @@ impl Elaborator<'_> {
     }
 }
 
-/// The parameter that one side of a condition is about: `P`, or `P.body`.
+/// Parameter on one side of a condition: `P`, or `P.body`.
 fn argument_of(side: &ast::Expr) -> Option<&Ident> {
     match &side.kind {
         ExprKind::Path(path) => path.name.as_ref(),
@@ -253,18 +253,18 @@ fn argument_of(side: &ast::Expr) -> Option<&Ident> {
     }
 }
 
-/// Where the argument was written that one side of a condition is about.
+/// Source range of the argument on one side of a condition.
 fn place(side: &ast::Expr, places: &[(String, Range)]) -> Option<Range> {
     let name = argument_of(side)?;
     places.iter().find(|(known, _)| name == known).map(|(_, range)| *range)
 }
 
-/// From the first token of a condition to the last.
+/// Source range of a condition, from its first token to its last.
 fn range(requirement: &ast::Requirement) -> Range {
     requirement.lhs.range.to(requirement.rhs.range)
 }
 
-/// A comparison that cannot be decided (a Rust function is not run in the compiler) counts as true.
+/// Evaluates a comparison. An undecidable one counts as true: Rust functions are not run in the compiler.
 fn holds(relation: Relation, lhs: f64, rhs: f64) -> bool {
     if lhs.is_nan() || rhs.is_nan() {
         return true;

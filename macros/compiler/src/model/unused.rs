@@ -1,7 +1,7 @@
-//! Components of which there is no part: a mistake in them is found all the same.
+//! Checks components without parts, so that errors in them are found as well.
 //!
-//! Each that is in no other of them is gone through once, the others with it, with arguments of which nothing is known but their kind, apart from everything else, and nothing of
-//! it is kept. What depends on arguments that may be whole numbers is not looked at: these say how often something stands.
+//! Each outermost one of them is expanded once, together with the components it uses, with unknown arguments; the result is discarded.
+//! A component with arguments that may be whole numbers is not checked: they may determine the number of items.
 
 use super::declare::Written;
 use super::elaborate::Elaborator;
@@ -16,7 +16,7 @@ use std::collections::BTreeSet;
 use std::rc::Rc;
 
 impl Elaborator<'_> {
-    /// Looks at the components that are not used.
+    /// Checks the components that have no parts.
     pub(super) fn unused_components(&mut self, register: &Register) {
         let mut seen: BTreeSet<ast::NodeId> = places(register).collect();
         for component in outermost_first(self.names.components.values().cloned().collect()) {
@@ -32,11 +32,11 @@ impl Elaborator<'_> {
         }
     }
 
-    /// Gives the components that were gone through.
+    /// Checks one component; returns the components that were expanded.
     fn unused(&mut self, component: &ast::Node<ast::Component>, register: &Register) -> Vec<ast::NodeId> {
         let word = component.head.name.to_string();
         let context = Context { space: self.names.new_space(format!("{word}.")), bound: Rc::default() };
-        // Its parameters are numbered after those of the mechanism, which it sees.
+        // Its parameters are numbered after those of the mechanism, which it can use.
         let known = register.parameters.len();
         let mut own = Register::default();
         own.parameters.clone_from(&register.parameters);
@@ -69,7 +69,7 @@ fn places(register: &Register) -> impl Iterator<Item = ast::NodeId> {
     register.places.iter().filter_map(|place| place.component.as_ref()).map(ast::Node::id)
 }
 
-/// Those with parts before the components of the parts.
+/// Sorts components: those with parts before the components of the parts.
 fn outermost_first(components: Vec<ast::Node<ast::Component>>) -> Vec<ast::Node<ast::Component>> {
     let (mut visited, mut order) = (vec![false; components.len()], Vec::new());
     for at in 0..components.len() {
@@ -87,7 +87,7 @@ fn outermost_first(components: Vec<ast::Node<ast::Component>>) -> Vec<ast::Node<
     order.into_iter().rev().map(|at| components[at].clone()).collect()
 }
 
-/// The components that a component names.
+/// Names of the components of the parts in a component.
 fn kinds_of_parts(component: &ast::Component) -> Vec<&Ident> {
     let (mut kinds, mut pending): (Vec<&Ident>, Vec<&Item>) = (Vec::new(), component.items.iter().collect());
     while let Some(item) = pending.pop() {
@@ -100,7 +100,7 @@ fn kinds_of_parts(component: &ast::Component) -> Vec<&Ident> {
     kinds
 }
 
-/// It takes a number that may be one of how many.
+/// True if an argument may be a number of items.
 fn counts(component: &ast::Component) -> bool {
     component.head.parameters.iter().any(|formal| match &formal.kind {
         Kind::Scalar(written) => written.dim() == Some(Dim::NUMBER),

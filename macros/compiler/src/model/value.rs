@@ -1,4 +1,4 @@
-//! What an expression stands for while names are resolved.
+//! Values of expressions while names are resolved.
 
 use super::Components;
 use super::names::{GroupId, SpaceId};
@@ -30,7 +30,7 @@ pub(crate) struct Vector {
     pub(crate) measure: InferredDim,
 }
 
-/// Something fixed in a frame, by its local coordinates: a point or an axis.
+/// A point or an axis, by its local coordinates in the frame that carries it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fixed {
     pub(crate) frame: FrameId,
@@ -41,16 +41,16 @@ pub(crate) struct Fixed {
 /// A function of one variable.
 #[derive(Clone, Debug)]
 pub(crate) enum FunctionValue {
-    /// Written in the language.
+    /// A function written in the language.
     Written(ast::Node<ast::Function>),
-    /// Known to the arena by number: a Rust function or a table.
+    /// A Rust function or a table, known to the arena by number.
     Numbered { number: u32, from: InferredDim, to: InferredDim },
 }
 
-/// The arguments that a joint was made with, by the names of its definition.
+/// Arguments of a joint, by parameter name.
 pub(crate) type Arguments = Rc<Vec<(String, Value)>>;
 
-/// What an expression stands for.
+/// Value of an expression.
 #[derive(Clone, Debug)]
 pub(crate) enum Value {
     Scalar(Scalar),
@@ -63,9 +63,9 @@ pub(crate) enum Value {
         kind: String,
         arguments: Arguments,
     },
-    /// A component's instance, by the space of its names.
+    /// A part, by its namespace.
     Part(SpaceId),
-    /// Some of the indices of a name that has more of them.
+    /// An array that still lacks some of its indices.
     Array {
         group: GroupId,
         at: Vec<usize>,
@@ -73,12 +73,12 @@ pub(crate) enum Value {
 }
 
 impl Value {
-    /// Sums and products can be made of it.
+    /// True if sums and products can be formed of the value.
     pub(crate) fn is_combinable(&self) -> bool {
         matches!(self, Value::Scalar(_) | Value::Vector(_) | Value::Point(_) | Value::Axis(_))
     }
 
-    /// What it is, in words: `a point`.
+    /// Noun for messages: `a point`.
     pub(crate) fn noun(&self) -> &'static str {
         match self {
             Value::Scalar(_) => "a number",

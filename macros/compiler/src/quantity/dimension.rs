@@ -1,4 +1,4 @@
-//! What a number measures: products of powers of length, angle, time and mass.
+//! Dimensions: products of powers of length, angle, time and mass.
 
 use std::fmt;
 
@@ -12,7 +12,7 @@ pub struct Dim {
     sixths: [i16; 4],
 }
 
-/// Names a user may write, with whole exponents of m, rad, s, kg.
+/// Named dimensions, with their exponents of m, rad, s, kg.
 const NAMED: &[(&str, [i16; 4])] = &[
     ("Number", [0, 0, 0, 0]),
     ("Length", [1, 0, 0, 0]),
@@ -48,7 +48,7 @@ impl Dim {
         Dim { sixths: [length * WHOLE, angle * WHOLE, time * WHOLE, mass * WHOLE] }
     }
 
-    /// A time, its square and the like.
+    /// True for positive powers of time alone.
     pub(crate) fn is_of_time(self) -> bool {
         let [length, angle, time, mass] = self.sixths;
         time > 0 && [length, angle, mass] == [0; 3]
@@ -74,7 +74,7 @@ impl Dim {
         self.zip(other, i16::saturating_sub)
     }
 
-    /// The dimension of a power with exponent `sixths / 6`, if its exponents are sixths again.
+    /// The dimension of a power with exponent `sixths / 6`; `None` if an exponent of the result is not a whole number of sixths.
     pub(crate) fn power(self, sixths: i16) -> Option<Dim> {
         let mut result = self;
         for exponent in &mut result.sixths {
@@ -92,28 +92,28 @@ impl Dim {
         self.power(WHOLE * exponent)
     }
 
-    /// The same without its radians.
+    /// The same dimension without radians.
     pub(crate) fn without_angle(self) -> Dim {
         let [length, _, time, mass] = self.sixths;
         Dim { sixths: [length, 0, time, mass] }
     }
 
-    /// Has no dimension but perhaps radians.
+    /// True if the dimension is 1 apart from radians.
     pub(crate) fn is_plain(self) -> bool {
         self.without_angle() == Dim::NUMBER
     }
 
-    /// Has lengths or masses, beside which radians do not count.
+    /// True if lengths or masses occur; radians do not count beside them.
     pub(crate) fn is_extended(self) -> bool {
         self.sixths[0] != 0 || self.sixths[3] != 0
     }
 
-    /// An angle, or its change in time: has radians once.
+    /// True if radians occur to the first power: an angle, or its rate.
     pub(crate) fn is_of_turning(self) -> bool {
         self.sixths[1] == WHOLE
     }
 
-    /// Radians aside, both measure the same.
+    /// True if both dimensions are the same apart from radians.
     pub(crate) fn agrees(self, other: Dim) -> bool {
         self.without_angle() == other.without_angle()
     }
@@ -174,17 +174,17 @@ impl fmt::Display for Dim {
     }
 }
 
-/// What a number measures, as far as it is known: a bare number takes what its place asks for.
+/// Dimension of an expression, as far as it is known: a bare number takes the dimension that its context requires.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum InferredDim {
-    /// Whatever is asked for.
+    /// Any dimension.
     Any,
-    /// A dimension of its own.
+    /// A known dimension.
     Known(Dim),
 }
 
 impl InferredDim {
-    /// What it measures when no place asks for anything.
+    /// The dimension if the context requires none: a bare number is a pure number.
     pub(crate) fn settled(self) -> Dim {
         match self {
             InferredDim::Any => Dim::NUMBER,
@@ -192,12 +192,12 @@ impl InferredDim {
         }
     }
 
-    /// The common measure of two numbers that are added or compared.
+    /// Common dimension of two numbers that are added or compared.
     pub(crate) fn common(self, other: InferredDim) -> Option<InferredDim> {
         match (self, other) {
             (InferredDim::Any, measure) | (measure, InferredDim::Any) => Some(measure),
             (InferredDim::Known(one), InferredDim::Known(two)) if one == two => Some(self),
-            // Radians matter only where there is nothing else: an arc is a length.
+            // Beside lengths or masses radians are dropped: an arc is a length.
             (InferredDim::Known(one), InferredDim::Known(two)) if one.agrees(two) && one.is_extended() => {
                 Some(InferredDim::Known(one.without_angle()))
             }
@@ -206,10 +206,10 @@ impl InferredDim {
         }
     }
 
-    /// A number of this measure may stand where `wanted` is asked for.
+    /// True if a number of this dimension may be used where `wanted` is required.
     ///
-    /// A ratio of lengths may stand for an angle, an arc over its radius, and a speed over a radius for an angular velocity; an
-    /// angle is no ratio, and an angular velocity no frequency.
+    /// A ratio of lengths may be used as an angle (an arc over its radius), and a speed over a radius as an angular velocity; but not
+    /// an angle as a ratio, nor an angular velocity as a frequency.
     pub(crate) fn fits(self, wanted: Dim) -> bool {
         match self {
             InferredDim::Any => true,
@@ -219,7 +219,7 @@ impl InferredDim {
         }
     }
 
-    /// The measure of a product.
+    /// The dimension of a product.
     pub(crate) fn times(self, other: InferredDim) -> InferredDim {
         match (self, other) {
             (InferredDim::Any, measure) | (measure, InferredDim::Any) => measure,
@@ -227,7 +227,7 @@ impl InferredDim {
         }
     }
 
-    /// The measure of a quotient.
+    /// The dimension of a quotient.
     pub(crate) fn per(self, other: InferredDim) -> InferredDim {
         match (self, other) {
             (measure, InferredDim::Any) => measure,
@@ -236,7 +236,7 @@ impl InferredDim {
         }
     }
 
-    /// The measure of a power with exponent `sixths / 6`.
+    /// The dimension of a power with exponent `sixths / 6`.
     pub(crate) fn power(self, sixths: i16) -> Option<InferredDim> {
         match self {
             InferredDim::Any => Some(InferredDim::Any),

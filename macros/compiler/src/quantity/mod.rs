@@ -1,6 +1,6 @@
-//! What numbers measure: dimensions, the units in which they are written, and the roles of coordinates.
+//! Quantities: dimensions, units, and the roles of coordinates.
 //!
-//! Nothing here knows of mechanisms.
+//! Nothing here depends on mechanisms.
 
 mod dimension;
 mod role;

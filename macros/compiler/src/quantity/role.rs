@@ -1,4 +1,4 @@
-//! What coordinates are: the only table of their names, dimensions, scales, periods and corrections.
+//! Roles of coordinates: the only table of their names, dimensions, scales, periods and corrections.
 
 use super::Dim;
 
@@ -13,23 +13,23 @@ pub enum Axis {
     Z,
 }
 
-/// The part that a coordinate plays in the placement of its body.
+/// Role of a coordinate in the placement of its body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Role {
-    /// Where the origin of the body lies along an axis of ground.
+    /// Position of the origin of the body along an axis of ground.
     Position(Axis),
-    /// How far the body is turned in the plane, counterclockwise.
+    /// Rotation of the body in the plane, counterclockwise.
     Angle,
-    /// One of the four components of the unit quaternion that turns the body, the real one first.
+    /// One of the four components of the unit quaternion that rotates the body, the real one first.
     Quaternion(u8),
 }
 
-/// How a correction δ reaches a coordinate.
+/// Rule by which a correction δ is applied to a coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Correction {
     /// q ← q + δ
     Sum,
-    /// p ← exp(δ/2) p for the four components together, which stay of length 1.
+    /// p ← exp(δ/2) p for the four components together, which keeps their norm 1.
     Rotation,
 }
 
@@ -37,7 +37,7 @@ impl Role {
     /// The coordinates of a body in the plane, in their order in q.
     pub const PLANE: [Role; 3] = [Role::Position(Axis::X), Role::Position(Axis::Y), Role::Angle];
 
-    /// Its name in the language and in generated code.
+    /// Name in the language and in generated code.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -49,18 +49,18 @@ impl Role {
         }
     }
 
-    /// Its symbol in formulas.
+    /// Symbol in formulas.
     #[must_use]
     pub fn symbol(self) -> &'static str {
         if self == Role::Angle { "φ" } else { self.name() }
     }
 
-    /// The coordinate of a body in the plane of this name.
+    /// Coordinate of a body in the plane, by name.
     pub(crate) fn named(name: &str) -> Option<Role> {
         Role::PLANE.into_iter().find(|role| role.name() == name)
     }
 
-    /// What it measures.
+    /// Dimension.
     #[must_use]
     pub fn dim(self) -> Dim {
         match self {
@@ -70,18 +70,18 @@ impl Role {
         }
     }
 
-    /// What compares to a radian, in a mechanism of this characteristic length.
+    /// Change comparable to one radian, in a mechanism of this characteristic length.
     #[must_use]
     pub fn scale(self, length: f64) -> f64 {
         match self {
             Role::Position(_) => length,
             Role::Angle => 1.0,
-            // The real part of half the angle.
+            // To first order a rotation by δ changes a component by at most δ/2.
             Role::Quaternion(_) => 0.5,
         }
     }
 
-    /// By how much it can change without moving the body.
+    /// Change that does not move the body; `None` if there is no such change.
     #[must_use]
     pub fn period(self) -> Option<f64> {
         match self {
@@ -90,7 +90,7 @@ impl Role {
         }
     }
 
-    /// How a correction is applied.
+    /// Rule by which a correction is applied.
     #[must_use]
     pub fn correction(self) -> Correction {
         match self {
@@ -99,14 +99,14 @@ impl Role {
         }
     }
 
-    /// It places the body's origin.
+    /// True for a coordinate of the origin of the body.
     #[must_use]
     pub fn is_position(self) -> bool {
         matches!(self, Role::Position(_))
     }
 }
 
-/// The part that a speed plays in the motion of its body.
+/// Role of a speed in the motion of its body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum SpeedRole {
     /// The velocity of the body's origin along an axis of ground.
@@ -119,7 +119,7 @@ impl SpeedRole {
     /// The speeds of a body in the plane, in their order in u.
     pub const PLANE: [SpeedRole; 3] = [SpeedRole::Linear(Axis::X), SpeedRole::Linear(Axis::Y), SpeedRole::Angular(Axis::Z)];
 
-    /// What its integral measures: a small displacement along it.
+    /// Dimension of the integral of the speed, a small displacement.
     #[must_use]
     pub fn displacement(self) -> Dim {
         match self {

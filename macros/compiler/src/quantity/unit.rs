@@ -3,7 +3,7 @@
 use super::dimension::Dim;
 use crate::expr::Exact;
 
-/// A unit: its name, numerator and denominator of its size, power of π in it, what it measures.
+/// A unit: its name, numerator and denominator of its size, whether π is a factor of it, and its dimension.
 struct Unit {
     name: &'static str,
     size: (i128, i128),

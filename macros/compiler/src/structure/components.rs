@@ -1,13 +1,12 @@
-//! Unknowns that can only be found together, in the order in which they can be found.
+//! Strongly connected components: unknowns that can only be found together, in the order of solution (block triangular form).
 //!
-//! In the graph whose nodes are matched pairs, with an edge to every pair whose unknown occurs in
-//! the pair's equation, these are the strongly connected components.
+//! The nodes of the graph are matched pairs; an edge leads to every pair whose unknown occurs in the equation of the first pair.
 //! Reference: Tarjan (1972), Depth-first search and linear graph algorithms; here without recursion.
 
 use super::matching::Matching;
 use super::pattern::Pattern;
 
-/// Groups of matched equations; every group needs only unknowns of groups before it and its own.
+/// Groups of matched equations; each needs only its own unknowns and those of earlier groups.
 pub(crate) fn in_order(pattern: &Pattern, matching: &Matching) -> Vec<Vec<usize>> {
     let mut work = Tarjan {
         pattern,

@@ -1,4 +1,4 @@
-//! Where a system has too many equations and where too few.
+//! Dulmage-Mendelsohn decomposition: the overdetermined and the underdetermined part of a system.
 //!
 //! Reference: Dulmage, Mendelsohn (1958), Coverings of bipartite graphs; Pothen, Fan (1990), Computing the block triangular form
 //! of a sparse matrix.
@@ -14,16 +14,16 @@ pub(crate) struct DmPart {
     pub(crate) unknowns: BTreeSet<usize>,
 }
 
-/// The equations that contend for too few unknowns: all that can be reached from an equation without an unknown.
+/// The overdetermined part: all equations that can be reached from an unmatched equation, and their unknowns.
 pub(crate) fn overdetermined(pattern: &Pattern, matching: &Matching) -> DmPart {
     contending(pattern, matching, matching.free_equations())
 }
 
-/// The equations that contend with some that have no unknown. With a single one these are as few as there can be: take any of them
-/// away, and every one that remains has an unknown of its own.
+/// The equations that compete with the given ones for unknowns. With a single unmatched equation this set is minimal: without any one
+/// of them, all the others can be matched.
 pub(crate) fn contending(pattern: &Pattern, matching: &Matching, mut open: Vec<usize>) -> DmPart {
     let mut part = DmPart::default();
-    // What is set aside contends for nothing.
+    // An empty row competes for no unknown.
     open.retain(|equation| !pattern.rows[*equation].is_empty());
     while let Some(equation) = open.pop() {
         if !part.equations.insert(equation) {
@@ -37,7 +37,7 @@ pub(crate) fn contending(pattern: &Pattern, matching: &Matching, mut open: Vec<u
     part
 }
 
-/// The unknowns that share too few equations: all that can be reached from an unknown without an equation.
+/// The underdetermined part: all unknowns that can be reached from an unmatched unknown, and their equations.
 pub(crate) fn underdetermined(pattern: &Pattern, matching: &Matching) -> DmPart {
     let mut holders: Vec<Vec<usize>> = vec![Vec::new(); pattern.unknowns];
     for (equation, row) in pattern.rows.iter().enumerate() {

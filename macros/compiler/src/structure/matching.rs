@@ -5,22 +5,22 @@
 
 use super::pattern::Pattern;
 
-/// Pairs of an equation and the unknown it determines.
+/// Matched pairs of an equation and an unknown.
 #[derive(Clone, Debug)]
 pub(crate) struct Matching {
-    /// The unknown of each equation.
+    /// The unknown matched to each equation.
     pub(crate) of_equation: Vec<Option<usize>>,
-    /// The equation of each unknown.
+    /// The equation matched to each unknown.
     pub(crate) of_unknown: Vec<Option<usize>>,
 }
 
 impl Matching {
-    /// Unknowns that got no equation.
+    /// Unmatched unknowns.
     pub(crate) fn free_unknowns(&self) -> Vec<usize> {
         (0..self.of_unknown.len()).filter(|unknown| self.of_unknown[*unknown].is_none()).collect()
     }
 
-    /// Equations that got no unknown.
+    /// Unmatched equations.
     pub(crate) fn free_equations(&self) -> Vec<usize> {
         (0..self.of_equation.len()).filter(|equation| self.of_equation[*equation].is_none()).collect()
     }
@@ -31,16 +31,16 @@ impl Matching {
     }
 }
 
-/// As many pairs as there can be.
+/// A maximum matching.
 pub(crate) fn maximum(pattern: &Pattern) -> Matching {
     maximum_in(pattern, 0..pattern.rows.len())
 }
 
-/// The same, with equations in this order: of those that contend for an unknown the last ones get none.
+/// A maximum matching with the equations in this order: of those that compete for an unknown the last ones stay unmatched.
 pub(crate) fn maximum_in(pattern: &Pattern, order: impl Iterator<Item = usize>) -> Matching {
     let mut matching = Matching { of_equation: vec![None; pattern.rows.len()], of_unknown: vec![None; pattern.unknowns] };
-    // For each equation, how many of its entries have been looked at for a free unknown. An unknown
-    // never becomes free again, so this only grows: the look-ahead costs each entry once.
+    // For each equation, the number of entries searched for a free unknown. A matched unknown never becomes free again, so that this
+    // number only grows: the look-ahead costs each entry once.
     let mut looked = vec![0; pattern.rows.len()];
     let mut visited = vec![usize::MAX; pattern.rows.len()];
     for root in order {
@@ -49,7 +49,7 @@ pub(crate) fn maximum_in(pattern: &Pattern, order: impl Iterator<Item = usize>) 
     matching
 }
 
-/// Looks for a path of alternating pairs from an equation to a free unknown, and turns it round.
+/// Searches for an augmenting path from an equation to a free unknown, and flips it.
 fn augment(pattern: &Pattern, matching: &mut Matching, root: usize, looked: &mut [usize], visited: &mut [usize]) {
     // Each level of the path: an equation and the entry it is left by.
     let mut path: Vec<(usize, usize)> = vec![(root, 0)];
@@ -78,7 +78,7 @@ fn augment(pattern: &Pattern, matching: &mut Matching, root: usize, looked: &mut
     }
 }
 
-/// The last equation of the path takes the free unknown, every other one that of the next.
+/// Flips an augmenting path: its last equation takes the free unknown, every other one the unknown of its successor.
 fn turn(matching: &mut Matching, path: &[(usize, usize)], free: usize) {
     let mut unknown = free;
     for (equation, _) in path.iter().rev() {

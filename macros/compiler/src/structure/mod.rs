@@ -1,13 +1,13 @@
-//! From a pattern to the blocks in which a system is solved.
+//! Decomposes a pattern into the blocks in which a system is solved.
 //!
-//! In: a [`Pattern`]: which equation contains which unknown, and which entries are never zero. Out: a [`Structure`]: which unknowns are
-//! found from which equations, in which order. Graphs only: nothing here knows what an unknown is called or what an equation says.
+//! In: a [`Pattern`]: which equation contains which unknown, and which entries are never zero. Out: a [`Structure`]: blocks of unknowns
+//! and equations in the order of solution. Graphs only: names of unknowns and contents of equations are not used here.
 //!
-//! 1. `matching`: every unknown gets an equation of its own, as many as can.
+//! 1. `matching`: as many unknowns as possible get an equation of their own.
 //! 2. `components`: unknowns that can only be found together make a block; blocks are put in order.
-//! 3. `tearing`: inside a block, what follows explicitly from the rest is not iterated.
-//! 4. `dulmage_mendelsohn`: the equations that are too many, and the unknowns that have too few.
-//! 5. `subsystems`: blocks with the equations that are too many.
+//! 3. `tearing`: unknowns of a block that follow explicitly from the others are not iterated.
+//! 4. `dulmage_mendelsohn`: the overdetermined and the underdetermined part.
+//! 5. `subsystems`: blocks with the unmatched equations that belong to them.
 //!
 //! Reference: Duff, Erisman, Reid, Direct Methods for Sparse Matrices, chapter 6.
 
@@ -26,37 +26,37 @@ pub use pattern::{Entry, Pattern};
 use std::collections::BTreeSet;
 pub(crate) use subsystems::{SMALL, Subsystem, subsystems};
 
-/// The order of solution.
+/// Blocks in the order of solution.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Structure {
-    /// Solved one after the other.
+    /// Blocks, solved one after the other.
     pub blocks: Vec<Block>,
-    /// Equations that follow from the others in every position: they are checked, not solved.
+    /// Redundant equations, which follow from the others in every position: they are checked, not solved.
     pub checked: Vec<usize>,
 }
 
-/// Unknowns that are found together.
+/// A block: unknowns that are found together.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct Block {
-    /// Unknowns that are computed from the others of the block and from blocks before it, in order.
+    /// Unknowns computed in order, from the other unknowns of the block and from earlier blocks.
     pub explicit: Vec<Explicit>,
-    /// Unknowns that Newton's method finds.
+    /// Unknowns found by Newton iteration.
     pub iterated: Vec<usize>,
-    /// Equations that must vanish for them, as many as there are iterated unknowns.
+    /// Equations of the Newton iteration, as many as there are iterated unknowns.
     pub residuals: Vec<usize>,
 }
 
-/// An equation that is linear in an unknown with a coefficient that is never zero.
+/// An equation solved for an unknown: linear in it, with a coefficient that is never zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Explicit {
-    /// The unknown that is computed.
+    /// The unknown.
     pub unknown: usize,
-    /// The equation that gives it.
+    /// The equation.
     pub equation: usize,
 }
 
 impl Block {
-    /// Its unknowns and equations, iterated unknowns and residuals first.
+    /// Unknowns and equations of the block, iterated unknowns and residuals first.
     pub(crate) fn parts(&self) -> (Vec<usize>, Vec<usize>) {
         let unknowns = self.iterated.iter().copied().chain(self.explicit.iter().map(|explicit| explicit.unknown)).collect();
         let equations = self.residuals.iter().copied().chain(self.explicit.iter().map(|explicit| explicit.equation)).collect();
@@ -64,9 +64,9 @@ impl Block {
     }
 }
 
-/// Decides which unknowns are found from which equations, and in which order.
+/// Assigns the unknowns to equations and puts the blocks in order.
 ///
-/// Rows that are `checked` are in no block. Where equations do not fit the unknowns, those without a partner are in no block either.
+/// The `checked` rows are in no block. If the equations do not fit the unknowns, unmatched ones are in no block either.
 pub(crate) fn analyze(pattern: &Pattern, checked: &BTreeSet<usize>) -> Structure {
     let pattern = pattern.without(checked);
     let matching = maximum(&pattern);

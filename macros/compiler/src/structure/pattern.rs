@@ -1,8 +1,8 @@
-//! Which equation contains which unknown, and how.
+//! Sparsity pattern of a Jacobian.
 
 use std::collections::BTreeSet;
 
-/// The pattern of Φ_q by rows.
+/// Sparsity pattern of Φ_q, by rows.
 #[derive(Clone, Debug, Default)]
 pub struct Pattern {
     /// Number of unknowns.
@@ -14,9 +14,9 @@ pub struct Pattern {
 /// One entry of Φ_q that is not identically zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
-    /// Its column.
+    /// Column.
     pub unknown: usize,
-    /// It is zero in no configuration: the equation can be solved for the unknown.
+    /// True if the entry is nonzero in every configuration: the equation can be solved for the unknown.
     pub is_pivot: bool,
 }
 
@@ -26,7 +26,7 @@ impl Pattern {
         Pattern { unknowns: self.unknowns, rows: order.iter().map(|row| self.rows[*row].clone()).collect() }
     }
 
-    /// The pattern with some rows set aside: they are left empty.
+    /// The pattern with some rows left empty.
     pub(crate) fn without(&self, rows: &BTreeSet<usize>) -> Pattern {
         let row = |(number, row): (usize, &Vec<Entry>)| if rows.contains(&number) { Vec::new() } else { row.clone() };
         Pattern { unknowns: self.unknowns, rows: self.rows.iter().enumerate().map(row).collect() }

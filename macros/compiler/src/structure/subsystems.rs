@@ -1,25 +1,25 @@
 //! Blocks that may have more equations than unknowns.
 //!
-//! In: a [`Pattern`] and a [`Matching`]. Out: [`Subsystem`]s in order. Numbers alone tell equations that follow from others from
-//! equations that contradict them; that is not done here.
+//! In: a [`Pattern`] and a [`Matching`]. Out: [`Subsystem`]s in order. Not done here: distinguishing redundant equations from
+//! contradictory ones, which depends on numbers.
 
 use super::components;
 use super::matching::Matching;
 use super::pattern::Pattern;
 
-/// Unknowns that are found together, and all equations in them and in nothing that comes later.
+/// Unknowns that are found together, and all equations that contain them and no later unknowns.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Subsystem {
     pub(crate) unknowns: Vec<usize>,
     pub(crate) equations: Vec<usize>,
-    /// Some of its equations may follow from others.
+    /// True if some of its equations may be redundant.
     pub(crate) is_overdetermined: bool,
 }
 
-/// Up to this many unknowns a system is treated as a whole where that tells more.
+/// Largest number of unknowns up to which a system is treated as a whole if that gives better diagnostics.
 pub(crate) const SMALL: usize = 60;
 
-/// Blocks in order, each with the unmatched equations that belong to it. Those with a marked equation count as overdetermined.
+/// Blocks in order, each with the unmatched equations that belong to it. A block with a marked equation counts as overdetermined.
 pub(crate) fn subsystems(pattern: &Pattern, matching: &Matching, is_marked: impl Fn(&usize) -> bool) -> Vec<Subsystem> {
     let groups = components::in_order(pattern, matching);
     let mut piece_of = vec![0; pattern.unknowns];
@@ -47,7 +47,7 @@ pub(crate) fn subsystems(pattern: &Pattern, matching: &Matching, is_marked: impl
     pieces
 }
 
-/// A piece together with what is next upstream of it: equations that are too many follow from equations there.
+/// Extends a subsystem upstream, nearest first, up to `SMALL` unknowns: its unmatched equations depend on equations there.
 fn with_upstream(pattern: &Pattern, pieces: &[Subsystem], piece_of: &[usize], index: usize) -> Subsystem {
     let mut found = vec![index];
     let mut wide = pieces[index].clone();

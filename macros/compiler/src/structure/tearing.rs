@@ -1,9 +1,8 @@
-//! Inside a block: which unknowns follow explicitly from the others.
+//! Tearing: divides the unknowns of a block into explicit and iterated ones.
 //!
-//! An equation that is linear in an unknown with a coefficient that is never zero gives this unknown
-//! as soon as the equation's other unknowns are known. What cannot be had in this way is iterated:
-//! first the unknowns that never occur with such a coefficient, then, where that is not enough,
-//! one after the other.
+//! An equation that is linear in an unknown with a coefficient that is never zero gives this unknown as soon as its other unknowns are
+//! known. The remaining unknowns are iterated: first those that never occur with such a coefficient, then, if that is not enough, one
+//! after the other.
 
 use super::matching::Matching;
 use super::pattern::Pattern;
@@ -27,12 +26,12 @@ struct Tearing<'a> {
     pattern: &'a Pattern,
     /// Unknowns of the block that are not known yet.
     missing: BTreeSet<usize>,
-    /// For each equation, how many unknowns it still misses.
+    /// For each equation, the number of its missing unknowns.
     lacks: BTreeMap<usize, usize>,
     /// The equations of the block that contain an unknown.
     holders: BTreeMap<usize, Vec<usize>>,
     used: BTreeSet<usize>,
-    /// Equations that may give an unknown now, first come first served, so that chains stay short.
+    /// Queue of equations that may give an unknown now; first come, first served keeps chains short.
     ready: VecDeque<usize>,
     block: Block,
 }
@@ -68,7 +67,7 @@ impl<'a> Tearing<'a> {
         self.settle(unknown);
     }
 
-    /// Takes every explicit unknown that can be had now.
+    /// Takes every explicit unknown that is available now.
     fn spread(&mut self) {
         while let Some(equation) = self.ready.pop_front() {
             if self.used.contains(&equation) || self.lacks.get(&equation) != Some(&1) {
@@ -82,7 +81,7 @@ impl<'a> Tearing<'a> {
         }
     }
 
-    /// An unknown is known from here on.
+    /// Marks an unknown as known.
     fn settle(&mut self, unknown: usize) {
         self.missing.remove(&unknown);
         for equation in self.holders.get(&unknown).into_iter().flatten() {

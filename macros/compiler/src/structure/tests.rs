@@ -1,4 +1,4 @@
-//! The plans that DESIGN promises, and the laws every structure obeys.
+//! The block structures that the design promises, and the laws that every structure obeys.
 
 use super::Structure;
 use super::pattern::{Entry, Pattern};
@@ -11,7 +11,7 @@ fn structure(declaration: &str) -> Structure {
     compile(declaration.parse().expect("tokens")).expect("a valid mechanism").structure
 }
 
-/// Sizes of the systems that are iterated, in order.
+/// Sizes of the Newton iterations, in order.
 fn iterated(structure: &Structure) -> Vec<usize> {
     structure.blocks.iter().map(|block| block.iterated.len()).filter(|size| *size > 0).collect()
 }
@@ -200,7 +200,7 @@ fn the_matching_is_as_large_as_can_be() {
     }
 }
 
-/// The size of a maximum matching by trying everything.
+/// Size of a maximum matching by exhaustive search.
 fn largest(pattern: &Pattern, equation: usize, taken: &mut Vec<bool>) -> usize {
     let Some(row) = pattern.rows.get(equation) else { return 0 };
     let mut best = largest(pattern, equation + 1, taken);

@@ -1,4 +1,4 @@
-//! What was written: the tree that the parser gives. Names are still names.
+//! The syntax tree. Names are not resolved.
 //!
 //! Items that may be repeated are shared, so that a part declared once and used many times is never copied.
 
@@ -21,37 +21,37 @@ pub struct Mechanism {
     pub equations_only: bool,
     /// `#[closure(…)]`
     pub closing: Closing,
-    /// `#[allow(far_start)]`: no warning where the assembly is far from the declared start.
+    /// `#[allow(far_start)]`: no warning if the assembly is far from the declared start.
     pub allows_far_start: bool,
-    /// How the motion is followed from the start.
+    /// Policy for following the motion from the start.
     pub following: Following,
-    /// `pub` and the like.
+    /// Visibility, such as `pub`.
     pub visibility: TokenStream,
     /// Name of the generated struct.
     pub name: Ident,
-    /// Everything between the braces, in the order written.
+    /// Items between the braces, in the order written.
     pub items: Vec<Item>,
 }
 
-/// What is done where a mechanism does not assemble at its declared defaults, or not in one way that is clear.
+/// Policy for a mechanism that does not assemble at its declared defaults, or whose assembly is ambiguous.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Closing {
-    /// It is refused.
+    /// An error.
     #[default]
     Deny,
-    /// It is said in its documentation.
+    /// A note in the generated documentation.
     Allow,
-    /// No assembly is looked for.
+    /// No assembly is computed.
     Off,
 }
 
-/// What becomes of a motion that ends.
+/// Policy for a motion that ends.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Following {
-    /// It is refused within a declared range, and warned of where none is declared.
+    /// An error within a declared range; a warning if no range is declared.
     #[default]
     Declared,
-    /// It is refused in any case.
+    /// Always an error.
     Strict,
     /// The motion is not followed.
     Off,
@@ -93,27 +93,27 @@ pub enum Item {
     Part(Node<Part>),
     /// `for variable in from..to { items }`
     For(Node<For<Vec<Item>>>),
-    /// An item that was refused, as far as its name could be read.
+    /// A rejected item, as far as its name could be read.
     Refused(Refused),
 }
 
-/// The times that a mechanism is meant for.
+/// Declared range of time.
 #[derive(Clone, Debug)]
 pub struct Times {
     /// `range`
     pub keyword: Ident,
-    /// The first and the last.
+    /// Start and end.
     pub limits: Limits,
 }
 
-/// What a refused item would have declared; the stub of the mechanism has it all the same.
+/// Declaration of a rejected item, which the stub of the mechanism contains all the same.
 #[derive(Clone, Debug)]
 pub struct Refused {
     /// `param`, `body`, …
     pub keyword: Ident,
-    /// The promised name.
+    /// Declared name.
     pub name: Ident,
-    /// Its indices.
+    /// Indices.
     pub indices: Vec<Expr>,
 }
 
@@ -122,7 +122,7 @@ pub struct Refused {
 pub struct Use {
     /// The path as written.
     pub path: Path,
-    /// The name it has in this mechanism.
+    /// Name in this mechanism.
     pub name: Ident,
 }
 
@@ -135,7 +135,7 @@ pub struct Path {
     pub last: Ident,
     /// The only segment, if there is only one.
     pub name: Option<Ident>,
-    /// First to last token.
+    /// Source range, from the first to the last token.
     pub range: Range,
 }
 
@@ -146,52 +146,52 @@ pub struct Parameter {
     pub docs: Docs,
     /// Name of the field.
     pub name: Ident,
-    /// Its indices, if it is one of an array.
+    /// Indices, if it is an element of an array.
     pub indices: Vec<Expr>,
-    /// What it measures.
+    /// Dimension.
     pub dimension: Dimension,
-    /// Its default.
+    /// Default.
     pub default: Expr,
-    /// `in` and the range that it lies in.
+    /// Range after `in`, if any.
     pub limits: Option<Limits>,
 }
 
-/// `from..to` or `from..=to`, of which one end may be missing.
+/// `from..to` or `from..=to`; one of the bounds may be missing.
 #[derive(Clone, Debug)]
 pub struct Limits {
-    /// The least value.
+    /// Lower bound.
     pub from: Option<Expr>,
-    /// The greatest value.
+    /// Upper bound.
     pub to: Option<Expr>,
-    /// `..=`: the greatest value belongs to the range.
+    /// True for `..=`: the upper bound belongs to the range.
     pub is_inclusive: bool,
-    /// First to last token.
+    /// Source range, from the first to the last token.
     pub range: Range,
 }
 
 /// A derived quantity.
 #[derive(Clone, Debug)]
 pub struct Let {
-    /// Its name.
+    /// Name.
     pub name: Ident,
-    /// Its indices, if it is one of an array.
+    /// Indices, if it is an element of an array.
     pub indices: Vec<Expr>,
-    /// What it measures, if said.
+    /// Dimension, if declared.
     pub dimension: Option<Dimension>,
-    /// Its value.
+    /// Value.
     pub value: Expr,
 }
 
 /// A function of one variable written in the language, or a Rust function given a signature.
 #[derive(Clone, Debug)]
 pub struct Function {
-    /// Its name.
+    /// Name.
     pub name: Ident,
-    /// The argument's name; a Rust function has none.
+    /// Name of the argument; `None` for a Rust function.
     pub argument: Option<Ident>,
-    /// What the argument measures.
+    /// Dimension of the argument.
     pub from: Dimension,
-    /// What the value measures.
+    /// Dimension of the value.
     pub to: Dimension,
     /// The value, or the path of a Rust function.
     pub value: Expr,
@@ -202,12 +202,12 @@ pub struct Function {
 pub struct Dimension {
     /// Names with their integer exponents.
     pub factors: Vec<(Ident, i16)>,
-    /// First to last token.
+    /// Source range, from the first to the last token.
     pub range: Range,
 }
 
 impl Dimension {
-    /// The product of powers, if all its names are known.
+    /// The product of powers, if all names are known.
     pub(crate) fn dim(&self) -> Option<Dim> {
         self.factors
             .iter()
@@ -222,7 +222,7 @@ pub struct Frame {
     pub docs: Docs,
     /// Name of the body; `ground` for ground.
     pub name: Ident,
-    /// Its indices, if it is one of an array.
+    /// Indices, if it is an element of an array.
     pub indices: Vec<Expr>,
     /// Points and axes fixed in it.
     pub marks: Marks,
@@ -233,22 +233,22 @@ pub struct Frame {
 /// Points and axes fixed in a body.
 #[derive(Clone, Debug, Default)]
 pub struct Marks {
-    /// Those declared one by one.
+    /// Points and axes declared one by one.
     pub single: Vec<Node<Mark>>,
-    /// Those declared in loops.
+    /// Points and axes declared in loops.
     pub loops: Vec<Node<For<Marks>>>,
 }
 
 /// A point or an axis fixed in a body.
 #[derive(Clone, Debug)]
 pub struct Mark {
-    /// A direction rather than a place.
+    /// True for an axis, which is a direction.
     pub is_axis: bool,
-    /// Its name.
+    /// Name.
     pub name: Ident,
-    /// Its indices, if it is one of an array.
+    /// Indices, if it is an element of an array.
     pub indices: Vec<Expr>,
-    /// `(x, y)` in the body's frame.
+    /// `(x, y)` in the frame of the body.
     pub value: Expr,
 }
 
@@ -257,7 +257,7 @@ pub struct Mark {
 pub struct Start {
     /// `x`, `y`, `angle` or `position`.
     pub what: Ident,
-    /// Its value.
+    /// Value.
     pub value: Expr,
 }
 
@@ -266,26 +266,26 @@ pub struct Start {
 pub struct Joint {
     /// Doc attributes.
     pub docs: Docs,
-    /// Only a drive may contain `t`.
+    /// True for a drive. Only a drive may contain `t`.
     pub is_drive: bool,
-    /// Those of its equations that follow from others are checked instead of solved.
+    /// True for a redundant joint: equations that follow from others are checked instead of solved.
     pub is_redundant: bool,
-    /// Its name.
+    /// Name.
     pub name: Ident,
-    /// Its indices, if it is one of an array.
+    /// Indices, if it is an element of an array.
     pub indices: Vec<Expr>,
-    /// What it demands.
+    /// Equations of the joint.
     pub body: JointBody,
 }
 
-/// What a joint demands.
+/// Equations of a joint: an instance of a constraint, or written inline.
 #[derive(Clone, Debug)]
 pub enum JointBody {
     /// `kind(arguments)`
     Of {
-        /// Which constraint.
+        /// Name of the constraint.
         kind: Ident,
-        /// Its arguments.
+        /// Arguments.
         arguments: Vec<Argument>,
     },
     /// `{ lhs == rhs; … }`
@@ -295,9 +295,9 @@ pub enum JointBody {
 /// An argument, positional or named.
 #[derive(Clone, Debug)]
 pub struct Argument {
-    /// `name:` before it.
+    /// Name of the parameter, if written.
     pub name: Option<Ident>,
-    /// Its value.
+    /// Value.
     pub value: Expr,
 }
 
@@ -306,35 +306,35 @@ pub struct Argument {
 pub struct Output {
     /// Doc attributes of the generated method.
     pub docs: Docs,
-    /// Its name.
+    /// Name.
     pub name: Ident,
-    /// Its indices, if it is one of an array.
+    /// Indices, if it is an element of an array.
     pub indices: Vec<Expr>,
-    /// Its value.
+    /// Value.
     pub value: Expr,
 }
 
 /// A `constraint!` invocation: definitions that are exported one by one, or bundles of many.
 #[derive(Clone, Debug)]
 pub struct Definitions {
-    /// In the order written.
+    /// Exports, in the order written.
     pub exports: Vec<Export>,
 }
 
-/// What one exported name stands for.
+/// Definitions that are exported under one name.
 #[derive(Clone, Debug)]
 pub struct Export {
     /// Doc attributes of the exported macro.
     pub docs: Docs,
-    /// `pub` and the like.
+    /// Visibility, such as `pub`.
     pub visibility: TokenStream,
     /// The exported name.
     pub name: Ident,
-    /// One definition, or all those of a bundle.
+    /// One definition, or all definitions of a bundle.
     pub definitions: Vec<Definition>,
     /// The tokens of the definitions, handed over to mechanisms.
     pub tokens: TokenStream,
-    /// It was written as `bundle name { … }`.
+    /// True if written as `bundle name { … }`.
     pub is_bundle: bool,
     /// The constraints of a bundle one by one, each with its own tokens.
     pub members: Vec<(Ident, TokenStream)>,
@@ -343,28 +343,28 @@ pub struct Export {
 /// One `constraint` definition.
 #[derive(Clone, Debug)]
 pub struct Definition {
-    /// Its manual page.
+    /// Manual page.
     pub docs: Docs,
-    /// Its name.
+    /// Name.
     pub name: Ident,
-    /// What it takes.
+    /// Parameters.
     pub parameters: Vec<Formal>,
-    /// Its equations.
+    /// Statements.
     pub statements: Vec<Statement>,
 }
 
 /// A formal parameter of a definition.
 #[derive(Clone, Debug)]
 pub struct Formal {
-    /// Its name.
+    /// Name.
     pub name: Ident,
-    /// What it takes.
+    /// Kind of argument.
     pub kind: Kind,
-    /// What it is when left out.
+    /// Default, if any.
     pub default: Option<Expr>,
 }
 
-/// What a formal parameter takes.
+/// Kind of argument that a formal parameter takes.
 #[derive(Clone, Debug)]
 pub enum Kind {
     /// A point of a body or of ground.
@@ -397,17 +397,17 @@ pub enum Statement {
 /// A condition on parameters, checked when they are known.
 #[derive(Clone, Debug)]
 pub struct Requirement {
-    /// Left of the relation.
+    /// Left side of the relation.
     pub lhs: Expr,
-    /// How they must compare.
+    /// Relation that must hold.
     pub relation: Relation,
-    /// Right of the relation.
+    /// Right side of the relation.
     pub rhs: Expr,
-    /// What a user should do instead.
+    /// Advice to the user if the condition fails.
     pub why: String,
 }
 
-/// How two numbers compare.
+/// Relation between two numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relation {
     /// `<`
@@ -427,22 +427,22 @@ pub enum Relation {
 /// An expression.
 #[derive(Clone, Debug)]
 pub struct Expr {
-    /// What it is.
+    /// Kind of expression.
     pub kind: ExprKind,
-    /// First to last token.
+    /// Source range, from the first to the last token.
     pub range: Range,
-    /// Longest way down to a leaf, bounded by the parser.
+    /// Longest path to a leaf, bounded by the parser.
     pub depth: u16,
 }
 
-/// What an expression is.
+/// Kinds of expressions.
 #[derive(Clone, Debug)]
 pub enum ExprKind {
     /// `120mm`
     Number {
         /// The digits, without unit.
         digits: String,
-        /// The unit's name, empty if none.
+        /// Name of the unit; empty if there is none.
         unit: String,
     },
     /// A name or a path to a Rust item.
@@ -463,15 +463,15 @@ pub enum ExprKind {
     List(Vec<Expr>),
     /// `if lhs < rhs { then } else { otherwise }`
     If {
-        /// Left of the relation.
+        /// Left side of the relation.
         lhs: Box<Expr>,
-        /// How they must compare.
+        /// Relation to test.
         relation: Relation,
-        /// Right of the relation.
+        /// Right side of the relation.
         rhs: Box<Expr>,
-        /// Value if they do.
+        /// Value if the relation holds.
         then: Box<Expr>,
-        /// Value if they do not.
+        /// Value if it does not.
         otherwise: Box<Expr>,
     },
 }

@@ -1,4 +1,4 @@
-//! Definitions of constraints, and the statements in them.
+//! Parses definitions of constraints and their statements.
 
 use super::ast::{Definition, Definitions, Docs, Export, Formal, Kind, Requirement, Statement};
 use super::dimension::dimension;
@@ -40,8 +40,7 @@ pub(super) fn exported(input: ParseStream, diag: &mut Diag) -> Option<Vec<Defini
     Some(definitions)
 }
 
-/// A refused definition keeps its name, so that a `use` of it is not refused as well; the word
-/// before it may be the mistake.
+/// Reads the name of a rejected definition, so that a `use` of it is not rejected as well; the word before the name may be the error.
 fn promised(input: ParseStream) -> Option<Export> {
     attributes(input).ok()?;
     let visibility = visibility(input).ok()?;
@@ -58,7 +57,7 @@ fn promised(input: ParseStream) -> Option<Export> {
     })
 }
 
-/// The next export begins here.
+/// True if the next export begins here.
 fn is_export(input: ParseStream) -> bool {
     let ahead = input.fork();
     visibility(&ahead).is_ok() && keyword(&ahead).filter(is_export_word).is_some() && ahead.peek2(syn::Ident)
@@ -83,7 +82,7 @@ fn export(input: ParseStream, diag: &mut Diag) -> Parsed<Export> {
     Ok(Export { docs, visibility, name, definitions: vec![definition], tokens, is_bundle: false, members: Vec::new() })
 }
 
-/// The tokens from one place in the input to another.
+/// The tokens between two positions in the input.
 fn between(begin: ParseStream, end: ParseStream) -> Parsed<TokenStream> {
     let mut tokens = TokenStream::new();
     while begin.cursor() < end.cursor() {

@@ -1,4 +1,4 @@
-//! Dimensions: products of powers of names.
+//! Parses dimensions: products of powers of named dimensions.
 
 use super::ast::Dimension;
 use super::tokens::{Parsed, expected, literal, name, wrong};
@@ -6,7 +6,7 @@ use crate::diag::{GrammarFact, Range};
 use syn::parse::ParseStream;
 use syn::{LitInt, Token};
 
-/// No power of a dimension needs more.
+/// Largest exponent in a dimension.
 const LARGEST_EXPONENT: u8 = 6;
 
 /// `: Dimension`

@@ -18,12 +18,10 @@ use quote::ToTokens;
 use syn::parse::ParseStream;
 use syn::{Ident, Lit, LitBool, Token, token};
 
-/// No tree may be deeper than this, so that no walk over it can exhaust the stack; a sum of as many
-/// terms is that deep.
+/// Largest depth of a tree, so that no walk over it can exhaust the stack; a sum of as many terms is that deep.
 const DEPTH: u16 = 200;
 
-/// Parentheses, signs and powers may not be nested deeper than this: a level of the parser takes much
-/// more of the stack than one of a walk.
+/// Largest nesting of parentheses, signs and powers: a level of the parser takes much more of the stack than a level of a walk.
 const NESTING: u16 = 50;
 
 /// Parses one expression.
@@ -193,7 +191,7 @@ fn number(input: ParseStream) -> Parsed<Expr> {
     node(ExprKind::Number { digits, unit }, range)
 }
 
-/// A word that ends an expression: after a number it can only be meant as its unit.
+/// True if a word follows that ends the expression: after a number it can only be meant as a unit.
 fn is_unit(input: ParseStream) -> bool {
     let ahead = input.fork();
     let is_end = |ahead: ParseStream| {
@@ -295,7 +293,7 @@ fn deeper(room: u16, range: Range) -> Parsed<u16> {
     }
 }
 
-/// Makes a node and refuses one that is too deep.
+/// Makes a node, or reports that it is too deep.
 fn node(kind: ExprKind, range: Range) -> Parsed<Expr> {
     let below = match &kind {
         ExprKind::Number { .. } | ExprKind::Path(_) => 0,

@@ -1,4 +1,4 @@
-//! The items of a mechanism.
+//! Parses the items of a mechanism.
 
 use super::ast::{
     Argument, Closing, Docs, Expr, ExprKind, Following, Frame, Function, Item, Joint, JointBody, Let, Limits, Mark, Marks, Mechanism, Node,
@@ -40,7 +40,7 @@ pub(super) fn mechanism(input: ParseStream, diag: &mut Diag) -> Option<Mechanism
     Some(mechanism)
 }
 
-/// What stands before the items.
+/// Parses everything before the items.
 fn head(input: ParseStream) -> Parsed<Mechanism> {
     let (docs, options) = options(input)?;
     let visibility = visibility(input)?;
@@ -70,10 +70,10 @@ fn salvaged(name: Ident) -> Mechanism {
     }
 }
 
-/// Where items stand.
+/// Context of an item.
 #[derive(Clone, Copy)]
 pub(super) struct ItemContext<'a> {
-    /// In the mechanism itself, not in a component or a loop.
+    /// True in the mechanism itself, false in a component or a loop.
     pub(super) is_top: bool,
     /// The variable of the innermost loop.
     pub(super) variable: Option<&'a Ident>,
@@ -83,7 +83,7 @@ impl ItemContext<'_> {
     const TOP: ItemContext<'static> = ItemContext { is_top: true, variable: None };
 }
 
-/// A refused item leaves its name behind, and the next item is read.
+/// Parses items. A rejected item leaves its name behind, and parsing goes on with the next item.
 pub(super) fn items(content: ParseStream, place: ItemContext, diag: &mut Diag) -> Vec<Item> {
     let mut items = Vec::new();
     while !content.is_empty() {
@@ -100,7 +100,7 @@ pub(super) fn items(content: ParseStream, place: ItemContext, diag: &mut Diag) -
     items
 }
 
-/// What an item that was refused would have declared.
+/// Reads the keyword, the name and the indices of a rejected item.
 fn promised(input: ParseStream) -> Option<Refused> {
     attributes(input).ok()?;
     let [keyword, name] = [Ident::parse_any(input).ok()?, name(input, "a name").ok()?];
@@ -138,7 +138,7 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
     Ok(item)
 }
 
-/// What is declared in a loop carries an index, or all its copies would have one name.
+/// Checks that a name declared in a loop has an index; without it all its instances would have one name.
 fn has_indices(item: &Item, place: ItemContext) -> Parsed<()> {
     let (name, indices) = match item {
         Item::Parameter(item) => (&item.name, &item.indices),
@@ -152,7 +152,7 @@ fn has_indices(item: &Item, place: ItemContext) -> Parsed<()> {
     indexed(name, indices, place)
 }
 
-/// The same for any name.
+/// The same check for any name.
 pub(super) fn indexed(name: &Ident, indices: &[Expr], place: ItemContext) -> Parsed<()> {
     match place.variable {
         Some(variable) if indices.is_empty() => {
@@ -277,7 +277,7 @@ fn value(input: ParseStream) -> Parsed<Expr> {
     Ok(value)
 }
 
-/// A function alone, after its doc comment.
+/// Parses a single function with its doc comment.
 pub(super) fn single_function(input: ParseStream, diag: &mut Diag) -> Option<Function> {
     report(docs(input).and_then(|_| function(input)), diag)
 }

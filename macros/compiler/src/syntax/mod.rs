@@ -1,10 +1,9 @@
-//! From tokens to the tree of what was written.
+//! Parses tokens to a syntax tree.
 //!
-//! In: the tokens between the macro's parentheses. Out: an [`ast::Mechanism`] or
-//! [`ast::Definitions`] that is grammatical. Not done here: any look at what a name means.
+//! In: the tokens between the macro's parentheses. Out: an [`ast::Mechanism`] or [`ast::Definitions`] that is grammatical. Not done
+//! here: name resolution.
 //!
-//! A broken item is reported and skipped, so that the next one is still read; the parser never
-//! gives up after the first mistake.
+//! A broken item is reported and skipped, so that the next one is still parsed; the parser never stops at the first error.
 
 pub mod ast;
 mod definition;
@@ -22,8 +21,8 @@ use syn::parse::{ParseStream, Parser};
 
 /// Parses a `mechanism!` declaration.
 ///
-/// The tree is given even if items were refused, so that a stub of the type can be emitted;
-/// `None` only where not even the name could be read.
+/// Returns the tree even if items were rejected, so that a stub of the type can be emitted; `None` only if not even the name could be
+/// read.
 pub(crate) fn parse(tokens: TokenStream, diag: &mut Diag) -> Option<Mechanism> {
     run(tokens, diag, item::mechanism)
 }
@@ -33,7 +32,7 @@ pub(crate) fn parse_definitions(tokens: TokenStream, diag: &mut Diag) -> Option<
     run(tokens, diag, definition::definitions)
 }
 
-/// Parses what an exported name stands for: definitions without visibility.
+/// Parses the definitions behind an exported name, which have no visibility.
 pub(crate) fn parse_exported(tokens: TokenStream, diag: &mut Diag) -> Option<Vec<Definition>> {
     run(tokens, diag, definition::exported)
 }
@@ -43,7 +42,7 @@ pub(crate) fn parse_function(tokens: TokenStream, diag: &mut Diag) -> Option<Fun
     run(tokens, diag, item::single_function)
 }
 
-/// No delimiters may be nested deeper than this, so that no walk over tokens can exhaust the stack.
+/// Deepest nesting of delimiters, so that no walk over tokens can exhaust the stack.
 const DEEPEST: u16 = 250;
 
 /// The first delimiter that is nested too deep.
@@ -67,7 +66,7 @@ fn run<T>(tokens: TokenStream, diag: &mut Diag, parse: fn(ParseStream, &mut Diag
     let mut tree = None;
     let read = |input: ParseStream| {
         tree = parse(input, diag);
-        // What is left was reported already or belongs to an item that was.
+        // The remaining tokens were reported already, or belong to a rejected item.
         input.parse::<TokenStream>().map(|_| ())
     };
     let result = read.parse2(tokens);

@@ -1,4 +1,4 @@
-//! What stands before a mechanism: doc comments, `#[equations_only]`, `#[closure(…)]`, `#[allow(far_start)]`.
+//! Parses attributes before a mechanism: doc comments, `#[equations_only]`, `#[closure(…)]`, `#[allow(far_start)]`.
 
 use super::ast::{Closing, Docs, Following};
 use super::tokens::{Attribute, Parsed, attributes, wrong};
@@ -7,7 +7,7 @@ use crate::diag::nearest;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 
-/// What is asked for the mechanism as a whole.
+/// Options for the mechanism as a whole.
 pub(super) struct Options {
     pub(super) equations_only: bool,
     pub(super) closing: Closing,
@@ -56,7 +56,7 @@ fn word(attribute: &Attribute) -> Option<syn::Ident> {
     word.parse2(attribute.rest.clone()).ok()
 }
 
-/// `#[closure(deny)]`, `#[closure(start)]`, `#[closure(allow)]`, `#[closure(off)]`, and how the motion is followed.
+/// `#[closure(deny)]`, `#[closure(start)]`, `#[closure(allow)]`, `#[closure(off)]`: policies for the assembly and for the motion.
 fn closing(attribute: &Attribute) -> Parsed<(Closing, Following)> {
     let Some(word) = word(attribute) else {
         return wrong(&attribute.name, GrammarFact::ClosingWord { near: None });

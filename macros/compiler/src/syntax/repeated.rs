@@ -1,4 +1,4 @@
-//! Components, their parts, and loops.
+//! Parses components, their parts, and loops.
 
 use super::ast::{Bounds, Component, Definition, Docs, For, Item, Marks, Part};
 use super::definition::formals;

@@ -1,4 +1,4 @@
-//! Small things every parser here needs: delimiters, paths, doc comments, and refusals in words.
+//! Helpers of all parsers: delimiters, paths, doc comments, and errors.
 
 use super::ast::{Dimension, Docs, Path};
 use super::dimension::dimension;
@@ -9,20 +9,20 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
 use syn::{LitStr, Token, token};
 
-/// What a parser gives: a value, or what is wrong and where.
+/// Result of a parser: a value, or an error.
 pub(super) type Parsed<T> = Result<T, Box<Refusal>>;
 
-/// A refusal as the result of a parser.
+/// An error as the result of a parser.
 pub(super) fn wrong<T>(range: impl Into<Range>, fact: impl Into<Fact>) -> Parsed<T> {
     Err(Box::new(Refusal { fact: fact.into(), range: range.into() }))
 }
 
-/// The refusal that something else was expected here.
+/// The error that something else was expected here.
 pub(super) fn expected<T>(input: ParseStream, what: &'static str) -> Parsed<T> {
     wrong(input.span(), GrammarFact::Expected { what, found: next(input) })
 }
 
-/// The next token in backticks, or the end.
+/// Text of the next token for messages: in backticks, or `the end`.
 fn next(input: ParseStream) -> String {
     match input.cursor().token_tree() {
         None => "the end".to_owned(),
@@ -32,16 +32,16 @@ fn next(input: ParseStream) -> String {
             Delimiter::Bracket => "`[`".to_owned(),
             Delimiter::None => "an expression of a macro".to_owned(),
         },
-        // Two tokens, but no `=`.
+        // `==` is two tokens, but is not to be shown as `=`.
         Some(_) if input.peek(Token![==]) => "`==`".to_owned(),
         Some((tree, _)) => format!("`{tree}`"),
     }
 }
 
-/// Reading a whole number takes its digits squared: a longer one is not read.
+/// Longest number in characters: the time to read a whole number grows with the square of its length.
 const MOST_DIGITS: usize = 400;
 
-/// A literal comes next; of a number, it is not longer than one may be.
+/// True if a literal comes next. Reports a number that is too long.
 pub(super) fn literal(input: ParseStream) -> Parsed<bool> {
     let Some((literal, _)) = input.cursor().literal() else { return Ok(false) };
     let text = literal.to_string();
@@ -72,7 +72,7 @@ pub(super) fn brackets<'a>(input: &ParseBuffer<'a>) -> syn::Result<(ParseBuffer<
     Ok((content, Range { first: token.span.open(), last: token.span.close() }))
 }
 
-/// The body of an item in braces, or the refusal that it is missing.
+/// Parses the braces of an item, or reports that they are missing.
 pub(super) fn block<'a>(input: &ParseBuffer<'a>, what: &'static str) -> Parsed<ParseBuffer<'a>> {
     if !input.peek(token::Brace) {
         return expected(input, what);
@@ -80,11 +80,11 @@ pub(super) fn block<'a>(input: &ParseBuffer<'a>, what: &'static str) -> Parsed<P
     Ok(braces(input)?.0)
 }
 
-/// A name; a Rust keyword is refused, since the name is also that of a Rust item.
+/// Parses a name. A Rust keyword is rejected, since the name is also that of a Rust item.
 pub(super) fn name(input: ParseStream, what: &'static str) -> Parsed<Ident> {
     if input.peek(syn::Ident) {
         let name: Ident = input.parse()?;
-        // A word of Rust since 2024, of which syn does not know.
+        // A Rust keyword since 2024, unknown to syn.
         return if name == "gen" { wrong(&name, GrammarFact::Keyword { word: name.to_string() }) } else { Ok(name) };
     }
     if input.peek(Ident::peek_any) && !input.peek(Token![_]) {
@@ -94,13 +94,13 @@ pub(super) fn name(input: ParseStream, what: &'static str) -> Parsed<Ident> {
     expected(input, what)
 }
 
-/// The word that an item begins with, without taking it.
+/// Reads the first word of an item without consuming it.
 pub(super) fn keyword(input: ParseStream) -> Option<Ident> {
     // `_` would be read as a word too.
     if input.peek(Token![_]) { None } else { input.fork().call(Ident::parse_any).ok() }
 }
 
-/// `,` between the items of a list, or its end.
+/// Parses `,` between the items of a list, or the end of the list.
 pub(super) fn comma(content: ParseStream, what: &'static str) -> Parsed<()> {
     if content.is_empty() {
         return Ok(());
@@ -140,7 +140,7 @@ pub(super) fn equals(input: ParseStream) -> Parsed<()> {
     Ok(())
 }
 
-/// A path begins here.
+/// True if a path begins here.
 pub(super) fn is_path(input: ParseStream) -> bool {
     input.peek(syn::Ident) || input.peek(Token![::]) || input.peek(Token![crate]) || input.peek(Token![self]) || input.peek(Token![super])
 }
@@ -167,7 +167,7 @@ pub(super) fn path(input: ParseStream) -> Parsed<Path> {
     }
 }
 
-/// One name of a path; the first may be `crate`, `self` or `super`, and `super` may be repeated.
+/// Parses a segment of a path; the first may be `crate`, `self` or `super`, and `super` may be repeated.
 fn segment(input: ParseStream, is_first: bool) -> Parsed<Ident> {
     let leads = input.peek(Token![super]) || is_first && (input.peek(Token![crate]) || input.peek(Token![self]));
     if leads { Ok(Ident::parse_any(input)?) } else { name(input, "a name") }
@@ -188,7 +188,7 @@ pub(super) fn visibility(input: ParseStream) -> Parsed<TokenStream> {
     Ok(tokens)
 }
 
-/// What stands in `pub(…)`.
+/// Content of `pub(…)`.
 fn scope(content: ParseStream) -> syn::Result<()> {
     if content.peek(Token![in]) {
         content.parse::<Token![in]>()?;
@@ -200,14 +200,14 @@ fn scope(content: ParseStream) -> syn::Result<()> {
     Err(content.error("expected `crate`, `self`, `super` or `in path`"))
 }
 
-/// An attribute that is no doc comment: `#[name]` or `#[name(…)]`.
+/// An attribute that is not a doc comment: `#[name]` or `#[name(…)]`.
 pub(super) struct Attribute {
     pub(super) name: Ident,
-    /// What stands after the name.
+    /// Tokens after the name.
     pub(super) rest: TokenStream,
 }
 
-/// Doc comments, and all other attributes.
+/// Parses doc comments and all other attributes.
 pub(super) fn attributes(input: ParseStream) -> Parsed<(Docs, Vec<Attribute>)> {
     let mut docs = Docs::default();
     let mut others = Vec::new();
@@ -229,7 +229,7 @@ pub(super) fn attributes(input: ParseStream) -> Parsed<(Docs, Vec<Attribute>)> {
     Ok((docs, others))
 }
 
-/// The name of an attribute, the text of a doc comment, and what stands after the name of any other.
+/// Parses an attribute: its name, the text of a doc comment, and the tokens after any other name.
 fn attribute(content: ParseStream) -> syn::Result<(Ident, Option<String>, TokenStream)> {
     let name = Ident::parse_any(content)?;
     if name != "doc" {
@@ -249,7 +249,7 @@ fn attribute(content: ParseStream) -> syn::Result<(Ident, Option<String>, TokenS
     content.parse::<Group>().map(|_| (name, None, nothing))
 }
 
-/// Only doc comments may stand before most items.
+/// Parses doc comments, the only attributes allowed before most items.
 pub(super) fn docs(input: ParseStream) -> Parsed<Docs> {
     let (docs, others) = attributes(input)?;
     match others.first() {
@@ -258,7 +258,7 @@ pub(super) fn docs(input: ParseStream) -> Parsed<Docs> {
     }
 }
 
-/// Puts a refusal into the sink.
+/// Reports the error of a parser, if there is one.
 pub(super) fn report<T>(parsed: Parsed<T>, diag: &mut Diag) -> Option<T> {
     match parsed {
         Ok(value) => Some(value),
@@ -266,7 +266,7 @@ pub(super) fn report<T>(parsed: Parsed<T>, diag: &mut Diag) -> Option<T> {
     }
 }
 
-/// An item of a mechanism begins here: a keyword, and a name or a brace.
+/// True if an item of a mechanism begins here: a keyword, and a name or a brace.
 pub(super) fn is_item(input: ParseStream) -> bool {
     let Some(word) = keyword(input) else { return false };
     match word.to_string().as_str() {
@@ -279,8 +279,7 @@ pub(super) fn is_item(input: ParseStream) -> bool {
     }
 }
 
-/// Skips what is left of a broken item that began at `start`: up to and with the next `;` or
-/// `{ … }`, or up to where another item begins.
+/// Skips the rest of a broken item that began at `start`: through the next `;` or `{ … }`, or up to the next item.
 pub(super) fn skip_item(input: ParseStream, start: ParseStream, is_item: fn(ParseStream) -> bool) {
     let mut has_moved = input.cursor() != start.cursor();
     while !(input.is_empty() || has_moved && is_item(input)) {
@@ -302,7 +301,7 @@ pub(super) fn skip_item(input: ParseStream, start: ParseStream, is_item: fn(Pars
     }
 }
 
-/// Goes on to the first `{` and gives the name before it.
+/// Skips to the first `{` and returns the name before it.
 pub(super) fn skip_to_block(input: ParseStream) -> Option<Ident> {
     let mut name = None;
     while !input.is_empty() && !input.peek(token::Brace) {

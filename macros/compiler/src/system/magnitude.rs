@@ -1,14 +1,14 @@
-//! How large the terms of a residual are, whatever the angles that are looked for.
+//! Magnitude of the terms of a residual, for any values of the unknown angles.
 //!
-//! A residual is a sum that cancels; its rounding errors are a share of its terms. Where its gradient is small against them a
-//! position is badly determined: at a dead point.
+//! A residual is a sum whose terms cancel, and its rounding error is a fraction of its terms. Where its gradient is small compared to
+//! them, as at a dead point, the position is badly determined.
 
 use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
 use crate::system::Coordinate;
 use std::collections::BTreeMap;
 
-/// About the sum of the magnitudes of an expression's terms, without the given unknowns: sines and cosines count as 1, and so do
-/// unknown angles. An unknown length counts as nothing: where the residual vanishes, its other terms are as large.
+/// Approximate sum of the magnitudes of the terms of an expression, without the given unknowns: sines, cosines and unknown angles count
+/// as 1. An unknown length counts as 0: where the residual vanishes, its other terms are as large.
 pub(crate) fn magnitude(arena: &mut Arena, root: Expr, unknowns: &[usize], all: &[Coordinate]) -> Expr {
     let mut sizes: BTreeMap<Expr, Expr> = BTreeMap::new();
     let mut is_moving: BTreeMap<Expr, bool> = BTreeMap::new();

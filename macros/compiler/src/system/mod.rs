@@ -1,4 +1,4 @@
-//! From a model to unknowns and equations; from here on there are no joints, only their names.
+//! Derives unknowns and equations from a model. From here on there are no joints, only their names.
 //!
 //! In: a [`Model`]. Out: a [`System`]: for every scalar equation Φ, its row of Φ_q, ν and γ as
 //! expressions in one arena, and for every output its value, rate and acceleration. Not done
@@ -26,20 +26,20 @@ pub(crate) use magnitude::magnitude;
 pub struct System {
     /// All expressions.
     pub arena: Arena,
-    /// In the order of q.
+    /// Coordinates in the order of q.
     pub coordinates: Vec<Coordinate>,
-    /// In the order of u.
+    /// Speeds in the order of u.
     pub speeds: Vec<Speed>,
     /// q̇ = N(q) u, by coordinate. In the plane N is the identity.
     pub kinematics: Vec<Rate>,
-    /// One for each row, in the order declared.
+    /// One equation for each row, in the order declared.
     pub equations: Vec<Equation>,
-    /// Which equation contains which unknown.
+    /// Sparsity pattern: which equation contains which unknown.
     pub pattern: Pattern,
-    /// One for each output, in the order declared.
+    /// Motion of each output, in the order declared.
     pub outputs: Vec<OutputMotion>,
-    /// The largest of these is the characteristic length: local coordinates of points, or, if all points are origins, the lengths
-    /// that joints and drives demand.
+    /// Lengths, the largest of which is the characteristic length: local coordinates of points or, if all points are origins, the
+    /// lengths that joints and drives demand.
     pub lengths: Vec<Expr>,
 }
 
@@ -48,9 +48,9 @@ pub struct System {
 pub struct Coordinate {
     /// Index of its body in the model.
     pub body: usize,
-    /// Its part in the placement of the body.
+    /// Role in the placement of the body.
     pub role: Role,
-    /// Its declared start value, a function of parameters.
+    /// Declared start value, a function of parameters.
     pub start: Option<Expr>,
 }
 
@@ -59,19 +59,19 @@ pub struct Coordinate {
 pub struct Speed {
     /// Index of its body in the model.
     pub body: usize,
-    /// Its part in the motion of the body.
+    /// Role in the motion of the body.
     pub role: SpeedRole,
 }
 
-/// Between what an equation is.
+/// Level of an equation: positions or speeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Level {
-    /// Between positions: Φ(q, t) = 0.
+    /// An equation between positions: Φ(q, t) = 0.
     Position {
         /// Φ
         phi: Expr,
     },
-    /// Between speeds alone: Φ_u u = ν, which is the rate of no Φ.
+    /// An equation between speeds alone: Φ_u u = ν, which is not the derivative of any Φ.
     Velocity,
 }
 
@@ -80,13 +80,13 @@ pub enum Level {
 pub struct Equation {
     /// Index of its joint in the model.
     pub joint: usize,
-    /// Its number within the joint, from 0.
+    /// Number within the joint, from 0.
     pub row: usize,
-    /// What Φ measures; of an equation between speeds, what its integral would.
+    /// Dimension of Φ; for an equation between speeds, dimension of its integral.
     pub dim: Dim,
-    /// Between what it is.
+    /// Level of the equation.
     pub level: Level,
-    /// The entries of its row of Φ_u = Φ_q N that are not identically zero, by speed.
+    /// Entries of the row of Φ_u = Φ_q N that are not identically zero, by speed.
     pub jacobian: Vec<(usize, Expr)>,
     /// ν
     pub nu: Expr,
@@ -94,7 +94,7 @@ pub struct Equation {
     pub gamma: Expr,
 }
 
-/// An output's components.
+/// Motion of an output.
 #[derive(Clone, Debug)]
 pub struct OutputMotion {
     /// Value, rate and acceleration of each component.
@@ -102,7 +102,7 @@ pub struct OutputMotion {
 }
 
 impl Equation {
-    /// Φ of an equation between positions.
+    /// Φ of an equation between positions; `None` for an equation between speeds.
     #[must_use]
     pub fn phi(&self) -> Option<Expr> {
         match self.level {
@@ -119,7 +119,7 @@ impl System {
         format!("{}.{}", model.bodies[coordinate.body].name, coordinate.role.name())
     }
 
-    /// The equations of a joint of the model; those of one joint stand together, in the order of joints.
+    /// The equations of a joint of the model, which are consecutive: equations are in the order of joints.
     pub(crate) fn of_joint(&self, joint: usize) -> &[Equation] {
         let first = self.equations.partition_point(|equation| equation.joint < joint);
         let rest = &self.equations[first..];
@@ -187,7 +187,7 @@ fn kinematics(model: &Model) -> Vec<Rate> {
     (0..speeds).map(|speed| Rate::Speed(speed as u32)).collect()
 }
 
-/// Adds ∂Φ/∂q_c ∂q̇_c/∂u to a row of Φ_u; `entry`: given, ∂Φ/∂q_c.
+/// Adds ∂Φ/∂q_c ∂q̇_c/∂u to a row of Φ_u, given `entry` = ∂Φ/∂q_c.
 fn by_speed(arena: &mut Arena, row: &mut Vec<(usize, Expr)>, entry: Expr, rate: Rate) {
     let parts: Vec<(usize, Expr)> = match rate {
         Rate::Speed(speed) => vec![(speed as usize, entry)],
@@ -209,7 +209,7 @@ fn by_speed(arena: &mut Arena, row: &mut Vec<(usize, Expr)>, entry: Expr, rate: 
     }
 }
 
-/// The lengths in the declaration that tell how large the mechanism is.
+/// Lengths in the declaration that determine the characteristic length.
 fn lengths(arena: &mut Arena, model: &Model, coordinates: &[Coordinate], equations: &[Equation]) -> Vec<Expr> {
     let is_zero = |length: &Expr| arena.as_constant(*length).is_some_and(|value| value.is_zero());
     if !model.lengths.iter().all(is_zero) {
@@ -235,7 +235,7 @@ fn has_bodies(model: &Model, diag: &mut Diag) {
     }
 }
 
-/// A joint whose every equation stands already in another one adds nothing.
+/// Reports a joint if every equation of it is an equation of earlier joints.
 fn no_joint_repeats_another(model: &Model, arena: &mut Arena, diag: &mut Diag) {
     if !diag.is_clean() || model.equations_only {
         return;
@@ -253,7 +253,7 @@ fn no_joint_repeats_another(model: &Model, arena: &mut Arena, diag: &mut Diag) {
         }
         for residual in &joint.residuals {
             owners.entry(residual.expr).or_insert(index);
-            // With its sides exchanged an equation demands the same.
+            // Exchanging the sides does not change the equation.
             let exchanged = arena.neg(residual.expr);
             owners.entry(exchanged).or_insert(index);
         }

@@ -1,4 +1,4 @@
-//! The pattern of Φ_q, with the entries that are never zero.
+//! Sparsity pattern of Φ_q, with its pivots: the entries that are never zero.
 
 use super::Equation;
 use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
@@ -7,7 +7,7 @@ use crate::structure::{Entry, Pattern};
 use crate::syntax::ast::Relation;
 use std::collections::BTreeSet;
 
-/// The pattern of these equations. Pivots are constants other than zero, and products of parameters that `validate` keeps from zero.
+/// Sparsity pattern of these equations. Pivots are nonzero constants, and products of parameters that `validate` keeps nonzero.
 pub(super) fn pattern(model: &Model, arena: &Arena, unknowns: usize, equations: &[Equation]) -> Pattern {
     let nonzero = nonzero_parameters(model, arena);
     let entry = |(unknown, value): &(usize, Expr)| Entry { unknown: *unknown, is_pivot: is_pivot(arena, *value, &nonzero) };
@@ -15,10 +15,10 @@ pub(super) fn pattern(model: &Model, arena: &Arena, unknowns: usize, equations: 
     Pattern { unknowns, rows: equations.iter().map(row).collect() }
 }
 
-/// A constant much smaller than the largest of its row would blow up rounding errors.
+/// A constant below this fraction of the largest one in its row is no pivot: dividing by it would amplify rounding errors.
 const WEAK: f64 = 0.1;
 
-/// Takes the rank of a pivot from constants that are weak within their row.
+/// Unmarks pivots that are weak constants within their row.
 fn steady(mut entries: Vec<Entry>, values: &[(usize, Expr)], arena: &Arena) -> Vec<Entry> {
     let size = |value: &Expr| arena.as_constant(*value).map_or(0.0, |value| value.to_f64().abs());
     let largest = values.iter().map(|(_, value)| size(value)).fold(0.0, f64::max);
@@ -30,7 +30,7 @@ fn steady(mut entries: Vec<Entry>, values: &[(usize, Expr)], arena: &Arena) -> V
     entries
 }
 
-/// Parameters of which a joint demands that they are not zero; `validate` checks them.
+/// Parameters that joints require to be nonzero; `validate` checks them.
 fn nonzero_parameters(model: &Model, arena: &Arena) -> BTreeSet<u32> {
     let of_requirement = |requirement: &crate::model::Requirement| {
         let Node::Leaf(Leaf::Parameter(number)) = arena.node(requirement.lhs) else { return None };
@@ -41,7 +41,7 @@ fn nonzero_parameters(model: &Model, arena: &Arena) -> BTreeSet<u32> {
     model.requirements.iter().filter_map(of_requirement).collect()
 }
 
-/// Never zero, whatever the state: constants other than zero, such parameters, and their products.
+/// True if the value is nonzero in every state: nonzero constants and parameters, their products and quotients.
 fn is_pivot(arena: &Arena, value: Expr, nonzero: &BTreeSet<u32>) -> bool {
     let mut pivots = BTreeSet::new();
     for expr in arena.reachable(&[value]) {

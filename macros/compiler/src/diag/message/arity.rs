@@ -1,4 +1,4 @@
-//! What is said of arguments.
+//! Messages about arguments.
 
 use super::words::{did_you_mean, listed, plural, range_of};
 use crate::diag::ArityFact;

@@ -1,4 +1,4 @@
-//! What is said of loops, arrays and parts.
+//! Messages about loops, arrays and parts.
 
 use super::words::{did_you_mean, first_of};
 use crate::diag::ArrayFact;

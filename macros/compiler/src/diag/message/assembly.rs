@@ -1,4 +1,4 @@
-//! What is said of the assembly at the declared defaults.
+//! Messages about the assembly at the declared defaults.
 
 use super::words::{equation, list};
 use crate::diag::{AssemblyFact, Bound, Driven, Gap};
@@ -129,14 +129,14 @@ fn place(driven: &Driven) -> Option<String> {
     })
 }
 
-/// The last number of two digits before a time, nearer to 0.
+/// Rounds a time to two digits towards 0, always to less than the time.
 fn short_of(time: f64) -> f64 {
     let unit = 10.0_f64.powf(time.abs().log10().floor() - 1.0);
     let whole = (time.abs() / unit * (1.0 - 1e-6)).floor();
     (whole * unit).copysign(time)
 }
 
-/// Why it does not close, if that is known, and what to do.
+/// Writes why the mechanism does not close, if that is known, and a remedy.
 fn remedy(f: &mut Formatter, drives: &[String], bound: Option<&Bound>) -> Result {
     if let Some(bound) = bound {
         write!(f, "\nnote: {}", of_bound(bound))?;
@@ -152,7 +152,7 @@ fn remedy(f: &mut Formatter, drives: &[String], bound: Option<&Bound>) -> Result
 /// `50 mm`, `3.5°`, `50 mm and 3.5°`
 fn of_gap(Gap { length, angle, other }: &Gap) -> String {
     let mut parts = Vec::new();
-    // What is far less than the others is not worth a word: a radian counts as a metre here.
+    // A part far smaller than the largest is left out; here 1 rad counts as 1 m.
     let most = other.as_ref().map_or(0.0, |(other, _)| *other).max(*length).max(*angle);
     if *length > 1e-6 * most {
         parts.push(millimetres(*length));
@@ -170,7 +170,7 @@ fn of_gap(Gap { length, angle, other }: &Gap) -> String {
 
 /// `crank` (100 mm) + `coupler` (200 mm) is 30 mm short of `ground` (330 mm)
 fn of_bound(bound: &Bound) -> String {
-    // As many digits as show what is missing.
+    // As many decimals as the missing length needs.
     let decimals = (1.0 - (bound.missing() * 1e3).log10().floor()).clamp(0.0, 9.0) as usize;
     let fine = |length: f64| format!("{:.decimals$}", length * 1e3).trim_end_matches('0').trim_end_matches('.').to_owned();
     let shown = |length: f64| if bound.missing() < length / 1e3 { format!("{} mm", fine(length)) } else { millimetres(length) };
@@ -192,7 +192,7 @@ pub(crate) fn degrees(angle: f64) -> String {
     format!("{}°", significant(angle.to_degrees()))
 }
 
-/// Four digits and no zeros after them.
+/// Formats four significant digits, without trailing zeros.
 pub(crate) fn significant(value: f64) -> String {
     let digits = if value == 0.0 { 0 } else { value.abs().log10().floor() as i32 };
     let decimals = (3 - digits).clamp(0, 9) as usize;
@@ -201,7 +201,7 @@ pub(crate) fn significant(value: f64) -> String {
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
-/// The first of two angles in degrees, with as few digits as tell it from the other.
+/// The first of two angles, in degrees, with as few digits as distinguish it from the other.
 fn between([one, other]: [f64; 2]) -> String {
     let (one, other) = (one.to_degrees(), other.to_degrees());
     let decimals = (0..6).find(|decimals| (one - other).abs() * 10.0_f64.powi(*decimals) > 4.0).unwrap_or(6) as usize;

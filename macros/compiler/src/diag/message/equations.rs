@@ -1,4 +1,4 @@
-//! What is said of joints, drives and definitions, each for itself.
+//! Messages about joints, drives and definitions, each on its own.
 
 use super::words::equation;
 use crate::diag::EquationFact;

@@ -1,4 +1,4 @@
-//! What is said of tokens that are no declaration.
+//! Messages about tokens that are not a valid declaration.
 
 use super::words::{did_you_mean, is_power, listed, shortened};
 use crate::diag::{GrammarFact, remedy};
@@ -73,7 +73,7 @@ impl Display for GrammarFact {
             GrammarFact::UnknownItem { word } => {
                 let known =
                     ["param", "let", "ground", "body", "joint", "drive", "output", "range", "part", "for", "component", "function", "use"];
-                // Words as short as `for` are near to many others: they come last.
+                // Words as short as `for` resemble many others: they are tried last.
                 let (rare, often): (Vec<&str>, Vec<&str>) = known.iter().partition(|known| matches!(**known, "part" | "for" | "range"));
                 let near = crate::diag::nearest;
                 let near = near(word, often.into_iter()).or_else(|| near(word, rare.into_iter()));

@@ -1,4 +1,4 @@
-//! What is said of names.
+//! Messages about names.
 
 use super::words::{did_you_mean, first_of, is_power, list, listed, shortened};
 use crate::diag::NameFact;

@@ -1,4 +1,4 @@
-//! What is said of a mechanism as a whole: of its mobility, and of joints that say the same or the opposite.
+//! Messages about the mechanism as a whole: its mobility, and redundant or contradictory joints.
 
 use super::words::{are, bodies, counted, drives_there_are, first_of, list, numbers, one_of, plural, rounded};
 use crate::diag::{Count, Demand, Forgotten, SystemFact};

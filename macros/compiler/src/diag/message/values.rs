@@ -1,4 +1,4 @@
-//! What is said of kinds, dimensions and values.
+//! Messages about kinds, dimensions and values.
 
 use super::words::shortened;
 use crate::diag::{ValueFact, remedy};
@@ -22,7 +22,7 @@ impl Display for ValueFact {
                 if found.times(Dim::TIME) == *wanted {
                     return write!(f, "\nhelp: multiply the rate by `t`");
                 }
-                // What follows a law of time is often meant to follow time itself.
+                // An argument given as a function of time often lacks only a factor with a unit.
                 match *found {
                     Dim::TIME => write!(f, "\nhelp: multiply the time by a rate in {}", wanted.per(Dim::TIME).unit()),
                     found if found.is_of_time() => write!(f, "\nhelp: multiply it by a quantity in {}", wanted.per(found).unit()),

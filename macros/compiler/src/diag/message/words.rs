@@ -1,4 +1,4 @@
-//! Lists, numbers and the like as words.
+//! Formats lists, numbers and the like.
 
 /// `, did you mean …` as a help line, or nothing.
 pub(super) fn did_you_mean(near: &Option<String>) -> String {
@@ -15,19 +15,19 @@ pub(super) fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
     }
 }
 
-/// What is too long to be read as a whole: its beginning.
+/// Shortens a long text to its beginning.
 pub(super) fn shortened(text: &str) -> String {
     const LONGEST: usize = 60;
     if text.chars().count() <= LONGEST { text.to_owned() } else { text.chars().take(LONGEST / 2).chain(['…']).collect() }
 }
 
-/// `a`, `b` and `c`; of many the first few.
+/// `a`, `b` and `c`; of a long list only the first names.
 pub(super) fn list(names: &[String]) -> String {
     const MOST: usize = 6;
     if names.is_empty() { "nothing".to_owned() } else { first_of(&names[..names.len().min(MOST)], names.len()) }
 }
 
-/// `a`, `b` and 4 more: the first few of as many as there are.
+/// `a`, `b` and 4 more: the first of `all` names.
 pub(super) fn first_of(first: &[String], all: usize) -> String {
     if all <= first.len() {
         return listed(first.iter().map(String::as_str));
@@ -45,7 +45,7 @@ pub(super) fn numbers(numbers: &[usize]) -> String {
     }
 }
 
-/// Three significant digits.
+/// Formats three significant digits.
 pub(super) fn rounded(value: f64) -> String {
     let digits = (2.0 - value.abs().log10().floor()).clamp(0.0, 12.0);
     let text = format!("{value:.*}", digits as usize);
@@ -60,7 +60,7 @@ pub(super) fn plural(count: usize, noun: &str) -> String {
     }
 }
 
-/// Small numbers as words.
+/// Writes small numbers as words.
 pub(super) fn counted(number: usize) -> String {
     match number {
         0 => "no".to_owned(),
@@ -71,7 +71,7 @@ pub(super) fn counted(number: usize) -> String {
     }
 }
 
-/// `no drive`, `1 drive`, `2 drives`
+/// `no drive`, `only 1 drive`, `only 2 drives`
 pub(super) fn drives_there_are(drives: usize) -> String {
     if drives == 0 { "no drive".to_owned() } else { format!("only {}", plural(drives, "drive")) }
 }
@@ -81,7 +81,7 @@ pub(super) fn are(names: &[String]) -> String {
     format!("{} {}", list(names), if names.len() == 1 { "is" } else { "are" })
 }
 
-/// The bodies of some coordinates.
+/// Names of the bodies with these coordinates.
 pub(super) fn bodies(coordinates: &[String]) -> Vec<String> {
     let mut bodies: Vec<String> = coordinates.iter().filter_map(|name| name.rsplit_once('.')).map(|(body, _)| body.to_owned()).collect();
     bodies.dedup();
@@ -107,7 +107,7 @@ pub(super) fn equation(row: usize, of: usize) -> String {
     if of == 1 { "the equation".to_owned() } else { format!("equation {row} of {of}") }
 }
 
-/// What others call a power.
+/// True for the names of power functions in other languages.
 pub(super) fn is_power(name: &str) -> bool {
     ["pow", "powi", "powf", "power", "sqr", "square", "squared"].contains(&name)
 }

@@ -1,26 +1,26 @@
-//! Reading literals. Digits come in, an exact number goes out, or nothing when it does not fit.
+//! Parses literals to exact numbers; `None` if one does not fit.
 
 use super::Exact;
 
-/// No number has more digits in its numerator.
+/// Largest number of digits in a numerator.
 const MOST: usize = 37;
 
-/// Of so many digits the rounding of the last one is ten thousand times finer than that of an `f64`.
+/// Fewest digits when rounding. The error of the last one is then ten thousand times finer than that of an `f64`.
 const FEWEST: usize = 20;
 
 impl Exact {
-    /// Reads an unsigned decimal literal such as `12.5e-3` or `1_000`, exactly.
+    /// Parses an unsigned decimal literal such as `12.5e-3` or `1_000`, exactly.
     ///
-    /// `None` when it is not one, or does not fit.
+    /// `None` if the text is not a literal or does not fit.
     #[must_use]
     pub fn decimal(literal: &str) -> Option<Exact> {
         let (digits, exponent) = significant(literal)?;
         if digits.len() > MOST { None } else { scaled(&digits, exponent, Exact::ONE) }
     }
 
-    /// A decimal literal in a unit of this size: exactly, or of more digits than fit as many as do, the last one rounded.
+    /// Parses a decimal literal in a unit of this size: exactly, or rounded to as many digits as fit.
     ///
-    /// `None` when it is no literal, is out of range, or has not twenty digits then.
+    /// `None` if the text is not a literal, is out of range, or has to be rounded to fewer than twenty digits.
     #[must_use]
     pub fn measured(literal: &str, size: Exact) -> Option<Exact> {
         let (digits, exponent) = significant(literal)?;
@@ -46,11 +46,11 @@ fn scaled(digits: &[u8], exponent: i64, size: Exact) -> Option<Exact> {
         }
         Some(exact)
     };
-    // What does not fit in one order may fit in the other.
+    // A product that does not fit in one order may fit in the other.
     with_power(exact).and_then(|exact| exact.checked_mul(size)).or_else(|| with_power(exact.checked_mul(size)?))
 }
 
-/// The first digits, the last of them rounded, and the power of ten that the others were.
+/// The first digits, rounded, and the power of ten that stands for the others.
 fn rounded(digits: &[u8], kept: usize) -> (Vec<u8>, i64) {
     let mut first = digits[..kept].to_vec();
     if digits.get(kept).is_some_and(|next| *next >= 5) {
@@ -70,7 +70,7 @@ fn rounded(digits: &[u8], kept: usize) -> (Vec<u8>, i64) {
     (first, (digits.len() - kept) as i64)
 }
 
-/// The digits of a literal without zeros before and after them, and the power of ten that belongs to the last one.
+/// The digits of a literal without leading and trailing zeros, and the power of ten of the last digit.
 fn significant(literal: &str) -> Option<(Vec<u8>, i64)> {
     let (mantissa, exponent) = match literal.split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, power_of_ten(exponent)?),
@@ -101,6 +101,6 @@ fn significant(literal: &str) -> Option<(Vec<u8>, i64)> {
 
 fn power_of_ten(exponent: &str) -> Option<i64> {
     let digits: String = exponent.chars().filter(|&c| c != '_').collect();
-    // An exponent with more digits than `i32` takes does not fit in any case.
+    // An exponent with more digits than fit in an `i32` is out of range in any case.
     digits.parse::<i32>().ok().map(i64::from)
 }

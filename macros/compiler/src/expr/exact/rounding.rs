@@ -1,4 +1,4 @@
-//! Leaving exactness. An exact number comes in, the nearest `f64` goes out.
+//! Rounds exact numbers to the nearest `f64`.
 
 use super::Exact;
 use super::twofold::Twofold;
@@ -6,8 +6,7 @@ use super::twofold::Twofold;
 impl Exact {
     /// The nearest `f64`, ties to even.
     ///
-    /// Without a power of π this is proven by integer arithmetic. With one it is computed to
-    /// about 100 bits and then rounded.
+    /// Without a power of π integer arithmetic proves the rounding. With one the number is computed to about 100 bits and then rounded.
     #[must_use]
     pub fn to_f64(self) -> f64 {
         let (numerator, denominator) = (self.numerator.unsigned_abs(), self.denominator.unsigned_abs());

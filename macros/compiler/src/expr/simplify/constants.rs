@@ -89,7 +89,7 @@ pub(super) fn merge_divisors(arena: &mut Arena, node: &Node) -> Option<Expr> {
         return None;
     };
     let value = arena.as_constant(b)?.checked_mul(arena.as_constant(inner)?)?;
-    // A division by 0 stays as it was written, so that messages can point at it.
+    // A division by 0 is not simplified, so that messages can mark it.
     if value.is_zero() {
         return None;
     }

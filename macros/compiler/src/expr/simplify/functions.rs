@@ -47,7 +47,7 @@ pub(super) fn arcs(arena: &mut Arena, node: &Node) -> Option<Expr> {
         (Unary::Asin, 2) | (Unary::Acos, 0) => 6,
         (Unary::Acos, -1) => 8,
         (Unary::Acos, -2) => 12,
-        // Negative operands of the odd functions are turned by another law.
+        // Another law moves the sign of a negative operand out of an odd function.
         _ => return None,
     };
     let angle = Exact::ratio(parts, 12)?.checked_mul(Exact::PI)?;
@@ -78,7 +78,7 @@ fn constant_under(arena: &Arena, node: &Node, function: Unary) -> Option<Exact> 
     }
 }
 
-/// The angle in 24ths of a turn, from 0 to 23, when it is a whole number of them.
+/// The angle in 24ths of a turn, from 0 to 23; `None` unless it is a whole number of them.
 fn twenty_fourths(angle: Exact) -> Option<i128> {
     if angle.is_zero() {
         return Some(0);
@@ -88,7 +88,7 @@ fn twenty_fourths(angle: Exact) -> Option<i128> {
     whole.then(|| (angle.numerator() * (12 / angle.denominator())).rem_euclid(24))
 }
 
-/// The sine of an angle in 24ths of a turn, where it is rational.
+/// The sine of an angle in 24ths of a turn; `None` if it is irrational.
 fn sine_of_parts(parts: i128) -> Option<Exact> {
     match parts {
         0 | 12 => Some(Exact::ZERO),

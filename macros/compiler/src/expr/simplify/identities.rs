@@ -2,7 +2,7 @@
 
 use crate::expr::{Arena, Binary, Expr, Node};
 
-/// Multiplication commutes bit for bit. Constants come first, the rest by age.
+/// Multiplication commutes bit for bit. Constants come first, other factors in the order of their creation.
 pub(super) fn sort_factors(arena: &mut Arena, node: &Node) -> Option<Expr> {
     let &Node::Binary(Binary::Mul, a, b) = node else {
         return None;
@@ -11,7 +11,7 @@ pub(super) fn sort_factors(arena: &mut Arena, node: &Node) -> Option<Expr> {
     (rank(b) < rank(a)).then(|| arena.mul(b, a))
 }
 
-/// Addition commutes bit for bit. Constants come last, the rest by age.
+/// Addition commutes bit for bit. Constants come last, other terms in the order of their creation.
 pub(super) fn sort_terms(arena: &mut Arena, node: &Node) -> Option<Expr> {
     let &Node::Binary(Binary::Add, a, b) = node else {
         return None;
@@ -48,7 +48,7 @@ pub(super) fn subtract_itself(arena: &mut Arena, node: &Node) -> Option<Expr> {
     (a == b).then(|| arena.integer(0))
 }
 
-/// Exact, and it lets the factor 2 meet other constants.
+/// Exact; the factor 2 can then be combined with other constants.
 pub(super) fn add_itself(arena: &mut Arena, node: &Node) -> Option<Expr> {
     let &Node::Binary(Binary::Add, a, b) = node else {
         return None;
@@ -77,7 +77,7 @@ pub(super) fn multiply_by_zero(arena: &mut Arena, node: &Node) -> Option<Expr> {
     is_zero(arena, zero).then_some(zero)
 }
 
-/// 0/0 is left alone, so that it still shows at run time.
+/// 0/0 is not simplified, so that it still shows at run time.
 pub(super) fn divide_zero(arena: &mut Arena, node: &Node) -> Option<Expr> {
     let &Node::Binary(Binary::Div, zero, x) = node else {
         return None;

@@ -1,4 +1,4 @@
-//! Laws of minus signs. They move outward, where they meet others or become a subtraction.
+//! Laws of minus signs. They move outward, and combine with others or become a subtraction.
 
 use crate::expr::{Arena, Binary, Expr, Node, Unary};
 
@@ -110,7 +110,7 @@ pub(super) fn even_function(arena: &mut Arena, node: &Node) -> Option<Expr> {
     Some(arena.unary(function, a))
 }
 
-/// x, when the expression is −x; c, when it is the constant −c < 0.
+/// x if the expression is −x; c if it is the constant −c < 0.
 fn without_minus(arena: &mut Arena, expr: Expr) -> Option<Expr> {
     match *arena.node(expr) {
         Node::Unary(Unary::Neg, x) => Some(x),

@@ -69,7 +69,7 @@ fn decimals_are_read_exactly() {
     assert_eq!(Exact::decimal(&format!("1{}e-500", "0".repeat(500))), Some(Exact::ONE));
 }
 
-/// The oracle is the standard library's reading of decimals.
+/// The reference is the decimal parser of the standard library.
 #[test]
 fn digits_beyond_those_that_fit_are_rounded() {
     let metre = Exact::ONE;

@@ -1,12 +1,11 @@
 //! A small language for tests: `if(x, 2, -y/3, sin(pi*t))` means `x < 2 ? -y/3 : sin(π t)`.
 //!
-//! Leaves: `t`, `p q` parameters, `x y z` coordinates, `u v w` their velocities, `a` the first
-//! acceleration. Functions by number: `f` is 0, `g` is 1. Nothing is simplified here: a [`Tree`]
-//! is what was written.
+//! Leaves: `t`, `p q` parameters, `x y z` coordinates, `u v w` their velocities, `a` the first acceleration. Functions by number: `f`
+//! is 0, `g` is 1. A [`Tree`] is not simplified.
 
 use crate::expr::{Arena, Binary, Exact, Expr, Leaf, Node, Unary};
 
-/// An expression as written.
+/// An expression as written, without simplification.
 #[derive(Clone, Debug)]
 pub(super) enum Tree {
     Constant(Exact),
@@ -18,7 +17,7 @@ pub(super) enum Tree {
 }
 
 impl Tree {
-    /// The expression in an arena.
+    /// Builds the expression in an arena.
     pub(super) fn build(&self, arena: &mut Arena) -> Expr {
         let node = self.node(arena);
         arena.build(node)
@@ -46,7 +45,7 @@ impl Tree {
     }
 }
 
-/// Reads a formula; anything else is a mistake in the test.
+/// Parses a formula; an invalid one is an error in the test.
 pub(super) fn parse(text: &str) -> Tree {
     let mut reader = Reader { rest: text };
     let tree = reader.sum();

@@ -142,7 +142,7 @@ fn velocities_are_constant_on_the_straight_line() {
     assert_eq!(jets.of(&mut arena, u), [u, zero, zero]);
 }
 
-/// Σ ∂f/∂leaf · D(leaf), the chain rule as it stands in the book.
+/// Σ ∂f/∂leaf · D(leaf), the chain rule of the textbooks.
 fn total_derivative(arena: &mut Arena, root: Expr) -> Expr {
     let mut sum = arena.integer(0);
     for leaf in arena.leaves(root) {

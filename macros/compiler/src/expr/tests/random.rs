@@ -1,4 +1,4 @@
-//! Numbers that look random and are the same on every run.
+//! Pseudo-random numbers, the same on every run.
 
 use super::formula::Tree;
 use crate::expr::{Binary, Exact, Leaf, Unary};
@@ -19,7 +19,7 @@ impl Random {
         self.0
     }
 
-    /// A whole number from 0 to `end`, without `end`.
+    /// A whole number from 0 to `end`, excluding `end`.
     pub(crate) fn below(&mut self, end: u64) -> u64 {
         (self.next() >> 11) % end
     }
@@ -34,7 +34,7 @@ impl Random {
         choices[self.below(choices.len() as u64) as usize]
     }
 
-    /// A formula at most `depth` operations deep, rich in what the rules look for.
+    /// A formula at most `depth` operations deep, rich in patterns of the rules.
     pub(super) fn tree(&mut self, depth: u32) -> Tree {
         if depth == 0 || self.below(8) == 0 {
             return self.operand();

@@ -37,7 +37,7 @@ fn formulas_have_no_more_parentheses_than_needed() {
         ("f(x*t) + p", "p0 + lift(x·t)"),
     ] {
         let mut arena = Arena::new();
-        // Age decides the order of operands, so give the leaves theirs first.
+        // Operands are ordered by creation, so the leaves are created first.
         for leaf in ["p", "x", "y", "z", "t", "u"] {
             expr(&mut arena, leaf);
         }

@@ -89,7 +89,7 @@ const LAWS: &[(&str, &str, &str)] = &[
     ("absolute_value_once", "abs(abs(x))", "abs(x)"),
 ];
 
-/// What looks like a law and is none.
+/// Formulas that must not be simplified although they resemble a law.
 const REFUSED: &[&str] = &[
     "x/x",
     "0/0",
@@ -110,7 +110,7 @@ const REFUSED: &[&str] = &[
     "if(3, pi, x, y)",
 ];
 
-/// An arena in which `x`, `y`, `z` are of that age.
+/// An arena in which `x`, `y`, `z` are created in this order.
 fn arena() -> Arena {
     let mut arena = Arena::new();
     for leaf in ["x", "y", "z"] {
@@ -185,13 +185,13 @@ fn values_do_not_change() {
         assert!(difference <= 4.0 * bound, "{tree:?}: {found} is not {expected} ± {bound}");
         compared += 1;
     }
-    // The rest has a pole, a kink or a negative root somewhere.
+    // All others have a pole, a kink or a negative root somewhere.
     assert!(compared > 10_000, "only {compared} were comparable");
 }
 
 /// The value of a formula as written, and a bound of its rounding error, to first order.
 ///
-/// `None` where no such bound exists: beside a pole, a kink or the border of a choice.
+/// `None` if no such bound exists: beside a pole, a kink or the border of a choice.
 fn reference(tree: &Tree, point: &Point) -> Option<(f64, f64)> {
     let (value, inherited) = match tree {
         Tree::Constant(value) => (value.to_f64(), 0.0),
@@ -228,7 +228,7 @@ fn reference(tree: &Tree, point: &Point) -> Option<(f64, f64)> {
     (error.is_finite() && error <= 1e-6 * value.abs().max(1.0)).then_some((value, error))
 }
 
-/// How much a function enlarges an error of its operand.
+/// Factor by which a function amplifies an error of its operand.
 fn slope_of(function: Unary, a: f64, error: f64) -> Option<f64> {
     let away_from = |border: f64| (a - border).abs() > 1e3 * error || error == 0.0;
     let inside = away_from(-1.0) && away_from(1.0);

@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::ops::Deref;
 use std::rc::Rc;
 
-/// Tells items of one tree apart.
+/// Identity of an item of the syntax tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct NodeId(u32);
 
@@ -13,13 +13,13 @@ thread_local! {
 }
 
 impl NodeId {
-    /// An id that no other item has.
+    /// A new id.
     fn fresh() -> NodeId {
         NEXT.with(|next| NodeId(next.replace(next.get().wrapping_add(1))))
     }
 }
 
-/// An item that may be repeated: shared, never copied, with an id that its clones have in common.
+/// An item that may be repeated: shared, never copied. All clones have the same id.
 #[derive(Debug)]
 pub struct Node<T> {
     id: NodeId,
@@ -27,12 +27,12 @@ pub struct Node<T> {
 }
 
 impl<T> Node<T> {
-    /// A new item of a tree.
+    /// Gives an item an id of its own.
     pub(crate) fn new(item: T) -> Node<T> {
         Node { id: NodeId::fresh(), item: Rc::new(item) }
     }
 
-    /// Which item it is.
+    /// Identity of the item.
     #[must_use]
     pub fn id(&self) -> NodeId {
         self.id

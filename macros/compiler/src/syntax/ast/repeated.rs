@@ -1,4 +1,4 @@
-//! What is declared once and stands many times: components, their parts, and loops.
+//! Items that are declared once and expanded several times: components, their parts, and loops.
 
 use super::{Argument, Definition, Docs, Expr, Item};
 use proc_macro2::Ident;
@@ -9,9 +9,9 @@ use std::rc::Rc;
 pub struct Component {
     /// Doc attributes of the generated struct of parameters.
     pub docs: Docs,
-    /// Its name and what it takes; a component takes what a constraint takes.
+    /// Name and parameters; a component takes the same kinds of arguments as a constraint.
     pub head: Definition,
-    /// Everything between the braces, in the order written.
+    /// Items between the braces, in the order written.
     pub items: Vec<Item>,
 }
 
@@ -20,13 +20,13 @@ pub struct Component {
 pub struct Part {
     /// Doc attributes of the accessor.
     pub docs: Docs,
-    /// Its name.
+    /// Name.
     pub name: Ident,
-    /// Its indices, if it is one of an array.
+    /// Indices, if it is an element of an array.
     pub indices: Vec<Expr>,
-    /// Which component.
+    /// Name of the component.
     pub kind: Ident,
-    /// What it is made with; shared, since a part that is declared in a loop is bound many times.
+    /// Arguments; shared, since a part declared in a loop is expanded several times.
     pub arguments: Rc<Vec<Argument>>,
 }
 
@@ -35,19 +35,19 @@ pub struct Part {
 pub struct For<Items> {
     /// The loop variable.
     pub variable: Ident,
-    /// What it runs over.
+    /// Range of the loop variable.
     pub bounds: Bounds,
-    /// What is repeated.
+    /// Repeated items.
     pub items: Items,
 }
 
 /// `from..to` or `from..=to`
 #[derive(Clone, Debug)]
 pub struct Bounds {
-    /// The first whole number.
+    /// First value.
     pub from: Expr,
-    /// The end.
+    /// End of the range.
     pub to: Expr,
-    /// The end belongs to it.
+    /// True if the end belongs to the range.
     pub is_inclusive: bool,
 }
