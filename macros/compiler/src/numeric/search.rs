@@ -195,7 +195,7 @@ impl<'a> Shown<'a> {
     fn add(&self, assemblies: &mut Vec<Vec<f64>>, q: Vec<f64>) {
         let distance = self.distance(&q);
         if let Some(known) = assemblies.iter().position(|known| self.is_one(known, &q)) {
-            // Of two values of one assembly keep the one with smaller angles.
+            // Of two descriptions of one assembly, which differ by whole turns, keep the one nearer to the start.
             if compare(&distance, &self.distance(&assemblies[known])) != Ordering::Less {
                 return;
             }
