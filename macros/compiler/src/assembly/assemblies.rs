@@ -179,7 +179,8 @@ impl Numeric<'_> {
 
     /// Adds the assemblies connected to those found, by one curve or several.
     ///
-    /// * `left_out`: for each assembly, the residuals left out on curves followed through it. * `steps`: number of steps left.
+    /// * `left_out`: for each assembly, the residuals left out on curves followed through it.
+    /// * `steps`: number of steps left.
     fn join(
         &self,
         block: &Block,
@@ -285,8 +286,8 @@ pub(super) fn strays(a: &[Vec<f64>], b: &[Vec<f64>]) -> Option<f64> {
     Some(sums.into_iter().fold(0.0, f64::max))
 }
 
-/// Increments of a point in the unit cube from guess to guess, so that the points fill the cube evenly: powers of 1/φ with φ^(n + 1) = φ +
-/// 1, the generalisation of the golden section to n dimensions by Roberts (2018).
+/// Increments of a point in the unit cube from guess to guess, so that the points fill the cube evenly: powers of 1/φ, where
+/// φ^(n + 1) = φ + 1, the generalisation of the golden section to n dimensions by Roberts (2018).
 fn shares(dimensions: usize) -> Vec<f64> {
     let phi = (0..24).fold(1.5_f64, |phi, _| (phi + 1.0).powf(1.0 / (dimensions as f64 + 1.0)));
     (1..=dimensions).map(|index| phi.powi(-(index as i32))).collect()

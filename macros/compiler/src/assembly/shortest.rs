@@ -11,7 +11,7 @@ use crate::diag::Bound;
 use crate::numeric::Numeric;
 use std::collections::BTreeMap;
 
-/// Largest number of points: beyond it, compilation would slow down noticeably.
+/// Limit of the graph: at most twice as many points, and half its square of edges; beyond it, compilation would slow down noticeably.
 const MOST: usize = 120;
 
 /// The shortfall must exceed this fraction of the length.
