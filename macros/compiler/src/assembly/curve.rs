@@ -3,8 +3,8 @@
 //! In: a block and an assembly of it. Out: the assemblies on the curve through it on which all residuals but one vanish:
 //!
 //! ```text
-//! v = R⁻¹ e_i         along it R_j v = 0 for every other residual j
-//! δ = R_v⁻¹ (−g)      back to it, with v in the place of R_i and 0 in the place of g_i
+//! v = R⁻¹ e_i         tangent: R_j v = 0 for every other residual j
+//! δ = R_v⁻¹ (−g)      correction: R_v is R with vᵀ in place of row i, and g_i is 0
 //! ```
 //!
 //! If the residuals bound the unknowns, the curve is closed, and the residual left out vanishes on it at least once more: curves find

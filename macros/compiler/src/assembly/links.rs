@@ -5,8 +5,8 @@
 //!
 //! ```text
 //! pin    two rows, ∂Φ₁/∂x = ±1, ∂Φ₂/∂y = ±1        the offset of the point from its body's origin is (∂Φ₂/∂φ, −∂Φ₁/∂φ)
-//! rod    Φ = |h|² − c²                              ∂Φ/∂(x, y) = 2 h, and the change of ∂Φ/∂φ with x and y gives the offset
-//! line   ∂Φ/∂(x, y) = n, |n| = 1, of one body       ∂Φ/∂φ here and a right angle further gives the offset
+//! rod    Φ = |h|² − c²                              ∂Φ/∂(x, y) = 2 h, and the derivatives of ∂Φ/∂φ by x and y give the offset
+//! line   ∂Φ/∂(x, y) = n, |n| = 1, of one body       ∂Φ/∂φ, here and after a turn by 90°, gives the offset
 //! ```
 //!
 //! A row that does not match at every configuration tried is skipped; the links read are correct, but may be incomplete.

@@ -3,7 +3,7 @@
 //! ```text
 //! δe = −J_ee⁻¹ (Φ_e + J_ei δi)        explicit equations, by forward substitution
 //! R  = J_ri + J_re de/di              r residuals, i iterated and e explicit unknowns
-//! g  = Φ_r − J_re J_ee⁻¹ Φ_e          the residuals as they are once what is explicit has followed
+//! g  = Φ_r − J_re J_ee⁻¹ Φ_e          residuals after the explicit unknowns have followed
 //! ```
 //!
 //! In: a block and values of its unknowns. Out: a nearby assembly of the block, refined to rounding: by limited and damped Gauss-Newton
