@@ -1,7 +1,7 @@
 //! Sample configurations along the motion, for choices.
 //!
-//! In: an [`Assembly`]. Out: its configuration and some before and after it in time. Choices based on these samples must be correct
-//! everywhere; the samples only make fast ones likely. Not done here: choosing.
+//! In: an [`Assembly`]. Out: its configuration and some before and after it in time. Choices based on these samples must be correct at
+//! every configuration; the samples only make them likely to be fast. Not done here: choosing.
 
 use super::Assembly;
 use crate::expr::{Arena, Evaluator, Expr, Values, evaluate};

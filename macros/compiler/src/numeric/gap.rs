@@ -137,7 +137,7 @@ fn open_by(linear: &Linearization, weights: &[f64], own: usize) -> f64 {
     linear.phi.iter().zip(weights).take(own).map(|(value, weight)| (value * weight).powi(2)).sum::<f64>().sqrt()
 }
 
-/// Row weights: a length in characteristic lengths, any other row by its largest derivative at the first guess.
+/// Row weights: lengths and their squares in characteristic lengths, angles in rad, other rows by the largest derivative at the start.
 fn weights(numeric: &Numeric, problem: &mut Problem, rows: &[usize], start: &[f64]) -> Vec<f64> {
     let q: Vec<f64> = problem.unknowns.iter().map(|unknown| start[*unknown]).collect();
     let linear = problem.raw(&q);

@@ -12,7 +12,7 @@ use crate::expr::{Arena, Expr, Leaf, Substitution};
 /// Largest number of unknowns: an inverse is dense, and beyond this its products cost more than a factorisation.
 const LARGEST: usize = 8;
 
-/// Unknowns of a block in terms of upstream unknowns; `None` if its Jacobian is not constant, singular or too large.
+/// Unknowns of a block in terms of upstream unknowns; `None` if its Jacobian is singular, too large or not constant.
 pub(super) fn solution(arena: &mut Arena, system: &Iteration) -> Option<Vec<Expr>> {
     let k = system.unknowns.len();
     let is_constant = system.jacobian.iter().flatten().all(|entry| arena.as_constant(*entry).is_some());

@@ -137,7 +137,7 @@ impl<'a> Chain<'a> {
         self.upstream.all(self.members[member].block).into_iter().filter_map(|other| self.place[other]).collect()
     }
 
-    /// True if an equation depends explicitly on the path parameter.
+    /// True if an equation may depend explicitly on the path parameter.
     fn changes(&self, equation: usize) -> bool {
         let equation = &self.numeric.system.equations[equation];
         if self.path.to.is_some() {

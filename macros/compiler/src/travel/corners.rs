@@ -41,7 +41,7 @@ pub(super) fn visit(travel: &mut Travel, numeric: &Numeric, structure: &Structur
     }
 }
 
-/// Follows the motion at a corner; a note if it ends there.
+/// Follows the motion at a corner; a note if it ends there, or if the path to the corner ends.
 fn at(travel: &mut Travel, numeric: &Numeric, structure: &Structure, start: &[f64], (corner, most): (&Corner, u64)) -> Option<String> {
     let mut to = numeric.known.parameters.to_vec();
     corner.iter().for_each(|(parameter, value)| to[*parameter] = *value);
