@@ -272,8 +272,8 @@ impl<'a> Reduced<'a> {
         true
     }
 
-    /// Bound of the error of an assembly due to rounding, in scaled iterated unknowns: along the direction of the residual whose rounding
-    /// error has the largest effect, with the length of all effects added. `None` if the block is singular.
+    /// Estimated rounding error of an assembly, in scaled iterated unknowns: it has the direction of the largest effect of a single
+    /// residual's rounding error, and the summed length of all effects. `None` if the block is singular.
     pub(super) fn rounding(&self, linear: &LinearizedBlock) -> Option<Vec<f64>> {
         let (floors, k) = (self.floors(), self.iterated);
         // Rounding errors of explicit equations propagate to the residuals.

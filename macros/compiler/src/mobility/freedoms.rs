@@ -21,7 +21,7 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
     let is_place = |unknown: &usize| system.coordinates[*unknown].role.is_position();
     let body = |unknown: &usize| system.coordinates[*unknown].body;
     let has_no_place = |unknown: &&usize| in_none.iter().filter(|other| is_place(other) && body(other) == body(unknown)).count() > 1;
-    // A single coordinate of a body may be the one a drive was meant for, if there is none yet; a position as a whole hardly ever is.
+    // Without any drive, a single undetermined coordinate may be the one that a drive was meant for; a whole position hardly ever is.
     let missing = matching.free_unknowns().len();
     let is_all = drives > 0 && in_none.len() == missing;
     let first = in_none.iter().find(has_no_place).or(in_none.first().filter(|_| is_all));
