@@ -28,21 +28,21 @@ impl Emitter<'_> {
         let lists = self.lists(solution, &Shelf::whole(n));
         let step = self.plan.moving.as_ref().map(|_| {
             quote! {
-                fn mark(&self) -> ::core::primitive::u64
+                fn parameter_hash(&self) -> ::core::primitive::u64
                 where
                     T: ::reuleaux::Float,
                 {
-                    ::reuleaux::Stages::<T, #n>::mark(&self.mechanism)
+                    ::reuleaux::Stages::<T, #n>::parameter_hash(&self.mechanism)
                 }
-                fn step(&self, state: &mut ::reuleaux::State<T, #n>, t: T) -> ::core::primitive::bool
+                fn partial_step(&self, state: &mut ::reuleaux::State<T, #n>, t: T) -> ::core::option::Option<::core::primitive::bool>
                 where
                     T: ::reuleaux::Float,
                 {
-                    ::reuleaux::Stages::<T, #n>::step(&self.mechanism, state, t)
+                    ::reuleaux::Stages::<T, #n>::partial_step(&self.mechanism, state, t)
                 }
             }
         });
-        let result = quote!(::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>>);
+        let result = quote!(::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::StepError<T>>);
         let description = quote!(::reuleaux::Description<T, #n>);
         let visibility = &self.model.visibility;
         let page =
@@ -50,7 +50,7 @@ impl Emitter<'_> {
         let types = quote! {
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens, dead_code)]
-            impl<T: ::reuleaux::Lanes> #mechanism<T> {
+            impl<T: ::reuleaux::SolverReal> #mechanism<T> {
                 /// The mechanism with everything computed that depends on its parameters only, for loops that take a state along
                 /// with `advance`; `sweep` does so by itself.
                 #[must_use]
@@ -59,7 +59,7 @@ impl Emitter<'_> {
                 fn of_parameters(&self) -> [T; #count] { #steps [#(#names),*] }
                 #[doc(hidden)]
                 #[inline(always)]
-                fn #stages(&self, #fixed: &[T; #count], #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result {
+                fn #stages(&self, #fixed: &[T; #count], #t: T, #pass: &mut ::reuleaux::Solver<'_, T, #n>) -> #result {
                     let [#(#names),*] = *#fixed;
                     #body
                 }
@@ -72,7 +72,7 @@ impl Emitter<'_> {
                 fixed: [T; #count],
             }
             #[automatically_derived]
-            impl<T: ::reuleaux::Lanes> #description for #type_name<T> {
+            impl<T: ::reuleaux::SolverReal> #description for #type_name<T> {
                 const NAME: &'static ::core::primitive::str = <#mechanism<T> as #description>::NAME;
                 const COORDINATES: &'static [::reuleaux::Coordinate] = <#mechanism<T> as #description>::COORDINATES;
                 const ROWS: &'static [::reuleaux::Row] = <#mechanism<T> as #description>::ROWS;
@@ -81,21 +81,21 @@ impl Emitter<'_> {
                 fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> { self.mechanism.validate() }
             }
             #[automatically_derived]
-            impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #type_name<T> {
+            impl<T: ::reuleaux::SolverReal> ::reuleaux::Stages<T, #n> for #type_name<T> {
                 #lists
                 #step
-                fn toward(&self, share: T) -> ::core::option::Option<Self> {
-                    let between = ::reuleaux::Stages::<T, #n>::toward(&self.mechanism, share);
+                fn interpolated(&self, lambda: T) -> ::core::option::Option<Self> {
+                    let between = ::reuleaux::Stages::<T, #n>::interpolated(&self.mechanism, lambda);
                     ::core::option::Option::map(between, |mechanism| mechanism.prepared())
                 }
-                fn improved(&self, t: T, guess: &::reuleaux::nalgebra::SVector<T, #n>) -> ::reuleaux::nalgebra::SVector<T, #n>
+                fn refined_guess(&self, t: T, guess: &::reuleaux::nalgebra::SVector<T, #n>) -> ::reuleaux::nalgebra::SVector<T, #n>
                 where
                     T: ::reuleaux::Float,
                 {
-                    ::reuleaux::Stages::<T, #n>::improved(&self.mechanism, t, guess)
+                    ::reuleaux::Stages::<T, #n>::refined_guess(&self.mechanism, t, guess)
                 }
                 #[inline(always)]
-                fn stages(&self, t: T, pass: &mut ::reuleaux::Pass<'_, T, #n>) -> #result { self.mechanism.#stages(&self.fixed, t, pass) }
+                fn stages(&self, t: T, pass: &mut ::reuleaux::Solver<'_, T, #n>) -> #result { self.mechanism.#stages(&self.fixed, t, pass) }
             }
             #failure
             #solving
@@ -115,7 +115,7 @@ fn as_it_is(mechanism: &Ident) -> TokenStream {
     quote! {
         #[automatically_derived]
         #[allow(dead_code)]
-        impl<T: ::reuleaux::Lanes> #mechanism<T> {
+        impl<T: ::reuleaux::SolverReal> #mechanism<T> {
             /// The mechanism itself: what depends on its parameters alone is little, or is computed where it is used.
             #[must_use]
             pub fn prepared(&self) -> Self { *self }

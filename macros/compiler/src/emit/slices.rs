@@ -63,17 +63,17 @@ impl Emitter<'_> {
             #kernels
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens, dead_code)]
-            impl<T: ::reuleaux::Lanes> #mechanism<T> {
+            impl<T: ::reuleaux::SolverReal> #mechanism<T> {
                 #[doc(hidden)]
                 #[inline(always)]
-                fn #stages(&self, #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>, #to) -> #result { #body }
+                fn #stages(&self, #t: T, #pass: &mut ::reuleaux::Solver<'_, T, #n>, #to) -> #result { #body }
             }
             #description
             #[automatically_derived]
-            impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> {
+            impl<T: ::reuleaux::SolverReal> ::reuleaux::Stages<T, #n> for #name<T> {
                 #constants
-                fn toward(&self, share: T) -> ::core::option::Option<Self> {
-                    ::core::option::Option::map(::reuleaux::Stages::<T, #whole>::toward(&self.0, share), Self)
+                fn interpolated(&self, lambda: T) -> ::core::option::Option<Self> {
+                    ::core::option::Option::map(::reuleaux::Stages::<T, #whole>::interpolated(&self.0, lambda), Self)
                 }
                 #of_trait
             }
@@ -164,13 +164,13 @@ impl Emitter<'_> {
         let (argument, to, result) = results(&slice.solution.solving, n);
         let of_trait = stages_of(&slice.solution.solving, n, &quote!(self.0.#stages(&self.1, #t, #pass, #argument)));
         let step = quote! {
-            fn step(&self, state: &mut ::reuleaux::State<T, #whole>, t: T) -> ::core::primitive::bool
+            fn partial_step(&self, state: &mut ::reuleaux::State<T, #whole>, t: T) -> ::core::option::Option<::core::primitive::bool>
             where
                 T: ::reuleaux::Float,
             {
                 const HELD: [::core::primitive::usize; #n] = [#(#held),*];
                 let moving = #name(*self, [#(state.q[#places]),*]);
-                ::reuleaux::step_in_part(&moving, state, &HELD, ::reuleaux::Stages::<T, #whole>::mark(self), t)
+                ::core::option::Option::Some(::reuleaux::step_in_part(&moving, state, &HELD, ::reuleaux::Stages::<T, #whole>::parameter_hash(self), t))
             }
         };
         let part = quote! {
@@ -181,14 +181,14 @@ impl Emitter<'_> {
             #kernels
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
-            impl<T: ::reuleaux::Lanes> #mechanism<T> {
+            impl<T: ::reuleaux::SolverReal> #mechanism<T> {
                 #[doc(hidden)]
                 #[inline(always)]
-                fn #stages(&self, #given: &[T; #count], #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>, #to) -> #result { #body }
+                fn #stages(&self, #given: &[T; #count], #t: T, #pass: &mut ::reuleaux::Solver<'_, T, #n>, #to) -> #result { #body }
             }
             #description
             #[automatically_derived]
-            impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> {
+            impl<T: ::reuleaux::SolverReal> ::reuleaux::Stages<T, #n> for #name<T> {
                 #constants
                 #of_trait
             }

@@ -29,7 +29,7 @@ impl Emitter<'_> {
             #kernels
             #[automatically_derived]
             #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
-            impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> {
+            impl<T: ::reuleaux::SolverReal> ::reuleaux::Stages<T, #n> for #name<T> {
                 #lists
                 #toward
                 #improved
@@ -49,7 +49,7 @@ impl Emitter<'_> {
         quote! {
             #angles
             #iterated
-            const UNSURE: ::core::option::Option<&'static [::core::primitive::usize]> = ::core::option::Option::Some(&[#(#unsure),*]);
+            const MAY_BE_NON_FINITE: ::core::option::Option<&'static [::core::primitive::usize]> = ::core::option::Option::Some(&[#(#unsure),*]);
         }
     }
 
@@ -80,7 +80,7 @@ impl Emitter<'_> {
         let share = local("share");
         let fields = Parameters::new(&self.model.layout, &self.model.name).blended(0, &quote!(self));
         quote! {
-            fn toward(&self, #share: T) -> ::core::option::Option<Self> {
+            fn interpolated(&self, #share: T) -> ::core::option::Option<Self> {
                 let defaults = Self::with_defaults();
                 if self == &defaults {
                     return ::core::option::Option::None;
@@ -98,11 +98,11 @@ impl Emitter<'_> {
         }
         let all = (0..self.model.parameters.len()).map(|number| named(&Words::new(self.model, self.system).parameter(number as u32)));
         quote! {
-            fn mark(&self) -> ::core::primitive::u64
+            fn parameter_hash(&self) -> ::core::primitive::u64
             where
                 T: ::reuleaux::Float,
             {
-                ::reuleaux::mark_of(&[#(#all),*])
+                ::reuleaux::parameter_hash(&[#(#all),*])
             }
         }
     }
@@ -112,16 +112,16 @@ impl Emitter<'_> {
         let n = self.system.coordinates.len();
         let checked: BTreeSet<usize> = self.plan.checked.iter().copied().collect();
         let improved = if checked.is_empty() {
-            quote!(::reuleaux::improved_at_once(self, t, guess))
+            quote!(::reuleaux::refined_guess_at_once(self, t, guess))
         } else {
             let solved = (0..self.system.equations.len()).filter(|equation| !checked.contains(equation)).map(Literal::usize_unsuffixed);
             quote! {
                 const SOLVED: [::core::primitive::usize; #n] = [#(#solved),*];
-                ::reuleaux::improved_by(self, &SOLVED, t, guess)
+                ::reuleaux::refined_guess_by_rows(self, &SOLVED, t, guess)
             }
         };
         quote! {
-            fn improved(&self, t: T, guess: &::reuleaux::nalgebra::SVector<T, #n>) -> ::reuleaux::nalgebra::SVector<T, #n>
+            fn refined_guess(&self, t: T, guess: &::reuleaux::nalgebra::SVector<T, #n>) -> ::reuleaux::nalgebra::SVector<T, #n>
             where
                 T: ::reuleaux::Float,
             {
@@ -169,9 +169,11 @@ impl Emitter<'_> {
 pub(super) fn results(solving: &Solving, n: usize) -> (TokenStream, TokenStream, TokenStream) {
     let found = local("found");
     match solving {
-        Solving::Straight(_) => (quote!(), quote!(), quote!(::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>>)),
+        Solving::Straight(_) => {
+            (quote!(), quote!(), quote!(::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::StepError<T>>))
+        }
         Solving::Shared(_) => {
-            let result = quote!(::core::result::Result<(), ::reuleaux::Stop<T>>);
+            let result = quote!(::core::result::Result<(), ::reuleaux::StepError<T>>);
             (quote!(#found), quote!(#found: &mut ::reuleaux::Coordinates<T, #n>), result)
         }
     }
@@ -181,7 +183,7 @@ pub(super) fn results(solving: &Solving, n: usize) -> (TokenStream, TokenStream,
 pub(super) fn stages_of(solving: &Solving, n: usize, body: &TokenStream) -> TokenStream {
     let (t, pass) = (local("t"), local("pass"));
     let (_, to, result) = results(solving, n);
-    let pass = quote!(#pass: &mut ::reuleaux::Pass<'_, T, #n>);
+    let pass = quote!(#pass: &mut ::reuleaux::Solver<'_, T, #n>);
     match solving {
         Solving::Straight(_) => quote! {
             #[inline(always)]
@@ -194,8 +196,8 @@ pub(super) fn stages_of(solving: &Solving, n: usize, body: &TokenStream) -> Toke
             fn stages(
                 &self,
                 t: T,
-                pass: &mut ::reuleaux::Pass<'_, T, #n>,
-            ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>> {
+                pass: &mut ::reuleaux::Solver<'_, T, #n>,
+            ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::StepError<T>> {
                 let mut found = ::reuleaux::Coordinates::zero();
                 self.stages_in_place(t, pass, &mut found)?;
                 ::core::result::Result::Ok(found)
