@@ -37,10 +37,13 @@ const FEW: usize = 2;
 impl Search<'_, '_> {
     /// The equations cannot be satisfied near the start. Blames the last joint without which they can, joints declared as redundant first.
     ///
-    /// Nothing is refused here, but elsewhere in terms of mobility, if freedoms are left: a joint is then in the wrong place. The same
-    /// applies, unless the joint nearly fits and so was meant to, if the joints close without the drives, as a structure that cannot be
-    /// driven does, and if the joints alone have more equations than coordinates and many of them are involved: one of them is then
-    /// redundant.
+    /// Three cases are left to `mobility`:
+    ///
+    /// - Freedoms are left: a joint is in the wrong place.
+    /// - The joints close without the drives: they form a structure that cannot be driven.
+    /// - The joints alone have more equations than coordinates, and many joints are involved: one of them is redundant.
+    ///
+    /// In the last two cases a joint that nearly fits is blamed here all the same: it was meant to fit.
     pub(super) fn contradiction(&mut self, start: &[f64]) {
         if self.leaves_freedom(start) {
             return;
