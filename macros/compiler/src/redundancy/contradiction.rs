@@ -37,13 +37,14 @@ const FEW: usize = 2;
 impl Search<'_, '_> {
     /// The equations cannot be satisfied near the start. Blames the last joint without which they can, joints declared as redundant first.
     ///
-    /// Three cases are left to `mobility`:
+    /// These cases are left to `mobility`:
     ///
     /// - Freedoms are left: a joint is in the wrong place.
+    /// - One of several drives is one too many, and the joint is not declared as redundant.
     /// - The joints close without the drives: they form a structure that cannot be driven.
     /// - The joints alone have more equations than coordinates, and many joints are involved: one of them is redundant.
     ///
-    /// In the last two cases a joint that nearly fits is blamed here all the same: it was meant to fit.
+    /// In the last two cases a joint that nearly fits, or is declared as redundant, is blamed here all the same: it was meant to fit.
     pub(super) fn contradiction(&mut self, start: &[f64]) {
         if self.leaves_freedom(start) {
             return;
