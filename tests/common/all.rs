@@ -1,16 +1,16 @@
-//! All declarations of the tests, one after the other.
+//! All declarations of the tests, in sequence.
 
 use super::declared::Declared;
 use super::interpreter::Jet;
 use crate::{laws, library, mechanisms, stress, units};
 
-/// What is done with each declaration.
+/// Visits each declaration.
 pub trait Visitor {
-    /// A declaration and its name.
+    /// Visits a declaration with its name.
     fn visit<D: Declared>(&mut self, name: &'static str);
 }
 
-/// The functions in Rust that declarations name by path.
+/// Rust functions that declarations name by path.
 pub const FUNCTIONS: [(&str, Jet); 2] =
     [("crate::library::oval", library::oval::<f64>), ("crate::library::measured", library::measured::<f64>)];
 
@@ -24,7 +24,7 @@ macro_rules! visit_pairs {
     };
 }
 
-/// Those without definitions of their own, which the interpreter can read.
+/// Visits the declarations without definitions of their own, which the interpreter can read.
 pub fn visit(visitor: &mut impl Visitor) {
     visit_pairs!(visitor: revolute, translational, distance, revolute_translational, point_on_line, weld, gear_pair, rack_pinion,
         drive_relative_angle, drive_distance);
@@ -38,7 +38,7 @@ pub fn visit(visitor: &mut impl Visitor) {
         stress::InLineSliderCrank);
 }
 
-/// Those that use definitions made by `constraint!`.
+/// Visits the declarations that use definitions made by `constraint!`.
 pub fn visit_defined(visitor: &mut impl Visitor) {
     visit_pairs!(visitor: haug_translational, haug_point_on_line, moving_gears);
 }

@@ -1,6 +1,6 @@
 //! Decimal strings with more digits than a double has.
 
-/// A decimal number as the nearest double and what is left over.
+/// A decimal number as the nearest double and the remainder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Decimal {
     /// The nearest double.
@@ -9,18 +9,18 @@ pub struct Decimal {
     pub rest: f64,
 }
 
-/// Digits that are kept when the nearest double is subtracted; `i128` holds 38.
+/// Digits kept when the nearest double is subtracted; `i128` holds 38.
 const DIGITS: usize = 36;
 
 impl Decimal {
-    /// Reads `-1.25e-3` and the like.
+    /// Parses decimal numbers such as `-1.25e-3`.
     ///
     /// # Panics
-    /// On anything that is not a number of at most 36 digits.
+    /// If the text is not a number of at most 36 digits.
     #[must_use]
     pub fn parse(text: &str) -> Self {
         let value: f64 = text.parse().unwrap_or_else(|_| panic!("`{text}` is not a number"));
-        // Rust prints as many digits of a double as are asked for, exactly.
+        // Rust prints any requested number of digits of a double exactly.
         let (written, nearest) = (digits(text), digits(&format!("{value:.*e}", DIGITS - 1)));
         let lowest = written.1.min(nearest.1);
         let shifted = |(mantissa, exponent): (i128, i32)| mantissa * 10_i128.pow((exponent - lowest).unsigned_abs());
@@ -28,7 +28,7 @@ impl Decimal {
         Self { value, rest }
     }
 
-    /// |x − the number|, also where that is far below the spacing of doubles.
+    /// |x − the number|, accurate even far below the spacing of doubles.
     #[must_use]
     pub fn error_of(self, x: f64) -> f64 {
         ((x - self.value) - self.rest).abs()

@@ -1,11 +1,11 @@
-//! Mechanisms declared once for the compiler and once, as text, for its interpreter.
+//! Mechanisms declared for the compiler and, as text, for its interpreter.
 
 use std::fmt::Debug;
 
 use reuleaux::nalgebra::{SVector, Vector2};
 use reuleaux::{Equations, Motion, Real};
 
-/// A time, a position, and its rates, in SI.
+/// A time, a configuration and its rates, in SI units.
 #[derive(Clone, Debug, Default)]
 pub struct Instant {
     /// t
@@ -14,11 +14,11 @@ pub struct Instant {
     pub q: Vec<f64>,
     /// q̇
     pub qd: Vec<f64>,
-    /// q̈, which only outputs need.
+    /// q̈; used by outputs only.
     pub qdd: Vec<f64>,
 }
 
-/// All that a mechanism's equations say at an instant.
+/// All equations of a mechanism, evaluated at an instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rows {
     /// Φ
@@ -33,10 +33,10 @@ pub struct Rows {
 
 /// A declaration in both forms.
 pub trait Declared: Copy + Debug {
-    /// The tokens that `mechanism!` compiled.
+    /// Tokens compiled by `mechanism!`.
     const TEXT: &'static str;
 
-    /// The mechanism with its parameters set by name, in SI.
+    /// The mechanism with its parameters set by name, in SI units.
     fn with(number: &mut dyn FnMut(&str) -> f64) -> Self;
 
     /// Number of equations and of coordinates.
@@ -45,10 +45,10 @@ pub trait Declared: Copy + Debug {
     /// The emitted Φ, Φ_q, ν, γ.
     fn rows(&self, at: &Instant) -> Rows;
 
-    /// The stored entries of Φ_q with their places.
+    /// Stored entries of Φ_q with row and column.
     fn entries(&self, at: &Instant) -> Vec<((usize, usize), f64)>;
 
-    /// Φ and Φ_q from the function that gives both.
+    /// Φ and Φ_q from the function that returns both.
     fn linearized(&self, at: &Instant) -> (Vec<f64>, Vec<Vec<f64>>);
 
     /// The emitted Φ over another number type.
@@ -57,13 +57,13 @@ pub trait Declared: Copy + Debug {
     /// Value, rate and acceleration of every component of every output, over any number type.
     fn outputs_over<T: Real>(&self, state: Moving<T>) -> Vec<[T; 3]>;
 
-    /// The same in doubles.
+    /// Outputs in doubles.
     fn outputs(&self, at: &Instant) -> Vec<[f64; 3]> {
         self.outputs_over(Moving { t: at.t, q: at.q.clone(), qd: at.qd.clone(), qdd: at.qdd.clone() })
     }
 }
 
-/// A time and a position with first and second rates.
+/// A time and a configuration with first and second rates.
 #[derive(Clone, Debug)]
 pub struct Moving<T> {
     /// t
@@ -138,7 +138,7 @@ macro_rules! declared {
     };
 }
 
-/// The numbers of an output.
+/// Components of an output.
 pub trait Parts<T> {
     /// Value, rate and acceleration of each component.
     fn parts(self) -> Vec<[T; 3]>;
@@ -175,7 +175,7 @@ pub fn rows<E: Equations<f64, M, N>, const M: usize, const N: usize>(mechanism: 
     }
 }
 
-/// Φ and Φ_q from the function that gives both.
+/// Φ and Φ_q from the function that returns both.
 pub fn linearized<E: Equations<f64, M, N>, const M: usize, const N: usize>(mechanism: &E, at: &Instant) -> (Vec<f64>, Vec<Vec<f64>>) {
     let (phi, jacobian) = mechanism.linearize(&vector(&at.q), at.t);
     (phi.as_slice().to_vec(), jacobian.row_iter().map(|row| row.iter().copied().collect()).collect())
@@ -186,7 +186,7 @@ pub fn phi<T: Real, E: Equations<T, M, N>, const M: usize, const N: usize>(mecha
     mechanism.phi(&vector(q), t).as_slice().to_vec()
 }
 
-/// A state that nobody solved for, at which outputs can be taken.
+/// An unsolved state at which outputs can be evaluated.
 #[must_use]
 pub fn state<T: Real, const N: usize>(at: &Moving<T>) -> reuleaux::State<T, N> {
     reuleaux::State::new(at.t, vector(&at.q), vector(&at.qd), vector(&at.qdd))

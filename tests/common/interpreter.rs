@@ -1,4 +1,4 @@
-//! A declaration as text, compiled as far as its plan and evaluated by the interpreter, which defines what it means.
+//! A declaration as text, compiled up to its plan and evaluated by the interpreter, which defines its meaning.
 
 use reuleaux_compiler::compile;
 use reuleaux_compiler::expr::{Evaluator, Values};
@@ -16,9 +16,9 @@ pub struct Interpreter {
     pub parameters: Vec<String>,
     /// Number of equations and of coordinates.
     pub size: (usize, usize),
-    /// Places of the Jacobian's entries.
+    /// Row and column of the Jacobian's entries.
     pub pattern: Vec<(usize, usize)>,
-    /// Where the compiler begins to solve.
+    /// Configuration from which the compiler starts to solve.
     pub start: Vec<f64>,
     functions: Vec<Function>,
     rows: Evaluator,
@@ -30,7 +30,7 @@ impl Interpreter {
     /// Compiles a declaration.
     ///
     /// # Panics
-    /// Where it is refused, with the sentences.
+    /// If it is refused, with the messages.
     #[must_use]
     pub fn of(text: &str) -> Self {
         let tokens = text.parse().unwrap_or_else(|error| panic!("{error}\n{text}"));
@@ -59,10 +59,10 @@ impl Interpreter {
         }
     }
 
-    /// Φ, Φ_q, ν and γ. `functions` are those that the text names by path.
+    /// Φ, Φ_q, ν and γ. `functions` are the ones that the text names by path.
     ///
     /// # Panics
-    /// Where a function is missing.
+    /// If a function is missing.
     pub fn rows(&mut self, parameters: &[f64], at: &Instant, functions: &[(&str, Jet)]) -> Rows {
         let ((m, n), entries) = (self.size, self.pattern.len());
         let mut found = vec![f64::NAN; 3 * m + entries];

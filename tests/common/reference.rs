@@ -1,4 +1,4 @@
-//! Reference numbers from files, computed elsewhere with 60 digits.
+//! Reference values from files, computed elsewhere with 60 digits.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,8 +7,8 @@ pub use serde_json::Value;
 
 use super::decimal::Decimal;
 
-/// The folder with the reference numbers: `shared/reference` beside the repository where there is one, with all its files, else
-/// the copies that come with the tests.
+/// The folder with the reference values: `shared/reference` beside the repository if it exists, with all files, otherwise the copies that
+/// come with the tests.
 #[must_use]
 pub fn folder() -> PathBuf {
     let tests = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -19,16 +19,16 @@ pub fn folder() -> PathBuf {
 /// The file of this name.
 ///
 /// # Panics
-/// Where it is missing or not JSON.
+/// If it is missing or not JSON.
 #[must_use]
 pub fn file(name: &str) -> Value {
     read(&folder().join(name))
 }
 
-/// All JSON files in a folder, with their names without ending, in alphabetical order.
+/// All JSON files in a folder, with their names without extension, in alphabetical order.
 ///
 /// # Panics
-/// Where the folder is missing.
+/// If the folder is missing.
 #[must_use]
 pub fn files(of: &str) -> Vec<(String, Value)> {
     let entries = fs::read_dir(folder().join(of)).unwrap_or_else(|error| panic!("{of}: {error}"));
@@ -43,10 +43,10 @@ fn read(path: &Path) -> Value {
     serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// The elements of a list.
+/// Elements of a list.
 ///
 /// # Panics
-/// Where it is none.
+/// If the value is not a list.
 #[must_use]
 pub fn list(value: &Value) -> &[Value] {
     value.as_array().unwrap_or_else(|| panic!("{value} is not a list"))
@@ -55,22 +55,22 @@ pub fn list(value: &Value) -> &[Value] {
 /// A text.
 ///
 /// # Panics
-/// Where it is none.
+/// If the value is not a text.
 #[must_use]
 pub fn text(value: &Value) -> &str {
     value.as_str().unwrap_or_else(|| panic!("{value} is not a text"))
 }
 
-/// A number that is a double exactly.
+/// A number that is exactly a double.
 ///
 /// # Panics
-/// Where it is none.
+/// If the value is not a number.
 #[must_use]
 pub fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
 }
 
-/// A list of such numbers.
+/// A list of numbers that are exactly doubles.
 #[must_use]
 pub fn numbers(value: &Value) -> Vec<f64> {
     list(value).iter().map(number).collect()
@@ -82,10 +82,10 @@ pub fn decimals(value: &Value) -> Vec<Decimal> {
     list(value).iter().map(|entry| Decimal::parse(text(entry))).collect()
 }
 
-/// The largest error, relative to the largest entry of the reference; the error itself where that is zero.
+/// Largest error relative to the largest entry of the reference; the absolute error if that is zero.
 ///
 /// # Panics
-/// Where the lengths differ.
+/// If the lengths differ.
 #[must_use]
 pub fn relative_error(found: &[f64], reference: &[Decimal]) -> f64 {
     assert_eq!(found.len(), reference.len());
@@ -94,7 +94,7 @@ pub fn relative_error(found: &[f64], reference: &[Decimal]) -> f64 {
     if largest == 0.0 { error } else { error / largest }
 }
 
-/// The greater of the two, and NaN where one is.
+/// The greater of the two; NaN if either is NaN.
 #[must_use]
 pub fn worse(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }

@@ -1,15 +1,15 @@
 //! From a model in a reference file to a declaration in the language, with all numbers as literals.
 //!
-//! A literal is an exact decimal and the file's number the double nearest to it: they differ by less than a rounding.
+//! A literal is an exact decimal and the file's number is the nearest double: they differ by less than rounding.
 
 use std::fmt::Write;
 
 use super::reference::{Value, list, number, text};
 
-/// The declaration of a model: `bodies`, `constraints`, `drivers`, and where there are any `ground_points` and `initial_guess`.
+/// The declaration of a model: `bodies`, `constraints`, `drivers`, and, if present, `ground_points` and `initial_guess`.
 ///
 /// # Panics
-/// Where the model has a constraint of a type that is not known here.
+/// If the model has a constraint of an unknown type.
 #[must_use]
 pub fn declaration(model: &Value, name: &str, attribute: &str) -> String {
     let mut marks: Vec<(String, String)> = Vec::new();
@@ -39,7 +39,7 @@ pub fn unit(case: &Value) -> Value {
     serde_json::json!({ "bodies": bodies, key: [case["constraint"].clone()] })
 }
 
-/// A frame with its points and axes.
+/// A body or ground, with its points and axes.
 fn frame(head: &str, points: &Value, marks: &[(String, String)], start: &str) -> String {
     let owner = head.trim_start_matches("body ");
     let declared = points.as_object().into_iter().flatten().map(|(name, place)| format!("point {name} = {};", pair(place)));
@@ -47,7 +47,7 @@ fn frame(head: &str, points: &Value, marks: &[(String, String)], start: &str) ->
     format!("    {head} {{ {} {start} }}\n", declared.chain(needed).collect::<Vec<_>>().join(" "))
 }
 
-/// A double as it is written in the file.
+/// A double as written in the file.
 fn literal(value: f64) -> String {
     format!("{value:?}")
 }
@@ -56,7 +56,7 @@ fn pair(place: &Value) -> String {
     format!("({}, {})", literal(number(&place[0])), literal(number(&place[1])))
 }
 
-/// What stands behind `joint name =`; points and axes that the constraint brings along are added to `marks`.
+/// The right-hand side of `joint name =`; points and axes of the constraint are added to `marks`.
 fn joint(constraint: &Value, name: &str, marks: &mut Vec<(String, String)>) -> String {
     let value = |key: &str| literal(number(&constraint[key]));
     let body = |side: &str| text(&constraint[format!("body_{side}")]).to_owned();

@@ -1,4 +1,4 @@
-//! Numbers of twice the digits: the sum of two doubles, 32 digits.
+//! Numbers of double the precision: the sum of two doubles, 32 digits.
 //!
 //! Dekker: A floating-point technique for extending the available precision, 1971; Knuth: The Art of Computer Programming, 4.2.2.
 
@@ -19,14 +19,14 @@ pub struct Twofold {
 /// π/2
 const QUARTER: Twofold = Twofold { high: std::f64::consts::FRAC_PI_2, low: 6.123233995736766e-17 };
 
-/// a + b as a double and what it leaves out.
+/// a + b as a double and its rounding error.
 fn sum(a: f64, b: f64) -> Twofold {
     let high = a + b;
     let part = high - a;
     Twofold { high, low: (a - (high - part)) + (b - part) }
 }
 
-/// a b as a double and what it leaves out.
+/// a b as a double and its rounding error.
 fn product(a: f64, b: f64) -> Twofold {
     let high = a * b;
     Twofold { high, low: a.mul_add(b, -high) }
@@ -35,13 +35,13 @@ fn product(a: f64, b: f64) -> Twofold {
 impl Twofold {
     const ZERO: Self = Self { high: 0.0, low: 0.0 };
 
-    /// Two steps of Newton's method from a double, each of which doubles the digits.
+    /// Two Newton steps from a double; each doubles the number of digits.
     fn refined(guess: f64, step: impl Fn(Self) -> Self) -> Self {
         let first = step(Self::of(guess));
         step(first)
     }
 
-    /// Σ terms, each from the one before by its number, up to what does not show.
+    /// Σ terms, each computed from the previous one and its index, until they no longer contribute.
     fn series(first: Self, next: impl Fn(Self, f64) -> Self) -> Self {
         let (mut total, mut term) = (first, first);
         for number in 1..40 {
@@ -111,10 +111,10 @@ impl Real for Twofold {
         Self { high: value, low: 0.0 }
     }
 
-    /// The remainder to a whole number of quarter turns by the series, and then the quarters.
+    /// Reduces the angle modulo quarter turns, sums the series, then applies the quarter turns.
     fn sin_cos(self) -> (Self, Self) {
         let (mut rest, mut quarters) = (self, 0.0_f64);
-        // Of a large angle more than once: the number of quarter turns is rounded itself.
+        // Several passes for a large angle, since the number of quarter turns is rounded.
         for _ in 0..3 {
             let more = (rest / QUARTER).high.round();
             rest = rest - QUARTER * Self::of(more);
@@ -207,13 +207,13 @@ impl Real for Twofold {
         if lhs < rhs { then } else { otherwise }
     }
 
-    /// To the digits of a double, and along its tangent.
+    /// Accurate to double precision, then linear along the tangent.
     fn table(self, table: &Table) -> (Self, Self, Self) {
         let (value, first, second) = table.evaluate(self.high);
         (Self::of(value) + Self::of(first) * Self::of(self.low), Self::of(first), Self::of(second))
     }
 
-    /// To the digits of a double, and along its tangent.
+    /// Accurate to double precision, then linear along the tangent.
     fn map(self, function: fn(f64) -> (f64, f64, f64)) -> (Self, Self, Self) {
         let (value, first, second) = function(self.high);
         (Self::of(value) + Self::of(first) * Self::of(self.low), Self::of(first), Self::of(second))
@@ -224,7 +224,7 @@ impl Real for Twofold {
 mod tests {
     use super::*;
 
-    /// The first 30 digits: the squarings of `exp` cost two.
+    /// Compares the first 30 digits: the squarings in `exp` cost two.
     fn is(found: Twofold, high: f64, low: f64) {
         let error = (found - Twofold { high, low }).high.abs();
         assert!(error <= 1e-30 * high.abs(), "{found:?} is off by {error:e}");
@@ -232,7 +232,7 @@ mod tests {
 
     #[test]
     fn known_constants_come_out() {
-        // As doubles and their remainders.
+        // Doubles and their remainders.
         is(Twofold::of(2.0).sqrt(), std::f64::consts::SQRT_2, -9.667293313452913e-17);
         is(Twofold::of(1.0).exp(), std::f64::consts::E, 1.4456468917292502e-16);
         is(Twofold::of(2.0).ln(), std::f64::consts::LN_2, 2.3190468138462996e-17);

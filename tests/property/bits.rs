@@ -1,4 +1,4 @@
-//! The interpreter defines what an expression means, and emitted code gives the same doubles, bit for bit.
+//! The interpreter defines the meaning of an expression; emitted code returns the same doubles, bit for bit.
 
 use reuleaux_compiler::library;
 use reuleaux_tests::common::all::{FUNCTIONS, Visitor, visit};
@@ -7,7 +7,7 @@ use reuleaux_tests::common::interpreter::Interpreter;
 
 use crate::random::{generator, instant, mechanism};
 
-/// Random states of each declaration.
+/// Number of random states per declaration.
 const STATES: usize = 1000;
 
 #[test]
@@ -15,7 +15,7 @@ fn emitted_code_and_interpreter_agree_bit_for_bit() {
     let mut compared = Compared::default();
     visit(&mut compared);
     println!("{} doubles compared, {} of them not numbers", compared.doubles, compared.not_numbers);
-    // Where nothing is defined, nothing is compared.
+    // Few of the compared values may be undefined.
     assert!(compared.not_numbers * 1000 < compared.doubles);
 }
 
@@ -43,7 +43,7 @@ impl Compared {
                 (Some(x), Some(y)) => {
                     self.doubles += 1;
                     self.not_numbers += usize::from(x.is_nan());
-                    // Nothing is said of the payload of what is not a number.
+                    // The payload of a NaN is not specified.
                     assert!(x.to_bits() == y.to_bits() || (x.is_nan() && y.is_nan()), "{what}: {x:e} emitted, {y:e} interpreted");
                 }
                 _ => panic!("{what}: not as many entries"),
@@ -80,7 +80,7 @@ impl Visitor for Compared {
 struct Texts(String);
 
 impl Texts {
-    /// The name stands before a parenthesis, and not as the end of another name.
+    /// True if a call of this name occurs: the name stands before a parenthesis and is not the end of another name.
     fn call(&self, name: &str) -> bool {
         let is_part = |letter: char| letter.is_alphanumeric() || letter == '_';
         self.0.match_indices(&format!("{name}(")).any(|(place, _)| !self.0[..place].ends_with(is_part))

@@ -6,7 +6,7 @@
 //! γ     minus the second derivative along (q + s q̇, t + s)
 //! ```
 //!
-//! So are rate and acceleration of an output, along (q + s q̇ + s² q̈ / 2, t + s).
+//! Rate and acceleration of an output are its derivatives along (q + s q̇ + s² q̈ / 2, t + s).
 
 use reuleaux_tests::common::all::{Visitor, visit, visit_defined};
 use reuleaux_tests::common::declared::{Declared, Instant, Moving};
@@ -14,10 +14,10 @@ use reuleaux_tests::common::declared::{Declared, Instant, Moving};
 use crate::dual::Hyper;
 use crate::random::{generator, instant, mechanism};
 
-/// Random states of each declaration.
+/// Number of random states per declaration.
 const STATES: usize = 100;
 
-/// Roundings that both sides together may differ by, of the largest entry of the row and its second derivative.
+/// Allowed difference relative to the largest entry of the row and its second derivative: the rounding errors of both sides.
 const ALLOWED: f64 = 500.0 * f64::EPSILON;
 
 #[test]
@@ -59,7 +59,7 @@ impl Visitor for Derived {
             let (in_time, in_motion) = (along(&mechanism, &at, |_| 0.0, 1.0), along(&mechanism, &at, |i| at.qd[i], 1.0));
             for row in 0..rows.phi.len() {
                 self.rows += 1;
-                // What the row's terms may be as large as: its own entries, and the curvature along each coordinate.
+                // Bound of the row's terms: its entries, and its curvature along each coordinate.
                 let entries = rows.jacobian[row].iter().chain([&rows.phi[row], &rows.nu[row], &rows.gamma[row]]).map(|entry| entry.abs());
                 let size = 1.0 + entries.chain(columns.iter().map(|column| column[row].0.eps1eps2.abs())).fold(0.0, f64::max);
                 let mut compare = |what: &str, found: f64, derived: f64| {
@@ -89,7 +89,7 @@ impl Visitor for Moved {
         for _ in 0..STATES {
             let (mechanism, _) = mechanism::<D>(&mut rng);
             let at = instant(&mut rng, D::size().1);
-            // Outputs are of q, q̇, q̈ and t; of the derivatives of their rates nothing is asked.
+            // Outputs depend on q, q̇, q̈ and t; the derivatives of their rates are not tested.
             let constant = |values: &[f64]| values.iter().map(|x| Hyper::new(*x, 0.0, 0.0)).collect();
             let q = (0..at.q.len()).map(|i| Hyper::moving(at.q[i], at.qd[i], at.qdd[i])).collect();
             let moving = Moving { t: Hyper::moving(at.t, 1.0, 0.0), q, qd: constant(&at.qd), qdd: constant(&at.qdd) };

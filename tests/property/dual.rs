@@ -1,4 +1,4 @@
-//! Hyper-dual numbers as a number type of the runtime: first and second derivatives without a formula for them.
+//! Hyper-dual numbers as a number type of the runtime: exact first and second derivatives by evaluation.
 
 use num_dual::{DualNum, HyperDual64};
 use reuleaux::{Real, Table};
@@ -9,23 +9,23 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 pub(crate) struct Hyper(pub(crate) HyperDual64);
 
 impl Hyper {
-    /// x with these derivatives along the first and the second direction.
+    /// x with given derivatives along the first and the second direction.
     pub(crate) fn new(x: f64, first: f64, second: f64) -> Self {
         Self(HyperDual64::new(x, first, second, 0.0))
     }
 
-    /// x along a motion with this rate and acceleration.
+    /// x along a motion with a given rate and acceleration.
     pub(crate) fn moving(x: f64, rate: f64, acceleration: f64) -> Self {
         Self(HyperDual64::new(x, rate, rate, acceleration))
     }
 
-    /// f(x) where f, f' and f" are known at x.
+    /// f(x), where f, f' and f" are known at x.
     fn chain(self, (value, first, second): (f64, f64, f64)) -> Self {
         let HyperDual64 { eps1, eps2, eps1eps2, .. } = self.0;
         Self(HyperDual64::new(value, first * eps1, first * eps2, first * eps1eps2 + second * eps1 * eps2))
     }
 
-    /// f, f' and f" at x; of f" only the value is known.
+    /// f, f' and f" at x; only the value of f" is valid.
     fn jet(self, jet: (f64, f64, f64)) -> (Self, Self, Self) {
         (self.chain(jet), self.chain((jet.1, jet.2, f64::NAN)), self.chain((jet.2, f64::NAN, f64::NAN)))
     }

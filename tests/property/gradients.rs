@@ -1,4 +1,4 @@
-//! Derivatives by parameters against hyper-dual numbers: all equations at once, dense, with nothing known of blocks.
+//! Derivatives by parameters, compared with hyper-dual numbers: all equations at once, dense, independent of blocks.
 
 use std::cell::Cell;
 
@@ -9,10 +9,10 @@ use reuleaux_tests::stress::SmallAndLarge;
 
 use crate::dual::Hyper;
 
-/// Of the largest derivative of its kind, what a derivative may be off at a condition of 1.
+/// Allowed error relative to the largest derivative of its kind, for a condition number of 1.
 const ALLOWED: f64 = 1e-14;
 
-/// ∂q/∂p, ∂q̇/∂p and ∂q̈/∂p by the equations that are differentiated once more.
+/// ∂q/∂p, ∂q̇/∂p and ∂q̈/∂p from the differentiated equations.
 fn reference<E, const N: usize>(mechanism: &E, state: &State<f64, N>) -> [SVector<f64, N>; 3]
 where
     E: Equations<Hyper, N, N>,
@@ -37,7 +37,7 @@ where
     [q, qd, solve(along(&gamma) - times(&jacobian, &state.qdd))]
 }
 
-/// A mechanism in which the parameter of one index varies, over any number type.
+/// A mechanism over any number type, with one parameter varied.
 fn varied<M: Family<f64>, T: reuleaux::Real>(mechanism: &M, of: impl Fn(f64, bool) -> T, which: usize) -> (M::Over<T>, usize) {
     let count = Cell::new(0);
     let varied = M::gather([mechanism], |[parameter]| {
@@ -78,7 +78,7 @@ where
 }
 
 mechanism! {
-    /// A cam given by a table turns a rocker, from which a slide hangs.
+    /// A cam given by a table turns a rocker, which moves a slide through a rod.
     mechanism Cam {
         param base: Length = 40mm;
         param arm: Length = 60mm;
@@ -110,7 +110,7 @@ fn derivatives_by_every_parameter_are_those_of_all_equations_at_once() {
     check(&SmallAndLarge::default(), 0.3);
 }
 
-/// Outputs, and what they have of parameters themselves, against differences of the fourth order.
+/// Derivatives of outputs, including their direct dependence on parameters, compared with fourth-order differences.
 #[test]
 fn derivatives_of_outputs_are_their_differences() {
     let cam = Cam::default();
@@ -139,7 +139,7 @@ fn derivatives_of_outputs_are_their_differences() {
     }
 }
 
-/// What is no state has no derivatives, and neither has a dead point.
+/// Neither an unsolved state nor a dead point has derivatives.
 #[test]
 fn a_state_of_others_is_refused() {
     let cam = Cam::default();

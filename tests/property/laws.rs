@@ -1,4 +1,4 @@
-//! The motion laws of the library are what their pages say.
+//! The motion laws of the library have the properties that their pages state.
 
 use std::f64::consts::PI;
 
@@ -8,18 +8,18 @@ use reuleaux_tests::laws::Laws;
 /// A law in closed form: value, first and second derivative.
 type Form = fn(f64) -> [f64; 3];
 
-/// What the page of a law says.
+/// Properties stated by the page of a law.
 struct Page {
     name: &'static str,
     /// Peak velocity and peak acceleration.
     peaks: [f64; 2],
-    /// How many derivatives are continuous at both ends.
+    /// Number of derivatives that are continuous at both ends.
     continuous: usize,
-    /// The formula between the ends; a law in pieces has none here.
+    /// Formula between the ends; `None` for a piecewise law.
     form: Option<Form>,
 }
 
-/// In the order of the outputs.
+/// Pages in the order of the outputs.
 fn pages() -> [Page; 6] {
     let modified = 8.0 * PI / (2.0 + PI);
     [
@@ -70,7 +70,7 @@ fn laws(u: f64) -> [[f64; 3]; 6] {
     Laws::default().outputs(&at).try_into().expect("six laws")
 }
 
-/// Numbers from 0 to 1, both included, among them all where a law changes its piece.
+/// Numbers from 0 to 1, inclusive, which contain all points where a piecewise law changes.
 fn grid() -> impl Iterator<Item = f64> {
     (0..=4000).map(|step| f64::from(step) / 4000.0)
 }
@@ -84,7 +84,7 @@ fn laws_rise_from_zero_to_one_and_stay() {
         for u in [-3.0, 2.0] {
             assert_eq!(laws(u)[law][1..], [0.0, 0.0], "{} at {u}", page.name);
         }
-        // Never backwards, but for a rounding.
+        // Monotonic up to rounding.
         for (u, next) in grid().zip(grid().skip(1)) {
             assert!(laws(next)[law][0] >= laws(u)[law][0] - f64::EPSILON, "{} at {u}", page.name);
             assert!(laws(u)[law][1] >= -1e-15, "{} at {u}", page.name);
@@ -105,7 +105,8 @@ fn laws_are_their_formulas() {
         let Some(form) = page.form else { continue };
         for u in grid().filter(|u| (1e-9..1.0 - 1e-9).contains(u)) {
             for (order, (found, exact)) in laws(u)[law].into_iter().zip(form(u)).enumerate() {
-                // The sizes of the coefficients of the 4-5-6-7 polynomial add up to 209, derived up to 7 · 209 and 42 · 209.
+                // The magnitudes of the coefficients of the 4-5-6-7 polynomial add up to 209, those of its derivatives to at most
+                // 7 · 209 and 42 · 209.
                 let allowed = f64::EPSILON * [209.0, 7.0 * 209.0, 42.0 * 209.0][order];
                 assert!((found - exact).abs() <= allowed, "{} order {order} at {u}: {found} for {exact}", page.name);
             }
@@ -116,12 +117,12 @@ fn laws_are_their_formulas() {
 #[test]
 fn laws_are_symmetric_about_their_middle() {
     for (law, page) in pages().iter().enumerate() {
-        // Multiples of 1/4096, whose complements are exact.
+        // Multiples of 1/4096, with exact complements.
         for u in (1..4096).map(|step| f64::from(step) / 4096.0) {
             let (here, there) = (laws(u)[law], laws(1.0 - u)[law]);
             assert!((here[0] + there[0] - 1.0).abs() <= 1e-14, "{} at {u}", page.name);
             assert!((here[1] - there[1]).abs() <= 1e-13, "{} at {u}", page.name);
-            // The acceleration of a law in pieces belongs to one side of the middle.
+            // The acceleration of a piecewise law at the middle belongs to one side.
             assert!((here[2] + there[2]).abs() <= 1e-12 || u == 0.5, "{} at {u}", page.name);
         }
     }
@@ -133,7 +134,7 @@ fn peaks_are_as_documented() {
         for order in [1, 2] {
             let peak = grid().map(|u| laws(u)[law][order].abs()).fold(0.0, f64::max);
             let documented = page.peaks[order - 1];
-            // The grid misses a smooth peak by at most half a step, a flat parabola there.
+            // The grid misses a smooth peak, which is a flat parabola, by at most half a step.
             assert!(peak <= documented * (1.0 + 1e-12) && peak >= documented * (1.0 - 1e-3), "{} order {order}: {peak}", page.name);
         }
     }
@@ -145,10 +146,10 @@ fn as_many_derivatives_are_continuous_as_documented() {
     for (law, page) in pages().iter().enumerate() {
         for (end, outside, side) in [(0.0, [0.0, 0.0, 0.0], 1.0), (1.0, [1.0, 0.0, 0.0], -1.0)] {
             let inside = laws(end + side * step)[law];
-            // The third derivative inside, as the acceleration grows.
+            // The third derivative inside, from the growth of the acceleration.
             let jumps = [inside[0] - outside[0], inside[1], inside[2], inside[2] / step];
             for (order, jump) in jumps.iter().enumerate() {
-                // Continuous ones are as small as the step, times derivatives of at most a thousand.
+                // A continuous derivative changes by the step times a further derivative of at most a thousand.
                 let is_continuous = jump.abs() <= 1e3 * step;
                 assert_eq!(is_continuous, order <= page.continuous, "{} order {order} at {end}: {jump}", page.name);
             }

@@ -1,4 +1,4 @@
-//! Laws that hold for every mechanism, tried at random states.
+//! Properties of every mechanism, tested at random states.
 
 mod bits;
 mod derivatives;

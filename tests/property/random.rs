@@ -3,12 +3,12 @@
 use fastrand::Rng;
 use reuleaux_tests::common::declared::{Declared, Instant};
 
-/// A number generator of its own for each declaration.
+/// A random number generator for each declaration.
 pub(crate) fn generator(name: &str) -> Rng {
     Rng::with_seed(name.bytes().fold(20_260_101, |seed, byte| seed * 31 % 1_000_000_007 + u64::from(byte)))
 }
 
-/// Between `low` and `high`.
+/// A number between `low` and `high`.
 pub(crate) fn between(rng: &mut Rng, low: f64, high: f64) -> f64 {
     low + (high - low) * rng.f64()
 }
@@ -29,7 +29,7 @@ pub(crate) fn mechanism<D: Declared>(rng: &mut Rng) -> (D, Vec<(String, f64)>) {
     (mechanism, parameters)
 }
 
-/// A time and n coordinates with their rates, which fulfil nothing.
+/// A time and n coordinates with their rates, which satisfy no equations.
 pub(crate) fn instant(rng: &mut Rng, n: usize) -> Instant {
     let mut vector = |size: f64| (0..n).map(|_| between(rng, -size, size)).collect::<Vec<f64>>();
     let (q, qd, qdd) = (vector(3.0), vector(2.0), vector(2.0));

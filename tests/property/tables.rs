@@ -9,7 +9,7 @@ use crate::random::between;
 
 const ENDS: [&str; 3] = ["periodic", "linear", "hold"];
 
-/// Points with increasing places, the last as high as the first.
+/// Points with increasing x; the last y equals the first.
 fn points(rng: &mut Rng) -> Vec<(f64, f64)> {
     let mut x = between(rng, -5.0, 5.0);
     let mut points: Vec<(f64, f64)> = Vec::new();
@@ -22,7 +22,7 @@ fn points(rng: &mut Rng) -> Vec<(f64, f64)> {
     points
 }
 
-/// The spline that the compiler makes of points.
+/// The spline that the compiler builds from points.
 fn table(points: &[(f64, f64)], ends: &str) -> Table {
     let list: Vec<String> = points.iter().map(|(x, y)| format!("({x:?}, {y:?})")).collect();
     let text = format!(
@@ -49,7 +49,7 @@ fn cubic([c0, c1, c2, c3]: [f64; 4], d: f64) -> [f64; 3] {
     [c0 + d * (c1 + d * (c2 + d * c3)), c1 + d * (2.0 * c2 + d * 3.0 * c3), 2.0 * c2 + d * 6.0 * c3]
 }
 
-/// What a difference of slopes may be: of a second derivative over the shortest interval, 0.05, terms of up to 4 / 0.05² meet.
+/// Allowed differences of value and derivatives: in a second derivative over the shortest interval, 0.05, terms of up to 4 / 0.05² cancel.
 const ALLOWED: [f64; 3] = [1e-13, 1e-11, 1e-9];
 
 fn assert_same(what: &str, left: [f64; 3], right: [f64; 3]) {
@@ -129,8 +129,8 @@ fn compiler_and_runtime_agree_bit_for_bit() {
     }
 }
 
-/// Slopes of the spline through the points with the end conditions of each kind, from second derivatives instead: the moments M
-/// solve h₀ M₀ + 2 (h₀ + h₁) M₁ + h₁ M₂ = 6 (s₁ − s₀), by Gauss elimination.
+/// Slopes of the spline through the points for each kind of end, computed independently from second derivatives: the moments M solve
+/// h₀ M₀ + 2 (h₀ + h₁) M₁ + h₁ M₂ = 6 (s₁ − s₀), by Gaussian elimination.
 fn moments(points: &[(f64, f64)], ends: &str) -> Vec<f64> {
     let n = points.len();
     let width = |i: usize| points[i + 1].0 - points[i].0;
@@ -190,7 +190,7 @@ fn emitted_tables_are_the_splines_through_their_points() {
     }
 }
 
-/// The table as it is emitted.
+/// The emitted table.
 fn emitted(table: &Table, ends: &str) -> reuleaux::Table {
     let knots: Vec<[f32; 2]> = table.knots.iter().map(|knot| reuleaux::Single::knots(&[*knot])[0]).collect();
     let coefficients: Vec<[f32; 4]> = table.coefficients.iter().map(|row| reuleaux::Single::coefficients(&[*row])[0]).collect();
@@ -211,11 +211,11 @@ fn emitted(table: &Table, ends: &str) -> reuleaux::Table {
     }
 }
 
-/// How far off value and derivatives in `f32` may be: as the page of `Table::evaluate_single` says.
+/// Allowed errors of value and derivatives in `f32`, as documented at `Table::evaluate_single`.
 fn allowed(table: &Table, ends: &str, x: f64) -> [f64; 3] {
     let (first, last) = (table.knots[0], table.knots[table.knots.len() - 1]);
     let inside = if ends == "periodic" { first + (x - first).rem_euclid(last - first) } else { x.clamp(first, last) };
-    // Rounding may choose the interval beside, which goes on as this one.
+    // Rounding may select the adjacent interval, which continues this one.
     let reached = table.knots.partition_point(|knot| *knot <= inside);
     let intervals = reached.saturating_sub(2)..(reached + 1).min(table.coefficients.len());
     let of_interval = |interval: usize| {
@@ -251,6 +251,6 @@ fn single_precision_is_off_by_rounding_only() {
             }
         }
     }
-    // The bound is not a loose one.
+    // The bound is tight to a factor of ten.
     assert!(worst > 0.1, "{worst}");
 }

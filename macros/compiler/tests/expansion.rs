@@ -1,4 +1,4 @@
-//! The expansion of a mechanism as a file. Its folder is named by an environment variable, so that a process of its own compiles.
+//! The expansion of a mechanism as a file. An environment variable names its folder, so that the test compiles in a separate process.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -12,7 +12,7 @@ fn expansion() -> TokenStream {
     reuleaux_compiler::mechanism(DECLARATION.parse().expect("tokens"))
 }
 
-/// What the process of its own does.
+/// Run in the separate process.
 #[test]
 fn compiles_one() {
     let expansion = expansion();
@@ -20,7 +20,7 @@ fn compiles_one() {
     assert!(syn::parse2::<syn::File>(expansion).is_ok());
 }
 
-/// What is printed by a process that compiles with a folder for expansions.
+/// Output of a process that compiles with a folder for expansions.
 fn compiled_with(folder: &Path) -> String {
     let this = std::env::current_exe().expect("this program");
     let made = Command::new(this).args(["--exact", "compiles_one", "--nocapture"]).env("REULEAUX_EXPAND", folder).output();

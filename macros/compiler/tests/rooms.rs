@@ -1,6 +1,6 @@
-//! The rooms of the compiler stand in one order, and each uses only those below it.
+//! The rooms of the compiler are ordered, and each uses only those below it.
 //!
-//! Two things are read from the sources: every `crate::room` that a file names, and the `use` items of each file, from which circles of
+//! Two properties are read from the sources: every `crate::room` that a file names, and the `use` items of each file, in which cycles of
 //! files are found.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -33,7 +33,7 @@ const ROOMS: [&str; 19] = [
     "compile",
 ];
 
-/// Files that use each other in a circle, at most.
+/// Largest number of files in a cycle.
 const LARGEST_CIRCLE: usize = 9;
 
 #[test]
@@ -162,7 +162,7 @@ fn place(room: &str) -> Option<usize> {
     ROOMS.iter().position(|other| *other == room)
 }
 
-/// `model` of `model/names.rs`
+/// The room of a file: `model` for `model/names.rs`.
 fn room(file: &str) -> &str {
     file.split('/').next().unwrap_or(file).trim_end_matches(".rs")
 }
@@ -184,13 +184,13 @@ fn sources() -> Vec<(String, String)> {
     found
 }
 
-/// `["model", "names"]` of `model/names.rs`, `["model"]` of `model/mod.rs`
+/// The module of a file: `["model", "names"]` for `model/names.rs`, `["model"]` for `model/mod.rs`.
 fn module(file: &str) -> Vec<String> {
     let path = file.trim_end_matches(".rs").trim_end_matches("/mod");
     path.split('/').map(str::to_owned).filter(|part| part != "lib").collect()
 }
 
-/// The groups of files that use each other.
+/// Cycles: groups of files that use each other.
 fn circles() -> Vec<Vec<String>> {
     let tree = Tree::new();
     let uses: Vec<BTreeSet<usize>> = (0..tree.names.len()).map(|file| tree.used(file)).collect();
@@ -215,11 +215,11 @@ fn reached(uses: &[BTreeSet<usize>], file: usize) -> BTreeSet<usize> {
     found
 }
 
-/// All files, with what they use.
+/// All files with the paths they use.
 struct Tree {
     names: Vec<String>,
     modules: BTreeMap<Vec<String>, usize>,
-    /// The paths of the `use` items of each file; of those that re-export something, and of the others.
+    /// Paths of the `use` items of each file: re-exports, and others.
     uses: Vec<[Vec<Vec<String>>; 2]>,
 }
 
@@ -240,12 +240,12 @@ impl Tree {
         Tree { uses: uses.collect(), modules, names: sources.into_iter().map(|(name, _)| name).collect() }
     }
 
-    /// The files that a file uses.
+    /// Files that a file uses.
     fn used(&self, file: usize) -> BTreeSet<usize> {
         self.uses[file][1].iter().filter_map(|path| self.target(file, path)).filter(|other| *other != file).collect()
     }
 
-    /// The file in which a path ends, re-exports gone through.
+    /// The file that a path leads to, through re-exports.
     fn target(&self, file: usize, path: &[String]) -> Option<usize> {
         let own = module(&self.names[file]);
         let up = path.iter().take_while(|part| *part == "super").count();
@@ -263,7 +263,7 @@ impl Tree {
     }
 }
 
-/// The paths of a tree.
+/// Collects the paths of a `use` tree.
 fn spread(tree: &UseTree, before: Vec<String>, paths: &mut Vec<Vec<String>>) {
     match tree {
         UseTree::Path(path) => spread(&path.tree, [before, vec![path.ident.to_string()]].concat(), paths),

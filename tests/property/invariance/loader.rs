@@ -5,12 +5,12 @@ pub(super) fn declaration(items: &[&str]) -> String {
     format!("pub mechanism Loader {{ {} }}", items.join("\n"))
 }
 
-/// All items, in the order of a careful person.
+/// All items, in the usual order.
 pub(super) fn items() -> Vec<&'static str> {
     [&OTHERS[..], &BODIES[..], &JOINTS[..]].concat()
 }
 
-/// Values for parameters that come in this order.
+/// Values of the parameters with these names, in order.
 pub(super) fn values(names: &[String]) -> Vec<f64> {
     names.iter().map(|name| if name.starts_with("reach") { 1.3 } else { 0.4 }).collect()
 }
@@ -22,7 +22,7 @@ pub(super) const BODIES: [&str; 4] = [
     "body rod { point L = (0, 0); start position = (1.19, -0.2); start angle = 0.57; }",
     "body link { point K = (0, 0); point E = (0.5, 0); start angle = 1.2; }",
 ];
-/// Their joints and drives.
+/// Joints and drives of the loader.
 pub(super) const JOINTS: [&str; 7] = [
     "joint p = revolute(ground.P, boom.P);",
     "joint l1 = revolute(ground.L, barrel.L);",
@@ -32,7 +32,7 @@ pub(super) const JOINTS: [&str; 7] = [
     "joint k = revolute(boom.K, link.K);",
     "drive tilting = drive_relative_angle(boom, link, 1.2 + swing * sin(speed * t));",
 ];
-/// Everything else.
+/// All other items.
 pub(super) const OTHERS: [&str; 8] = [
     "ground { point P = (0, 0); point L = (0.1, -0.9); }",
     "param reach: Length = 1.2;",

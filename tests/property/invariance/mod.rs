@@ -1,5 +1,4 @@
-//! What must not matter: where a mechanism stands, in which order and under which names it is declared, which side of a joint is
-//! named first, and in which units.
+//! Invariances: position of a mechanism, order and names of its declaration, order of a joint's sides, units.
 
 mod loader;
 mod motion;
@@ -13,12 +12,12 @@ mod units;
 use proptest::test_runner::{Config, RngSeed};
 use reuleaux::State;
 
-/// This many cases, the same on every run.
+/// Configuration with this number of cases, reproducible.
 fn cases(cases: u32) -> Config {
     Config { cases, failure_persistence: None, rng_seed: RngSeed::Fixed(1876), ..Config::default() }
 }
 
-/// The largest difference of q, q̇ and q̈, relative to the largest entry.
+/// Largest difference of q, q̇ and q̈, relative to the largest entry.
 fn difference<const N: usize>(one: &State<f64, N>, two: &State<f64, N>) -> f64 {
     let vectors = [(one.q, two.q), (one.qd, two.qd), (one.qdd, two.qdd)];
     vectors.into_iter().map(|(one, two)| (one - two).amax() / one.amax().max(1.0)).fold(0.0, f64::max)

@@ -1,4 +1,4 @@
-//! A mechanism that is carried somewhere else as a whole moves as before.
+//! A mechanism that is moved as a whole has the same motion.
 
 use proptest::prelude::*;
 use reuleaux::nalgebra::{Rotation2, Vector2};
@@ -8,7 +8,7 @@ use reuleaux_tests::stress::FourBar;
 use super::{cases, difference};
 
 declared! {
-    /// A crank with a slider on one guide and a follower arm at a fixed distance, everything carried to a place and turned.
+    /// A crank with a slider on one guide and a follower arm at a fixed distance, moved and rotated as a whole.
     Carried (place_x: Length = 0, place_y: Length = 0, turn: Angle = 0, crank_length: Length = 0.1, speed: AngularVelocity = 3) {
         let c = cos(turn);
         let s = sin(turn);
@@ -34,7 +34,7 @@ declared! {
     }
 }
 
-/// A state as it looks after the whole has been turned about the origin and then moved.
+/// A state after rotating the whole about the origin and then translating it.
 fn carried<const N: usize>(state: &reuleaux::State<f64, N>, place: Vector2<f64>, turn: f64) -> reuleaux::State<f64, N> {
     let mut moved = state.clone();
     let rotation = Rotation2::new(turn);
@@ -52,7 +52,7 @@ fn carried<const N: usize>(state: &reuleaux::State<f64, N>, place: Vector2<f64>,
 proptest! {
     #![proptest_config(cases(64))]
 
-    /// The start is carried along as the guess.
+    /// The start is moved too, as the guess.
     #[test]
     fn a_mechanism_with_every_joint_moves_the_same_elsewhere(
         (x, y, turn) in (-3.0..3.0, -3.0..3.0, -3.0..3.0), crank_length in 0.05..0.12, speed in -4.0..4.0, t in 0.0..2.0
@@ -64,7 +64,7 @@ proptest! {
         let (moved, later) = (there.solve_from(t, &origin).unwrap(), here.solve_from(t, &first).unwrap());
         let expected = carried(&later, Vector2::new(x, y), turn);
         let difference = difference(&moved, &expected);
-        // Places of about 3 m are rounded by 4e-16 m, which is 4e-15 of the crank, and accelerations are about 10 of the unit.
+        // Positions of about 3 m are rounded by 4e-16 m, which is 4e-15 of the crank; accelerations are about 10 in these units.
         prop_assert!(difference <= 1e-12, "{difference:e}");
         prop_assert_eq!(moved.branch, expected.branch);
         let tip = there.tip(&moved);

@@ -1,4 +1,4 @@
-//! Names are only names.
+//! Names have no effect.
 
 use fastrand::Rng;
 use proptest::prelude::*;
@@ -8,11 +8,11 @@ use super::cases;
 use super::loader::{declaration, items, values};
 use crate::random::instant;
 
-/// Names that the declaration gives: of bodies, an axis, joints, parameters, `let`s, a function, an output.
+/// Names in the declaration: of bodies, an axis, joints, parameters, `let`s, a function, an output.
 const NAMES: [&str; 14] =
     ["boom", "barrel", "rod", "link", "along", "cylinder", "lifting", "tilting", "reach", "swing", "phase", "stroke", "length", "tip"];
 
-/// The text with every word that is one of the names followed by `tail`.
+/// The text with `tail` appended to every word that is one of the names.
 fn renamed(text: &str, tail: &str) -> String {
     let is_in_word = |letter: char| letter.is_alphanumeric() || letter == '_';
     let ends = text.split_inclusive(|letter| !is_in_word(letter));

@@ -1,4 +1,4 @@
-//! Items may stand in any order.
+//! The order of items has no effect.
 
 use fastrand::Rng;
 use proptest::prelude::*;
@@ -9,17 +9,17 @@ use super::cases;
 use super::loader::{BODIES, JOINTS, declaration, items, values};
 use crate::random::instant;
 
-/// Of each of these items the place it has in the other list.
+/// Position of each of these items in the other list.
 fn places(of: &[&str], list: &[&str]) -> Vec<usize> {
     of.iter().filter_map(|item| list.iter().position(|known| known == item)).collect()
 }
 
-/// The coordinates of bodies put in another order.
+/// The coordinates in another order of the bodies.
 fn bodies_in<T: Copy>(order: &[usize], of: &[T]) -> Vec<T> {
     order.iter().flat_map(|body| of[3 * body..3 * body + 3].to_vec()).collect()
 }
 
-/// The rows of each joint of the loader.
+/// Rows of each joint of the loader.
 fn rows_of_joints() -> Vec<Vec<usize>> {
     let mut next = 0;
     let rows = JOINTS.map(|joint| {

@@ -1,4 +1,4 @@
-//! Lengths times a factor: places times that factor, angles as before.
+//! Lengths times a factor: positions scale by the factor, angles stay.
 
 use proptest::prelude::*;
 use reuleaux::State;
@@ -35,7 +35,7 @@ proptest! {
         prop_assert!(difference(&small, &back) <= 1e-14 * small.condition, "{:e}", difference(&small, &back));
     }
 
-    /// Multiplying by a power of two is exact, and so is everything that follows from it.
+    /// Multiplication by a power of two is exact, and so are all results.
     #[test]
     fn a_slider_crank_of_twice_the_size_has_the_same_bits(power in -20..20, angle in 0.1..3.0, rod in 1.2..4.0, speed in -3.0..3.0) {
         let factor = f64::from(power).exp2();
@@ -50,7 +50,7 @@ proptest! {
         prop_assert_eq!(scaled(&again, factor).qdd, two.qdd);
     }
 
-    /// Time counts as well: twice the speed is twice the rates and four times the accelerations, at half the time.
+    /// Time scales as well: twice the speed gives twice the rates and four times the accelerations, at half the time.
     #[test]
     fn speed_scales_rates_and_accelerations(angle in -3.0..3.0, speed in 0.1..3.0, t in 0.0..2.0) {
         let (slow, fast) = (four_bar(1.0, angle, speed), four_bar(1.0, angle, 2.0 * speed));

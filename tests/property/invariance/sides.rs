@@ -1,4 +1,4 @@
-//! Which side of a joint is named first does not matter.
+//! The order of a joint's sides has no effect.
 
 use fastrand::Rng;
 use reuleaux_tests::common::declared::Rows;
@@ -6,7 +6,7 @@ use reuleaux_tests::common::interpreter::Interpreter;
 
 use crate::random::instant;
 
-/// A joint and the same with its sides exchanged, and by what Φ is multiplied then.
+/// A joint, the joint with its sides exchanged, and the resulting factor of Φ.
 const EXCHANGED: [(&str, &str, f64); 13] = [
     ("joint it = revolute(a.P, b.Q);", "joint it = revolute(b.Q, a.P);", -1.0),
     ("joint it = weld(a.P, b.Q, 0.7);", "joint it = weld(b.Q, a.P, -0.7);", -1.0),

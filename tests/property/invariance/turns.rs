@@ -1,4 +1,4 @@
-//! Crank-rockers of all shapes come back after whole turns.
+//! Crank-rockers of all shapes return after whole turns.
 
 use std::f64::consts::TAU;
 
@@ -16,7 +16,7 @@ proptest! {
         crank in 0.1..0.8, (coupler, rocker, base) in (1.2..2.0, 1.2..2.0, 1.2..2.0),
         speed in prop_oneof![-9.0..-0.5, 0.5..9.0], steps in 1..40
     ) {
-        // Grashof: the crank is the shortest link, and with the longest it is shorter than the other two together.
+        // Grashof: the shortest link, the crank, plus the longest is shorter than the other two together.
         let longest = f64::max(coupler, f64::max(rocker, base));
         prop_assume!(crank + longest < 0.98 * (coupler + rocker + base - longest));
         let links = FourBar { ground_D_x: base, crank_B_x: crank, coupler_C_x: coupler, rocker_C_x: rocker, ..Default::default() };
@@ -30,7 +30,7 @@ proptest! {
         }
         let mut unwound = state.clone();
         unwound.0.q[2] -= 3.0 * TAU * speed.signum();
-        // 6π is rounded by 2e-15, which the joints multiply by the condition.
+        // 6π is rounded by 2e-15, which the joints amplify by the condition number.
         let allowed = 1e-13 * start.condition * (1.0 + speed * speed);
         prop_assert!(difference(&start, &unwound) <= allowed, "{:e} > {allowed:e}", difference(&start, &unwound));
         for step in (0..steps).rev() {

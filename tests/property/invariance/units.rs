@@ -1,4 +1,4 @@
-//! The same quantity in another unit is the same double.
+//! A quantity is the same double in every unit.
 
 use fastrand::Rng;
 use proptest::prelude::*;
@@ -17,7 +17,7 @@ proptest! {
     ) {
         let declaration = |length: &dyn Fn(u32) -> String, angle: String, speed: String, second: &str| {
             let [a, b, c, d] = [a, b, c, d].map(length);
-            // Not all of these close, and they need not.
+            // Some of these do not close, and need not.
             let text = loader::declaration(&[
                 &format!("ground {{ point A = (0, 0); point D = ({d}, 0); }}"),
                 &format!("body crank {{ point A = (0, 0); point B = ({a}, 0); }}"),

@@ -1,16 +1,16 @@
-//! What random mechanisms are made of: cranks, dyads, gears, belts, racks and slides, each attached to what stands already.
+//! Elements of random mechanisms: cranks, dyads, gears, belts, racks and slides, each attached to existing bodies.
 //!
-//! Every element has as many equations as coordinates and is well away from its dead points at t = 0, so that the whole can be
-//! assembled, in one way near its start.
+//! Every element has as many equations as coordinates and is well away from its dead points at t = 0, so that the mechanism has a unique
+//! assembly near its start.
 
 use super::model::{Model, Place, Sort, Vector, between, length, one, sum, turned, way};
 use fastrand::Rng;
 use std::f64::consts::PI;
 
-/// How far a dyad stays from being stretched or folded: of the distance that it spans.
+/// Smallest distance of a dyad from its stretched or folded configuration, relative to the distance that it spans.
 const MARGIN: f64 = 0.15;
 
-/// The nearest that two points are which a dyad spans, m.
+/// Smallest distance that a dyad spans, m.
 const NEAREST: f64 = 0.02;
 
 const DYAD: &str = "component Dyad(P: Point, Q: Point, a: Length, b: Length, one: Angle, other: Angle) { \
@@ -18,7 +18,7 @@ const DYAD: &str = "component Dyad(P: Point, Q: Point, a: Length, b: Length, one
     body second { axis u = (0.8, 0.6); point end = (b, 0mm); start angle = other; } \
     joint p = revolute(P, first.position); joint q = revolute(Q, second.position); joint knee = revolute(first.end, second.end); }";
 
-/// A mechanism of random elements in random order; it has a crank and a dyad at least.
+/// A mechanism of random elements in random order, with at least a crank and a dyad.
 pub(super) fn random(rng: &mut Rng) -> Model {
     let mut model = Model { says_where: rng.u8(..4) > 0, ..Model::default() };
     ground(&mut model, rng);
@@ -54,7 +54,7 @@ fn ground(model: &mut Model, rng: &mut Rng) {
     model.item(Sort::Other, "ground", &format!("ground {{ {} axis u = (1, 0); }}", points.join(" ")), &[]);
 }
 
-/// `body name { … }` with a point or two and perhaps a start.
+/// `body name { … }` with one or two points and sometimes a start.
 fn body(model: &mut Model, rng: &mut Rng, words: &[&str], origin: Vector, angle: f64, follows: &[usize], start: &str) -> usize {
     let name = model.name(rng, words);
     let body = model.body(&name, origin, angle, follows);
@@ -64,7 +64,7 @@ fn body(model: &mut Model, rng: &mut Rng, words: &[&str], origin: Vector, angle:
         model.place(body, point, at);
         text += &format!(" point {point} = {};", model.pair(rng, at));
     }
-    // What is said of the start already, and all of it where the model says where its bodies are.
+    // The given part of the start; completed if the model declares all positions.
     text += &format!(" {start}");
     if model.says_where && !start.contains("start position") {
         text += &format!(" start position = {};", model.pair(rng, origin));
@@ -95,11 +95,11 @@ fn crank(model: &mut Model, rng: &mut Rng) {
     let body = body(model, rng, &["crank", "arm", "Lever", "wheel"], hinge.at, phase, &[hinge.body], "");
     let name = path(model, body);
     model.joint(rng, &format!("revolute({}, {name}.position)", hinge.path), &[hinge.body, body]);
-    // A crank on a gear that has gone round would be declared to a whole number of turns, so its angle is that against ground.
+    // The angle of a crank on a gear that has turned would be declared only up to whole turns; it is therefore driven relative to ground.
     model.drive(rng, &format!("drive_angle({name}, {} + {speed}rpm * t)", degrees(phase)), &[body]);
 }
 
-/// Two bars with three pins between two points; gives whether there was room for them.
+/// Two bars with three pins between two points; true if there was room for them.
 fn dyad(model: &mut Model, rng: &mut Rng, is_part: bool) -> bool {
     let (p, q) = (somewhere(model, rng), somewhere(model, rng));
     let (span, base) = (length(way(p.at, q.at)), direction(way(p.at, q.at)));
@@ -109,7 +109,7 @@ fn dyad(model: &mut Model, rng: &mut Rng, is_part: bool) -> bool {
     let a = span * between(rng, 0.6, 1.5);
     let (shortest, longest) = ((1.0 + MARGIN) * span - a, a + (1.0 - MARGIN) * span);
     let b = between(rng, shortest.max(a - (1.0 - MARGIN) * span).max(0.2 * span), longest);
-    // The cosine rule, with the knee on either side.
+    // Law of cosines, with the knee on either side.
     let side = if rng.bool() { 1.0 } else { -1.0 };
     let at_p = base + side * ((a * a + span * span - b * b) / (2.0 * a * span)).acos();
     let knee = sum(p.at, turned([a, 0.0], at_p));
@@ -165,7 +165,7 @@ fn slider_dyad(model: &mut Model, rng: &mut Rng) {
     model.joint(rng, &guide, &[line.body, slider]);
 }
 
-/// A gear or a pulley on ground that another body turns.
+/// A gear or a pulley on ground, turned by another body.
 pub(super) fn meshing(model: &mut Model, rng: &mut Rng) {
     let hub = one(rng, &model.places[..4]).clone();
     let turning = rng.usize(1..model.bodies.len());
@@ -179,7 +179,7 @@ pub(super) fn meshing(model: &mut Model, rng: &mut Rng) {
     model.joint(rng, &format!("{kind}({driver}, {name}, {sizes})"), &[turning, wheel]);
 }
 
-/// A rack on ground that another body pushes.
+/// A rack on ground, pushed by another body.
 fn rack(model: &mut Model, rng: &mut Rng) {
     let origin = one(rng, &model.places[..4]).clone();
     let turning = rng.usize(1..model.bodies.len());
@@ -192,7 +192,7 @@ fn rack(model: &mut Model, rng: &mut Rng) {
     model.joint(rng, &mesh, &[turning, rack]);
 }
 
-/// A slide along another body that is moved by a law of time.
+/// A slide along another body, moved by a law of time.
 fn slide(model: &mut Model, rng: &mut Rng) {
     let line = somewhere(model, rng);
     let (along, angle, far) = (axis(model, line.body), model.bodies[line.body].angle, between(rng, -0.1, 0.1));
@@ -223,7 +223,7 @@ fn row(model: &mut Model, rng: &mut Rng) {
     model.item(Sort::Other, &name, &text, &[]);
 }
 
-/// Where some point is, and how some body lies.
+/// Outputs: the position of a point and the orientation of a body.
 fn output(model: &mut Model, rng: &mut Rng) {
     let (place, body) = (somewhere(model, rng), rng.usize(1..model.bodies.len()));
     let name = path(model, body);
@@ -231,12 +231,12 @@ fn output(model: &mut Model, rng: &mut Rng) {
     model.item(Sort::Other, "turn", &format!("output turn = {name}.angle;"), &[]);
 }
 
-/// The axis `u` of a body as it lies at t = 0: along x in ground, (0.8, 0.6) elsewhere.
+/// The axis `u` of a body at t = 0: along x in ground, (0.8, 0.6) elsewhere.
 fn axis(model: &Model, body: usize) -> Vector {
     turned(if body == 0 { [1.0, 0.0] } else { [0.8, 0.6] }, model.bodies[body].angle)
 }
 
-/// The angle of a vector against the x axis.
+/// Angle of a vector from the x axis.
 fn direction([x, y]: Vector) -> f64 {
     y.atan2(x)
 }

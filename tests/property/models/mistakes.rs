@@ -1,10 +1,10 @@
-//! One mistake in a model that is right, of the kinds that are made at a desk.
+//! One typical mistake in a valid model.
 
 use super::elements::meshing;
 use super::model::{Item, Model, Sort, one};
 use fastrand::Rng;
 
-/// What is wrong.
+/// Kind of mistake.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Kind {
     UnknownName,
@@ -41,7 +41,7 @@ pub(super) const KINDS: &[Kind] = &[
 ];
 
 impl Kind {
-    /// Makes the mistake; gives the words of which the refusal has to say one.
+    /// Makes the mistake; returns words, one of which the refusal must contain.
     pub(super) fn put_into(self, model: &mut Model, rng: &mut Rng) -> Vec<String> {
         match self {
             Kind::UnknownName => unknown_name(model, rng),
@@ -69,7 +69,7 @@ fn words(words: &[&str]) -> Vec<String> {
     words.iter().map(|word| (*word).to_owned()).collect()
 }
 
-/// Items that are wrong together.
+/// Adds items that are wrong together.
 fn added(model: &mut Model, items: &[&str], guilty: &[&str]) -> Vec<String> {
     for item in items {
         model.item(Sort::Other, "", item, &[]);
@@ -77,32 +77,32 @@ fn added(model: &mut Model, items: &[&str], guilty: &[&str]) -> Vec<String> {
     words(guilty)
 }
 
-/// An item of a sort that no other one mentions.
+/// An item of a kind that no other item mentions.
 fn any(model: &Model, rng: &mut Rng, sort: Sort) -> usize {
     let all: Vec<usize> = (0..model.items.len()).filter(|item| model.items[*item].sort == sort && !model.items[*item].is_used).collect();
     *one(rng, &all)
 }
 
-/// A joint to something that is not there.
+/// A joint to an undeclared body.
 fn unknown_name(model: &mut Model, rng: &mut Rng) -> Vec<String> {
     let index = any(model, rng, Sort::Joint);
     let moving: Vec<usize> = model.items[index].bodies.iter().copied().filter(|body| *body > 0).collect();
     let path = &model.bodies[*one(rng, &moving)].path;
-    // The last word of the path, which an index may follow.
+    // The last word of the path, without its index.
     let (whole, index_of_it) = path.split_at(path.find('[').unwrap_or(path.len()));
     let item = &mut model.items[index];
     item.text = item.text.replacen(path, &format!("{whole}_{index_of_it}"), 1);
     vec![format!("`{}_`", whole.rsplit('.').next().unwrap_or(whole))]
 }
 
-/// What was held comes loose, and all that it carries.
+/// Removes an item: what it held becomes loose, with everything carried by it.
 fn dropped(model: &mut Model, rng: &mut Rng, sort: Sort) -> Vec<String> {
     let index = any(model, rng, sort);
     let Item { bodies, .. } = model.items.remove(index);
     model.carried(&bodies.into_iter().filter(|body| *body > 0).collect::<Vec<_>>())
 }
 
-/// The same once more, under another name; of drives with another law.
+/// Duplicates an item under another name; a drive with another law.
 fn doubled(model: &mut Model, rng: &mut Rng, sort: Sort) -> Vec<String> {
     let index = any(model, rng, sort);
     let Item { name, text, bodies, .. } = model.items[index].clone();
@@ -122,7 +122,7 @@ fn wrong_dimension(model: &mut Model, rng: &mut Rng) -> Vec<String> {
     vec![item.name.clone()]
 }
 
-/// A gear or a pulley of no size.
+/// A gear or a pulley of radius zero.
 fn zero_radius(model: &mut Model, rng: &mut Rng) -> Vec<String> {
     meshing(model, rng);
     let item = model.items.last_mut().expect("the mesh was added");
@@ -132,7 +132,7 @@ fn zero_radius(model: &mut Model, rng: &mut Rng) -> Vec<String> {
     vec![item.name.clone()]
 }
 
-/// A name for two things.
+/// One name for two items.
 fn duplicated(model: &mut Model, rng: &mut Rng) -> Vec<String> {
     let index = any(model, rng, Sort::Body);
     let name = model.items[index].name.clone();
@@ -140,7 +140,7 @@ fn duplicated(model: &mut Model, rng: &mut Rng) -> Vec<String> {
     added(model, &[&sort.replace("{}", &name)], &[&format!("`{name}` is taken")])
 }
 
-/// A parallelogram on three cranks, of which one would do for two.
+/// A parallelogram on three cranks, one of which is redundant.
 fn third_crank(model: &mut Model) -> Vec<String> {
     let cranks = ["fore", "mid", "aft"].map(|name| {
         let at = match name {
@@ -172,7 +172,7 @@ fn short_dyad(model: &mut Model) -> Vec<String> {
     added(model, &items, &["near_pin", "far_pin", "knee"])
 }
 
-/// A carriage on two parallel rails: what the one demands of its angle, the other demands as well.
+/// A carriage on two parallel rails: both determine its angle.
 fn parallel_guides(model: &mut Model) -> Vec<String> {
     let items = [
         "body carriage { point P = (100mm, 75mm); }",

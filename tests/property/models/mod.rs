@@ -1,6 +1,6 @@
-//! Models that are right are accepted, models with one mistake are refused for it: a thousand of each, without rustc.
+//! Valid models are accepted, and models with one mistake are refused for it: a thousand of each, without rustc.
 //!
-//! Seeds are fixed, so that a failure here is found again; it shows the whole declaration.
+//! Seeds are fixed, so that a failure is reproducible; it prints the whole declaration.
 
 mod elements;
 mod mistakes;
@@ -17,7 +17,7 @@ use reuleaux_compiler::{Compiled, compile};
 use std::num::NonZero;
 use std::thread;
 
-/// How many models of each sort are tried.
+/// Number of models of each kind.
 const MODELS: u64 = 1000;
 
 fn compiled(source: &str) -> Result<Compiled, Vec<Refusal>> {
@@ -37,7 +37,7 @@ fn what_can_be_assembled_is_accepted() {
             Err(refusals) => panic!("seed {seed} is refused:\n{}\nin\n{source}", shown(&refusals, &source)),
         }
     };
-    // Assembling takes most of the time, and is done on all processors.
+    // Assembly takes most of the time, and runs on all processors.
     let threads = thread::available_parallelism().map_or(1, NonZero::get);
     thread::scope(|scope| {
         for first in 0..threads as u64 {
@@ -46,7 +46,7 @@ fn what_can_be_assembled_is_accepted() {
     });
 }
 
-/// How many motions are followed.
+/// Number of motions followed.
 const MOTIONS: u64 = 80;
 
 #[test]
@@ -58,7 +58,7 @@ fn motions_end_where_it_is_said_and_nowhere_else() {
         all.into_iter().flat_map(|judged| judged.join().expect("a motion is as it is said")).collect::<Vec<Verdict>>()
     });
     let count = |verdict: Verdict| judged.iter().filter(|judged| **judged == verdict).count();
-    // Few are too hard to be judged.
+    // Only few are too hard to decide.
     assert!(count(Verdict::GoesOn) > 5 && count(Verdict::Ends) > 20 && count(Verdict::Open) < 20, "{judged:?}");
 }
 
@@ -72,7 +72,7 @@ fn one_mistake_gives_one_error_that_names_it() {
         let refusals = compiled(&source).err().unwrap_or_default();
         let shown = shown(&refusals, &source);
         assert_eq!(refusals.len(), 1, "{kind:?} with seed {seed} gives one error:\n{shown}\nin\n{source}");
-        // What a user reads: the words of the message, and the line that is marked.
+        // The text that a user reads: the message, and the marked line.
         assert!(
             guilty.iter().any(|name| shown.contains(name.as_str())),
             "{kind:?} with seed {seed} names one of {guilty:?}:\n{shown}\nin\n{source}"

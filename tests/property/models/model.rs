@@ -1,4 +1,4 @@
-//! A declaration that is built up item by item, together with where everything is at t = 0.
+//! A declaration built item by item, together with all positions at t = 0.
 
 use fastrand::Rng;
 use std::fmt::Write;
@@ -10,13 +10,13 @@ pub(super) fn sum(a: Vector, b: Vector) -> Vector {
     [a[0] + b[0], a[1] + b[1]]
 }
 
-/// The vector turned to the left by an angle in radians.
+/// The vector rotated anticlockwise by an angle in radians.
 pub(super) fn turned([x, y]: Vector, angle: f64) -> Vector {
     let (sin, cos) = angle.sin_cos();
     [x * cos - y * sin, x * sin + y * cos]
 }
 
-/// From one place to another.
+/// Vector from one position to another.
 pub(super) fn way(from: Vector, to: Vector) -> Vector {
     [to[0] - from[0], to[1] - from[1]]
 }
@@ -30,74 +30,74 @@ pub(super) fn between(rng: &mut Rng, low: f64, high: f64) -> f64 {
     low + (high - low) * rng.f64()
 }
 
-/// One of many.
+/// A random entry of a list.
 pub(super) fn one<'a, T>(rng: &mut Rng, many: &'a [T]) -> &'a T {
     &many[rng.usize(..many.len())]
 }
 
-/// What an item is.
+/// Kind of an item.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Sort {
     Body,
     Joint,
     Drive,
-    /// A parameter, a loop, a component, a part, ground: left as they are.
+    /// A parameter, a loop, a component, a part or ground, which are not changed.
     Other,
 }
 
-/// A line of the declaration.
+/// An item of the declaration.
 #[derive(Clone, Debug)]
 pub(super) struct Item {
     pub(super) sort: Sort,
     pub(super) name: String,
-    /// The whole item.
+    /// Text of the whole item.
     pub(super) text: String,
-    /// The bodies that it is about.
+    /// Bodies that it concerns.
     pub(super) bodies: Vec<usize>,
-    /// Another item has its name in it.
+    /// True if another item mentions its name.
     pub(super) is_used: bool,
 }
 
-/// A body, or ground, which is the first.
+/// A body; the first one is ground.
 #[derive(Clone, Debug)]
 pub(super) struct Body {
-    /// The way to it, such as `dyad3.first`.
+    /// Path of the body, such as `dyad3.first`.
     pub(super) path: String,
     pub(super) origin: Vector,
     pub(super) angle: f64,
-    /// The bodies whose motion it follows.
+    /// Bodies whose motion it follows.
     pub(super) follows: Vec<usize>,
 }
 
-/// A point that something can be attached to.
+/// A point to which elements can be attached.
 #[derive(Clone, Debug)]
 pub(super) struct Place {
     pub(super) path: String,
     pub(super) body: usize,
-    /// Where it is at t = 0.
+    /// Position at t = 0.
     pub(super) at: Vector,
 }
 
-/// A mechanism on its way.
+/// A mechanism under construction.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Model {
     pub(super) items: Vec<Item>,
     pub(super) bodies: Vec<Body>,
     pub(super) places: Vec<Place>,
-    /// Every body says where it is at t = 0; else the compiler has to find out where what is not said is.
+    /// True if every body declares its position at t = 0; otherwise the compiler must find undeclared positions.
     pub(super) says_where: bool,
-    /// Numbers given to names so far.
+    /// Number of names given so far.
     pub(super) named: usize,
 }
 
 impl Model {
-    /// A name that nothing has yet, and that is not the beginning of another one.
+    /// A new name that is not the beginning of another one.
     pub(super) fn name(&mut self, rng: &mut Rng, words: &[&str]) -> String {
         self.named += 1;
         format!("{}{:03}", one(rng, words), self.named)
     }
 
-    /// A length as it is written: in some unit, or as a parameter of its own.
+    /// A length as text: in some unit, or as a parameter of its own.
     pub(super) fn length(&mut self, rng: &mut Rng, metres: f64) -> String {
         let (unit, worth) = *one(rng, &[("mm", 1e-3), ("mm", 1e-3), ("cm", 1e-2), ("m", 1.0), ("in", 0.0254)]);
         let written = format!("{:.7}{unit}", metres / worth);
@@ -132,20 +132,20 @@ impl Model {
         self.item(Sort::Drive, &name, &format!("drive {name} = {constraint};"), bodies);
     }
 
-    /// A body that is known to stand somewhere; its declaration is an item of its own.
+    /// Adds a body with a known position; its declaration is an item of its own.
     pub(super) fn body(&mut self, path: &str, origin: Vector, angle: f64, follows: &[usize]) -> usize {
         self.bodies.push(Body { path: path.to_owned(), origin, angle, follows: follows.to_vec() });
         self.bodies.len() - 1
     }
 
-    /// A point of a body, by its name and its place in the body's frame.
+    /// Adds a point of a body, by its name and its position in the body's frame.
     pub(super) fn place(&mut self, body: usize, name: &str, local: Vector) {
         let Body { path, origin, angle, .. } = &self.bodies[body];
         let (path, at) = (format!("{path}.{name}"), sum(*origin, turned(local, *angle)));
         self.places.push(Place { path, body, at });
     }
 
-    /// All bodies that move with one of these, and these.
+    /// These bodies and all bodies that move with them.
     pub(super) fn carried(&self, bodies: &[usize]) -> Vec<String> {
         let mut moves = vec![false; self.bodies.len()];
         for (index, body) in self.bodies.iter().enumerate().skip(1) {
@@ -154,9 +154,9 @@ impl Model {
         self.bodies.iter().zip(moves).filter(|(_, moves)| *moves).map(|(body, _)| body.path.clone()).collect()
     }
 
-    /// The whole mechanism, an item a line.
+    /// The whole mechanism, one item per line.
     pub(super) fn declaration(&self) -> String {
-        // Most of these linkages cannot turn round.
+        // Most of these linkages cannot make a full turn.
         let mut text = "#[closure(start)]\npub mechanism Random {\n".to_owned();
         for item in &self.items {
             let _ = writeln!(text, "    {}", item.text);

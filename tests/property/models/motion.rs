@@ -1,4 +1,4 @@
-//! A motion that is said to go on does, and one that is said to end does so there and then: by tiny steps of all equations at once.
+//! Compares the reported motion with tiny steps of all equations at once: it continues, or ends where the compiler says.
 
 use super::{compiled, elements};
 use fastrand::Rng;
@@ -7,22 +7,22 @@ use reuleaux_compiler::diag::{AssemblyFact, Fact};
 use reuleaux_compiler::expr::{Evaluator, Expr, Values};
 use reuleaux_compiler::model::Function;
 
-/// Steps for the whole range, at least.
+/// Smallest number of steps for the whole range.
 const STEPS: f64 = 400.0;
 
-/// How much a step corrects its prediction at most, in m or rad.
+/// Largest correction of a prediction, in m or rad.
 const SURPRISE: f64 = 0.02;
 
-/// What became of a model.
+/// Result for a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Verdict {
     GoesOn,
     Ends,
-    /// Nothing is said of it.
+    /// The compiler makes no statement.
     Open,
 }
 
-/// Compares what the compiler says of the motion of a random model with what tiny steps find.
+/// Compares the motion that the compiler reports for a random model with tiny steps.
 pub(crate) fn judge(seed: u64) -> Verdict {
     let source = elements::random(&mut Rng::with_seed(seed)).declaration();
     let followed = source.replacen("#[closure(start)]", "#[closure(deny)]", 1);
@@ -44,7 +44,7 @@ pub(crate) fn judge(seed: u64) -> Verdict {
         tracker.follow(start, reached).unwrap_or_else(|time| panic!("{}", there(&format!("ends at {time} s, said to reach {reached} s"))));
         return Verdict::GoesOn;
     };
-    // The square of the determinant vanishes with a slope: from two places before it, it is known where.
+    // The square of the determinant vanishes linearly: its zero follows from two earlier values.
     let gap = 1e-4 * end;
     let at = |time: f64, from: Spot, tracker: &mut Tracker| {
         tracker.follow(from, time).unwrap_or_else(|time| panic!("{}", there(&format!("ends at {time} s already, said to end at {end} s"))))
@@ -63,7 +63,7 @@ struct Spot {
     time: f64,
     q: Vec<f64>,
     rates: Vec<f64>,
-    /// Of the determinant, its sign and the logarithm of its size.
+    /// Sign of the determinant, and ln |det|.
     sign: f64,
     size: f64,
 }
@@ -116,7 +116,7 @@ impl<'a> Tracker<'a> {
         (found[..self.n].to_vec(), jacobian, found[self.n..2 * self.n].to_vec())
     }
 
-    /// Newton's method from a prediction that is nearly right.
+    /// Newton's method from a good prediction.
     fn settle(&mut self, time: f64, mut q: Vec<f64>) -> Option<Spot> {
         for iteration in 0..10 {
             let (phi, jacobian, nu) = self.linear(time, &q);
@@ -133,7 +133,7 @@ impl<'a> Tracker<'a> {
         None
     }
 
-    /// Tiny steps up to a time; the time at which there is no further one.
+    /// Takes tiny steps up to a time; `Err`: the time at which no further step succeeds.
     fn follow(&mut self, start: Spot, until: f64) -> Result<Spot, f64> {
         let (mut here, mut step) = (start, until / STEPS);
         while here.time < until {
@@ -156,7 +156,7 @@ impl<'a> Tracker<'a> {
     }
 }
 
-/// x of A x = b, y of A y = c, the sign of the determinant, and the logarithm of its size.
+/// x from A x = b, y from A y = c, the sign of det A, and ln |det A|.
 fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>, mut c: Vec<f64>) -> Option<(Vec<f64>, Vec<f64>, f64, f64)> {
     let n = b.len();
     let (mut sign, mut size) = (1.0, 0.0);

@@ -1,7 +1,7 @@
-//! Closed rings of 4 to 30 bars that are solved together, in one block.
+//! Closed rings of 4 to 30 bars, solved together in one block.
 //!
-//! The angles are chosen first and the last bar is ground, so that an assembly exists. Every second bar is held to the one two places
-//! before it, θ_{i+2} = θ_i + c_i, so that no bar can be placed before all others:
+//! The angles are chosen first and the last bar is ground, so that an assembly exists. Every second bar is held relative to the one two
+//! positions before it, θ_{i+2} = θ_i + c_i, so that no bar can be positioned before all others:
 //!
 //! ```text
 //! Σ L_i (cos θ_i, sin θ_i) = G      i = 1 … n − 1,  θ_1 and θ_2 unknown
@@ -14,20 +14,20 @@ use std::fmt::Write as _;
 use std::num::NonZero;
 use std::thread;
 
-/// Rings of each size.
+/// Number of rings of each size.
 const RINGS: u64 = 6;
 
-/// Of a ring's reach this much is the least of what closes it, and the sine between the two chains is as large at least.
+/// Smallest length of each of the two chains, in m, and smallest sine of the angle between them.
 const MARGIN: f64 = 0.25;
 
 struct Ring {
     lengths: Vec<f64>,
-    /// Of the chosen assembly.
+    /// Angles of the chosen assembly.
     angles: Vec<f64>,
 }
 
 impl Ring {
-    /// Bars of any length in any direction, well away from a dead point.
+    /// Random bars in random directions, well away from a dead point.
     fn random(rng: &mut Rng, bars: usize) -> Ring {
         loop {
             let mut between = |low: f64, high: f64| low + (high - low) * rng.f64();
@@ -43,7 +43,7 @@ impl Ring {
         }
     }
 
-    /// From end to end of every second bar.
+    /// Vector from end to end of every second bar.
     fn chain(&self, first: usize) -> [f64; 2] {
         self.sum((first..self.lengths.len()).step_by(2), &self.angles)
     }
@@ -91,7 +91,7 @@ impl Ring {
             let off = (angles[bar] - angles[bar - 2]) - (self.angles[bar] - self.angles[bar - 2]);
             assert!(off.abs() < 1e-13, "bar {bar} is off by {off} in\n{source}");
         }
-        // Of the two assemblies the one is taken that was declared.
+        // Of the two assemblies, the declared one is found.
         if let Some(bar) = declared {
             let turns = (angles[bar] - self.angles[bar]) / (2.0 * PI);
             assert!((turns - turns.round()).abs() < 1e-3, "bar {bar} is at {} instead of {} in\n{source}", angles[bar], self.angles[bar]);

@@ -1,9 +1,9 @@
 //! All assemblies of a block.
 //!
-//! In: a block and what lies before it. Out: its assemblies, each once, as near to the declared start as whole turns allow. They are
-//! looked for from guesses that fill the space of the iterated unknowns evenly, half of them with what is declared as it is declared,
-//! until many in a row have led to nothing new; then, along `curve`s, for those that are joined to what was found. Where by their `degree`
-//! one is missing still, it is searched on.
+//! In: a block and the coordinates upstream of it. Out: its assemblies, each once, with the whole turns that bring it nearest to the
+//! declared start. The search is a multi-start: guesses fill the space of the iterated unknowns evenly, half of them with declared values
+//! kept, until many in a row yield nothing new. Then `curve`s are followed from the assemblies found to others. The search continues while,
+//! by their `degree`, an assembly is missing.
 
 use super::curve::Curve;
 use super::degree::side;
@@ -17,57 +17,58 @@ use core::f64::consts::{PI, TAU};
 use core::ops::RangeInclusive;
 use std::collections::BTreeSet;
 
-/// So many guesses lead to nothing new before a block counts as searched: for each iterated unknown, and for each assembly that was found.
+/// Number of guesses in a row without a new assembly before the search ends: per iterated unknown, and per assembly found.
 const IDLE: [usize; 2] = [5, 3];
 
-/// The same where curves are followed from what was found.
+/// The same if curves are followed from the assemblies found.
 const IDLE_JOINED: [usize; 2] = [3, 3];
 
-/// The most guesses, for each iterated unknown.
+/// Largest number of guesses per iterated unknown.
 const MOST: usize = 40;
 
-/// A block with more iterated unknowns than this is not searched everywhere, for that would be felt.
+/// A block with more iterated unknowns than this is not searched completely: compilation would slow down noticeably.
 const LARGE: usize = 12;
 
-/// It is looked at from so many guesses: where some of it is not declared, and where all is.
+/// Number of guesses for such a block: if some iterated unknowns are undeclared, and if all are declared.
 const FEW: [usize; 2] = [24, 8];
 
-/// Of angles that count turns, so many of them to either side are looked at.
+/// Number of turns to either side tried for angles that count turns.
 const TURNS: i32 = 2;
 
-/// Blocks with so many iterated unknowns may have assemblies that few guesses lead to: curves are followed from what was found. With fewer
-/// that is done where one is missing.
+/// Blocks with this many iterated unknowns may have assemblies that few guesses reach: curves are always followed. With fewer unknowns,
+/// curves are followed only if an assembly is missing.
 const JOINED: RangeInclusive<usize> = 3..=6;
 
-/// The most steps along curves, for a block.
+/// Largest number of steps along curves, per block.
 const ALONG: usize = 4000;
 
-/// How far around an assembly it is looked whether it is alone there, in rad and sizes.
+/// Radii within which an assembly is tested for being the only one, in rad and characteristic lengths.
 const AROUND: [f64; 3] = [0.5, 0.2, 0.05];
 
-/// A Jacobian that differs by less than this share of itself from that at an assembly is regular.
+/// A Jacobian that differs from that at an assembly by a smaller relative norm than this is regular.
 const SHARE: f64 = 0.5;
 
-/// An assembly of a block of which all that is iterated is declared.
+/// An assembly of a block whose iterated unknowns are all declared.
 #[derive(Clone, Debug)]
 pub(super) struct Alone {
     pub(super) values: Vec<f64>,
-    /// The square of its distance from what is declared.
+    /// Squared distance from the declared values.
     near: f64,
-    /// What that of any other is at least.
+    /// Lower bound of the squared distance of any other assembly.
     pub(super) others: f64,
 }
 
 impl Alone {
-    /// No other is nearer.
+    /// True if no other assembly is nearer.
     pub(super) fn is_nearest(&self) -> bool {
         self.near < self.others
     }
 }
 
 impl Numeric<'_> {
-    /// The assembly that Newton's method finds from what is declared, and how far any other must be, if all is declared that is
-    /// iterated: where the Jacobian stays near its value at the assembly there is no other (the mean value theorem).
+    /// The assembly that Newton's method finds from the declared values, and a lower bound of the distance of any other; `None` unless all
+    /// iterated unknowns are declared. Within a radius where the Jacobian stays near its value at the assembly there is no other (mean
+    /// value theorem).
     pub(super) fn alone(&self, reduced: &mut Reduced, block: &Block, start: &[f64]) -> Option<Alone> {
         let k = block.iterated.len();
         let declared: Option<Vec<f64>> = block.iterated.iter().map(|unknown| self.declared[*unknown]).collect();
@@ -99,7 +100,7 @@ impl Numeric<'_> {
         Some(Alone { values, near, others })
     }
 
-    /// All assemblies of a block beside `start`, as values of its unknowns.
+    /// All assemblies of a block, with upstream coordinates from `start`, as values of its unknowns.
     pub(super) fn assemblies(&self, reduced: &mut Reduced, block: &Block, start: &[f64]) -> Vec<Vec<f64>> {
         reduced.set_out_from(start);
         let k = block.iterated.len();
@@ -161,8 +162,8 @@ impl Numeric<'_> {
         found
     }
 
-    /// Keeps an assembly, unless it is there already: of one assembly the nearer description is kept. Where it stands, and whether it
-    /// is new.
+    /// Adds an assembly unless it is already known; of two descriptions that differ by whole turns the nearer one is kept. Returns its
+    /// index, and true if it is new.
     fn keep(&self, block: &Block, counts: &[bool], reduced: &mut Reduced, found: &mut Vec<Vec<f64>>, mut x: Vec<f64>) -> (usize, bool) {
         self.turn(block, counts, reduced, &mut x);
         let unknowns = &reduced.unknowns;
@@ -176,10 +177,10 @@ impl Numeric<'_> {
         (known, false)
     }
 
-    /// Adds the assemblies that are joined to those that were found, by one curve or by several.
+    /// Adds the assemblies connected to those found, by one curve or several.
     ///
-    /// * `left_out`: of each assembly, which residuals were left out on a curve through it.
-    /// * `steps`: how many are left.
+    /// * `left_out`: for each assembly, the residuals left out on curves followed through it.
+    /// * `steps`: number of steps left.
     fn join(
         &self,
         block: &Block,
@@ -208,14 +209,14 @@ impl Numeric<'_> {
         }
     }
 
-    /// Of each iterated unknown, whether an equation of the block does not allow it to be turned with the angles it is linked to.
+    /// For each iterated unknown, true if an equation of the block changes when it is turned together with its linked angles.
     fn counting_turns(&self, block: &Block) -> Vec<bool> {
         let own: BTreeSet<usize> = block.parts().1.into_iter().collect();
         let counts = |unknown: &usize| self.turns().linked(*unknown).is_none_or(|group| group.counted_by.iter().any(|by| own.contains(by)));
         block.iterated.iter().map(counts).collect()
     }
 
-    /// Takes whole turns from what is iterated and does not count them, and from what is linked to it.
+    /// Removes whole turns from iterated unknowns that do not count them, and from their linked angles.
     fn turn(&self, block: &Block, counts: &[bool], reduced: &mut Reduced, x: &mut Vec<f64>) {
         let mut has_turned = false;
         for unknown in block.iterated.iter().zip(counts).filter(|(_, counts)| !**counts).map(|(unknown, _)| *unknown) {
@@ -231,13 +232,13 @@ impl Numeric<'_> {
         }
     }
 
-    /// Where the angles of a block stand that are linked to one of them, itself among them.
+    /// Indices of the angles of a block that are linked to an angle, which is included.
     fn linked(&self, reduced: &Reduced, unknown: usize) -> Vec<usize> {
         let members = self.turns().linked(unknown).map_or(&[][..], |group| &group.members);
         (0..reduced.unknowns.len()).filter(|index| members.binary_search(&reduced.unknowns[*index]).is_ok()).collect()
     }
 
-    /// Adds the assemblies that differ by whole turns from those found, where blocks after this one count them.
+    /// Adds copies of the assemblies that differ by whole turns, if later blocks count these turns.
     fn with_turns(&self, block: &Block, counts: &[bool], reduced: &mut Reduced, found: &mut Vec<Vec<f64>>) {
         for (unknown, counts) in block.iterated.iter().zip(counts) {
             if *counts || self.is_position(*unknown) || self.turns().is_free(*unknown) {
@@ -256,7 +257,7 @@ impl Numeric<'_> {
         }
     }
 
-    /// How many turns bring angles that are linked nearest to what is declared of them, or to 0 where nothing is.
+    /// Number of turns that brings linked angles nearest to their declared values, or to 0 if none is declared.
     pub(super) fn turns_to_start(&self, values: impl Iterator<Item = (usize, f64)>) -> f64 {
         let all: Vec<(Option<f64>, f64)> = values.map(|(unknown, value)| (self.declared[unknown], value)).collect();
         let is_told = all.iter().any(|(declared, _)| declared.is_some());
@@ -265,14 +266,14 @@ impl Numeric<'_> {
         turns_to_zero(away.iter().sum::<f64>() / away.len().max(1) as f64)
     }
 
-    /// Whether two assemblies are one, whole turns aside.
+    /// True if two assemblies are equal up to whole turns.
     pub(super) fn is_one(&self, unknowns: &[usize], one: &[f64], other: &[f64]) -> bool {
         let mut pairs = unknowns.iter().zip(one.iter().zip(other));
         pairs.all(|(unknown, (one, other))| self.is_one_place(*unknown, *one, *other))
     }
 }
 
-/// The norm of A⁻¹ B − 1, the greatest sum of magnitudes in a row; None if A is singular.
+/// ‖A⁻¹ B − 1‖ in the maximum row sum norm; `None` if A is singular.
 pub(super) fn strays(a: &[Vec<f64>], b: &[Vec<f64>]) -> Option<f64> {
     let mut sums = vec![0.0; a.len()];
     let factors = Factors::new(a.to_vec())?;
@@ -285,8 +286,8 @@ pub(super) fn strays(a: &[Vec<f64>], b: &[Vec<f64>]) -> Option<f64> {
     Some(sums.into_iter().fold(0.0, f64::max))
 }
 
-/// By how much of a cube's side each coordinate of a point goes on from the point before, so that points fill the cube evenly: the
-/// powers of 1/φ, φ^(n + 1) = φ + 1, by which Roberts (2018) continues the golden section to n dimensions.
+/// Increments of a point in the unit cube from guess to guess, so that the points fill the cube evenly: powers of 1/φ, where
+/// φ^(n + 1) = φ + 1, the generalisation of the golden section to n dimensions by Roberts (2018).
 fn shares(dimensions: usize) -> Vec<f64> {
     let phi = (0..24).fold(1.5_f64, |phi, _| (phi + 1.0).powf(1.0 / (dimensions as f64 + 1.0)));
     (1..=dimensions).map(|index| phi.powi(-(index as i32))).collect()

@@ -1,50 +1,50 @@
-//! Assemblies that are joined to others by curves.
+//! Assemblies connected to others by curves.
 //!
-//! In: a block and an assembly of it. Out: the assemblies that are met on the curve through it on which all residuals but one vanish:
+//! In: a block and an assembly of it. Out: the assemblies on the curve through it on which all residuals but one vanish:
 //!
 //! ```text
-//! v = R⁻¹ e_i         along it R_j v = 0 for every other residual j
-//! δ = R_v⁻¹ (−g)      back to it, with v in the place of R_i and 0 in the place of g_i
+//! v = R⁻¹ e_i         tangent: R_j v = 0 for every other residual j
+//! δ = R_v⁻¹ (−g)      correction: R_v is R with vᵀ in place of row i, and g_i is 0
 //! ```
 //!
-//! Where the residuals keep the unknowns within bounds it is closed, and the residual that was left out vanishes on it once more at least:
-//! by curves assemblies are found that few guesses lead to. Not done here: choosing what to set out from.
+//! If the residuals bound the unknowns, the curve is closed, and the residual left out vanishes on it at least once more: curves find
+//! assemblies that few guesses reach. Not done here: choosing the assemblies to start from.
 //!
 //! Reference: Allgower and Georg (1990), Numerical Continuation Methods, chapters 2 and 6.
 
 use super::reduced::{LinearizedBlock, Reduced};
 use crate::numeric::dense::solve;
 
-/// The first step along a curve, and the longest and the shortest, in rad and sizes.
+/// First, longest and shortest step along a curve, in rad and characteristic lengths.
 const STEP: f64 = 0.15;
 const LONGEST: f64 = 0.4;
 const SHORTEST: f64 = 1e-3;
 
-/// Corrections of a step.
+/// Largest number of corrections of a step.
 const CORRECTIONS: usize = 3;
 
-/// A correction that is shorter, as a share of the step, is the last.
+/// A correction shorter than this fraction of the step is the last.
 const CORRECTED: f64 = 1e-2;
 
-/// A first correction that is longer, as a share of the step, leads elsewhere.
+/// A first correction longer than this fraction of the step leads to another curve.
 const ASTRAY: f64 = 0.4;
 
-/// Between two places the cosine of the angle of the curve is this at least; above the second it is straight.
+/// Smallest cosine of the angle between tangents at consecutive points, and the cosine above which the step may grow.
 const TURNED: [f64; 2] = [0.85, 0.97];
 
-/// How often a step is halved to see whether a residual vanishes twice in it.
+/// Largest number of bisections of a step to find two zeros of the residual in it.
 const HALVED: usize = 8;
 
-/// A place on a curve.
+/// A point on a curve.
 struct CurvePoint {
     x: Vec<f64>,
     linear: LinearizedBlock,
-    /// The direction of the curve, of length 1.
+    /// Unit tangent of the curve.
     along: Vec<f64>,
 }
 
 impl CurvePoint {
-    /// The residual that was left out, and its derivative along the curve.
+    /// The residual left out, and its derivative along the curve.
     fn residual(&self, left_out: usize) -> [f64; 2] {
         [self.linear.g[left_out], dot(&self.linear.r[left_out], &self.along)]
     }
@@ -57,7 +57,7 @@ pub(super) struct Curve<'a, 'b> {
 }
 
 impl Curve<'_, '_> {
-    /// The assemblies on the curve through one, until it is back there or no steps are left.
+    /// Assemblies on the curve through one, until the curve returns to it, fails or no steps are left.
     pub(super) fn follow(&mut self, from: &[f64], is_back: &dyn Fn(&[f64]) -> bool, steps: &mut usize) -> Vec<Vec<f64>> {
         let mut met = Vec::new();
         let Some(mut here) = self.begin(from) else { return met };
@@ -85,14 +85,14 @@ impl Curve<'_, '_> {
         met
     }
 
-    /// The direction at an assembly.
+    /// First point of the curve: an assembly and the tangent there.
     fn begin(&mut self, from: &[f64]) -> Option<CurvePoint> {
         let linear = self.reduced.linearize(from)?;
         let along = unit(solve(linear.r.clone(), &self.only(1.0))?)?;
         Some(CurvePoint { x: from.to_vec(), linear, along })
     }
 
-    /// The next place, if a step leads to it that goes nearly straight on.
+    /// Next point, one predictor-corrector step further; `None` if the step fails or the curve turns too much.
     fn next(&mut self, here: &CurvePoint, step: f64) -> Option<CurvePoint> {
         let way: Vec<f64> = here.along.iter().map(|along| along * step).collect();
         let mut x = self.reduced.moved(&here.x, &here.linear, &way);
@@ -116,10 +116,10 @@ impl Curve<'_, '_> {
         None
     }
 
-    /// About where the residual that was left out vanishes between two places.
+    /// Approximate zeros of the residual left out between two points.
     fn crossings(&mut self, here: &CurvePoint, there: &CurvePoint, step: f64, is_first: bool, halvings: usize) -> Vec<Vec<f64>> {
         let ([a, da], [b, db]) = (here.residual(self.left_out), there.residual(self.left_out));
-        // At an assembly it vanishes; it is the one that is set out from.
+        // The residual vanishes at the assembly where the curve starts.
         if is_first && a.abs() < da.abs() * 1e-6 {
             return if da * b < 0.0 { vec![there.x.clone()] } else { Vec::new() };
         }
@@ -128,7 +128,7 @@ impl Curve<'_, '_> {
             let way: Vec<f64> = here.along.iter().map(|along| along * step * share).collect();
             return vec![self.reduced.moved(&here.x, &here.linear, &way)];
         }
-        // It may come near and go away again.
+        // The residual may have two zeros within the step.
         let comes_near = a * da < 0.0 && b * db > 0.0 && a.abs().min(b.abs()) < step * da.abs().max(db.abs());
         if !comes_near || halvings == 0 {
             return Vec::new();
@@ -148,7 +148,7 @@ fn dot(one: &[f64], other: &[f64]) -> f64 {
     one.iter().zip(other).map(|(one, other)| one * other).sum()
 }
 
-/// A vector of length 1; None if it has no direction.
+/// Normalises a vector to length 1; `None` if it is zero or not finite.
 fn unit(vector: Vec<f64>) -> Option<Vec<f64>> {
     let length = dot(&vector, &vector).sqrt();
     (length > 0.0 && length.is_finite()).then(|| vector.into_iter().map(|entry| entry / length).collect())

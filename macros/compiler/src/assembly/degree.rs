@@ -1,25 +1,25 @@
-//! Whether the signs of all assemblies of a block sum up to zero.
+//! Degree of a block: tells whether the signs of the determinants at all its assemblies add up to zero.
 //!
-//! In: a block. Out: whether as many regular assemblies have a positive determinant as have a negative one: where there are not, one is
-//! missing. Not done here: looking for it.
+//! In: a block. Out: true if the numbers of regular assemblies with positive and negative determinant must be equal; if those found are
+//! not, one is missing. Not done here: finding it.
 //!
-//! It is so where the residuals, as a map of the iterated unknowns into a space of the same dimension, have degree zero (Milnor 1965,
-//! Topology from the Differentiable Viewpoint, §5). Of angles that do not count turns alone they are a map of a torus. Of places they
-//! are one for which the degree is defined where bars and pins keep the places near what is known as long as the residuals are bounded;
-//! and there are values that it does not attain, as the residual of a bar, |h|² − c², is never below −c².
+//! The numbers are equal if the residuals, as a map of the iterated unknowns into a space of the same dimension, have degree zero (Milnor
+//! 1965, Topology from the Differentiable Viewpoint, §5). In angles alone that do not count turns, the residuals map a torus. In positions,
+//! the degree is defined if bars and pins keep the positions near known points as long as the residuals are bounded; it is zero since some
+//! values are not attained: the residual of a bar, |h|² − c², is never below −c².
 
 use super::links::{self, BodyPoint, Link};
 use crate::numeric::Numeric;
 use crate::structure::Block;
 use std::collections::BTreeSet;
 
-/// A pivot, relative to the largest, above which a determinant has a sign.
+/// Smallest pivot, relative to the largest remaining entry, for which a determinant has a sign.
 const SIGNED: f64 = 1e-6;
 
 impl Numeric<'_> {
-    /// Whether the signs of all assemblies of a block sum up to zero, as far as it can be told.
+    /// True if the signs at all assemblies of a block must add up to zero; false if this cannot be shown.
     ///
-    /// * `counts`: of each iterated unknown, whether it counts turns.
+    /// * `counts`: for each iterated unknown, true if it counts turns.
     pub(super) fn has_degree_zero(&self, block: &Block, counts: &[bool], start: &[f64]) -> bool {
         let (angles, places): (Vec<usize>, Vec<usize>) = (0..counts.len()).partition(|index| self.is_angle(block.iterated[*index]));
         if angles.iter().any(|index| counts[*index]) {
@@ -32,7 +32,7 @@ impl Numeric<'_> {
         let links = links::read(self, &equations, start);
         let body = |unknown: &usize| self.system.coordinates[*unknown].body;
         let moving: BTreeSet<usize> = unknowns.iter().filter(|unknown| self.is_position(**unknown)).map(body).collect();
-        // What does not move in this block is ground to it.
+        // A body that does not move in this block acts as ground.
         let moves = |place: &BodyPoint| place.body.filter(|body| moving.contains(body));
         let mut held: BTreeSet<Option<usize>> = BTreeSet::from([None]);
         for _ in &moving {
@@ -48,7 +48,7 @@ impl Numeric<'_> {
     }
 }
 
-/// The sign of a determinant; 0 where it has none to be sure of.
+/// Sign of a determinant; 0 if it is uncertain.
 pub(super) fn side(mut a: Vec<Vec<f64>>) -> i32 {
     let n = a.len();
     let mut sign = 1;

@@ -1,13 +1,13 @@
-//! What is wrong with the assembly at the declared defaults, at t = 0.
+//! Diagnosis of the assembly at the declared defaults, at t = 0.
 //!
-//! In: the assembly that was found, or how far one was found. Out: at most one fact, about the first block that
+//! In: the assembly, or the partial assembly if it does not close. Out: at most one fact, about the first block that
 //!
-//! 1. does not close: the last declared joint of the block that can be opened so that all others close, with its least gap;
-//! 2. closes, but is singular there and not everywhere;
-//! 3. closes in two ways that are equally near to the declared start.
+//! 1. does not close: the last declared joint of the block without which all others close, with its smallest gap;
+//! 2. closes, but is singular at this configuration and not everywhere;
+//! 3. has two assemblies equally near to the declared start.
 //!
-//! A block is judged only where every number upstream of it is known in the compiler: no row that uses a Rust function is.
-//! Not done here: rows that depend on each other everywhere.
+//! A block is diagnosed only if everything upstream of it can be evaluated: rows that use a Rust function are not. Not done here: dependent
+//! rows.
 
 use super::links::{self, BodyPoint, Link};
 use super::loops::{Loop, Loops};
@@ -23,16 +23,16 @@ use crate::quantity::{Axis, Role};
 use crate::structure::Structure;
 use std::collections::BTreeSet;
 
-/// Two links are in line when the sine of the angle between them is below this.
+/// Two links are in line if the sine of the angle between them is below this.
 const IN_LINE: f64 = 1e-5;
 
-/// A start that is nearer than this to the assembly tells it apart from any that is regular, in rad and sizes.
+/// A declared value closer than this to the assembly distinguishes it from any other regular one, in rad and characteristic lengths.
 const TOLD: f64 = 1e-3;
 
-/// How often an assembly that is equally near at its block is followed through the blocks after it.
+/// Largest number of equally near assemblies of a block that are followed through later blocks.
 const MOST_FOLLOWED: usize = 8;
 
-/// The first thing that is wrong, and under which tokens.
+/// The first fact, and the tokens that it refers to.
 pub(super) fn judge(numeric: &Numeric, structure: &Structure, assembled: &mut Assembled) -> Option<(Range, AssemblyFact)> {
     let upstream = Upstream::new(numeric, structure);
     let is_sure = upstream.surety(numeric, structure);
@@ -41,12 +41,12 @@ pub(super) fn judge(numeric: &Numeric, structure: &Structure, assembled: &mut As
     while let Some(open) = assembled.open {
         match judge.open(open, &mut assembled.start) {
             Some(refusal) => return Some(refusal),
-            // It closes after all: so may what comes after it.
+            // The block closes after all: continue with later blocks.
             None => *assembled = numeric.forward(structure, std::mem::take(&mut assembled.start), open + 1, &is_sure),
         }
     }
     if assembled.is_closed && !assembled.is_settled {
-        // Next to where a block is singular, rounding errors of those before it are what decides.
+        // Next to a singular configuration of a block, rounding errors upstream of it decide.
         numeric.settle(structure, &mut assembled.start);
     }
     judge.prefer_regular(&is_sure, assembled);
@@ -62,7 +62,7 @@ pub(super) fn judge(numeric: &Numeric, structure: &Structure, assembled: &mut As
         .find_map(|block| judge.singular(block, &assembled.start).or_else(|| judge.ambiguous(block, assembled, &mut followed)))
 }
 
-/// The two bodies of a block whose joints lie on one straight line, at a configuration.
+/// The two bodies of a block whose joints lie on one straight line at a configuration.
 pub(crate) fn bodies_in_line(numeric: &Numeric, structure: &Structure, block: usize, q: &[f64]) -> Option<BTreeSet<usize>> {
     let upstream = Upstream::new(numeric, structure);
     let judge = Judge { numeric, structure, upstream: &upstream, loops: Loops { numeric, structure, upstream: &upstream } };
@@ -77,12 +77,12 @@ struct Judge<'a> {
 }
 
 impl Judge<'_> {
-    /// The blocks that can be judged beyond whether they close.
+    /// Iterated blocks that can be evaluated.
     fn iterated(&self, is_sure: &[bool]) -> impl Iterator<Item = usize> {
         (0..is_sure.len()).filter(|block| is_sure[*block] && !self.structure.blocks[*block].iterated.is_empty())
     }
 
-    /// Where nothing declared tells, an assembly that is regular is meant rather than one that is singular.
+    /// If declared values do not decide, a regular assembly replaces a singular one.
     fn prefer_regular(&self, is_sure: &[bool], assembled: &mut Assembled) {
         let is_regular =
             |start: &[f64]| !self.iterated(is_sure).any(|block| self.numeric.is_singular_here(&self.structure.blocks[block], start));
@@ -102,7 +102,7 @@ impl Judge<'_> {
         }
     }
 
-    /// Another assembly of all there are that is as near.
+    /// Refuses the start if another assembly is equally near; all assemblies are known.
     fn rival(&self, assembled: &Assembled) -> Option<(Range, AssemblyFact)> {
         let (numeric, start) = (self.numeric, &assembled.start);
         let is_rival = |other: &&Vec<f64>| !numeric.differing(start, other).is_empty() && numeric.are_equally_near(start, other);
@@ -110,7 +110,7 @@ impl Judge<'_> {
         Some(self.two_ways(&numeric.differing(start, other), start, other))
     }
 
-    /// A block that does not close; nothing is refused if it closes after all, and the start is where.
+    /// Refuses a block that does not close. If it closes after all, `None` with the assembly in `start`.
     fn open(&self, index: usize, start: &mut [f64]) -> Option<(Range, AssemblyFact)> {
         let numeric = self.numeric;
         self.loops.complete(index, start);
@@ -119,7 +119,7 @@ impl Judge<'_> {
         if let Some(refusal) = self.without_value(&equations, self.drives(index), start) {
             return Some(refusal);
         }
-        // The last joint closes the loop, and a drive is asked for what it demands only if no joint can give way.
+        // The last joint closes the loop; a drive is opened only if no joint can be.
         let (drives, others): (Vec<usize>, Vec<usize>) = joints.iter().rev().partition(|joint| numeric.model.joints[**joint].is_drive);
         for joint in others.into_iter().chain(drives) {
             match numeric.least_gap(&unknowns, &equations, start, joint) {
@@ -153,7 +153,7 @@ impl Judge<'_> {
         Some(((&numeric.model.joints[last].name).into(), fact))
     }
 
-    /// A row that is no number where the search came to.
+    /// Refuses a row that is not finite at the result of the search.
     fn without_value(&self, equations: &[usize], drives: Vec<String>, start: &[f64]) -> Option<(Range, AssemblyFact)> {
         let all = &self.numeric.system.equations;
         let has_value_at = |equation: usize, coordinates: &[f64]| {
@@ -164,14 +164,14 @@ impl Judge<'_> {
         let number = *equations.iter().find(|equation| !has_value_at(**equation, start))?;
         let equation = &all[number];
         let joint = &self.numeric.model.joints[equation.joint];
-        // A law of time without a value has none wherever the bodies are.
+        // A drive's function of time without a value has none at any configuration.
         let has_none_anywhere = joint.is_drive && (0..LOOKS).all(|look| !has_value_at(number, &self.numeric.anywhere(look)));
         let (row, of) = (equation.row + 1, joint.residuals.len());
         let fact = AssemblyFact::HasNoValue { joint: joint.name.to_string(), row, of, drives, has_none_anywhere };
         Some(((&joint.name).into(), fact))
     }
 
-    /// A row that has a value at the start, but no rate or no acceleration there: a root that begins in zero.
+    /// Refuses a row with a value at the start but no velocity or acceleration there, such as a square root starting from zero.
     fn without_rate(&self, is_sure: &[bool], start: &[f64]) -> Option<(Range, AssemblyFact)> {
         let all = &self.numeric.system.equations;
         let rest = vec![0.0; start.len()];
@@ -187,7 +187,7 @@ impl Judge<'_> {
         Some(((&joint.name).into(), fact))
     }
 
-    /// A link that is too long for the others, for any drive or for this start of it.
+    /// A link that is too long for the others, at any position of the drives or at the start.
     fn bound(&self, index: usize, start: &[f64]) -> Option<Bound> {
         let numeric = self.numeric;
         let blocks = self.upstream.all(index).into_iter().chain([index]);
@@ -201,7 +201,7 @@ impl Judge<'_> {
         })
     }
 
-    /// A block that is at a dead point or a change point.
+    /// Refuses a block at a dead point or a change point.
     fn singular(&self, index: usize, start: &[f64]) -> Option<(Range, AssemblyFact)> {
         let (numeric, block) = (self.numeric, &self.structure.blocks[index]);
         if !numeric.is_singular_here(block, start) {
@@ -218,13 +218,13 @@ impl Judge<'_> {
             drives: self.drives(index),
             has_others: self.has_regular_others(index, start),
         };
-        // The drive that brings it there is to blame.
+        // Blame the drive that moves the block to this configuration.
         let drive = self.upstream_drives(index).into_iter().next().map(|joint| Range::from(&numeric.model.joints[joint].name));
         let body = iterated.last().map(|body| Range::from(&numeric.model.bodies[*body].name));
         Some((drive.or(body)?, fact))
     }
 
-    /// Whether a block has other assemblies, that are not singular.
+    /// True if a block has other assemblies that are regular.
     fn has_regular_others(&self, index: usize, start: &[f64]) -> bool {
         let block = &self.structure.blocks[index];
         self.numeric.other_assemblies(self.structure, index, start).into_iter().any(|values| {
@@ -257,7 +257,7 @@ impl Judge<'_> {
         (sine.abs() < IN_LINE).then(|| bodies.clone())
     }
 
-    /// A block that closes in two ways that are equally near.
+    /// Refuses a block with two assemblies equally near to the start.
     fn ambiguous(&self, index: usize, assembled: &Assembled, followed: &mut usize) -> Option<(Range, AssemblyFact)> {
         let (numeric, block, start) = (self.numeric, &self.structure.blocks[index], &assembled.start);
         let (unknowns, _) = block.parts();
@@ -292,7 +292,7 @@ impl Judge<'_> {
         (start[unknown] - declared).abs() < TOLD * self.numeric.scale(unknown)
     }
 
-    /// Takes all that depends on a block to the nearest assembly that goes with it; whether there is one.
+    /// Closes all blocks that depend on a block, each with its nearest assembly; false if one does not close.
     fn follow(&self, index: usize, start: &mut [f64]) -> bool {
         for (later, block) in self.structure.blocks.iter().enumerate().skip(index + 1) {
             if !self.upstream.all(later).contains(&index) {
@@ -307,7 +307,7 @@ impl Judge<'_> {
         true
     }
 
-    /// Names a coordinate that tells the two apart: an angle if there is one, of the body declared last.
+    /// Reports two assemblies by a coordinate in which they differ: preferably an angle, of the body declared last.
     fn two_ways(&self, differing: &[usize], one: &[f64], other: &[f64]) -> (Range, AssemblyFact) {
         let numeric = self.numeric;
         let half_a_turn = |angle: f64| angle - (angle / core::f64::consts::TAU).round() * core::f64::consts::TAU;
@@ -318,7 +318,7 @@ impl Judge<'_> {
         let angles: Vec<usize> = differing.iter().copied().filter(|unknown| numeric.is_angle(*unknown)).collect();
         let candidates = if angles.is_empty() { differing.to_vec() } else { angles };
         let most = candidates.iter().map(|unknown| apart(*unknown)).fold(0.0, f64::max);
-        // Of those that differ well the last one: the body that closes the loop.
+        // The last coordinate with a large difference: usually of the body that closes the loop.
         let unknown = candidates.iter().copied().rfind(|unknown| apart(*unknown) >= most / 2.0).unwrap_or(differing[0]);
         let shown = |q: &[f64]| if numeric.is_angle(unknown) { half_a_turn(q[unknown]) } else { q[unknown] };
         let body = numeric.system.coordinates[unknown].body;
@@ -327,7 +327,7 @@ impl Judge<'_> {
             let found = numeric.system.coordinates.iter().position(|unknown| unknown.body == body && unknown.role == Role::Position(axis));
             found.map_or(0.0, |unknown| q[unknown])
         };
-        // The positive one is offered.
+        // The greater value is suggested.
         let (one, other) = if shown(one) < shown(other) { (other, one) } else { (one, other) };
         let fact = AssemblyFact::AmbiguousStart {
             body: name.to_string(),
@@ -347,7 +347,7 @@ impl Judge<'_> {
         self.numeric.model.joints[self.numeric.system.equations[equation].joint].is_drive
     }
 
-    /// The drives on which a block depends, its own among them.
+    /// Drives on which a block depends, its own included.
     fn upstream_drives(&self, index: usize) -> BTreeSet<usize> {
         let blocks = self.upstream.all(index).into_iter().chain([index]);
         let equations = blocks.flat_map(|block| self.structure.blocks[block].parts().1);

@@ -1,7 +1,7 @@
-//! Where the assembly stands far from what was declared.
+//! Assemblies far from the declared start.
 //!
-//! In: the assembly. Out: a [`Warning`] for each body whose angle or place is far from its declared start. A start only says which
-//! assembly is meant, so that it need not be near; but what is far is seldom meant.
+//! In: the assembly. Out: a [`Warning`] for each body whose angle or position is far from its declared start. A start only selects an
+//! assembly and need not be near it; but a distant one is rarely intended.
 
 use crate::diag::{Doubt, Warning, degrees, millimetres, significant};
 use crate::model::Said;
@@ -10,17 +10,17 @@ use crate::numeric::turns::within_a_turn;
 use crate::structure::Structure;
 use core::f64::consts::{FRAC_PI_4, TAU};
 
-/// An angle farther from its declared value than this is far, in rad.
+/// An angle that differs from its declared value by more than this is far, in rad.
 const FAR_ANGLE: f64 = FRAC_PI_4;
 
-/// So is a place, in sizes.
+/// A position that differs from its declared value by more than this is far, in characteristic lengths.
 const FAR_PLACE: f64 = 1.0 / 3.0;
 
-/// Of so many bodies it is said.
+/// Largest number of bodies reported.
 const MOST: usize = 3;
 
 impl Numeric<'_> {
-    /// The bodies that are far from where they should start.
+    /// Warnings for the bodies far from their declared start.
     pub(super) fn far_starts(&self, structure: &Structure, start: &[f64]) -> Vec<Warning> {
         let mut said = Said::default();
         let bodies = self.model.bodies.iter().enumerate();
@@ -42,10 +42,10 @@ impl Numeric<'_> {
             instead,
         };
         for unknown in own.iter().copied().filter(|unknown| self.is_angle(*unknown)) {
-            // A drive may begin whole turns away.
+            // A drive may start whole turns away.
             let apart = within_a_turn(start[unknown] - declared(unknown)).abs();
             if apart > FAR_ANGLE {
-                // 70 radians are 70 degrees without their unit.
+                // A value such as 70 was probably meant in degrees: its unit is missing.
                 let is_without_unit = declared(unknown).abs() > TAU && declared(unknown).fract() == 0.0;
                 let meant = if is_without_unit { declared(unknown) } else { start[unknown].to_degrees().round() };
                 let instead = format!("{}deg", significant(meant));
@@ -63,7 +63,7 @@ impl Numeric<'_> {
         Some(doubt("position", first, shown(&|unknown| start[unknown]), shown(&declared), millimetres(apart), instead))
     }
 
-    /// The drive that alone says what a coordinate is.
+    /// The drive that alone determines a coordinate.
     fn drive_of(&self, structure: &Structure, unknown: usize) -> Option<String> {
         let computed = structure.blocks.iter().filter(|block| block.iterated.is_empty()).flat_map(|block| &block.explicit);
         let equation = computed.filter(|explicit| explicit.unknown == unknown).map(|explicit| explicit.equation).next()?;

@@ -1,49 +1,49 @@
-//! Points of bodies that joints hold together, read from the equations.
+//! Points of bodies connected by joints, read from the equations.
 //!
-//! In: rows and their derivatives at a few configurations. Out: [`Links`]: which places of which bodies coincide, are a given
-//! distance apart, or lie on a fixed line. What a joint is called does not matter, only what its rows are like:
+//! In: rows and their derivatives at a few configurations. Out: [`Link`]s: pairs of body points that coincide or have a given distance, and
+//! points that lie on a fixed line. Joints are recognised by their rows, not by their names:
 //!
 //! ```text
 //! pin    two rows, ∂Φ₁/∂x = ±1, ∂Φ₂/∂y = ±1        the offset of the point from its body's origin is (∂Φ₂/∂φ, −∂Φ₁/∂φ)
-//! rod    Φ = |h|² − c²                              ∂Φ/∂(x, y) = 2 h, and the change of ∂Φ/∂φ with x and y gives the offset
-//! line   ∂Φ/∂(x, y) = n, |n| = 1, of one body       ∂Φ/∂φ here and a right angle further gives the offset
+//! rod    Φ = |h|² − c²                              ∂Φ/∂(x, y) = 2 h, and the derivatives of ∂Φ/∂φ by x and y give the offset
+//! line   ∂Φ/∂(x, y) = n, |n| = 1, of one body       ∂Φ/∂φ, here and after a turn by 90°, gives the offset
 //! ```
 //!
-//! A row that is not like these at every configuration tried is left out; what is read is true, if not all that could be said.
+//! A row that does not match at every configuration tried is skipped; the links read are correct, but may be incomplete.
 
 use crate::expr::{Expr, Values, evaluate};
 use crate::numeric::Numeric;
 use crate::quantity::{Dim, Role};
 use core::f64::consts::FRAC_PI_2;
 
-/// Where a point is, and of what it is a part.
+/// A point of a body, in ground coordinates.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BodyPoint {
-    /// The body, or ground.
+    /// The body; `None`: ground.
     pub(super) body: Option<usize>,
     pub(super) at: [f64; 2],
-    /// The joint in which it was met.
+    /// Joint from which the point was read.
     pub(super) joint: usize,
 }
 
-/// What a joint says of two places.
+/// Relation between points, read from a joint.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Link {
-    /// They coincide.
+    /// The points coincide.
     Pin(BodyPoint, BodyPoint),
-    /// They are so far apart.
+    /// The points have this distance.
     Rod(BodyPoint, BodyPoint, f64),
-    /// The place lies on a line in ground, n · r = c.
+    /// The point lies on a line fixed in ground, n · r = c.
     Line(BodyPoint, [f64; 2], f64),
 }
 
-/// Numbers that should agree do so to within this part.
+/// Relative tolerance of equal values.
 const AGREES: f64 = 1e-6;
 
-/// A body's coordinates in q: x, y, angle.
+/// Indices of a body's coordinates in q: x, y, angle.
 type Frame = [usize; 3];
 
-/// Rows of a joint that are lengths, at one configuration.
+/// A row at one configuration: residual and derivatives.
 struct LengthRow {
     phi: f64,
     slopes: Vec<(usize, f64)>,
@@ -55,7 +55,7 @@ impl LengthRow {
     }
 }
 
-/// Reads the joints among some equations, at places that their bodies have in a configuration.
+/// Reads the links of the joints of some equations, with points at their positions in a configuration.
 pub(super) fn read(numeric: &Numeric, equations: &[usize], q: &[f64]) -> Vec<Link> {
     let mut joints: Vec<usize> = equations.iter().map(|equation| numeric.system.equations[*equation].joint).collect();
     joints.sort_unstable();
@@ -71,7 +71,7 @@ struct LinkReader<'a> {
 
 impl LinkReader<'_> {
     fn links(&self) -> Vec<Link> {
-        // Equations stand in the order of their joints.
+        // Equations are sorted by joint.
         let all = &self.numeric.system.equations;
         let first = all.partition_point(|equation| equation.joint < self.joint);
         let rows: Vec<usize> = (first..all.len()).take_while(|equation| all[*equation].joint == self.joint).collect();
@@ -85,7 +85,7 @@ impl LinkReader<'_> {
         links
     }
 
-    /// Bodies whose place occurs in a row; `None` if a body has other coordinates than x, y and angle.
+    /// Bodies with coordinates in a row; `None` if a body has other coordinates than x, y and angle.
     fn frames(&self, row: usize) -> Option<Vec<(usize, Frame)>> {
         let unknowns = &self.numeric.system.coordinates;
         let mut bodies: Vec<usize> =
@@ -101,7 +101,7 @@ impl LinkReader<'_> {
         bodies.into_iter().map(frame).collect()
     }
 
-    /// A row at the configuration with one coordinate changed.
+    /// A row at the configuration, with one coordinate changed if given.
     fn row(&self, row: usize, changed: Option<(usize, f64)>) -> Option<LengthRow> {
         let equation = &self.numeric.system.equations[row];
         let mut coordinates = self.q.to_vec();
@@ -138,7 +138,7 @@ impl LinkReader<'_> {
         let mut places = Vec::new();
         for (body, frame) in &frames {
             let (sign, offset) = offset_of(frame, &first, &second)?;
-            // Turned by a right angle, a point of the body is turned by a right angle.
+            // When the body turns by a right angle, the offset of a point must turn by a right angle.
             let turned = Some((frame[2], FRAC_PI_2));
             let (_, further) = offset_of(frame, &self.row(x, turned)?, &self.row(y, turned)?)?;
             if !self.is_near(further[0], -offset[1]) || !self.is_near(further[1], offset[0]) {
@@ -151,7 +151,7 @@ impl LinkReader<'_> {
                 let ground = [place.at[0] - sign * first.phi, place.at[1] - sign * second.phi];
                 Some(Link::Pin(*place, self.ground(ground)))
             }
-            // Φ is the difference of the two places, and nothing else.
+            // Φ must be the difference of the two points.
             [(one, first_place), (other, second_place)] if *one == -*other => {
                 let between = [0, 1].map(|i| one * (first_place.at[i] - second_place.at[i]));
                 (self.is_near(between[0], first.phi) && self.is_near(between[1], second.phi))
@@ -168,7 +168,7 @@ impl LinkReader<'_> {
         for (body, frame) in self.frames(row)? {
             let [x, y, angle] = frame;
             let (right, up) = (self.row(row, Some((x, size)))?, self.row(row, Some((y, size)))?);
-            // Φ is |h|² − c², and h moves with the body.
+            // Φ = |h|² − c², where h translates with the body.
             let is_square = |row: &LengthRow, unknown| self.is_near(row.slope(unknown) - here.slope(unknown), 2.0 * size);
             if !is_square(&right, x) || !is_square(&up, y) {
                 return None;
@@ -197,7 +197,7 @@ impl LinkReader<'_> {
         if !is_fixed {
             return None;
         }
-        // ∂Φ/∂φ is −n⊥ · s, and −n · s a right angle further.
+        // ∂Φ/∂φ is −n⊥ · s here, and −n · s after a right angle.
         let (along, across) = (-further.slope(angle), -here.slope(angle));
         let place = self.place(*body, *frame, [along * n[0] - across * n[1], along * n[1] + across * n[0]]);
         Some(Link::Line(place, n, n[0] * place.at[0] + n[1] * place.at[1] - here.phi))

@@ -1,18 +1,18 @@
-//! Which joints and bodies close together with a block.
+//! Joints and bodies that close together with a block.
 //!
-//! In: a [`Structure`]. Out: a [`Loop`]. A block holds the coordinates that must be found together; the places of its bodies are
-//! often computed in blocks of one unknown before and after it, and the joints that give them belong to the loop as well.
+//! In: a [`Structure`]. Out: a [`Loop`]. A block contains the coordinates that must be solved together. The positions of its bodies are
+//! often computed in blocks of one unknown before and after it; the joints of these blocks belong to the loop as well.
 
 use super::order::Upstream;
 use crate::numeric::Numeric;
 use crate::structure::{Block, Structure};
 use std::collections::BTreeSet;
 
-/// What has to close together.
+/// Equations and unknowns that close together.
 pub(crate) struct Loop {
     pub(crate) unknowns: Vec<usize>,
     pub(crate) equations: Vec<usize>,
-    /// The bodies that are not placed by what comes before.
+    /// Bodies not positioned by upstream blocks.
     pub(crate) moving: BTreeSet<usize>,
 }
 
@@ -24,9 +24,9 @@ pub(crate) struct Loops<'a> {
 }
 
 impl Loops<'_> {
-    /// A loop: a block, and what places its bodies and those next to them without being iterated.
+    /// The loop of a block: the block, and the computed blocks that position its bodies and their neighbours.
     ///
-    /// A body that is held by a loop closed before is left where it is: to open one of its joints would open that loop.
+    /// A body held by an earlier loop keeps its position: opening one of its joints would open that loop.
     pub(crate) fn around(&self, index: usize) -> Loop {
         let blocks = &self.structure.blocks;
         let is_computed = |block: usize| blocks[block].iterated.is_empty();
@@ -38,7 +38,7 @@ impl Loops<'_> {
                 .collect()
         };
         let held: BTreeSet<usize> = (0..index).filter(|block| !is_computed(*block)).flat_map(of_equations).collect();
-        // Nothing is known of what needs a loop that comes later.
+        // Blocks that need a later loop are unknown here.
         let upstream = self.upstream.all(index);
         let is_known = |block: &usize| {
             is_computed(*block)
@@ -64,7 +64,7 @@ impl Loops<'_> {
         Loop { unknowns: unknowns.concat(), equations: equations.concat(), moving }
     }
 
-    /// Computes what comes later in the order and does not need a block that stays open.
+    /// Computes all later blocks that do not depend on a block that stays open.
     pub(crate) fn complete(&self, index: usize, start: &mut [f64]) {
         for (later, block) in self.structure.blocks.iter().enumerate().skip(index + 1) {
             let all = self.upstream.all(later);
@@ -76,7 +76,7 @@ impl Loops<'_> {
         }
     }
 
-    /// The bodies that move with a block.
+    /// Bodies with coordinates in a block.
     pub(crate) fn bodies(&self, block: &Block) -> BTreeSet<usize> {
         block.parts().0.iter().map(|unknown| self.numeric.system.coordinates[*unknown].body).collect()
     }

@@ -1,15 +1,15 @@
-//! From a system to an assembled configuration at the declared defaults, at t = 0: the initial assembly problem.
+//! The initial assembly problem: from a system to an assembled configuration at the declared defaults, at t = 0.
 //!
-//! In: a [`System`] and its [`Structure`]. Out: an [`Assembly`]: the configuration that the generated `solve` starts from. What the
-//! declaration does not say of the start follows from the joints.
+//! In: a [`System`] and its [`Structure`]. Out: an [`Assembly`]: the configuration from which the generated `solve` starts. Start values
+//! that are not declared follow from the joints.
 //!
-//! 1. `nearest`: of small systems all assemblies that may be the nearest are gone through, block by block in the order of the
-//!    [`Structure`]; `assemblies` finds those of a block, which is solved for what it iterates (`reduced`), from guesses and along
-//!    `curve`s from what was found, for as long as one is missing by their `degree`.
-//! 2. `order`: large systems are closed block by block, each with its nearest assembly, with others where a later block needs them.
-//! 3. What did not close, or depends on functions that are not known here, is minimised from several guesses.
-//! 4. `diagnose`: what does not close (`loops`, `links`, `shortest`), closes in two ways that are equally near, or is singular only here
-//!    (`regular`) is refused.
+//! 1. `nearest`: for small systems, tree search over all assemblies that may be the nearest, block by block in the order of the
+//!    [`Structure`]. `assemblies` finds those of a block, reduced to its iterated unknowns (`reduced`), from guesses and along `curve`s,
+//!    while one is missing by their `degree`.
+//! 2. `order`: large systems are closed block by block, each with its nearest assembly, or with another one if a later block needs it.
+//! 3. Systems that did not close, or that depend on Rust functions, are minimised from several guesses.
+//! 4. `diagnose`: refuses an assembly that does not close (`loops`, `links`, `shortest`), is ambiguous, or is singular at this
+//!    configuration only (`regular`).
 //!
 //! Not done here: emitting, redundancy.
 
@@ -41,22 +41,22 @@ use nearest::Reach;
 use order::Assembled;
 use reduced::Reduced;
 
-/// The configuration to start from.
+/// The start configuration.
 #[derive(Clone, Debug)]
 pub struct Assembly {
-    /// One value for each unknown, in SI.
+    /// Value of each unknown, in SI units.
     pub start: Vec<f64>,
-    /// All equations that could be evaluated hold to rounding there.
+    /// True if all equations that could be evaluated hold to rounding.
     pub is_closed: bool,
-    /// What would be refused, had the mechanism not allowed it.
+    /// The refusal that the mechanism has allowed, as text.
     pub remark: Option<String>,
-    /// What may not be meant.
+    /// Starts that may not be intended.
     pub warnings: Vec<Warning>,
-    /// Operations of the interpreter that it took.
+    /// Number of interpreter operations spent.
     pub effort: u64,
 }
 
-/// Looks for the assembled configuration nearest to the declared start.
+/// Finds the assembled configuration nearest to the declared start.
 pub(crate) fn assemble(model: &Model, system: &System, structure: &Structure, diag: &mut Diag) -> Option<Assembly> {
     at_defaults(model, system, |numeric| {
         if model.closing == Closing::Off {
@@ -81,7 +81,7 @@ pub(crate) fn assemble(model: &Model, system: &System, structure: &Structure, di
 }
 
 impl Numeric<'_> {
-    /// The assembly to start from, or how far an assembly was found.
+    /// The assembly to start from, or a partial one.
     fn assembled(&self, structure: &Structure) -> Assembled {
         let is_small = self.system.coordinates.len() <= SMALL && !self.model.equations_only;
         if let Some(assembled) = is_small.then(|| self.nearest_of_all(structure, Reach::Nearest)).flatten() {
@@ -107,7 +107,7 @@ impl Numeric<'_> {
         self.in_order(structure)
     }
 
-    /// The start at the rounding limit, with the whole turns that bring it nearest to what is declared.
+    /// The start refined to rounding, with the whole turns that bring it nearest to the declared values.
     fn finished(&self, structure: &Structure, assembled: &Assembled) -> Vec<f64> {
         let mut start = assembled.start.clone();
         if assembled.is_closed && !self.model.equations_only {
@@ -116,11 +116,11 @@ impl Numeric<'_> {
                 self.settle(structure, &mut start);
             }
         }
-        // There is one zero only.
+        // Turns −0 into 0.
         start.iter().map(|value| value + 0.0).collect()
     }
 
-    /// Takes an assembly to the rounding limit, block by block.
+    /// Refines an assembly to rounding, block by block.
     fn settle(&self, structure: &Structure, start: &mut [f64]) {
         for block in structure.blocks.iter().filter(|block| block.parts().1.iter().all(|equation| self.is_known(*equation))) {
             let mut reduced = Reduced::new(self, block);

@@ -1,10 +1,10 @@
-//! The assembly that is nearest to the declared start, of all there are.
+//! The assembly nearest to the declared start, among all there are.
 //!
-//! In: a [`Structure`] of a mechanism that is not too large. Out: the nearest assembly, and another one where it is as near.
+//! In: a [`Structure`] of a mechanism that is not too large. Out: the nearest assembly, and the others that are equally near.
 //!
-//! Blocks are gone through in their order, each with all of its `assemblies` for each choice before it. What is summed up of the
-//! distance is only ever more: a choice that is farther than a whole assembly that is known is not gone on with (branch and bound, Land
-//! and Doig 1960). The nearest is taken first, so that mostly nothing else is gone through to its end.
+//! Branch and bound (Land and Doig 1960) over the blocks in their order: each block has a branch for each of its `assemblies`, given the
+//! choices before it. Partial distances only grow, so that a branch ends when it is farther than the best complete assembly. The nearest
+//! branch comes first, so that usually no other is completed.
 
 use super::assemblies::Alone;
 use super::order::{Assembled, Upstream};
@@ -17,17 +17,17 @@ use core::f64::consts::TAU;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-/// An equation holds that is off by less than a step of this, in rad and sizes.
+/// Largest residual of a checked equation, divided by its largest derivative, in rad and characteristic lengths.
 const HOLDS: f64 = 1e-6;
 
-/// So many choices are looked at.
+/// Largest number of choices.
 const MOST: usize = 20_000;
 
-/// So many blocks are searched.
+/// Largest number of blocks searched.
 const MOST_SEARCHED: usize = 400;
 
 impl Numeric<'_> {
-    /// The nearest assembly of all; none if none closes.
+    /// The nearest assembly; `None` if none closes.
     pub(super) fn nearest_of_all(&self, structure: &Structure, reach: Reach) -> Option<Assembled> {
         let upstream = Upstream::new(self, structure);
         let mut tree = SearchTree {
@@ -56,7 +56,7 @@ impl Numeric<'_> {
         })
     }
 
-    /// The equations that are checked instead of solved hold.
+    /// True if the equations that are checked instead of solved hold.
     pub(super) fn is_as_checked(&self, structure: &Structure, q: &[f64]) -> bool {
         let values = Values { coordinates: q, ..self.known };
         structure.checked.iter().all(|equation| {
@@ -65,12 +65,12 @@ impl Numeric<'_> {
             let values = evaluate(&self.system.arena, &roots, &values);
             let Some((phi, slopes)) = values.split_first() else { return true };
             let steps = slopes.iter().zip(&equation.jacobian).map(|(slope, (unknown, _))| (slope * self.scale(*unknown)).abs());
-            // What is no number here is not judged.
+            // A row that is NaN here is ignored.
             phi.is_nan() || phi.abs() <= HOLDS * steps.fold(0.0, f64::max)
         })
     }
 
-    /// Gives all angles the whole turns that bring them nearest to what is declared of them; whether any was missing.
+    /// Adds to all angles the whole turns that bring them nearest to their declared values; true if any angle changed.
     pub(super) fn turn_to_start(&self, q: &mut [f64]) -> bool {
         let mut has_turned = false;
         for group in self.turns().free() {
@@ -82,32 +82,32 @@ impl Numeric<'_> {
     }
 }
 
-/// Which assemblies are gone through.
+/// Assemblies to be visited.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Reach {
-    /// Those that may be the nearest, or as near.
+    /// Those that may be the nearest, or equally near.
     Nearest,
-    /// All.
+    /// All assemblies.
     All,
 }
 
 struct SearchTree<'a> {
     numeric: &'a Numeric<'a>,
     structure: &'a Structure,
-    /// The blocks that each one depends on.
+    /// Blocks on which each block depends.
     above: Vec<Vec<usize>>,
     is_sure: Vec<bool>,
     blocks: Vec<Looked<'a>>,
-    /// Which of its assemblies each block has.
+    /// Index of the chosen assembly of each block.
     choices: Vec<usize>,
     looks: usize,
     searched: usize,
     reach: Reach,
-    /// The nearest first.
+    /// Assemblies found, the nearest first.
     found: Vec<(Vec<f64>, Distance)>,
 }
 
-/// A block, and what is known of it after choices in the blocks that it depends on.
+/// A block, and its assemblies for each choice in the blocks upstream of it.
 #[derive(Default)]
 struct Looked<'a> {
     reduced: Option<Reduced<'a>>,
@@ -116,7 +116,7 @@ struct Looked<'a> {
 }
 
 impl SearchTree<'_> {
-    /// Goes through the blocks from one on, with those before it as they are.
+    /// Visits the blocks from `index` on; the earlier ones are fixed.
     fn descend(&mut self, index: usize, q: &mut [f64], distance: Distance) {
         self.looks += 1;
         if index == self.structure.blocks.len() {
@@ -139,7 +139,7 @@ impl SearchTree<'_> {
         }
     }
 
-    /// Goes on with an assembly of a block, unless that leads too far.
+    /// Continues with an assembly of a block unless the distance exceeds the bound.
     fn choose(&mut self, index: usize, choice: usize, q: &mut [f64], values: &[f64], mut distance: Distance) {
         let (unknowns, _) = self.structure.blocks[index].parts();
         for (unknown, value) in unknowns.iter().zip(values) {
@@ -153,13 +153,13 @@ impl SearchTree<'_> {
         }
     }
 
-    /// An assembly is known that is nearer than this.
+    /// True if a nearer complete assembly is known.
     fn is_too_far(&self, distance: &Distance) -> bool {
         let is_nearer = |(_, known): &(Vec<f64>, Distance)| compare(known, distance) == Ordering::Less;
         self.reach == Reach::Nearest && self.found.first().is_some_and(is_nearer)
     }
 
-    /// All blocks have an assembly.
+    /// Records a complete assembly.
     fn arrive(&mut self, q: Vec<f64>, distance: Distance) {
         let is_known = |(known, far): &(Vec<f64>, Distance)| {
             compare(far, &distance) == Ordering::Equal && self.numeric.differing(known, &q).is_empty()
@@ -171,7 +171,7 @@ impl SearchTree<'_> {
         self.found.insert(place.unwrap_or(self.found.len()), (q, distance));
     }
 
-    /// The assembly of a block near which there is no other, if it can be told without looking for others.
+    /// The isolated assembly of a block, if it is found without searching for others.
     fn alone(&mut self, index: usize, key: &[usize], q: &[f64]) -> Option<Alone> {
         let (numeric, block, looked) = (self.numeric, &self.structure.blocks[index], &mut self.blocks[index]);
         if !self.is_sure[index] {
@@ -200,7 +200,7 @@ impl SearchTree<'_> {
             let reduced = looked.reduced.get_or_insert_with(|| Reduced::new(numeric, block));
             numeric.assemblies(reduced, block, q)
         } else {
-            // Of what is not known in the compiler an assembly is only a guess.
+            // A block with Rust functions cannot be searched: take its approximate assembly.
             let (values, closes) = numeric.nearest(block, q);
             if closes { vec![values] } else { Vec::new() }
         };

@@ -1,7 +1,7 @@
-//! Closing block by block, each from those before it.
+//! Closes blocks in order, each from those before it.
 //!
-//! In: a [`Structure`]. Out: an [`Assembled`]. A later block may close with one assembly of an earlier block and not with another;
-//! where it does not close with the nearest one, the others are tried, the last block first.
+//! In: a [`Structure`]. Out: an [`Assembled`]. A later block may close with one assembly of an earlier block and not with another; if it
+//! does not close with the nearest one, the others are tried, those of the last upstream block first.
 
 use super::reduced::Reduced;
 use crate::numeric::Numeric;
@@ -11,31 +11,31 @@ use crate::structure::{Block, Structure};
 use crate::syntax::ast::Closing;
 use std::collections::BTreeSet;
 
-/// How often another assembly of an earlier block is tried before a block counts as open.
+/// Largest number of other assemblies of earlier blocks tried before a block counts as open.
 const MOST_TRIES: usize = 48;
 
-/// How many guesses are made where the declared start leads nowhere.
+/// Number of guesses if the declared start leads to no assembly.
 const WIDE: usize = 48;
 
-/// The assembly to start from, or how far an assembly was found.
+/// The assembly to start from, or a partial one.
 pub(crate) struct Assembled {
-    /// One value for each unknown.
+    /// Value of each unknown.
     pub(crate) start: Vec<f64>,
-    /// All rows that could be evaluated hold.
+    /// True if all rows that could be evaluated hold.
     pub(crate) is_closed: bool,
-    /// The first block that did not close, and that should.
+    /// The first block that should close and does not.
     pub(crate) open: Option<usize>,
-    /// Of each block closed on its own, the assemblies that were found.
+    /// Assemblies found for each block closed on its own.
     pub(crate) found: Vec<Vec<Vec<f64>>>,
-    /// Where all was closed at once, the assemblies that are not as near.
+    /// If everything was closed at once, the assemblies that are not the nearest.
     pub(crate) others: Vec<Vec<f64>>,
-    /// Whether all assemblies that may be as near were looked at.
+    /// True if all assemblies that may be equally near were visited.
     pub(crate) is_nearest: bool,
-    /// Each block was taken to the rounding limit.
+    /// True if each block is refined to rounding.
     pub(crate) is_settled: bool,
 }
 
-/// What each block depends on.
+/// Dependencies between blocks.
 pub(crate) struct Upstream {
     of_block: Vec<BTreeSet<usize>>,
 }
@@ -53,12 +53,12 @@ impl Upstream {
         Upstream { of_block: structure.blocks.iter().enumerate().map(direct).collect() }
     }
 
-    /// The blocks on which a block depends itself.
+    /// Blocks on which a block depends directly.
     pub(crate) fn direct(&self, block: usize) -> impl Iterator<Item = usize> {
         self.of_block[block].iter().copied()
     }
 
-    /// All blocks on which a block depends, through others too.
+    /// Blocks on which a block depends, directly or indirectly.
     pub(crate) fn all(&self, block: usize) -> BTreeSet<usize> {
         let mut found = BTreeSet::new();
         let mut open = vec![block];
@@ -68,11 +68,11 @@ impl Upstream {
         found
     }
 
-    /// Of each block, whether every number it depends on is known in the compiler.
+    /// For each block, true if the compiler can evaluate everything it depends on.
     pub(crate) fn surety(&self, numeric: &Numeric, structure: &Structure) -> Vec<bool> {
         let mut is_sure: Vec<bool> = Vec::new();
         for (index, block) in structure.blocks.iter().enumerate() {
-            // Blocks stand in order: what is upstream has been looked at.
+            // Blocks are ordered: those upstream have been visited.
             let sure = self.of_block[index].iter().all(|other| is_sure.get(*other) == Some(&true));
             is_sure.push(sure && block.parts().1.iter().all(|equation| numeric.is_known(*equation)));
         }
@@ -81,13 +81,13 @@ impl Upstream {
 }
 
 impl Numeric<'_> {
-    /// Block by block, each from those before it.
+    /// Closes the blocks in order, each from those before it, with backtracking.
     pub(crate) fn in_order(&self, structure: &Structure) -> Assembled {
         let upstream = Upstream::new(self, structure);
         let is_sure = upstream.surety(self, structure);
         let mut assembled = self.forward(structure, self.unassembled(), 0, &is_sure);
         let Some(open) = assembled.open else { return assembled };
-        // What is left to try in each block, as far as it was asked for.
+        // Assemblies left to try for each block, computed on demand.
         let mut others: Vec<Option<Vec<Vec<f64>>>> = vec![None; structure.blocks.len()];
         let (mut start, mut failed) = (assembled.start.clone(), open);
         for _ in 0..MOST_TRIES {
@@ -106,7 +106,7 @@ impl Numeric<'_> {
             }
         }
         if self.model.closing == Closing::Allow {
-            // What can be closed after it is.
+            // Close all later blocks that can be closed.
             assembled.start = self.forward(structure, assembled.start, open + 1, &[]).start;
         }
         assembled
@@ -138,14 +138,14 @@ impl Numeric<'_> {
         Assembled { start, is_closed, open: None, found, others: Vec::new(), is_nearest: false, is_settled: self.is_known_throughout() }
     }
 
-    /// The nearest assembly of a block, or what comes nearest to one.
+    /// The nearest assembly of a block, or the smallest residual found; true if it closes.
     pub(crate) fn nearest(&self, block: &Block, start: &[f64]) -> (Vec<f64>, bool) {
         let SearchResult { assemblies, first } = self.close_block(block, start);
         let closes = !assemblies.is_empty();
         (assemblies.into_iter().next().unwrap_or(first), closes)
     }
 
-    /// The assemblies of a block, the nearest first.
+    /// Assemblies of a block, the nearest first.
     fn close_block(&self, block: &Block, start: &[f64]) -> SearchResult {
         if block.parts().1.iter().all(|equation| self.is_known(*equation)) {
             let mut reduced = Reduced::new(self, block);
@@ -158,7 +158,7 @@ impl Numeric<'_> {
             }
         }
         let mut problem = self.block_problem(block, start);
-        // What is computed has one value only.
+        // A computed block has a single solution: one guess suffices.
         let is_open = block.iterated.iter().any(|unknown| self.declared[*unknown].is_none());
         let mut found = self.search(&mut problem, if is_open { GUESSES } else { 1 });
         if found.assemblies.is_empty() {
@@ -183,7 +183,7 @@ impl Numeric<'_> {
         all
     }
 
-    /// The equations of a block for its own unknowns.
+    /// The problem of a block: its equations in its own unknowns.
     pub(crate) fn block_problem(&self, block: &Block, start: &[f64]) -> Problem<'_> {
         let (unknowns, equations) = block.parts();
         self.problem(&equations, unknowns, start.to_vec())

@@ -1,7 +1,7 @@
-//! Configurations that the mechanism goes through, to choose by.
+//! Sample configurations along the motion, for choices.
 //!
-//! In: a [`Assembly`]. Out: its configuration and some before and after it in time. What is chosen by them must be right anywhere:
-//! they only make it likely to be quick. Not done here: choosing.
+//! In: an [`Assembly`]. Out: its configuration and some before and after it in time. Choices based on these samples must be correct at
+//! every configuration; the samples only make them likely to be fast. Not done here: choosing.
 
 use super::Assembly;
 use crate::expr::{Arena, Evaluator, Expr, Values, evaluate};
@@ -11,17 +11,17 @@ use crate::numeric::least_squares;
 use crate::numeric::{Numeric, call};
 use crate::system::System;
 
-/// How far the fastest angle goes from the start to each pose, in rad.
+/// Distances of the poses from the start, as travel of the fastest coordinate, in rad or characteristic lengths.
 const WAYS: [f64; 5] = [-0.9, -0.35, 0.35, 0.9, 1.7];
 
-/// Beyond this many coordinates the poses are not brought back to where the loops close.
+/// Above this number of coordinates the poses are not computed: only the start is used.
 const LARGEST: usize = 90;
 
 /// Configurations at the declared defaults, the start first.
 pub(crate) struct Poses<'a> {
     model: &'a Model,
     parameters: Vec<f64>,
-    /// L: what is worth a radian.
+    /// L: length equivalent to one radian.
     pub(crate) size: f64,
     poses: Vec<ClosedPose>,
 }
@@ -29,12 +29,12 @@ pub(crate) struct Poses<'a> {
 struct ClosedPose {
     time: f64,
     q: Vec<f64>,
-    /// The loops close there.
+    /// True if the loops close there.
     is_closed: bool,
 }
 
 impl<'a> Poses<'a> {
-    /// The start, and where the motion leads from there at first.
+    /// The start, and poses on the motion close to it.
     pub(crate) fn new(model: &'a Model, system: &System, assembly: &Assembly) -> Poses<'a> {
         let functions = |number: u32, x: f64| call(model, number, x);
         let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
@@ -57,12 +57,12 @@ impl<'a> Poses<'a> {
         Poses { model, parameters, size, poses }
     }
 
-    /// The time and the configuration of those in which the loops close.
+    /// Times and configurations of the closed poses.
     pub(crate) fn closed(&self) -> impl Iterator<Item = (f64, &[f64])> {
         self.poses.iter().filter(|pose| pose.is_closed).map(|pose| (pose.time, pose.q.as_slice()))
     }
 
-    /// The values of some expressions in each pose.
+    /// Values of some expressions at each pose.
     pub(crate) fn values(&self, arena: &Arena, exprs: &[Expr]) -> Vec<Vec<f64>> {
         let functions = |number: u32, x: f64| call(self.model, number, x);
         let mut evaluator = Evaluator::new(arena, exprs);
@@ -77,7 +77,7 @@ impl<'a> Poses<'a> {
     }
 }
 
-/// Where the mechanism is a while later, or before.
+/// The pose at a time, predicted from the rates and corrected.
 fn moved(numeric: &Numeric, start: &[f64], rates: &[f64], time: f64) -> ClosedPose {
     let predicted: Vec<f64> = start.iter().zip(rates).map(|(value, rate)| value + rate * time).collect();
     let mut q = predicted.clone();
@@ -87,7 +87,7 @@ fn moved(numeric: &Numeric, start: &[f64], rates: &[f64], time: f64) -> ClosedPo
     ClosedPose { time, q: if is_closed { q } else { predicted }, is_closed }
 }
 
-/// q̇ of Φ_q q̇ = ν at the start; None where it is not to be had.
+/// q̇ from Φ_q q̇ = ν at the start; `None` if the system is large, not square or singular, or not finite there.
 fn rates(system: &System, known: &Values, start: &[f64]) -> Option<Vec<f64>> {
     let n = system.coordinates.len();
     let mut roots: Vec<Expr> = system.equations.iter().map(|equation| equation.nu).collect();

@@ -1,13 +1,13 @@
-//! A block as equations for its iterated unknowns alone: what is explicit follows from them.
+//! A block reduced to equations in its iterated unknowns; explicit unknowns follow from these.
 //!
 //! ```text
 //! δe = −J_ee⁻¹ (Φ_e + J_ei δi)        explicit equations, by forward substitution
 //! R  = J_ri + J_re de/di              r residuals, i iterated and e explicit unknowns
-//! g  = Φ_r − J_re J_ee⁻¹ Φ_e          the residuals as they are once what is explicit has followed
+//! g  = Φ_r − J_re J_ee⁻¹ Φ_e          residuals after the explicit unknowns have followed
 //! ```
 //!
-//! In: a block and where its unknowns stand. Out: an assembly of the block near by, to the rounding limit, by the method of Levenberg
-//! and Marquardt on g and then by Newton's. Not done here: choosing guesses and assemblies.
+//! In: a block and values of its unknowns. Out: a nearby assembly of the block, refined to rounding: by limited and damped Gauss-Newton
+//! steps on g, then by Newton's method. Not done here: choosing guesses and assemblies.
 
 use crate::expr::{Evaluator, Expr, Values, magnitudes};
 use crate::numeric::dense::{cholesky, solve};
@@ -15,67 +15,67 @@ use crate::numeric::least_squares::CLOSED;
 use crate::numeric::{Numeric, place};
 use crate::structure::Block;
 
-/// Limited steps of Newton's method from a guess.
+/// Largest number of Newton steps of limited length from a guess.
 const LIMITED_STEPS: usize = 40;
 
-/// Damped steps from where these lead.
+/// Largest number of damped steps after these.
 const DAMPED_STEPS: usize = 25;
 
-/// The damping of steps that are not damped, so that a singular matrix does no harm.
+/// Minimum damping, so that a singular matrix can be factorised.
 const HARDLY: f64 = 1e-13;
 
-/// Newton's steps from where the residuals vanish to the rounding limit.
+/// Largest number of Newton steps that refine a solution to rounding.
 const LAST_STEPS: usize = 40;
 
-/// A last step is no longer than this, in rad and sizes.
+/// Longest refining step, in rad and characteristic lengths.
 const FAR: f64 = 1e-3;
 
-/// Residuals whose squares sum up to less may be rounding errors.
+/// Residuals with a smaller sum of squares may be rounding errors.
 const NEARLY: f64 = 1e-22;
 
-/// So many roundings of its terms may be left of a residual.
+/// Residuals up to this many rounding errors of their terms are closed.
 const ROUNDINGS: f64 = 16.0;
 
-/// Steps below this that hardly become shorter are rounding errors.
+/// Steps below this that hardly decrease are rounding errors.
 const STALLED: f64 = 1e-9;
 
-/// Residuals whose squares sum up to less are rounding errors.
+/// Residuals with a smaller sum of squares are rounding errors.
 const ROUNDED: f64 = 1e-28;
 
-/// Longest step of an iterated unknown, in rad and sizes.
+/// Longest step of an iterated unknown, in rad and characteristic lengths.
 const LONGEST: f64 = 0.6;
 
-/// A block made ready to be solved often.
+/// A block prepared to be solved repeatedly.
 pub(super) struct Reduced<'a> {
     numeric: &'a Numeric<'a>,
     /// Iterated unknowns, then explicit ones.
     pub(super) unknowns: Vec<usize>,
     scales: Vec<f64>,
-    /// How many are iterated.
+    /// Number of iterated unknowns.
     pub(super) iterated: usize,
-    /// Residuals, then explicit equations: where the entries of each row stand among the values, and their columns.
+    /// For each row, residuals first, then explicit equations: index of each entry in `values`, and its column.
     rows: Vec<Vec<(usize, usize)>>,
-    /// Φ of each row, for what rounding does to it.
+    /// Φ of each row, to bound its rounding error.
     roots: Vec<Expr>,
     evaluator: Evaluator,
     values: Vec<f64>,
-    /// What residuals are shares of: what an entry of the row can be, by any unknown of the mechanism.
+    /// Row scales: the largest entry that a row can have, by any unknown of the mechanism.
     sizes: Vec<f64>,
-    /// All of q, of which the unknowns of the block are replaced.
+    /// All of q; the unknowns of the block are overwritten.
     coordinates: Vec<f64>,
 }
 
-/// A block at a place.
+/// A block linearised at a configuration.
 pub(super) struct LinearizedBlock {
-    /// The residuals once what is explicit has followed, in shares of the rows' sizes.
+    /// Residuals after the explicit unknowns have followed, divided by the row scales.
     pub(super) g: Vec<f64>,
-    /// Their derivatives by scaled iterated unknowns.
+    /// Derivatives of g by the scaled iterated unknowns.
     pub(super) r: Vec<Vec<f64>>,
-    /// How far each explicit unknown has to go to follow, scaled.
+    /// Corrections of the explicit unknowns, scaled.
     follows: Vec<f64>,
-    /// How far each goes for each iterated unknown.
+    /// Derivatives of the explicit unknowns by the iterated ones, scaled.
     moves: Vec<Vec<f64>>,
-    /// By how much the rows are open, the sum of the squares of steps that would close each.
+    /// Sum of the squares of the steps that would close each residual.
     open: f64,
 }
 
@@ -84,17 +84,17 @@ impl LinearizedBlock {
         square(&self.g)
     }
 
-    /// Newton's step of the iterated unknowns; None where they are not determined.
+    /// Newton step of the iterated unknowns; `None` if the Jacobian is singular.
     pub(super) fn newton(&self) -> Option<Vec<f64>> {
         solve(self.r.clone(), &self.g.iter().map(|g| -g).collect::<Vec<f64>>())
     }
 
-    /// Steps as long as rounding errors would close it.
+    /// True if the steps that would close the block are of the order of rounding errors.
     fn is_closed(&self) -> bool {
         self.open + square(&self.follows) <= CLOSED
     }
 
-    /// It is open by so little that this may be rounding errors, though a step that closes it may be long.
+    /// True if the residual may be rounding, although the step that closes it may be long.
     fn is_nearly_closed(&self) -> bool {
         self.cost() + square(&self.follows) <= NEARLY
     }
@@ -132,12 +132,12 @@ impl<'a> Reduced<'a> {
         }
     }
 
-    /// Makes another q known, of which what lies before the block counts.
+    /// Sets q; the coordinates upstream of the block are taken from it.
     pub(super) fn set_out_from(&mut self, q: &[f64]) {
         self.coordinates = q.to_vec();
     }
 
-    /// The block linearised where its unknowns are `x`; None where it is not defined.
+    /// Linearises the block at the unknowns `x`; `None` if it is not finite there.
     pub(super) fn linearize(&mut self, x: &[f64]) -> Option<LinearizedBlock> {
         for (unknown, value) in self.unknowns.iter().zip(x) {
             self.coordinates[*unknown] = *value;
@@ -148,7 +148,7 @@ impl<'a> Reduced<'a> {
         let (mut g, mut r) = (Vec::with_capacity(k), Vec::with_capacity(k));
         let (mut follows, mut moves) = (Vec::with_capacity(explicit), Vec::with_capacity(explicit));
         let mut open = 0.0;
-        // Explicit equations first, each of which adds one unknown to those that are known.
+        // Explicit equations first: each determines one further unknown.
         for index in (k..self.rows.len()).chain(0..k) {
             let entries = self.rows[index].iter().map(|(place, column)| (*column, self.values[*place] * self.scales[*column]));
             let (mut rest, mut along, mut pivot, mut size) = (self.values[index], vec![0.0; k], f64::NAN, 0.0_f64);
@@ -168,7 +168,7 @@ impl<'a> Reduced<'a> {
                 follows.push(-rest / pivot);
                 moves.push(along.into_iter().map(|along| -along / pivot).collect());
             } else {
-                // Without a slope it is open.
+                // A row with zero gradient counts as open.
                 open += if size > 0.0 { (rest / size).powi(2) } else { 1.0 };
                 g.push(rest / self.sizes[index]);
                 r.push(along.into_iter().map(|along| along / self.sizes[index]).collect());
@@ -180,7 +180,7 @@ impl<'a> Reduced<'a> {
         is_finite.then_some(linear)
     }
 
-    /// Moves the unknowns by a step of those that are iterated, in scaled unknowns; the others follow.
+    /// Moves the iterated unknowns by a step, in scaled unknowns; the explicit ones follow.
     pub(super) fn moved(&self, x: &[f64], linear: &LinearizedBlock, step: &[f64]) -> Vec<f64> {
         let k = self.iterated;
         let mut there = x.to_vec();
@@ -195,16 +195,16 @@ impl<'a> Reduced<'a> {
         there
     }
 
-    /// Makes the residuals as small as they become from a guess; whether they vanish, to the rounding limit if they do.
+    /// Closes the block from a guess; true if the residuals vanish, and then refined to rounding.
     pub(super) fn close(&mut self, x: &mut Vec<f64>) -> bool {
         let still = vec![0.0; self.iterated];
-        // What is explicit is brought to where it belongs first; twice, for what is not linear in it.
+        // Compute the explicit unknowns first; twice, since their equations may be nonlinear in them.
         for _ in 0..2 {
             let Some(linear) = self.linearize(x) else { return false };
             *x = self.moved(x, &linear, &still);
         }
         let Some(mut here) = self.linearize(x) else { return false };
-        // Limited steps that may cross singular positions, as from rough guesses they often must.
+        // Limited steps may cross singular configurations, as steps from rough guesses often must.
         for _ in 0..LIMITED_STEPS {
             if self.is_closed(&here) {
                 return self.settle(x);
@@ -235,7 +235,7 @@ impl<'a> Reduced<'a> {
         false
     }
 
-    /// The residuals vanish, to rounding.
+    /// True if the residuals vanish to rounding.
     fn is_closed(&self, linear: &LinearizedBlock) -> bool {
         if linear.is_closed() || !linear.is_nearly_closed() {
             return linear.is_closed();
@@ -244,14 +244,14 @@ impl<'a> Reduced<'a> {
         linear.g.iter().zip(&floors).all(|(g, floor)| g.abs() <= ROUNDINGS * floor)
     }
 
-    /// What rounding errors of each row may amount to, in shares of its size.
+    /// Bound of the rounding error of each row, divided by its scale.
     fn floors(&self) -> Vec<f64> {
         let known = Values { coordinates: &self.coordinates, ..self.numeric.known };
         let floors = magnitudes(&self.numeric.system.arena, &self.roots, &known);
         floors.iter().zip(&self.sizes).map(|(floor, size)| f64::EPSILON * floor / size).collect()
     }
 
-    /// Newton's method from where the residuals vanish to the rounding limit; false where they are not defined.
+    /// Refines a solution to rounding by Newton's method; false if the block is not finite there.
     pub(super) fn settle(&mut self, x: &mut Vec<f64>) -> bool {
         let Some(mut here) = self.linearize(x) else { return false };
         let mut last = f64::INFINITY;
@@ -259,7 +259,7 @@ impl<'a> Reduced<'a> {
             let Some(step) = here.newton() else { return true };
             let length = step.iter().chain(&here.follows).fold(0.0, |length: f64, step| length.max(step.abs()));
             let trial = self.moved(x, &here, &step);
-            // Where it is singular a step may lead anywhere.
+            // At a singular configuration a step may be arbitrarily long.
             let Some(there) = self.linearize(&trial).filter(|there| length < FAR && there.cost() <= here.cost().max(ROUNDED)) else {
                 return true;
             };
@@ -272,11 +272,11 @@ impl<'a> Reduced<'a> {
         true
     }
 
-    /// How far an assembly may be off by rounding, in scaled iterated unknowns: where the worst of the residuals' rounding errors leads,
-    /// as far as all of them together may. None where the block is singular.
+    /// Estimated rounding error of an assembly, in scaled iterated unknowns: it has the direction of the largest effect of a single
+    /// residual's rounding error, and the summed length of all effects. `None` if the block is singular.
     pub(super) fn rounding(&self, linear: &LinearizedBlock) -> Option<Vec<f64>> {
         let (floors, k) = (self.floors(), self.iterated);
-        // Rounding errors of what is explicit come to the residuals by way of its own equations.
+        // Rounding errors of explicit equations propagate to the residuals.
         let through: f64 = floors[k..].iter().sum();
         let (mut worst, mut longest, mut total) = (vec![0.0; k], 0.0, 0.0);
         for row in 0..k {
@@ -300,7 +300,7 @@ fn square(values: &[f64]) -> f64 {
     values.iter().map(|value| value * value).sum()
 }
 
-/// (RᵀR + λ r² I) δ = −Rᵀg with the longest column r, and no entry of δ longer than `longest`.
+/// (RᵀR + λ r² I) δ = −Rᵀg, where r is the norm of the longest column; δ is scaled so that no entry exceeds `longest`.
 fn damped(linear: &LinearizedBlock, damping: f64, longest: f64) -> Option<Vec<f64>> {
     let k = linear.r.first().map_or(0, Vec::len);
     let (mut matrix, mut right) = (vec![vec![0.0; k]; k], vec![0.0; k]);

@@ -1,13 +1,13 @@
-//! Whether a block is singular at a configuration, and whether only there.
+//! Test for singular blocks: singular at one configuration, or everywhere.
 //!
-//! In: a closed configuration. Out: a measure of the block's reduced Jacobian,
+//! In: a closed configuration. Out: a measure of the block's reduced Jacobian:
 //!
 //! ```text
 //! R = J_ri + J_re · de/di        r residuals, i iterated and e explicit unknowns, de/di by the explicit equations
 //! ```
 //!
-//! each entry relative to what an entry of its row can be and to what its unknown moves at all; it is 1 where the iterated unknowns
-//! are best determined and 0 where they are not. At a dead point of a four-bar it is the sine of the angle between coupler and rocker.
+//! Each entry is divided by the scale of its row and by the largest effect of its unknown. The measure is 1 if the iterated unknowns are
+//! well determined and 0 if they are not determined. At a dead point of a four-bar it is the sine of the angle between coupler and rocker.
 
 use super::assemblies::strays;
 use super::reduced::Reduced;
@@ -17,36 +17,36 @@ use crate::numeric::dense::Factors;
 use crate::numeric::least_squares::{Problem, minimise, settle};
 use crate::structure::Block;
 
-/// A block is regular here if what rounding may be off changes its reduced Jacobian by less than this share of itself, as the run time
-/// asks for too: so much velocities may be wrong. At a dead point that is so for a condition below about 1/√ε.
+/// A block is regular if rounding errors change its reduced Jacobian by less than this relative norm; the run time asks the same, since it
+/// bounds the relative error of velocities. Close to a dead point this holds for condition numbers below about 1/√ε.
 const SHARE: f64 = 0.25;
 
-/// How much further than rounding errors it is looked. Where two assemblies are one, Newton's method may leave off by rounding errors of
-/// the residual and of its own length, from where these change the Jacobian by as little as a quarter.
+/// Factor on the bound of rounding errors. At a double root Newton's method may stop at the rounding error of the residual and of its own
+/// step, where these change the Jacobian by as little as a quarter.
 const ROUNDINGS: f64 = 2.0;
 
-/// Above this it is regular beyond doubt.
+/// A block with a larger measure is certainly regular.
 const REGULAR: f64 = 1e-4;
 
-/// Steps to where rounding errors are all that is left.
+/// Largest number of Newton steps until only rounding errors are left.
 const STEPS: usize = 60;
 
-/// What is near, in sizes or rad.
+/// Distance of a nearby configuration, in characteristic lengths or rad.
 const NEAR: f64 = 0.1;
 
-/// By how much rows are shifted to see whether the block is singular elsewhere too, in sizes or rad.
+/// Perturbations of the right-hand side to test whether the block is singular elsewhere too, in characteristic lengths or rad.
 const SHIFTS: [f64; 3] = [1e-2, 1e-3, 1e-4];
 
 impl Numeric<'_> {
-    /// Whether a block is singular at a closed configuration, and regular near it.
+    /// True if a block is singular at a closed configuration, and regular near it.
     ///
-    /// A block whose rows depend on each other everywhere has values of them that no configuration near here attains but those
-    /// at which it is singular too; one that is singular only here is regular as soon as its rows are shifted in the right direction.
+    /// To tell a singular point from a singular block, the right-hand side is perturbed: near a singular point the perturbed equations have
+    /// a regular solution in some direction; in a singular block their only solutions, if any, are singular too.
     pub(super) fn is_singular_here(&self, block: &Block, start: &[f64]) -> bool {
         let mut problem = self.block_problem(block, start);
         let sizes = self.row_sizes(block, start);
         let mut q: Vec<f64> = problem.unknowns.iter().map(|unknown| start[*unknown]).collect();
-        // Where it looks regular from some distance, nothing more is done: this is the usual case.
+        // The usual case: clearly regular.
         if measure(&mut problem, block, &sizes, &q) > REGULAR {
             return false;
         }
@@ -58,7 +58,7 @@ impl Numeric<'_> {
             let shift = SHIFTS[attempt as usize / 8];
             let way = |index: usize| 2.0 * (f64::from(attempt % 8 + 1) * (index as f64 + 1.0) * 0.618_033_988_749_895).fract() - 1.0;
             problem.shift = sizes.iter().enumerate().map(|(row, size)| shift * size * way(row)).collect();
-            // Exactly in line, a step has no reason to go to either side.
+            // Perturb the guess as well: exactly in line, a step has no preferred side.
             let mut near: Vec<f64> =
                 q.iter().zip(&problem.scales).enumerate().map(|(index, (value, scale))| value + shift * scale * way(index + 7)).collect();
             let everything = vec![true; near.len()];
@@ -66,14 +66,14 @@ impl Numeric<'_> {
         })
     }
 
-    /// Whether rounding errors leave the Jacobian of a block as it is.
+    /// True if rounding errors do not change the Jacobian of a block significantly.
     fn is_resolved(&self, block: &Block, start: &[f64], q: &mut Vec<f64>) -> bool {
         let mut reduced = Reduced::new(self, block);
         reduced.set_out_from(start);
         for _ in 0..STEPS {
             let Some(here) = reduced.linearize(q) else { return false };
             let (Some(off), Some(step)) = (reduced.rounding(&here), here.newton()) else { return false };
-            // Where two assemblies meet Newton's method goes half the way each time, until it is lost in rounding errors.
+            // At a double root each Newton step halves the error, until only rounding errors are left.
             if length(&step) > length(&off) {
                 *q = reduced.moved(q, &here, &step);
                 continue;
@@ -88,11 +88,11 @@ impl Numeric<'_> {
         false
     }
 
-    /// What an entry of each row of a block can be: its largest by any unknown of the mechanism, there or anywhere near, in scaled
-    /// unknowns, or 1.
+    /// Scale of each row of a block: its largest entry by any unknown of the mechanism, at this configuration or a nearby one, in scaled
+    /// unknowns; 1 if that is 0 or not finite.
     ///
-    /// By the block's own unknowns alone a row may be small just because the block is singular, and there alone just because it is the
-    /// square of something that vanishes there.
+    /// Entries by the block's own unknowns alone may be small because the block is singular, and entries at this configuration alone
+    /// because the row is the square of an expression that vanishes here.
     pub(super) fn row_sizes(&self, block: &Block, start: &[f64]) -> Vec<f64> {
         let near: Vec<f64> = start.iter().enumerate().map(|(unknown, value)| value + NEAR * self.scale(unknown)).collect();
         let size = |equation: &usize| {
@@ -109,7 +109,7 @@ impl Numeric<'_> {
     }
 }
 
-/// The smallest pivot of the reduced Jacobian relative to the largest; 1 for a block that is not iterated.
+/// Smallest pivot of the scaled reduced Jacobian, at most 1; 1 for a block that is not iterated.
 ///
 /// Unknowns and rows of the problem are those of the block, iterated and residual ones first.
 fn measure(problem: &mut Problem, block: &Block, sizes: &[f64], q: &[f64]) -> f64 {
@@ -117,15 +117,15 @@ fn measure(problem: &mut Problem, block: &Block, sizes: &[f64], q: &[f64]) -> f6
     let row = |index: usize| linear.jacobian[index].iter().map(|entry| entry / sizes[index]).collect::<Vec<f64>>();
     let rows: Vec<Vec<f64>> = (0..linear.jacobian.len()).map(row).collect();
     if rows.len() != block.residuals.len() + block.explicit.len() || rows.iter().flatten().any(|entry| !entry.is_finite()) {
-        // A velocity-level row, or a row without value: nothing can be said.
+        // A velocity-level row, or a row that is not finite: no statement is possible.
         return 1.0;
     }
-    // Where all that an unknown does vanishes here, it is told by what it does elsewhere.
+    // If an unknown's column vanishes here, take its scale at a nearby configuration.
     let near: Vec<f64> = q.iter().zip(&problem.scales).map(|(value, scale)| value + NEAR * scale).collect();
     let elsewhere = problem.raw(&near);
     let mut reduced = vec![vec![0.0; k]; k];
     for column in 0..k {
-        // How much each unknown moves with this one.
+        // Derivatives of all unknowns by this one.
         let mut moves = vec![0.0; q.len()];
         moves[column] = 1.0;
         let others = elsewhere.jacobian.iter().zip(sizes).map(|(row, size)| row[column] / size).filter(|entry| entry.is_finite());
@@ -141,7 +141,7 @@ fn measure(problem: &mut Problem, block: &Block, sizes: &[f64], q: &[f64]) -> f6
             reduced[column] = if largest > 0.0 { entry / largest } else { 0.0 };
         }
     }
-    // Entries are at most about 1.
+    // After scaling, entries are at most about 1.
     Factors::new(reduced).map_or(0.0, |factors| factors.smallest_pivot.min(1.0))
 }
 

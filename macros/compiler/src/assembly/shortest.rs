@@ -1,23 +1,23 @@
-//! Why a loop of rigid links cannot close: one of them is longer than all the others together.
+//! Proof that a loop of rigid links cannot close: one link is longer than all others together.
 //!
-//! In: [`Link`]s. Out: a [`Bound`], where there is one. In any loop a link, a rod or the distance between two fixed places must not
-//! be longer than the shortest way between its ends over other links. Whatever else a mechanism demands, this is necessary; for a
-//! single loop of revolutes it is also sufficient.
+//! In: [`Link`]s. Out: a [`Bound`], if there is one. In any loop, a body, a rod or the distance between two fixed points must not be longer
+//! than the shortest path between its ends over other links. This is necessary for every mechanism, and sufficient for a single loop of
+//! revolutes.
 //!
-//! Reference for the shortest way: Dijkstra (1959), A note on two problems in connexion with graphs.
+//! Reference for the shortest path: Dijkstra (1959), A note on two problems in connexion with graphs.
 
 use super::links::{BodyPoint, Link};
 use crate::diag::Bound;
 use crate::numeric::Numeric;
 use std::collections::BTreeMap;
 
-/// With more places than this the search for a bound would be felt.
+/// Limit of the graph: at most twice as many points, and half its square of edges; beyond it, compilation would slow down noticeably.
 const MOST: usize = 120;
 
-/// What is missing must be more than this part of the length.
+/// The shortfall must exceed this fraction of the length.
 const CLEARLY: f64 = 1e-9;
 
-/// The link that is longest for the others. Bodies that are not `moving` stand still, all together.
+/// The link with the largest shortfall. Bodies that are not `moving` are fixed to each other.
 pub(super) fn longest(numeric: &Numeric, links: &[Link], moving: &dyn Fn(usize) -> bool, is_always: bool) -> Option<Bound> {
     let graph = Graph::new(numeric, links, moving)?;
     let mut worst: Option<Bound> = None;
@@ -32,15 +32,15 @@ pub(super) fn longest(numeric: &Numeric, links: &[Link], moving: &dyn Fn(usize) 
     worst
 }
 
-/// A connection of two nodes.
+/// An edge between two nodes.
 #[derive(Clone, Debug)]
 struct Edge {
     ends: [usize; 2],
     length: f64,
     name: String,
-    /// What it is a part of: ways over the same thing do not count.
+    /// Rigid part of the edge: paths over the same part do not count.
     owner: Owner,
-    /// It is only a bound from below, as the distance from a line.
+    /// True if the length is only a lower bound, as the distance from a line is.
     is_span_only: bool,
 }
 
@@ -68,7 +68,7 @@ impl Graph {
         if places.len() > 2 * MOST {
             return None;
         }
-        // Places of one body that coincide are one node, and so are the two of a pin.
+        // Coincident points of one body are one node, and so are the two points of a pin.
         let mut node: Vec<usize> = (0..places.len()).collect();
         let mut unite = |one: usize, other: usize| {
             let (one, other) = (node[one].min(node[other]), node[one].max(node[other]));
@@ -127,12 +127,12 @@ impl Graph {
         (edges.len() <= MOST * MOST / 2).then_some(Graph { nodes: places.len(), edges })
     }
 
-    /// What may be too long.
+    /// Edges that may be too long.
     fn spans(&self) -> impl Iterator<Item = Edge> {
         self.edges.clone().into_iter().filter(|edge| edge.length > 0.0)
     }
 
-    /// The shortest way between the ends of a span over anything else.
+    /// Shortest path between the ends of an edge over other parts.
     fn shortest(&self, span: &Edge) -> Option<Vec<(String, f64)>> {
         let mut reached: Vec<Option<(f64, Option<usize>)>> = vec![None; self.nodes];
         let mut is_done = vec![false; self.nodes];
@@ -168,7 +168,7 @@ fn apart(one: [f64; 2], other: [f64; 2]) -> f64 {
     (one[0] - other[0]).hypot(one[1] - other[1])
 }
 
-/// `crank`, `ground`, or where two places are of different bodies that stand still, what lies between their joints.
+/// Name of an edge: `crank`, `ground`, or the distance between two joints if the points belong to different fixed bodies.
 fn name(numeric: &Numeric, one: &BodyPoint, other: &BodyPoint) -> String {
     match (one.body, other.body) {
         (Some(body), Some(same)) if body == same => format!("`{}`", numeric.model.bodies[body].name),

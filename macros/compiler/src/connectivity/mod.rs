@@ -1,8 +1,8 @@
-//! Whether every body hangs on ground, by way of others or by itself.
+//! Connectivity: every body must be connected to ground, directly or through other bodies.
 //!
-//! A body whose coordinates occur in no equation is joined to nothing. A group of joined bodies floats if it can be shifted as a whole:
-//! no equation of it changes when the same is added to x, or to y, of all its bodies. An equation on a single body never allows that
-//! unless it holds an angle only. Of a body that is alone, `mobility` says which of its coordinates nothing determines.
+//! A body whose coordinates occur in no equation is not connected. A group of connected bodies floats if it can be translated as a whole:
+//! no equation of the group changes when the same value is added to x, or to y, of all its bodies. An equation on a single body prevents
+//! this unless it contains only its angle. For a group of one body, `mobility` reports undetermined coordinates.
 
 use crate::diag::{Diag, SystemFact};
 use crate::expr::{Arena, Expr, Leaf, Values, evaluate};
@@ -11,7 +11,7 @@ use crate::quantity::Role;
 use crate::system::{Equation, System};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Refuses bodies and groups of bodies that do not hang on ground.
+/// Refuses bodies and groups of bodies that are not connected to ground.
 pub(crate) fn check(model: &Model, system: &System, diag: &mut Diag) -> Option<()> {
     if !model.equations_only {
         every_body_is_held(model, system, diag);
@@ -20,7 +20,7 @@ pub(crate) fn check(model: &Model, system: &System, diag: &mut Diag) -> Option<(
     diag.is_clean().then_some(())
 }
 
-/// A body whose coordinates occur in no equation is connected to nothing.
+/// Refuses bodies whose coordinates occur in no equation.
 fn every_body_is_held(model: &Model, system: &System, diag: &mut Diag) {
     let held: BTreeSet<usize> = system.pattern.rows.iter().flatten().map(|entry| system.coordinates[entry.unknown].body).collect();
     let mut said = Said::default();
@@ -33,7 +33,7 @@ fn every_body_is_held(model: &Model, system: &System, diag: &mut Diag) {
     }
 }
 
-/// Every group of joined bodies is joined to ground as well.
+/// Refuses groups of connected bodies that are not connected to ground.
 fn every_group_is_on_ground(model: &Model, system: &System, diag: &mut Diag) {
     let Groups { groups, of_group, is_held } = Groups::new(model, system);
     let mut said = Said::default();
@@ -49,19 +49,19 @@ fn every_group_is_on_ground(model: &Model, system: &System, diag: &mut Diag) {
     }
 }
 
-/// The bodies that are joined to ground, some by way of others.
+/// Bodies connected to ground, directly or through others.
 fn bodies_on_ground(model: &Model, system: &System) -> BTreeSet<usize> {
     let Groups { groups, is_held, .. } = Groups::new(model, system);
     (0..groups.len()).filter(|body| is_held.contains(&groups[*body])).collect()
 }
 
-/// Bodies that are joined to one another.
+/// Groups of connected bodies.
 struct Groups {
-    /// The group of each body.
+    /// Group of each body.
     groups: Vec<usize>,
-    /// The equations of each group that has any.
+    /// Equations of each group that has any.
     of_group: BTreeMap<usize, Vec<usize>>,
-    /// The groups with an equation on a single body that holds more than its angle, or is alone.
+    /// Groups held by an equation on a single body that contains more than its angle, or on the group's only body.
     is_held: BTreeSet<usize>,
 }
 
@@ -85,7 +85,7 @@ impl Groups {
     }
 }
 
-/// The group of each body: the number of the first body in it.
+/// Group of each body, named by the first body in it.
 fn groups(bodies: usize, rows: &[BTreeSet<usize>]) -> Vec<usize> {
     let mut parent: Vec<usize> = (0..bodies).collect();
     fn root(parent: &mut [usize], mut body: usize) -> usize {
@@ -106,7 +106,7 @@ fn groups(bodies: usize, rows: &[BTreeSet<usize>]) -> Vec<usize> {
     (0..bodies).map(|body| root(&mut parent, body)).collect()
 }
 
-/// Σ ∂Φ/∂x = 0 over all bodies, and the same for y.
+/// True if Σ ∂Φ/∂x = 0 over all bodies, and the same for y.
 fn can_be_shifted(system: &System, arena: &mut Arena, equation: &Equation) -> bool {
     Role::PLANE.into_iter().filter(|role| role.is_position()).all(|role| {
         let entries: Vec<Expr> =
@@ -117,7 +117,7 @@ fn can_be_shifted(system: &System, arena: &mut Arena, equation: &Equation) -> bo
     })
 }
 
-/// A sum that is zero but is not simplified to it: at places chosen without reason it is zero to rounding.
+/// True if a sum that is not simplified to zero is zero to rounding at arbitrary configurations.
 fn vanishes(arena: &Arena, sum: Expr) -> bool {
     let numbers = |seed: f64, count: usize| (1..=count).map(|index| 0.5 + (seed * index as f64).fract()).collect::<Vec<f64>>();
     [0.618_033_988_75, 0.754_877_666_25].into_iter().all(|seed| {

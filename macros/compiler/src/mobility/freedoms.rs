@@ -1,4 +1,4 @@
-//! Freedoms that are left: coordinates that nothing determines, and drives that are missing.
+//! Remaining freedoms: undetermined coordinates and missing drives.
 
 use crate::diag::{Count, Diag, Forgotten, SystemFact};
 use crate::model::{Model, example};
@@ -7,13 +7,13 @@ use crate::structure::{DmPart, Entry, Matching, Pattern, maximum};
 use crate::system::System;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Of many drives that are missing this many are chosen.
+/// Largest number of missing drives that are suggested.
 const MOST_CHOSEN: usize = 4;
 
-/// So many bodies are tried for the joint that may have been forgotten.
+/// Largest number of bodies tested for a forgotten joint.
 const MOST_TRIED: usize = 100;
 
-/// There are equations enough. `under`: given, the unknowns that share too few, and their equations.
+/// Refuses a mechanism with too few equations. `under`: given, the underdetermined unknowns and their equations.
 pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern, matching: &Matching, under: &DmPart, diag: &mut Diag) {
     let drives = drives(model);
     let solved = pattern.rows.iter().filter(|row| !row.is_empty()).count();
@@ -21,7 +21,7 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
     let is_place = |unknown: &usize| system.coordinates[*unknown].role.is_position();
     let body = |unknown: &usize| system.coordinates[*unknown].body;
     let has_no_place = |unknown: &&usize| in_none.iter().filter(|other| is_place(other) && body(other) == body(unknown)).count() > 1;
-    // One coordinate of a body may be what a drive was meant for, if there is none yet; its place as a whole hardly ever is.
+    // Without any drive, a single undetermined coordinate may be the one that a drive was meant for; a whole position hardly ever is.
     let missing = matching.free_unknowns().len();
     let is_all = drives > 0 && in_none.len() == missing;
     let first = in_none.iter().find(has_no_place).or(in_none.first().filter(|_| is_all));
@@ -47,14 +47,14 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
     diag.refuse::<()>(&model.name, fact);
 }
 
-/// Unknowns that occur nowhere.
+/// Unknowns that occur in no equation.
 fn in_no_equation(pattern: &Pattern) -> Vec<usize> {
     let held: BTreeSet<usize> = pattern.rows.iter().flatten().map(|entry| entry.unknown).collect();
     (0..pattern.unknowns).filter(|unknown| !held.contains(unknown)).collect()
 }
 
-/// What a drive could take: a row for any of these would find an unknown. The angles of bodies that are joined to ground, as
-/// cranks are, then other angles; after them places, which are the first where there are no angles.
+/// Unknowns that a drive could prescribe: angles of bodies joined to ground, as cranks are, then other angles; then positions, which come
+/// first if there are no angles.
 fn candidates(model: &Model, system: &System, pattern: &Pattern, under: &DmPart) -> [Vec<usize>; 2] {
     let body = |entry: &Entry| system.coordinates[entry.unknown].body;
     let is_on_ground = |row: &&Vec<Entry>| row.iter().all(|entry| body(entry) == body(&row[0]));
@@ -69,8 +69,8 @@ fn candidates(model: &Model, system: &System, pattern: &Pattern, under: &DmPart)
     if angles.is_empty() { [places, angles] } else { [angles, places] }
 }
 
-/// A body whose place is not determined, and where no joint is, may have lost the one that held it. What would be driven comes before
-/// other bodies, and so do those with one neighbour only.
+/// Finds a body with an undetermined position and no joint at it, which may have lost the joint that held it. Bodies that would be driven
+/// are tested first, then bodies with only one neighbour.
 fn forgotten(model: &Model, system: &System, pattern: &Pattern, under: &DmPart, chosen: &[usize]) -> Forgotten {
     let loose = loose_ends(model, system, pattern, under);
     let place = |body: usize| {
@@ -98,17 +98,17 @@ fn forgotten(model: &Model, system: &System, pattern: &Pattern, under: &DmPart, 
     }
 }
 
-/// But for those that are checked instead of solved: nothing stands in them.
+/// True if every row is matched to an unknown; checked rows, which are empty here, are ignored.
 fn every_row_finds_an_unknown(pattern: &Pattern) -> bool {
     maximum(pattern).free_equations().into_iter().all(|row| pattern.rows[row].is_empty())
 }
 
-/// A joint of a body with ground, to be typed.
+/// A revolute joint of a body with ground, ready to be typed.
 fn pin(model: &Model, body: usize) -> String {
     example::revolute(&example::place_of_ground(model), &example::place_of(model, body))
 }
 
-/// Bodies that are joined to one neighbour only, another body or ground, and have freedom: a joint may be missing there.
+/// Bodies with remaining freedom and only one neighbour, another body or ground: a joint may be missing there.
 fn loose_ends(model: &Model, system: &System, pattern: &Pattern, under: &DmPart) -> Vec<usize> {
     let mut neighbours: BTreeMap<usize, BTreeSet<Option<usize>>> = BTreeMap::new();
     for (row, equation) in pattern.rows.iter().zip(&system.equations) {
@@ -122,7 +122,7 @@ fn loose_ends(model: &Model, system: &System, pattern: &Pattern, under: &DmPart)
     neighbours.into_iter().filter(|(body, others)| others.len() == 1 && has_freedom.contains(body)).map(|(body, _)| body).collect()
 }
 
-/// As many of the candidates as can be driven together.
+/// A largest set of candidates that can be driven together, at most `most`.
 fn chosen(pattern: &Pattern, candidates: &[usize], most: usize) -> Vec<usize> {
     let mut driven = pattern.clone();
     let mut chosen = Vec::new();
@@ -140,7 +140,7 @@ fn chosen(pattern: &Pattern, candidates: &[usize], most: usize) -> Vec<usize> {
     chosen
 }
 
-/// A drive for a coordinate, to be typed.
+/// A drive of a coordinate, ready to be typed.
 fn drive_for(model: &Model, system: &System, unknown: usize) -> String {
     let taken = |name: &&&str| model.joints.iter().all(|joint| joint.name.path != **name);
     let name = ["input", "motor", "feed", "drive_1"].iter().find(taken).unwrap_or(&"another");
@@ -152,7 +152,7 @@ fn drive_for(model: &Model, system: &System, unknown: usize) -> String {
     }
 }
 
-/// The number of equations that come from drives.
+/// Number of equations of drives.
 fn drives(model: &Model) -> usize {
     model.joints.iter().filter(|joint| joint.is_drive).map(|joint| joint.residuals.len()).sum()
 }

@@ -1,7 +1,7 @@
-//! Whether equations fit the freedoms: drives that are missing, joints and drives that demand too much.
+//! Mobility: the number of equations must match the freedoms. Reports missing drives, and joints and drives that over-constrain.
 //!
-//! In: a [`System`], and the equations that are checked instead of solved. Out: at most one refusal for a mistake: each check looks at
-//! what the ones before it have left. An item of a component or a loop stands many times; the first is refused.
+//! In: a [`System`] and the redundant equations, which are checked instead of solved. Out: at most one refusal per mistake, since each
+//! check sees only what earlier checks have accepted. Of an item of a component or a loop, which has many instances, the first is refused.
 
 mod freedoms;
 mod overdetermined;
@@ -13,13 +13,13 @@ use crate::structure::{maximum, overdetermined, underdetermined};
 use crate::system::System;
 use std::collections::BTreeSet;
 
-/// Every unknown has an equation of its own, and every equation an unknown.
+/// Matches every unknown to an equation of its own and every equation to an unknown; refuses the mechanism if this fails.
 pub(crate) fn check(model: &Model, system: &System, redundant: &BTreeSet<usize>, diag: &mut Diag) -> Option<()> {
     if model.equations_only {
         return Some(());
     }
     let exact = ExactDependence::new(model, system);
-    // What numbers have not found to follow as a whole may follow in part.
+    // A joint that is not redundant as a whole may have redundant rows.
     exact.no_row_follows_from_others(false, diag);
     if !diag.is_clean() {
         return None;

@@ -1,8 +1,8 @@
-//! More equations than unknowns: which joints and drives contend, as few of them as there are.
+//! More equations than unknowns: finds minimal groups of joints and drives that over-constrain.
 //!
-//! Joints come first, then drives, both as declared; an equation that finds no unknown then depends on those before it, and what
-//! [`contending`] reaches from it is the smallest group that is too much. So joints are blamed only for what they do to each other,
-//! and a drive for what it adds to them.
+//! Joints come first, then drives, both in declaration order. An unmatched equation thus depends on equations before it, and [`contending`]
+//! finds the smallest over-constrained group around it. So joints are blamed only for conflicts among joints, and a drive for what it adds
+//! to them.
 
 use crate::diag::{Diag, SystemFact};
 use crate::model::{Model, Said};
@@ -10,13 +10,13 @@ use crate::structure::{DmPart, Pattern, contending, maximum};
 use crate::system::System;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Equations that contend for unknowns, and the first of them that found none.
+/// An over-constrained group of equations, and its first unmatched equation.
 struct Contention {
     part: DmPart,
     first: usize,
 }
 
-/// No group of equations is larger than the number of unknowns that it has. `under`: given, where equations are missing.
+/// Refuses groups with more equations than unknowns. `under`: given, the underdetermined part.
 pub(super) fn nothing_is_demanded_twice(model: &Model, system: &System, pattern: &Pattern, under: &DmPart, diag: &mut Diag) {
     let mut said = Said::default();
     for group in groups(model, system, pattern) {
@@ -35,14 +35,14 @@ pub(super) fn nothing_is_demanded_twice(model: &Model, system: &System, pattern:
     }
 }
 
-/// A group and what is around it.
+/// A group and its surroundings.
 struct Contenders<'a> {
     model: &'a Model,
     system: &'a System,
     group: &'a Contention,
-    /// Coordinates elsewhere that have too few equations.
+    /// Underdetermined coordinates outside the group.
     free: &'a BTreeSet<usize>,
-    /// How many equations these have.
+    /// Number of equations of the underdetermined part.
     missing: usize,
 }
 
@@ -55,14 +55,14 @@ impl Contenders<'_> {
         unknowns.iter().map(|unknown| self.system.name(self.model, *unknown)).collect()
     }
 
-    /// The equations of joints in the group.
+    /// Number of joint equations in the group.
     fn of_joints(&self) -> usize {
         let is_drive = |equation: &&usize| self.model.joints[self.system.equations[**equation].joint].is_drive;
         self.group.part.equations.iter().filter(|equation| !is_drive(equation)).count()
     }
 }
 
-/// Joints alone demand more than there is to demand: the mobility of the group is below zero.
+/// Joints alone over-constrain: the mobility of the group is negative.
 fn joints_contend(view: &Contenders, joints: &[usize]) -> (usize, SystemFact) {
     let blamed = view.system.equations[view.group.first].joint;
     let others: Vec<usize> = joints.iter().copied().filter(|joint| *joint != blamed).collect();
@@ -77,7 +77,7 @@ fn joints_contend(view: &Contenders, joints: &[usize]) -> (usize, SystemFact) {
     (blamed, fact)
 }
 
-/// Joints leave a drive no freedom.
+/// The joints leave a drive no freedom.
 fn nothing_to_drive(view: &Contenders, drive: usize, joints: &[usize]) -> SystemFact {
     SystemFact::NothingToDrive {
         drive: view.model.joints[drive].name.to_string(),
@@ -88,7 +88,7 @@ fn nothing_to_drive(view: &Contenders, drive: usize, joints: &[usize]) -> System
     }
 }
 
-/// Joints leave fewer freedoms than there are drives for them.
+/// The joints leave fewer freedoms than there are drives for them.
 fn drives_contend(view: &Contenders, drives: &[usize], joints: &[usize]) -> SystemFact {
     SystemFact::DrivesContend {
         drives: view.joints(drives),
@@ -99,7 +99,7 @@ fn drives_contend(view: &Contenders, drives: &[usize], joints: &[usize]) -> Syst
     }
 }
 
-/// What contends: drives together that share equations, of joints the first group.
+/// Over-constrained groups: drives with shared equations are merged; of joints with shared equations the first group is kept.
 fn groups(model: &Model, system: &System, pattern: &Pattern) -> Vec<Contention> {
     let mut order: Vec<usize> = (0..system.equations.len()).collect();
     order.sort_by_key(|equation| model.joints[system.equations[*equation].joint].is_drive);
@@ -109,7 +109,7 @@ fn groups(model: &Model, system: &System, pattern: &Pattern) -> Vec<Contention> 
     let mut group_of: BTreeMap<usize, usize> = BTreeMap::new();
     for free in matching.free_equations() {
         if ordered.rows[free].is_empty() {
-            // It is checked, not solved.
+            // A redundant row, checked instead of solved.
             continue;
         }
         let DmPart { equations, unknowns } = contending(&ordered, &matching, vec![free]);
@@ -117,11 +117,11 @@ fn groups(model: &Model, system: &System, pattern: &Pattern) -> Vec<Contention> 
             Contention { part: DmPart { equations: equations.iter().map(|row| order[*row]).collect(), unknowns }, first: order[free] };
         let is_of_drive = |equation: usize| model.joints[system.equations[equation].joint].is_drive;
         let known: BTreeSet<usize> = joined.part.equations.iter().filter_map(|equation| group_of.get(equation).copied()).collect();
-        // Where joints alone are too many, a drive is not to blame as well.
+        // If joints alone over-constrain, a drive is not blamed as well.
         if is_of_drive(joined.first) && known.iter().any(|known| groups[*known].as_ref().is_some_and(|group| !is_of_drive(group.first))) {
             continue;
         }
-        // What else is too much of the same joints shows when the first is mended; of one joint it is one mistake.
+        // Report one over-constrained group per joint; a further group of the same joints shows once this one is fixed.
         let joint = system.equations[joined.first].joint;
         let is_of_another = |group: &Contention| system.equations[group.first].joint != joint;
         if !is_of_drive(joined.first) && known.iter().any(|known| groups[*known].as_ref().is_some_and(is_of_another)) {

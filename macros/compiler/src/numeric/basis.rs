@@ -1,82 +1,80 @@
-//! Which rows depend on which, at several poses of a mechanism at once.
+//! Linear dependence of rows, tested at several poses of a mechanism at once.
 //!
-//! In: a matrix for each pose, all with the same rows and columns. Out: rows that are independent, and for any other row which of
-//! these it is made of. A row counts as dependent if it is so at most poses: a single pose may be a special one, at which even
-//! independent rows fall together.
+//! In: one matrix per pose, all with the same rows and columns. Out: a set of independent rows, and for every other row the rows of which
+//! it is a combination. A row counts as dependent if it is dependent at most poses: at a single, singular pose even independent rows may
+//! become dependent.
 //!
 //! ```text
-//! v = r − V Vᵀ r        what is left of a row r beside the orthonormal rows V, by Gram and Schmidt, twice
+//! v = r − V Vᵀ r        component of a row r orthogonal to the orthonormal rows V, by Gram-Schmidt, applied twice
 //! ```
 //!
-//! Reference: Giraud, Langou, Rozložník (2005), The loss of orthogonality in the Gram-Schmidt orthogonalization process: twice is
-//! enough.
+//! Reference: Giraud, Langou, Rozložník (2005), The loss of orthogonality in the Gram-Schmidt orthogonalization process: twice is enough.
 
-/// Rows of unit length, or of none.
+/// Rows of unit length, or zero.
 pub(crate) type Matrix = Vec<Vec<f64>>;
 
-/// A row of unit length of which less than this is left beside others depends on them. Poses are closed to rounding, and a
-/// dependence that is real then shows to some ten digits, while a mechanism that is to be built stays away from singular
-/// positions by more than a millionth.
+/// A unit row is dependent if the length of its component orthogonal to the other rows is below this. Poses are closed to rounding, so that
+/// a real dependence shows to about ten digits; a mechanism that is to be built stays away from singular configurations by more than 1e-6.
 pub(crate) const DEPENDENT: f64 = 1e-7;
 
-/// A share of a combination below this is none.
+/// Coefficients of a linear combination count as zero below this fraction of the largest.
 const ABSENT: f64 = 1e-6;
 
-/// What is left of a row counts up to this when rows are compared over many poses, so that one bad pose does not decide.
+/// Lower bound of the orthogonal component when rows are compared over many poses, so that one bad pose does not decide.
 const FAINTEST: f64 = 1e-3;
 
-/// Independent rows.
+/// Basis of independent rows, at all poses.
 pub(crate) struct Basis<'a> {
     poses: &'a [Matrix],
     spans: Vec<Span>,
 }
 
-/// The rows at one pose.
+/// Basis of the rows at one pose.
 #[derive(Clone, Default)]
 struct Span {
-    /// Orthonormal.
+    /// Orthonormal vectors.
     vectors: Vec<Vec<f64>>,
-    /// The row that each vector was made for.
+    /// Row from which each vector was made.
     members: Vec<usize>,
-    /// Each vector as a sum of the members up to its own.
+    /// Coefficients of each vector as a combination of the members up to its own.
     shares: Vec<Vec<f64>>,
 }
 
 impl<'a> Basis<'a> {
-    /// No rows yet.
+    /// An empty basis.
     pub(crate) fn new(poses: &'a [Matrix]) -> Basis<'a> {
         Basis { poses, spans: vec![Span::default(); poses.len()] }
     }
 
-    /// What is left of a row beside those taken, at each pose.
+    /// Length of the component of a row orthogonal to the basis, at each pose.
     fn left(&self, row: usize) -> impl Iterator<Item = f64> {
         self.poses.iter().zip(&self.spans).map(move |(pose, span)| length(&span.beside(&pose[row]).0))
     }
 
-    /// The row does not follow from those taken.
+    /// True if the row is independent of the basis, at most poses.
     pub(crate) fn lacks(&self, row: usize) -> bool {
         let independent = self.left(row).filter(|left| *left > DEPENDENT).count();
         2 * independent > self.poses.len()
     }
 
-    /// What a row adds to those taken at the pose where it adds least.
+    /// Smallest component of a row orthogonal to the basis, over all poses.
     pub(crate) fn adds(&self, row: usize) -> f64 {
         self.left(row).fold(1.0, f64::min)
     }
 
-    /// How well a row goes with those taken, over all poses: the logarithm of what is left of it.
+    /// Score of a row as the next member of the basis: Σ ln of its orthogonal component, over all poses.
     pub(crate) fn fitness(&self, row: usize) -> f64 {
         self.left(row).map(|left| left.max(FAINTEST).ln()).sum()
     }
 
-    /// Takes a row.
+    /// Adds a row to the basis.
     pub(crate) fn take(&mut self, row: usize) {
         for (pose, span) in self.poses.iter().zip(&mut self.spans) {
             span.take(row, &pose[row]);
         }
     }
 
-    /// Takes a row if it does not follow from those taken; whether it did.
+    /// Adds a row if it is independent of the basis; true if it was added.
     pub(crate) fn takes(&mut self, row: usize) -> bool {
         let lacks = self.lacks(row);
         if lacks {
@@ -85,7 +83,7 @@ impl<'a> Basis<'a> {
         lacks
     }
 
-    /// The rows taken from which another one follows, at one pose or another.
+    /// Members of the basis on which a row depends, at any pose.
     pub(crate) fn sources(&self, row: usize) -> Vec<usize> {
         let mut sources: Vec<usize> = Vec::new();
         for (pose, span) in self.poses.iter().zip(&self.spans) {
@@ -99,7 +97,7 @@ impl<'a> Basis<'a> {
         sources
     }
 
-    /// The columns that the rows taken leave free.
+    /// Columns that the basis does not determine: the null space of its rows has a component along them.
     pub(crate) fn free(&self, columns: usize) -> Vec<usize> {
         let is_free = |column: &usize| {
             let mut unit = vec![0.0; columns];
@@ -112,7 +110,7 @@ impl<'a> Basis<'a> {
 }
 
 impl Span {
-    /// What is left of a row, and its parts along the vectors.
+    /// Component of a row orthogonal to the vectors, and its coordinates along them.
     fn beside(&self, row: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let mut rest = row.to_vec();
         let mut parts = vec![0.0; self.vectors.len()];
@@ -130,7 +128,7 @@ impl Span {
         let (mut vector, parts) = self.beside(values);
         let size = length(&vector);
         if size <= DEPENDENT {
-            // A special pose.
+            // Singular pose.
             return;
         }
         vector.iter_mut().for_each(|entry| *entry /= size);
@@ -142,7 +140,7 @@ impl Span {
         self.shares.push(shares);
     }
 
-    /// A sum of vectors as a sum of members.
+    /// Rewrites a combination of vectors as a combination of members.
     fn sum(&self, parts: &[f64]) -> Vec<f64> {
         let mut sum = vec![0.0; self.members.len()];
         for (part, shares) in parts.iter().zip(&self.shares) {
@@ -151,7 +149,7 @@ impl Span {
         sum
     }
 
-    /// The members in a sum of vectors.
+    /// Members with a nonzero coefficient in a combination of vectors.
     fn made_of(&self, parts: &[f64]) -> Vec<usize> {
         let sum = self.sum(parts);
         let largest = sum.iter().fold(0.0, |largest: f64, share| largest.max(share.abs()));

@@ -1,25 +1,25 @@
 //! Factors of small dense matrices.
 //!
-//! Elimination with complete pivoting shows how near to singular a matrix is; Cholesky's method shows whether a symmetric matrix is
-//! positive definite, so that a step along its solution goes down.
+//! LU with complete pivoting measures how close a matrix is to singular. Cholesky tests whether a symmetric matrix is positive definite, so
+//! that the step it yields is a descent direction.
 //!
 //! Reference: Golub, Van Loan, Matrix Computations, sections 3.4 and 4.2.
 
-/// P A Q = L U, each pivot the largest entry that is left.
+/// P A Q = L U; each pivot is the largest remaining entry.
 pub(crate) struct Factors {
     lu: Vec<Vec<f64>>,
     rows: Vec<usize>,
     columns: Vec<usize>,
-    /// Of the determinant; 0 of a singular matrix.
+    /// Sign of det A; 0 if A is singular.
     pub(crate) sign: f64,
     /// ln |det A|
     pub(crate) size: f64,
-    /// The smallest magnitude of a pivot; infinite of an empty matrix.
+    /// Smallest |pivot|; infinite for an empty matrix.
     pub(crate) smallest_pivot: f64,
 }
 
 impl Factors {
-    /// `None` where an entry is no number.
+    /// Factorises A; `None` if a pivot is not finite.
     pub(crate) fn new(mut a: Vec<Vec<f64>>) -> Option<Factors> {
         let n = a.len();
         let (mut sign, mut size, mut smallest_pivot) = (1.0, 0.0, f64::INFINITY);
@@ -55,7 +55,7 @@ impl Factors {
         Some(Factors { lu: a, rows, columns, sign, size, smallest_pivot })
     }
 
-    /// A⁻¹ b; `None` of a singular matrix.
+    /// A⁻¹ b; `None` if A is singular.
     pub(crate) fn solve(&self, b: &[f64]) -> Option<Vec<f64>> {
         let n = b.len();
         let mut y: Vec<f64> = self.rows.iter().map(|row| b[*row]).collect();
@@ -73,7 +73,7 @@ impl Factors {
     }
 }
 
-/// Where the entry of the largest magnitude stands among those that are left; one that is no number counts as larger than all others.
+/// Row and column of the entry of largest magnitude in the remaining submatrix; NaN counts as largest.
 fn largest(a: &[Vec<f64>], k: usize) -> (usize, usize) {
     let (mut place, mut most) = ((k, k), a[k][k].abs());
     for (i, row) in a.iter().enumerate().skip(k) {
@@ -86,12 +86,12 @@ fn largest(a: &[Vec<f64>], k: usize) -> (usize, usize) {
     place
 }
 
-/// A⁻¹ b; `None` where A is singular or an entry is no number.
+/// A⁻¹ b; `None` if A is singular or has entries that are not finite.
 pub(crate) fn solve(a: Vec<Vec<f64>>, b: &[f64]) -> Option<Vec<f64>> {
     Factors::new(a)?.solve(b)
 }
 
-/// A x = b for a symmetric A of which the lower half is read; `None` if it is not positive definite.
+/// Solves A x = b for a symmetric A, of which only the lower half is read; `None` if A is not positive definite.
 pub(crate) fn cholesky(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<Vec<f64>> {
     let n = right.len();
     for i in 0..n {

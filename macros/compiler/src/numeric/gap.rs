@@ -1,13 +1,13 @@
-//! How far a loop stays open at one of its joints when all its other joints are closed.
+//! Smallest gap at one joint of a loop when all other joints of the loop are closed.
 //!
 //! ```text
 //! min ‖w Φ_g(q)‖   so that   Φ_o(q) = 0        g the rows of one joint, o the other rows of the block
 //! ```
 //!
-//! A least-squares fit would spread the gap over all joints of the loop, in proportions that mean nothing; opened at one joint it is
-//! the distance that a fitter would find there. The condition is kept by a penalty on Φ_o whose weight grows; what is minimised then
-//! is ½ ‖W Φ‖², by Newton's method with the Hessian JᵀW²J + Σ (W²Φ)_k ∇²Φ_k, since at a gap the curvature of the rows counts:
-//! a loop that is stretched as far as it goes has a singular J.
+//! A least-squares fit would spread the gap over all joints of the loop, in arbitrary proportions; with the loop opened at one joint, the
+//! gap is the distance that a fitter would measure there. The constraint Φ_o = 0 is enforced by a penalty of growing weight. The objective
+//! is ½ ‖W Φ‖², minimised by Newton's method with the full Hessian JᵀW²J + Σ (W²Φ)_k ∇²Φ_k: at a gap the curvature of the rows matters,
+//! since a fully stretched loop has a singular J.
 //!
 //! Reference: Nocedal and Wright, Numerical Optimization, sections 10.3 and 17.1.
 
@@ -19,35 +19,35 @@ use crate::expr::{Expr, Values, evaluate};
 use crate::quantity::Dim;
 use crate::system::Equation;
 
-/// Weights of the rows that must hold, one after the other.
+/// Successive penalty weights of the rows that must hold.
 const PENALTIES: [f64; 4] = [1.0, 1e2, 1e4, 1e5];
 
-/// Rows hold when their weighted sizes are below this, in sizes or rad.
+/// A row holds if its weighted residual is below this, in characteristic lengths or rad.
 const HOLDS: f64 = 1e-7;
 
-/// How many guesses are made, and from how many of them the gap is minimised.
+/// Number of initial guesses, and number of the best of them from which the gap is minimised.
 const GUESSES: usize = 24;
 const BEST: usize = 4;
 
-/// What comes of opening a joint.
+/// Result of opening a loop at one joint.
 pub(crate) enum Opened {
-    /// It cannot be closed: the least gap, and where it is.
+    /// The joint cannot be closed: smallest gap, and the configuration where it occurs.
     Open { gap: Gap, q: Vec<f64> },
-    /// It can be closed after all: the values of the block's unknowns.
+    /// The joint can be closed after all: values of the block's unknowns.
     Closed(Vec<f64>),
-    /// The other joints do not close either.
+    /// The other joints cannot be closed either.
     Others,
 }
 
 impl Numeric<'_> {
-    /// The least gap of a joint when all other joints of a loop are closed; a loop is unknowns and equations.
+    /// Smallest gap of a joint when all other joints of a loop, given by its unknowns and equations, are closed.
     pub(crate) fn least_gap(&self, unknowns: &[usize], equations: &[usize], start: &[f64], joint: usize) -> Opened {
         let (own, others): (Vec<usize>, Vec<usize>) =
             equations.iter().partition(|equation| self.system.equations[**equation].joint == joint);
         let mut without = self.problem(&others, unknowns.to_vec(), start.to_vec());
         let mut all = self.problem(&[own.as_slice(), &others].concat(), unknowns.to_vec(), start.to_vec());
         let weights = weights(self, &mut all, &[own.as_slice(), &others].concat(), start);
-        // From the start, and from wherever the other joints close.
+        // Start from every configuration at which the other joints close.
         let mut places: Vec<(f64, Vec<f64>)> = Vec::new();
         for attempt in 0..GUESSES {
             let mut q = self.guessed(&without, start, attempt);
@@ -76,7 +76,7 @@ impl Numeric<'_> {
             if minimise(&mut all, &mut closed, &everything) {
                 return Opened::Closed(closed);
             }
-            // So small a gap shows only where the others are closed to rounding.
+            // A gap this small is accurate only if the other joints are closed to rounding.
             minimise(&mut without, &mut q, &everything);
         }
         let mut coordinates = start.to_vec();
@@ -84,7 +84,7 @@ impl Numeric<'_> {
         Opened::Open { gap: self.gap(&own, &coordinates), q: coordinates }
     }
 
-    /// The first guess is what the search came to, the others lie anywhere.
+    /// The first guess is the result of the search; the others are spread over a whole turn around it.
     fn guessed(&self, problem: &Problem, start: &[f64], attempt: usize) -> Vec<f64> {
         let value = |(unknown, scale): (&usize, &f64)| {
             let turn = (attempt as f64 * (*unknown as f64 + 1.0) * 0.618_033_988_749_895).fract() - 0.5;
@@ -93,7 +93,7 @@ impl Numeric<'_> {
         problem.unknowns.iter().zip(&problem.scales).map(value).collect()
     }
 
-    /// What the rows of a joint measure, in m and rad, at values of all unknowns.
+    /// Residual of a joint in m and rad, at given values of all unknowns.
     fn gap(&self, rows: &[usize], coordinates: &[f64]) -> Gap {
         let mut gap = Gap { length: 0.0, angle: 0.0, other: None };
         for equation in rows.iter().map(|equation| &self.system.equations[*equation]) {
@@ -105,7 +105,7 @@ impl Numeric<'_> {
                 dim if dim == Dim::LENGTH => gap.length = gap.length.hypot(phi),
                 dim if dim == Dim::ANGLE => gap.angle = gap.angle.hypot(phi),
                 dim if dim == Dim::LENGTH.times(Dim::LENGTH) && self.is_placed(equation) => {
-                    // Φ = |h|² − c², of which the derivative by the first body's place is 2 h.
+                    // Φ = |h|² − c²; its derivative by the position of the first body is 2 h.
                     let body = equation.jacobian.iter().map(|(unknown, _)| self.system.coordinates[*unknown].body).min();
                     let of_body = equation
                         .jacobian
@@ -115,7 +115,7 @@ impl Numeric<'_> {
                     let h = of_body.map(|(_, slope)| (slope / 2.0).powi(2)).sum::<f64>().sqrt();
                     match h * h - phi {
                         square if square >= 0.0 => gap.length = gap.length.hypot(h - square.sqrt()),
-                        // It is no distance.
+                        // The row is not a distance.
                         _ => gap.other = Some((phi.abs().max(gap.other.map_or(0.0, |(most, _)| most)), dim.unit())),
                     }
                 }
@@ -126,7 +126,7 @@ impl Numeric<'_> {
         gap
     }
 
-    /// A place occurs in an equation, not angles alone.
+    /// True if an equation contains a position, not only angles.
     fn is_placed(&self, equation: &Equation) -> bool {
         equation.jacobian.iter().any(|(unknown, _)| self.is_position(*unknown))
     }
@@ -137,7 +137,7 @@ fn open_by(linear: &Linearization, weights: &[f64], own: usize) -> f64 {
     linear.phi.iter().zip(weights).take(own).map(|(value, weight)| (value * weight).powi(2)).sum::<f64>().sqrt()
 }
 
-/// What makes rows comparable: a length counts in sizes of the mechanism, any other row by its largest slope at the first guess.
+/// Row weights: lengths and their squares in characteristic lengths, angles in rad, other rows by the largest derivative at the start.
 fn weights(numeric: &Numeric, problem: &mut Problem, rows: &[usize], start: &[f64]) -> Vec<f64> {
     let q: Vec<f64> = problem.unknowns.iter().map(|unknown| start[*unknown]).collect();
     let linear = problem.raw(&q);
@@ -153,7 +153,7 @@ fn weights(numeric: &Numeric, problem: &mut Problem, rows: &[usize], start: &[f6
     rows.iter().zip(&linear.jacobian).map(weight).collect()
 }
 
-/// ½ ‖W Φ‖² becomes as small as it gets from q; W is `weights`, for all but the first `own` rows times `penalty`.
+/// Minimises ½ ‖W Φ‖² from q. W is `weights`; all but the first `own` rows are multiplied by `penalty`.
 fn descend(problem: &mut Problem, q: &mut [f64], weights: &[f64], own: usize, penalty: f64) {
     let squares: Vec<f64> =
         weights.iter().enumerate().map(|(row, weight)| if row < own { weight * weight } else { (weight * penalty).powi(2) }).collect();
@@ -185,7 +185,7 @@ fn descend(problem: &mut Problem, q: &mut [f64], weights: &[f64], own: usize, pe
     }
 }
 
-/// JᵀW²Φ and JᵀW²J + Σ (W²Φ)_k ∇²Φ_k, the last by central differences of J; in scaled unknowns.
+/// Gradient JᵀW²Φ and Hessian JᵀW²J + Σ (W²Φ)_k ∇²Φ_k in scaled unknowns; the curvature by central differences of J.
 fn second_order(problem: &mut Problem, q: &[f64], here: &Linearization, squares: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
     // The cube root of ε balances rounding and truncation.
     const STEP: f64 = 1e-5;
@@ -209,7 +209,7 @@ fn second_order(problem: &mut Problem, q: &[f64], here: &Linearization, squares:
         let before = times(&problem.raw(&moved));
         for j in 0..n {
             let curvature = (after[j] - before[j]) / (4.0 * STEP);
-            // Half to each of two entries keeps it symmetric.
+            // Half of the value to each of two entries keeps the Hessian symmetric.
             hessian[i][j] += curvature;
             hessian[j][i] += curvature;
         }

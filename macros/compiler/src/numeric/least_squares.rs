@@ -1,4 +1,4 @@
-//! Least squares by the method of Levenberg and Marquardt, dense and small.
+//! Nonlinear least squares by the Levenberg-Marquardt method, for small dense problems.
 //!
 //! Reference: Moré (1978), The Levenberg-Marquardt algorithm: implementation and theory.
 
@@ -6,36 +6,36 @@ use super::dense::cholesky;
 use crate::expr::{Evaluator, Values};
 use std::cell::Cell;
 
-/// min ½ ‖Φ(q)‖², rows that cannot be evaluated left out.
+/// min ½ ‖Φ(q)‖²; rows that cannot be evaluated are left out.
 pub(crate) struct Problem<'a> {
     /// Number of rows.
     pub(crate) rows: usize,
-    /// Whether every function in a row is known in the compiler.
+    /// True for rows whose functions the compiler can all evaluate.
     pub(crate) is_known: Vec<bool>,
-    /// Row of each derivative, and its column among the unknowns.
+    /// Row and column of each derivative in the Jacobian.
     pub(crate) pattern: Vec<(usize, usize)>,
-    /// Φ, then the derivatives.
+    /// Evaluates Φ, then the derivatives.
     pub(crate) evaluator: Evaluator,
-    /// What is added to each row; nothing if empty.
+    /// Offset added to each row; empty: none.
     pub(crate) shift: Vec<f64>,
-    /// Parameters and functions; its coordinates are replaced.
+    /// Parameters and functions; the coordinates in it are replaced.
     pub(crate) known: Values<'a>,
-    /// The indices in q of the unknowns that are looked for.
+    /// Indices of the unknowns in q.
     pub(crate) unknowns: Vec<usize>,
-    /// All of q, of which the unknowns are replaced.
+    /// All of q; the unknowns are overwritten.
     pub(crate) coordinates: Vec<f64>,
-    /// What a unit step of each unknown is.
+    /// Scale of each unknown, in m or rad.
     pub(crate) scales: Vec<f64>,
-    /// The sum of squares below which the rows count as closed, [`CLOSED`] at least.
+    /// Sum of squares below which the rows count as closed; at least [`CLOSED`].
     pub(crate) closed: f64,
-    /// Operations are counted here.
+    /// Counter of operations.
     pub(crate) effort: &'a Cell<u64>,
 }
 
 /// The rows count as closed when the sum of their squares, in scaled unknowns, is below this.
 pub(crate) const CLOSED: f64 = 1e-20;
 
-/// Rows and Jacobian at a place, in scaled unknowns.
+/// Residuals and Jacobian at a configuration, in scaled unknowns.
 #[derive(Clone)]
 pub(crate) struct Linearization {
     pub(crate) phi: Vec<f64>,
@@ -43,7 +43,7 @@ pub(crate) struct Linearization {
 }
 
 impl Problem<'_> {
-    /// Rows and Jacobian as they are, in scaled unknowns.
+    /// Residuals and Jacobian without row scaling, in scaled unknowns.
     pub(crate) fn raw(&mut self, q: &[f64]) -> Linearization {
         let mut values = vec![0.0; self.rows + self.pattern.len()];
         for (unknown, value) in self.unknowns.iter().zip(q) {
@@ -60,13 +60,14 @@ impl Problem<'_> {
         linear
     }
 
-    /// The same with rows of comparable size.
+    /// Residuals and Jacobian, each row divided by its largest entry.
     fn linearize(&mut self, q: &[f64]) -> Linearization {
         let mut linear = self.raw(q);
         for ((value, row), is_known) in linear.phi.iter_mut().zip(&mut linear.jacobian).zip(&self.is_known) {
             let size = row.iter().fold(0.0, |size: f64, entry| size.max(entry.abs()));
             if !value.is_finite() || !size.is_finite() || size == 0.0 {
-                // A row with a function that is not known here is left out; one that has no value or no slope at this place is open.
+                // A row with an unknown function is left out. A row without a finite value or gradient at this configuration counts as
+                // open.
                 *value = f64::from(u8::from(*is_known));
                 row.fill(0.0);
                 continue;
@@ -78,7 +79,7 @@ impl Problem<'_> {
     }
 }
 
-/// Moves the free unknowns until the rows vanish or no step makes them smaller; whether they vanish.
+/// Levenberg-Marquardt steps in the free unknowns until the rows vanish or no step reduces them; true if they vanish.
 pub(crate) fn minimise(problem: &mut Problem, q: &mut [f64], free: &[bool]) -> bool {
     let columns: Vec<usize> = (0..q.len()).filter(|column| free[*column]).collect();
     let mut damping = 1e-3;
@@ -117,13 +118,13 @@ pub(crate) fn minimise(problem: &mut Problem, q: &mut [f64], free: &[bool]) -> b
     true
 }
 
-/// Takes a closed configuration down to rounding, also where it is singular and every step only halves the error.
+/// Refines a closed configuration to rounding, even at a singular one, where every step only halves the error.
 pub(crate) fn settle(problem: &mut Problem, q: &mut [f64]) {
     let columns: Vec<usize> = (0..q.len()).collect();
     polish(problem, q, &columns, 60);
 }
 
-/// Steps of Gauss and Newton take what is nearly closed down to rounding; two where it is regular.
+/// Refines a nearly closed configuration by Gauss-Newton steps; two suffice at a regular one.
 fn polish(problem: &mut Problem, q: &mut [f64], columns: &[usize], steps: usize) {
     for _ in 0..steps {
         let here = problem.linearize(q);
@@ -144,7 +145,7 @@ fn square(values: &[f64]) -> f64 {
     values.iter().map(|value| value * value).sum()
 }
 
-/// (JᵀJ + λ I) δ = JᵀΦ by Cholesky's method.
+/// Solves (JᵀJ + λ I) δ = JᵀΦ by Cholesky's method.
 fn step(linear: &Linearization, columns: &[usize], damping: f64) -> Option<Vec<f64>> {
     let n = columns.len();
     let mut matrix = vec![vec![0.0; n]; n];

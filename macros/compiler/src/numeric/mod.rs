@@ -1,13 +1,13 @@
-//! A system at the declared defaults, as numbers.
+//! Numerical evaluation of a system at the declared defaults.
 //!
-//! In: a [`System`]. Out: a [`Numeric`]: residuals and derivatives at any configuration, and the workshop of all rooms that work with
-//! numbers. Not done here: refusing anything.
+//! In: a [`System`]. Out: a [`Numeric`]: residuals and derivatives at any configuration, and the numerical methods that other rooms share.
+//! Not done here: refusing anything.
 //!
-//! 1. `least_squares`: configurations that fulfil equations, by the method of Levenberg and Marquardt.
-//! 2. `search`: the same from several guesses; `turns` that no equation counts are taken away.
-//! 3. `samples`: configurations that the mechanism goes through.
-//! 4. `gap`: how far a joint stays open when all others are closed.
-//! 5. `basis`: which rows of Φ_q depend on which, at several configurations at once.
+//! 1. `least_squares`: configurations that satisfy the equations, by the Levenberg-Marquardt method.
+//! 2. `search`: multi-start search for assemblies; whole `turns` of free angles are ignored.
+//! 3. `samples`: configurations along the motion.
+//! 4. `gap`: smallest gap of a joint when all others are closed.
+//! 5. `basis`: linear dependence of the rows of Φ_q at several configurations at once.
 //! 6. `dense`: factors of small matrices.
 
 pub(crate) mod basis;
@@ -25,22 +25,22 @@ use least_squares::Problem;
 use std::cell::{Cell, OnceCell};
 use turns::Turns;
 
-/// The system with the declared defaults put in.
+/// A system with the declared defaults substituted.
 pub(crate) struct Numeric<'a> {
     pub(crate) model: &'a Model,
     pub(crate) system: &'a System,
     pub(crate) known: Values<'a>,
-    /// The longest distance of a point from the origin of its body.
+    /// Characteristic length: the longest distance of a point from the origin of its body, in m.
     pub(crate) size: f64,
     /// Declared start values, by unknown.
     pub(crate) declared: Vec<Option<f64>>,
-    /// Found when first asked for.
+    /// Computed on first use.
     turns: OnceCell<Turns>,
-    /// Operations that were spent.
+    /// Number of operations spent.
     pub(crate) effort: Cell<u64>,
 }
 
-/// Does something with the system at the declared defaults.
+/// Runs `work` on the system at the declared defaults.
 pub(crate) fn at_defaults<R>(model: &Model, system: &System, work: impl FnOnce(&Numeric) -> R) -> R {
     let functions = |number: u32, x: f64| call(model, number, x);
     let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
@@ -60,44 +60,44 @@ impl<'a> Numeric<'a> {
 }
 
 impl Numeric<'_> {
-    /// The same with other parameters and start values; the characteristic length stays.
+    /// A copy with other parameters and start values; the characteristic length stays.
     pub(crate) fn with<'b>(&'b self, known: Values<'b>, declared: Vec<Option<f64>>) -> Numeric<'b> {
         Numeric { known, declared, effort: Cell::default(), turns: OnceCell::new(), ..*self }
     }
 
-    /// Which angles may be whole turns more or less.
+    /// Angles that may differ by whole turns.
     pub(crate) fn turns(&self) -> &Turns {
         self.turns.get_or_init(|| Turns::new(self))
     }
 
-    /// The declared start as it stands.
+    /// The declared start values, undeclared ones 0.
     pub(crate) fn unassembled(&self) -> Vec<f64> {
         self.declared.iter().map(|value| value.unwrap_or(0.0)).collect()
     }
 
-    /// No equation has a Rust function in it.
+    /// True if no equation contains a Rust function.
     pub(crate) fn is_known_throughout(&self) -> bool {
         !self.model.functions.iter().any(|function| matches!(function, Function::Rust(_)))
     }
 
-    /// An equation without Rust functions.
+    /// True if an equation contains no Rust function.
     pub(crate) fn is_known(&self, equation: usize) -> bool {
         self.system.equations[equation].phi().is_some_and(|phi| is_known(self.model, self.system, phi))
     }
 
-    /// What a unit step of an unknown is.
+    /// Scale of an unknown, in m or rad.
     pub(crate) fn scale(&self, unknown: usize) -> f64 {
         self.system.coordinates[unknown].role.scale(self.size)
     }
 
-    /// All equations for all unknowns.
+    /// The problem of all equations in all unknowns.
     pub(crate) fn whole(&self) -> Problem<'_> {
         let (equations, unknowns): (Vec<usize>, Vec<usize>) =
             ((0..self.system.equations.len()).collect(), (0..self.declared.len()).collect());
         self.problem(&equations, unknowns, vec![0.0; self.declared.len()])
     }
 
-    /// Some equations and their derivatives at the defaults, as functions of some unknowns alone.
+    /// The problem of some equations in some unknowns; all other coordinates keep the given values.
     pub(crate) fn problem(&self, equations: &[usize], unknowns: Vec<usize>, coordinates: Vec<f64>) -> Problem<'_> {
         let rows: Vec<&Equation> =
             equations.iter().map(|equation| &self.system.equations[*equation]).filter(|equation| equation.phi().is_some()).collect();
@@ -128,12 +128,12 @@ impl Numeric<'_> {
     }
 }
 
-/// Where an unknown stands in a list; in the list of all it stands at its own place.
+/// Index of an unknown in a list; fast if the list contains all unknowns.
 pub(crate) fn place(unknowns: &[usize], unknown: usize) -> Option<usize> {
     if unknowns.get(unknown) == Some(&unknown) { Some(unknown) } else { unknowns.iter().position(|other| *other == unknown) }
 }
 
-/// An expression without Rust functions.
+/// True if an expression contains no Rust function.
 fn is_known(model: &Model, system: &System, root: Expr) -> bool {
     if !model.functions.iter().any(|function| matches!(function, Function::Rust(_))) {
         return true;
@@ -145,14 +145,15 @@ fn is_known(model: &Model, system: &System, root: Expr) -> bool {
     !system.arena.reachable(&[root]).iter().any(is_rust)
 }
 
-/// The characteristic length.
+/// Longest finite length of the system, in m; 1 if there is none.
 pub(crate) fn size(system: &System, known: &Values) -> f64 {
     let lengths = evaluate(&system.arena, &system.lengths, known);
     let longest = lengths.into_iter().filter(|length| length.is_finite()).fold(0.0, |longest: f64, length| longest.max(length.abs()));
     if longest > 0.0 { longest } else { 1.0 }
 }
 
-/// Tables are known here; Rust functions are not, and their rows are left out.
+/// Value and derivatives of a function. Tables are evaluated; Rust functions are unknown to the compiler and return NaN, so that their rows
+/// are left out.
 pub(crate) fn call(model: &Model, number: u32, x: f64) -> [f64; 3] {
     match model.functions.get(number as usize) {
         Some(Function::Table(table)) => table.evaluate(x),

@@ -1,7 +1,7 @@
-//! Positions that a mechanism can be in, with all of its equations fulfilled, also those that are too many.
+//! Configurations that satisfy all equations of a mechanism, redundant ones included.
 //!
-//! In: [`Subsystem`]s. Out: an assembly at t = 0 and a [`Samples`] of others: where the drives lead from there, and where nothing is
-//! driven, wherever a push leads. Not done here: drawing conclusions.
+//! In: [`Subsystem`]s. Out: an assembly at t = 0, and a [`Samples`] of further poses: along the motion of the drives or, if nothing is
+//! driven, after perturbations. Not done here: drawing conclusions.
 
 use super::Numeric;
 use super::least_squares::minimise;
@@ -11,43 +11,43 @@ use crate::quantity::Dim;
 use crate::structure::SMALL;
 use crate::structure::Subsystem;
 
-/// How far the fastest drive goes from the start to each pose, in rad or in lengths of the mechanism; one after the other to
-/// either side, about half a turn.
+/// Distances of the poses from the start, as travel of the fastest drive, in rad or characteristic lengths: stepwise to either side, about
+/// half a turn.
 const WAYS: [f64; 6] = [0.05, 0.35, 0.8, 1.4, 2.2, 3.0];
 
-/// Of a large system so many of them.
+/// Number of distances used for a large system.
 const FEW: usize = 3;
 
-/// Where no drive moves at t = 0, the times of the poses for a way of 1, in s.
+/// Time for a distance of 1 if no drive moves at t = 0, in s.
 const WITHOUT_RATE: f64 = 0.3;
 
-/// How far pushes go at most, in rad or in lengths of the mechanism: from where two branches meet, short ones lead nowhere.
+/// Largest perturbations, in rad or characteristic lengths. Short ones fail where two branches meet.
 const PUSHES: [f64; 6] = [0.2, 0.3, 0.5, 0.7, 1.0, 1.4];
 
-/// From so many guesses it is looked for where equations that contradict each other come nearest to holding.
+/// Number of guesses from which the least-squares residual of contradictory equations is minimised.
 const TRIES: usize = 12;
 
-/// Equations that are open by less than this hold: each subsystem takes over the rounding errors of those before it, and where there are
-/// more equations than unknowns nothing gives way to them. A sum of squares, in scaled unknowns.
+/// Sum of squares, in scaled unknowns, below which overdetermined equations hold: each subsystem inherits the rounding errors of those
+/// before it, and with more equations than unknowns no unknown can absorb them.
 const ROUNDED: f64 = 1e-14;
 
-/// A pose that is nearer to the start than this is the start.
+/// A pose closer to the start than this is the start.
 const SAME: f64 = 1e-3;
 
-/// Configurations at which identities are looked at.
+/// Number of configurations at which identities are tested.
 pub(crate) const LOOKS: usize = 3;
 
 /// Poses at the declared parameters.
 pub(crate) struct Samples {
-    /// The start first.
+    /// The poses; the first is the start.
     pub(crate) poses: Vec<Pose>,
-    /// Some of them are not the start.
+    /// True if some pose differs from the start.
     pub(crate) moves: bool,
-    /// All equations can go on holding when the drives move, if there are any.
+    /// True if all equations can keep holding while the drives move.
     pub(crate) holds: bool,
 }
 
-/// A time in s, and q.
+/// Time in s, and q.
 #[derive(Clone)]
 pub(crate) struct Pose {
     pub(crate) time: f64,
@@ -55,13 +55,13 @@ pub(crate) struct Pose {
 }
 
 impl Numeric<'_> {
-    /// Coordinates that have nothing to do with each other.
+    /// Arbitrary, unrelated values of all coordinates.
     pub(crate) fn anywhere(&self, look: usize) -> Vec<f64> {
         let share = |unknown: usize| 2.0 * ((unknown * LOOKS + look + 1) as f64 * 0.618_033_988_749_895).fract();
         (0..self.system.coordinates.len()).map(|unknown| share(unknown) * self.scale(unknown)).collect()
     }
 
-    /// An assembly at t = 0 without the equations that are left out, and whether it is one.
+    /// An assembly at t = 0 without the equations left out, subsystem by subsystem; true if it closes.
     pub(crate) fn assembled_in_order(&self, subsystems: &[Subsystem], leaves_out: impl Fn(usize) -> bool) -> (Vec<f64>, bool) {
         let mut q: Vec<f64> = self.declared.iter().map(|value| value.unwrap_or(0.0)).collect();
         let mut is_closed = true;
@@ -81,8 +81,7 @@ impl Numeric<'_> {
         (q, is_closed)
     }
 
-    /// Where the equations that are too many come nearest to holding at t = 0, of several places where no small step brings them
-    /// nearer; all else as in `q`.
+    /// Best of several local minima of the residual of the overdetermined subsystems at t = 0; all other coordinates as in `q`.
     pub(crate) fn least_open(&self, subsystems: &[Subsystem], mut q: Vec<f64>) -> Vec<f64> {
         for subsystem in subsystems.iter().filter(|subsystem| subsystem.is_overdetermined) {
             let mut best: Option<(f64, Vec<f64>)> = None;
@@ -105,7 +104,7 @@ impl Numeric<'_> {
         q
     }
 
-    /// How far some equations are from holding: the sum of their squares, in rad and in lengths of the mechanism.
+    /// Residual of some equations: sum of squares, in rad and characteristic lengths.
     fn open(&self, equations: &[usize], q: &[f64]) -> f64 {
         let rows = equations.iter().map(|equation| &self.system.equations[*equation]);
         let (dims, roots): (Vec<Dim>, Vec<Expr>) = rows.filter_map(|row| Some((row.dim, row.phi()?))).unzip();
@@ -118,7 +117,7 @@ impl Numeric<'_> {
         values.iter().zip(&dims).map(share).filter(|share| share.is_finite()).map(|share| share * share).sum()
     }
 
-    /// The assembly next to `q` at a time, without the equations that are left out; none if there is none.
+    /// The assembly near `q` at a time, without the equations left out; `None` if the solution fails.
     pub(crate) fn settled(
         &self,
         subsystems: &[Subsystem],
@@ -162,7 +161,7 @@ impl Numeric<'_> {
                 let time = side * way * unit;
                 match self.settled(subsystems, time, here.q, &leaves_out) {
                     Some(q) => here = Pose { time, q },
-                    // A mechanism may come to the end of its range, but not at once.
+                    // A mechanism may reach the end of its range, but not within the first step.
                     None => {
                         samples.holds &= number > 0;
                         break;
@@ -174,14 +173,14 @@ impl Numeric<'_> {
         samples
     }
 
-    /// Poses that pushes lead to from an assembly, whatever the drives say.
+    /// Poses reached from an assembly by perturbation at t = 0.
     pub(crate) fn pushed(&self, subsystems: &[Subsystem], start: Vec<f64>, leaves_out: impl Fn(usize) -> bool) -> Vec<Pose> {
         let mut samples = Samples { poses: vec![Pose { time: 0.0, q: start }], moves: false, holds: true };
         self.push(subsystems, &mut samples, leaves_out);
         samples.poses
     }
 
-    /// Where pushes in some directions lead.
+    /// Perturbs all coordinates in several directions, and adds the assemblies found nearby.
     fn push(&self, subsystems: &[Subsystem], samples: &mut Samples, leaves_out: impl Fn(usize) -> bool) {
         let start = samples.poses[0].q.clone();
         for (attempt, push) in PUSHES.into_iter().enumerate() {
@@ -195,7 +194,7 @@ impl Numeric<'_> {
         }
     }
 
-    /// A pose, if it is not the start.
+    /// Adds a pose unless it is the start.
     fn add(&self, samples: &mut Samples, pose: Pose) {
         let way = |unknown: usize| (pose.q[unknown] - samples.poses[0].q[unknown]).abs() / self.scale(unknown);
         if (0..pose.q.len()).any(|unknown| way(unknown) > SAME) {
@@ -204,7 +203,7 @@ impl Numeric<'_> {
         }
     }
 
-    /// How fast the fastest drive turns or shifts something at the start, in rad/s or lengths per second.
+    /// Largest rate at the start that a drive imposes on a coordinate, in rad/s or characteristic lengths per second.
     fn pace(&self, subsystems: &[Subsystem], start: &[f64]) -> f64 {
         let pace = |equation: &usize| {
             let equation = &self.system.equations[*equation];

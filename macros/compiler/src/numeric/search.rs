@@ -1,8 +1,8 @@
-//! The assemblies of some equations, and which of them is meant.
+//! Assemblies of some equations, and the choice among them.
 //!
-//! In: a [`Problem`] and the declared start. Out: the assemblies that were found from several guesses, the nearest first. Of two
-//! the one is nearer whose declared coordinates are nearer to the declared values; where these do not tell, the one whose undeclared
-//! angles are less turned; then the one whose undeclared places are nearer to the origin. Not done here: refusing.
+//! In: a [`Problem`] and the declared start. Out: the assemblies found from several guesses, nearest to the start first. Distance compares,
+//! in this order: declared coordinates with their declared values; undeclared angles with 0; undeclared positions with the origin. Not done
+//! here: refusing.
 
 use super::Numeric;
 use super::least_squares::{Problem, minimise};
@@ -10,33 +10,33 @@ use super::turns::within_a_turn;
 use crate::quantity::Role;
 use std::cmp::Ordering;
 
-/// How many guesses of what is not declared are tried.
+/// Number of guesses for undeclared coordinates.
 pub(crate) const GUESSES: usize = 24;
 
-/// Squared distances from the start agree when they differ by less than this part of themselves.
+/// Relative difference below which squared distances from the start are equal.
 ///
-/// Assemblies that are images of each other agree to about 1e-9, what `minimise` leaves; an accident as near as this is not met.
+/// Mirror-image assemblies agree to about 1e-9, the accuracy of `minimise`; different ones are practically never this close.
 const ALIKE: f64 = 1e-6;
 
-/// Squared distances below this are nothing: it is what `minimise` leaves where assemblies are near each other.
+/// Squared distances below this are zero: the accuracy of `minimise` where assemblies are close to each other.
 const NOTHING: f64 = 1e-12;
 
-/// Angles, in rad, and places, in sizes, that differ by less are those of one assembly.
+/// Two values of an angle, in rad, or of a position, in characteristic lengths, are equal if they differ by less than this.
 const ONE_PLACE: f64 = 1e-4;
 
-/// What a search has found.
+/// Result of a search.
 pub(crate) struct SearchResult {
-    /// Different assemblies, the nearest first; they are values of the problem's unknowns.
+    /// Different assemblies as values of the problem's unknowns, nearest to the start first.
     pub(crate) assemblies: Vec<Vec<f64>>,
-    /// The first guess, with the equations as small as they became from there.
+    /// Local minimum of the residual reached from the first guess.
     pub(crate) first: Vec<f64>,
 }
 
-/// Squared distances from the declared start: of what is declared, of undeclared angles from 0, of undeclared places from 0.
+/// Squared distances from the start: declared coordinates, undeclared angles from 0, undeclared positions from 0.
 pub(crate) type Distance = [f64; 3];
 
 impl Numeric<'_> {
-    /// Looks for assemblies from the declared start, with guesses of what is not declared.
+    /// Finds assemblies from the declared start and guesses for undeclared coordinates.
     pub(crate) fn search(&self, problem: &mut Problem, guesses: usize) -> SearchResult {
         let shown = Shown::new(self, problem);
         let is_told = (0..shown.declared.len()).all(|index| shown.declared[index].is_some() || !shown.is_angle[index]);
@@ -49,7 +49,7 @@ impl Numeric<'_> {
             }
             if closes {
                 shown.add(&mut found.assemblies, q);
-                // Angles tell assemblies apart.
+                // Assemblies differ in their angles: if all are declared, one assembly is enough.
                 if is_told {
                     break;
                 }
@@ -58,7 +58,7 @@ impl Numeric<'_> {
         found
     }
 
-    /// Looks for assemblies from anywhere, whatever is declared.
+    /// Finds assemblies from guesses of all coordinates, declared or not.
     pub(crate) fn search_widely(&self, problem: &mut Problem, guesses: usize) -> Vec<Vec<f64>> {
         let shown = Shown::new(self, problem);
         let mut assemblies = Vec::new();
@@ -72,7 +72,8 @@ impl Numeric<'_> {
         assemblies
     }
 
-    /// The assembly on the other side of the start, if there is one: each declared value is as far from it, and undeclared ones from 0.
+    /// The assembly found from the mirror image of `q` about the declared values, 0 for undeclared ones; `None` if it is `q` itself or does
+    /// not close.
     pub(crate) fn mirrored(&self, problem: &mut Problem, q: &[f64]) -> Option<Vec<f64>> {
         let shown = Shown::new(self, problem);
         let image = q.iter().zip(&shown.declared).map(|(value, declared)| declared.map_or(-value, |declared| 2.0 * declared - value));
@@ -80,7 +81,7 @@ impl Numeric<'_> {
         (closes && !shown.is_one(&image, q)).then_some(image)
     }
 
-    /// Whether one assembly is as near to what is declared as another, as far as they differ.
+    /// True if two assemblies are equally near to the declared values, counting only unknowns in which they differ.
     pub(crate) fn is_as_declared(&self, one: &[f64], other: &[f64]) -> bool {
         let differing = self.differing(one, other);
         let declared = |q: &[f64]| {
@@ -91,7 +92,7 @@ impl Numeric<'_> {
         compare(&declared(one), &declared(other)) == Ordering::Equal
     }
 
-    /// Whether two assemblies are equally near to the start as far as they differ; values of all unknowns.
+    /// True if two assemblies, given as values of all unknowns, are equally near to the start, counting only unknowns in which they differ.
     pub(crate) fn are_equally_near(&self, one: &[f64], other: &[f64]) -> bool {
         let differing = self.differing(one, other);
         let part = |q: &[f64]| -> Distance {
@@ -104,7 +105,7 @@ impl Numeric<'_> {
         compare(&part(one), &part(other)) == Ordering::Equal
     }
 
-    /// The unknowns by which two assemblies differ.
+    /// Unknowns in which two assemblies differ.
     pub(crate) fn differing(&self, one: &[f64], other: &[f64]) -> Vec<usize> {
         (0..one.len()).filter(|unknown| !self.is_one_place(*unknown, one[*unknown], other[*unknown])).collect()
     }
@@ -127,12 +128,12 @@ impl Numeric<'_> {
         self.system.coordinates[unknown].role.is_position()
     }
 
-    /// How far a guess reaches for each radian that a guessed angle is turned.
+    /// Range of a guess per radian of guessed angle, in m or rad.
     pub(crate) fn reach(&self, unknown: usize) -> f64 {
         self.scale(unknown) / if self.is_position(unknown) { core::f64::consts::PI } else { 1.0 }
     }
 
-    /// Adds how far an unknown is from where it should start.
+    /// Adds the squared distance of an unknown from its start.
     pub(crate) fn add_distance(&self, distance: &mut Distance, unknown: usize, value: f64) {
         let level = match self.declared[unknown] {
             Some(_) => 0,
@@ -142,13 +143,14 @@ impl Numeric<'_> {
         distance[level] += self.away(unknown, value).powi(2);
     }
 
-    /// How far an unknown is from its declared value, or from 0, in rad or sizes; whole turns that nothing counts aside.
+    /// Signed distance of an unknown from its declared value, or from 0, in rad or characteristic lengths, modulo whole turns if the angle
+    /// is free to turn.
     pub(crate) fn away(&self, unknown: usize, value: f64) -> f64 {
         let away = value - self.declared[unknown].unwrap_or(0.0);
         if self.is_angle(unknown) && self.turns().is_free(unknown) { within_a_turn(away) } else { away / self.scale(unknown) }
     }
 
-    /// How far some unknowns are from where they should start.
+    /// Squared distances of some unknowns from their start.
     pub(crate) fn distance(&self, unknowns: &[usize], values: &[f64]) -> Distance {
         let mut distance = [0.0; 3];
         unknowns.iter().zip(values).for_each(|(unknown, value)| self.add_distance(&mut distance, *unknown, *value));
@@ -156,13 +158,13 @@ impl Numeric<'_> {
     }
 }
 
-/// What is before it decides, unless it is alike.
+/// Lexicographic comparison with a tolerance.
 pub(crate) fn compare(one: &Distance, other: &Distance) -> Ordering {
     let is_alike = |(a, b): (&f64, &f64)| (a - b).abs() <= ALIKE * a.max(*b) + NOTHING;
     one.iter().zip(other).find(|(a, b)| !is_alike((a, b))).map_or(Ordering::Equal, |(a, b)| a.total_cmp(b))
 }
 
-/// What is known of the unknowns of a problem.
+/// The unknowns of a problem, with their declared values.
 struct Shown<'a> {
     numeric: &'a Numeric<'a>,
     unknowns: Vec<usize>,
@@ -177,9 +179,9 @@ impl<'a> Shown<'a> {
         Shown { numeric, unknowns: problem.unknowns.clone(), declared, is_angle }
     }
 
-    /// Makes the equations as small as they become from a guess; whether they vanish.
+    /// Minimises the residual from a guess: undeclared positions first, then all undeclared unknowns, then all; true if it vanishes.
     fn descend(&self, problem: &mut Problem, mut q: Vec<f64>) -> (Vec<f64>, bool) {
-        // With the angles given, the places follow from equations that are nearly linear in them.
+        // For given angles the equations are nearly linear in the positions.
         let places: Vec<bool> = self.declared.iter().zip(&self.is_angle).map(|(value, is_angle)| value.is_none() && !is_angle).collect();
         minimise(problem, &mut q, &places);
         let undeclared: Vec<bool> = self.declared.iter().map(Option::is_none).collect();
@@ -189,11 +191,11 @@ impl<'a> Shown<'a> {
         (q, closes)
     }
 
-    /// Keeps an assembly, unless it is there already; the nearest first.
+    /// Inserts an assembly in order of distance, unless it is already known.
     fn add(&self, assemblies: &mut Vec<Vec<f64>>, q: Vec<f64>) {
         let distance = self.distance(&q);
         if let Some(known) = assemblies.iter().position(|known| self.is_one(known, &q)) {
-            // Of one assembly the less turned description is taken.
+            // Of two descriptions of one assembly, which differ by whole turns, keep the one nearer to the start.
             if compare(&distance, &self.distance(&assemblies[known])) != Ordering::Less {
                 return;
             }
@@ -217,9 +219,9 @@ impl<'a> Shown<'a> {
     }
 }
 
-/// The guess of an undeclared angle: first 0, then spread evenly over a turn, each angle its own way; places likewise.
+/// Guess of an undeclared coordinate in rad: first 0, then spread evenly over a turn, with a different sequence for each index.
 pub(crate) fn guess(attempt: usize, index: usize) -> f64 {
-    // Fractions of the golden section never repeat and fill the circle evenly.
+    // Multiples of the golden section modulo 1 never repeat and fill the circle evenly.
     let turns = (attempt as f64 * (index as f64 + 1.0) * 0.618_033_988_749_895).fract();
     let turns = if turns > 0.5 { turns - 1.0 } else { turns };
     if attempt == 0 { 0.0 } else { turns * core::f64::consts::TAU }

@@ -1,31 +1,31 @@
-//! Which angles may be whole turns more or less, so that nothing changes.
+//! Angles that can be changed by whole turns without changing any residual.
 //!
-//! In: a [`System`]. Out: [`Turns`]. An equation in which angles stand under sines and cosines only does not count turns; one in which
-//! an angle stands for itself, as in a gear pair or a drive, does, and links its angles: they can only be turned together, if at all.
+//! In: a [`System`]. Out: [`Turns`]. An equation that contains angles only under sines and cosines is periodic in them. An equation that
+//! contains an angle itself, as in a gear pair or a drive, counts turns and links its angles: they can only be turned together, if at all.
 
 use super::Numeric;
 use crate::expr::{Evaluator, Expr, Values, magnitudes};
 use core::f64::consts::TAU;
 
-/// What is left of a difference of residuals is rounding below this share of their terms.
+/// A difference of residuals below this fraction of their terms is rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Numbers of turns that have little to do with each other; whatever hides from one set of them shows in the other.
+/// Two unrelated sets of numbers of turns; a change that cancels in one shows in the other.
 const SETS: [[u32; 7]; 2] = [[1, 3, 8, 17, 29, 41, 59], [5, 2, 13, 7, 31, 19, 47]];
 
-/// Angles by what they are linked to.
+/// Groups of linked angles.
 #[derive(Default)]
 pub(crate) struct Turns {
-    /// The group of each angle, by unknown.
+    /// Group of each angle, by unknown.
     group: Vec<Option<usize>>,
     groups: Vec<LinkedAngles>,
 }
 
-/// Angles that are linked.
+/// Angles linked to each other.
 #[derive(Clone, Default)]
 pub(crate) struct LinkedAngles {
     pub(crate) members: Vec<usize>,
-    /// The equations that do not allow them to be turned together.
+    /// Equations that change when the group is turned.
     pub(crate) counted_by: Vec<usize>,
 }
 
@@ -63,23 +63,23 @@ impl Turns {
         turns
     }
 
-    /// The angles that an angle is linked to, itself among them.
+    /// The group of an angle, which includes the angle itself.
     pub(crate) fn linked(&self, unknown: usize) -> Option<&LinkedAngles> {
         self.groups.get((*self.group.get(unknown)?)?)
     }
 
-    /// An angle can be whole turns more or less, with those it is linked to.
+    /// True if an angle can be changed by whole turns, together with its group.
     pub(crate) fn is_free(&self, unknown: usize) -> bool {
         self.linked(unknown).is_some_and(|group| group.counted_by.is_empty())
     }
 
-    /// The groups that can be turned.
+    /// Groups that can be turned.
     pub(crate) fn free(&self) -> impl Iterator<Item = &LinkedAngles> {
         self.groups.iter().filter(|group| group.counted_by.is_empty())
     }
 }
 
-/// The equations that change when each angle makes some turns of its own, in one of two sets of them.
+/// True for equations whose residual changes when each angle is changed by its own number of turns, in either set.
 fn counting(numeric: &Numeric, turns: impl Fn(usize, usize) -> u32) -> Vec<bool> {
     let system = numeric.system;
     let roots: Vec<(usize, Expr)> =
@@ -100,7 +100,7 @@ fn counting(numeric: &Numeric, turns: impl Fn(usize, usize) -> u32) -> Vec<bool>
         }
         evaluator.run(&Values { coordinates: &turned, ..numeric.known }, &mut after);
         for (index, (equation, _)) in roots.iter().enumerate() {
-            // What is no number here counts, for all that is known.
+            // A residual that is not finite counts as changed.
             let is_same = (after[index] - before[index]).abs() <= ROUNDING * sizes[index];
             counts[*equation] |= !is_same;
         }
@@ -116,12 +116,12 @@ fn find(leader: &mut [usize], mut of: usize) -> usize {
     of
 }
 
-/// The angle that is whole turns away and nearest to 0: above −π, up to π.
+/// The angle modulo 2π, in (−π, π].
 pub(crate) fn within_a_turn(angle: f64) -> f64 {
     angle + TAU * turns_to_zero(-angle / TAU)
 }
 
-/// The whole number nearest to a number of turns; of two the greater one.
+/// The nearest whole number of turns; the greater one of two equally near.
 pub(crate) fn turns_to_zero(turns: f64) -> f64 {
     (turns + 0.5 + 1e-9).floor()
 }

@@ -1,7 +1,7 @@
-//! How the Jacobian of a large block is eliminated: which entry is the pivot of which step, and what becomes of zeros.
+//! Elimination of the Jacobian of a large block: order of the pivots and fill-in.
 //!
-//! In: the pattern of the Jacobian, and its numbers at some poses. Out: an [`Elimination`]. The order is fixed from here on, so that
-//! the elimination can be written in straight lines; the runtime watches that no pose makes it a bad one. Not done here: printing.
+//! In: the pattern of the Jacobian, and its values at some poses. Out: an [`Elimination`]. The order is fixed in the compiler, so that the
+//! elimination can be written as straight-line code; the run time monitors its accuracy at every pose. Not done here: printing.
 
 mod order;
 #[cfg(test)]
@@ -18,10 +18,10 @@ use std::collections::BTreeSet;
 /// Blocks of up to this many unknowns are solved in closed form.
 pub(super) const CLOSED_FORM: usize = 3;
 
-/// Elimination of more operations is left to a loop over tables: straight lines of this length are felt in rustc.
+/// An elimination with more operations is done by a loop over tables: longer straight-line code slows rustc down noticeably.
 const LONGEST: usize = 2000;
 
-/// The elimination of a block.
+/// Chooses the elimination of a block.
 pub(super) fn elimination(arena: &Arena, system: &System, block: &Iteration, poses: &Poses) -> Elimination {
     let size = block.unknowns.len();
     let zero = |expr: &Expr| arena.as_constant(*expr).is_some_and(|value| value.is_zero());
@@ -40,7 +40,7 @@ pub(super) fn elimination(arena: &Arena, system: &System, block: &Iteration, pos
 }
 
 impl Elimination {
-    /// In the order that serves sparsity and, at the poses known, accuracy.
+    /// Elimination in an order chosen for sparsity and for accuracy at the known poses.
     fn new(size: usize, entries: &[PivotCandidate]) -> Elimination {
         let pivots = in_order(size, entries);
         let (rows, columns): (Vec<usize>, Vec<usize>) = pivots.iter().map(|pivot| pivot.place).unzip();
@@ -51,7 +51,7 @@ impl Elimination {
         Elimination { pattern, rows, columns, factors, is_unit, cost }
     }
 
-    /// What blocks must have in common to be eliminated alike: which entries are always zero, and which are 1 or −1.
+    /// Properties that blocks must share to be eliminated alike: for each entry, 0 if it is always zero, 1 if it is ±1, and 2 otherwise.
     pub(super) fn features(&self, arena: &Arena, jacobian: &[Vec<Expr>]) -> Vec<u32> {
         let feature = |entry: &Expr| match arena.as_constant(*entry).map(|value| value.to_f64()) {
             Some(0.0) => 0,
@@ -61,18 +61,18 @@ impl Elimination {
         jacobian.iter().flatten().map(feature).collect()
     }
 
-    /// Short enough for straight lines.
+    /// True if straight-line code is short enough.
     pub(crate) fn is_short(&self) -> bool {
         self.cost.flops <= LONGEST
     }
 
-    /// The place among the factors of an entry of the Jacobian.
+    /// Row and column in the factors of an entry of the Jacobian.
     pub(crate) fn place_of(&self, (row, column): (usize, usize)) -> Option<(usize, usize)> {
         let place = |list: &[usize], index: usize| list.iter().position(|entry| *entry == index);
         Some((place(&self.rows, row)?, place(&self.columns, column)?))
     }
 
-    /// The columns of the entries of L in a row, or of those of U right of the diagonal.
+    /// Columns of the entries of L in a row, or of the entries of U to the right of the diagonal.
     pub(crate) fn row(&self, i: usize, of_lower: bool) -> impl Iterator<Item = usize> {
         self.factors
             .iter()
@@ -81,7 +81,7 @@ impl Elimination {
     }
 }
 
-/// The pattern of L and U: that of the matrix, and every entry that elimination makes of a zero.
+/// Pattern of L + U: that of the permuted matrix, with fill-in.
 fn filled(pattern: &[(usize, usize)], rows: &[usize], columns: &[usize]) -> Vec<(usize, usize)> {
     let size = rows.len();
     let (mut row_of, mut column_of) = (vec![0; size], vec![0; size]);
@@ -99,13 +99,14 @@ fn filled(pattern: &[(usize, usize)], rows: &[usize], columns: &[usize]) -> Vec<
                 lines[i].extend(right);
             }
         }
-        // The diagonal has a place even where the matrix is singular for its pattern alone.
+        // The diagonal is included even if the matrix is structurally singular.
         lines[i].insert(i);
     }
     lines.iter().enumerate().flat_map(|(i, line)| line.iter().map(move |column| (i, *column))).collect()
 }
 
-/// A product for each entry of L, a product and a difference for each that it changes; a quotient for each pivot.
+/// Operation count: a product for each entry of L, a product and a difference for each entry that it updates, and a quotient for each pivot
+/// that is not ±1.
 fn cost(factors: &[(usize, usize)], is_unit: &[bool]) -> Cost {
     let mut right = vec![0; is_unit.len()];
     for (row, column) in factors {

@@ -1,12 +1,12 @@
-//! The equations of a system joint by joint, with where their parts go.
+//! Equations of a system grouped by joint, with the targets of their results.
 
 use super::rolled::{Cell, Target};
 use crate::expr::Expr;
 use crate::system::{Equation, System};
 
-/// The equations of a system, joint by joint.
+/// Equations of a system, grouped by joint.
 pub(super) struct Joints<'a> {
-    /// Each with its number.
+    /// Equations of each joint, with their indices in Φ.
     joints: Vec<Vec<(u32, &'a Equation)>>,
 }
 
@@ -22,14 +22,14 @@ impl<'a> Joints<'a> {
         Joints { joints }
     }
 
-    /// One result for each equation.
+    /// One result per equation.
     pub(super) fn rows(&self, of: impl Fn(&Equation) -> Option<Expr>) -> Vec<Cell> {
         let cell =
             |joint: &Vec<(u32, &Equation)>| joint.iter().filter_map(|(row, equation)| Some((Target::Row(*row), of(equation)?))).collect();
         self.joints.iter().map(cell).collect()
     }
 
-    /// The entries of Φ_q in a list.
+    /// Entries of Φ_q as a list.
     pub(super) fn entries(&self) -> Vec<Cell> {
         let mut number = 0;
         let mut next = || {
@@ -42,7 +42,7 @@ impl<'a> Joints<'a> {
         self.joints.iter().map(cell).collect()
     }
 
-    /// Φ, then the entries of Φ_q with their places.
+    /// Φ, then the entries of Φ_q with row and column.
     pub(super) fn linearized(&self) -> Vec<Cell> {
         let entries = |(row, equation): &(u32, &'a Equation)| {
             let row = *row;

@@ -1,8 +1,8 @@
-//! Stages of the same shape as one function.
+//! One function for all stages of the same shape.
 //!
-//! In: the stages of a mechanism. Out: [`Kernels`]: for each shape its lines over local unknowns, for each stage which shape it
-//! has and, in columns, what its unknowns are. Stages hand values on in arrays: q, q̇, q̈, and sine and cosine of angles that
-//! more than one of them turns by. Not done here: printing.
+//! In: the stages of a mechanism. Out: [`Kernels`]: for each shape, its lines over local unknowns; for each stage, its shape and, in
+//! columns, its unknowns. Stages exchange values in arrays: q, q̇, q̈, and the sine and cosine of angles used by more than one stage. Not
+//! done here: printing.
 
 use super::lines::{Frame, Lines, Part, lines};
 use super::routine::Cost;
@@ -12,54 +12,54 @@ use super::words::Words;
 use crate::expr::{Leaf, Node, Unary};
 use std::collections::BTreeSet;
 
-/// The stages of a mechanism by their shapes.
+/// The stages of a mechanism, grouped by shape.
 #[derive(Clone, Debug)]
 pub struct Kernels {
-    /// One for each shape.
+    /// One kernel per shape.
     pub kernels: Vec<Kernel>,
-    /// The number of the kernel of each stage or run of stages, in order; the n-th time that a number occurs is its n-th piece.
+    /// Kernel of each stage or run of stages, in order; the n-th occurrence of a kernel is its n-th piece.
     pub order: Vec<usize>,
-    /// Unknowns that are constants, with their values; no kernel computes them.
+    /// Unknowns that are constant, with their values; no kernel computes them.
     pub constants: Vec<(usize, f64)>,
-    /// More than one drive moves something, so that one may rest while others go on.
+    /// True if more than one drive moves something, so that one may rest while others move.
     pub can_rest: bool,
-    /// For each block the number of its shape among blocks, and the operations of a step.
+    /// For each block, the number of its shape among blocks, and the operations of one Newton step.
     pub(super) blocks: Vec<(usize, Cost)>,
 }
 
 /// The function of one shape.
 #[derive(Clone, Debug)]
 pub struct Kernel {
-    /// What it stands for.
+    /// Shape of the stages that it computes.
     pub shape: Shape,
-    /// Its lines.
+    /// Its code.
     pub lines: Lines,
-    /// The local unknowns that it finds.
+    /// Local unknowns that it computes.
     pub found: Vec<usize>,
-    /// The equations of its block, or the one that it checks.
+    /// Equations of its block, or the equation that it checks.
     pub equations: Vec<Column<u32>>,
-    /// Of which of its unknowns it keeps sine and cosine for others.
+    /// Local unknowns whose sine and cosine it stores for other kernels.
     pub kept: Vec<usize>,
 }
 
-/// Shapes that take turns.
+/// Shapes that are called in alternation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Round {
-    /// The numbers of their kernels.
+    /// Indices of their kernels.
     pub shapes: Vec<usize>,
-    /// How many calls there are in all.
+    /// Total number of calls.
     pub calls: usize,
 }
 
 impl Round {
-    /// The number of pieces of the shape at this place.
+    /// Number of pieces of the shape at this place.
     #[must_use]
     pub fn pieces(&self, place: usize) -> usize {
         (self.calls + self.shapes.len() - 1 - place) / self.shapes.len()
     }
 }
 
-/// Stages that one call computes: a block, or the unknowns that one joint gives.
+/// Stages computed by one call: a block, or the unknowns that one joint determines.
 struct Run<'a> {
     stages: Vec<&'a Stage>,
     joint: Option<usize>,
@@ -82,12 +82,12 @@ impl Kernels {
         Kernels { kernels, order, constants, can_rest, blocks }
     }
 
-    /// The order as rounds, if every shape is in one of them only: loops in which rustc knows which function comes next.
+    /// The order as rounds, if each shape occurs in only one of them: then rustc knows the next function in each loop.
     pub fn rounds(&self) -> Option<Vec<Round>> {
         rounds(&self.order)
     }
 
-    /// The number of operations in all kernels.
+    /// Number of operations in all kernels.
     pub(super) fn size(&self) -> usize {
         self.kernels.iter().map(|kernel| kernel.shape.arena.len()).sum()
     }
@@ -99,7 +99,7 @@ impl Kernels {
 }
 
 impl Kernel {
-    /// The operations of one Newton step.
+    /// Operations of one Newton step.
     fn step(&self) -> Cost {
         let of_part = |part: &Part| if let Part::Block(block) = part { Some(block.cost) } else { None };
         self.lines.parts.iter().find_map(of_part).unwrap_or_default()
@@ -126,7 +126,7 @@ impl Run<'_> {
     }
 }
 
-/// An order as rounds, if every number is in one of them only.
+/// The order as rounds, if each number occurs in only one of them.
 fn rounds(order: &[usize]) -> Option<Vec<Round>> {
     let mut rounds: Vec<Round> = Vec::new();
     let mut rest = order;
@@ -141,7 +141,7 @@ fn rounds(order: &[usize]) -> Option<Vec<Round>> {
     rounds.iter().flat_map(|round| &round.shapes).all(|shape| seen.insert(shape)).then_some(rounds)
 }
 
-/// For each block the number of its shape among blocks, and the operations of a step.
+/// For each block, the number of its shape among blocks, and the operations of one Newton step.
 fn blocks(kernels: &[Kernel], order: &[usize], runs: &[Run]) -> Vec<(usize, Cost)> {
     let mut shapes: Vec<usize> = Vec::new();
     let of_blocks = runs.iter().zip(order).filter(|(run, _)| matches!(run.stages.as_slice(), [Stage::Block(_)]));
@@ -156,7 +156,7 @@ fn blocks(kernels: &[Kernel], order: &[usize], runs: &[Run]) -> Vec<(usize, Cost
     of_blocks.map(|(_, kernel)| *kernel).map(number).collect()
 }
 
-/// Blocks one by one; computed unknowns together if they follow each other and one joint gives them. Constants are apart.
+/// Groups stages into runs: each block alone, consecutive computed unknowns of one joint together. Constants are returned separately.
 fn runs<'a>(frame: &Frame, stages: &'a [Stage]) -> (Vec<Run<'a>>, Vec<(usize, f64)>) {
     let (mut runs, mut constants): (Vec<Run>, Vec<(usize, f64)>) = (Vec::new(), Vec::new());
     for stage in stages {
@@ -220,7 +220,7 @@ fn kernel(shape: Shape, runs: Vec<&Run>, turned: &BTreeSet<usize>, words: &Words
 }
 
 impl Run<'_> {
-    /// The equation of this number of its block, or the one that it checks.
+    /// Index in Φ of an equation of its block, or of the equation that it checks.
     fn equation(&self, row: usize) -> u32 {
         let of_stage = |stage: &&Stage| match stage {
             Stage::Block(Iteration { equations, .. }) => equations.get(row).copied(),
@@ -231,7 +231,7 @@ impl Run<'_> {
     }
 }
 
-/// Whoever finds an angle keeps its sine and cosine, if any other kernel turns by it.
+/// The kernel that computes an angle stores its sine and cosine if another kernel uses them.
 fn keep_turns(kernels: &mut [Kernel], turned: &[BTreeSet<usize>]) {
     let mut wanted = BTreeSet::new();
     for (kernel, turned) in kernels.iter().zip(turned) {
@@ -249,7 +249,7 @@ fn keep_turns(kernels: &mut [Kernel], turned: &[BTreeSet<usize>]) {
 mod tests {
     use super::{Round, rounds};
 
-    /// What the loops call is the order.
+    /// True if the loops call the shapes in the given order.
     fn is_kept(order: &[usize]) -> bool {
         let Some(rounds) = rounds(order) else { return false };
         let called = rounds.iter().flat_map(|round| {

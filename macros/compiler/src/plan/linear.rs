@@ -1,18 +1,18 @@
-//! Blocks whose Jacobian is a constant matrix: solved in the compiler, once and exactly.
+//! Blocks with a constant Jacobian: solved once, exactly, in the compiler.
 //!
 //! ```text
 //! r(x) = J x + r(0) = 0      x = −J⁻¹ r(0)
 //! ```
 //!
-//! Two gears that mesh through a third and the like. What is left for run time is a sum of products.
+//! An example is two gears that mesh through a third. Only a sum of products is left for run time.
 
 use super::stage::Iteration;
 use crate::expr::{Arena, Expr, Leaf, Substitution};
 
-/// An inverse is full: beyond this size its products cost more than a factorisation.
+/// Largest number of unknowns: an inverse is dense, and beyond this its products cost more than a factorisation.
 const LARGEST: usize = 8;
 
-/// The unknowns of a block as functions of what is known before it; none if its Jacobian is not constant, or singular.
+/// Unknowns of a block in terms of upstream unknowns; `None` if its Jacobian is singular, too large or not constant.
 pub(super) fn solution(arena: &mut Arena, system: &Iteration) -> Option<Vec<Expr>> {
     let k = system.unknowns.len();
     let is_constant = system.jacobian.iter().flatten().all(|entry| arena.as_constant(*entry).is_some());
@@ -36,8 +36,7 @@ pub(super) fn solution(arena: &mut Arena, system: &Iteration) -> Option<Vec<Expr
     Some(inverse.into_iter().map(value).collect())
 }
 
-/// The inverse of a matrix of constants by the method of Gauss and Jordan, in exact arithmetic; none if it is singular or a
-/// number gets too long.
+/// Inverse of a constant matrix by Gauss-Jordan elimination in exact arithmetic; `None` if it is singular or a number does not fit.
 fn inverse(arena: &mut Arena, mut matrix: Vec<Vec<Expr>>) -> Option<Vec<Vec<Expr>>> {
     let k = matrix.len();
     for (i, row) in matrix.iter_mut().enumerate() {

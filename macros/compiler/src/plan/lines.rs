@@ -1,4 +1,4 @@
-//! Stages as straight lines: what is named before a block, inside its loop, and after it.
+//! Stages as straight-line code: named steps before a block, inside its loop, and after it.
 
 use super::routine::{Cost, Step};
 use super::schedule::{Scheduler, cost};
@@ -8,87 +8,87 @@ use super::words::Words;
 use crate::expr::{Arena, Expr, Leaf, Node, Unary};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Stages as straight lines.
+/// Stages as straight-line code.
 #[derive(Clone, Debug)]
 pub struct Lines {
-    /// In order.
+    /// Stages in order.
     pub parts: Vec<Part>,
-    /// Names of the nodes that have one outside of loops.
+    /// Names of nodes outside of loops.
     pub names: BTreeMap<Expr, String>,
     /// For each unknown, the names of its value, rate and acceleration.
     pub unknowns: Vec<[String; 3]>,
-    /// Angles whose sine and cosine are taken from outside, with the names of these.
+    /// Angles whose sine and cosine are given from outside, with their names.
     pub turned: Vec<(usize, [Option<String>; 2])>,
-    /// What depends on parameters only, once for each set of them.
+    /// Steps that depend on parameters only, computed once per set of parameters.
     pub fixed: Vec<Step>,
-    /// The names of what the other lines need of it.
+    /// Names of those results that other lines use.
     pub fixed_names: Vec<String>,
     /// Operations outside of loops.
     pub cost: Cost,
 }
 
-/// One stage with the steps it needs.
+/// One stage with its steps.
 #[derive(Clone, Debug)]
 pub enum Part {
-    /// An unknown that is computed.
+    /// A computed unknown.
     Explicit {
-        /// What is named before it.
+        /// Named steps before it.
         steps: Vec<Step>,
-        /// Its index in q.
+        /// Index in q.
         unknown: usize,
         /// Value, rate and acceleration.
         motion: [Expr; 3],
     },
-    /// Unknowns that are found together.
+    /// Unknowns that are solved together.
     Block(Box<Iterated>),
     /// An equation that is checked.
     Check {
-        /// What is named before it.
+        /// Named steps before it.
         steps: Vec<Step>,
-        /// Its index in Φ.
+        /// Index in Φ.
         equation: usize,
-        /// Its residual.
+        /// Residual of the equation.
         residual: Expr,
-        /// What rounding errors of that are a share of: its terms, its slope by lengths, and by angles.
+        /// Rounding scales of the residual: sum of the magnitudes of its terms, and derivatives by lengths and by angles.
         sizes: [Expr; 3],
     },
 }
 
-/// A system that Newton's method solves, with the steps it needs.
+/// A system solved by Newton's method, with its steps.
 #[derive(Clone, Debug)]
 pub struct Iterated {
-    /// What is named before the loop.
+    /// Named steps before the loop.
     pub before: Vec<Step>,
-    /// The system itself.
+    /// The system.
     pub system: Iteration,
-    /// For each unknown the names of its sine and cosine, where needed.
+    /// For each unknown, the names of its sine and cosine, if used.
     pub turns: Vec<[Option<String>; 2]>,
-    /// What is named in the loop.
+    /// Named steps in the loop.
     pub inside: Vec<Step>,
-    /// Names of the nodes that have one in the loop.
+    /// Names of nodes in the loop.
     pub names: BTreeMap<Expr, String>,
-    /// Operations of one Newton step, without the solution of its system.
+    /// Operations of one Newton step, without the solution of its linear system.
     pub cost: Cost,
-    /// What is named before the rates.
+    /// Named steps before the rates.
     pub rates: Vec<Step>,
-    /// What is named before the accelerations.
+    /// Named steps before the accelerations.
     pub accelerations: Vec<Step>,
 }
 
-/// What is known of the numbers in stages.
+/// Context of planning.
 pub(super) struct Frame<'a> {
     pub(super) arena: &'a Arena,
     pub(super) tracer: &'a Tracer<'a>,
     pub(super) words: &'a Words,
-    /// By unknown.
+    /// By unknown: true for an angle.
     pub(super) is_angle: &'a [bool],
-    /// By equation.
+    /// By equation: its joint.
     pub(super) joints: &'a [usize],
 }
 
-/// Stages over `n` unknowns as straight lines; sine and cosine of the `turned` unknowns are known.
+/// Stages over `n` unknowns as straight-line code; sine and cosine of the `turned` unknowns are given.
 ///
-/// What depends on parameters only comes before all else where that `is_apart`.
+/// If `is_apart`, steps that depend on parameters only come first.
 pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet<usize>, is_apart: bool, words: &Words) -> Lines {
     let moving: Vec<BTreeSet<Expr>> = stages.iter().map(|stage| moving(arena, stage)).collect();
     let mut roots = Vec::new();
@@ -119,7 +119,7 @@ pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet
     Lines { parts, names: work.names, unknowns: (0..n).map(name).collect(), turned, fixed, fixed_names, cost }
 }
 
-/// The largest expressions under some roots that depend on parameters and on nothing else.
+/// Maximal subexpressions of some roots that depend on parameters and on nothing else.
 fn of_parameters(arena: &Arena, roots: &[Expr]) -> BTreeSet<Expr> {
     let mut steady: BTreeSet<Expr> = BTreeSet::new();
     let mut found: BTreeSet<Expr> = BTreeSet::new();
@@ -143,7 +143,7 @@ fn of_parameters(arena: &Arena, roots: &[Expr]) -> BTreeSet<Expr> {
     found
 }
 
-/// Names for sine and cosine of an unknown that are known before anything else.
+/// Names of the given sine and cosine of an unknown.
 fn known_turn(arena: &Arena, work: &mut Scheduler, unknown: usize) -> [Option<String>; 2] {
     let leaf = Node::Leaf(Leaf::Coordinate(unknown as u32));
     let mut names = [None, None];
@@ -197,7 +197,7 @@ fn iterated(arena: &Arena, work: &mut Scheduler, system: &Iteration, moving: &BT
     Iterated { before, system: system.clone(), turns, inside: inner.take(), names: inner.names, cost, rates, accelerations }
 }
 
-/// Sine and cosine of the unknowns have the same names in the loop and after it: the loop keeps them.
+/// Sine and cosine of the unknowns have the same names in the loop and after it: the loop stores them.
 fn turns(arena: &Arena, outer: &mut Scheduler, inner: &mut Scheduler, system: &Iteration, words: &Words) -> Vec<[Option<String>; 2]> {
     let mut turns = Vec::new();
     for unknown in &system.unknowns {
@@ -221,12 +221,12 @@ fn turns(arena: &Arena, outer: &mut Scheduler, inner: &mut Scheduler, system: &I
     turns
 }
 
-/// Everything that is computed in the loop.
+/// All results of the loop: residuals and Jacobian.
 fn results(system: &Iteration) -> Vec<Expr> {
     system.residuals.iter().chain(system.jacobian.iter().flatten()).copied().collect()
 }
 
-/// The nodes of a block's loop that depend on its unknowns.
+/// Nodes in a block's loop that depend on its unknowns.
 fn moving(arena: &Arena, stage: &Stage) -> BTreeSet<Expr> {
     let Stage::Block(system) = stage else { return BTreeSet::new() };
     let mut moving = BTreeSet::new();
@@ -240,7 +240,7 @@ fn moving(arena: &Arena, stage: &Stage) -> BTreeSet<Expr> {
     moving
 }
 
-/// The largest parts of a block's loop that do not depend on its unknowns; they are computed before it.
+/// Maximal subexpressions in a block's loop that do not depend on its unknowns; they are computed before it.
 fn fixed(arena: &Arena, system: &Iteration, moving: &BTreeSet<Expr>) -> BTreeSet<Expr> {
     let results = results(system);
     let below = arena.reachable(&results).into_iter().filter(|expr| moving.contains(expr));

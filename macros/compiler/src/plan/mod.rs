@@ -1,7 +1,7 @@
-//! From expressions to straight lines: every decision on names and order is taken here.
+//! From expressions to straight-line code: all decisions on names and order.
 //!
-//! In: a [`System`] and what is to be computed. Out: [`Routine`]s: named steps, each used more than
-//! once, and results that refer to them. Not done here: printing.
+//! In: a [`System`] and the expressions to be computed. Out: [`Routine`]s: named steps for common subexpressions, and results that refer to
+//! them. Not done here: printing.
 
 mod elimination;
 mod joints;
@@ -43,26 +43,26 @@ use lines::Frame;
 use rolled::Cell;
 use shape::Tracer;
 
-/// Everything that is generated, as straight lines.
+/// Plan of all generated code.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// All expressions of the system and those that its solution needs.
+    /// Expressions of the system and of its solution.
     pub arena: Arena,
-    /// How q, q̇ and q̈ are found; none for equations that are not solved.
+    /// Solution for q, q̇ and q̈; `None` if only equations are wanted.
     pub solution: Option<Solution>,
-    /// Equations that are checked instead of solved, by their index in Φ.
+    /// Equations that are checked instead of solved, by index in Φ.
     pub checked: Vec<usize>,
-    /// For each method of outputs what is upstream of it.
+    /// For each method of outputs, the part of the mechanism upstream of it.
     pub slices: Vec<Slice>,
-    /// What moves, where that is worth its own code.
+    /// The moving part of the mechanism, if it is worth code of its own.
     pub moving: Option<Slice>,
-    /// Φ(q, t), one result for each row.
+    /// Φ(q, t), one result per row.
     pub phi: Code,
-    /// The entries of Φ_q that are not identically zero, row by row.
+    /// Entries of Φ_q that are not identically zero, row by row.
     pub jacobian: Code,
-    /// Φ and the entries of Φ_q, joint by joint.
+    /// Φ and the entries of Φ_q, grouped by joint.
     pub linearize: Code,
-    /// Where the results of `linearize` go, if it is straight.
+    /// Targets of the results of `linearize`, if it is straight-line code.
     pub linearized: Vec<Target<u32>>,
     /// ν(q, t)
     pub nu: Code,
@@ -70,17 +70,17 @@ pub struct Plan {
     pub gamma: Code,
     /// Row and column of each entry of Φ_q.
     pub pattern: Vec<(usize, usize)>,
-    /// For each method that gives outputs.
+    /// Outputs of each method.
     pub outputs: Vec<Outputs>,
-    /// The declared start values, by unknown; those not declared have no result.
+    /// Declared start values, by unknown; undeclared ones have no result.
     pub start: Routine,
-    /// The local coordinates of points that depend on parameters or are constants.
+    /// Local coordinates of points that depend on parameters or are constant.
     pub lengths: Routine,
     /// Left and right side of each requirement.
     pub requirements: Routine,
 }
 
-/// Schedules everything that is generated.
+/// Schedules all generated code.
 pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, assembly: &Assembly) -> Plan {
     let mut arena = system.arena.clone();
     let solved = (!model.equations_only).then(|| {
@@ -116,7 +116,7 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, as
     }
 }
 
-/// All components of each method's outputs; those of a body are its coordinates.
+/// Components of each method's outputs; those of a body are its coordinates.
 fn method_outputs(arena: &mut Arena, model: &Model, system: &System) -> Vec<OutputMotion> {
     let mut components = |member: &usize| -> Vec<[Expr; 3]> {
         let Some(body) = model.outputs[*member].body else { return system.outputs[*member].components.clone() };
@@ -126,7 +126,7 @@ fn method_outputs(arena: &mut Arena, model: &Model, system: &System) -> Vec<Outp
     model.methods.iter().map(|method| OutputMotion { components: method.members.iter().flat_map(&mut components).collect() }).collect()
 }
 
-/// Chooses how large blocks are eliminated; most mechanisms have none.
+/// Chooses the elimination of large blocks; most mechanisms have none.
 fn eliminations(arena: &Arena, model: &Model, system: &System, assembly: &Assembly, stages: &mut [Stage]) {
     let mut poses = None;
     for stage in stages {
@@ -139,7 +139,7 @@ fn eliminations(arena: &Arena, model: &Model, system: &System, assembly: &Assemb
     }
 }
 
-/// How everything is found, what is upstream of each output, and what moves.
+/// Plans the solution, the slice of each output, and the moving part.
 fn solving(
     arena: &Arena,
     tracer: &Tracer,
@@ -160,7 +160,7 @@ fn solving(
     (solution::solution(&frame, stages, true), slices, slice::moving(&frame, stages))
 }
 
-/// Each length once, zeros left out.
+/// Different lengths, without zeros.
 fn distinct(arena: &Arena, lengths: &[Expr]) -> Vec<Expr> {
     let mut distinct = lengths.to_vec();
     distinct.sort();

@@ -1,4 +1,4 @@
-//! Outputs: one after the other, or where those of an array are alike, one for all.
+//! Outputs: computed one by one, or by one routine if the outputs of an array have the same shape.
 
 use super::routine::Routine;
 use super::schedule;
@@ -8,18 +8,18 @@ use crate::expr::{Arena, Expr};
 use crate::model::{Method, Model};
 use crate::system::System;
 
-/// How the outputs of one method are computed.
+/// Computation of the outputs of one method.
 #[derive(Clone, Debug)]
 pub enum Outputs {
-    /// They are whole bodies, and nothing is computed.
+    /// Whole bodies; nothing is computed.
     Bodies(Vec<usize>),
     /// Value, rate and acceleration of each component, output by output.
     Each(Vec<Routine>),
-    /// The same for all of them.
+    /// One routine for all outputs.
     Alike(Box<(Shape, Routine)>),
 }
 
-/// Decides how the outputs of each method are computed.
+/// Plans the outputs of each method.
 pub(super) fn outputs(arena: &Arena, tracer: &Tracer, model: &Model, system: &System, words: &Words) -> Vec<Outputs> {
     let results = |member: &usize| -> Vec<Expr> { system.outputs[*member].components.iter().flatten().copied().collect() };
     let outputs = |method: &Method| {

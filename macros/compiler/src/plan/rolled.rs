@@ -1,7 +1,6 @@
-//! Straight lines, or where they repeat, loops.
+//! Straight-line code, or loops over repeated shapes.
 //!
-//! In: what is to be computed, joint by joint. Out: [`Code`]: one routine if it is short, else one for each shape of joint.
-//! Not done here: printing.
+//! In: results grouped by joint. Out: [`Code`]: one routine if it is short, otherwise one for each shape of joint. Not done here: printing.
 
 use super::routine::{Cost, Routine};
 use super::schedule;
@@ -9,43 +8,43 @@ use super::shape::{Column, Piece, Shape, Tracer};
 use super::words::Words;
 use crate::expr::{Arena, Expr};
 
-/// Up to this many operations, and as many results, straight lines are as quick to compile as loops, and read better.
+/// Up to this many operations, and as many results, straight-line code compiles as fast as loops and is easier to read.
 pub(super) const STRAIGHT: usize = 1500;
 
-/// How some results are computed.
+/// Computation of some results.
 #[derive(Clone, Debug)]
 pub enum Code {
-    /// All at once.
+    /// One routine for all results.
     Straight(Routine),
-    /// Group by group; what is in no group is zero.
+    /// One routine per group; results in no group are zero.
     Grouped(Vec<Group>),
 }
 
 /// Joints of the same shape.
 #[derive(Clone, Debug)]
 pub struct Group {
-    /// What they have in common.
+    /// Their shape.
     pub shape: Shape,
-    /// How one of them is computed.
+    /// Computation of one of them.
     pub routine: Routine,
-    /// Where each result goes.
+    /// Target of each result.
     pub targets: Vec<Target<Column<u32>>>,
 }
 
-/// Where a result goes.
+/// Destination of a result.
 #[derive(Clone, Copy, Debug)]
 pub enum Target<I> {
-    /// To a place in a list.
+    /// Index in a list.
     Row(I),
-    /// To a row and a column of a matrix.
+    /// Row and column of a matrix.
     Entry(I, I),
 }
 
-/// Results that belong together, each with its target.
+/// Results that belong together, with their targets.
 pub(super) type Cell = Vec<(Target<u32>, Expr)>;
 
 impl Code {
-    /// The operations of all results.
+    /// Operations of all results.
     #[must_use]
     pub fn cost(&self) -> Cost {
         match self {
@@ -55,7 +54,7 @@ impl Code {
     }
 }
 
-/// Decides how some results are computed.
+/// Plans the computation of some results.
 pub(super) fn code(arena: &Arena, tracer: &Tracer, cells: Vec<Cell>, words: &Words) -> Code {
     let results: Vec<Expr> = cells.iter().flatten().map(|(_, result)| *result).collect();
     if results.len() <= STRAIGHT && arena.reachable(&results).len() <= STRAIGHT {
@@ -83,7 +82,7 @@ fn piece(cell: &Cell) -> Piece {
     Piece { tag, first: Vec::new(), results: cell.iter().map(|(_, result)| *result).collect() }
 }
 
-/// Where the result of this number goes in each of some cells of the same shape.
+/// Targets of one result in some cells of the same shape.
 fn target<'a>(cells: impl Iterator<Item = &'a Cell>, result: usize) -> Target<Column<u32>> {
     let targets: Vec<Target<u32>> = cells.map(|cell| cell[result].0).collect();
     let (first, second): (Vec<u32>, Vec<u32>) = targets

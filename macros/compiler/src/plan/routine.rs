@@ -1,22 +1,22 @@
-//! Straight lines, and what they cost.
+//! Straight-line code and its cost.
 
 use crate::expr::{Expr, Leaf};
 use std::collections::BTreeMap;
 
-/// Straight lines: steps in order, then results.
+/// Straight-line code: steps in order, and results.
 #[derive(Clone, Debug)]
 pub struct Routine {
-    /// What is named on the way.
+    /// Named steps.
     pub steps: Vec<Step>,
-    /// What is computed. Each is written once, after the steps with a smaller or equal index.
+    /// Results. Each is written once, after the number of steps given by `after`.
     pub results: Vec<Expr>,
-    /// How many steps stand before each result.
+    /// Number of steps before each result.
     pub after: Vec<usize>,
-    /// Names of the nodes that have one.
+    /// Names of nodes.
     pub names: BTreeMap<Expr, String>,
-    /// The leaves it reads, with their place in the arena.
+    /// Leaves that are read, with their nodes.
     pub leaves: Vec<(Expr, Leaf)>,
-    /// How often each kind of operation is done.
+    /// Operation counts.
     pub cost: Cost,
 }
 
@@ -25,7 +25,7 @@ pub struct Routine {
 pub enum Step {
     /// A value that is used more than once.
     Value(Expr),
-    /// Sine and cosine of an angle; a name is missing where the value is not needed.
+    /// Sine and cosine of an angle; the name of an unused value is missing.
     SineCosine {
         /// The angle.
         angle: Expr,
@@ -34,13 +34,13 @@ pub enum Step {
         /// Name of its cosine.
         cosine: Option<String>,
     },
-    /// A function known by number, with its derivatives.
+    /// A function, by number, with its derivatives.
     Call {
         /// Its number.
         function: u32,
         /// Its argument.
         argument: Expr,
-        /// Names of value, first and second derivative, where needed.
+        /// Names of value, first and second derivative, if used.
         names: [Option<String>; 3],
     },
 }

@@ -1,15 +1,14 @@
-//! One routine: which nodes get a name, in which order they are computed.
+//! Schedules one routine: names nodes and orders their computation.
 
 use super::routine::{Cost, Routine, Step};
 use super::words::Words;
 use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Expressions deeper than this are cut into named parts, so that a reader and rustc's parser both
-/// get lines of bearable length.
+/// Deeper expressions are cut into named parts, so that lines stay short enough for a reader and for rustc's parser.
 const DEPTH: usize = 12;
 
-/// Schedules the computation of `results`, each written once, its steps just before it.
+/// Schedules the computation of `results`; each is written once, right after its steps.
 pub(super) fn routine(arena: &Arena, results: Vec<Expr>, words: &Words) -> Routine {
     let mut work = Scheduler::new(arena, &results, &BTreeSet::new(), words);
     let mut after = Vec::with_capacity(results.len());
@@ -22,15 +21,15 @@ pub(super) fn routine(arena: &Arena, results: Vec<Expr>, words: &Words) -> Routi
     Routine { steps: work.steps, results, after, names: work.names, leaves, cost }
 }
 
-/// The leaves among some nodes.
+/// Leaves among some nodes.
 pub(super) fn leaves(arena: &Arena, nodes: &[Expr]) -> Vec<(Expr, Leaf)> {
     nodes.iter().filter_map(|expr| if let Node::Leaf(leaf) = arena.node(*expr) { Some((*expr, *leaf)) } else { None }).collect()
 }
 
-/// What has been named and computed so far.
+/// State of scheduling: nodes named and computed so far.
 pub(super) struct Scheduler<'a> {
     arena: &'a Arena,
-    /// All nodes under the results, children first, constants' insides left out.
+    /// Nodes under the results, children first, without constant subexpressions.
     pub(super) needed: Vec<Expr>,
     /// Nodes that depend on constants only; they are evaluated in the compiler.
     constants: BTreeSet<Expr>,
@@ -44,7 +43,7 @@ pub(super) struct Scheduler<'a> {
 }
 
 impl<'a> Scheduler<'a> {
-    /// Before anything is computed; `forced` nodes get a name however often they are used.
+    /// Initial state; `forced` nodes get a name even if used only once.
     pub(super) fn new(arena: &'a Arena, results: &[Expr], forced: &BTreeSet<Expr>, words: &Words) -> Scheduler<'a> {
         let all = arena.reachable(results);
         let constants = constants(arena, &all);
@@ -66,7 +65,7 @@ impl<'a> Scheduler<'a> {
         work
     }
 
-    /// Inside a loop over some unknowns: only what depends on them is computed here, what is computed outside keeps its name.
+    /// Scheduler for a loop over some unknowns: computes only nodes that depend on them; nodes computed outside keep their names.
     pub(super) fn inside(&self, results: &[Expr], moving: &BTreeSet<Expr>) -> Scheduler<'a> {
         let all = self.arena.reachable(results);
         let constants = constants(self.arena, &all);
@@ -85,13 +84,13 @@ impl<'a> Scheduler<'a> {
         }
     }
 
-    /// A node is computed and has this name.
+    /// Marks a node as computed under this name.
     pub(super) fn define(&mut self, expr: Expr, name: String) {
         self.names.insert(expr, name);
         self.done.insert(expr);
     }
 
-    /// The steps since the last time.
+    /// Returns the steps added since the last call.
     pub(super) fn take(&mut self) -> Vec<Step> {
         std::mem::take(&mut self.steps)
     }
@@ -109,7 +108,7 @@ impl<'a> Scheduler<'a> {
         self.unique(name)
     }
 
-    /// Adds the steps that one result still lacks.
+    /// Adds the missing steps of a result.
     pub(super) fn serve(&mut self, result: Expr) {
         for expr in self.arena.reachable(&[result]) {
             let is_elsewhere = self.constants.contains(&expr) || self.needed.binary_search(&expr).is_err();
@@ -129,7 +128,7 @@ impl<'a> Scheduler<'a> {
         }
     }
 
-    /// One sine and cosine for each angle, whichever of them is asked for first.
+    /// Adds one step for both sine and cosine of an angle.
     fn sine_cosine(&mut self, angle: Expr) {
         let (mut sine, mut cosine) = (None, None);
         for (expr, function) in self.turned(angle) {
@@ -140,7 +139,7 @@ impl<'a> Scheduler<'a> {
         self.steps.push(Step::SineCosine { angle, sine, cosine });
     }
 
-    /// The sine and the cosine of an angle, as far as they are needed.
+    /// Sine and cosine nodes of an angle, as far as they are used.
     pub(super) fn turned(&self, angle: Expr) -> Vec<(Expr, Unary)> {
         let wanted = self.needed.iter().filter_map(|expr| match *self.arena.node(*expr) {
             Node::Unary(function @ (Unary::Sin | Unary::Cos), of) if of == angle => Some((*expr, function)),
@@ -149,7 +148,7 @@ impl<'a> Scheduler<'a> {
         wanted.collect()
     }
 
-    /// `sin_crank_angle`, or with a number where the angle has no name.
+    /// `sin_crank_angle`, or a numbered name if the angle has none.
     pub(super) fn turn_name(&mut self, angle: Expr, function: Unary) -> String {
         let prefix = if function == Unary::Sin { "sin" } else { "cos" };
         match self.names.get(&angle) {
@@ -161,7 +160,7 @@ impl<'a> Scheduler<'a> {
         }
     }
 
-    /// One call for each argument, giving all derivatives that are asked for.
+    /// Adds one step per argument, for all derivatives that are used.
     fn call(&mut self, function: u32, argument: Expr) {
         let mut names = [None, None, None];
         let wanted = self.needed.iter().filter_map(|expr| match *self.arena.node(*expr) {
@@ -194,7 +193,7 @@ fn constants(arena: &Arena, all: &[Expr]) -> BTreeSet<Expr> {
     constants
 }
 
-/// Leaves are called as the user calls them; calls and sines get their names together.
+/// True for nodes named elsewhere: leaves have the user's names; calls, sines and cosines are named in groups.
 fn has_own_name(node: &Node) -> bool {
     matches!(node, Node::Leaf(_) | Node::Constant(_) | Node::Call { .. } | Node::Unary(Unary::Sin | Unary::Cos, _))
 }
@@ -230,7 +229,7 @@ fn named(arena: &Arena, needed: &[Expr], constants: &BTreeSet<Expr>, results: &[
     named
 }
 
-/// The operations behind some nodes; one sine-cosine pair for each angle, one call for each argument.
+/// Operation counts of some nodes; one sine-cosine pair per angle, one call per argument.
 pub(super) fn cost(arena: &Arena, needed: &[Expr]) -> Cost {
     let mut cost = Cost::default();
     let (mut angles, mut arguments) = (BTreeSet::new(), BTreeSet::new());

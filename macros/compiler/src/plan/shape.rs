@@ -1,46 +1,46 @@
-//! Which pieces of a mechanism are the same but for what they are applied to.
+//! Pieces of a mechanism that do the same operations on different operands.
 //!
-//! In: lists of expressions, each the results of one piece. Out: [`Shape`]s: one list of expressions for all pieces that do the
-//! same operations, over local coordinates, parameters and numbers, and a [`Column`] for each of these with what it stands for
-//! in each piece. Not done here: what a piece is, and printing.
+//! In: lists of expressions, each the results of one piece. Out: [`Shape`]s: one list of expressions, over local coordinates, parameters
+//! and numbers, for all pieces with the same operations, and a [`Column`] per local operand with its value in each piece. Not done here:
+//! choosing pieces, and printing.
 //!
-//! Operands of sums and products may be exchanged without changing a bit of the result. They stand by age in an arena, which
-//! says nothing, so that here they are put in an order that depends on what they do.
+//! Operands of sums and products commute without changing a bit of the result. The arena orders them by creation time; here they are sorted
+//! by structural hash, so that equal shapes compare equal.
 
 use crate::expr::{Arena, Binary, Evaluator, Exact, Expr, Leaf, Node, Unary, Values};
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// One list of expressions that stands for several.
+/// One list of expressions that stands for several pieces.
 #[derive(Clone, Debug)]
 pub struct Shape {
-    /// Its own expressions.
+    /// Arena of its own expressions.
     pub arena: Arena,
-    /// What is computed, over local numbers of coordinates and parameters.
+    /// Results, over local coordinates and parameters.
     pub results: Vec<Expr>,
-    /// How many pieces have this shape.
+    /// Number of pieces with this shape.
     pub count: usize,
-    /// What each local coordinate is in q, by piece.
+    /// Index in q of each local coordinate, by piece.
     pub unknowns: Vec<Column<u32>>,
-    /// What each local parameter is, by piece.
+    /// Index of each local parameter, by piece.
     pub parameters: Vec<Column<u32>>,
-    /// Numbers that differ, by piece.
+    /// Numbers that differ between pieces, by piece.
     pub data: Vec<Vec<f64>>,
 }
 
-/// One value for each piece.
+/// One value per piece.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Column<V> {
-    /// The same everywhere.
+    /// The same value for all pieces.
     Same(V),
-    /// A first value, and by how much each is larger than the one before.
+    /// First value, and the increment from piece to piece.
     Steps(V, V),
-    /// A list.
+    /// A list of values.
     Listed(Vec<V>),
 }
 
 impl Column<u32> {
-    /// The shortest way to write some values.
+    /// The shortest representation of some values.
     pub(crate) fn of(values: Vec<u32>) -> Column<u32> {
         let first = values.first().copied().unwrap_or(0);
         match values.get(1) {
@@ -53,12 +53,12 @@ impl Column<u32> {
         }
     }
 
-    /// With other values for the same.
+    /// The column with each value mapped.
     pub(crate) fn mapped(&self, pieces: usize, to: impl Fn(u32) -> u32) -> Column<u32> {
         Column::of((0..pieces).map(|piece| to(self.at(piece))).collect())
     }
 
-    /// The value for one piece.
+    /// Value of one piece.
     pub(crate) fn at(&self, piece: usize) -> u32 {
         match self {
             Column::Same(value) => *value,
@@ -68,17 +68,17 @@ impl Column<u32> {
     }
 }
 
-/// What a shape is looked for in.
+/// A piece to be matched to a shape.
 pub(super) struct Piece {
     /// Pieces with different tags have different shapes.
     pub(super) tag: Vec<u32>,
-    /// Unknowns that come before all others in the local order.
+    /// Unknowns that come first in the local order.
     pub(super) first: Vec<u32>,
-    /// What is computed.
+    /// Results of the piece.
     pub(super) results: Vec<Expr>,
 }
 
-/// An operation in a piece, its operands by local number.
+/// An operation in a piece; operands are local indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Operation {
     Datum,
@@ -94,21 +94,21 @@ enum Operation {
     Result(u32),
 }
 
-/// A piece, told apart from what it is applied to.
+/// Operations of a piece, separated from its operands.
 struct Trace {
     marks: Vec<Operation>,
     unknowns: Vec<u32>,
     parameters: Vec<u32>,
-    /// Its numbers, one for each place where one occurs.
+    /// Constants, one for each occurrence.
     data: Vec<Expr>,
 }
 
 /// Finds the shapes of pieces of one arena.
 pub(super) struct Tracer<'a> {
     arena: &'a Arena,
-    /// What each node does, whatever it is applied to.
+    /// Structural hash of each node, independent of the leaves it is applied to.
     kinds: Vec<u64>,
-    /// Nodes that depend on constants only.
+    /// True for nodes that depend on constants only.
     is_closed: Vec<bool>,
 }
 
@@ -128,7 +128,7 @@ impl<'a> Tracer<'a> {
         Tracer { arena, kinds, is_closed }
     }
 
-    /// The shapes of some pieces, in the order in which they first occur, and for each piece the number of its shape.
+    /// Shapes of some pieces in the order of their first occurrence, and the index of each piece's shape.
     pub(super) fn shapes(&self, pieces: &[Piece]) -> (Vec<Shape>, Vec<usize>) {
         let mut numbers: HashMap<(Vec<u32>, Vec<Operation>), usize> = HashMap::new();
         let mut members: Vec<Vec<Trace>> = Vec::new();
@@ -167,7 +167,7 @@ impl<'a> Tracer<'a> {
         trace
     }
 
-    /// The place of an operand; a number gets a new one wherever it occurs.
+    /// Index of an operand in the trace; a constant gets a new one at each occurrence.
     fn place(&self, trace: &mut Trace, places: &HashMap<Expr, u32>, operand: Expr) -> u32 {
         places.get(&operand).copied().unwrap_or_else(|| {
             trace.data.push(operand);
@@ -175,7 +175,7 @@ impl<'a> Tracer<'a> {
         })
     }
 
-    /// What is not placed yet, operands first, numbers left out.
+    /// Nodes not yet in the trace, operands first, constants left out.
     fn below(&self, root: Expr, places: &HashMap<Expr, u32>) -> Vec<Expr> {
         let mut found = Vec::new();
         let mut seen = std::collections::HashSet::new();
@@ -191,7 +191,7 @@ impl<'a> Tracer<'a> {
         found
     }
 
-    /// Operands in an order that depends on what they do.
+    /// Operands; those of a commutative operation sorted by structural hash.
     fn operands(&self, expr: Expr) -> Vec<Expr> {
         let node = self.arena.node(expr);
         let mut operands: Vec<Expr> = node.children().collect();
@@ -224,7 +224,7 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    /// A number that is the same in all pieces stays what it is, others become leaves.
+    /// Adds a constant: as itself if it is the same in all pieces, otherwise as a leaf.
     fn datum(&self, copy: &mut Copy, members: &[Trace], occurrence: usize) {
         let first = members[0].data[occurrence];
         if members.iter().all(|trace| trace.data[occurrence] == first) {
@@ -271,7 +271,7 @@ impl Trace {
     }
 }
 
-/// The local number of something: a new one if it has none.
+/// Local index of a value; a new one if it has none.
 fn slot(list: &mut Vec<u32>, value: u32) -> u32 {
     let place = list.iter().position(|other| *other == value).unwrap_or_else(|| {
         list.push(value);
@@ -280,11 +280,11 @@ fn slot(list: &mut Vec<u32>, value: u32) -> u32 {
     place as u32
 }
 
-/// A piece's expressions in an arena of their own.
+/// A piece's expressions, copied to an arena of their own.
 struct Copy {
     arena: Arena,
     data: Vec<Vec<f64>>,
-    /// By place in the trace. A result's own place is never asked for.
+    /// Node of each operation in the trace. That of a result is never used.
     places: Vec<Expr>,
     results: Vec<Expr>,
 }
@@ -314,7 +314,7 @@ impl Copy {
         self.places.push(place);
     }
 
-    /// A copy of an expression of constants.
+    /// Copies an expression of constants.
     fn closed(&mut self, from: &Arena, root: Expr) -> Expr {
         let mut copies: HashMap<Expr, Expr> = HashMap::new();
         for expr in from.reachable(&[root]) {
@@ -337,7 +337,7 @@ fn commutes(node: &Node) -> bool {
     matches!(node, Node::Binary(Binary::Add | Binary::Mul, ..))
 }
 
-/// What a node does: the same for nodes that differ in leaves and numbers only.
+/// Structural hash of a node: equal for nodes that differ only in their leaves' indices and in constants.
 fn kind(node: &Node, kinds: &[u64], is_closed: bool) -> u64 {
     let mut hasher = DefaultHasher::new();
     if is_closed {

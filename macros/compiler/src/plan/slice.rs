@@ -1,7 +1,7 @@
-//! A part of a mechanism that can be solved alone: what is upstream of an output, or what moves.
+//! A part of a mechanism that can be solved alone: the part upstream of an output, or the moving part.
 //!
-//! In: the stages of a mechanism. Out: [`Slice`]s: some of the stages, and which unknowns a state of the slice must hold so that
-//! the next can be found from it. Not done here: printing.
+//! In: the stages of a mechanism. Out: [`Slice`]s: some of the stages, and the unknowns that a state of the slice holds so that the next
+//! state can be predicted from it. Not done here: printing.
 
 use super::lines::Frame;
 use super::solution::{Solution, Solving, solution};
@@ -13,15 +13,15 @@ use std::collections::BTreeSet;
 /// A part of a mechanism.
 #[derive(Clone, Debug)]
 pub struct Slice {
-    /// Unknowns of the mechanism whose values are given: they rest, and do not belong to the slice.
+    /// Unknowns of the mechanism with given values: they rest and are not part of the slice.
     pub given: Vec<usize>,
-    /// The unknowns that a state of the slice holds, by their index in q; the components of an output count on from there.
+    /// Unknowns held by a state of the slice, by index in q; components of an output follow after these indices.
     pub held: Vec<usize>,
-    /// How they are found.
+    /// Solution of the slice.
     pub solution: Solution,
 }
 
-/// What is upstream of an output, with the output as unknowns of their own after those of the mechanism.
+/// The slice upstream of an output, with the output's components as unknowns after those of the mechanism.
 pub(super) fn upstream(frame: &Frame, stages: &[Stage], output: &OutputMotion, n: usize) -> Slice {
     let mut needed: BTreeSet<usize> = BTreeSet::new();
     let outputs: Vec<Stage> = output
@@ -41,7 +41,7 @@ pub(super) fn upstream(frame: &Frame, stages: &[Stage], output: &OutputMotion, n
         }
     }
     chosen.reverse();
-    // What is not upstream may hold or not.
+    // Of the checked equations, only those entirely upstream belong to the slice.
     let found: BTreeSet<usize> = chosen.iter().flat_map(Stage::unknowns).copied().collect();
     let is_upstream = |stage: &&Stage| matches!(stage, Stage::Check { .. }) && leaves(frame.arena, stage).is_subset(&found);
     chosen.extend(stages.iter().filter(is_upstream).cloned());
@@ -51,7 +51,7 @@ pub(super) fn upstream(frame: &Frame, stages: &[Stage], output: &OutputMotion, n
     Slice { given: Vec::new(), held, solution }
 }
 
-/// What moves, if there are blocks that do not: these need not be solved for every moment.
+/// The moving slice; `None` unless some blocks rest, which then need not be solved at every time, and some stages move.
 pub(super) fn moving(frame: &Frame, stages: &[Stage]) -> Option<Slice> {
     let timed = timed(frame.arena, stages);
     let rests = |stage: &Stage| match stage {
@@ -68,13 +68,13 @@ pub(super) fn moving(frame: &Frame, stages: &[Stage]) -> Option<Slice> {
     let solution = solution(frame, &chosen, false);
     let mut held: BTreeSet<usize> = found;
     if matches!(solution.solving, Solving::Shared(_)) {
-        // Shared code takes everything from arrays.
+        // Shared code reads all values from arrays.
         held.extend(&given);
     }
     Some(Slice { given, held: held.into_iter().collect(), solution })
 }
 
-/// The unknowns that depend on time, be it in jumps only, which have no rate.
+/// Unknowns that depend on time, including those that only jump and have zero rate.
 fn timed(arena: &Arena, stages: &[Stage]) -> BTreeSet<usize> {
     let mut timed = BTreeSet::new();
     for stage in stages {
@@ -85,7 +85,7 @@ fn timed(arena: &Arena, stages: &[Stage]) -> BTreeSet<usize> {
     timed
 }
 
-/// The unknowns in the expressions of a stage.
+/// Unknowns in the expressions of a stage.
 fn leaves(arena: &Arena, stage: &Stage) -> BTreeSet<usize> {
     let leaf = |leaf: &Leaf| match leaf {
         Leaf::Coordinate(index) | Leaf::Speed(index) | Leaf::Acceleration(index) => Some(*index as usize),
@@ -94,7 +94,8 @@ fn leaves(arena: &Arena, stage: &Stage) -> BTreeSet<usize> {
     stage.results().iter().flat_map(|result| arena.leaves(*result)).filter_map(|found| leaf(&found)).collect()
 }
 
-/// A prediction needs what is iterated, the test of a step angles that are computed; shared code hands everything on in arrays.
+/// A slice's state holds iterated unknowns (for the predictor), varying computed angles (for the step test), outputs, and, with shared
+/// code, every unknown that its kernels exchange.
 fn held(frame: &Frame, stages: &[Stage], solving: &Solving, n: usize) -> Vec<usize> {
     let timed = timed(frame.arena, stages);
     let is_held = |stage: &&Stage| match stage {

@@ -1,4 +1,4 @@
-//! The solution as a whole: what its stages are, what they cost, and whether they share code.
+//! The solution as a whole: its stages, their cost, and whether they share code.
 
 use super::kernels::Kernels;
 use super::lines::{Frame, Lines, lines};
@@ -8,58 +8,58 @@ use super::stage::{Elimination, Iteration, Stage};
 use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
 use std::collections::BTreeSet;
 
-/// How q, q̇ and q̈ are found.
+/// Solution for q, q̇ and q̈.
 #[derive(Clone, Debug)]
 pub struct Solution {
-    /// What is found, in order.
+    /// Stages in order.
     pub stages: Vec<Summary>,
-    /// Indices in q of unknowns that may be found to be no finite numbers, or to have no finite rates.
+    /// Indices in q of unknowns whose values or derivatives may not be finite.
     pub unsure: Vec<usize>,
-    /// Operations outside of loops, once for each state.
+    /// Operations outside of loops, once per state.
     pub cost: Cost,
-    /// The code that does it.
+    /// Code of the solution.
     pub solving: Solving,
 }
 
-/// A stage in short.
+/// Summary of a stage.
 #[derive(Clone, Debug)]
 pub enum Summary {
-    /// An unknown that is computed.
+    /// A computed unknown.
     Explicit {
-        /// Its index in q.
+        /// Index in q.
         unknown: usize,
-        /// It is no constant.
+        /// True unless it is constant.
         moves: bool,
     },
-    /// Unknowns that are found together.
+    /// Unknowns that are solved together.
     Block {
         /// Indices in q.
         unknowns: Vec<usize>,
         /// Indices in Φ.
         equations: Vec<usize>,
-        /// Operations of one Newton step, without the solution of its system.
+        /// Operations of one Newton step, without the solution of its linear system.
         cost: Cost,
-        /// How its system is eliminated, if not in closed form.
+        /// Elimination of its Jacobian, if not in closed form.
         elimination: Option<Box<Elimination>>,
-        /// The number of its shape: blocks with the same number do the same operations.
+        /// Number of its shape: blocks with the same number do the same operations.
         shape: usize,
     },
-    /// An equation that is checked, by its index in Φ.
+    /// An equation that is checked, by index in Φ.
     Check(usize),
 }
 
-/// How the stages are written.
+/// Code of the stages.
 #[derive(Clone, Debug)]
 pub enum Solving {
-    /// One after the other.
+    /// Straight-line code, stage by stage.
     Straight(Lines),
-    /// As one function for each shape of stage.
+    /// One function per shape of stage.
     Shared(Kernels),
 }
 
 /// Schedules stages.
 ///
-/// What depends on parameters only is set apart where that `is_apart`.
+/// If `is_apart`, steps that depend on parameters only are separated.
 pub(super) fn solution(frame: &Frame, stages: &[Stage], is_apart: bool) -> Solution {
     let Frame { arena, words, .. } = *frame;
     let kernels = Kernels::new(frame, stages);
@@ -75,20 +75,20 @@ pub(super) fn solution(frame: &Frame, stages: &[Stage], is_apart: bool) -> Solut
     Solution { stages: summaries, unsure: unsure(arena, stages), cost, solving }
 }
 
-/// Beyond this many operations in one function rustc takes more than its time.
+/// Largest number of operations in one function; beyond it the compile time of rustc grows more than in proportion.
 const LONGEST: usize = 16_000;
 
-/// The number of operations of all stages.
+/// Number of operations of all stages.
 fn size(arena: &Arena, stages: &[Stage]) -> usize {
     let roots: Vec<Expr> = stages.iter().flat_map(Stage::results).collect();
     arena.reachable(&roots).len()
 }
 
-/// The unknowns that may be found to be no finite numbers, or to have no finite rates.
+/// Unknowns whose values or derivatives may not be finite.
 ///
-/// What Newton's method finds is finite, and so are its rates if their right sides are. What is computed from finite unknowns by sums,
-/// products and sines is finite as well. All else has to be looked at: parameters, which anyone may set, time, and functions that
-/// have poles or end somewhere.
+/// Results of Newton's method are finite, and so are their derivatives if the right-hand sides are. Sums, products, sines and cosines of
+/// finite unknowns are finite as well. Everything else must be tested: results that depend on parameters, which the user may set to any
+/// value, on time, or on functions with poles or a limited domain.
 fn unsure(arena: &Arena, stages: &[Stage]) -> Vec<usize> {
     let is_given = |node: &Node| matches!(node, Node::Leaf(Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_)));
     let has = |roots: &[Expr], is_risk: &dyn Fn(&Node) -> bool| arena.reachable(roots).iter().any(|expr| is_risk(arena.node(*expr)));
@@ -100,7 +100,7 @@ fn unsure(arena: &Arena, stages: &[Stage]) -> Vec<usize> {
     stages.iter().filter(is_unsure).flat_map(Stage::unknowns).copied().collect()
 }
 
-/// An operation that does not give a finite number for every finite operand.
+/// True for an operation that is not finite for every finite operand.
 fn has_poles(arena: &Arena, node: &Node) -> bool {
     match *node {
         Node::Binary(Binary::Div, _, divisor) => arena.as_constant(divisor).is_none(),
@@ -110,7 +110,7 @@ fn has_poles(arena: &Arena, node: &Node) -> bool {
     }
 }
 
-/// A stage in short; the next block has this shape and costs this.
+/// Summary of a stage; `blocks` yields shape and cost of the next block.
 fn summary(arena: &Arena, stage: &Stage, blocks: &mut impl Iterator<Item = (usize, Cost)>) -> Summary {
     match stage {
         Stage::Explicit { unknown, motion, .. } => {

@@ -1,36 +1,36 @@
-//! One step on the way to q, q̇ and q̈, as expressions.
+//! Stages of the solution for q, q̇ and q̈, as expressions.
 
 use super::routine::Cost;
 use crate::expr::{Arena, Expr, Leaf};
 
-/// One step on the way to q, q̇ and q̈.
+/// One stage of the solution for q, q̇ and q̈.
 #[derive(Clone, Debug)]
 pub enum Stage {
-    /// An unknown that is computed.
+    /// A computed unknown.
     Explicit {
-        /// Its index in q.
+        /// Index in q.
         unknown: usize,
-        /// Index in Φ of the equation that gives it.
+        /// Index in Φ of the equation that determines it.
         equation: usize,
         /// Value, rate and acceleration.
         motion: [Expr; 3],
     },
-    /// Unknowns that are found together.
+    /// Unknowns that are solved together.
     Block(Iteration),
-    /// An equation that must hold of itself.
+    /// An equation that is checked instead of solved.
     Check {
         /// Index in Φ.
         equation: usize,
-        /// Its left minus its right side.
+        /// Left minus right side.
         residual: Expr,
-        /// What its rounding errors are a share of: its terms, and how much it changes with lengths, and with angles, whose own errors
-        /// it shows.
+        /// Rounding scales of the residual: sum of the magnitudes of its terms, and derivatives by lengths and by angles, whose own errors
+        /// show in it.
         sizes: [Expr; 3],
     },
 }
 
 impl Stage {
-    /// The unknowns that it finds.
+    /// Unknowns that the stage computes.
     pub(super) fn unknowns(&self) -> &[usize] {
         match self {
             Stage::Explicit { unknown, .. } => std::slice::from_ref(unknown),
@@ -39,12 +39,12 @@ impl Stage {
         }
     }
 
-    /// Time itself is in its expressions.
+    /// True if time occurs in its expressions.
     pub(super) fn depends_on_time(&self, arena: &Arena) -> bool {
         self.results().iter().any(|result| arena.leaves(*result).contains(&Leaf::Time))
     }
 
-    /// Everything that is computed for it.
+    /// All results of the stage.
     pub(super) fn results(&self) -> Vec<Expr> {
         match self {
             Stage::Explicit { motion, .. } => motion.to_vec(),
@@ -57,7 +57,7 @@ impl Stage {
 }
 
 impl Iteration {
-    /// The system with other unknowns, equations and expressions, these in the order of [`Stage::results`].
+    /// The system with other unknowns, equations and expressions; expressions in the order of [`Stage::results`].
     pub(super) fn with(&self, unknowns: Vec<usize>, equations: Vec<usize>, results: &[Expr]) -> Iteration {
         let k = self.residuals.len();
         let mut lists = results.chunks(k.max(1)).map(<[Expr]>::to_vec);
@@ -68,7 +68,7 @@ impl Iteration {
     }
 }
 
-/// A system that Newton's method solves.
+/// A system solved by Newton's method.
 #[derive(Clone, Debug)]
 pub struct Iteration {
     /// Indices in q.
@@ -79,13 +79,13 @@ pub struct Iteration {
     pub residuals: Vec<Expr>,
     /// r_x by rows
     pub jacobian: Vec<Vec<Expr>>,
-    /// What the rounding errors of r are a share of: the sum of the magnitudes of its terms.
+    /// Rounding scales of r: sums of the magnitudes of its terms.
     pub sizes: Vec<Expr>,
-    /// How its Jacobian is eliminated, if not in closed form.
+    /// Elimination of its Jacobian, if not in closed form.
     pub elimination: Option<Box<Elimination>>,
-    /// Right side of the velocity equation.
+    /// Right-hand side of the velocity equation.
     pub rates: Vec<Expr>,
-    /// Right side of the acceleration equation.
+    /// Right-hand side of the acceleration equation.
     pub accelerations: Vec<Expr>,
 }
 
@@ -94,13 +94,13 @@ pub struct Iteration {
 pub struct Elimination {
     /// Row and column of each entry of the Jacobian that is not always zero, row by row.
     pub pattern: Vec<(usize, usize)>,
-    /// The row of each pivot.
+    /// Row of each pivot.
     pub rows: Vec<usize>,
-    /// The column of each pivot.
+    /// Column of each pivot.
     pub columns: Vec<usize>,
-    /// Row and column of each entry of L and U, by number of the pivot, row by row.
+    /// Row and column of each entry of L and U, by pivot number, row by row.
     pub factors: Vec<(usize, usize)>,
-    /// Whether each pivot is the number 1 or −1, so that nothing is divided by it.
+    /// For each pivot, true if it is the constant 1 or −1, so that no division is needed.
     pub is_unit: Vec<bool>,
     /// Operations of one factorisation.
     pub cost: Cost,

@@ -1,11 +1,11 @@
-//! From blocks to stages: what is computed for each, as expressions.
+//! From blocks to stages: the expressions that each computes.
 //!
 //! ```text
-//! explicit      q_j = −Φ_i|q_j=0 / (∂Φ_i/∂q_j);  its rates are its first and second derivative along the motion
-//! block         r(x) = 0  with everything before it known and what follows explicitly put in
+//! explicit      q_j = −Φ_i|q_j=0 / (∂Φ_i/∂q_j);  rate and acceleration are its derivatives along the motion
+//! block         r(x) = 0  with upstream unknowns known and explicit unknowns substituted
 //!               r_x ẋ = −ṙ at ẋ = 0
 //!               r_x ẍ = −r̈ at ẍ = 0
-//! check         Φ_i, which vanishes if the mechanism is as it was declared
+//! check         Φ_i, which vanishes if the mechanism is as declared
 //! ```
 
 use super::linear;
@@ -15,7 +15,7 @@ use crate::quantity::Dim;
 use crate::structure::{Block, Explicit, Structure};
 use crate::system::{OutputMotion, System, magnitude};
 
-/// The stages of a mechanism whose every unknown belongs to a block, and outputs in terms of what moves.
+/// Stages of a mechanism whose unknowns all belong to blocks, and outputs with constants substituted.
 pub(super) fn stages(
     arena: &mut Arena,
     system: &System,
@@ -34,7 +34,7 @@ struct StageBuilder<'a> {
     arena: &'a mut Arena,
     system: &'a System,
     jets: Jets,
-    /// Unknowns, rates and accelerations that were found to be constants.
+    /// Values, rates and accelerations known to be constant.
     constants: Substitution,
 }
 
@@ -61,7 +61,7 @@ impl StageBuilder<'_> {
         stages
     }
 
-    /// An equation that must hold of itself, unless it does so whatever the parameters.
+    /// A checked equation; `None` if it holds for all parameters.
     fn check(&mut self, equation: usize) -> Option<Stage> {
         let residual = self.constants.of(self.arena, self.system.equations[equation].phi()?);
         if self.arena.as_constant(residual).is_some_and(|value| value.is_zero()) {
@@ -72,7 +72,7 @@ impl StageBuilder<'_> {
         Some(Stage::Check { equation, residual, sizes })
     }
 
-    /// By how much an equation changes with the unknowns that measure this, at most.
+    /// Sum of the magnitudes of an equation's derivatives by the unknowns of a dimension.
     fn slope(&mut self, equation: usize, dim: Dim) -> Expr {
         let mut sum = self.arena.integer(0);
         let measures = |unknown: usize| self.system.coordinates[unknown].role.dim() == dim;
@@ -84,20 +84,20 @@ impl StageBuilder<'_> {
         sum
     }
 
-    /// An unknown with this value.
+    /// The stage of an unknown with this value.
     fn computed(&mut self, unknown: usize, equation: usize, value: Expr) -> Stage {
         let motion = self.jets.of(self.arena, value).map(|expr| self.constants.of(self.arena, expr));
         self.note_constants(unknown, &motion);
         Stage::Explicit { unknown, equation, motion }
     }
 
-    /// An output, constants put in.
+    /// An output with constants substituted.
     fn output(&mut self, output: &OutputMotion) -> OutputMotion {
         let component = |motion: &[Expr; 3]| motion.map(|expr| self.constants.of(self.arena, expr));
         OutputMotion { components: output.components.iter().map(component).collect() }
     }
 
-    /// What is constant is put into everything that follows: a pin on ground costs nothing.
+    /// Substitutes constants in everything that follows: a pin on ground costs nothing.
     fn note_constants(&mut self, unknown: usize, motion: &[Expr; 3]) {
         let leaves = [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration];
         for (leaf, expr) in leaves.into_iter().zip(motion) {
@@ -107,7 +107,7 @@ impl StageBuilder<'_> {
         }
     }
 
-    /// If all right sides are zero, the rates of some unknowns are zero in everything that follows.
+    /// If all right-hand sides are zero, sets the derivatives of some unknowns to zero in everything that follows.
     fn note_rest(&mut self, sides: &[Expr], unknowns: &[usize], rate: fn(u32) -> Leaf) {
         let zero = self.arena.integer(0);
         if sides.iter().all(|side| *side == zero) {
@@ -117,7 +117,7 @@ impl StageBuilder<'_> {
         }
     }
 
-    /// The value of an explicit unknown in terms of the others.
+    /// Value of an explicit unknown in terms of the others.
     fn explicit(&mut self, explicit: &Explicit) -> Option<Expr> {
         let equation = &self.system.equations[explicit.equation];
         let coefficient = equation.jacobian.iter().find(|(unknown, _)| *unknown == explicit.unknown)?.1;
@@ -164,7 +164,7 @@ impl StageBuilder<'_> {
             found.sizes.push(magnitude(self.arena, residual, &block.iterated, &self.system.coordinates));
             found.residuals.push(residual);
         }
-        // What nothing moves rests: its equations are not solved for rates, and its rates are in nobody's accelerations.
+        // If every right-hand side is zero the block is at rest: substitute zero for its rates everywhere.
         self.note_rest(&found.rates, &block.iterated, Leaf::Speed);
         for second in seconds {
             let second = self.constants.of(self.arena, second);

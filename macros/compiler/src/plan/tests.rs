@@ -1,4 +1,4 @@
-//! Laws of every schedule, and which blocks count as alike.
+//! Laws of every schedule, and shapes of blocks.
 
 use super::{Code, Plan, Routine, Step, Summary};
 use crate::compile;
@@ -9,7 +9,7 @@ fn plan(declaration: &str) -> Plan {
     compile(declaration.parse().expect("tokens")).expect("a valid mechanism").plan
 }
 
-/// Four-bars beside each other: one body of equations for each, driven at its own speed.
+/// Four-bars side by side with the same equations, each driven at its own speed.
 fn four_bars(count: usize, slider: bool) -> String {
     let mut text = String::from(
         "mechanism Row {
@@ -40,7 +40,7 @@ fn four_bars(count: usize, slider: bool) -> String {
     text + " }"
 }
 
-/// The named nodes that an expression is computed from, itself left out.
+/// Named nodes from which an expression is computed, without the expression itself.
 fn named_below(arena: &Arena, routine: &Routine, root: Expr) -> Vec<Expr> {
     let (mut open, mut found) = (arena.node(root).children().collect::<Vec<Expr>>(), Vec::new());
     while let Some(expr) = open.pop() {
@@ -53,7 +53,7 @@ fn named_below(arena: &Arena, routine: &Routine, root: Expr) -> Vec<Expr> {
     found
 }
 
-/// Sine and cosine of an angle, as far as they are nodes with a name.
+/// Named sine and cosine nodes of an angle.
 fn sine_and_cosine(arena: &Arena, routine: &Routine, angle: Expr) -> Vec<Expr> {
     let is_of = |expr: &&Expr| matches!(arena.node(**expr), Node::Unary(Unary::Sin | Unary::Cos, of) if *of == angle);
     routine.names.keys().filter(is_of).copied().collect()
@@ -146,6 +146,6 @@ fn drives_alone_read_the_time() {
         Code::Grouped(groups) => groups.iter().any(|group| group.routine.leaves.iter().any(|(_, leaf)| *leaf == Leaf::Time)),
     };
     assert!(reads_time(&plan.phi));
-    // ν = −Φ_t of a constant speed is a constant, and γ vanishes for it.
+    // For a constant speed ν = −Φ_t is constant and γ = 0.
     assert!(!reads_time(&plan.jacobian) && !reads_time(&plan.nu) && !reads_time(&plan.gamma));
 }

@@ -1,4 +1,4 @@
-//! What leaves are called in generated code.
+//! Names of leaves in generated code.
 
 use super::shape::{Column, Shape};
 use crate::expr::Leaf;
@@ -6,16 +6,16 @@ use crate::model::Model;
 use crate::system::System;
 use std::collections::BTreeSet;
 
-/// The user's words for leaves.
+/// Names of leaves, in the user's words.
 #[derive(Clone)]
 pub(crate) struct Words {
     coordinates: Vec<String>,
-    /// `self.` before those that are fields.
+    /// Prefixed with `self.` if they are fields.
     parameters: Vec<String>,
 }
 
 impl Words {
-    /// From the names of bodies, coordinates and parameters.
+    /// Names formed from those of bodies, coordinates and parameters.
     pub(crate) fn new(model: &Model, system: &System) -> Words {
         let coordinate = |unknown: &crate::system::Coordinate| format!("{}_{}", model.bodies[unknown.body].name.local, unknown.role.name());
         Words {
@@ -24,7 +24,7 @@ impl Words {
         }
     }
 
-    /// With words for the components of an output.
+    /// With additional names for the components of an output.
     pub(super) fn with_outputs(&self, components: usize) -> Words {
         let mut words = self.clone();
         for index in 0..components {
@@ -37,7 +37,7 @@ impl Words {
         words
     }
 
-    /// The words for a shape: what its first piece is called, without the numbers.
+    /// Names for a shape: those of its first piece, without digits.
     pub(super) fn of_shape(&self, shape: &Shape) -> Words {
         let mut coordinates = Vec::new();
         for unknown in &shape.unknowns {
@@ -53,20 +53,20 @@ impl Words {
         Words { coordinates, parameters: shape.parameters.iter().enumerate().map(parameter).collect() }
     }
 
-    /// The names of all leaves but parameters, which no step may have.
+    /// Names of all leaves but parameters, which no step may use.
     pub(super) fn taken(&self) -> BTreeSet<String> {
         let motion = [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration];
         let of_unknown = |index: usize| motion.map(|leaf| self.leaf(leaf(index as u32)));
-        // Data and parameters that are no fields have numbered names, as steps have, but with letters of their own.
+        // Data and parameters that are not fields have numbered names like steps, but with other letters.
         (0..self.coordinates.len()).flat_map(of_unknown).chain([self.leaf(Leaf::Time)]).collect()
     }
 
-    /// The parameter of this number in generated code.
+    /// Name of a parameter in generated code.
     pub(crate) fn parameter(&self, number: u32) -> String {
         self.parameters.get(number as usize).cloned().unwrap_or_default()
     }
 
-    /// The name of a leaf in generated code.
+    /// Name of a leaf in generated code.
     pub(crate) fn leaf(&self, leaf: Leaf) -> String {
         let coordinate = |index: u32| self.coordinates.get(index as usize).cloned().unwrap_or_default();
         match leaf {

@@ -1,7 +1,7 @@
-//! Joints that demand what the others do not allow.
+//! Joints that contradict the others.
 //!
-//! In: subsystems whose equations hold nowhere near the start, or not where the drives lead. Out: a refusal of the joint without which
-//! they would, and by how much it is off. Not done here: what over-determines the drives.
+//! In: subsystems whose equations cannot be satisfied near the start, or along the motion of the drives. Out: a refusal of the joint
+//! without which they can, with its residual. Not done here: over-determined drives.
 
 use super::Search;
 use crate::diag::SystemFact;
@@ -16,31 +16,35 @@ use crate::system::Equation;
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
-/// Of so many joints, the last declared, it is tried whether the rest closes without them.
+/// Number of joints, last declared first, that are left out in turn to see whether the rest closes.
 const MOST_TRIES: usize = 12;
 
-/// A gap is open if it is more than this, in rad or in lengths of the mechanism.
+/// A gap is open if it exceeds this, in rad or characteristic lengths.
 const OPEN: f64 = 1e-9;
 
-/// Steps of Newton's method along the slope of an equation.
+/// Newton steps along the gradient of an equation.
 const STRAIGHT_ON: usize = 8;
 
-/// What is off by no more than this, in rad or in lengths of the mechanism, was meant to fit.
+/// A residual up to this, in rad or characteristic lengths, suggests that the joint was meant to fit.
 const NEAR: f64 = 0.01;
 
-/// Of an equation that was meant to follow from others less than this is left beside them.
+/// A row was meant to be redundant if less than this fraction of the unit row is orthogonal to the other rows.
 const LITTLE: f64 = 0.1;
 
-/// What so many joints hold and one more holds again is no frame.
+/// A row implied by at most this many joints is a duplicate; one implied by more belongs to an over-braced structure.
 const FEW: usize = 2;
 
 impl Search<'_, '_> {
-    /// The equations hold nowhere near the start: the last joint without which they do contradicts the others, before all others one
-    /// that is declared as redundant.
+    /// The equations cannot be satisfied near the start. Blames the last joint without which they can, joints declared as redundant first.
     ///
-    /// Where freedoms are left, a joint stands in the wrong place. Where the joints close without the drives, they make a structure
-    /// that cannot be driven, and where there are more equations of joints alone than coordinates, and many have a part in it, one that
-    /// is held too often: unless the joint nearly fits, so that it was meant to. All that is said elsewhere, in terms of mobility.
+    /// These cases are left to `mobility`:
+    ///
+    /// - Freedoms are left: a joint is in the wrong place.
+    /// - One of several drives is one too many, and the joint is not declared as redundant.
+    /// - The joints close without the drives: they form a structure that cannot be driven.
+    /// - The joints alone have more equations than coordinates, and many joints are involved: one of them is redundant.
+    ///
+    /// In the last two cases a joint that nearly fits, or is declared as redundant, is blamed here all the same: it was meant to fit.
     pub(super) fn contradiction(&mut self, start: &[f64]) {
         if self.leaves_freedom(start) {
             return;
@@ -72,7 +76,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// Of several drives there is one without which everything closes and nothing is left free: it is one drive too many.
+    /// True if one of several drives is one too many: without it everything closes and no freedom is left.
     fn drives_contend(&self, start: &[f64]) -> bool {
         let drives: Vec<usize> = self.joints().into_iter().filter(|joint| self.numeric.model.joints[*joint].is_drive).collect();
         let is_too_many = |drive: &usize| {
@@ -82,7 +86,7 @@ impl Search<'_, '_> {
         drives.len() > 1 && drives.iter().rev().take(MOST_TRIES).any(is_too_many)
     }
 
-    /// Of the assemblies without a joint the one at which it is least off: it may leave the others a freedom.
+    /// The assembly without a joint that minimises the joint's residual: the other joints may leave a freedom.
     fn nearest(&self, joint: usize, pose: Pose) -> Pose {
         let is_of_it = |equation: &usize| self.numeric.system.equations[*equation].joint == joint;
         let subsystem = self.subsystems.iter().find(|subsystem| subsystem.is_overdetermined && subsystem.equations.iter().any(is_of_it));
@@ -93,7 +97,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// The joints that hold what a joint holds.
+    /// Joints on whose rows the rows of a joint depend.
     fn sources(&self, joint: usize, pose: &Pose) -> BTreeSet<usize> {
         let mut sources = BTreeSet::new();
         for subsystem in self.subsystems.iter().filter(|subsystem| subsystem.is_overdetermined) {
@@ -108,7 +112,7 @@ impl Search<'_, '_> {
         sources
     }
 
-    /// One of the equations of a joint nearly follows from those of other joints, drives left out: it holds nothing that would move.
+    /// True if a row of a joint nearly depends on the rows of other joints, drives left out: the row then constrains no motion.
     fn nearly_follows(&self, joint: usize, pose: &Pose) -> bool {
         self.subsystems.iter().filter(|subsystem| subsystem.is_overdetermined).any(|subsystem| {
             let poses = self.numeric.matrices(subsystem, std::slice::from_ref(pose));
@@ -125,18 +129,18 @@ impl Search<'_, '_> {
         })
     }
 
-    /// The equations of a joint are off by little.
+    /// True if the residual of a joint is small.
     fn nearly_fits(&self, joint: usize, pose: &Pose) -> bool {
         let (length, angle) = self.numeric.misfit(joint, pose);
         length.unwrap_or(0.0) <= NEAR * self.numeric.size && angle.unwrap_or(0.0) <= NEAR
     }
 
-    /// There are coordinates of which no equation says anything new.
+    /// True if the rows of an overdetermined subsystem leave a freedom.
     fn leaves_freedom(&self, q: &[f64]) -> bool {
         self.has_freedom_without(q, usize::MAX)
     }
 
-    /// The same, if a joint says nothing at all.
+    /// True if the rows leave a freedom when one joint is left out.
     fn has_freedom_without(&self, q: &[f64], joint: usize) -> bool {
         let pose = [Pose { time: 0.0, q: q.to_vec() }];
         self.subsystems.iter().filter(|subsystem| subsystem.is_overdetermined).any(|subsystem| {
@@ -148,7 +152,8 @@ impl Search<'_, '_> {
         })
     }
 
-    /// The equations hold at the start, but not when the drives move: a joint that is marked as redundant may be why.
+    /// The equations hold at the start, but not along the motion of the drives. Refuses the last joint declared as redundant without which
+    /// they do.
     pub(super) fn contradiction_on_the_way(&mut self, start: &[f64]) {
         let marked = self.joints().into_iter().rev().filter(|joint| self.numeric.model.joints[*joint].is_redundant).take(MOST_TRIES);
         for joint in marked {
@@ -159,8 +164,8 @@ impl Search<'_, '_> {
         }
     }
 
-    /// The equations that are checked do not hold: with the others closed to rounding they are off by a little, or they hold at the start
-    /// but nowhere near it, whatever the drives, which may rest at first.
+    /// Refuses redundant rows that do not hold: either their residual exceeds rounding when all other rows are closed, or they hold at the
+    /// start but nowhere near it, whatever the drives do, which may be at rest at first.
     pub(super) fn contradiction_of_checks(&mut self, start: &[f64], checked: &BTreeSet<usize>) {
         let numeric = self.numeric;
         let joint = |equation: usize| numeric.system.equations[equation].joint;
@@ -173,14 +178,14 @@ impl Search<'_, '_> {
             if let Some(pose) = closed.as_ref().filter(|pose| is_off(pose)) {
                 return self.refuse_contradiction(joint, pose, Some(0.0));
             }
-            // An assembly that is off may be another one.
+            // A single pose with a residual may belong to another assembly.
             if elsewhere.len() > FEW && elsewhere[1..].iter().all(is_off) {
                 return self.refuse_contradiction(joint, &elsewhere[1], None);
             }
         }
     }
 
-    /// An assembly without some joints, near the start.
+    /// An assembly near the start without some joints.
     fn closes_without(&self, start: &[f64], left_out: &dyn Fn(usize) -> bool) -> Option<Vec<f64>> {
         let leaves_out = |equation: usize| left_out(self.numeric.system.equations[equation].joint);
         self.numeric.settled(self.subsystems, 0.0, start.to_vec(), leaves_out).or_else(|| {
@@ -189,7 +194,7 @@ impl Search<'_, '_> {
         })
     }
 
-    /// The joints of all subsystems that have too many equations.
+    /// Joints of all overdetermined subsystems.
     fn joints(&self) -> BTreeSet<usize> {
         let subsystems = self.subsystems.iter().filter(|subsystem| subsystem.is_overdetermined);
         subsystems.flat_map(|subsystem| &subsystem.equations).map(|equation| self.numeric.system.equations[*equation].joint).collect()
@@ -200,7 +205,7 @@ impl Search<'_, '_> {
         let name = &numeric.model.joints[joint].name;
         let (length, angle) = numeric.misfit(joint, pose);
         if length.is_none() && angle.is_none() {
-            // What is off by no more than rounding is not off.
+            // Residuals up to rounding count as zero.
             return;
         }
         let (bodies, is_redundant) = (numeric.touched(joint), numeric.model.joints[joint].is_redundant);
@@ -210,7 +215,7 @@ impl Search<'_, '_> {
 }
 
 impl Numeric<'_> {
-    /// How far the equations of a joint are from holding: in m, and in rad.
+    /// Residual of a joint in m and in rad; `None` if closed.
     fn misfit(&self, joint: usize, pose: &Pose) -> (Option<f64>, Option<f64>) {
         let known = Values { time: pose.time, coordinates: &pose.q, ..self.known };
         let (mut length, mut angle): (Option<f64>, Option<f64>) = (None, None);
@@ -224,8 +229,8 @@ impl Numeric<'_> {
         (length.filter(is_open(self.size)), angle.filter(is_open(1.0)))
     }
 
-    /// The way that one body has to go until an equation holds, whatever it is a multiple or a power of; in m, or in rad where it is an
-    /// angle that is off. None if no way leads there.
+    /// Distance by which one body must move until an equation holds, independent of any factor or power in the equation; in m, or in rad
+    /// for an equation of angles. `None` if the iteration diverges or no body can move.
     fn way(&self, equation: &Equation, known: Values, mut q: Vec<f64>) -> Option<f64> {
         let measures = if equation.dim == Dim::ANGLE { Dim::ANGLE } else { Dim::LENGTH };
         let entries = equation.jacobian.iter().filter(|(unknown, _)| self.system.coordinates[*unknown].role.dim() == measures);
@@ -243,7 +248,7 @@ impl Numeric<'_> {
         way.is_finite().then_some(way)
     }
 
-    /// The bodies in the equations of a joint.
+    /// Bodies in the equations of a joint.
     fn touched(&self, joint: usize) -> Vec<String> {
         let entries = self.system.of_joint(joint).iter().flat_map(|equation| &equation.jacobian);
         let bodies: BTreeSet<usize> = entries.map(|(unknown, _)| self.system.coordinates[*unknown].body).collect();

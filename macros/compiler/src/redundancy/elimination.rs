@@ -1,45 +1,45 @@
-//! Rows that follow from other rows or contradict them, whatever the configuration: found in exact arithmetic.
+//! Rows that depend on other rows or contradict them at every configuration, found in exact arithmetic.
 //!
-//! A row is read as a sum of multiples of terms: coordinates, and whatever else stands in it as a whole, such as `r cos φ`. Terms
-//! count as independent of one another, so that what depends here depends everywhere; what depends only because of sizes or shapes
-//! is not seen here. Coefficients are exact, and where one does not fit its row is left alone: nothing is refused by rounding.
+//! A row is read as a linear combination of terms: coordinates, and nonlinear terms such as `r cos φ` as a whole. Terms count as
+//! independent of one another, so that a dependence found here holds everywhere; one that holds only for certain dimensions or shapes is
+//! not found here. Coefficients are exact; a row with a coefficient that does not fit is skipped, so that rounding never refuses a row.
 //!
-//! Most rows have a term to themselves and cannot depend on others. They are peeled off first; what is left is small, and is
-//! eliminated row by row.
+//! Most rows have a term of their own and cannot depend on others. They are removed first; the few that remain are eliminated row by row.
 
 use crate::expr::{Arena, Binary, Exact, Expr, Leaf, Node, Unary};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// ExactElimination ends after as many sums: it is for loops of gears and the like, not for what fills up.
+/// Limit on the number of additions: elimination is meant for loops of gears and the like, not for systems with much fill-in.
 const MOST_SUMS: usize = 200_000;
 
 /// Σ cᵢ termᵢ
 type Terms = BTreeMap<Expr, Exact>;
 
-/// A row as a sum.
+/// A row as a linear combination.
 #[derive(Clone, Debug)]
 pub(super) struct Sum {
     /// Terms that depend on coordinates.
     pub(super) moving: Terms,
-    /// Terms of parameters and time alone.
+    /// Terms in parameters and time only.
     pub(super) fixed: Terms,
-    /// The rest; multiples of different powers of π are not added up, and make the sum unknown.
+    /// Constant term. Constants with different powers of π cannot be added exactly; such a row is skipped.
     pub(super) constant: Exact,
 }
 
-/// A row that is a combination of others, but for what is left over.
+/// A row that is a combination of others, up to a remainder.
 #[derive(Clone, Debug)]
 pub(super) struct Dependent {
     pub(super) row: usize,
-    /// The rows before it that it is a combination of.
+    /// Earlier rows of which it is a combination.
     pub(super) others: BTreeSet<usize>,
-    /// The row as it stands.
+    /// The original row.
     pub(super) whole: Sum,
-    /// What is left of it where the others hold; without moving terms.
+    /// Remainder when the other rows hold; has no moving terms.
     pub(super) left: Sum,
 }
 
-/// The rows that depend on rows before them. `rows`: given, residuals with their numbers, those that are to blame last.
+/// Finds rows that depend on earlier rows. `rows`: given, residuals with their numbers, in the order of preference, so that the last are
+/// blamed.
 pub(super) fn dependent(arena: &Arena, rows: &[(usize, Expr)]) -> Vec<Dependent> {
     let is_moving = moving(arena);
     let sums = rows.iter().filter_map(|(row, phi)| Some((*row, Sum::of(arena, *phi, &is_moving)?)));
@@ -58,7 +58,7 @@ pub(super) fn dependent(arena: &Arena, rows: &[(usize, Expr)]) -> Vec<Dependent>
     dependent
 }
 
-/// Which expressions depend on coordinates.
+/// True for expressions that depend on coordinates.
 fn moving(arena: &Arena) -> Vec<bool> {
     let mut is_moving: Vec<bool> = Vec::with_capacity(arena.len());
     for expr in arena.all() {
@@ -69,7 +69,7 @@ fn moving(arena: &Arena) -> Vec<bool> {
     is_moving
 }
 
-/// The rows of which every term stands in another one too; the others cannot be part of a combination that vanishes.
+/// Removes rows with a term that no other row has, repeatedly: they cannot be part of a vanishing combination.
 fn entangled(rows: Vec<(usize, Sum)>) -> Vec<(usize, Sum)> {
     let mut holders: BTreeMap<Expr, BTreeSet<usize>> = BTreeMap::new();
     for (index, (_, sum)) in rows.iter().enumerate() {
@@ -94,14 +94,14 @@ fn entangled(rows: Vec<(usize, Sum)>) -> Vec<(usize, Sum)> {
     rows.into_iter().zip(is_out).filter(|(_, is_out)| !is_out).map(|(row, _)| row).collect()
 }
 
-/// A row while it is reduced.
+/// A row during reduction.
 struct ReducedRow {
     sum: Sum,
-    /// The multiples of rows that it is the sum of.
+    /// Coefficients of the original rows of which it is the sum.
     made_of: BTreeMap<usize, Exact>,
 }
 
-/// Rows that do not depend on each other, each with a term that no later one has.
+/// Independent rows in echelon form: each has a pivot term that no later row contains.
 #[derive(Default)]
 struct ExactElimination {
     kept: Vec<(Expr, ReducedRow)>,
@@ -115,10 +115,10 @@ impl ExactElimination {
         self.kept.push((term, work));
     }
 
-    /// A row without the terms of those that are kept; none where a coefficient does not fit.
+    /// Eliminates the pivot terms of all kept rows from a row; `None` if a coefficient does not fit or the limit is reached.
     fn reduced(&mut self, row: usize, sum: Sum) -> Option<ReducedRow> {
         let mut work = ReducedRow { sum, made_of: [(row, Exact::ONE)].into() };
-        // A kept row has no terms of those before it: taken in their order, each is needed once.
+        // A kept row has no pivot terms of earlier rows: taken in this order, each is used at most once.
         while let Some(next) = work.sum.moving.keys().filter_map(|term| self.of_term.get(term)).min() {
             let (term, kept) = &self.kept[*next];
             let factor = work.sum.moving.get(term)?.checked_div(*kept.sum.moving.get(term)?)?.neg();
@@ -134,7 +134,7 @@ impl ExactElimination {
 }
 
 impl Sum {
-    /// Reads an expression as a sum.
+    /// Reads an expression as a linear combination; `None` if a coefficient does not fit.
     fn of(arena: &Arena, phi: Expr, is_moving: &[bool]) -> Option<Sum> {
         let mut sum = Sum { moving: Terms::new(), fixed: Terms::new(), constant: Exact::ZERO };
         let mut open = vec![(phi, Exact::ONE)];
@@ -157,7 +157,7 @@ impl Sum {
         Some(sum)
     }
 
-    /// Nothing but perhaps a constant.
+    /// True if the sum has no terms but a constant.
     pub(super) fn is_constant(&self) -> bool {
         self.moving.is_empty() && self.fixed.is_empty()
     }
@@ -171,7 +171,7 @@ impl Sum {
     }
 }
 
-/// sum + factor · other; none where a coefficient does not fit.
+/// sum + factor · other; `None` if a coefficient does not fit.
 fn add<K: Ord + Copy>(sum: &mut BTreeMap<K, Exact>, other: &BTreeMap<K, Exact>, factor: Exact) -> Option<()> {
     for (term, coefficient) in other {
         let before = sum.get(term).copied().unwrap_or(Exact::ZERO);

@@ -1,4 +1,4 @@
-//! Joints that say again what others say, or the opposite of it.
+//! Joints that duplicate or contradict other joints.
 
 use super::elimination::{self, Dependent, Sum};
 use crate::diag::{Demand, Diag, SystemFact};
@@ -8,7 +8,7 @@ use crate::quantity::Dim;
 use crate::system::System;
 use std::collections::BTreeSet;
 
-/// Rows that depend on others everywhere, by exact arithmetic.
+/// Rows that depend on others at every configuration, by exact elimination.
 pub(crate) struct ExactDependence<'a> {
     model: &'a Model,
     system: &'a System,
@@ -16,7 +16,7 @@ pub(crate) struct ExactDependence<'a> {
 }
 
 impl<'a> ExactDependence<'a> {
-    /// Looks at joints before drives. Numbers decide about redundant joints.
+    /// Joints come before drives. Joints declared as redundant are left to the numerical test.
     pub(crate) fn new(model: &'a Model, system: &'a System) -> ExactDependence<'a> {
         let mut rows: Vec<(usize, Expr)> =
             system.equations.iter().enumerate().filter_map(|(row, equation)| Some((row, equation.phi()?))).collect();
@@ -60,7 +60,7 @@ impl<'a> ExactDependence<'a> {
         }
     }
 
-    /// Refuses rows that differ from a combination of others by a term in parameters and time: they agree at best by chance.
+    /// Refuses rows that equal a combination of others up to a term in parameters and time: they agree with it only by chance.
     pub(crate) fn no_rows_collide(&self, diag: &mut Diag) {
         let ExactDependence { model, system, dependent } = self;
         let mut said = Said::default();
@@ -75,13 +75,13 @@ impl<'a> ExactDependence<'a> {
     }
 }
 
-/// The joints whose rows a joint's rows are made of.
+/// Joints of the rows on which a joint's rows depend, the joint itself left out.
 fn joints(model: &Model, system: &System, own: usize, found: &[&Dependent]) -> Vec<String> {
     let all: BTreeSet<usize> = found.iter().flat_map(|found| &found.others).map(|row| system.equations[*row].joint).collect();
     all.into_iter().filter(|joint| *joint != own).map(|joint| model.joints[joint].name.to_string()).collect()
 }
 
-/// What a row of coordinates demands, and what the others make of it: `b.angle - a.angle`, 50° and 60°.
+/// The combination of coordinates that a row prescribes, its value there and its value by the other rows: `b.angle - a.angle`, 50° and 60°.
 fn demand(model: &Model, system: &System, found: &Dependent) -> Option<Demand> {
     let Sum { moving, fixed, constant } = &found.whole;
     let coordinate = |term: &Expr| match system.arena.node(*term) {
@@ -90,7 +90,7 @@ fn demand(model: &Model, system: &System, found: &Dependent) -> Option<Demand> {
     };
     let terms: Option<Vec<(usize, Number)>> = moving.iter().map(|(term, factor)| Some((coordinate(term)?, *factor))).collect();
     let mut terms = terms.filter(|_| fixed.is_empty())?;
-    // What is added stands first, and its first multiple is one.
+    // Positive terms first, scaled so that the first coefficient is 1.
     terms.sort_by_key(|(unknown, factor)| (factor.signum() < 0, *unknown));
     let (first, unit) = *terms.first()?;
     let dim = system.coordinates[first].role.dim();
@@ -111,7 +111,7 @@ fn demand(model: &Model, system: &System, found: &Dependent) -> Option<Demand> {
     Some(Demand { form, wanted: quantity(wanted, dim), found: quantity(found, dim) })
 }
 
-/// A value in the unit that a drawing has it in.
+/// A value in the unit used on drawings: degrees or mm.
 fn quantity(value: Number, dim: Dim) -> String {
     let in_unit = |unit: Option<Number>| unit.and_then(|unit| value.checked_div(unit)).unwrap_or(value).to_f64();
     if dim == Dim::ANGLE {
@@ -124,7 +124,7 @@ fn quantity(value: Number, dim: Dim) -> String {
     format!("{} {}", short(value.to_f64()), dim.unit()).trim_end().to_owned()
 }
 
-/// Six digits are enough for the eye.
+/// Rounds to six significant digits.
 fn short(value: f64) -> f64 {
     let size = value.abs().log10();
     if !(-30.0..30.0).contains(&size) {
@@ -134,7 +134,7 @@ fn short(value: f64) -> f64 {
     (value * scale).round() / scale
 }
 
-/// What is left of a row as a formula.
+/// The remainder of a row as a formula.
 fn left(model: &Model, system: &System, sum: &Sum) -> String {
     let mut arena = system.arena.clone();
     let mut total = arena.constant(sum.constant);

@@ -1,7 +1,7 @@
-//! Rows that hold or do not hold wherever the bodies are: sin² + cos² = 1, the distance of two points of one body.
+//! Rows that are constant: sin² + cos² = 1, or the distance between two points of one body.
 //!
-//! In: a [`System`]. Out: a refusal of each joint with such a row. Rows that say so by their pattern alone have been refused before;
-//! these have derivatives whose terms cancel, whatever the coordinates.
+//! In: a [`System`]. Out: a refusal of each joint with such a row. Rows without coordinates in their pattern have been refused before; the
+//! derivatives of these rows consist of terms that cancel at every configuration.
 
 use crate::diag::{Diag, EquationFact};
 use crate::expr::{Evaluator, Expr, Leaf, Values, magnitudes};
@@ -11,16 +11,16 @@ use crate::numeric::samples::LOOKS;
 use crate::syntax::ast::Closing;
 use crate::system::System;
 
-/// What is left of terms that cancel is at most this share of them.
+/// Cancelling terms leave at most this fraction of their magnitude.
 const ROUNDING: f64 = 1e-12;
 
-/// Derivatives above this, in m and rad, do not vanish.
+/// Derivatives above this, in m and rad, are not zero.
 const SMALL: f64 = 1e-6;
 
-/// Refuses rows whose derivatives vanish wherever the bodies are.
+/// Refuses rows whose derivatives vanish at every configuration.
 pub(super) fn rows_depend_on_positions(model: &Model, system: &System, diag: &mut Diag) -> Option<()> {
     if model.closing != Closing::Deny {
-        // Numbers that are placeholders tell nothing.
+        // Placeholder defaults prove nothing.
         return Some(());
     }
     let rows: Vec<Vec<Expr>> =
@@ -35,7 +35,7 @@ pub(super) fn rows_depend_on_positions(model: &Model, system: &System, diag: &mu
             evaluator.run(&known, &mut values);
             let mut rest = values.as_slice();
             let ends: Vec<&[f64]> = rows.iter().map(|row| rest.split_off(..row.len()).unwrap_or_default()).collect();
-            // Most rows are seen to depend on something at once.
+            // This test excludes most rows at once.
             let is_small = |row: &usize| ends[*row].iter().all(|value| value.abs() < SMALL * numeric.size.min(1.0));
             let cancels = |row: &usize| {
                 let sizes = magnitudes(&system.arena, &rows[*row], &known);

@@ -1,10 +1,9 @@
-//! Equations that follow from others wherever the mechanism can be: redundant ones, in contrast to those that are so at a single
-//! position only, which is then singular.
+//! Equations that depend on others along the whole motion. They are redundant; equations that depend on others at a single configuration
+//! only make it singular.
 //!
-//! In: a [`System`], of which it may not yet be known how it is solved. Out: the equations of redundant joints that are checked
-//! instead of solved; a refusal for every other joint that adds nothing or contradicts the rest. The parameters are the declared
-//! ones: the third crank of a parallelogram is redundant although with other lengths it would not close. Not done here: counting,
-//! which is the work of `mobility`; so is what over-determines the drives.
+//! In: a [`System`]. Out: the equations of redundant joints, which are checked instead of solved, and a refusal of every other joint that
+//! adds nothing or contradicts the rest. Parameters have their declared values: the third crank of a parallelogram is redundant, although
+//! with other lengths the linkage would not close. Not done here: counting equations and over-determined drives, both in `mobility`.
 
 mod contradiction;
 mod elimination;
@@ -25,7 +24,7 @@ pub(crate) use exact::ExactDependence;
 use rows::Rows;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The equations that are checked instead of solved. A mechanism of which only equations are wanted has none.
+/// Finds the equations that are checked instead of solved. A mechanism of which only equations are wanted has none.
 pub(crate) fn find(model: &Model, system: &System, diag: &mut Diag) -> Option<BTreeSet<usize>> {
     identity::rows_depend_on_positions(model, system, diag)?;
     if !model.equations_only {
@@ -34,10 +33,11 @@ pub(crate) fn find(model: &Model, system: &System, diag: &mut Diag) -> Option<BT
     if diag.is_clean() { left_over(model, system, diag) } else { None }
 }
 
-/// The equations that are left over: where `#[closure(…)]` accepts defaults that are placeholders, by their pattern alone.
+/// Finds the redundant equations; by their pattern alone if `#[closure(…)]` accepts placeholder defaults.
 ///
-/// Where there are too many equations, or joints are marked as redundant, numbers tell which of them follow from others. Of those that
-/// are marked as many are left out as can be; those that are solved are farthest from singular over the motion.
+/// If there are too many equations, or joints are declared as redundant, a numerical test tells which equations depend on others. As many
+/// equations of joints declared as redundant are left out as possible; the remaining ones are chosen to be farthest from singular over the
+/// motion.
 fn left_over(model: &Model, system: &System, diag: &mut Diag) -> Option<BTreeSet<usize>> {
     if model.closing != Closing::Deny {
         return Some(pattern::left_over(model, system));
@@ -50,9 +50,9 @@ fn left_over(model: &Model, system: &System, diag: &mut Diag) -> Option<BTreeSet
     })
 }
 
-/// Refuses a mechanism that has as many equations as it needs, of which some say the same wherever it stands.
+/// Refuses a mechanism with as many equations as unknowns whose equations are dependent along the whole motion.
 ///
-/// A mechanism that is singular at its start only, or that cannot be moved from there, is none of this: it stands at a dead point.
+/// A mechanism that is singular at its start only, or cannot move from there, is not refused: it is at a dead point.
 pub(crate) fn equations_are_independent(numeric: &Numeric, structure: &Structure, start: &[f64], diag: &mut Diag) -> Option<()> {
     if numeric.model.closing == Closing::Deny && numeric.has_singular_block(structure, start) {
         let subsystems = subsystems(numeric.system, structure);
@@ -61,8 +61,8 @@ pub(crate) fn equations_are_independent(numeric: &Numeric, structure: &Structure
     diag.is_clean().then_some(())
 }
 
-/// Refuses a drive of what joints hold already, such as one between two sides of a triangle: without it everything closes, and wherever
-/// the mechanism is then pushed, the equation of the drive follows from those of joints. Its pattern does not show that.
+/// Refuses a drive of a freedom that joints have already removed, such as a drive between two sides of a triangle: without the drive
+/// everything closes, and at every perturbed assembly the drive's row depends on rows of joints. The pattern does not show this.
 pub(crate) fn drives_have_something_to_drive(
     numeric: &Numeric,
     structure: &Structure,
@@ -110,7 +110,7 @@ pub(crate) fn drives_have_something_to_drive(
     Some(())
 }
 
-/// The equations that are solved: of a small system all together, of a large one block by block.
+/// The solved equations: of a small system all together, of a large one block by block.
 fn subsystems(system: &System, structure: &Structure) -> Vec<Subsystem> {
     let subsystem = |block: &Block| Subsystem {
         unknowns: block.explicit.iter().map(|explicit| explicit.unknown).chain(block.iterated.iter().copied()).collect(),
@@ -126,11 +126,11 @@ fn subsystems(system: &System, structure: &Structure) -> Vec<Subsystem> {
     vec![Subsystem { unknowns: (0..system.coordinates.len()).collect(), equations, is_overdetermined: true }]
 }
 
-/// What is looked through.
+/// Search for redundant and contradictory equations.
 pub(super) struct Search<'a, 'b> {
     pub(super) numeric: &'a Numeric<'b>,
     pub(super) subsystems: &'a [Subsystem],
-    /// An item of a loop stands many times; what is wrong with it is said of the first.
+    /// Names already reported: an item in a loop has many instances, and a mistake is reported for the first only.
     said: Said,
     pub(super) diag: &'a mut Diag,
 }
@@ -156,13 +156,13 @@ impl Search<'_, '_> {
         checked
     }
 
-    /// The equations of a subsystem that are left over; those that are not marked are refused.
+    /// The redundant equations of a subsystem; dependent rows of joints not declared as redundant are refused.
     fn left_over(&mut self, subsystem: &Subsystem, samples: &Samples) -> Vec<usize> {
         let poses = self.numeric.matrices(subsystem, &samples.poses);
         let rows = self.numeric.rows(subsystem);
         let mut basis = Basis::new(&poses);
         let dependent: Vec<usize> = rows.plain.iter().copied().filter(|row| !basis.takes(*row)).collect();
-        // A drive that adds nothing is a matter of mobility.
+        // `mobility` reports drives that add nothing.
         let dependent: Vec<usize> = dependent.into_iter().filter(|row| !self.numeric.joint(subsystem, *row).is_drive).collect();
         let free = if rows.marked.is_empty() { self.numeric.names(subsystem, &basis.free(subsystem.unknowns.len())) } else { Vec::new() };
         self.refuse_dependent(&basis, subsystem, &dependent, &free, samples.moves);
@@ -170,7 +170,7 @@ impl Search<'_, '_> {
             return Vec::new();
         }
         let mut open = rows.marked.clone();
-        // One after the other the best of those that still add something.
+        // Add the best independent row, one at a time.
         loop {
             let candidates = open.iter().copied().filter(|row| basis.lacks(*row)).map(|row| (row, basis.fitness(row)));
             let Some((best, _)) = candidates.reduce(|best, next| if next.1 > best.1 + 1e-9 { next } else { best }) else { break };
@@ -181,7 +181,7 @@ impl Search<'_, '_> {
         open.into_iter().map(|row| subsystem.equations[row]).collect()
     }
 
-    /// Every joint that is marked as redundant has an equation that follows from others.
+    /// Refuses joints declared as redundant that have no equation dependent on others.
     fn marks_are_meant(&mut self, basis: &Basis, subsystem: &Subsystem, rows: &Rows, left_over: &[usize], poses: &[Matrix]) {
         let joint = |row: &usize| self.numeric.system.equations[subsystem.equations[*row]].joint;
         let involved: BTreeSet<usize> =
@@ -201,11 +201,11 @@ impl Search<'_, '_> {
         }
     }
 
-    /// As many equations as unknowns, and still some that add nothing.
+    /// As many equations as unknowns: refuses those that are dependent.
     fn dependence(&mut self, start: &[f64]) {
         let samples = self.numeric.samples(self.subsystems, start, |_| false);
         for subsystem in self.subsystems.iter().filter(|subsystem| subsystem.is_overdetermined) {
-            // What is singular where it starts must be so elsewhere, at more than one place.
+            // A singular start proves nothing: the rows must be dependent at several other poses.
             if samples.poses.len() < 3 || !self.diag.is_clean() {
                 return;
             }
@@ -217,7 +217,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// One refusal for each joint with equations that follow from others.
+    /// Reports one refusal per joint with dependent equations.
     fn refuse_dependent(&mut self, basis: &Basis, subsystem: &Subsystem, dependent: &[usize], free: &[String], moves: bool) {
         let joint = |row: &usize| self.numeric.system.equations[subsystem.equations[*row]].joint;
         let mut of_joint: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
@@ -225,7 +225,7 @@ impl Search<'_, '_> {
         for (index, own) in of_joint {
             let sources: BTreeSet<usize> = own.iter().flat_map(|row| basis.sources(*row)).map(|row| joint(&row)).collect();
             if sources.is_empty() {
-                // It has no slope, as the square of what vanishes: nothing can be solved for by it, and it follows from nothing.
+                // A row with zero gradient (a square at its root) is neither solvable nor dependent on others; it is reported elsewhere.
                 continue;
             }
             let model = self.numeric.model;

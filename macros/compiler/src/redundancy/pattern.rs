@@ -1,13 +1,13 @@
-//! What the pattern of Φ_q says of redundancy.
+//! Redundancy by the pattern of Φ_q.
 
 use crate::model::Model;
 use crate::structure::{SMALL, Subsystem, maximum_in, subsystems};
 use crate::system::System;
 use std::collections::BTreeSet;
 
-/// The subsystems of a system of which some equations may follow from others; none if there is nothing to ask.
+/// Subsystems in which some equations may depend on others; `None` if there is nothing to test.
 ///
-/// Where a joint is marked as redundant its equations are the first to be left over.
+/// Equations of joints declared as redundant are the first to be left over.
 pub(super) fn overdetermined(model: &Model, system: &System) -> Option<Vec<Subsystem>> {
     let is_marked = |equation: &usize| model.joints[system.equations[*equation].joint].is_redundant;
     if model.equations_only {
@@ -22,17 +22,17 @@ pub(super) fn overdetermined(model: &Model, system: &System) -> Option<Vec<Subsy
         let unknowns = (0..system.coordinates.len()).collect();
         return Some(vec![Subsystem { unknowns, equations: (0..system.equations.len()).collect(), is_overdetermined: true }]);
     }
-    // Where freedoms are left in a large system, drives are what is missing first.
+    // If a large system has freedoms left, missing drives are reported first.
     matching.free_unknowns().is_empty().then(|| subsystems(&system.pattern, &matching, is_marked))
 }
 
-/// The equations that are left over by their pattern alone, those of redundant joints before others.
+/// Equations of redundant joints that are left over by their pattern alone.
 pub(super) fn left_over(model: &Model, system: &System) -> BTreeSet<usize> {
     let is_marked = |equation: &usize| model.joints[system.equations[*equation].joint].is_redundant;
     maximum_in(&system.pattern, in_turn(model, system)).free_equations().into_iter().filter(is_marked).collect()
 }
 
-/// What moves the mechanism first, so that what is left over are the joints that only follow; redundant ones last.
+/// Equations in the order of the matching: drives, then joints, then joints declared as redundant, so that the last are left over.
 fn in_turn(model: &Model, system: &System) -> impl Iterator<Item = usize> {
     let rank = |equation: &usize| {
         let joint = &model.joints[system.equations[*equation].joint];

@@ -1,4 +1,4 @@
-//! Rows of Φ_q as numbers.
+//! Numerical rows of Φ_q.
 
 use crate::expr::{Evaluator, Expr, Values, evaluate};
 use crate::model::Joint;
@@ -10,11 +10,11 @@ use crate::structure::{Block, Structure, Subsystem};
 use crate::system::Equation;
 use std::collections::BTreeMap;
 
-/// The rows of a subsystem, in the order in which they are taken.
+/// Rows of a subsystem, in the order in which the basis takes them.
 pub(super) struct Rows {
-    /// Of joints in the order declared, then of drives.
+    /// Rows of joints in declaration order, then of drives.
     pub(super) plain: Vec<usize>,
-    /// Of redundant joints.
+    /// Rows of joints declared as redundant.
     pub(super) marked: Vec<usize>,
 }
 
@@ -30,7 +30,7 @@ impl Numeric<'_> {
         Rows { plain, marked }
     }
 
-    /// The rows of Φ_q that belong to a subsystem, at each pose, in scaled unknowns and of unit length.
+    /// Rows of Φ_q of a subsystem at each pose, in scaled unknowns, normalised to unit length.
     pub(super) fn matrices(&self, subsystem: &Subsystem, poses: &[Pose]) -> Vec<Matrix> {
         let place: BTreeMap<usize, usize> = subsystem.unknowns.iter().enumerate().map(|(column, unknown)| (*unknown, column)).collect();
         let equations: Vec<&Equation> = subsystem.equations.iter().map(|equation| &self.system.equations[*equation]).collect();
@@ -43,7 +43,7 @@ impl Numeric<'_> {
             let row = |(number, equation): (usize, &&Equation)| {
                 let mut row = vec![0.0; subsystem.unknowns.len()];
                 for ((unknown, _), value) in equation.jacobian.iter().zip(&mut entries) {
-                    // A function in Rust is not known here: its row is taken for one that has nothing to do with any other.
+                    // A Rust function is unknown to the compiler: its row gets arbitrary entries, independent of all other rows.
                     let value =
                         if value.is_finite() { *value } else { 0.1 + (number as f64 * 0.754_877 + *unknown as f64 * 0.569_84).fract() };
                     if let Some(column) = place.get(unknown) {
@@ -57,7 +57,7 @@ impl Numeric<'_> {
         poses.iter().map(matrix).collect()
     }
 
-    /// In one of the blocks the Jacobian of what is iterated, everything explicit put in, is singular.
+    /// True if the Jacobian of a block's iterated unknowns, with the explicit unknowns eliminated, is singular.
     pub(super) fn has_singular_block(&self, structure: &Structure, q: &[f64]) -> bool {
         let roots: Vec<Expr> =
             self.system.equations.iter().flat_map(|equation| equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
@@ -74,24 +74,24 @@ impl Numeric<'_> {
         structure.blocks.iter().filter(|block| !block.iterated.is_empty()).any(|block| is_singular(block, &rows))
     }
 
-    /// The coordinates in these columns of a subsystem.
+    /// Names of the coordinates in some columns of a subsystem; of the angles only, if there are any.
     pub(super) fn names(&self, subsystem: &Subsystem, columns: &[usize]) -> Vec<String> {
         let name = |column: &usize| self.system.name(self.model, subsystem.unknowns[*column]);
-        // Where an angle is free, places mostly follow it.
+        // If an angle is free, positions usually follow it.
         let is_angle = |column: &&usize| self.system.coordinates[subsystem.unknowns[**column]].role == Role::Angle;
         let angles: Vec<String> = columns.iter().filter(is_angle).map(name).collect();
         if angles.is_empty() { columns.iter().map(name).collect() } else { angles }
     }
 }
 
-/// The derivative of a block's residuals by what it iterates is singular, everything explicit put in.
+/// True if the derivative of a block's residuals by its iterated unknowns is singular, with the explicit unknowns eliminated.
 fn is_singular(block: &Block, rows: &[Vec<(usize, f64)>]) -> bool {
     let column = |iterated: &usize| {
         let mut moved: BTreeMap<usize, f64> = BTreeMap::from([(*iterated, 1.0)]);
         let along = |row: &[(usize, f64)], moved: &BTreeMap<usize, f64>| -> f64 {
             let terms = row.iter().filter_map(|(unknown, value)| Some(value * moved.get(unknown)?));
             let (sum, size) = terms.fold((0.0, 0.0), |(sum, size): (f64, f64), term| (sum + term, size + term.abs()));
-            // What is left of terms that cancel is rounding.
+            // The remainder of cancelling terms is rounding.
             if sum.abs() < DEPENDENT * size { 0.0 } else { sum }
         };
         for explicit in &block.explicit {
@@ -104,7 +104,7 @@ fn is_singular(block: &Block, rows: &[Vec<(usize, f64)>]) -> bool {
     };
     let columns: Vec<Vec<f64>> = block.iterated.iter().map(column).map(unit).collect();
     if columns.iter().flatten().any(|value| !value.is_finite()) {
-        // A function in Rust, of which nothing is known.
+        // A Rust function, unknown to the compiler.
         return false;
     }
     let poses = [columns];
@@ -112,7 +112,7 @@ fn is_singular(block: &Block, rows: &[Vec<(usize, f64)>]) -> bool {
     !(0..block.iterated.len()).all(|column| basis.takes(column))
 }
 
-/// A row of unit length; one that is zero stays so.
+/// Normalises a row to unit length; zero stays zero.
 fn unit(mut row: Vec<f64>) -> Vec<f64> {
     let length = row.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
     if length > 0.0 {

@@ -1,4 +1,4 @@
-//! What is said of a place where the motion ends, or where branches cross.
+//! Reports of an end of travel or a crossing of branches.
 
 use super::chain::Chain;
 use super::walk::Event;
@@ -17,12 +17,12 @@ pub(super) struct EndReport<'a, 'b> {
     pub(super) numeric: &'a Numeric<'b>,
     pub(super) structure: &'a Structure,
     pub(super) chain: &'a Chain<'b>,
-    /// How far the motion was to be followed.
+    /// Intended end of the motion along the path, in s.
     pub(super) until: f64,
 }
 
 impl EndReport<'_, '_> {
-    /// The loop that cannot stay closed, under the drive that brings it there.
+    /// Reports the loop that cannot stay closed, at the drive that moves it to the end of travel.
     pub(super) fn end(&self, place: &Event) -> Option<(Range, AssemblyFact)> {
         let block = self.chain.members[place.member].block;
         let time = self.chain.path.sign * place.at;
@@ -51,7 +51,7 @@ impl EndReport<'_, '_> {
         Some(((&numeric.model.joints[blamed].name).into(), fact))
     }
 
-    /// A line on a place where branches cross.
+    /// A line of text on a crossing of branches.
     pub(super) fn crossing(&self, place: &Event) -> Option<String> {
         let block = self.chain.members[place.member].block;
         let time = self.chain.path.sign * place.at;
@@ -60,7 +60,7 @@ impl EndReport<'_, '_> {
         Some(AssemblyFact::Crosses { driven, time }.to_string())
     }
 
-    /// The place with all coordinates that are computed, also those that nothing that is followed depends on.
+    /// The coordinates at an event, completed with the computed coordinates on which no followed block depends.
     fn completed(&self, numeric: &Numeric, q: &[f64]) -> Vec<f64> {
         let mut q = q.to_vec();
         let followed: BTreeSet<usize> = self.chain.members.iter().map(|member| member.block).collect();
@@ -73,7 +73,7 @@ impl EndReport<'_, '_> {
         q
     }
 
-    /// The drives on which a block depends, its own among them.
+    /// Drives on which a block depends, its own included.
     fn drives(&self, block: usize, upstream: &Upstream) -> Vec<usize> {
         let blocks = upstream.all(block).into_iter().chain([block]);
         let equations = blocks.flat_map(|block| self.structure.blocks[block].parts().1);
@@ -81,7 +81,7 @@ impl EndReport<'_, '_> {
         joints.into_iter().filter(|joint| self.numeric.model.joints[*joint].is_drive).collect()
     }
 
-    /// What a drive moves, and where that is: a coordinate of a body, or what the drive demands.
+    /// The coordinate that a drive moves and its value, or the value that the drive prescribes.
     fn driven(&self, drive: usize, time: f64, q: &[f64]) -> Driven {
         let (system, model) = (&self.numeric.system, &self.numeric.model);
         let name = model.joints[drive].name.to_string();
@@ -98,7 +98,7 @@ impl EndReport<'_, '_> {
         Driven { name, coordinate: None, value }
     }
 
-    /// The one expression of time in an equation, which is a term of it, or the square of one.
+    /// Value of the only term of an equation that depends on time, or its root if it is the square of a length.
     fn demand(&self, phi: Expr, dim: Dim, time: f64) -> Option<(f64, Dim)> {
         let arena = &self.numeric.system.arena;
         let is_of_time = |expr: Expr| {

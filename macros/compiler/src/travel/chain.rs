@@ -1,7 +1,7 @@
-//! The blocks that are followed, one after the other, along a path.
+//! The followed blocks, solved in order along a path.
 //!
-//! In: a [`Structure`]. Out: a [`Chain`], which finds the coordinates of each block from those of the blocks before it, and their
-//! rates along the path. Not done here: how far a step may go.
+//! In: a [`Structure`]. Out: a [`Chain`], which computes the coordinates of each block and their rates along the path from those of the
+//! blocks before it. Not done here: step control.
 
 use crate::assembly::order::Upstream;
 use crate::expr::{Evaluator, Expr};
@@ -11,19 +11,19 @@ use crate::numeric::dense::Factors;
 use crate::structure::Structure;
 use std::borrow::Cow;
 
-/// Steps of Newton's method; from a prediction that is good enough to be taken it needs three.
+/// Largest number of Newton iterations; three suffice from an acceptable prediction.
 const MOST_ITERATIONS: usize = 12;
 
-/// Corrections below this part of a coordinate are rounding.
+/// Corrections below this fraction of a coordinate are rounding.
 const ROUNDING: f64 = 1e-14;
 
-/// Along what the mechanism is followed.
+/// Path along which the mechanism is followed: time, or a change of parameters.
 pub(super) struct MotionPath {
-    /// Forwards in time, or backwards; nothing where parameters change.
+    /// 1 forwards in time, −1 backwards, 0 if parameters change.
     pub(super) sign: f64,
-    /// The parameters where it begins.
+    /// Parameters at s = 0.
     pub(super) from: Vec<f64>,
-    /// The parameters at 1, if they change.
+    /// Parameters at s = 1, if they change.
     pub(super) to: Option<Vec<f64>>,
 }
 
@@ -35,59 +35,59 @@ impl MotionPath {
     }
 }
 
-/// One block.
+/// A followed block.
 pub(super) struct Member {
-    /// Its number in the structure.
+    /// Index of the block in the structure.
     pub(super) block: usize,
     pub(super) unknowns: Vec<usize>,
     pub(super) is_iterated: bool,
-    /// Φ, Φ_q of its own unknowns, Φ_q of others, ν.
+    /// Evaluates Φ, Φ_q of its own unknowns, Φ_q of others, and ν.
     evaluator: Evaluator,
     values: Vec<f64>,
-    /// Row and column of entries for its own unknowns.
+    /// Row and column of the entries of its own unknowns.
     own: Vec<(usize, usize)>,
     /// Row and unknown of all other entries.
     others: Vec<(usize, usize)>,
-    /// What a unit step of each unknown is.
+    /// Scale of each unknown, in m or rad.
     pub(super) scales: Vec<f64>,
-    /// What an entry of each row is, in scaled unknowns.
+    /// Scale of each row, in scaled unknowns.
     sizes: Vec<f64>,
 }
 
-/// A block's equations near a place, in scaled unknowns.
+/// Equations of a block, linearised at a configuration, in scaled unknowns.
 pub(super) struct Local {
     pub(super) phi: Vec<f64>,
     pub(super) jacobian: Vec<Vec<f64>>,
-    /// How fast Φ changes along the path when the block's own unknowns rest.
+    /// dΦ/ds along the path while the block's own unknowns are fixed.
     pub(super) drift: Vec<f64>,
 }
 
-/// A place on the path.
+/// A configuration on the path.
 #[derive(Clone, Debug)]
 pub(super) struct PathPose {
-    /// How far along the path.
+    /// Path parameter s: a time in s, or a fraction of the change of parameters.
     pub(super) at: f64,
     pub(super) q: Vec<f64>,
     /// dq/ds along the path.
     pub(super) rates: Vec<f64>,
-    /// Of each member, the sign of its determinant and the logarithm of its size.
+    /// For each member, the sign of its determinant and ln |det|.
     pub(super) sides: Vec<(f64, f64)>,
 }
 
-/// How a block was solved.
+/// Result of solving a block.
 pub(super) struct Settled {
-    /// The first correction, and the rates, in scaled unknowns.
+    /// First Newton correction, in scaled unknowns.
     pub(super) correction: f64,
     pub(super) sign: f64,
     pub(super) size: f64,
 }
 
-/// Why a block was not solved.
+/// Reason why a block was not solved.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Stop {
     /// This member has no solution near the prediction.
     Member(usize),
-    /// No more operations are to be spent.
+    /// The operations allowed are spent.
     Spent,
 }
 
@@ -96,14 +96,14 @@ pub(super) struct Chain<'a> {
     pub(super) members: Vec<Member>,
     pub(super) path: MotionPath,
     upstream: Upstream,
-    /// The member that a block is.
+    /// Member of each block, if it is followed.
     place: Vec<Option<usize>>,
-    /// Operations that may still be spent.
+    /// Number of operations left.
     pub(super) left: u64,
 }
 
 impl<'a> Chain<'a> {
-    /// The iterated blocks that can be judged and all that is upstream of them; none if there is nothing to follow.
+    /// Selects the iterated blocks that are evaluable and all blocks upstream of them; `None` if nothing iterated moves.
     pub(super) fn new(numeric: &'a Numeric<'a>, structure: &Structure, q: &[f64], path: MotionPath, left: u64) -> Option<Chain<'a>> {
         let upstream = Upstream::new(numeric, structure);
         let is_sure = upstream.surety(numeric, structure);
@@ -132,12 +132,12 @@ impl<'a> Chain<'a> {
         chain.members.iter().any(|member| member.is_iterated).then_some(chain)
     }
 
-    /// The members on which one depends, in order.
+    /// Members on which a member depends, in order.
     pub(super) fn before(&self, member: usize) -> Vec<usize> {
         self.upstream.all(self.members[member].block).into_iter().filter_map(|other| self.place[other]).collect()
     }
 
-    /// Whether an equation changes along the path by itself.
+    /// True if an equation may depend explicitly on the path parameter.
     fn changes(&self, equation: usize) -> bool {
         let equation = &self.numeric.system.equations[equation];
         if self.path.to.is_some() {
@@ -146,7 +146,7 @@ impl<'a> Chain<'a> {
         !self.numeric.system.arena.as_constant(equation.nu).is_some_and(|value| value.is_zero())
     }
 
-    /// The equations of a member at a pose whose blocks before it are solved.
+    /// Equations of a member at a configuration in which the blocks before it are solved.
     pub(super) fn local(&mut self, index: usize, at: f64, q: &[f64], rates: &[f64]) -> Result<Local, Stop> {
         let (member, path) = (&mut self.members[index], &self.path);
         let n = member.unknowns.len();
@@ -173,7 +173,7 @@ impl<'a> Chain<'a> {
         if path.to.is_none() {
             local.drift.iter_mut().zip(nu).for_each(|(drift, nu)| *drift -= path.sign * nu);
         } else {
-            // What parameters do is not derived: a difference serves.
+            // Derivatives by parameters are not available: use a difference quotient.
             let phi = local.phi.clone();
             let parameters = path.parameters(at + DIFFERENCE);
             member.evaluator.run(&Values { parameters: &parameters, ..values }, &mut member.values);
@@ -188,9 +188,9 @@ impl<'a> Chain<'a> {
         Ok(local)
     }
 
-    /// Solves a member for its own unknowns, from a prediction, and finds their rates.
+    /// Solves a member for its own unknowns from a prediction, and computes their rates.
     ///
-    /// * `enough`: given, the error that may remain, in scaled unknowns; 0 for none but rounding.
+    /// * `enough`: given, the error that may remain, in scaled unknowns; 0: only rounding.
     pub(super) fn solve(&mut self, index: usize, at: f64, q: &mut [f64], rates: &mut [f64], enough: f64) -> Result<Settled, Stop> {
         let failed = Stop::Member(index);
         let (mut first, mut last) = (f64::NAN, f64::INFINITY);
@@ -213,9 +213,9 @@ impl<'a> Chain<'a> {
                 first = size;
             }
             let contraction = size / last;
-            // The next correction would be smaller by as much again, at least.
+            // At this rate of convergence the next correction is at most `contraction` times this one.
             let is_close = iteration > 0 && contraction < 1.0 && contraction * size <= enough;
-            // Near its limit of accuracy a correction is not smaller than the one before it.
+            // At the rounding limit, corrections stop decreasing.
             let is_at_its_limit = contraction > 0.5 && size <= 1e3 * rounding;
             let is_there = !member.is_iterated || size <= rounding || is_close || is_at_its_limit;
             if is_there {
@@ -234,7 +234,7 @@ impl<'a> Chain<'a> {
     }
 }
 
-/// What is worth a radian: the size of the mechanism, or how far from the origin something is where no body has a size.
+/// Length equivalent to one radian: the characteristic length, or the largest distance of a position from the origin if no body has a size.
 fn length(numeric: &Numeric, q: &[f64]) -> f64 {
     let lengths = evaluate(&numeric.system.arena, &numeric.system.lengths, &numeric.known);
     if lengths.iter().any(|length| length.is_finite() && *length != 0.0) {
@@ -245,7 +245,7 @@ fn length(numeric: &Numeric, q: &[f64]) -> f64 {
     if farthest > 0.0 && farthest.is_finite() { farthest } else { numeric.size }
 }
 
-/// By how much of the way parameters are changed to see what they do.
+/// Step of the difference quotient, as a fraction of the change of parameters.
 const DIFFERENCE: f64 = 1e-6;
 
 impl Member {
@@ -277,7 +277,7 @@ impl Member {
         Member { block, unknowns, is_iterated, evaluator, values, own, others, scales, sizes }
     }
 
-    /// Rows of comparable size, from here on.
+    /// Rescales the rows so that the largest entry of each is 1 at this Jacobian.
     pub(super) fn level(&mut self, jacobian: &[Vec<f64>]) {
         for (size, row) in self.sizes.iter_mut().zip(jacobian) {
             let most = row.iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
@@ -287,7 +287,7 @@ impl Member {
         }
     }
 
-    /// The greatest of some changes of its unknowns, in scaled ones.
+    /// Largest magnitude of a change over its unknowns, in scaled unknowns.
     pub(super) fn most(&self, change: impl Fn(usize) -> f64) -> f64 {
         self.unknowns.iter().zip(&self.scales).fold(0.0, |most, (unknown, scale)| most.max((change(*unknown) / scale).abs()))
     }

@@ -1,7 +1,7 @@
 //! The motion with parameters at the ends of their bounds.
 //!
-//! In: a motion that goes on at the declared defaults. Out: notes on corners of the bounds at which it does not. The assembly at a corner
-//! is the one that the declared one becomes when all parameters change together, as at run time.
+//! In: a motion that continues at the declared defaults. Out: notes on corners of the bounds at which it does not. The assembly at a corner
+//! is the one that the declared assembly turns into when all parameters change together, as at run time.
 
 use super::Travel;
 use super::chain::{Chain, MotionPath};
@@ -12,22 +12,22 @@ use crate::numeric::Numeric;
 use crate::structure::Structure;
 use std::collections::BTreeSet;
 
-/// Of so many parameters all combinations are looked at, of more each one by itself.
+/// With up to this many parameters all combinations are tested; with more, each parameter by itself.
 const ALL_TOGETHER: usize = 3;
 
-/// How many corners are looked at.
+/// Largest number of corners tested.
 const MOST: usize = 16;
 
-/// How many of them are told.
+/// Largest number of corners reported.
 const TOLD: usize = 4;
 
-/// An end that is excluded is approached to this part of the range.
+/// An exclusive bound is approached up to this fraction of the range.
 const EXCLUDED: f64 = 1e-6;
 
-/// Parameters that differ from their defaults.
+/// Parameters that differ from their defaults, with their values.
 type Corner = Vec<(usize, f64)>;
 
-/// Looks at the corners as long as operations are left.
+/// Tests the corners while operations are left.
 pub(super) fn visit(travel: &mut Travel, numeric: &Numeric, structure: &Structure, start: &[f64], most: u64) {
     let mut told = 0;
     for corner in corners(numeric) {
@@ -41,7 +41,7 @@ pub(super) fn visit(travel: &mut Travel, numeric: &Numeric, structure: &Structur
     }
 }
 
-/// What happens at a corner, if the motion does not go on there.
+/// Follows the motion at a corner; a note if it ends there, or if the path to the corner ends.
 fn at(travel: &mut Travel, numeric: &Numeric, structure: &Structure, start: &[f64], (corner, most): (&Corner, u64)) -> Option<String> {
     let mut to = numeric.known.parameters.to_vec();
     corner.iter().for_each(|(parameter, value)| to[*parameter] = *value);

@@ -1,10 +1,10 @@
-//! How long a mechanism has to be followed until it has done everything that its drives make it do.
+//! The time span after which a mechanism has done everything its drives make it do.
 //!
-//! In: the equations of the blocks that are followed. Out: a time after which all repeats itself or rests, if there is one, and the
-//! times before at which a law changes its expression.
+//! In: the equations of the followed blocks. Out: the time after which everything repeats or rests, if there is one, and the times before
+//! it at which a law changes its expression.
 //!
-//! Of each expression it is found out what it does in the end: it rests, it increases steadily, it repeats itself. An angle that
-//! increases steadily is back after a turn; a length that does so leads away for ever, and nothing is known of the mechanism.
+//! The final behaviour of each expression is determined: it rests, increases steadily, or repeats. An angle that increases steadily is back
+//! after a turn; a length that does so grows without bound, and the span is unknown.
 
 use crate::expr::{Binary, Expr, Leaf, Node, Unary};
 use crate::expr::{Values, evaluate};
@@ -15,25 +15,25 @@ use crate::structure::Structure;
 use core::f64::consts::TAU;
 use std::collections::BTreeMap;
 
-/// Periods are commensurate where so many of the longest are whole numbers of all others.
+/// Periods are commensurate if at most this many of the longest are a whole multiple of every other.
 const MOST_ROUNDS: usize = 12;
 
-/// How exactly.
+/// Relative tolerance of a whole multiple.
 const WHOLE: f64 = 1e-9;
 
-/// What repeats itself more often is followed for the longest of its periods only.
+/// If the common period exceeds the shortest period by more than this factor, only the longest period is followed.
 const MOST_REPEATED: f64 = 200.0;
 
-/// What an expression does after its last change.
+/// Behaviour of an expression after its last change.
 #[derive(Clone, Debug, Default)]
 struct Law {
-    /// Its steady rate.
+    /// Steady rate.
     rate: f64,
-    /// Of what it does besides.
+    /// Periods of its periodic part.
     periods: Vec<f64>,
-    /// Nothing is known of it.
+    /// True if nothing is known about the expression.
     is_wild: bool,
-    /// It depends on time or on what moves.
+    /// True if it depends on time or on a moving coordinate.
     moves: bool,
 }
 
@@ -46,7 +46,7 @@ impl Law {
         !self.is_wild && self.rate == 0.0
     }
 
-    /// What repeats itself when all of these do.
+    /// Law of an expression that repeats when all of these do: the union of their periods.
     fn together<'a>(laws: impl Iterator<Item = &'a Law>) -> Law {
         let mut all = Law::default();
         for law in laws {
@@ -61,7 +61,7 @@ impl Law {
         all
     }
 
-    /// What a steady angle makes of what it is the argument of.
+    /// Law of a periodic function of this argument: a steady rate becomes a period.
     fn turned(mut self, turn: f64) -> Law {
         if self.rate != 0.0 {
             let period = (turn / self.rate).abs();
@@ -72,16 +72,16 @@ impl Law {
     }
 }
 
-/// How long a mechanism has to be followed.
+/// Time span to be followed.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Horizon {
-    /// After this time it has done all that it does.
+    /// Time after which everything repeats or rests, in s.
     pub(super) until: f64,
-    /// The times at which laws change, increasing.
+    /// Times at which laws change, increasing, in s.
     pub(super) stops: Vec<f64>,
 }
 
-/// The span from t = 0; none where something goes on for ever, or nobody knows what it does.
+/// Span from t = 0; `None` if an expression increases without bound or its behaviour is unknown.
 pub(super) fn span(numeric: &Numeric, structure: &Structure, blocks: impl Iterator<Item = usize>, q: &[f64]) -> Option<Horizon> {
     let mut reader = LawReader { numeric, q, known: BTreeMap::new(), computed: BTreeMap::new(), stops: Vec::new() };
     let mut whole = Law::default();
@@ -112,7 +112,7 @@ pub(super) fn span(numeric: &Numeric, structure: &Structure, blocks: impl Iterat
     (until > 0.0 && until.is_finite()).then_some(Horizon { until, stops })
 }
 
-/// The least common period, or the longest one where there is none that is not far longer.
+/// Least common period; the longest period if there is none within reach.
 fn common(periods: &[f64]) -> f64 {
     let longest = periods.iter().copied().fold(0.0, f64::max);
     let shortest = periods.iter().copied().fold(longest, f64::min);
@@ -128,20 +128,20 @@ struct LawReader<'a> {
     numeric: &'a Numeric<'a>,
     q: &'a [f64],
     known: BTreeMap<Expr, Law>,
-    /// Of coordinates that are computed.
+    /// Laws of computed coordinates.
     computed: BTreeMap<u32, Law>,
-    /// Times at which expressions change.
+    /// Times at which expressions change, in s.
     stops: Vec<f64>,
 }
 
 impl LawReader<'_> {
-    /// The law of a coordinate that is computed from one equation, linear in it.
+    /// Law of a coordinate computed from one equation, linear in it.
     fn computed(&mut self, unknown: usize, equation: usize) -> Law {
         let equation = &self.numeric.system.equations[equation];
         let pivot = equation.jacobian.iter().find(|(other, _)| *other == unknown).map(|(_, entry)| *entry);
         let (Some(phi), Some(pivot)) = (equation.phi(), pivot) else { return Law::wild() };
         let pivot = self.value(pivot, 0.0);
-        // Taken for something that rests, the coordinate leaves all the rest of its equation.
+        // With this coordinate taken as resting, `of` returns the law of the remaining terms.
         let others = std::mem::take(&mut self.known);
         let law = self.of(phi);
         self.known = others;
@@ -162,7 +162,7 @@ impl LawReader<'_> {
         evaluate(&self.numeric.system.arena, &[expr], &Values { time, coordinates: self.q, ..self.numeric.known })[0]
     }
 
-    /// A time after everything that is known to change.
+    /// A time after all known changes, in s.
     fn late(&self) -> f64 {
         self.stops.iter().copied().filter(|stop| stop.is_finite()).fold(0.0, f64::max) + 1.0
     }
@@ -175,7 +175,7 @@ impl LawReader<'_> {
             return Law { rate: 1.0, moves: true, ..Law::default() };
         }
         if let Node::Leaf(Leaf::Coordinate(number)) = node {
-            // What is iterated does what the rest makes it do.
+            // An iterated coordinate has no law of its own: it follows from the rest.
             return self.computed.get(&number).cloned().unwrap_or(Law { moves: true, ..Law::default() });
         }
         if let Node::Binary(Binary::Mul, a, b) = node
@@ -208,7 +208,7 @@ impl LawReader<'_> {
         }
     }
 
-    /// Which branch is taken in the end.
+    /// Law of the branch that is finally taken.
     fn choice(&mut self, [lhs, rhs]: [Expr; 2], laws: &[Law], all: Law) -> Law {
         let [one, other, then, otherwise] = laws else { return Law::wild() };
         if one.is_wild || other.is_wild {
@@ -234,7 +234,7 @@ impl LawReader<'_> {
         self.numeric.system.arena.leaves(expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)))
     }
 
-    /// Where a steady expression vanishes is a stop; whether it is positive afterwards.
+    /// Records the zero of a steadily increasing or decreasing expression as a stop; true if the expression is positive afterwards.
     fn crossing(&mut self, expr: Expr, law: &Law) -> Option<bool> {
         if !law.periods.is_empty() || self.has_coordinates(expr) {
             return None;
@@ -244,7 +244,7 @@ impl LawReader<'_> {
         Some(law.rate > 0.0)
     }
 
-    /// A table goes on as its ends say; what it does there is taken for rest.
+    /// Law of a table beyond its ends; it counts as resting there.
     fn called(&mut self, function: u32, argument: Expr, law: &Law, all: Law) -> Law {
         let Some(Function::Table(table)) = self.numeric.model.functions.get(function as usize) else { return Law::wild() };
         let (first, last) = (table.knots[0], table.knots[table.knots.len() - 1]);
@@ -264,7 +264,7 @@ impl LawReader<'_> {
     }
 }
 
-/// What does not increase does not, whatever it is multiplied by.
+/// Product in which a zero rate stays zero, even times infinity or NaN.
 fn times(rate: f64, by: f64) -> f64 {
     if rate == 0.0 { 0.0 } else { rate * by }
 }

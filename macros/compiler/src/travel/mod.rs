@@ -1,18 +1,18 @@
-//! Whether the motion goes on from the start over the whole range of time.
+//! Follows the motion from the start over the whole range of time.
 //!
-//! In: a start that is closed and regular. Out: what is remarkable on the way: where a loop cannot stay closed, with the time and what
-//! the drive has come to, which is refused where a range is declared; and where two branches cross. The range is the declared one, or as long as it takes until
-//! all laws repeat themselves or rest.
+//! In: a start that is closed and regular. Out: events on the way. At an end of travel a loop cannot stay closed; its time and the position
+//! of the drive are reported, and it is refused if a range is declared. At a crossing two branches meet. The range is the declared one, or
+//! lasts until all laws repeat or rest.
 //!
-//! 1. `law`: how long that is.
-//! 2. `chain`: blocks are solved one after the other, as the generated code does, by the interpreter.
-//! 3. `walk`: step by step, each short enough that the branch is sure.
-//! 4. `turn`: where no step succeeds the block is followed along its own curve, which shows where it turns back.
-//! 5. `blame`: what is said.
+//! 1. `law`: length of the inferred range.
+//! 2. `chain`: solves the blocks in order, as the generated code does, by the interpreter.
+//! 3. `walk`: step control; each step is short enough that the branch is certain.
+//! 4. `turn`: if no step succeeds, follows the block along its own curve, which shows the point where it turns back.
+//! 5. `blame`: reports.
 //! 6. `corners`: the same with parameters at the ends of their bounds.
 //!
-//! Nothing is refused that was not seen: where a step can be made neither on the path nor along the curve, where a Rust function is
-//! needed, or where it would take too many operations, nothing is said.
+//! Only what was seen is refused: nothing is reported if a step is possible neither on the path nor along the curve, if a Rust function is
+//! needed, or if it would take too many operations.
 
 mod blame;
 mod chain;
@@ -32,36 +32,36 @@ use blame::EndReport;
 use chain::{Chain, MotionPath};
 use walk::Way;
 
-/// Operations that are spent in any case: a start that is declared exactly is found in no time.
+/// Minimum budget of operations, for a start that is declared exactly and takes hardly any to find.
 const LEAST: u64 = 200_000;
 
-/// The same for each coordinate: reading and deriving its equations takes far longer.
+/// Additional budget per coordinate: reading and differentiating its equations takes far longer.
 const LEAST_EACH: u64 = 1_000;
 
-/// Times that are nearer to each other than this part of the range are one.
+/// Times closer to each other than this fraction of the range are equal.
 const ONE_TIME: f64 = 1e-9;
 
-/// How the motion goes on from the start.
+/// Motion from the start.
 #[derive(Clone, Debug, Default)]
 pub struct Motion {
-    /// The times, in s, between which it goes on throughout; both 0 where that is not known.
+    /// Times, in s, between which the motion continues; both 0 if unknown.
     pub reached: [f64; 2],
-    /// Where it ends, or could go on in two ways, and where it does so at the bounds of parameters.
+    /// Ends of travel and crossings of branches, also at the bounds of parameters.
     pub remarks: Vec<String>,
-    /// It ends where no range is declared, so that less may be meant.
+    /// An end of travel without a declared range: a shorter motion may be meant.
     pub warning: Option<Warning>,
-    /// Operations of the interpreter that it took to follow it.
+    /// Number of interpreter operations spent.
     pub effort: u64,
 }
 
-/// Follows the motion from the start, over the declared range or as long as it takes until it repeats itself.
+/// Follows the motion from the start, over the declared range or until it repeats.
 pub(crate) fn follow(model: &Model, system: &System, structure: &Structure, assembly: &Assembly, diag: &mut Diag) -> Option<Motion> {
     if !assembly.is_closed || assembly.remark.is_some() || model.following == Following::Off || model.equations_only {
         return Some(Motion::default());
     }
     let Travel { reached, end, notes: mut remarks, spent: effort } =
         at_defaults(model, system, |numeric| Travel::new(numeric, structure, assembly));
-    // Who says for how long it moves means it; where that is inferred, less may be meant.
+    // A declared range is meant; with an inferred range a shorter motion may be meant.
     let is_meant = model.range.is_some() || model.following == Following::Strict;
     let mut warning = None;
     if let Some((range, fact)) = end {
@@ -74,21 +74,21 @@ pub(crate) fn follow(model: &Model, system: &System, structure: &Structure, asse
     Some(Motion { reached, remarks, warning, effort })
 }
 
-/// What following the motion has shown so far.
+/// Findings while the motion is followed.
 #[derive(Default)]
 struct Travel {
-    /// The first and the last time that were reached.
+    /// First and last time reached, in s.
     reached: [f64; 2],
-    /// Where the motion ends within the range.
+    /// End of travel within the range.
     end: Option<(Range, AssemblyFact)>,
-    /// What is worth a line on the page of the type.
+    /// Lines for the documentation of the type.
     notes: Vec<String>,
-    /// Operations of the interpreter.
+    /// Number of interpreter operations spent.
     spent: u64,
 }
 
 impl Travel {
-    /// The motion at the declared parameters and, unless it ends, at the ends of their bounds.
+    /// Follows the motion at the declared parameters and, unless it ends, at the ends of their bounds.
     fn new(numeric: &Numeric, structure: &Structure, assembly: &Assembly) -> Travel {
         let most = assembly.effort.max(LEAST + LEAST_EACH * assembly.start.len() as u64);
         let mut travel = Travel::default();
@@ -99,7 +99,7 @@ impl Travel {
         travel
     }
 
-    /// Forwards and backwards from t = 0 at the parameters of a numeric, as far as the range goes.
+    /// Follows the motion forwards and backwards from t = 0 at the parameters of `numeric`, as far as the range goes.
     fn both_ways(&mut self, numeric: &Numeric, structure: &Structure, start: &[f64], most: u64) {
         for sign in [1.0, -1.0] {
             let path = MotionPath { sign, from: numeric.known.parameters.to_vec(), to: None };
@@ -112,7 +112,7 @@ impl Travel {
         }
     }
 
-    /// One way from t = 0.
+    /// Follows the motion in one direction from t = 0.
     fn along(&mut self, chain: &mut Chain, structure: &Structure, start: &[f64]) {
         let (numeric, sign) = (chain.numeric, chain.path.sign);
         let blocks: Vec<usize> = chain.members.iter().map(|member| member.block).collect();
@@ -120,7 +120,7 @@ impl Travel {
         let stops = span.as_ref().map(|span| span.stops.clone()).unwrap_or_default();
         let declared = numeric.model.range.map(|range| sign * if sign > 0.0 { range.to } else { range.from });
         let until = match (declared, span) {
-            // What repeats itself is followed once.
+            // A motion that repeats is followed once.
             (Some(declared), Some(span)) if sign > 0.0 => declared.min(span.until),
             (Some(declared), _) => declared,
             (None, Some(span)) if sign > 0.0 => span.until,

@@ -1,15 +1,16 @@
-//! Whether the motion of a block ends shortly after a pose, and where.
+//! End of travel or crossing of branches shortly after a pose.
 //!
-//! In: a [`Chain`] and a pose after which no step succeeds. Out: the end of travel, a crossing of two branches, or neither.
+//! In: a [`Chain`] and a pose after which no step succeeds. Out: an end of travel, a crossing of two branches, or neither.
 //!
-//! The block is followed along its own curve instead of the path: with y its unknowns and s the way along the curve,
+//! The block is followed along its own curve instead of the path (pseudo-arclength continuation). With y its unknowns and s the distance
+//! along the curve,
 //!
 //! ```text
 //! F(y, u(t), t) = 0      c·(y − y₀) = s        u the unknowns of blocks before it
 //! ```
 //!
-//! is regular also where Φ_q is singular. Where dt/ds changes its sign the curve turns back: past that t there is no solution nearby.
-//! Where the determinant of this system changes its sign, another branch crosses, and t goes on.
+//! is regular even where Φ_q is singular. Where dt/ds changes sign the curve turns back: beyond that t there is no solution nearby. Where
+//! the determinant of this system changes sign, another branch crosses, and t continues.
 //!
 //! Reference: Keller (1977), Numerical solution of bifurcation and nonlinear eigenvalue problems.
 
@@ -17,40 +18,40 @@ use super::chain::{Chain, PathPose, Stop};
 use super::walk::Event;
 use crate::numeric::dense::Factors;
 
-/// Steps along the curve.
+/// Largest number of steps along the curve.
 const MOST_STEPS: usize = 60;
 
-/// The longest of them, in rad and in lengths of the block.
+/// Longest step, in rad and characteristic lengths.
 const LONGEST: f64 = 0.2;
 
-/// The curve turns by less than the angle of this cosine in one of them.
+/// Smallest cosine of the angle by which the curve turns in one step.
 const STRAIGHT: f64 = 0.95;
 
-/// So near to a crossing, as a part of a step, rounding decides.
+/// Closer to a crossing than this fraction of a step, rounding decides.
 const NEARLY: f64 = 1e-4;
 
-/// How often the place where dt/ds vanishes is bracketed more closely.
+/// Largest number of iterations that bracket the zero of dt/ds.
 const MOST_HALVINGS: usize = 100;
 
-/// What was seen after a pose.
+/// Event found after a pose.
 #[derive(Debug)]
 pub(super) enum Seen {
     End(Event),
     Crossing(Event),
-    /// The motion goes on, or nothing is known of it.
+    /// The motion continues, or nothing is known about it.
     Nothing,
 }
 
-/// A place on the curve of a block.
+/// A point on the curve of a block.
 #[derive(Clone)]
 struct Spot {
     at: f64,
     q: Vec<f64>,
-    /// Of the blocks before it.
+    /// Rates of the blocks before it.
     rates: Vec<f64>,
     /// dy/ds in scaled unknowns, and dt/ds.
     tangent: Vec<f64>,
-    /// Of the determinant of the system with s.
+    /// Sign of the determinant of the augmented system.
     sign: f64,
 }
 
@@ -64,14 +65,14 @@ impl Spot {
     }
 }
 
-/// A direction through a spot, along which s is measured.
+/// Direction along which s is measured from a point: c and y₀.
 struct Ruler {
     from: Vec<f64>,
     along: Vec<f64>,
 }
 
 impl Chain<'_> {
-    /// Looks along the curve of a member until `reach` of the path is passed.
+    /// Follows the curve of a member until t has advanced by `reach`.
     pub(super) fn look(&mut self, member: usize, here: &PathPose, reach: f64) -> Seen {
         self.looked(member, here, reach).unwrap_or(Seen::Nothing)
     }
@@ -106,7 +107,7 @@ impl Chain<'_> {
             if next.at > here.at + reach {
                 return Some(Seen::Nothing);
             }
-            // With the ruler laid along the new direction, the determinant keeps its sign: the two are not far from each other.
+            // The determinant keeps its sign when c is replaced by the new direction, since the two are close.
             along = next.direction();
             spot = self.spot(index, (next.at, &next.q, &next.rates), &along)?;
             step = (step * 1.5).min(LONGEST);
@@ -114,9 +115,9 @@ impl Chain<'_> {
         None
     }
 
-    /// Where dt/ds vanishes between two spots: t is greatest there.
+    /// Finds the zero of dt/ds between two points, where t has its maximum.
     fn turn(&mut self, index: usize, before: Spot, after: Spot, along: &[f64], step: f64) -> Option<Event> {
-        // Regula falsi, with the weight of an end that stays halved (Illinois).
+        // Regula falsi; the weight of an end that stays is halved (Illinois method).
         let (mut low, mut high) = ((0.0, before.pace()), (step, after.pace()));
         let mut best = before.clone();
         for _ in 0..MOST_HALVINGS {
@@ -124,7 +125,7 @@ impl Chain<'_> {
             let spot = self.along(index, &before, along, way)?;
             let pace = spot.pace();
             best = spot;
-            // An error of this in s is its square in t.
+            // t is stationary here: an error in s enters t squared.
             if pace == 0.0 || pace.abs() <= 1e-11 * before.pace().abs() || high.0 - low.0 <= 1e-10 * step {
                 break;
             }
@@ -141,12 +142,12 @@ impl Chain<'_> {
         is_end.then_some(Event { member: index, at: best.at, q: best.q })
     }
 
-    /// Where another branch crosses between two spots.
+    /// Finds the crossing of another branch between two points.
     fn crossing(&mut self, index: usize, before: Spot, after: Spot, along: &[f64], step: f64) -> Option<Event> {
         let (mut low, mut high, mut nearest) = (0.0, step, after.clone());
         for _ in 0..30 {
             let way = (low + high) / 2.0;
-            // At the crossing itself nothing can be solved.
+            // The system is singular at the crossing itself.
             let Some(spot) = self.along(index, &before, along, way) else { break };
             if spot.pace() <= 0.0 {
                 if high - low > NEARLY * step {
@@ -164,7 +165,7 @@ impl Chain<'_> {
         (nearest.at > before.at && nearest.at < after.at).then_some(Event { member: index, at: nearest.at, q: nearest.q })
     }
 
-    /// The spot at a way from another one.
+    /// The point at a distance along the curve from another point.
     fn along(&mut self, index: usize, from: &Spot, along: &[f64], way: f64) -> Option<Spot> {
         let lead: f64 = dot(&from.tangent[..along.len()], along);
         let (share, mut q) = (way / lead, from.q.clone());
@@ -183,7 +184,7 @@ impl Chain<'_> {
         self.settle(index, (from.at + moved, q, from.rates.clone()), &ruler, way, 0.25 * way.abs() + 1e-9)
     }
 
-    /// The spot at a place that is solved.
+    /// The point at a solved configuration.
     fn spot(&mut self, index: usize, (at, q, rates): (f64, &[f64], &[f64]), along: &[f64]) -> Option<Spot> {
         let member = &self.members[index];
         let origin: Vec<f64> = member.unknowns.iter().zip(&member.scales).map(|(unknown, scale)| q[*unknown] / scale).collect();
@@ -191,7 +192,7 @@ impl Chain<'_> {
         self.settle(index, (at, q.to_vec(), rates.to_vec()), &ruler, 0.0, 1e-3)
     }
 
-    /// Newton's method for the block's unknowns and t, the blocks before it solved at each t.
+    /// Newton's method for the block's unknowns and t; the blocks before it are solved at each t.
     fn settle(
         &mut self,
         index: usize,
@@ -216,7 +217,7 @@ impl Chain<'_> {
                 .zip(&ruler.from)
                 .map(|((unknown, scale), from)| q[*unknown] / scale - from)
                 .collect();
-            // t in units in which it is worth as much as a coordinate.
+            // Scale of t that makes it comparable with a coordinate.
             let unit_of_time = 1.0 / local.drift.iter().fold(0.0, |most: f64, drift| most.max(drift.abs()));
             let mut matrix: Vec<Vec<f64>> = local
                 .jacobian

@@ -1,68 +1,68 @@
-//! Step by step along the path.
+//! Step control along the path.
 //!
-//! In: a [`Chain`] and where it starts. Out: whether the motion goes on to the end of the path, or where it stops. A step is taken
-//! only if the new rates say the same of it as the old ones, so that no other assembly is taken for this one. Not done here: how
-//! an end is told from a narrow place (`turn`).
+//! In: a [`Chain`] and its start. Out: the end of the path, or the event at which the motion stops. A step is accepted only if the new
+//! rates agree with the old ones, so that the solution cannot jump to another assembly. Not done here: distinguishing an end of travel from
+//! a region of small steps (`turn`).
 
 use super::chain::{Chain, PathPose, Stop};
 use super::turn::Seen;
 
-/// What a block moves in a step at most, in rad and in lengths of the block.
+/// Largest movement of a block in a step, in rad and characteristic lengths.
 const LONGEST: f64 = 0.6;
 
-/// What counts as moving, in the same: rates that are smaller say little of a step.
+/// Movement below which rates do not predict a step, in rad and characteristic lengths.
 const LITTLE: f64 = 1e-3;
 
-/// The first correction may be this part of a step, and old and new rates may differ by this part of it.
+/// Largest first correction, and largest difference of old and new rates, as fractions of the movement.
 const SURPRISE: [f64; 2] = [0.25, 0.05];
 
-/// The error that may remain, as a part of a step.
+/// Error that may remain, as a fraction of the movement.
 const ENOUGH: f64 = 1e-7;
 
-/// The path in steps, at least; no whole number, so that none falls on the places at which symmetric mechanisms are singular.
+/// Smallest number of steps of a path; not a whole number, so that no step ends where symmetric mechanisms are singular.
 const FEWEST: f64 = 25.3;
 
-/// A step that is shorter than this part of the longest is looked into.
+/// A step shorter than this fraction of the longest is investigated.
 const SHORT: f64 = 1.0 / 64.0;
 
-/// Steps that are shorter than this part of the path are none.
+/// Shortest step, as a fraction of the path.
 const SHORTEST: f64 = 1e-12;
 
-/// An end is reached when so little of the way to it is left: another block may end shortly before.
+/// An end is reached when this fraction of the path to it is left: another block may end shortly before.
 const AT_AN_END: f64 = 1e-7;
 
-/// Where following has led.
+/// Result of following a path.
 #[derive(Debug)]
 pub(super) enum Way {
-    /// To the end of the path.
+    /// The end of the path.
     Through(PathPose),
-    /// To an end of travel.
+    /// An end of travel.
     End(Event),
-    /// To where two branches cross.
+    /// A crossing of two branches.
     Crossing(Event),
-    /// Nowhere that could be told.
+    /// Nothing is known: no step succeeded, or the budget is spent.
     Lost,
 }
 
-/// A place where something is remarkable.
+/// An end of travel or a crossing of branches.
 #[derive(Clone, Debug)]
 pub(super) struct Event {
-    /// The member to which it belongs.
+    /// Member that ends or crosses.
     pub(super) member: usize,
     pub(super) at: f64,
-    /// q, of what the member depends on and of itself.
+    /// q; valid for the member and the members on which it depends.
     pub(super) q: Vec<f64>,
 }
 
 impl Chain<'_> {
-    /// The start as a pose, with all members solved exactly.
+    /// The start as a pose, with all members solved to rounding.
     pub(super) fn begin(&mut self, q: &[f64]) -> Option<PathPose> {
         let mut pose = PathPose { at: 0.0, q: q.to_vec(), rates: vec![0.0; q.len()], sides: Vec::new() };
         for index in 0..self.members.len() {
             let local = self.local(index, 0.0, &pose.q, &pose.rates).ok()?;
             self.members[index].level(&local.jacobian);
             let settled = self.solve(index, 0.0, &mut pose.q, &mut pose.rates, 0.0).ok()?;
-            // It has been found to close: it does not go anywhere else.
+            // The start is closed: a solution elsewhere is a failure.
             if settled.correction > LITTLE {
                 return None;
             }
@@ -71,7 +71,7 @@ impl Chain<'_> {
         Some(pose)
     }
 
-    /// Follows the path to its end; `stops`: given, places that no step passes over, increasing.
+    /// Follows the path to its end. `stops`: given, increasing values of s that no step crosses.
     pub(super) fn follow(&mut self, start: PathPose, until: f64, stops: &[f64]) -> Way {
         let longest = until / FEWEST;
         let (mut here, mut before): (PathPose, Option<PathPose>) = (start, None);
@@ -97,7 +97,7 @@ impl Chain<'_> {
             let taken = next - here.at;
             match self.step(&here, before.as_ref(), next) {
                 Ok((there, off)) => {
-                    // A third power of the step.
+                    // The error is of third order in the step.
                     let growth = (0.3 / off.max(1e-9)).cbrt().clamp(0.3, 2.0);
                     step = (taken * growth).max(step.min(taken)).min(longest).min(self.reach(&there));
                     before = Some(std::mem::replace(&mut here, there));
@@ -106,7 +106,7 @@ impl Chain<'_> {
                 Err(Stop::Member(member)) => {
                     step = taken / 2.0;
                     if step < SHORTEST * until {
-                        // Where another block is stuck before the end, nothing has been seen of the rest of the way.
+                        // If a block fails before the end found for another, the rest of the path is unknown.
                         return end.filter(|end| end.member == member).map_or(Way::Lost, Way::End);
                     }
                     let is_known = end.as_ref().is_some_and(|end| end.member == member);
@@ -123,7 +123,7 @@ impl Chain<'_> {
         }
     }
 
-    /// How far the path may be followed until something has moved far.
+    /// Distance along the path until the fastest block has moved by `LONGEST`.
     fn reach(&self, pose: &PathPose) -> f64 {
         let fastest = |most: f64, member: &super::chain::Member| {
             if member.is_iterated { most.max(member.most(|unknown| pose.rates[unknown])) } else { most }
@@ -131,10 +131,10 @@ impl Chain<'_> {
         LONGEST / self.members.iter().fold(0.0, fastest)
     }
 
-    /// One step; with it, by what part of what is allowed old and new rates differ at most.
+    /// Takes one step; also returns the largest difference of old and new rates, as a fraction of the allowed one.
     fn step(&mut self, here: &PathPose, before: Option<&PathPose>, next: f64) -> Result<(PathPose, f64), Stop> {
         let h = next - here.at;
-        // Second rates by the last step; after a kink they would be wrong, and are not used where the step is much longer.
+        // Second derivatives from the last step; wrong after a kink, and dropped if the step is much longer.
         let last = before.map(|before| (before, here.at - before.at)).filter(|(_, last)| h <= 3.0 * last);
         let mut there =
             PathPose { at: next, q: here.q.clone(), rates: vec![0.0; here.q.len()], sides: Vec::with_capacity(self.members.len()) };

@@ -1,4 +1,4 @@
-//! What is not refused.
+//! Mechanisms that are accepted.
 
 use crate::{Random, accepted, four_bar, refused, start};
 use reuleaux_compiler::diag::{AssemblyFact, Fact};
@@ -41,9 +41,9 @@ fn what_depends_on_a_rust_function_is_not_judged() {
         joint contact = { follower.y == lift(cam.angle); }
         joint a = revolute(follower.A, link.position); joint b = revolute(link.B, lever.B); joint c = revolute(lever.position, ground.C);
         drive input = drive_angle(cam, 1rad_s * t); OTHER }";
-    // Nobody knows where the follower is, so nobody knows that the link is too short.
+    // The follower's position is unknown, and therefore also whether the link is too short.
     accepted(&cam.replace("OTHER", ""));
-    // What does not depend on it is judged.
+    // Blocks that do not depend on the follower are diagnosed.
     let other = "body arm { point E = (10mm, 0mm); } body bar { point E = (10mm, 0mm); } joint p = revolute(ground.C, arm.position);
         joint q = revolute(arm.E, bar.position); joint r = absolute_y(bar.E, 50mm); drive second = drive_angle(arm, 1rad_s * t);";
     assert!(matches!(refused(&cam.replace("OTHER", other)), Fact::Assembly(AssemblyFact::StaysOpen { .. })));
@@ -53,7 +53,7 @@ fn what_depends_on_a_rust_function_is_not_judged() {
 fn random_linkages_that_were_assembled_first_are_accepted() {
     let mut random = Random(0x0123_4567_89ab_cdef);
     for _ in 0..60 {
-        // Dyads hung on points of what is there, their lengths measured where they were put.
+        // Dyads attached to existing points, with their lengths measured there.
         let mut source =
             String::from("#[closure(start)] mechanism Linkage { ground { point O = (0mm, 0mm); } body crank { point A = (100mm, 0mm); } ");
         source += "joint o = revolute(ground.O, crank.position); drive input = drive_angle(crank, 30deg + 1rad_s * t); ";

@@ -1,9 +1,9 @@
-//! The least gap of the joint that is named, against the triangle inequality.
+//! The smallest gap of the named joint, compared with the triangle inequality.
 
 use crate::{Random, accepted, four_bar, refused};
 use reuleaux_compiler::diag::{AssemblyFact, Fact};
 
-/// The length and the angle by which a joint stays open, in mm and degrees, and what the bound misses.
+/// Gap of a joint in mm and degrees, and the shortfall of the bound.
 fn gap(source: &str, name: &str) -> (f64, f64, Option<f64>) {
     match refused(source) {
         Fact::Assembly(AssemblyFact::StaysOpen { joint, gap, bound, .. }) => {
@@ -43,7 +43,7 @@ fn four_bars_close_if_and_only_if_a_triangle_does() {
         let (length, angle, missing) = gap(&source, "c");
         assert_near(length, wanted, &source);
         assert_eq!(angle, 0.0, "{source}");
-        // Where no angle of the crank helps, the whole quadrilateral is the reason.
+        // If no crank angle helps, the bound concerns the whole quadrilateral.
         let longest = lengths.iter().fold(0.0_f64, |longest, length| longest.max(*length));
         let always = 2.0 * longest - lengths.iter().sum::<f64>();
         assert_near(missing.expect("a loop of revolutes has a bound"), if always > 1e-6 { always } else { wanted }, &source);
@@ -74,7 +74,7 @@ fn slider_cranks_close_if_and_only_if_the_rod_reaches_the_line() {
 
 #[test]
 fn the_second_of_two_loops_is_named() {
-    // The second loop stands on the rocker of the first, which is at 90° of a rectangle.
+    // The second loop is attached to the rocker of the first, which is at 90° in a rectangle.
     let second = |rod: f64| {
         format!("#[closure(start)] {}", four_bar([400.0, 100.0, 400.0, 100.0], 90.0, "start angle = 90deg;")).replace(
             "drive input",
@@ -86,10 +86,10 @@ fn the_second_of_two_loops_is_named() {
         )
     };
     accepted(&second(270.0));
-    // From (400, 100) to (700, 100) it is 300 mm.
+    // The distance from (400, 100) to (700, 100) is 300 mm.
     assert_near(gap(&second(200.0), "f").0, 50.0, "a short link");
     assert_near(gap(&second(470.0), "f").0, 120.0, "a long link");
-    // With the first loop crossed, as it may be if need be, the link reaches.
+    // If the first loop takes its crossed assembly, as it may, the link is long enough.
     accepted(&second(390.0));
 }
 
@@ -124,7 +124,7 @@ fn an_angle_that_is_not_reached_is_told_in_degrees() {
 
 #[test]
 fn a_loop_of_bodies_with_two_rods_is_measured_at_its_last_rod() {
-    // A platform of 60 mm on two rods and a fixed height: the rods are too short by what Pythagoras says.
+    // A platform of 60 mm on two rods at a fixed height: Pythagoras' theorem gives the missing length of the rods.
     let source = "mechanism Platform { ground { point B = (60mm, 0mm); } body platform { point B = (60mm, 0mm); }
         joint left = distance(ground.position, platform.position, 50mm); joint right = distance(ground.B, platform.B, 50mm);
         joint height = absolute_y(platform.position, 80mm); }";

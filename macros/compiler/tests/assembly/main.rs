@@ -1,4 +1,4 @@
-//! Assembly at the declared defaults: what closes, by how much the rest stays open, held against plane geometry.
+//! Assembly at the declared defaults: mechanisms that close, and the gaps of those that do not, compared with plane geometry.
 
 mod accepted;
 mod gaps;
@@ -16,7 +16,7 @@ fn accepted(source: &str) -> Compiled {
     compiled.unwrap_or_else(|refusals| panic!("{}\nin {source}", refusals[0].fact))
 }
 
-/// The one fact for which a mechanism is refused.
+/// The single fact for which a mechanism is refused.
 fn refused(source: &str) -> Fact {
     let refusals = reuleaux_compiler::compile(source.parse().expect("tokens")).err().unwrap_or_else(|| panic!("accepted: {source}"));
     assert_eq!(refusals.len(), 1, "{source}");
@@ -50,7 +50,7 @@ impl Random {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;
-        // Three decimals, so that what is written is what is meant.
+        // Three decimals, so that the declared number is exact.
         let share = (self.0 >> 11) as f64 / (1_u64 << 53) as f64;
         ((from + (to - from) * share) * 1e3).round() / 1e3
     }

@@ -1,24 +1,24 @@
-//! Of all assemblies the nearest one is taken: random linkages with one, two and three declared angles against a scan of all their
-//! assemblies by plane geometry.
+//! The nearest of all assemblies is taken: random linkages with one, two and three declared angles, compared with all their assemblies from
+//! a scan by plane geometry.
 //!
-//! `REULEAUX_NEAREST=1000 cargo test -p reuleaux-compiler --test assembly nearest` looks at as many of each kind.
+//! `REULEAUX_NEAREST=1000 cargo test -p reuleaux-compiler --test assembly nearest` tests 1000 linkages of each kind.
 
 use crate::{Random, start};
 use core::f64::consts::{PI, TAU};
 
 pub(crate) type Point = [f64; 2];
 
-/// The angles of two bars, and a point that they carry.
+/// Angles of two bars, and a point on them.
 pub(crate) type Dyad = (f64, f64, Point);
 
-/// A linkage: its declaration without starts, the bodies whose angles tell assemblies apart, and those angles in each assembly.
+/// A linkage: its declaration without starts, the bodies whose angles distinguish assemblies, and these angles in each assembly.
 pub(crate) struct Linkage {
     pub(crate) declaration: String,
     pub(crate) bodies: Vec<&'static str>,
     pub(crate) assemblies: Vec<Vec<f64>>,
 }
 
-/// Angles that are nearer than this tell nothing, in rad; nor do squares of distances that agree to such a part.
+/// Angles closer than this, in rad, do not decide; nor do squared distances with a smaller relative difference.
 const CLOSE: f64 = 1e-4;
 
 pub(crate) fn minus(one: Point, other: Point) -> Point {
@@ -33,13 +33,13 @@ pub(crate) fn angle(way: Point) -> f64 {
     way[1].atan2(way[0])
 }
 
-/// From a place by a way that is turned.
+/// The point at a rotated offset from a point.
 pub(crate) fn from(place: Point, way: Point, angle: f64) -> Point {
     let (sine, cosine) = angle.sin_cos();
     [place[0] + cosine * way[0] - sine * way[1], place[1] + sine * way[0] + cosine * way[1]]
 }
 
-/// The two points at these distances from two places, if there are any; and by how much the circles meet.
+/// Half the common chord, squared, of two circles with these centres and radii; their intersections unless it is negative.
 fn circles(one: Point, r: f64, other: Point, s: f64) -> (f64, Option<[Point; 2]>) {
     let way = minus(other, one);
     let d = length(way);
@@ -52,7 +52,7 @@ fn circles(one: Point, r: f64, other: Point, s: f64) -> (f64, Option<[Point; 2]>
     (square, points)
 }
 
-/// Three decimals, so that what is written is what is meant.
+/// Three decimals, so that the declared number is exact.
 pub(crate) fn rounded(value: f64) -> f64 {
     (value * 1e3).round() / 1e3
 }
@@ -61,7 +61,7 @@ pub(crate) fn place(random: &mut Random, size: f64) -> Point {
     [random.between(-size, size), random.between(-size, size)]
 }
 
-/// A binary link from one place to another.
+/// A binary link.
 pub(crate) fn link(name: &str, length: f64) -> String {
     format!("body {name} {{ point B = ({length}mm, 0mm); /*{name}*/ }} ")
 }
@@ -102,7 +102,8 @@ impl FourBar {
         )
     }
 
-    /// An angle of the crank between each two at which coupler and rocker are in line: in every range in which it closes there is one.
+    /// A crank angle between each pair of angles at which coupler and rocker are in line: every range in which the loop closes contains
+    /// one.
     fn between_ends(&self) -> Vec<f64> {
         let (ground, crank) = (length(self.c), self.crank);
         let cosines = [self.coupler + self.rocker, self.coupler - self.rocker]
@@ -113,7 +114,8 @@ impl FourBar {
         ends.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect()
     }
 
-    /// The angles of coupler and rocker and the place of P, for an angle of the crank; and how well it closes.
+    /// For a crank angle: half the common chord, squared, as in `circles`; unless it is negative, the angles of coupler and rocker and the
+    /// position of P in both assemblies.
     pub(crate) fn closed(&self, crank: f64) -> (f64, Option<[Dyad; 2]>) {
         let a = [self.crank * crank.cos(), self.crank * crank.sin()];
         let (square, points) = circles(a, self.coupler, self.c, self.rocker);
@@ -135,11 +137,11 @@ fn random_four_bar(random: &mut Random) -> Linkage {
     Linkage { declaration, bodies: vec!["coupler", "rocker", "crank"], assemblies }
 }
 
-/// A four-bar, from whose coupler a link leads to a lever.
+/// A four-bar with a link from its coupler to a lever.
 fn six_bar(random: &mut Random) -> (FourBar, f64, f64, Point, Point, String) {
     let bar = FourBar::random(random);
     let (q, d) = (place(random, 500.0), place(random, 500.0));
-    // They meet in one of the four-bar's assemblies.
+    // Link and lever meet in one of the four-bar's assemblies.
     let p = bar.closed(bar.at.to_radians()).1.map_or([0.0; 2], |all| all[0].2);
     let (reach, lever) = (rounded(length(minus(q, p))), rounded(length(minus(q, d))));
     let declaration = format!(
@@ -153,7 +155,7 @@ fn six_bar(random: &mut Random) -> (FourBar, f64, f64, Point, Point, String) {
     (bar, reach, lever, q, d, declaration)
 }
 
-/// The crank is driven: two dyads, one after the other.
+/// The crank is driven: two dyads in sequence.
 fn random_watt(random: &mut Random) -> Linkage {
     let (bar, reach, lever, _, d, declaration) = six_bar(random);
     let crank = bar.at.to_radians();
@@ -167,7 +169,7 @@ fn random_watt(random: &mut Random) -> Linkage {
     Linkage { declaration, bodies: vec!["coupler", "rocker", "reach", "lever", "crank"], assemblies }
 }
 
-/// The lever is driven: the crank is found with all else, where a coupler curve meets a circle.
+/// The lever is driven: the crank angle is an unknown, at an intersection of a coupler curve with a circle.
 fn random_stephenson(random: &mut Random) -> Linkage {
     let (bar, reach, lever, q, d, declaration) = six_bar(random);
     let turned = rounded(angle(minus(q, d)).to_degrees());
@@ -181,10 +183,10 @@ fn random_stephenson(random: &mut Random) -> Linkage {
     Linkage { assemblies: assemblies.collect(), declaration, bodies: vec!["crank", "coupler", "rocker", "reach", "lever"] }
 }
 
-/// All angles of the crank, each with the side of the coupler, for which something vanishes.
+/// All crank angles, each with the side of the coupler, at which a function vanishes.
 ///
-/// The circle is cut into the ranges in which the four-bar closes. In each it is sampled, densely near the ends, where both
-/// sides meet; every change of sign is bisected, and every extremum that may reach zero is looked at for two.
+/// The circle is divided into the ranges in which the four-bar closes. Each is sampled, densely near its ends, where both sides meet. Every
+/// change of sign is bisected, and every extremum that may cross zero is searched for two zeros.
 pub(crate) fn scanned(bar: &FourBar, off: &dyn Fn(f64, &Dyad) -> f64) -> Vec<(f64, usize)> {
     const STEPS: usize = 720;
     let closes = |crank: f64| bar.closed(crank).0 >= 0.0;
@@ -201,7 +203,7 @@ pub(crate) fn scanned(bar: &FourBar, off: &dyn Fn(f64, &Dyad) -> f64) -> Vec<(f6
     let mut samples: Vec<Vec<f64>> = vec![Vec::new()];
     for pair in grid.windows(2) {
         let is_in = [closes(pair[0]), closes(pair[1])];
-        // Towards an end, ever finer.
+        // Denser towards an end.
         let finer = |end: f64, other: f64| (1..=40).map(move |step| end + (other - end) * (f64::from(step) / 40.0).powi(4));
         match is_in {
             [true, true] => samples.last_mut().unwrap().extend([pair[0], 0.5 * (pair[0] + pair[1]), pair[1]]),
@@ -242,7 +244,7 @@ pub(crate) fn scanned(bar: &FourBar, off: &dyn Fn(f64, &Dyad) -> f64) -> Vec<(f6
             for index in 1..range.len().saturating_sub(1) {
                 let [before, here, after] = [values[index - 1], values[index], values[index + 1]];
                 if before * here > 0.0 && here * after > 0.0 && here.abs() <= before.abs() && here.abs() <= after.abs() {
-                    // The extremum, by thirds.
+                    // The extremum, by ternary search.
                     let (mut low, mut high) = (range[index - 1], range[index + 1]);
                     for _ in 0..60 {
                         let (one, other) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
@@ -269,7 +271,7 @@ pub(crate) fn within_a_turn(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 
-/// The squares of the distances of an assembly from what is declared and, of what is not, from 0; whole turns aside.
+/// Squared distances of an assembly from its declared values and, for undeclared ones, from 0, modulo whole turns.
 fn far(assembly: &[f64], declared: &[Option<f64>]) -> [f64; 2] {
     let mut far = [0.0; 2];
     for (value, declared) in assembly.iter().zip(declared) {
@@ -278,7 +280,7 @@ fn far(assembly: &[f64], declared: &[Option<f64>]) -> [f64; 2] {
     far
 }
 
-/// What is declared tells assemblies apart that are not alike in it; else what is not declared does.
+/// Declared values decide between two assemblies unless they are equally near; then undeclared ones do. `None`: too close to decide.
 fn order(one: [f64; 2], other: [f64; 2]) -> Option<core::cmp::Ordering> {
     let is_alike = |a: f64, b: f64| (a - b).abs() <= 1e-6 * a.max(b) + 1e-12;
     let is_doubtful = |a: f64, b: f64| (a - b).abs() <= CLOSE * a.max(b) + 1e-8;
@@ -290,7 +292,8 @@ fn order(one: [f64; 2], other: [f64; 2]) -> Option<core::cmp::Ordering> {
     None
 }
 
-/// Looks at random linkages of a kind; how many of them could be judged.
+/// Tests `least` random linkages of a kind, or as many as `REULEAUX_NEAREST` says, without those whose nearest assembly is too close to
+/// call.
 pub(crate) fn look(kind: fn(&mut Random) -> Linkage, seed: u64, least: usize) {
     let count = std::env::var("REULEAUX_NEAREST").ok().and_then(|count| count.parse().ok()).unwrap_or(least);
     let mut random = Random(seed);

@@ -1,13 +1,14 @@
-//! Of all assemblies the nearest one is taken, of loops whose unknowns are places as well as angles or in which several assemblies have
-//! the same sign: plates and triangles on bars, against a scan of all their assemblies.
+//! The nearest of all assemblies is taken, for loops whose unknowns include positions, or in which several assemblies have the same sign:
+//! plates and triangles on bars, compared with all their assemblies from a scan.
 //!
-//! Two of the bars and the plate are a four-bar, whose first bar is turned all the way round; the third tells where it closes.
+//! Two of the bars and the plate form a four-bar, whose first bar is scanned over a whole turn; the third bar selects the angles at which
+//! the loop closes.
 
 use crate::Random;
 use crate::nearest::{FourBar, Linkage, Point, angle, from, length, link, look, minus, place, rounded, scanned};
 use core::f64::consts::PI;
 
-/// A plate with three points on bars of these lengths from three places.
+/// A plate with three points on bars of these lengths, pivoted at three feet.
 struct Plate {
     feet: [Point; 3],
     points: [Point; 3],
@@ -15,7 +16,7 @@ struct Plate {
 }
 
 impl Plate {
-    /// One that closes in at least one way.
+    /// A random plate that has at least one assembly.
     fn random(random: &mut Random, feet: [Point; 3]) -> Plate {
         let points = [0; 3].map(|_| place(random, 250.0));
         let (at, turned) = (place(random, 250.0), random.between(-PI, PI));
@@ -23,13 +24,13 @@ impl Plate {
         Plate { feet, points, lengths }
     }
 
-    /// The declaration of its body.
+    /// Declaration of its body.
     fn body(&self) -> String {
         let [p, q, r] = self.points.map(|[x, y]| format!("({x}mm, {y}mm)"));
         format!("body plate {{ point P = {p}; point Q = {q}; point R = {r}; /*plate*/ }} ")
     }
 
-    /// The angles of the plate and of its three bars in each assembly.
+    /// Angles of the plate and of its three bars in each assembly.
     fn assemblies(&self) -> Vec<Vec<f64>> {
         let ([p, q, r], [a, b, c]) = (self.points, self.feet);
         let (base, turned) = (minus(q, p), angle(minus(q, p)));
@@ -62,7 +63,7 @@ fn random_plate(random: &mut Random) -> Linkage {
     Linkage { declaration, bodies: vec!["plate"], assemblies }
 }
 
-/// A driven crank: its declaration, and where it leads.
+/// A driven crank: its declaration, and the position of its end.
 fn led(random: &mut Random, name: &str) -> (String, Point) {
     let (pivot, arm, degrees) = (place(random, 400.0), random.between(30.0, 250.0), random.between(-180.0, 180.0));
     let declaration = format!(
@@ -89,7 +90,7 @@ fn random_platform(random: &mut Random) -> Linkage {
     Linkage { declaration, bodies: vec!["plate", "bar_one", "bar_two", "bar_three"], assemblies: plate.assemblies() }
 }
 
-/// Two triangles, each with a corner on a driven crank, joined by two bars: a group of the fourth class.
+/// Two triangles, each with a corner on a driven crank, joined by two bars: an Assur group of the fourth class.
 fn random_fourth_class(random: &mut Random) -> Linkage {
     let cranks = ["one", "two"].map(|name| led(random, name));
     let feet = [0, 1].map(|index| cranks[index].1);

@@ -1,24 +1,24 @@
-//! The motion over the whole range: where it ends, held against the law of cosines.
+//! The motion over the whole range: its end, compared with the law of cosines.
 
 use super::{Random, accepted, four_bar, start};
 use reuleaux_compiler::diag::{AssemblyFact, Fact};
 
-/// Where the crank of a four-bar stops when it turns to the left from an angle, if it does, in rad.
+/// Angle in rad at which the crank of a four-bar stops when it turns anticlockwise from an angle, if it stops.
 fn stop([ground, crank, coupler, rocker]: [f64; 4], from: f64) -> Option<f64> {
     let turn = core::f64::consts::TAU;
-    // From the end of the crank to the pivot of the rocker it is as far as coupler and rocker reach.
+    // At the limits, the distance between the end of the crank and the rocker's pivot is the sum or the difference of coupler and rocker.
     let at = |reach: f64| ((ground * ground + crank * crank - reach * reach) / (2.0 * ground * crank)).acos();
     let limits = [at(coupler + rocker), at((coupler - rocker).abs())];
     let angles = limits.into_iter().filter(|angle| angle.is_finite()).flat_map(|angle| [angle, -angle]);
     angles.map(|angle| from + (angle - from).rem_euclid(turn)).min_by(f64::total_cmp)
 }
 
-/// The one fact for which a mechanism is refused whose motion ends, whether a range is declared or not.
+/// The single fact for which a mechanism is refused because its motion ends, with or without a declared range.
 fn refused(source: &str) -> Fact {
     super::refused(&format!("#[closure(deny)] {source}"))
 }
 
-/// What is said of where a motion ends: time, and angle of the only drive.
+/// Reported end of a motion: time, and angle of the only drive.
 fn end(fact: &Fact) -> (f64, f64) {
     match fact {
         Fact::Assembly(AssemblyFact::MotionEnds { time, driven, .. }) => match driven.as_slice() {
@@ -62,7 +62,7 @@ fn a_crank_stops_where_the_law_of_cosines_says() {
     }
 }
 
-/// A crank that pushes a slider along a line beside its pivot, in mm and degrees.
+/// A crank that pushes a slider along a line offset from its pivot, in mm and degrees.
 fn slider_crank([crank, rod, offset]: [f64; 3], degrees: f64, items: &str) -> String {
     format!(
         "mechanism Slider {{ ground {{ point G = (0mm, {offset}mm); axis u = (1, 0); }} body crank {{ point A = ({crank}mm, 0mm); }}
@@ -84,7 +84,7 @@ fn a_crank_stops_where_its_rod_stands_upright() {
         if (crank * angle.sin() - offset).abs() > rod - 2.0 {
             continue;
         }
-        // There the end of the crank is as far beside the line as the rod is long.
+        // At the limit, the distance between the end of the crank and the line is the length of the rod.
         let sines = [(offset + rod) / crank, (offset - rod) / crank].into_iter().filter(|sine| sine.abs() < 1.0);
         let angles = sines.flat_map(|sine| [sine.asin(), core::f64::consts::PI - sine.asin()]);
         let stop = angles.map(|stop| angle + (stop - angle).rem_euclid(core::f64::consts::TAU)).min_by(f64::total_cmp);
@@ -114,13 +114,13 @@ fn a_declared_range_is_followed_and_no_more() {
         let (found, _) = end(&refused(&within(range)));
         assert!((found - time).abs() <= 1e-9 * stop, "{found} s instead of {time} s in {range}");
     }
-    // The very end of a range may be the end of travel.
+    // The end of the range may coincide with the end of travel.
     accepted(&within(&format!("0s..{stop:.17}s")));
 }
 
 #[test]
 fn a_law_that_swings_is_followed_for_its_period() {
-    // A crank that swings about 0 by more than 64.16° is stopped by its rod of 90 mm.
+    // A crank that oscillates about 0 by more than 64.16° is stopped by its rod of 90 mm.
     let swinging = |degrees: f64| {
         let law = format!("drive input = drive_angle(crank, {degrees}deg * sin(3rad_s * t))");
         slider_crank([100.0, 90.0, 0.0], 0.0, "").replace("drive input = drive_angle(crank, (0) * 1deg + 2rad_s * t)", &law)
@@ -168,10 +168,10 @@ fn a_length_that_grows_for_ever_is_followed_only_as_far_as_is_said() {
         )
     };
     assert_eq!(accepted(&arm("1.9m + 1m_s * t", "")).motion.reached, [0.0, 0.0]);
-    // Ground's pivot, the arm's and its end are in line.
+    // The ground pivot, the arm's pivot and its end are in line.
     let (time, length) = end(&refused(&arm("1.9m + 1m_s * t", "range t in 0s..1s;")));
     assert!((time - 0.1).abs() <= 1e-10 && (length - 2.0).abs() <= 1e-10, "{time} s, {length} m");
-    // Where the distance vanishes the arm could go on to either side.
+    // Where the distance vanishes the arm could move on to either side.
     let through = accepted(&arm("0.5m - 1m_s * t", "range t in 0s..0.6s;").replace("120deg", "150deg"));
     let remarks = through.motion.remarks;
     assert!(remarks.len() == 1 && remarks[0].starts_with("two assemblies meet at t = 0.5 s, `push` at "), "{remarks:?}");
@@ -202,7 +202,7 @@ fn the_second_loop_of_a_six_bar_stops_the_first() {
         }
         let steps = 2000;
         let at = |step: i32| core::f64::consts::TAU * f64::from(step) / f64::from(steps);
-        // Where there is hardly any room it is no matter of this test.
+        // Near-tangent cases are not part of this test.
         if (1..steps).map(at).any(|time| room(time).abs() < 0.05 && room(time - 0.02).signum() == room(time + 0.02).signum()) {
             continue;
         }
@@ -237,7 +237,7 @@ fn a_change_point_is_noted_and_not_refused() {
     assert_eq!(followed.remarks, ["two assemblies meet at t = 2.356 s, `crank` at 180°"]);
 }
 
-/// With a range of a second.
+/// Adds a range of one second.
 fn ranged(source: &str) -> String {
     source.replace("drive input", "range t in 0s..1s; drive input")
 }
@@ -246,7 +246,7 @@ fn ranged(source: &str) -> String {
 fn what_is_not_wanted_is_not_looked_at() {
     let locked = four_bar([400.0, 300.0, 100.0, 350.0], 60.0, "start angle = 110deg;");
     let (time, _) = end(&refused(&locked));
-    // Without a range less than a turn may be meant.
+    // Without a declared range, less than a turn may be meant.
     let warned = accepted(&locked).motion;
     assert!(warned.warning.is_some());
     for allowed in [locked.clone(), format!("#[closure(allow)] {locked}"), format!("#[closure(allow)] {}", ranged(&locked))] {
@@ -266,7 +266,7 @@ fn bounds_at_whose_corners_a_mechanism_locks_are_noted() {
         .replace("mechanism FourBar {", "mechanism FourBar { param length: Length = 350mm in 320mm..=450mm;")
         .replace("point B = (350mm, 0mm)", "point B = (length, 0mm)");
     assert_eq!(accepted(&source.replace("450mm", "380mm")).motion.remarks, [""; 0]);
-    // At 610 mm coupler and rocker are folded where the end of the crank is 310 mm from the rocker's pivot: at 22.52° before 0.
+    // At 610 mm coupler and rocker are folded when the end of the crank is 310 mm from the rocker's pivot: at −22.52°.
     let followed = accepted(&source.replace("450mm", "610mm")).motion;
     assert_eq!(followed.remarks.len(), 1);
     assert!(followed.remarks[0].starts_with("with `length` = 610 mm, `crank` stops at 337.5° at t = 5.367 s"), "{followed:?}");

@@ -1,4 +1,4 @@
-//! Which assembly a start leads to, and what starts do not tell.
+//! The assembly selected by a start, and starts that do not select one.
 
 use crate::{Random, accepted, four_bar, refused, start};
 use reuleaux_compiler::diag::{AssemblyFact, Doubt, Fact};
@@ -29,7 +29,7 @@ fn mirror_images_are_refused_and_both_are_told() {
         let ground = random.between(200.0, 400.0);
         let [coupler, rocker] = [0; 2].map(|_| random.between(0.7, 0.9) * ground);
         let lengths = [ground, 0.3 * ground, coupler, rocker];
-        // In line with the ground, the triangle may be on either side of it.
+        // When in line with ground, the triangle may be on either side of it.
         let distance = 0.7 * ground;
         let angle = ((rocker * rocker + distance * distance - coupler * coupler) / (2.0 * rocker * distance)).acos();
         match refused(&four_bar(lengths, 0.0, "")) {
@@ -40,7 +40,7 @@ fn mirror_images_are_refused_and_both_are_told() {
             }
             other => panic!("{other}"),
         }
-        // Any hint is enough.
+        // Any hint suffices.
         accepted(&four_bar(lengths, 0.0, "start angle = 3deg;"));
         accepted(&four_bar(lengths, 0.5, ""));
     }
@@ -48,7 +48,7 @@ fn mirror_images_are_refused_and_both_are_told() {
 
 #[test]
 fn a_start_of_a_later_body_tells_earlier_ones_apart() {
-    // The second loop hangs on the coupler of the first, which is symmetric; its lever is on one side for each of the two.
+    // The second loop is attached to the coupler of the symmetric first loop; its lever is on one side for each of the two assemblies.
     let source = |starts: &str| {
         format!("#[closure(start)] {}", four_bar([400.0, 100.0, 350.0, 300.0], 0.0, "")).replace(
             "drive input",
@@ -71,7 +71,7 @@ fn near_a_dead_point_is_not_at_it() {
         refused(&four_bar(lengths, 0.0, "start angle = 150deg;")),
         Fact::Assembly(AssemblyFact::SingularStart { in_line: true, .. })
     ));
-    // A micrometre longer, the loop closes in two ways that are half a degree apart.
+    // With a link one micrometre longer, the loop has two assemblies half a degree apart.
     accepted(&four_bar([400.0, 100.0, 150.001, 150.0], 0.0, "start angle = 179deg;"));
 }
 
@@ -93,7 +93,7 @@ fn two_mirrors_of_one_start_at_the_dead_point_of_the_slider() {
     accepted(&slider(101.0));
 }
 
-/// A four-bar whose coupler and rocker both have a start.
+/// A four-bar with starts for both coupler and rocker.
 fn told(angle: f64, coupler: f64, rocker: f64) -> String {
     let source = four_bar([400.0, 100.0, 350.0, 300.0], angle, &format!("start angle = ({rocker}) * 1deg;"));
     source.replace("point B = (350mm, 0mm);", &format!("point B = (350mm, 0mm); start angle = ({coupler}) * 1deg;"))
@@ -101,7 +101,7 @@ fn told(angle: f64, coupler: f64, rocker: f64) -> String {
 
 #[test]
 fn two_starts_that_contradict_each_other_are_weighed() {
-    // With the crank at 0° coupler and rocker are at ±54.3° and ±108.6°, both above or both below.
+    // With the crank at 0°, coupler and rocker are at ±54.3° and ±108.6°, both above or both below.
     let wrapped = |angle: f64| angle - 360.0 * (angle / 360.0).round();
     let far = |side: f64, coupler: f64, rocker: f64| wrapped(side * 54.31 - coupler).hypot(wrapped(side * 108.63 - rocker));
     for (coupler, rocker) in
@@ -119,7 +119,7 @@ fn two_starts_that_contradict_each_other_are_weighed() {
 
 #[test]
 fn starts_in_the_middle_between_two_assemblies_tell_nothing() {
-    // Mirrored at the ground, coupler and rocker at ±(54.3°, 108.6°): as far from 0° and 180° as from 180° and 0°.
+    // Mirror images about ground, coupler and rocker at ±(54.3°, 108.6°): equally far from 0° and 180° as from 180° and 0°.
     for (coupler, rocker) in [(0.0, 0.0), (180.0, 0.0), (0.0, 180.0), (180.0, 180.0), (-180.0, 360.0)] {
         assert!(
             matches!(refused(&told(0.0, coupler, rocker)), Fact::Assembly(AssemblyFact::AmbiguousStart { is_declared: true, .. })),
@@ -130,7 +130,7 @@ fn starts_in_the_middle_between_two_assemblies_tell_nothing() {
     }
 }
 
-/// A crank that a wheel of another ratio follows.
+/// A crank, followed by a wheel with another ratio.
 fn geared(ratio: f64, starts: [&str; 2]) -> String {
     format!(
         "mechanism Geared {{ ground {{ axis u = (1, 0); point W = (300mm, 200mm); }} body crank {{ point A = (50mm, 0mm); {} }}
@@ -154,7 +154,7 @@ fn turns_that_a_gear_counts_stay_linked() {
             let compiled = accepted(&geared(ratio, [&starts[0], &starts[1]]));
             let [found, follows] = ["crank.angle", "wheel.angle"].map(|name| start(&compiled, name).to_degrees());
             assert!((follows - ratio * found).abs() < 1e-9, "{found} and {follows} for {ratio}");
-            // Of all angles of the crank, whatever turns it makes, the nearest: turns count here.
+            // The nearest of all crank angles, whole turns included, since turns count here.
             let far = |angle: f64| (angle - declared).powi(2) + wheel.map_or(0.0, |wheel| (ratio * angle - wheel).powi(2));
             let all = (-2..=2).flat_map(|turns| [crank, -crank].map(|angle| angle + 360.0 * f64::from(turns)));
             let nearest = all.min_by(|one, other| far(*one).total_cmp(&far(*other))).expect("there are many");
@@ -178,7 +178,7 @@ fn bodies_that_must_be_parallel_make_whole_turns_together() {
     }
 }
 
-/// What is said of an assembly that is far from its start: the body, and the drive that puts it there.
+/// Warnings about an assembly far from its start: the body, and the drive that moves it there.
 fn doubts(source: &str) -> Vec<(String, Option<String>)> {
     let told = |doubt: &Doubt| {
         let Doubt::FarStart { body, drive, .. } = doubt else { panic!("{doubt:?}") };
@@ -195,7 +195,7 @@ fn an_assembly_far_from_its_start_is_told() {
     assert_eq!(doubts(&told(0.0, 54.0, 60.0)), far("rocker"));
     assert_eq!(doubts(&told(0.0, 5.0, 109.0)), far("coupler"));
     assert_eq!(doubts(&told(0.0, 414.0, -251.0)), []);
-    // Nothing is said of what is not declared.
+    // Undeclared starts cause no warning.
     assert_eq!(doubts(&four_bar([400.0, 100.0, 350.0, 300.0], 30.0, "")), []);
     let at = |declared: f64, driven: f64| {
         let source = told(driven, 54.0, 109.0);
@@ -216,7 +216,7 @@ fn a_place_far_from_its_start_is_told() {
                 joint level = absolute_angle(peg, 0); }}"
         )
     };
-    // It stands at (0, 200); its size is 150 mm, the longest distance of a point.
+    // It is at (0, 200); the characteristic length is 150 mm.
     assert_eq!(doubts(&peg(0.0, 180.0)), []);
     assert_eq!(doubts(&peg(45.0, 200.0)), []);
     assert_eq!(doubts(&peg(0.0, 120.0)), [("peg".to_owned(), None)]);
@@ -230,11 +230,11 @@ fn a_place_far_from_its_start_is_told() {
 
 #[test]
 fn a_start_that_rounding_tells_from_a_dead_point_is_solvable() {
-    // Longer by e than the distance of 300 mm, two links of 150 mm are off the line by about √(2 e / 300).
+    // If longer by e than the distance of 300 mm, two links of 150 mm deviate from the line by about √(2 e / 300).
     for e in [1e-4, 1e-6, 1e-8, 1e-10, 1e-11] {
         let compiled = accepted(&four_bar([400.0, 100.0, 150.0, 150.0 + e], 0.0, "start angle = 179deg;"));
         let (coupler, rocker): (f64, f64) = (150.0, 150.0 + e);
-        // The excess is what the rounded numbers say, in which e is one of many digits.
+        // The excess is computed from the rounded lengths, in which e is one of the last digits.
         let excess = (rocker - 150.0) / 300.0;
         let half = (2.0 * excess * (1.0 + coupler / rocker)).sqrt() / core::f64::consts::SQRT_2;
         let found = core::f64::consts::PI - start(&compiled, "rocker.angle");
@@ -247,7 +247,7 @@ fn a_start_that_rounding_tells_from_a_dead_point_is_solvable() {
     }
 }
 
-/// Two bars of given lengths in m, stretched but for a gap, from a pivot at `off` m to a slider.
+/// Two bars of given lengths in m, stretched up to a gap, from a pivot at `off` m to a slider.
 fn stretched([one, two]: [f64; 2], gap: f64, off: f64) -> String {
     format!(
         "mechanism Stretched {{ ground {{ axis u = (1, 0); point P = ({off}m, 0m); }} body slider {{}}
@@ -293,7 +293,7 @@ fn a_stage_as_near_to_its_fold_as_you_like_is_solvable() {
     }
 }
 
-/// The start holds to rounding, in equations evaluated elsewhere.
+/// The start satisfies to rounding the equations evaluated elsewhere.
 #[test]
 fn a_start_is_at_the_rounding_limit() {
     let mut random = Random(0x2545_f491_4f6c_dd1d);

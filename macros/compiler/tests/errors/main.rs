@@ -1,8 +1,8 @@
-//! The index of errors tells the truth: each page's wrong model is refused for the reason that the page is about, its right
-//! models are accepted, and the page shows what the compiler says.
+//! The pages of the error index: each page's wrong model is refused for the page's reason, its right models are accepted, and the page
+//! shows the compiler's message.
 //!
-//! `REULEAUX_GOLDEN=write cargo test -p reuleaux-compiler --test errors` writes under each wrong model what is said of it. That
-//! the models are also refused and accepted by rustc, the doc tests of `reuleaux` see to.
+//! `REULEAUX_GOLDEN=write cargo test -p reuleaux-compiler --test errors` writes the message under each wrong model. The doc tests of
+//! `reuleaux` check that rustc refuses and accepts the models too.
 
 mod page;
 
@@ -13,14 +13,14 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-/// The longest line of a page that is comfortable to read.
+/// Longest line of a page, for comfortable reading.
 const WIDTH: usize = 132;
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("errors")
 }
 
-/// Everything that is wrong with the macros of a block.
+/// All refusals of the macros in a block.
 fn refusals(source: &str) -> Vec<Refusal> {
     let tokens: TokenStream = source.parse().expect("a block consists of tokens");
     refused(tokens)
@@ -64,13 +64,13 @@ fn every_page_has_a_code() {
     assert_eq!(files, codes);
 }
 
-/// A heading, one wrong model with what is said of it, and right ones.
+/// Each page has a heading, one wrong model with its message, and right models.
 #[test]
 fn pages_are_of_one_shape() {
     of_each_page(|_, page| {
         let heading = page.lines().next().unwrap_or("");
         let languages: Vec<&str> = blocks(page).iter().map(|block| block.language).collect();
-        // What the compiler says is as long as it is.
+        // Compiler messages are exempt from the limit.
         let mut long = page.lines().filter(|line| line.chars().count() > WIDTH && !line.starts_with("  ") && !line.starts_with("error: "));
         match () {
             () if !heading.ends_with('.') || page.lines().nth(1) != Some("") => Err("begins with one sentence on one line".into()),
@@ -109,14 +109,14 @@ fn the_right_models_are_accepted() {
     });
 }
 
-/// Does something with each page, and tells of all that went wrong.
+/// Runs a check on each page, and reports all failures.
 fn of_each_page(check: impl Fn(&str, &str) -> Result<(), String>) {
     let complain = |(code, page): &(&str, &str)| check(code, page).err().map(|why| format!("{code} {why}"));
     let complaints: Vec<String> = PAGES.iter().filter_map(complain).collect();
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
 }
 
-/// The code of each refusal, and what is seen of it.
+/// The code of each refusal, and its rendered message.
 fn shown(source: &str) -> Vec<(String, String)> {
     refusals(source).iter().map(|refusal| (refusal.fact.code().to_owned(), refusal.shown(source))).collect()
 }

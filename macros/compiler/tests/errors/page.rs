@@ -1,12 +1,12 @@
-//! The blocks of code in a page of Markdown.
+//! Code blocks of a Markdown page.
 
-/// What stands between two fences.
+/// A fenced code block.
 pub(crate) struct Block<'a> {
-    /// What is written behind the first fence.
+    /// Text after the opening fence.
     pub(crate) language: &'a str,
-    /// The lines between the fences.
+    /// Lines between the fences.
     pub(crate) text: &'a str,
-    /// Where the line of the last fence ends in the page.
+    /// Offset in the page of the end of the closing fence's line.
     end: usize,
 }
 
@@ -33,7 +33,7 @@ pub(crate) fn blocks(page: &str) -> Vec<Block<'_>> {
 }
 
 impl Block<'_> {
-    /// The Rust of the block, also of the lines that rustdoc hides.
+    /// Rust source of the block, with the lines that rustdoc hides.
     pub(crate) fn source(&self) -> String {
         let plain = |line: &str| match line.strip_prefix('#') {
             Some(hidden) if hidden.is_empty() || hidden.starts_with(' ') => hidden.strip_prefix(' ').unwrap_or("").to_owned(),
@@ -42,7 +42,7 @@ impl Block<'_> {
         self.text.lines().map(|line| plain(line) + "\n").collect()
     }
 
-    /// The page with a block behind this one, in place of one of the same language that stands there already.
+    /// The page with a block after this one, which replaces an existing block of the same language there.
     pub(crate) fn followed_by(&self, page: &str, language: &str, text: &str) -> String {
         let (before, after) = page.split_at(self.end);
         let known = blocks(after).into_iter().next().filter(|next| after.starts_with(&format!("\n{FENCE}{language}\n{}", next.text)));

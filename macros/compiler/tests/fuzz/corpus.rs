@@ -1,10 +1,10 @@
-//! Declarations to start from.
+//! Valid declarations as a starting point.
 
 use crate::random::Random;
 use proc_macro2::TokenStream;
 use std::str::FromStr;
 
-/// What a source is.
+/// Macro that a source belongs to.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Kind {
     Mechanism,
@@ -115,7 +115,7 @@ const WALKER: &str = "
         output sum = leg[0].upper.angle + leg[1].upper.angle * grid[1][1];
     }";
 
-/// A parallelogram that holds more than it needs.
+/// A parallelogram with a redundant joint.
 const COUPLED: &str = "
     pub mechanism Coupled {
         param middle: Length = 500mm;
@@ -148,7 +148,7 @@ const DEFINITIONS: &str = "
         constraint two(P: Point, u: Axis, c: Angle = 0) { P.x == 0; direction(u) - P.body.angle == c; }
     }";
 
-/// Items that may stand in any mechanism.
+/// Items that are valid in any mechanism.
 const ITEMS: &[&str] = &[
     "use crate::library::{rolling, sliding as gliding};",
     "use elsewhere::on_ellipse;",
@@ -169,7 +169,7 @@ const ITEMS: &[&str] = &[
     "output chain = sin(cos(tan(asin(acos(atan(sqrt(exp(ln(abs(t / 1s))))))))));",
 ];
 
-/// A declaration.
+/// Picks a declaration.
 pub(crate) fn pick(random: &mut Random) -> (Kind, TokenStream) {
     let pages: Vec<(&str, &str)> = reuleaux_compiler::library::pages().collect();
     match random.below(10) {
@@ -204,7 +204,7 @@ pub(crate) fn definition(random: &mut Random) -> TokenStream {
     tokens(random.of(&pages).1)
 }
 
-/// Items to be added to a mechanism; seldom very many of them.
+/// Items to be added to a mechanism; occasionally thousands of them.
 pub(crate) fn item(random: &mut Random) -> TokenStream {
     match random.below(100) {
         0 => {
@@ -222,7 +222,7 @@ fn tokens(text: &str) -> TokenStream {
     TokenStream::from_str(text).expect("the corpus consists of tokens")
 }
 
-/// The sources are valid before they are mutilated.
+/// The sources are accepted before they are mutated.
 #[test]
 fn the_corpus_is_accepted() {
     for text in [CRANK_ROCKER, CAM, EQUATIONS, GEARS, COUPLED] {

@@ -1,13 +1,13 @@
-//! The compiler returns on any tokens, and what it returns is Rust.
+//! The compiler returns on any tokens, and its output is valid Rust.
 //!
-//! Valid declarations are mutilated: tokens deleted, repeated, swapped, replaced, nested, numbers made
-//! extreme; every case follows from its seed alone. The usual run is short; a long one is
+//! Valid declarations are mutated: tokens are deleted, repeated, swapped, replaced or nested, and numbers made extreme. Every case is
+//! determined by its seed. The usual run is short; a long one is
 //!
 //! ```text
 //! REULEAUX_FUZZ_CASES=100000 cargo test --release -p reuleaux-compiler --test fuzz -- --nocapture
 //! ```
 //!
-//! and `REULEAUX_FUZZ_SEED=17 REULEAUX_FUZZ_CASES=1` repeats the case 17 and shows its source.
+//! and `REULEAUX_FUZZ_SEED=17 REULEAUX_FUZZ_CASES=1` repeats case 17 and prints its source.
 
 mod corpus;
 mod mutate;
@@ -20,19 +20,19 @@ use std::panic::catch_unwind;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-/// Cases of the usual run.
+/// Number of cases of the usual run.
 const CASES: u64 = 600;
 
-/// Cases that share a thread: the fallback of `proc_macro2` keeps every source a thread has read.
+/// Number of cases per thread: the fallback of `proc_macro2` keeps every source that a thread has read.
 const CHUNK: u64 = 100;
 
-/// rustc runs macros on a stack of this size.
+/// Size of the stack on which rustc runs macros.
 const STACK: usize = 8 << 20;
 
-/// A case may take as long with optimisation; whoever waits for `cargo check` notices more.
+/// Longest time of a case with optimisation: more is noticeable in `cargo check`.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-/// What a worker does right now: the case and when it began.
+/// Case that a worker is running, and its start.
 static CURRENT: Mutex<Option<(u64, Instant)>> = Mutex::new(None);
 
 #[test]
@@ -53,7 +53,7 @@ fn any_tokens_are_answered_in_rust() {
     assert!(slow.is_empty(), "slow cases: {slow:?}");
 }
 
-/// A case that does not return is named before the run is given up.
+/// Names a case that does not return, then aborts the run.
 fn watch() {
     loop {
         std::thread::sleep(Duration::from_secs(1));
@@ -66,7 +66,7 @@ fn watch() {
     }
 }
 
-/// How long a case took, and whether its mechanism was accepted.
+/// Duration of a case; true if its mechanism was accepted.
 fn timed(seed: u64) -> (Duration, bool) {
     let start = Instant::now();
     *CURRENT.lock().expect("no worker panics while it holds the lock") = Some((seed, start));
@@ -76,7 +76,7 @@ fn timed(seed: u64) -> (Duration, bool) {
     (start.elapsed(), accepted)
 }
 
-/// One case; whether it was accepted.
+/// Runs one case; true if it was accepted.
 fn case(seed: u64) -> bool {
     let mut random = Random::new(seed);
     let (kind, tokens) = corpus::pick(&mut random);
@@ -110,7 +110,7 @@ fn constraint(tokens: TokenStream) -> bool {
     !has_error
 }
 
-/// What a definition hands over may be broken as well.
+/// Resumes a mechanism with mutated definitions, since what a definition hands over may be broken too.
 fn resumed(mechanism: TokenStream, random: &mut Random) {
     let definition = mutate::mutilated(corpus::definition(random), random);
     let known = mutate::mutilated(quote!(rolling { constraint rolling(P: Point) { P.x == 0; } }), random);
@@ -120,7 +120,7 @@ fn resumed(mechanism: TokenStream, random: &mut Random) {
     is_rust(&reuleaux_compiler::resume(quote!(#definition #known #name #mechanism)));
 }
 
-/// The output parses; whether it contains an error.
+/// Parses the output; true if it contains an error.
 fn is_rust(output: &TokenStream) -> bool {
     if let Err(error) = syn::parse2::<syn::File>(output.clone()) {
         panic!("{error} in\n{output}");

@@ -1,4 +1,4 @@
-//! How a declaration is mutilated.
+//! Mutations of a declaration.
 
 use crate::corpus;
 use crate::random::Random;
@@ -6,7 +6,7 @@ use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use std::fmt;
 use std::str::FromStr;
 
-/// A token of a stream without nesting.
+/// A token of a flattened stream.
 #[derive(Clone, Debug)]
 pub(crate) enum Flat {
     Open(Delimiter),
@@ -23,7 +23,7 @@ impl fmt::Display for Flat {
     }
 }
 
-/// Tokens that mean something to the compiler, and some that do not.
+/// Tokens with a meaning to the compiler, and some without.
 const WORDS: &str = "param let ground body joint drive output function use constraint bundle require mechanism equations_only \
     point axis start x y angle position t pi sin cos tan asin acos atan atan2 sqrt exp ln abs min max dot cross perp norm unit \
     direction table if else periodic linear hold Length Angle Time Number Quantity Point Axis Body Function Joint pub as crate self \
@@ -32,7 +32,7 @@ const WORDS: &str = "param let ground body joint drive output function use const
     0 1 2 -1 0.5 1e308 1e-308 1e36 1e-36 1e400 5e-324 99999999999999999999999999999999999999999999 0.000000000000000000000000000000001 \
     0xff 0b1 1_000 1e5mm 30deg 0mm 0deg 60rpm 2.5kg 1Hz 1parsec 1u8 1f64 1000000 1000 200 \"text\" 'c' b'c' b\"bytes\" c\"c\" true";
 
-/// Up to six changes; half of the cases are changed so gently that some of them stay valid.
+/// Applies up to six changes; half of the cases get gentle ones, so that some of them stay valid.
 pub(crate) fn mutilated(tokens: TokenStream, random: &mut Random) -> TokenStream {
     let mut flat = flat(tokens);
     let change = if random.below(2) == 0 { gentle } else { change };
@@ -42,7 +42,7 @@ pub(crate) fn mutilated(tokens: TokenStream, random: &mut Random) -> TokenStream
     nested(&mut flat.into_iter())
 }
 
-/// A change that leaves the grammar whole.
+/// A change that preserves the grammar.
 fn gentle(flat: &mut Vec<Flat>, random: &mut Random) {
     const ALIKE: &[&str] = &[
         "+ - * / ^",
@@ -67,7 +67,7 @@ fn gentle(flat: &mut Vec<Flat>, random: &mut Random) {
     }
 }
 
-/// Two literals, or two names, change places.
+/// Swaps two literals or two names.
 fn swap_alike(flat: &mut [Flat], random: &mut Random) {
     let is_literal = random.below(2) == 0;
     let is_alike = |token: &Flat| match token {
@@ -81,7 +81,7 @@ fn swap_alike(flat: &mut [Flat], random: &mut Random) {
     }
 }
 
-/// More items before the closing brace of the mechanism.
+/// Adds items before the closing brace of the mechanism.
 fn append(flat: &mut Vec<Flat>, random: &mut Random) {
     let items = crate::mutate::flat(corpus::item(random));
     let last = flat.len().saturating_sub(1);
@@ -140,7 +140,7 @@ fn word(random: &mut Random) -> Flat {
     }
 }
 
-/// Some numbers become extreme.
+/// Makes some numbers extreme.
 fn numbers(flat: &mut [Flat], random: &mut Random) {
     const EXTREME: &[&str] = &[
         "0",
@@ -165,7 +165,7 @@ fn numbers(flat: &mut [Flat], random: &mut Random) {
     }
 }
 
-/// One name becomes another one everywhere.
+/// Renames one name everywhere.
 fn names(flat: &mut [Flat], random: &mut Random) {
     let idents: Vec<TokenTree> = flat
         .iter()
@@ -180,7 +180,7 @@ fn names(flat: &mut [Flat], random: &mut Random) {
     }
 }
 
-/// A stretch is put into many delimiters, or repeated many times.
+/// Nests a range of tokens in many delimiters, or repeats it many times.
 fn deep(flat: &mut Vec<Flat>, at: usize, end: usize, random: &mut Random) {
     let times = *random.of(&[2, 5, 40, 60, 240, 1000]);
     let stretch = flat[at..end].to_vec();
@@ -205,7 +205,7 @@ fn deep(flat: &mut Vec<Flat>, at: usize, end: usize, random: &mut Random) {
     flat.splice(at..end, deep);
 }
 
-/// A stream without nesting.
+/// Flattens a stream.
 pub(crate) fn flat(tokens: TokenStream) -> Vec<Flat> {
     let mut flat = Vec::new();
     for tree in tokens {
@@ -220,7 +220,7 @@ pub(crate) fn flat(tokens: TokenStream) -> Vec<Flat> {
     flat
 }
 
-/// A stream from tokens without nesting; what is left open is closed at the end.
+/// A stream from flattened tokens; open groups are closed at the end.
 fn nested(flat: &mut impl Iterator<Item = Flat>) -> TokenStream {
     let mut open: Vec<(Delimiter, Vec<TokenTree>)> = vec![(Delimiter::None, Vec::new())];
     let close = |open: &mut Vec<(Delimiter, Vec<TokenTree>)>| {

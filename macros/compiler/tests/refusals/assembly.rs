@@ -1,4 +1,4 @@
-//! Mechanisms that do not assemble at their declared defaults, or not in one clear way; numbers are in `tests/assembly`.
+//! Mechanisms that do not assemble at their declared defaults, or not uniquely; `tests/assembly` tests the numbers.
 
 /// A four-bar on a ground of 400 mm, with a crank of 100 mm; links and the drive follow.
 macro_rules! four_bar {

@@ -67,7 +67,7 @@ crate::refusals! {
     item body_for_a_point: "component Leg(P: Point) {} part p = Leg(«crank»);" => "`P` of `Leg` takes a point, found a body\nhelp: write `crank.O`";
     item angle_for_a_length: "component Leg(a: Length) {} part p = Leg(«3deg»);" => "`a` of `Leg` is a length (m), found an angle (rad)";
     item arguments_in_a_circle: "component Leg(a: Length) { let b = 2 * «a»; } part p = Leg(q.b); part q = Leg(p.b);" => "`a` depends on itself, by way of `q.b`, `q.a` and `p.b`\nnote: in `p.b`";
-    // What a component sees.
+    // Scope of a component.
     item body_outside_of_a_component: "component Leg() { joint j = absolute_angle(«crank», 0); } part p = Leg();" => "a component does not see `crank`, a body outside of it\nnote: in `p.j`\nhelp: take what it needs as an argument, such as `P: Point` or `b: Body`";
     item loop_outside_of_a_component: "component Leg() { let a = 2 * «i»; } for i in 0..2 { part p[i] = Leg(); }" => "nothing is called `i` here\nnote: in `p[0].a`";
     item mistake_in_a_component_is_said_once: "component Leg(P: Point) { body b {} joint j = revolute(P, «b»); } for i in 0..5 { part leg[i] = Leg(ground.O); }" => "`Q` of `revolute` takes a point, found a body\nnote: in `leg[0].j`\nhelp: write `b.position`";
@@ -84,13 +84,13 @@ crate::refusals! {
     item part_in_a_component_that_is_not_used: "component Arm(P: Point) { part hand = Hand(«limb»); } component Hand(P: Point) { body palm {} joint j = weld(P, palm.position); }" => "nothing is called `limb` here\nnote: in `Arm.hand`";
     item zero_in_a_component_that_is_not_used: "component Arm(P: Point) { body limb {} joint j = distance(P, limb.position, «0mm»); }" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together\nnote: in `Arm.j`";
     item index_in_an_array_with_a_gap: "joint j[0] = translational(ground.u, ground.O, ram.B); joint j[2] = translational(ground.u, ground.O, ram.B); drive d = drive_along(j[«1»], 1mm);" => "there is no `j[1]`\nnote: there are `j[0]` and `j[2]`";
-    // What is wrong in every part is said of the first.
+    // A mistake in every part is reported for the first.
     mechanism joint_doubled_in_a_component: "mechanism Row { component Leg() { body b {} joint o = revolute(ground.position, b.position); joint «p» = revolute(b.position, ground.position); drive d = drive_angle(b, 1rpm * t); } for i in 0..4 { part leg[i] = Leg(); } }" => "`leg[0].p` demands the same as `leg[0].o`\nhelp: take one of them away";
     mechanism joint_doubled_in_a_loop: "mechanism Row { for i in 0..4 { body b[i] {} joint o[i] = revolute(ground.position, b[i].position); joint «p»[i] = revolute(b[i].position, ground.position); drive d[i] = drive_angle(b[i], 1rpm * t); } }" => "`p[0]` demands the same as `o[0]`\nhelp: take one of them away";
     mechanism nothing_at_the_default_in_a_component: "mechanism Row { component Leg() { param r: Length = 0mm; body b {} joint o = distance(ground.position, b.position, «r»); } for i in 0..4 { part leg[i] = Leg(); } }" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together\nnote: it is 0 at the declared defaults";
 }
 
-/// Components may have joints of the same name, each with a mistake of its own.
+/// Components may have joints of the same name, each with its own mistake.
 #[test]
 fn joints_of_one_name_in_two_components_are_both_told() {
     let repeated = "body b {} joint o = revolute(ground.position, b.position); joint p = revolute(b.position, ground.position);";

@@ -1,4 +1,4 @@
-//! Names that are taken.
+//! Names already taken.
 
 crate::refusals! {
     item parameter_twice: "param «length»: Length = 1m;" => "the name `length` is taken: a parameter has it\nhelp: choose another name";

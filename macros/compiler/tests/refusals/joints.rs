@@ -1,4 +1,4 @@
-//! Joints that say nothing, or what only a drive may say.
+//! Joints without an effect, and laws of time outside of drives.
 
 crate::refusals! {
     item time_in_a_joint: "joint a = absolute_angle(crank, speed * «t»);" => "a joint does not change with time, `t` is for drives\nhelp: write `drive a = …;` for `joint a = …;`";

@@ -1,6 +1,6 @@
-//! One mistake, one refusal, under the guilty token, in these words: the fast twins of `tests/ui`.
+//! One mistake, one refusal, at the guilty token, with these words: the fast counterparts of `tests/ui`.
 //!
-//! The guilty tokens stand between « and » in each source; the marks are taken out before it is read.
+//! « and » mark the guilty tokens in each source; the marks are removed before it is parsed.
 
 mod arity;
 mod assembly;
@@ -30,7 +30,7 @@ macro_rules! refusals {
 }
 pub(crate) use refusals;
 
-/// A mechanism with one more item: everything around the item is right.
+/// A valid mechanism with one more item.
 fn item(source: &str, words: &str) {
     let rest = "
         #[equations_only]
@@ -72,7 +72,7 @@ fn check(marked: &str, words: &str, compile: fn(TokenStream) -> Vec<Refusal>) {
     assert_eq!(Some(refusals[0].underlined(&source)), guilty.or(Some("")), "`{words}` underlines something else in\n{marked}");
 }
 
-/// The source without its marks, and where they stood.
+/// The source without its marks, and their positions.
 fn unmarked(marked: &str) -> (String, [LineColumn; 2]) {
     let mut source = String::new();
     let mut place = LineColumn { line: 1, column: 0 };
@@ -90,7 +90,7 @@ fn unmarked(marked: &str) -> (String, [LineColumn; 2]) {
     (source, places.try_into().expect("one pair of marks"))
 }
 
-/// What surrounds the mistakes is right.
+/// The declarations around the mistakes are valid.
 #[test]
 fn the_frame_is_accepted() {
     let mut source = String::new();

@@ -1,4 +1,4 @@
-//! Mechanisms as a whole: mobility, drives, joints that say the same or the opposite, bodies off ground.
+//! Whole mechanisms: mobility, drives, duplicate and contradictory joints, bodies not connected to ground.
 
 crate::refusals! {
     mechanism four_bar_without_a_drive: "mechanism «FourBar» { ground { point C = (4m, 0m); } body crank { point A = (1m, 0m); } body coupler { point B = (3.5m, 0m); point M = (1.75m, 0m); } body rocker { point B = (3m, 0m); start angle = 70deg; } joint o = revolute(ground.position, crank.position); joint a = revolute(crank.A, coupler.position); joint b = revolute(coupler.B, rocker.B); joint c = revolute(rocker.position, ground.C);  }" => "`FourBar` has mobility 1, but no drive\nnote: 9 coordinates and 8 equations of joints\nhelp: add a drive on one of `crank.angle`, `rocker.angle` and `coupler.angle`, such as `drive input = drive_angle(crank, 60rpm * t);`";

@@ -1,4 +1,4 @@
-//! Names that nothing has.
+//! Undeclared names.
 
 crate::refusals! {
     item name_is_mistyped: "output b = «lenght»;" => "nothing is called `lenght` here\nhelp: did you mean `length`?";

@@ -1,4 +1,4 @@
-//! Parameters and their bounds, and values that are written or read in the wrong place.
+//! Parameters and their bounds, and values written or read in the wrong place.
 
 crate::refusals! {
     item default_below_its_bounds: "param r: Length = «4mm» in 5mm..=50mm;" => "the default, 4 mm, does not lie in 5 mm ..= 50 mm\nhelp: widen the range, or take a default within";

@@ -1,8 +1,8 @@
-//! Equations that follow from others or contradict them, by numbers.
+//! Redundant and contradictory equations, found numerically.
 
 use reuleaux_compiler::diag::{Fact, SystemFact};
 
-/// A parallelogram with a third crank at C, R its place on the rod; what is held twice is to come.
+/// A parallelogram with a third crank at C, whose end belongs at R on the rod; `$rest` adds the redundant joint.
 macro_rules! third_crank {
     ($rest:literal) => {
         concat!(
@@ -36,7 +36,7 @@ macro_rules! slider_crank {
     };
 }
 
-/// Refused in these words, under the word between the marks.
+/// Refused with these words, at the marked token.
 macro_rules! refused {
     ($($frame:ident $name:ident: $source:literal => $words:literal;)*) => {
         $(#[test] fn $name() { crate::mechanism($frame!($source), $words); })*
@@ -85,7 +85,7 @@ fn accepted(source: &str) -> reuleaux_compiler::Compiled {
     reuleaux_compiler::compile(source.parse().expect("tokens")).expect("nothing is wrong")
 }
 
-/// The equations that are checked, by joint and number.
+/// Checked equations, by joint and number.
 fn checked(source: &str) -> Vec<String> {
     let compiled = accepted(source);
     let name = |equation: &usize| {
@@ -95,7 +95,8 @@ fn checked(source: &str) -> Vec<String> {
     compiled.structure.checked.iter().map(name).collect()
 }
 
-/// With y of the pin the third crank would be singular where it stands upright, with x only where the parallelogram is.
+/// With the y equation of the pin solved, the third crank would be singular when upright; with the x equation, only where the parallelogram
+/// is.
 #[test]
 fn what_is_solved_is_what_is_least_often_singular() {
     let drive = "redundant joint f = revolute(rod.R, third.P); drive i = drive_angle(crank, 60deg + 1rad_s * t);";
@@ -109,7 +110,7 @@ fn a_redundant_joint_may_be_checked_as_a_whole() {
     assert_eq!(checked(slider_crank!("redundant joint c = distance(crank.A, slider.position, 2m);")), ["c.1"]);
 }
 
-/// Two joints of which either would do.
+/// Two redundant joints, one of which suffices.
 #[test]
 fn of_two_redundant_joints_one_is_kept() {
     let source = "mechanism S { body plate { point R = (1m, 0m); } joint a = revolute((0m, 0m), plate.position);
@@ -117,7 +118,7 @@ fn of_two_redundant_joints_one_is_kept() {
     assert_eq!(checked(source).len(), 1);
 }
 
-/// What is said of a mechanism is nothing of redundancy.
+/// Asserts that a mechanism is not refused for redundancy.
 fn is_no_redundancy(source: &str) {
     let refusals = reuleaux_compiler::compile(source.parse().expect("tokens")).err().unwrap_or_default();
     for refusal in refusals {
@@ -134,7 +135,7 @@ fn is_no_redundancy(source: &str) {
     }
 }
 
-/// A parallelogram whose links lie in line may fold either way: a matter of its start.
+/// A parallelogram with its links in line may fold either way: its start is singular, not redundant.
 #[test]
 fn what_is_singular_in_one_position_only_is_not_redundant() {
     let drive = "drive i = drive_angle(crank, 1rad_s * t);";
@@ -163,7 +164,7 @@ fn a_structure_is_no_redundancy_and_its_drive_is_a_matter_of_mobility() {
     }
 }
 
-/// One strut makes a four-bar a frame, two hold it too often: mobility −1, with and without a drive.
+/// One strut turns a four-bar into a frame, two over-constrain it: mobility −1, with and without a drive.
 #[test]
 fn a_frame_that_is_held_too_often_is_a_matter_of_mobility() {
     let frame = STRUCTURE.replace("more", "joint f = distance(ground.C, coupler.E, 2.5m); more");
@@ -174,7 +175,7 @@ fn a_frame_that_is_held_too_often_is_a_matter_of_mobility() {
     }
 }
 
-/// Eight links, two of which could be thought to repeat others: they do not.
+/// Eight links; two of them seem redundant but are not.
 #[test]
 fn the_cell_of_peaucellier_has_no_joint_too_many() {
     let source =
@@ -187,14 +188,14 @@ fn the_cell_of_peaucellier_has_no_joint_too_many() {
         joint d2 = revolute(s2.D, arm.D); joint a2 = revolute(l1.A, s3.position); joint c2 = revolute(l2.C, s4.position);
         joint p = revolute(s3.P, s4.P); drive turn = drive_angle(arm, 20deg + 0.3 * sin(1rad_s * t)); }";
     assert_eq!(checked(source), [""; 0]);
-    // Its point P runs on a straight line, which a slide may hold once more.
+    // Its point P moves on a straight line, so that a slide on this line is redundant.
     let line = source.replace("drive turn", "redundant joint line = absolute_x(s3.P, 3.375m); drive turn");
     assert_eq!(checked(&line), ["line.1"]);
     let curve = source.replace("drive turn", "redundant joint line = absolute_x(s3.P, 3.376m); drive turn");
     assert!(reuleaux_compiler::compile(curve.parse().expect("tokens")).is_err());
 }
 
-/// Hinges of random four-bars once more, in other words: each is refused under its own name, and kept as a check where that is wanted.
+/// Duplicated hinges of random four-bars, written differently: each is refused by name, or kept as a check if declared as redundant.
 #[test]
 fn every_hinge_that_is_doubled_is_named() {
     let mut seed = 0x9e37_79b9_7f4a_7c15_u64;
@@ -228,7 +229,7 @@ fn every_hinge_that_is_doubled_is_named() {
     }
 }
 
-/// A row of parallelograms with a bar more in its middle.
+/// A row of parallelograms with an additional bar in its middle.
 fn row(bars: usize, more: &str) -> String {
     format!(
         "mechanism Row {{ let bars = {bars}; ground {{ for i in 0..=bars {{ point P[i] = (i * 100mm, 0mm); }} }}
@@ -241,7 +242,7 @@ fn row(bars: usize, more: &str) -> String {
     )
 }
 
-/// Small systems are looked at together, large ones piece by piece.
+/// Small systems are tested as a whole, large ones by subsystem.
 #[test]
 fn a_bar_too_many_is_found_in_a_row_of_any_length() {
     for bars in [4, 9, 10, 20, 40] {
@@ -256,7 +257,7 @@ fn a_bar_too_many_is_found_in_a_row_of_any_length() {
     }
 }
 
-/// What is off is the way that a body has to go, not a number that an equation makes of it.
+/// A misfit is reported as the distance that a body must move, not as the residual of an equation.
 #[test]
 fn what_is_off_is_told_in_millimetres() {
     let ties =
@@ -275,7 +276,7 @@ fn what_is_off_is_told_in_millimetres() {
     }
 }
 
-/// Where defaults are placeholders their numbers tell nothing of redundancy either.
+/// Placeholder defaults prove no redundancy.
 #[test]
 fn placeholders_are_not_judged_by_their_numbers() {
     let crank = |middle: &str| {

@@ -57,7 +57,7 @@ crate::refusals! {
     mechanism option_is_unknown: "#[«equation_only»] mechanism Crank { body crank {} }" => "`#[equation_only]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[closure(…)]` and `#[allow(far_start)]` before `mechanism`";
 }
 
-/// Deeper than anyone writes, and less deep than exhausts a stack.
+/// Deeper than realistic, but not deep enough to exhaust the stack.
 #[test]
 fn nesting_has_a_limit() {
     let words = "this is nested more than 50 deep\nhelp: name parts of it with `let`";
@@ -66,7 +66,7 @@ fn nesting_has_a_limit() {
     crate::item(&format!("output b = {}«(»{}1{}){};", "(".repeat(249), "(".repeat(30), ")".repeat(30), ")".repeat(249)), words);
 }
 
-/// A chain of names that are used before they are declared.
+/// A chain of names used before their declaration.
 #[test]
 fn chains_have_a_limit() {
     let chain: Vec<String> = (0..150).map(|link| format!("let a{link} = a{} + 1;", link + 1)).collect();

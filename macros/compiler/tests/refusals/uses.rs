@@ -1,4 +1,4 @@
-//! `use` items; whether a path leads to a constraint, rustc says (see `tests/ui/uses`).
+//! `use` items; rustc reports paths that do not lead to a constraint (see `tests/ui/uses`).
 
 crate::refusals! {
     item same_name_twice: "use crate::rolling; use other::«rolling»;" => "the name `rolling` is taken: another `use` has it\nhelp: choose another name";

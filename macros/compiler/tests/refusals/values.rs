@@ -1,4 +1,4 @@
-//! Numbers that make no sense.
+//! Nonsensical numbers.
 
 crate::refusals! {
     item roller_without_radius: "joint a = cam_roller(crank.O, ram.B, «0mm», lift);" => "the radius of the roller is not positive: for a follower without a roller use `cam_knife`";
@@ -48,7 +48,7 @@ crate::refusals! {
     item modified_trapezoidal_is_a_function: "output b = «modified_trapezoidal» + 1;" => "expected a number or a vector, found a function\nhelp: give it its argument, as in `f(x)`";
 }
 
-/// Of more digits than can be kept exactly those are kept that tell one number from another.
+/// Of more digits than can be stored exactly, the significant ones are kept.
 #[test]
 fn many_digits_are_read() {
     for number in [

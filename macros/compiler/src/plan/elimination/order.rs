@@ -1,7 +1,7 @@
-//! The order of pivots: numbers ±1 first, then what leaves the most zeros, among those that are large enough.
+//! Order of pivots: among those that are large enough, entries ±1 first, then those with the least fill-in.
 //!
-//! Reference: Duff, Erisman, Reid, Direct Methods for Sparse Matrices, 7.2 (Markowitz's count) and 7.8 (threshold pivoting). The
-//! threshold is put on what the runtime watches: how much larger than its row of the matrix a row of |L| |U| becomes.
+//! Reference: Duff, Erisman, Reid, Direct Methods for Sparse Matrices, 7.2 (Markowitz count) and 7.8 (threshold pivoting). The threshold
+//! applies to the quantity that the run time monitors: the growth of each row of |L| |U| relative to the row of the matrix.
 
 use std::collections::BTreeSet;
 
@@ -10,9 +10,9 @@ use std::collections::BTreeSet;
 pub(super) struct PivotCandidate {
     /// Row and column.
     pub(super) place: (usize, usize),
-    /// Its number in each pose, times what counts as 1 in the unknown; not a number where it is not known.
+    /// Its value at each pose, multiplied by the scale of the unknown; NaN if unknown.
     pub(super) values: Vec<f64>,
-    /// It is the number 1 or −1.
+    /// True if it is the constant 1 or −1.
     pub(super) is_unit: bool,
 }
 
@@ -21,41 +21,41 @@ pub(super) struct PivotCandidate {
 pub(super) struct Pivot {
     /// Row and column.
     pub(super) place: (usize, usize),
-    /// It is still 1 or −1 when it is used.
+    /// True if it is still 1 or −1 when it is used.
     pub(super) is_unit: bool,
 }
 
-/// Growths up to which pivots are as good as each other; more than the last is bad, but better than none.
+/// Classes of growth: pivots in one class count as equally accurate. Growth above the last limit is bad, but better than no pivot.
 const GROWTHS: [f64; 3] = [8.0, 64.0, 1024.0];
 
-/// A pivot for each row and column.
+/// Chooses a pivot for each row and column.
 pub(super) fn in_order(size: usize, entries: &[PivotCandidate]) -> Vec<Pivot> {
     let mut work = RemainingMatrix::new(size, entries);
     (0..size).map(|_| work.step()).collect()
 }
 
-/// An entry that may be the next pivot.
+/// A candidate for the next pivot.
 struct Candidate {
-    /// Class of growth, whether it is no unit, and how many zeros it may fill: the least is the best.
+    /// Class of growth, true unless a unit, Markowitz count: the least is the best.
     rank: (usize, bool, usize),
     growth: f64,
     place: (usize, usize),
 }
 
 impl Candidate {
-    /// Of equals the one that grows least is better, and of those the first in the matrix.
+    /// Ties are broken by growth, then by position in the matrix.
     fn is_better_than(&self, other: &Self) -> bool {
         self.rank.cmp(&other.rank).then(self.growth.total_cmp(&other.growth)).then(self.place.cmp(&other.place)).is_lt()
     }
 }
 
 struct RemainingMatrix {
-    /// What is left to eliminate.
+    /// Rows not yet eliminated.
     rows: BTreeSet<usize>,
     columns: BTreeSet<usize>,
-    /// By row and column; none where there is a zero.
+    /// Entries by row and column; `None`: zero.
     entries: Vec<Vec<Option<PivotCandidate>>>,
-    /// The sums of magnitudes of each row of the matrix as it was, by pose.
+    /// Sum of magnitudes of each row of the original matrix, by pose.
     sizes: Vec<Vec<f64>>,
 }
 
@@ -79,7 +79,7 @@ impl RemainingMatrix {
     /// Chooses the next pivot and eliminates its column.
     fn step(&mut self) -> Pivot {
         let place = self.best().unwrap_or_else(|| {
-            // The rest is nothing but zeros: the mechanism is singular everywhere, which it will say of itself.
+            // The remaining matrix is zero: the block is singular at every pose, which is reported elsewhere.
             (self.rows.first().copied().unwrap_or(0), self.columns.first().copied().unwrap_or(0))
         });
         let is_unit = self.entries[place.0][place.1].as_ref().is_some_and(|entry| entry.is_unit);
@@ -109,7 +109,7 @@ impl RemainingMatrix {
         best.map(|best| best.place)
     }
 
-    /// How many times its size the worst row of |L| |U| becomes by this pivot, in the worst pose.
+    /// Growth of the worst row of |L| |U| by this pivot, relative to its row sum, at the worst pose.
     fn growth(&self, row: usize, column: usize, holders: &[usize]) -> f64 {
         let Some(pivot) = &self.entries[row][column] else { return f64::INFINITY };
         let mut worst: f64 = 1.0;
@@ -119,7 +119,7 @@ impl RemainingMatrix {
             for other in holders.iter().filter(|other| **other != row) {
                 let Some(entry) = &self.entries[*other][column] else { continue };
                 let growth = (entry.values[pose] / value).abs() * length / self.sizes[*other][pose];
-                // A pose in which the pivot is not known, or the row vanishes, says nothing.
+                // NaN, from an unknown pivot or a zero row, is ignored.
                 if growth > worst {
                     worst = growth;
                 }

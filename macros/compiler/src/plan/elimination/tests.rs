@@ -2,12 +2,12 @@ use super::order::{Pivot, PivotCandidate, in_order};
 use super::{Elimination, filled};
 use std::collections::BTreeSet;
 
-/// Entries with their numbers in one pose.
+/// Entries with their values at one pose.
 fn entries(rows: &[&[f64]]) -> Vec<PivotCandidate> {
     in_poses(&[rows])
 }
 
-/// Entries with their numbers in several poses; zero in all of them is no entry.
+/// Entries with their values at several poses; a value that is zero at all of them is not an entry.
 fn in_poses(poses: &[&[&[f64]]]) -> Vec<PivotCandidate> {
     let size = poses[0].len();
     let places = (0..size).flat_map(|i| (0..size).map(move |j| (i, j)));
@@ -16,7 +16,7 @@ fn in_poses(poses: &[&[&[f64]]]) -> Vec<PivotCandidate> {
     places.map(entry).filter(|entry| entry.values.iter().any(|value| *value != 0.0)).collect()
 }
 
-/// Numbers between −1 and 1 (Knuth's linear congruences).
+/// Random numbers in [−1, 1), by Knuth's linear congruential generator.
 struct Numbers(u64);
 
 impl Numbers {
@@ -38,7 +38,7 @@ fn random(size: usize, rarity: u64, numbers: &mut Numbers) -> Vec<PivotCandidate
     found
 }
 
-/// The number of entries of L and U in the order of the matrix itself.
+/// Number of entries of L and U without reordering.
 fn as_it_stands(size: usize, entries: &[PivotCandidate]) -> usize {
     let pattern: Vec<(usize, usize)> = entries.iter().map(|entry| entry.place).collect();
     let order: Vec<usize> = (0..size).collect();
@@ -93,7 +93,7 @@ fn ones_come_first() {
     let elimination = Elimination::new(4, &entries);
     assert!(elimination.is_unit[0]);
     assert!([(0, 1), (2, 2)].contains(&(elimination.rows[0], elimination.columns[0])));
-    // The second of them has been changed by the first, or is as it was, and then it is the next.
+    // The second unit is either changed by the first pivot, or unchanged and then the next pivot.
     assert_eq!(elimination.cost.divisions, 4 - elimination.is_unit.iter().filter(|unit| **unit).count());
 }
 

@@ -18,7 +18,7 @@ fn rows_that_follow_from_others_are_found_with_the_others_and_what_is_left() {
                 arena.add(sum, product)
             })
         };
-        // Three rows that do not depend on each other, since each has a coordinate to itself; then one of two of them.
+        // Three independent rows, each with a coordinate of its own; then a combination of two of them.
         let own: Vec<Expr> = (0..3).map(|row| sum(&mut arena, &[unknowns[row], unknowns[3], unknowns[4]])).collect();
         let follows = sum(&mut arena, &[own[2], own[0]]);
         let (shift, parameter) = (arena.integer(11), arena.leaf(Leaf::Parameter(0)));
