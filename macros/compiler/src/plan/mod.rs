@@ -46,7 +46,7 @@ pub struct Plan {
     pub solution: Option<Solution>,
     /// Equations that are checked instead of solved, by their index in Φ.
     pub checked: Vec<usize>,
-    /// For each method of outputs what is upstream of it.
+    /// For each method of outputs that is a slice, what is upstream of it.
     pub slices: Vec<Slice>,
     /// What moves, where that is worth its own code.
     pub moving: Option<Slice>,
@@ -153,7 +153,7 @@ pub struct Cost {
 pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, closure: &Closure) -> Plan {
     let mut arena = system.arena.clone();
     let solved = (!model.equations_only).then(|| {
-        let outputs = method_outputs(&mut arena, model, system);
+        let outputs = sliced(&mut arena, model, system);
         let (mut stages, outputs) = stages::stages(&mut arena, system, structure, &outputs);
         eliminations(&arena, model, system, closure, &mut stages);
         (stages, outputs)
@@ -185,14 +185,15 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, cl
     }
 }
 
-/// All components of each method's outputs; those of a body are its coordinates.
-fn method_outputs(arena: &mut Arena, model: &Model, system: &System) -> Vec<Output> {
+/// All components of the outputs of each slice; those of a body are its coordinates.
+fn sliced(arena: &mut Arena, model: &Model, system: &System) -> Vec<Output> {
     let mut components = |member: &usize| -> Vec<[Expr; 3]> {
         let Some(body) = model.outputs[*member].body else { return system.outputs[*member].components.clone() };
         let own = (0..system.unknowns.len()).filter(|unknown| system.unknowns[*unknown].body == body);
         own.map(|unknown| [Leaf::Coordinate, Leaf::Velocity, Leaf::Acceleration].map(|leaf| arena.leaf(leaf(unknown as u32)))).collect()
     };
-    model.methods.iter().map(|method| Output { components: method.members.iter().flat_map(&mut components).collect() }).collect()
+    let slices = model.methods.iter().filter(|method| method.is_slice);
+    slices.map(|method| Output { components: method.members.iter().flat_map(&mut components).collect() }).collect()
 }
 
 /// Chooses how large blocks are eliminated; most mechanisms have none.
@@ -226,7 +227,9 @@ fn solving(
         slice::upstream(&Frame { words: &words, is_angle: &is_angle, ..frame }, stages, output, system.unknowns.len())
     };
     let slices = outputs.iter().map(slice).collect();
-    (solution::solution(&frame, stages, true), slices, slice::moving(&frame, stages))
+    // Where a part rests, single steps are made by what moves.
+    let moving = slice::moving(&frame, stages);
+    (solution::solution(&frame, stages, moving.is_none()), slices, moving)
 }
 
 /// Each length once, zeros left out.

@@ -86,6 +86,8 @@ pub enum Part {
         steps: Vec<Step>,
         /// Its index in q.
         unknown: usize,
+        /// Index in Φ of the equation that gives it.
+        equation: usize,
         /// Value, rate and acceleration.
         motion: [Expr; 3],
     },
@@ -221,7 +223,10 @@ pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet
         }
     }
     roots.extend(&hoisted);
-    let apart = if is_apart { of_parameters(arena, &roots) } else { BTreeSet::new() };
+    let mut apart = if is_apart { of_parameters(arena, &roots) } else { BTreeSet::new() };
+    if !is_worth_keeping(arena, &apart) {
+        apart.clear();
+    }
     hoisted.extend(&apart);
     let mut work = Work::new(arena, &roots, &hoisted, words);
     for expr in &apart {
@@ -260,6 +265,17 @@ fn of_parameters(arena: &Arena, roots: &[Expr]) -> BTreeSet<Expr> {
     found
 }
 
+/// What is computed from parameters alone takes so long that it is kept from state to state.
+fn is_worth_keeping(arena: &Arena, apart: &BTreeSet<Expr>) -> bool {
+    let all = arena.reachable(&apart.iter().copied().collect::<Vec<Expr>>());
+    let open: Vec<Expr> = all.into_iter().filter(|expr| !arena.leaves(*expr).is_empty()).collect();
+    let Cost { flops, divisions, sines, calls } = cost(arena, &open);
+    flops >= KEPT || divisions + sines + calls > 0
+}
+
+/// As many sums and products as this are worth keeping.
+const KEPT: usize = 20;
+
 /// Names for sine and cosine of an unknown that are known before anything else.
 fn known_turn(arena: &Arena, work: &mut Work, unknown: usize) -> [Option<String>; 2] {
     let leaf = Node::Leaf(Leaf::Coordinate(unknown as u32));
@@ -275,11 +291,11 @@ fn known_turn(arena: &Arena, work: &mut Work, unknown: usize) -> [Option<String>
 
 fn part(arena: &Arena, work: &mut Work, stage: &Stage, moving: &BTreeSet<Expr>, words: &Words) -> Part {
     match stage {
-        Stage::Explicit { unknown, motion, .. } => {
+        Stage::Explicit { unknown, equation, motion } => {
             for expr in motion {
                 work.serve(*expr);
             }
-            Part::Explicit { steps: work.take(), unknown: *unknown, motion: *motion }
+            Part::Explicit { steps: work.take(), unknown: *unknown, equation: *equation, motion: *motion }
         }
         Stage::Block(system) => Part::Block(Box::new(iterated(arena, work, system, moving, words))),
         Stage::Check { equation, residual, sizes } => {

@@ -81,7 +81,7 @@ pub enum Item {
     Body(Rc<Frame>),
     /// `joint name = …;` or `drive name = …;`
     Joint(Rc<Joint>),
-    /// `output name = value;`
+    /// `output name = value;` or `slice output name = value;`
     Output(Rc<Output>),
     /// `component Name(parameters) { items }`
     Component(Rc<Component>),
@@ -295,6 +295,8 @@ pub struct Argument {
 pub struct Output {
     /// Doc attributes of the generated method.
     pub docs: Docs,
+    /// It can be solved for alone.
+    pub is_slice: bool,
     /// Its name.
     pub name: Ident,
     /// Its indices, if it is one of an array.

@@ -101,7 +101,10 @@ pub(super) fn items(content: ParseStream, place: Place, diag: &mut Diag) -> Vec<
 /// What an item that was refused would have declared.
 fn promised(input: ParseStream) -> Option<Refused> {
     attributes(input).ok()?;
-    let [keyword, name] = [Ident::parse_any(input).ok()?, name(input, "a name").ok()?];
+    let [mut keyword, mut name] = [Ident::parse_any(input).ok()?, self::name(input, "a name").ok()?];
+    if keyword == "slice" && name == "output" {
+        (keyword, name) = (name, self::name(input, "a name").ok()?);
+    }
     Some(Refused { keyword, name, indices: indices(input).unwrap_or_default() })
 }
 
@@ -125,7 +128,7 @@ fn item(input: ParseStream, place: Place, diag: &mut Diag) -> Parsed<Item> {
         "ground" => Item::Ground(Rc::new(ground(input, docs)?)),
         "body" => Item::Body(Rc::new(body(input, docs)?)),
         "joint" | "drive" | "redundant" => Item::Joint(Rc::new(joint(input, docs)?)),
-        "output" => Item::Output(Rc::new(output(input, docs)?)),
+        "output" | "slice" => Item::Output(Rc::new(output(input, docs)?)),
         "range" => Item::Range(Rc::new(times(input)?)),
         "component" => Item::Component(Rc::new(component(input, docs, diag)?)),
         "part" => Item::Part(Rc::new(part(input, docs)?)),
@@ -252,12 +255,18 @@ fn times(input: ParseStream) -> Parsed<Times> {
     Ok(Times { keyword, limits })
 }
 
-/// `output name = value;`
+/// `output name = value;` or `slice output name = value;`
 fn output(input: ParseStream, docs: Docs) -> Parsed<Output> {
-    Ident::parse_any(input)?;
+    let is_slice = Ident::parse_any(input)? == "slice";
+    if is_slice {
+        if keyword(input).is_none_or(|word| word != "output") {
+            return expected(input, "`output`: a slice is what an output needs, as in `slice output name = …;`");
+        }
+        Ident::parse_any(input)?;
+    }
     let (name, indices) = declared(input, "the name of the output")?;
     let value = value(input)?;
-    Ok(Output { docs, name, indices, value })
+    Ok(Output { docs, is_slice, name, indices, value })
 }
 
 /// A name with its indices.
