@@ -4,7 +4,7 @@ use core::ops::{Bound, RangeBounds};
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::{Coordinate, CoordinateKind, Coordinates, Family, Operations, ParameterOutOfRange, Real, Row};
+use crate::{Coordinate, CoordinateKind, Family, Operations, ParameterOutOfRange, Real, Row};
 
 /// A column of `N` numbers.
 pub type Vector<T, const N: usize> = SVector<T, N>;
@@ -23,19 +23,6 @@ impl Coordinate {
     #[must_use]
     pub const fn angle(body: &'static str, name: &'static str) -> Self {
         Self { body, name, kind: CoordinateKind::Angle }
-    }
-}
-
-impl<T: Real, const N: usize> Coordinates<T, N> {
-    /// From value, rate and acceleration of each coordinate.
-    #[inline(always)]
-    #[must_use]
-    pub fn of_each(each: [[T; 3]; N]) -> Self {
-        Self {
-            q: SVector::from(each.map(|[q, _, _]| q)),
-            qd: SVector::from(each.map(|[_, qd, _]| qd)),
-            qdd: SVector::from(each.map(|[_, _, qdd]| qdd)),
-        }
     }
 }
 

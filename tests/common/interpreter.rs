@@ -40,7 +40,7 @@ impl Interpreter {
         });
         let (system, model) = (compiled.system, compiled.model);
         let entries = || system.equations.iter().flat_map(|equation| &equation.jacobian);
-        let phi = system.equations.iter().map(|equation| equation.phi.expect("a row with a residual"));
+        let phi = system.equations.iter().map(|equation| equation.phi().expect("a row with a residual"));
         let (nu, gamma) = (system.equations.iter().map(|equation| equation.nu), system.equations.iter().map(|equation| equation.gamma));
         let roots: Vec<_> = phi.chain(entries().map(|entry| entry.1)).chain(nu).chain(gamma).collect();
         let outputs: Vec<_> = system.outputs.iter().flat_map(|output| output.components.iter().flatten().copied()).collect();
@@ -49,9 +49,9 @@ impl Interpreter {
         };
         Self {
             parameters: model.parameters.iter().map(|parameter| parameter.name.to_string()).collect(),
-            size: (system.equations.len(), system.unknowns.len()),
+            size: (system.equations.len(), system.coordinates.len()),
             pattern: system.equations.iter().enumerate().flat_map(place).collect(),
-            start: compiled.closure.start,
+            start: compiled.assembly.start,
             functions: model.functions,
             rows: Evaluator::new(&system.arena, &roots),
             outputs: Evaluator::new(&system.arena, &outputs),

@@ -1,15 +1,19 @@
 //! The whole compiler on one page.
 
-use crate::closure::{self, Closure};
+use crate::assembly::{self, Assembly};
+use crate::connectivity;
 use crate::diag::{Diag, Refusal};
 use crate::emit;
 use crate::expansion;
+use crate::mobility;
 use crate::model::{self, Model};
 use crate::picture::{self, Picture};
 use crate::plan::{self, Plan};
+use crate::redundancy;
 use crate::structure::{self, Structure};
 use crate::syntax::{self, ast};
 use crate::system::{self, System};
+use crate::travel::{self, Motion};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::quote;
 
@@ -23,7 +27,9 @@ pub struct Compiled {
     /// The order of solution.
     pub structure: Structure,
     /// The configuration to start from.
-    pub closure: Closure,
+    pub assembly: Assembly,
+    /// How the motion goes on from there.
+    pub motion: Motion,
     /// Straight lines.
     pub plan: Plan,
     /// What it looks like.
@@ -116,8 +122,8 @@ fn continued(tree: &ast::Mechanism, tokens: TokenStream, known: TokenStream, mut
     }
     let definitions = definitions(known, &mut diag);
     match rooms(tree, definitions, &mut diag) {
-        Some(Compiled { model, system, closure, plan, picture, .. }) => {
-            let tokens = emit::emit(&model, &system, &closure, &plan, &picture);
+        Some(Compiled { model, system, assembly, motion, plan, picture, .. }) => {
+            let tokens = emit::emit(&model, &system, &assembly, &motion, &plan, &picture);
             let unwritten = expansion::write(&model.name.to_string(), &tokens);
             quote!(#tokens #unwritten)
         }
@@ -144,19 +150,21 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     // Every name is an id, every quantity has a dimension.
     let system = system::assemble(&model, diag)?;
     // There are unknowns and equations only, with all their derivatives.
-    closure::rows_depend_on_positions(&model, &system, diag)?;
-    structure::rows_agree(&model, &system, diag)?;
-    // All bodies hang on ground, and no row says what others say.
-    let checked = closure::surplus(&model, &system, diag)?;
-    // Of equations that follow from others it is known which are checked instead of solved.
-    let structure = structure::analyze(&model, &system, &checked, diag)?;
+    connectivity::check(&model, &system, diag)?;
+    // All bodies hang on ground.
+    let redundant = redundancy::find(&model, &system, diag)?;
+    // No row says what others say, but for those of redundant joints, which are checked instead of solved.
+    let structure = structure::analyze(&system.pattern, &redundant);
+    mobility::check(&model, &system, &redundant, diag)?;
     // Every unknown belongs to a block, and the blocks are in order.
-    let closure = closure::close(&model, &system, &structure, diag)?;
+    let assembly = assembly::assemble(&model, &system, &structure, diag)?;
     // There is a configuration to start from, an assembled one unless the mechanism allows others.
-    let plan = plan::schedule(&model, &system, &structure, &closure);
+    let motion = travel::follow(&model, &system, &structure, &assembly, diag)?;
+    // The motion goes on over its range, as far as that was seen.
+    let plan = plan::schedule(&model, &system, &structure, &assembly);
     // Nothing is left to decide.
-    let picture = picture::draw(&model, &system, &closure);
-    Some(Compiled { model, system, structure, closure, plan, picture })
+    let picture = picture::draw(&model, &system, &assembly);
+    Some(Compiled { model, system, structure, assembly, motion, plan, picture })
 }
 
 fn check(definitions: &ast::Definitions, diag: &mut Diag) {

@@ -2,25 +2,31 @@
 //! its constraint equations, their Jacobian, ν and γ as Rust code.
 //!
 //! ```text
-//! tokens ─parse─▶ Ast ─resolve─▶ Model ─assemble─▶ System ─analyze─▶ Structure ─close─▶ Closure ─schedule─▶ Plan ─emit─▶ tokens
+//! tokens ─parse─▶ Ast ─resolve─▶ Model ─assemble─▶ System ─analyze─▶ Structure ─assemble─▶ Assembly ─schedule─▶ Plan ─emit─▶ tokens
 //! ```
 //!
 //! Each room reads only nouns made before it; `compile.rs` is the whole way on one page. Users
 //! depend on the crate `reuleaux`, which re-exports the macros; this crate is for tests, fuzzers,
 //! benchmarks and build scripts, and its interface may change in any version.
 
-pub mod closure;
+pub mod assembly;
 mod compile;
+mod connectivity;
 pub mod diag;
 mod emit;
 mod expansion;
 pub mod expr;
 pub mod library;
+mod mobility;
 pub mod model;
+mod numeric;
 pub mod picture;
 pub mod plan;
+pub mod quantity;
+mod redundancy;
 pub mod structure;
 pub mod syntax;
 pub mod system;
+pub mod travel;
 
 pub use compile::{Compiled, check_constraint, compile, constraint, error_pages, library_pages, mechanism, resume};

@@ -32,7 +32,7 @@ fn what_can_be_assembled_is_accepted() {
     let is_accepted = |seed: u64| {
         let source = elements::random(&mut Rng::with_seed(seed)).declaration();
         match compiled(&source) {
-            Ok(compiled) => assert!(compiled.closure.is_closed, "seed {seed} is not assembled:\n{source}"),
+            Ok(compiled) => assert!(compiled.assembly.is_closed, "seed {seed} is not assembled:\n{source}"),
             Err(refusals) => panic!("seed {seed} is refused:\n{}\nin\n{source}", shown(&refusals, &source)),
         }
     };

@@ -28,7 +28,7 @@ pub(crate) fn judge(seed: u64) -> Verdict {
     let followed = source.replacen("#[closure(start)]", "#[closure(deny)]", 1);
     let there = |what: &str| format!("seed {seed}: {what}\n{followed}");
     let (end, reached) = match compiled(&followed) {
-        Ok(compiled) => (None, compiled.closure.followed.reached[1]),
+        Ok(compiled) => (None, compiled.motion.reached[1]),
         Err(refusals) => match &refusals[0].fact {
             Fact::MotionEnds { time, .. } => (Some(*time), *time),
             other => panic!("{}", there(&other.to_string())),
@@ -39,7 +39,7 @@ pub(crate) fn judge(seed: u64) -> Verdict {
     }
     let compiled = compiled(&source).unwrap_or_else(|refusals| panic!("{}", there(&refusals[0].fact.to_string())));
     let mut tracker = Tracker::new(&compiled);
-    let start = tracker.settle(0.0, compiled.closure.start.clone()).expect("the start is closed");
+    let start = tracker.settle(0.0, compiled.assembly.start.clone()).expect("the start is closed");
     let Some(end) = end else {
         tracker.follow(start, reached).unwrap_or_else(|time| panic!("{}", there(&format!("ends at {time} s, said to reach {reached} s"))));
         return Verdict::GoesOn;
@@ -81,7 +81,7 @@ impl<'a> Tracker<'a> {
         let system = &compiled.system;
         let rows: Vec<_> = system.equations.iter().collect();
         let n = rows.len();
-        assert_eq!(n, system.unknowns.len());
+        assert_eq!(n, system.coordinates.len());
         let mut roots: Vec<Expr> = rows.iter().filter_map(|row| row.phi).collect();
         roots.extend(rows.iter().map(|row| row.nu));
         let mut pattern = Vec::new();

@@ -1,7 +1,6 @@
 //! What can be wrong with a declaration: facts with their numbers. `message.rs` has the words.
 
-use crate::closure::{Bound, Gap};
-use crate::model::Dim;
+use crate::quantity::{Dim, Role};
 
 /// Something wrong with a declaration.
 #[derive(Clone, Debug, PartialEq)]
@@ -163,7 +162,7 @@ pub enum Fact {
     SingularStart { bodies: Vec<String>, in_line: bool, drives: Vec<String>, has_others: bool },
     MotionEnds { joint: String, driven: Vec<Driven>, time: f64, in_line: Vec<String>, until: f64, declared: Option<[f64; 2]> },
     Crosses { driven: Vec<Driven>, time: f64 },
-    AmbiguousStart { body: String, coordinate: &'static str, is_angle: bool, values: [f64; 2], place: [f64; 2], is_declared: bool },
+    AmbiguousStart { body: String, coordinate: Role, values: [f64; 2], place: [f64; 2], is_declared: bool },
 }
 
 /// The names that there are: the first few, and how many in all.
@@ -196,8 +195,8 @@ impl Known {
 pub struct Driven {
     /// The body, or the drive itself where it moves no single coordinate.
     pub name: String,
-    /// `x`, `y`, `angle`; nothing for a drive.
-    pub coordinate: &'static str,
+    /// The coordinate; none of a drive itself.
+    pub coordinate: Option<Role>,
     /// Its value, in SI, if it is known.
     pub value: Option<(f64, Dim)>,
 }
@@ -235,4 +234,33 @@ pub struct Count {
     pub drives: usize,
     /// How many more there would have to be.
     pub missing: usize,
+}
+
+/// What stays open.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gap {
+    /// How far points or lines are apart, in m.
+    pub length: f64,
+    /// By how much angles differ, in rad.
+    pub angle: f64,
+    /// By how much the sides of another equation differ, in SI, and its unit.
+    pub other: Option<(f64, String)>,
+}
+
+/// A link that is too long for the others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bound {
+    /// The others: what they are called and how long they are, in m.
+    pub ways: Vec<(String, f64)>,
+    /// What is too long: what it is called and how long it is, in m.
+    pub span: (String, f64),
+    /// No angle of a drive plays a part.
+    pub is_always: bool,
+}
+
+impl Bound {
+    /// How much is missing, in m.
+    pub(crate) fn missing(&self) -> f64 {
+        self.span.1 - self.ways.iter().map(|(_, length)| length).sum::<f64>()
+    }
 }

@@ -102,13 +102,13 @@ impl fmt::Display for Fact {
                     ["param", "let", "ground", "body", "joint", "drive", "output", "range", "part", "for", "component", "function", "use"];
                 // Words as short as `for` are near to many others: they come last.
                 let (rare, often): (Vec<&str>, Vec<&str>) = known.iter().partition(|known| matches!(**known, "part" | "for" | "range"));
-                let near = crate::model::suggest::nearest;
+                let near = crate::diag::nearest;
                 let near = near(word, often.into_iter()).or_else(|| near(word, rare.into_iter()));
                 write!(f, "`{word}` is no item of a mechanism{}", did_you_mean(&near))?;
                 write!(f, "\nnote: items are {}", listed(known.into_iter()))
             }
             Fact::UnknownBodyItem { word } => {
-                let near = crate::model::suggest::nearest(word, ["point", "axis", "start"].into_iter());
+                let near = crate::diag::nearest(word, ["point", "axis", "start"].into_iter());
                 write!(f, "`{word}` is no item of a body{}\nnote: a body has `point`, `axis` and `start`", did_you_mean(&near))
             }
             Fact::OneArgument => {
@@ -122,7 +122,7 @@ impl fmt::Display for Fact {
             Fact::MethodCall { name } if is_power(name) => write!(f, "there are no methods here\nhelp: a power is written `a^b`"),
             Fact::MethodCall { name } => write!(f, "there are no methods here\nhelp: write `{name}(value)` for `value.{name}()`"),
             Fact::SpaceBeforeUnit { number, unit } => {
-                if crate::model::unit::lookup(unit).is_some() {
+                if crate::quantity::unit(unit).is_some() {
                     return write!(f, "a unit stands right behind its number\nhelp: write `{number}{unit}`");
                 }
                 write!(f, "an operator is missing between `{number}` and `{unit}`\nhelp: write `{number} * {unit}`")

@@ -8,12 +8,14 @@ mod fact;
 mod message;
 mod remedy;
 mod shown;
+mod suggest;
 mod warning;
 
 pub use code::PAGES;
-pub use fact::{Count, Demand, Driven, Fact, Forgotten, Known};
+pub use fact::{Bound, Count, Demand, Driven, Fact, Forgotten, Gap, Known};
 pub(crate) use message::{degrees, millimetres, significant};
 pub(crate) use remedy::quantity;
+pub(crate) use suggest::{nearest, nearest_unit};
 pub use warning::{Doubt, Warning};
 
 use proc_macro2::{Ident, Span, TokenStream};

@@ -1,6 +1,6 @@
 //! What to type instead, where it follows from what was found and what was wanted.
 
-use crate::model::Dim;
+use crate::quantity::Dim;
 
 /// For a thing of another kind than its place asks for; empty where nothing can be said.
 pub(super) fn of_kind(wanted: &str, found: &str) -> &'static str {

@@ -1,7 +1,7 @@
 //! What is written above generated items.
 
 use super::abridged::{Abridged, list};
-use crate::closure::{Closure, Followed};
+use crate::assembly::Assembly;
 use crate::diag::significant;
 use crate::expr::{Evaluator, Leaf, Values, show};
 use crate::model::{Function, Method, Model, Output, Parameter};
@@ -9,6 +9,7 @@ use crate::picture::Picture;
 use crate::plan::{Code, Cost, Elimination, Plan, Solution, Summary};
 use crate::syntax::ast::Closing;
 use crate::system::System;
+use crate::travel::Motion;
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::fmt::Write;
@@ -25,9 +26,9 @@ pub(super) fn lines(page: &str) -> TokenStream {
 }
 
 /// The page of the generated struct: the picture, and tables of parameters, coordinates and equations.
-pub(super) fn mechanism(model: &Model, system: &System, closure: &Closure, plan: &Plan, picture: &Picture) -> String {
+pub(super) fn mechanism(model: &Model, system: &System, assembly: &Assembly, motion: &Motion, plan: &Plan, picture: &Picture) -> String {
     let mut page = String::new();
-    let (n, m) = (system.unknowns.len(), system.equations.len());
+    let (n, m) = (system.coordinates.len(), system.equations.len());
     let drives: usize = model.joints.iter().filter(|joint| joint.is_drive).map(|joint| joint.residuals.len()).sum();
     let checked = plan.checked.len();
     let mobility = n as i64 - (m - drives - checked) as i64;
@@ -40,18 +41,24 @@ pub(super) fn mechanism(model: &Model, system: &System, closure: &Closure, plan:
         page,
         "\n{n} coordinates, {m} equations, {drives} of them drives{redundant}: mobility {mobility} without drives, as counted."
     );
-    page.push_str(&assembly(model, closure));
-    page.push_str(&followed(&closure.followed));
+    page.push_str(&assembled(model, assembly));
+    page.push_str(&followed(motion));
     // HTML in a page of Markdown stands between blank lines.
     let _ = writeln!(page, "\n{}\n{}", picture.svg().unwrap_or_default(), picture.words());
     parameters(&mut page, model, system);
     let _ = writeln!(page, "\n# Coordinates\n\n| | body | coordinate | unit |\n| --- | --- | --- | --- |");
     let mut table = Abridged::new(model);
-    for (index, unknown) in system.unknowns.iter().enumerate() {
+    for (index, unknown) in system.coordinates.iter().enumerate() {
         if !table.shows([&model.bodies[unknown.body].name].into_iter()) {
             continue;
         }
-        let _ = writeln!(page, "| `q[{index}]` | `{}` | {} | {} |", model.bodies[unknown.body].name, unknown.name, unknown.dim.unit());
+        let _ = writeln!(
+            page,
+            "| `q[{index}]` | `{}` | {} | {} |",
+            model.bodies[unknown.body].name,
+            unknown.role.name(),
+            unknown.role.dim().unit()
+        );
     }
     table.rest(&mut page, |more| format!("| | {more} | | |"));
     equations(&mut page, model, system);
@@ -71,10 +78,10 @@ pub(super) fn mechanism(model: &Model, system: &System, closure: &Closure, plan:
 }
 
 /// What a mechanism accepts that others would be refused for.
-fn assembly(model: &Model, closure: &Closure) -> String {
-    let doubts = closure.warnings.iter().map(|warning| warning.doubt.to_string());
+fn assembled(model: &Model, assembly: &Assembly) -> String {
+    let doubts = assembly.warnings.iter().map(|warning| warning.doubt.to_string());
     let far: String = doubts.map(|doubt| format!("\nNote: {}.\n", doubt.lines().next().unwrap_or_default())).collect();
-    let assembled = match (&closure.remark, model.closing) {
+    let assembled = match (&assembly.remark, model.closing) {
         (Some(remark), _) => {
             let fact = remark.lines().next().unwrap_or_default();
             format!("\nAt the declared defaults and t = 0, as `#[closure(allow)]` accepts: {fact}.\n")
@@ -86,7 +93,7 @@ fn assembly(model: &Model, closure: &Closure) -> String {
 }
 
 /// What was found where the motion was followed from the start.
-fn followed(found: &Followed) -> String {
+fn followed(found: &Motion) -> String {
     let [from, to] = found.reached;
     let mut lines = String::new();
     if from < to {
@@ -107,11 +114,11 @@ fn solution(page: &mut String, model: &Model, system: &System, solution: &Soluti
         .filter_map(|stage| if let Summary::Block { unknowns, .. } = stage { Some(unknowns) } else { None })
         .collect();
     let iterated: usize = blocks.iter().map(|unknowns| unknowns.len()).sum();
-    let (explicit, blocks) = (system.unknowns.len() - iterated, blocks.len());
+    let (explicit, blocks) = (system.coordinates.len() - iterated, blocks.len());
     let _ = writeln!(page, "\n# Solution\n\n{explicit} coordinates are computed, {iterated} are iterated in {blocks} blocks.\n\n```text");
     let name = |unknown: &usize| coordinate_name(model, system, *unknown);
     let mut table = Abridged::new(model);
-    let body = |unknown: &usize| &model.bodies[system.unknowns[*unknown].body].name;
+    let body = |unknown: &usize| &model.bodies[system.coordinates[*unknown].body].name;
     for stage in &solution.stages {
         let is_shown = match stage {
             Summary::Explicit { unknown, .. } => table.shows([body(unknown)].into_iter()),
@@ -151,10 +158,10 @@ fn eliminated(page: &mut String, elimination: &Elimination) -> std::fmt::Result 
 
 /// `crank.angle`
 pub(super) fn coordinate_name(model: &Model, system: &System, unknown: usize) -> String {
-    match system.unknowns.get(unknown) {
-        Some(unknown) => format!("{}.{}", model.bodies[unknown.body].name, unknown.name),
+    match system.coordinates.get(unknown) {
+        Some(unknown) => format!("{}.{}", model.bodies[unknown.body].name, unknown.role.name()),
         // What a slice is for comes after all unknowns.
-        None => format!("component {} of the output", unknown - system.unknowns.len() + 1),
+        None => format!("component {} of the output", unknown - system.coordinates.len() + 1),
     }
 }
 
@@ -190,9 +197,9 @@ fn equations(page: &mut String, model: &Model, system: &System) {
         Leaf::Time => "t".to_owned(),
         Leaf::Datum(index) => format!("d{index}"),
         Leaf::Parameter(index) => model.parameters.get(index as usize).map_or(String::new(), |parameter| parameter.name.to_string()),
-        Leaf::Coordinate(index) | Leaf::Velocity(index) | Leaf::Acceleration(index) => {
-            let Some(unknown) = system.unknowns.get(index as usize) else { return String::new() };
-            let symbol = if unknown.name == "angle" { "φ" } else { unknown.name };
+        Leaf::Coordinate(index) | Leaf::Speed(index) | Leaf::Acceleration(index) => {
+            let Some(unknown) = system.coordinates.get(index as usize) else { return String::new() };
+            let symbol = unknown.role.symbol();
             format!("{symbol}_{}", model.bodies[unknown.body].name)
         }
     };
@@ -203,7 +210,7 @@ fn equations(page: &mut String, model: &Model, system: &System) {
     let mut table = Abridged::new(model);
     for equation in &system.equations {
         let joint = &model.joints[equation.joint];
-        let Some(phi) = equation.phi else { continue };
+        let Some(phi) = equation.phi() else { continue };
         if !table.shows([&joint.name].into_iter()) {
             continue;
         }

@@ -5,8 +5,9 @@ use super::expression::{Printer, local};
 use super::literal::{matrix_type, number, real, vector_type};
 use super::routine::{Lines, lines};
 use crate::expr::Expr;
-use crate::model::{Dim, Model};
+use crate::model::Model;
 use crate::plan::{Code, Plan, Routine, Target};
+use crate::quantity::Role;
 use crate::system::System;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -24,7 +25,7 @@ impl Emitter<'_> {
     }
 
     fn sizes(&self) -> (usize, usize) {
-        (self.system.equations.len(), self.system.unknowns.len())
+        (self.system.equations.len(), self.system.coordinates.len())
     }
 
     /// Φ
@@ -235,9 +236,9 @@ impl Emitter<'_> {
     pub(super) fn traits(&self) -> TokenStream {
         let (name, (m, n)) = (&self.model.name, self.sizes());
         let word = name.to_string();
-        let coordinates = self.system.unknowns.iter().map(|unknown| {
-            let (body, name) = (self.model.bodies[unknown.body].name.to_string(), unknown.name);
-            if unknown.dim == Dim::ANGLE {
+        let coordinates = self.system.coordinates.iter().map(|unknown| {
+            let (body, name) = (self.model.bodies[unknown.body].name.to_string(), unknown.role.name());
+            if unknown.role == Role::Angle {
                 quote!(::reuleaux::Coordinate::angle(#body, #name))
             } else {
                 quote!(::reuleaux::Coordinate::length(#body, #name))

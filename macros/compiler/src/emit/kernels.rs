@@ -8,8 +8,8 @@ use super::scene::{Scene, pair};
 use super::stages::{Index, Shelf};
 use super::{allowed, docs};
 use crate::expr::{Leaf, Node};
-use crate::model::Dim;
 use crate::plan::{Column, Kernel, Kernels, Part, Round, Words};
+use crate::quantity::Role;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use std::collections::BTreeMap;
@@ -36,7 +36,7 @@ impl Emitter<'_> {
             Some(quote!((#found.q[#place], #found.qd[#place], #found.qdd[#place]) = (#given[#index], T::of(0.0), T::of(0.0));))
         });
         // The moving parts may turn by angles that rest.
-        let is_angle = |unknown: &&usize| self.system.unknowns.get(**unknown).is_some_and(|unknown| unknown.dim == Dim::ANGLE);
+        let is_angle = |unknown: &&usize| self.system.coordinates.get(**unknown).is_some_and(|unknown| unknown.role == Role::Angle);
         let turned = shelf.given.iter().filter(is_angle).filter_map(|unknown| {
             let (place, rank) = (number(shelf.place(*unknown)?), number(*rank.get(unknown)?));
             Some(quote!(#turns[#rank] = #found.q[#place].turn();))
@@ -71,7 +71,7 @@ impl Emitter<'_> {
 
     /// The angles that are held.
     fn angles<'a>(&'a self, shelf: &'a Shelf) -> impl Iterator<Item = usize> + 'a {
-        let is_angle = |unknown: &usize| self.system.unknowns.get(*unknown).is_some_and(|unknown| unknown.dim == Dim::ANGLE);
+        let is_angle = |unknown: &usize| self.system.coordinates.get(*unknown).is_some_and(|unknown| unknown.role == Role::Angle);
         shelf.held.iter().copied().filter(is_angle)
     }
 
@@ -227,7 +227,7 @@ fn reads(kernel: &Kernel, unknowns: &[Index], ranks: &BTreeMap<usize, TokenStrea
         let Node::Leaf(leaf) = *kernel.shape.arena.node(expr) else { continue };
         let (slot, order, vector) = match leaf {
             Leaf::Coordinate(slot) => (slot as usize, 0, "q"),
-            Leaf::Velocity(slot) => (slot as usize, 1, "qd"),
+            Leaf::Speed(slot) => (slot as usize, 1, "qd"),
             Leaf::Acceleration(slot) => (slot as usize, 2, "qdd"),
             Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_) => continue,
         };

@@ -30,13 +30,14 @@ mod validate;
 pub(crate) use definition::{error_pages, export, library_pages, resume};
 pub(crate) use stub::{fallback, stub};
 
-use crate::closure::Closure;
+use crate::assembly::Assembly;
 use crate::diag::Warning;
 use crate::model::{Function, Model};
 use crate::picture::Picture;
 use crate::plan::{Cost, Plan, Solution, Summary};
 use crate::syntax::ast::{Closing, Docs};
 use crate::system::System;
+use crate::travel::Motion;
 use functions::Emitter;
 use literal::{number, real, signed, vector_type};
 use parameters::Parameters;
@@ -53,20 +54,20 @@ pub(crate) fn identifier(name: &str) -> Ident {
 }
 
 /// The functions of the mechanism, its traits, its state and its slices, and last the struct with its page.
-pub(crate) fn emit(model: &Model, system: &System, closure: &Closure, plan: &Plan, picture: &Picture) -> TokenStream {
+pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: &Motion, plan: &Plan, picture: &Picture) -> TokenStream {
     let emitter = Emitter { model, system, plan };
-    let structure = structure(model, &docs::mechanism(model, system, closure, plan, picture));
+    let structure = structure(model, &docs::mechanism(model, system, assembly, motion, plan, picture));
     let (default, with_defaults, family) = defaults(model, system);
     let components = Parameters::new(&model.layout, &model.name).components(model, system);
     let (constants, tables) = (constants(model, system, plan), tables(model));
     let equations = [emitter.phi(), emitter.jacobian(), emitter.linearize(), emitter.nu(), emitter.gamma()];
-    let (start, length, validate) = (start(closure), emitter.characteristic_length(), emitter.validate());
+    let (start, length, validate) = (start(assembly), emitter.characteristic_length(), emitter.validate());
     let (outputs, traits, stages) = (emitter.outputs(), emitter.traits(), emitter.stages());
     let solve = (!model.equations_only).then(|| solve(model, system, plan));
     let (solve_for, slices) = emitter.slices();
     // Where defaults only hold a place nothing is said of them.
     let warns = model.closing == Closing::Deny && !model.allows_far_start;
-    let warnings = closure.warnings.iter().filter(|_| warns).chain(&closure.followed.warning).map(Warning::to_tokens);
+    let warnings = assembly.warnings.iter().filter(|_| warns).chain(&motion.warning).map(Warning::to_tokens);
     let state = (!model.equations_only || !model.outputs.is_empty()).then(|| state(model, system));
     let (name, allowed) = (&model.name, allowed());
     quote! {
@@ -159,7 +160,7 @@ fn constants(model: &Model, system: &System, plan: &Plan) -> TokenStream {
             pub #constant
         }
     });
-    let [coordinates, equations, entries] = [system.unknowns.len(), system.equations.len(), plan.pattern.len()].map(number);
+    let [coordinates, equations, entries] = [system.coordinates.len(), system.equations.len(), plan.pattern.len()].map(number);
     let pairs = plan.pattern.iter().map(|(row, column)| {
         let (row, column) = (number(*row), number(*column));
         quote!((#row, #column))
@@ -251,8 +252,8 @@ fn tables(model: &Model) -> TokenStream {
     model.functions.iter().enumerate().map(table).collect()
 }
 
-fn start(closure: &Closure) -> TokenStream {
-    let (vector, values) = (vector_type(closure.start.len()), closure.start.iter().map(|value| real(*value)));
+fn start(assembly: &Assembly) -> TokenStream {
+    let (vector, values) = (vector_type(assembly.start.len()), assembly.start.iter().map(|value| real(*value)));
     quote! {
         /// The assembled configuration at the declared defaults and t = 0, in SI, from which `solve` sets out.
         #[must_use]
@@ -281,7 +282,7 @@ fn state_path(mechanism: &Ident) -> TokenStream {
 
 /// The functions that solve a mechanism.
 fn solve(model: &Model, system: &System, plan: &Plan) -> TokenStream {
-    let (name, state, n) = (&model.name, state_path(&model.name), system.unknowns.len());
+    let (name, state, n) = (&model.name, state_path(&model.name), system.coordinates.len());
     let (vector, n) = (vector_type(n), number(n));
     let result = quote!(::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>>);
     // A sweep prepares what there is to prepare.
@@ -333,7 +334,7 @@ fn solve(model: &Model, system: &System, plan: &Plan) -> TokenStream {
 }
 
 fn state(model: &Model, system: &System) -> TokenStream {
-    let (name, visibility, n) = (&model.name, &model.visibility, system.unknowns.len());
+    let (name, visibility, n) = (&model.name, &model.visibility, system.coordinates.len());
     let (module, own_name, state) = (state_module(name), state_name(name), state_path(name));
     let first_line = docs::line(&format!("A state of [`{name}`](super::{name}): time, position, velocity and acceleration of every body."));
     let accessors = Accessors::new(&model.layout, &model.name, visibility, None);

@@ -51,7 +51,7 @@ fn reads(routine: &Routine, place: impl Fn(usize) -> TokenStream, together: usiz
     for (expr, leaf) in &routine.leaves {
         let (vector, index) = match *leaf {
             Leaf::Coordinate(index) => (0, index),
-            Leaf::Velocity(index) => (1, index),
+            Leaf::Speed(index) => (1, index),
             Leaf::Acceleration(index) => (2, index),
             Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_) => continue,
         };

@@ -52,7 +52,7 @@ impl Emitter<'_> {
             quote!(::reuleaux::Coordinate::length(#word, #component))
         });
         let upstream = upstream(&slice.solution.solving, slice.held.len(), &body);
-        let [n, whole, order] = [slice.held.len(), self.system.unknowns.len(), order].map(number);
+        let [n, whole, order] = [slice.held.len(), self.system.coordinates.len(), order].map(number);
         let held = slice.held.iter().map(|unknown| number(*unknown));
         let page = docs::line(&format!(
             "What is upstream of the output `{word}` of [`{mechanism}`], and nothing else, made by [`{mechanism}::solve_for_{word}`]."
@@ -82,7 +82,7 @@ impl Emitter<'_> {
 
     /// Names, start and size of what moves: those of the mechanism, as far as they belong to it.
     fn description(&self, name: &Ident, shelf: &Shelf) -> TokenStream {
-        let (mechanism, whole) = (&self.model.name, number(self.system.unknowns.len()));
+        let (mechanism, whole) = (&self.model.name, number(self.system.coordinates.len()));
         let of_mechanism = quote!(<#mechanism<T> as ::reuleaux::Description<T, #whole>>);
         let held = || shelf.held.iter().map(|unknown| number(*unknown));
         let coordinates = held().map(|index| quote!(#of_mechanism::COORDINATES[#index]));
@@ -116,7 +116,7 @@ impl Emitter<'_> {
         let (t, pass, given, stages) = (local("t"), local("pass"), local("given"), local("stages_of_what_moves"));
         let (argument, to, result) = results(&slice.solution.solving, n);
         let of_trait = stages_of(&slice.solution.solving, n, &quote!(self.0.#stages(&self.1, #t, #pass, #argument)));
-        let ([whole, n], allowed) = ([self.system.unknowns.len(), n].map(number), allowed());
+        let ([whole, n], allowed) = ([self.system.coordinates.len(), n].map(number), allowed());
         let step = quote! {
             fn step(&self, state: &mut ::reuleaux::State<T, #whole>, t: T) -> ::core::primitive::bool
             where

@@ -6,17 +6,17 @@ use super::expression::{local, named};
 use super::functions::Emitter;
 use super::literal::{number, vector_type};
 use super::scene::{Origins, Scene};
-use crate::model::Dim;
 use crate::plan::{Lines, Solution, Solving, Summary, Words};
+use crate::quantity::Role;
 use crate::system::Equation;
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Emitter<'_> {
     /// The runtime's trait `Stages`.
     pub(super) fn stages(&self) -> TokenStream {
-        let (name, n) = (&self.model.name, self.system.unknowns.len());
+        let (name, n) = (&self.model.name, self.system.coordinates.len());
         if self.model.equations_only {
             return quote!();
         }
@@ -65,7 +65,7 @@ impl Emitter<'_> {
 
     /// Computed angles that move
     fn computed_angles(&self, solution: &Solution, shelf: &Shelf) -> TokenStream {
-        let is_angle = |unknown: usize| self.system.unknowns.get(unknown).is_some_and(|unknown| unknown.dim == Dim::ANGLE);
+        let is_angle = |unknown: usize| self.system.coordinates.get(unknown).is_some_and(|unknown| unknown.role == Role::Angle);
         let angle = |stage: &Summary| match *stage {
             Summary::Explicit { unknown, moves: true } if is_angle(unknown) => shelf.place(unknown).map(Literal::usize_unsuffixed),
             _ => None,
@@ -113,7 +113,7 @@ impl Emitter<'_> {
 
     /// A guess improved with all equations
     fn improved(&self) -> TokenStream {
-        let (n, of_q) = (number(self.system.unknowns.len()), vector_type(self.system.unknowns.len()));
+        let (n, of_q) = (number(self.system.coordinates.len()), vector_type(self.system.coordinates.len()));
         let checked: BTreeSet<usize> = self.plan.checked.iter().copied().collect();
         let improved = if checked.is_empty() {
             quote!(::reuleaux::improved_at_once(self, t, guess))
@@ -153,14 +153,16 @@ impl Emitter<'_> {
             quote!(let #name = #given[#index];)
         });
         let parts = scene.parts();
-        let found = shelf.held.iter().map(|unknown| {
-            let motion = lines.unknowns[*unknown].each_ref().map(|name| local(name));
-            quote!([#(#motion),*])
-        });
+        let column = |order: usize| -> Vec<Ident> { shelf.held.iter().map(|unknown| local(&lines.unknowns[*unknown][order])).collect() };
+        let (q, qd, qdd) = (column(0), column(1), column(2));
         quote! {
             #(#given)*
             #parts
-            ::core::result::Result::Ok(::reuleaux::Coordinates::of_each([#(#found),*]))
+            ::core::result::Result::Ok(::reuleaux::Coordinates {
+                q: ::core::convert::From::from([#(#q),*]),
+                qd: ::core::convert::From::from([#(#qd),*]),
+                qdd: ::core::convert::From::from([#(#qdd),*]),
+            })
         }
     }
 
@@ -178,8 +180,8 @@ impl Emitter<'_> {
 
     /// An unknown by its index in q; components of outputs, which follow, are never solved for.
     pub(super) fn index(&self, unknown: usize) -> Index {
-        let is_length = self.system.unknowns.get(unknown).is_some_and(|unknown| unknown.dim != Dim::ANGLE);
-        let body = self.system.unknowns.get(unknown).map(|unknown| self.model.bodies[unknown.body].name.local.clone());
+        let is_length = self.system.coordinates.get(unknown).is_some_and(|unknown| unknown.role.is_position());
+        let body = self.system.coordinates.get(unknown).map(|unknown| self.model.bodies[unknown.body].name.local.clone());
         Index { place: number(unknown), kind: kind(is_length), is_length, body: body.unwrap_or_default() }
     }
 

@@ -7,7 +7,7 @@ use super::parameters::Parameters;
 use super::slices::{plain, slice_name};
 use super::state::Accessors;
 use crate::diag::Fact;
-use crate::model::suggest::nearest;
+use crate::diag::nearest;
 use crate::model::{Layout, Method, Of, Outline, is_generated, outline};
 use crate::syntax::ast::{Expr, ExprKind, Item, Marks, Mechanism, Operator, Use};
 use proc_macro2::{Ident, TokenStream};

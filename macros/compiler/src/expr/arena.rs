@@ -98,6 +98,13 @@ impl Arena {
         self.unary(Unary::Neg, a)
     }
 
+    /// a₁ + a₂ + …, from the left; 0 of nothing.
+    pub fn sum(&mut self, terms: &[Expr]) -> Expr {
+        let mut terms = terms.iter().copied();
+        let first = terms.next().unwrap_or_else(|| self.integer(0));
+        terms.fold(first, |sum, term| self.add(sum, term))
+    }
+
     /// a + b
     pub fn add(&mut self, a: Expr, b: Expr) -> Expr {
         self.binary(Binary::Add, a, b)

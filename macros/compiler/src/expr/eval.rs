@@ -30,7 +30,7 @@ impl Values<'_> {
             Leaf::Datum(_) => return f64::NAN,
             Leaf::Parameter(i) => (self.parameters, i),
             Leaf::Coordinate(i) => (self.coordinates, i),
-            Leaf::Velocity(i) => (self.velocities, i),
+            Leaf::Speed(i) => (self.velocities, i),
             Leaf::Acceleration(i) => (self.accelerations, i),
         };
         list.get(number as usize).copied().unwrap_or(f64::NAN)
@@ -105,7 +105,7 @@ pub(crate) fn magnitudes(arena: &Arena, roots: &[Expr], values: &Values) -> Vec<
 /// The interpreter made ready for some roots, for those who evaluate them often.
 #[derive(Clone, Debug)]
 pub struct Evaluator {
-    steps: Vec<Step>,
+    steps: Vec<Instruction>,
     roots: Vec<usize>,
     // Scratch: the value of each step.
     slots: Vec<f64>,
@@ -113,7 +113,7 @@ pub struct Evaluator {
 
 /// One node with its operands as slots.
 #[derive(Clone, Copy, Debug)]
-enum Step {
+enum Instruction {
     Constant(f64),
     Leaf(Leaf),
     Unary(Unary, usize),
@@ -130,12 +130,12 @@ impl Evaluator {
         // Every operand is in the list, which ascends; the place where it is or would be serves.
         let slot = |expr: Expr| order.partition_point(|&e| e < expr);
         let step = |&expr: &Expr| match *arena.node(expr) {
-            Node::Constant(value) => Step::Constant(value.to_f64()),
-            Node::Leaf(leaf) => Step::Leaf(leaf),
-            Node::Unary(function, a) => Step::Unary(function, slot(a)),
-            Node::Binary(function, a, b) => Step::Binary(function, slot(a), slot(b)),
-            Node::Select { lhs, rhs, then, otherwise } => Step::Select([lhs, rhs, then, otherwise].map(slot)),
-            Node::Call { function, order, argument } => Step::Call { function, order: usize::from(order), argument: slot(argument) },
+            Node::Constant(value) => Instruction::Constant(value.to_f64()),
+            Node::Leaf(leaf) => Instruction::Leaf(leaf),
+            Node::Unary(function, a) => Instruction::Unary(function, slot(a)),
+            Node::Binary(function, a, b) => Instruction::Binary(function, slot(a), slot(b)),
+            Node::Select { lhs, rhs, then, otherwise } => Instruction::Select([lhs, rhs, then, otherwise].map(slot)),
+            Node::Call { function, order, argument } => Instruction::Call { function, order: usize::from(order), argument: slot(argument) },
         };
         Evaluator {
             steps: order.iter().map(step).collect(),
@@ -155,18 +155,18 @@ impl Evaluator {
         for step in &self.steps {
             let slots = &self.slots;
             let value = match *step {
-                Step::Constant(value) => value,
-                Step::Leaf(leaf) => values.of(leaf),
-                Step::Unary(function, a) => function.apply(slots[a]),
-                Step::Binary(function, a, b) => function.apply(slots[a], slots[b]),
-                Step::Select([lhs, rhs, then, otherwise]) => {
+                Instruction::Constant(value) => value,
+                Instruction::Leaf(leaf) => values.of(leaf),
+                Instruction::Unary(function, a) => function.apply(slots[a]),
+                Instruction::Binary(function, a, b) => function.apply(slots[a], slots[b]),
+                Instruction::Select([lhs, rhs, then, otherwise]) => {
                     if slots[lhs] < slots[rhs] {
                         slots[then]
                     } else {
                         slots[otherwise]
                     }
                 }
-                Step::Call { function, order, argument } => {
+                Instruction::Call { function, order, argument } => {
                     let jet = (values.functions)(function, slots[argument]);
                     jet.get(order).copied().unwrap_or(f64::NAN)
                 }

@@ -1,9 +1,8 @@
-//! Rates along the motion. An expression comes in; its value, first and second total time
-//! derivative go out.
+//! Derivatives along a direction. An expression comes in; its value, first and second derivative go out.
 //!
-//! Along the motion q̇ and q̈ are leaves of their own, time runs at rate 1, parameters rest. The
-//! derivatives are propagated together as Taylor coefficients through each operation, which
-//! gives shorter and better conditioned expressions than differentiating twice.
+//! The direction is a [`Seed`]: what the derivative D makes of each leaf. Along the motion u and u̇ are leaves of their own and
+//! D(q) = N(q) u, time runs at rate 1, parameters rest. The derivatives are propagated together as Taylor coefficients through each
+//! operation, which gives shorter and better conditioned expressions than differentiating twice.
 
 use std::collections::HashMap;
 
@@ -13,30 +12,64 @@ use super::{Arena, Binary, Expr, Leaf, Node, Unary};
 /// Value, first and second rate.
 type Jet = [Expr; 3];
 
+/// The rate of a coordinate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rate {
+    /// The speed of this number.
+    Speed(u32),
+    /// First and second derivative along the seed, as expressions.
+    Given([Expr; 2]),
+}
+
+/// A direction: what D makes of each leaf.
+#[derive(Clone, Debug, Default)]
+pub struct Seed {
+    /// D(t) = 1; otherwise time rests.
+    time_runs: bool,
+    /// D(u) = u̇; otherwise speeds are constant.
+    speeds_change: bool,
+    /// D(p) = 1 for this parameter; all others rest.
+    parameter: Option<u32>,
+    /// D(q) of each coordinate; those beyond the last one rest.
+    coordinates: Vec<Rate>,
+}
+
+impl Seed {
+    /// Along the motion: D(q) as given, D(u) = u̇, D(t) = 1. The rate of u̇ is taken as 0.
+    #[must_use]
+    pub fn motion(coordinates: Vec<Rate>) -> Seed {
+        Seed { time_runs: true, speeds_change: true, parameter: None, coordinates }
+    }
+
+    /// At constant speeds: D(q) as given, D(u) = 0, D(t) = 1. The second derivative of Φ is −γ.
+    #[must_use]
+    pub fn constant_speeds(coordinates: Vec<Rate>) -> Seed {
+        Seed { speeds_change: false, ..Seed::motion(coordinates) }
+    }
+
+    /// By a parameter at fixed q, u and t.
+    #[must_use]
+    pub fn parameter(parameter: u32) -> Seed {
+        Seed { parameter: Some(parameter), ..Seed::default() }
+    }
+}
+
 /// The jets of all expressions asked for so far, so that many rows share their work. Belongs to
 /// one arena.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Jets {
-    constant_velocity: bool,
+    seed: Seed,
     known: HashMap<Expr, Jet>,
 }
 
 impl Jets {
-    /// Along the motion: D(q) = q̇, D(q̇) = q̈, D(t) = 1. The rate of q̈ is taken as 0.
+    /// Along a direction.
     #[must_use]
-    pub fn new() -> Self {
-        Self::default()
+    pub fn along(seed: Seed) -> Self {
+        Jets { seed, known: HashMap::new() }
     }
 
-    /// Along s ↦ (q + s q̇, t + s): D(q) = q̇, D(q̇) = 0, D(t) = 1.
-    ///
-    /// The second rate of Φ along this line is −γ.
-    #[must_use]
-    pub fn at_constant_velocity() -> Self {
-        Jets { constant_velocity: true, known: HashMap::new() }
-    }
-
-    /// Value, first and second rate of `root`.
+    /// Value, first and second derivative of `root`.
     pub fn of(&mut self, arena: &mut Arena, root: Expr) -> [Expr; 3] {
         for expr in arena.reachable_until(&[root], |e| self.known.contains_key(&e)) {
             let jet = self.jet(arena, expr);
@@ -72,13 +105,20 @@ impl Jets {
 
     fn of_leaf(&self, arena: &mut Arena, expr: Expr, leaf: Leaf) -> Jet {
         let zero = arena.integer(0);
+        let seed = &self.seed;
         match leaf {
-            Leaf::Time => [expr, arena.integer(1), zero],
-            Leaf::Parameter(_) | Leaf::Datum(_) | Leaf::Acceleration(_) => [expr, zero, zero],
-            Leaf::Coordinate(i) if self.constant_velocity => [expr, arena.leaf(Leaf::Velocity(i)), zero],
-            Leaf::Coordinate(i) => [expr, arena.leaf(Leaf::Velocity(i)), arena.leaf(Leaf::Acceleration(i))],
-            Leaf::Velocity(_) if self.constant_velocity => [expr, zero, zero],
-            Leaf::Velocity(i) => [expr, arena.leaf(Leaf::Acceleration(i)), zero],
+            Leaf::Time if seed.time_runs => [expr, arena.integer(1), zero],
+            Leaf::Parameter(i) if seed.parameter == Some(i) => [expr, arena.integer(1), zero],
+            Leaf::Speed(i) if seed.speeds_change => [expr, arena.leaf(Leaf::Acceleration(i)), zero],
+            Leaf::Coordinate(i) => match seed.coordinates.get(i as usize) {
+                None => [expr, zero, zero],
+                Some(Rate::Given([first, second])) => [expr, *first, *second],
+                Some(Rate::Speed(i)) => {
+                    let first = arena.leaf(Leaf::Speed(*i));
+                    [expr, first, if seed.speeds_change { arena.leaf(Leaf::Acceleration(*i)) } else { zero }]
+                }
+            },
+            Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_) | Leaf::Speed(_) | Leaf::Acceleration(_) => [expr, zero, zero],
         }
     }
 }

@@ -29,11 +29,11 @@ pub use derivative::{Derivatives, derivative};
 pub(crate) use eval::magnitudes;
 pub use eval::{Evaluator, Values, evaluate};
 pub use exact::Exact;
-pub use jet::Jets;
+pub use jet::{Jets, Rate, Seed};
 pub use node::{Binary, Expr, Leaf, Node, Unary};
 pub use show::show;
 pub use simplify::{RULES, Rewrite, Rule};
 pub use substitute::Substitution;
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

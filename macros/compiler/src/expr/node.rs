@@ -23,9 +23,9 @@ pub enum Leaf {
     Parameter(u32),
     /// A coordinate q.
     Coordinate(u32),
-    /// The rate q̇ of the coordinate of the same number.
-    Velocity(u32),
-    /// The second rate q̈ of the coordinate of the same number.
+    /// A speed u; coordinates change by q̇ = N(q) u.
+    Speed(u32),
+    /// The rate u̇ of the speed of the same number.
     Acceleration(u32),
     /// A number that differs from place to place, where one expression stands for many of the same shape.
     Datum(u32),

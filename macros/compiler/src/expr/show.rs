@@ -30,18 +30,18 @@ struct Formula {
 
 impl Formula {
     /// The text, in parentheses unless it holds together at least as tightly as asked.
-    fn within(&self, level: Level) -> Part {
+    fn within(&self, level: Level) -> Token {
         let text = &self.text;
-        Part::Operand(if self.level >= level { text.clone() } else { format!("({text})") })
+        Token::Operand(if self.level >= level { text.clone() } else { format!("({text})") })
     }
 }
 
-enum Part {
+enum Token {
     Sign(&'static str),
     Operand(String),
 }
 
-use Part::Sign;
+use Token::Sign;
 
 /// The expression as a formula with few parentheses.
 #[must_use]
@@ -66,13 +66,13 @@ fn compose(
     let (mut base, mut exponent) = (expr, 1);
     let (level, parts) = match *arena.node(expr) {
         Node::Constant(value) => constant(value),
-        Node::Leaf(leaf) => (Level::Atom, vec![Part::Operand(name(leaf))]),
+        Node::Leaf(leaf) => (Level::Atom, vec![Token::Operand(name(leaf))]),
         Node::Unary(Unary::Neg, a) => (Level::Negation, vec![Sign("-"), f(a).within(Level::Product)]),
         Node::Unary(function, a) => (Level::Atom, vec![Sign(word(function)), Sign("("), whole(a), Sign(")")]),
         Node::Binary(Binary::Mul, a, b) if f(a).base == f(b).base => {
             base = f(a).base;
             exponent = f(a).exponent.saturating_add(f(b).exponent);
-            (Level::Power, vec![f(base).within(Level::Atom), Part::Operand(superscript(exponent))])
+            (Level::Power, vec![f(base).within(Level::Atom), Token::Operand(superscript(exponent))])
         }
         Node::Binary(function, a, b) => binary(function, f(a), f(b)),
         Node::Select { lhs, rhs, then, otherwise } => (
@@ -91,13 +91,13 @@ fn compose(
         ),
         Node::Call { function: number, order, argument } => {
             let name = function(number) + &primes(order);
-            (Level::Atom, vec![Part::Operand(name), Sign("("), whole(argument), Sign(")")])
+            (Level::Atom, vec![Token::Operand(name), Sign("("), whole(argument), Sign(")")])
         }
     };
     Formula { text: join(parts), level, base, exponent }
 }
 
-fn binary(function: Binary, a: &Formula, b: &Formula) -> (Level, Vec<Part>) {
+fn binary(function: Binary, a: &Formula, b: &Formula) -> (Level, Vec<Token>) {
     let infix = |level: Level, sign: &'static str, right: Level| (level, vec![a.within(level), Sign(sign), b.within(right)]);
     match function {
         Binary::Add => infix(Level::Sum, " + ", Level::Sum),
@@ -129,12 +129,12 @@ const fn word(function: Unary) -> &'static str {
 }
 
 /// A number: `0.25`, `2/3`, `π/6`.
-fn constant(value: Exact) -> (Level, Vec<Part>) {
+fn constant(value: Exact) -> (Level, Vec<Token>) {
     let (level, text) = magnitude(value.abs());
     if value.signum() < 0 {
-        return (Level::Negation, vec![Sign("-"), Part::Operand(text)]);
+        return (Level::Negation, vec![Sign("-"), Token::Operand(text)]);
     }
-    (level, vec![Part::Operand(text)])
+    (level, vec![Token::Operand(text)])
 }
 
 /// A number that is not negative. Short decimals stay decimals, other short fractions stay
@@ -159,21 +159,21 @@ fn magnitude(value: Exact) -> (Level, String) {
 }
 
 /// Puts parts side by side; the longest operands give way to `…` until the rest is short enough.
-fn join(mut parts: Vec<Part>) -> String {
-    let length = |part: &Part| match part {
-        Part::Sign(text) => text.chars().count(),
-        Part::Operand(text) => text.chars().count(),
+fn join(mut parts: Vec<Token>) -> String {
+    let length = |part: &Token| match part {
+        Token::Sign(text) => text.chars().count(),
+        Token::Operand(text) => text.chars().count(),
     };
     while parts.len() > 1 && parts.iter().map(length).sum::<usize>() > LONGEST {
-        let operands = parts.iter_mut().filter(|part| matches!(part, Part::Operand(_)));
+        let operands = parts.iter_mut().filter(|part| matches!(part, Token::Operand(_)));
         match operands.max_by_key(|part| length(part)) {
-            Some(longest) if length(longest) > 1 => *longest = Part::Operand("…".to_string()),
+            Some(longest) if length(longest) > 1 => *longest = Token::Operand("…".to_string()),
             _ => break,
         }
     }
-    let text = |part: &Part| match part {
-        Part::Sign(text) => (*text).to_string(),
-        Part::Operand(text) => text.clone(),
+    let text = |part: &Token| match part {
+        Token::Sign(text) => (*text).to_string(),
+        Token::Operand(text) => text.clone(),
     };
     parts.iter().map(text).collect()
 }

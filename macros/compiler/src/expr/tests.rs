@@ -6,7 +6,7 @@ mod eval;
 mod exact;
 mod formula;
 mod jet;
-mod random;
+pub(crate) mod random;
 mod show;
 mod simplify;
 

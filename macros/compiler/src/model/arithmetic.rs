@@ -1,10 +1,11 @@
 //! Sums, products, powers and choices of numbers and vectors, and equations between them.
 
-use super::dimension::{Dim, Measure};
+use super::Components;
 use super::elaborate::{Elaborator, Scope};
 use super::value::{Scalar, Value, Vector};
 use crate::diag::{Fact, Range};
 use crate::expr::{Exact, Expr, Unary};
+use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, Operator, Relation};
 
 impl Elaborator<'_> {
@@ -15,7 +16,7 @@ impl Elaborator<'_> {
         }
         let noun = inner.noun();
         match self.as_vector(inner) {
-            Some(Vector { x, y, measure }) => Some(Value::Vector(Vector { x: self.arena.neg(x), y: self.arena.neg(y), measure })),
+            Some(vector) => Some(Value::Vector(Vector { parts: vector.parts.map(|part| self.arena.neg(part)), ..vector })),
             None => self.refuse(value.range, Fact::NotA { wanted: "a number or a vector", found: noun }),
         }
     }
@@ -27,7 +28,7 @@ impl Elaborator<'_> {
         let (x, y) = (self.scalar(x, scope), self.scalar(y, scope));
         let (x, y) = (x?, y?);
         match x.measure.common(y.measure) {
-            Some(measure) => Some(Vector { x: x.expr, y: y.expr, measure }),
+            Some(measure) => Some(Vector { parts: Components::plane(x.expr, y.expr), measure }),
             None => self.refuse(range, Fact::Unlike { action: "make one vector of", one: x.measure.settled(), two: y.measure.settled() }),
         }
     }
@@ -40,7 +41,9 @@ impl Elaborator<'_> {
             let found = (self.scalar(x, scope), self.scalar(y, scope));
             let (one, two) = (found.0?, found.1?);
             let (blamed, parts, found) = match [one, two].map(|scalar| scalar.measure.fits(Dim::LENGTH)) {
-                [true, true] => return Some(Vector { x: one.expr, y: two.expr, measure: Measure::Of(Dim::LENGTH) }),
+                [true, true] => {
+                    return Some(Vector { parts: Components::plane(one.expr, two.expr), measure: InferredDim::Known(Dim::LENGTH) });
+                }
                 [false, true] => (x.range, vec![x], one),
                 [true, false] => (y.range, vec![y], two),
                 [false, false] => (written.range, vec![x, y], one),
@@ -97,7 +100,7 @@ impl Elaborator<'_> {
     fn remainder(&mut self, range: Range, lhs: &ast::Expr, rhs: &ast::Expr, scope: &Scope) -> Option<Scalar> {
         let (one, two) = (self.whole(lhs, scope), self.whole(rhs, scope));
         let result = self.whole_of_two(range, Operator::Rem, one?, two?)?;
-        Some(Scalar { expr: self.arena.integer(result), measure: Measure::Of(Dim::NUMBER) })
+        Some(Scalar { expr: self.arena.integer(result), measure: InferredDim::Known(Dim::NUMBER) })
     }
 
     /// Vectors are added to vectors, and multiplied or divided by numbers.
@@ -127,10 +130,8 @@ impl Elaborator<'_> {
             if matches!(operator, Operator::Add | Operator::Sub) {
                 return self.refuse(range, Fact::VectorAndNumber);
             }
-            let part = |expr, measure| Scalar { expr, measure };
-            let x = self.combine(range, operator, part(one.x, one.measure), (factor, right.0.range))?;
-            let y = self.combine(range, operator, part(one.y, one.measure), (factor, right.0.range))?;
-            return Some(Value::Vector(Vector { x: x.expr, y: y.expr, measure: x.measure }));
+            let factors = vec![factor; one.parts.len()];
+            return self.combine_parts(range, operator, one, &factors, right.0.range).map(Value::Vector);
         }
         let noun = right.1.noun();
         let Some(two) = self.as_vector(right.1) else {
@@ -139,11 +140,19 @@ impl Elaborator<'_> {
         if !matches!(operator, Operator::Add | Operator::Sub) {
             return self.refuse(range, Fact::VectorTimesVector);
         }
-        let parts = |vector: Vector| [vector.x, vector.y].map(|expr| Scalar { expr, measure: vector.measure });
-        let ([x1, y1], [x2, y2]) = (parts(one), parts(two));
-        let x = self.combine(range, operator, x1, (x2, right.0.range))?;
-        let y = self.combine(range, operator, y1, (y2, right.0.range))?;
-        Some(Value::Vector(Vector { x: x.expr, y: y.expr, measure: x.measure }))
+        let others: Vec<Scalar> = two.parts.iter().map(|expr| Scalar { expr: *expr, measure: two.measure }).collect();
+        self.combine_parts(range, operator, one, &others, right.0.range).map(Value::Vector)
+    }
+
+    /// Each component with a number of its own.
+    fn combine_parts(&mut self, range: Range, operator: Operator, one: Vector, others: &[Scalar], second: Range) -> Option<Vector> {
+        let pairs = one.parts.iter().zip(others);
+        let scalar = |expr: &Expr| Scalar { expr: *expr, measure: one.measure };
+        let combined: Option<Vec<Scalar>> =
+            pairs.map(|(part, other)| self.combine(range, operator, scalar(part), (*other, second))).collect();
+        let combined = combined?;
+        let parts: Vec<Expr> = combined.iter().map(|scalar| scalar.expr).collect();
+        Some(Vector { parts: Components::new(&parts)?, measure: combined.first()?.measure })
     }
 
     /// Whole powers are multiplications, halves are square roots of them, others exponentials.
@@ -157,7 +166,7 @@ impl Elaborator<'_> {
         let whole_multiple_of = |unit: f64| constant.map(|value| value * unit).filter(|value| value.fract() == 0.0);
         let sixths = whole_multiple_of(6.0).filter(|value| value.abs() <= f64::from(i16::MAX)).map(|value| value as i16);
         let measure = match one.measure {
-            Measure::Of(base) if base != Dim::NUMBER => sixths.and_then(|sixths| one.measure.power(sixths)),
+            InferredDim::Known(base) if base != Dim::NUMBER => sixths.and_then(|sixths| one.measure.power(sixths)),
             plain => Some(plain),
         };
         let Some(measure) = measure else {
@@ -238,8 +247,8 @@ impl Elaborator<'_> {
         let Some(measure) = one.measure.common(two.measure) else {
             return self.refuse(range, Fact::Unlike { action: "equate", one: one.measure.settled(), two: two.measure.settled() });
         };
-        let [x, y] = [self.arena.sub(one.x, two.x), self.arena.sub(one.y, two.y)];
-        Some([x, y].map(|expr| Scalar { expr, measure }).to_vec())
+        let parts = one.parts.zip(two.parts, |one, two| self.arena.sub(one, two));
+        Some(parts.iter().map(|expr| Scalar { expr: *expr, measure }).collect())
     }
 }
 

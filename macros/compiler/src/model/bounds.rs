@@ -1,11 +1,11 @@
 //! The values that a parameter may have.
 
-use super::dimension::Dim;
 use super::elaborate::{Elaborator, Scope};
 use super::register::Register;
 use super::{Bounds, Parameter, Times};
 use crate::diag::Fact;
 use crate::expr::{Expr, Leaf};
+use crate::quantity::Dim;
 use crate::syntax::ast::{self, ExprKind, Limits};
 
 impl Bounds {

@@ -1,13 +1,14 @@
 //! Functions that are always there, and functions of one variable that users give.
 
+use super::Components;
 use super::Function as Numbered;
-use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
 use super::spline::{Ends, Table};
-use super::value::{Function, Scalar, Value, Vector};
+use super::value::{FunctionValue, Scalar, Value, Vector};
 use crate::diag::{Fact, Range};
 use crate::expr::{Expr, Unary};
 use crate::library;
+use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, ExprKind};
 use proc_macro2::Ident;
 use std::rc::Rc;
@@ -40,7 +41,7 @@ impl Elaborator<'_> {
     /// `function(arguments)`
     pub(super) fn call(&mut self, range: Range, path: &ast::Path, arguments: &[ast::Expr], scope: &Scope) -> Option<Value> {
         let Some(name) = &path.name else {
-            let function = self.rust_function(path, Measure::Flexible, Measure::Flexible);
+            let function = self.rust_function(path, InferredDim::Any, InferredDim::Any);
             return self.apply(range, path, &function, arguments, scope).map(Value::Scalar);
         };
         let is_bound = scope.bound.iter().any(|(known, _)| name == known)
@@ -103,7 +104,7 @@ impl Elaborator<'_> {
                     "cos" => Unary::Cos,
                     _ => Unary::Tan,
                 };
-                (function, Measure::Of(Dim::NUMBER))
+                (function, InferredDim::Known(Dim::NUMBER))
             }
             "asin" | "acos" | "atan" => {
                 plain(self, Dim::NUMBER)?;
@@ -112,11 +113,11 @@ impl Elaborator<'_> {
                     "acos" => Unary::Acos,
                     _ => Unary::Atan,
                 };
-                (function, Measure::Of(Dim::ANGLE))
+                (function, InferredDim::Known(Dim::ANGLE))
             }
             "exp" | "ln" => {
                 plain(self, Dim::NUMBER)?;
-                (if word == "exp" { Unary::Exp } else { Unary::Ln }, Measure::Of(Dim::NUMBER))
+                (if word == "exp" { Unary::Exp } else { Unary::Ln }, InferredDim::Known(Dim::NUMBER))
             }
             "abs" => (Unary::Abs, scalar.measure),
             _ => match scalar.measure.power(3) {
@@ -137,7 +138,9 @@ impl Elaborator<'_> {
             // Where nothing is less, as with NaN, the first one stays.
             "min" => Scalar { expr: self.arena.select(two.expr, one.expr, two.expr, one.expr), measure },
             "max" => Scalar { expr: self.arena.select(one.expr, two.expr, two.expr, one.expr), measure },
-            _ => Scalar { expr: self.arena.binary(crate::expr::Binary::Atan2, one.expr, two.expr), measure: Measure::Of(Dim::ANGLE) },
+            _ => {
+                Scalar { expr: self.arena.binary(crate::expr::Binary::Atan2, one.expr, two.expr), measure: InferredDim::Known(Dim::ANGLE) }
+            }
         })
     }
 
@@ -148,10 +151,11 @@ impl Elaborator<'_> {
         let measure = one.measure.times(two.measure);
         let arena = &mut self.arena;
         let expr = if word == "dot" {
-            let (xx, yy) = (arena.mul(one.x, two.x), arena.mul(one.y, two.y));
-            arena.add(xx, yy)
+            let products = one.parts.zip(two.parts, |one, two| arena.mul(one, two));
+            arena.sum(&products)
         } else {
-            let (xy, yx) = (arena.mul(one.x, two.y), arena.mul(one.y, two.x));
+            let ([ax, ay], [bx, by]) = (one.parts.in_plane()?, two.parts.in_plane()?);
+            let (xy, yx) = (arena.mul(ax, by), arena.mul(ay, bx));
             arena.sub(xy, yx)
         };
         Some(Scalar { expr, measure })
@@ -162,73 +166,83 @@ impl Elaborator<'_> {
         if let ("unit" | "norm", Value::Axis(axis)) = (word, &value) {
             // A rotation keeps lengths, so the length of an axis is that of its local coordinates.
             let mut axis = *axis;
-            let [x, y] = axis.local;
-            let length = self.length(x, y);
+            let length = self.length(axis.local);
             if word == "norm" {
                 return Some(Value::Scalar(Scalar { expr: length, measure: axis.measure }));
             }
-            axis.local = [self.arena.div(x, length), self.arena.div(y, length)];
-            axis.measure = Measure::Of(Dim::NUMBER);
+            axis.local = axis.local.map(|part| self.arena.div(part, length));
+            axis.measure = InferredDim::Known(Dim::NUMBER);
             return Some(Value::Axis(axis));
         }
         let noun = value.noun();
-        let Some(Vector { x, y, measure }) = self.as_vector(value) else {
+        let Some(Vector { parts, measure }) = self.as_vector(value) else {
             return self.refuse(argument.range, Fact::NotA { wanted: "a vector or a point", found: noun });
         };
         Some(match word {
-            "perp" => Value::Vector(Vector { x: self.arena.neg(y), y: x, measure }),
-            "norm" => Value::Scalar(Scalar { expr: self.length(x, y), measure }),
+            "perp" => {
+                let [x, y] = parts.in_plane()?;
+                Value::Vector(Vector { parts: Components::plane(self.arena.neg(y), x), measure })
+            }
+            "norm" => Value::Scalar(Scalar { expr: self.length(parts), measure }),
             "direction" => {
+                let [x, y] = parts.in_plane()?;
                 let expr = self.arena.binary(crate::expr::Binary::Atan2, y, x);
-                Value::Scalar(Scalar { expr, measure: Measure::Of(Dim::ANGLE) })
+                Value::Scalar(Scalar { expr, measure: InferredDim::Known(Dim::ANGLE) })
             }
             _ => {
-                let length = self.length(x, y);
-                let [x, y] = [self.arena.div(x, length), self.arena.div(y, length)];
-                Value::Vector(Vector { x, y, measure: Measure::Of(Dim::NUMBER) })
+                let length = self.length(parts);
+                let parts = parts.map(|part| self.arena.div(part, length));
+                Value::Vector(Vector { parts, measure: InferredDim::Known(Dim::NUMBER) })
             }
         })
     }
 
-    fn length(&mut self, x: Expr, y: Expr) -> Expr {
-        let (xx, yy) = (self.arena.mul(x, x), self.arena.mul(y, y));
-        let sum = self.arena.add(xx, yy);
+    fn length(&mut self, parts: Components) -> Expr {
+        let squares = parts.map(|part| self.arena.mul(part, part));
+        let sum = self.arena.sum(&squares);
         self.arena.sqrt(sum)
     }
 
     /// The function behind a Rust path, the same number each time it is named.
-    pub(super) fn rust_function(&mut self, path: &ast::Path, from: Measure, to: Measure) -> Function {
+    pub(super) fn rust_function(&mut self, path: &ast::Path, from: InferredDim, to: InferredDim) -> FunctionValue {
         let written = path.tokens.to_string();
         let known = self.functions.iter().position(|known| matches!(known, Numbered::Rust(tokens) if tokens.to_string() == written));
         let number = known.unwrap_or_else(|| {
             self.functions.push(Numbered::Rust(path.tokens.clone()));
             self.functions.len() - 1
         });
-        Function::Numbered { number: number as u32, from, to }
+        FunctionValue::Numbered { number: number as u32, from, to }
     }
 
     /// The value of a function at an argument.
-    fn apply(&mut self, range: Range, path: &ast::Path, function: &Function, arguments: &[ast::Expr], scope: &Scope) -> Option<Scalar> {
+    fn apply(
+        &mut self,
+        range: Range,
+        path: &ast::Path,
+        function: &FunctionValue,
+        arguments: &[ast::Expr],
+        scope: &Scope,
+    ) -> Option<Scalar> {
         let [argument] = arguments else {
             let name = path.last.to_string();
             return self.refuse(path.range, Fact::FunctionArity { name, wanted: 1, found: arguments.len() });
         };
         let value = self.scalar(argument, scope)?;
-        let accepts = |this: &mut Self, from: Measure| match from {
-            Measure::Of(wanted) if !value.measure.fits(wanted) => {
+        let accepts = |this: &mut Self, from: InferredDim| match from {
+            InferredDim::Known(wanted) if !value.measure.fits(wanted) => {
                 this.refuse(argument.range, Fact::WrongDimension { wanted, found: value.measure.settled() })
             }
             _ => Some(()),
         };
         match function {
-            Function::Numbered { number, from, to } => {
+            FunctionValue::Numbered { number, from, to } => {
                 accepts(self, *from)?;
                 Some(Scalar { expr: self.arena.call(*number, 0, value.expr), measure: *to })
             }
-            Function::Written(written) => {
+            FunctionValue::Written(written) => {
                 let from = self.dimension(&written.from)?;
-                accepts(self, Measure::Of(from))?;
-                self.written(range, written, Scalar { measure: Measure::Of(from), ..value })
+                accepts(self, InferredDim::Known(from))?;
+                self.written(range, written, Scalar { measure: InferredDim::Known(from), ..value })
             }
         }
     }
@@ -269,8 +283,8 @@ impl Elaborator<'_> {
         library::functions().any(|known| name == known)
     }
 
-    pub(super) fn library_function(&mut self, name: &Ident) -> Option<Function> {
-        library::function(&name.to_string()).map(Function::Written)
+    pub(super) fn library_function(&mut self, name: &Ident) -> Option<FunctionValue> {
+        library::function(&name.to_string()).map(FunctionValue::Written)
     }
 
     /// `table(x, [(x0, y0), …], periodic)`
@@ -284,7 +298,7 @@ impl Elaborator<'_> {
             return self.refuse(points.range, Fact::TableNeedsList);
         };
         let argument = self.scalar(x, scope)?;
-        let mut to = Measure::Flexible;
+        let mut to = InferredDim::Any;
         let pairs = self.table_pairs(items, argument.measure, &mut to, scope)?;
         let (Some(first), Some(last), Some(end)) = (pairs.first(), pairs.last(), items.last().filter(|_| pairs.len() > 1)) else {
             return self.refuse(points.range, Fact::TableTooShort { found: pairs.len() });
@@ -302,7 +316,7 @@ impl Elaborator<'_> {
     }
 
     /// The numbers of a table, with the first ones in increasing order.
-    fn table_pairs(&mut self, items: &[ast::Expr], mut from: Measure, to: &mut Measure, scope: &Scope) -> Option<Vec<(f64, f64)>> {
+    fn table_pairs(&mut self, items: &[ast::Expr], mut from: InferredDim, to: &mut InferredDim, scope: &Scope) -> Option<Vec<(f64, f64)>> {
         let mut pairs: Vec<(f64, f64)> = Vec::new();
         for item in items {
             let ExprKind::Tuple(pair) = &item.kind else {
@@ -335,7 +349,7 @@ impl Elaborator<'_> {
     }
 
     /// One constant of a table; all of a column measure the same.
-    fn table_entry(&mut self, entry: &ast::Expr, column: &mut Measure, scope: &Scope) -> Option<f64> {
+    fn table_entry(&mut self, entry: &ast::Expr, column: &mut InferredDim, scope: &Scope) -> Option<f64> {
         let scalar = self.scalar(entry, scope)?;
         let Some(common) = column.common(scalar.measure) else {
             return self.refuse(entry.range, Fact::WrongDimension { wanted: column.settled(), found: scalar.measure.settled() });

@@ -3,7 +3,7 @@
 use super::Name;
 use super::builtin::BUILTINS;
 use super::elaborate::{Elaborator, Scope};
-use super::names::{Context, Declared, Entity, EntityId, Group, GroupId, Progress, RESERVED, SpaceId};
+use super::names::{Context, Declared, Entity, EntityId, GroupId, NamedItems, Progress, RESERVED, SpaceId};
 use super::register::MOST;
 use super::value::Value;
 use crate::diag::{Fact, Range};
@@ -64,7 +64,7 @@ impl Elaborator<'_> {
         let Some(group) = self.names.find(space, word) else {
             let path = format!("{}{word}", self.names.spaces[space.0].prefix);
             let (ranks, number) = (indices.len(), GroupId(self.names.groups.len()));
-            self.names.groups.push(Group { word: word.to_owned(), path, what, ranks, members: [(indices, id)].into() });
+            self.names.groups.push(NamedItems { word: word.to_owned(), path, what, ranks, members: [(indices, id)].into() });
             self.names.spaces[space.0].groups.insert(word.to_owned(), number);
             self.names.spaces[space.0].order.push(number);
             return Ok(());

@@ -1,18 +1,19 @@
 //! A definition is checked where it is written: with arguments that nothing is known of but their
 //! kind.
 
+use super::Components;
 use super::Function as Numbered;
 use super::Name;
-use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
 use super::names::{Names, RESERVED};
 use super::signature::noun;
-use super::statement::Row;
-use super::suggest::nearest;
-use super::value::{Fixed, Function, Scalar, Value};
+use super::statement::ScalarEquation;
+use super::value::{Fixed, FunctionValue, Scalar, Value};
+use crate::diag::nearest;
 use crate::diag::{Diag, Fact};
 use crate::expr::Leaf;
 use crate::library;
+use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{Definition, Definitions, Dimension, Kind};
 use proc_macro2::Ident;
 use std::rc::Rc;
@@ -50,7 +51,7 @@ impl Elaborator<'_> {
         let place = Name::plain(&definition.name);
         let rows = self.statements(&definition.statements, scope, &place, &[])?;
         let of = rows.len();
-        for (row, Row { residual, range }) in rows.into_iter().enumerate() {
+        for (row, ScalarEquation { residual, range }) in rows.into_iter().enumerate() {
             let depends = self.arena.leaves(residual.expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)));
             if !depends {
                 return self.refuse(range, Fact::RowOfNothing { joint: definition.name.to_string(), row: row + 1, of, at_defaults: false });
@@ -124,19 +125,19 @@ impl Elaborator<'_> {
     /// An argument of this kind of which nothing else is known.
     pub(super) fn unknown(&mut self, kind: &Kind, others: &[Definition]) -> Option<Value> {
         Some(match kind {
-            Kind::Point => Value::Point(self.unknown_fixed(Measure::Of(Dim::LENGTH))),
-            Kind::Axis => Value::Axis(self.unknown_fixed(Measure::Flexible)),
+            Kind::Point => Value::Point(self.unknown_fixed(InferredDim::Known(Dim::LENGTH))),
+            Kind::Axis => Value::Axis(self.unknown_fixed(InferredDim::Any)),
             Kind::Body => Value::Body(self.new_frame("a body")),
-            Kind::Quantity => Value::Scalar(self.unknown_scalar(Measure::Flexible)),
+            Kind::Quantity => Value::Scalar(self.unknown_scalar(InferredDim::Any)),
             Kind::Scalar(written) => {
                 let dim = self.kind_dimension(written)?;
-                Value::Scalar(self.unknown_scalar(Measure::Of(dim)))
+                Value::Scalar(self.unknown_scalar(InferredDim::Known(dim)))
             }
             Kind::Function(from, to) => {
                 let (from, to) = (self.dimension(from)?, self.dimension(to)?);
                 self.functions.push(Numbered::Rust(Default::default()));
                 let number = self.functions.len() as u32 - 1;
-                Value::Function(Function::Numbered { number, from: Measure::Of(from), to: Measure::Of(to) })
+                Value::Function(FunctionValue::Numbered { number, from: InferredDim::Known(from), to: InferredDim::Known(to) })
             }
             Kind::Joint(name) => {
                 let word = name.to_string();
@@ -169,14 +170,14 @@ impl Elaborator<'_> {
         self.dimension(written)
     }
 
-    fn unknown_scalar(&mut self, measure: Measure) -> Scalar {
+    fn unknown_scalar(&mut self, measure: InferredDim) -> Scalar {
         let number = self.arena.len() as u32;
         Scalar { expr: self.arena.leaf(Leaf::Parameter(number)), measure }
     }
 
-    fn unknown_fixed(&mut self, measure: Measure) -> Fixed {
+    fn unknown_fixed(&mut self, measure: InferredDim) -> Fixed {
         let frame = self.new_frame("a body");
-        let local = [self.unknown_scalar(measure).expr, self.unknown_scalar(measure).expr];
+        let local = Components::plane(self.unknown_scalar(measure).expr, self.unknown_scalar(measure).expr);
         Fixed { frame, local, measure }
     }
 }

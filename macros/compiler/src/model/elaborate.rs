@@ -1,14 +1,12 @@
 //! Expressions: from the tree to values in the arena, with dimensions checked on the way.
 
-use super::dimension::{Dim, Measure};
 use super::names::{Context, Names, SpaceId};
 use super::statement::FixedValue;
-use super::suggest;
-use super::unit;
 use super::value::{Fixed, FrameId, Scalar, Value, Vector};
-use super::{Function as Numbered, Name, Requirement};
-use crate::diag::{Diag, Fact, Known, Range};
+use super::{Components, Function as Numbered, Name, Requirement};
+use crate::diag::{Diag, Fact, Known, Range, nearest, nearest_unit};
 use crate::expr::{Arena, Exact, Expr, Leaf};
+use crate::quantity::{self, Dim, InferredDim, Role};
 use crate::syntax::ast::{self, ExprKind};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
@@ -24,7 +22,7 @@ pub(crate) struct Elaborator<'a> {
     /// Where each requirement is to be blamed, and the joint that asks for it.
     pub(super) requirement_places: Vec<(Range, Name)>,
     /// The definition being instantiated and the token to blame for what goes wrong in it.
-    pub(super) blame: Option<Blame>,
+    pub(super) blame: Option<Instance>,
     /// How many values are being looked at, one inside the other.
     pub(super) depth: u16,
     /// How many items there are so far, loops gone through and parts taken apart, and rounds of loops.
@@ -43,7 +41,7 @@ pub(crate) struct Elaborator<'a> {
 
 /// A definition that is being instantiated.
 #[derive(Clone)]
-pub(super) struct Blame {
+pub(super) struct Instance {
     /// What is underlined: the joint's kind.
     pub(super) place: Range,
     /// The definition, or one of its equations, in words.
@@ -131,7 +129,7 @@ impl Elaborator<'_> {
     pub(super) fn refuse<T>(&mut self, range: impl Into<Range>, fact: Fact) -> Option<T> {
         match self.blame.clone() {
             None => self.say(range, fact),
-            Some(Blame { place, definition, quantities }) => {
+            Some(Instance { place, definition, quantities }) => {
                 self.say(place, Fact::InDefinition { definition, quantities, fact: Box::new(fact) })
             }
         }
@@ -210,7 +208,7 @@ impl Elaborator<'_> {
         if !scalar.measure.fits(wanted) {
             return self.refuse(expr.range, Fact::WrongDimension { wanted, found: scalar.measure.settled() });
         }
-        Some(Scalar { measure: Measure::Of(wanted), ..scalar })
+        Some(Scalar { measure: InferredDim::Known(wanted), ..scalar })
     }
 
     /// A vector in ground; a point counts as its position and an axis as its direction.
@@ -236,29 +234,35 @@ impl Elaborator<'_> {
     /// r_P = r + A(φ) s'
     fn place(&mut self, point: Fixed) -> Vector {
         let turned = self.direction(point);
-        let Some([x, y, _]) = self.names.frames[point.frame.0].coordinates else { return turned };
-        Vector { x: self.arena.add(x, turned.x), y: self.arena.add(y, turned.y), measure: point.measure }
+        let coordinates = &self.names.frames[point.frame.0].coordinates;
+        let origin: Vec<Expr> = coordinates.iter().filter(|(role, _)| role.is_position()).map(|(_, expr)| *expr).collect();
+        let Some(origin) = Components::new(&origin) else { return turned };
+        Vector { parts: origin.zip(turned.parts, |origin, part| self.arena.add(origin, part)), measure: point.measure }
     }
 
     /// A(φ) s', A = [cos −sin; sin cos]
     fn direction(&mut self, axis: Fixed) -> Vector {
-        let [sx, sy] = axis.local;
-        let Some([_, _, angle]) = self.names.frames[axis.frame.0].coordinates else {
-            return Vector { x: sx, y: sy, measure: axis.measure };
+        let (Some([sx, sy]), Some(angle)) = (axis.local.in_plane(), self.coordinate(axis.frame, Role::Angle)) else {
+            return Vector { parts: axis.local, measure: axis.measure };
         };
         let arena = &mut self.arena;
         let (sine, cosine) = (arena.sin(angle), arena.cos(angle));
         let (cx, sy_) = (arena.mul(cosine, sx), arena.mul(sine, sy));
         let (sx_, cy) = (arena.mul(sine, sx), arena.mul(cosine, sy));
-        Vector { x: arena.sub(cx, sy_), y: arena.add(sx_, cy), measure: axis.measure }
+        Vector { parts: Components::plane(arena.sub(cx, sy_), arena.add(sx_, cy)), measure: axis.measure }
+    }
+
+    /// A coordinate of a body; ground has none.
+    fn coordinate(&self, frame: FrameId, role: Role) -> Option<Expr> {
+        self.names.frames[frame.0].coordinates.iter().find(|(other, _)| *other == role).map(|(_, expr)| *expr)
     }
 
     fn number(&mut self, range: Range, digits: &str, unit: &str) -> Option<Scalar> {
-        let (size, measure) = match unit::lookup(unit) {
-            Some((size, dim)) => (size, Measure::Of(dim)),
-            None if unit.is_empty() => (Exact::ONE, Measure::Flexible),
+        let (size, measure) = match quantity::unit(unit) {
+            Some((size, dim)) => (size, InferredDim::Known(dim)),
+            None if unit.is_empty() => (Exact::ONE, InferredDim::Any),
             None => {
-                let near = unit::meant(unit);
+                let near = nearest_unit(unit);
                 return self.refuse(range, Fact::UnknownUnit { number: digits.to_owned(), name: unit.to_owned(), near });
             }
         };
@@ -271,7 +275,7 @@ impl Elaborator<'_> {
     fn named(&mut self, path: &ast::Path, scope: &Scope) -> Option<Value> {
         let Some(name) = &path.name else {
             // A path can only be a Rust function; its dimensions follow from where it is used.
-            return Some(Value::Function(self.rust_function(path, Measure::Flexible, Measure::Flexible)));
+            return Some(Value::Function(self.rust_function(path, InferredDim::Any, InferredDim::Any)));
         };
         if let Some(value) = scope.value_of(name) {
             return Some(value.clone());
@@ -280,7 +284,7 @@ impl Elaborator<'_> {
             return None;
         }
         if name == "pi" {
-            return Some(Value::Scalar(Scalar { expr: self.arena.constant(Exact::PI), measure: Measure::Flexible }));
+            return Some(Value::Scalar(Scalar { expr: self.arena.constant(Exact::PI), measure: InferredDim::Any }));
         }
         if name == "ground" {
             return Some(Value::Body(FrameId::GROUND));
@@ -302,7 +306,7 @@ impl Elaborator<'_> {
             return self.refuse(path.range, Fact::OutputRead { name: name.to_string() });
         }
         let near = self.similar(name, scope);
-        if near.is_none() && unit::lookup(&name.to_string()).is_some() {
+        if near.is_none() && quantity::unit(&name.to_string()).is_some() {
             return self.refuse(path.range, Fact::UnitAlone { name: name.to_string() });
         }
         self.refuse(path.range, Fact::UnknownName { name: name.to_string(), near })
@@ -314,12 +318,12 @@ impl Elaborator<'_> {
             Some(Timeless::Joint(joint)) => return self.refuse(range, Fact::TimeInJoint { joint: joint.clone() }),
             None => {}
         }
-        Some(Value::Scalar(Scalar { expr: self.arena.leaf(Leaf::Time), measure: Measure::Of(Dim::TIME) }))
+        Some(Value::Scalar(Scalar { expr: self.arena.leaf(Leaf::Time), measure: InferredDim::Known(Dim::TIME) }))
     }
 
     /// The known name nearest to a mistyped one; of very many mistyped ones the last are not looked for.
     pub(super) fn nearest<'n>(&self, typed: &str, known: impl Iterator<Item = &'n str>) -> Option<String> {
-        if self.diag.refusals().len() < SUGGESTIONS { suggest::nearest(typed, known) } else { None }
+        if self.diag.refusals().len() < SUGGESTIONS { nearest(typed, known) } else { None }
     }
 
     /// The known name nearest to a mistyped one.
@@ -350,33 +354,37 @@ impl Elaborator<'_> {
                 let known = Known::of(arguments.iter().map(|(known, _)| known.as_str()));
                 return self.refuse(field, Fact::UnknownField { owner: format!("a `{kind}` joint"), name, near, known });
             }
-            (_, "x" | "y") => {}
+            _ if axis(&name).is_some() => {}
             _ => return self.refuse(field, unknown_field(&value, name)),
         }
         let unknown = unknown_field(&value, name.clone());
         let Some(vector) = self.as_vector(value) else {
             return self.refuse(field, unknown);
         };
-        let expr = if name == "x" { vector.x } else { vector.y };
+        let expr = *vector.parts.get(axis(&name)?)?;
         Some(Value::Scalar(Scalar { expr, measure: vector.measure }))
     }
 
     fn body_field(&mut self, frame: FrameId, field: &Ident) -> Option<Value> {
         let zero = self.arena.integer(0);
-        let [x, y, angle] = self.names.frames[frame.0].coordinates.unwrap_or([zero; 3]);
-        let length = Measure::Of(Dim::LENGTH);
         let name = field.to_string();
-        match name.as_str() {
-            "angle" => Some(Value::Scalar(Scalar { expr: angle, measure: Measure::Of(Dim::ANGLE) })),
-            "x" => Some(Value::Scalar(Scalar { expr: x, measure: length })),
-            "y" => Some(Value::Scalar(Scalar { expr: y, measure: length })),
-            "position" => Some(Value::Point(Fixed { frame, local: [zero; 2], measure: length })),
-            _ => {
+        match Role::named(&name) {
+            Some(role) => {
+                let expr = self.coordinate(frame, role).unwrap_or(zero);
+                Some(Value::Scalar(Scalar { expr, measure: InferredDim::Known(role.dim()) }))
+            }
+            None if name == "position" => {
+                let local = Components::plane(zero, zero);
+                Some(Value::Point(Fixed { frame, local, measure: InferredDim::Known(Dim::LENGTH) }))
+            }
+            None => {
                 let space = self.names.frames[frame.0].space;
                 if let Some(group) = self.names.find(space, &name) {
                     return self.of_group(group, field);
                 }
-                let known = || self.names.words(space).chain(["position", "angle", "x", "y"]);
+                let (axes, others): (Vec<Role>, Vec<Role>) = Role::PLANE.into_iter().partition(|role| role.is_position());
+                let words: Vec<&str> = others.into_iter().chain(axes).map(Role::name).collect();
+                let known = || self.names.words(space).chain(["position"]).chain(words.iter().copied());
                 let (near, known) = (self.nearest(&name, known()), Known::of(known()));
                 let owner = format!("`{}`", self.names.frames[frame.0].name);
                 self.refuse(field, Fact::UnknownField { owner, name, near, known })
@@ -395,11 +403,17 @@ impl Elaborator<'_> {
     }
 }
 
+/// The place of a component in a vector.
+fn axis(name: &str) -> Option<usize> {
+    Role::PLANE.into_iter().filter(|role| role.is_position()).position(|role| role.name() == name)
+}
+
 fn unknown_field(value: &Value, name: String) -> Fact {
-    let known: &[&str] = match value {
-        Value::Point(_) | Value::Axis(_) => &["x", "y", "body"],
-        Value::Vector(_) => &["x", "y"],
-        _ => &[],
+    let axes = Role::PLANE.into_iter().filter(|role| role.is_position()).map(Role::name);
+    let known: Vec<&str> = match value {
+        Value::Point(_) | Value::Axis(_) => axes.chain(["body"]).collect(),
+        Value::Vector(_) => axes.collect(),
+        _ => Vec::new(),
     };
-    Fact::UnknownField { owner: value.noun().to_owned(), name, near: None, known: Known::of(known.iter().copied()) }
+    Fact::UnknownField { owner: value.noun().to_owned(), name, near: None, known: Known::of(known.into_iter()) }
 }

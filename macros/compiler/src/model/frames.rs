@@ -1,26 +1,27 @@
 //! Bodies and ground: coordinates, points and axes fixed in them, start values.
 
-use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
-use super::names::{Context, EntityId, Frame};
+use super::names::{Context, EntityId, FrameScope};
 use super::register::Register;
 use super::statement::FixedValue;
-use super::suggest::nearest;
 use super::value::{Fixed, FrameId, Value};
-use super::{Body, Coordinate, Name, Requirement};
+use super::{Body, BodyCoordinate, Name, Requirement};
+use crate::diag::nearest;
 use crate::diag::{Fact, Range};
 use crate::expr::{Expr, Leaf};
+use crate::quantity::{Dim, InferredDim, Role};
 use crate::syntax::ast;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
 impl Elaborator<'_> {
-    /// A frame with three fresh coordinates.
+    /// A frame with fresh coordinates.
     pub(super) fn new_frame(&mut self, name: &str) -> FrameId {
-        let first = 3 * (self.names.frames.len() as u32 - 1);
-        let coordinates = [0, 1, 2].map(|offset| self.arena.leaf(Leaf::Coordinate(first + offset)));
+        let first = self.names.frames.last().map_or(0, |before| before.first + before.coordinates.len());
+        let leaf = |(offset, role): (usize, Role)| (role, self.arena.leaf(Leaf::Coordinate((first + offset) as u32)));
+        let coordinates = Role::PLANE.into_iter().enumerate().map(leaf).collect();
         let space = self.names.new_space(format!("{name}."));
-        self.names.frames.push(Frame { name: name.to_owned(), coordinates: Some(coordinates), space });
+        self.names.frames.push(FrameScope { name: name.to_owned(), first, coordinates, space });
         FrameId(self.names.frames.len() - 1)
     }
 
@@ -28,23 +29,23 @@ impl Elaborator<'_> {
     pub(super) fn fixed(&mut self, frame: FrameId, mark: &ast::Mark, context: &Context) -> Option<Value> {
         let scope = Scope::of(context).timeless("a point or an axis");
         let vector = if mark.is_axis { self.vector(&mark.value, &scope)? } else { self.location(&mark.value, &scope)? };
-        if !self.is_fixed(vector.x) || !self.is_fixed(vector.y) {
+        let local = vector.parts;
+        if !local.iter().all(|part| self.is_fixed(*part)) {
             return self.refuse(mark.value.range, Fact::NotFixed { place: "a point or an axis" });
         }
-        let local = [vector.x, vector.y];
         let noun = if mark.is_axis { "a component of the axis" } else { "a coordinate of the point" };
-        for part in local {
-            self.has_to_be_finite(part, &mark.value, noun);
+        for part in local.iter() {
+            self.has_to_be_finite(*part, &mark.value, noun);
         }
         if mark.is_axis {
             let is_zero = local.iter().all(|part| self.arena.as_constant(*part).is_some_and(|value| value.is_zero()));
             if is_zero {
                 return self.refuse(mark.value.range, Fact::ZeroAxis { name: mark.name.to_string() });
             }
-            let measure = Measure::Of(vector.measure.settled());
+            let measure = InferredDim::Known(vector.measure.settled());
             return Some(Value::Axis(Fixed { frame, local, measure }));
         }
-        Some(Value::Point(Fixed { frame, local, measure: Measure::Of(Dim::LENGTH) }))
+        Some(Value::Point(Fixed { frame, local, measure: InferredDim::Known(Dim::LENGTH) }))
     }
 
     /// Takes note of a value that is looked at once all defaults are known; true.
@@ -62,7 +63,7 @@ impl Elaborator<'_> {
         for mark in &register.marks {
             let range = Range::from(&self.names.declared[mark.0].name);
             match self.entity(*mark, range) {
-                Some(Value::Point(point)) => lengths.extend(point.local),
+                Some(Value::Point(point)) => lengths.extend(point.local.iter().copied()),
                 Some(Value::Axis(axis)) => self.has_direction(*mark, &axis),
                 _ => {}
             }
@@ -75,12 +76,12 @@ impl Elaborator<'_> {
         if axis.local.iter().all(|part| self.arena.leaves(*part).is_empty()) {
             return;
         }
-        let [x, y] = axis.local.map(|part| self.arena.mul(part, part));
-        let (lhs, rhs) = (self.arena.add(x, y), self.arena.integer(0));
+        let squares = axis.local.map(|part| self.arena.mul(part, part));
+        let (lhs, rhs) = (self.arena.sum(&squares), self.arena.integer(0));
         let name = self.names.declared[mark.0].name.clone();
         let (joint, why) = (name.to_string(), "an axis of length zero has no direction".to_owned());
         let dim = match axis.measure {
-            Measure::Of(dim) => dim.times(dim),
+            InferredDim::Known(dim) => dim.times(dim),
             _ => Dim::NUMBER,
         };
         self.requirements.push(Requirement { lhs, relation: ast::Relation::Greater, rhs, dim, joint, why });
@@ -93,6 +94,11 @@ impl Elaborator<'_> {
             self.of(*id, Rc::as_ptr(frame), |this, name, context| Some(this.body(frame, name, context)))
         };
         let mut bodies: Vec<Body> = register.bodies.iter().filter_map(body).collect();
+        let mut next = 0;
+        for body in &mut bodies {
+            body.first = next;
+            next += body.coordinates.len();
+        }
         // `leg[0]` and `leg_0` would be one name in generated code.
         let mut taken = BTreeSet::new();
         for body in &mut bodies {
@@ -104,17 +110,19 @@ impl Elaborator<'_> {
     }
 
     fn body(&mut self, frame: &ast::Frame, name: &Name, context: &Context) -> Body {
-        let mut starts: [Option<Expr>; 3] = [None; 3];
+        let mut starts: Vec<Option<Expr>> = vec![None; Role::PLANE.len()];
         let scope = Scope::of(context).timeless("a start value");
         for start in &frame.starts {
             let word = start.what.to_string();
-            let found: Option<Vec<(usize, Expr)>> = match word.as_str() {
-                "x" => self.scalar_of(&start.value, Dim::LENGTH, &scope).map(|value| vec![(0, value.expr)]),
-                "y" => self.scalar_of(&start.value, Dim::LENGTH, &scope).map(|value| vec![(1, value.expr)]),
-                "angle" => self.scalar_of(&start.value, Dim::ANGLE, &scope).map(|value| vec![(2, value.expr)]),
-                "position" => self.location(&start.value, &scope).map(|vector| vec![(0, vector.x), (1, vector.y)]),
-                _ => {
-                    let near = nearest(&word, ["x", "y", "angle", "position"].into_iter());
+            let place = |role: Role| Role::PLANE.iter().position(|other| *other == role);
+            let found: Option<Vec<(usize, Expr)>> = match Role::named(&word) {
+                Some(role) => self.scalar_of(&start.value, role.dim(), &scope).and_then(|value| Some(vec![(place(role)?, value.expr)])),
+                None if word == "position" => {
+                    let axes = Role::PLANE.into_iter().enumerate().filter(|(_, role)| role.is_position()).map(|(place, _)| place);
+                    self.location(&start.value, &scope).map(|vector| axes.zip(vector.parts.iter().copied()).collect())
+                }
+                None => {
+                    let near = nearest(&word, start_words());
                     self.refuse(&start.what, Fact::UnknownStart { name: word.clone(), near })
                 }
             };
@@ -127,8 +135,12 @@ impl Elaborator<'_> {
                 }
             }
         }
-        let kinds = [("x", Dim::LENGTH), ("y", Dim::LENGTH), ("angle", Dim::ANGLE)];
-        let coordinates = kinds.into_iter().zip(starts).map(|((name, dim), start)| Coordinate { name, dim, start }).collect();
-        Body { name: name.clone(), coordinates }
+        let coordinates = Role::PLANE.into_iter().zip(starts).map(|(role, start)| BodyCoordinate { role, start }).collect();
+        Body { name: name.clone(), first: 0, coordinates }
     }
+}
+
+/// The words that may stand behind `start`.
+pub(super) fn start_words() -> impl Iterator<Item = &'static str> {
+    Role::PLANE.into_iter().map(Role::name).chain(["position"])
 }

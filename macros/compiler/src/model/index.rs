@@ -4,6 +4,7 @@ use super::elaborate::{Elaborator, Scope};
 use super::names::{GroupId, SpaceId};
 use super::value::Value;
 use crate::diag::{Fact, Known, Range};
+use crate::quantity::Dim;
 use crate::syntax::ast::{self, Bounds, ExprKind, Operator};
 use proc_macro2::Ident;
 use std::collections::BTreeSet;
@@ -164,7 +165,7 @@ impl Elaborator<'_> {
     fn as_whole(&mut self, range: Range, value: &Value) -> Option<i64> {
         let Value::Scalar(scalar) = value else { return self.refuse(range, Fact::NotWhole { found: value.noun().to_owned() }) };
         let dim = scalar.measure.settled();
-        if !scalar.measure.fits(super::Dim::NUMBER) {
+        if !scalar.measure.fits(Dim::NUMBER) {
             return self.refuse(range, Fact::NotWhole { found: dim.to_string() });
         }
         let constant = self.arena.as_constant(scalar.expr);

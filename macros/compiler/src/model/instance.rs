@@ -1,22 +1,22 @@
 //! Joints: a definition with its parameters bound to arguments, or equations written inline.
 
 use super::Name;
-use super::dimension::{Dim, Measure};
-use super::elaborate::{Blame, Elaborator, Scope, Timeless};
+use super::elaborate::{Elaborator, Instance, Scope, Timeless};
 use super::names::{Context, EntityId};
 use super::signature::{noun, places, too_few, too_many, unknown_argument};
-use super::statement::Row;
-use super::value::{Fixed, FrameId, Function, Scalar, Value};
+use super::statement::ScalarEquation;
+use super::value::{Fixed, FrameId, FunctionValue, Scalar, Value};
 use crate::diag::{Fact, Range};
 use crate::expr::Leaf;
 use crate::library;
+use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, Argument, Definition, Formal, JointBody, Kind};
 use proc_macro2::Ident;
 use std::rc::Rc;
 
 impl Elaborator<'_> {
     /// The scalar equations of a joint.
-    pub(super) fn joint_rows(&mut self, id: EntityId, joint: &ast::Joint, name: &Name, context: &Context) -> Option<Vec<Row>> {
+    pub(super) fn joint_rows(&mut self, id: EntityId, joint: &ast::Joint, name: &Name, context: &Context) -> Option<Vec<ScalarEquation>> {
         match &joint.body {
             JointBody::Equations(statements) => {
                 let scope = self.joint_scope(joint, context);
@@ -43,7 +43,7 @@ impl Elaborator<'_> {
             Value::Point(fixed) | Value::Axis(fixed) => Some(fixed.frame == FrameId::GROUND),
             Value::Body(frame) => Some(*frame == FrameId::GROUND),
             Value::Scalar(scalar) => (!self.is_still(scalar.expr)).then_some(false),
-            Value::Vector(vector) => (!self.is_still(vector.x) || !self.is_still(vector.y)).then_some(false),
+            Value::Vector(vector) => vector.parts.iter().any(|part| !self.is_still(*part)).then_some(false),
             Value::Joint { .. } | Value::Part(_) | Value::Array { .. } => Some(false),
             Value::Function(_) => None,
         };
@@ -51,7 +51,7 @@ impl Elaborator<'_> {
         found.peek().is_some() && found.all(|is_of_ground| is_of_ground)
     }
 
-    fn blame_for(&self, definition: &Definition, kind: &Ident, arguments: &[(String, Value)]) -> Blame {
+    fn blame_for(&self, definition: &Definition, kind: &Ident, arguments: &[(String, Value)]) -> Instance {
         let is_open =
             |name: &String| definition.parameters.iter().any(|formal| formal.name == *name && matches!(formal.kind, Kind::Quantity));
         let quantity = |(name, value): &(String, Value)| match value {
@@ -59,7 +59,7 @@ impl Elaborator<'_> {
             _ => None,
         };
         let quantities = arguments.iter().filter_map(quantity).collect();
-        Blame { place: kind.into(), definition: format!("`{}`", definition.name), quantities }
+        Instance { place: kind.into(), definition: format!("`{}`", definition.name), quantities }
     }
 
     fn joint_scope(&self, joint: &ast::Joint, context: &Context) -> Scope {
@@ -194,16 +194,16 @@ impl Elaborator<'_> {
                 Some(value)
             }
             // A constant vector is a place or a direction in ground.
-            (Kind::Point, Value::Vector(vector)) if self.is_fixed(vector.x) && self.is_fixed(vector.y) => {
+            (Kind::Point, Value::Vector(vector)) if vector.parts.iter().all(|part| self.is_fixed(*part)) => {
                 if !vector.measure.fits(Dim::LENGTH) {
                     return self.refuse(argument.range, Fact::WrongDimension { wanted: Dim::LENGTH, found: vector.measure.settled() });
                 }
-                let measure = Measure::Of(Dim::LENGTH);
-                Some(Value::Point(Fixed { frame: FrameId::GROUND, local: [vector.x, vector.y], measure }))
+                let measure = InferredDim::Known(Dim::LENGTH);
+                Some(Value::Point(Fixed { frame: FrameId::GROUND, local: vector.parts, measure }))
             }
-            (Kind::Axis, Value::Vector(vector)) if self.is_fixed(vector.x) && self.is_fixed(vector.y) => {
-                let measure = Measure::Of(vector.measure.settled());
-                Some(Value::Axis(Fixed { frame: FrameId::GROUND, local: [vector.x, vector.y], measure }))
+            (Kind::Axis, Value::Vector(vector)) if vector.parts.iter().all(|part| self.is_fixed(*part)) => {
+                let measure = InferredDim::Known(vector.measure.settled());
+                Some(Value::Axis(Fixed { frame: FrameId::GROUND, local: vector.parts, measure }))
             }
             (Kind::Quantity, value @ Value::Scalar(_)) => Some(value),
             (Kind::Scalar(written), Value::Scalar(scalar)) => {
@@ -217,7 +217,7 @@ impl Elaborator<'_> {
                     };
                     return self.refuse(argument.range, fact);
                 }
-                Some(Value::Scalar(Scalar { measure: Measure::Of(wanted), ..scalar }))
+                Some(Value::Scalar(Scalar { measure: InferredDim::Known(wanted), ..scalar }))
             }
             (Kind::Function(from, to), Value::Function(function)) => {
                 let (from, to) = (self.dimension(from)?, self.dimension(to)?);
@@ -245,12 +245,14 @@ impl Elaborator<'_> {
         }
     }
 
-    fn function_argument(&mut self, range: Range, function: Function, from: Dim, to: Dim) -> Option<Function> {
+    fn function_argument(&mut self, range: Range, function: FunctionValue, from: Dim, to: Dim) -> Option<FunctionValue> {
         let (takes, gives) = match &function {
-            Function::Written(written) => (Measure::Of(self.dimension(&written.from)?), Measure::Of(self.dimension(&written.to)?)),
-            Function::Numbered { from, to, .. } => (*from, *to),
+            FunctionValue::Written(written) => {
+                (InferredDim::Known(self.dimension(&written.from)?), InferredDim::Known(self.dimension(&written.to)?))
+            }
+            FunctionValue::Numbered { from, to, .. } => (*from, *to),
         };
-        let (from, to) = (Measure::Of(from), Measure::Of(to));
+        let (from, to) = (InferredDim::Known(from), InferredDim::Known(to));
         if from.common(takes).is_none() {
             return self.refuse(range, Fact::FunctionTakes { wanted: from.settled(), found: takes.settled() });
         }
@@ -258,7 +260,7 @@ impl Elaborator<'_> {
             return self.refuse(range, Fact::WrongDimension { wanted: to.settled(), found: gives.settled() });
         }
         Some(match function {
-            Function::Numbered { number, .. } => Function::Numbered { number, from, to },
+            FunctionValue::Numbered { number, .. } => FunctionValue::Numbered { number, from, to },
             written => written,
         })
     }

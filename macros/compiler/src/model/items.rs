@@ -1,14 +1,14 @@
 //! Items that nothing else refers to by name: each is looked at once, in the order written.
 
-use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
 use super::names::{Context, EntityId, is_generated};
 use super::register::Register;
-use super::statement::Row;
+use super::statement::ScalarEquation;
 use super::value::{FrameId, Scalar, Value};
 use super::{Joint, Layout, Method, Name, Of, Output, Residual};
 use crate::diag::{Fact, Range};
 use crate::expr::Leaf;
+use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast;
 use proc_macro2::Ident;
 use std::collections::BTreeSet;
@@ -39,7 +39,7 @@ impl Elaborator<'_> {
         };
         let leaf = self.arena.leaf(Leaf::Parameter(u32::MAX));
         let mut scope = Scope::mechanism().timeless("a function of one variable");
-        scope.bound.push((argument.to_string(), Value::Scalar(Scalar { expr: leaf, measure: Measure::Of(from) })));
+        scope.bound.push((argument.to_string(), Value::Scalar(Scalar { expr: leaf, measure: InferredDim::Known(from) })));
         self.names.open_functions.push(function.name.to_string());
         self.once(Rc::as_ptr(function), |this| this.scalar_of(&function.value, to, &scope));
         self.names.open_functions.pop();
@@ -59,18 +59,18 @@ impl Elaborator<'_> {
             ast::JointBody::Equations(_) => "equation".to_owned(),
         };
         self.rows_are_sound(id, joint, &rows);
-        let residual = |row: Row| Residual { expr: row.residual.expr, dim: row.residual.measure.settled() };
+        let residual = |row: ScalarEquation| Residual { expr: row.residual.expr, dim: row.residual.measure.settled() };
         let residuals = rows.into_iter().map(residual).collect();
         Some(Joint { name: name.clone(), kind, is_drive: joint.is_drive, is_redundant: joint.is_redundant, residuals })
     }
 
     /// Every row depends on a position, and those of a joint not on time; one refusal is enough.
-    fn rows_are_sound(&mut self, id: EntityId, joint: &ast::Joint, rows: &[Row]) {
+    fn rows_are_sound(&mut self, id: EntityId, joint: &ast::Joint, rows: &[ScalarEquation]) {
         let (name, of) = (joint.name.to_string(), rows.len());
-        let leaves = |row: &Row| self.arena.leaves(row.residual.expr);
+        let leaves = |row: &ScalarEquation| self.arena.leaves(row.residual.expr);
         // What is given to a component that is not used may move.
         let may_move = |leaf: &Leaf| matches!(leaf, Leaf::Coordinate(_)) || self.is_unused && matches!(leaf, Leaf::Parameter(_));
-        let is_of_nothing = |row: &Row| !leaves(row).iter().any(may_move);
+        let is_of_nothing = |row: &ScalarEquation| !leaves(row).iter().any(may_move);
         if let Some(row) = rows.iter().position(is_of_nothing) {
             self.say::<()>(rows[row].range, Fact::RowOfNothing { joint: name, row: row + 1, of, at_defaults: false });
         } else if let Some(row) = rows.iter().find(|row| !joint.is_drive && leaves(row).contains(&Leaf::Time)) {
@@ -96,7 +96,7 @@ impl Elaborator<'_> {
                 return Some(Output { name: name.clone(), body: Some(frame.0 - 1), components: Vec::new(), dim: Dim::NUMBER });
             }
             other => match self.as_vector(other) {
-                Some(vector) => (vec![vector.x, vector.y], vector.measure),
+                Some(vector) => (vector.parts.to_vec(), vector.measure),
                 None => return self.refuse(output.value.range, Fact::NotAnOutput { found: noun }),
             },
         };

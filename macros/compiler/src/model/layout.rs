@@ -70,7 +70,7 @@ pub struct Part {
 
 /// The mechanism or a part while its items are registered.
 #[derive(Default)]
-pub(super) struct Place {
+pub(super) struct OpenPart {
     pub(super) component: Option<Rc<ast::Component>>,
     /// The number of its first body.
     pub(super) first: usize,
@@ -122,7 +122,7 @@ impl Elaborator<'_> {
     }
 
     /// The members of each name, in the order in which the names were first declared.
-    fn gathered(&self, place: &Place, component_of: &[usize]) -> Vec<Gathered> {
+    fn gathered(&self, place: &OpenPart, component_of: &[usize]) -> Vec<Gathered> {
         let mut gathered: Vec<Gathered> = Vec::new();
         let mut by_word: BTreeMap<(bool, String), usize> = BTreeMap::new();
         for (of, id, number) in &place.items {
@@ -187,7 +187,7 @@ impl Elaborator<'_> {
     }
 
     /// A part has what the first part of its component has.
-    fn are_alike(&mut self, place: &Place, first: (&Component, &Part), found: (&[Gathered], &[Vec<usize>], &Part)) {
+    fn are_alike(&mut self, place: &OpenPart, first: (&Component, &Part), found: (&[Gathered], &[Vec<usize>], &Part)) {
         let ((component, one), (gathered, sizes, two)) = (first, found);
         let bodies = |part: &Part, number: usize| part.members[number].iter().map(|body| body - part.first).collect::<Vec<_>>();
         let is_alike = component.fields.len() == gathered.len()

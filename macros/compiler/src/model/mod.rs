@@ -9,10 +9,11 @@
 mod arithmetic;
 mod bounds;
 mod builtin;
+mod components;
 mod declare;
 mod definition;
-pub(crate) mod dimension;
 mod elaborate;
+pub(crate) mod example;
 mod frames;
 mod index;
 mod instance;
@@ -26,18 +27,17 @@ mod signature;
 pub mod sketch;
 pub(crate) mod spline;
 mod statement;
-pub(crate) mod suggest;
-pub(crate) mod unit;
 mod unused;
 pub(crate) mod value;
 
-pub use dimension::Dim;
+pub use components::Components;
 pub use layout::{Component, Field, Layout, Of, Part};
 pub use name::Name;
 pub use sketch::Sketch;
 pub use spline::{Ends, Table};
 
 use crate::expr::{Arena, Expr};
+use crate::quantity::{Dim, Role};
 use crate::syntax::ast::{Closing, Docs, Following, Relation};
 use proc_macro2::{Ident, TokenStream};
 
@@ -132,17 +132,17 @@ pub struct Times {
 pub struct Body {
     /// Its name.
     pub name: Name,
-    /// Its coordinates, as numbered in the arena.
-    pub coordinates: Vec<Coordinate>,
+    /// The index in q of its first coordinate.
+    pub first: usize,
+    /// Its coordinates, in their order in q.
+    pub coordinates: Vec<BodyCoordinate>,
 }
 
 /// One coordinate of a body.
 #[derive(Clone, Debug)]
-pub struct Coordinate {
-    /// `x`, `y`, `angle`.
-    pub name: &'static str,
-    /// What it measures: a length or an angle.
-    pub dim: Dim,
+pub struct BodyCoordinate {
+    /// Its part in the placement of the body.
+    pub role: Role,
     /// Its declared start value, a function of parameters.
     pub start: Option<Expr>,
 }

@@ -6,6 +6,7 @@
 use super::Name;
 use super::value::{FrameId, Value};
 use crate::expr::Expr;
+use crate::quantity::Role;
 use crate::syntax::ast::{self, Definition};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
@@ -78,11 +79,11 @@ pub(super) enum Entity {
     Joint(Rc<ast::Joint>),
     Mark(FrameId, Rc<ast::Mark>),
     /// What a part was made with, by the number of the component's parameter.
-    Argument(Rc<Made>, usize),
+    Argument(Rc<PartArguments>, usize),
 }
 
 /// A part and what was written between its parentheses.
-pub(super) struct Made {
+pub(super) struct PartArguments {
     pub(super) component: Rc<ast::Component>,
     pub(super) part: Rc<ast::Part>,
     /// For each parameter of the component the argument's number, if there is one.
@@ -108,7 +109,7 @@ pub(super) struct Declared {
 }
 
 /// One name of a space: a single item, or an array of them.
-pub(super) struct Group {
+pub(super) struct NamedItems {
     pub(super) word: String,
     /// As it is called from outside: `leg[3].coupler`.
     pub(super) path: String,
@@ -130,19 +131,21 @@ pub(super) struct Space {
 }
 
 /// A frame and what is fixed in it.
-pub(super) struct Frame {
+pub(super) struct FrameScope {
     pub(super) name: String,
-    /// x, y and angle; ground has none.
-    pub(super) coordinates: Option<[Expr; 3]>,
+    /// Where its coordinates begin in q.
+    pub(super) first: usize,
+    /// What places it; ground has none.
+    pub(super) coordinates: Vec<(Role, Expr)>,
     /// Its points and axes.
     pub(super) space: SpaceId,
 }
 
 /// All names of a mechanism.
 pub(crate) struct Names {
-    pub(super) frames: Vec<Frame>,
+    pub(super) frames: Vec<FrameScope>,
     pub(super) spaces: Vec<Space>,
-    pub(super) groups: Vec<Group>,
+    pub(super) groups: Vec<NamedItems>,
     pub(super) declared: Vec<Declared>,
     /// The numbers of declarations in the tree, by their words.
     pub(super) declarations: BTreeMap<*const Ident, usize>,
@@ -167,7 +170,7 @@ pub(crate) struct Names {
 impl Names {
     /// With ground as the only frame.
     pub(super) fn new(definitions: BTreeMap<String, Rc<Definition>>) -> Names {
-        let ground = Frame { name: "ground".into(), coordinates: None, space: SpaceId(1) };
+        let ground = FrameScope { name: "ground".into(), first: 0, coordinates: Vec::new(), space: SpaceId(1) };
         Names {
             frames: vec![ground],
             spaces: vec![Space::default(), Space { prefix: "ground.".into(), ..Space::default() }],
@@ -211,7 +214,7 @@ impl Names {
         self.find(space, word).or_else(|| self.find(SpaceId::MECHANISM, word))
     }
 
-    pub(super) fn group(&self, group: GroupId) -> &Group {
+    pub(super) fn group(&self, group: GroupId) -> &NamedItems {
         &self.groups[group.0]
     }
 
@@ -236,14 +239,14 @@ impl Names {
     /// The first point of a frame.
     pub(super) fn a_point_of(&self, frame: FrameId) -> Option<&str> {
         let space = &self.spaces[self.frames[frame.0].space.0];
-        let is_point = |group: &&Group| group.what == "a point" && group.ranks == 0;
+        let is_point = |group: &&NamedItems| group.what == "a point" && group.ranks == 0;
         space.order.iter().map(|group| &self.groups[group.0]).find(is_point).map(|group| group.word.as_str())
     }
 
     /// The first axis of a frame.
     pub(super) fn an_axis_of(&self, frame: FrameId) -> Option<&str> {
         let space = &self.spaces[self.frames[frame.0].space.0];
-        let is_axis = |group: &&Group| group.what == "an axis" && group.ranks == 0;
+        let is_axis = |group: &&NamedItems| group.what == "an axis" && group.ranks == 0;
         space.order.iter().map(|group| &self.groups[group.0]).find(is_axis).map(|group| group.word.as_str())
     }
 

@@ -4,13 +4,14 @@
 //! other. Nothing is resolved here but whole numbers.
 
 use super::declare::{duplicate, is_reserved};
-use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
-use super::layout::{Of, Place};
-use super::names::{Context, Declared, Entity, EntityId, Made, Progress, SpaceId};
+use super::frames::start_words;
+use super::layout::{Of, OpenPart};
+use super::names::{Context, Declared, Entity, EntityId, PartArguments, Progress, SpaceId};
 use super::value::{FrameId, Scalar, Value};
 use crate::diag::Fact;
 use crate::expr::Leaf;
+use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, Item, Marks};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
@@ -37,7 +38,7 @@ pub(super) struct Register {
     /// The parts as written, the mechanism's place left out.
     pub(super) parts: Vec<Rc<ast::Part>>,
     /// The mechanism and its parts.
-    pub(super) places: Vec<Place>,
+    pub(super) places: Vec<OpenPart>,
     /// The components whose items are being gone through, to stop recursion.
     pub(super) open: Vec<String>,
     /// How many loops are being gone through.
@@ -50,7 +51,7 @@ impl Elaborator<'_> {
     /// Registers all items of a mechanism.
     pub(super) fn register(&mut self, items: &[Item]) -> Register {
         let mut register = Register::default();
-        register.places.push(Place::default());
+        register.places.push(OpenPart::default());
         for item in items {
             if let Item::Component(component) = item {
                 self.component(component);
@@ -94,7 +95,7 @@ impl Elaborator<'_> {
             Item::Parameter(parameter) => {
                 let leaf = self.arena.leaf(Leaf::Parameter(register.parameters.len() as u32));
                 let dim = self.once(Rc::as_ptr(parameter), |this| this.dimension(&parameter.dimension));
-                let value = dim.map(|dim| Value::Scalar(Scalar { expr: leaf, measure: Measure::Of(dim) }));
+                let value = dim.map(|dim| Value::Scalar(Scalar { expr: leaf, measure: InferredDim::Known(dim) }));
                 let progress = value.map_or(Progress::Failed, Progress::Done);
                 let written = (&parameter.name, parameter.indices.as_slice());
                 let Some(id) = self.declare(written, Entity::Known, progress, "a parameter", context) else { return };
@@ -202,7 +203,7 @@ impl Elaborator<'_> {
         let word = variable.to_string();
         let round = |number: i64| {
             let mut bound = context.bound.to_vec();
-            let value = Scalar { expr: self.arena.integer(number), measure: Measure::Of(Dim::NUMBER) };
+            let value = Scalar { expr: self.arena.integer(number), measure: InferredDim::Known(Dim::NUMBER) };
             bound.push((word.clone(), Value::Scalar(value)));
             Context { space: context.space, bound: Rc::new(bound) }
         };
@@ -255,7 +256,7 @@ impl Elaborator<'_> {
         let space = self.names.new_space(format!("{path}."));
         self.names.declared[id.0].progress = Progress::Done(Value::Part(space));
         let inner = Context { space, bound: Rc::default() };
-        let made = Rc::new(Made { component: component.clone(), part: part.clone(), slots, outside: context.clone() });
+        let made = Rc::new(PartArguments { component: component.clone(), part: part.clone(), slots, outside: context.clone() });
         for (number, formal) in component.head.parameters.iter().enumerate() {
             let entity = Entity::Argument(made.clone(), number);
             let id = self.declare((&formal.name, &[]), entity, Progress::Untouched, "an argument", &inner);
@@ -264,7 +265,12 @@ impl Elaborator<'_> {
         let number = register.places.len();
         register.places[place].items.push((Of::Part(0), id, number));
         register.parts.push(part.clone());
-        register.places.push(Place { component: Some(component.clone()), first: register.bodies.len(), items: Vec::new(), id: Some(id) });
+        register.places.push(OpenPart {
+            component: Some(component.clone()),
+            first: register.bodies.len(),
+            items: Vec::new(),
+            id: Some(id),
+        });
         register.open.push(word);
         let loops = std::mem::take(&mut register.loops);
         self.items(&component.items, &inner, number, register);
@@ -303,7 +309,7 @@ impl Elaborator<'_> {
             }
             let Some(indices) = self.written_indices(&mark.indices, Rc::as_ptr(mark), context) else { continue };
             let word = mark.name.to_string();
-            if matches!(word.as_str(), "x" | "y" | "angle" | "position") {
+            if start_words().any(|known| known == word) {
                 self.once(Rc::as_ptr(mark), |this| this.refuse::<()>(&mark.name, Fact::Reserved { name: word }));
                 continue;
             }

@@ -1,14 +1,14 @@
 //! The items of a mechanism: registered by name first, resolved when asked for, each once.
 
 use super::bounds::in_words;
-use super::dimension::{Dim, Measure};
 use super::elaborate::{Elaborator, Scope};
-use super::names::{Context, Declared, Entity, EntityId, Made, Names, Progress, is_generated};
+use super::names::{Context, Declared, Entity, EntityId, Names, PartArguments, Progress, is_generated};
 use super::register::{Register, is_one_of_many};
-use super::suggest::nearest;
-use super::value::{Function, Scalar, Value};
+use super::value::{FunctionValue, Scalar, Value};
 use super::{Layout, Method, Model, Name, Parameter};
+use crate::diag::nearest;
 use crate::diag::{Diag, Fact, Range};
+use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, Definition};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
@@ -128,7 +128,7 @@ impl Elaborator<'_> {
 
     fn parameter(&mut self, parameter: &ast::Parameter, name: &Name, context: &Context) -> Option<Parameter> {
         // An unknown dimension has been refused by `register`.
-        let dim = Dim::of(&parameter.dimension)?;
+        let dim = parameter.dimension.dim()?;
         let scope = Scope::of(context).timeless("the default of a parameter");
         let default = self.scalar_of(&parameter.default, dim, &scope)?.expr;
         if !self.arena.leaves(default).is_empty() {
@@ -157,7 +157,7 @@ impl Elaborator<'_> {
             let near = nearest(&name, Dim::names());
             return self.refuse(unknown, Fact::UnknownDimension { name, near });
         }
-        Dim::of(written)
+        written.dim()
     }
 
     /// The value of a declared item, resolved when it is first asked for; `range` is where it is asked for.
@@ -195,9 +195,9 @@ impl Elaborator<'_> {
         // A signature over a Rust path gives the function its dimensions.
         if let (None, ast::ExprKind::Path(path)) = (&function.argument, &function.value.kind) {
             let (from, to) = (self.dimension(&function.from)?, self.dimension(&function.to)?);
-            return Some(Value::Function(self.rust_function(path, Measure::Of(from), Measure::Of(to))));
+            return Some(Value::Function(self.rust_function(path, InferredDim::Known(from), InferredDim::Known(to))));
         }
-        Some(Value::Function(Function::Written(function.clone())))
+        Some(Value::Function(FunctionValue::Written(function.clone())))
     }
 
     fn joint_value(&mut self, joint: &ast::Joint, context: &Context) -> Option<Value> {
@@ -210,7 +210,7 @@ impl Elaborator<'_> {
     }
 
     /// An argument of a part: it stands outside of its component, a default inside.
-    fn made_with(&mut self, id: EntityId, made: &Rc<Made>, number: usize) -> Option<Value> {
+    fn made_with(&mut self, id: EntityId, made: &Rc<PartArguments>, number: usize) -> Option<Value> {
         let formal = &made.component.head.parameters[number];
         let owner = self.names.declared[id.0].context.clone();
         let (written, context) = match (made.slots[number], &formal.default) {
@@ -230,7 +230,7 @@ impl Elaborator<'_> {
             let dim = self.dimension(written)?;
             return self.scalar_of(&binding.value, dim, scope).map(Value::Scalar);
         }
-        let settle = |measure: Measure| Measure::Of(measure.settled());
+        let settle = |measure: InferredDim| InferredDim::Known(measure.settled());
         Some(match self.value(&binding.value, scope)? {
             Value::Scalar(scalar) => Value::Scalar(Scalar { measure: settle(scalar.measure), ..scalar }),
             other => other,

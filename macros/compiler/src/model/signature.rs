@@ -1,6 +1,6 @@
 //! What a definition takes, in words.
 
-use super::suggest::nearest;
+use crate::diag::nearest;
 use crate::diag::{Fact, Range};
 use crate::syntax::ast::{Argument, Definition, Dimension, Formal, Kind};
 use proc_macro2::Ident;

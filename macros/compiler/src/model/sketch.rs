@@ -2,13 +2,14 @@
 //!
 //! Everything here is an expression in an arena of its own, so that looking at a mechanism does not change how it is solved.
 
-use super::dimension::Dim;
+use super::Components;
 use super::elaborate::{Elaborator, Scope};
 use super::names::{Entity, EntityId};
 use super::register::Register;
-use super::value::{Fixed, FrameId, Function, Scalar, Value};
+use super::value::{Fixed, FrameId, FunctionValue, Scalar, Value};
 use crate::diag::Range;
 use crate::expr::{Arena, Expr, Leaf};
+use crate::quantity::{Dim, InferredDim};
 
 /// Mechanisms with more bodies are not drawn: nothing could be told apart.
 pub const MOST_DRAWN: usize = 200;
@@ -21,7 +22,7 @@ pub struct Sketch {
     /// The declared points of bodies and of ground.
     pub points: Vec<Mark>,
     /// For each joint or drive, in the order declared, what it was made with.
-    pub joints: Vec<Made>,
+    pub joints: Vec<Instantiation>,
     /// The outputs that are points of bodies.
     pub outputs: Vec<Mark>,
 }
@@ -41,12 +42,12 @@ pub struct Local {
     /// The body that it moves with; none for ground.
     pub body: Option<usize>,
     /// Its components in the body's frame, functions of parameters; those of a point are lengths.
-    pub local: [Expr; 2],
+    pub local: Components,
 }
 
 /// A constraint with its arguments.
 #[derive(Clone, Debug, Default)]
-pub struct Made {
+pub struct Instantiation {
     /// The constraint's own name, whatever a `use` item calls it.
     pub kind: String,
     /// The arguments by the names of the definition; none for equations written inline.
@@ -67,7 +68,7 @@ pub enum Argument {
     /// A function of one variable, written out for the time in the variable's place.
     Function(Expr),
     /// Another joint.
-    Joint(Made),
+    Joint(Instantiation),
 }
 
 impl Elaborator<'_> {
@@ -96,15 +97,15 @@ impl Elaborator<'_> {
         Some(Mark { name, at: local(point) })
     }
 
-    fn sketched_joint(&mut self, joint: EntityId) -> Made {
+    fn sketched_joint(&mut self, joint: EntityId) -> Instantiation {
         let range = Range::from(&self.names.declared[joint.0].name);
         self.entity(joint, range).and_then(|value| self.made(range, value)).unwrap_or_default()
     }
 
-    fn made(&mut self, range: Range, joint: Value) -> Option<Made> {
+    fn made(&mut self, range: Range, joint: Value) -> Option<Instantiation> {
         let Value::Joint { kind, arguments } = joint else { return None };
         let argument = |(name, value): &(String, Value)| Some((name.clone(), self.sketched(range, value.clone())?));
-        Some(Made { kind, arguments: arguments.iter().filter_map(argument).collect() })
+        Some(Instantiation { kind, arguments: arguments.iter().filter_map(argument).collect() })
     }
 
     fn sketched(&mut self, range: Range, value: Value) -> Option<Argument> {
@@ -120,12 +121,12 @@ impl Elaborator<'_> {
     }
 
     /// The value of a function at t: functions of one variable do not know the time, so that it can stand for the variable.
-    fn written_out(&mut self, range: Range, function: &Function) -> Option<Expr> {
+    fn written_out(&mut self, range: Range, function: &FunctionValue) -> Option<Expr> {
         let expr = self.arena.leaf(Leaf::Time);
         match function {
-            Function::Numbered { number, .. } => Some(self.arena.call(*number, 0, expr)),
-            Function::Written(written) => {
-                let measure = super::dimension::Measure::Of(self.dimension(&written.from)?);
+            FunctionValue::Numbered { number, .. } => Some(self.arena.call(*number, 0, expr)),
+            FunctionValue::Written(written) => {
+                let measure = InferredDim::Known(self.dimension(&written.from)?);
                 self.written(range, written, Scalar { expr, measure }).map(|scalar| scalar.expr)
             }
         }

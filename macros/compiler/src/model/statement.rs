@@ -1,6 +1,6 @@
 //! The statements of a definition or of an inline joint: equations, and conditions on parameters.
 
-use super::elaborate::{Blame, Elaborator, Scope};
+use super::elaborate::{Elaborator, Instance, Scope};
 use super::value::{FrameId, Scalar, Value};
 use super::{Name, Parameter, Requirement};
 use crate::diag::{Fact, Range};
@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 
 /// One scalar equation: left minus right side, and what to blame for it.
 #[derive(Clone, Copy)]
-pub(super) struct Row {
+pub(super) struct ScalarEquation {
     pub(super) residual: Scalar,
     pub(super) range: Range,
 }
@@ -39,8 +39,8 @@ impl Elaborator<'_> {
         mut scope: Scope,
         joint: &Name,
         places: &[(String, Range)],
-    ) -> Option<Vec<Row>> {
-        let mut rows: Vec<Row> = Vec::new();
+    ) -> Option<Vec<ScalarEquation>> {
+        let mut rows: Vec<ScalarEquation> = Vec::new();
         let of = statements.iter().filter(|statement| matches!(statement, Statement::Equation(..))).count();
         let mut number = 0;
         let mut complete = true;
@@ -55,7 +55,7 @@ impl Elaborator<'_> {
                     match self.numbered(number, of, |this| this.residuals(lhs, rhs, &scope)) {
                         Some(residuals) => {
                             let range = self.blame.as_ref().map_or(lhs.range.to(rhs.range), |blame| blame.place);
-                            rows.extend(residuals.into_iter().map(|residual| Row { residual, range }));
+                            rows.extend(residuals.into_iter().map(|residual| ScalarEquation { residual, range }));
                         }
                         None => complete = false,
                     }
@@ -76,7 +76,7 @@ impl Elaborator<'_> {
     /// Inside a definition that is being instantiated, names the equation in what is refused.
     fn numbered<T>(&mut self, number: usize, of: usize, read: impl FnOnce(&mut Self) -> T) -> T {
         let outer = self.blame.clone();
-        if let (Some(Blame { definition, .. }), true) = (&mut self.blame, of > 1) {
+        if let (Some(Instance { definition, .. }), true) = (&mut self.blame, of > 1) {
             *definition = format!("equation {number} of {definition}");
         }
         let value = read(self);

@@ -3,11 +3,11 @@
 //! Each that is in no other of them is gone through once, the others with it, with arguments of which nothing is known but their kind, apart from everything else, and nothing of
 //! it is kept. What depends on arguments that may be whole numbers is not looked at: these say how often something stands.
 
-use super::Dim;
 use super::elaborate::Elaborator;
-use super::layout::Place;
+use super::layout::OpenPart;
 use super::names::{Context, Entity, Progress};
 use super::register::Register;
+use crate::quantity::Dim;
 use crate::syntax::ast::{self, Item, Kind};
 use proc_macro2::Ident;
 use std::collections::BTreeSet;
@@ -39,7 +39,7 @@ impl Elaborator<'_> {
         let known = register.parameters.len();
         let mut own = Register::default();
         own.parameters.clone_from(&register.parameters);
-        own.places.push(Place { component: Some(component.clone()), ..Place::default() });
+        own.places.push(OpenPart { component: Some(component.clone()), ..OpenPart::default() });
         let definitions: Vec<ast::Definition> = self.names.definitions.values().map(|definition| (**definition).clone()).collect();
         for formal in &component.head.parameters {
             let Some(value) = self.unknown(&formal.kind, &definitions) else { return Vec::new() };
@@ -96,7 +96,7 @@ fn kinds_of_parts(component: &ast::Component) -> Vec<&Ident> {
 /// It takes a number that may be one of how many.
 fn counts(component: &ast::Component) -> bool {
     component.head.parameters.iter().any(|formal| match &formal.kind {
-        Kind::Scalar(written) => Dim::of(written) == Some(Dim::NUMBER),
+        Kind::Scalar(written) => written.dim() == Some(Dim::NUMBER),
         kind => matches!(kind, Kind::Quantity),
     })
 }

@@ -1,8 +1,9 @@
 //! What an expression stands for while names are resolved.
 
-use super::dimension::Measure;
+use super::Components;
 use super::names::{GroupId, SpaceId};
 use crate::expr::Expr;
+use crate::quantity::InferredDim;
 use crate::syntax::ast;
 use std::rc::Rc;
 
@@ -19,32 +20,31 @@ impl FrameId {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scalar {
     pub(crate) expr: Expr,
-    pub(crate) measure: Measure,
+    pub(crate) measure: InferredDim,
 }
 
 /// A vector in ground.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Vector {
-    pub(crate) x: Expr,
-    pub(crate) y: Expr,
-    pub(crate) measure: Measure,
+    pub(crate) parts: Components,
+    pub(crate) measure: InferredDim,
 }
 
 /// Something fixed in a frame, by its local coordinates: a point or an axis.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fixed {
     pub(crate) frame: FrameId,
-    pub(crate) local: [Expr; 2],
-    pub(crate) measure: Measure,
+    pub(crate) local: Components,
+    pub(crate) measure: InferredDim,
 }
 
 /// A function of one variable.
 #[derive(Clone, Debug)]
-pub(crate) enum Function {
+pub(crate) enum FunctionValue {
     /// Written in the language.
     Written(Rc<ast::Function>),
     /// Known to the arena by number: a Rust function or a table.
-    Numbered { number: u32, from: Measure, to: Measure },
+    Numbered { number: u32, from: InferredDim, to: InferredDim },
 }
 
 /// The arguments that a joint was made with, by the names of its definition.
@@ -58,7 +58,7 @@ pub(crate) enum Value {
     Point(Fixed),
     Axis(Fixed),
     Body(FrameId),
-    Function(Function),
+    Function(FunctionValue),
     Joint {
         kind: String,
         arguments: Arguments,

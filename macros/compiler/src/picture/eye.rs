@@ -3,8 +3,9 @@
 use super::plane::{Place, place};
 use super::scene::{Figure, Instant, Scene, Seen, Sign};
 use crate::expr::{Evaluator, Expr, Values, evaluate};
-use crate::model::sketch::{Argument, Local, Made};
-use crate::model::{Dim, Function, Model, Name};
+use crate::model::sketch::{Argument, Instantiation, Local};
+use crate::model::{Function, Model, Name};
+use crate::quantity::{Axis, Dim, Role};
 use crate::system::System;
 use core::f64::consts::TAU;
 
@@ -47,12 +48,14 @@ fn plain(name: &Name) -> String {
 fn figures(model: &Model, system: &System, q: &[f64]) -> Vec<Figure> {
     let named = |body: &crate::model::Body| Figure { name: plain(&body.name), origin: Place::default(), angle: 0.0, points: Vec::new() };
     let mut bodies: Vec<Figure> = model.bodies.iter().map(named).collect();
-    for (unknown, value) in system.unknowns.iter().zip(q) {
+    for (unknown, value) in system.coordinates.iter().zip(q) {
         let body = &mut bodies[unknown.body];
-        match unknown.name {
-            "x" => body.origin.x = *value,
-            "y" => body.origin.y = *value,
-            _ => body.angle = *value,
+        match unknown.role {
+            Role::Position(Axis::X) => body.origin.x = *value,
+            Role::Position(Axis::Y) => body.origin.y = *value,
+            Role::Angle => body.angle = *value,
+            // The picture is one of the plane.
+            Role::Position(Axis::Z) | Role::Quaternion(_) => {}
         }
     }
     bodies
@@ -69,7 +72,7 @@ struct Eye<'a> {
 impl Eye<'_> {
     /// The joints with their arguments, and with what their equations say of bodies and rates.
     fn signs(&self) -> Vec<Sign> {
-        let sign = |(joint, made): (&crate::model::Joint, &Made)| Sign {
+        let sign = |(joint, made): (&crate::model::Joint, &Instantiation)| Sign {
             name: plain(&joint.name),
             kind: made.kind.clone(),
             is_drive: joint.is_drive,
@@ -81,7 +84,7 @@ impl Eye<'_> {
         let rates: Vec<Expr> = self.system.equations.iter().map(|equation| equation.nu).collect();
         for (equation, rate) in self.system.equations.iter().zip(evaluate(&self.system.arena, &rates, &self.known)) {
             let sign = &mut signs[equation.joint];
-            let bodies = equation.jacobian.iter().map(|(unknown, _)| self.system.unknowns[*unknown].body);
+            let bodies = equation.jacobian.iter().map(|(unknown, _)| self.system.coordinates[*unknown].body);
             for body in bodies {
                 if !sign.bodies.contains(&body) {
                     sign.bodies.push(body);
@@ -113,7 +116,7 @@ impl Eye<'_> {
         at.body.map_or(Place::default(), |body| self.bodies[body].origin) + self.direction(at)
     }
 
-    fn arguments(&self, made: &Made) -> Vec<(String, Seen)> {
+    fn arguments(&self, made: &Instantiation) -> Vec<(String, Seen)> {
         made.arguments.iter().map(|(name, argument)| (name.clone(), self.seen(argument))).collect()
     }
 

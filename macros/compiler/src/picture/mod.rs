@@ -1,10 +1,10 @@
 //! The assembled mechanism as a picture, for its page of documentation.
 //!
-//! In: a [`Model`] with its sketch, the [`System`] and the [`Closure`]. Out: a [`Picture`]: inline SVG, and a sentence about it.
+//! In: a [`Model`] with its sketch, the [`System`] and the [`Assembly`]. Out: a [`Picture`]: inline SVG, and a sentence about it.
 //! Bodies are bars and plates, joints the symbols of ISO 3952, drives arrows. Not done here: deciding anything that is solved.
 //!
 //! ```text
-//! Closure ─pose─▶ Scene (m) ─draw─▶ Canvas (shapes) ─labels─▶ words in their places ─svg─▶ text
+//! Assembly ─pose─▶ Scene (m) ─draw─▶ Canvas (shapes) ─labels─▶ words in their places ─svg─▶ text
 //! ```
 
 mod cams;
@@ -24,7 +24,7 @@ mod svg;
 mod view;
 mod wheels;
 
-use crate::closure::Closure;
+use crate::assembly::Assembly;
 use crate::model::Model;
 use crate::model::sketch::MOST_DRAWN;
 use crate::system::System;
@@ -90,7 +90,7 @@ impl Picture {
 }
 
 /// Draws the mechanism where it is assembled.
-pub(crate) fn draw(model: &Model, system: &System, closure: &Closure) -> Picture {
+pub(crate) fn draw(model: &Model, system: &System, assembly: &Assembly) -> Picture {
     let bodies = model.bodies.len();
     if bodies > MOST_DRAWN {
         return Picture::none(format!("There is no picture: in one of {bodies} bodies nothing could be told apart."));
@@ -99,10 +99,10 @@ pub(crate) fn draw(model: &Model, system: &System, closure: &Closure) -> Picture
     if let Some((count, what)) = [(joints, "joints"), (points, "points")].into_iter().find(|(count, _)| *count > MOST_PLACES) {
         return Picture::none(format!("There is no picture: in one of {count} {what} nothing could be told apart."));
     }
-    if !closure.is_closed {
+    if !assembly.is_closed {
         return Picture::none("There is no picture: no assembly was found at the declared defaults.".into());
     }
-    let Some((instant, scene)) = pose::pose(model, system, closure) else {
+    let Some((instant, scene)) = pose::pose(model, system, assembly) else {
         return Picture::none("There is no picture: not every place is a number at the declared defaults.".into());
     };
     let size =

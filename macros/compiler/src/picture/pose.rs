@@ -2,7 +2,7 @@
 
 use super::plane::{Frame, Place, farthest};
 use super::scene::{Instant, Scene, Sign};
-use crate::closure::{Closure, Poses};
+use crate::assembly::{Assembly, Poses};
 use crate::model::Model;
 use crate::system::System;
 
@@ -13,8 +13,8 @@ const CLEAR: f64 = 0.035;
 const LARGEST: usize = 12;
 
 /// The configuration that is drawn; none if nothing can be evaluated.
-pub(super) fn pose(model: &Model, system: &System, closure: &Closure) -> Option<(Instant, Scene)> {
-    let start = Instant { time: 0.0, q: closure.start.clone() };
+pub(super) fn pose(model: &Model, system: &System, assembly: &Assembly) -> Option<(Instant, Scene)> {
+    let start = Instant { time: 0.0, q: assembly.start.clone() };
     let first = Scene::at(model, system, &start)?;
     let has_drive = first.joints.iter().any(|joint| joint.is_drive);
     let clear = clearance(&first);
@@ -22,7 +22,7 @@ pub(super) fn pose(model: &Model, system: &System, closure: &Closure) -> Option<
         return Some((start, first));
     }
     let mut best = (start, first, (2.0 * clear).max(0.2 * CLEAR));
-    for (time, q) in Poses::new(model, system, closure).closed() {
+    for (time, q) in Poses::new(model, system, assembly).closed() {
         let instant = Instant { time, q: q.to_vec() };
         let Some(scene) = Scene::at(model, system, &instant) else { continue };
         // What comes later is preferred a little to what was before.

@@ -14,7 +14,7 @@ fn compiled(items: &str) -> Compiled {
 
 fn scene(items: &str) -> Scene {
     let compiled = compiled(items);
-    pose(&compiled.model, &compiled.system, &compiled.closure).expect("everything has a place").1
+    pose(&compiled.model, &compiled.system, &compiled.assembly).expect("everything has a place").1
 }
 
 fn radii(items: &str) -> Vec<f64> {
@@ -92,7 +92,7 @@ fn links_in_line_are_drawn_a_little_later() {
     };
     let time = |angle: &str| {
         let compiled = compiled(&crank(angle));
-        pose(&compiled.model, &compiled.system, &compiled.closure).expect("everything has a place").0.time
+        pose(&compiled.model, &compiled.system, &compiled.assembly).expect("everything has a place").0.time
     };
     assert!(time("0rad") > 0.0);
     assert_eq!(time("1rad"), 0.0);

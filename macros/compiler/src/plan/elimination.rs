@@ -7,13 +7,12 @@ mod order;
 #[cfg(test)]
 mod tests;
 
-use super::Cost;
-use super::stages::Iteration;
-use crate::closure::Poses;
+use super::routine::Cost;
+use super::stage::{Elimination, Iteration};
+use crate::assembly::Poses;
 use crate::expr::{Arena, Expr};
-use crate::model::Dim;
 use crate::system::System;
-use order::{Entry, in_order};
+use order::{PivotCandidate, in_order};
 use std::collections::BTreeSet;
 
 /// Blocks of up to this many unknowns are solved in closed form.
@@ -21,23 +20,6 @@ pub(super) const CLOSED_FORM: usize = 3;
 
 /// Elimination of more operations is left to a loop over tables: straight lines of this length are felt in rustc.
 const LONGEST: usize = 2000;
-
-/// A fixed order of elimination. Indices are those in the block.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Elimination {
-    /// Row and column of each entry of the Jacobian that is not always zero, row by row.
-    pub pattern: Vec<(usize, usize)>,
-    /// The row of each pivot.
-    pub rows: Vec<usize>,
-    /// The column of each pivot.
-    pub columns: Vec<usize>,
-    /// Row and column of each entry of L and U, by number of the pivot, row by row.
-    pub factors: Vec<(usize, usize)>,
-    /// Whether each pivot is the number 1 or −1, so that nothing is divided by it.
-    pub is_unit: Vec<bool>,
-    /// Operations of one factorisation.
-    pub cost: Cost,
-}
 
 /// The elimination of a block.
 pub(super) fn elimination(arena: &Arena, system: &System, block: &Iteration, poses: &Poses) -> Elimination {
@@ -47,20 +29,19 @@ pub(super) fn elimination(arena: &Arena, system: &System, block: &Iteration, pos
     let stored: Vec<(usize, usize, Expr)> = all.filter(|(_, _, expr)| !zero(expr)).collect();
     let exprs: Vec<Expr> = stored.iter().map(|(_, _, expr)| *expr).collect();
     let values = poses.values(arena, &exprs);
-    let weights: Vec<f64> =
-        block.unknowns.iter().map(|unknown| if system.unknowns[*unknown].dim == Dim::ANGLE { 1.0 } else { poses.size }).collect();
-    let entry = |(number, (row, column, expr)): (usize, &(usize, usize, Expr))| Entry {
+    let weights: Vec<f64> = block.unknowns.iter().map(|unknown| system.coordinates[*unknown].role.scale(poses.size)).collect();
+    let entry = |(number, (row, column, expr)): (usize, &(usize, usize, Expr))| PivotCandidate {
         place: (*row, *column),
         values: values.iter().map(|pose| pose[number] * weights[*column]).collect(),
         is_unit: arena.as_constant(*expr).is_some_and(|value| value.to_f64().abs() == 1.0),
     };
-    let entries: Vec<Entry> = stored.iter().enumerate().map(entry).collect();
+    let entries: Vec<PivotCandidate> = stored.iter().enumerate().map(entry).collect();
     Elimination::new(size, &entries)
 }
 
 impl Elimination {
     /// In the order that serves sparsity and, at the poses known, accuracy.
-    fn new(size: usize, entries: &[Entry]) -> Elimination {
+    fn new(size: usize, entries: &[PivotCandidate]) -> Elimination {
         let pivots = in_order(size, entries);
         let (rows, columns): (Vec<usize>, Vec<usize>) = pivots.iter().map(|pivot| pivot.place).unzip();
         let pattern: Vec<(usize, usize)> = entries.iter().map(|entry| entry.place).collect();

@@ -48,7 +48,7 @@ impl<'a> Joints<'a> {
             let row = *row;
             equation.jacobian.iter().map(move |(column, entry)| (Target::Entry(row, *column as u32), *entry)).collect::<Vec<_>>()
         };
-        let cells = self.rows(|equation| equation.phi).into_iter().zip(&self.joints);
+        let cells = self.rows(|equation| equation.phi()).into_iter().zip(&self.joints);
         cells.map(|(phi, joint)| phi.into_iter().chain(joint.iter().flat_map(entries)).collect()).collect()
     }
 

@@ -4,10 +4,11 @@
 //! has and, in columns, what its unknowns are. Stages hand values on in arrays: q, q̇, q̈, and sine and cosine of angles that
 //! more than one of them turns by. Not done here: printing.
 
+use super::lines::{Frame, Lines, Part, lines};
+use super::routine::Cost;
 use super::shape::{Column, Piece, Shape};
-use super::solution::{Frame, Lines, Part, lines};
-use super::stages::{Iteration, Stage};
-use super::{Cost, Words};
+use super::stage::{Iteration, Stage};
+use super::words::Words;
 use crate::expr::{Leaf, Node, Unary};
 use std::collections::BTreeSet;
 

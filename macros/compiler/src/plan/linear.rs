@@ -6,7 +6,7 @@
 //!
 //! Two gears that mesh through a third and the like. What is left for run time is a sum of products.
 
-use super::stages::Iteration;
+use super::stage::Iteration;
 use crate::expr::{Arena, Expr, Leaf, Substitution};
 
 /// An inverse is full: beyond this size its products cost more than a factorisation.

@@ -7,35 +7,39 @@ mod elimination;
 mod joints;
 mod kernels;
 mod linear;
+mod lines;
 mod outputs;
 mod rolled;
+mod routine;
 mod schedule;
 mod shape;
 mod slice;
 mod solution;
+mod stage;
 mod stages;
 mod words;
 
-pub use elimination::Elimination;
 pub use kernels::{Kernel, Kernels, Round};
+pub use lines::{Iterated, Lines, Part};
 pub use outputs::Outputs;
 pub use rolled::{Code, Group, Target};
+pub use routine::{Cost, Routine, Step};
 pub use shape::{Column, Shape};
 pub use slice::Slice;
-pub use solution::{Iterated, Lines, Part, Solution, Solving, Summary};
-pub use stages::{Iteration, Stage};
+pub use solution::{Solution, Solving, Summary};
+pub use stage::{Elimination, Iteration, Stage};
 pub(crate) use words::Words;
 
-use crate::closure::{Closure, Poses};
+use crate::assembly::{Assembly, Poses};
 use crate::expr::{Arena, Expr, Leaf};
-use crate::model::{Dim, Model};
+use crate::model::Model;
+use crate::quantity::Role;
 use crate::structure::Structure;
-use crate::system::{Output, System};
+use crate::system::{OutputMotion, System};
 use joints::Joints;
+use lines::Frame;
 use rolled::Cell;
 use shape::Tracer;
-use solution::Frame;
-use std::collections::BTreeMap;
 
 /// Everything that is generated, as straight lines.
 #[derive(Clone, Debug)]
@@ -74,88 +78,13 @@ pub struct Plan {
     pub requirements: Routine,
 }
 
-/// Straight lines: steps in order, then results.
-#[derive(Clone, Debug)]
-pub struct Routine {
-    /// What is named on the way.
-    pub steps: Vec<Step>,
-    /// What is computed. Each is written once, after the steps with a smaller or equal index.
-    pub results: Vec<Expr>,
-    /// How many steps stand before each result.
-    pub after: Vec<usize>,
-    /// Names of the nodes that have one.
-    pub names: BTreeMap<Expr, String>,
-    /// The leaves it reads, with their place in the arena.
-    pub leaves: Vec<(Expr, Leaf)>,
-    /// How often each kind of operation is done.
-    pub cost: Cost,
-}
-
-/// One step.
-#[derive(Clone, Debug)]
-pub enum Step {
-    /// A value that is used more than once.
-    Value(Expr),
-    /// Sine and cosine of an angle; a name is missing where the value is not needed.
-    SineCosine {
-        /// The angle.
-        angle: Expr,
-        /// Name of its sine.
-        sine: Option<String>,
-        /// Name of its cosine.
-        cosine: Option<String>,
-    },
-    /// A function known by number, with its derivatives.
-    Call {
-        /// Its number.
-        function: u32,
-        /// Its argument.
-        argument: Expr,
-        /// Names of value, first and second derivative, where needed.
-        names: [Option<String>; 3],
-    },
-}
-
-impl std::ops::Add for Cost {
-    type Output = Cost;
-    fn add(self, other: Cost) -> Cost {
-        Cost {
-            flops: self.flops + other.flops,
-            divisions: self.divisions + other.divisions,
-            sines: self.sines + other.sines,
-            calls: self.calls + other.calls,
-        }
-    }
-}
-
-impl std::ops::Mul<usize> for Cost {
-    type Output = Cost;
-    fn mul(self, times: usize) -> Cost {
-        let Cost { flops, divisions, sines, calls } = self;
-        Cost { flops: times * flops, divisions: times * divisions, sines: times * sines, calls: times * calls }
-    }
-}
-
-/// Operation counts of a routine.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Cost {
-    /// Additions, subtractions and multiplications.
-    pub flops: usize,
-    /// Divisions and square roots.
-    pub divisions: usize,
-    /// Pairs of sine and cosine.
-    pub sines: usize,
-    /// Other functions.
-    pub calls: usize,
-}
-
 /// Schedules everything that is generated.
-pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, closure: &Closure) -> Plan {
+pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, assembly: &Assembly) -> Plan {
     let mut arena = system.arena.clone();
     let solved = (!model.equations_only).then(|| {
         let outputs = sliced(&mut arena, model, system);
         let (mut stages, outputs) = stages::stages(&mut arena, system, structure, &outputs);
-        eliminations(&arena, model, system, closure, &mut stages);
+        eliminations(&arena, model, system, assembly, &mut stages);
         (stages, outputs)
     });
     let words = Words::new(model, system);
@@ -168,13 +97,13 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, cl
     Plan {
         linearized: joints.linearized().iter().flatten().map(|(target, _)| *target).collect(),
         linearize: code(joints.linearized()),
-        phi: code(joints.rows(|equation| equation.phi)),
+        phi: code(joints.rows(|equation| equation.phi())),
         jacobian: code(joints.entries()),
         nu: code(joints.rows(|equation| Some(equation.nu))),
         gamma: code(joints.rows(|equation| Some(equation.gamma))),
         pattern: joints.pattern(),
         outputs: outputs::outputs(&arena, &tracer, model, system, &words),
-        start: line(system.unknowns.iter().filter_map(|unknown| unknown.start).collect()),
+        start: line(system.coordinates.iter().filter_map(|unknown| unknown.start).collect()),
         lengths: line(distinct(&arena, &system.lengths)),
         requirements: line(sides),
         checked: structure.checked.clone(),
@@ -186,24 +115,24 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, cl
 }
 
 /// All components of the outputs of each slice; those of a body are its coordinates.
-fn sliced(arena: &mut Arena, model: &Model, system: &System) -> Vec<Output> {
+fn sliced(arena: &mut Arena, model: &Model, system: &System) -> Vec<OutputMotion> {
     let mut components = |member: &usize| -> Vec<[Expr; 3]> {
         let Some(body) = model.outputs[*member].body else { return system.outputs[*member].components.clone() };
-        let own = (0..system.unknowns.len()).filter(|unknown| system.unknowns[*unknown].body == body);
-        own.map(|unknown| [Leaf::Coordinate, Leaf::Velocity, Leaf::Acceleration].map(|leaf| arena.leaf(leaf(unknown as u32)))).collect()
+        let own = (0..system.coordinates.len()).filter(|unknown| system.coordinates[*unknown].body == body);
+        own.map(|unknown| [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration].map(|leaf| arena.leaf(leaf(unknown as u32)))).collect()
     };
     let slices = model.methods.iter().filter(|method| method.is_slice);
-    slices.map(|method| Output { components: method.members.iter().flat_map(&mut components).collect() }).collect()
+    slices.map(|method| OutputMotion { components: method.members.iter().flat_map(&mut components).collect() }).collect()
 }
 
 /// Chooses how large blocks are eliminated; most mechanisms have none.
-fn eliminations(arena: &Arena, model: &Model, system: &System, closure: &Closure, stages: &mut [Stage]) {
+fn eliminations(arena: &Arena, model: &Model, system: &System, assembly: &Assembly, stages: &mut [Stage]) {
     let mut poses = None;
     for stage in stages {
         if let Stage::Block(block) = stage
             && block.unknowns.len() > elimination::CLOSED_FORM
         {
-            let poses = poses.get_or_insert_with(|| Poses::new(model, system, closure));
+            let poses = poses.get_or_insert_with(|| Poses::new(model, system, assembly));
             block.elimination = Some(Box::new(elimination::elimination(arena, system, block, poses)));
         }
     }
@@ -216,15 +145,15 @@ fn solving(
     system: &System,
     words: &Words,
     stages: &[Stage],
-    outputs: &[Output],
+    outputs: &[OutputMotion],
 ) -> (Solution, Vec<Slice>, Option<Slice>) {
-    let is_angle: Vec<bool> = system.unknowns.iter().map(|unknown| unknown.dim == Dim::ANGLE).collect();
+    let is_angle: Vec<bool> = system.coordinates.iter().map(|unknown| unknown.role == Role::Angle).collect();
     let joints: Vec<usize> = system.equations.iter().map(|equation| equation.joint).collect();
     let frame = Frame { arena, tracer, words, is_angle: &is_angle, joints: &joints };
-    let slice = |output: &Output| {
+    let slice = |output: &OutputMotion| {
         let is_angle: Vec<bool> = is_angle.iter().copied().chain(output.components.iter().map(|_| false)).collect();
         let words = words.with_outputs(output.components.len());
-        slice::upstream(&Frame { words: &words, is_angle: &is_angle, ..frame }, stages, output, system.unknowns.len())
+        slice::upstream(&Frame { words: &words, is_angle: &is_angle, ..frame }, stages, output, system.coordinates.len())
     };
     let slices = outputs.iter().map(slice).collect();
     // Where a part rests, single steps are made by what moves.

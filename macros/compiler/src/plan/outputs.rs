@@ -1,7 +1,9 @@
 //! Outputs: one after the other, or where those of an array are alike, one for all.
 
+use super::routine::Routine;
+use super::schedule;
 use super::shape::{Piece, Shape, Tracer};
-use super::{Routine, Words, schedule};
+use super::words::Words;
 use crate::expr::{Arena, Expr};
 use crate::model::{Method, Model};
 use crate::system::System;

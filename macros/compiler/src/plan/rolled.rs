@@ -3,8 +3,10 @@
 //! In: what is to be computed, joint by joint. Out: [`Code`]: one routine if it is short, else one for each shape of joint.
 //! Not done here: printing.
 
+use super::routine::{Cost, Routine};
+use super::schedule;
 use super::shape::{Column, Piece, Shape, Tracer};
-use super::{Cost, Routine, Words, schedule};
+use super::words::Words;
 use crate::expr::{Arena, Expr};
 
 /// Up to this many operations, and as many results, straight lines are as quick to compile as loops, and read better.

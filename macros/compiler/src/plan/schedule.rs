@@ -1,6 +1,7 @@
 //! One routine: which nodes get a name, in which order they are computed.
 
-use super::{Cost, Routine, Step, Words};
+use super::routine::{Cost, Routine, Step};
+use super::words::Words;
 use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,7 +11,7 @@ const DEPTH: usize = 12;
 
 /// Schedules the computation of `results`, each written once, its steps just before it.
 pub(super) fn routine(arena: &Arena, results: Vec<Expr>, words: &Words) -> Routine {
-    let mut work = Work::new(arena, &results, &BTreeSet::new(), words);
+    let mut work = Scheduler::new(arena, &results, &BTreeSet::new(), words);
     let mut after = Vec::with_capacity(results.len());
     for result in &results {
         work.serve(*result);
@@ -27,7 +28,7 @@ pub(super) fn leaves(arena: &Arena, nodes: &[Expr]) -> Vec<(Expr, Leaf)> {
 }
 
 /// What has been named and computed so far.
-pub(super) struct Work<'a> {
+pub(super) struct Scheduler<'a> {
     arena: &'a Arena,
     /// All nodes under the results, children first, constants' insides left out.
     pub(super) needed: Vec<Expr>,
@@ -42,15 +43,15 @@ pub(super) struct Work<'a> {
     counter: usize,
 }
 
-impl<'a> Work<'a> {
+impl<'a> Scheduler<'a> {
     /// Before anything is computed; `forced` nodes get a name however often they are used.
-    pub(super) fn new(arena: &'a Arena, results: &[Expr], forced: &BTreeSet<Expr>, words: &Words) -> Work<'a> {
+    pub(super) fn new(arena: &'a Arena, results: &[Expr], forced: &BTreeSet<Expr>, words: &Words) -> Scheduler<'a> {
         let all = arena.reachable(results);
         let constants = constants(arena, &all);
         let needed: Vec<Expr> = all.into_iter().filter(|expr| !constants.contains(expr)).collect();
         let mut named = named(arena, &needed, &constants, results);
         named.extend(forced.iter().filter(|expr| !has_own_name(arena.node(**expr))));
-        let mut work = Work {
+        let mut work = Scheduler {
             arena,
             needed,
             constants,
@@ -66,12 +67,12 @@ impl<'a> Work<'a> {
     }
 
     /// Inside a loop over some unknowns: only what depends on them is computed here, what is computed outside keeps its name.
-    pub(super) fn inside(&self, results: &[Expr], moving: &BTreeSet<Expr>) -> Work<'a> {
+    pub(super) fn inside(&self, results: &[Expr], moving: &BTreeSet<Expr>) -> Scheduler<'a> {
         let all = self.arena.reachable(results);
         let constants = constants(self.arena, &all);
         let needed: Vec<Expr> = all.into_iter().filter(|expr| moving.contains(expr)).collect();
         let named = named(self.arena, &needed, &constants, results);
-        Work {
+        Scheduler {
             arena: self.arena,
             needed,
             constants,

@@ -80,12 +80,12 @@ pub(super) struct Piece {
 
 /// An operation in a piece, its operands by local number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Mark {
+enum Operation {
     Datum,
     Time,
     Parameter(u32),
     Coordinate(u32),
-    Velocity(u32),
+    Speed(u32),
     Acceleration(u32),
     Unary(Unary, u32),
     Binary(Binary, u32, u32),
@@ -96,7 +96,7 @@ enum Mark {
 
 /// A piece, told apart from what it is applied to.
 struct Trace {
-    marks: Vec<Mark>,
+    marks: Vec<Operation>,
     unknowns: Vec<u32>,
     parameters: Vec<u32>,
     /// Its numbers, one for each place where one occurs.
@@ -130,7 +130,7 @@ impl<'a> Tracer<'a> {
 
     /// The shapes of some pieces, in the order in which they first occur, and for each piece the number of its shape.
     pub(super) fn shapes(&self, pieces: &[Piece]) -> (Vec<Shape>, Vec<usize>) {
-        let mut numbers: HashMap<(Vec<u32>, Vec<Mark>), usize> = HashMap::new();
+        let mut numbers: HashMap<(Vec<u32>, Vec<Operation>), usize> = HashMap::new();
         let mut members: Vec<Vec<Trace>> = Vec::new();
         let mut of_piece = Vec::new();
         for piece in pieces {
@@ -153,16 +153,16 @@ impl<'a> Tracer<'a> {
                 let operands: Vec<u32> = self.operands(expr).into_iter().map(|operand| self.place(&mut trace, &places, operand)).collect();
                 let mark = match *self.arena.node(expr) {
                     Node::Leaf(leaf) => trace.leaf(leaf),
-                    Node::Unary(function, _) => Mark::Unary(function, operands[0]),
-                    Node::Binary(function, ..) => Mark::Binary(function, operands[0], operands[1]),
-                    Node::Select { .. } => Mark::Select([operands[0], operands[1], operands[2], operands[3]]),
-                    Node::Call { function, order, .. } => Mark::Call(function, order, operands[0]),
-                    Node::Constant(_) => Mark::Datum,
+                    Node::Unary(function, _) => Operation::Unary(function, operands[0]),
+                    Node::Binary(function, ..) => Operation::Binary(function, operands[0], operands[1]),
+                    Node::Select { .. } => Operation::Select([operands[0], operands[1], operands[2], operands[3]]),
+                    Node::Call { function, order, .. } => Operation::Call(function, order, operands[0]),
+                    Node::Constant(_) => Operation::Datum,
                 };
                 places.insert(expr, trace.push(mark));
             }
             let place = self.place(&mut trace, &places, *result);
-            trace.push(Mark::Result(place));
+            trace.push(Operation::Result(place));
         }
         trace
     }
@@ -171,7 +171,7 @@ impl<'a> Tracer<'a> {
     fn place(&self, trace: &mut Trace, places: &HashMap<Expr, u32>, operand: Expr) -> u32 {
         places.get(&operand).copied().unwrap_or_else(|| {
             trace.data.push(operand);
-            trace.push(Mark::Datum)
+            trace.push(Operation::Datum)
         })
     }
 
@@ -207,7 +207,7 @@ impl<'a> Tracer<'a> {
         let mut copy = Copy { arena: Arena::new(), data: Vec::new(), places: Vec::new(), results: Vec::new() };
         let mut occurrence = 0;
         for mark in &members[0].marks {
-            if *mark == Mark::Datum {
+            if *mark == Operation::Datum {
                 self.datum(&mut copy, members, occurrence);
                 occurrence += 1;
             } else {
@@ -254,19 +254,19 @@ impl<'a> Tracer<'a> {
 }
 
 impl Trace {
-    fn push(&mut self, mark: Mark) -> u32 {
+    fn push(&mut self, mark: Operation) -> u32 {
         self.marks.push(mark);
         self.marks.len() as u32 - 1
     }
 
-    fn leaf(&mut self, leaf: Leaf) -> Mark {
+    fn leaf(&mut self, leaf: Leaf) -> Operation {
         match leaf {
-            Leaf::Time => Mark::Time,
-            Leaf::Datum(_) => Mark::Datum,
-            Leaf::Parameter(index) => Mark::Parameter(slot(&mut self.parameters, index)),
-            Leaf::Coordinate(index) => Mark::Coordinate(slot(&mut self.unknowns, index)),
-            Leaf::Velocity(index) => Mark::Velocity(slot(&mut self.unknowns, index)),
-            Leaf::Acceleration(index) => Mark::Acceleration(slot(&mut self.unknowns, index)),
+            Leaf::Time => Operation::Time,
+            Leaf::Datum(_) => Operation::Datum,
+            Leaf::Parameter(index) => Operation::Parameter(slot(&mut self.parameters, index)),
+            Leaf::Coordinate(index) => Operation::Coordinate(slot(&mut self.unknowns, index)),
+            Leaf::Speed(index) => Operation::Speed(slot(&mut self.unknowns, index)),
+            Leaf::Acceleration(index) => Operation::Acceleration(slot(&mut self.unknowns, index)),
         }
     }
 }
@@ -290,21 +290,21 @@ struct Copy {
 }
 
 impl Copy {
-    fn operation(&mut self, mark: Mark) {
+    fn operation(&mut self, mark: Operation) {
         let at = |place: u32| self.places[place as usize];
         let node = match mark {
-            Mark::Time | Mark::Datum => Node::Leaf(Leaf::Time),
-            Mark::Parameter(slot) => Node::Leaf(Leaf::Parameter(slot)),
-            Mark::Coordinate(slot) => Node::Leaf(Leaf::Coordinate(slot)),
-            Mark::Velocity(slot) => Node::Leaf(Leaf::Velocity(slot)),
-            Mark::Acceleration(slot) => Node::Leaf(Leaf::Acceleration(slot)),
-            Mark::Unary(function, a) => Node::Unary(function, at(a)),
-            Mark::Binary(function, a, b) => Node::Binary(function, at(a), at(b)),
-            Mark::Select([lhs, rhs, then, otherwise]) => {
+            Operation::Time | Operation::Datum => Node::Leaf(Leaf::Time),
+            Operation::Parameter(slot) => Node::Leaf(Leaf::Parameter(slot)),
+            Operation::Coordinate(slot) => Node::Leaf(Leaf::Coordinate(slot)),
+            Operation::Speed(slot) => Node::Leaf(Leaf::Speed(slot)),
+            Operation::Acceleration(slot) => Node::Leaf(Leaf::Acceleration(slot)),
+            Operation::Unary(function, a) => Node::Unary(function, at(a)),
+            Operation::Binary(function, a, b) => Node::Binary(function, at(a), at(b)),
+            Operation::Select([lhs, rhs, then, otherwise]) => {
                 Node::Select { lhs: at(lhs), rhs: at(rhs), then: at(then), otherwise: at(otherwise) }
             }
-            Mark::Call(function, order, argument) => Node::Call { function, order, argument: at(argument) },
-            Mark::Result(place) => {
+            Operation::Call(function, order, argument) => Node::Call { function, order, argument: at(argument) },
+            Operation::Result(place) => {
                 let result = at(place);
                 self.results.push(result);
                 return self.places.push(result);

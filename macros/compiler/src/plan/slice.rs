@@ -3,10 +3,11 @@
 //! In: the stages of a mechanism. Out: [`Slice`]s: some of the stages, and which unknowns a state of the slice must hold so that
 //! the next can be found from it. Not done here: printing.
 
-use super::solution::{Frame, Solution, Solving, solution};
-use super::stages::Stage;
+use super::lines::Frame;
+use super::solution::{Solution, Solving, solution};
+use super::stage::Stage;
 use crate::expr::{Arena, Leaf};
-use crate::system::Output;
+use crate::system::OutputMotion;
 use std::collections::BTreeSet;
 
 /// A part of a mechanism.
@@ -21,7 +22,7 @@ pub struct Slice {
 }
 
 /// What is upstream of an output, with the output as unknowns of their own after those of the mechanism.
-pub(super) fn upstream(frame: &Frame, stages: &[Stage], output: &Output, n: usize) -> Slice {
+pub(super) fn upstream(frame: &Frame, stages: &[Stage], output: &OutputMotion, n: usize) -> Slice {
     let mut needed: BTreeSet<usize> = BTreeSet::new();
     let outputs: Vec<Stage> = output
         .components
@@ -87,7 +88,7 @@ fn timed(arena: &Arena, stages: &[Stage]) -> BTreeSet<usize> {
 /// The unknowns in the expressions of a stage.
 fn leaves(arena: &Arena, stage: &Stage) -> BTreeSet<usize> {
     let leaf = |leaf: &Leaf| match leaf {
-        Leaf::Coordinate(index) | Leaf::Velocity(index) | Leaf::Acceleration(index) => Some(*index as usize),
+        Leaf::Coordinate(index) | Leaf::Speed(index) | Leaf::Acceleration(index) => Some(*index as usize),
         Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_) => None,
     };
     stage.results().iter().flat_map(|result| arena.leaves(*result)).filter_map(|found| leaf(&found)).collect()

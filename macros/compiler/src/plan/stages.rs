@@ -8,108 +8,29 @@
 //! check         Φ_i, which vanishes if the mechanism is as it was declared
 //! ```
 
-use super::{Elimination, linear};
-use crate::expr::{Arena, Expr, Jets, Leaf, Substitution, derivative};
-use crate::model::Dim;
+use super::linear;
+use super::stage::{Iteration, Stage};
+use crate::expr::{Arena, Expr, Jets, Leaf, Seed, Substitution, derivative};
+use crate::quantity::Dim;
 use crate::structure::{Block, Explicit, Structure};
-use crate::system::{Output, System, magnitude};
-
-/// One step on the way to q, q̇ and q̈.
-#[derive(Clone, Debug)]
-pub enum Stage {
-    /// An unknown that is computed.
-    Explicit {
-        /// Its index in q.
-        unknown: usize,
-        /// Index in Φ of the equation that gives it.
-        equation: usize,
-        /// Value, rate and acceleration.
-        motion: [Expr; 3],
-    },
-    /// Unknowns that are found together.
-    Block(Iteration),
-    /// An equation that must hold of itself.
-    Check {
-        /// Index in Φ.
-        equation: usize,
-        /// Its left minus its right side.
-        residual: Expr,
-        /// What its rounding errors are a share of: its terms, and how much it changes with lengths, and with angles, whose own errors
-        /// it shows.
-        sizes: [Expr; 3],
-    },
-}
-
-impl Stage {
-    /// The unknowns that it finds.
-    pub(super) fn unknowns(&self) -> &[usize] {
-        match self {
-            Stage::Explicit { unknown, .. } => std::slice::from_ref(unknown),
-            Stage::Block(system) => &system.unknowns,
-            Stage::Check { .. } => &[],
-        }
-    }
-
-    /// Time itself is in its expressions.
-    pub(super) fn depends_on_time(&self, arena: &Arena) -> bool {
-        self.results().iter().any(|result| arena.leaves(*result).contains(&Leaf::Time))
-    }
-
-    /// Everything that is computed for it.
-    pub(super) fn results(&self) -> Vec<Expr> {
-        match self {
-            Stage::Explicit { motion, .. } => motion.to_vec(),
-            Stage::Check { residual, sizes, .. } => [*residual].into_iter().chain(*sizes).collect(),
-            Stage::Block(Iteration { residuals, jacobian, sizes, rates, accelerations, .. }) => {
-                [residuals, sizes, rates, accelerations].into_iter().chain(jacobian).flatten().copied().collect()
-            }
-        }
-    }
-}
-
-impl Iteration {
-    /// The system with other unknowns, equations and expressions, these in the order of [`Stage::results`].
-    pub(super) fn with(&self, unknowns: Vec<usize>, equations: Vec<usize>, results: &[Expr]) -> Iteration {
-        let k = self.residuals.len();
-        let mut lists = results.chunks(k.max(1)).map(<[Expr]>::to_vec);
-        let mut next = || lists.next().unwrap_or_default();
-        let [residuals, sizes, rates, accelerations] = [next(), next(), next(), next()];
-        let elimination = self.elimination.clone();
-        Iteration { unknowns, equations, residuals, sizes, elimination, rates, accelerations, jacobian: lists.collect() }
-    }
-}
-
-/// A system that Newton's method solves.
-#[derive(Clone, Debug)]
-pub struct Iteration {
-    /// Indices in q.
-    pub unknowns: Vec<usize>,
-    /// Indices in Φ.
-    pub equations: Vec<usize>,
-    /// r
-    pub residuals: Vec<Expr>,
-    /// r_x by rows
-    pub jacobian: Vec<Vec<Expr>>,
-    /// What the rounding errors of r are a share of: the sum of the magnitudes of its terms.
-    pub sizes: Vec<Expr>,
-    /// How its Jacobian is eliminated, if not in closed form.
-    pub elimination: Option<Box<Elimination>>,
-    /// Right side of the velocity equation.
-    pub rates: Vec<Expr>,
-    /// Right side of the acceleration equation.
-    pub accelerations: Vec<Expr>,
-}
+use crate::system::{OutputMotion, System, magnitude};
 
 /// The stages of a mechanism whose every unknown belongs to a block, and outputs in terms of what moves.
-pub(super) fn stages(arena: &mut Arena, system: &System, structure: &Structure, outputs: &[Output]) -> (Vec<Stage>, Vec<Output>) {
-    let mut work = Work { arena, system, jets: Jets::new(), constants: Substitution::new() };
+pub(super) fn stages(
+    arena: &mut Arena,
+    system: &System,
+    structure: &Structure,
+    outputs: &[OutputMotion],
+) -> (Vec<Stage>, Vec<OutputMotion>) {
+    let mut work =
+        StageBuilder { arena, system, jets: Jets::along(Seed::motion(system.kinematics.clone())), constants: Substitution::new() };
     let mut stages: Vec<Stage> = structure.blocks.iter().flat_map(|block| work.block(block)).collect();
     stages.extend(structure.checked.iter().filter_map(|equation| work.check(*equation)));
     let outputs = outputs.iter().map(|output| work.output(output)).collect();
     (stages, outputs)
 }
 
-struct Work<'a> {
+struct StageBuilder<'a> {
     arena: &'a mut Arena,
     system: &'a System,
     jets: Jets,
@@ -117,7 +38,7 @@ struct Work<'a> {
     constants: Substitution,
 }
 
-impl Work<'_> {
+impl StageBuilder<'_> {
     fn block(&mut self, block: &Block) -> Vec<Stage> {
         let mut stages = Vec::new();
         if !block.iterated.is_empty()
@@ -142,22 +63,22 @@ impl Work<'_> {
 
     /// An equation that must hold of itself, unless it does so whatever the parameters.
     fn check(&mut self, equation: usize) -> Option<Stage> {
-        let residual = self.constants.of(self.arena, self.system.equations[equation].phi?);
+        let residual = self.constants.of(self.arena, self.system.equations[equation].phi()?);
         if self.arena.as_constant(residual).is_some_and(|value| value.is_zero()) {
             return None;
         }
         let [lengths, angles] = [Dim::LENGTH, Dim::ANGLE].map(|dim| self.slope(equation, dim));
-        let sizes = [magnitude(self.arena, residual, &[], &self.system.unknowns), lengths, angles];
+        let sizes = [magnitude(self.arena, residual, &[], &self.system.coordinates), lengths, angles];
         Some(Stage::Check { equation, residual, sizes })
     }
 
     /// By how much an equation changes with the unknowns that measure this, at most.
     fn slope(&mut self, equation: usize, dim: Dim) -> Expr {
         let mut sum = self.arena.integer(0);
-        let measures = |unknown: usize| self.system.unknowns[unknown].dim == dim;
+        let measures = |unknown: usize| self.system.coordinates[unknown].role.dim() == dim;
         for (_, entry) in self.system.equations[equation].jacobian.iter().filter(|(unknown, _)| measures(*unknown)) {
             let entry = self.constants.of(self.arena, *entry);
-            let size = magnitude(self.arena, entry, &[], &self.system.unknowns);
+            let size = magnitude(self.arena, entry, &[], &self.system.coordinates);
             sum = self.arena.add(sum, size);
         }
         sum
@@ -171,14 +92,14 @@ impl Work<'_> {
     }
 
     /// An output, constants put in.
-    fn output(&mut self, output: &Output) -> Output {
+    fn output(&mut self, output: &OutputMotion) -> OutputMotion {
         let component = |motion: &[Expr; 3]| motion.map(|expr| self.constants.of(self.arena, expr));
-        Output { components: output.components.iter().map(component).collect() }
+        OutputMotion { components: output.components.iter().map(component).collect() }
     }
 
     /// What is constant is put into everything that follows: a pin on ground costs nothing.
     fn note_constants(&mut self, unknown: usize, motion: &[Expr; 3]) {
-        let leaves = [Leaf::Coordinate, Leaf::Velocity, Leaf::Acceleration];
+        let leaves = [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration];
         for (leaf, expr) in leaves.into_iter().zip(motion) {
             if self.arena.as_constant(*expr).is_some() {
                 self.constants.replace(leaf(unknown as u32), *expr);
@@ -203,7 +124,7 @@ impl Work<'_> {
         let zero = self.arena.integer(0);
         let mut without = Substitution::new();
         without.replace(Leaf::Coordinate(explicit.unknown as u32), zero);
-        let rest = without.of(self.arena, equation.phi?);
+        let rest = without.of(self.arena, equation.phi()?);
         let quotient = self.arena.div(rest, coefficient);
         Some(self.arena.neg(quotient))
     }
@@ -218,7 +139,7 @@ impl Work<'_> {
         let (mut still, mut unaccelerated) = (Substitution::new(), Substitution::new());
         let zero = self.arena.integer(0);
         for unknown in &block.iterated {
-            still.replace(Leaf::Velocity(*unknown as u32), zero);
+            still.replace(Leaf::Speed(*unknown as u32), zero);
             unaccelerated.replace(Leaf::Acceleration(*unknown as u32), zero);
         }
         let mut found = Iteration {
@@ -233,18 +154,18 @@ impl Work<'_> {
         };
         let mut seconds = Vec::new();
         for equation in &block.residuals {
-            let residual = inside.of(self.arena, self.system.equations[*equation].phi?);
+            let residual = inside.of(self.arena, self.system.equations[*equation].phi()?);
             let [residual, first, second] = self.jets.of(self.arena, residual).map(|expr| self.constants.of(self.arena, expr));
             let row = block.iterated.iter().map(|unknown| derivative(self.arena, residual, Leaf::Coordinate(*unknown as u32)));
             found.jacobian.push(row.collect());
             let first = still.of(self.arena, first);
             found.rates.push(self.arena.neg(first));
             seconds.push(second);
-            found.sizes.push(magnitude(self.arena, residual, &block.iterated, &self.system.unknowns));
+            found.sizes.push(magnitude(self.arena, residual, &block.iterated, &self.system.coordinates));
             found.residuals.push(residual);
         }
         // What nothing moves rests: its equations are not solved for rates, and its rates are in nobody's accelerations.
-        self.note_rest(&found.rates, &block.iterated, Leaf::Velocity);
+        self.note_rest(&found.rates, &block.iterated, Leaf::Speed);
         for second in seconds {
             let second = self.constants.of(self.arena, second);
             let second = unaccelerated.of(self.arena, second);

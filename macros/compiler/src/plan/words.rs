@@ -17,9 +17,9 @@ pub(crate) struct Words {
 impl Words {
     /// From the names of bodies, coordinates and parameters.
     pub(crate) fn new(model: &Model, system: &System) -> Words {
-        let coordinate = |unknown: &crate::system::Unknown| format!("{}_{}", model.bodies[unknown.body].name.local, unknown.name);
+        let coordinate = |unknown: &crate::system::Coordinate| format!("{}_{}", model.bodies[unknown.body].name.local, unknown.role.name());
         Words {
-            coordinates: system.unknowns.iter().map(coordinate).collect(),
+            coordinates: system.coordinates.iter().map(coordinate).collect(),
             parameters: model.parameters.iter().map(|parameter| format!("self.{}", parameter.name)).collect(),
         }
     }
@@ -55,7 +55,7 @@ impl Words {
 
     /// The names of all leaves but parameters, which no step may have.
     pub(super) fn taken(&self) -> BTreeSet<String> {
-        let motion = [Leaf::Coordinate, Leaf::Velocity, Leaf::Acceleration];
+        let motion = [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration];
         let of_unknown = |index: usize| motion.map(|leaf| self.leaf(leaf(index as u32)));
         // Data and parameters that are no fields have numbered names, as steps have, but with letters of their own.
         (0..self.coordinates.len()).flat_map(of_unknown).chain([self.leaf(Leaf::Time)]).collect()
@@ -74,7 +74,7 @@ impl Words {
             Leaf::Datum(index) => format!("d{index}"),
             Leaf::Parameter(index) => self.parameters.get(index as usize).cloned().unwrap_or_default(),
             Leaf::Coordinate(index) => coordinate(index),
-            Leaf::Velocity(index) => coordinate(index) + "_rate",
+            Leaf::Speed(index) => coordinate(index) + "_rate",
             Leaf::Acceleration(index) => coordinate(index) + "_acceleration",
         }
     }

@@ -4,22 +4,22 @@
 //! the pair's equation, these are the strongly connected components.
 //! Reference: Tarjan (1972), Depth-first search and linear graph algorithms; here without recursion.
 
-use super::incidence::Incidence;
 use super::matching::Matching;
+use super::pattern::Pattern;
 
 /// Groups of matched equations; every group needs only unknowns of groups before it and its own.
-pub(super) fn in_order(incidence: &Incidence, matching: &Matching) -> Vec<Vec<usize>> {
+pub(crate) fn in_order(pattern: &Pattern, matching: &Matching) -> Vec<Vec<usize>> {
     let mut work = Tarjan {
-        incidence,
+        pattern,
         matching,
-        order: vec![None; incidence.rows.len()],
-        low: vec![0; incidence.rows.len()],
-        is_open: vec![false; incidence.rows.len()],
+        order: vec![None; pattern.rows.len()],
+        low: vec![0; pattern.rows.len()],
+        is_open: vec![false; pattern.rows.len()],
         open: Vec::new(),
         counter: 0,
         groups: Vec::new(),
     };
-    for equation in 0..incidence.rows.len() {
+    for equation in 0..pattern.rows.len() {
         if matching.of_equation[equation].is_some() && work.order[equation].is_none() {
             work.visit(equation);
         }
@@ -28,7 +28,7 @@ pub(super) fn in_order(incidence: &Incidence, matching: &Matching) -> Vec<Vec<us
 }
 
 struct Tarjan<'a> {
-    incidence: &'a Incidence,
+    pattern: &'a Pattern,
     matching: &'a Matching,
     order: Vec<Option<usize>>,
     low: Vec<usize>,
@@ -43,7 +43,7 @@ impl Tarjan<'_> {
         let mut path = vec![(root, 0)];
         self.enter(root);
         while let Some((equation, next)) = path.last().copied() {
-            let Some(entry) = self.incidence.rows[equation].get(next) else {
+            let Some(entry) = self.pattern.rows[equation].get(next) else {
                 path.pop();
                 self.leave(equation);
                 if let Some((above, _)) = path.last() {

@@ -3,25 +3,25 @@
 //! Depth-first augmenting paths with a cheap look-ahead, without recursion; linear in practice.
 //! Reference: Duff (1981), On algorithms for obtaining a maximum transversal.
 
-use super::incidence::Incidence;
+use super::pattern::Pattern;
 
 /// Pairs of an equation and the unknown it determines.
 #[derive(Clone, Debug)]
-pub(super) struct Matching {
+pub(crate) struct Matching {
     /// The unknown of each equation.
-    pub(super) of_equation: Vec<Option<usize>>,
+    pub(crate) of_equation: Vec<Option<usize>>,
     /// The equation of each unknown.
-    pub(super) of_unknown: Vec<Option<usize>>,
+    pub(crate) of_unknown: Vec<Option<usize>>,
 }
 
 impl Matching {
     /// Unknowns that got no equation.
-    pub(super) fn free_unknowns(&self) -> Vec<usize> {
+    pub(crate) fn free_unknowns(&self) -> Vec<usize> {
         (0..self.of_unknown.len()).filter(|unknown| self.of_unknown[*unknown].is_none()).collect()
     }
 
     /// Equations that got no unknown.
-    pub(super) fn free_equations(&self) -> Vec<usize> {
+    pub(crate) fn free_equations(&self) -> Vec<usize> {
         (0..self.of_equation.len()).filter(|equation| self.of_equation[*equation].is_none()).collect()
     }
 
@@ -32,30 +32,30 @@ impl Matching {
 }
 
 /// As many pairs as there can be.
-pub(super) fn maximum(incidence: &Incidence) -> Matching {
-    maximum_in(incidence, 0..incidence.rows.len())
+pub(crate) fn maximum(pattern: &Pattern) -> Matching {
+    maximum_in(pattern, 0..pattern.rows.len())
 }
 
 /// The same, with equations in this order: of those that contend for an unknown the last ones get none.
-pub(super) fn maximum_in(incidence: &Incidence, order: impl Iterator<Item = usize>) -> Matching {
-    let mut matching = Matching { of_equation: vec![None; incidence.rows.len()], of_unknown: vec![None; incidence.unknowns] };
+pub(crate) fn maximum_in(pattern: &Pattern, order: impl Iterator<Item = usize>) -> Matching {
+    let mut matching = Matching { of_equation: vec![None; pattern.rows.len()], of_unknown: vec![None; pattern.unknowns] };
     // For each equation, how many of its entries have been looked at for a free unknown. An unknown
     // never becomes free again, so this only grows: the look-ahead costs each entry once.
-    let mut looked = vec![0; incidence.rows.len()];
-    let mut visited = vec![usize::MAX; incidence.rows.len()];
+    let mut looked = vec![0; pattern.rows.len()];
+    let mut visited = vec![usize::MAX; pattern.rows.len()];
     for root in order {
-        augment(incidence, &mut matching, root, &mut looked, &mut visited);
+        augment(pattern, &mut matching, root, &mut looked, &mut visited);
     }
     matching
 }
 
 /// Looks for a path of alternating pairs from an equation to a free unknown, and turns it round.
-fn augment(incidence: &Incidence, matching: &mut Matching, root: usize, looked: &mut [usize], visited: &mut [usize]) {
+fn augment(pattern: &Pattern, matching: &mut Matching, root: usize, looked: &mut [usize], visited: &mut [usize]) {
     // Each level of the path: an equation and the entry it is left by.
     let mut path: Vec<(usize, usize)> = vec![(root, 0)];
     visited[root] = root;
     while let Some((equation, next)) = path.last().copied() {
-        let row = &incidence.rows[equation];
+        let row = &pattern.rows[equation];
         while let Some(entry) = row.get(looked[equation]) {
             looked[equation] += 1;
             if matching.of_unknown[entry.unknown].is_none() {

@@ -1,40 +1,30 @@
-//! From a system to the blocks it is solved in.
+//! From a pattern to the blocks in which a system is solved.
 //!
-//! In: a [`System`]. Out: a [`Structure`]: which unknowns are found from which equations, in which
-//! order. Only the pattern of Φ_q is looked at, and which of its entries are constants. Not done
-//! here: numbers.
+//! In: a [`Pattern`]: which equation contains which unknown, and which entries are never zero. Out: a [`Structure`]: which unknowns are
+//! found from which equations, in which order. Graphs only: nothing here knows what an unknown is called or what an equation says.
 //!
-//! 1. `incidence`: which equation contains which unknown.
-//! 2. `matching`: every unknown gets an equation of its own, as many as can.
-//! 3. `components`: unknowns that can only be found together make a block; blocks are put in order.
-//! 4. `verdict`: where there are too many equations, or too few, the mechanism is refused: `grounding`, `agreement`, `mobility` and
-//!    `surplus` say what is wrong, `dependence` finds rows that follow from others.
-//! 5. `tearing`: inside a block, what follows explicitly from the rest is not iterated.
+//! 1. `matching`: every unknown gets an equation of its own, as many as can.
+//! 2. `components`: unknowns that can only be found together make a block; blocks are put in order.
+//! 3. `tearing`: inside a block, what follows explicitly from the rest is not iterated.
+//! 4. `dulmage_mendelsohn`: the equations that are too many, and the unknowns that have too few.
+//! 5. `subsystems`: blocks with the equations that are too many.
 //!
 //! Reference: Duff, Erisman, Reid, Direct Methods for Sparse Matrices, chapter 6.
 
-mod agreement;
 mod components;
-mod dependence;
-mod grounding;
-mod incidence;
-mod lines;
+mod dulmage_mendelsohn;
 mod matching;
-mod mobility;
-mod parts;
-mod pieces;
-mod surplus;
+mod pattern;
+mod subsystems;
 mod tearing;
 #[cfg(test)]
 mod tests;
-mod verdict;
 
-use crate::diag::Diag;
-use crate::model::Model;
-use crate::system::System;
-use incidence::Incidence;
-pub(crate) use pieces::{Piece, left_over, surplus};
+pub(crate) use dulmage_mendelsohn::{DmPart, contending, overdetermined, underdetermined};
+pub(crate) use matching::{Matching, maximum, maximum_in};
+pub use pattern::{Entry, Pattern};
 use std::collections::BTreeSet;
+pub(crate) use subsystems::{SMALL, Subsystem, subsystems};
 
 /// The order of solution.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -65,24 +55,22 @@ pub struct Explicit {
     pub equation: usize,
 }
 
-/// Refuses bodies that nothing holds, and equations that say what others say by exact arithmetic.
-pub(crate) fn rows_agree(model: &Model, system: &System, diag: &mut Diag) -> Option<()> {
-    if !model.equations_only {
-        verdict::rows_agree(model, system, &Incidence::new(model, system), diag);
+impl Block {
+    /// Its unknowns and equations, iterated unknowns and residuals first.
+    pub(crate) fn parts(&self) -> (Vec<usize>, Vec<usize>) {
+        let unknowns = self.iterated.iter().copied().chain(self.explicit.iter().map(|explicit| explicit.unknown)).collect();
+        let equations = self.residuals.iter().copied().chain(self.explicit.iter().map(|explicit| explicit.equation)).collect();
+        (unknowns, equations)
     }
-    diag.is_clean().then_some(())
 }
 
 /// Decides which unknowns are found from which equations, and in which order.
 ///
-/// Where only equations are wanted they need not fit the unknowns, and what does not fit is in no block. Neither is what is `checked`.
-pub(crate) fn analyze(model: &Model, system: &System, checked: &BTreeSet<usize>, diag: &mut Diag) -> Option<Structure> {
-    let incidence = Incidence::new(model, system).without(checked);
-    let matching = matching::maximum(&incidence);
-    if !model.equations_only {
-        verdict::equations_fit(model, system, &incidence, &matching, diag);
-    }
-    let groups = components::in_order(&incidence, &matching);
-    let blocks = groups.iter().map(|group| tearing::tear(&incidence, &matching, group)).collect();
-    diag.is_clean().then(|| Structure { blocks, checked: checked.iter().copied().collect() })
+/// Rows that are `checked` are in no block. Where equations do not fit the unknowns, those without a partner are in no block either.
+pub(crate) fn analyze(pattern: &Pattern, checked: &BTreeSet<usize>) -> Structure {
+    let pattern = pattern.without(checked);
+    let matching = maximum(&pattern);
+    let groups = components::in_order(&pattern, &matching);
+    let blocks = groups.iter().map(|group| tearing::tear(&pattern, &matching, group)).collect();
+    Structure { blocks, checked: checked.iter().copied().collect() }
 }

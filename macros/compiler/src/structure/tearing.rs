@@ -5,14 +5,14 @@
 //! first the unknowns that never occur with such a coefficient, then, where that is not enough,
 //! one after the other.
 
-use super::incidence::Incidence;
 use super::matching::Matching;
+use super::pattern::Pattern;
 use super::{Block, Explicit};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 /// Divides the unknowns of a group of equations into explicit and iterated ones.
-pub(super) fn tear(incidence: &Incidence, matching: &Matching, group: &[usize]) -> Block {
-    let mut work = Tearing::new(incidence, matching, group);
+pub(super) fn tear(pattern: &Pattern, matching: &Matching, group: &[usize]) -> Block {
+    let mut work = Tearing::new(pattern, matching, group);
     work.spread();
     while let Some(unknown) = work.best_guess() {
         work.iterate(unknown);
@@ -24,7 +24,7 @@ pub(super) fn tear(incidence: &Incidence, matching: &Matching, group: &[usize]) 
 }
 
 struct Tearing<'a> {
-    incidence: &'a Incidence,
+    pattern: &'a Pattern,
     /// Unknowns of the block that are not known yet.
     missing: BTreeSet<usize>,
     /// For each equation, how many unknowns it still misses.
@@ -38,13 +38,13 @@ struct Tearing<'a> {
 }
 
 impl<'a> Tearing<'a> {
-    fn new(incidence: &'a Incidence, matching: &Matching, group: &[usize]) -> Tearing<'a> {
+    fn new(pattern: &'a Pattern, matching: &Matching, group: &[usize]) -> Tearing<'a> {
         let missing: BTreeSet<usize> = group.iter().filter_map(|equation| matching.of_equation[*equation]).collect();
         let mut holders: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         let mut lacks = BTreeMap::new();
         let mut can_be_explicit = BTreeSet::new();
         for equation in group {
-            let inside = incidence.rows[*equation].iter().filter(|entry| missing.contains(&entry.unknown));
+            let inside = pattern.rows[*equation].iter().filter(|entry| missing.contains(&entry.unknown));
             let mut count = 0;
             for entry in inside {
                 count += 1;
@@ -56,8 +56,7 @@ impl<'a> Tearing<'a> {
             lacks.insert(*equation, count);
         }
         let ready = lacks.iter().filter(|(_, count)| **count == 1).map(|(equation, _)| *equation).collect();
-        let mut work =
-            Tearing { incidence, missing: missing.clone(), lacks, holders, used: BTreeSet::new(), ready, block: Block::default() };
+        let mut work = Tearing { pattern, missing: missing.clone(), lacks, holders, used: BTreeSet::new(), ready, block: Block::default() };
         for unknown in missing.difference(&can_be_explicit) {
             work.iterate(*unknown);
         }
@@ -75,7 +74,7 @@ impl<'a> Tearing<'a> {
             if self.used.contains(&equation) || self.lacks.get(&equation) != Some(&1) {
                 continue;
             }
-            let missing = self.incidence.rows[equation].iter().find(|entry| self.missing.contains(&entry.unknown));
+            let missing = self.pattern.rows[equation].iter().find(|entry| self.missing.contains(&entry.unknown));
             let Some(entry) = missing.filter(|entry| entry.is_pivot) else { continue };
             self.used.insert(equation);
             self.block.explicit.push(Explicit { unknown: entry.unknown, equation });

@@ -7,6 +7,7 @@ mod repeated;
 pub use repeated::{Bounds, Component, For, Part};
 
 use crate::diag::Range;
+use crate::quantity::Dim;
 use proc_macro2::{Ident, TokenStream};
 use std::rc::Rc;
 
@@ -202,6 +203,15 @@ pub struct Dimension {
     pub factors: Vec<(Ident, i16)>,
     /// First to last token.
     pub range: Range,
+}
+
+impl Dimension {
+    /// The product of powers, if all its names are known.
+    pub(crate) fn dim(&self) -> Option<Dim> {
+        self.factors
+            .iter()
+            .try_fold(Dim::NUMBER, |product, (name, exponent)| Some(product.times(Dim::named(&name.to_string())?.raised(*exponent)?)))
+    }
 }
 
 /// A body, or ground.

@@ -31,7 +31,7 @@ pub(super) fn mechanism(input: ParseStream, diag: &mut Diag) -> Option<Mechanism
     };
     let content = report(block(input, "`{` and the items of the mechanism"), diag);
     let Some(content) = content else { return Some(mechanism) };
-    mechanism.items = items(&content, Place::TOP, diag);
+    mechanism.items = items(&content, ItemContext::TOP, diag);
     if !input.is_empty() {
         diag.refuse::<()>(input.span(), Fact::TokensAfter { what: "the mechanism", help: "write one `mechanism!` for each mechanism" });
     }
@@ -70,19 +70,19 @@ fn salvaged(name: Ident) -> Mechanism {
 
 /// Where items stand.
 #[derive(Clone, Copy)]
-pub(super) struct Place<'a> {
+pub(super) struct ItemContext<'a> {
     /// In the mechanism itself, not in a component or a loop.
     pub(super) is_top: bool,
     /// The variable of the innermost loop.
     pub(super) variable: Option<&'a Ident>,
 }
 
-impl Place<'_> {
-    const TOP: Place<'static> = Place { is_top: true, variable: None };
+impl ItemContext<'_> {
+    const TOP: ItemContext<'static> = ItemContext { is_top: true, variable: None };
 }
 
 /// A refused item leaves its name behind, and the next item is read.
-pub(super) fn items(content: ParseStream, place: Place, diag: &mut Diag) -> Vec<Item> {
+pub(super) fn items(content: ParseStream, place: ItemContext, diag: &mut Diag) -> Vec<Item> {
     let mut items = Vec::new();
     while !content.is_empty() {
         let before = content.fork();
@@ -108,7 +108,7 @@ fn promised(input: ParseStream) -> Option<Refused> {
     Some(Refused { keyword, name, indices: indices(input).unwrap_or_default() })
 }
 
-fn item(input: ParseStream, place: Place, diag: &mut Diag) -> Parsed<Item> {
+fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item> {
     let docs = docs(input)?;
     let Some(keyword) = keyword(input) else {
         return expected(
@@ -140,7 +140,7 @@ fn item(input: ParseStream, place: Place, diag: &mut Diag) -> Parsed<Item> {
 }
 
 /// What is declared in a loop carries an index, or all its copies would have one name.
-fn has_indices(item: &Item, place: Place) -> Parsed<()> {
+fn has_indices(item: &Item, place: ItemContext) -> Parsed<()> {
     let (name, indices) = match item {
         Item::Parameter(item) => (&item.name, &item.indices),
         Item::Let(item) => (&item.name, &item.indices),
@@ -154,7 +154,7 @@ fn has_indices(item: &Item, place: Place) -> Parsed<()> {
 }
 
 /// The same for any name.
-pub(super) fn indexed(name: &Ident, indices: &[Expr], place: Place) -> Parsed<()> {
+pub(super) fn indexed(name: &Ident, indices: &[Expr], place: ItemContext) -> Parsed<()> {
     match place.variable {
         Some(variable) if indices.is_empty() => wrong(name, Fact::WithoutIndex { name: name.to_string(), variable: variable.to_string() }),
         _ => Ok(()),
@@ -326,14 +326,14 @@ fn frame(input: ParseStream, docs: Docs, (name, indices): (Ident, Vec<Expr>), wh
         if keyword(&content).is_some_and(|word| word == "start") {
             frame.starts.push(start(&content)?);
         } else {
-            marks(&content, &mut frame.marks, Place::TOP)?;
+            marks(&content, &mut frame.marks, ItemContext::TOP)?;
         }
     }
     Ok(frame)
 }
 
 /// A point, an axis, or a loop over them.
-pub(super) fn marks(input: ParseStream, marks: &mut Marks, place: Place) -> Parsed<()> {
+pub(super) fn marks(input: ParseStream, marks: &mut Marks, place: ItemContext) -> Parsed<()> {
     let Some(keyword) = keyword(input) else {
         return expected(input, "`point`, `axis` or `start`");
     };

@@ -3,7 +3,7 @@
 use super::ast::{Closing, Docs, Following};
 use super::tokens::{Attribute, Parsed, attributes, wrong};
 use crate::diag::Fact;
-use crate::model::suggest::nearest;
+use crate::diag::nearest;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 

@@ -3,7 +3,7 @@
 use super::ast::{Bounds, Component, Definition, Docs, For, Item, Marks, Part};
 use super::definition::formals;
 use super::expression::expression;
-use super::item::{Place, arguments, declared, items, marks};
+use super::item::{ItemContext, arguments, declared, items, marks};
 use super::tokens::{Parsed, block, docs, equals, expected, keyword, name, semicolon};
 use crate::diag::Diag;
 use proc_macro2::Ident;
@@ -18,7 +18,7 @@ pub(super) fn component(input: ParseStream, docs: Docs, diag: &mut Diag) -> Pars
     let name = name(input, "the name of the component")?;
     let parameters = formals(input, "`(` and what the component takes, or `()`")?;
     let content = block(input, "`{` and the items of the component")?;
-    let items = items(&content, Place { is_top: false, variable: None }, diag);
+    let items = items(&content, ItemContext { is_top: false, variable: None }, diag);
     Ok(Component { docs: docs.clone(), head: Definition { docs, name, parameters, statements: Vec::new() }, items })
 }
 
@@ -40,7 +40,7 @@ pub(super) fn part(input: ParseStream, docs: Docs) -> Parsed<Part> {
 pub(super) fn repeated_items(input: ParseStream, diag: &mut Diag) -> Parsed<For<Vec<Item>>> {
     let (variable, bounds) = head(input)?;
     let content = block(input, "`{` and the items of the loop")?;
-    let items = items(&content, Place { is_top: false, variable: Some(&variable) }, diag);
+    let items = items(&content, ItemContext { is_top: false, variable: Some(&variable) }, diag);
     Ok(For { variable, bounds, items })
 }
 
@@ -51,7 +51,7 @@ pub(super) fn repeated_marks(input: ParseStream) -> Parsed<For<Marks>> {
     let mut repeated = Marks::default();
     while !content.is_empty() {
         docs(&content)?;
-        marks(&content, &mut repeated, Place { is_top: false, variable: Some(&variable) })?;
+        marks(&content, &mut repeated, ItemContext { is_top: false, variable: Some(&variable) })?;
     }
     Ok(For { variable, bounds, items: repeated })
 }

@@ -4,17 +4,16 @@
 //! position is badly determined: at a dead point.
 
 use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
-use crate::model::Dim;
-use crate::system::Unknown;
+use crate::system::Coordinate;
 use std::collections::BTreeMap;
 
 /// About the sum of the magnitudes of an expression's terms, without the given unknowns: sines and cosines count as 1, and so do
 /// unknown angles. An unknown length counts as nothing: where the residual vanishes, its other terms are as large.
-pub(crate) fn magnitude(arena: &mut Arena, root: Expr, unknowns: &[usize], all: &[Unknown]) -> Expr {
+pub(crate) fn magnitude(arena: &mut Arena, root: Expr, unknowns: &[usize], all: &[Coordinate]) -> Expr {
     let mut sizes: BTreeMap<Expr, Expr> = BTreeMap::new();
     let mut is_moving: BTreeMap<Expr, bool> = BTreeMap::new();
     let (zero, one) = (arena.integer(0), arena.integer(1));
-    let is_length = |index: u32| all[index as usize].dim == Dim::LENGTH;
+    let is_length = |index: u32| all[index as usize].role.is_position();
     for expr in arena.reachable(&[root]) {
         let node = *arena.node(expr);
         let moves = match node {

@@ -10,10 +10,13 @@
 //! ```
 
 mod magnitude;
+mod pattern;
 
 use crate::diag::{Diag, Fact};
-use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Substitution};
-use crate::model::{Dim, Model, Said};
+use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Rate, Seed, Substitution, derivative};
+use crate::model::{Model, Said};
+use crate::quantity::{Dim, Role, SpeedRole};
+use crate::structure::Pattern;
 use std::collections::BTreeMap;
 
 pub(crate) use magnitude::magnitude;
@@ -23,12 +26,18 @@ pub(crate) use magnitude::magnitude;
 pub struct System {
     /// All expressions.
     pub arena: Arena,
-    /// One for each coordinate, in the order of q.
-    pub unknowns: Vec<Unknown>,
+    /// In the order of q.
+    pub coordinates: Vec<Coordinate>,
+    /// In the order of u.
+    pub speeds: Vec<Speed>,
+    /// q̇ = N(q) u, by coordinate. In the plane N is the identity.
+    pub kinematics: Vec<Rate>,
     /// One for each row, in the order declared.
     pub equations: Vec<Equation>,
+    /// Which equation contains which unknown.
+    pub pattern: Pattern,
     /// One for each output, in the order declared.
-    pub outputs: Vec<Output>,
+    pub outputs: Vec<OutputMotion>,
     /// The largest of these is the characteristic length: local coordinates of points, or, if all points are origins, the lengths
     /// that joints and drives demand.
     pub lengths: Vec<Expr>,
@@ -36,15 +45,34 @@ pub struct System {
 
 /// One coordinate.
 #[derive(Clone, Debug)]
-pub struct Unknown {
+pub struct Coordinate {
     /// Index of its body in the model.
     pub body: usize,
-    /// `x`, `y`, `angle`.
-    pub name: &'static str,
-    /// A length or an angle.
-    pub dim: Dim,
+    /// Its part in the placement of the body.
+    pub role: Role,
     /// Its declared start value, a function of parameters.
     pub start: Option<Expr>,
+}
+
+/// One speed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Speed {
+    /// Index of its body in the model.
+    pub body: usize,
+    /// Its part in the motion of the body.
+    pub role: SpeedRole,
+}
+
+/// Between what an equation is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// Between positions: Φ(q, t) = 0.
+    Position {
+        /// Φ
+        phi: Expr,
+    },
+    /// Between speeds alone: Φ_u u = ν, which is the rate of no Φ.
+    Velocity,
 }
 
 /// One row.
@@ -54,11 +82,11 @@ pub struct Equation {
     pub joint: usize,
     /// Its number within the joint, from 0.
     pub row: usize,
-    /// What Φ measures.
+    /// What Φ measures; of an equation between speeds, what its integral would.
     pub dim: Dim,
-    /// Φ; a velocity-level row has none.
-    pub phi: Option<Expr>,
-    /// The entries of its row of Φ_q that are not identically zero, by unknown.
+    /// Between what it is.
+    pub level: Level,
+    /// The entries of its row of Φ_u = Φ_q N that are not identically zero, by speed.
     pub jacobian: Vec<(usize, Expr)>,
     /// ν
     pub nu: Expr,
@@ -68,12 +96,29 @@ pub struct Equation {
 
 /// An output's components.
 #[derive(Clone, Debug)]
-pub struct Output {
+pub struct OutputMotion {
     /// Value, rate and acceleration of each component.
     pub components: Vec<[Expr; 3]>,
 }
 
+impl Equation {
+    /// Φ of an equation between positions.
+    #[must_use]
+    pub fn phi(&self) -> Option<Expr> {
+        match self.level {
+            Level::Position { phi } => Some(phi),
+            Level::Velocity => None,
+        }
+    }
+}
+
 impl System {
+    /// The name of a coordinate: `crank.angle`.
+    pub(crate) fn name(&self, model: &Model, coordinate: usize) -> String {
+        let coordinate = &self.coordinates[coordinate];
+        format!("{}.{}", model.bodies[coordinate.body].name, coordinate.role.name())
+    }
+
     /// The equations of a joint of the model; those of one joint stand together, in the order of joints.
     pub(crate) fn of_joint(&self, joint: usize) -> &[Equation] {
         let first = self.equations.partition_point(|equation| equation.joint < joint);
@@ -85,11 +130,12 @@ impl System {
 /// Differentiates every residual and output of a model.
 pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     let mut arena = model.arena.clone();
-    let unknowns = unknowns(model);
+    let (coordinates, speeds, kinematics) = (coordinates(model), speeds(model), kinematics(model));
     let mut equations = Vec::new();
-    let mut by_coordinate: Vec<Derivatives> = (0..unknowns.len()).map(|index| Derivatives::new(Leaf::Coordinate(index as u32))).collect();
+    let mut by_coordinate: Vec<Derivatives> =
+        (0..coordinates.len()).map(|index| Derivatives::new(Leaf::Coordinate(index as u32))).collect();
     let mut by_time = Derivatives::new(Leaf::Time);
-    let mut along = Jets::at_constant_velocity();
+    let mut along = Jets::along(Seed::constant_speeds(kinematics.clone()));
     for (joint, declared) in model.joints.iter().enumerate() {
         for (row, residual) in declared.residuals.iter().enumerate() {
             let phi = residual.expr;
@@ -97,54 +143,86 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
             for leaf in arena.leaves(phi) {
                 let Leaf::Coordinate(index) = leaf else { continue };
                 let entry = by_coordinate[index as usize].of(&mut arena, phi);
-                if !arena.as_constant(entry).is_some_and(|value| value.is_zero()) {
-                    jacobian.push((index as usize, entry));
-                }
+                by_speed(&mut arena, &mut jacobian, entry, kinematics[index as usize]);
             }
+            jacobian.retain(|(_, entry)| !arena.as_constant(*entry).is_some_and(|value| value.is_zero()));
             let rate = by_time.of(&mut arena, phi);
             let nu = arena.neg(rate);
             let [_, _, second] = along.of(&mut arena, phi);
             let gamma = arena.neg(second);
-            equations.push(Equation { joint, row, dim: residual.dim, phi: Some(phi), jacobian, nu, gamma });
+            equations.push(Equation { joint, row, dim: residual.dim, level: Level::Position { phi }, jacobian, nu, gamma });
         }
     }
-    let mut motion = Jets::new();
+    let mut motion = Jets::along(Seed::motion(kinematics.clone()));
     let outputs = model
         .outputs
         .iter()
-        .map(|output| Output { components: output.components.iter().map(|part| motion.of(&mut arena, *part)).collect() });
+        .map(|output| OutputMotion { components: output.components.iter().map(|part| motion.of(&mut arena, *part)).collect() });
     let outputs = outputs.collect();
-    let lengths = lengths(&mut arena, model, &unknowns, &equations);
+    let lengths = lengths(&mut arena, model, &coordinates, &equations);
     has_bodies(model, diag);
     no_joint_repeats_another(model, &mut arena, diag);
-    diag.is_clean().then_some(System { arena, unknowns, equations, outputs, lengths })
+    let pattern = pattern::pattern(model, &arena, speeds.len(), &equations);
+    diag.is_clean().then_some(System { arena, coordinates, speeds, kinematics, equations, pattern, outputs, lengths })
 }
 
-fn unknowns(model: &Model) -> Vec<Unknown> {
+fn coordinates(model: &Model) -> Vec<Coordinate> {
     let of_body = |(body, declared): (usize, &crate::model::Body)| {
         declared
             .coordinates
             .iter()
-            .map(move |coordinate| Unknown { body, name: coordinate.name, dim: coordinate.dim, start: coordinate.start })
+            .map(move |coordinate| Coordinate { body, role: coordinate.role, start: coordinate.start })
             .collect::<Vec<_>>()
     };
     model.bodies.iter().enumerate().flat_map(of_body).collect()
 }
 
+fn speeds(model: &Model) -> Vec<Speed> {
+    (0..model.bodies.len()).flat_map(|body| SpeedRole::PLANE.map(|role| Speed { body, role })).collect()
+}
+
+/// q̇ = u: each coordinate of a body in the plane has the speed of the same number.
+fn kinematics(model: &Model) -> Vec<Rate> {
+    let speeds: usize = model.bodies.iter().map(|body| body.coordinates.len()).sum();
+    (0..speeds).map(|speed| Rate::Speed(speed as u32)).collect()
+}
+
+/// Adds ∂Φ/∂q_c ∂q̇_c/∂u to a row of Φ_u; `entry`: given, ∂Φ/∂q_c.
+fn by_speed(arena: &mut Arena, row: &mut Vec<(usize, Expr)>, entry: Expr, rate: Rate) {
+    let parts: Vec<(usize, Expr)> = match rate {
+        Rate::Speed(speed) => vec![(speed as usize, entry)],
+        Rate::Given([rate, _]) => {
+            let speeds = arena.leaves(rate).into_iter().filter_map(|leaf| if let Leaf::Speed(speed) = leaf { Some(speed) } else { None });
+            let speeds: Vec<u32> = speeds.collect();
+            let of_speed = |speed: u32| {
+                let slope = derivative(arena, rate, Leaf::Speed(speed));
+                (speed as usize, arena.mul(entry, slope))
+            };
+            speeds.into_iter().map(of_speed).collect()
+        }
+    };
+    for (speed, part) in parts {
+        match row.iter_mut().find(|(known, _)| *known == speed) {
+            Some((_, sum)) => *sum = arena.add(*sum, part),
+            None => row.push((speed, part)),
+        }
+    }
+}
+
 /// The lengths in the declaration that tell how large the mechanism is.
-fn lengths(arena: &mut Arena, model: &Model, unknowns: &[Unknown], equations: &[Equation]) -> Vec<Expr> {
+fn lengths(arena: &mut Arena, model: &Model, coordinates: &[Coordinate], equations: &[Equation]) -> Vec<Expr> {
     let is_zero = |length: &Expr| arena.as_constant(*length).is_some_and(|value| value.is_zero());
     if !model.lengths.iter().all(is_zero) {
         return model.lengths.clone();
     }
-    let all: Vec<usize> = (0..unknowns.len()).collect();
+    let all: Vec<usize> = (0..coordinates.len()).collect();
     let mut at_start = Substitution::new();
     let zero = arena.integer(0);
     at_start.replace(Leaf::Time, zero);
     let mut lengths = Vec::new();
     for equation in equations {
-        let Some(phi) = equation.phi.filter(|_| [Dim::LENGTH, Dim::LENGTH.times(Dim::LENGTH)].contains(&equation.dim)) else { continue };
-        let terms = magnitude(arena, phi, &all, unknowns);
+        let Some(phi) = equation.phi().filter(|_| [Dim::LENGTH, Dim::LENGTH.times(Dim::LENGTH)].contains(&equation.dim)) else { continue };
+        let terms = magnitude(arena, phi, &all, coordinates);
         let terms = at_start.of(arena, terms);
         lengths.push(if equation.dim == Dim::LENGTH { terms } else { arena.sqrt(terms) });
     }

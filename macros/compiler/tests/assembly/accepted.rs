@@ -8,7 +8,7 @@ fn a_start_far_from_any_assembly_closes() {
     for declared in [0.4, 17.0, -40.0, 90.0, 179.0, 400.0] {
         let all = format!("start angle = ({declared}) * 1deg; start position = (5m, -3m);");
         let source = four_bar([400.0, 100.0, 350.0, 300.0], 77.0, &all).replace("body coupler { ", "body coupler { start angle = -80deg; ");
-        assert!(accepted(&source).closure.is_closed);
+        assert!(accepted(&source).assembly.is_closed);
     }
 }
 
@@ -16,19 +16,19 @@ fn a_start_far_from_any_assembly_closes() {
 fn what_is_allowed_is_documented() {
     let open = four_bar([400.0, 100.0, 100.0, 150.0], 0.0, "");
     let compiled = accepted(&format!("#[closure(allow)] {open}"));
-    assert!(!compiled.closure.is_closed);
-    assert!(compiled.closure.remark.expect("a remark").starts_with("`c` stays open by 50 mm"));
+    assert!(!compiled.assembly.is_closed);
+    assert!(compiled.assembly.remark.expect("a remark").starts_with("`c` stays open by 50 mm"));
     let symmetric = accepted(&format!("#[closure(allow)] {}", four_bar([400.0, 100.0, 350.0, 300.0], 0.0, "")));
-    assert!(symmetric.closure.is_closed);
-    assert!(symmetric.closure.remark.expect("a remark").starts_with("two assemblies are equally near"));
-    assert_eq!(accepted(&format!("#[closure(deny)] {}", four_bar([400.0, 100.0, 350.0, 300.0], 9.0, ""))).closure.remark, None);
+    assert!(symmetric.assembly.is_closed);
+    assert!(symmetric.assembly.remark.expect("a remark").starts_with("two assemblies are equally near"));
+    assert_eq!(accepted(&format!("#[closure(deny)] {}", four_bar([400.0, 100.0, 350.0, 300.0], 9.0, ""))).assembly.remark, None);
 }
 
 #[test]
 fn where_no_assembly_is_looked_for_the_start_is_as_declared() {
     let compiled = accepted(&format!("#[closure(off)] {}", four_bar([400.0, 100.0, 100.0, 150.0], 0.0, "start angle = 20deg;")));
-    assert!(!compiled.closure.is_closed);
-    assert_eq!(compiled.closure.start[..8], [0.0; 8]);
+    assert!(!compiled.assembly.is_closed);
+    assert_eq!(compiled.assembly.start[..8], [0.0; 8]);
     assert!((start(&compiled, "rocker.angle") - 20_f64.to_radians()).abs() < 1e-15);
 }
 

@@ -26,8 +26,9 @@ fn refused(source: &str) -> Fact {
 /// The value of a coordinate at the start.
 fn start(compiled: &Compiled, name: &str) -> f64 {
     let (system, model) = (&compiled.system, &compiled.model);
-    let is_wanted = |unknown: &reuleaux_compiler::system::Unknown| format!("{}.{}", model.bodies[unknown.body].name, unknown.name) == name;
-    compiled.closure.start[system.unknowns.iter().position(is_wanted).expect(name)]
+    let is_wanted =
+        |unknown: &reuleaux_compiler::system::Coordinate| format!("{}.{}", model.bodies[unknown.body].name, unknown.role.name()) == name;
+    compiled.assembly.start[system.coordinates.iter().position(is_wanted).expect(name)]
 }
 
 /// A four-bar with pivots at (0, 0) and (ground, 0), in mm and degrees.

@@ -55,7 +55,7 @@ fn a_crank_stops_where_the_law_of_cosines_says() {
             None => {
                 let compiled = accepted(&source);
                 assert!((start(&compiled, "crank.angle") - angle).abs() <= 1e-12);
-                assert_eq!(compiled.closure.followed.reached, [0.0, core::f64::consts::TAU], "{source}");
+                assert_eq!(compiled.motion.reached, [0.0, core::f64::consts::TAU], "{source}");
                 turning += 1;
             }
         }
@@ -97,7 +97,7 @@ fn a_crank_stops_where_its_rod_stands_upright() {
             );
             stopped += 1;
         } else if rod > crank + offset.abs() + 1.0 {
-            assert!(accepted(&source).closure.followed.reached[1] > 3.0, "{source}");
+            assert!(accepted(&source).motion.reached[1] > 3.0, "{source}");
             turning += 1;
         }
     }
@@ -108,7 +108,7 @@ fn a_declared_range_is_followed_and_no_more() {
     let stop = (0.9_f64 / 1.0).asin() / 2.0;
     let within = |range: &str| slider_crank([100.0, 90.0, 0.0], 0.0, &format!("range t in {range};"));
     for range in ["0s..0.5s", "0s..=559ms", "-0.5s..0.5s", "-100ms..100ms", "0.1s..0.2s", "0s..1.1rad / 2rad_s"] {
-        assert!(accepted(&within(range)).closure.followed.remarks.is_empty(), "{range}");
+        assert!(accepted(&within(range)).motion.remarks.is_empty(), "{range}");
     }
     for (range, time) in [("0s..0.6s", stop), ("-1s..0.1s", -stop), ("0.56s..0.57s", stop), ("0s..1000s", stop)] {
         let (found, _) = end(&refused(&within(range)));
@@ -125,7 +125,7 @@ fn a_law_that_swings_is_followed_for_its_period() {
         let law = format!("drive input = drive_angle(crank, {degrees}deg * sin(3rad_s * t))");
         slider_crank([100.0, 90.0, 0.0], 0.0, "").replace("drive input = drive_angle(crank, (0) * 1deg + 2rad_s * t)", &law)
     };
-    assert_eq!(accepted(&swinging(64.0)).closure.followed.reached, [0.0, core::f64::consts::TAU / 3.0]);
+    assert_eq!(accepted(&swinging(64.0)).motion.reached, [0.0, core::f64::consts::TAU / 3.0]);
     let stop = (0.9_f64.asin().to_degrees() / 65.0).asin() / 3.0;
     let (time, _) = end(&refused(&swinging(65.0)));
     assert!((time - stop).abs() <= 1e-9 * stop, "{time} s instead of {stop} s");
@@ -138,7 +138,7 @@ fn a_law_that_comes_to_rest_is_followed_until_then() {
             let drive = format!("drive input = drive_angle(crank, {degrees}deg * {law}((t - 1s) / 0.5s))");
             slider_crank([100.0, 90.0, 0.0], 0.0, "").replace("drive input = drive_angle(crank, (0) * 1deg + 2rad_s * t)", &drive)
         };
-        let reached = accepted(&rising(64.0)).closure.followed.reached[1];
+        let reached = accepted(&rising(64.0)).motion.reached[1];
         assert!((reached - 1.5).abs() <= 1e-12, "{law}: {reached}");
         let (time, angle) = end(&refused(&rising(65.0)));
         assert!((1.25..1.5).contains(&time) && (angle - 0.9_f64.asin()).abs() <= 1e-9, "{law}: {time} s, {angle}");
@@ -153,7 +153,7 @@ fn a_table_is_followed_from_end_to_end() {
             let drive = format!("drive input = drive_angle(crank, {table})");
             slider_crank([100.0, 90.0, 0.0], 0.0, "").replace("drive input = drive_angle(crank, (0) * 1deg + 2rad_s * t)", &drive)
         };
-        assert_eq!(accepted(&law(60.0)).closure.followed.reached[1], until, "{ends}");
+        assert_eq!(accepted(&law(60.0)).motion.reached[1], until, "{ends}");
         let (time, angle) = end(&refused(&law(80.0)));
         assert!(time < 1.0 && (angle - 0.9_f64.asin()).abs() <= 1e-9, "{ends}: {time} s, {angle}");
     }
@@ -167,13 +167,13 @@ fn a_length_that_grows_for_ever_is_followed_only_as_far_as_is_said() {
                 drive push = drive_distance(ground.position, arm.E, {law}); {items} }}"
         )
     };
-    assert_eq!(accepted(&arm("1.9m + 1m_s * t", "")).closure.followed.reached, [0.0, 0.0]);
+    assert_eq!(accepted(&arm("1.9m + 1m_s * t", "")).motion.reached, [0.0, 0.0]);
     // Ground's pivot, the arm's and its end are in line.
     let (time, length) = end(&refused(&arm("1.9m + 1m_s * t", "range t in 0s..1s;")));
     assert!((time - 0.1).abs() <= 1e-10 && (length - 2.0).abs() <= 1e-10, "{time} s, {length} m");
     // Where the distance vanishes the arm could go on to either side.
     let through = accepted(&arm("0.5m - 1m_s * t", "range t in 0s..0.6s;").replace("120deg", "150deg"));
-    let remarks = through.closure.followed.remarks;
+    let remarks = through.motion.remarks;
     assert!(remarks.len() == 1 && remarks[0].starts_with("two assemblies meet at t = 0.5 s, `push` at "), "{remarks:?}");
 }
 
@@ -233,7 +233,7 @@ fn the_second_loop_of_a_six_bar_stops_the_first() {
 #[test]
 fn a_change_point_is_noted_and_not_refused() {
     let source = four_bar([400.0, 100.0, 400.0, 100.0], 45.0, "start angle = 45deg;");
-    let followed = accepted(&source).closure.followed;
+    let followed = accepted(&source).motion;
     assert_eq!(followed.remarks, ["two assemblies meet at t = 2.356 s, `crank` at 180°"]);
 }
 
@@ -247,15 +247,15 @@ fn what_is_not_wanted_is_not_looked_at() {
     let locked = four_bar([400.0, 300.0, 100.0, 350.0], 60.0, "start angle = 110deg;");
     let (time, _) = end(&refused(&locked));
     // Without a range less than a turn may be meant.
-    let warned = accepted(&locked).closure.followed;
+    let warned = accepted(&locked).motion;
     assert!(warned.warning.is_some());
     for allowed in [locked.clone(), format!("#[closure(allow)] {locked}"), format!("#[closure(allow)] {}", ranged(&locked))] {
-        let followed = accepted(&allowed).closure.followed;
+        let followed = accepted(&allowed).motion;
         assert!(followed.remarks[0].starts_with(&format!("`crank` stops at 78.58° at t = {time:.4} s")), "{followed:?}");
     }
     assert!((end(&super::refused(&ranged(&locked))).0 - time).abs() <= 1e-12);
     for word in ["start", "off"] {
-        let followed = accepted(&format!("#[closure({word})] {locked}")).closure.followed;
+        let followed = accepted(&format!("#[closure({word})] {locked}")).motion;
         assert!(followed.remarks.is_empty() && followed.warning.is_none() && followed.reached == [0.0; 2], "{followed:?}");
     }
 }
@@ -265,9 +265,9 @@ fn bounds_at_whose_corners_a_mechanism_locks_are_noted() {
     let source = four_bar([400.0, 100.0, 350.0, 300.0], 30.0, "start angle = 80deg;")
         .replace("mechanism FourBar {", "mechanism FourBar { param length: Length = 350mm in 320mm..=450mm;")
         .replace("point B = (350mm, 0mm)", "point B = (length, 0mm)");
-    assert_eq!(accepted(&source.replace("450mm", "380mm")).closure.followed.remarks, [""; 0]);
+    assert_eq!(accepted(&source.replace("450mm", "380mm")).motion.remarks, [""; 0]);
     // At 610 mm coupler and rocker are folded where the end of the crank is 310 mm from the rocker's pivot: at 22.52° before 0.
-    let followed = accepted(&source.replace("450mm", "610mm")).closure.followed;
+    let followed = accepted(&source.replace("450mm", "610mm")).motion;
     assert_eq!(followed.remarks.len(), 1);
     assert!(followed.remarks[0].starts_with("with `length` = 610 mm, `crank` stops at 337.5° at t = 5.367 s"), "{followed:?}");
     assert_eq!(followed.reached, [0.0, core::f64::consts::TAU]);

@@ -1,9 +1,8 @@
 //! What is said of the assembly at the declared defaults.
 
 use super::words::{equation, list};
-use crate::closure::{Bound, Gap};
-use crate::diag::{Driven, Fact};
-use crate::model::Dim;
+use crate::diag::{Bound, Driven, Fact, Gap};
+use crate::quantity::{Dim, Role};
 use std::fmt::{Formatter, Result};
 
 pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
@@ -48,13 +47,14 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
                 drives => write!(f, "\nhelp: {elsewhere}let {} have another value at t = 0", list(drives)),
             }
         }
-        Fact::AmbiguousStart { body, coordinate, is_angle, values, place, is_declared } => {
-            let shown = |value: f64| if *is_angle { degrees(value) } else { millimetres(value) };
+        Fact::AmbiguousStart { body, coordinate, values, place, is_declared } => {
+            let is_angle = *coordinate == Role::Angle;
+            let shown = |value: f64| if is_angle { degrees(value) } else { millimetres(value) };
             let [one, other] = values.map(shown);
             let near = if *is_declared { "equally near the declared start" } else { "equally near" };
-            write!(f, "two assemblies are {near}: `{body}.{coordinate}` = {one} or {other}")?;
+            write!(f, "two assemblies are {near}: `{body}.{}` = {one} or {other}", coordinate.name())?;
             let of = if body.contains(['.', '[']) { format!("the body `{body}`") } else { format!("`body {body}`") };
-            if *is_angle {
+            if is_angle {
                 return write!(f, "\nhelp: write `start angle = {}deg;` in {of}", between(*values));
             }
             let [x, y] = place.map(|value| significant(value * 1e3));
@@ -122,7 +122,10 @@ fn places(driven: &[Driven]) -> String {
 fn place(driven: &Driven) -> Option<String> {
     let (value, dim) = driven.value?;
     let value = if dim == Dim::ANGLE { degrees(value) } else { millimetres(value) };
-    Some(if matches!(driven.coordinate, "" | "angle") { value } else { format!("{} = {value}", driven.coordinate) })
+    Some(match driven.coordinate.filter(|role| role.is_position()) {
+        Some(role) => format!("{} = {value}", role.name()),
+        None => value,
+    })
 }
 
 /// The last number of two digits before a time, nearer to 0.

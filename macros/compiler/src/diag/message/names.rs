@@ -2,7 +2,7 @@
 
 use super::words::{did_you_mean, first_of, is_power, list, listed, shortened};
 use crate::diag::Fact;
-use crate::model::Dim;
+use crate::quantity::{Dim, Role};
 use std::fmt::{Formatter, Result};
 
 pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
@@ -48,7 +48,7 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
         Fact::UnknownUnit { number, name, near } => {
             write!(f, "no unit is called `{}`{}", shortened(name), did_you_mean(&near.as_ref().map(|near| format!("{number}{near}"))))?;
             if near.is_none() {
-                write!(f, "\nnote: there are {}", listed(crate::model::unit::names()))?;
+                write!(f, "\nnote: there are {}", listed(crate::quantity::units()))?;
             }
             Ok(())
         }
@@ -79,7 +79,7 @@ pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
         Fact::DuplicateMark { name, body } => write!(f, "`{body}` has another `{name}` already\nhelp: choose another name"),
         Fact::DuplicateStart { name, body } => {
             write!(f, "the start of `{body}` gives `{name}` twice\nhelp: take one away")?;
-            if name == "angle" { Ok(()) } else { write!(f, "; `position` is both `x` and `y`") }
+            if name == Role::Angle.name() { Ok(()) } else { write!(f, "; `position` is both `x` and `y`") }
         }
         Fact::DuplicateRange => write!(f, "there is one range of time only\nhelp: take one of them away"),
         Fact::DuplicateGround => write!(f, "there is one ground only\nhelp: put all its points and axes into one `ground {{ … }}`"),

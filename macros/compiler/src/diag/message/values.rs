@@ -2,7 +2,7 @@
 
 use super::words::shortened;
 use crate::diag::{Fact, remedy};
-use crate::model::Dim;
+use crate::quantity::Dim;
 use std::fmt::{Formatter, Result};
 
 pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {

@@ -136,9 +136,9 @@ fn named(word: &str) -> Tree {
         "x" => Leaf::Coordinate(0),
         "y" => Leaf::Coordinate(1),
         "z" => Leaf::Coordinate(2),
-        "u" => Leaf::Velocity(0),
-        "v" => Leaf::Velocity(1),
-        "w" => Leaf::Velocity(2),
+        "u" => Leaf::Speed(0),
+        "v" => Leaf::Speed(1),
+        "w" => Leaf::Speed(2),
         "a" => Leaf::Acceleration(0),
         _ => panic!("`{word}` is no leaf"),
     })

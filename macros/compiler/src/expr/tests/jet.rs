@@ -1,15 +1,15 @@
 use super::random::Random;
 use super::{FORMULAS, Point, assert_close, expr};
-use crate::expr::{Arena, Expr, Jets, Leaf, derivative};
+use crate::expr::{Arena, Expr, Jets, Leaf, Rate, Seed, derivative};
 
 #[test]
 fn rates_are_differences_along_the_motion() {
-    rates_are_differences(Jets::new, |point| point);
+    rates_are_differences(along_the_motion, |point| point);
 }
 
 #[test]
 fn rates_at_constant_velocity_are_differences_along_the_straight_line() {
-    rates_are_differences(Jets::at_constant_velocity, |mut point| {
+    rates_are_differences(at_constant_speeds, |mut point| {
         point.accelerations = [0.0; 3];
         point
     });
@@ -40,7 +40,7 @@ fn rates_are_total_derivatives() {
     for text in FORMULAS {
         let mut arena = Arena::new();
         let root = expr(&mut arena, text);
-        let [_, first, second] = Jets::new().of(&mut arena, root);
+        let [_, first, second] = along_the_motion().of(&mut arena, root);
         let slope = total_derivative(&mut arena, root);
         let bend = total_derivative(&mut arena, slope);
         for _ in 0..5 {
@@ -49,6 +49,67 @@ fn rates_are_total_derivatives() {
             assert_close(value(first), value(slope), 1e-12, text);
             assert_close(value(second), value(bend), 1e-10, text);
         }
+    }
+}
+
+/// Each coordinate changes with the speed of its own number.
+fn own_speeds() -> Vec<Rate> {
+    (0..8).map(Rate::Speed).collect()
+}
+
+fn along_the_motion() -> Jets {
+    Jets::along(Seed::motion(own_speeds()))
+}
+
+fn at_constant_speeds() -> Jets {
+    Jets::along(Seed::constant_speeds(own_speeds()))
+}
+
+#[test]
+fn by_a_parameter_first_and_second_derivatives_are_partial_ones() {
+    let mut random = Random::new(11);
+    for text in FORMULAS {
+        let mut arena = Arena::new();
+        let root = expr(&mut arena, text);
+        let [_, first, second] = Jets::along(Seed::parameter(0)).of(&mut arena, root);
+        let slope = derivative(&mut arena, root, Leaf::Parameter(0));
+        let bend = derivative(&mut arena, slope, Leaf::Parameter(0));
+        for _ in 0..5 {
+            let point = Point::random(&mut random);
+            let value = |e: Expr| point.value_of(&arena, e);
+            assert_close(value(first), value(slope), 1e-12, text);
+            assert_close(value(second), value(bend), 1e-10, text);
+        }
+    }
+}
+
+#[test]
+fn coordinates_may_change_with_several_speeds() {
+    // A unit complex number in place of an angle: x + i y with ẋ = −y u, ẏ = x u stays of length 1.
+    let mut arena = Arena::new();
+    let [x, y, u, a] = [Leaf::Coordinate(0), Leaf::Coordinate(1), Leaf::Speed(0), Leaf::Acceleration(0)].map(|leaf| arena.leaf(leaf));
+    let (yu, xu) = (arena.mul(y, u), arena.mul(x, u));
+    let rates = [arena.neg(yu), xu];
+    let seconds = rates.map(|rate| {
+        let zero = arena.integer(0);
+        [(Leaf::Coordinate(0), rates[0]), (Leaf::Coordinate(1), rates[1]), (Leaf::Speed(0), a)].into_iter().fold(
+            zero,
+            |sum, (leaf, rate_of_leaf)| {
+                let partial = derivative(&mut arena, rate, leaf);
+                let term = arena.mul(partial, rate_of_leaf);
+                arena.add(sum, term)
+            },
+        )
+    });
+    let given = (0..2).map(|index| Rate::Given([rates[index], seconds[index]])).collect();
+    let (xx, yy) = (arena.mul(x, x), arena.mul(y, y));
+    let length = arena.add(xx, yy);
+    let [_, first, second] = Jets::along(Seed::motion(given)).of(&mut arena, length);
+    let mut random = Random::new(13);
+    for _ in 0..5 {
+        let point = Point::random(&mut random);
+        assert_close(point.value_of(&arena, first), 0.0, 1e-12, "d/dt (x² + y²)");
+        assert_close(point.value_of(&arena, second), 0.0, 1e-12, "d²/dt² (x² + y²)");
     }
 }
 
@@ -67,7 +128,7 @@ fn squares_and_sines_have_their_textbook_form() {
         let mut arena = Arena::new();
         let root = expr(&mut arena, before);
         let expected = [root, expr(&mut arena, first), expr(&mut arena, second)];
-        assert_eq!(Jets::new().of(&mut arena, root), expected, "{before}");
+        assert_eq!(along_the_motion().of(&mut arena, root), expected, "{before}");
     }
 }
 
@@ -76,7 +137,7 @@ fn velocities_are_constant_on_the_straight_line() {
     let mut arena = Arena::new();
     let (x, zero) = (expr(&mut arena, "x"), arena.integer(0));
     let u = expr(&mut arena, "u");
-    let mut jets = Jets::at_constant_velocity();
+    let mut jets = at_constant_speeds();
     assert_eq!(jets.of(&mut arena, x), [x, u, zero]);
     assert_eq!(jets.of(&mut arena, u), [u, zero, zero]);
 }
@@ -88,8 +149,8 @@ fn total_derivative(arena: &mut Arena, root: Expr) -> Expr {
         let partial = derivative(arena, root, leaf);
         let rate = match leaf {
             Leaf::Time => arena.integer(1),
-            Leaf::Coordinate(i) => arena.leaf(Leaf::Velocity(i)),
-            Leaf::Velocity(i) => arena.leaf(Leaf::Acceleration(i)),
+            Leaf::Coordinate(i) => arena.leaf(Leaf::Speed(i)),
+            Leaf::Speed(i) => arena.leaf(Leaf::Acceleration(i)),
             Leaf::Parameter(_) | Leaf::Datum(_) | Leaf::Acceleration(_) => arena.integer(0),
         };
         let term = arena.mul(partial, rate);

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 /// An entry that is not always zero.
 #[derive(Clone, Debug)]
-pub(super) struct Entry {
+pub(super) struct PivotCandidate {
     /// Row and column.
     pub(super) place: (usize, usize),
     /// Its number in each pose, times what counts as 1 in the unknown; not a number where it is not known.
@@ -29,8 +29,8 @@ pub(super) struct Pivot {
 const GROWTHS: [f64; 3] = [8.0, 64.0, 1024.0];
 
 /// A pivot for each row and column.
-pub(super) fn in_order(size: usize, entries: &[Entry]) -> Vec<Pivot> {
-    let mut work = Work::new(size, entries);
+pub(super) fn in_order(size: usize, entries: &[PivotCandidate]) -> Vec<Pivot> {
+    let mut work = RemainingMatrix::new(size, entries);
     (0..size).map(|_| work.step()).collect()
 }
 
@@ -49,20 +49,20 @@ impl Candidate {
     }
 }
 
-struct Work {
+struct RemainingMatrix {
     /// What is left to eliminate.
     rows: BTreeSet<usize>,
     columns: BTreeSet<usize>,
     /// By row and column; none where there is a zero.
-    entries: Vec<Vec<Option<Entry>>>,
+    entries: Vec<Vec<Option<PivotCandidate>>>,
     /// The sums of magnitudes of each row of the matrix as it was, by pose.
     sizes: Vec<Vec<f64>>,
 }
 
-impl Work {
-    fn new(size: usize, entries: &[Entry]) -> Work {
+impl RemainingMatrix {
+    fn new(size: usize, entries: &[PivotCandidate]) -> RemainingMatrix {
         let poses = entries.iter().map(|entry| entry.values.len()).max().unwrap_or(0);
-        let mut work = Work {
+        let mut work = RemainingMatrix {
             rows: (0..size).collect(),
             columns: (0..size).collect(),
             entries: vec![vec![None; size]; size],
@@ -130,7 +130,7 @@ impl Work {
 
     fn eliminate(&mut self, (row, column): (usize, usize)) {
         let Some(pivot) = self.entries[row][column].clone() else { return };
-        let above: Vec<Entry> = self.columns.iter().filter_map(|column| self.entries[row][*column].clone()).collect();
+        let above: Vec<PivotCandidate> = self.columns.iter().filter_map(|column| self.entries[row][*column].clone()).collect();
         for &other in &self.rows {
             let Some(below) = self.entries[other][column].clone() else { continue };
             for source in &above {
@@ -138,8 +138,11 @@ impl Work {
                 let old = entry.take().map(|entry| entry.values);
                 let change = |pose: usize| below.values[pose] / pivot.values[pose] * source.values[pose];
                 let value = |pose: usize| old.as_ref().map_or(0.0, |values| values[pose]) - change(pose);
-                *entry =
-                    Some(Entry { place: (other, source.place.1), values: (0..source.values.len()).map(value).collect(), is_unit: false });
+                *entry = Some(PivotCandidate {
+                    place: (other, source.place.1),
+                    values: (0..source.values.len()).map(value).collect(),
+                    is_unit: false,
+                });
             }
         }
     }

@@ -1,17 +1,18 @@
-use super::order::{Entry, Pivot, in_order};
+use super::order::{Pivot, PivotCandidate, in_order};
 use super::{Elimination, filled};
 use std::collections::BTreeSet;
 
 /// Entries with their numbers in one pose.
-fn entries(rows: &[&[f64]]) -> Vec<Entry> {
+fn entries(rows: &[&[f64]]) -> Vec<PivotCandidate> {
     in_poses(&[rows])
 }
 
 /// Entries with their numbers in several poses; zero in all of them is no entry.
-fn in_poses(poses: &[&[&[f64]]]) -> Vec<Entry> {
+fn in_poses(poses: &[&[&[f64]]]) -> Vec<PivotCandidate> {
     let size = poses[0].len();
     let places = (0..size).flat_map(|i| (0..size).map(move |j| (i, j)));
-    let entry = |(i, j): (usize, usize)| Entry { place: (i, j), values: poses.iter().map(|pose| pose[i][j]).collect(), is_unit: false };
+    let entry =
+        |(i, j): (usize, usize)| PivotCandidate { place: (i, j), values: poses.iter().map(|pose| pose[i][j]).collect(), is_unit: false };
     places.map(entry).filter(|entry| entry.values.iter().any(|value| *value != 0.0)).collect()
 }
 
@@ -26,19 +27,19 @@ impl Numbers {
 }
 
 /// A random matrix with a full diagonal and one in `rarity` of the other entries.
-fn random(size: usize, rarity: u64, numbers: &mut Numbers) -> Vec<Entry> {
+fn random(size: usize, rarity: u64, numbers: &mut Numbers) -> Vec<PivotCandidate> {
     let mut found = Vec::new();
     for place in (0..size).flat_map(|i| (0..size).map(move |j| (i, j))) {
         let value = numbers.next();
         if place.0 == place.1 || (numbers.0 >> 33).is_multiple_of(rarity) {
-            found.push(Entry { place, values: vec![value], is_unit: false });
+            found.push(PivotCandidate { place, values: vec![value], is_unit: false });
         }
     }
     found
 }
 
 /// The number of entries of L and U in the order of the matrix itself.
-fn as_it_stands(size: usize, entries: &[Entry]) -> usize {
+fn as_it_stands(size: usize, entries: &[PivotCandidate]) -> usize {
     let pattern: Vec<(usize, usize)> = entries.iter().map(|entry| entry.place).collect();
     let order: Vec<usize> = (0..size).collect();
     filled(&pattern, &order, &order).len()

@@ -1,0 +1,360 @@
+//! What is wrong with the assembly at the declared defaults, at t = 0.
+//!
+//! In: the assembly that was found, or how far one was found. Out: at most one fact, about the first block that
+//!
+//! 1. does not close: the last declared joint of the block that can be opened so that all others close, with its least gap;
+//! 2. closes, but is singular there and not everywhere;
+//! 3. closes in two ways that are equally near to the declared start.
+//!
+//! A block is judged only where every number upstream of it is known in the compiler: no row that uses a Rust function is.
+//! Not done here: rows that depend on each other everywhere.
+
+use super::links::{self, BodyPoint, Link};
+use super::loops::{Loop, Loops};
+use super::nearest::Reach;
+use super::order::{Assembled, Upstream};
+use super::shortest;
+use crate::diag::{Bound, Fact, Range};
+use crate::expr::{Expr, Values, evaluate};
+use crate::numeric::Numeric;
+use crate::numeric::gap::Opened;
+use crate::numeric::samples::LOOKS;
+use crate::quantity::{Axis, Role};
+use crate::structure::Structure;
+use std::collections::BTreeSet;
+
+/// Two links are in line when the sine of the angle between them is below this.
+const IN_LINE: f64 = 1e-5;
+
+/// A start that is nearer than this to the assembly tells it apart from any that is regular, in rad and sizes.
+const TOLD: f64 = 1e-3;
+
+/// How often an assembly that is equally near at its block is followed through the blocks after it.
+const MOST_FOLLOWED: usize = 8;
+
+/// The first thing that is wrong, and under which tokens.
+pub(super) fn judge(numeric: &Numeric, structure: &Structure, assembled: &mut Assembled) -> Option<(Range, Fact)> {
+    let upstream = Upstream::new(numeric, structure);
+    let is_sure = upstream.surety(numeric, structure);
+    let loops = Loops { numeric, structure, upstream: &upstream };
+    let judge = Judge { numeric, structure, upstream: &upstream, loops };
+    while let Some(open) = assembled.open {
+        match judge.open(open, &mut assembled.start) {
+            Some(refusal) => return Some(refusal),
+            // It closes after all: so may what comes after it.
+            None => *assembled = numeric.forward(structure, std::mem::take(&mut assembled.start), open + 1, &is_sure),
+        }
+    }
+    if assembled.is_closed && !assembled.is_settled {
+        // Next to where a block is singular, rounding errors of those before it are what decides.
+        numeric.settle(structure, &mut assembled.start);
+    }
+    judge.prefer_regular(&is_sure, assembled);
+    if let Some(refusal) = judge.without_rate(&is_sure, &assembled.start) {
+        return Some(refusal);
+    }
+    if assembled.is_nearest {
+        return judge.iterated(&is_sure).find_map(|block| judge.singular(block, &assembled.start)).or_else(|| judge.rival(assembled));
+    }
+    let mut followed = 0;
+    judge
+        .iterated(&is_sure)
+        .find_map(|block| judge.singular(block, &assembled.start).or_else(|| judge.ambiguous(block, assembled, &mut followed)))
+}
+
+/// The two bodies of a block whose joints lie on one straight line, at a configuration.
+pub(crate) fn bodies_in_line(numeric: &Numeric, structure: &Structure, block: usize, q: &[f64]) -> Option<BTreeSet<usize>> {
+    let upstream = Upstream::new(numeric, structure);
+    let judge = Judge { numeric, structure, upstream: &upstream, loops: Loops { numeric, structure, upstream: &upstream } };
+    judge.in_line(block, &judge.loops.bodies(&structure.blocks[block]), q)
+}
+
+struct Judge<'a> {
+    numeric: &'a Numeric<'a>,
+    structure: &'a Structure,
+    upstream: &'a Upstream,
+    loops: Loops<'a>,
+}
+
+impl Judge<'_> {
+    /// The blocks that can be judged beyond whether they close.
+    fn iterated(&self, is_sure: &[bool]) -> impl Iterator<Item = usize> {
+        (0..is_sure.len()).filter(|block| is_sure[*block] && !self.structure.blocks[*block].iterated.is_empty())
+    }
+
+    /// Where nothing declared tells, an assembly that is regular is meant rather than one that is singular.
+    fn prefer_regular(&self, is_sure: &[bool], assembled: &mut Assembled) {
+        let is_regular =
+            |start: &[f64]| !self.iterated(is_sure).any(|block| self.numeric.is_singular_here(&self.structure.blocks[block], start));
+        if is_regular(&assembled.start) {
+            return;
+        }
+        if assembled.is_nearest
+            && let Some(all) = self.numeric.nearest_of_all(self.structure, Reach::All)
+        {
+            *assembled = all;
+        }
+        let is_meant = |other: &&Vec<f64>| self.numeric.is_as_declared(&assembled.start, other) && is_regular(other);
+        let meant: Vec<Vec<f64>> = assembled.others.iter().filter(is_meant).cloned().collect();
+        if let [regular, others @ ..] = meant.as_slice() {
+            assembled.start.clone_from(regular);
+            assembled.others = others.to_vec();
+        }
+    }
+
+    /// Another assembly of all there are that is as near.
+    fn rival(&self, assembled: &Assembled) -> Option<(Range, Fact)> {
+        let (numeric, start) = (self.numeric, &assembled.start);
+        let is_rival = |other: &&Vec<f64>| !numeric.differing(start, other).is_empty() && numeric.are_equally_near(start, other);
+        let other = assembled.others.iter().find(is_rival)?;
+        Some(self.two_ways(&numeric.differing(start, other), start, other))
+    }
+
+    /// A block that does not close; nothing is refused if it closes after all, and the start is where.
+    fn open(&self, index: usize, start: &mut [f64]) -> Option<(Range, Fact)> {
+        let numeric = self.numeric;
+        self.loops.complete(index, start);
+        let Loop { unknowns, equations, .. } = self.loops.around(index);
+        let joints: BTreeSet<usize> = equations.iter().map(|equation| numeric.system.equations[*equation].joint).collect();
+        if let Some(refusal) = self.without_value(&equations, self.drives(index), start) {
+            return Some(refusal);
+        }
+        // The last joint closes the loop, and a drive is asked for what it demands only if no joint can give way.
+        let (drives, others): (Vec<usize>, Vec<usize>) = joints.iter().rev().partition(|joint| numeric.model.joints[**joint].is_drive);
+        for joint in others.into_iter().chain(drives) {
+            match numeric.least_gap(&unknowns, &equations, start, joint) {
+                Opened::Others => {}
+                Opened::Closed(values) => {
+                    unknowns.iter().zip(values).for_each(|(unknown, value)| start[*unknown] = value);
+                    return None;
+                }
+                Opened::Open { gap, .. } => {
+                    let fact = Fact::StaysOpen {
+                        joint: self.joint(joint),
+                        gap: Box::new(gap),
+                        others: joints
+                            .iter()
+                            .filter(|other| **other != joint && !numeric.model.joints[**other].is_drive)
+                            .map(|other| self.joint(*other))
+                            .collect(),
+                        drives: self.drives(index),
+                        bound: self.bound(index, start).map(Box::new),
+                    };
+                    return Some(((&numeric.model.joints[joint].name).into(), fact));
+                }
+            }
+        }
+        let last = *joints.last()?;
+        let fact = Fact::NeverCloses {
+            joints: joints.iter().map(|joint| self.joint(*joint)).collect(),
+            drives: self.drives(index),
+            bound: self.bound(index, start).map(Box::new),
+        };
+        Some(((&numeric.model.joints[last].name).into(), fact))
+    }
+
+    /// A row that is no number where the search came to.
+    fn without_value(&self, equations: &[usize], drives: Vec<String>, start: &[f64]) -> Option<(Range, Fact)> {
+        let all = &self.numeric.system.equations;
+        let has_value_at = |equation: usize, coordinates: &[f64]| {
+            let roots: Vec<Expr> = all[equation].phi().into_iter().collect();
+            let values = Values { coordinates, ..self.numeric.known };
+            evaluate(&self.numeric.system.arena, &roots, &values).iter().all(|value| value.is_finite())
+        };
+        let number = *equations.iter().find(|equation| !has_value_at(**equation, start))?;
+        let equation = &all[number];
+        let joint = &self.numeric.model.joints[equation.joint];
+        // A law of time without a value has none wherever the bodies are.
+        let has_none_anywhere = joint.is_drive && (0..LOOKS).all(|look| !has_value_at(number, &self.numeric.anywhere(look)));
+        let (row, of) = (equation.row + 1, joint.residuals.len());
+        let fact = Fact::HasNoValue { joint: joint.name.to_string(), row, of, drives, has_none_anywhere };
+        Some(((&joint.name).into(), fact))
+    }
+
+    /// A row that has a value at the start, but no rate or no acceleration there: a root that begins in zero.
+    fn without_rate(&self, is_sure: &[bool], start: &[f64]) -> Option<(Range, Fact)> {
+        let all = &self.numeric.system.equations;
+        let rest = vec![0.0; start.len()];
+        let values = Values { coordinates: start, velocities: &rest, accelerations: &rest, ..self.numeric.known };
+        let sure = self.structure.blocks.iter().zip(is_sure).filter(|(_, is_sure)| **is_sure);
+        let equations: Vec<usize> = sure.flat_map(|(block, _)| block.parts().1).collect();
+        let roots: Vec<Expr> = equations.iter().flat_map(|equation| [all[*equation].nu, all[*equation].gamma]).collect();
+        let found = evaluate(&self.numeric.system.arena, &roots, &values);
+        let place = found.iter().position(|value| !value.is_finite())?;
+        let equation = &all[equations[place / 2]];
+        let joint = &self.numeric.model.joints[equation.joint];
+        let fact = Fact::HasNoRate { joint: joint.name.to_string(), row: equation.row + 1, of: joint.residuals.len() };
+        Some(((&joint.name).into(), fact))
+    }
+
+    /// A link that is too long for the others, for any drive or for this start of it.
+    fn bound(&self, index: usize, start: &[f64]) -> Option<Bound> {
+        let numeric = self.numeric;
+        let blocks = self.upstream.all(index).into_iter().chain([index]);
+        let equations: Vec<usize> = blocks.flat_map(|block| self.structure.blocks[block].parts().1).collect();
+        let always: Vec<usize> = equations.into_iter().filter(|equation| !self.is_of_drive(*equation)).collect();
+        let links = links::read(numeric, &always, start);
+        shortest::longest(numeric, &links, &|_| true, true).or_else(|| {
+            let Loop { equations, moving, .. } = self.loops.around(index);
+            let links = links::read(numeric, &equations, start);
+            shortest::longest(numeric, &links, &|body| moving.contains(&body), false)
+        })
+    }
+
+    /// A block that is at a dead point or a change point.
+    fn singular(&self, index: usize, start: &[f64]) -> Option<(Range, Fact)> {
+        let (numeric, block) = (self.numeric, &self.structure.blocks[index]);
+        if !numeric.is_singular_here(block, start) {
+            return None;
+        }
+        let bodies = self.loops.bodies(block);
+        let iterated: BTreeSet<usize> = block.iterated.iter().map(|unknown| numeric.system.coordinates[*unknown].body).collect();
+        let in_line = self.in_line(index, &bodies, start);
+        let named = in_line.as_ref().unwrap_or(&iterated);
+        let names = named.iter().map(|body| numeric.model.bodies[*body].name.to_string()).collect();
+        let fact = Fact::SingularStart {
+            bodies: names,
+            in_line: in_line.is_some(),
+            drives: self.drives(index),
+            has_others: self.has_regular_others(index, start),
+        };
+        // The drive that brings it there is to blame.
+        let drive = self.upstream_drives(index).into_iter().next().map(|joint| Range::from(&numeric.model.joints[joint].name));
+        let body = iterated.last().map(|body| Range::from(&numeric.model.bodies[*body].name));
+        Some((drive.or(body)?, fact))
+    }
+
+    /// Whether a block has other assemblies, that are not singular.
+    fn has_regular_others(&self, index: usize, start: &[f64]) -> bool {
+        let block = &self.structure.blocks[index];
+        self.numeric.other_assemblies(self.structure, index, start).into_iter().any(|values| {
+            let mut other = start.to_vec();
+            block.parts().0.iter().zip(values).for_each(|(unknown, value)| other[*unknown] = value);
+            !self.numeric.is_singular_here(block, &other)
+        })
+    }
+
+    /// The two bodies of a loop whose joints lie on one straight line.
+    fn in_line(&self, index: usize, bodies: &BTreeSet<usize>, start: &[f64]) -> Option<BTreeSet<usize>> {
+        let links = links::read(self.numeric, &self.loops.around(index).equations, start);
+        let mut places: Vec<BodyPoint> = Vec::new();
+        for link in &links {
+            match link {
+                Link::Pin(one, other) | Link::Rod(one, other, _) => places.extend([*one, *other]),
+                Link::Line(place, ..) => places.push(*place),
+            }
+        }
+        let direction = |body: &usize| {
+            let of_body: Vec<&BodyPoint> = places.iter().filter(|place| place.body == Some(*body)).collect();
+            let [one, other] = of_body.as_slice() else { return None };
+            let along = [other.at[0] - one.at[0], other.at[1] - one.at[1]];
+            let length = along[0].hypot(along[1]);
+            (length > 0.0).then(|| [along[0] / length, along[1] / length])
+        };
+        let directions: Option<Vec<[f64; 2]>> = bodies.iter().map(direction).collect();
+        let directions = directions.filter(|directions| directions.len() == 2)?;
+        let sine = directions[0][0] * directions[1][1] - directions[0][1] * directions[1][0];
+        (sine.abs() < IN_LINE).then(|| bodies.clone())
+    }
+
+    /// A block that closes in two ways that are equally near.
+    fn ambiguous(&self, index: usize, assembled: &Assembled, followed: &mut usize) -> Option<(Range, Fact)> {
+        let (numeric, block, start) = (self.numeric, &self.structure.blocks[index], &assembled.start);
+        let (unknowns, _) = block.parts();
+        if unknowns.iter().all(|unknown| numeric.declared[*unknown].is_none_or(|declared| self.is_told(*unknown, declared, start)))
+            && block.iterated.iter().all(|unknown| numeric.declared[*unknown].is_some())
+        {
+            return None;
+        }
+        let values: Vec<f64> = unknowns.iter().map(|unknown| start[*unknown]).collect();
+        let mut problem = numeric.block_problem(block, start);
+        let image = numeric.mirrored(&mut problem, &values);
+        let found = match assembled.found.get(index) {
+            Some(found) if !found.is_empty() => found.clone(),
+            _ => numeric.search(&mut problem, super::search::GUESSES).assemblies,
+        };
+        for values in image.into_iter().chain(found) {
+            let mut other = start.clone();
+            unknowns.iter().zip(values).for_each(|(unknown, value)| other[*unknown] = value);
+            let differing = numeric.differing(start, &other);
+            if differing.is_empty() || !numeric.are_equally_near(start, &other) || *followed >= MOST_FOLLOWED {
+                continue;
+            }
+            *followed += 1;
+            if self.follow(index, &mut other) && numeric.are_equally_near(start, &other) && numeric.is_as_checked(self.structure, &other) {
+                return Some(self.two_ways(&differing, start, &other));
+            }
+        }
+        None
+    }
+
+    fn is_told(&self, unknown: usize, declared: f64, start: &[f64]) -> bool {
+        (start[unknown] - declared).abs() < TOLD * self.numeric.scale(unknown)
+    }
+
+    /// Takes all that depends on a block to the nearest assembly that goes with it; whether there is one.
+    fn follow(&self, index: usize, start: &mut [f64]) -> bool {
+        for (later, block) in self.structure.blocks.iter().enumerate().skip(index + 1) {
+            if !self.upstream.all(later).contains(&index) {
+                continue;
+            }
+            let (values, closes) = self.numeric.nearest(block, start);
+            if !closes {
+                return false;
+            }
+            block.parts().0.iter().zip(values).for_each(|(unknown, value)| start[*unknown] = value);
+        }
+        true
+    }
+
+    /// Names a coordinate that tells the two apart: an angle if there is one, of the body declared last.
+    fn two_ways(&self, differing: &[usize], one: &[f64], other: &[f64]) -> (Range, Fact) {
+        let numeric = self.numeric;
+        let half_a_turn = |angle: f64| angle - (angle / core::f64::consts::TAU).round() * core::f64::consts::TAU;
+        let apart = |unknown: usize| {
+            let by = one[unknown] - other[unknown];
+            if numeric.is_angle(unknown) { half_a_turn(by).abs() } else { by.abs() / numeric.scale(unknown) }
+        };
+        let angles: Vec<usize> = differing.iter().copied().filter(|unknown| numeric.is_angle(*unknown)).collect();
+        let candidates = if angles.is_empty() { differing.to_vec() } else { angles };
+        let most = candidates.iter().map(|unknown| apart(*unknown)).fold(0.0, f64::max);
+        // Of those that differ well the last one: the body that closes the loop.
+        let unknown = candidates.iter().copied().rfind(|unknown| apart(*unknown) >= most / 2.0).unwrap_or(differing[0]);
+        let shown = |q: &[f64]| if numeric.is_angle(unknown) { half_a_turn(q[unknown]) } else { q[unknown] };
+        let body = numeric.system.coordinates[unknown].body;
+        let name = &numeric.model.bodies[body].name;
+        let along = |axis: Axis, q: &[f64]| {
+            let found = numeric.system.coordinates.iter().position(|unknown| unknown.body == body && unknown.role == Role::Position(axis));
+            found.map_or(0.0, |unknown| q[unknown])
+        };
+        // The positive one is offered.
+        let (one, other) = if shown(one) < shown(other) { (other, one) } else { (one, other) };
+        let fact = Fact::AmbiguousStart {
+            body: name.to_string(),
+            coordinate: numeric.system.coordinates[unknown].role,
+            values: [shown(one), shown(other)],
+            place: [along(Axis::X, one), along(Axis::Y, one)],
+            is_declared: differing.iter().any(|unknown| numeric.declared[*unknown].is_some()),
+        };
+        (name.into(), fact)
+    }
+
+    fn joint(&self, joint: usize) -> String {
+        self.numeric.model.joints[joint].name.to_string()
+    }
+
+    fn is_of_drive(&self, equation: usize) -> bool {
+        self.numeric.model.joints[self.numeric.system.equations[equation].joint].is_drive
+    }
+
+    /// The drives on which a block depends, its own among them.
+    fn upstream_drives(&self, index: usize) -> BTreeSet<usize> {
+        let blocks = self.upstream.all(index).into_iter().chain([index]);
+        let equations = blocks.flat_map(|block| self.structure.blocks[block].parts().1);
+        equations.filter(|equation| self.is_of_drive(*equation)).map(|equation| self.numeric.system.equations[equation].joint).collect()
+    }
+
+    fn drives(&self, index: usize) -> Vec<String> {
+        self.upstream_drives(index).into_iter().map(|joint| self.joint(joint)).collect()
+    }
+}

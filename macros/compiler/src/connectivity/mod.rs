@@ -1,0 +1,131 @@
+//! Whether every body hangs on ground, by way of others or by itself.
+//!
+//! A body whose coordinates occur in no equation is joined to nothing. A group of joined bodies floats if it can be shifted as a whole:
+//! no equation of it changes when the same is added to x, or to y, of all its bodies. An equation on a single body never allows that
+//! unless it holds an angle only. Of a body that is alone, `mobility` says which of its coordinates nothing determines.
+
+use crate::diag::{Diag, Fact};
+use crate::expr::{Arena, Expr, Leaf, Values, evaluate};
+use crate::model::{Model, Said, example};
+use crate::quantity::Role;
+use crate::system::{Equation, System};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Refuses bodies and groups of bodies that do not hang on ground.
+pub(crate) fn check(model: &Model, system: &System, diag: &mut Diag) -> Option<()> {
+    if !model.equations_only {
+        every_body_is_held(model, system, diag);
+        every_group_is_on_ground(model, system, diag);
+    }
+    diag.is_clean().then_some(())
+}
+
+/// A body whose coordinates occur in no equation is connected to nothing.
+fn every_body_is_held(model: &Model, system: &System, diag: &mut Diag) {
+    let held: BTreeSet<usize> = system.pattern.rows.iter().flatten().map(|entry| system.coordinates[entry.unknown].body).collect();
+    let mut said = Said::default();
+    let on_ground = bodies_on_ground(model, system);
+    for (index, body) in model.bodies.iter().enumerate() {
+        if !held.contains(&index) && said.is_new(&body.name) {
+            let example = example::revolute(&example::place_of_one(model, on_ground.iter().copied()), &example::place_of(model, index));
+            diag.refuse::<()>(&body.name, Fact::BodyIsFree { body: body.name.to_string(), example });
+        }
+    }
+}
+
+/// Every group of joined bodies is joined to ground as well.
+fn every_group_is_on_ground(model: &Model, system: &System, diag: &mut Diag) {
+    let Groups { groups, of_group, is_held } = Groups::new(model, system);
+    let mut said = Said::default();
+    let mut scratch: Option<Arena> = None;
+    for (group, rows) in of_group.iter().filter(|(group, _)| !is_held.contains(group)) {
+        let arena = scratch.get_or_insert_with(|| system.arena.clone());
+        let bodies: Vec<usize> = (0..groups.len()).filter(|body| groups[*body] == *group).collect();
+        let floats = rows.iter().all(|row| can_be_shifted(system, arena, &system.equations[*row]));
+        if floats && said.is_new(&model.bodies[bodies[0]].name) {
+            let names = bodies.iter().map(|body| model.bodies[*body].name.to_string()).collect();
+            diag.refuse::<()>(&model.bodies[bodies[0]].name, Fact::NotOnGround { bodies: names });
+        }
+    }
+}
+
+/// The bodies that are joined to ground, some by way of others.
+fn bodies_on_ground(model: &Model, system: &System) -> BTreeSet<usize> {
+    let Groups { groups, is_held, .. } = Groups::new(model, system);
+    (0..groups.len()).filter(|body| is_held.contains(&groups[*body])).collect()
+}
+
+/// Bodies that are joined to one another.
+struct Groups {
+    /// The group of each body.
+    groups: Vec<usize>,
+    /// The equations of each group that has any.
+    of_group: BTreeMap<usize, Vec<usize>>,
+    /// The groups with an equation on a single body that holds more than its angle, or is alone.
+    is_held: BTreeSet<usize>,
+}
+
+impl Groups {
+    fn new(model: &Model, system: &System) -> Groups {
+        let bodies_of: Vec<BTreeSet<usize>> =
+            system.pattern.rows.iter().map(|row| row.iter().map(|entry| system.coordinates[entry.unknown].body).collect()).collect();
+        let groups = groups(model.bodies.len(), &bodies_of);
+        let mut of_group: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        let mut is_held: BTreeSet<usize> = BTreeSet::new();
+        let is_alone = |group: usize| groups.iter().filter(|other| **other == group).count() == 1;
+        let is_of_angles = |row: usize| system.pattern.rows[row].iter().all(|entry| system.coordinates[entry.unknown].role == Role::Angle);
+        for (row, bodies) in bodies_of.iter().enumerate() {
+            let Some(first) = bodies.first() else { continue };
+            of_group.entry(groups[*first]).or_default().push(row);
+            if bodies.len() == 1 && (!is_of_angles(row) || is_alone(groups[*first])) {
+                is_held.insert(groups[*first]);
+            }
+        }
+        Groups { groups, of_group, is_held }
+    }
+}
+
+/// The group of each body: the number of the first body in it.
+fn groups(bodies: usize, rows: &[BTreeSet<usize>]) -> Vec<usize> {
+    let mut parent: Vec<usize> = (0..bodies).collect();
+    fn root(parent: &mut [usize], mut body: usize) -> usize {
+        while parent[body] != body {
+            parent[body] = parent[parent[body]];
+            body = parent[body];
+        }
+        body
+    }
+    for row in rows {
+        let mut members = row.iter();
+        let Some(first) = members.next() else { continue };
+        for other in members {
+            let (one, two) = (root(&mut parent, *first), root(&mut parent, *other));
+            parent[one.max(two)] = one.min(two);
+        }
+    }
+    (0..bodies).map(|body| root(&mut parent, body)).collect()
+}
+
+/// Σ ∂Φ/∂x = 0 over all bodies, and the same for y.
+fn can_be_shifted(system: &System, arena: &mut Arena, equation: &Equation) -> bool {
+    Role::PLANE.into_iter().filter(|role| role.is_position()).all(|role| {
+        let entries: Vec<Expr> =
+            equation.jacobian.iter().filter(|(unknown, _)| system.coordinates[*unknown].role == role).map(|(_, entry)| *entry).collect();
+        let zero = arena.integer(0);
+        let sum = entries.into_iter().fold(zero, |sum, entry| arena.add(sum, entry));
+        sum == zero || vanishes(arena, sum)
+    })
+}
+
+/// A sum that is zero but is not simplified to it: at places chosen without reason it is zero to rounding.
+fn vanishes(arena: &Arena, sum: Expr) -> bool {
+    let numbers = |seed: f64, count: usize| (1..=count).map(|index| 0.5 + (seed * index as f64).fract()).collect::<Vec<f64>>();
+    [0.618_033_988_75, 0.754_877_666_25].into_iter().all(|seed| {
+        let count = |of: fn(Leaf) -> Option<u32>| arena.leaves(sum).into_iter().filter_map(of).max().map_or(0, |most| most as usize + 1);
+        let coordinates = numbers(seed, count(|leaf| if let Leaf::Coordinate(index) = leaf { Some(index) } else { None }));
+        let parameters = numbers(seed * seed, count(|leaf| if let Leaf::Parameter(index) = leaf { Some(index) } else { None }));
+        let (coordinates, parameters, functions) = (&coordinates, &parameters, &|_: u32, _: f64| [f64::NAN; 3]);
+        let at = Values { time: seed, parameters, coordinates, velocities: &[], accelerations: &[], functions };
+        evaluate(arena, &[sum], &at)[0].abs() < 1e-12
+    })
+}

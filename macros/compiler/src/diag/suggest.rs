@@ -1,0 +1,97 @@
+//! Did you mean …?
+
+use crate::quantity::{unit, units};
+
+/// A name with more letters was not typed by a person.
+const LONGEST: usize = 60;
+
+/// What others call a thing, and what it is called here.
+const SYNONYMS: [(&str, &[&str]); 27] = [
+    ("body", &["link", "bar", "rigid", "member"]),
+    ("ground", &["frame", "base", "world", "fixed"]),
+    ("param", &["parameter", "var", "variable", "input"]),
+    ("let", &["const", "static", "def"]),
+    ("function", &["fn", "func", "law"]),
+    ("joint", &["constraint", "connect", "pair"]),
+    ("drive", &["driver", "motor", "actuator", "motion"]),
+    ("output", &["measure", "sensor", "result"]),
+    ("start", &["initial", "guess", "init"]),
+    ("revolute", &["pin", "hinge", "pivot", "rotary", "rotational"]),
+    ("translational", &["prismatic", "slider", "slide", "linear", "sliding"]),
+    ("weld", &["rigid", "fixed", "fix", "clamp"]),
+    ("drive_relative_angle", &["motor", "actuator", "servo"]),
+    ("gear_pair", &["gear", "gears", "spur"]),
+    ("rack_pinion", &["rack", "pinion"]),
+    ("m", &["meter", "meters", "metre", "metres"]),
+    ("mm", &["millimeter", "millimeters", "millimetre", "millimetres"]),
+    ("cm", &["centimeter", "centimeters", "centimetre", "centimetres"]),
+    ("in", &["inch", "inches"]),
+    ("ft", &["foot", "feet"]),
+    ("rad", &["radian", "radians"]),
+    ("deg", &["degree", "degrees"]),
+    ("turn", &["rev", "revs", "revolution", "revolutions", "turns"]),
+    ("s", &["sec", "secs", "second", "seconds"]),
+    ("ms", &["msec", "millisecond", "milliseconds"]),
+    ("min", &["minute", "minutes"]),
+    ("h", &["hour", "hours", "hr"]),
+];
+
+/// The known name nearest to a mistyped one, if it is near enough to be meant.
+pub(crate) fn nearest<'a>(typed: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
+    let letters = |text: &str| text.chars().flat_map(char::to_lowercase).take(LONGEST + 1).collect::<Vec<char>>();
+    let typed = letters(typed);
+    if typed.len() > LONGEST {
+        return None;
+    }
+    // Any two single letters are one replacement apart; that is no reason to mix them up.
+    let limit = if typed.len() < 2 { 0 } else { (typed.len() / 3).max(1) };
+    let is_synonym = |name: &str| {
+        let mut others = SYNONYMS.iter().filter(|(known, _)| *known == name).flat_map(|(_, others)| others.iter());
+        // One slip in a long word.
+        others.any(|other| distance(&typed, &other.chars().collect::<Vec<char>>()) <= typed.len() / 6)
+    };
+    let scored = known.filter_map(|name| {
+        if is_synonym(name) {
+            return Some(((0, 0), name));
+        }
+        let letters = letters(name);
+        let excess = letters.len().abs_diff(typed.len());
+        let distance = if excess <= limit { distance(&typed, &letters) } else { excess };
+        (distance <= limit).then_some(((distance, excess), name))
+    });
+    // The order of declaration decides between equals, so that messages are the same on every run.
+    scored.min_by_key(|(score, _)| *score).map(|(_, name)| name.to_owned())
+}
+
+/// The unit that was meant by a mistyped one: a letter typed twice is the most likely slip.
+pub(crate) fn nearest_unit(typed: &str) -> Option<String> {
+    let letters: Vec<char> = typed.chars().collect();
+    let is_repeated = |at: &usize| *at > 0 && letters[*at] == letters[at - 1];
+    let without = |at: usize| letters[..at].iter().chain(&letters[at + 1..]).collect::<String>();
+    let shorter = (0..letters.len()).filter(is_repeated).map(without).find(|shorter| unit(shorter).is_some());
+    shorter.or_else(|| nearest(typed, units()))
+}
+
+/// Optimal string alignment distance: insertions, deletions, replacements, swaps of neighbours;
+/// a change of case alone counts as nothing.
+///
+/// Reference: Damerau (1964), A technique for computer detection and correction of spelling errors.
+fn distance(one: &[char], two: &[char]) -> usize {
+    let mut rows: [Vec<usize>; 3] = [Vec::new(), Vec::new(), (0..=two.len()).collect()];
+    for i in 1..=one.len() {
+        rows.rotate_left(1);
+        let [before, above, row] = &mut rows;
+        row.clear();
+        row.push(i);
+        for j in 1..=two.len() {
+            let replaced = above[j - 1] + usize::from(one[i - 1] != two[j - 1]);
+            let mut best = replaced.min(above[j] + 1).min(row[j - 1] + 1);
+            let swapped = i > 1 && j > 1 && one[i - 1] == two[j - 2] && one[i - 2] == two[j - 1];
+            if swapped {
+                best = best.min(before[j - 2] + 1);
+            }
+            row.push(best);
+        }
+    }
+    rows[2][two.len()]
+}

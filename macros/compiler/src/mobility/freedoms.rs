@@ -1,0 +1,158 @@
+//! Freedoms that are left: coordinates that nothing determines, and drives that are missing.
+
+use crate::diag::{Count, Diag, Fact, Forgotten};
+use crate::model::{Model, example};
+use crate::quantity::{Axis, Role};
+use crate::structure::{DmPart, Entry, Matching, Pattern, maximum};
+use crate::system::System;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Of many drives that are missing this many are chosen.
+const MOST_CHOSEN: usize = 4;
+
+/// So many bodies are tried for the joint that may have been forgotten.
+const MOST_TRIED: usize = 100;
+
+/// There are equations enough. `under`: given, the unknowns that share too few, and their equations.
+pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern, matching: &Matching, under: &DmPart, diag: &mut Diag) {
+    let drives = drives(model);
+    let solved = pattern.rows.iter().filter(|row| !row.is_empty()).count();
+    let in_none = in_no_equation(pattern);
+    let is_place = |unknown: &usize| system.coordinates[*unknown].role.is_position();
+    let body = |unknown: &usize| system.coordinates[*unknown].body;
+    let has_no_place = |unknown: &&usize| in_none.iter().filter(|other| is_place(other) && body(other) == body(unknown)).count() > 1;
+    // One coordinate of a body may be what a drive was meant for, if there is none yet; its place as a whole hardly ever is.
+    let missing = matching.free_unknowns().len();
+    let is_all = drives > 0 && in_none.len() == missing;
+    let first = in_none.iter().find(has_no_place).or(in_none.first().filter(|_| is_all));
+    if let Some(first) = first {
+        let name = &model.bodies[body(first)].name;
+        let has_place = !has_no_place(&first);
+        let example = if has_place { drive_for(model, system, *first) } else { pin(model, body(first)) };
+        let coordinates = in_none.iter().map(|unknown| system.name(model, *unknown)).collect();
+        diag.refuse::<()>(name, Fact::FreeCoordinates { body: name.to_string(), coordinates, has_place, example });
+        return;
+    }
+    let [first, second] = candidates(model, system, pattern, under);
+    let chosen = chosen(pattern, &[first.as_slice(), &second].concat(), missing.min(MOST_CHOSEN));
+    let shown = if missing == 1 { &first } else { &chosen };
+    let forgotten = if missing > 1 { forgotten(model, system, pattern, under, &chosen) } else { Forgotten::default() };
+    let fact = Fact::DrivesMissing {
+        name: model.name.to_string(),
+        count: Box::new(Count { coordinates: system.coordinates.len(), joints: solved - drives, drives, missing }),
+        forgotten: Box::new(forgotten),
+        candidates: shown.iter().map(|unknown| system.name(model, *unknown)).collect(),
+        example: chosen.first().map_or(String::new(), |unknown| drive_for(model, system, *unknown)),
+    };
+    diag.refuse::<()>(&model.name, fact);
+}
+
+/// Unknowns that occur nowhere.
+fn in_no_equation(pattern: &Pattern) -> Vec<usize> {
+    let held: BTreeSet<usize> = pattern.rows.iter().flatten().map(|entry| entry.unknown).collect();
+    (0..pattern.unknowns).filter(|unknown| !held.contains(unknown)).collect()
+}
+
+/// What a drive could take: a row for any of these would find an unknown. The angles of bodies that are joined to ground, as
+/// cranks are, then other angles; after them places, which are the first where there are no angles.
+fn candidates(model: &Model, system: &System, pattern: &Pattern, under: &DmPart) -> [Vec<usize>; 2] {
+    let body = |entry: &Entry| system.coordinates[entry.unknown].body;
+    let is_on_ground = |row: &&Vec<Entry>| row.iter().all(|entry| body(entry) == body(&row[0]));
+    let joints = pattern.rows.iter().zip(&system.equations).filter(|(_, equation)| !model.joints[equation.joint].is_drive);
+    let on_ground: BTreeSet<usize> =
+        joints.map(|(row, _)| row).filter(|row| !row.is_empty()).filter(is_on_ground).map(|row| body(&row[0])).collect();
+    let (mut angles, mut places): (Vec<usize>, Vec<usize>) =
+        under.unknowns.iter().partition(|unknown| system.coordinates[**unknown].role == Role::Angle);
+    for candidates in [&mut angles, &mut places] {
+        candidates.sort_by_key(|unknown| !on_ground.contains(&system.coordinates[*unknown].body));
+    }
+    if angles.is_empty() { [places, angles] } else { [angles, places] }
+}
+
+/// A body whose place is not determined, and where no joint is, may have lost the one that held it. What would be driven comes before
+/// other bodies, and so do those with one neighbour only.
+fn forgotten(model: &Model, system: &System, pattern: &Pattern, under: &DmPart, chosen: &[usize]) -> Forgotten {
+    let loose = loose_ends(model, system, pattern, under);
+    let place = |body: usize| {
+        if model.sketch.joints.is_empty() || example::is_joined(model, body) {
+            return None;
+        }
+        let is_meant =
+            |unknown: usize, axis| system.coordinates[unknown].body == body && system.coordinates[unknown].role == Role::Position(axis);
+        let unknown = |axis| under.unknowns.iter().copied().find(|unknown| is_meant(*unknown, axis));
+        Some([unknown(Axis::X)?, unknown(Axis::Y)?])
+    };
+    let bodies: BTreeSet<usize> = under.unknowns.iter().map(|unknown| system.coordinates[*unknown].body).collect();
+    let mut places: Vec<(usize, [usize; 2])> = bodies.into_iter().filter_map(|body| Some((body, place(body)?))).collect();
+    places.sort_by_key(|(body, place)| (!place.iter().all(|unknown| chosen.contains(unknown)), !loose.contains(body)));
+    let can_be_held = |place: &[usize; 2]| {
+        let mut held = pattern.clone();
+        held.rows.extend(place.iter().map(|unknown| vec![Entry { unknown: *unknown, is_pivot: true }]));
+        every_row_finds_an_unknown(&held)
+    };
+    let held = places.into_iter().take(MOST_TRIED).find(|(_, place)| can_be_held(place));
+    Forgotten {
+        loose: loose.into_iter().map(|body| model.bodies[body].name.to_string()).collect(),
+        line: held.map(|(body, _)| pin(model, body)),
+        holds: held.into_iter().flat_map(|(_, place)| place).map(|unknown| system.name(model, unknown)).collect(),
+    }
+}
+
+/// But for those that are checked instead of solved: nothing stands in them.
+fn every_row_finds_an_unknown(pattern: &Pattern) -> bool {
+    maximum(pattern).free_equations().into_iter().all(|row| pattern.rows[row].is_empty())
+}
+
+/// A joint of a body with ground, to be typed.
+fn pin(model: &Model, body: usize) -> String {
+    example::revolute(&example::place_of_ground(model), &example::place_of(model, body))
+}
+
+/// Bodies that are joined to one neighbour only, another body or ground, and have freedom: a joint may be missing there.
+fn loose_ends(model: &Model, system: &System, pattern: &Pattern, under: &DmPart) -> Vec<usize> {
+    let mut neighbours: BTreeMap<usize, BTreeSet<Option<usize>>> = BTreeMap::new();
+    for (row, equation) in pattern.rows.iter().zip(&system.equations) {
+        let bodies: BTreeSet<usize> = row.iter().map(|entry| system.coordinates[entry.unknown].body).collect();
+        for body in bodies.iter().filter(|_| !model.joints[equation.joint].is_drive) {
+            let others = bodies.iter().filter(|other| *other != body).map(|other| Some(*other));
+            neighbours.entry(*body).or_default().extend(others.chain((bodies.len() == 1).then_some(None)));
+        }
+    }
+    let has_freedom: BTreeSet<usize> = under.unknowns.iter().map(|unknown| system.coordinates[*unknown].body).collect();
+    neighbours.into_iter().filter(|(body, others)| others.len() == 1 && has_freedom.contains(body)).map(|(body, _)| body).collect()
+}
+
+/// As many of the candidates as can be driven together.
+fn chosen(pattern: &Pattern, candidates: &[usize], most: usize) -> Vec<usize> {
+    let mut driven = pattern.clone();
+    let mut chosen = Vec::new();
+    for unknown in candidates {
+        if chosen.len() == most {
+            break;
+        }
+        driven.rows.push(vec![Entry { unknown: *unknown, is_pivot: true }]);
+        if every_row_finds_an_unknown(&driven) {
+            chosen.push(*unknown);
+        } else {
+            driven.rows.pop();
+        }
+    }
+    chosen
+}
+
+/// A drive for a coordinate, to be typed.
+fn drive_for(model: &Model, system: &System, unknown: usize) -> String {
+    let taken = |name: &&&str| model.joints.iter().all(|joint| joint.name.path != **name);
+    let name = ["input", "motor", "feed", "drive_1"].iter().find(taken).unwrap_or(&"another");
+    let unknown = &system.coordinates[unknown];
+    let body = &model.bodies[unknown.body].name;
+    match unknown.role {
+        Role::Position(_) => format!("drive {name} = drive_{}({body}.position, 10mm * sin(1rad_s * t));", unknown.role.name()),
+        Role::Angle | Role::Quaternion(_) => format!("drive {name} = drive_angle({body}, 60rpm * t);"),
+    }
+}
+
+/// The number of equations that come from drives.
+fn drives(model: &Model) -> usize {
+    model.joints.iter().filter(|joint| joint.is_drive).map(|joint| joint.residuals.len()).sum()
+}

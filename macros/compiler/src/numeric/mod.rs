@@ -1,0 +1,161 @@
+//! A system at the declared defaults, as numbers.
+//!
+//! In: a [`System`]. Out: a [`Numeric`]: residuals and derivatives at any configuration, and the workshop of all rooms that work with
+//! numbers. Not done here: refusing anything.
+//!
+//! 1. `least_squares`: configurations that fulfil equations, by the method of Levenberg and Marquardt.
+//! 2. `search`: the same from several guesses; `turns` that no equation counts are taken away.
+//! 3. `samples`: configurations that the mechanism goes through.
+//! 4. `gap`: how far a joint stays open when all others are closed.
+//! 5. `basis`: which rows of Φ_q depend on which, at several configurations at once.
+//! 6. `dense`: factors of small matrices.
+
+pub(crate) mod basis;
+pub(crate) mod dense;
+pub(crate) mod gap;
+pub(crate) mod least_squares;
+pub(crate) mod samples;
+pub(crate) mod search;
+pub(crate) mod turns;
+
+use crate::expr::{Evaluator, Expr, Node, Values, evaluate};
+use crate::model::{Function, Model};
+use crate::system::{Equation, System};
+use least_squares::Problem;
+use std::cell::{Cell, OnceCell};
+use turns::Turns;
+
+/// The system with the declared defaults put in.
+pub(crate) struct Numeric<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) system: &'a System,
+    pub(crate) known: Values<'a>,
+    /// The longest distance of a point from the origin of its body.
+    pub(crate) size: f64,
+    /// Declared start values, by unknown.
+    pub(crate) declared: Vec<Option<f64>>,
+    /// Found when first asked for.
+    turns: OnceCell<Turns>,
+    /// Operations that were spent.
+    pub(crate) effort: Cell<u64>,
+}
+
+/// Does something with the system at the declared defaults.
+pub(crate) fn at_defaults<R>(model: &Model, system: &System, work: impl FnOnce(&Numeric) -> R) -> R {
+    let functions = |number: u32, x: f64| call(model, number, x);
+    let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
+    let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
+    let parameters = evaluate(&system.arena, &defaults, &nothing);
+    let known = Values { parameters: &parameters, ..nothing };
+    let start = |start: Expr| evaluate(&system.arena, &[start], &known).pop().filter(|value| value.is_finite());
+    let declared = system.coordinates.iter().map(|unknown| unknown.start.and_then(start)).collect();
+    work(&Numeric::new(model, system, known, declared))
+}
+
+impl<'a> Numeric<'a> {
+    pub(crate) fn new(model: &'a Model, system: &'a System, known: Values<'a>, declared: Vec<Option<f64>>) -> Numeric<'a> {
+        let size = size(system, &known);
+        Numeric { model, system, known, size, declared, turns: OnceCell::new(), effort: Cell::default() }
+    }
+}
+
+impl Numeric<'_> {
+    /// The same with other parameters and start values; the characteristic length stays.
+    pub(crate) fn with<'b>(&'b self, known: Values<'b>, declared: Vec<Option<f64>>) -> Numeric<'b> {
+        Numeric { known, declared, effort: Cell::default(), turns: OnceCell::new(), ..*self }
+    }
+
+    /// Which angles may be whole turns more or less.
+    pub(crate) fn turns(&self) -> &Turns {
+        self.turns.get_or_init(|| Turns::new(self))
+    }
+
+    /// The declared start as it stands.
+    pub(crate) fn unassembled(&self) -> Vec<f64> {
+        self.declared.iter().map(|value| value.unwrap_or(0.0)).collect()
+    }
+
+    /// No equation has a Rust function in it.
+    pub(crate) fn is_known_throughout(&self) -> bool {
+        !self.model.functions.iter().any(|function| matches!(function, Function::Rust(_)))
+    }
+
+    /// An equation without Rust functions.
+    pub(crate) fn is_known(&self, equation: usize) -> bool {
+        self.system.equations[equation].phi().is_some_and(|phi| is_known(self.model, self.system, phi))
+    }
+
+    /// What a unit step of an unknown is.
+    pub(crate) fn scale(&self, unknown: usize) -> f64 {
+        self.system.coordinates[unknown].role.scale(self.size)
+    }
+
+    /// All equations for all unknowns.
+    pub(crate) fn whole(&self) -> Problem<'_> {
+        let (equations, unknowns): (Vec<usize>, Vec<usize>) =
+            ((0..self.system.equations.len()).collect(), (0..self.declared.len()).collect());
+        self.problem(&equations, unknowns, vec![0.0; self.declared.len()])
+    }
+
+    /// Some equations and their derivatives at the defaults, as functions of some unknowns alone.
+    pub(crate) fn problem(&self, equations: &[usize], unknowns: Vec<usize>, coordinates: Vec<f64>) -> Problem<'_> {
+        let rows: Vec<&Equation> =
+            equations.iter().map(|equation| &self.system.equations[*equation]).filter(|equation| equation.phi().is_some()).collect();
+        let mut roots: Vec<Expr> = rows.iter().filter_map(|equation| equation.phi()).collect();
+        let mut pattern = Vec::new();
+        for (row, equation) in rows.iter().enumerate() {
+            for (unknown, entry) in &equation.jacobian {
+                if let Some(column) = place(&unknowns, *unknown) {
+                    pattern.push((row, column));
+                    roots.push(*entry);
+                }
+            }
+        }
+        let scale = |unknown: &usize| self.scale(*unknown);
+        Problem {
+            rows: rows.len(),
+            is_known: rows.iter().map(|equation| equation.phi().is_some_and(|phi| is_known(self.model, self.system, phi))).collect(),
+            pattern,
+            evaluator: Evaluator::new(&self.system.arena, &roots),
+            shift: Vec::new(),
+            known: self.known,
+            closed: least_squares::CLOSED,
+            effort: &self.effort,
+            scales: unknowns.iter().map(scale).collect(),
+            unknowns,
+            coordinates,
+        }
+    }
+}
+
+/// Where an unknown stands in a list; in the list of all it stands at its own place.
+pub(crate) fn place(unknowns: &[usize], unknown: usize) -> Option<usize> {
+    if unknowns.get(unknown) == Some(&unknown) { Some(unknown) } else { unknowns.iter().position(|other| *other == unknown) }
+}
+
+/// An expression without Rust functions.
+fn is_known(model: &Model, system: &System, root: Expr) -> bool {
+    if !model.functions.iter().any(|function| matches!(function, Function::Rust(_))) {
+        return true;
+    }
+    let is_rust = |expr: &Expr| {
+        let Node::Call { function, .. } = system.arena.node(*expr) else { return false };
+        matches!(model.functions.get(*function as usize), Some(Function::Rust(_)))
+    };
+    !system.arena.reachable(&[root]).iter().any(is_rust)
+}
+
+/// The characteristic length.
+pub(crate) fn size(system: &System, known: &Values) -> f64 {
+    let lengths = evaluate(&system.arena, &system.lengths, known);
+    let longest = lengths.into_iter().filter(|length| length.is_finite()).fold(0.0, |longest: f64, length| longest.max(length.abs()));
+    if longest > 0.0 { longest } else { 1.0 }
+}
+
+/// Tables are known here; Rust functions are not, and their rows are left out.
+pub(crate) fn call(model: &Model, number: u32, x: f64) -> [f64; 3] {
+    match model.functions.get(number as usize) {
+        Some(Function::Table(table)) => table.evaluate(x),
+        _ => [f64::NAN; 3],
+    }
+}

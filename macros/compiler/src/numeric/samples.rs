@@ -1,0 +1,220 @@
+//! Positions that a mechanism can be in, with all of its equations fulfilled, also those that are too many.
+//!
+//! In: [`Subsystem`]s. Out: an assembly at t = 0 and a [`Samples`] of others: where the drives lead from there, and where nothing is
+//! driven, wherever a push leads. Not done here: drawing conclusions.
+
+use super::Numeric;
+use super::least_squares::minimise;
+use super::search::{GUESSES, guess};
+use crate::expr::{Expr, Values, evaluate};
+use crate::quantity::Dim;
+use crate::structure::SMALL;
+use crate::structure::Subsystem;
+
+/// How far the fastest drive goes from the start to each pose, in rad or in lengths of the mechanism; one after the other to
+/// either side, about half a turn.
+const WAYS: [f64; 6] = [0.05, 0.35, 0.8, 1.4, 2.2, 3.0];
+
+/// Of a large system so many of them.
+const FEW: usize = 3;
+
+/// Where no drive moves at t = 0, the times of the poses for a way of 1, in s.
+const WITHOUT_RATE: f64 = 0.3;
+
+/// How far pushes go at most, in rad or in lengths of the mechanism: from where two branches meet, short ones lead nowhere.
+const PUSHES: [f64; 6] = [0.2, 0.3, 0.5, 0.7, 1.0, 1.4];
+
+/// From so many guesses it is looked for where equations that contradict each other come nearest to holding.
+const TRIES: usize = 12;
+
+/// Equations that are open by less than this hold: each subsystem takes over the rounding errors of those before it, and where there are
+/// more equations than unknowns nothing gives way to them. A sum of squares, in scaled unknowns.
+const ROUNDED: f64 = 1e-14;
+
+/// A pose that is nearer to the start than this is the start.
+const SAME: f64 = 1e-3;
+
+/// Configurations at which identities are looked at.
+pub(crate) const LOOKS: usize = 3;
+
+/// Poses at the declared parameters.
+pub(crate) struct Samples {
+    /// The start first.
+    pub(crate) poses: Vec<Pose>,
+    /// Some of them are not the start.
+    pub(crate) moves: bool,
+    /// All equations can go on holding when the drives move, if there are any.
+    pub(crate) holds: bool,
+}
+
+/// A time in s, and q.
+#[derive(Clone)]
+pub(crate) struct Pose {
+    pub(crate) time: f64,
+    pub(crate) q: Vec<f64>,
+}
+
+impl Numeric<'_> {
+    /// Coordinates that have nothing to do with each other.
+    pub(crate) fn anywhere(&self, look: usize) -> Vec<f64> {
+        let share = |unknown: usize| 2.0 * ((unknown * LOOKS + look + 1) as f64 * 0.618_033_988_749_895).fract();
+        (0..self.system.coordinates.len()).map(|unknown| share(unknown) * self.scale(unknown)).collect()
+    }
+
+    /// An assembly at t = 0 without the equations that are left out, and whether it is one.
+    pub(crate) fn assembled_in_order(&self, subsystems: &[Subsystem], leaves_out: impl Fn(usize) -> bool) -> (Vec<f64>, bool) {
+        let mut q: Vec<f64> = self.declared.iter().map(|value| value.unwrap_or(0.0)).collect();
+        let mut is_closed = true;
+        for subsystem in subsystems {
+            let equations: Vec<usize> = subsystem.equations.iter().copied().filter(|equation| !leaves_out(*equation)).collect();
+            let mut problem = self.problem(&equations, subsystem.unknowns.clone(), q);
+            if subsystem.is_overdetermined {
+                problem.closed = ROUNDED;
+            }
+            let is_open = subsystem.unknowns.iter().any(|unknown| self.declared[*unknown].is_none());
+            let found = self.search(&mut problem, if is_open { GUESSES } else { 1 });
+            let (closed, nearest) = (!found.assemblies.is_empty(), found.assemblies.into_iter().next().unwrap_or(found.first));
+            q = problem.coordinates;
+            subsystem.unknowns.iter().zip(nearest).for_each(|(unknown, value)| q[*unknown] = value);
+            is_closed &= closed;
+        }
+        (q, is_closed)
+    }
+
+    /// Where the equations that are too many come nearest to holding at t = 0, of several places where no small step brings them
+    /// nearer; all else as in `q`.
+    pub(crate) fn least_open(&self, subsystems: &[Subsystem], mut q: Vec<f64>) -> Vec<f64> {
+        for subsystem in subsystems.iter().filter(|subsystem| subsystem.is_overdetermined) {
+            let mut best: Option<(f64, Vec<f64>)> = None;
+            for attempt in 0..TRIES {
+                let guess = |unknown: &usize| guess(attempt, *unknown) * self.reach(*unknown);
+                let mut own: Vec<f64> =
+                    subsystem.unknowns.iter().map(|unknown| self.declared[*unknown].unwrap_or_else(|| guess(unknown))).collect();
+                let mut problem = self.problem(&subsystem.equations, subsystem.unknowns.clone(), q.clone());
+                let everything = vec![true; own.len()];
+                minimise(&mut problem, &mut own, &everything);
+                let mut there = q.clone();
+                subsystem.unknowns.iter().zip(own).for_each(|(unknown, value)| there[*unknown] = value);
+                let open = self.open(&subsystem.equations, &there);
+                if best.as_ref().is_none_or(|(least, _)| open < *least) {
+                    best = Some((open, there));
+                }
+            }
+            q = best.map_or(q, |(_, there)| there);
+        }
+        q
+    }
+
+    /// How far some equations are from holding: the sum of their squares, in rad and in lengths of the mechanism.
+    fn open(&self, equations: &[usize], q: &[f64]) -> f64 {
+        let rows = equations.iter().map(|equation| &self.system.equations[*equation]);
+        let (dims, roots): (Vec<Dim>, Vec<Expr>) = rows.filter_map(|row| Some((row.dim, row.phi()?))).unzip();
+        let values = evaluate(&self.system.arena, &roots, &Values { coordinates: q, ..self.known });
+        let share = |(value, dim): (&f64, &Dim)| match *dim {
+            Dim::ANGLE => *value,
+            Dim::LENGTH => value / self.size,
+            _ => value / (self.size * self.size),
+        };
+        values.iter().zip(&dims).map(share).filter(|share| share.is_finite()).map(|share| share * share).sum()
+    }
+
+    /// The assembly next to `q` at a time, without the equations that are left out; none if there is none.
+    pub(crate) fn settled(
+        &self,
+        subsystems: &[Subsystem],
+        time: f64,
+        mut q: Vec<f64>,
+        leaves_out: impl Fn(usize) -> bool,
+    ) -> Option<Vec<f64>> {
+        for subsystem in subsystems {
+            let equations: Vec<usize> = subsystem.equations.iter().copied().filter(|equation| !leaves_out(*equation)).collect();
+            let mut own: Vec<f64> = subsystem.unknowns.iter().map(|unknown| q[*unknown]).collect();
+            let mut problem = self.problem(&equations, subsystem.unknowns.clone(), q);
+            problem.known.time = time;
+            if subsystem.is_overdetermined {
+                problem.closed = ROUNDED;
+            }
+            let everything = vec![true; own.len()];
+            if !minimise(&mut problem, &mut own, &everything) {
+                return None;
+            }
+            q = problem.coordinates;
+            subsystem.unknowns.iter().zip(own).for_each(|(unknown, value)| q[*unknown] = value);
+        }
+        Some(q)
+    }
+
+    /// Poses that the mechanism can reach from an assembly.
+    pub(crate) fn samples(&self, subsystems: &[Subsystem], start: &[f64], leaves_out: impl Fn(usize) -> bool) -> Samples {
+        let begin = Pose { time: 0.0, q: start.to_vec() };
+        let mut samples = Samples { poses: vec![begin.clone()], moves: false, holds: true };
+        let zero = |expr: Expr| self.system.arena.as_constant(expr).is_some_and(|value| value.is_zero());
+        if subsystems.iter().flat_map(|subsystem| &subsystem.equations).all(|equation| zero(self.system.equations[*equation].nu)) {
+            self.push(subsystems, &mut samples, leaves_out);
+            return samples;
+        }
+        let pace = self.pace(subsystems, start);
+        let unit = if pace > 0.0 { 1.0 / pace } else { WITHOUT_RATE };
+        let ways = if self.system.coordinates.len() > SMALL { &WAYS[..FEW] } else { &WAYS[..] };
+        for side in [1.0, -1.0] {
+            let mut here = begin.clone();
+            for (number, way) in ways.iter().enumerate() {
+                let time = side * way * unit;
+                match self.settled(subsystems, time, here.q, &leaves_out) {
+                    Some(q) => here = Pose { time, q },
+                    // A mechanism may come to the end of its range, but not at once.
+                    None => {
+                        samples.holds &= number > 0;
+                        break;
+                    }
+                }
+                self.add(&mut samples, here.clone());
+            }
+        }
+        samples
+    }
+
+    /// Poses that pushes lead to from an assembly, whatever the drives say.
+    pub(crate) fn pushed(&self, subsystems: &[Subsystem], start: Vec<f64>, leaves_out: impl Fn(usize) -> bool) -> Vec<Pose> {
+        let mut samples = Samples { poses: vec![Pose { time: 0.0, q: start }], moves: false, holds: true };
+        self.push(subsystems, &mut samples, leaves_out);
+        samples.poses
+    }
+
+    /// Where pushes in some directions lead.
+    fn push(&self, subsystems: &[Subsystem], samples: &mut Samples, leaves_out: impl Fn(usize) -> bool) {
+        let start = samples.poses[0].q.clone();
+        for (attempt, push) in PUSHES.into_iter().enumerate() {
+            let mut q = start.clone();
+            for (unknown, value) in q.iter_mut().enumerate() {
+                *value += (guess(attempt + 1, unknown) / core::f64::consts::PI) * push * self.scale(unknown);
+            }
+            if let Some(q) = self.settled(subsystems, 0.0, q, &leaves_out) {
+                self.add(samples, Pose { time: 0.0, q });
+            }
+        }
+    }
+
+    /// A pose, if it is not the start.
+    fn add(&self, samples: &mut Samples, pose: Pose) {
+        let way = |unknown: usize| (pose.q[unknown] - samples.poses[0].q[unknown]).abs() / self.scale(unknown);
+        if (0..pose.q.len()).any(|unknown| way(unknown) > SAME) {
+            samples.poses.push(pose);
+            samples.moves = true;
+        }
+    }
+
+    /// How fast the fastest drive turns or shifts something at the start, in rad/s or lengths per second.
+    fn pace(&self, subsystems: &[Subsystem], start: &[f64]) -> f64 {
+        let pace = |equation: &usize| {
+            let equation = &self.system.equations[*equation];
+            let roots: Vec<Expr> = equation.jacobian.iter().map(|(_, entry)| *entry).chain([equation.nu]).collect();
+            let values = evaluate(&self.system.arena, &roots, &Values { coordinates: start, ..self.known });
+            let (nu, entries) = values.split_last()?;
+            let scaled = entries.iter().zip(&equation.jacobian).map(|(entry, (unknown, _))| entry.abs() * self.scale(*unknown));
+            let rate = nu.abs() / scaled.fold(0.0, f64::max);
+            rate.is_finite().then_some(rate)
+        };
+        subsystems.iter().flat_map(|subsystem| &subsystem.equations).filter_map(pace).fold(0.0, f64::max)
+    }
+}

@@ -1,0 +1,249 @@
+//! Equations that follow from others wherever the mechanism can be: redundant ones, in contrast to those that are so at a single
+//! position only, which is then singular.
+//!
+//! In: a [`System`], of which it may not yet be known how it is solved. Out: the equations of redundant joints that are checked
+//! instead of solved; a refusal for every other joint that adds nothing or contradicts the rest. The parameters are the declared
+//! ones: the third crank of a parallelogram is redundant although with other lengths it would not close. Not done here: counting,
+//! which is the work of `mobility`; so is what over-determines the drives.
+
+mod contradiction;
+mod elimination;
+mod exact;
+mod identity;
+mod pattern;
+mod rows;
+
+use crate::diag::{Diag, Fact};
+use crate::model::{Model, Said};
+use crate::numeric::basis::{Basis, Matrix};
+use crate::numeric::samples::Samples;
+use crate::numeric::{Numeric, at_defaults};
+use crate::structure::{Block, SMALL, Structure, Subsystem};
+use crate::syntax::ast::Closing;
+use crate::system::System;
+pub(crate) use exact::ExactDependence;
+use rows::Rows;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The equations that are checked instead of solved. A mechanism of which only equations are wanted has none.
+pub(crate) fn find(model: &Model, system: &System, diag: &mut Diag) -> Option<BTreeSet<usize>> {
+    identity::rows_depend_on_positions(model, system, diag)?;
+    if !model.equations_only {
+        ExactDependence::new(model, system).no_row_follows_from_others(true, diag);
+    }
+    if diag.is_clean() { left_over(model, system, diag) } else { None }
+}
+
+/// The equations that are left over: where `#[closure(…)]` accepts defaults that are placeholders, by their pattern alone.
+///
+/// Where there are too many equations, or joints are marked as redundant, numbers tell which of them follow from others. Of those that
+/// are marked as many are left out as can be; those that are solved are farthest from singular over the motion.
+fn left_over(model: &Model, system: &System, diag: &mut Diag) -> Option<BTreeSet<usize>> {
+    if model.closing != Closing::Deny {
+        return Some(pattern::left_over(model, system));
+    }
+    let Some(subsystems) = pattern::overdetermined(model, system) else { return Some(BTreeSet::new()) };
+    at_defaults(model, system, |numeric| {
+        let mut search = Search { numeric, subsystems: &subsystems, said: Said::default(), diag };
+        let checked = search.surplus();
+        search.diag.is_clean().then_some(checked)
+    })
+}
+
+/// Refuses a mechanism that has as many equations as it needs, of which some say the same wherever it stands.
+///
+/// A mechanism that is singular at its start only, or that cannot be moved from there, is none of this: it stands at a dead point.
+pub(crate) fn equations_are_independent(numeric: &Numeric, structure: &Structure, start: &[f64], diag: &mut Diag) -> Option<()> {
+    if numeric.model.closing == Closing::Deny && numeric.has_singular_block(structure, start) {
+        let subsystems = subsystems(numeric.system, structure);
+        Search { numeric, subsystems: &subsystems, said: Said::default(), diag }.dependence(start);
+    }
+    diag.is_clean().then_some(())
+}
+
+/// Refuses a drive of what joints hold already, such as one between two sides of a triangle: without it everything closes, and wherever
+/// the mechanism is then pushed, the equation of the drive follows from those of joints. Its pattern does not show that.
+pub(crate) fn drives_have_something_to_drive(
+    numeric: &Numeric,
+    structure: &Structure,
+    start: &[f64],
+    is_open: bool,
+    diag: &mut Diag,
+) -> Option<()> {
+    let is_suspicious = is_open || numeric.has_singular_block(structure, start);
+    if numeric.system.coordinates.len() > SMALL || !is_suspicious {
+        return Some(());
+    }
+    let subsystems = subsystems(numeric.system, structure);
+    let subsystem = subsystems.first()?;
+    let names = |joints: BTreeSet<usize>| joints.iter().map(|joint| numeric.model.joints[*joint].name.to_string()).collect();
+    for (drive, declared) in numeric.model.joints.iter().enumerate().filter(|(_, joint)| joint.is_drive) {
+        let is_of_it = |equation: usize| numeric.system.equations[equation].joint == drive;
+        let there = || (start.to_vec(), true);
+        let (q, is_closed) = if !is_open { there() } else { numeric.assembled_in_order(&subsystems, is_of_it) };
+        if !is_closed {
+            continue;
+        }
+        let poses = numeric.matrices(subsystem, &numeric.pushed(&subsystems, q, is_of_it));
+        let mut basis = Basis::new(&poses);
+        let (own, others): (Vec<usize>, Vec<usize>) =
+            numeric.rows(subsystem).plain.into_iter().partition(|row| is_of_it(subsystem.equations[*row]));
+        others.into_iter().for_each(|row| basis.take(row));
+        let joints: BTreeSet<usize> = own
+            .into_iter()
+            .filter(|row| poses.len() > 2 && !basis.lacks(*row))
+            .flat_map(|row| basis.sources(row))
+            .map(|row| numeric.system.equations[subsystem.equations[row]].joint)
+            .collect();
+        if !joints.is_empty() && joints.iter().all(|joint| !numeric.model.joints[*joint].is_drive) {
+            let free = numeric.names(subsystem, &basis.free(subsystem.unknowns.len()));
+            let fact = Fact::NothingToDrive {
+                drive: declared.name.to_string(),
+                joints: names(joints),
+                equations: [0; 2],
+                coordinates: Vec::new(),
+                free,
+            };
+            return diag.refuse(&declared.name, fact);
+        }
+    }
+    Some(())
+}
+
+/// The equations that are solved: of a small system all together, of a large one block by block.
+fn subsystems(system: &System, structure: &Structure) -> Vec<Subsystem> {
+    let subsystem = |block: &Block| Subsystem {
+        unknowns: block.explicit.iter().map(|explicit| explicit.unknown).chain(block.iterated.iter().copied()).collect(),
+        equations: block.explicit.iter().map(|explicit| explicit.equation).chain(block.residuals.iter().copied()).collect(),
+        is_overdetermined: !block.iterated.is_empty(),
+    };
+    let subsystems: Vec<Subsystem> = structure.blocks.iter().map(subsystem).collect();
+    if system.coordinates.len() > SMALL {
+        return subsystems;
+    }
+    let checked: BTreeSet<usize> = structure.checked.iter().copied().collect();
+    let equations = (0..system.equations.len()).filter(|equation| !checked.contains(equation)).collect();
+    vec![Subsystem { unknowns: (0..system.coordinates.len()).collect(), equations, is_overdetermined: true }]
+}
+
+/// What is looked through.
+pub(super) struct Search<'a, 'b> {
+    pub(super) numeric: &'a Numeric<'b>,
+    pub(super) subsystems: &'a [Subsystem],
+    /// An item of a loop stands many times; what is wrong with it is said of the first.
+    said: Said,
+    pub(super) diag: &'a mut Diag,
+}
+
+impl Search<'_, '_> {
+    fn surplus(&mut self) -> BTreeSet<usize> {
+        let nothing = |_: usize| false;
+        let (start, is_closed) = self.numeric.assembled_in_order(self.subsystems, nothing);
+        if !is_closed {
+            self.contradiction(&self.numeric.least_open(self.subsystems, start));
+            return BTreeSet::new();
+        }
+        let samples = self.numeric.samples(self.subsystems, &start, nothing);
+        if !samples.holds {
+            self.contradiction_on_the_way(&start);
+            return BTreeSet::new();
+        }
+        let subsystems: Vec<&Subsystem> = self.subsystems.iter().filter(|subsystem| subsystem.is_overdetermined).collect();
+        let checked = subsystems.iter().flat_map(|subsystem| self.left_over(subsystem, &samples)).collect();
+        if self.diag.is_clean() {
+            self.contradiction_of_checks(&start, &checked);
+        }
+        checked
+    }
+
+    /// The equations of a subsystem that are left over; those that are not marked are refused.
+    fn left_over(&mut self, subsystem: &Subsystem, samples: &Samples) -> Vec<usize> {
+        let poses = self.numeric.matrices(subsystem, &samples.poses);
+        let rows = self.numeric.rows(subsystem);
+        let mut basis = Basis::new(&poses);
+        let dependent: Vec<usize> = rows.plain.iter().copied().filter(|row| !basis.takes(*row)).collect();
+        // A drive that adds nothing is a matter of mobility.
+        let dependent: Vec<usize> = dependent.into_iter().filter(|row| !self.numeric.joint(subsystem, *row).is_drive).collect();
+        let free = if rows.marked.is_empty() { self.numeric.names(subsystem, &basis.free(subsystem.unknowns.len())) } else { Vec::new() };
+        self.refuse_dependent(&basis, subsystem, &dependent, &free, samples.moves);
+        if !self.diag.is_clean() {
+            return Vec::new();
+        }
+        let mut open = rows.marked.clone();
+        // One after the other the best of those that still add something.
+        loop {
+            let candidates = open.iter().copied().filter(|row| basis.lacks(*row)).map(|row| (row, basis.fitness(row)));
+            let Some((best, _)) = candidates.reduce(|best, next| if next.1 > best.1 + 1e-9 { next } else { best }) else { break };
+            basis.take(best);
+            open.retain(|row| *row != best);
+        }
+        self.marks_are_meant(&basis, subsystem, &rows, &open, &poses);
+        open.into_iter().map(|row| subsystem.equations[row]).collect()
+    }
+
+    /// Every joint that is marked as redundant has an equation that follows from others.
+    fn marks_are_meant(&mut self, basis: &Basis, subsystem: &Subsystem, rows: &Rows, left_over: &[usize], poses: &[Matrix]) {
+        let joint = |row: &usize| self.numeric.system.equations[subsystem.equations[*row]].joint;
+        let involved: BTreeSet<usize> =
+            left_over.iter().flat_map(|row| basis.sources(*row).into_iter().chain([*row])).map(|row| joint(&row)).collect();
+        let marked: BTreeSet<usize> = rows.marked.iter().map(joint).collect();
+        for needed in marked.difference(&involved) {
+            let mut without = Basis::new(poses);
+            for row in rows.plain.iter().chain(&rows.marked).filter(|row| joint(row) != *needed) {
+                without.takes(*row);
+            }
+            let free = self.numeric.names(subsystem, &without.free(subsystem.unknowns.len()));
+            let name = &self.numeric.model.joints[*needed].name;
+            if !self.said.is_new(name) {
+                continue;
+            }
+            self.diag.refuse::<()>(name, Fact::NotRedundant { joint: name.to_string(), free });
+        }
+    }
+
+    /// As many equations as unknowns, and still some that add nothing.
+    fn dependence(&mut self, start: &[f64]) {
+        let samples = self.numeric.samples(self.subsystems, start, |_| false);
+        for subsystem in self.subsystems.iter().filter(|subsystem| subsystem.is_overdetermined) {
+            // What is singular where it starts must be so elsewhere, at more than one place.
+            if samples.poses.len() < 3 || !self.diag.is_clean() {
+                return;
+            }
+            let poses = self.numeric.matrices(subsystem, &samples.poses);
+            let mut basis = Basis::new(&poses);
+            let dependent: Vec<usize> = self.numeric.rows(subsystem).plain.into_iter().filter(|row| !basis.takes(*row)).collect();
+            let free = self.numeric.names(subsystem, &basis.free(subsystem.unknowns.len()));
+            self.refuse_dependent(&basis, subsystem, &dependent, &free, samples.moves);
+        }
+    }
+
+    /// One refusal for each joint with equations that follow from others.
+    fn refuse_dependent(&mut self, basis: &Basis, subsystem: &Subsystem, dependent: &[usize], free: &[String], moves: bool) {
+        let joint = |row: &usize| self.numeric.system.equations[subsystem.equations[*row]].joint;
+        let mut of_joint: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        dependent.iter().for_each(|row| of_joint.entry(joint(row)).or_default().push(*row));
+        for (index, own) in of_joint {
+            let sources: BTreeSet<usize> = own.iter().flat_map(|row| basis.sources(*row)).map(|row| joint(&row)).collect();
+            if sources.is_empty() {
+                // It has no slope, as the square of what vanishes: nothing can be solved for by it, and it follows from nothing.
+                continue;
+            }
+            let model = self.numeric.model;
+            let others = sources.iter().filter(|other| **other != index).map(|other| model.joints[*other].name.to_string()).collect();
+            let name = &model.joints[index].name;
+            if !self.said.is_new(name) {
+                continue;
+            }
+            let fact = Fact::FollowsFrom {
+                joint: name.to_string(),
+                is_drive: model.joints[index].is_drive,
+                rows: own.len(),
+                of: model.joints[index].residuals.len(),
+                others,
+                free: free.to_vec(),
+                moves,
+            };
+            self.diag.refuse::<()>(name, fact);
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! The pattern of Φ_q, with the entries that are never zero.
+
+use super::Equation;
+use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
+use crate::model::Model;
+use crate::structure::{Entry, Pattern};
+use crate::syntax::ast::Relation;
+use std::collections::BTreeSet;
+
+/// The pattern of these equations. Pivots are constants other than zero, and products of parameters that `validate` keeps from zero.
+pub(super) fn pattern(model: &Model, arena: &Arena, unknowns: usize, equations: &[Equation]) -> Pattern {
+    let nonzero = nonzero_parameters(model, arena);
+    let entry = |(unknown, value): &(usize, Expr)| Entry { unknown: *unknown, is_pivot: is_pivot(arena, *value, &nonzero) };
+    let row = |equation: &Equation| steady(equation.jacobian.iter().map(entry).collect(), &equation.jacobian, arena);
+    Pattern { unknowns, rows: equations.iter().map(row).collect() }
+}
+
+/// A constant much smaller than the largest of its row would blow up rounding errors.
+const WEAK: f64 = 0.1;
+
+/// Takes the rank of a pivot from constants that are weak within their row.
+fn steady(mut entries: Vec<Entry>, values: &[(usize, Expr)], arena: &Arena) -> Vec<Entry> {
+    let size = |value: &Expr| arena.as_constant(*value).map_or(0.0, |value| value.to_f64().abs());
+    let largest = values.iter().map(|(_, value)| size(value)).fold(0.0, f64::max);
+    for (entry, (_, value)) in entries.iter_mut().zip(values) {
+        if arena.as_constant(*value).is_some() && size(value) < WEAK * largest {
+            entry.is_pivot = false;
+        }
+    }
+    entries
+}
+
+/// Parameters of which a joint demands that they are not zero; `validate` checks them.
+fn nonzero_parameters(model: &Model, arena: &Arena) -> BTreeSet<u32> {
+    let of_requirement = |requirement: &crate::model::Requirement| {
+        let Node::Leaf(Leaf::Parameter(number)) = arena.node(requirement.lhs) else { return None };
+        let is_zero = arena.as_constant(requirement.rhs).is_some_and(|value| value.is_zero());
+        let excludes_zero = matches!(requirement.relation, Relation::Different | Relation::Greater | Relation::Less);
+        (is_zero && excludes_zero).then_some(*number)
+    };
+    model.requirements.iter().filter_map(of_requirement).collect()
+}
+
+/// Never zero, whatever the state: constants other than zero, such parameters, and their products.
+fn is_pivot(arena: &Arena, value: Expr, nonzero: &BTreeSet<u32>) -> bool {
+    let mut pivots = BTreeSet::new();
+    for expr in arena.reachable(&[value]) {
+        let holds = match arena.node(expr) {
+            Node::Constant(value) => !value.is_zero(),
+            Node::Leaf(Leaf::Parameter(number)) => nonzero.contains(number),
+            Node::Unary(Unary::Neg, inner) => pivots.contains(inner),
+            Node::Binary(Binary::Mul | Binary::Div, one, two) => pivots.contains(one) && pivots.contains(two),
+            _ => false,
+        };
+        if holds {
+            pivots.insert(expr);
+        }
+    }
+    pivots.contains(&value)
+}
