@@ -260,7 +260,7 @@ fn output(input: ParseStream, docs: Docs) -> Parsed<Output> {
     let is_slice = Ident::parse_any(input)? == "slice";
     if is_slice {
         if keyword(input).is_none_or(|word| word != "output") {
-            return expected(input, "`output`: a slice is what an output needs, as in `slice output name = …;`");
+            return expected(input, "`output`: only an output can be solved for alone");
         }
         Ident::parse_any(input)?;
     }
