@@ -5,11 +5,11 @@ mechanism! {
         body wheel { point rim = (1m, 0m); }
         joint axle = revolute(ground.position, wheel.position);
         drive motor = drive_angle(wheel, 60rpm * t);
-        output rim = wheel.rim;
+        output distant_rim = wheel.rim;
     }
 }
 
 fn main() {
-    let rim = Wheel::default().solve_for_rim();
-    println!("{}", rim.solve(0.0).unwrap().output().value.x);
+    let alone = Wheel::default().solve_for_distant_rim();
+    println!("{}", alone.solve(0.0).unwrap().output().value.x);
 }
