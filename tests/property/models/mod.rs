@@ -6,6 +6,7 @@ mod elements;
 mod mistakes;
 mod model;
 pub(crate) mod motion;
+mod rings;
 
 use fastrand::Rng;
 use mistakes::KINDS;

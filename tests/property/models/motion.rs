@@ -3,7 +3,7 @@
 use super::{compiled, elements};
 use fastrand::Rng;
 use reuleaux_compiler::Compiled;
-use reuleaux_compiler::diag::Fact;
+use reuleaux_compiler::diag::{AssemblyFact, Fact};
 use reuleaux_compiler::expr::{Evaluator, Expr, Values};
 use reuleaux_compiler::model::Function;
 
@@ -30,7 +30,7 @@ pub(crate) fn judge(seed: u64) -> Verdict {
     let (end, reached) = match compiled(&followed) {
         Ok(compiled) => (None, compiled.motion.reached[1]),
         Err(refusals) => match &refusals[0].fact {
-            Fact::MotionEnds { time, .. } => (Some(*time), *time),
+            Fact::Assembly(AssemblyFact::MotionEnds { time, .. }) => (Some(*time), *time),
             other => panic!("{}", there(&other.to_string())),
         },
     };
@@ -82,7 +82,7 @@ impl<'a> Tracker<'a> {
         let rows: Vec<_> = system.equations.iter().collect();
         let n = rows.len();
         assert_eq!(n, system.coordinates.len());
-        let mut roots: Vec<Expr> = rows.iter().filter_map(|row| row.phi).collect();
+        let mut roots: Vec<Expr> = rows.iter().filter_map(|row| row.phi()).collect();
         roots.extend(rows.iter().map(|row| row.nu));
         let mut pattern = Vec::new();
         for (index, row) in rows.iter().enumerate() {

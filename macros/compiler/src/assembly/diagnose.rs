@@ -14,7 +14,7 @@ use super::loops::{Loop, Loops};
 use super::nearest::Reach;
 use super::order::{Assembled, Upstream};
 use super::shortest;
-use crate::diag::{Bound, Fact, Range};
+use crate::diag::{AssemblyFact, Bound, Range};
 use crate::expr::{Expr, Values, evaluate};
 use crate::numeric::Numeric;
 use crate::numeric::gap::Opened;
@@ -33,7 +33,7 @@ const TOLD: f64 = 1e-3;
 const MOST_FOLLOWED: usize = 8;
 
 /// The first thing that is wrong, and under which tokens.
-pub(super) fn judge(numeric: &Numeric, structure: &Structure, assembled: &mut Assembled) -> Option<(Range, Fact)> {
+pub(super) fn judge(numeric: &Numeric, structure: &Structure, assembled: &mut Assembled) -> Option<(Range, AssemblyFact)> {
     let upstream = Upstream::new(numeric, structure);
     let is_sure = upstream.surety(numeric, structure);
     let loops = Loops { numeric, structure, upstream: &upstream };
@@ -103,7 +103,7 @@ impl Judge<'_> {
     }
 
     /// Another assembly of all there are that is as near.
-    fn rival(&self, assembled: &Assembled) -> Option<(Range, Fact)> {
+    fn rival(&self, assembled: &Assembled) -> Option<(Range, AssemblyFact)> {
         let (numeric, start) = (self.numeric, &assembled.start);
         let is_rival = |other: &&Vec<f64>| !numeric.differing(start, other).is_empty() && numeric.are_equally_near(start, other);
         let other = assembled.others.iter().find(is_rival)?;
@@ -111,7 +111,7 @@ impl Judge<'_> {
     }
 
     /// A block that does not close; nothing is refused if it closes after all, and the start is where.
-    fn open(&self, index: usize, start: &mut [f64]) -> Option<(Range, Fact)> {
+    fn open(&self, index: usize, start: &mut [f64]) -> Option<(Range, AssemblyFact)> {
         let numeric = self.numeric;
         self.loops.complete(index, start);
         let Loop { unknowns, equations, .. } = self.loops.around(index);
@@ -129,7 +129,7 @@ impl Judge<'_> {
                     return None;
                 }
                 Opened::Open { gap, .. } => {
-                    let fact = Fact::StaysOpen {
+                    let fact = AssemblyFact::StaysOpen {
                         joint: self.joint(joint),
                         gap: Box::new(gap),
                         others: joints
@@ -145,7 +145,7 @@ impl Judge<'_> {
             }
         }
         let last = *joints.last()?;
-        let fact = Fact::NeverCloses {
+        let fact = AssemblyFact::NeverCloses {
             joints: joints.iter().map(|joint| self.joint(*joint)).collect(),
             drives: self.drives(index),
             bound: self.bound(index, start).map(Box::new),
@@ -154,7 +154,7 @@ impl Judge<'_> {
     }
 
     /// A row that is no number where the search came to.
-    fn without_value(&self, equations: &[usize], drives: Vec<String>, start: &[f64]) -> Option<(Range, Fact)> {
+    fn without_value(&self, equations: &[usize], drives: Vec<String>, start: &[f64]) -> Option<(Range, AssemblyFact)> {
         let all = &self.numeric.system.equations;
         let has_value_at = |equation: usize, coordinates: &[f64]| {
             let roots: Vec<Expr> = all[equation].phi().into_iter().collect();
@@ -167,12 +167,12 @@ impl Judge<'_> {
         // A law of time without a value has none wherever the bodies are.
         let has_none_anywhere = joint.is_drive && (0..LOOKS).all(|look| !has_value_at(number, &self.numeric.anywhere(look)));
         let (row, of) = (equation.row + 1, joint.residuals.len());
-        let fact = Fact::HasNoValue { joint: joint.name.to_string(), row, of, drives, has_none_anywhere };
+        let fact = AssemblyFact::HasNoValue { joint: joint.name.to_string(), row, of, drives, has_none_anywhere };
         Some(((&joint.name).into(), fact))
     }
 
     /// A row that has a value at the start, but no rate or no acceleration there: a root that begins in zero.
-    fn without_rate(&self, is_sure: &[bool], start: &[f64]) -> Option<(Range, Fact)> {
+    fn without_rate(&self, is_sure: &[bool], start: &[f64]) -> Option<(Range, AssemblyFact)> {
         let all = &self.numeric.system.equations;
         let rest = vec![0.0; start.len()];
         let values = Values { coordinates: start, velocities: &rest, accelerations: &rest, ..self.numeric.known };
@@ -183,7 +183,7 @@ impl Judge<'_> {
         let place = found.iter().position(|value| !value.is_finite())?;
         let equation = &all[equations[place / 2]];
         let joint = &self.numeric.model.joints[equation.joint];
-        let fact = Fact::HasNoRate { joint: joint.name.to_string(), row: equation.row + 1, of: joint.residuals.len() };
+        let fact = AssemblyFact::HasNoRate { joint: joint.name.to_string(), row: equation.row + 1, of: joint.residuals.len() };
         Some(((&joint.name).into(), fact))
     }
 
@@ -202,7 +202,7 @@ impl Judge<'_> {
     }
 
     /// A block that is at a dead point or a change point.
-    fn singular(&self, index: usize, start: &[f64]) -> Option<(Range, Fact)> {
+    fn singular(&self, index: usize, start: &[f64]) -> Option<(Range, AssemblyFact)> {
         let (numeric, block) = (self.numeric, &self.structure.blocks[index]);
         if !numeric.is_singular_here(block, start) {
             return None;
@@ -212,7 +212,7 @@ impl Judge<'_> {
         let in_line = self.in_line(index, &bodies, start);
         let named = in_line.as_ref().unwrap_or(&iterated);
         let names = named.iter().map(|body| numeric.model.bodies[*body].name.to_string()).collect();
-        let fact = Fact::SingularStart {
+        let fact = AssemblyFact::SingularStart {
             bodies: names,
             in_line: in_line.is_some(),
             drives: self.drives(index),
@@ -258,7 +258,7 @@ impl Judge<'_> {
     }
 
     /// A block that closes in two ways that are equally near.
-    fn ambiguous(&self, index: usize, assembled: &Assembled, followed: &mut usize) -> Option<(Range, Fact)> {
+    fn ambiguous(&self, index: usize, assembled: &Assembled, followed: &mut usize) -> Option<(Range, AssemblyFact)> {
         let (numeric, block, start) = (self.numeric, &self.structure.blocks[index], &assembled.start);
         let (unknowns, _) = block.parts();
         if unknowns.iter().all(|unknown| numeric.declared[*unknown].is_none_or(|declared| self.is_told(*unknown, declared, start)))
@@ -308,7 +308,7 @@ impl Judge<'_> {
     }
 
     /// Names a coordinate that tells the two apart: an angle if there is one, of the body declared last.
-    fn two_ways(&self, differing: &[usize], one: &[f64], other: &[f64]) -> (Range, Fact) {
+    fn two_ways(&self, differing: &[usize], one: &[f64], other: &[f64]) -> (Range, AssemblyFact) {
         let numeric = self.numeric;
         let half_a_turn = |angle: f64| angle - (angle / core::f64::consts::TAU).round() * core::f64::consts::TAU;
         let apart = |unknown: usize| {
@@ -329,7 +329,7 @@ impl Judge<'_> {
         };
         // The positive one is offered.
         let (one, other) = if shown(one) < shown(other) { (other, one) } else { (one, other) };
-        let fact = Fact::AmbiguousStart {
+        let fact = AssemblyFact::AmbiguousStart {
             body: name.to_string(),
             coordinate: numeric.system.coordinates[unknown].role,
             values: [shown(one), shown(other)],

@@ -4,7 +4,7 @@
 //! no equation of it changes when the same is added to x, or to y, of all its bodies. An equation on a single body never allows that
 //! unless it holds an angle only. Of a body that is alone, `mobility` says which of its coordinates nothing determines.
 
-use crate::diag::{Diag, Fact};
+use crate::diag::{Diag, SystemFact};
 use crate::expr::{Arena, Expr, Leaf, Values, evaluate};
 use crate::model::{Model, Said, example};
 use crate::quantity::Role;
@@ -28,7 +28,7 @@ fn every_body_is_held(model: &Model, system: &System, diag: &mut Diag) {
     for (index, body) in model.bodies.iter().enumerate() {
         if !held.contains(&index) && said.is_new(&body.name) {
             let example = example::revolute(&example::place_of_one(model, on_ground.iter().copied()), &example::place_of(model, index));
-            diag.refuse::<()>(&body.name, Fact::BodyIsFree { body: body.name.to_string(), example });
+            diag.refuse::<()>(&body.name, SystemFact::BodyIsFree { body: body.name.to_string(), example });
         }
     }
 }
@@ -44,7 +44,7 @@ fn every_group_is_on_ground(model: &Model, system: &System, diag: &mut Diag) {
         let floats = rows.iter().all(|row| can_be_shifted(system, arena, &system.equations[*row]));
         if floats && said.is_new(&model.bodies[bodies[0]].name) {
             let names = bodies.iter().map(|body| model.bodies[*body].name.to_string()).collect();
-            diag.refuse::<()>(&model.bodies[bodies[0]].name, Fact::NotOnGround { bodies: names });
+            diag.refuse::<()>(&model.bodies[bodies[0]].name, SystemFact::NotOnGround { bodies: names });
         }
     }
 }

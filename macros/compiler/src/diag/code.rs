@@ -6,7 +6,7 @@
 //!
 //! To give a new fact its code:
 //!
-//! 1. Put its name into the line below whose page explains it, or into a new line under the next free number of its family.
+//! 1. Put its family and name into the line below whose page explains it, or into a new line under the next free number of its family.
 //! 2. For a new line write `errors/<code>.md`: what is wrong in one line, some sentences of mechanics, a wrong model in a
 //!    `compile_fail` block, a right one in a plain block, and what to do.
 //! 3. `REULEAUX_GOLDEN=write cargo test -p reuleaux-compiler --test errors` writes under the wrong model what the compiler says
@@ -15,16 +15,19 @@
 //! A fact in no line does not compile, nor does a line without its page. A number that was given once is never given to
 //! something else.
 
-use super::Fact;
+use super::fact::{
+    ArityFact as Arity, ArrayFact as Array, AssemblyFact as Assembly, EquationFact as Equation, Fact, GrammarFact as Grammar,
+    NameFact as Name, SystemFact as System, ValueFact as Value,
+};
 
 macro_rules! codes {
-    ($($code:ident: $($fact:ident)+;)*) => {
+    ($($code:ident: $($family:ident::$fact:ident)+;)*) => {
         impl Fact {
             /// The code of the page that explains the fact, such as `E0305`.
             #[must_use]
             pub fn code(&self) -> &'static str {
                 match self {
-                    $($(Fact::$fact { .. })|+ => stringify!($code),)*
+                    $($(Fact::$family($family::$fact { .. }))|+ => stringify!($code),)*
                     // Where it was is no part of what is wrong.
                     Fact::InInstance { fact, .. } | Fact::InDefinition { fact, .. } => fact.code(),
                 }
@@ -38,107 +41,107 @@ macro_rules! codes {
 
 codes! {
     // Grammar.
-    E0001: Syntax Expected Unnamed;
-    E0002: NotANumber;
-    E0003: TooDeep TooLong LongChain PartsTooDeep;
-    E0004: Keyword;
-    E0005: UnknownAttribute;
-    E0006: TokensAfter;
-    E0007: UnknownItem;
-    E0008: UnknownBodyItem;
-    E0009: PairWithoutParentheses NotTwoComponents;
-    E0010: DoubleStar MethodCall;
-    E0011: PathOfConstraint;
-    E0012: SpaceBeforeUnit;
-    E0013: ExponentTooLarge;
-    E0014: OnlyAtTheTop StartInLoop;
-    E0015: ClosingWord AllowedWord AttributeTwice;
+    E0001: Grammar::Syntax Grammar::Expected Grammar::Unnamed;
+    E0002: Grammar::NotANumber;
+    E0003: Grammar::TooDeep Grammar::TooLong Grammar::LongChain Grammar::PartsTooDeep;
+    E0004: Grammar::Keyword;
+    E0005: Grammar::UnknownAttribute;
+    E0006: Grammar::TokensAfter;
+    E0007: Grammar::UnknownItem;
+    E0008: Grammar::UnknownBodyItem;
+    E0009: Grammar::PairWithoutParentheses Value::NotTwoComponents;
+    E0010: Grammar::DoubleStar Grammar::MethodCall;
+    E0011: Grammar::PathOfConstraint;
+    E0012: Grammar::SpaceBeforeUnit;
+    E0013: Grammar::ExponentTooLarge;
+    E0014: Grammar::OnlyAtTheTop Grammar::StartInLoop;
+    E0015: Grammar::ClosingWord Grammar::AllowedWord Grammar::AttributeTwice;
     // Names.
-    E0101: UnknownName;
-    E0102: UnknownField;
-    E0103: UnknownFunction;
-    E0104: UnknownConstraint NotAConstraint ComponentAsConstraint;
-    E0105: UnknownComponent;
-    E0106: UnknownUnit UnitAlone;
-    E0107: UnknownDimension;
-    E0108: UnknownKind;
-    E0109: UnknownStart;
-    E0110: Duplicate DuplicateMark;
-    E0111: DuplicateStart;
-    E0112: DuplicateGround DuplicateRange;
-    E0113: Reserved Generated GeneratedType NumberType;
-    E0114: Cycle;
-    E0115: Recursion ComponentRecursion;
-    E0116: OutsideOfComponent;
-    E0117: OutputRead;
+    E0101: Name::UnknownName;
+    E0102: Name::UnknownField;
+    E0103: Name::UnknownFunction;
+    E0104: Name::UnknownConstraint Name::NotAConstraint Array::ComponentAsConstraint;
+    E0105: Array::UnknownComponent;
+    E0106: Name::UnknownUnit Name::UnitAlone;
+    E0107: Name::UnknownDimension;
+    E0108: Name::UnknownKind;
+    E0109: Name::UnknownStart;
+    E0110: Name::Duplicate Name::DuplicateMark;
+    E0111: Name::DuplicateStart;
+    E0112: Name::DuplicateGround Name::DuplicateRange;
+    E0113: Name::Reserved Name::Generated Array::GeneratedType Grammar::NumberType;
+    E0114: Name::Cycle;
+    E0115: Name::Recursion Array::ComponentRecursion;
+    E0116: Array::OutsideOfComponent;
+    E0117: Name::OutputRead;
     // Arguments.
-    E0201: MissingArguments;
-    E0202: TooManyArguments;
-    E0203: UnknownArgument ParameterAsArgument;
-    E0204: DuplicateArgument;
-    E0205: PositionalAfterNamed;
-    E0206: FunctionArity TableArity;
-    E0207: OneArgument FunctionNeedsArgument;
-    E0208: DefaultBefore;
+    E0201: Arity::MissingArguments;
+    E0202: Arity::TooManyArguments;
+    E0203: Arity::UnknownArgument Array::ParameterAsArgument;
+    E0204: Arity::DuplicateArgument;
+    E0205: Arity::PositionalAfterNamed;
+    E0206: Arity::FunctionArity Value::TableArity;
+    E0207: Grammar::OneArgument Value::FunctionNeedsArgument;
+    E0208: Arity::DefaultBefore;
     // Kinds and dimensions.
-    E0301: NotA NotAnOutput;
-    E0302: WrongArgument WrongDefault;
-    E0303: WrongArgumentDimension;
-    E0304: Unlike;
-    E0305: WrongDimension NotALength;
-    E0306: CannotEquate CannotCompare OrderOfBodies;
-    E0307: FunctionTakes;
-    E0308: VectorAndNumber;
-    E0309: VectorTimesVector NumberByVector;
-    E0310: PowerOfDimension;
+    E0301: Value::NotA Value::NotAnOutput;
+    E0302: Value::WrongArgument Value::WrongDefault;
+    E0303: Value::WrongArgumentDimension;
+    E0304: Value::Unlike;
+    E0305: Value::WrongDimension Value::NotALength;
+    E0306: Value::CannotEquate Value::CannotCompare Value::OrderOfBodies;
+    E0307: Value::FunctionTakes;
+    E0308: Value::VectorAndNumber;
+    E0309: Value::VectorTimesVector Value::NumberByVector;
+    E0310: Value::PowerOfDimension;
     // Values.
-    E0401: NumberOutOfRange NumberTooLong;
-    E0402: NotFinite;
-    E0403: DivisionByZero;
-    E0404: RequirementFails RequirementFailsAtDefaults;
-    E0405: ZeroAxis;
-    E0406: NotConstant;
-    E0407: NotFixed;
-    E0408: EqualityInChoice;
-    E0409: ListOutsideTable TableNeedsList TableNeedsPairs TableTooShort;
-    E0410: TableNotIncreasing;
-    E0411: TableNotPeriodic TableEnds;
+    E0401: Value::NumberOutOfRange Value::NumberTooLong;
+    E0402: Value::NotFinite;
+    E0403: Value::DivisionByZero;
+    E0404: Equation::RequirementFails Equation::RequirementFailsAtDefaults;
+    E0405: Value::ZeroAxis;
+    E0406: Value::NotConstant;
+    E0407: Value::NotFixed;
+    E0408: Value::EqualityInChoice;
+    E0409: Value::ListOutsideTable Value::TableNeedsList Value::TableNeedsPairs Value::TableTooShort;
+    E0410: Value::TableNotIncreasing;
+    E0411: Value::TableNotPeriodic Value::TableEnds;
     // Loops, arrays and parts.
-    E0501: WithoutIndex DuplicateInLoop;
-    E0502: ArrayWithoutIndex;
-    E0503: NoArray IndexInEquations;
-    E0504: IndexOutOfRange NegativeIndex;
-    E0505: MissingIndex;
-    E0506: NotWhole;
-    E0507: NotKnownWhole;
-    E0508: EmptyRange;
-    E0509: LongRange WholeTooLarge TooManyItems TooLarge;
-    E0510: UnlikeParts UnlikeOutputs;
+    E0501: Array::WithoutIndex Array::DuplicateInLoop;
+    E0502: Array::ArrayWithoutIndex;
+    E0503: Array::NoArray Grammar::IndexInEquations;
+    E0504: Array::IndexOutOfRange Array::NegativeIndex;
+    E0505: Array::MissingIndex;
+    E0506: Array::NotWhole;
+    E0507: Array::NotKnownWhole;
+    E0508: Array::EmptyRange;
+    E0509: Array::LongRange Array::WholeTooLarge Array::TooManyItems Value::TooLarge;
+    E0510: Array::UnlikeParts Array::UnlikeOutputs;
     // Equations.
-    E0601: TimeInJoint TimeIn TimeInDefinition;
-    E0602: RowOfNothing OnGround;
-    E0603: NoEquations EmptyBundle;
-    E0604: GroundStart;
+    E0601: Equation::TimeInJoint Equation::TimeIn Equation::TimeInDefinition;
+    E0602: Equation::RowOfNothing Equation::OnGround;
+    E0603: Equation::NoEquations Equation::EmptyBundle;
+    E0604: Equation::GroundStart;
     // Mobility.
-    E0701: NoBodies;
-    E0702: BodyIsFree;
-    E0703: DrivesMissing;
-    E0704: TooManyEquations;
-    E0705: NotOnGround;
-    E0706: FreeCoordinates;
-    E0707: NothingToDrive;
-    E0708: DrivesContend;
+    E0701: System::NoBodies;
+    E0702: System::BodyIsFree;
+    E0703: System::DrivesMissing;
+    E0704: System::TooManyEquations;
+    E0705: System::NotOnGround;
+    E0706: System::FreeCoordinates;
+    E0707: System::NothingToDrive;
+    E0708: System::DrivesContend;
     // Redundancy.
-    E0801: Repeats Follows FollowsFrom;
-    E0802: Contradicts CannotHold Collides;
-    E0803: NotRedundant;
+    E0801: System::Repeats System::Follows System::FollowsFrom;
+    E0802: System::Contradicts System::CannotHold System::Collides;
+    E0803: System::NotRedundant;
     // Closure.
-    E0901: StaysOpen NeverCloses;
-    E0902: HasNoValue HasNoRate;
-    E0903: SingularStart;
-    E0904: AmbiguousStart;
-    E0905: MotionEnds Crosses;
+    E0901: Assembly::StaysOpen Assembly::NeverCloses;
+    E0902: Assembly::HasNoValue Assembly::HasNoRate;
+    E0903: Assembly::SingularStart;
+    E0904: Assembly::AmbiguousStart;
+    E0905: Assembly::MotionEnds Assembly::Crosses;
     // Parameters.
-    E1001: EmptyBounds RangeWithoutEnd;
-    E1002: DefaultOutOfBounds;
+    E1001: Value::EmptyBounds Value::RangeWithoutEnd;
+    E1002: Value::DefaultOutOfBounds;
 }

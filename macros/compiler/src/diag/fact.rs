@@ -1,12 +1,41 @@
-//! What can be wrong with a declaration: facts with their numbers. `message.rs` has the words.
+//! What can be wrong with a declaration: facts with their numbers, in families. `message.rs` has the words, a file for each family.
 
 use crate::quantity::{Dim, Role};
 
 /// Something wrong with a declaration.
 #[derive(Clone, Debug, PartialEq)]
-#[allow(missing_docs)] // The sentence in `message.rs` is the documentation of each fact.
+#[allow(missing_docs)] // Each family has its documentation.
 pub enum Fact {
-    // Syntax.
+    Grammar(GrammarFact),
+    Array(ArrayFact),
+    Name(NameFact),
+    Arity(ArityFact),
+    Value(ValueFact),
+    Equation(EquationFact),
+    System(SystemFact),
+    Assembly(AssemblyFact),
+    InInstance { place: String, fact: Box<Fact> },
+    InDefinition { definition: String, quantities: Vec<(String, Dim)>, fact: Box<Fact> },
+}
+
+macro_rules! families {
+    ($($family:ident: $fact:ident),*) => {
+        $(impl From<$fact> for Fact {
+            fn from(fact: $fact) -> Fact {
+                Fact::$family(fact)
+            }
+        })*
+    };
+}
+
+families! {
+    Grammar: GrammarFact, Array: ArrayFact, Name: NameFact, Arity: ArityFact, Value: ValueFact, Equation: EquationFact, System: SystemFact, Assembly: AssemblyFact
+}
+
+/// Tokens that are no declaration.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)] // The sentence of each fact is its documentation.
+pub enum GrammarFact {
     Syntax { message: String },
     Expected { what: &'static str, found: String },
     Unnamed { word: &'static str, kind: String },
@@ -34,7 +63,12 @@ pub enum Fact {
     OnlyAtTheTop { word: String },
     StartInLoop,
     IndexInEquations { name: String },
-    // Arrays and parts.
+}
+
+/// Loops, arrays, components and parts.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)] // The sentence of each fact is its documentation.
+pub enum ArrayFact {
     WithoutIndex { name: String, variable: String },
     DuplicateInLoop { name: String, variable: String },
     ArrayWithoutIndex { name: String },
@@ -56,8 +90,12 @@ pub enum Fact {
     UnlikeParts { name: String, component: String },
     UnlikeOutputs { name: String },
     GeneratedType { name: String },
-    InInstance { place: String, fact: Box<Fact> },
-    // Names.
+}
+
+/// Names: unknown, taken, or in a circle.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)] // The sentence of each fact is its documentation.
+pub enum NameFact {
     UnknownName { name: String, near: Option<String> },
     OutputRead { name: String },
     UnitAlone { name: String },
@@ -74,12 +112,16 @@ pub enum Fact {
     DuplicateStart { name: String, body: String },
     DuplicateGround,
     DuplicateRange,
-    RangeWithoutEnd,
     Reserved { name: String },
     Generated { name: String },
     Cycle { name: String, through: Vec<String> },
     Recursion { name: String },
-    // Arity.
+}
+
+/// Arguments: too many, too few, in the wrong order.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)] // The sentence of each fact is its documentation.
+pub enum ArityFact {
     TooManyArguments { definition: String, signature: String, takes: [usize; 2], found: usize },
     MissingArguments { definition: String, signature: String, takes: [usize; 2], found: usize, missing: Vec<String> },
     UnknownArgument { definition: String, name: String, signature: String, near: Option<String> },
@@ -87,7 +129,13 @@ pub enum Fact {
     PositionalAfterNamed { next: Option<String> },
     FunctionArity { name: String, wanted: usize, found: usize },
     DefaultBefore { name: String },
-    // Kinds and dimensions.
+}
+
+/// Kinds, dimensions and values.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)] // The sentence of each fact is its documentation.
+pub enum ValueFact {
+    RangeWithoutEnd,
     NotA { wanted: &'static str, found: &'static str },
     WrongArgument { parameter: String, definition: String, wanted: String, found: String, instead: Option<String> },
     WrongArgumentDimension { parameter: String, definition: String, wanted: Dim, found: Dim },
@@ -105,7 +153,6 @@ pub enum Fact {
     NumberByVector,
     PowerOfDimension { base: Dim },
     NotAnOutput { found: &'static str },
-    // Values.
     NumberTooLong { number: String, limit: usize },
     NumberOutOfRange { number: String },
     NotFinite { place: &'static str },
@@ -126,7 +173,12 @@ pub enum Fact {
     NotFixed { place: &'static str },
     FunctionNeedsArgument,
     ZeroAxis { name: String },
-    // Joints.
+}
+
+/// Joints, drives and definitions, each for itself.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)] // The sentence of each fact is its documentation.
+pub enum EquationFact {
     TimeIn { place: &'static str },
     TimeInDefinition,
     TimeInJoint { joint: String },
@@ -137,8 +189,12 @@ pub enum Fact {
     NoEquations { name: String },
     EmptyBundle { name: String },
     GroundStart,
-    InDefinition { definition: String, quantities: Vec<(String, Dim)>, fact: Box<Fact> },
-    // The whole.
+}
+
+/// The mechanism as a whole: mobility and redundancy.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)] // The sentence of each fact is its documentation.
+pub enum SystemFact {
     NoBodies { name: String },
     BodyIsFree { body: String, example: String },
     Repeats { joint: String, other: String },
@@ -154,7 +210,12 @@ pub enum Fact {
     NotRedundant { joint: String, free: Vec<String> },
     CannotHold { joint: String, bodies: Vec<String>, length: Option<f64>, angle: Option<f64>, time: Option<f64>, is_redundant: bool },
     TooManyEquations { joint: String, others: Vec<String>, equations: usize, coordinates: Vec<String>, free: Vec<String>, for_free: usize },
-    // The assembly at the declared defaults.
+}
+
+/// The assembly at the declared defaults, and the motion from there.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)] // The sentence of each fact is its documentation.
+pub enum AssemblyFact {
     StaysOpen { joint: String, gap: Box<Gap>, others: Vec<String>, drives: Vec<String>, bound: Option<Box<Bound>> },
     NeverCloses { joints: Vec<String>, drives: Vec<String>, bound: Option<Box<Bound>> },
     HasNoRate { joint: String, row: usize, of: usize },

@@ -12,7 +12,10 @@ mod suggest;
 mod warning;
 
 pub use code::PAGES;
-pub use fact::{Bound, Count, Demand, Driven, Fact, Forgotten, Gap, Known};
+pub use fact::{
+    ArityFact, ArrayFact, AssemblyFact, Bound, Count, Demand, Driven, EquationFact, Fact, Forgotten, Gap, GrammarFact, Known, NameFact,
+    SystemFact, ValueFact,
+};
 pub(crate) use message::{degrees, millimetres, significant};
 pub(crate) use remedy::quantity;
 pub(crate) use suggest::{nearest, nearest_unit};
@@ -59,7 +62,7 @@ pub struct Refusal {
 
 impl From<syn::Error> for Refusal {
     fn from(error: syn::Error) -> Refusal {
-        Refusal { range: error.span().into(), fact: Fact::Syntax { message: error.to_string() } }
+        Refusal { range: error.span().into(), fact: GrammarFact::Syntax { message: error.to_string() }.into() }
     }
 }
 
@@ -83,8 +86,10 @@ impl Refusal {
 /// A keyword was found where a name or an expression should stand.
 fn is_about(fact: &Fact, word: &str) -> bool {
     match fact {
-        Fact::Keyword { word: other } => other == word,
-        Fact::Expected { found, .. } => found.strip_prefix('`').and_then(|found| found.strip_suffix('`')) == Some(word),
+        Fact::Grammar(GrammarFact::Keyword { word: other }) => other == word,
+        Fact::Grammar(GrammarFact::Expected { found, .. }) => {
+            found.strip_prefix('`').and_then(|found| found.strip_suffix('`')) == Some(word)
+        }
         _ => false,
     }
 }
@@ -101,16 +106,17 @@ impl Diag {
     ///
     /// A word that cannot be a name is refused once, not wherever it stands.
     /// Nothing is taken note of any more once the sink is [exhausted](Diag::exhaust).
-    pub fn refuse<T>(&mut self, range: impl Into<Range>, fact: Fact) -> Option<T> {
+    pub fn refuse<T>(&mut self, range: impl Into<Range>, fact: impl Into<Fact>) -> Option<T> {
+        let fact = fact.into();
         let is_known = |refusal: &Refusal| match &refusal.fact {
-            Fact::Keyword { word } => is_about(&fact, word),
-            Fact::Expected { found, .. } => found == "`_`" && is_about(&fact, "_"),
+            Fact::Grammar(GrammarFact::Keyword { word }) => is_about(&fact, word),
+            Fact::Grammar(GrammarFact::Expected { found, .. }) => found == "`_`" && is_about(&fact, "_"),
             _ => false,
         };
         if self.is_exhausted || self.refusals.iter().any(is_known) {
             return None;
         }
-        if let Fact::Keyword { word } = &fact {
+        if let Fact::Grammar(GrammarFact::Keyword { word }) = &fact {
             self.refusals.retain(|refusal| !is_about(&refusal.fact, word));
         }
         self.refusals.push(Refusal { fact, range: range.into() });

@@ -6,8 +6,8 @@ use super::literal::{matrix_type, number, vector_type};
 use super::parameters::Parameters;
 use super::slices::{plain, slice_name};
 use super::state::Accessors;
-use crate::diag::Fact;
 use crate::diag::nearest;
+use crate::diag::{Fact, NameFact};
 use crate::model::{Layout, Method, Of, Outline, is_generated, outline};
 use crate::syntax::ast::{Expr, ExprKind, Item, Marks, Mechanism, Operator, Use};
 use proc_macro2::{Ident, TokenStream};
@@ -30,7 +30,7 @@ pub(crate) fn stub(tree: &Mechanism) -> TokenStream {
 pub(crate) fn fallback(tree: &Mechanism, wanted: &Use) -> TokenStream {
     let Mechanism { visibility, name, .. } = tree;
     let module = format_ident!("__reuleaux_{}", name);
-    let why = Fact::NotAConstraint { name: wanted.path.last.to_string() }.message();
+    let why = Fact::from(NameFact::NotAConstraint { name: wanted.path.last.to_string() }).message();
     let promise = promise(tree, &quote!(pub), &quote!({ let () = #name::<T>::IS_A_CONSTRAINT; loop {} }));
     // An associated constant is only evaluated for functions that are built, after all other errors.
     let check = quote_spanned!(wanted.path.last.span()=> const IS_A_CONSTRAINT: () = ::core::panic!(#why););

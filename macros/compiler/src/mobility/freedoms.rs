@@ -1,6 +1,6 @@
 //! Freedoms that are left: coordinates that nothing determines, and drives that are missing.
 
-use crate::diag::{Count, Diag, Fact, Forgotten};
+use crate::diag::{Count, Diag, Forgotten, SystemFact};
 use crate::model::{Model, example};
 use crate::quantity::{Axis, Role};
 use crate::structure::{DmPart, Entry, Matching, Pattern, maximum};
@@ -30,14 +30,14 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
         let has_place = !has_no_place(&first);
         let example = if has_place { drive_for(model, system, *first) } else { pin(model, body(first)) };
         let coordinates = in_none.iter().map(|unknown| system.name(model, *unknown)).collect();
-        diag.refuse::<()>(name, Fact::FreeCoordinates { body: name.to_string(), coordinates, has_place, example });
+        diag.refuse::<()>(name, SystemFact::FreeCoordinates { body: name.to_string(), coordinates, has_place, example });
         return;
     }
     let [first, second] = candidates(model, system, pattern, under);
     let chosen = chosen(pattern, &[first.as_slice(), &second].concat(), missing.min(MOST_CHOSEN));
     let shown = if missing == 1 { &first } else { &chosen };
     let forgotten = if missing > 1 { forgotten(model, system, pattern, under, &chosen) } else { Forgotten::default() };
-    let fact = Fact::DrivesMissing {
+    let fact = SystemFact::DrivesMissing {
         name: model.name.to_string(),
         count: Box::new(Count { coordinates: system.coordinates.len(), joints: solved - drives, drives, missing }),
         forgotten: Box::new(forgotten),

@@ -4,7 +4,7 @@
 //! [`contending`] reaches from it is the smallest group that is too much. So joints are blamed only for what they do to each other,
 //! and a drive for what it adds to them.
 
-use crate::diag::{Diag, Fact};
+use crate::diag::{Diag, SystemFact};
 use crate::model::{Model, Said};
 use crate::structure::{DmPart, Pattern, contending, maximum};
 use crate::system::System;
@@ -63,10 +63,10 @@ impl Contenders<'_> {
 }
 
 /// Joints alone demand more than there is to demand: the mobility of the group is below zero.
-fn joints_contend(view: &Contenders, joints: &[usize]) -> (usize, Fact) {
+fn joints_contend(view: &Contenders, joints: &[usize]) -> (usize, SystemFact) {
     let blamed = view.system.equations[view.group.first].joint;
     let others: Vec<usize> = joints.iter().copied().filter(|joint| *joint != blamed).collect();
-    let fact = Fact::TooManyEquations {
+    let fact = SystemFact::TooManyEquations {
         joint: view.model.joints[blamed].name.to_string(),
         others: view.joints(&others),
         equations: view.group.part.equations.len(),
@@ -78,8 +78,8 @@ fn joints_contend(view: &Contenders, joints: &[usize]) -> (usize, Fact) {
 }
 
 /// Joints leave a drive no freedom.
-fn nothing_to_drive(view: &Contenders, drive: usize, joints: &[usize]) -> Fact {
-    Fact::NothingToDrive {
+fn nothing_to_drive(view: &Contenders, drive: usize, joints: &[usize]) -> SystemFact {
+    SystemFact::NothingToDrive {
         drive: view.model.joints[drive].name.to_string(),
         joints: view.joints(joints),
         equations: [view.of_joints(), joints.iter().map(|joint| view.model.joints[*joint].residuals.len()).sum()],
@@ -89,8 +89,8 @@ fn nothing_to_drive(view: &Contenders, drive: usize, joints: &[usize]) -> Fact {
 }
 
 /// Joints leave fewer freedoms than there are drives for them.
-fn drives_contend(view: &Contenders, drives: &[usize], joints: &[usize]) -> Fact {
-    Fact::DrivesContend {
+fn drives_contend(view: &Contenders, drives: &[usize], joints: &[usize]) -> SystemFact {
+    SystemFact::DrivesContend {
         drives: view.joints(drives),
         freedoms: view.group.part.unknowns.len() - view.of_joints(),
         joints: view.joints(joints),

@@ -3,7 +3,7 @@
 use super::Components;
 use super::elaborate::{Elaborator, Scope};
 use super::value::{Scalar, Value, Vector};
-use crate::diag::{Fact, Range};
+use crate::diag::{Range, ValueFact};
 use crate::expr::{Exact, Expr, Unary};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, Operator, Relation};
@@ -17,19 +17,21 @@ impl Elaborator<'_> {
         let noun = inner.noun();
         match self.as_vector(inner) {
             Some(vector) => Some(Value::Vector(Vector { parts: vector.parts.map(|part| self.arena.neg(part)), ..vector })),
-            None => self.refuse(value.range, Fact::NotA { wanted: "a number or a vector", found: noun }),
+            None => self.refuse(value.range, ValueFact::NotA { wanted: "a number or a vector", found: noun }),
         }
     }
 
     pub(super) fn tuple(&mut self, range: Range, items: &[ast::Expr], scope: &Scope) -> Option<Vector> {
         let [x, y] = items else {
-            return self.refuse(range, Fact::NotTwoComponents { found: items.len() });
+            return self.refuse(range, ValueFact::NotTwoComponents { found: items.len() });
         };
         let (x, y) = (self.scalar(x, scope), self.scalar(y, scope));
         let (x, y) = (x?, y?);
         match x.measure.common(y.measure) {
             Some(measure) => Some(Vector { parts: Components::plane(x.expr, y.expr), measure }),
-            None => self.refuse(range, Fact::Unlike { action: "make one vector of", one: x.measure.settled(), two: y.measure.settled() }),
+            None => {
+                self.refuse(range, ValueFact::Unlike { action: "make one vector of", one: x.measure.settled(), two: y.measure.settled() })
+            }
         }
     }
 
@@ -50,11 +52,11 @@ impl Elaborator<'_> {
             };
             let instead: Option<Vec<String>> = parts.into_iter().map(in_millimetres).collect();
             let instead = instead.map(|parts| if parts.len() == 1 { parts.concat() } else { format!("({})", parts.join(", ")) });
-            return self.refuse(blamed, Fact::NotALength { found: found.measure.settled(), instead });
+            return self.refuse(blamed, ValueFact::NotALength { found: found.measure.settled(), instead });
         }
         let vector = self.vector(written, scope)?;
         if !vector.measure.fits(Dim::LENGTH) {
-            return self.refuse(written.range, Fact::WrongDimension { wanted: Dim::LENGTH, found: vector.measure.settled() });
+            return self.refuse(written.range, ValueFact::WrongDimension { wanted: Dim::LENGTH, found: vector.measure.settled() });
         }
         Some(vector)
     }
@@ -80,14 +82,14 @@ impl Elaborator<'_> {
             Operator::Mul => (self.arena.mul(one.expr, two.expr), one.measure.times(two.measure)),
             Operator::Div => {
                 if self.arena.as_constant(two.expr).is_some_and(|value| value.is_zero()) {
-                    return self.refuse(second, Fact::DivisionByZero);
+                    return self.refuse(second, ValueFact::DivisionByZero);
                 }
                 (self.arena.div(one.expr, two.expr), one.measure.per(two.measure))
             }
             Operator::Add | Operator::Sub | Operator::Power | Operator::Rem => {
                 let Some(measure) = one.measure.common(two.measure) else {
                     let action = if operator == Operator::Add { "add" } else { "subtract" };
-                    return self.refuse(range, Fact::Unlike { action, one: one.measure.settled(), two: two.measure.settled() });
+                    return self.refuse(range, ValueFact::Unlike { action, one: one.measure.settled(), two: two.measure.settled() });
                 };
                 let expr = if operator == Operator::Add { self.arena.add(one.expr, two.expr) } else { self.arena.sub(one.expr, two.expr) };
                 (expr, measure)
@@ -115,30 +117,30 @@ impl Elaborator<'_> {
             return self.combine_vectors(range, operator, right, left);
         }
         if !right.1.is_combinable() {
-            return self.refuse(right.0.range, Fact::NotA { wanted: "a number or a vector", found: right.1.noun() });
+            return self.refuse(right.0.range, ValueFact::NotA { wanted: "a number or a vector", found: right.1.noun() });
         }
         match (operator, &left.1) {
-            (Operator::Div, Value::Scalar(_)) => return self.refuse(range, Fact::NumberByVector),
-            (_, Value::Scalar(_)) => return self.refuse(range, Fact::VectorAndNumber),
+            (Operator::Div, Value::Scalar(_)) => return self.refuse(range, ValueFact::NumberByVector),
+            (_, Value::Scalar(_)) => return self.refuse(range, ValueFact::VectorAndNumber),
             _ => {}
         }
         let noun = left.1.noun();
         let Some(one) = self.as_vector(left.1) else {
-            return self.refuse(left.0.range, Fact::NotA { wanted: "a number or a vector", found: noun });
+            return self.refuse(left.0.range, ValueFact::NotA { wanted: "a number or a vector", found: noun });
         };
         if let Value::Scalar(factor) = right.1 {
             if matches!(operator, Operator::Add | Operator::Sub) {
-                return self.refuse(range, Fact::VectorAndNumber);
+                return self.refuse(range, ValueFact::VectorAndNumber);
             }
             let factors = vec![factor; one.parts.len()];
             return self.combine_parts(range, operator, one, &factors, right.0.range).map(Value::Vector);
         }
         let noun = right.1.noun();
         let Some(two) = self.as_vector(right.1) else {
-            return self.refuse(right.0.range, Fact::NotA { wanted: "a number or a vector", found: noun });
+            return self.refuse(right.0.range, ValueFact::NotA { wanted: "a number or a vector", found: noun });
         };
         if !matches!(operator, Operator::Add | Operator::Sub) {
-            return self.refuse(range, Fact::VectorTimesVector);
+            return self.refuse(range, ValueFact::VectorTimesVector);
         }
         let others: Vec<Scalar> = two.parts.iter().map(|expr| Scalar { expr: *expr, measure: two.measure }).collect();
         self.combine_parts(range, operator, one, &others, right.0.range).map(Value::Vector)
@@ -160,7 +162,7 @@ impl Elaborator<'_> {
         let (one, two) = (self.scalar(base, scope), self.scalar(exponent, scope));
         let (one, two) = (one?, two?);
         if !two.measure.fits(Dim::NUMBER) {
-            return self.refuse(exponent.range, Fact::WrongDimension { wanted: Dim::NUMBER, found: two.measure.settled() });
+            return self.refuse(exponent.range, ValueFact::WrongDimension { wanted: Dim::NUMBER, found: two.measure.settled() });
         }
         let constant = self.arena.as_constant(two.expr).map(Exact::to_f64);
         let whole_multiple_of = |unit: f64| constant.map(|value| value * unit).filter(|value| value.fract() == 0.0);
@@ -170,7 +172,7 @@ impl Elaborator<'_> {
             plain => Some(plain),
         };
         let Some(measure) = measure else {
-            return self.refuse(range, Fact::PowerOfDimension { base: one.measure.settled() });
+            return self.refuse(range, ValueFact::PowerOfDimension { base: one.measure.settled() });
         };
         let halves = whole_multiple_of(2.0).filter(|value| value.abs() <= f64::from(i32::MAX)).map(|value| value as i32);
         let expr = match halves {
@@ -213,10 +215,11 @@ impl Elaborator<'_> {
         let (left, right, yes, no) = (left?, right?, yes?, no?);
         if left.measure.common(right.measure).is_none() {
             let (one, two) = (left.measure.settled(), right.measure.settled());
-            return self.refuse(lhs.range.to(rhs.range), Fact::Unlike { action: "compare", one, two });
+            return self.refuse(lhs.range.to(rhs.range), ValueFact::Unlike { action: "compare", one, two });
         }
         let Some(measure) = yes.measure.common(no.measure) else {
-            return self.refuse(range, Fact::Unlike { action: "choose between", one: yes.measure.settled(), two: no.measure.settled() });
+            return self
+                .refuse(range, ValueFact::Unlike { action: "choose between", one: yes.measure.settled(), two: no.measure.settled() });
         };
         let (l, r, y, n) = (left.expr, right.expr, yes.expr, no.expr);
         let expr = match relation {
@@ -224,7 +227,7 @@ impl Elaborator<'_> {
             Relation::Greater => self.arena.select(r, l, y, n),
             Relation::LessOrEqual => self.arena.select(r, l, n, y),
             Relation::GreaterOrEqual => self.arena.select(l, r, n, y),
-            Relation::Equal | Relation::Different => return self.refuse(lhs.range.to(rhs.range), Fact::EqualityInChoice),
+            Relation::Equal | Relation::Different => return self.refuse(lhs.range.to(rhs.range), ValueFact::EqualityInChoice),
         };
         Some(Value::Scalar(Scalar { expr, measure }))
     }
@@ -236,16 +239,16 @@ impl Elaborator<'_> {
         let (left, right) = (left?, right?);
         if let (Value::Scalar(one), Value::Scalar(two)) = (&left, &right) {
             let Some(measure) = one.measure.common(two.measure) else {
-                return self.refuse(range, Fact::Unlike { action: "equate", one: one.measure.settled(), two: two.measure.settled() });
+                return self.refuse(range, ValueFact::Unlike { action: "equate", one: one.measure.settled(), two: two.measure.settled() });
             };
             return Some(vec![Scalar { expr: self.arena.sub(one.expr, two.expr), measure }]);
         }
         let nouns = (left.noun(), right.noun());
         let (Some(one), Some(two)) = (self.as_vector(left), self.as_vector(right)) else {
-            return self.refuse(range, Fact::CannotEquate { one: nouns.0, two: nouns.1 });
+            return self.refuse(range, ValueFact::CannotEquate { one: nouns.0, two: nouns.1 });
         };
         let Some(measure) = one.measure.common(two.measure) else {
-            return self.refuse(range, Fact::Unlike { action: "equate", one: one.measure.settled(), two: two.measure.settled() });
+            return self.refuse(range, ValueFact::Unlike { action: "equate", one: one.measure.settled(), two: two.measure.settled() });
         };
         let parts = one.parts.zip(two.parts, |one, two| self.arena.sub(one, two));
         Some(parts.iter().map(|expr| Scalar { expr: *expr, measure }).collect())

@@ -3,7 +3,7 @@
 use super::elaborate::{Elaborator, Scope};
 use super::register::Register;
 use super::{Bounds, Parameter, Times};
-use crate::diag::Fact;
+use crate::diag::ValueFact;
 use crate::expr::{Expr, Leaf};
 use crate::quantity::Dim;
 use crate::syntax::ast::{self, ExprKind, Limits};
@@ -32,7 +32,7 @@ impl Elaborator<'_> {
         if let (Some(from), Some(to)) = (from, to)
             && (from > to || from == to && !limits.is_inclusive)
         {
-            return self.refuse(limits.range, Fact::EmptyBounds { bounds: bounds.text, is_point: from == to });
+            return self.refuse(limits.range, ValueFact::EmptyBounds { bounds: bounds.text, is_point: from == to });
         }
         Some(bounds)
     }
@@ -47,16 +47,16 @@ impl Elaborator<'_> {
         let mut end = |written: &ast::Expr| {
             let expr = self.scalar_of(written, Dim::TIME, &scope)?.expr;
             if self.arena.leaves(expr).iter().any(|leaf| !matches!(leaf, Leaf::Parameter(_))) {
-                return self.refuse(written.range, Fact::NotFixed { place });
+                return self.refuse(written.range, ValueFact::NotFixed { place });
             }
             let value = self.numbers(&defaults, &[expr])[0];
-            if value.is_finite() { Some(value) } else { self.refuse(written.range, Fact::NotFinite { place }) }
+            if value.is_finite() { Some(value) } else { self.refuse(written.range, ValueFact::NotFinite { place }) }
         };
         let (from, to) = (end(limits.from.as_ref()?), end(limits.to.as_ref()?));
         let (from, to) = (from?, to?);
         if from >= to {
             let bounds = format!("{from} s .. {to} s");
-            return self.refuse(limits.range, Fact::EmptyBounds { bounds, is_point: false });
+            return self.refuse(limits.range, ValueFact::EmptyBounds { bounds, is_point: false });
         }
         Some(Times { from, to })
     }
@@ -67,10 +67,10 @@ impl Elaborator<'_> {
         let expr = self.scalar_of(written, dim, scope)?.expr;
         if !self.arena.leaves(expr).is_empty() {
             let help = "what depends on other parameters is a `require` in a constraint";
-            return self.refuse(written.range, Fact::NotConstant { place: "the bound of a parameter", help });
+            return self.refuse(written.range, ValueFact::NotConstant { place: "the bound of a parameter", help });
         }
         let value = self.numbers(&[], &[expr])[0];
-        if self.is_finite(expr, &[]) { Some(Some(value)) } else { self.refuse(written.range, Fact::NotFinite { place: "the bound" }) }
+        if self.is_finite(expr, &[]) { Some(Some(value)) } else { self.refuse(written.range, ValueFact::NotFinite { place: "the bound" }) }
     }
 }
 

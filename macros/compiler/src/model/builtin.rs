@@ -5,7 +5,7 @@ use super::Function as Numbered;
 use super::elaborate::{Elaborator, Scope};
 use super::spline::{Ends, Table};
 use super::value::{FunctionValue, Scalar, Value, Vector};
-use crate::diag::{Fact, Range};
+use crate::diag::{ArityFact, Fact, NameFact, Range, ValueFact};
 use crate::expr::{Expr, Unary};
 use crate::library;
 use crate::quantity::{Dim, InferredDim};
@@ -53,13 +53,13 @@ impl Elaborator<'_> {
             let near = self.similar_function(name, scope);
             return self.refuse(
                 name,
-                Fact::UnknownFunction { name: name.to_string(), near, is_constraint: library::find(&name.to_string()).is_some() },
+                NameFact::UnknownFunction { name: name.to_string(), near, is_constraint: library::find(&name.to_string()).is_some() },
             );
         }
         let callee = ast::Expr { kind: ExprKind::Path(path.clone()), range: path.range, depth: 1 };
         match self.value(&callee, scope)? {
             Value::Function(function) => self.apply(range, path, &function, arguments, scope).map(Value::Scalar),
-            other => self.refuse(path.range, Fact::NotA { wanted: "a function", found: other.noun() }),
+            other => self.refuse(path.range, ValueFact::NotA { wanted: "a function", found: other.noun() }),
         }
     }
 
@@ -80,7 +80,7 @@ impl Elaborator<'_> {
             _ => 1,
         };
         if arguments.len() != wanted {
-            return self.refuse(name, Fact::FunctionArity { name: word, wanted, found: arguments.len() });
+            return self.refuse(name, ArityFact::FunctionArity { name: word, wanted, found: arguments.len() });
         }
         match word.as_str() {
             "dot" | "cross" => self.product(&word, arguments, scope).map(Value::Scalar),
@@ -94,7 +94,7 @@ impl Elaborator<'_> {
         let scalar = self.scalar(argument, scope)?;
         let plain = |this: &mut Self, wanted: Dim| {
             let found = scalar.measure.settled();
-            if found.is_plain() { Some(()) } else { this.refuse(argument.range, Fact::WrongDimension { wanted, found }) }
+            if found.is_plain() { Some(()) } else { this.refuse(argument.range, ValueFact::WrongDimension { wanted, found }) }
         };
         let (function, measure) = match word {
             "sin" | "cos" | "tan" => {
@@ -122,7 +122,7 @@ impl Elaborator<'_> {
             "abs" => (Unary::Abs, scalar.measure),
             _ => match scalar.measure.power(3) {
                 Some(measure) => (Unary::Sqrt, measure),
-                None => return self.refuse(argument.range, Fact::PowerOfDimension { base: scalar.measure.settled() }),
+                None => return self.refuse(argument.range, ValueFact::PowerOfDimension { base: scalar.measure.settled() }),
             },
         };
         Some(Scalar { expr: self.arena.unary(function, scalar.expr), measure })
@@ -132,7 +132,7 @@ impl Elaborator<'_> {
         let (one, two) = (self.scalar(&arguments[0], scope), self.scalar(&arguments[1], scope));
         let (one, two) = (one?, two?);
         let Some(measure) = one.measure.common(two.measure) else {
-            return self.refuse(range, Fact::Unlike { action: "compare", one: one.measure.settled(), two: two.measure.settled() });
+            return self.refuse(range, ValueFact::Unlike { action: "compare", one: one.measure.settled(), two: two.measure.settled() });
         };
         Some(match word {
             // Where nothing is less, as with NaN, the first one stays.
@@ -176,7 +176,7 @@ impl Elaborator<'_> {
         }
         let noun = value.noun();
         let Some(Vector { parts, measure }) = self.as_vector(value) else {
-            return self.refuse(argument.range, Fact::NotA { wanted: "a vector or a point", found: noun });
+            return self.refuse(argument.range, ValueFact::NotA { wanted: "a vector or a point", found: noun });
         };
         Some(match word {
             "perp" => {
@@ -225,12 +225,12 @@ impl Elaborator<'_> {
     ) -> Option<Scalar> {
         let [argument] = arguments else {
             let name = path.last.to_string();
-            return self.refuse(path.range, Fact::FunctionArity { name, wanted: 1, found: arguments.len() });
+            return self.refuse(path.range, ArityFact::FunctionArity { name, wanted: 1, found: arguments.len() });
         };
         let value = self.scalar(argument, scope)?;
         let accepts = |this: &mut Self, from: InferredDim| match from {
             InferredDim::Known(wanted) if !value.measure.fits(wanted) => {
-                this.refuse(argument.range, Fact::WrongDimension { wanted, found: value.measure.settled() })
+                this.refuse(argument.range, ValueFact::WrongDimension { wanted, found: value.measure.settled() })
             }
             _ => Some(()),
         };
@@ -253,9 +253,9 @@ impl Elaborator<'_> {
         if let Some(first) = self.names.open_functions.iter().position(|open| *open == name) {
             // Functions that call each other are refused once.
             let circle = &self.names.open_functions[first..];
-            let is_in_it = |fact: &Fact| matches!(fact, Fact::Recursion { name } if circle.contains(name));
+            let is_in_it = |fact: &Fact| matches!(fact, Fact::Name(NameFact::Recursion { name }) if circle.contains(name));
             let is_known = self.diag.refusals().iter().any(|refusal| is_in_it(&refusal.fact));
-            return if is_known { None } else { self.refuse(range, Fact::Recursion { name }) };
+            return if is_known { None } else { self.refuse(range, NameFact::Recursion { name }) };
         }
         let key = (Rc::as_ptr(function), argument.expr);
         if let Some((_, known)) = self.calls.get(&key) {
@@ -292,19 +292,19 @@ impl Elaborator<'_> {
         let (x, points, ends) = match arguments {
             [x, points] => (x, points, Ends::Linear),
             [x, points, ends] => (x, points, self.ends(ends)?),
-            _ => return self.refuse(name, Fact::TableArity { found: arguments.len() }),
+            _ => return self.refuse(name, ValueFact::TableArity { found: arguments.len() }),
         };
         let ExprKind::List(items) = &points.kind else {
-            return self.refuse(points.range, Fact::TableNeedsList);
+            return self.refuse(points.range, ValueFact::TableNeedsList);
         };
         let argument = self.scalar(x, scope)?;
         let mut to = InferredDim::Any;
         let pairs = self.table_pairs(items, argument.measure, &mut to, scope)?;
         let (Some(first), Some(last), Some(end)) = (pairs.first(), pairs.last(), items.last().filter(|_| pairs.len() > 1)) else {
-            return self.refuse(points.range, Fact::TableTooShort { found: pairs.len() });
+            return self.refuse(points.range, ValueFact::TableTooShort { found: pairs.len() });
         };
         if ends == Ends::Periodic && first.1 != last.1 {
-            return self.refuse(end.range, Fact::TableNotPeriodic { first: first.1, last: last.1, dim: to.settled() });
+            return self.refuse(end.range, ValueFact::TableNotPeriodic { first: first.1, last: last.1, dim: to.settled() });
         }
         let table = Numbered::Table(Table::through(&pairs, ends));
         let same = |known: &Numbered| matches!((known, &table), (Numbered::Table(one), Numbered::Table(two)) if one == two);
@@ -320,14 +320,14 @@ impl Elaborator<'_> {
         let mut pairs: Vec<(f64, f64)> = Vec::new();
         for item in items {
             let ExprKind::Tuple(pair) = &item.kind else {
-                return self.refuse(item.range, Fact::TableNeedsPairs);
+                return self.refuse(item.range, ValueFact::TableNeedsPairs);
             };
             let [at, value] = pair.as_slice() else {
-                return self.refuse(item.range, Fact::TableNeedsPairs);
+                return self.refuse(item.range, ValueFact::TableNeedsPairs);
             };
             let (x, y) = (self.table_entry(at, &mut from, scope)?, self.table_entry(value, to, scope)?);
             if let Some((before, _)) = pairs.last().filter(|last| last.0 >= x) {
-                return self.refuse(at.range, Fact::TableNotIncreasing { before: *before, found: x, dim: from.settled() });
+                return self.refuse(at.range, ValueFact::TableNotIncreasing { before: *before, found: x, dim: from.settled() });
             }
             pairs.push((x, y));
         }
@@ -343,8 +343,8 @@ impl Elaborator<'_> {
             "periodic" => Some(Ends::Periodic),
             "linear" => Some(Ends::Linear),
             "hold" => Some(Ends::Hold),
-            "" => self.refuse(expr.range, Fact::TableEnds { found: "this".to_owned() }),
-            _ => self.refuse(expr.range, Fact::TableEnds { found: format!("`{word}`") }),
+            "" => self.refuse(expr.range, ValueFact::TableEnds { found: "this".to_owned() }),
+            _ => self.refuse(expr.range, ValueFact::TableEnds { found: format!("`{word}`") }),
         }
     }
 
@@ -352,14 +352,13 @@ impl Elaborator<'_> {
     fn table_entry(&mut self, entry: &ast::Expr, column: &mut InferredDim, scope: &Scope) -> Option<f64> {
         let scalar = self.scalar(entry, scope)?;
         let Some(common) = column.common(scalar.measure) else {
-            return self.refuse(entry.range, Fact::WrongDimension { wanted: column.settled(), found: scalar.measure.settled() });
+            return self.refuse(entry.range, ValueFact::WrongDimension { wanted: column.settled(), found: scalar.measure.settled() });
         };
         *column = common;
         match self.arena.as_constant(scalar.expr) {
             Some(value) => Some(value.to_f64()),
-            None => {
-                self.refuse(entry.range, Fact::NotConstant { place: "an entry of a table", help: "multiply the table by what changes" })
-            }
+            None => self
+                .refuse(entry.range, ValueFact::NotConstant { place: "an entry of a table", help: "multiply the table by what changes" }),
         }
     }
 }

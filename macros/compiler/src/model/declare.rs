@@ -6,7 +6,7 @@ use super::elaborate::{Elaborator, Scope};
 use super::names::{Context, Declared, Entity, EntityId, GroupId, NamedItems, Progress, RESERVED, SpaceId};
 use super::register::MOST;
 use super::value::Value;
-use crate::diag::{Fact, Range};
+use crate::diag::{ArrayFact, Fact, NameFact, Range};
 use crate::syntax::ast;
 use proc_macro2::Ident;
 
@@ -26,7 +26,7 @@ impl Elaborator<'_> {
         if is_reserved(&word) {
             // The item is there all the same, so that nobody misses it.
             self.names.misused.insert(word.clone());
-            self.once(item, |this| this.refuse::<()>(name, Fact::Reserved { name: word.clone() }));
+            self.once(item, |this| this.refuse::<()>(name, NameFact::Reserved { name: word.clone() }));
         }
         let full = self.full_name(context.space, name, &indices);
         let shown = if indices.is_empty() { word.clone() } else { full.path.clone() };
@@ -49,7 +49,7 @@ impl Elaborator<'_> {
     /// Counts items or rounds of loops, and gives up where there are too many.
     pub(super) fn charge(&mut self, number: usize, range: impl Into<Range>) -> Option<()> {
         self.count += number;
-        if self.count > MOST { self.give_up(range, Fact::TooManyItems { limit: MOST }) } else { Some(()) }
+        if self.count > MOST { self.give_up(range, ArrayFact::TooManyItems { limit: MOST }) } else { Some(()) }
     }
 
     /// Puts an item among those of its name, or says what has the name already.
@@ -116,8 +116,8 @@ impl Elaborator<'_> {
 /// A name is taken, perhaps by the same item in another round of a loop.
 pub(super) fn duplicate(name: String, first: &'static str, in_loop: Option<&(String, Value)>) -> Fact {
     match in_loop {
-        Some((variable, _)) => Fact::DuplicateInLoop { name, variable: variable.clone() },
-        None => Fact::Duplicate { name, first },
+        Some((variable, _)) => ArrayFact::DuplicateInLoop { name, variable: variable.clone() }.into(),
+        None => NameFact::Duplicate { name, first }.into(),
     }
 }
 

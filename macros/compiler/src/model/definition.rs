@@ -10,7 +10,7 @@ use super::signature::noun;
 use super::statement::ScalarEquation;
 use super::value::{Fixed, FunctionValue, Scalar, Value};
 use crate::diag::nearest;
-use crate::diag::{Diag, Fact};
+use crate::diag::{ArityFact, Diag, EquationFact, NameFact, ValueFact};
 use crate::expr::Leaf;
 use crate::library;
 use crate::quantity::{Dim, InferredDim};
@@ -32,14 +32,14 @@ pub(crate) fn check_names(definitions: &Definitions, diag: &mut Diag) {
     let unique = |names: Vec<&Ident>, diag: &mut Diag| {
         for (position, name) in names.iter().enumerate() {
             if names[..position].contains(name) {
-                diag.refuse::<()>(*name, Fact::Duplicate { name: name.to_string(), first: "another constraint" });
+                diag.refuse::<()>(*name, NameFact::Duplicate { name: name.to_string(), first: "another constraint" });
             }
         }
     };
     unique(definitions.exports.iter().map(|export| &export.name).collect(), diag);
     for bundle in definitions.exports.iter().filter(|export| export.is_bundle) {
         if bundle.definitions.is_empty() {
-            diag.refuse::<()>(&bundle.name, Fact::EmptyBundle { name: bundle.name.to_string() });
+            diag.refuse::<()>(&bundle.name, EquationFact::EmptyBundle { name: bundle.name.to_string() });
         }
         unique(bundle.definitions.iter().map(|definition| &definition.name).collect(), diag);
     }
@@ -54,7 +54,10 @@ impl Elaborator<'_> {
         for (row, ScalarEquation { residual, range }) in rows.into_iter().enumerate() {
             let depends = self.arena.leaves(residual.expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)));
             if !depends {
-                return self.refuse(range, Fact::RowOfNothing { joint: definition.name.to_string(), row: row + 1, of, at_defaults: false });
+                return self.refuse(
+                    range,
+                    EquationFact::RowOfNothing { joint: definition.name.to_string(), row: row + 1, of, at_defaults: false },
+                );
             }
         }
         Some(())
@@ -67,10 +70,10 @@ impl Elaborator<'_> {
         for formal in &definition.parameters {
             let name = formal.name.to_string();
             if RESERVED.contains(&name.as_str()) {
-                return self.refuse(&formal.name, Fact::Reserved { name });
+                return self.refuse(&formal.name, NameFact::Reserved { name });
             }
             if scope.bound.iter().any(|(known, _)| *known == name) {
-                return self.refuse(&formal.name, Fact::Duplicate { name, first: "another parameter" });
+                return self.refuse(&formal.name, NameFact::Duplicate { name, first: "another parameter" });
             }
             let value = self.unknown(&formal.kind, others)?;
             if let Some(default) = &formal.default {
@@ -78,7 +81,7 @@ impl Elaborator<'_> {
                 let found = self.value(default, &scope)?;
                 self.check_default(formal, default, found)?;
             } else if seen_default {
-                return self.refuse(&formal.name, Fact::DefaultBefore { name });
+                return self.refuse(&formal.name, ArityFact::DefaultBefore { name });
             }
             scope.bound.push((name, value));
         }
@@ -90,10 +93,10 @@ impl Elaborator<'_> {
         for (number, formal) in head.parameters.iter().enumerate() {
             let (name, before) = (formal.name.to_string(), &head.parameters[..number]);
             if before.iter().any(|known| known.name == formal.name) {
-                return self.refuse(&formal.name, Fact::Duplicate { name, first: "another parameter" });
+                return self.refuse(&formal.name, NameFact::Duplicate { name, first: "another parameter" });
             }
             if formal.default.is_none() && before.iter().any(|known| known.default.is_some()) {
-                return self.refuse(&formal.name, Fact::DefaultBefore { name });
+                return self.refuse(&formal.name, ArityFact::DefaultBefore { name });
             }
             match &formal.kind {
                 Kind::Scalar(written) => drop(self.kind_dimension(written)?),
@@ -112,13 +115,13 @@ impl Elaborator<'_> {
                 if scalar.measure.fits(wanted) {
                     return Some(());
                 }
-                self.refuse(default.range, Fact::WrongDimension { wanted, found: scalar.measure.settled() })
+                self.refuse(default.range, ValueFact::WrongDimension { wanted, found: scalar.measure.settled() })
             }
             (Kind::Quantity, Value::Scalar(_))
             | (Kind::Body, Value::Body(_))
             | (Kind::Point, Value::Point(_))
             | (Kind::Axis, Value::Axis(_)) => Some(()),
-            (kind, other) => self.refuse(default.range, Fact::WrongDefault { wanted: noun(kind), found: other.noun() }),
+            (kind, other) => self.refuse(default.range, ValueFact::WrongDefault { wanted: noun(kind), found: other.noun() }),
         }
     }
 
@@ -145,7 +148,7 @@ impl Elaborator<'_> {
                 let Some(definition) = known.or_else(|| library::find(&word)) else {
                     let own: Vec<String> = others.iter().map(|other| other.name.to_string()).collect();
                     let near = nearest(&word, own.iter().map(String::as_str).chain(library::constraints()));
-                    return self.refuse(name, Fact::UnknownConstraint { name: word, near });
+                    return self.refuse(name, NameFact::UnknownConstraint { name: word, near });
                 };
                 let mut arguments = Vec::new();
                 for formal in &definition.parameters {
@@ -165,7 +168,7 @@ impl Elaborator<'_> {
         {
             let name = word.to_string();
             let near = nearest(&name, KINDS.iter().copied().chain(Dim::names()));
-            return self.refuse(word, Fact::UnknownKind { name, near });
+            return self.refuse(word, NameFact::UnknownKind { name, near });
         }
         self.dimension(written)
     }

@@ -4,7 +4,7 @@ use super::names::{Context, Names, SpaceId};
 use super::statement::FixedValue;
 use super::value::{Fixed, FrameId, Scalar, Value, Vector};
 use super::{Components, Function as Numbered, Name, Requirement};
-use crate::diag::{Diag, Fact, Known, Range, nearest, nearest_unit};
+use crate::diag::{ArrayFact, Diag, EquationFact, Fact, GrammarFact, Known, NameFact, Range, ValueFact, nearest, nearest_unit};
 use crate::expr::{Arena, Exact, Expr, Leaf};
 use crate::quantity::{self, Dim, InferredDim, Role};
 use crate::syntax::ast::{self, ExprKind};
@@ -126,7 +126,8 @@ impl Elaborator<'_> {
 
     /// Takes note of a refusal. Inside a definition that is being instantiated the place to blame
     /// is the joint that uses it.
-    pub(super) fn refuse<T>(&mut self, range: impl Into<Range>, fact: Fact) -> Option<T> {
+    pub(super) fn refuse<T>(&mut self, range: impl Into<Range>, fact: impl Into<Fact>) -> Option<T> {
+        let fact = fact.into();
         match self.blame.clone() {
             None => self.say(range, fact),
             Some(Instance { place, definition, quantities }) => {
@@ -136,10 +137,10 @@ impl Elaborator<'_> {
     }
 
     /// Takes note of a refusal at this very place; of an item that stands many times with which of them it is.
-    pub(super) fn say<T>(&mut self, range: impl Into<Range>, fact: Fact) -> Option<T> {
+    pub(super) fn say<T>(&mut self, range: impl Into<Range>, fact: impl Into<Fact>) -> Option<T> {
         let fact = match &self.place {
-            Some(place) => Fact::InInstance { place: place.clone(), fact: Box::new(fact) },
-            None => fact,
+            Some(place) => Fact::InInstance { place: place.clone(), fact: Box::new(fact.into()) },
+            None => fact.into(),
         };
         self.diag.refuse(range, fact)
     }
@@ -149,7 +150,7 @@ impl Elaborator<'_> {
         match self.value_or_array(expr, scope)? {
             Value::Array { group, at } => {
                 let name = self.member_name(group, &at);
-                self.refuse(expr.range, Fact::ArrayWithoutIndex { name })
+                self.refuse(expr.range, ArrayFact::ArrayWithoutIndex { name })
             }
             value => Some(value),
         }
@@ -159,10 +160,10 @@ impl Elaborator<'_> {
     pub(super) fn value_or_array(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Value> {
         let in_function = !self.names.open_functions.is_empty();
         if self.depth >= DEEPEST {
-            return self.give_up(expr.range, Fact::LongChain { limit: DEEPEST, in_function });
+            return self.give_up(expr.range, GrammarFact::LongChain { limit: DEEPEST, in_function });
         }
         if self.arena.len() > LARGEST {
-            return self.give_up(expr.range, Fact::TooLarge { limit: LARGEST, in_function });
+            return self.give_up(expr.range, ValueFact::TooLarge { limit: LARGEST, in_function });
         }
         self.depth += 1;
         let value = self.value_of(expr, scope);
@@ -171,7 +172,7 @@ impl Elaborator<'_> {
     }
 
     /// Refuses what goes beyond a limit, and everything after it in silence.
-    pub(super) fn give_up<T>(&mut self, range: impl Into<Range>, fact: Fact) -> Option<T> {
+    pub(super) fn give_up<T>(&mut self, range: impl Into<Range>, fact: impl Into<Fact>) -> Option<T> {
         self.refuse::<()>(range, fact);
         self.diag.exhaust();
         None
@@ -187,7 +188,7 @@ impl Elaborator<'_> {
             ExprKind::Negative(value) => self.negative(value, scope),
             ExprKind::Binary(operator, lhs, rhs) => self.binary(expr.range, *operator, lhs, rhs, scope),
             ExprKind::Tuple(items) => self.tuple(expr.range, items, scope).map(Value::Vector),
-            ExprKind::List(_) => self.refuse(expr.range, Fact::ListOutsideTable),
+            ExprKind::List(_) => self.refuse(expr.range, ValueFact::ListOutsideTable),
             ExprKind::If { lhs, relation, rhs, then, otherwise } => {
                 self.choice(expr.range, (lhs, *relation, rhs), (then, otherwise), scope)
             }
@@ -198,7 +199,7 @@ impl Elaborator<'_> {
     pub(super) fn scalar(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Scalar> {
         match self.value(expr, scope)? {
             Value::Scalar(scalar) => Some(scalar),
-            other => self.refuse(expr.range, Fact::NotA { wanted: "a number", found: other.noun() }),
+            other => self.refuse(expr.range, ValueFact::NotA { wanted: "a number", found: other.noun() }),
         }
     }
 
@@ -206,7 +207,7 @@ impl Elaborator<'_> {
     pub(super) fn scalar_of(&mut self, expr: &ast::Expr, wanted: Dim, scope: &Scope) -> Option<Scalar> {
         let scalar = self.scalar(expr, scope)?;
         if !scalar.measure.fits(wanted) {
-            return self.refuse(expr.range, Fact::WrongDimension { wanted, found: scalar.measure.settled() });
+            return self.refuse(expr.range, ValueFact::WrongDimension { wanted, found: scalar.measure.settled() });
         }
         Some(Scalar { measure: InferredDim::Known(wanted), ..scalar })
     }
@@ -217,7 +218,7 @@ impl Elaborator<'_> {
         let noun = value.noun();
         match self.as_vector(value) {
             Some(vector) => Some(vector),
-            None => self.refuse(expr.range, Fact::NotA { wanted: "a vector or a point", found: noun }),
+            None => self.refuse(expr.range, ValueFact::NotA { wanted: "a vector or a point", found: noun }),
         }
     }
 
@@ -263,12 +264,12 @@ impl Elaborator<'_> {
             None if unit.is_empty() => (Exact::ONE, InferredDim::Any),
             None => {
                 let near = nearest_unit(unit);
-                return self.refuse(range, Fact::UnknownUnit { number: digits.to_owned(), name: unit.to_owned(), near });
+                return self.refuse(range, NameFact::UnknownUnit { number: digits.to_owned(), name: unit.to_owned(), near });
             }
         };
         match Exact::measured(digits, size) {
             Some(value) => Some(Scalar { expr: self.arena.constant(value), measure }),
-            None => self.refuse(range, Fact::NumberOutOfRange { number: format!("{digits}{unit}") }),
+            None => self.refuse(range, ValueFact::NumberOutOfRange { number: format!("{digits}{unit}") }),
         }
     }
 
@@ -297,25 +298,25 @@ impl Elaborator<'_> {
                 return self.visible(path.range, group, space);
             }
         } else if name == "t" {
-            return self.refuse(path.range, Fact::TimeInDefinition);
+            return self.refuse(path.range, EquationFact::TimeInDefinition);
         }
         if self.is_library_function(name) {
             return self.library_function(name).map(Value::Function);
         }
         if scope.space.is_some_and(|space| self.names.outputs.contains(&(space, name.to_string()))) {
-            return self.refuse(path.range, Fact::OutputRead { name: name.to_string() });
+            return self.refuse(path.range, NameFact::OutputRead { name: name.to_string() });
         }
         let near = self.similar(name, scope);
         if near.is_none() && quantity::unit(&name.to_string()).is_some() {
-            return self.refuse(path.range, Fact::UnitAlone { name: name.to_string() });
+            return self.refuse(path.range, NameFact::UnitAlone { name: name.to_string() });
         }
-        self.refuse(path.range, Fact::UnknownName { name: name.to_string(), near })
+        self.refuse(path.range, NameFact::UnknownName { name: name.to_string(), near })
     }
 
     fn time(&mut self, range: Range, scope: &Scope) -> Option<Value> {
         match &scope.timeless {
-            Some(Timeless::Place(place)) => return self.refuse(range, Fact::TimeIn { place }),
-            Some(Timeless::Joint(joint)) => return self.refuse(range, Fact::TimeInJoint { joint: joint.clone() }),
+            Some(Timeless::Place(place)) => return self.refuse(range, EquationFact::TimeIn { place }),
+            Some(Timeless::Joint(joint)) => return self.refuse(range, EquationFact::TimeInJoint { joint: joint.clone() }),
             None => {}
         }
         Some(Value::Scalar(Scalar { expr: self.arena.leaf(Leaf::Time), measure: InferredDim::Known(Dim::TIME) }))
@@ -352,7 +353,7 @@ impl Elaborator<'_> {
                 }
                 let near = self.nearest(&name, arguments.iter().map(|(known, _)| known.as_str()));
                 let known = Known::of(arguments.iter().map(|(known, _)| known.as_str()));
-                return self.refuse(field, Fact::UnknownField { owner: format!("a `{kind}` joint"), name, near, known });
+                return self.refuse(field, NameFact::UnknownField { owner: format!("a `{kind}` joint"), name, near, known });
             }
             _ if axis(&name).is_some() => {}
             _ => return self.refuse(field, unknown_field(&value, name)),
@@ -387,7 +388,7 @@ impl Elaborator<'_> {
                 let known = || self.names.words(space).chain(["position"]).chain(words.iter().copied());
                 let (near, known) = (self.nearest(&name, known()), Known::of(known()));
                 let owner = format!("`{}`", self.names.frames[frame.0].name);
-                self.refuse(field, Fact::UnknownField { owner, name, near, known })
+                self.refuse(field, NameFact::UnknownField { owner, name, near, known })
             }
         }
     }
@@ -408,12 +409,12 @@ fn axis(name: &str) -> Option<usize> {
     Role::PLANE.into_iter().filter(|role| role.is_position()).position(|role| role.name() == name)
 }
 
-fn unknown_field(value: &Value, name: String) -> Fact {
+fn unknown_field(value: &Value, name: String) -> NameFact {
     let axes = Role::PLANE.into_iter().filter(|role| role.is_position()).map(Role::name);
     let known: Vec<&str> = match value {
         Value::Point(_) | Value::Axis(_) => axes.chain(["body"]).collect(),
         Value::Vector(_) => axes.collect(),
         _ => Vec::new(),
     };
-    Fact::UnknownField { owner: value.noun().to_owned(), name, near: None, known: Known::of(known.into_iter()) }
+    NameFact::UnknownField { owner: value.noun().to_owned(), name, near: None, known: Known::of(known.into_iter()) }
 }

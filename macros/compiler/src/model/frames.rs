@@ -7,7 +7,7 @@ use super::statement::FixedValue;
 use super::value::{Fixed, FrameId, Value};
 use super::{Body, BodyCoordinate, Name, Requirement};
 use crate::diag::nearest;
-use crate::diag::{Fact, Range};
+use crate::diag::{NameFact, Range, ValueFact};
 use crate::expr::{Expr, Leaf};
 use crate::quantity::{Dim, InferredDim, Role};
 use crate::syntax::ast;
@@ -31,7 +31,7 @@ impl Elaborator<'_> {
         let vector = if mark.is_axis { self.vector(&mark.value, &scope)? } else { self.location(&mark.value, &scope)? };
         let local = vector.parts;
         if !local.iter().all(|part| self.is_fixed(*part)) {
-            return self.refuse(mark.value.range, Fact::NotFixed { place: "a point or an axis" });
+            return self.refuse(mark.value.range, ValueFact::NotFixed { place: "a point or an axis" });
         }
         let noun = if mark.is_axis { "a component of the axis" } else { "a coordinate of the point" };
         for part in local.iter() {
@@ -40,7 +40,7 @@ impl Elaborator<'_> {
         if mark.is_axis {
             let is_zero = local.iter().all(|part| self.arena.as_constant(*part).is_some_and(|value| value.is_zero()));
             if is_zero {
-                return self.refuse(mark.value.range, Fact::ZeroAxis { name: mark.name.to_string() });
+                return self.refuse(mark.value.range, ValueFact::ZeroAxis { name: mark.name.to_string() });
             }
             let measure = InferredDim::Known(vector.measure.settled());
             return Some(Value::Axis(Fixed { frame, local, measure }));
@@ -123,14 +123,14 @@ impl Elaborator<'_> {
                 }
                 None => {
                     let near = nearest(&word, start_words());
-                    self.refuse(&start.what, Fact::UnknownStart { name: word.clone(), near })
+                    self.refuse(&start.what, NameFact::UnknownStart { name: word.clone(), near })
                 }
             };
             for (which, expr) in found.unwrap_or_default() {
                 if !self.is_fixed(expr) {
-                    self.refuse::<()>(start.value.range, Fact::NotFixed { place: "a start value" });
+                    self.refuse::<()>(start.value.range, ValueFact::NotFixed { place: "a start value" });
                 } else if self.has_to_be_finite(expr, &start.value, "the start value") && starts[which].replace(expr).is_some() {
-                    self.refuse::<()>(&start.what, Fact::DuplicateStart { name: word.clone(), body: frame.name.to_string() });
+                    self.refuse::<()>(&start.what, NameFact::DuplicateStart { name: word.clone(), body: frame.name.to_string() });
                     break;
                 }
             }

@@ -3,7 +3,7 @@
 use super::elaborate::{Elaborator, Scope};
 use super::names::{GroupId, SpaceId};
 use super::value::Value;
-use crate::diag::{Fact, Known, Range};
+use crate::diag::{ArrayFact, Known, NameFact, Range};
 use crate::quantity::Dim;
 use crate::syntax::ast::{self, Bounds, ExprKind, Operator};
 use proc_macro2::Ident;
@@ -18,7 +18,7 @@ impl Elaborator<'_> {
         let (group, mut at) = match self.value_or_array(owner, scope)? {
             Value::Array { group, at } => (group, at),
             other => {
-                let fact = Fact::NoArray { found: other.noun(), is_member: matches!(owner.kind, ExprKind::Index(..)) };
+                let fact = ArrayFact::NoArray { found: other.noun(), is_member: matches!(owner.kind, ExprKind::Index(..)) };
                 return self.refuse(index.range, fact);
             }
         };
@@ -36,7 +36,7 @@ impl Elaborator<'_> {
             let name = self.member_name(group, &at);
             let (first, last) = (known.first().copied(), known.last().copied());
             let known = Known::of(known.iter().map(|index| format!("{name}[{index}]")));
-            return self.refuse(index.range, Fact::IndexOutOfRange { name, index: number, ends: first.zip(last), known });
+            return self.refuse(index.range, ArrayFact::IndexOutOfRange { name, index: number, ends: first.zip(last), known });
         };
         at.push(number);
         self.member(group, at, index.range)
@@ -69,7 +69,7 @@ impl Elaborator<'_> {
             return self.of_group(group, range);
         }
         let (name, what) = (known.word.clone(), known.what);
-        self.refuse(range, Fact::OutsideOfComponent { name, what })
+        self.refuse(range, ArrayFact::OutsideOfComponent { name, what })
     }
 
     /// `part.name`
@@ -79,12 +79,12 @@ impl Elaborator<'_> {
             return self.of_group(group, field);
         }
         if self.names.outputs.contains(&(space, name.clone())) {
-            return self.refuse(field, Fact::OutputRead { name });
+            return self.refuse(field, NameFact::OutputRead { name });
         }
         let near = self.nearest(&name, self.names.words(space));
         let known = Known::of(self.names.words(space));
         let owner = self.names.spaces[space.0].prefix.trim_end_matches('.').to_owned();
-        self.refuse(field, Fact::UnknownField { owner: format!("`{owner}`"), name, near, known })
+        self.refuse(field, NameFact::UnknownField { owner: format!("`{owner}`"), name, near, known })
     }
 
     /// The indices of a declared name.
@@ -93,7 +93,7 @@ impl Elaborator<'_> {
             let number = this.whole(expr, scope)?;
             match usize::try_from(number) {
                 Ok(number) => Some(number),
-                Err(_) => this.refuse(expr.range, Fact::NegativeIndex { index: number }),
+                Err(_) => this.refuse(expr.range, ArrayFact::NegativeIndex { index: number }),
             }
         };
         written.iter().map(|expr| index(self, expr)).collect()
@@ -108,11 +108,11 @@ impl Elaborator<'_> {
         // A number of rounds with a name may be none; nobody writes `2..2` on purpose.
         let is_written_out = [&bounds.from, &bounds.to].iter().all(|end| matches!(end.kind, ExprKind::Number { .. }));
         if rounds < 0 || rounds == 0 && !is_inner && is_written_out {
-            return self.refuse(range, Fact::EmptyRange { from, to, is_inclusive: bounds.is_inclusive });
+            return self.refuse(range, ArrayFact::EmptyRange { from, to, is_inclusive: bounds.is_inclusive });
         }
         match usize::try_from(rounds).ok().filter(|rounds| *rounds <= LONGEST) {
             Some(rounds) => Some((from..=to).take(rounds).collect()),
-            None => self.give_up(range, Fact::LongRange { rounds, limit: LONGEST }),
+            None => self.give_up(range, ArrayFact::LongRange { rounds, limit: LONGEST }),
         }
     }
 
@@ -122,13 +122,13 @@ impl Elaborator<'_> {
             ExprKind::Number { digits, unit } => match digits.parse() {
                 Ok(number) if unit.is_empty() => Some(number),
                 Err(_) if unit.is_empty() && digits.bytes().all(|digit| digit.is_ascii_digit()) => {
-                    self.refuse(expr.range, Fact::WholeTooLarge { found: digits.clone() })
+                    self.refuse(expr.range, ArrayFact::WholeTooLarge { found: digits.clone() })
                 }
-                _ => self.refuse(expr.range, Fact::NotWhole { found: format!("`{digits}{unit}`") }),
+                _ => self.refuse(expr.range, ArrayFact::NotWhole { found: format!("`{digits}{unit}`") }),
             },
             ExprKind::Negative(value) => {
                 let value = self.whole(value, scope)?;
-                let too_large = Fact::WholeTooLarge { found: format!("-({value})") };
+                let too_large = ArrayFact::WholeTooLarge { found: format!("-({value})") };
                 value.checked_neg().or_else(|| self.refuse(expr.range, too_large))
             }
             ExprKind::Binary(operator, lhs, rhs) if *operator != Operator::Power => {
@@ -139,7 +139,7 @@ impl Elaborator<'_> {
                 let value = self.value(expr, scope)?;
                 self.as_whole(expr.range, &value)
             }
-            _ => self.refuse(expr.range, Fact::NotWhole { found: "this".into() }),
+            _ => self.refuse(expr.range, ArrayFact::NotWhole { found: "this".into() }),
         }
     }
 
@@ -156,25 +156,25 @@ impl Elaborator<'_> {
         match result {
             Some(result) => Some(result),
             None if matches!(operator, Operator::Add | Operator::Sub | Operator::Mul) => {
-                self.refuse(range, Fact::WholeTooLarge { found: format!("{one} {} {two}", symbol(operator)) })
+                self.refuse(range, ArrayFact::WholeTooLarge { found: format!("{one} {} {two}", symbol(operator)) })
             }
-            None => self.refuse(range, Fact::NotWhole { found: format!("`{one} {} {two}`", symbol(operator)) }),
+            None => self.refuse(range, ArrayFact::NotWhole { found: format!("`{one} {} {two}`", symbol(operator)) }),
         }
     }
 
     fn as_whole(&mut self, range: Range, value: &Value) -> Option<i64> {
-        let Value::Scalar(scalar) = value else { return self.refuse(range, Fact::NotWhole { found: value.noun().to_owned() }) };
+        let Value::Scalar(scalar) = value else { return self.refuse(range, ArrayFact::NotWhole { found: value.noun().to_owned() }) };
         let dim = scalar.measure.settled();
         if !scalar.measure.fits(Dim::NUMBER) {
-            return self.refuse(range, Fact::NotWhole { found: dim.to_string() });
+            return self.refuse(range, ArrayFact::NotWhole { found: dim.to_string() });
         }
         let constant = self.arena.as_constant(scalar.expr);
         let whole = constant.filter(|value| value.denominator() == 1 && value.pi_power() == 0);
         match whole.map(|value| i64::try_from(value.numerator())) {
             Some(Ok(number)) => Some(number),
-            Some(Err(_)) => self.refuse(range, Fact::WholeTooLarge { found: whole.map_or(0, |value| value.numerator()).to_string() }),
-            None if constant.is_some() => self.refuse(range, Fact::NotWhole { found: "a fraction".into() }),
-            None => self.refuse(range, Fact::NotKnownWhole),
+            Some(Err(_)) => self.refuse(range, ArrayFact::WholeTooLarge { found: whole.map_or(0, |value| value.numerator()).to_string() }),
+            None if constant.is_some() => self.refuse(range, ArrayFact::NotWhole { found: "a fraction".into() }),
+            None => self.refuse(range, ArrayFact::NotKnownWhole),
         }
     }
 }

@@ -6,7 +6,7 @@ use super::names::{Context, EntityId};
 use super::signature::{noun, places, too_few, too_many, unknown_argument};
 use super::statement::ScalarEquation;
 use super::value::{Fixed, FrameId, FunctionValue, Scalar, Value};
-use crate::diag::{Fact, Range};
+use crate::diag::{ArityFact, ArrayFact, EquationFact, NameFact, Range, ValueFact};
 use crate::expr::Leaf;
 use crate::library;
 use crate::quantity::{Dim, InferredDim};
@@ -26,7 +26,7 @@ impl Elaborator<'_> {
                 let Value::Joint { arguments, .. } = self.entity(id, (&joint.name).into())? else { return None };
                 let definition = self.definition(kind)?;
                 if self.is_on_ground(&arguments) {
-                    return self.say(kind, Fact::OnGround { joint: name.to_string(), kind: kind.to_string() });
+                    return self.say(kind, EquationFact::OnGround { joint: name.to_string(), kind: kind.to_string() });
                 }
                 let scope = Scope { bound: arguments.to_vec(), ..Scope::default() };
                 let outer = self.blame.replace(self.blame_for(&definition, kind, &arguments));
@@ -93,11 +93,11 @@ impl Elaborator<'_> {
             return Some(definition);
         }
         if self.names.components.contains_key(&word) {
-            return self.refuse(kind, Fact::ComponentAsConstraint { name: word });
+            return self.refuse(kind, ArrayFact::ComponentAsConstraint { name: word });
         }
         let known = self.names.definitions.keys().map(String::as_str).chain(library::constraints());
         let near = self.nearest(&word, known);
-        self.refuse(kind, Fact::UnknownConstraint { name: word, near })
+        self.refuse(kind, NameFact::UnknownConstraint { name: word, near })
     }
 
     /// The constraint of this name, brought in or of the library, which is read once.
@@ -147,7 +147,7 @@ impl Elaborator<'_> {
             let slot = match &argument.name {
                 None if named_before => {
                     let next = wanted.iter().zip(&slots).find(|(_, slot)| slot.is_none()).map(|(formal, _)| formal.name.to_string());
-                    return self.refuse(argument.value.range, Fact::PositionalAfterNamed { next });
+                    return self.refuse(argument.value.range, ArityFact::PositionalAfterNamed { next });
                 }
                 None if position >= wanted.len() => return self.refuse(argument.value.range, too_many(definition, given.len())),
                 None => position,
@@ -162,7 +162,7 @@ impl Elaborator<'_> {
             if let Some(first) = slots[slot].replace(position) {
                 let blamed = argument.name.as_ref().map_or(argument.value.range, Range::from);
                 let (name, is_also_in_order) = (wanted[slot].name.to_string(), given[first].name.is_none());
-                return self.refuse(blamed, Fact::DuplicateArgument { name, is_also_in_order });
+                return self.refuse(blamed, ArityFact::DuplicateArgument { name, is_also_in_order });
             }
         }
         let missing = wanted.iter().zip(&slots).filter(|(formal, slot)| slot.is_none() && formal.default.is_none());
@@ -186,7 +186,7 @@ impl Elaborator<'_> {
             let (parameter, definition) = (formal.name.to_string(), definition.name.to_string());
             this.refuse(
                 argument.range,
-                Fact::WrongArgument { parameter, definition, wanted, found: found.clone(), instead: instead.clone() },
+                ValueFact::WrongArgument { parameter, definition, wanted, found: found.clone(), instead: instead.clone() },
             )
         };
         match (&formal.kind, value) {
@@ -196,7 +196,7 @@ impl Elaborator<'_> {
             // A constant vector is a place or a direction in ground.
             (Kind::Point, Value::Vector(vector)) if vector.parts.iter().all(|part| self.is_fixed(*part)) => {
                 if !vector.measure.fits(Dim::LENGTH) {
-                    return self.refuse(argument.range, Fact::WrongDimension { wanted: Dim::LENGTH, found: vector.measure.settled() });
+                    return self.refuse(argument.range, ValueFact::WrongDimension { wanted: Dim::LENGTH, found: vector.measure.settled() });
                 }
                 let measure = InferredDim::Known(Dim::LENGTH);
                 Some(Value::Point(Fixed { frame: FrameId::GROUND, local: vector.parts, measure }))
@@ -209,7 +209,7 @@ impl Elaborator<'_> {
             (Kind::Scalar(written), Value::Scalar(scalar)) => {
                 let wanted = self.dimension(written)?;
                 if !scalar.measure.fits(wanted) {
-                    let fact = Fact::WrongArgumentDimension {
+                    let fact = ValueFact::WrongArgumentDimension {
                         parameter: formal.name.to_string(),
                         definition: definition.name.to_string(),
                         wanted,
@@ -254,10 +254,10 @@ impl Elaborator<'_> {
         };
         let (from, to) = (InferredDim::Known(from), InferredDim::Known(to));
         if from.common(takes).is_none() {
-            return self.refuse(range, Fact::FunctionTakes { wanted: from.settled(), found: takes.settled() });
+            return self.refuse(range, ValueFact::FunctionTakes { wanted: from.settled(), found: takes.settled() });
         }
         if to.common(gives).is_none() {
-            return self.refuse(range, Fact::WrongDimension { wanted: to.settled(), found: gives.settled() });
+            return self.refuse(range, ValueFact::WrongDimension { wanted: to.settled(), found: gives.settled() });
         }
         Some(match function {
             FunctionValue::Numbered { number, .. } => FunctionValue::Numbered { number, from, to },

@@ -6,7 +6,7 @@ use super::register::Register;
 use super::statement::ScalarEquation;
 use super::value::{FrameId, Scalar, Value};
 use super::{Joint, Layout, Method, Name, Of, Output, Residual};
-use crate::diag::{Fact, Range};
+use crate::diag::{ArrayFact, EquationFact, NameFact, Range, ValueFact};
 use crate::expr::Leaf;
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast;
@@ -33,7 +33,7 @@ impl Elaborator<'_> {
         let (Some(from), Some(to)) = (from, to) else { return };
         let Some(argument) = &function.argument else {
             if !matches!(function.value.kind, ast::ExprKind::Path(_)) {
-                self.refuse::<()>(function.value.range, Fact::FunctionNeedsArgument);
+                self.refuse::<()>(function.value.range, ValueFact::FunctionNeedsArgument);
             }
             return;
         };
@@ -72,10 +72,10 @@ impl Elaborator<'_> {
         let may_move = |leaf: &Leaf| matches!(leaf, Leaf::Coordinate(_)) || self.is_unused && matches!(leaf, Leaf::Parameter(_));
         let is_of_nothing = |row: &ScalarEquation| !leaves(row).iter().any(may_move);
         if let Some(row) = rows.iter().position(is_of_nothing) {
-            self.say::<()>(rows[row].range, Fact::RowOfNothing { joint: name, row: row + 1, of, at_defaults: false });
+            self.say::<()>(rows[row].range, EquationFact::RowOfNothing { joint: name, row: row + 1, of, at_defaults: false });
         } else if let Some(row) = rows.iter().find(|row| !joint.is_drive && leaves(row).contains(&Leaf::Time)) {
             let range = self.time_dependent_argument(id, joint).unwrap_or(row.range);
-            self.say::<()>(range, Fact::TimeInJoint { joint: name });
+            self.say::<()>(range, EquationFact::TimeInJoint { joint: name });
         }
     }
 
@@ -97,7 +97,7 @@ impl Elaborator<'_> {
             }
             other => match self.as_vector(other) {
                 Some(vector) => (vector.parts.to_vec(), vector.measure),
-                None => return self.refuse(output.value.range, Fact::NotAnOutput { found: noun }),
+                None => return self.refuse(output.value.range, ValueFact::NotAnOutput { found: noun }),
             },
         };
         Some(Output { name: name.clone(), body: None, components, dim: measure.settled() })
@@ -114,15 +114,15 @@ impl Elaborator<'_> {
             let slice = word.strip_prefix("solve_for_");
             let is_of_slice = |output: &str| methods.iter().any(|method| method.is_slice && method.name == output);
             if is_generated(&method.name) || slice.is_some_and(is_of_slice) {
-                self.refuse::<()>(&method.name, Fact::Generated { name: word });
+                self.refuse::<()>(&method.name, NameFact::Generated { name: word });
             } else if !taken.insert(word.clone()) {
-                self.refuse::<()>(&method.name, Fact::Duplicate { name: word, first: "another output" });
+                self.refuse::<()>(&method.name, NameFact::Duplicate { name: word, first: "another output" });
             }
             let shape = |member: &usize| outputs[*member].as_ref().map(|output| (output.components.len(), output.dim));
             let mut shapes = method.members.iter().filter_map(shape);
             let first = shapes.next();
             if shapes.any(|other| Some(other) != first) {
-                self.refuse::<()>(&method.name, Fact::UnlikeOutputs { name: method.name.to_string() });
+                self.refuse::<()>(&method.name, ArrayFact::UnlikeOutputs { name: method.name.to_string() });
             }
         }
         // Refused outputs have no number; where there is one, nothing is emitted anyway.

@@ -5,7 +5,7 @@
 use super::elaborate::Elaborator;
 use super::names::EntityId;
 use super::register::Register;
-use crate::diag::Fact;
+use crate::diag::ArrayFact;
 use crate::syntax::ast::{self, Docs};
 use proc_macro2::Ident;
 use std::collections::BTreeMap;
@@ -159,7 +159,7 @@ impl Elaborator<'_> {
                 };
                 let range = declared.word.clone();
                 self.once(std::ptr::from_ref(&self.names.declared[first.0].name.word).cast::<u8>(), |this| {
-                    this.refuse::<()>(&range, Fact::MissingIndex { what, missing, known })
+                    this.refuse::<()>(&range, ArrayFact::MissingIndex { what, missing, known })
                 });
                 break;
             }
@@ -200,7 +200,7 @@ impl Elaborator<'_> {
         let (Some(id), Some(component)) = (place.id, &place.component) else { return };
         if !is_alike {
             let name = self.names.declared[id.0].name.clone();
-            let fact = Fact::UnlikeParts { name: name.path.clone(), component: component.head.name.to_string() };
+            let fact = ArrayFact::UnlikeParts { name: name.path.clone(), component: component.head.name.to_string() };
             self.once(Rc::as_ptr(component), |this| this.refuse::<()>(&name, fact));
         }
     }

@@ -9,7 +9,7 @@ use super::frames::start_words;
 use super::layout::{Of, OpenPart};
 use super::names::{Context, Declared, Entity, EntityId, PartArguments, Progress, SpaceId};
 use super::value::{FrameId, Scalar, Value};
-use crate::diag::Fact;
+use crate::diag::{ArrayFact, EquationFact, GrammarFact, NameFact};
 use crate::expr::Leaf;
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, Item, Marks};
@@ -66,10 +66,10 @@ impl Elaborator<'_> {
         let name = &component.head.name;
         let word = name.to_string();
         if is_of_generated_type(&word) {
-            self.diag.refuse::<()>(name, Fact::GeneratedType { name: word.clone() });
+            self.diag.refuse::<()>(name, ArrayFact::GeneratedType { name: word.clone() });
             self.names.components.entry(word).or_insert_with(|| component.clone());
         } else if self.names.components.contains_key(&word) {
-            self.diag.refuse::<()>(name, Fact::Duplicate { name: word, first: "another component" });
+            self.diag.refuse::<()>(name, NameFact::Duplicate { name: word, first: "another component" });
         } else {
             self.once(Rc::as_ptr(component), |this| this.head_is_sound(&component.head));
             self.names.components.insert(word, component.clone());
@@ -121,10 +121,10 @@ impl Elaborator<'_> {
         match item {
             Item::Ground(frame) => {
                 if std::mem::replace(&mut register.has_ground, true) {
-                    self.diag.refuse::<()>(&frame.name, Fact::DuplicateGround);
+                    self.diag.refuse::<()>(&frame.name, NameFact::DuplicateGround);
                 }
                 if let Some(start) = frame.starts.first() {
-                    self.diag.refuse::<()>(&start.what, Fact::GroundStart);
+                    self.diag.refuse::<()>(&start.what, EquationFact::GroundStart);
                 }
                 self.fill(FrameId::GROUND, &frame.marks, context, register);
             }
@@ -155,7 +155,7 @@ impl Elaborator<'_> {
                 register.loops -= 1;
             }
             Item::Range(times) if register.range.is_some() => {
-                self.diag.refuse::<()>(&times.keyword, Fact::DuplicateRange);
+                self.diag.refuse::<()>(&times.keyword, NameFact::DuplicateRange);
             }
             Item::Range(times) => register.range = Some(times.clone()),
             Item::Use(uses) => self.names_are_new(uses),
@@ -219,8 +219,8 @@ impl Elaborator<'_> {
             self.names.visible(context.space, &word).map(|group| self.names.group(group).what)
         };
         let fact = match first {
-            Some(first) => Fact::Duplicate { name: word, first },
-            None if is_reserved(&word) => Fact::Reserved { name: word },
+            Some(first) => NameFact::Duplicate { name: word, first },
+            None if is_reserved(&word) => NameFact::Reserved { name: word },
             None => return true,
         };
         self.once(item, |this| this.refuse::<()>(variable, fact));
@@ -235,11 +235,11 @@ impl Elaborator<'_> {
             return;
         }
         if register.open.contains(&word) {
-            self.once(Rc::as_ptr(part), |this| this.refuse::<()>(&part.kind, Fact::ComponentRecursion { name: word }));
+            self.once(Rc::as_ptr(part), |this| this.refuse::<()>(&part.kind, ArrayFact::ComponentRecursion { name: word }));
             return;
         }
         if register.open.len() >= DEEPEST {
-            self.give_up::<()>(&part.kind, Fact::PartsTooDeep { limit: DEEPEST });
+            self.give_up::<()>(&part.kind, GrammarFact::PartsTooDeep { limit: DEEPEST });
             return;
         }
         let written = (&part.name, part.indices.as_slice());
@@ -285,7 +285,7 @@ impl Elaborator<'_> {
         let mut given = part.arguments.iter().filter_map(|argument| argument.name.as_ref());
         let Some(name) = given.find(|name| !is_formal(name) && is_parameter(name)) else { return Some(()) };
         let (component, part) = (component.head.name.to_string(), part.name.to_string());
-        self.refuse(name, Fact::ParameterAsArgument { component, name: name.to_string(), part })
+        self.refuse(name, ArrayFact::ParameterAsArgument { component, name: name.to_string(), part })
     }
 
     /// The component of a part; where there is none of this name, the one that was meant.
@@ -297,7 +297,7 @@ impl Elaborator<'_> {
         let near = self.nearest(&word, self.names.components.keys().map(String::as_str));
         let meant = near.as_ref().and_then(|near| self.names.components.get(near)).cloned();
         let is_constraint = self.known_definition(&word).is_some();
-        self.once(Rc::as_ptr(part), |this| this.refuse::<()>(&part.kind, Fact::UnknownComponent { name: word, near, is_constraint }));
+        self.once(Rc::as_ptr(part), |this| this.refuse::<()>(&part.kind, ArrayFact::UnknownComponent { name: word, near, is_constraint }));
         meant
     }
 
@@ -310,7 +310,7 @@ impl Elaborator<'_> {
             let Some(indices) = self.written_indices(&mark.indices, Rc::as_ptr(mark), context) else { continue };
             let word = mark.name.to_string();
             if start_words().any(|known| known == word) {
-                self.once(Rc::as_ptr(mark), |this| this.refuse::<()>(&mark.name, Fact::Reserved { name: word }));
+                self.once(Rc::as_ptr(mark), |this| this.refuse::<()>(&mark.name, NameFact::Reserved { name: word }));
                 continue;
             }
             let space = self.names.frames[frame.0].space;
@@ -323,7 +323,7 @@ impl Elaborator<'_> {
             match self.join(space, &word, what, indices, id) {
                 Ok(()) => register.marks.push(id),
                 Err(_) => {
-                    self.once(Rc::as_ptr(mark), |this| this.refuse::<()>(&mark.name, Fact::DuplicateMark { name: word, body }));
+                    self.once(Rc::as_ptr(mark), |this| this.refuse::<()>(&mark.name, NameFact::DuplicateMark { name: word, body }));
                 }
             }
         }
@@ -342,7 +342,7 @@ impl Elaborator<'_> {
         for used in uses {
             let name = used.name.to_string();
             if self.names.used.contains(&name) {
-                self.diag.refuse::<()>(&used.name, Fact::Duplicate { name, first: "another `use`" });
+                self.diag.refuse::<()>(&used.name, NameFact::Duplicate { name, first: "another `use`" });
             } else {
                 self.names.used.push(name);
             }

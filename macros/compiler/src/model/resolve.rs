@@ -7,7 +7,7 @@ use super::register::{Register, is_one_of_many};
 use super::value::{FunctionValue, Scalar, Value};
 use super::{Layout, Method, Model, Name, Parameter};
 use crate::diag::nearest;
-use crate::diag::{Diag, Fact, Range};
+use crate::diag::{Diag, NameFact, Range, ValueFact};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, Definition};
 use std::collections::{BTreeMap, BTreeSet};
@@ -133,10 +133,10 @@ impl Elaborator<'_> {
         let default = self.scalar_of(&parameter.default, dim, &scope)?.expr;
         if !self.arena.leaves(default).is_empty() {
             let help = "a quantity that follows from others is declared with `let`";
-            return self.refuse(parameter.default.range, Fact::NotConstant { place: "the default of a parameter", help });
+            return self.refuse(parameter.default.range, ValueFact::NotConstant { place: "the default of a parameter", help });
         }
         if !self.is_finite(default, &[]) {
-            return self.refuse(parameter.default.range, Fact::NotFinite { place: "the default" });
+            return self.refuse(parameter.default.range, ValueFact::NotFinite { place: "the default" });
         }
         let bounds = match &parameter.limits {
             Some(limits) => Some(self.bounds(limits, dim, &scope)?),
@@ -145,7 +145,7 @@ impl Elaborator<'_> {
         let value = self.numbers(&[], &[default])[0];
         if let Some(bounds) = bounds.as_ref().filter(|bounds| !bounds.hold(value)) {
             let value = in_words(&parameter.default, value, dim);
-            return self.refuse(parameter.default.range, Fact::DefaultOutOfBounds { value, bounds: bounds.text.clone() });
+            return self.refuse(parameter.default.range, ValueFact::DefaultOutOfBounds { value, bounds: bounds.text.clone() });
         }
         Some(Parameter { name: name.clone(), dim, default, bounds })
     }
@@ -155,7 +155,7 @@ impl Elaborator<'_> {
         if let Some((unknown, _)) = written.factors.iter().find(|(name, _)| Dim::named(&name.to_string()).is_none()) {
             let name = unknown.to_string();
             let near = nearest(&name, Dim::names());
-            return self.refuse(unknown, Fact::UnknownDimension { name, near });
+            return self.refuse(unknown, NameFact::UnknownDimension { name, near });
         }
         written.dim()
     }
@@ -171,7 +171,7 @@ impl Elaborator<'_> {
                 let name = declared.name.own();
                 let way = self.names.open.iter().skip_while(|open| **open != id).skip(1);
                 let through = way.map(|open| self.names.declared[open.0].name.path.clone()).collect();
-                return self.refuse(range, Fact::Cycle { name, through });
+                return self.refuse(range, NameFact::Cycle { name, through });
             }
             Progress::Untouched => {}
         }

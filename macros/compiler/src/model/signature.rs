@@ -1,7 +1,7 @@
 //! What a definition takes, in words.
 
 use crate::diag::nearest;
-use crate::diag::{Fact, Range};
+use crate::diag::{ArityFact, Range};
 use crate::syntax::ast::{Argument, Definition, Dimension, Formal, Kind};
 use proc_macro2::Ident;
 
@@ -68,17 +68,22 @@ fn takes(definition: &Definition) -> [usize; 2] {
     [required, definition.parameters.len()]
 }
 
-pub(super) fn too_many(definition: &Definition, found: usize) -> Fact {
-    Fact::TooManyArguments { definition: definition.name.to_string(), signature: signature(definition), takes: takes(definition), found }
+pub(super) fn too_many(definition: &Definition, found: usize) -> ArityFact {
+    ArityFact::TooManyArguments {
+        definition: definition.name.to_string(),
+        signature: signature(definition),
+        takes: takes(definition),
+        found,
+    }
 }
 
-pub(super) fn too_few(definition: &Definition, found: usize, missing: Vec<String>) -> Fact {
+pub(super) fn too_few(definition: &Definition, found: usize, missing: Vec<String>) -> ArityFact {
     let (name, signature) = (definition.name.to_string(), signature(definition));
-    Fact::MissingArguments { definition: name, signature, takes: takes(definition), found, missing }
+    ArityFact::MissingArguments { definition: name, signature, takes: takes(definition), found, missing }
 }
 
-pub(super) fn unknown_argument(definition: &Definition, name: &Ident) -> Fact {
+pub(super) fn unknown_argument(definition: &Definition, name: &Ident) -> ArityFact {
     let names: Vec<String> = definition.parameters.iter().map(|formal| formal.name.to_string()).collect();
     let near = nearest(&name.to_string(), names.iter().map(String::as_str));
-    Fact::UnknownArgument { definition: definition.name.to_string(), name: name.to_string(), signature: signature(definition), near }
+    ArityFact::UnknownArgument { definition: definition.name.to_string(), name: name.to_string(), signature: signature(definition), near }
 }

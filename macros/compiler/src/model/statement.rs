@@ -3,7 +3,7 @@
 use super::elaborate::{Elaborator, Instance, Scope};
 use super::value::{FrameId, Scalar, Value};
 use super::{Name, Parameter, Requirement};
-use crate::diag::{Fact, Range};
+use crate::diag::{EquationFact, Fact, Range, ValueFact};
 use crate::expr::{Expr, Node, Unary, Values, evaluate};
 use crate::syntax::ast::{self, ExprKind, Relation, Statement};
 use proc_macro2::Ident;
@@ -68,7 +68,7 @@ impl Elaborator<'_> {
             }
         }
         if complete && rows.is_empty() {
-            return self.refuse(joint, Fact::NoEquations { name: joint.word.to_string() });
+            return self.refuse(joint, EquationFact::NoEquations { name: joint.word.to_string() });
         }
         complete.then_some(rows)
     }
@@ -92,7 +92,7 @@ impl Elaborator<'_> {
         match (left, right) {
             (Value::Body(one), Value::Body(two)) => self.body_requirement(requirement, [one, two], scope, places),
             (Value::Scalar(one), Value::Scalar(two)) => self.number_requirement(requirement, one, two, joint, place),
-            (left, right) => self.refuse(range(requirement), Fact::CannotCompare { one: left.noun(), two: right.noun() }),
+            (left, right) => self.refuse(range(requirement), ValueFact::CannotCompare { one: left.noun(), two: right.noun() }),
         }
     }
 
@@ -109,7 +109,7 @@ impl Elaborator<'_> {
         let (holds, sides) = match relation {
             Relation::Equal => (one == two, [(lhs, two), (rhs, one)]),
             Relation::Different => (one != two, [(rhs, one), (lhs, two)]),
-            _ => return self.refuse(range(requirement), Fact::OrderOfBodies),
+            _ => return self.refuse(range(requirement), ValueFact::OrderOfBodies),
         };
         if holds || self.names.is_abstract() {
             return Some(());
@@ -117,7 +117,7 @@ impl Elaborator<'_> {
         let blamed = sides.into_iter().find(|(side, _)| place(side, places).is_some());
         let instead = blamed.and_then(|(side, other)| self.of_a_body(scope.value_of(argument_of(side)?)?, *relation, other));
         let place = blamed.and_then(|(side, _)| place(side, places));
-        self.refuse_at(place, range(requirement), Fact::RequirementFails { why: why.clone(), instead })
+        self.refuse_at(place, range(requirement), EquationFact::RequirementFails { why: why.clone(), instead })
     }
 
     /// What to give instead of a point or an axis whose body must, or must not, be another.
@@ -143,7 +143,7 @@ impl Elaborator<'_> {
     ) -> Option<()> {
         let Some(measure) = one.measure.common(two.measure) else {
             let (one, two) = (one.measure.settled(), two.measure.settled());
-            return self.refuse(range(requirement), Fact::Unlike { action: "compare", one, two });
+            return self.refuse(range(requirement), ValueFact::Unlike { action: "compare", one, two });
         };
         let (lhs, rhs) = (one.expr, two.expr);
         if self.names.is_abstract() || !self.is_fixed(lhs) || !self.is_fixed(rhs) {
@@ -154,7 +154,11 @@ impl Elaborator<'_> {
         if self.arena.leaves(lhs).is_empty() && self.arena.leaves(rhs).is_empty() {
             let values = self.numbers(&[], &[lhs, rhs]);
             let holds = holds(requirement.relation, values[0], values[1]);
-            return if holds { Some(()) } else { self.refuse_at(place, range(requirement), Fact::RequirementFails { why, instead: None }) };
+            return if holds {
+                Some(())
+            } else {
+                self.refuse_at(place, range(requirement), EquationFact::RequirementFails { why, instead: None })
+            };
         }
         // What is compared goes by the name it has in the definition.
         let compared = match &requirement.lhs.kind {
@@ -168,7 +172,7 @@ impl Elaborator<'_> {
     }
 
     /// Refuses at an argument if one is to blame.
-    fn refuse_at<T>(&mut self, place: Option<Range>, range: Range, fact: Fact) -> Option<T> {
+    fn refuse_at<T>(&mut self, place: Option<Range>, range: Range, fact: impl Into<Fact>) -> Option<T> {
         let place = place.or(self.blame.as_ref().map(|blame| blame.place));
         self.say(place.unwrap_or(range), fact)
     }
@@ -188,7 +192,7 @@ impl Elaborator<'_> {
             // Each condition of a declaration is asked for once, however many parts there are.
             let (place, joint) = &self.requirement_places[index];
             if !holds(relation, values[0], values[1]) && said.insert((joint.declaration, compared.replacen(&joint.path, "", 1))) {
-                self.diag.refuse::<()>(*place, Fact::RequirementFailsAtDefaults { why, value: values[0] });
+                self.diag.refuse::<()>(*place, EquationFact::RequirementFailsAtDefaults { why, value: values[0] });
             }
         }
     }
@@ -202,7 +206,7 @@ impl Elaborator<'_> {
         let defaults = self.numbers(&[], &defaults);
         for FixedValue { expr, item, range, noun, place } in std::mem::take(&mut self.fixed_values) {
             if !self.is_finite(expr, &defaults) {
-                self.at(place, |this| this.once(item, |this| this.refuse::<()>(range, Fact::NotFinite { place: noun })));
+                self.at(place, |this| this.once(item, |this| this.refuse::<()>(range, ValueFact::NotFinite { place: noun })));
             }
         }
     }

@@ -4,7 +4,7 @@
 //! they would, and by how much it is off. Not done here: what over-determines the drives.
 
 use super::Search;
-use crate::diag::Fact;
+use crate::diag::SystemFact;
 use crate::expr::{Expr, Values, evaluate};
 use crate::numeric::Numeric;
 use crate::numeric::basis::Basis;
@@ -204,7 +204,7 @@ impl Search<'_, '_> {
             return;
         }
         let (bodies, is_redundant) = (numeric.touched(joint), numeric.model.joints[joint].is_redundant);
-        let fact = Fact::CannotHold { joint: name.to_string(), bodies, length, angle, time, is_redundant };
+        let fact = SystemFact::CannotHold { joint: name.to_string(), bodies, length, angle, time, is_redundant };
         self.diag.refuse::<()>(name, fact);
     }
 }

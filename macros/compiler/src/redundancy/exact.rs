@@ -1,7 +1,7 @@
 //! Joints that say again what others say, or the opposite of it.
 
 use super::elimination::{self, Dependent, Sum};
-use crate::diag::{Demand, Diag, Fact};
+use crate::diag::{Demand, Diag, SystemFact};
 use crate::expr::{Exact as Number, Expr, Leaf, Node, show};
 use crate::model::{Model, Said};
 use crate::quantity::Dim;
@@ -41,14 +41,14 @@ impl<'a> ExactDependence<'a> {
             let of_joint: Vec<&Dependent> = dependent.iter().filter(joint_rows).collect();
             let contradiction = of_joint.iter().find(|found| found.left.is_constant() && !found.left.constant.is_zero());
             let fact = match contradiction {
-                Some(found) => Fact::Contradicts {
+                Some(found) => SystemFact::Contradicts {
                     joint: name.to_string(),
                     others: joints(model, system, joint, &[found]),
                     demand: demand(model, system, found).map(Box::new),
                     off: quantity(found.left.constant.abs(), system.equations[found.row].dim),
                 },
                 None if only_entire_joints && of_joint.len() < model.joints[joint].residuals.len() => continue,
-                None => Fact::Follows {
+                None => SystemFact::Follows {
                     joint: name.to_string(),
                     is_drive: model.joints[joint].is_drive,
                     rows: of_joint.iter().map(|found| system.equations[found.row].row + 1).collect(),
@@ -69,7 +69,7 @@ impl<'a> ExactDependence<'a> {
             let name = &model.joints[joint].name;
             if said.is_new(name) {
                 let others = joints(model, system, joint, &[found]);
-                diag.refuse::<()>(name, Fact::Collides { joint: name.to_string(), others, off: left(model, system, &found.left) });
+                diag.refuse::<()>(name, SystemFact::Collides { joint: name.to_string(), others, off: left(model, system, &found.left) });
             }
         }
     }

@@ -3,7 +3,7 @@
 //! In: a [`System`]. Out: a refusal of each joint with such a row. Rows that say so by their pattern alone have been refused before;
 //! these have derivatives whose terms cancel, whatever the coordinates.
 
-use crate::diag::{Diag, Fact};
+use crate::diag::{Diag, EquationFact};
 use crate::expr::{Evaluator, Expr, Leaf, Values, magnitudes};
 use crate::model::{Model, Said};
 use crate::numeric::at_defaults;
@@ -52,7 +52,7 @@ pub(super) fn rows_depend_on_positions(model: &Model, system: &System, diag: &mu
             let leaves = |(_, entry): &(usize, Expr)| system.arena.leaves(*entry);
             let at_defaults = equation.jacobian.iter().flat_map(leaves).any(|leaf| matches!(leaf, Leaf::Parameter(_)));
             let (row, of) = (equation.row + 1, joint.residuals.len());
-            let fact = Fact::RowOfNothing { joint: joint.name.to_string(), row, of, at_defaults };
+            let fact = EquationFact::RowOfNothing { joint: joint.name.to_string(), row, of, at_defaults };
             diag.refuse::<()>(&joint.name, fact);
         }
     }

@@ -13,7 +13,7 @@ mod identity;
 mod pattern;
 mod rows;
 
-use crate::diag::{Diag, Fact};
+use crate::diag::{Diag, SystemFact};
 use crate::model::{Model, Said};
 use crate::numeric::basis::{Basis, Matrix};
 use crate::numeric::samples::Samples;
@@ -97,7 +97,7 @@ pub(crate) fn drives_have_something_to_drive(
             .collect();
         if !joints.is_empty() && joints.iter().all(|joint| !numeric.model.joints[*joint].is_drive) {
             let free = numeric.names(subsystem, &basis.free(subsystem.unknowns.len()));
-            let fact = Fact::NothingToDrive {
+            let fact = SystemFact::NothingToDrive {
                 drive: declared.name.to_string(),
                 joints: names(joints),
                 equations: [0; 2],
@@ -197,7 +197,7 @@ impl Search<'_, '_> {
             if !self.said.is_new(name) {
                 continue;
             }
-            self.diag.refuse::<()>(name, Fact::NotRedundant { joint: name.to_string(), free });
+            self.diag.refuse::<()>(name, SystemFact::NotRedundant { joint: name.to_string(), free });
         }
     }
 
@@ -234,7 +234,7 @@ impl Search<'_, '_> {
             if !self.said.is_new(name) {
                 continue;
             }
-            let fact = Fact::FollowsFrom {
+            let fact = SystemFact::FollowsFrom {
                 joint: name.to_string(),
                 is_drive: model.joints[index].is_drive,
                 rows: own.len(),

@@ -8,7 +8,7 @@ use super::tokens::{
     Parsed, arrow, attributes, block, comma, docs, equals, expected, keyword, name, parentheses, report, semicolon, skip_item, visibility,
     wrong,
 };
-use crate::diag::{Diag, Fact};
+use crate::diag::{Diag, GrammarFact};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -190,7 +190,7 @@ fn function_kind(input: ParseStream) -> Parsed<Kind> {
     let (content, _) = parentheses(input)?;
     let from = dimension(&content)?;
     if !content.is_empty() {
-        return wrong(content.span(), Fact::OneArgument);
+        return wrong(content.span(), GrammarFact::OneArgument);
     }
     Ok(Kind::Function(from, arrow(input)?))
 }
@@ -204,7 +204,7 @@ fn joint_kind(input: ParseStream) -> Parsed<Kind> {
     let (content, _) = parentheses(input)?;
     let kind = name(&content, "the kind of the joint")?;
     if !content.is_empty() {
-        return wrong(content.span(), Fact::TokensAfter { what: "the kind of the joint", help: "write `Joint(kind)`" });
+        return wrong(content.span(), GrammarFact::TokensAfter { what: "the kind of the joint", help: "write `Joint(kind)`" });
     }
     Ok(Kind::Joint(kind))
 }
@@ -216,7 +216,7 @@ pub(super) fn statement(input: ParseStream) -> Parsed<Statement> {
         let binding = binding(input)?;
         return match binding.indices.first() {
             None => Ok(Statement::Let(binding)),
-            Some(index) => wrong(index.range, Fact::IndexInEquations { name: binding.name.to_string() }),
+            Some(index) => wrong(index.range, GrammarFact::IndexInEquations { name: binding.name.to_string() }),
         };
     }
     let is_requirement = keyword(input).is_some_and(|word| word == "require") && !input.peek2(Token![.]) && !input.peek2(Token![==]);

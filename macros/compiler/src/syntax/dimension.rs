@@ -2,7 +2,7 @@
 
 use super::ast::Dimension;
 use super::tokens::{Parsed, expected, literal, name, wrong};
-use crate::diag::{Fact, Range};
+use crate::diag::{GrammarFact, Range};
 use syn::parse::ParseStream;
 use syn::{LitInt, Token};
 
@@ -58,6 +58,6 @@ fn exponent(input: ParseStream) -> Parsed<i16> {
     let literal: LitInt = input.parse()?;
     match literal.base10_parse::<u8>() {
         Ok(exponent) if exponent <= LARGEST_EXPONENT => Ok(sign * i16::from(exponent)),
-        _ => wrong(literal.span(), Fact::ExponentTooLarge { limit: LARGEST_EXPONENT }),
+        _ => wrong(literal.span(), GrammarFact::ExponentTooLarge { limit: LARGEST_EXPONENT }),
     }
 }

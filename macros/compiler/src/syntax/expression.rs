@@ -12,7 +12,7 @@
 
 use super::ast::{Expr, ExprKind, Operator, Path, Relation};
 use super::tokens::{Parsed, braces, brackets, expected, is_path, literal, parentheses, path, wrong};
-use crate::diag::{Fact, Range};
+use crate::diag::{GrammarFact, Range};
 use proc_macro2::Span;
 use quote::ToTokens;
 use syn::parse::ParseStream;
@@ -74,7 +74,7 @@ fn product(input: ParseStream, room: u16) -> Parsed<Expr> {
         let operator = if input.peek(Token![*]) {
             let star = input.parse::<Token![*]>()?.spans[0];
             if input.peek(Token![*]) {
-                return wrong(Range::from(star).to(input.span()), Fact::DoubleStar);
+                return wrong(Range::from(star).to(input.span()), GrammarFact::DoubleStar);
             }
             Operator::Mul
         } else if input.peek(Token![/]) {
@@ -129,7 +129,7 @@ fn postfix(input: ParseStream, room: u16) -> Parsed<Expr> {
         }
         let field: Ident = input.parse()?;
         if input.peek(token::Paren) {
-            return wrong(&field, Fact::MethodCall { name: field.to_string() });
+            return wrong(&field, GrammarFact::MethodCall { name: field.to_string() });
         }
         let range = value.range.to(&field);
         value = node(ExprKind::Field(Box::new(value), field), range)?;
@@ -184,11 +184,11 @@ fn number(input: ParseStream) -> Parsed<Expr> {
     let (digits, unit) = match &literal {
         Lit::Int(int) => (int.base10_digits().to_owned(), int.suffix().to_owned()),
         Lit::Float(float) => (float.base10_digits().to_owned(), float.suffix().to_owned()),
-        _ => return wrong(range, Fact::NotANumber { found: literal_kind(&literal) }),
+        _ => return wrong(range, GrammarFact::NotANumber { found: literal_kind(&literal) }),
     };
     if unit.is_empty() && is_unit(input) {
         let (number, unit) = (literal.to_token_stream().to_string(), input.parse::<Ident>()?);
-        return wrong(range.to(&unit), Fact::SpaceBeforeUnit { number, unit: unit.to_string() });
+        return wrong(range.to(&unit), GrammarFact::SpaceBeforeUnit { number, unit: unit.to_string() });
     }
     node(ExprKind::Number { digits, unit }, range)
 }
@@ -223,7 +223,7 @@ fn parenthesised(input: ParseStream, room: u16) -> Parsed<Expr> {
     let (content, range) = parentheses(input)?;
     let mut items = list(&content, room)?;
     match items.len() {
-        0 => wrong(range, Fact::Expected { what: "an expression", found: "`()`".into() }),
+        0 => wrong(range, GrammarFact::Expected { what: "an expression", found: "`()`".into() }),
         1 => {
             // Parentheses around one value only group it.
             let inner = items.remove(0);
@@ -291,7 +291,7 @@ fn binary(operator: Operator, left: Expr, right: Expr) -> Parsed<Expr> {
 fn deeper(room: u16, range: Range) -> Parsed<u16> {
     match room.checked_sub(1) {
         Some(room) => Ok(room),
-        None => wrong(range, Fact::TooDeep { limit: NESTING }),
+        None => wrong(range, GrammarFact::TooDeep { limit: NESTING }),
     }
 }
 
@@ -305,7 +305,7 @@ fn node(kind: ExprKind, range: Range) -> Parsed<Expr> {
         ExprKind::If { lhs, rhs, then, otherwise, .. } => [lhs, rhs, then, otherwise].iter().map(|item| item.depth).max().unwrap_or(0),
     };
     if below >= DEPTH {
-        return wrong(range, Fact::TooLong { limit: DEPTH });
+        return wrong(range, GrammarFact::TooLong { limit: DEPTH });
     }
     Ok(Expr { kind, range, depth: below + 1 })
 }

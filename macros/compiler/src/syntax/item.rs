@@ -13,7 +13,7 @@ use super::tokens::{
     Parsed, arrow, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, name, parentheses, path, report, semicolon,
     skip_item, skip_to_block, visibility, wrong,
 };
-use crate::diag::{Diag, Fact, Range};
+use crate::diag::{ArrayFact, Diag, GrammarFact, Range, ValueFact};
 use proc_macro2::Ident;
 use std::rc::Rc;
 use syn::ext::IdentExt;
@@ -33,7 +33,10 @@ pub(super) fn mechanism(input: ParseStream, diag: &mut Diag) -> Option<Mechanism
     let Some(content) = content else { return Some(mechanism) };
     mechanism.items = items(&content, ItemContext::TOP, diag);
     if !input.is_empty() {
-        diag.refuse::<()>(input.span(), Fact::TokensAfter { what: "the mechanism", help: "write one `mechanism!` for each mechanism" });
+        diag.refuse::<()>(
+            input.span(),
+            GrammarFact::TokensAfter { what: "the mechanism", help: "write one `mechanism!` for each mechanism" },
+        );
     }
     Some(mechanism)
 }
@@ -48,7 +51,7 @@ fn head(input: ParseStream) -> Parsed<Mechanism> {
     Ident::parse_any(input)?;
     let name = name(input, "the name of the mechanism")?;
     if name == "T" {
-        return wrong(&name, Fact::NumberType);
+        return wrong(&name, GrammarFact::NumberType);
     }
     let Options { equations_only, closing, following, allows_far_start } = options;
     Ok(Mechanism { docs, equations_only, closing, following, allows_far_start, visibility, name, items: Vec::new() })
@@ -118,7 +121,7 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
     };
     let word = keyword.to_string();
     if !place.is_top && matches!(word.as_str(), "use" | "function" | "ground" | "component" | "range") {
-        return wrong(&keyword, Fact::OnlyAtTheTop { word });
+        return wrong(&keyword, GrammarFact::OnlyAtTheTop { word });
     }
     let item = match word.as_str() {
         "use" => Item::Use(uses(input)?),
@@ -133,7 +136,7 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
         "component" => Item::Component(Rc::new(component(input, docs, diag)?)),
         "part" => Item::Part(Rc::new(part(input, docs)?)),
         "for" => Item::For(Rc::new(repeated_items(input, diag)?)),
-        _ => return wrong(&keyword, Fact::UnknownItem { word }),
+        _ => return wrong(&keyword, GrammarFact::UnknownItem { word }),
     };
     has_indices(&item, place)?;
     Ok(item)
@@ -156,7 +159,9 @@ fn has_indices(item: &Item, place: ItemContext) -> Parsed<()> {
 /// The same for any name.
 pub(super) fn indexed(name: &Ident, indices: &[Expr], place: ItemContext) -> Parsed<()> {
     match place.variable {
-        Some(variable) if indices.is_empty() => wrong(name, Fact::WithoutIndex { name: name.to_string(), variable: variable.to_string() }),
+        Some(variable) if indices.is_empty() => {
+            wrong(name, ArrayFact::WithoutIndex { name: name.to_string(), variable: variable.to_string() })
+        }
         _ => Ok(()),
     }
 }
@@ -249,7 +254,7 @@ fn times(input: ParseStream) -> Parsed<Times> {
     Ident::parse_any(input)?;
     let limits = limits(input)?;
     if limits.from.is_none() || limits.to.is_none() {
-        return wrong(limits.range, Fact::RangeWithoutEnd);
+        return wrong(limits.range, ValueFact::RangeWithoutEnd);
     }
     semicolon(input)?;
     Ok(Times { keyword, limits })
@@ -299,7 +304,7 @@ fn function(input: ParseStream) -> Parsed<Function> {
     let argument = if is_named { Some(self::name(&content, "the name of the argument")?) } else { None };
     let from = if is_named { required_dimension(&content)? } else { dimension(&content)? };
     if !content.is_empty() {
-        return wrong(content.span(), Fact::OneArgument);
+        return wrong(content.span(), GrammarFact::OneArgument);
     }
     let to = arrow(input)?;
     let value = value(input)?;
@@ -344,8 +349,8 @@ pub(super) fn marks(input: ParseStream, marks: &mut Marks, place: ItemContext) -
             marks.single.push(Rc::new(mark));
         }
         "for" => marks.loops.push(repeated_marks(input)?),
-        "start" => return wrong(&keyword, Fact::StartInLoop),
-        other => return wrong(&keyword, Fact::UnknownBodyItem { word: other.to_owned() }),
+        "start" => return wrong(&keyword, GrammarFact::StartInLoop),
+        other => return wrong(&keyword, GrammarFact::UnknownBodyItem { word: other.to_owned() }),
     }
     Ok(())
 }
@@ -357,7 +362,7 @@ fn mark(input: ParseStream) -> Parsed<Mark> {
     equals(input)?;
     let value = expression(input)?;
     if input.peek(Token![,]) && !matches!(value.kind, ExprKind::Tuple(..)) {
-        return wrong(value.range, Fact::PairWithoutParentheses { what: if is_axis { "an axis" } else { "a point" } });
+        return wrong(value.range, GrammarFact::PairWithoutParentheses { what: if is_axis { "an axis" } else { "a point" } });
     }
     semicolon(input)?;
     Ok(Mark { is_axis, name, indices, value })
@@ -384,7 +389,7 @@ fn joint(input: ParseStream, docs: Docs) -> Parsed<Joint> {
     let is_drive = word == "drive";
     let (name, indices) = declared(input, if is_drive { "the name of the drive" } else { "the name of the joint" })?;
     if input.peek(token::Paren) {
-        return wrong(&name, Fact::Unnamed { word: if is_drive { "drive" } else { "joint" }, kind: name.to_string() });
+        return wrong(&name, GrammarFact::Unnamed { word: if is_drive { "drive" } else { "joint" }, kind: name.to_string() });
     }
     equals(input)?;
     let body = if input.peek(token::Brace) { equations(input)? } else { instance(input)? };
@@ -409,7 +414,7 @@ fn instance(input: ParseStream) -> Parsed<JointBody> {
     if input.peek(Token![::]) || input.peek2(Token![::]) {
         let path = path(input)?;
         let text = path.tokens.to_string().replace(' ', "");
-        return wrong(path.range, Fact::PathOfConstraint { path: text, last: path.last.to_string() });
+        return wrong(path.range, GrammarFact::PathOfConstraint { path: text, last: path.last.to_string() });
     }
     let kind = name(input, "a constraint such as `revolute(…)`, or `{ lhs == rhs; }`")?;
     if !input.peek(token::Paren) {

@@ -15,7 +15,7 @@ mod options;
 mod repeated;
 mod tokens;
 
-use crate::diag::{Diag, Fact, Refusal};
+use crate::diag::{Diag, GrammarFact, Refusal};
 use ast::{Definition, Definitions, Function, Mechanism};
 use proc_macro2::{Span, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser};
@@ -62,7 +62,7 @@ fn too_deep(tokens: &TokenStream) -> Option<Span> {
 
 fn run<T>(tokens: TokenStream, diag: &mut Diag, parse: fn(ParseStream, &mut Diag) -> Option<T>) -> Option<T> {
     if let Some(span) = too_deep(&tokens) {
-        return diag.refuse(span, Fact::TooDeep { limit: DEEPEST });
+        return diag.refuse(span, GrammarFact::TooDeep { limit: DEEPEST });
     }
     let mut tree = None;
     let read = |input: ParseStream| {

@@ -2,7 +2,7 @@
 
 use super::ast::{Closing, Docs, Following};
 use super::tokens::{Attribute, Parsed, attributes, wrong};
-use crate::diag::Fact;
+use crate::diag::GrammarFact;
 use crate::diag::nearest;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
@@ -25,10 +25,10 @@ pub(super) fn options(input: ParseStream) -> Parsed<(Docs, Options)> {
             "equations_only" => equations_only.replace(()).is_some(),
             "closure" => closing.replace(self::closing(&attribute)?).is_some(),
             "allow" => far_start.replace(allowed(&attribute)?).is_some(),
-            _ => return wrong(&attribute.name, Fact::UnknownAttribute { name }),
+            _ => return wrong(&attribute.name, GrammarFact::UnknownAttribute { name }),
         };
         if again {
-            return wrong(&attribute.name, Fact::AttributeTwice { name });
+            return wrong(&attribute.name, GrammarFact::AttributeTwice { name });
         }
     }
     let (equations_only, allows_far_start) = (equations_only.is_some(), far_start.is_some());
@@ -40,8 +40,8 @@ pub(super) fn options(input: ParseStream) -> Parsed<(Docs, Options)> {
 fn allowed(attribute: &Attribute) -> Parsed<()> {
     match word(attribute) {
         Some(word) if word == "far_start" => Ok(()),
-        Some(word) => wrong(&word, Fact::AllowedWord { near: nearest(&word.to_string(), ["far_start"].into_iter()) }),
-        None => wrong(&attribute.name, Fact::AllowedWord { near: None }),
+        Some(word) => wrong(&word, GrammarFact::AllowedWord { near: nearest(&word.to_string(), ["far_start"].into_iter()) }),
+        None => wrong(&attribute.name, GrammarFact::AllowedWord { near: None }),
     }
 }
 
@@ -59,13 +59,13 @@ fn word(attribute: &Attribute) -> Option<syn::Ident> {
 /// `#[closure(deny)]`, `#[closure(start)]`, `#[closure(allow)]`, `#[closure(off)]`, and how the motion is followed.
 fn closing(attribute: &Attribute) -> Parsed<(Closing, Following)> {
     let Some(word) = word(attribute) else {
-        return wrong(&attribute.name, Fact::ClosingWord { near: None });
+        return wrong(&attribute.name, GrammarFact::ClosingWord { near: None });
     };
     match word.to_string().as_str() {
         "deny" => Ok((Closing::Deny, Following::Strict)),
         "start" => Ok((Closing::Deny, Following::Off)),
         "allow" => Ok((Closing::Allow, Following::Declared)),
         "off" => Ok((Closing::Off, Following::Off)),
-        other => wrong(&word, Fact::ClosingWord { near: nearest(other, ["deny", "start", "allow", "off"].into_iter()) }),
+        other => wrong(&word, GrammarFact::ClosingWord { near: nearest(other, ["deny", "start", "allow", "off"].into_iter()) }),
     }
 }

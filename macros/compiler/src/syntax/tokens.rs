@@ -2,7 +2,7 @@
 
 use super::ast::{Dimension, Docs, Path};
 use super::dimension::dimension;
-use crate::diag::{Diag, Fact, Range, Refusal};
+use crate::diag::{Diag, Fact, GrammarFact, Range, Refusal, ValueFact};
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::ext::IdentExt;
@@ -13,13 +13,13 @@ use syn::{LitStr, Token, token};
 pub(super) type Parsed<T> = Result<T, Box<Refusal>>;
 
 /// A refusal as the result of a parser.
-pub(super) fn wrong<T>(range: impl Into<Range>, fact: Fact) -> Parsed<T> {
-    Err(Box::new(Refusal { fact, range: range.into() }))
+pub(super) fn wrong<T>(range: impl Into<Range>, fact: impl Into<Fact>) -> Parsed<T> {
+    Err(Box::new(Refusal { fact: fact.into(), range: range.into() }))
 }
 
 /// The refusal that something else was expected here.
 pub(super) fn expected<T>(input: ParseStream, what: &'static str) -> Parsed<T> {
-    wrong(input.span(), Fact::Expected { what, found: next(input) })
+    wrong(input.span(), GrammarFact::Expected { what, found: next(input) })
 }
 
 /// The next token in backticks, or the end.
@@ -46,7 +46,7 @@ pub(super) fn literal(input: ParseStream) -> Parsed<bool> {
     let Some((literal, _)) = input.cursor().literal() else { return Ok(false) };
     let text = literal.to_string();
     if text.len() > MOST_DIGITS && text.starts_with(|first: char| first.is_ascii_digit()) {
-        return wrong(literal.span(), Fact::NumberTooLong { number: text, limit: MOST_DIGITS });
+        return wrong(literal.span(), ValueFact::NumberTooLong { number: text, limit: MOST_DIGITS });
     }
     Ok(true)
 }
@@ -85,11 +85,11 @@ pub(super) fn name(input: ParseStream, what: &'static str) -> Parsed<Ident> {
     if input.peek(syn::Ident) {
         let name: Ident = input.parse()?;
         // A word of Rust since 2024, of which syn does not know.
-        return if name == "gen" { wrong(&name, Fact::Keyword { word: name.to_string() }) } else { Ok(name) };
+        return if name == "gen" { wrong(&name, GrammarFact::Keyword { word: name.to_string() }) } else { Ok(name) };
     }
     if input.peek(Ident::peek_any) && !input.peek(Token![_]) {
         let keyword = Ident::parse_any(input)?;
-        return wrong(&keyword, Fact::Keyword { word: keyword.to_string() });
+        return wrong(&keyword, GrammarFact::Keyword { word: keyword.to_string() });
     }
     expected(input, what)
 }
@@ -253,7 +253,7 @@ fn attribute(content: ParseStream) -> syn::Result<(Ident, Option<String>, TokenS
 pub(super) fn docs(input: ParseStream) -> Parsed<Docs> {
     let (docs, others) = attributes(input)?;
     match others.first() {
-        Some(Attribute { name, .. }) => wrong(name, Fact::UnknownAttribute { name: name.to_string() }),
+        Some(Attribute { name, .. }) => wrong(name, GrammarFact::UnknownAttribute { name: name.to_string() }),
         None => Ok(docs),
     }
 }

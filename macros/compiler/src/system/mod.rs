@@ -12,7 +12,7 @@
 mod magnitude;
 mod pattern;
 
-use crate::diag::{Diag, Fact};
+use crate::diag::{Diag, SystemFact};
 use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Rate, Seed, Substitution, derivative};
 use crate::model::{Model, Said};
 use crate::quantity::{Dim, Role, SpeedRole};
@@ -231,7 +231,7 @@ fn lengths(arena: &mut Arena, model: &Model, coordinates: &[Coordinate], equatio
 
 fn has_bodies(model: &Model, diag: &mut Diag) {
     if model.bodies.is_empty() {
-        diag.refuse::<()>(&model.name, Fact::NoBodies { name: model.name.to_string() });
+        diag.refuse::<()>(&model.name, SystemFact::NoBodies { name: model.name.to_string() });
     }
 }
 
@@ -249,7 +249,7 @@ fn no_joint_repeats_another(model: &Model, arena: &mut Arena, diag: &mut Diag) {
             && said.is_new(&joint.name)
         {
             let other = model.joints[other].name.to_string();
-            diag.refuse::<()>(&joint.name, Fact::Repeats { joint: joint.name.to_string(), other });
+            diag.refuse::<()>(&joint.name, SystemFact::Repeats { joint: joint.name.to_string(), other });
         }
         for residual in &joint.residuals {
             owners.entry(residual.expr).or_insert(index);

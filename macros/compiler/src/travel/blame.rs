@@ -5,7 +5,7 @@ use super::walk::Event;
 use crate::assembly::bodies_in_line;
 use crate::assembly::loops::Loops;
 use crate::assembly::order::Upstream;
-use crate::diag::{Driven, Fact, Range};
+use crate::diag::{AssemblyFact, Driven, Range};
 use crate::expr::{Binary, Expr, Leaf, Node};
 use crate::expr::{Values, evaluate};
 use crate::numeric::Numeric;
@@ -23,7 +23,7 @@ pub(super) struct EndReport<'a, 'b> {
 
 impl EndReport<'_, '_> {
     /// The loop that cannot stay closed, under the drive that brings it there.
-    pub(super) fn end(&self, place: &Event) -> Option<(Range, Fact)> {
+    pub(super) fn end(&self, place: &Event) -> Option<(Range, AssemblyFact)> {
         let block = self.chain.members[place.member].block;
         let time = self.chain.path.sign * place.at;
         let (known, declared) = (Values { time, ..self.numeric.known }, self.numeric.declared.clone());
@@ -39,7 +39,7 @@ impl EndReport<'_, '_> {
         let joint = joints.iter().rev().copied().find(|joint| !is_drive(joint)).or_else(|| own.last().map(joint_of))?;
         let drives = self.drives(block, &upstream);
         let in_line = bodies_in_line(&numeric, self.structure, block, &q);
-        let fact = Fact::MotionEnds {
+        let fact = AssemblyFact::MotionEnds {
             joint: name(joint),
             driven: drives.iter().map(|drive| self.driven(*drive, time, &q)).collect(),
             time,
@@ -57,7 +57,7 @@ impl EndReport<'_, '_> {
         let time = self.chain.path.sign * place.at;
         let upstream = Upstream::new(self.numeric, self.structure);
         let driven = self.drives(block, &upstream).iter().map(|drive| self.driven(*drive, time, &place.q)).collect();
-        Some(Fact::Crosses { driven, time }.to_string())
+        Some(AssemblyFact::Crosses { driven, time }.to_string())
     }
 
     /// The place with all coordinates that are computed, also those that nothing that is followed depends on.

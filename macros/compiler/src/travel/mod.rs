@@ -22,7 +22,7 @@ mod turn;
 mod walk;
 
 use crate::assembly::Assembly;
-use crate::diag::{Diag, Doubt, Fact, Range, Warning};
+use crate::diag::{AssemblyFact, Diag, Doubt, Range, Warning};
 use crate::model::Model;
 use crate::numeric::{Numeric, at_defaults};
 use crate::structure::Structure;
@@ -69,7 +69,7 @@ pub(crate) fn follow(model: &Model, system: &System, structure: &Structure, asse
             return diag.refuse(range, fact);
         }
         remarks.insert(0, fact.to_string());
-        warning = (model.closing == Closing::Deny).then(|| Warning { doubt: Doubt::MotionEnds(Box::new(fact)), range });
+        warning = (model.closing == Closing::Deny).then(|| Warning { doubt: Doubt::MotionEnds(Box::new(fact.into())), range });
     }
     Some(Motion { reached, remarks, warning, effort })
 }
@@ -80,7 +80,7 @@ struct Travel {
     /// The first and the last time that were reached.
     reached: [f64; 2],
     /// Where the motion ends within the range.
-    end: Option<(Range, Fact)>,
+    end: Option<(Range, AssemblyFact)>,
     /// What is worth a line on the page of the type.
     notes: Vec<String>,
     /// Operations of the interpreter.

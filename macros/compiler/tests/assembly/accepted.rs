@@ -1,7 +1,7 @@
 //! What is not refused.
 
 use crate::{Random, accepted, four_bar, refused, start};
-use reuleaux_compiler::diag::Fact;
+use reuleaux_compiler::diag::{AssemblyFact, Fact};
 
 #[test]
 fn a_start_far_from_any_assembly_closes() {
@@ -46,7 +46,7 @@ fn what_depends_on_a_rust_function_is_not_judged() {
     // What does not depend on it is judged.
     let other = "body arm { point E = (10mm, 0mm); } body bar { point E = (10mm, 0mm); } joint p = revolute(ground.C, arm.position);
         joint q = revolute(arm.E, bar.position); joint r = absolute_y(bar.E, 50mm); drive second = drive_angle(arm, 1rad_s * t);";
-    assert!(matches!(refused(&cam.replace("OTHER", other)), Fact::StaysOpen { .. }));
+    assert!(matches!(refused(&cam.replace("OTHER", other)), Fact::Assembly(AssemblyFact::StaysOpen { .. })));
 }
 
 #[test]

@@ -1,12 +1,12 @@
 //! The least gap of the joint that is named, against the triangle inequality.
 
 use crate::{Random, accepted, four_bar, refused};
-use reuleaux_compiler::diag::Fact;
+use reuleaux_compiler::diag::{AssemblyFact, Fact};
 
 /// The length and the angle by which a joint stays open, in mm and degrees, and what the bound misses.
 fn gap(source: &str, name: &str) -> (f64, f64, Option<f64>) {
     match refused(source) {
-        Fact::StaysOpen { joint, gap, bound, .. } => {
+        Fact::Assembly(AssemblyFact::StaysOpen { joint, gap, bound, .. }) => {
             assert_eq!(joint, name, "{source}");
             let missing = bound.map(|bound| (bound.span.1 - bound.ways.iter().map(|way| way.1).sum::<f64>()) * 1e3);
             (gap.length * 1e3, gap.angle.to_degrees(), missing)

@@ -1,7 +1,7 @@
 //! The motion over the whole range: where it ends, held against the law of cosines.
 
 use super::{Random, accepted, four_bar, start};
-use reuleaux_compiler::diag::Fact;
+use reuleaux_compiler::diag::{AssemblyFact, Fact};
 
 /// Where the crank of a four-bar stops when it turns to the left from an angle, if it does, in rad.
 fn stop([ground, crank, coupler, rocker]: [f64; 4], from: f64) -> Option<f64> {
@@ -21,7 +21,7 @@ fn refused(source: &str) -> Fact {
 /// What is said of where a motion ends: time, and angle of the only drive.
 fn end(fact: &Fact) -> (f64, f64) {
     match fact {
-        Fact::MotionEnds { time, driven, .. } => match driven.as_slice() {
+        Fact::Assembly(AssemblyFact::MotionEnds { time, driven, .. }) => match driven.as_slice() {
             [only] => (*time, only.value.expect("the angle is known").0),
             _ => panic!("{fact}"),
         },

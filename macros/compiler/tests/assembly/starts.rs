@@ -1,7 +1,7 @@
 //! Which assembly a start leads to, and what starts do not tell.
 
 use crate::{Random, accepted, four_bar, refused, start};
-use reuleaux_compiler::diag::{Doubt, Fact};
+use reuleaux_compiler::diag::{AssemblyFact, Doubt, Fact};
 
 #[test]
 fn the_nearer_assembly_is_taken() {
@@ -33,7 +33,7 @@ fn mirror_images_are_refused_and_both_are_told() {
         let distance = 0.7 * ground;
         let angle = ((rocker * rocker + distance * distance - coupler * coupler) / (2.0 * rocker * distance)).acos();
         match refused(&four_bar(lengths, 0.0, "")) {
-            Fact::AmbiguousStart { body, coordinate, values, .. } => {
+            Fact::Assembly(AssemblyFact::AmbiguousStart { body, coordinate, values, .. }) => {
                 assert_eq!((body.as_str(), coordinate.name()), ("rocker", "angle"));
                 let wanted = core::f64::consts::PI - angle;
                 assert!((values[0] - wanted).abs() < 1e-6 && (values[1] + wanted).abs() < 1e-6, "{values:?} for {wanted}");
@@ -59,15 +59,18 @@ fn a_start_of_a_later_body_tells_earlier_ones_apart() {
             ),
         )
     };
-    assert!(matches!(refused(&source("")), Fact::AmbiguousStart { .. }));
+    assert!(matches!(refused(&source("")), Fact::Assembly(AssemblyFact::AmbiguousStart { .. })));
     accepted(&source("start angle = 100deg;"));
 }
 
 #[test]
 fn near_a_dead_point_is_not_at_it() {
     let lengths = [400.0, 100.0, 150.0, 150.0];
-    assert!(matches!(refused(&four_bar(lengths, 0.0, "")), Fact::SingularStart { .. }));
-    assert!(matches!(refused(&four_bar(lengths, 0.0, "start angle = 150deg;")), Fact::SingularStart { in_line: true, .. }));
+    assert!(matches!(refused(&four_bar(lengths, 0.0, "")), Fact::Assembly(AssemblyFact::SingularStart { .. })));
+    assert!(matches!(
+        refused(&four_bar(lengths, 0.0, "start angle = 150deg;")),
+        Fact::Assembly(AssemblyFact::SingularStart { in_line: true, .. })
+    ));
     // A micrometre longer, the loop closes in two ways that are half a degree apart.
     accepted(&four_bar([400.0, 100.0, 150.001, 150.0], 0.0, "start angle = 179deg;"));
 }
@@ -84,7 +87,7 @@ fn two_mirrors_of_one_start_at_the_dead_point_of_the_slider() {
         )
     };
     for dead in [200.0, 100.0] {
-        assert!(matches!(refused(&slider(dead)), Fact::SingularStart { in_line: true, .. }));
+        assert!(matches!(refused(&slider(dead)), Fact::Assembly(AssemblyFact::SingularStart { in_line: true, .. })));
     }
     accepted(&slider(199.0));
     accepted(&slider(101.0));
@@ -118,7 +121,10 @@ fn two_starts_that_contradict_each_other_are_weighed() {
 fn starts_in_the_middle_between_two_assemblies_tell_nothing() {
     // Mirrored at the ground, coupler and rocker at ±(54.3°, 108.6°): as far from 0° and 180° as from 180° and 0°.
     for (coupler, rocker) in [(0.0, 0.0), (180.0, 0.0), (0.0, 180.0), (180.0, 180.0), (-180.0, 360.0)] {
-        assert!(matches!(refused(&told(0.0, coupler, rocker)), Fact::AmbiguousStart { is_declared: true, .. }), "{coupler} and {rocker}");
+        assert!(
+            matches!(refused(&told(0.0, coupler, rocker)), Fact::Assembly(AssemblyFact::AmbiguousStart { is_declared: true, .. })),
+            "{coupler} and {rocker}"
+        );
         accepted(&told(0.0, coupler + 1.0, rocker));
         accepted(&told(1.0, coupler, rocker));
     }
@@ -237,7 +243,7 @@ fn a_start_that_rounding_tells_from_a_dead_point_is_solvable() {
     for e in ["0.0000000000000001", "0.00000000000000001", "0"] {
         let source = four_bar([400.0, 100.0, 150.0, 150.0], 0.0, "start angle = 179deg;");
         let source = source.replace("body rocker { point B = (150mm", &format!("body rocker {{ point B = (150mm + {e}mm"));
-        assert!(matches!(refused(&source), Fact::SingularStart { .. }), "{e}");
+        assert!(matches!(refused(&source), Fact::Assembly(AssemblyFact::SingularStart { .. })), "{e}");
     }
 }
 
@@ -268,7 +274,7 @@ fn a_gap_is_solvable_as_long_as_rounding_leaves_the_jacobian() {
         for lengths in core::iter::once([1.0, 1.0]).chain((0..20).map(|_| [0; 2].map(|_| random.between(0.3, 1.5)))) {
             for gap in [0.0, 0.25 * digit] {
                 let fact = refused(&stretched(lengths, gap, off));
-                assert!(matches!(fact, Fact::SingularStart { .. }), "{fact} {lengths:?} {gap:e} of {off}");
+                assert!(matches!(fact, Fact::Assembly(AssemblyFact::SingularStart { .. })), "{fact} {lengths:?} {gap:e} of {off}");
             }
         }
     }

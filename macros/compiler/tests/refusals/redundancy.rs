@@ -1,6 +1,6 @@
 //! Equations that follow from others or contradict them, by numbers.
 
-use reuleaux_compiler::diag::Fact;
+use reuleaux_compiler::diag::{Fact, SystemFact};
 
 /// A parallelogram with a third crank at C, R its place on the rod; what is held twice is to come.
 macro_rules! third_crank {
@@ -122,7 +122,12 @@ fn is_no_redundancy(source: &str) {
     let refusals = reuleaux_compiler::compile(source.parse().expect("tokens")).err().unwrap_or_default();
     for refusal in refusals {
         assert!(
-            !matches!(refusal.fact, Fact::FollowsFrom { .. } | Fact::NotRedundant { .. } | Fact::CannotHold { .. }),
+            !matches!(
+                refusal.fact,
+                Fact::System(SystemFact::FollowsFrom { .. })
+                    | Fact::System(SystemFact::NotRedundant { .. })
+                    | Fact::System(SystemFact::CannotHold { .. })
+            ),
             "{}",
             refusal.fact
         );

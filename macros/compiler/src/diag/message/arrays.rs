@@ -1,96 +1,99 @@
 //! What is said of loops, arrays and parts.
 
 use super::words::{did_you_mean, first_of};
-use crate::diag::Fact;
-use std::fmt::{Formatter, Result};
+use crate::diag::ArrayFact;
+use std::fmt::{Display, Formatter, Result};
 
-pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
-    match fact {
-        Fact::WithoutIndex { name, variable } => {
-            write!(f, "every round of the loop would declare another `{name}`\nhelp: write `{name}[{variable}]`")
-        }
-        Fact::DuplicateInLoop { name, variable } => {
-            write!(f, "`{name}` is declared twice\nhelp: every loop around it needs an index of its own, such as `[{variable}]`")
-        }
-        Fact::ArrayWithoutIndex { name } => write!(f, "`{name}` is an array\nhelp: say which one, such as `{name}[0]`"),
-        Fact::NoArray { found, is_member: false } => write!(f, "{found} has no index\nhelp: take `[…]` away"),
-        Fact::NoArray { found, is_member: true } => write!(f, "{found} has no further index\nhelp: take the last `[…]` away"),
-        Fact::IndexOutOfRange { name, index, ends, known } => {
-            write!(f, "there is no `{name}[{index}]`")?;
-            match ends {
-                None => Ok(()),
-                Some((only, last)) if only == last => write!(f, "\nnote: there is `{name}[{only}]` only"),
-                Some((first, last)) if last - first == known.count - 1 => {
-                    write!(f, "\nnote: there are `{name}[{first}]` to `{name}[{last}]`")
+impl Display for ArrayFact {
+    fn fmt(&self, f: &mut Formatter) -> Result {
+        match self {
+            ArrayFact::WithoutIndex { name, variable } => {
+                write!(f, "every round of the loop would declare another `{name}`\nhelp: write `{name}[{variable}]`")
+            }
+            ArrayFact::DuplicateInLoop { name, variable } => {
+                write!(f, "`{name}` is declared twice\nhelp: every loop around it needs an index of its own, such as `[{variable}]`")
+            }
+            ArrayFact::ArrayWithoutIndex { name } => write!(f, "`{name}` is an array\nhelp: say which one, such as `{name}[0]`"),
+            ArrayFact::NoArray { found, is_member: false } => write!(f, "{found} has no index\nhelp: take `[…]` away"),
+            ArrayFact::NoArray { found, is_member: true } => write!(f, "{found} has no further index\nhelp: take the last `[…]` away"),
+            ArrayFact::IndexOutOfRange { name, index, ends, known } => {
+                write!(f, "there is no `{name}[{index}]`")?;
+                match ends {
+                    None => Ok(()),
+                    Some((only, last)) if only == last => write!(f, "\nnote: there is `{name}[{only}]` only"),
+                    Some((first, last)) if last - first == known.count - 1 => {
+                        write!(f, "\nnote: there are `{name}[{first}]` to `{name}[{last}]`")
+                    }
+                    Some(_) => write!(f, "\nnote: there are {}", first_of(&known.first, known.count)),
                 }
-                Some(_) => write!(f, "\nnote: there are {}", first_of(&known.first, known.count)),
+            }
+            ArrayFact::NegativeIndex { index } => write!(f, "an index counts from 0, this one is {index}"),
+            ArrayFact::MissingIndex { what, missing, known } => {
+                write!(f, "there is {what} `{known}` but no `{missing}`\nhelp: the indices of an array run from 0 without gaps")
+            }
+            ArrayFact::NotWhole { found } => {
+                write!(
+                    f,
+                    "expected a whole number, found {found}\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %"
+                )
+            }
+            ArrayFact::NotKnownWhole => {
+                write!(f, "how many there are cannot change at run time\nhelp: declare the number with `let`, such as `let count = 6;`")
+            }
+            ArrayFact::EmptyRange { from, to, is_inclusive } => {
+                let below = if *is_inclusive { "" } else { "below " };
+                write!(f, "this loop runs over nothing: from {from} to {below}{to}")?;
+                if from == to {
+                    return write!(f, "\nhelp: for {from} alone write `{from}..={to}`");
+                }
+                write!(f, "\nhelp: a loop counts upwards: write `{to}..={from}`")
+            }
+            ArrayFact::LongRange { rounds, limit } => write!(f, "this loop has {rounds} rounds, at most {limit} are possible"),
+            ArrayFact::TooManyItems { limit } => {
+                write!(
+                    f,
+                    "loops and parts make more than {limit} items\nnote: every round of a loop counts, also of one with nothing in it"
+                )
+            }
+            ArrayFact::WholeTooLarge { found } => write!(f, "`{found}` is too large: an index or the end of a range stays below 2^63"),
+            ArrayFact::UnknownComponent { name, is_constraint: true, .. } => {
+                write!(f, "`{name}` is a constraint, not a component\nhelp: write `joint name = {name}(…);`")
+            }
+            ArrayFact::UnknownComponent { name, near, .. } => {
+                write!(f, "no component is called `{name}`{}", did_you_mean(near))?;
+                if near.is_none() { write!(f, "\nhelp: declare it with `component {name}(…) {{ … }}`") } else { Ok(()) }
+            }
+            ArrayFact::ComponentAsConstraint { name } => {
+                write!(f, "`{name}` is a component, not a constraint\nhelp: write `part name = {name}(…);`")
+            }
+            ArrayFact::ComponentRecursion { name } => {
+                write!(f, "the component `{name}` contains itself, and so without end")?;
+                write!(
+                    f,
+                    "\nhelp: let each part take the one before as an argument: `for i in 1..n {{ part name[i] = {name}(name[i - 1].end); }}`"
+                )
+            }
+            ArrayFact::ParameterAsArgument { component, name, part } => {
+                write!(f, "`{name}` is a parameter in `{component}`, not an argument of it")?;
+                write!(
+                    f,
+                    "\nhelp: it is set in Rust, `mechanism.{part}.{name} = …`; to set it here, declare `component {component}(…, {name}: …)`"
+                )
+            }
+            ArrayFact::OutsideOfComponent { name, what } => {
+                write!(f, "a component does not see `{name}`, {what} outside of it")?;
+                write!(f, "\nhelp: take what it needs as an argument, such as `P: Point` or `b: Body`")
+            }
+            ArrayFact::UnlikeParts { name, component } => {
+                write!(f, "`{name}` has not the same bodies, parameters, parts and outputs as the first `{component}`")?;
+                write!(f, "\nhelp: how many there are of something in a component cannot depend on its arguments")
+            }
+            ArrayFact::UnlikeOutputs { name } => {
+                write!(f, "the outputs `{name}` measure different things\nhelp: give outputs of another kind another name")
+            }
+            ArrayFact::GeneratedType { name } => {
+                write!(f, "a component cannot be called `{name}`: a generated type would have that name\nhelp: choose another name")
             }
         }
-        Fact::NegativeIndex { index } => write!(f, "an index counts from 0, this one is {index}"),
-        Fact::MissingIndex { what, missing, known } => {
-            write!(f, "there is {what} `{known}` but no `{missing}`\nhelp: the indices of an array run from 0 without gaps")
-        }
-        Fact::NotWhole { found } => {
-            write!(
-                f,
-                "expected a whole number, found {found}\nnote: indices and ranges are made of whole numbers, `let`s and loop variables with + - * / %"
-            )
-        }
-        Fact::NotKnownWhole => {
-            write!(f, "how many there are cannot change at run time\nhelp: declare the number with `let`, such as `let count = 6;`")
-        }
-        Fact::EmptyRange { from, to, is_inclusive } => {
-            let below = if *is_inclusive { "" } else { "below " };
-            write!(f, "this loop runs over nothing: from {from} to {below}{to}")?;
-            if from == to {
-                return write!(f, "\nhelp: for {from} alone write `{from}..={to}`");
-            }
-            write!(f, "\nhelp: a loop counts upwards: write `{to}..={from}`")
-        }
-        Fact::LongRange { rounds, limit } => write!(f, "this loop has {rounds} rounds, at most {limit} are possible"),
-        Fact::TooManyItems { limit } => {
-            write!(f, "loops and parts make more than {limit} items\nnote: every round of a loop counts, also of one with nothing in it")
-        }
-        Fact::WholeTooLarge { found } => write!(f, "`{found}` is too large: an index or the end of a range stays below 2^63"),
-        Fact::UnknownComponent { name, is_constraint: true, .. } => {
-            write!(f, "`{name}` is a constraint, not a component\nhelp: write `joint name = {name}(…);`")
-        }
-        Fact::UnknownComponent { name, near, .. } => {
-            write!(f, "no component is called `{name}`{}", did_you_mean(near))?;
-            if near.is_none() { write!(f, "\nhelp: declare it with `component {name}(…) {{ … }}`") } else { Ok(()) }
-        }
-        Fact::ComponentAsConstraint { name } => {
-            write!(f, "`{name}` is a component, not a constraint\nhelp: write `part name = {name}(…);`")
-        }
-        Fact::ComponentRecursion { name } => {
-            write!(f, "the component `{name}` contains itself, and so without end")?;
-            write!(
-                f,
-                "\nhelp: let each part take the one before as an argument: `for i in 1..n {{ part name[i] = {name}(name[i - 1].end); }}`"
-            )
-        }
-        Fact::ParameterAsArgument { component, name, part } => {
-            write!(f, "`{name}` is a parameter in `{component}`, not an argument of it")?;
-            write!(
-                f,
-                "\nhelp: it is set in Rust, `mechanism.{part}.{name} = …`; to set it here, declare `component {component}(…, {name}: …)`"
-            )
-        }
-        Fact::OutsideOfComponent { name, what } => {
-            write!(f, "a component does not see `{name}`, {what} outside of it")?;
-            write!(f, "\nhelp: take what it needs as an argument, such as `P: Point` or `b: Body`")
-        }
-        Fact::UnlikeParts { name, component } => {
-            write!(f, "`{name}` has not the same bodies, parameters, parts and outputs as the first `{component}`")?;
-            write!(f, "\nhelp: how many there are of something in a component cannot depend on its arguments")
-        }
-        Fact::UnlikeOutputs { name } => {
-            write!(f, "the outputs `{name}` measure different things\nhelp: give outputs of another kind another name")
-        }
-        Fact::GeneratedType { name } => {
-            write!(f, "a component cannot be called `{name}`: a generated type would have that name\nhelp: choose another name")
-        }
-        // All others are said elsewhere.
-        _ => Ok(()),
     }
 }

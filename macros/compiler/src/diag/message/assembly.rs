@@ -1,100 +1,101 @@
 //! What is said of the assembly at the declared defaults.
 
 use super::words::{equation, list};
-use crate::diag::{Bound, Driven, Fact, Gap};
+use crate::diag::{AssemblyFact, Bound, Driven, Gap};
 use crate::quantity::{Dim, Role};
-use std::fmt::{Formatter, Result};
+use std::fmt::{Display, Formatter, Result};
 
-pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
-    match fact {
-        Fact::StaysOpen { joint, gap, others, drives, bound } => {
-            write!(f, "`{joint}` stays open by {}", of_gap(gap))?;
-            let with = if others.len() == 1 { "is" } else { "are" };
-            if !others.is_empty() {
-                write!(f, " when {} {with} closed", list(others))?;
+impl Display for AssemblyFact {
+    fn fmt(&self, f: &mut Formatter) -> Result {
+        match self {
+            AssemblyFact::StaysOpen { joint, gap, others, drives, bound } => {
+                write!(f, "`{joint}` stays open by {}", of_gap(gap))?;
+                let with = if others.len() == 1 { "is" } else { "are" };
+                if !others.is_empty() {
+                    write!(f, " when {} {with} closed", list(others))?;
+                }
+                remedy(f, drives, bound.as_deref())
             }
-            remedy(f, drives, bound.as_deref())
+            AssemblyFact::NeverCloses { joints, drives, bound } => {
+                write!(f, "no way was found to close {} together, not even with one of them left open", list(joints))?;
+                remedy(f, drives, bound.as_deref())
+            }
+            AssemblyFact::HasNoValue { joint, row, of, drives, has_none_anywhere } => {
+                write!(f, "{}", equation(*row, *of))?;
+                let place = if *has_none_anywhere { "at t = 0" } else { "near the start" };
+                write!(f, " of `{joint}` has no value {place}: a root of something negative, a division by zero or a number beyond 1e308")?;
+                if *has_none_anywhere {
+                    return write!(f, "\nhelp: let `{joint}` have another value at t = 0");
+                }
+                write!(f, "\nhelp: declare a `start` at which it has one")?;
+                if drives.is_empty() { Ok(()) } else { write!(f, ", or let {} have another value at t = 0", list(drives)) }
+            }
+            AssemblyFact::HasNoRate { joint, row, of } => {
+                write!(f, "{} of `{joint}` has no finite first and second derivative by time at t = 0", equation(*row, *of))?;
+                write!(f, "\nhelp: a root of what vanishes there has none: take a law that begins smoothly")
+            }
+            AssemblyFact::SingularStart { bodies, in_line, drives, has_others } => {
+                let (is, verb) = if bodies.len() == 1 { ("is", "stands") } else { ("are", "stand") };
+                if *in_line {
+                    write!(f, "the start is singular: {} {is} in line at t = 0", list(bodies))?;
+                } else {
+                    write!(f, "the start is singular: {} {verb} at a dead point at t = 0", list(bodies))?;
+                }
+                write!(f, "\nnote: two assemblies meet there, and how fast {} {is} moving is not determined", list(bodies))?;
+                let elsewhere = if *has_others { "declare a `start` that leads to another assembly, or " } else { "" };
+                match drives.as_slice() {
+                    [] => write!(f, "\nhelp: {elsewhere}change a length or a place"),
+                    drives => write!(f, "\nhelp: {elsewhere}let {} have another value at t = 0", list(drives)),
+                }
+            }
+            AssemblyFact::AmbiguousStart { body, coordinate, values, place, is_declared } => {
+                let is_angle = *coordinate == Role::Angle;
+                let shown = |value: f64| if is_angle { degrees(value) } else { millimetres(value) };
+                let [one, other] = values.map(shown);
+                let near = if *is_declared { "equally near the declared start" } else { "equally near" };
+                write!(f, "two assemblies are {near}: `{body}.{}` = {one} or {other}", coordinate.name())?;
+                let of = if body.contains(['.', '[']) { format!("the body `{body}`") } else { format!("`body {body}`") };
+                if is_angle {
+                    return write!(f, "\nhelp: write `start angle = {}deg;` in {of}", between(*values));
+                }
+                let [x, y] = place.map(|value| significant(value * 1e3));
+                write!(f, "\nhelp: write `start position = ({x}mm, {y}mm);` in {of}")
+            }
+            AssemblyFact::MotionEnds { joint, driven, time, in_line, until, declared } => {
+                match driven.as_slice() {
+                    [only] => write!(f, "{}", stops(only))?,
+                    _ => write!(f, "the motion stops")?,
+                }
+                write!(f, " at t = {} s", significant(*time))?;
+                if driven.len() > 1 {
+                    write!(f, ", {}", places(driven))?;
+                }
+                write!(f, ": `{joint}` cannot stay closed beyond that")?;
+                if !in_line.is_empty() {
+                    write!(f, "\nnote: {} are in line there", list(in_line))?;
+                }
+                let before = short_of(*time);
+                let [from, to] = if *time < 0.0 {
+                    [before, declared.map_or(0.0, |declared| declared[1])]
+                } else {
+                    [declared.map_or(0.0, |declared| declared[0]), before]
+                };
+                let range = format!("range t in {}s..{}s;", significant(from), significant(to));
+                if declared.is_some() {
+                    return write!(f, "\nhelp: end the range before it, `{range}`, or change a length");
+                }
+                write!(
+                    f,
+                    "\nnote: no `range` is declared, so it is followed until everything repeats itself, to t = {} s",
+                    significant(*until)
+                )?;
+                write!(f, "\nhelp: write `{range}` if it is to go no further, or change a length")
+            }
+            AssemblyFact::Crosses { driven, time } => {
+                write!(f, "two assemblies meet at t = {} s", significant(*time))?;
+                if driven.is_empty() { Ok(()) } else { write!(f, ", {}", places(driven)) }
+            }
         }
-        Fact::NeverCloses { joints, drives, bound } => {
-            write!(f, "no way was found to close {} together, not even with one of them left open", list(joints))?;
-            remedy(f, drives, bound.as_deref())
-        }
-        Fact::HasNoValue { joint, row, of, drives, has_none_anywhere } => {
-            write!(f, "{}", equation(*row, *of))?;
-            let place = if *has_none_anywhere { "at t = 0" } else { "near the start" };
-            write!(f, " of `{joint}` has no value {place}: a root of something negative, a division by zero or a number beyond 1e308")?;
-            if *has_none_anywhere {
-                return write!(f, "\nhelp: let `{joint}` have another value at t = 0");
-            }
-            write!(f, "\nhelp: declare a `start` at which it has one")?;
-            if drives.is_empty() { Ok(()) } else { write!(f, ", or let {} have another value at t = 0", list(drives)) }
-        }
-        Fact::HasNoRate { joint, row, of } => {
-            write!(f, "{} of `{joint}` has no finite first and second derivative by time at t = 0", equation(*row, *of))?;
-            write!(f, "\nhelp: a root of what vanishes there has none: take a law that begins smoothly")
-        }
-        Fact::SingularStart { bodies, in_line, drives, has_others } => {
-            let (is, verb) = if bodies.len() == 1 { ("is", "stands") } else { ("are", "stand") };
-            if *in_line {
-                write!(f, "the start is singular: {} {is} in line at t = 0", list(bodies))?;
-            } else {
-                write!(f, "the start is singular: {} {verb} at a dead point at t = 0", list(bodies))?;
-            }
-            write!(f, "\nnote: two assemblies meet there, and how fast {} {is} moving is not determined", list(bodies))?;
-            let elsewhere = if *has_others { "declare a `start` that leads to another assembly, or " } else { "" };
-            match drives.as_slice() {
-                [] => write!(f, "\nhelp: {elsewhere}change a length or a place"),
-                drives => write!(f, "\nhelp: {elsewhere}let {} have another value at t = 0", list(drives)),
-            }
-        }
-        Fact::AmbiguousStart { body, coordinate, values, place, is_declared } => {
-            let is_angle = *coordinate == Role::Angle;
-            let shown = |value: f64| if is_angle { degrees(value) } else { millimetres(value) };
-            let [one, other] = values.map(shown);
-            let near = if *is_declared { "equally near the declared start" } else { "equally near" };
-            write!(f, "two assemblies are {near}: `{body}.{}` = {one} or {other}", coordinate.name())?;
-            let of = if body.contains(['.', '[']) { format!("the body `{body}`") } else { format!("`body {body}`") };
-            if is_angle {
-                return write!(f, "\nhelp: write `start angle = {}deg;` in {of}", between(*values));
-            }
-            let [x, y] = place.map(|value| significant(value * 1e3));
-            write!(f, "\nhelp: write `start position = ({x}mm, {y}mm);` in {of}")
-        }
-        Fact::MotionEnds { joint, driven, time, in_line, until, declared } => {
-            match driven.as_slice() {
-                [only] => write!(f, "{}", stops(only))?,
-                _ => write!(f, "the motion stops")?,
-            }
-            write!(f, " at t = {} s", significant(*time))?;
-            if driven.len() > 1 {
-                write!(f, ", {}", places(driven))?;
-            }
-            write!(f, ": `{joint}` cannot stay closed beyond that")?;
-            if !in_line.is_empty() {
-                write!(f, "\nnote: {} are in line there", list(in_line))?;
-            }
-            let before = short_of(*time);
-            let [from, to] = if *time < 0.0 {
-                [before, declared.map_or(0.0, |declared| declared[1])]
-            } else {
-                [declared.map_or(0.0, |declared| declared[0]), before]
-            };
-            let range = format!("range t in {}s..{}s;", significant(from), significant(to));
-            if declared.is_some() {
-                return write!(f, "\nhelp: end the range before it, `{range}`, or change a length");
-            }
-            write!(
-                f,
-                "\nnote: no `range` is declared, so it is followed until everything repeats itself, to t = {} s",
-                significant(*until)
-            )?;
-            write!(f, "\nhelp: write `{range}` if it is to go no further, or change a length")
-        }
-        Fact::Crosses { driven, time } => {
-            write!(f, "two assemblies meet at t = {} s", significant(*time))?;
-            if driven.is_empty() { Ok(()) } else { write!(f, ", {}", places(driven)) }
-        }
-        _ => Ok(()),
     }
 }
 

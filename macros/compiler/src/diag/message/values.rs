@@ -1,131 +1,133 @@
 //! What is said of kinds, dimensions and values.
 
 use super::words::shortened;
-use crate::diag::{Fact, remedy};
+use crate::diag::{ValueFact, remedy};
 use crate::quantity::Dim;
-use std::fmt::{Formatter, Result};
+use std::fmt::{Display, Formatter, Result};
 
-pub(super) fn write(f: &mut Formatter, fact: &Fact) -> Result {
-    match fact {
-        Fact::NotA { wanted, found } => write!(f, "expected {wanted}, found {found}{}", remedy::of_kind(wanted, found)),
-        Fact::WrongArgument { parameter, definition, wanted, found, instead } => {
-            write!(f, "`{parameter}` of `{definition}` takes {wanted}, found {found}")?;
-            match instead {
-                Some(instead) => write!(f, "\nhelp: write `{instead}`"),
-                None if wanted.ends_with(" joint") && !found.ends_with(" joint") => write!(f, "\nhelp: write the name of the joint"),
-                None => write!(f, "{}", remedy::of_kind(wanted, found)),
+impl Display for ValueFact {
+    fn fmt(&self, f: &mut Formatter) -> Result {
+        match self {
+            ValueFact::NotA { wanted, found } => write!(f, "expected {wanted}, found {found}{}", remedy::of_kind(wanted, found)),
+            ValueFact::WrongArgument { parameter, definition, wanted, found, instead } => {
+                write!(f, "`{parameter}` of `{definition}` takes {wanted}, found {found}")?;
+                match instead {
+                    Some(instead) => write!(f, "\nhelp: write `{instead}`"),
+                    None if wanted.ends_with(" joint") && !found.ends_with(" joint") => write!(f, "\nhelp: write the name of the joint"),
+                    None => write!(f, "{}", remedy::of_kind(wanted, found)),
+                }
             }
-        }
-        Fact::WrongArgumentDimension { parameter, definition, wanted, found } => {
-            write!(f, "`{parameter}` of `{definition}` is {wanted}, found {found}")?;
-            if found.times(Dim::TIME) == *wanted {
-                return write!(f, "\nhelp: multiply the rate by `t`");
+            ValueFact::WrongArgumentDimension { parameter, definition, wanted, found } => {
+                write!(f, "`{parameter}` of `{definition}` is {wanted}, found {found}")?;
+                if found.times(Dim::TIME) == *wanted {
+                    return write!(f, "\nhelp: multiply the rate by `t`");
+                }
+                // What follows a law of time is often meant to follow time itself.
+                match *found {
+                    Dim::TIME => write!(f, "\nhelp: multiply the time by a rate in {}", wanted.per(Dim::TIME).unit()),
+                    found if found.is_of_time() => write!(f, "\nhelp: multiply it by a quantity in {}", wanted.per(found).unit()),
+                    _ => Ok(()),
+                }
             }
-            // What follows a law of time is often meant to follow time itself.
-            match *found {
-                Dim::TIME => write!(f, "\nhelp: multiply the time by a rate in {}", wanted.per(Dim::TIME).unit()),
-                found if found.is_of_time() => write!(f, "\nhelp: multiply it by a quantity in {}", wanted.per(found).unit()),
-                _ => Ok(()),
+            ValueFact::WrongDefault { wanted, found } => write!(f, "the parameter takes {wanted}, its default is {found}"),
+            ValueFact::WrongDimension { wanted, found } => write!(f, "expected {wanted}, found {found}"),
+            ValueFact::Unlike { action, one, two } => {
+                let joint = if *action == "equate" || *action == "compare" { "with" } else { "and" };
+                match *action {
+                    "subtract" => write!(f, "cannot subtract {two} from {one}"),
+                    "add" => write!(f, "cannot add {two} to {one}"),
+                    _ => write!(f, "cannot {action} {one} {joint} {two}"),
+                }?;
+                write!(f, "{}", remedy::of_dimensions(*one, *two))
             }
-        }
-        Fact::WrongDefault { wanted, found } => write!(f, "the parameter takes {wanted}, its default is {found}"),
-        Fact::WrongDimension { wanted, found } => write!(f, "expected {wanted}, found {found}"),
-        Fact::Unlike { action, one, two } => {
-            let joint = if *action == "equate" || *action == "compare" { "with" } else { "and" };
-            match *action {
-                "subtract" => write!(f, "cannot subtract {two} from {one}"),
-                "add" => write!(f, "cannot add {two} to {one}"),
-                _ => write!(f, "cannot {action} {one} {joint} {two}"),
-            }?;
-            write!(f, "{}", remedy::of_dimensions(*one, *two))
-        }
-        Fact::NotALength { found, instead } => {
-            write!(f, "a coordinate of a point is a length (m), found {found}")?;
-            instead.as_ref().map_or(Ok(()), |instead| write!(f, "\nhelp: write `{instead}`"))
-        }
-        Fact::FunctionTakes { wanted, found } => write!(f, "expected a function of {wanted}, found a function of {found}"),
-        Fact::OrderOfBodies => write!(f, "bodies have no order\nhelp: compare them with `==` or `!=`"),
-        Fact::CannotCompare { one, two } => write!(f, "cannot compare {one} with {two}"),
-        Fact::CannotEquate { one, two } => write!(f, "cannot equate {one} with {two}{}", remedy::of_equation(one, two)),
-        Fact::NotTwoComponents { found } => write!(f, "a vector in the plane has 2 components, found {found}"),
-        Fact::VectorAndNumber => {
-            write!(f, "cannot add or subtract a vector and a number")?;
-            write!(f, "\nhelp: write the number as a vector, `(x, y)`, or take a component, `.x` or `.y`")
-        }
-        Fact::NumberByVector => write!(f, "nothing can be divided by a vector\nhelp: write `norm(v)` for its length"),
-        Fact::VectorTimesVector => {
-            write!(f, "there is more than one product of vectors\nhelp: write `dot(a, b)` or `cross(a, b)`")
-        }
-        Fact::PowerOfDimension { base } => {
-            write!(f, "{base} can only be raised to a number that is written out, a multiple of 1/6")?;
-            write!(f, "\nhelp: divide it by a quantity of its kind, and raise the ratio")
-        }
-        Fact::NotAnOutput { found } => write!(f, "an output is a number, a vector, a point or a body that moves, found {found}"),
+            ValueFact::NotALength { found, instead } => {
+                write!(f, "a coordinate of a point is a length (m), found {found}")?;
+                instead.as_ref().map_or(Ok(()), |instead| write!(f, "\nhelp: write `{instead}`"))
+            }
+            ValueFact::FunctionTakes { wanted, found } => write!(f, "expected a function of {wanted}, found a function of {found}"),
+            ValueFact::OrderOfBodies => write!(f, "bodies have no order\nhelp: compare them with `==` or `!=`"),
+            ValueFact::CannotCompare { one, two } => write!(f, "cannot compare {one} with {two}"),
+            ValueFact::CannotEquate { one, two } => write!(f, "cannot equate {one} with {two}{}", remedy::of_equation(one, two)),
+            ValueFact::NotTwoComponents { found } => write!(f, "a vector in the plane has 2 components, found {found}"),
+            ValueFact::VectorAndNumber => {
+                write!(f, "cannot add or subtract a vector and a number")?;
+                write!(f, "\nhelp: write the number as a vector, `(x, y)`, or take a component, `.x` or `.y`")
+            }
+            ValueFact::NumberByVector => write!(f, "nothing can be divided by a vector\nhelp: write `norm(v)` for its length"),
+            ValueFact::VectorTimesVector => {
+                write!(f, "there is more than one product of vectors\nhelp: write `dot(a, b)` or `cross(a, b)`")
+            }
+            ValueFact::PowerOfDimension { base } => {
+                write!(f, "{base} can only be raised to a number that is written out, a multiple of 1/6")?;
+                write!(f, "\nhelp: divide it by a quantity of its kind, and raise the ratio")
+            }
+            ValueFact::NotAnOutput { found } => write!(f, "an output is a number, a vector, a point or a body that moves, found {found}"),
 
-        Fact::NumberTooLong { number, limit } => {
-            write!(f, "`{}` has more than {limit} digits\nhelp: of a number, 17 digits are as good as all", shortened(number))
-        }
-        Fact::NumberOutOfRange { number } => {
-            write!(f, "`{}` cannot be kept exactly", shortened(number))?;
-            write!(f, "\nnote: in m, rad, s and kg, numbers lie between 1e-16 and 1e36, those of few digits down to 1e-36")
-        }
-        Fact::NotFinite { place } => write!(f, "{place} is not a finite number"),
-        Fact::TooLarge { limit, in_function } => {
-            write!(f, "the equations grow beyond {limit} operations here")?;
-            match in_function {
-                true => write!(f, "\nhelp: a function that calls others several times is written out at every call"),
-                false => write!(f, "\nhelp: declare less of it, or make several mechanisms of it"),
+            ValueFact::NumberTooLong { number, limit } => {
+                write!(f, "`{}` has more than {limit} digits\nhelp: of a number, 17 digits are as good as all", shortened(number))
+            }
+            ValueFact::NumberOutOfRange { number } => {
+                write!(f, "`{}` cannot be kept exactly", shortened(number))?;
+                write!(f, "\nnote: in m, rad, s and kg, numbers lie between 1e-16 and 1e36, those of few digits down to 1e-36")
+            }
+            ValueFact::NotFinite { place } => write!(f, "{place} is not a finite number"),
+            ValueFact::TooLarge { limit, in_function } => {
+                write!(f, "the equations grow beyond {limit} operations here")?;
+                match in_function {
+                    true => write!(f, "\nhelp: a function that calls others several times is written out at every call"),
+                    false => write!(f, "\nhelp: declare less of it, or make several mechanisms of it"),
+                }
+            }
+            ValueFact::DivisionByZero => write!(f, "division by zero"),
+            ValueFact::EqualityInChoice => {
+                write!(f, "equality of measured numbers is an accident\nhelp: compare with `<`, `<=`, `>` or `>=`")
+            }
+            ValueFact::ListOutsideTable => write!(f, "a list can only be an argument of `table`\nhelp: a vector is written `(x, y)`"),
+            ValueFact::TableArity { found } => {
+                write!(f, "`table` takes 2 or 3 arguments, found {found}\nnote: `table(x, [(x0, y0), (x1, y1), …], periodic)`")
+            }
+            ValueFact::TableNeedsList => write!(f, "expected a list of pairs, such as `[(0deg, 0mm), (90deg, 5mm)]`"),
+            ValueFact::TableNeedsPairs => write!(f, "expected a pair, such as `(90deg, 5mm)`"),
+            ValueFact::TableNotIncreasing { before, found, dim } => {
+                let [found, before] = [found, before].map(|value| remedy::quantity(*value, *dim));
+                write!(f, "the first numbers of a table must increase from pair to pair: {found} comes after {before}")
+            }
+            ValueFact::TableTooShort { found } => write!(f, "a table needs at least 2 pairs, found {found}"),
+            ValueFact::TableNotPeriodic { first, last, dim } => {
+                let [first, last] = [first, last].map(|value| remedy::quantity(*value, *dim));
+                write!(f, "a periodic table ends with the value it begins with: it begins with {first} and ends with {last}")
+            }
+            ValueFact::TableEnds { found } => write!(f, "outside its range a table is `periodic`, `linear` or `hold`, not {found}"),
+            ValueFact::NotConstant { place, help } => {
+                write!(f, "{place} is a constant: numbers, units, `pi` and functions of them")?;
+                if help.is_empty() { Ok(()) } else { write!(f, "\nhelp: {help}") }
+            }
+            ValueFact::EmptyBounds { bounds, is_point } => {
+                write!(f, "no value lies in {bounds}\nhelp: ")?;
+                if *is_point {
+                    write!(f, "write `..=` where the greatest value is allowed")
+                } else {
+                    write!(f, "the lesser value stands first")
+                }
+            }
+            ValueFact::RangeWithoutEnd => write!(f, "a range of time has two ends\nhelp: write `range t in 0s..1s;`"),
+            ValueFact::DefaultOutOfBounds { value, bounds } => {
+                write!(f, "the default, {value}, does not lie in {bounds}\nhelp: widen the range, or take a default within")
+            }
+            ValueFact::NotFixed { place } => {
+                write!(f, "{place} may depend on parameters only, not on what moves")?;
+                let help = if place.contains("start") { "write where it is about" } else { "what moves along a body is a body of its own" };
+                write!(f, "\nhelp: {help}")
+            }
+            ValueFact::FunctionNeedsArgument => {
+                write!(
+                    f,
+                    "a function written here names its argument\nhelp: write `function name(x: Angle) -> Length = …;`, or give the path of a Rust function"
+                )
+            }
+            ValueFact::ZeroAxis { name } => {
+                write!(f, "the axis `{name}` has no direction: both components are zero\nhelp: write `(1, 0)` for the direction of x")
             }
         }
-        Fact::DivisionByZero => write!(f, "division by zero"),
-        Fact::EqualityInChoice => write!(f, "equality of measured numbers is an accident\nhelp: compare with `<`, `<=`, `>` or `>=`"),
-        Fact::ListOutsideTable => write!(f, "a list can only be an argument of `table`\nhelp: a vector is written `(x, y)`"),
-        Fact::TableArity { found } => {
-            write!(f, "`table` takes 2 or 3 arguments, found {found}\nnote: `table(x, [(x0, y0), (x1, y1), …], periodic)`")
-        }
-        Fact::TableNeedsList => write!(f, "expected a list of pairs, such as `[(0deg, 0mm), (90deg, 5mm)]`"),
-        Fact::TableNeedsPairs => write!(f, "expected a pair, such as `(90deg, 5mm)`"),
-        Fact::TableNotIncreasing { before, found, dim } => {
-            let [found, before] = [found, before].map(|value| remedy::quantity(*value, *dim));
-            write!(f, "the first numbers of a table must increase from pair to pair: {found} comes after {before}")
-        }
-        Fact::TableTooShort { found } => write!(f, "a table needs at least 2 pairs, found {found}"),
-        Fact::TableNotPeriodic { first, last, dim } => {
-            let [first, last] = [first, last].map(|value| remedy::quantity(*value, *dim));
-            write!(f, "a periodic table ends with the value it begins with: it begins with {first} and ends with {last}")
-        }
-        Fact::TableEnds { found } => write!(f, "outside its range a table is `periodic`, `linear` or `hold`, not {found}"),
-        Fact::NotConstant { place, help } => {
-            write!(f, "{place} is a constant: numbers, units, `pi` and functions of them")?;
-            if help.is_empty() { Ok(()) } else { write!(f, "\nhelp: {help}") }
-        }
-        Fact::EmptyBounds { bounds, is_point } => {
-            write!(f, "no value lies in {bounds}\nhelp: ")?;
-            if *is_point {
-                write!(f, "write `..=` where the greatest value is allowed")
-            } else {
-                write!(f, "the lesser value stands first")
-            }
-        }
-        Fact::RangeWithoutEnd => write!(f, "a range of time has two ends\nhelp: write `range t in 0s..1s;`"),
-        Fact::DefaultOutOfBounds { value, bounds } => {
-            write!(f, "the default, {value}, does not lie in {bounds}\nhelp: widen the range, or take a default within")
-        }
-        Fact::NotFixed { place } => {
-            write!(f, "{place} may depend on parameters only, not on what moves")?;
-            let help = if place.contains("start") { "write where it is about" } else { "what moves along a body is a body of its own" };
-            write!(f, "\nhelp: {help}")
-        }
-        Fact::FunctionNeedsArgument => {
-            write!(
-                f,
-                "a function written here names its argument\nhelp: write `function name(x: Angle) -> Length = …;`, or give the path of a Rust function"
-            )
-        }
-        Fact::ZeroAxis { name } => {
-            write!(f, "the axis `{name}` has no direction: both components are zero\nhelp: write `(1, 0)` for the direction of x")
-        }
-        // All others are said elsewhere.
-        _ => Ok(()),
     }
 }

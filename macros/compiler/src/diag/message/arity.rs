@@ -1,0 +1,43 @@
+//! What is said of arguments.
+
+use super::words::{did_you_mean, listed, plural, range_of};
+use crate::diag::ArityFact;
+use std::fmt::{Display, Formatter, Result};
+
+impl Display for ArityFact {
+    fn fmt(&self, f: &mut Formatter) -> Result {
+        match self {
+            ArityFact::TooManyArguments { definition, signature, takes, found } => {
+                write!(f, "`{definition}` takes {}, found {found}\nnote: `{signature}`", range_of(takes, "argument"))
+            }
+            ArityFact::MissingArguments { definition, signature, takes, found, missing } => {
+                let missing_ones = listed(missing.iter().map(String::as_str));
+                let verb = if missing.len() == 1 { "is" } else { "are" };
+                write!(f, "`{definition}` takes {}, found {found}: {missing_ones} {verb} missing", range_of(takes, "argument"))?;
+                write!(f, "\nnote: `{signature}`")
+            }
+            ArityFact::UnknownArgument { definition, name, signature, near } => {
+                write!(f, "`{definition}` has no parameter `{name}`{}\nnote: `{signature}`", did_you_mean(near))
+            }
+            ArityFact::DuplicateArgument { name, is_also_in_order } => {
+                let how = if *is_also_in_order { ": by its place in the order and by its name" } else { "" };
+                write!(f, "the argument `{name}` is given twice{how}\nhelp: take one of them away")
+            }
+            ArityFact::PositionalAfterNamed { next } => {
+                write!(f, "an argument without a name cannot follow one with a name")?;
+                next.as_ref().map_or(Ok(()), |next| write!(f, "\nhelp: say which one it is, such as `{next}: …`"))
+            }
+            ArityFact::FunctionArity { name, wanted, found } => {
+                write!(f, "`{name}` takes {}, found {found}", plural(*wanted, "argument"))?;
+                match (wanted, name.as_str()) {
+                    (2, "atan2") => write!(f, "\nnote: `atan2(y, x)`"),
+                    (2, _) => write!(f, "\nnote: `{name}(a, b)`"),
+                    _ => Ok(()),
+                }
+            }
+            ArityFact::DefaultBefore { name } => {
+                write!(f, "`{name}` needs a default, since the parameter before it has one\nhelp: put it before those with a default")
+            }
+        }
+    }
+}

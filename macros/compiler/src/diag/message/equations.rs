@@ -1,0 +1,42 @@
+//! What is said of joints, drives and definitions, each for itself.
+
+use super::words::equation;
+use crate::diag::EquationFact;
+use std::fmt::{Display, Formatter, Result};
+
+impl Display for EquationFact {
+    fn fmt(&self, f: &mut Formatter) -> Result {
+        match self {
+            EquationFact::TimeIn { place } => write!(f, "{place} does not change with time: `t` cannot be used in it"),
+            EquationFact::TimeInDefinition => {
+                write!(
+                    f,
+                    "`t` is not known in a definition\nhelp: take the law as a parameter, such as `C: Length`, and let a `drive` pass it"
+                )
+            }
+            EquationFact::TimeInJoint { joint } => {
+                write!(f, "a joint does not change with time, `t` is for drives\nhelp: write `drive {joint} = …;` for `joint {joint} = …;`")
+            }
+            EquationFact::RequirementFails { why, instead } => {
+                write!(f, "{why}")?;
+                instead.as_ref().map_or(Ok(()), |instead| write!(f, "\nhelp: {instead}"))
+            }
+            EquationFact::RequirementFailsAtDefaults { why, value } => write!(f, "{why}\nnote: it is {value} at the declared defaults"),
+            EquationFact::RowOfNothing { joint, row, of, at_defaults } => {
+                let when = if *at_defaults { ", at the declared defaults" } else { "" };
+                write!(f, "{} of `{joint}` does not depend on the position of any body{when}", equation(*row, *of))
+            }
+            EquationFact::OnGround { joint, kind } => {
+                write!(f, "`{joint}` joins ground to ground, and ground does not move")?;
+                write!(f, "\nhelp: give `{kind}` at least one body, or a point or an axis of one")
+            }
+            EquationFact::NoEquations { name } => write!(f, "`{name}` has no equations\nhelp: write `lhs == rhs;`"),
+            EquationFact::EmptyBundle { name } => {
+                write!(f, "the bundle `{name}` has no constraints\nhelp: put `constraint name(…) {{ … }}` into it")
+            }
+            EquationFact::GroundStart => {
+                write!(f, "ground does not move: it has no start values\nhelp: a frame that stands elsewhere is a body with a `weld`")
+            }
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! What is said of tokens that are no declaration.
+
+use super::words::{did_you_mean, is_power, listed, shortened};
+use crate::diag::{GrammarFact, remedy};
+use std::fmt::{Display, Formatter, Result};
+
+impl Display for GrammarFact {
+    fn fmt(&self, f: &mut Formatter) -> Result {
+        match self {
+            GrammarFact::Syntax { message } => write!(f, "{message}"),
+            GrammarFact::Expected { what: "`;`", found } => {
+                write!(f, "expected `;`, found {found}\nhelp: end what stands before it with `;`")
+            }
+            GrammarFact::Expected { what: what @ "`=`", found } if found == "`==`" => {
+                write!(
+                    f,
+                    "expected {what}, found {found}\nhelp: a name gets its value with `=`; `==` stands between the sides of an equation"
+                )
+            }
+            GrammarFact::Expected { what, found } => {
+                write!(f, "expected {what}, found {}", shortened(found))?;
+                match (*what, found.as_str()) {
+                    ("an expression", "`.`") => write!(f, "\nhelp: a number begins with a digit, such as `0.5`"),
+                    ("the name of the joint", "`=`") => write!(f, "\nhelp: write `joint name = …`"),
+                    ("the name of the drive", "`=`") => write!(f, "\nhelp: write `drive name = …`"),
+                    _ => Ok(()),
+                }
+            }
+            GrammarFact::Unnamed { word, kind } => write!(f, "a {word} has a name of its own\nhelp: write `{word} name = {kind}(…);`"),
+            GrammarFact::NotANumber { found } => write!(f, "expected a number, found {found}{}", remedy::of_kind("a number", "text")),
+            GrammarFact::PartsTooDeep { limit } => {
+                write!(f, "parts are nested more than {limit} deep\nhelp: declare the innermost parts in the mechanism, beside the others")
+            }
+            GrammarFact::TooDeep { limit } => {
+                write!(f, "this is nested more than {limit} deep\nhelp: name parts of it with `let`")
+            }
+            GrammarFact::TooLong { limit } => {
+                write!(f, "this has more than {limit} operations one after the other\nhelp: name parts of it with `let`")
+            }
+            GrammarFact::LongChain { limit, in_function: true } => {
+                write!(
+                    f,
+                    "functions call each other here more than {limit} steps deep\nhelp: write the value of one as a table or as one formula"
+                )
+            }
+            GrammarFact::LongChain { limit, .. } => write!(
+                f,
+                "this is used before it is declared, and so is what it is made of, more than {limit} steps deep\nhelp: declare first what others are made of"
+            ),
+            GrammarFact::Keyword { word } if word == "mut" => {
+                write!(f, "nothing here changes\nhelp: take `mut` away; what is to be set at run time is a `param`")
+            }
+            GrammarFact::Keyword { word } => write!(f, "`{word}` is a word of Rust and cannot be a name\nhelp: write `{word}_`"),
+            GrammarFact::NumberType => write!(f, "`T` is the number type of generated code\nhelp: choose another name for the mechanism"),
+            GrammarFact::UnknownAttribute { name } => {
+                write!(
+                    f,
+                    "`#[{name}]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[closure(…)]` and `#[allow(far_start)]` before `mechanism`"
+                )
+            }
+            GrammarFact::AttributeTwice { name } => write!(f, "`#[{name}]` stands here twice\nhelp: take one of them away"),
+            GrammarFact::ClosingWord { near } => {
+                write!(f, "`#[closure(…)]` takes one of `deny`, `start`, `allow` and `off`{}", did_you_mean(near))
+            }
+            GrammarFact::AllowedWord { near } => {
+                write!(f, "`#[allow(…)]` takes the word `far_start` here{}", did_you_mean(near))?;
+                write!(f, "\nnote: a lint of Rust is allowed for the module in which the mechanism stands")
+            }
+            GrammarFact::TokensAfter { what, help } => write!(f, "nothing may follow {what}\nhelp: {help}"),
+            GrammarFact::UnknownItem { word } if word == "pub" => {
+                write!(f, "all of a mechanism is as public as the mechanism\nhelp: take `pub` away")
+            }
+            GrammarFact::UnknownItem { word } => {
+                let known =
+                    ["param", "let", "ground", "body", "joint", "drive", "output", "range", "part", "for", "component", "function", "use"];
+                // Words as short as `for` are near to many others: they come last.
+                let (rare, often): (Vec<&str>, Vec<&str>) = known.iter().partition(|known| matches!(**known, "part" | "for" | "range"));
+                let near = crate::diag::nearest;
+                let near = near(word, often.into_iter()).or_else(|| near(word, rare.into_iter()));
+                write!(f, "`{word}` is no item of a mechanism{}", did_you_mean(&near))?;
+                write!(f, "\nnote: items are {}", listed(known.into_iter()))
+            }
+            GrammarFact::UnknownBodyItem { word } => {
+                let near = crate::diag::nearest(word, ["point", "axis", "start"].into_iter());
+                write!(f, "`{word}` is no item of a body{}\nnote: a body has `point`, `axis` and `start`", did_you_mean(&near))
+            }
+            GrammarFact::OneArgument => {
+                write!(f, "a function here has one argument\nhelp: what else it depends on is a `param` or a `let`, which it sees")
+            }
+            GrammarFact::PairWithoutParentheses { what } => write!(f, "{what} has two coordinates in parentheses\nhelp: write `(x, y)`"),
+            GrammarFact::PathOfConstraint { path, last } => {
+                write!(f, "a joint names its constraint by a single word\nhelp: write `use {path};` above, and `{last}(…)` here")
+            }
+            GrammarFact::DoubleStar => write!(f, "`**` is no operator\nhelp: a power is written `a^b`"),
+            GrammarFact::MethodCall { name } if is_power(name) => write!(f, "there are no methods here\nhelp: a power is written `a^b`"),
+            GrammarFact::MethodCall { name } => write!(f, "there are no methods here\nhelp: write `{name}(value)` for `value.{name}()`"),
+            GrammarFact::SpaceBeforeUnit { number, unit } => {
+                if crate::quantity::unit(unit).is_some() {
+                    return write!(f, "a unit stands right behind its number\nhelp: write `{number}{unit}`");
+                }
+                write!(f, "an operator is missing between `{number}` and `{unit}`\nhelp: write `{number} * {unit}`")
+            }
+            GrammarFact::ExponentTooLarge { limit } => write!(f, "the exponent of a dimension is at most {limit}"),
+            GrammarFact::OnlyAtTheTop { word } => {
+                write!(f, "`{word}` stands in the mechanism itself, not in a component or a loop\nhelp: move it out")
+            }
+            GrammarFact::StartInLoop => write!(f, "a body starts once: `start` cannot be repeated\nhelp: move it out of the loop"),
+            GrammarFact::IndexInEquations { name } => {
+                write!(f, "`{name}` cannot have an index: there are no arrays among equations\nhelp: declare the array in the mechanism")
+            }
+        }
+    }
+}

@@ -1,0 +1,208 @@
+//! What is said of a mechanism as a whole: of its mobility, and of joints that say the same or the opposite.
+
+use super::words::{are, bodies, counted, drives_there_are, first_of, list, numbers, one_of, plural, rounded};
+use crate::diag::{Count, Demand, Forgotten, SystemFact};
+use std::fmt::{Display, Formatter, Result};
+
+impl Display for SystemFact {
+    fn fmt(&self, f: &mut Formatter) -> Result {
+        match self {
+            SystemFact::NoBodies { name } => write!(f, "`{name}` has no bodies\nhelp: declare one with `body name {{ … }}`"),
+            SystemFact::BodyIsFree { body, example } => {
+                write!(f, "nothing holds `{body}`: it is in no equation")?;
+                write!(f, "\nhelp: join it to ground or to another body, such as `{example}`, or take it away")
+            }
+            SystemFact::Repeats { joint, other } => write!(f, "`{joint}` demands the same as `{other}`\nhelp: take one of them away"),
+            SystemFact::FollowsFrom { joint, is_drive, rows, of, others, free, moves } => {
+                let place = if *moves { "in every position tried" } else { "where the mechanism stands" };
+                let sources = if others.is_empty() { "the rest of it".to_owned() } else { list(others) };
+                match (rows == of, of) {
+                    (true, 1) => write!(f, "`{joint}` adds nothing: its equation follows from {sources} {place}")?,
+                    (true, 2) => write!(f, "`{joint}` adds nothing: both its equations follow from {sources} {place}")?,
+                    (true, of) => write!(f, "`{joint}` adds nothing: its {of} equations follow from {sources} {place}")?,
+                    (false, of) => {
+                        let verb = if *rows == 1 { "adds" } else { "add" };
+                        let it = if *rows == 1 { "it follows" } else { "they follow" };
+                        write!(f, "{rows} of the {of} equations of `{joint}` {verb} nothing: {it} from {sources} {place}")?;
+                    }
+                }
+                if !free.is_empty() {
+                    let (remains, one) = if free.len() == 1 { ("remains", "it") } else { ("remain", "one of them") };
+                    return write!(f, "\nnote: {} {remains} free\nhelp: let it hold or drive {one} instead", list(free));
+                }
+                match (is_drive, rows == of) {
+                    _ if others.is_empty() => write!(f, "\nhelp: say it once"),
+                    (true, _) => write!(f, "\nhelp: take it away"),
+                    (false, true) => write!(f, "\nhelp: take it away, or write `redundant joint` for `joint` to keep it as a check"),
+                    (false, false) => {
+                        write!(f, "\nhelp: write `redundant joint` for `joint`: what is needed of it is solved, the rest is checked")
+                    }
+                }
+            }
+            SystemFact::NotRedundant { joint, free } => {
+                write!(f, "`{joint}` is not redundant: none of its equations follows from others")?;
+                if !free.is_empty() {
+                    let are = if free.len() == 1 { "is" } else { "are" };
+                    write!(f, "\nnote: without it {} {are} free", list(free))?;
+                }
+                write!(f, "\nhelp: write `joint` for `redundant joint`")
+            }
+            SystemFact::CannotHold { joint, bodies, length, angle, time, is_redundant } => {
+                write!(f, "`{joint}` contradicts the other joints: ")?;
+                match *time {
+                    Some(0.0) => write!(f, "with all of them closed it is {}", off(*length, *angle))?,
+                    Some(time) => write!(f, "with all of them closed it is, at t = {} s, {}", rounded(time), off(*length, *angle))?,
+                    None => write!(f, "it fits at the start, but not when the drives move on")?,
+                }
+                if bodies.len() > 1 {
+                    write!(f, "\nnote: it joins {}", list(bodies))?;
+                }
+                let fit = if *is_redundant { "a redundant joint must fit as well" } else { "what is held twice must fit" };
+                write!(f, "\nhelp: {fit}: change a measure, or take it away")
+            }
+            SystemFact::NotOnGround { bodies } => {
+                write!(f, "{} are joined to each other but not to ground", list(bodies))?;
+                let first = bodies.first().map_or("", String::as_str);
+                write!(f, "\nhelp: join one of them to ground, such as `joint name = revolute(ground.position, {first}.position);`")
+            }
+            SystemFact::FreeCoordinates { body, coordinates, has_place, example } => {
+                let nothing = if coordinates.len() == 1 { "it is in no equation" } else { "they are in no equation" };
+                write!(f, "nothing determines {}: {nothing}", list(coordinates))?;
+                match has_place {
+                    true => write!(f, "\nhelp: join `{body}` to another body once more, or drive it, such as `{example}`"),
+                    false => write!(f, "\nhelp: join `{body}` to ground or to another body, such as `{example}`"),
+                }
+            }
+            SystemFact::DrivesMissing { name, count, forgotten, candidates, example } => {
+                let Count { coordinates, joints, drives, missing } = count.as_ref();
+                let Forgotten { loose, line, holds } = forgotten.as_ref();
+                write!(f, "`{name}` has mobility {}, but {}", missing + drives, drives_there_are(*drives))?;
+                write!(f, "\nnote: {} and {} of joints", plural(*coordinates, "coordinate"), plural(*joints, "equation"))?;
+                if !loose.is_empty() {
+                    let ends = if loose.len() == 1 { "is" } else { "are each" };
+                    write!(f, "\nnote: {} {ends} joined to one neighbour only", list(loose))?;
+                }
+                let (mut or, mut or_joints) = ("", if loose.is_empty() { "" } else { " or joints" });
+                if let Some(line) = line {
+                    write!(f, "\nhelp: a joint may be missing, such as `{line}`, which holds {}", list(holds))?;
+                    (or, or_joints) = ("or ", "");
+                }
+                match (missing, candidates.len()) {
+                    (1, 1) => write!(f, "\nhelp: drive {}", list(candidates))?,
+                    (1, _) => write!(f, "\nhelp: add a drive on one of {}", list(candidates))?,
+                    _ => {
+                        write!(f, "\nhelp: {or}add {missing} drives{or_joints}; drives on {} go together", first_of(candidates, *missing))?
+                    }
+                }
+                if example.is_empty() { Ok(()) } else { write!(f, ", such as `{example}`") }
+            }
+            SystemFact::NothingToDrive { drive, joints, equations: [equations, of], coordinates, free } => {
+                write!(f, "`{drive}` has nothing to drive: ")?;
+                match coordinates.as_slice() {
+                    [] => write!(f, "{} {} already what it would move", list(joints), if joints.len() == 1 { "holds" } else { "hold" })?,
+                    [only] => write!(f, "{} determines `{only}` already", list(joints))?,
+                    many => {
+                        write!(f, "{} {} no freedom", list(joints), if joints.len() == 1 { "leaves" } else { "leave" })?;
+                        let on = plural(many.len(), "coordinate");
+                        match equations == of {
+                            true => write!(f, "\nnote: they are {} on {on}: mobility 0", plural(*equations, "equation"))?,
+                            false => write!(f, "\nnote: {equations} of their {of} equations are on {on} alone: {}", list(many))?,
+                        }
+                    }
+                }
+                if free.is_empty() {
+                    return write!(f, "\nhelp: take `{drive}` or a joint away");
+                }
+                write!(f, "\nhelp: {} left free: drive {} instead", are(free), one_of(free))
+            }
+            SystemFact::DrivesContend { drives, freedoms, joints, coordinates, free } => {
+                let (many, few) = (counted(drives.len()), counted(*freedoms));
+                let freedom = if *freedoms == 1 { "freedom" } else { "freedoms" };
+                write!(f, "{many} drives on {few} {freedom}: {}", list(drives))?;
+                match coordinates.as_slice() {
+                    [only] => write!(f, "\nnote: both determine `{only}`")?,
+                    _ if joints.is_empty() => write!(f, "\nnote: they determine {}", list(coordinates))?,
+                    _ => write!(f, "\nnote: {} {} {few} {freedom}", list(joints), if joints.len() == 1 { "leaves" } else { "leave" })?,
+                }
+                if free.is_empty() && drives.len() > freedoms + 1 {
+                    return write!(f, "\nhelp: take {} of the drives away", drives.len() - freedoms);
+                }
+                if free.is_empty() {
+                    return write!(f, "\nhelp: take one of the drives away");
+                }
+                write!(f, "\nhelp: {} left free: drive {} instead", are(free), one_of(free))
+            }
+            SystemFact::Follows { joint, is_drive, rows, of, others } => {
+                let mark = if *is_drive { "" } else { ", or write `redundant joint` for `joint` to keep it as a check" };
+                if others.is_empty() {
+                    return write!(f, "the equations of `{joint}` follow from each other\nhelp: take those away that say the same");
+                }
+                let verb = if others.len() == 1 { "says" } else { "say" };
+                if rows.len() == *of {
+                    return write!(f, "`{joint}` adds nothing: {} {verb} the same\nhelp: take `{joint}` away{mark}", list(others));
+                }
+                write!(f, "`{joint}` demands in part what {} {verb}: its ", list(others))?;
+                match rows.as_slice() {
+                    [only] => write!(f, "equation {only} of {of} adds nothing")?,
+                    many => write!(f, "equations {} of {of} add nothing", numbers(many))?,
+                }
+                write!(f, "\nhelp: take one of them away, or demand less with it{mark}")
+            }
+            SystemFact::Contradicts { joint, others, demand, off } => {
+                if others.is_empty() {
+                    return write!(f, "the equations of `{joint}` contradict each other: they differ by {off}");
+                }
+                write!(f, "`{joint}` contradicts {}", list(others))?;
+                match demand.as_deref() {
+                    Some(Demand { form, wanted, found }) => {
+                        write!(f, ": it demands `{form}` = {wanted}, ")?;
+                        match others.as_slice() {
+                            [only] => write!(f, "`{only}` demands {found}"),
+                            _ => write!(f, "they make it {found}"),
+                        }
+                    }
+                    None => write!(f, ": where {} {}, it is off by {off}", list(others), if others.len() == 1 { "holds" } else { "hold" }),
+                }?;
+                write!(f, "\nhelp: take one of them away")
+            }
+            SystemFact::Collides { joint, others, off } => {
+                write!(
+                    f,
+                    "`{joint}` demands again what {} demand, with other numbers: both hold only where `{off}` is zero",
+                    list(others)
+                )?;
+                write!(f, "\nhelp: take one of them away")
+            }
+            SystemFact::TooManyEquations { joint, others, equations, coordinates, free, for_free } => {
+                let surplus = equations - coordinates.len();
+                let many = if surplus == 1 { "one equation".to_owned() } else { plural(surplus, "equation") };
+                write!(f, "`{joint}` is {many} too many")?;
+                match others.is_empty() {
+                    true => write!(f, ": it has {}", plural(*equations, "equation"))?,
+                    false => write!(f, " with {}: together they are {}", list(others), plural(*equations, "equation"))?,
+                }
+                match coordinates.as_slice() {
+                    few @ ([_] | [_, _] | [_, _, _]) => write!(f, " on {}, {}", plural(few.len(), "coordinate"), list(few))?,
+                    many => write!(f, " on {} of {}", plural(many.len(), "coordinate"), list(&bodies(many)))?,
+                }
+                if !free.is_empty() {
+                    let have = if free.len() == 1 { "has" } else { "have" };
+                    let equations =
+                        if *for_free == 0 { "no equation".to_owned() } else { format!("only {}", plural(*for_free, "equation")) };
+                    return write!(f, "\nnote: {} {have} {equations}", list(free));
+                }
+                write!(f, "\nnote: that is a mobility of -{surplus}\nhelp: take one of these joints away")
+            }
+        }
+    }
+}
+
+/// `3 mm and 2° off`
+fn off(length: Option<f64>, angle: Option<f64>) -> String {
+    match (length, angle) {
+        (Some(length), Some(angle)) => format!("{} mm and {}° off", rounded(length * 1e3), rounded(angle.to_degrees())),
+        (Some(length), None) => format!("{} mm off", rounded(length * 1e3)),
+        (None, Some(angle)) => format!("{}° off", rounded(angle.to_degrees())),
+        (None, None) => "off".to_owned(),
+    }
+}
