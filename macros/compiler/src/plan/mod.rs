@@ -17,6 +17,8 @@ mod slice;
 mod solution;
 mod stage;
 mod stages;
+#[cfg(test)]
+mod tests;
 mod words;
 
 pub use kernels::{Kernel, Kernels, Round};
