@@ -20,8 +20,8 @@ impl Pivots {
             panic!("straight lines")
         };
         let blocks = lines.parts.into_iter().filter_map(|part| if let Part::Block(block) = part { Some(block) } else { None });
-        let block = blocks.max_by_key(|block| block.system.coordinates.len()).expect("a block");
-        let size = block.system.coordinates.len();
+        let block = blocks.max_by_key(|block| block.system.unknowns.len()).expect("a block");
+        let size = block.system.unknowns.len();
         let in_order: Vec<usize> = (0..size).collect();
         let full = || (0..size).flat_map(|i| (0..size).map(move |j| (i, j))).collect();
         let (pattern, rows, columns) = match block.system.elimination.map(|elimination| *elimination) {
