@@ -6,7 +6,7 @@
 use crate::diag::Diag;
 use crate::syntax::{
     self,
-    ast::{Definition, Function},
+    ast::{Definition, Function, Node},
 };
 use proc_macro2::TokenStream;
 use std::rc::Rc;
@@ -73,8 +73,8 @@ pub(crate) fn find(name: &str) -> Option<Rc<Definition>> {
 }
 
 /// The function of this name.
-pub(crate) fn function(name: &str) -> Option<Rc<Function>> {
-    syntax::parse_function(tokens(FUNCTIONS, name)?, &mut Diag::default()).map(Rc::new)
+pub(crate) fn function(name: &str) -> Option<Node<Function>> {
+    syntax::parse_function(tokens(FUNCTIONS, name)?, &mut Diag::default()).map(Node::new)
 }
 
 fn tokens(pages: &[(&str, &str)], name: &str) -> Option<TokenStream> {

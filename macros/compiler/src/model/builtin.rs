@@ -3,6 +3,7 @@
 use super::Components;
 use super::Function as Numbered;
 use super::elaborate::{Elaborator, Scope};
+use super::key::Key;
 use super::spline::{Ends, Table};
 use super::value::{FunctionValue, Scalar, Value, Vector};
 use crate::diag::{ArityFact, Fact, NameFact, Range, ValueFact};
@@ -11,7 +12,6 @@ use crate::library;
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, ExprKind};
 use proc_macro2::Ident;
-use std::rc::Rc;
 
 /// All built-in names, for suggestions and the language reference.
 pub(crate) const BUILTINS: &[&str] = &[
@@ -248,7 +248,7 @@ impl Elaborator<'_> {
     }
 
     /// The body of a function written in the language, at an argument.
-    pub(super) fn written(&mut self, range: Range, function: &Rc<ast::Function>, argument: Scalar) -> Option<Scalar> {
+    pub(super) fn written(&mut self, range: Range, function: &ast::Node<ast::Function>, argument: Scalar) -> Option<Scalar> {
         let name = function.name.to_string();
         if let Some(first) = self.names.open_functions.iter().position(|open| *open == name) {
             // Functions that call each other are refused once.
@@ -257,7 +257,7 @@ impl Elaborator<'_> {
             let is_known = self.diag.refusals().iter().any(|refusal| is_in_it(&refusal.fact));
             return if is_known { None } else { self.refuse(range, NameFact::Recursion { name }) };
         }
-        let key = (Rc::as_ptr(function), argument.expr);
+        let key = (function.id(), argument.expr);
         if let Some((_, known)) = self.calls.get(&key) {
             return Some(*known);
         }
@@ -269,10 +269,9 @@ impl Elaborator<'_> {
         }
         self.names.open_functions.push(name);
         // What is wrong with a function is wrong in every call, and in every function that calls it.
-        let item = Rc::as_ptr(function);
-        let value = self.once(item, |this| this.scalar_of(&function.value, to, &inner));
+        let value = self.once(function, |this| this.scalar_of(&function.value, to, &inner));
         if value.is_none() {
-            self.refused.insert(item as usize);
+            self.refused.insert(Key::from(function));
         }
         self.names.open_functions.pop();
         self.calls.extend(value.map(|value| (key, (function.clone(), value))));

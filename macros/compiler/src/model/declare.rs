@@ -3,39 +3,48 @@
 use super::Name;
 use super::builtin::BUILTINS;
 use super::elaborate::{Elaborator, Scope};
-use super::names::{Context, Declared, Entity, EntityId, GroupId, NamedItems, Progress, RESERVED, SpaceId};
+use super::key::Key;
+use super::names::{Context, Declared, Entity, EntityId, GroupId, NamedItems, Progress, RESERVED, Sort, SpaceId};
 use super::register::MOST;
 use super::value::Value;
 use crate::diag::{ArrayFact, Fact, NameFact, Range};
 use crate::syntax::ast;
 use proc_macro2::Ident;
 
+/// A name as it was written.
+#[derive(Clone, Copy)]
+pub(super) struct Written<'a> {
+    /// The name of which item it is.
+    pub(super) key: Key,
+    pub(super) name: &'a Ident,
+    pub(super) indices: &'a [ast::Expr],
+}
+
 impl Elaborator<'_> {
     /// Gives an item its name in the space where it stands.
     pub(super) fn declare(
         &mut self,
-        (name, indices): (&Ident, &[ast::Expr]),
+        Written { key, name, indices }: Written,
         entity: Entity,
         progress: Progress,
-        what: &'static str,
+        sort: Sort,
         context: &Context,
     ) -> Option<EntityId> {
-        let item = std::ptr::from_ref(name);
-        let indices = self.written_indices(indices, item, context)?;
+        let indices = self.written_indices(indices, key, context)?;
         let word = name.to_string();
         if is_reserved(&word) {
             // The item is there all the same, so that nobody misses it.
             self.names.misused.insert(word.clone());
-            self.once(item, |this| this.refuse::<()>(name, NameFact::Reserved { name: word.clone() }));
+            self.once(key, |this| this.refuse::<()>(name, NameFact::Reserved { name: word.clone() }));
         }
-        let full = self.full_name(context.space, name, &indices);
+        let full = self.full_name(context.space, key, name, &indices);
         let shown = if indices.is_empty() { word.clone() } else { full.path.clone() };
         let id = self.insert(Declared { entity, progress, name: full, context: context.clone() });
-        match self.join(context.space, &word, what, indices, id) {
+        match self.join(context.space, &word, sort, indices, id) {
             Ok(()) => Some(id),
             Err(first) => {
-                let fact = duplicate(shown, first, context.bound.last().filter(|_| first == what));
-                self.once(item, |this| this.refuse(name, fact))
+                let fact = duplicate(shown, first.noun(), context.bound.last().filter(|_| first == sort));
+                self.once(key, |this| this.refuse(name, fact))
             }
         }
     }
@@ -53,46 +62,39 @@ impl Elaborator<'_> {
     }
 
     /// Puts an item among those of its name, or says what has the name already.
-    pub(super) fn join(
-        &mut self,
-        space: SpaceId,
-        word: &str,
-        what: &'static str,
-        indices: Vec<usize>,
-        id: EntityId,
-    ) -> Result<(), &'static str> {
+    pub(super) fn join(&mut self, space: SpaceId, word: &str, sort: Sort, indices: Vec<usize>, id: EntityId) -> Result<(), Sort> {
         let Some(group) = self.names.find(space, word) else {
             let path = format!("{}{word}", self.names.spaces[space.0].prefix);
             let (ranks, number) = (indices.len(), GroupId(self.names.groups.len()));
-            self.names.groups.push(NamedItems { word: word.to_owned(), path, what, ranks, members: [(indices, id)].into() });
+            self.names.groups.push(NamedItems { word: word.to_owned(), path, sort, ranks, members: [(indices, id)].into() });
             self.names.spaces[space.0].groups.insert(word.to_owned(), number);
             self.names.spaces[space.0].order.push(number);
             return Ok(());
         };
         let group = &mut self.names.groups[group.0];
-        if group.what != what || group.ranks != indices.len() || group.members.contains_key(&indices) {
+        if group.sort != sort || group.ranks != indices.len() || group.members.contains_key(&indices) {
             // Which of the two is meant where the name is used, nobody knows: that is not to be told as a second mistake.
             for member in group.members.values() {
                 self.names.declared[member.0].progress = Progress::Failed;
             }
-            return Err(group.what);
+            return Err(group.sort);
         }
         group.members.insert(indices, id);
         Ok(())
     }
 
-    pub(super) fn written_indices<I>(&mut self, indices: &[ast::Expr], item: *const I, context: &Context) -> Option<Vec<usize>> {
+    pub(super) fn written_indices(&mut self, indices: &[ast::Expr], key: impl Into<Key>, context: &Context) -> Option<Vec<usize>> {
         if indices.is_empty() {
             return Some(Vec::new());
         }
         let scope = Scope::of(context).timeless("an index");
-        self.at(self.situation(context), |this| this.once(item, |this| this.indices(indices, &scope)))
+        self.at(self.situation(context), |this| this.once(key, |this| this.indices(indices, &scope)))
     }
 
-    /// `word`: given, the very one of the item in the tree.
-    pub(super) fn full_name(&mut self, space: SpaceId, word: &Ident, indices: &[usize]) -> Name {
+    /// The name from outside; items with the same `key` are of one declaration.
+    pub(super) fn full_name(&mut self, space: SpaceId, key: Key, word: &Ident, indices: &[usize]) -> Name {
         let next = self.names.declarations.len();
-        let declaration = *self.names.declarations.entry(std::ptr::from_ref(word)).or_insert(next);
+        let declaration = *self.names.declarations.entry(key).or_insert(next);
         Name::within(&self.names.spaces[space.0].prefix, word, declaration, indices)
     }
 

@@ -1,5 +1,6 @@
 //! Expressions: from the tree to values in the arena, with dimensions checked on the way.
 
+use super::key::Key;
 use super::names::{Context, Names, SpaceId};
 use super::statement::FixedValue;
 use super::value::{Fixed, FrameId, Scalar, Value, Vector};
@@ -10,7 +11,6 @@ use crate::quantity::{self, Dim, InferredDim, Role};
 use crate::syntax::ast::{self, ExprKind};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
-use std::rc::Rc;
 
 /// Everything that is built while a mechanism or a definition is resolved.
 pub(crate) struct Elaborator<'a> {
@@ -30,13 +30,13 @@ pub(crate) struct Elaborator<'a> {
     /// The item that is being looked at, if it is one of many: `in `leg[3].coupler``.
     pub(super) place: Option<String>,
     /// Items that were refused in one place and are not looked at in others.
-    pub(super) refused: BTreeSet<usize>,
+    pub(super) refused: BTreeSet<Key>,
     /// Points and start values that are looked at once all defaults are known.
     pub(super) fixed_values: Vec<FixedValue>,
     /// A component is looked at of which there is no part: its arguments may be anything.
     pub(super) is_unused: bool,
     /// Values of functions that were written out before, by function and argument.
-    pub(super) calls: BTreeMap<(*const ast::Function, Expr), (Rc<ast::Function>, Scalar)>,
+    pub(super) calls: BTreeMap<(ast::NodeId, Expr), (ast::Node<ast::Function>, Scalar)>,
 }
 
 /// A definition that is being instantiated.

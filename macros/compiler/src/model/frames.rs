@@ -1,6 +1,7 @@
 //! Bodies and ground: coordinates, points and axes fixed in them, start values.
 
 use super::elaborate::{Elaborator, Scope};
+use super::key::Key;
 use super::names::{Context, EntityId, FrameScope};
 use super::register::Register;
 use super::statement::FixedValue;
@@ -12,7 +13,6 @@ use crate::expr::{Expr, Leaf};
 use crate::quantity::{Dim, InferredDim, Role};
 use crate::syntax::ast;
 use std::collections::BTreeSet;
-use std::rc::Rc;
 
 impl Elaborator<'_> {
     /// A frame with fresh coordinates.
@@ -26,7 +26,7 @@ impl Elaborator<'_> {
     }
 
     /// A point or an axis of a frame.
-    pub(super) fn fixed(&mut self, frame: FrameId, mark: &ast::Mark, context: &Context) -> Option<Value> {
+    pub(super) fn fixed(&mut self, frame: FrameId, mark: &ast::Node<ast::Mark>, context: &Context) -> Option<Value> {
         let scope = Scope::of(context).timeless("a point or an axis");
         let vector = if mark.is_axis { self.vector(&mark.value, &scope)? } else { self.location(&mark.value, &scope)? };
         let local = vector.parts;
@@ -35,7 +35,7 @@ impl Elaborator<'_> {
         }
         let noun = if mark.is_axis { "a component of the axis" } else { "a coordinate of the point" };
         for part in local.iter() {
-            self.has_to_be_finite(*part, &mark.value, noun);
+            self.has_to_be_finite(*part, Key::Value(mark.id(), 0), mark.value.range, noun);
         }
         if mark.is_axis {
             let is_zero = local.iter().all(|part| self.arena.as_constant(*part).is_some_and(|value| value.is_zero()));
@@ -49,9 +49,9 @@ impl Elaborator<'_> {
     }
 
     /// Takes note of a value that is looked at once all defaults are known; true.
-    fn has_to_be_finite(&mut self, expr: Expr, written: &ast::Expr, noun: &'static str) -> bool {
+    fn has_to_be_finite(&mut self, expr: Expr, item: Key, range: Range, noun: &'static str) -> bool {
         if self.arena.as_constant(expr).is_none() && !self.names.is_abstract() && !self.is_unused {
-            let (item, range, place) = (std::ptr::from_ref(written), written.range, self.place.clone());
+            let place = self.place.clone();
             self.fixed_values.push(FixedValue { expr, item, range, noun, place });
         }
         true
@@ -90,8 +90,8 @@ impl Elaborator<'_> {
 
     /// All bodies with their coordinates and start values.
     pub(super) fn bodies(&mut self, register: &Register) -> Vec<Body> {
-        let body = |(id, frame): &(EntityId, Rc<ast::Frame>)| {
-            self.of(*id, Rc::as_ptr(frame), |this, name, context| Some(this.body(frame, name, context)))
+        let body = |(id, frame): &(EntityId, ast::Node<ast::Frame>)| {
+            self.of(*id, frame, |this, name, context| Some(this.body(frame, name, context)))
         };
         let mut bodies: Vec<Body> = register.bodies.iter().filter_map(body).collect();
         let mut next = 0;
@@ -109,10 +109,10 @@ impl Elaborator<'_> {
         bodies
     }
 
-    fn body(&mut self, frame: &ast::Frame, name: &Name, context: &Context) -> Body {
+    fn body(&mut self, frame: &ast::Node<ast::Frame>, name: &Name, context: &Context) -> Body {
         let mut starts: Vec<Option<Expr>> = vec![None; Role::PLANE.len()];
         let scope = Scope::of(context).timeless("a start value");
-        for start in &frame.starts {
+        for (number, start) in frame.starts.iter().enumerate() {
             let word = start.what.to_string();
             let place = |role: Role| Role::PLANE.iter().position(|other| *other == role);
             let found: Option<Vec<(usize, Expr)>> = match Role::named(&word) {
@@ -129,7 +129,9 @@ impl Elaborator<'_> {
             for (which, expr) in found.unwrap_or_default() {
                 if !self.is_fixed(expr) {
                     self.refuse::<()>(start.value.range, ValueFact::NotFixed { place: "a start value" });
-                } else if self.has_to_be_finite(expr, &start.value, "the start value") && starts[which].replace(expr).is_some() {
+                } else if self.has_to_be_finite(expr, Key::Value(frame.id(), number), start.value.range, "the start value")
+                    && starts[which].replace(expr).is_some()
+                {
                     self.refuse::<()>(&start.what, NameFact::DuplicateStart { name: word.clone(), body: frame.name.to_string() });
                     break;
                 }

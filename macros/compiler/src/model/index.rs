@@ -65,10 +65,10 @@ impl Elaborator<'_> {
     pub(super) fn visible(&mut self, range: Range, group: GroupId, space: SpaceId) -> Option<Value> {
         let known = self.names.group(group);
         let is_own = space == SpaceId::MECHANISM || self.names.find(space, &known.word) == Some(group);
-        if is_own || matches!(known.what, "a parameter" | "a `let`" | "a function") {
+        if is_own || known.sort.is_seen_from_components() {
             return self.of_group(group, range);
         }
-        let (name, what) = (known.word.clone(), known.what);
+        let (name, what) = (known.word.clone(), known.sort.noun());
         self.refuse(range, ArrayFact::OutsideOfComponent { name, what })
     }
 

@@ -12,7 +12,6 @@ use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast;
 use proc_macro2::Ident;
 use std::collections::BTreeSet;
-use std::rc::Rc;
 
 impl Elaborator<'_> {
     /// Resolves `let`s, arguments of parts and functions in the order written: whether anything uses them or not, a
@@ -28,7 +27,7 @@ impl Elaborator<'_> {
     }
 
     /// A function is checked once on its own, with an argument that nothing is known of.
-    fn check_function(&mut self, function: &Rc<ast::Function>) {
+    fn check_function(&mut self, function: &ast::Node<ast::Function>) {
         let (from, to) = (self.dimension(&function.from), self.dimension(&function.to));
         let (Some(from), Some(to)) = (from, to) else { return };
         let Some(argument) = &function.argument else {
@@ -41,13 +40,13 @@ impl Elaborator<'_> {
         let mut scope = Scope::mechanism().timeless("a function of one variable");
         scope.bound.push((argument.to_string(), Value::Scalar(Scalar { expr: leaf, measure: InferredDim::Known(from) })));
         self.names.open_functions.push(function.name.to_string());
-        self.once(Rc::as_ptr(function), |this| this.scalar_of(&function.value, to, &scope));
+        self.once(function, |this| this.scalar_of(&function.value, to, &scope));
         self.names.open_functions.pop();
     }
 
     pub(super) fn joints(&mut self, register: &Register) -> Vec<Joint> {
-        let joint = |(id, joint): &(EntityId, Rc<ast::Joint>)| {
-            self.of(*id, Rc::as_ptr(joint), |this, name, context| this.joint(*id, joint, name, context))
+        let joint = |(id, joint): &(EntityId, ast::Node<ast::Joint>)| {
+            self.of(*id, joint, |this, name, context| this.joint(*id, joint, name, context))
         };
         register.joints.iter().filter_map(joint).collect()
     }
@@ -81,8 +80,8 @@ impl Elaborator<'_> {
 
     /// All outputs; none for one that was refused.
     pub(super) fn outputs(&mut self, register: &Register) -> Vec<Option<Output>> {
-        let output = |(id, output): &(EntityId, Rc<ast::Output>)| {
-            self.of(*id, Rc::as_ptr(output), |this, name, context| this.output(output, name, context))
+        let output = |(id, output): &(EntityId, ast::Node<ast::Output>)| {
+            self.of(*id, output, |this, name, context| this.output(output, name, context))
         };
         register.outputs.iter().map(output).collect()
     }

@@ -3,13 +3,13 @@
 //! All parts of a component are alike: they have the same names with the same sizes, and their bodies stand in the same order.
 
 use super::elaborate::Elaborator;
-use super::names::EntityId;
+use super::key::Key;
+use super::names::{EntityId, Sort};
 use super::register::Register;
 use crate::diag::ArrayFact;
 use crate::syntax::ast::{self, Docs};
 use proc_macro2::Ident;
 use std::collections::BTreeMap;
-use std::rc::Rc;
 
 /// Components and their parts; the first of each is the mechanism itself.
 #[derive(Clone, Debug, Default)]
@@ -71,7 +71,7 @@ pub struct Part {
 /// The mechanism or a part while its items are registered.
 #[derive(Default)]
 pub(super) struct OpenPart {
-    pub(super) component: Option<Rc<ast::Component>>,
+    pub(super) component: Option<ast::Node<ast::Component>>,
     /// The number of its first body.
     pub(super) first: usize,
     /// What generated types know, with its number among those of its kind.
@@ -91,10 +91,10 @@ impl Elaborator<'_> {
     /// The layout of everything that was registered.
     pub(super) fn layout(&mut self, register: &Register) -> Layout {
         let mut layout = Layout::default();
-        let mut known: BTreeMap<*const ast::Component, usize> = BTreeMap::new();
+        let mut known: BTreeMap<Option<ast::NodeId>, usize> = BTreeMap::new();
         let mut component_of = Vec::new();
         for place in &register.places {
-            let key = place.component.as_ref().map_or(std::ptr::null(), Rc::as_ptr);
+            let key = place.component.as_ref().map(ast::Node::id);
             let next = known.len();
             component_of.push(*known.entry(key).or_insert(next));
         }
@@ -151,15 +151,15 @@ impl Elaborator<'_> {
                 let declared = &self.names.declared[first.0].name;
                 let stem = declared.path.trim_end_matches(&group(&declared.indices)).to_owned();
                 let (missing, known) = (format!("{stem}{}", group(&wanted)), format!("{stem}{}", group(indices)));
-                let what = match field.of {
-                    Of::Parameter => "a parameter",
-                    Of::Body => "a body",
-                    Of::Part(_) => "a part",
-                    Of::Output => "an output",
+                let sort = match field.of {
+                    Of::Parameter => Sort::Parameter,
+                    Of::Body => Sort::Body,
+                    Of::Part(_) => Sort::Part,
+                    Of::Output => Sort::Output,
                 };
                 let range = declared.word.clone();
-                self.once(std::ptr::from_ref(&self.names.declared[first.0].name.word).cast::<u8>(), |this| {
-                    this.refuse::<()>(&range, ArrayFact::MissingIndex { what, missing, known })
+                self.once(Key::Array(first.0), |this| {
+                    this.refuse::<()>(&range, ArrayFact::MissingIndex { what: sort.noun(), missing, known })
                 });
                 break;
             }
@@ -201,7 +201,7 @@ impl Elaborator<'_> {
         if !is_alike {
             let name = self.names.declared[id.0].name.clone();
             let fact = ArrayFact::UnlikeParts { name: name.path.clone(), component: component.head.name.to_string() };
-            self.once(Rc::as_ptr(component), |this| this.refuse::<()>(&name, fact));
+            self.once(component, |this| this.refuse::<()>(&name, fact));
         }
     }
 }

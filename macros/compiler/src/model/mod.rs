@@ -18,6 +18,7 @@ mod frames;
 mod index;
 mod instance;
 mod items;
+mod key;
 mod layout;
 mod name;
 mod names;

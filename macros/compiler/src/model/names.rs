@@ -4,6 +4,7 @@
 //! each of its members is an item of its own.
 
 use super::Name;
+use super::key::Key;
 use super::value::{FrameId, Value};
 use crate::expr::Expr;
 use crate::quantity::Role;
@@ -74,18 +75,18 @@ pub(super) enum Progress {
 pub(super) enum Entity {
     /// A parameter, a body, a part: known from the beginning.
     Known,
-    Let(Rc<ast::Let>),
-    Function(Rc<ast::Function>),
-    Joint(Rc<ast::Joint>),
-    Mark(FrameId, Rc<ast::Mark>),
+    Let(ast::Node<ast::Let>),
+    Function(ast::Node<ast::Function>),
+    Joint(ast::Node<ast::Joint>),
+    Mark(FrameId, ast::Node<ast::Mark>),
     /// What a part was made with, by the number of the component's parameter.
     Argument(Rc<PartArguments>, usize),
 }
 
 /// A part and what was written between its parentheses.
 pub(super) struct PartArguments {
-    pub(super) component: Rc<ast::Component>,
-    pub(super) part: Rc<ast::Part>,
+    pub(super) component: ast::Node<ast::Component>,
+    pub(super) part: ast::Node<ast::Part>,
     /// For each parameter of the component the argument's number, if there is one.
     pub(super) slots: Vec<Option<usize>>,
     /// Where the part was declared.
@@ -108,13 +109,52 @@ pub(super) struct Declared {
     pub(super) context: Context,
 }
 
+/// What a name was given to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sort {
+    Parameter,
+    Let,
+    Function,
+    Body,
+    Point,
+    Axis,
+    Joint,
+    Drive,
+    Part,
+    Argument,
+    Output,
+}
+
+impl Sort {
+    /// In a sentence.
+    pub(super) fn noun(self) -> &'static str {
+        match self {
+            Sort::Parameter => "a parameter",
+            Sort::Let => "a `let`",
+            Sort::Function => "a function",
+            Sort::Body => "a body",
+            Sort::Point => "a point",
+            Sort::Axis => "an axis",
+            Sort::Joint => "a joint",
+            Sort::Drive => "a drive",
+            Sort::Part => "a part",
+            Sort::Argument => "an argument",
+            Sort::Output => "an output",
+        }
+    }
+
+    /// Components see it in the mechanism around them, since it does not move.
+    pub(super) fn is_seen_from_components(self) -> bool {
+        matches!(self, Sort::Parameter | Sort::Let | Sort::Function)
+    }
+}
+
 /// One name of a space: a single item, or an array of them.
 pub(super) struct NamedItems {
     pub(super) word: String,
     /// As it is called from outside: `leg[3].coupler`.
     pub(super) path: String,
-    /// What it is in words.
-    pub(super) what: &'static str,
+    pub(super) sort: Sort,
     /// How many indices its members have.
     pub(super) ranks: usize,
     /// By their indices; a single item has none.
@@ -147,12 +187,12 @@ pub(crate) struct Names {
     pub(super) spaces: Vec<Space>,
     pub(super) groups: Vec<NamedItems>,
     pub(super) declared: Vec<Declared>,
-    /// The numbers of declarations in the tree, by their words.
-    pub(super) declarations: BTreeMap<*const Ident, usize>,
+    /// The numbers of declarations in the tree, by their names.
+    pub(super) declarations: BTreeMap<Key, usize>,
     /// Constraints that were brought in, and those of the library that were asked for.
     pub(super) definitions: BTreeMap<String, Rc<Definition>>,
     pub(super) library: BTreeMap<String, Option<Rc<Definition>>>,
-    pub(super) components: BTreeMap<String, Rc<ast::Component>>,
+    pub(super) components: BTreeMap<String, ast::Node<ast::Component>>,
     /// Names with a meaning of their own that were given to something else: what a use of them means is not clear.
     pub(super) misused: BTreeSet<String>,
     /// Items that are being resolved, each for the one before it.
@@ -239,20 +279,20 @@ impl Names {
     /// The first point of a frame.
     pub(super) fn a_point_of(&self, frame: FrameId) -> Option<&str> {
         let space = &self.spaces[self.frames[frame.0].space.0];
-        let is_point = |group: &&NamedItems| group.what == "a point" && group.ranks == 0;
+        let is_point = |group: &&NamedItems| group.sort == Sort::Point && group.ranks == 0;
         space.order.iter().map(|group| &self.groups[group.0]).find(is_point).map(|group| group.word.as_str())
     }
 
     /// The first axis of a frame.
     pub(super) fn an_axis_of(&self, frame: FrameId) -> Option<&str> {
         let space = &self.spaces[self.frames[frame.0].space.0];
-        let is_axis = |group: &&NamedItems| group.what == "an axis" && group.ranks == 0;
+        let is_axis = |group: &&NamedItems| group.sort == Sort::Axis && group.ranks == 0;
         space.order.iter().map(|group| &self.groups[group.0]).find(is_axis).map(|group| group.word.as_str())
     }
 
     /// The names of declared functions, in order.
     pub(super) fn functions(&self) -> impl Iterator<Item = &str> {
         let groups = self.spaces[SpaceId::MECHANISM.0].order.iter().map(|group| &self.groups[group.0]);
-        groups.filter(|group| group.what == "a function").map(|group| group.word.as_str())
+        groups.filter(|group| group.sort == Sort::Function).map(|group| group.word.as_str())
     }
 }

@@ -3,11 +3,13 @@
 //! Bodies, parameters, joints and outputs are numbered in the order in which they come to stand, a part's own next to each
 //! other. Nothing is resolved here but whole numbers.
 
+use super::declare::Written;
 use super::declare::{duplicate, is_reserved};
 use super::elaborate::{Elaborator, Scope};
 use super::frames::start_words;
+use super::key::Key;
 use super::layout::{Of, OpenPart};
-use super::names::{Context, Declared, Entity, EntityId, PartArguments, Progress, SpaceId};
+use super::names::{Context, Declared, Entity, EntityId, PartArguments, Progress, Sort, SpaceId};
 use super::value::{FrameId, Scalar, Value};
 use crate::diag::{ArrayFact, EquationFact, GrammarFact, NameFact};
 use crate::expr::Leaf;
@@ -26,24 +28,24 @@ const DEEPEST: usize = 20;
 /// What was declared, in the order in which it came to stand.
 #[derive(Default)]
 pub(super) struct Register {
-    pub(super) parameters: Vec<(EntityId, Rc<ast::Parameter>)>,
+    pub(super) parameters: Vec<(EntityId, ast::Node<ast::Parameter>)>,
     /// `let`s and arguments of parts: whether anything uses them or not, a mistake in them is found.
     pub(super) lets: Vec<EntityId>,
-    pub(super) functions: Vec<Rc<ast::Function>>,
-    pub(super) bodies: Vec<(EntityId, Rc<ast::Frame>)>,
+    pub(super) functions: Vec<ast::Node<ast::Function>>,
+    pub(super) bodies: Vec<(EntityId, ast::Node<ast::Frame>)>,
     pub(super) marks: Vec<EntityId>,
-    pub(super) joints: Vec<(EntityId, Rc<ast::Joint>)>,
-    pub(super) outputs: Vec<(EntityId, Rc<ast::Output>)>,
+    pub(super) joints: Vec<(EntityId, ast::Node<ast::Joint>)>,
+    pub(super) outputs: Vec<(EntityId, ast::Node<ast::Output>)>,
     output_names: BTreeMap<(SpaceId, String), BTreeSet<Vec<usize>>>,
     /// The parts as written, the mechanism's place left out.
-    pub(super) parts: Vec<Rc<ast::Part>>,
+    pub(super) parts: Vec<ast::Node<ast::Part>>,
     /// The mechanism and its parts.
     pub(super) places: Vec<OpenPart>,
     /// The components whose items are being gone through, to stop recursion.
     pub(super) open: Vec<String>,
     /// How many loops are being gone through.
     loops: usize,
-    pub(super) range: Option<Rc<ast::Times>>,
+    pub(super) range: Option<ast::Node<ast::Times>>,
     has_ground: bool,
 }
 
@@ -62,7 +64,7 @@ impl Elaborator<'_> {
         register
     }
 
-    fn component(&mut self, component: &Rc<ast::Component>) {
+    fn component(&mut self, component: &ast::Node<ast::Component>) {
         let name = &component.head.name;
         let word = name.to_string();
         if is_of_generated_type(&word) {
@@ -71,7 +73,7 @@ impl Elaborator<'_> {
         } else if self.names.components.contains_key(&word) {
             self.diag.refuse::<()>(name, NameFact::Duplicate { name: word, first: "another component" });
         } else {
-            self.once(Rc::as_ptr(component), |this| this.head_is_sound(&component.head));
+            self.once(component, |this| this.head_is_sound(&component.head));
             self.names.components.insert(word, component.clone());
         }
     }
@@ -94,22 +96,31 @@ impl Elaborator<'_> {
         match item {
             Item::Parameter(parameter) => {
                 let leaf = self.arena.leaf(Leaf::Parameter(register.parameters.len() as u32));
-                let dim = self.once(Rc::as_ptr(parameter), |this| this.dimension(&parameter.dimension));
+                let dim = self.once(parameter, |this| this.dimension(&parameter.dimension));
                 let value = dim.map(|dim| Value::Scalar(Scalar { expr: leaf, measure: InferredDim::Known(dim) }));
                 let progress = value.map_or(Progress::Failed, Progress::Done);
-                let written = (&parameter.name, parameter.indices.as_slice());
-                let Some(id) = self.declare(written, Entity::Known, progress, "a parameter", context) else { return };
+                let written = Written { key: Key::Name(parameter.id()), name: &parameter.name, indices: &parameter.indices };
+                let Some(id) = self.declare(written, Entity::Known, progress, Sort::Parameter, context) else { return };
                 register.places[place].items.push((Of::Parameter, id, register.parameters.len()));
                 register.parameters.push((id, parameter.clone()));
             }
             Item::Let(binding) => {
-                let written = (&binding.name, binding.indices.as_slice());
-                let id = self.declare(written, Entity::Let(binding.clone()), Progress::Untouched, "a `let`", context);
+                let written = Written { key: Key::Name(binding.id()), name: &binding.name, indices: &binding.indices };
+                let id = self.declare(written, Entity::Let(binding.clone()), Progress::Untouched, Sort::Let, context);
                 register.lets.extend(id);
             }
             Item::Function(function) => {
                 let entity = Entity::Function(function.clone());
-                if self.declare((&function.name, &[]), entity, Progress::Untouched, "a function", context).is_some() {
+                if self
+                    .declare(
+                        Written { key: Key::Name(function.id()), name: &function.name, indices: &[] },
+                        entity,
+                        Progress::Untouched,
+                        Sort::Function,
+                        context,
+                    )
+                    .is_some()
+                {
                     register.functions.push(function.clone());
                 }
             }
@@ -129,8 +140,8 @@ impl Elaborator<'_> {
                 self.fill(FrameId::GROUND, &frame.marks, context, register);
             }
             Item::Body(frame) => {
-                let written = (&frame.name, frame.indices.as_slice());
-                let Some(id) = self.declare(written, Entity::Known, Progress::Failed, "a body", context) else { return };
+                let written = Written { key: Key::Name(frame.id()), name: &frame.name, indices: &frame.indices };
+                let Some(id) = self.declare(written, Entity::Known, Progress::Failed, Sort::Body, context) else { return };
                 let path = self.names.declared[id.0].name.path.clone();
                 let number = self.new_frame(&path);
                 self.names.declared[id.0].progress = Progress::Done(Value::Body(number));
@@ -139,15 +150,15 @@ impl Elaborator<'_> {
                 self.fill(number, &frame.marks, context, register);
             }
             Item::Joint(joint) => {
-                let what = if joint.is_drive { "a drive" } else { "a joint" };
-                let written = (&joint.name, joint.indices.as_slice());
-                let id = self.declare(written, Entity::Joint(joint.clone()), Progress::Untouched, what, context);
+                let sort = if joint.is_drive { Sort::Drive } else { Sort::Joint };
+                let written = Written { key: Key::Name(joint.id()), name: &joint.name, indices: &joint.indices };
+                let id = self.declare(written, Entity::Joint(joint.clone()), Progress::Untouched, sort, context);
                 register.joints.extend(id.map(|id| (id, joint.clone())));
             }
             Item::Output(output) => self.output_item(output, context, place, register),
             Item::Part(part) => self.part(part, context, place, register),
             Item::For(repeated) => {
-                let bound = self.repeat(Rc::as_ptr(repeated), &repeated.variable, &repeated.bounds, context, register);
+                let bound = self.repeat(repeated.into(), &repeated.variable, &repeated.bounds, context, register);
                 register.loops += 1;
                 for inner in bound {
                     self.items(&repeated.items, &inner, place, register);
@@ -164,15 +175,15 @@ impl Elaborator<'_> {
     }
 
     /// Outputs are a set of names of their own.
-    fn output_item(&mut self, output: &Rc<ast::Output>, context: &Context, place: usize, register: &mut Register) {
-        let Some(indices) = self.written_indices(&output.indices, Rc::as_ptr(output), context) else { return };
-        let name = self.full_name(context.space, &output.name, &indices);
+    fn output_item(&mut self, output: &ast::Node<ast::Output>, context: &Context, place: usize, register: &mut Register) {
+        let Some(indices) = self.written_indices(&output.indices, output, context) else { return };
+        let name = self.full_name(context.space, Key::Name(output.id()), &output.name, &indices);
         self.names.outputs.insert((context.space, output.name.to_string()));
         let known = register.output_names.entry((context.space, output.name.to_string())).or_default();
         let is_like_others = known.first().is_none_or(|other| other.len() == indices.len());
         if !is_like_others || !known.insert(indices) {
             let fact = duplicate(name.to_string(), "another output", context.bound.last().filter(|_| is_like_others));
-            self.once(Rc::as_ptr(output), |this| this.refuse::<()>(&output.name, fact));
+            self.once(output, |this| this.refuse::<()>(&output.name, fact));
             return;
         }
         let declared = Declared { entity: Entity::Known, progress: Progress::Failed, name, context: context.clone() };
@@ -182,14 +193,7 @@ impl Elaborator<'_> {
     }
 
     /// One context for each round of a loop.
-    fn repeat<I>(
-        &mut self,
-        item: *const I,
-        variable: &Ident,
-        bounds: &ast::Bounds,
-        context: &Context,
-        register: &mut Register,
-    ) -> Vec<Context> {
+    fn repeat(&mut self, item: Key, variable: &Ident, bounds: &ast::Bounds, context: &Context, register: &mut Register) -> Vec<Context> {
         if !self.variable_is_new(item, variable, context) {
             return Vec::new();
         }
@@ -211,12 +215,12 @@ impl Elaborator<'_> {
     }
 
     /// A loop variable does not hide another name.
-    fn variable_is_new<I>(&mut self, item: *const I, variable: &Ident, context: &Context) -> bool {
+    fn variable_is_new(&mut self, item: Key, variable: &Ident, context: &Context) -> bool {
         let word = variable.to_string();
         let first = if context.bound.iter().any(|(known, _)| *known == word) {
             Some("the variable of another loop")
         } else {
-            self.names.visible(context.space, &word).map(|group| self.names.group(group).what)
+            self.names.visible(context.space, &word).map(|group| self.names.group(group).sort.noun())
         };
         let fact = match first {
             Some(first) => NameFact::Duplicate { name: word, first },
@@ -228,25 +232,25 @@ impl Elaborator<'_> {
     }
 
     /// A part: its arguments and the items of its component, in a space of their own.
-    fn part(&mut self, part: &Rc<ast::Part>, context: &Context, place: usize, register: &mut Register) {
+    fn part(&mut self, part: &ast::Node<ast::Part>, context: &Context, place: usize, register: &mut Register) {
         let Some(component) = self.component_called(part) else { return };
         let word = component.head.name.to_string();
-        if self.refused.contains(&(Rc::as_ptr(&component) as usize)) {
+        if self.refused.contains(&Key::from(&component)) {
             return;
         }
         if register.open.contains(&word) {
-            self.once(Rc::as_ptr(part), |this| this.refuse::<()>(&part.kind, ArrayFact::ComponentRecursion { name: word }));
+            self.once(part, |this| this.refuse::<()>(&part.kind, ArrayFact::ComponentRecursion { name: word }));
             return;
         }
         if register.open.len() >= DEEPEST {
             self.give_up::<()>(&part.kind, GrammarFact::PartsTooDeep { limit: DEEPEST });
             return;
         }
-        let written = (&part.name, part.indices.as_slice());
-        let Some(id) = self.declare(written, Entity::Known, Progress::Failed, "a part", context) else { return };
+        let written = Written { key: Key::Name(part.id()), name: &part.name, indices: &part.indices };
+        let Some(id) = self.declare(written, Entity::Known, Progress::Failed, Sort::Part, context) else { return };
         let path = self.names.declared[id.0].name.path.clone();
         let slots = self.at(Some(path.clone()).filter(|_| is_one_of_many(context)), |this| {
-            this.once(Rc::as_ptr(part), |this| {
+            this.once(part, |this| {
                 this.arguments_are_no_parameters(part, &component)?;
                 this.slots(&component.head, &part.kind, &part.arguments)
             })
@@ -259,7 +263,13 @@ impl Elaborator<'_> {
         let made = Rc::new(PartArguments { component: component.clone(), part: part.clone(), slots, outside: context.clone() });
         for (number, formal) in component.head.parameters.iter().enumerate() {
             let entity = Entity::Argument(made.clone(), number);
-            let id = self.declare((&formal.name, &[]), entity, Progress::Untouched, "an argument", &inner);
+            let id = self.declare(
+                Written { key: Key::Formal(component.id(), number), name: &formal.name, indices: &[] },
+                entity,
+                Progress::Untouched,
+                Sort::Argument,
+                &inner,
+            );
             register.lets.extend(id);
         }
         let number = register.places.len();
@@ -289,7 +299,7 @@ impl Elaborator<'_> {
     }
 
     /// The component of a part; where there is none of this name, the one that was meant.
-    fn component_called(&mut self, part: &Rc<ast::Part>) -> Option<Rc<ast::Component>> {
+    fn component_called(&mut self, part: &ast::Node<ast::Part>) -> Option<ast::Node<ast::Component>> {
         let word = part.kind.to_string();
         if let Some(component) = self.names.components.get(&word) {
             return Some(component.clone());
@@ -297,7 +307,7 @@ impl Elaborator<'_> {
         let near = self.nearest(&word, self.names.components.keys().map(String::as_str));
         let meant = near.as_ref().and_then(|near| self.names.components.get(near)).cloned();
         let is_constraint = self.known_definition(&word).is_some();
-        self.once(Rc::as_ptr(part), |this| this.refuse::<()>(&part.kind, ArrayFact::UnknownComponent { name: word, near, is_constraint }));
+        self.once(part, |this| this.refuse::<()>(&part.kind, ArrayFact::UnknownComponent { name: word, near, is_constraint }));
         meant
     }
 
@@ -307,28 +317,28 @@ impl Elaborator<'_> {
             if self.diag.is_exhausted() {
                 return;
             }
-            let Some(indices) = self.written_indices(&mark.indices, Rc::as_ptr(mark), context) else { continue };
+            let Some(indices) = self.written_indices(&mark.indices, mark, context) else { continue };
             let word = mark.name.to_string();
             if start_words().any(|known| known == word) {
-                self.once(Rc::as_ptr(mark), |this| this.refuse::<()>(&mark.name, NameFact::Reserved { name: word }));
+                self.once(mark, |this| this.refuse::<()>(&mark.name, NameFact::Reserved { name: word }));
                 continue;
             }
             let space = self.names.frames[frame.0].space;
-            let name = self.full_name(space, &mark.name, &indices);
-            let what = if mark.is_axis { "an axis" } else { "a point" };
+            let name = self.full_name(space, Key::Name(mark.id()), &mark.name, &indices);
+            let sort = if mark.is_axis { Sort::Axis } else { Sort::Point };
             let entity = Entity::Mark(frame, mark.clone());
             let declared = Declared { entity, progress: Progress::Untouched, name, context: context.clone() };
             let id = self.insert(declared);
             let body = self.names.frames[frame.0].name.clone();
-            match self.join(space, &word, what, indices, id) {
+            match self.join(space, &word, sort, indices, id) {
                 Ok(()) => register.marks.push(id),
                 Err(_) => {
-                    self.once(Rc::as_ptr(mark), |this| this.refuse::<()>(&mark.name, NameFact::DuplicateMark { name: word, body }));
+                    self.once(mark, |this| this.refuse::<()>(&mark.name, NameFact::DuplicateMark { name: word, body }));
                 }
             }
         }
         for repeated in &marks.loops {
-            let bound = self.repeat(std::ptr::from_ref(repeated), &repeated.variable, &repeated.bounds, context, register);
+            let bound = self.repeat(repeated.into(), &repeated.variable, &repeated.bounds, context, register);
             register.loops += 1;
             for inner in bound {
                 self.fill(frame, &repeated.items, &inner, register);

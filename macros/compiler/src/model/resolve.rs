@@ -2,6 +2,7 @@
 
 use super::bounds::in_words;
 use super::elaborate::{Elaborator, Scope};
+use super::key::Key;
 use super::names::{Context, Declared, Entity, EntityId, Names, PartArguments, Progress, is_generated};
 use super::register::{Register, is_one_of_many};
 use super::value::{FunctionValue, Scalar, Value};
@@ -65,7 +66,7 @@ pub(crate) struct Outline {
     pub(crate) layout: Layout,
     pub(crate) methods: Vec<Method>,
     /// The outputs by number.
-    pub(crate) outputs: Vec<Rc<ast::Output>>,
+    pub(crate) outputs: Vec<ast::Node<ast::Output>>,
     /// How many bodies there are.
     pub(crate) bodies: usize,
 }
@@ -85,17 +86,17 @@ pub(crate) fn outline(tree: &ast::Mechanism) -> Outline {
 impl Elaborator<'_> {
     /// The fields of the generated structs.
     pub(super) fn parameters(&mut self, register: &Register) -> Vec<Parameter> {
-        let parameter = |this: &mut Self, (id, written): &(EntityId, Rc<ast::Parameter>)| {
-            this.of(*id, Rc::as_ptr(written), |this, name, context| this.parameter(written, name, context))
+        let parameter = |this: &mut Self, (id, written): &(EntityId, ast::Node<ast::Parameter>)| {
+            this.of(*id, written, |this, name, context| this.parameter(written, name, context))
         };
         register.parameters.iter().filter_map(|declared| parameter(self, declared)).collect()
     }
 
     /// Looks at a declared item, unless it was refused in another place.
-    pub(super) fn of<I, T>(
+    pub(super) fn of<T>(
         &mut self,
         id: EntityId,
-        item: *const I,
+        item: impl Into<Key>,
         look: impl FnOnce(&mut Self, &Name, &Context) -> Option<T>,
     ) -> Option<T> {
         let Declared { name, context, .. } = &self.names.declared[id.0];
@@ -105,8 +106,8 @@ impl Elaborator<'_> {
     }
 
     /// Looks at an item, unless it was refused before: what is declared once is refused once.
-    pub(super) fn once<I, T>(&mut self, item: *const I, look: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
-        let key = item as usize;
+    pub(super) fn once<T>(&mut self, item: impl Into<Key>, look: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
+        let key = item.into();
         if self.refused.contains(&key) {
             return None;
         }
@@ -180,10 +181,10 @@ impl Elaborator<'_> {
         self.names.open.push(id);
         let value = match &entity {
             Entity::Known => None,
-            Entity::Let(binding) => self.of(id, Rc::as_ptr(binding), |this, _, context| this.binding(binding, &Scope::of(context))),
+            Entity::Let(binding) => self.of(id, binding, |this, _, context| this.binding(binding, &Scope::of(context))),
             Entity::Function(function) => self.function_value(function),
-            Entity::Joint(joint) => self.of(id, Rc::as_ptr(joint), |this, _, context| this.joint_value(joint, context)),
-            Entity::Mark(frame, mark) => self.of(id, Rc::as_ptr(mark), |this, _, context| this.fixed(*frame, mark, context)),
+            Entity::Joint(joint) => self.of(id, joint, |this, _, context| this.joint_value(joint, context)),
+            Entity::Mark(frame, mark) => self.of(id, mark, |this, _, context| this.fixed(*frame, mark, context)),
             Entity::Argument(made, number) => self.made_with(id, made, *number),
         };
         self.names.open.pop();
@@ -191,7 +192,7 @@ impl Elaborator<'_> {
         value
     }
 
-    fn function_value(&mut self, function: &Rc<ast::Function>) -> Option<Value> {
+    fn function_value(&mut self, function: &ast::Node<ast::Function>) -> Option<Value> {
         // A signature over a Rust path gives the function its dimensions.
         if let (None, ast::ExprKind::Path(path)) = (&function.argument, &function.value.kind) {
             let (from, to) = (self.dimension(&function.from)?, self.dimension(&function.to)?);
@@ -213,15 +214,15 @@ impl Elaborator<'_> {
     fn made_with(&mut self, id: EntityId, made: &Rc<PartArguments>, number: usize) -> Option<Value> {
         let formal = &made.component.head.parameters[number];
         let owner = self.names.declared[id.0].context.clone();
-        let (written, context) = match (made.slots[number], &formal.default) {
-            (Some(argument), _) => (&made.part.arguments[argument].value, &made.outside),
-            (None, Some(default)) => (default, &owner),
+        let (written, key, context) = match (made.slots[number], &formal.default) {
+            (Some(argument), _) => (&made.part.arguments[argument].value, Key::Argument(made.part.id(), argument), &made.outside),
+            (None, Some(default)) => (default, Key::Default(made.component.id(), number), &owner),
             (None, None) => return None,
         };
         let part = self.names.spaces[owner.space.0].prefix.trim_end_matches('.').to_owned();
         let place = is_one_of_many(&made.outside).then(|| format!("in `{part}`"));
         let scope = Scope::of(context);
-        self.at(place, |this| this.once(std::ptr::from_ref(written), |this| this.argument(&made.component.head, formal, written, &scope)))
+        self.at(place, |this| this.once(key, |this| this.argument(&made.component.head, formal, written, &scope)))
     }
 
     /// A `let`: a bare number becomes a pure number unless a dimension is said.

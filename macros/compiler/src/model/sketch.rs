@@ -81,7 +81,7 @@ impl Elaborator<'_> {
         let points = register.marks.iter().filter_map(|mark| self.sketched_point(*mark)).collect();
         let joints = register.joints.iter().map(|(id, _)| self.sketched_joint(*id)).collect();
         let outputs = register.outputs.iter().filter_map(|(id, output)| {
-            let value = self.of(*id, std::rc::Rc::as_ptr(output), |this, _, context| this.value(&output.value, &Scope::of(context)))?;
+            let value = self.of(*id, output, |this, _, context| this.value(&output.value, &Scope::of(context)))?;
             let Value::Point(point) = value else { return None };
             Some(Mark { name: self.names.declared[id.0].name.to_string(), at: local(point) })
         });

@@ -1,6 +1,7 @@
 //! The statements of a definition or of an inline joint: equations, and conditions on parameters.
 
 use super::elaborate::{Elaborator, Instance, Scope};
+use super::key::Key;
 use super::value::{FrameId, Scalar, Value};
 use super::{Name, Parameter, Requirement};
 use crate::diag::{EquationFact, Fact, Range, ValueFact};
@@ -23,7 +24,7 @@ const RIGHT: f64 = 2.0 * f64::EPSILON;
 pub(super) struct FixedValue {
     pub(super) expr: Expr,
     /// What is refused once, however often it stands.
-    pub(super) item: *const ast::Expr,
+    pub(super) item: Key,
     pub(super) range: Range,
     /// What it is in words.
     pub(super) noun: &'static str,

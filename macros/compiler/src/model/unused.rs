@@ -3,9 +3,11 @@
 //! Each that is in no other of them is gone through once, the others with it, with arguments of which nothing is known but their kind, apart from everything else, and nothing of
 //! it is kept. What depends on arguments that may be whole numbers is not looked at: these say how often something stands.
 
+use super::declare::Written;
 use super::elaborate::Elaborator;
+use super::key::Key;
 use super::layout::OpenPart;
-use super::names::{Context, Entity, Progress};
+use super::names::{Context, Entity, Progress, Sort};
 use super::register::Register;
 use crate::quantity::Dim;
 use crate::syntax::ast::{self, Item, Kind};
@@ -16,10 +18,9 @@ use std::rc::Rc;
 impl Elaborator<'_> {
     /// Looks at the components that are not used.
     pub(super) fn unused_components(&mut self, register: &Register) {
-        let mut seen: BTreeSet<*const ast::Component> = places(register).collect();
+        let mut seen: BTreeSet<ast::NodeId> = places(register).collect();
         for component in outermost_first(self.names.components.values().cloned().collect()) {
-            let key = Rc::as_ptr(&component);
-            if !seen.contains(&key) && !self.refused.contains(&(key as usize)) && !counts(&component) {
+            if !seen.contains(&component.id()) && !self.refused.contains(&Key::from(&component)) && !counts(&component) {
                 self.is_unused = true;
                 let (functions, requirements) = (self.functions.len(), self.requirements.len());
                 seen.extend(self.unused(&component, register));
@@ -32,7 +33,7 @@ impl Elaborator<'_> {
     }
 
     /// Gives the components that were gone through.
-    fn unused(&mut self, component: &Rc<ast::Component>, register: &Register) -> Vec<*const ast::Component> {
+    fn unused(&mut self, component: &ast::Node<ast::Component>, register: &Register) -> Vec<ast::NodeId> {
         let word = component.head.name.to_string();
         let context = Context { space: self.names.new_space(format!("{word}.")), bound: Rc::default() };
         // Its parameters are numbered after those of the mechanism, which it sees.
@@ -41,9 +42,15 @@ impl Elaborator<'_> {
         own.parameters.clone_from(&register.parameters);
         own.places.push(OpenPart { component: Some(component.clone()), ..OpenPart::default() });
         let definitions: Vec<ast::Definition> = self.names.definitions.values().map(|definition| (**definition).clone()).collect();
-        for formal in &component.head.parameters {
+        for (number, formal) in component.head.parameters.iter().enumerate() {
             let Some(value) = self.unknown(&formal.kind, &definitions) else { return Vec::new() };
-            self.declare((&formal.name, &[]), Entity::Known, Progress::Done(value), "an argument", &context);
+            self.declare(
+                Written { key: Key::Formal(component.id(), number), name: &formal.name, indices: &[] },
+                Entity::Known,
+                Progress::Done(value),
+                Sort::Argument,
+                &context,
+            );
         }
         own.open.push(word);
         self.items(&component.items, &context, 0, &mut own);
@@ -58,12 +65,12 @@ impl Elaborator<'_> {
     }
 }
 
-fn places(register: &Register) -> impl Iterator<Item = *const ast::Component> {
-    register.places.iter().filter_map(|place| place.component.as_ref()).map(Rc::as_ptr)
+fn places(register: &Register) -> impl Iterator<Item = ast::NodeId> {
+    register.places.iter().filter_map(|place| place.component.as_ref()).map(ast::Node::id)
 }
 
 /// Those with parts before the components of the parts.
-fn outermost_first(components: Vec<Rc<ast::Component>>) -> Vec<Rc<ast::Component>> {
+fn outermost_first(components: Vec<ast::Node<ast::Component>>) -> Vec<ast::Node<ast::Component>> {
     let (mut visited, mut order) = (vec![false; components.len()], Vec::new());
     for at in 0..components.len() {
         let mut pending = vec![(at, false)];

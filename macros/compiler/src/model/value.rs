@@ -42,7 +42,7 @@ pub(crate) struct Fixed {
 #[derive(Clone, Debug)]
 pub(crate) enum FunctionValue {
     /// Written in the language.
-    Written(Rc<ast::Function>),
+    Written(ast::Node<ast::Function>),
     /// Known to the arena by number: a Rust function or a table.
     Numbered { number: u32, from: InferredDim, to: InferredDim },
 }

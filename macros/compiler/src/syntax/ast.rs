@@ -2,14 +2,15 @@
 //!
 //! Items that may be repeated are shared, so that a part declared once and used many times is never copied.
 
+mod node;
 mod repeated;
 
+pub use node::{Node, NodeId};
 pub use repeated::{Bounds, Component, For, Part};
 
 use crate::diag::Range;
 use crate::quantity::Dim;
 use proc_macro2::{Ident, TokenStream};
-use std::rc::Rc;
 
 /// A whole `mechanism!` declaration.
 #[derive(Clone, Debug)]
@@ -71,27 +72,27 @@ pub enum Item {
     /// `use path::to::constraint;`
     Use(Vec<Use>),
     /// `param name: Dimension = default;`
-    Parameter(Rc<Parameter>),
+    Parameter(Node<Parameter>),
     /// `let name: Dimension = value;`
-    Let(Rc<Let>),
+    Let(Node<Let>),
     /// `function name(argument: Dimension) -> Dimension = value;`
-    Function(Rc<Function>),
+    Function(Node<Function>),
     /// `ground { … }`
-    Ground(Rc<Frame>),
+    Ground(Node<Frame>),
     /// `body name { … }`
-    Body(Rc<Frame>),
+    Body(Node<Frame>),
     /// `joint name = …;` or `drive name = …;`
-    Joint(Rc<Joint>),
+    Joint(Node<Joint>),
     /// `output name = value;` or `slice output name = value;`
-    Output(Rc<Output>),
+    Output(Node<Output>),
     /// `component Name(parameters) { items }`
-    Component(Rc<Component>),
+    Component(Node<Component>),
     /// `range t in from..to;`
-    Range(Rc<Times>),
+    Range(Node<Times>),
     /// `part name = Component(arguments);`
-    Part(Rc<Part>),
+    Part(Node<Part>),
     /// `for variable in from..to { items }`
-    For(Rc<For<Vec<Item>>>),
+    For(Node<For<Vec<Item>>>),
     /// An item that was refused, as far as its name could be read.
     Refused(Refused),
 }
@@ -233,9 +234,9 @@ pub struct Frame {
 #[derive(Clone, Debug, Default)]
 pub struct Marks {
     /// Those declared one by one.
-    pub single: Vec<Rc<Mark>>,
+    pub single: Vec<Node<Mark>>,
     /// Those declared in loops.
-    pub loops: Vec<For<Marks>>,
+    pub loops: Vec<Node<For<Marks>>>,
 }
 
 /// A point or an axis fixed in a body.

@@ -1,7 +1,7 @@
 //! The items of a mechanism.
 
 use super::ast::{
-    Argument, Closing, Docs, Expr, ExprKind, Following, Frame, Function, Item, Joint, JointBody, Let, Limits, Mark, Marks, Mechanism,
+    Argument, Closing, Docs, Expr, ExprKind, Following, Frame, Function, Item, Joint, JointBody, Let, Limits, Mark, Marks, Mechanism, Node,
     Output, Parameter, Refused, Start, Times, Use,
 };
 use super::definition::statement;
@@ -15,7 +15,6 @@ use super::tokens::{
 };
 use crate::diag::{ArrayFact, Diag, GrammarFact, Range, ValueFact};
 use proc_macro2::Ident;
-use std::rc::Rc;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Token, token};
@@ -125,17 +124,17 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
     }
     let item = match word.as_str() {
         "use" => Item::Use(uses(input)?),
-        "let" => Item::Let(Rc::new(binding(input)?)),
-        "param" => Item::Parameter(Rc::new(parameter(input, docs)?)),
-        "function" => Item::Function(Rc::new(function(input)?)),
-        "ground" => Item::Ground(Rc::new(ground(input, docs)?)),
-        "body" => Item::Body(Rc::new(body(input, docs)?)),
-        "joint" | "drive" | "redundant" => Item::Joint(Rc::new(joint(input, docs)?)),
-        "output" | "slice" => Item::Output(Rc::new(output(input, docs)?)),
-        "range" => Item::Range(Rc::new(times(input)?)),
-        "component" => Item::Component(Rc::new(component(input, docs, diag)?)),
-        "part" => Item::Part(Rc::new(part(input, docs)?)),
-        "for" => Item::For(Rc::new(repeated_items(input, diag)?)),
+        "let" => Item::Let(Node::new(binding(input)?)),
+        "param" => Item::Parameter(Node::new(parameter(input, docs)?)),
+        "function" => Item::Function(Node::new(function(input)?)),
+        "ground" => Item::Ground(Node::new(ground(input, docs)?)),
+        "body" => Item::Body(Node::new(body(input, docs)?)),
+        "joint" | "drive" | "redundant" => Item::Joint(Node::new(joint(input, docs)?)),
+        "output" | "slice" => Item::Output(Node::new(output(input, docs)?)),
+        "range" => Item::Range(Node::new(times(input)?)),
+        "component" => Item::Component(Node::new(component(input, docs, diag)?)),
+        "part" => Item::Part(Node::new(part(input, docs)?)),
+        "for" => Item::For(Node::new(repeated_items(input, diag)?)),
         _ => return wrong(&keyword, GrammarFact::UnknownItem { word }),
     };
     has_indices(&item, place)?;
@@ -346,9 +345,9 @@ pub(super) fn marks(input: ParseStream, marks: &mut Marks, place: ItemContext) -
         "point" | "axis" => {
             let mark = mark(input)?;
             indexed(&mark.name, &mark.indices, place)?;
-            marks.single.push(Rc::new(mark));
+            marks.single.push(Node::new(mark));
         }
-        "for" => marks.loops.push(repeated_marks(input)?),
+        "for" => marks.loops.push(Node::new(repeated_marks(input)?)),
         "start" => return wrong(&keyword, GrammarFact::StartInLoop),
         other => return wrong(&keyword, GrammarFact::UnknownBodyItem { word: other.to_owned() }),
     }
