@@ -4,7 +4,7 @@
 //! 30 rounds; medians of the rounds and of their ratios.
 
 use reuleaux::nalgebra::SVector;
-use reuleaux::{Coordinate, Coordinates, Description, Equations, Mechanism, ParameterOutOfRange, Pass, Row, Stages, Stop};
+use reuleaux::{Coordinate, Coordinates, Description, Equations, Mechanism, ParameterOutOfRange, Row, Solver, Stages, StepError};
 use reuleaux_tests::blocks::{DoubleTriad, FourPlates, Loop, Plate, SixPlates, TenPlates, ThreePlates, Triad, TwoPlates};
 use std::f64::consts::TAU;
 use std::hint::black_box;
@@ -33,7 +33,7 @@ impl<M: Equations<f64, N, N>, const N: usize> Description<f64, N> for AtOnce<M> 
 }
 
 impl<M: Equations<f64, N, N>, const N: usize> Stages<f64, N> for AtOnce<M> {
-    fn stages(&self, t: f64, pass: &mut Pass<'_, f64, N>) -> Result<Coordinates<f64, N>, Stop<f64>> {
+    fn stages(&self, t: f64, pass: &mut Solver<'_, f64, N>) -> Result<Coordinates<f64, N>, StepError<f64>> {
         reuleaux::at_once(&self.0, t, pass)
     }
 }

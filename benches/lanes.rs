@@ -8,9 +8,9 @@
 //! 1000 steps of a turn, each lane a quarter or an eighth of a turn ahead of the one before; both contenders in turn in each of 60
 //! rounds; medians of the rounds, and of their ratios.
 
-use reuleaux::wide::{Lockstep, Wide, f32x8, f64x4};
 use reuleaux::{Family, Mechanism, Stages};
 use reuleaux_benches::workloads::{Chain10, FourBar, Jansen, SliderCrank};
+use reuleaux_wide::{F32x8, F64x4, Lockstep, Wide};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -20,12 +20,12 @@ const ROUNDS: usize = 60;
 fn main() {
     println!("| workload | lanes | ns per step alone | ns per step in a lane | ratio |");
     println!("| --- | --- | ---: | ---: | ---: |");
-    compare::<_, f64x4, 4, 9>("W1 four-bar", "4 × f64", FourBar::default());
-    compare::<_, f64x4, 4, 9>("W2 slider-crank", "4 × f64", SliderCrank::default());
-    compare::<_, f64x4, 4, 21>("W3 Jansen's leg", "4 × f64", Jansen::default());
-    compare::<_, f64x4, 4, 63>("W4 chain of 10", "4 × f64", Chain10::default());
-    compare::<_, f32x8, 8, 9>("W1 four-bar", "8 × f32", FourBar::<f32>::with_defaults());
-    compare::<_, f32x8, 8, 21>("W3 Jansen's leg", "8 × f32", Jansen::<f32>::with_defaults());
+    compare::<_, F64x4, 4, 9>("W1 four-bar", "4 × f64", FourBar::default());
+    compare::<_, F64x4, 4, 9>("W2 slider-crank", "4 × f64", SliderCrank::default());
+    compare::<_, F64x4, 4, 21>("W3 Jansen's leg", "4 × f64", Jansen::default());
+    compare::<_, F64x4, 4, 63>("W4 chain of 10", "4 × f64", Chain10::default());
+    compare::<_, F32x8, 8, 9>("W1 four-bar", "8 × f32", FourBar::<f32>::with_defaults());
+    compare::<_, F32x8, 8, 21>("W3 Jansen's leg", "8 × f32", Jansen::<f32>::with_defaults());
 }
 
 /// The time of step `step` in each lane.

@@ -22,32 +22,46 @@
 //! | ν | `nu` | right-hand side of the velocity equation | M | of the row / s |
 //! | γ | `gamma` | right-hand side of the acceleration equation | M | of the row / s² |
 //! | M, N | `M`, `N` | number of equations, number of coordinates | | |
-//! | T | `T` | number type, [`Real`] to evaluate, [`Lanes`] to follow in time and [`Float`] to solve in every way | | |
+//! | T | `T` | number type, [`Real`] to evaluate, [`SolverReal`] to follow in time and [`Float`] for everything | | |
 //! | L | `characteristic_length` | length that is worth a radian: scaled coordinates are x/L, y/L and φ | 1 | m |
 //!
 //! # What every call guarantees
 //!
-//! - It does not panic, and but for `parallel` does not allocate, whatever the parameters, times, guesses and states: NaN, infinities, subnormal numbers,
-//!   states of other parameters or states that were never solved for.
-//! - It returns. What takes very many steps ends with [`Cause::TooManySteps`] after a million of them, in lanes after a million each.
-//! - `Ok` is a state: every equation, that of velocities and that of accelerations hold to rounding errors of their terms. `Err` says
-//!   why there is none, and a state that could not be taken to its time stays as it was.
-//! - Fields of a state can be written to. What was written is where the next step sets out from, and is not taken for solved.
+//! - It does not panic, and except for `parallel` does not allocate, for any parameters, times, guesses and states: NaN, infinities,
+//!   subnormal numbers, states of other parameters or states that were never solved for.
+//! - It returns. A continuation of very many steps ends with [`Cause::TooManySteps`] after at most a million of them.
+//! - `Ok` is a state: its equations hold to rounding errors of their terms, for positions, velocities and accelerations. `Err` tells
+//!   why there is none; a state that could not be taken to its time is unchanged.
+//! - Fields of a state can be written to. The next step starts from what was written, and the state does not count as solved.
 //!
-//! `tests/abuse` calls everything with anything and judges what comes back by numbers of 32 digits.
+//! `tests/abuse` calls every function with arbitrary arguments and checks the results with numbers of 32 digits.
 //!
 //! # Features
 //!
-//! `std` (default) asks nalgebra for it and nothing else. `certify` (default) bounds the errors of states, proves that they are solutions,
-//! and polishes them ([`Mechanism::error_bound`], [`certify`](Mechanism::certify), [`polish`](Mechanism::polish)). `wide` takes several mechanisms along in the lanes of a register
-//! (`reuleaux::wide`), `rayon` many on all processors (`reuleaux::parallel`).
+//! - `std` (default): nalgebra with the standard library, and nothing else.
+//! - `certify` (default): error bounds of states, proofs that they are solutions, and polished states
+//!   ([`Mechanism::error_bound`], [`certify`](Mechanism::certify), [`polish`](Mechanism::polish)).
+//! - `rayon`: sweeps of many mechanisms on all processors (`reuleaux::parallel`).
 //!
-//! # Rooms
+//! The crate `reuleaux-wide` advances several mechanisms together in the lanes of SIMD registers.
 //!
-//! [`Equations`] is what a mechanism gives, [`Mechanism`] what one can ask of it, [`State`] and [`Failure`] the two answers.
-//! Behind them: [`Stages`] (which unknowns are found together), [`Pass`] (what they are found from), `straight` (the usual step of a
-//! sweep), `careful` and `position` (Newton's method wherever that is not enough), `continuation` (following a branch in time),
-//! `linear` (small systems, and larger ones with and without known zeros), `enclosure` (how far a state is from the truth, with proof).
+//! # Layers
+//!
+//! [`Equations`] is what a mechanism provides, [`Mechanism`] what it can be asked for, [`State`] and [`Failure`] are the two answers.
+//! The modules are layers; each uses those above it in this table and none below.
+//!
+//! | layer | contents |
+//! | --- | --- |
+//! | `number` | number types: [`Real`], [`SimdReal`], [`Float`]; sine and cosine; splines |
+//! | `names` | names of unknowns and equations, [`Description`], [`Plan`], [`Cause`] |
+//! | `linear` | linear systems on the stack: closed form, sparse, dense with pivoting |
+//! | `state` | [`State`], its extrapolation, accepted steps |
+//! | `newton` | Newton's method on one block: warm start, tracking, limited and damped steps |
+//! | `solve` | all blocks at one time: [`Equations`], [`Stages`], [`Solver`], cold start |
+//! | `path` | warm steps, continuation in time and in parameters, change points |
+//! | `explain` | diagnosis and messages of failures |
+//! | `enclosure` | error bounds and certificates, by interval arithmetic |
+//! | `api` | [`Mechanism`], sweeps, derivatives by parameters |
 
 #![no_std]
 #![deny(missing_docs)]
@@ -61,77 +75,48 @@ extern crate std;
 // Emitted code names its types by `::reuleaux`; this lets examples and macros inside the crate do so too.
 extern crate self as reuleaux;
 
-mod assembly;
-mod careful;
-mod continuation;
-mod crossing;
-mod damping;
+// Layers, as in the table above; `tests/layers.rs` checks the imports.
+mod api;
 #[cfg(feature = "certify")]
 mod enclosure;
-mod equations;
-mod failure;
-mod family;
-mod float;
-mod generated;
-mod gradient;
-mod iterate;
-mod lanes;
+mod explain;
 mod linear;
-mod mechanism;
 mod names;
-mod order;
-#[cfg(feature = "rayon")]
-pub mod parallel;
-mod pass;
-mod place;
-mod plan;
-mod position;
-mod prepared;
-mod problem;
-mod real;
-mod scale;
-mod single;
-mod slice;
-mod stages;
+mod newton;
+mod number;
+mod path;
+mod solve;
 mod state;
-mod straight;
-mod sweep;
-mod table;
-mod turn;
-mod verdict;
-#[cfg(feature = "wide")]
-pub mod wide;
 
+#[cfg(feature = "rayon")]
+pub use api::parallel;
+pub use api::{Gradient, Matrix, Mechanism, Prepare, Prepared, Slice, SliceState, Sliced, Sweep, Vector, sweep};
 #[doc(hidden)]
-pub use continuation::step_in_part;
+pub use api::{Named, Relation, between, finite, require, within};
 #[cfg(feature = "certify")]
 pub use enclosure::{Certificate, Doubt, Enclosure, ErrorBound};
-pub use equations::{Description, Equations, ParameterOutOfRange};
-pub use failure::{BranchEnd, Cause, Culprit, Failure};
-pub use family::Family;
-pub use float::Float;
-pub use generated::{Matrix, Vector};
-#[doc(hidden)]
-pub use generated::{Named, Relation, between, finite, require, within};
-pub use gradient::Gradient;
-pub use lanes::{Lanes, Mask};
-pub use linear::{Eliminated, Elimination, Entries, Factors, Linear, Order, Small, Sparse};
-pub use mechanism::Mechanism;
+pub use explain::Failure;
+pub use linear::{Eliminated, Elimination, Entries, FactorReal, Factors, Linear, Order, Small, Sparse};
 pub use nalgebra;
-pub use names::{Coordinate, CoordinateKind, Row};
-pub use pass::{Pass, Solved, Stop};
-pub use place::Place;
-pub use plan::{Operations, Plan, PlanStage};
-pub use prepared::{Prepare, Prepared};
-pub use problem::Block;
-pub use real::Real;
-pub use slice::{Slice, SliceState, Sliced};
+pub use names::{
+    BranchEnd, Cause, Coordinate, CoordinateKind, Culprit, Description, Operations, ParameterOutOfRange, Plan, PlanStage, Row,
+};
+pub use newton::{Block, Iterate, Solved, StepError};
+pub use number::{DetSign, Ends, Float, Mask, Real, SimdReal, Single, Table};
 #[doc(hidden)]
-pub use stages::mark_of;
-pub use stages::{Coordinates, Stages, at_once, improved_at_once, improved_by};
-pub use state::{Motion, Orientation, PlanarBody, State, Values};
-pub use sweep::{Sweep, sweep};
-pub use table::{Ends, Single, Table};
+pub use path::step_in_part;
+#[doc(hidden)]
+pub use solve::parameter_hash;
+pub use solve::{Equations, Family, Solver, SolverReal, Stages, at_once, refined_guess_at_once, refined_guess_by_rows};
+pub use state::{Coordinates, Motion, PlanarBody, State, Values};
+
+/// For crates in which a number has several lanes, such as `reuleaux-wide`: what is no part of the language.
+#[doc(hidden)]
+pub mod for_lanes {
+    pub use crate::number::sin_cos::{LARGEST as SIN_COS_RANGE, within_range as sin_cos_in_range};
+    pub use crate::path::step_lanes;
+    pub use crate::solve::{ColdStart, NoColdStart};
+}
 
 #[doc(hidden)]
 pub use reuleaux_macros::__resume;

@@ -6,14 +6,14 @@ use common::error;
 use common::planar::Reference;
 use common::reference::*;
 use reuleaux::nalgebra::SVector;
-use reuleaux::{Mechanism, Orientation, State};
+use reuleaux::{DetSign, Mechanism, State};
 
 /// Asserts that q, q̇ and q̈ are at the rounding limit and returns their errors, relative to the largest entry.
 fn assert_state<const N: usize>(state: &State<f64, N>, reference: &Reference<N>, index: usize) -> [f64; 3] {
     let (_, q, qd, qdd) = &reference.states[index];
     let errors = [error(state.q.as_slice(), q), error(state.qd.as_slice(), qd), error(state.qdd.as_slice(), qdd)];
     assert!(errors[0] <= 1e-14 && errors[1] <= 2e-14 && errors[2] <= 2e-13, "state {index}: {errors:?}");
-    assert_eq!(state.branch[0] == Orientation::Positive, reference.orientation > 0.0);
+    assert_eq!(state.branch[0] == DetSign::Positive, reference.orientation > 0.0);
     errors
 }
 

@@ -5,8 +5,8 @@ mod common;
 use common::four_bar::{CRANK_ROCKER, Driven, FourBar};
 use reuleaux::nalgebra::{SMatrix, SVector};
 use reuleaux::{
-    Cause, Coordinate, CoordinateKind, Coordinates, Culprit, Description, Equations, Mechanism, ParameterOutOfRange, Pass, Row, Stages,
-    Stop,
+    Cause, Coordinate, CoordinateKind, Coordinates, Culprit, Description, Equations, Mechanism, ParameterOutOfRange, Row, Solver, Stages,
+    StepError,
 };
 
 /// The crank-rocker driven at the rocker, which swings outwards into its dead point.
@@ -104,12 +104,12 @@ fn a_sweep_ends_after_a_failure() {
 struct Slider<const TURNS: bool = false>(fn(f64) -> f64, f64);
 
 impl<const TURNS: bool> Stages<f64, 1> for Slider<TURNS> {
-    fn stages(&self, t: f64, pass: &mut Pass<'_, f64, 1>) -> Result<Coordinates<f64, 1>, Stop<f64>> {
+    fn stages(&self, t: f64, pass: &mut Solver<'_, f64, 1>) -> Result<Coordinates<f64, 1>, StepError<f64>> {
         reuleaux::at_once(self, t, pass)
     }
 
-    fn improved(&self, t: f64, guess: &SVector<f64, 1>) -> SVector<f64, 1> {
-        reuleaux::improved_at_once(self, t, guess)
+    fn refined_guess(&self, t: f64, guess: &SVector<f64, 1>) -> SVector<f64, 1> {
+        reuleaux::refined_guess_at_once(self, t, guess)
     }
 }
 
@@ -177,12 +177,12 @@ fn a_way_that_is_too_long_is_given_up() {
 struct Redundant;
 
 impl Stages<f64, 2> for Redundant {
-    fn stages(&self, t: f64, pass: &mut Pass<'_, f64, 2>) -> Result<Coordinates<f64, 2>, Stop<f64>> {
+    fn stages(&self, t: f64, pass: &mut Solver<'_, f64, 2>) -> Result<Coordinates<f64, 2>, StepError<f64>> {
         reuleaux::at_once(self, t, pass)
     }
 
-    fn improved(&self, t: f64, guess: &SVector<f64, 2>) -> SVector<f64, 2> {
-        reuleaux::improved_at_once(self, t, guess)
+    fn refined_guess(&self, t: f64, guess: &SVector<f64, 2>) -> SVector<f64, 2> {
+        reuleaux::refined_guess_at_once(self, t, guess)
     }
 }
 
@@ -231,12 +231,12 @@ fn redundant_rows_are_singular() {
 struct Empty;
 
 impl Stages<f64, 0> for Empty {
-    fn stages(&self, t: f64, pass: &mut Pass<'_, f64, 0>) -> Result<Coordinates<f64, 0>, Stop<f64>> {
+    fn stages(&self, t: f64, pass: &mut Solver<'_, f64, 0>) -> Result<Coordinates<f64, 0>, StepError<f64>> {
         reuleaux::at_once(self, t, pass)
     }
 
-    fn improved(&self, t: f64, guess: &SVector<f64, 0>) -> SVector<f64, 0> {
-        reuleaux::improved_at_once(self, t, guess)
+    fn refined_guess(&self, t: f64, guess: &SVector<f64, 0>) -> SVector<f64, 0> {
+        reuleaux::refined_guess_at_once(self, t, guess)
     }
 }
 

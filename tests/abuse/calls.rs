@@ -4,9 +4,9 @@ use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 
 use reuleaux::nalgebra::SVector;
-use reuleaux::wide::{Lockstep, Wide};
 use reuleaux::{Enclosure, Equations, Failure, Family, Float, Mechanism, Stages, State};
 use reuleaux_tests::common::twofold::Twofold;
+use reuleaux_wide::{Lockstep, Wide};
 
 use super::bytes::Bytes;
 use super::judge::judge;
@@ -107,7 +107,7 @@ where
             4 => state.condition = bytes.number(T::of(1.0)),
             _ => state.branch.iter_mut().for_each(|side| {
                 if bytes.is_one_in(2) {
-                    *side = reuleaux::Orientation::Negative;
+                    *side = reuleaux::DetSign::Negative;
                 }
             }),
         }

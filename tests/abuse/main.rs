@@ -23,7 +23,7 @@ use std::time::{Duration, Instant};
 use bytes::Bytes;
 use calls::{Count, calls, lanes};
 use mechanisms::{Bare, Coupled, Crank, Incline, Laws, Plate, Rod, Scene};
-use reuleaux::wide::{f32x8, f64x4};
+use reuleaux_wide::{F32x8, F64x4};
 
 /// The first case of the usual run, and how many there are.
 const USUAL: [u64; 2] = [880, 120];
@@ -42,8 +42,8 @@ macro_rules! each {
             match kind {
                 0 | 1 => return calls::<$name, f64, $rows, $n>(&$name::default(), $bytes, $count),
                 2 => return calls::<$name<f32>, f32, $rows, $n>(&$name::with_defaults(), $bytes, $count),
-                3 => return lanes::<$name, f64x4, 4, $rows, $n>(&$name::default(), $bytes, $count),
-                4 => return lanes::<$name<f32>, f32x8, 8, $rows, $n>(&$name::with_defaults(), $bytes, $count),
+                3 => return lanes::<$name, F64x4, 4, $rows, $n>(&$name::default(), $bytes, $count),
+                4 => return lanes::<$name<f32>, F32x8, 8, $rows, $n>(&$name::with_defaults(), $bytes, $count),
                 _ => kind -= 5,
             }
         )*

@@ -2,11 +2,11 @@
 
 use allocation_counter::measure;
 use reuleaux::nalgebra::SVector;
-use reuleaux::wide::{Lockstep, f64x4};
 use reuleaux::{Mechanism, Stages};
 use reuleaux_tests::blocks::SixPlates;
 use reuleaux_tests::mechanisms::{FourBarCrankRocker, HydraulicLoader, SliderCrank, TheoJansenLeg, TwoStageGearTrain};
 use reuleaux_tests::stress::RockerDrivenFourBar;
+use reuleaux_wide::{F64x4, Lockstep};
 
 /// What is done here takes no memory.
 fn without_memory(what: &str, run: impl FnOnce()) {
@@ -100,7 +100,7 @@ fn lanes_need_none() {
     let lengths = [0.1, 0.09, 0.11, 7.0];
     let mechanisms = lengths.map(|crank_length| FourBarCrankRocker { crank_length, ..Default::default() });
     without_memory("four lanes, one of which does not close", || {
-        let mut together = Lockstep::<_, f64x4, 4, 9>::new(mechanisms, [0.0; 4]);
+        let mut together = Lockstep::<_, F64x4, 4, 9>::new(mechanisms, [0.0; 4]);
         times().for_each(|t| together.advance([t; 4]));
         assert!(together.lane(0).is_ok() && together.lane(3).is_err());
     });

@@ -5,8 +5,8 @@
 //! equations of the figure. A hash that changes says that some bit of some state has changed; whoever changes it says why.
 //! `REULEAUX_BITS=print` prints the new ones.
 
-use reuleaux::wide::{Lockstep, Wide, f32x8, f64x4};
 use reuleaux::{Equations, Float, Real, State, mechanism};
+use reuleaux_wide::{F32x8, F64x4, Lockstep, Wide};
 
 mechanism! {
     /// Two unknowns, solved in closed form.
@@ -180,6 +180,6 @@ where
 
 #[test]
 fn lanes_have_the_same_bits() {
-    in_lanes::<f64x4, 4>(1e-14).must_be("crank-rockers in f64x4", 0x652f_eac9_046c_edcc);
-    in_lanes::<f32x8, 8>(3e-6).must_be("crank-rockers in f32x8", 0xca83_6384_0661_d02b);
+    in_lanes::<F64x4, 4>(1e-14).must_be("crank-rockers in f64x4", 0x652f_eac9_046c_edcc);
+    in_lanes::<F32x8, 8>(3e-6).must_be("crank-rockers in f32x8", 0xca83_6384_0661_d02b);
 }

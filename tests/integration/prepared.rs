@@ -1,6 +1,6 @@
 //! What depends on parameters only is computed once for each set of them.
 
-use reuleaux::{Lanes, mechanism};
+use reuleaux::{SimdReal, mechanism};
 
 mechanism! {
     /// A slide on an incline, pushed by a crank through a rod.
@@ -50,6 +50,6 @@ fn a_prepared_mechanism_is_the_mechanism() {
 fn an_angle_that_is_a_parameter_is_turned_once() {
     let mechanism = Incline::default();
     let debug = format!("{:?}", mechanism.prepared());
-    let (sine, cosine) = (mechanism.incline.turn().0, mechanism.incline.turn().1);
+    let (sine, cosine) = (mechanism.incline.fast_sin_cos().0, mechanism.incline.fast_sin_cos().1);
     assert!(debug.contains(&format!("{sine:?}")) && debug.contains(&format!("{cosine:?}")), "{debug}");
 }

@@ -2,8 +2,8 @@
 
 use std::f64::consts::FRAC_PI_3;
 
-use reuleaux::wide::{Lockstep, f64x4};
 use reuleaux::{Cause, Mechanism, PlanStage};
+use reuleaux_wide::{F64x4, Lockstep};
 
 reuleaux::mechanism! {
     /// A parallelogram with a third crank in the middle.
@@ -145,7 +145,7 @@ fn prepared_mechanisms_check_as_well() {
 #[test]
 fn one_lane_that_does_not_fit_stays_alone() {
     let each = [0.5, 0.5, 0.501, 0.5].map(|middle| Coupled { middle, ..Coupled::default() });
-    let mut four = Lockstep::<_, f64x4, 4, 12>::new(each, [0.0; 4]);
+    let mut four = Lockstep::<_, F64x4, 4, 12>::new(each, [0.0; 4]);
     for step in 1..=20 {
         four.advance([f64::from(step) * 0.01; 4]);
     }

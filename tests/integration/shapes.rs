@@ -166,7 +166,7 @@ fn rests_are_taken() {
     // A mark that a solution would remove.
     let solved = state.q[5];
     let mark = solved + 1e-3;
-    state.0.in_secret().q[5] = mark;
+    state.0.values_kept_as_solved().q[5] = mark;
     scene.advance(&mut state, 0.01).unwrap();
     assert_eq!(state.q[5], mark);
     // Who writes to a state openly has it solved again.
@@ -214,7 +214,7 @@ fn a_block_whose_drive_rests_is_not_solved_again() {
     let rockers = [14, 86];
     let marks = rockers.map(|i| state.0.q[i] + 1e-3);
     for (i, mark) in rockers.into_iter().zip(marks) {
-        state.0.in_secret().q[i] = mark;
+        state.0.values_kept_as_solved().q[i] = mark;
     }
     relay.advance(&mut state, 3.41).unwrap();
     assert_eq!(rockers.map(|i| state.q[i]), marks);

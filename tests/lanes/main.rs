@@ -3,9 +3,9 @@
 mod declared;
 
 use declared::{Linkage, Swing};
-use reuleaux::wide::{Lockstep, Wide, f32x8, f64x4};
-use reuleaux::{Cause, Family, Lanes, Mask, Mechanism, Real, Stages, State};
+use reuleaux::{Cause, Family, Mask, Mechanism, Real, SimdReal, Stages, State};
 use reuleaux_tests::mechanisms::*;
+use reuleaux_wide::{F32x8, F64x4, Lockstep, Wide};
 
 /// The largest difference of q, q̇ and q̈ between two states, relative to the largest entry.
 fn differences<const N: usize>(found: &State<f64, N>, expected: &State<f64, N>) -> [f64; 3] {
@@ -17,10 +17,10 @@ fn differences<const N: usize>(found: &State<f64, N>, expected: &State<f64, N>) 
 fn check<M, const N: usize>(mechanism: M, span: f64)
 where
     M: Family<f64> + Mechanism<f64, N> + Copy,
-    M::Over<f64x4>: Stages<f64x4, N>,
+    M::Over<F64x4>: Stages<F64x4, N>,
 {
     let times = |step: i32| core::array::from_fn(|lane| span * (f64::from(step) / 200.0 + 0.13 * lane as f64));
-    let mut together = Lockstep::<M, f64x4, 4, N>::new([mechanism; 4], times(0));
+    let mut together = Lockstep::<M, F64x4, 4, N>::new([mechanism; 4], times(0));
     let mut alone = times(0).map(|t| mechanism.solve(t).unwrap());
     let mut largest = [0.0_f64; 3];
     for step in 1..=200 {
@@ -61,7 +61,7 @@ fn slices_are_as_they_are_alone() {
 #[test]
 fn steps_too_long_to_go_straight_on_are_made_one_by_one() {
     let mechanism = FourBarCrankRocker::default();
-    let mut together = Lockstep::<_, f64x4, 4, 9>::new([mechanism; 4], [0.0; 4]);
+    let mut together = Lockstep::<_, F64x4, 4, 9>::new([mechanism; 4], [0.0; 4]);
     for times in [[0.01, 1.5, 0.02, -2.0], [3.0, 1.6, 0.03, -2.01]] {
         together.advance(times);
         for (lane, t) in times.into_iter().enumerate() {
@@ -74,7 +74,7 @@ fn steps_too_long_to_go_straight_on_are_made_one_by_one() {
 #[test]
 fn one_at_a_dead_point_ends_and_the_others_go_on() {
     let swings = [0.3, 0.5, 0.35, 0.38].map(|amplitude| Swing { amplitude });
-    let mut together = Lockstep::<_, f64x4, 4, 9>::new(swings, [0.0; 4]);
+    let mut together = Lockstep::<_, F64x4, 4, 9>::new(swings, [0.0; 4]);
     let mut alone = swings.map(|swing| Mechanism::solve(&swing, 0.0).map_err(Box::new));
     let mut at_the_end = None;
     for step in 1..=400 {
@@ -110,7 +110,7 @@ fn one_at_a_dead_point_ends_and_the_others_go_on() {
 fn a_parameter_that_is_no_number_ends_its_lane_only() {
     let lengths = [0.1, f64::NAN, 0.09, 0.11];
     let mut together =
-        Lockstep::<_, f64x4, 4, 9>::new(lengths.map(|crank_length| FourBarCrankRocker { crank_length, ..Default::default() }), [0.0; 4]);
+        Lockstep::<_, F64x4, 4, 9>::new(lengths.map(|crank_length| FourBarCrankRocker { crank_length, ..Default::default() }), [0.0; 4]);
     for step in 1..=100 {
         together.advance([f64::from(step) / 100.0; 4]);
     }
@@ -122,7 +122,7 @@ fn a_parameter_that_is_no_number_ends_its_lane_only() {
 
 #[test]
 fn a_parameter_beyond_its_bounds_ends_its_lane_only() {
-    let together = Lockstep::<_, f64x4, 4, 9>::new([0.1, 0.2, 2.1, 0.3].map(|amplitude| Swing { amplitude }), [0.0; 4]);
+    let together = Lockstep::<_, F64x4, 4, 9>::new([0.1, 0.2, 2.1, 0.3].map(|amplitude| Swing { amplitude }), [0.0; 4]);
     assert!([0, 1, 3].iter().all(|lane| together.lane(*lane).is_ok()));
     let refused = together.lane(2).unwrap_err().to_string();
     assert_eq!(refused, "`Swing` cannot be solved with `amplitude` = 2.1 rad: it must lie in ..= 2 rad");
@@ -130,7 +130,7 @@ fn a_parameter_beyond_its_bounds_ends_its_lane_only() {
 
 #[test]
 fn a_time_that_is_no_number_ends_its_lane_only() {
-    let mut together = Lockstep::<_, f64x4, 4, 9>::new([FourBarCrankRocker::default(); 4], [0.0; 4]);
+    let mut together = Lockstep::<_, F64x4, 4, 9>::new([FourBarCrankRocker::default(); 4], [0.0; 4]);
     together.advance([0.01, 0.01, f64::INFINITY, f64::NAN]);
     together.advance([0.02; 4]);
     assert!(together.lane(0).is_ok() && together.lane(1).is_ok());
@@ -141,7 +141,7 @@ fn a_time_that_is_no_number_ends_its_lane_only() {
 fn eight_singles_are_as_they_are_alone() {
     let mechanism = FourBarCrankRocker::<f32>::with_defaults();
     let times = |step: i32| core::array::from_fn(|lane| f32::of(f64::from(step) / 100.0 + 0.1 * lane as f64));
-    let mut together = Lockstep::<_, f32x8, 8, 9>::new([mechanism; 8], times(0));
+    let mut together = Lockstep::<_, F32x8, 8, 9>::new([mechanism; 8], times(0));
     for step in 1..=200 {
         together.advance(times(step));
     }
@@ -154,13 +154,13 @@ fn eight_singles_are_as_they_are_alone() {
 #[test]
 fn sines_and_cosines_are_those_of_one_lane() {
     for x in [[0.3, -2.0, 3.1, 7.9], [1e5, -9.9e5, 1.6, 0.0], [1e300, 0.5, -4e7, 2.0]] {
-        let (sine, cosine) = f64x4::new(x).turn();
+        let (sine, cosine) = F64x4::from(x).fast_sin_cos();
         for (lane, x) in x.into_iter().enumerate() {
-            let expected = Lanes::turn(x);
+            let expected = SimdReal::fast_sin_cos(x);
             let (sine, cosine) = (sine.to_array()[lane], cosine.to_array()[lane]);
             assert!((sine - expected.0).abs() <= 2e-16 && (cosine - expected.1).abs() <= 2e-16, "{x}: {sine}, {cosine}");
         }
     }
-    let (sine, cosine) = f64x4::new([f64::NAN, 1.0, f64::INFINITY, 2.0]).turn();
-    assert_eq!(f64x4::answers(sine.at_most(f64x4::splat(1.0)).and(cosine.at_most(f64x4::splat(1.0)))), [false, true, false, true]);
+    let (sine, cosine) = F64x4::from([f64::NAN, 1.0, f64::INFINITY, 2.0]).fast_sin_cos();
+    assert_eq!(F64x4::mask_to_lanes(sine.at_most(F64x4::splat(1.0)).and(cosine.at_most(F64x4::splat(1.0)))), [false, true, false, true]);
 }

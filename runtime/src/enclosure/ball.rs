@@ -1,4 +1,4 @@
-//! Intervals by centre and radius, rounded outward: arithmetic over all numbers that may be meant.
+//! Interval arithmetic by centre and radius, rounded outward.
 //!
 //! ```text
 //! ⟨a, r⟩ = { x : |x − a| ≤ r }
@@ -7,8 +7,8 @@
 //! ⟨a, r⟩ / ⟨b, s⟩ ⊂ ⟨a / b, (r + |a/b| s) / (|b| − s)⟩
 //! ```
 //!
-//! Centres have twice the digits of a double, so that what a ball has grown by in a few thousand operations is still far below a rounding
-//! of a double. Each operation adds the error of its centre, 16u² = 2⁻¹⁰² of it where the literature proves less
+//! Centres have twice the digits of a double, so that the radius after a few thousand operations is still far below a rounding of a
+//! double. Each operation adds the error of its centre, 16u² = 2⁻¹⁰² of it where the literature proves less
 //! ([`twofold`](super::twofold)), and rounds the radius up by a factor, so that no rounding mode is needed.
 //! Rump: Fast and parallel interval arithmetic, BIT 39, 1999.
 
@@ -18,36 +18,38 @@ use super::twofold::Twofold;
 
 /// A number known to within a radius.
 ///
-/// Whatever is said of a ball is true of every number in it. What is not defined everywhere in the ball has an infinite radius.
+/// A function of a ball contains the function of every number in it. Where a function is not defined on the whole ball, the radius
+/// of the result is infinite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Ball {
     pub(super) center: Twofold,
     /// Not below zero, or NaN.
     pub(super) radius: f64,
-    /// Nothing in it comes from a function that is known by its values at doubles only, or from beside a jump.
+    /// Whether it is proven: it depends neither on a function that is known only by its values at doubles, nor on an undecided
+    /// condition.
     pub(super) is_proven: bool,
 }
 
 /// Relative errors of centres are at most 15u² + 56u³ < 16u².
 pub(super) const ROUNDING: f64 = 1.0 / 5.070_602_400_912_918e30; // 2⁻¹⁰²
 
-/// Underflow in the rests of a product or a quotient costs less: factors below are in the range that makes it so.
+/// Bounds the error by underflow in the low parts of a product or quotient, for factors in the range below.
 const UNDERFLOW: f64 = 1e-180;
 
-/// Divisors and dividends beyond this or below its inverse are not computed with.
+/// Largest magnitude of divisors and dividends; the smallest is its inverse. Beyond, the result is unbounded.
 const LARGEST: f64 = 1e120;
 
-/// Not below a result of up to sixteen sums, products and quotients of numbers that are not negative, each of which was rounded.
+/// An upper bound of a result of up to sixteen rounded sums, products and quotients of non-negative numbers.
 pub(super) fn up(value: f64) -> f64 {
     value * (1.0 + 16.0 * f64::EPSILON) + f64::MIN_POSITIVE
 }
 
-/// Not above such a result, where it is not negative either.
+/// A lower bound of such a result, if that is non-negative.
 pub(super) fn down(value: f64) -> f64 {
     value * (1.0 - 16.0 * f64::EPSILON) - f64::MIN_POSITIVE
 }
 
-/// The greater of the two, and NaN where one is.
+/// The greater of the two; NaN if one is.
 pub(super) fn greater(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }
@@ -58,7 +60,7 @@ impl Ball {
         Self::around(Twofold::of(value), 0.0)
     }
 
-    /// All numbers this near to a centre.
+    /// All numbers within a radius of a centre.
     pub(super) const fn around(center: Twofold, radius: f64) -> Self {
         Self { center, radius, is_proven: true }
     }
@@ -68,55 +70,55 @@ impl Ball {
         Self::around(Twofold::of(0.0), f64::INFINITY)
     }
 
-    /// Of which nothing is proven.
+    /// The same ball, marked as not proven.
     pub(super) fn doubted(self) -> Self {
         Self { is_proven: false, ..self }
     }
 
-    /// With the doubts about another.
+    /// The same ball, marked as not proven if the other is not.
     pub(super) fn with_doubts_of(self, other: Self) -> Self {
         Self { is_proven: self.is_proven && other.is_proven, ..self }
     }
 
-    /// It is one double.
+    /// Whether it is a single double.
     pub(super) fn is_double(self) -> bool {
         self.radius == 0.0 && self.center.low == 0.0
     }
 
-    /// It is zero and nothing else.
+    /// Whether it is exactly zero.
     pub(super) fn is_zero(self) -> bool {
         self.is_double() && self.center.high == 0.0
     }
 
-    /// The greatest magnitude in it.
+    /// An upper bound of the magnitudes in it.
     pub(super) fn magnitude(self) -> f64 {
         up(self.center.high.abs() + self.radius)
     }
 
-    /// The least magnitude in it, or less; below zero where it contains zero.
+    /// A lower bound of the magnitudes in it; negative if it contains zero.
     pub(super) fn least(self) -> f64 {
         let size = self.center.high.abs();
         if self.is_double() { size } else { (size - self.radius) - up(16.0 * f64::EPSILON * (size + self.radius)) }
     }
 
-    /// Not below any number in it.
+    /// An upper bound of the numbers in it.
     pub(super) fn highest(self) -> f64 {
         let (high, radius) = (self.center.high, self.radius);
         if self.is_double() { high } else { (high + radius) + up(16.0 * f64::EPSILON * (high.abs() + radius)) }
     }
 
-    /// Not above any number in it.
+    /// A lower bound of the numbers in it.
     pub(super) fn lowest(self) -> f64 {
         -(-self).highest()
     }
 
-    /// It may be zero.
+    /// Whether it contains zero.
     pub(super) fn may_vanish(self) -> bool {
         let is_off_zero = self.least() > 0.0;
         !is_off_zero
     }
 
-    /// A ball around the same centre in which the other lies as well.
+    /// A ball around the same centre that contains the other as well.
     pub(super) fn hull(self, other: Self) -> Self {
         let apart = (self - other).magnitude();
         Self { radius: greater(self.radius, up(apart + other.radius)), ..self.with_doubts_of(other) }
@@ -184,14 +186,14 @@ impl Ball {
         Self { center: if self.center.high < 0.0 { -self.center } else { self.center }, ..self }
     }
 
-    /// Whether each number in it is less than each in the other, or none is; None where it depends on which are meant.
+    /// Whether every number in it is less than every number in the other; false if none is, None if undecided.
     pub(super) fn is_less(self, other: Self) -> Option<bool> {
         let (is_less, is_not) = (self.highest() < other.lowest(), self.lowest() >= other.highest());
         (is_less || is_not).then_some(is_less)
     }
 
-    /// A function that is known by its values and derivatives at doubles. There it is taken for exact; between them it is only
-    /// estimated, from the derivatives.
+    /// A function that is known by its values and derivatives at doubles. They are taken as exact there; between doubles they are
+    /// estimated from the derivatives, and not proven.
     pub(super) fn map(self, function: fn(f64) -> (f64, f64, f64)) -> [Self; 3] {
         let (value, first, second) = function(self.center.high);
         let [v, d, dd] = [value, first, second].map(|value| Self::exact(value).with_doubts_of(self));

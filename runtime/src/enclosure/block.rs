@@ -1,59 +1,56 @@
-//! One block: Newton's method with the residuals in twice the digits, and then Krawczyk's operator around where it ends.
+//! Enclosure of one block: Newton's method with residuals of twice the digits, then Krawczyk's operator around the result.
 //!
 //! ```text
 //! K(X) = c − R Φ(c) + (I − R Φ_q(X)) (X − c)        R ≈ Φ_q(c)⁻¹
 //! ```
 //!
-//! If K(X) lies inside of X, there is exactly one solution in X, and it lies in K(X): for each value of what comes before the block
+//! If K(X) lies inside of X, there is exactly one solution in X, and it lies in K(X), for all values of the previous blocks within
+//! their enclosures
 //! (Krawczyk 1969; Neumaier: Interval Methods for Systems of Equations, 5.1). Its rates follow from the residuals' derivatives along the
 //! motion, which [`Enclosure`]s carry with them, and not from the emitted ν and γ.
 
 use nalgebra::{SMatrix, SVector};
 
-use super::Doubt;
 use super::ball::{Ball, up};
 use super::moving::Enclosure;
 use super::system::{excess, inverse, product_of_magnitudes, solve_all};
 use super::twofold::Twofold;
-use crate::careful::Care;
+use super::{Doubt, EnclosureSolver};
 use crate::linear::Linear;
-use crate::pass::{Solved, Stop};
-use crate::place::Place;
-use crate::problem::{Block, Evaluate};
-use crate::{CoordinateKind, Culprit};
+use crate::names::{self, CoordinateKind, Culprit};
+use crate::newton::{Block, Evaluate, Iterate, Solved, StepError};
 
-/// Corrections of a state that is near a solution; five are usual, most of them for the last digits.
+/// Largest number of corrections; five are usual, most of them for the last digits.
 const MOST_CORRECTIONS: usize = 40;
 
 /// A scaled correction after which the next one is far below any rounding of a double.
 const FINE: f64 = 1e-24;
 
-/// A box is at least so wide, as a share of what counts as 1 and of the unknown.
+/// Smallest half-width of a box, relative to the scale plus the unknown.
 const NARROWEST: f64 = 1e-27;
 
-/// Encloses the solution of a block that is next to the state.
+/// Encloses the solution of a block next to the state.
 ///
 /// # Errors
-/// Where that cannot be proven; the reason is left with what is wanted.
+/// If that cannot be proven; the reason is stored in `solver.doubt`.
 pub(super) fn solve<L: Linear<Enclosure, K>, const K: usize, const N: usize>(
-    care: &Care<'_, Enclosure, N>,
+    solver: &EnclosureSolver<N>,
     block: &Block<K>,
     evaluate: &Evaluate<'_, Enclosure, L, K>,
-) -> Result<Solved<Enclosure, L, K>, Stop<Enclosure>> {
-    let Some(wanted) = care.wanted() else { return Err(Stop::Far) };
-    let name = || care.coordinate(block.unknowns.first().copied().unwrap_or(0));
+) -> Result<Solved<Enclosure, L, K>, StepError<Enclosure>> {
+    let name = || names::coordinate(solver.coordinates, block.unknowns.first().copied().unwrap_or(0));
     let doubt = |doubt: Doubt| {
-        wanted.doubt.set(Some(doubt));
-        Stop::NotFinite(Culprit::Coordinate(name()))
+        solver.doubt.set(Some(doubt));
+        StepError::NotFinite(Culprit::Coordinate(name()))
     };
-    let length = care.lengths().0.value.center.high;
+    let length = solver.lengths.0.value.center.high;
     let length = if length > 0.0 && length.is_finite() { length } else { 1.0 };
     let columns = block.kinds.map(|kind| if kind == CoordinateKind::Length { length } else { 1.0 });
 
-    let start = SVector::<f64, K>::from_fn(|k, _| wanted.q[block.unknowns[k]]);
-    // Residuals of unknowns that move as they are said to, and their Jacobian.
+    let start = SVector::<f64, K>::from_fn(|k, _| solver.q[block.unknowns[k]]);
+    // Residuals, with their rates for the given motion of the unknowns, and their Jacobian.
     let linearize = |x: &SVector<Enclosure, K>| {
-        let (phi, matrix) = evaluate(&Place::at(*x, &block.turns));
+        let (phi, matrix) = evaluate(&Iterate::at(*x, &block.needs_sin_cos));
         (phi, L::dense(&matrix).map(|entry| entry.value))
     };
     let within = |center: &SVector<Twofold, K>, radius: &SVector<f64, K>| {
@@ -66,7 +63,7 @@ pub(super) fn solve<L: Linear<Enclosure, K>, const K: usize, const N: usize>(
     })
     .ok_or_else(|| doubt(Doubt::NoSolution(name())))?;
 
-    // |R Φ(c)|, for all that what comes before may be.
+    // |R Φ(c)|, for all values of the previous blocks.
     let phi = linearize(&within(&center, &none)).0.map(|residual| residual.value);
     let offset = product_of_magnitudes(&inverse, &phi);
     let are_proven = |mut entries: core::slice::Iter<'_, Ball>| entries.all(|entry| entry.is_proven);
@@ -79,7 +76,7 @@ pub(super) fn solve<L: Linear<Enclosure, K>, const K: usize, const N: usize>(
     };
     let is_inside = |image: &SVector<f64, K>, radius: &SVector<f64, K>| (0..K).all(|k| image[k] < radius[k]);
     let narrow = SVector::<f64, K>::from_fn(|k, _| up(4.0 * offset[k] + NARROWEST * (columns[k] + center[k].high.abs())));
-    // Whatever is as near to the state as the solution is.
+    // All points as close to the state as the solution.
     let wide = SVector::<f64, K>::from_fn(|k, _| {
         let away = (Ball::exact(start[k]) - Ball::around(center[k], 0.0)).magnitude();
         up(2.0 * away + narrow[k])
@@ -92,14 +89,15 @@ pub(super) fn solve<L: Linear<Enclosure, K>, const K: usize, const N: usize>(
         (false, true) => in_wide,
         (false, false) => return Err(doubt(Doubt::NoSolution(name()))),
     };
-    if wanted.alone && !is_alone {
+    if solver.alone && !is_alone {
         return Err(doubt(Doubt::Another(name())));
     }
 
-    // The rates are those with which the residuals stay zero: first of unknowns at rest, then of unknowns that move evenly.
+    // Rates follow from the condition that residuals stay zero: velocities with the unknowns at rest, accelerations with constant
+    // velocities.
     let mut x = within(&center, &radius);
     let (at_rest, jacobian) = linearize(&x);
-    let is_proven = is_narrow_proven && (is_wide_proven || !wanted.alone) && are_proven(phi.as_slice().iter());
+    let is_proven = is_narrow_proven && (is_wide_proven || !solver.alone) && are_proven(phi.as_slice().iter());
     let spread = excess(&inverse, &jacobian);
     let solve = |b: SVector<Ball, K>| solve_all(&jacobian, &inverse, &spread, &b);
     let rates = solve(at_rest.map(|residual| -residual.rate));
@@ -111,12 +109,12 @@ pub(super) fn solve<L: Linear<Enclosure, K>, const K: usize, const N: usize>(
     for k in 0..K {
         x[k].acceleration = accelerations[k].with_doubts_of(x[k].value);
     }
-    let there = Place::at(x, &block.turns);
+    let there = Iterate::at(x, &block.needs_sin_cos);
     let factors = L::factor(&evaluate(&there).1).map_err(|_| doubt(Doubt::NoSolution(name())))?;
-    Ok(Solved { x: x.data.0[0], turn: there.turn, factors })
+    Ok(Solved { x: x.data.0[0], sin_cos: there.sin_cos, factors })
 }
 
-/// Where Newton's method comes to from doubles, and the inverse of the Jacobian there, roughly.
+/// The result of Newton's method from doubles, and an approximate inverse of the Jacobian there.
 fn newton<const K: usize>(
     start: &SVector<f64, K>,
     columns: &[f64; K],

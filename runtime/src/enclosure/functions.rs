@@ -1,22 +1,21 @@
-//! Functions of balls. Nothing here relies on the accuracy of `libm`, which gives first guesses: sine, cosine and the exponential are
-//! summed from their series with a remainder that is known, and what is inverse to them is verified by them.
+//! Functions of balls. Nothing here relies on the accuracy of `libm`, which only provides first guesses: sine, cosine and the
+//! exponential are summed from their series with a known remainder, and their inverses are verified by them.
 
 use super::ball::{Ball, ROUNDING, down, up};
 use super::twofold::Twofold;
-use crate::Table;
-use crate::table::Ends;
+use crate::number::{Ends, Table};
 
-/// π/2 and ln 2, to 2⁻¹⁰⁷ of them.
+/// π/2 and ln 2, with relative errors below 2⁻¹⁰⁷.
 const QUARTER: Twofold = Twofold { high: core::f64::consts::FRAC_PI_2, low: 6.123_233_995_736_766e-17 };
 const LN_2: Twofold = Twofold { high: core::f64::consts::LN_2, low: 2.319_046_813_846_3e-17 };
 
-/// Angles beyond this are not reduced.
+/// Largest angle that is reduced.
 const LARGEST_ANGLE: f64 = 1e12;
 
-/// Powers beyond this are not computed.
+/// Largest exponent that is computed.
 const LARGEST_POWER: f64 = 300.0;
 
-/// Sine and cosine. Both change by no more than the angle does.
+/// Sine and cosine; both have slopes of at most 1.
 ///
 /// ```text
 /// x = n π/2 + y         |y| ≤ π/4 + 1e-3; y is off by at most 5u² + u²/2 of n π/2 and 3u² of itself, together below 16u² |x|
@@ -38,7 +37,7 @@ pub(super) fn sin_cos(x: Ball) -> (Ball, Ball) {
     (Ball { center: sine, radius, ..x }, Ball { center: cosine, radius, ..x })
 }
 
-/// Of a centre.
+/// Sine and cosine of a centre.
 fn sin_cos_of(x: Twofold) -> (Twofold, Twofold) {
     let n = libm::rint(x.high * core::f64::consts::FRAC_2_PI);
     let y = x - QUARTER * Twofold::of(n);
@@ -78,7 +77,7 @@ pub(super) fn sqrt(x: Ball) -> Ball {
 /// s = y cos a − x sin a,   c = x cos a + y sin a;     |e| ≤ |s| / c for c > 0
 /// ```
 pub(super) fn atan2(y: Ball, x: Ball) -> Ball {
-    // Where the angle jumps from π to −π.
+    // The branch cut, where the angle jumps from π to −π.
     let is_right = x.lowest() > 0.0;
     let may_jump = y.may_vanish() && !y.is_double() && !is_right;
     let turned_back = |angle: Twofold| {
@@ -135,7 +134,7 @@ pub(super) fn ln(x: Ball) -> Ball {
     Ball::around(logarithm, up(off / down(1.0 - off))).with_doubts_of(x)
 }
 
-/// A cubic spline: the hull of all pieces that a number of the ball may fall on, each as a polynomial of the ball.
+/// A cubic spline: the hull of all pieces that the ball touches, each evaluated as a polynomial of the ball.
 pub(super) fn table(x: Ball, table: &Table) -> (Ball, Ball, Ball) {
     let nothing = Ball::anything().with_doubts_of(x);
     let (Some(&first), Some(&last)) = (table.knots.first(), table.knots.last()) else { return (nothing, nothing, nothing) };
@@ -148,7 +147,7 @@ pub(super) fn table(x: Ball, table: &Table) -> (Ball, Ball, Ball) {
             let period = Ball::exact(last) - Ball::exact(first);
             let turns = (x - Ball::exact(first)) / period;
             let (from, to) = (libm::floor(turns.lowest()), libm::floor(turns.highest()));
-            // A ball as wide as three periods, or not a number, has no meaning in a table.
+            // A ball wider than three periods, or NaN, gives no bound.
             let is_narrow = to - from <= 2.0;
             if !is_narrow {
                 return (nothing, nothing, nothing);
@@ -184,7 +183,7 @@ pub(super) fn table(x: Ball, table: &Table) -> (Ball, Ball, Ball) {
 
 type Triple = (Ball, Ball, Ball);
 
-/// Joins what the pieces that the ball touches say.
+/// Adds the hull of the pieces that the ball touches.
 fn pieces(found: &mut Option<Triple>, x: Ball, table: &Table) {
     let interval = |at: f64| table.knots.partition_point(|&knot| knot <= at).min(table.coefficients.len()).saturating_sub(1);
     for index in interval(x.lowest())..=interval(x.highest()) {

@@ -1,9 +1,8 @@
-//! How far a state is from the truth, with proof: its mechanism is computed anew over [`Enclosure`]s.
+//! Rigorous error bounds: the mechanism is evaluated over [`Enclosure`]s around a state.
 //!
-//! In: a mechanism and a state that may be one of it. Out: balls around q, q̇ and q̈ of the solution next to it, or why none can be
-//! proven. The same emitted code as in a step goes from block to block; only what a block does with its equations is different
-//! ([`block`]). Centres of balls have 32 digits, so that their radii are far below a rounding, and the error of a state is known as well
-//! as that.
+//! In: a mechanism and a state. Out: balls that contain q, q̇ and q̈ of the solution next to the state, or the reason why none can
+//! be proven. The emitted code is the same as in a step; only the solution of a block differs ([`block`]). Centres of balls have 32
+//! digits, so that radii are far below a rounding, and the error of a state is known to about ten digits.
 
 mod ball;
 mod block;
@@ -19,15 +18,16 @@ use core::fmt;
 
 use nalgebra::SVector;
 
-use crate::careful::Care;
-use crate::names;
-use crate::pass::{Pass, Stop};
-use crate::{Coordinate, CoordinateKind, Culprit, Description, Family, Float, Real, Row, Stages, State};
+use crate::names::{self, Coordinate, CoordinateKind, Culprit, Description, Row};
+use crate::newton::{self, StepError};
+use crate::number::{Float, Real};
+use crate::solve::{Family, Solver, Stages, lengths_of};
+use crate::state::State;
 
 use ball::Ball;
 pub use moving::Enclosure;
 
-/// Bounds of the errors of a state, by coordinate: a solution lies within them, on all of them at once.
+/// Bounds of the errors of a state, by coordinate: a solution lies within all of them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorBound<T, const N: usize> {
     /// Of q, in m and rad.
@@ -41,41 +41,45 @@ pub struct ErrorBound<T, const N: usize> {
 /// The proof that within a radius of a state there is exactly one solution.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Certificate<T, const N: usize> {
-    /// The greatest entry of `within.q`, lengths as shares of the characteristic length L.
+    /// The largest entry of `within.q`, with lengths divided by the characteristic length L.
     pub radius: T,
     /// Exactly one q with Φ(q, t) = 0 is within these bounds of the state's, and its q̇ and q̈ are within theirs.
     pub within: ErrorBound<T, N>,
 }
 
-/// Why nothing could be proven of a state.
+/// Why nothing could be proven about a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Doubt {
     /// The parameter of this name is out of range.
     ParameterOutOfRange(&'static str),
-    /// The state has no finite number there, or a rate that is none.
+    /// The coordinate or one of its rates is not finite in the state.
     NotFinite(Coordinate),
-    /// No solution was proven near this coordinate and those that are found with it: the state is none of this mechanism at this
+    /// No solution was proven near this coordinate and the others of its block: the state does not belong to this mechanism at this
     /// time, or the Jacobian is singular there.
     NoSolution(Coordinate),
-    /// There is a solution, but as near to the state as it is there may be another one, which differs in this coordinate and those
-    /// that are found with it. [`error_bound`](crate::Mechanism::error_bound) can still be said.
+    /// There is a solution, but another one may be as close to the state, with a different value of this coordinate and the others
+    /// of its block. [`error_bound`](crate::Mechanism::error_bound) is still available.
     Another(Coordinate),
     /// A row of a redundant joint does not hold.
     DoesNotHold(Row),
-    /// This coordinate depends on a function that is known by its values only, and nothing is proven of what lies between them; or on a
-    /// condition that may be true or not within the error of the state.
-    /// [`error_bound`](crate::Mechanism::error_bound) takes it for smooth.
+    /// This coordinate depends on a function that is known only by its values at doubles, or on a condition that is undecided
+    /// within the error of the state. [`error_bound`](crate::Mechanism::error_bound) assumes that it is smooth.
     Unproven(Coordinate),
 }
 
-/// What a pass over balls looks for.
-pub(crate) struct Wanted<const N: usize> {
+/// Encloses the solution next to a state, block by block.
+pub struct EnclosureSolver<const N: usize> {
     /// The state's q.
     q: SVector<f64, N>,
-    /// No other solution may be as near to the state.
+    /// Whether to prove that no other solution is as close to the state.
     alone: bool,
-    /// Why the pass has ended early.
+    /// L and 1/L.
+    lengths: (Enclosure, Enclosure),
+    coordinates: &'static [Coordinate],
+    /// Why a block could not be enclosed.
     doubt: Cell<Option<Doubt>>,
+    /// The first verified equation that does not hold: its index in Φ.
+    off: Cell<Option<usize>>,
 }
 
 /// The solution next to a state.
@@ -90,14 +94,14 @@ where
 {
     mechanism.validate().map_err(|parameter| Doubt::ParameterOutOfRange(parameter.name))?;
     let enclosed = E::gather([mechanism], |[parameter]| Enclosure::of(parameter.to_f64()));
-    let wanted = Wanted { q: state.q.map(Float::to_f64), alone, doubt: Cell::new(None) };
-    let care = Care::enclose(&enclosed, &wanted);
+    let (q, lengths, coordinates) = (state.q.map(Float::to_f64), lengths_of(&enclosed), E::COORDINATES);
+    let solver = EnclosureSolver { q, alone, lengths, coordinates, doubt: Cell::new(None), off: Cell::new(None) };
     let coordinate = |index: usize| names::coordinate(E::COORDINATES, index);
-    let found = enclosed.stages(Enclosure::time(state.t.to_f64()), &mut Pass::careful(&care)).map_err(|stop| {
-        let of = |culprit| if let Stop::NotFinite(Culprit::Coordinate(of)) = culprit { of } else { coordinate(0) };
-        wanted.doubt.get().unwrap_or(Doubt::NoSolution(of(stop)))
+    let found = enclosed.stages(Enclosure::time(state.t.to_f64()), &mut Solver::cold(&solver)).map_err(|error| {
+        let of = |culprit| if let StepError::NotFinite(Culprit::Coordinate(of)) = culprit { of } else { coordinate(0) };
+        solver.doubt.get().unwrap_or(Doubt::NoSolution(of(error)))
     })?;
-    if let Some(row) = care.off() {
+    if let Some(row) = solver.off.get() {
         return Err(Doubt::DoesNotHold(names::row(E::ROWS, row)));
     }
     let is_bounded = |of: &Enclosure| [of.value, of.rate, of.acceleration].iter().all(|ball| ball.magnitude().is_finite());
@@ -107,10 +111,10 @@ where
     }
 }
 
-/// How far a state is from what encloses the solution.
+/// Bounds of the distance of a state from the enclosed solution.
 ///
 /// # Errors
-/// Where the state is not finite.
+/// If the state is not finite.
 fn distance<T: Float, E: Description<T, N>, const N: usize>(
     _: &E,
     state: &State<T, N>,
@@ -127,7 +131,7 @@ fn distance<T: Float, E: Description<T, N>, const N: usize>(
     Ok(ErrorBound { q, qd, qdd })
 }
 
-/// A number that is not below.
+/// An upper bound in `T`.
 fn above<T: Float>(bound: f64) -> T {
     T::of(bound) * (T::of(1.0) + T::of(2.0) * T::EPSILON) + T::of(f64::from(f32::MIN_POSITIVE))
 }
@@ -155,7 +159,7 @@ where
         return Err(Doubt::Unproven(names::coordinate(E::COORDINATES, index)));
     }
     let within = distance(mechanism, state, &found)?;
-    let length = crate::scale::length_of(mechanism.characteristic_length());
+    let length = newton::length_of(mechanism.characteristic_length());
     let radius = (0..N).fold(T::of(0.0), |radius, i| {
         let share = match names::coordinate(E::COORDINATES, i).kind {
             CoordinateKind::Length => above((within.q[i] / length).to_f64()),
@@ -174,7 +178,7 @@ where
     E::Over<Enclosure>: Stages<Enclosure, N>,
 {
     let found = enclosed(mechanism, state, true)?;
-    // An entry that cannot be told from the truth stays.
+    // An entry that cannot be distinguished from the solution is kept.
     let rounded = |entries: &mut SVector<T, N>, part: fn(&Enclosure) -> Ball| {
         for (entry, of) in entries.iter_mut().zip(found.iter()) {
             let is_as_good = (Ball::exact(entry.to_f64()) - part(of)).least() <= 0.0;

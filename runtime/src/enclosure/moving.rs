@@ -1,4 +1,4 @@
-//! Balls that move: what the emitted code is run over.
+//! Balls with rates: the number type over which emitted code is evaluated for certificates.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -6,18 +6,17 @@ use nalgebra::{SMatrix, SVector};
 
 use super::ball::{Ball, ROUNDING};
 use super::twofold::Twofold;
-use super::{block, functions};
-use crate::careful::Care;
-use crate::linear::Linear;
-use crate::pass::{Solved, Stop};
-use crate::problem::{Block, Evaluate};
-use crate::{Lanes, Orientation, Real, Table};
+use super::{EnclosureSolver, block, functions};
+use crate::linear::{FactorReal, Linear};
+use crate::newton::{Block, Evaluate, Solved, StepError};
+use crate::number::{DetSign, Real, SimdReal, Table};
+use crate::solve::{ColdStart, SolverReal};
 
 /// A quantity with its first and second derivative by time, each enclosed by an interval; the number type of
 /// [`certify`](crate::Mechanism::certify).
 ///
 /// Intervals have a centre of 32 digits and a radius, and are rounded outward. Derivatives are carried along by the rules of
-/// differentiation, so that q̇ and q̈ are those of the q that fulfils Φ(q, t) = 0: the emitted ν and γ are not asked.
+/// differentiation, so that q̇ and q̈ are those of the q that fulfils Φ(q, t) = 0; the emitted ν and γ are not used.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Enclosure {
     pub(super) value: Ball,
@@ -29,7 +28,7 @@ const ZERO: Ball = Ball::exact(0.0);
 const TWO: Ball = Ball::exact(2.0);
 
 impl Enclosure {
-    /// What does not move.
+    /// A constant.
     pub(super) const fn at_rest(value: Ball) -> Self {
         Self { value, rate: ZERO, acceleration: ZERO }
     }
@@ -45,7 +44,7 @@ impl Enclosure {
         Self { value, rate, acceleration: second * (self.rate * self.rate) + first * self.acceleration }
     }
 
-    /// What holds both.
+    /// A hull of both.
     fn hull(self, other: Self) -> Self {
         Self {
             value: self.value.hull(other.value),
@@ -54,7 +53,7 @@ impl Enclosure {
         }
     }
 
-    /// The derivatives of a function are known as far as its second: a value, a first and a second derivative that move.
+    /// A function and its first two derivatives, with their rates as far as they are known: no third derivative is.
     fn derived(self, [value, first, second]: [Ball; 3]) -> (Self, Self, Self) {
         let unknown = Ball::anything();
         (
@@ -188,7 +187,7 @@ impl Real for Enclosure {
         Self { value: Ball::around(Twofold::of(0.0), 1.0).doubted(), rate: unknown, acceleration: unknown }
     }
 
-    /// Both, where it depends on which numbers are meant; then nothing is proven, since there may be a jump between them.
+    /// The hull of both if the comparison is undecided; nothing is proven then, since there may be a jump.
     fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self {
         let selected = match lhs.value.is_less(rhs.value) {
             Some(true) => then,
@@ -209,11 +208,10 @@ impl Real for Enclosure {
     }
 }
 
-/// Where the solver compares, nothing is decided by it: a block is enclosed as a whole, and of the rest only q counts.
-impl Lanes for Enclosure {
+/// Comparisons decide nothing here: a block is enclosed as a whole, and of the result only q is used.
+impl SimdReal for Enclosure {
     type Mask = bool;
-    type Dense<const K: usize> = Unsolved;
-    type Sides = Orientation;
+    type Signs = DetSign;
 
     const EPSILON: Self = Self::at_rest(Ball::exact(ROUNDING));
     const ROOT_EPSILON: Self = Self::at_rest(Ball::exact(1.0 / 2_251_799_813_685_248.0)); // 2⁻⁵¹
@@ -222,37 +220,54 @@ impl Lanes for Enclosure {
         true
     }
 
-    fn may_vanish(self, _: Self) -> bool {
-        self.value.may_vanish()
-    }
-
     fn pick(mask: bool, then: Self, otherwise: Self) -> Self {
         if mask { then } else { otherwise }
     }
 
-    fn sides(self) -> Orientation {
-        self.value.center.high.sides()
+    fn signs(self) -> DetSign {
+        self.value.center.high.signs()
     }
 
-    fn same(a: Orientation, b: Orientation) -> bool {
+    fn same_signs(a: DetSign, b: DetSign) -> bool {
         a == b
     }
 
-    fn turn(self) -> (Self, Self) {
+    fn fast_sin_cos(self) -> (Self, Self) {
         self.sin_cos()
-    }
-
-    fn carefully<L: Linear<Self, K>, const K: usize, const N: usize>(
-        care: &Care<'_, Self, N>,
-        block: &Block<K>,
-        _: [Self; K],
-        evaluate: &Evaluate<'_, Self, L, K>,
-    ) -> Result<Solved<Self, L, K>, Stop<Self>> {
-        block::solve(care, block, evaluate)
     }
 }
 
-/// Nobody's factors: rates are enclosed together with positions, and those that the emitted code asks for are not looked at.
+impl FactorReal for Enclosure {
+    type Dense<const K: usize> = Unsolved;
+}
+
+impl SolverReal for Enclosure {
+    type Cold<'a, const N: usize> = EnclosureSolver<N>;
+}
+
+impl<const N: usize> ColdStart<Enclosure, N> for EnclosureSolver<N> {
+    fn lengths(&self) -> (Enclosure, Enclosure) {
+        self.lengths
+    }
+
+    fn solve_block<L: Linear<Enclosure, K>, const K: usize>(
+        &self,
+        block: &Block<K>,
+        _: [Enclosure; K],
+        evaluate: &Evaluate<'_, Enclosure, L, K>,
+    ) -> Result<Solved<Enclosure, L, K>, StepError<Enclosure>> {
+        block::solve(self, block, evaluate)
+    }
+
+    /// An equation holds if zero is among its residuals.
+    fn check(&self, row: usize, residual: Enclosure, _: Enclosure) {
+        if !residual.value.may_vanish() && self.off.get().is_none() {
+            self.off.set(Some(row));
+        }
+    }
+}
+
+/// Placeholder factors: rates are enclosed together with positions, and the rates that emitted code solves for are not used.
 #[derive(Clone, Copy, Debug)]
 pub struct Unsolved;
 
@@ -279,12 +294,12 @@ impl<const K: usize> Linear<Enclosure, K> for Unsolved {
         self.solve_regular(b)
     }
 
-    fn growth(&self, _: &SVector<Enclosure, K>, _: &SVector<Enclosure, K>) -> Enclosure {
+    fn error_amplification(&self, _: &SVector<Enclosure, K>, _: &SVector<Enclosure, K>) -> Enclosure {
         Enclosure::at_rest(Ball::anything())
     }
 
-    fn sides(&self) -> Orientation {
-        Orientation::Positive
+    fn det_sign(&self) -> DetSign {
+        DetSign::Positive
     }
 
     fn is_regular(&self) -> bool {

@@ -1,4 +1,4 @@
-//! Systems of balls: the solutions of all A x = b, for A and b in given sets.
+//! Linear systems of balls: enclosures of the solutions of all A x = b with A and b in given balls.
 //!
 //! ```text
 //! x̂ = R b, refined;   |x − x̂| ≤ e   if   |R (b − A x̂)| + |I − R A| e < e
@@ -12,13 +12,13 @@ use super::ball::{Ball, up};
 use super::twofold::Twofold;
 use crate::linear::{Factors, Linear};
 
-/// Each adds the digits that R has.
+/// Number of refinements; each adds the digits of R.
 const REFINEMENTS: usize = 5;
 
-/// How often a box is widened until it holds what it is mapped to.
+/// Largest number of times that a box is widened until it contains its image.
 const WIDENINGS: usize = 8;
 
-/// An inverse in doubles. It need not be good: how good it is, Krawczyk's operator finds out.
+/// An approximate inverse in doubles. Krawczyk's operator accounts for its error.
 pub(super) fn inverse<const K: usize>(matrix: &SMatrix<Ball, K, K>) -> Option<SMatrix<f64, K, K>> {
     let factors = Factors::new(&matrix.map(|entry| entry.center.high)).ok().filter(|factors| factors.is_regular())?;
     let mut inverse = SMatrix::<f64, K, K>::from_element(0.0);
@@ -28,12 +28,12 @@ pub(super) fn inverse<const K: usize>(matrix: &SMatrix<Ball, K, K>) -> Option<SM
     Some(inverse)
 }
 
-/// Not below |R b|.
+/// An upper bound of |R b|.
 pub(super) fn product_of_magnitudes<const K: usize>(inverse: &SMatrix<f64, K, K>, b: &SVector<Ball, K>) -> SVector<f64, K> {
     SVector::from_fn(|i, _| (0..K).fold(0.0, |sum, k| up(sum + up(inverse[(i, k)].abs() * b[k].magnitude()))))
 }
 
-/// Not below |I − R A|.
+/// An upper bound of |I − R A|.
 pub(super) fn excess<const K: usize>(inverse: &SMatrix<f64, K, K>, matrix: &SMatrix<Ball, K, K>) -> SMatrix<f64, K, K> {
     SMatrix::from_fn(|i, j| {
         let one = Ball::exact(if i == j { 1.0 } else { 0.0 });
@@ -43,7 +43,7 @@ pub(super) fn excess<const K: usize>(inverse: &SMatrix<f64, K, K>, matrix: &SMat
 
 /// All solutions of A x = b.
 ///
-/// * `inverse`, `spread`: given, R and what is not below |I − R A|.
+/// * `inverse`, `spread`: given, R and an upper bound of |I − R A|.
 pub(super) fn solve_all<const K: usize>(
     matrix: &SMatrix<Ball, K, K>,
     inverse: &SMatrix<f64, K, K>,

@@ -3,8 +3,7 @@
 use super::ball::Ball;
 use super::twofold::Twofold;
 use super::{Enclosure, functions};
-use crate::table::{Ends, Single};
-use crate::{Real, Table};
+use crate::number::{Ends, Real, Single, Table};
 
 /// Functions at doubles, as a double and what is left over (mpmath 1.3.0, 400 bits).
 #[allow(clippy::approx_constant, clippy::excessive_precision)] // Multiples of π as doubles are where functions are hardest.

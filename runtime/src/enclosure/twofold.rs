@@ -1,8 +1,7 @@
-//! Numbers of twice the digits: the sum of two doubles, for the centres of balls. Only arithmetic is here; how far a result may be off is
-//! the business of [`Ball`](super::Ball).
+//! Double-double arithmetic, for the centres of balls. Error bounds are the business of [`Ball`](super::Ball).
 //!
-//! With u = 2⁻⁵³ the relative errors are at most 3u² + 13u³ for a sum, 7u² for a product and 15u² + 56u³ for a quotient, where nothing
-//! overflows and nothing becomes subnormal (Joldes, Muller, Popescu: Tight and rigorous error bounds for basic building blocks of
+//! With u = 2⁻⁵³ the relative errors are at most 3u² + 13u³ for a sum, 7u² for a product and 15u² + 56u³ for a quotient, without
+//! overflow or subnormal numbers (Joldes, Muller, Popescu: Tight and rigorous error bounds for basic building blocks of
 //! double-word arithmetic, ACM TOMS 44, 2017: algorithms 6, 10 and 17). No fused operations: the bits are the same everywhere.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -14,7 +13,7 @@ pub(super) struct Twofold {
     pub(super) low: f64,
 }
 
-/// a + b as a double and the rest (Knuth: The Art of Computer Programming, 4.2.2).
+/// a + b as a double and the remainder (Knuth: The Art of Computer Programming, 4.2.2).
 fn sum(a: f64, b: f64) -> Twofold {
     let high = a + b;
     let part = high - a;
@@ -34,7 +33,7 @@ fn halves(a: f64) -> (f64, f64) {
     (high, a - high)
 }
 
-/// a b as a double and the rest (Dekker: A floating-point technique for extending the available precision, 1971).
+/// a b as a double and the remainder (Dekker: A floating-point technique for extending the available precision, 1971).
 fn product(a: f64, b: f64) -> Twofold {
     let high = a * b;
     let ((a1, a0), (b1, b0)) = (halves(a), halves(b));

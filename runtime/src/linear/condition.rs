@@ -1,23 +1,24 @@
-//! How much a solution suffers from rounding.
+//! The condition of a linear system.
 
 use nalgebra::SVector;
 
 use super::Factors;
 use super::permuted::entry;
-use crate::Float;
-use crate::order::greater;
+use crate::number::Float;
+use crate::number::order::greater;
 
 impl<T: Float, const N: usize> Factors<T, N> {
-    /// An estimate, from below, of ‖ |A⁻¹| |A| ‖ in scaled unknowns: by how much one rounding of each entry of A is multiplied
-    /// on its way to x. Infinite for a singular matrix; it does not depend on the units of rows.
+    /// An estimate, from below, of ‖ |A⁻¹| |A| ‖ in scaled unknowns: the factor by which one rounding of each entry of A is
+    /// amplified in x. Infinite for a singular matrix; it does not depend on the units of rows.
     ///
     /// A z = ± |A| c is solved with the signs that make the forward substitution grow.
     /// Skeel: Scaling for numerical stability in Gaussian elimination, 1979; Cline, Moler, Stewart, Wilkinson: An estimate for the
     /// condition number of a matrix, 1979.
     ///
-    /// * `sizes`: given, by row, what the rounding errors of b are a share of; it counts where it is larger than the row of |A| c.
-    /// * `columns`, `shares`: given, what counts as 1 in each unknown, c, and one over it.
-    pub(super) fn amplification(&self, sizes: &SVector<T, N>, columns: &SVector<T, N>, shares: &SVector<T, N>) -> T {
+    /// * `sizes`: given, by row, the magnitude to which the rounding errors of b are proportional; used where it is larger than the
+    ///   row of |A| c.
+    /// * `columns`, `reciprocals`: given, the scale c of each unknown, and 1/c.
+    pub(super) fn error_amplification_by(&self, sizes: &SVector<T, N>, columns: &SVector<T, N>, reciprocals: &SVector<T, N>) -> T {
         if self.rank < N {
             return T::of(f64::INFINITY);
         }
@@ -37,7 +38,7 @@ impl<T: Float, const N: usize> Factors<T, N> {
         self.substitute_back(&mut y);
         y.iter()
             .zip(&self.columns)
-            .map(|(y, &column)| y.abs() * (entry(self.column_scale.as_slice(), column) * entry(shares.as_slice(), column)))
+            .map(|(y, &column)| y.abs() * (entry(self.column_scale.as_slice(), column) * entry(reciprocals.as_slice(), column)))
             .fold(T::of(0.0), greater)
     }
 }

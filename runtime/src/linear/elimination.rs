@@ -1,11 +1,11 @@
 //! Gaussian elimination in an order that is fixed when the mechanism is compiled.
 //!
-//! In: the entries of A that are not always zero. Out: those of L and U, and what tells whether they can be trusted. The order is
-//! data, [`Order`]; the functions provided here run over it, and emitted code says the same in straight lines where those are short.
+//! In: the entries of A that are not identically zero. Out: those of L and U, and the numbers from which their stability is judged.
+//! The order is data ([`Order`]); the provided functions loop over it, and emitted code unrolls them where the result is short.
 
-use crate::Real;
+use crate::number::Real;
 
-/// Which entries there are, and in which order a matrix of K rows is eliminated.
+/// The pattern of a matrix of K rows and the order of its elimination.
 ///
 /// ```text
 /// A(rows[i], columns[j]) = Σ_k L(i, k) U(k, j)        L has the diagonal 1
@@ -18,12 +18,12 @@ pub struct Order<const K: usize, const ENTRIES: usize, const FACTORS: usize> {
     pub rows: [usize; K],
     /// The column of A in which each pivot stands.
     pub columns: [usize; K],
-    /// Row and column of each entry of L (below the diagonal) and U, row by row, by number of the pivot. There is every entry of A
-    /// and every one that elimination makes of zeros.
+    /// Row and column of each entry of L (below the diagonal) and U, row by row, by number of the pivot. They include every entry
+    /// of A and the fill-in.
     pub factors: [(usize, usize); FACTORS],
 }
 
-/// What elimination gives.
+/// The result of an elimination.
 #[derive(Clone, Copy, Debug)]
 pub struct Eliminated<T, const K: usize, const FACTORS: usize> {
     /// L and U; the reciprocals of the pivots on the diagonal.
@@ -38,13 +38,13 @@ pub struct Eliminated<T, const K: usize, const FACTORS: usize> {
 
 /// The elimination of one block's Jacobian.
 pub trait Elimination<T: Real, const K: usize, const ENTRIES: usize, const FACTORS: usize> {
-    /// Which entries there are, and in which order they are eliminated.
+    /// The pattern and the order.
     const ORDER: Order<K, ENTRIES, FACTORS>;
 
     /// L and U of A. They are not finite where a pivot is zero.
     ///
     /// * `a`: given, the stored entries of A.
-    /// * `c`: given, what counts as 1 in each unknown.
+    /// * `c`: given, the scale of each unknown.
     fn eliminate(a: &[T; ENTRIES], c: &[T; K]) -> Eliminated<T, K, FACTORS> {
         eliminate(&Self::ORDER, &const { Places::of(&Self::ORDER) }, a, c)
     }

@@ -5,8 +5,8 @@ use core::array;
 use nalgebra::{SMatrix, SVector};
 
 use super::permuted::exchange;
-use crate::order::greater;
-use crate::{Float, Orientation};
+use crate::number::order::greater;
+use crate::number::{DetSign, Float};
 
 /// The factors of one matrix. Matrices of plain arrays are stored by columns: `lu[j][i]` is row i, column j.
 #[derive(Clone, Copy, Debug)]
@@ -23,8 +23,8 @@ pub struct Factors<T, const N: usize> {
     pub(crate) columns: [usize; N],
     /// Number of pivots that are not rounding noise; N for a regular matrix.
     pub(crate) rank: usize,
-    /// Sign of the determinant; without meaning when the rank is below N.
-    pub(crate) orientation: Orientation,
+    /// Sign of the determinant; unspecified if the rank is below N.
+    pub(crate) orientation: DetSign,
 }
 
 /// Where to look for the next pivot.
@@ -56,8 +56,8 @@ impl<T: Float, const N: usize> Factors<T, N> {
 
     /// R A C in place of the factors: the largest entry of each column, then of each row, is brought between 1 and 2.
     ///
-    /// Columns come first: an entry of a revolute's row by an angle is an arm, and positions are then measured by arms, each by its
-    /// own, whether they are nanometres or kilometres.
+    /// Columns come first: an entry of a revolute's row by an angle is an arm, and positions are then scaled by their own arms,
+    /// whether these are nanometres or kilometres.
     pub(super) fn equilibrated(matrix: &SMatrix<T, N, N>) -> Result<Self, usize> {
         let (zero, one) = (T::of(0.0), T::of(1.0));
         let mut lu = matrix.data.0;
@@ -85,7 +85,7 @@ impl<T: Float, const N: usize> Factors<T, N> {
             rows: array::from_fn(|i| i),
             columns: array::from_fn(|j| j),
             rank: N,
-            orientation: Orientation::Positive,
+            orientation: DetSign::Positive,
         })
     }
 
@@ -110,7 +110,7 @@ impl<T: Float, const N: usize> Factors<T, N> {
             odd ^= pivot < T::of(0.0);
             self.clear_below(k, pivot);
         }
-        self.orientation = if odd { Orientation::Negative } else { Orientation::Positive };
+        self.orientation = if odd { DetSign::Negative } else { DetSign::Positive };
     }
 
     /// The place of the largest entry among the candidates for pivot k.

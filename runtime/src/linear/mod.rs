@@ -1,7 +1,7 @@
 //! Systems on the stack: A x = b with A an N × N matrix.
 //!
 //! In: a matrix. Out: its factors, from which many right-hand sides are solved, its rank, the sign of
-//! its determinant, and an estimate of its condition. Not here: what to do about a singular matrix.
+//! its determinant, and an estimate of its condition. The caller decides what to do about a singular matrix.
 //!
 //! ```text
 //! P (R A C) Q = L U        R, C diagonal, powers of two (exact);  P, Q permutations, Q = 1 unless A is nearly singular
@@ -9,8 +9,8 @@
 //!
 //! Golub, Van Loan: Matrix Computations, 4th ed., 3.4 (pivoting), 3.5.2 (scaling), 3.5.3 (iterative refinement).
 //!
-//! Systems of one to three unknowns have [`Small`] factors instead, in closed form, and the larger ones of which the compiler knows
-//! the zeros have [`Sparse`] ones, in an order that it chose.
+//! Systems of one to three unknowns are solved in closed form ([`Small`]), and larger ones with known zeros by elimination in an
+//! order that the compiler chose ([`Sparse`]).
 
 mod condition;
 mod elimination;
@@ -23,7 +23,7 @@ mod sparse;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::{Float, Lanes};
+use crate::number::{Float, SimdReal};
 
 pub use elimination::{Eliminated, Elimination, Order};
 pub use factor::Factors;
@@ -31,21 +31,31 @@ pub(crate) use rank::{regular_part, weakest};
 pub use small::Small;
 pub use sparse::{Entries, Sparse};
 
-/// Factors of a square matrix, however they are made.
-pub trait Linear<T: Lanes, const N: usize>: Sized {
-    /// How the matrix is given.
+/// A [`SimdReal`] with a factorisation of dense matrices.
+pub trait FactorReal: SimdReal {
+    /// Factors of matrices of any size.
+    type Dense<const K: usize>: Linear<Self, K, Matrix = SMatrix<Self, K, K>>;
+}
+
+impl<T: Float> FactorReal for T {
+    type Dense<const K: usize> = Factors<T, K>;
+}
+
+/// Factors of a square matrix.
+pub trait Linear<T: SimdReal, const N: usize>: Sized {
+    /// The form in which the matrix is given.
     type Matrix;
 
     /// Factors `matrix`.
     ///
     /// # Errors
-    /// The index of a row that has an entry that is not finite, unless this shows in every solution.
+    /// The index of a row with an entry that is not finite, unless every solution then is not finite.
     fn factor(matrix: &Self::Matrix) -> Result<Self, usize>;
 
-    /// The matrix with all its zeros.
+    /// The dense matrix.
     fn dense(matrix: &Self::Matrix) -> SMatrix<T, N, N>;
 
-    /// x of A x = b; without meaning if A is singular.
+    /// x of A x = b; unspecified if A is singular.
     fn solve_regular(&self, b: &SVector<T, N>) -> SVector<T, N>;
 
     /// x of A x = b; a basic solution if A is singular.
@@ -53,22 +63,23 @@ pub trait Linear<T: Lanes, const N: usize>: Sized {
     where
         T: Float;
 
-    /// x of A x = b, with a step of iterative refinement where this makes it better; without meaning if A is singular.
+    /// x of A x = b, with a step of iterative refinement where that improves it; unspecified if A is singular.
     fn solve_refined(&self, b: &SVector<T, N>) -> SVector<T, N>;
 
-    /// By how much rounding errors grow on their way from A x − b to x; without meaning if A is singular.
+    /// The factor by which rounding errors of A x − b are amplified in x; unspecified if A is singular.
     ///
-    /// * `sizes`: given, by row, what the rounding errors of b are a share of; the row of A counts where it is larger.
-    /// * `shares`: given, by unknown, one over what counts as 1 in it.
-    fn growth(&self, sizes: &SVector<T, N>, shares: &SVector<T, N>) -> T;
+    /// * `sizes`: given, by row, the magnitude to which the rounding errors of b are proportional; the row of A is used where it is
+    ///   larger.
+    /// * `reciprocals`: given, by unknown, one over its scale.
+    fn error_amplification(&self, sizes: &SVector<T, N>, reciprocals: &SVector<T, N>) -> T;
 
-    /// The [`growth`](Self::growth) of rounding errors, 1 at least; infinite if A is singular.
-    fn condition(&self, sizes: &SVector<T, N>, shares: &SVector<T, N>) -> T {
-        T::pick(self.is_regular(), self.growth(sizes, shares).max(T::of(1.0)), T::of(f64::INFINITY))
+    /// The [`error_amplification`](Self::error_amplification) of rounding errors, at least 1; infinite if A is singular.
+    fn condition(&self, sizes: &SVector<T, N>, reciprocals: &SVector<T, N>) -> T {
+        T::pick(self.is_regular(), self.error_amplification(sizes, reciprocals).max(T::of(1.0)), T::of(f64::INFINITY))
     }
 
-    /// The sign of det A; without meaning if A is singular.
-    fn sides(&self) -> T::Sides;
+    /// The sign of det A; unspecified if A is singular.
+    fn det_sign(&self) -> T::Signs;
 
     /// A has full rank, to rounding.
     fn is_regular(&self) -> T::Mask;

@@ -1,6 +1,7 @@
-//! Entries by an index out of a permutation. It is in range, always, but rustc cannot know: what is written so has no panic in it.
+//! Access by an index from a permutation. The index is always in range, but rustc cannot prove it; these functions contain no
+//! panic.
 
-use crate::Real;
+use crate::number::Real;
 
 /// The entry at `index`.
 #[inline(always)]

@@ -1,11 +1,11 @@
-//! Which row and which unknown are to blame when a matrix is singular, or nearly so.
+//! The row and the unknown responsible where a matrix is singular, or nearly so.
 
 use nalgebra::{SMatrix, SVector};
 
 use super::factor::Pivoting;
 use super::permuted::entry;
 use super::{Factors, Linear};
-use crate::Float;
+use crate::number::Float;
 
 /// The row that depends on the others and the unknown that they leave undetermined.
 ///
@@ -14,7 +14,7 @@ use crate::Float;
 /// scaled unknowns, the column with the largest share. None for a matrix without entries or with one that is not finite.
 ///
 /// * `matrix`: given.
-/// * `size`: given, what counts as 1 in each unknown.
+/// * `size`: given, the scale of each unknown.
 pub(crate) fn weakest<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, size: &SVector<T, N>) -> Option<(usize, usize)> {
     let mut factors = Factors::equilibrated(matrix).ok()?;
     factors.eliminate(Pivoting::Full);

@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::{Factors, Linear};
-use crate::{Float, Lanes};
+use crate::number::{Float, SimdReal};
 
 /// The adjugate and the determinant of a matrix of up to three rows.
 ///
@@ -15,8 +15,8 @@ pub struct Small<T, const N: usize> {
     adjugate: SMatrix<T, N, N>,
     determinant: T,
     /// One over the determinant.
-    share: T,
-    /// The determinant's expansion with all terms positive: what its rounding errors are a share of.
+    reciprocal: T,
+    /// The determinant's expansion with the magnitudes of its terms, to which its rounding errors are proportional.
     magnitude: T,
 }
 
@@ -27,10 +27,10 @@ const EXACT: usize = 2;
 /// A determinant below this many roundings of its terms is noise.
 const NOISE: f64 = 8.0;
 
-/// And one below this: the smallest normal number that every type has.
+/// So is one below this, the smallest positive normal number of `f32`.
 const NOTHING: f64 = f32::MIN_POSITIVE as f64;
 
-impl<T: Lanes, const N: usize> Linear<T, N> for Small<T, N> {
+impl<T: SimdReal, const N: usize> Linear<T, N> for Small<T, N> {
     type Matrix = SMatrix<T, N, N>;
 
     #[inline(always)]
@@ -40,7 +40,7 @@ impl<T: Lanes, const N: usize> Linear<T, N> for Small<T, N> {
         let term = |j: usize| matrix[(0, j)] * adjugate[(j, 0)];
         let determinant = (1..N).fold(term(0), |sum, j| sum + term(j));
         let magnitude = (1..N).fold(term(0).abs(), |sum, j| sum + term(j).abs());
-        Ok(Self { matrix: *matrix, adjugate, determinant, share: T::of(1.0) / determinant, magnitude })
+        Ok(Self { matrix: *matrix, adjugate, determinant, reciprocal: T::of(1.0) / determinant, magnitude })
     }
 
     #[inline(always)]
@@ -51,7 +51,7 @@ impl<T: Lanes, const N: usize> Linear<T, N> for Small<T, N> {
     #[inline(always)]
     fn solve_regular(&self, b: &SVector<T, N>) -> SVector<T, N> {
         // The quotient is taken last: it need not wait for b, nor b for it.
-        SVector::from_fn(|i, _| (1..N).fold(self.adjugate[(i, 0)] * b[0], |sum, k| sum + self.adjugate[(i, k)] * b[k]) * self.share)
+        SVector::from_fn(|i, _| (1..N).fold(self.adjugate[(i, 0)] * b[0], |sum, k| sum + self.adjugate[(i, k)] * b[k]) * self.reciprocal)
     }
 
     #[inline]
@@ -74,22 +74,22 @@ impl<T: Lanes, const N: usize> Linear<T, N> for Small<T, N> {
     }
 
     #[inline(always)]
-    fn growth(&self, sizes: &SVector<T, N>, shares: &SVector<T, N>) -> T {
+    fn error_amplification(&self, sizes: &SVector<T, N>, reciprocals: &SVector<T, N>) -> T {
         // Loops, since rustc does not always compile a closure over the entries into its caller.
-        let (share, mut largest) = (self.share.abs(), T::of(0.0));
+        let (reciprocal, mut largest) = (self.reciprocal.abs(), T::of(0.0));
         for i in 0..N {
-            let mut growth = self.adjugate[(i, 0)].abs() * sizes[0];
+            let mut amplification = self.adjugate[(i, 0)].abs() * sizes[0];
             for k in 1..N {
-                growth = growth + self.adjugate[(i, k)].abs() * sizes[k];
+                amplification = amplification + self.adjugate[(i, k)].abs() * sizes[k];
             }
-            largest = largest.max((growth * share) * shares[i]);
+            largest = largest.max((amplification * reciprocal) * reciprocals[i]);
         }
         largest
     }
 
     #[inline(always)]
-    fn sides(&self) -> T::Sides {
-        self.determinant.sides()
+    fn det_sign(&self) -> T::Signs {
+        self.determinant.signs()
     }
 
     #[inline(always)]
@@ -99,7 +99,7 @@ impl<T: Lanes, const N: usize> Linear<T, N> for Small<T, N> {
 }
 
 impl<T: Float, const N: usize> Small<T, N> {
-    /// With a singular matrix: what full pivoting makes of it, so that Newton's method can leave a singular position.
+    /// The basic solution for a singular matrix, by full pivoting, so that Newton's method can leave a singular position.
     #[cold]
     fn basic_solution(&self, b: &SVector<T, N>) -> SVector<T, N> {
         let nothing = SVector::from_element(T::of(f64::NAN));
@@ -109,7 +109,7 @@ impl<T: Float, const N: usize> Small<T, N> {
 
 /// adj A, with A adj A = det A.
 #[inline(always)]
-fn adjugate<T: Lanes, const N: usize>(a: &SMatrix<T, N, N>) -> SMatrix<T, N, N> {
+fn adjugate<T: SimdReal, const N: usize>(a: &SMatrix<T, N, N>) -> SMatrix<T, N, N> {
     let minor = |i: usize, j: usize| match N {
         1 => T::of(1.0),
         2 => {

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::permuted::{entry, put};
 use super::{Factors, Linear};
-use crate::{Float, Orientation};
+use crate::number::{DetSign, Float};
 
 impl<T: Float, const N: usize> Linear<T, N> for Factors<T, N> {
     type Matrix = SMatrix<T, N, N>;
@@ -52,11 +52,11 @@ impl<T: Float, const N: usize> Linear<T, N> for Factors<T, N> {
         SVector::from_fn(|i, _| x[i] + correction[i])
     }
 
-    fn growth(&self, sizes: &SVector<T, N>, _: &SVector<T, N>) -> T {
-        self.amplification(sizes, &self.column_scale, &self.column_scale.map(|scale| T::of(1.0) / scale))
+    fn error_amplification(&self, sizes: &SVector<T, N>, _: &SVector<T, N>) -> T {
+        self.error_amplification_by(sizes, &self.column_scale, &self.column_scale.map(|scale| T::of(1.0) / scale))
     }
 
-    fn sides(&self) -> Orientation {
+    fn det_sign(&self) -> DetSign {
         self.orientation
     }
 

@@ -1,6 +1,6 @@
-//! Systems whose zeros are known: elimination in a fixed order, watched.
+//! Sparse systems: elimination in a fixed order, with a test of its stability.
 //!
-//! A fixed order may meet a small pivot, although the matrix is regular: there elimination with pivoting takes its place.
+//! A fixed order may meet a small pivot although the matrix is regular; elimination with pivoting then replaces it.
 
 #[cfg(test)]
 mod tests;
@@ -9,17 +9,16 @@ use core::marker::PhantomData;
 
 use nalgebra::{SMatrix, SVector};
 
-use super::Linear;
 use super::elimination::{Eliminated, Elimination};
-use crate::lanes::Mask;
-use crate::{Float, Lanes};
+use super::{FactorReal, Linear};
+use crate::number::{Float, Mask, SimdReal};
 
 /// A matrix by its entries that are not always zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Entries<T, const K: usize, const ENTRIES: usize> {
     /// In the order of the pattern.
     pub(crate) values: [T; ENTRIES],
-    /// c: what counts as 1 in each unknown.
+    /// c: the scale of each unknown.
     pub(crate) columns: [T; K],
 }
 
@@ -30,25 +29,25 @@ pub struct Entries<T, const K: usize, const ENTRIES: usize> {
 /// |U(i, i)| c_i ≥ √ε (|A| c)_i
 /// ```
 ///
-/// is asked for. Then L U is A but for relative changes of its rows by at most about K g ε (Higham: Accuracy and Stability of
+/// is required. Then L U equals A up to relative changes of its rows by at most about K g ε (Higham: Accuracy and Stability of
 /// Numerical Algorithms, 9.3), x is correct to about cond(A) g ε, and one step of refinement leaves the square of this, which is
 /// below the unavoidable cond(A) ε up to the condition of 1/√ε that counts as singular. The units of rows do not matter, and the
-/// determinant has the sign that it shows. Where this does not hold, [dense factors](Lanes::Dense) are used.
+/// determinant has the sign that it shows. Where this does not hold, [dense factors](FactorReal::Dense) are used.
 #[derive(Clone, Copy, Debug)]
-pub struct Sparse<T: Lanes, E, const K: usize, const ENTRIES: usize, const FACTORS: usize> {
+pub struct Sparse<T: FactorReal, E, const K: usize, const ENTRIES: usize, const FACTORS: usize> {
     matrix: Entries<T, K, ENTRIES>,
     /// L and U.
     lu: [T; FACTORS],
     /// |A| c by pivot.
     sizes: [T; K],
-    /// Whether L and U are good.
+    /// Whether L and U are stable.
     is_stable: T::Mask,
     elimination: PhantomData<E>,
 }
 
 impl<T, E, const K: usize, const ENTRIES: usize, const FACTORS: usize> Linear<T, K> for Sparse<T, E, K, ENTRIES, FACTORS>
 where
-    T: Lanes,
+    T: FactorReal,
     E: Elimination<T, K, ENTRIES, FACTORS>,
 {
     type Matrix = Entries<T, K, ENTRIES>;
@@ -104,9 +103,9 @@ where
 
     /// As dense factors estimate it, in unknowns by their own size.
     #[inline]
-    fn growth(&self, sizes: &SVector<T, K>, shares: &SVector<T, K>) -> T {
+    fn error_amplification(&self, sizes: &SVector<T, K>, reciprocals: &SVector<T, K>) -> T {
         if !self.is_stable.all() {
-            return self.pivoted().map_or(T::of(f64::NAN), |factors| factors.growth(sizes, shares));
+            return self.pivoted().map_or(T::of(f64::NAN), |factors| factors.error_amplification(sizes, reciprocals));
         }
         let zero = T::of(0.0);
         let mut b = [zero; K];
@@ -118,17 +117,17 @@ where
         }
         // Each sign is the one that makes the sum longer.
         let z = E::substitute(&self.lu, &b, |size, known| T::select_less(zero, known, -(size + known), size - known));
-        z.iter().zip(shares.iter()).fold(T::of(0.0), |largest, (&entry, &share)| largest.max(entry.abs() * share))
+        z.iter().zip(reciprocals.iter()).fold(T::of(0.0), |largest, (&entry, &share)| largest.max(entry.abs() * share))
     }
 
     #[inline]
-    fn sides(&self) -> T::Sides {
+    fn det_sign(&self) -> T::Signs {
         if !self.is_stable.all() {
-            return self.pivoted().map_or(T::of(1.0).sides(), |factors| factors.sides());
+            return self.pivoted().map_or(T::of(1.0).signs(), |factors| factors.det_sign());
         }
         let is_pivot = |place: &usize| E::ORDER.factors[*place].0 == E::ORDER.factors[*place].1;
         let sign = T::of(if const { E::ORDER.is_odd() } { -1.0 } else { 1.0 });
-        (0..FACTORS).filter(is_pivot).fold(sign, |sign, place| T::select_less(self.lu[place], T::of(0.0), -sign, sign)).sides()
+        (0..FACTORS).filter(is_pivot).fold(sign, |sign, place| T::select_less(self.lu[place], T::of(0.0), -sign, sign)).signs()
     }
 
     #[inline]
@@ -142,7 +141,7 @@ where
 
 impl<T, E, const K: usize, const ENTRIES: usize, const FACTORS: usize> Sparse<T, E, K, ENTRIES, FACTORS>
 where
-    T: Lanes,
+    T: FactorReal,
     E: Elimination<T, K, ENTRIES, FACTORS>,
 {
     /// x of A x = b by L and U.
@@ -151,7 +150,7 @@ where
         SVector::from(E::substitute(&self.lu, &b.data.0[0], |b, known| b - known))
     }
 
-    /// The factors with pivoting. They are made when they are asked for: to keep them would cost every other pose their copies.
+    /// The factors with pivoting. They are computed on demand: storing them would make every other state copy them.
     #[cold]
     #[inline(never)]
     fn pivoted(&self) -> Result<T::Dense<K>, usize> {
@@ -167,13 +166,13 @@ where
 
 /// Refuses the first row with an entry that is not finite in any lane; where it is in some, the others go on.
 #[cold]
-fn any_finite<T: Lanes>(values: &[T], pattern: &[(usize, usize)]) -> Result<(), usize> {
+fn any_finite<T: SimdReal>(values: &[T], pattern: &[(usize, usize)]) -> Result<(), usize> {
     let is_bad = |value: &T| value.abs().at_most(T::of(f64::MAX)).not().all();
     values.iter().zip(pattern).find(|(value, _)| is_bad(value)).map_or(Ok(()), |(_, &(row, _))| Err(row))
 }
 
 /// A power of two next to ε^(−1/4).
 #[inline(always)]
-fn largest_growth<T: Lanes>() -> T {
+fn largest_growth<T: SimdReal>() -> T {
     T::select_less(T::EPSILON, T::of(1e-12), T::of(8192.0), T::of(64.0))
 }

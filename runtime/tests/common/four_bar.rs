@@ -10,7 +10,7 @@
 
 use reuleaux::nalgebra::{SMatrix, SVector};
 use reuleaux::{
-    Coordinate, CoordinateKind, Coordinates, Description, Equations, Float, ParameterOutOfRange, Pass, Real, Row, Stages, Stop,
+    Coordinate, CoordinateKind, Coordinates, Description, Equations, Float, ParameterOutOfRange, Real, Row, Solver, Stages, StepError,
 };
 
 /// Lengths in m, angles in rad; the driven angle is `from` + `speed` t.
@@ -59,12 +59,12 @@ const fn revolute(joint: &'static str) -> [Row; 2] {
 }
 
 impl<T: Float> Stages<T, 9> for FourBar {
-    fn stages(&self, t: T, pass: &mut Pass<'_, T, 9>) -> Result<Coordinates<T, 9>, Stop<T>> {
+    fn stages(&self, t: T, pass: &mut Solver<'_, T, 9>) -> Result<Coordinates<T, 9>, StepError<T>> {
         reuleaux::at_once(self, t, pass)
     }
 
-    fn improved(&self, t: T, guess: &SVector<T, 9>) -> SVector<T, 9> {
-        reuleaux::improved_at_once(self, t, guess)
+    fn refined_guess(&self, t: T, guess: &SVector<T, 9>) -> SVector<T, 9> {
+        reuleaux::refined_guess_at_once(self, t, guess)
     }
 }
 

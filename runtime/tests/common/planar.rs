@@ -2,7 +2,7 @@
 
 use reuleaux::nalgebra::{SMatrix, SVector};
 use reuleaux::{
-    Coordinate, CoordinateKind, Coordinates, Description, Equations, Float, ParameterOutOfRange, Pass, Real, Row, Stages, Stop,
+    Coordinate, CoordinateKind, Coordinates, Description, Equations, Float, ParameterOutOfRange, Real, Row, Solver, Stages, StepError,
 };
 
 use super::jet::Jet;
@@ -126,12 +126,12 @@ const BODY: [Coordinate; 3] = [
 ];
 
 impl<T: Float, const N: usize> Stages<T, N> for Reference<N> {
-    fn stages(&self, t: T, pass: &mut Pass<'_, T, N>) -> Result<Coordinates<T, N>, Stop<T>> {
+    fn stages(&self, t: T, pass: &mut Solver<'_, T, N>) -> Result<Coordinates<T, N>, StepError<T>> {
         reuleaux::at_once(self, t, pass)
     }
 
-    fn improved(&self, t: T, guess: &SVector<T, N>) -> SVector<T, N> {
-        reuleaux::improved_at_once(self, t, guess)
+    fn refined_guess(&self, t: T, guess: &SVector<T, N>) -> SVector<T, N> {
+        reuleaux::refined_guess_at_once(self, t, guess)
     }
 }
 

@@ -6,7 +6,7 @@ mod pivots;
 
 use attained::{Attained, compare};
 use pivots::Pivots;
-use reuleaux::{Lanes, Mechanism, Real, State};
+use reuleaux::{Mechanism, Real, SimdReal, State};
 use reuleaux_tests::blocks::*;
 use reuleaux_tests::common::declared::Declared;
 use reuleaux_tests::common::twofold::Twofold;

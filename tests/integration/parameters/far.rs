@@ -107,10 +107,10 @@ macro_rules! follows {
             Err(failure) => {
                 let Some(at) = end else { panic!("{failure} though {lengths:?} can be followed") };
                 let said = failure.end.unwrap_or_else(|| panic!("{failure} without an end"));
-                assert!((said.share - at).abs() < 1e-6, "{failure}, it is {at}");
+                assert!((said.lambda - at).abs() < 1e-6, "{failure}, it is {at}");
                 assert!(["coupler", "rocker"].contains(&said.coordinate.body) && ["a", "b", "c"].contains(&said.row.joint));
-                let there = mechanism.toward(said.share).expect("parameters between");
-                assert!((there.base - between(lengths, said.share)[3]).abs() < 1e-15);
+                let there = mechanism.interpolated(said.lambda).expect("parameters between");
+                assert!((there.base - between(lengths, said.lambda)[3]).abs() < 1e-15);
                 let last = failure.last.as_ref().expect("the last state before the end");
                 assert!(side * (last.q[8] - last.q[5]).sin() > 0.0 && last.condition > 1e3, "{failure} was left before");
                 match failure.cause {
@@ -162,14 +162,14 @@ fn where_no_assembly_exists_it_is_said_by_how_much_and_since_when() {
     assert!(text.starts_with("`Left` was not assembled at t = 0 s: where the search ended, joint `"), "{text}");
     // 0.65 - 0.43 s = 0.3
     assert!(text.contains("; on the way from its defaults to these parameters the branch ends at 81.3953 %, where joint `"), "{text}");
-    assert!((failure.end.expect("the branch ends").share - 0.35 / 0.43).abs() < 1e-7);
+    assert!((failure.end.expect("the branch ends").lambda - 0.35 / 0.43).abs() < 1e-7);
 }
 
 #[test]
 fn single_precision_ends_there_as_well() {
     let left = Left::<f32> { rocker_length: 0.02, coupler_length: 0.2, ..Left::with_defaults() };
     let end = left.solve(0.0).expect_err("it is 80 mm short").end.expect("the branch ends");
-    assert!((end.share - 0.35 / 0.43).abs() < 2e-3, "{end:?}");
+    assert!((end.lambda - 0.35 / 0.43).abs() < 2e-3, "{end:?}");
 }
 
 #[test]

@@ -39,11 +39,11 @@ impl Emitter<'_> {
         let is_angle = |unknown: &&usize| self.system.coordinates.get(**unknown).is_some_and(|unknown| unknown.role == Role::Angle);
         let turned = shelf.given.iter().filter(is_angle).filter_map(|unknown| {
             let (place, rank) = (number(shelf.place(*unknown)?), number(*rank.get(unknown)?));
-            Some(quote!(#turns[#rank] = #found.q[#place].turn();))
+            Some(quote!(#turns[#rank] = #found.q[#place].fast_sin_cos();))
         });
         quote! {
                 const CONSTANTS: &[(::core::primitive::usize, ::core::primitive::f64)] = &[#(#constants),*];
-                if #pass.starts_anew() {
+                if #pass.is_cold_start() {
                     for (unknown, value) in CONSTANTS {
                         (#found.q[*unknown], #found.qd[*unknown], #found.qdd[*unknown]) = (T::of(*value), T::of(0.0), T::of(0.0));
                     }
@@ -65,7 +65,7 @@ impl Emitter<'_> {
         let allowed = allowed();
         quote! {
             #allowed
-            impl<T: ::reuleaux::Lanes> #name<T> { #(#functions)* }
+            impl<T: ::reuleaux::SolverReal> #name<T> { #(#functions)* }
         }
     }
 
@@ -123,10 +123,10 @@ impl Emitter<'_> {
                 &self,
                 #piece: ::core::primitive::usize,
                 #t: T,
-                #pass: &mut ::reuleaux::Pass<'_, T, #n>,
+                #pass: &mut ::reuleaux::Solver<'_, T, #n>,
                 #found: &mut ::reuleaux::Coordinates<T, #n>,
                 #turns: &mut [(T, T); #angles],
-            ) -> ::core::result::Result<(), ::reuleaux::Stop<T>> {
+            ) -> ::core::result::Result<(), ::reuleaux::StepError<T>> {
                 #tables
                 #rest
                 #inputs
@@ -208,7 +208,7 @@ fn rest(kernel: &Kernel, unknowns: &[Index], ranks: &BTreeMap<usize, TokenStream
     let positions = (0..own.len()).map(number);
     let kept = kernel.found.iter().enumerate().filter(|(_, slot)| kernel.kept.contains(slot)).map(|(position, slot)| {
         let (rank, position) = (&ranks[slot], number(position));
-        quote!(#turns[#rank] = #last[#position].turn();)
+        quote!(#turns[#rank] = #last[#position].fast_sin_cos();)
     });
     quote! {
         if let ::core::option::Option::Some(#last) = #pass.resting(#found, &[#(#inputs),*], [#(#own),*]) {
@@ -262,9 +262,9 @@ fn writes(kernel: &Kernel, scene: &Scene, ranks: &BTreeMap<usize, TokenStream>) 
         tokens.extend(match in_block {
             Some((block, position)) => {
                 let (solved, position) = (scene.solved(block), number(position));
-                quote!(#turns[#rank] = #solved.turn[#position];)
+                quote!(#turns[#rank] = #solved.sin_cos[#position];)
             }
-            None => quote!(#turns[#rank] = #q.turn();),
+            None => quote!(#turns[#rank] = #q.fast_sin_cos();),
         });
     }
     tokens

@@ -25,14 +25,14 @@ impl Emitter<'_> {
             #[allow(dead_code)]
             #visibility type #type_name<T = ::core::primitive::f64> = ::reuleaux::Prepared<#mechanism<T>, T, #n, #count>;
             #allowed
-            impl<T: ::reuleaux::Lanes> #mechanism<T> {
+            impl<T: ::reuleaux::SolverReal> #mechanism<T> {
                 /// The mechanism with everything computed that depends on its parameters only, for loops that take a state along
                 /// with `advance`; `sweep` does so by itself.
                 #[must_use]
                 pub fn prepared(&self) -> #type_name<T> { ::reuleaux::Prepared::new(*self) }
             }
             #allowed
-            impl<T: ::reuleaux::Lanes> ::reuleaux::Prepare<T, #n, #count> for #mechanism<T> {
+            impl<T: ::reuleaux::SolverReal> ::reuleaux::Prepare<T, #n, #count> for #mechanism<T> {
                 type State = #state<T>;
                 fn named(state: ::reuleaux::State<T, #n>) -> Self::State { #state(state) }
                 fn unnamed(state: &mut Self::State) -> &mut ::reuleaux::State<T, #n> { &mut state.0 }
@@ -56,8 +56,8 @@ impl Emitter<'_> {
                 &self,
                 #fixed: &[T; #count],
                 #t: T,
-                #pass: &mut ::reuleaux::Pass<'_, T, #n>,
-            ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>> {
+                #pass: &mut ::reuleaux::Solver<'_, T, #n>,
+            ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::StepError<T>> {
                 let [#(#names),*] = *#fixed;
                 #body
             }

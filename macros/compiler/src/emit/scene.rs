@@ -36,7 +36,7 @@ pub(super) struct Origins {
 
 impl Scene<'_> {
     pub(super) fn steps(&self, names: &BTreeMap<Expr, String>, steps: &[Step]) -> TokenStream {
-        let printer = Printer { arena: self.arena, names, turn: "turn" };
+        let printer = Printer { arena: self.arena, names, turn: "fast_sin_cos" };
         steps.iter().map(|step| statement(self.model, &printer, step)).collect()
     }
 
@@ -92,14 +92,14 @@ impl Scene<'_> {
             Part::Block(block) => self.block(number, block),
             Part::Check { steps, equation, residual, sizes } => {
                 let steps = self.steps(&self.lines.names, steps);
-                let printer = Printer { arena: self.arena, names: &self.lines.names, turn: "turn" };
+                let printer = Printer { arena: self.arena, names: &self.lines.names, turn: "fast_sin_cos" };
                 let (residual, sizes) = (printer.expression(*residual), sizes.map(|size| printer.expression(size)));
                 let (pass, equation) = (local("pass"), &self.equations[*equation]);
                 quote!(#steps #pass.check(#equation, #residual, [#(#sizes),*]);)
             }
             Part::Explicit { steps, unknown, motion, .. } => {
                 let steps = self.steps(&self.lines.names, steps);
-                let printer = Printer { arena: self.arena, names: &self.lines.names, turn: "turn" };
+                let printer = Printer { arena: self.arena, names: &self.lines.names, turn: "fast_sin_cos" };
                 let names = self.lines.unknowns[*unknown].each_ref().map(|name| local(name));
                 let values = motion.map(|expr| printer.expression(expr));
                 if motion[1..].iter().all(|expr| printer.constant(*expr).is_some()) {
@@ -115,8 +115,8 @@ impl Scene<'_> {
         let names = &self.lines.names;
         let (before, rates, accelerations) =
             (self.steps(names, &block.before), self.steps(names, &block.rates), self.steps(names, &block.accelerations));
-        let outer = Printer { arena: self.arena, names, turn: "turn" };
-        let inner = Printer { arena: self.arena, names: &block.names, turn: "turn" };
+        let outer = Printer { arena: self.arena, names, turn: "fast_sin_cos" };
+        let inner = Printer { arena: self.arena, names: &block.names, turn: "fast_sin_cos" };
         let inside = self.steps(&block.names, &block.inside);
         let list = |printer: &Printer, exprs: &[Expr]| -> Vec<TokenStream> { exprs.iter().map(|expr| printer.expression(*expr)).collect() };
         let residuals = list(&inner, &block.system.residuals);
@@ -162,18 +162,18 @@ impl Scene<'_> {
             #elimination
             let #solved = #pass.#method(
                 #order
-                &::reuleaux::Block { unknowns: [#(#unknowns),*], equations: [#(#equations),*], kinds: [#(#kinds),*], turns: [#(#turns),*] },
+                &::reuleaux::Block { unknowns: [#(#unknowns),*], equations: [#(#equations),*], kinds: [#(#kinds),*], needs_sin_cos: [#(#turns),*] },
                 [#(#sizes),*],
                 #[inline(always)]
-                |#place: &::reuleaux::Place<T, #k>| {
+                |#place: &::reuleaux::Iterate<T, #k>| {
                     let [#(#x),*] = #place.x.data.0[0];
-                    let [#(#pairs),*] = #place.turn;
+                    let [#(#pairs),*] = #place.sin_cos;
                     #inside
                     ([#(#residuals),*], [#(#jacobian),*])
                 },
             )?;
             let [#(#x),*] = #solved.x;
-            let [#(#pairs),*] = #solved.turn;
+            let [#(#pairs),*] = #solved.sin_cos;
             #rates
             #first
             #accelerations
@@ -189,9 +189,9 @@ impl Scene<'_> {
         if sides.iter().all(zero) {
             return quote!(#(let #names = T::of(0.0);)*);
         }
-        let printer = Printer { arena: self.arena, names: &self.lines.names, turn: "turn" };
+        let printer = Printer { arena: self.arena, names: &self.lines.names, turn: "fast_sin_cos" };
         let (solved, sides) = (self.solved(number), sides.iter().map(|side| printer.expression(*side)));
-        quote!(let [#(#names),*] = #solved.rates([#(#sides),*]);)
+        quote!(let [#(#names),*] = #solved.solve([#(#sides),*]);)
     }
 }
 

@@ -68,7 +68,7 @@ impl Emitter<'_> {
             #visibility type #state<T = ::core::primitive::f64> = ::reuleaux::SliceState<#mechanism<T>, T, #order, #n, #whole>;
             #kernels
             #allowed
-            impl<T: ::reuleaux::Lanes> ::reuleaux::Sliced<T, #order, #n, #whole> for #mechanism<T> {
+            impl<T: ::reuleaux::SolverReal> ::reuleaux::Sliced<T, #order, #n, #whole> for #mechanism<T> {
                 type Value = #kind;
                 #plan
                 const HELD: [::core::primitive::usize; #n] = [#(#held),*];
@@ -118,13 +118,13 @@ impl Emitter<'_> {
         let of_trait = stages_of(&slice.solution.solving, n, &quote!(self.0.#stages(&self.1, #t, #pass, #argument)));
         let ([whole, n], allowed) = ([self.system.coordinates.len(), n].map(number), allowed());
         let step = quote! {
-            fn step(&self, state: &mut ::reuleaux::State<T, #whole>, t: T) -> ::core::primitive::bool
+            fn partial_step(&self, state: &mut ::reuleaux::State<T, #whole>, t: T) -> ::core::option::Option<::core::primitive::bool>
             where
                 T: ::reuleaux::Float,
             {
                 const HELD: [::core::primitive::usize; #n] = [#(#held),*];
                 let moving = #name(*self, [#(state.q[#places]),*]);
-                ::reuleaux::step_in_part(&moving, state, &HELD, ::reuleaux::Stages::<T, #whole>::mark(self), t)
+                ::core::option::Option::Some(::reuleaux::step_in_part(&moving, state, &HELD, ::reuleaux::Stages::<T, #whole>::parameter_hash(self), t))
             }
         };
         let part = quote! {
@@ -134,13 +134,13 @@ impl Emitter<'_> {
             struct #name<T>(#mechanism<T>, [T; #count]);
             #kernels
             #allowed
-            impl<T: ::reuleaux::Lanes> #mechanism<T> {
+            impl<T: ::reuleaux::SolverReal> #mechanism<T> {
                 #[doc(hidden)]
                 #[inline(always)]
-                fn #stages(&self, #given: &[T; #count], #t: T, #pass: &mut ::reuleaux::Pass<'_, T, #n>, #to) -> #result { #body }
+                fn #stages(&self, #given: &[T; #count], #t: T, #pass: &mut ::reuleaux::Solver<'_, T, #n>, #to) -> #result { #body }
             }
             #description
-            impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> {
+            impl<T: ::reuleaux::SolverReal> ::reuleaux::Stages<T, #n> for #name<T> {
                 #constants
                 #of_trait
             }
@@ -154,7 +154,7 @@ fn upstream(solving: &Solving, n: usize, body: &TokenStream) -> TokenStream {
     let (t, pass) = (local("t"), local("pass"));
     let (_, to, result) = results(solving, n);
     let n = number(n);
-    let pass = quote!(#pass: &mut ::reuleaux::Pass<'_, T, #n>);
+    let pass = quote!(#pass: &mut ::reuleaux::Solver<'_, T, #n>);
     match solving {
         Solving::Straight(_) => quote!(#[inline(always)] fn upstream(&self, #t: T, #pass) -> #result { #body }),
         Solving::Shared(_) => quote! {

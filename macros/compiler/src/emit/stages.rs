@@ -32,7 +32,7 @@ impl Emitter<'_> {
         quote! {
             #kernels
             #allowed
-            impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> {
+            impl<T: ::reuleaux::SolverReal> ::reuleaux::Stages<T, #n> for #name<T> {
                 #lists
                 #toward
                 #improved
@@ -52,7 +52,7 @@ impl Emitter<'_> {
         quote! {
             #angles
             #iterated
-            const UNSURE: ::core::option::Option<&'static [::core::primitive::usize]> = ::core::option::Option::Some(&[#unsure]);
+            const MAY_BE_NON_FINITE: ::core::option::Option<&'static [::core::primitive::usize]> = ::core::option::Option::Some(&[#unsure]);
         }
     }
 
@@ -60,7 +60,7 @@ impl Emitter<'_> {
     pub(super) fn lists_of_slice(&self, solution: &Solution, shelf: &Shelf) -> TokenStream {
         let (angles, iterated) = (self.computed_angles(solution, shelf), iterated(solution, shelf));
         let unsure = unsure(solution, shelf);
-        quote!(#angles #iterated const UNSURE: &'static [::core::primitive::usize] = &[#unsure];)
+        quote!(#angles #iterated const MAY_BE_NON_FINITE: &'static [::core::primitive::usize] = &[#unsure];)
     }
 
     /// Computed angles that move
@@ -88,8 +88,8 @@ impl Emitter<'_> {
             return quote!();
         }
         quote! {
-            fn toward(&self, share: T) -> ::core::option::Option<Self> {
-                ::reuleaux::between(&Self::with_defaults(), self, share)
+            fn interpolated(&self, lambda: T) -> ::core::option::Option<Self> {
+                ::reuleaux::between(&Self::with_defaults(), self, lambda)
             }
         }
     }
@@ -102,11 +102,11 @@ impl Emitter<'_> {
         }
         let all = (0..self.model.parameters.len()).map(|number| named(&Words::new(self.model, self.system).parameter(number as u32)));
         quote! {
-            fn mark(&self) -> ::core::primitive::u64
+            fn parameter_hash(&self) -> ::core::primitive::u64
             where
                 T: ::reuleaux::Float,
             {
-                ::reuleaux::mark_of(&[#(#all),*])
+                ::reuleaux::parameter_hash(&[#(#all),*])
             }
         }
     }
@@ -116,16 +116,16 @@ impl Emitter<'_> {
         let (n, of_q) = (number(self.system.coordinates.len()), vector_type(self.system.coordinates.len()));
         let checked: BTreeSet<usize> = self.plan.checked.iter().copied().collect();
         let improved = if checked.is_empty() {
-            quote!(::reuleaux::improved_at_once(self, t, guess))
+            quote!(::reuleaux::refined_guess_at_once(self, t, guess))
         } else {
             let solved = (0..self.system.equations.len()).filter(|equation| !checked.contains(equation)).map(Literal::usize_unsuffixed);
             quote! {
                 const SOLVED: [::core::primitive::usize; #n] = [#(#solved),*];
-                ::reuleaux::improved_by(self, &SOLVED, t, guess)
+                ::reuleaux::refined_guess_by_rows(self, &SOLVED, t, guess)
             }
         };
         quote! {
-            fn improved(&self, t: T, guess: &#of_q) -> #of_q
+            fn refined_guess(&self, t: T, guess: &#of_q) -> #of_q
             where
                 T: ::reuleaux::Float,
             {
@@ -195,9 +195,11 @@ impl Emitter<'_> {
 pub(super) fn results(solving: &Solving, n: usize) -> (TokenStream, TokenStream, TokenStream) {
     let (found, n) = (local("found"), number(n));
     match solving {
-        Solving::Straight(_) => (quote!(), quote!(), quote!(::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>>)),
+        Solving::Straight(_) => {
+            (quote!(), quote!(), quote!(::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::StepError<T>>))
+        }
         Solving::Shared(_) => {
-            let result = quote!(::core::result::Result<(), ::reuleaux::Stop<T>>);
+            let result = quote!(::core::result::Result<(), ::reuleaux::StepError<T>>);
             (quote!(#found), quote!(#found: &mut ::reuleaux::Coordinates<T, #n>), result)
         }
     }
@@ -208,7 +210,7 @@ pub(super) fn stages_of(solving: &Solving, n: usize, body: &TokenStream) -> Toke
     let (t, pass) = (local("t"), local("pass"));
     let (_, to, result) = results(solving, n);
     let n = number(n);
-    let pass = quote!(#pass: &mut ::reuleaux::Pass<'_, T, #n>);
+    let pass = quote!(#pass: &mut ::reuleaux::Solver<'_, T, #n>);
     match solving {
         Solving::Straight(_) => quote! {
             #[inline(always)]
@@ -221,8 +223,8 @@ pub(super) fn stages_of(solving: &Solving, n: usize, body: &TokenStream) -> Toke
             fn stages(
                 &self,
                 t: T,
-                pass: &mut ::reuleaux::Pass<'_, T, #n>,
-            ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>> {
+                pass: &mut ::reuleaux::Solver<'_, T, #n>,
+            ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::StepError<T>> {
                 let mut found = ::reuleaux::Coordinates::zero();
                 self.stages_in_place(t, pass, &mut found)?;
                 ::core::result::Result::Ok(found)

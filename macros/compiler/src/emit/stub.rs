@@ -208,16 +208,16 @@ fn solutions(name: &Ident, state: &Ident, visibility: &TokenStream, n: usize, bo
         #[doc(hidden)]
         #[allow(dead_code)]
         #visibility type #prepared<T = ::core::primitive::f64> = ::reuleaux::Prepared<#name<T>, T, #n, 0>;
-        impl<T: ::reuleaux::Lanes> ::reuleaux::Stages<T, #n> for #name<T> {
+        impl<T: ::reuleaux::SolverReal> ::reuleaux::Stages<T, #n> for #name<T> {
             fn stages(
                 &self,
                 _: T,
-                _: &mut ::reuleaux::Pass<'_, T, #n>,
-            ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::Stop<T>> {
+                _: &mut ::reuleaux::Solver<'_, T, #n>,
+            ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::StepError<T>> {
                 #body
             }
         }
-        impl<T: ::reuleaux::Lanes> ::reuleaux::Prepare<T, #n, 0> for #name<T> {
+        impl<T: ::reuleaux::SolverReal> ::reuleaux::Prepare<T, #n, 0> for #name<T> {
             type State = #state<T>;
             fn named(_: ::reuleaux::State<T, #n>) -> Self::State { #body }
             fn unnamed(state: &mut Self::State) -> &mut ::reuleaux::State<T, #n> { &mut state.0 }
@@ -252,14 +252,14 @@ fn slices(tree: &Mechanism, promised: &Outline, visibility: &TokenStream, body: 
             #[doc(hidden)]
             #[allow(dead_code, non_camel_case_types)]
             #visibility type #state<T = ::core::primitive::f64> = ::reuleaux::SliceState<#mechanism<T>, T, #order, 1, #n>;
-            impl<T: ::reuleaux::Lanes> ::reuleaux::Sliced<T, #order, 1, #n> for #mechanism<T> {
+            impl<T: ::reuleaux::SolverReal> ::reuleaux::Sliced<T, #order, 1, #n> for #mechanism<T> {
                 type Value = #value;
                 const PLAN: ::reuleaux::Plan = ::reuleaux::Plan { stages: &[], operations: ::reuleaux::Operations::new(0, 0, 0, 0) };
                 const HELD: [::core::primitive::usize; 1] = [0];
                 const COMPONENTS: &'static [::reuleaux::Coordinate] = &[];
                 const COMPUTED_ANGLES: &'static [::core::primitive::usize] = &[];
                 const ITERATED: &'static [::core::primitive::usize] = &[];
-                const UNSURE: &'static [::core::primitive::usize] = &[];
+                const MAY_BE_NON_FINITE: &'static [::core::primitive::usize] = &[];
                 fn output(_: &::reuleaux::State<T, 1>) -> #value { #body }
             }
         };

@@ -1,8 +1,8 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::{Entries, Sparse};
-use crate::Orientation;
 use crate::linear::{Elimination, Factors, Linear, Order};
+use crate::number::DetSign;
 
 /// A loop of four: each row has two neighbours, and elimination fills two entries.
 struct Ring;
@@ -58,9 +58,9 @@ fn agrees<E: Elimination<f64, 4, A, F>, const A: usize, const F: usize>(sparse: 
     let b = SVector::from(b);
     let ones = SVector::from_element(1.0);
     let sizes = SVector::from_element(0.0);
-    assert_eq!(sparse.sides(), pivoted.sides());
+    assert_eq!(sparse.det_sign(), pivoted.det_sign());
     assert!(sparse.is_regular());
-    let (condition, reference) = (sparse.condition(&sizes, &ones), pivoted.amplification(&sizes, &ones, &ones));
+    let (condition, reference) = (sparse.condition(&sizes, &ones), pivoted.error_amplification_by(&sizes, &ones, &ones));
     // Both are estimates from below: of random matrices, one in a hundred by more than 4 and one in ten thousand by more than 16.
     assert!(condition <= 256.0 * reference && reference <= 256.0 * condition, "{condition} is not about {reference}");
     let condition = condition.max(reference);
@@ -164,7 +164,7 @@ fn the_sign_of_the_determinant_counts_the_exchanges() {
     let sparse = full_of(at([(2, 1), (0, 0), (3, 2), (1, 3)])).unwrap();
     assert!(sparse.is_stable);
     // Columns 0, 3, 1, 2 by row: two inversions.
-    assert_eq!(sparse.sides(), Orientation::Positive);
+    assert_eq!(sparse.det_sign(), DetSign::Positive);
     let sparse = full_of(at([(2, 1), (0, 0), (3, 3), (1, 2)])).unwrap();
-    assert_eq!(sparse.sides(), Orientation::Negative);
+    assert_eq!(sparse.det_sign(), DetSign::Negative);
 }

@@ -1,0 +1,208 @@
+//! The error type of this crate, and its messages.
+
+use core::error::Error;
+use core::fmt;
+
+use crate::names::{BranchEnd, Cause, Coordinate, Culprit, ParameterOutOfRange, Row};
+use crate::number::Float;
+use crate::state::State;
+
+/// Why there is no state, in the words of the declaration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Failure<T, const N: usize> {
+    /// The mechanism as declared.
+    pub mechanism: &'static str,
+    /// What happened.
+    pub cause: Cause<T>,
+    /// When, in s.
+    pub time: T,
+    /// Where the branch ends between the declared defaults and these parameters, if it does.
+    pub end: Option<BranchEnd<T>>,
+    /// The last valid state before the failure.
+    pub last: Option<State<T, N>>,
+}
+
+impl<T: Float, const N: usize> fmt::Display for Failure<T, N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (name, t) = (self.mechanism, Plain(self.time.to_f64()));
+        match (&self.cause, &self.last) {
+            (Cause::TooManySteps { steps }, Some(last)) if last.condition.to_f64() > CREEPING => write!(
+                f,
+                "`{name}` does not reach t = {t} s in {steps} steps: at t = {} s, where it is nearly singular, they become too short; \
+                 `solve_near` may find a state beyond from a guess",
+                Plain(last.t.to_f64())
+            )?,
+            (cause, _) => cause.fmt(f, name, t)?,
+        }
+        let Some(BranchEnd { lambda, row, coordinate }) = &self.end else { return Ok(()) };
+        write!(
+            f,
+            "; on the way from its defaults to these parameters the branch ends at {:.4} %, where {row} does not determine {coordinate}",
+            100.0 * lambda.to_f64()
+        )
+    }
+}
+
+impl<T: Float> Cause<T> {
+    /// What happened to the mechanism of this name at time t.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>, name: &str, t: Plain) -> fmt::Result {
+        match self {
+            Cause::DoesNotClose { row, residual, gap } => {
+                write!(
+                    f,
+                    "`{name}` was not assembled at t = {t} s: where the search ended, {row} stays open by {}",
+                    Measure(gap.to_f64(), "m")
+                )?;
+                if row.unit == "m" { Ok(()) } else { write!(f, " (residual {})", Measure(residual.to_f64(), row.unit)) }
+            }
+            Cause::DoesNotHold { row, residual } => {
+                write!(
+                    f,
+                    "`{name}` does not fit at t = {t} s: {row} is redundant and off by {}",
+                    Measure(residual.to_f64().abs(), row.unit)
+                )
+            }
+            Cause::Singular { row, coordinate, condition } => write!(
+                f,
+                "`{name}` is at a dead point or change point at t = {t} s: {row} does not determine {coordinate} (condition {:.1e})",
+                condition.to_f64()
+            ),
+            Cause::BranchLost { coordinate, jump } => write!(
+                f,
+                "`{name}` loses its branch at t = {t} s: {coordinate} would jump by {}",
+                Measure(jump.to_f64(), coordinate.kind.unit())
+            ),
+            Cause::Diverges { coordinate, value } => write!(
+                f,
+                "`{name}` diverges about at t = {t} s: {coordinate} grows beyond all bounds and is {} already",
+                Measure(value.to_f64(), coordinate.kind.unit())
+            ),
+            Cause::NotFinite { of } => write!(f, "`{name}` is not finite at t = {t} s: {of}"),
+            Cause::ParameterOutOfRange(parameter) => write!(f, "`{name}` cannot be solved with {parameter}"),
+            Cause::NoConvergence { correction, iterations } => write!(
+                f,
+                "`{name}` does not settle at t = {t} s: after {iterations} corrections they are still {:.1e} long",
+                correction.to_f64()
+            ),
+            Cause::TooManySteps { steps } => write!(
+                f,
+                "`{name}` does not reach t = {t} s in {steps} steps, so far is that time from the state before: go on with `solve_from` from the \
+                 last state of this failure, `sweep` through times between, or give `solve_near` a guess for this time"
+            ),
+        }
+    }
+}
+
+/// Above this condition steps are short for that reason.
+const CREEPING: f64 = 1e5;
+
+/// A number with all its digits; one that would have more than six before the point, or more than twelve zeros after it, with an
+/// exponent.
+#[derive(Clone, Copy)]
+struct Plain(f64);
+
+impl fmt::Display for Plain {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let &Plain(value) = self;
+        let is_usual = value == 0.0 || !value.is_finite() || (1e-13..1e6).contains(&value.abs());
+        if is_usual { write!(f, "{value}") } else { write!(f, "{value:e}") }
+    }
+}
+
+/// A quantity in SI as one would write it: a length in mm or m, an angle in degrees, three digits.
+struct Measure(f64, &'static str);
+
+impl fmt::Display for Measure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let &Measure(value, unit) = self;
+        let (shown, unit) = match unit {
+            "m" if value.abs() < 10.0 => (value * 1e3, " mm"),
+            "m" => (value, " m"),
+            "rad" => (value.to_degrees(), "°"),
+            _ => return write!(f, "{value:.2e} {unit}"),
+        };
+        if shown != 0.0 && !(1e-3..1e6).contains(&shown.abs()) {
+            return write!(f, "{shown:.2e}{unit}");
+        }
+        let decimals = if shown == 0.0 { 0 } else { (2.0 - libm::floor(libm::log10(shown.abs()))).max(0.0) as usize };
+        write!(f, "{shown:.decimals$}{unit}")
+    }
+}
+
+impl fmt::Display for Row {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "joint `{}` ({}, row {} of {})", self.joint, self.kind, self.index, self.of)
+    }
+}
+
+impl fmt::Display for Coordinate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "`{}.{}`", self.body, self.name)
+    }
+}
+
+impl fmt::Display for Culprit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Time => write!(f, "the time itself"),
+            Self::Coordinate(coordinate) => coordinate.fmt(f),
+            Self::Row(row) => row.fmt(f),
+        }
+    }
+}
+
+impl<T: Float, const N: usize> Error for Failure<T, N> {}
+
+impl<T: Float> fmt::Display for ParameterOutOfRange<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let space = if self.unit.is_empty() { "" } else { " " };
+        write!(f, "`{}` = {}{space}{}: {}", self.name, Plain(self.value.to_f64()), self.unit, self.why)
+    }
+}
+
+impl<T: Float> Error for ParameterOutOfRange<T> {}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use super::{Measure, Plain};
+    use std::string::ToString;
+
+    #[test]
+    fn quantities_have_three_digits() {
+        for (value, unit, shown) in [
+            (0.01234, "m", "12.3 mm"),
+            (-1.15e-3, "m", "-1.15 mm"),
+            (2.5, "m", "2500 mm"),
+            (1234.5, "m", "1234 m"),
+            (3.0e-9, "m", "3.00e-6 mm"),
+            (0.5, "rad", "28.6°"),
+            (0.0, "rad", "0°"),
+            (0.25, "m²", "2.50e-1 m²"),
+            (f64::NAN, "m", "NaN m"),
+            (f64::INFINITY, "m", "inf m"),
+        ] {
+            assert_eq!(Measure(value, unit).to_string(), shown);
+        }
+    }
+
+    #[test]
+    fn very_large_and_very_small_numbers_have_an_exponent() {
+        for (value, shown) in [
+            (0.0, "0"),
+            (-0.0, "-0"),
+            (0.25, "0.25"),
+            (999_999.5, "999999.5"),
+            (1e6, "1e6"),
+            (1e300, "1e300"),
+            (-1.234e-300, "-1.234e-300"),
+            (1e-13, "0.0000000000001"),
+            (9e-14, "9e-14"),
+            (f64::MIN_POSITIVE / 2.0, "1.1125369292536007e-308"),
+            (f64::NAN, "NaN"),
+            (f64::NEG_INFINITY, "-inf"),
+        ] {
+            assert_eq!(Plain(value).to_string(), shown);
+        }
+    }
+}

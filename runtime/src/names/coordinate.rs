@@ -1,0 +1,57 @@
+//! Names of unknowns and equations, for messages.
+
+/// One entry of q.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Coordinate {
+    /// The body as declared.
+    pub body: &'static str,
+    /// `"x"`, `"y"` or `"angle"`.
+    pub name: &'static str,
+    /// The quantity that it measures.
+    pub kind: CoordinateKind,
+}
+
+/// The quantity that a coordinate measures, which determines its scale.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CoordinateKind {
+    /// Metres.
+    Length,
+    /// Radians.
+    Angle,
+}
+
+/// One entry of Φ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// The joint or drive as declared.
+    pub joint: &'static str,
+    /// Its kind, `"revolute"` for example, or `"equation"`.
+    pub kind: &'static str,
+    /// Which of the joint's rows this is, from 1.
+    pub index: usize,
+    /// How many rows the joint has.
+    pub of: usize,
+    /// Unit of the residual, `"m"`, `"rad"` or `"m²"` for example.
+    pub unit: &'static str,
+}
+
+impl CoordinateKind {
+    /// Unit of the coordinate.
+    #[must_use]
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Length => "m",
+            Self::Angle => "rad",
+        }
+    }
+}
+
+/// The coordinate with this index; `?` if a hand-written table is too short.
+pub(crate) fn coordinate(coordinates: &[Coordinate], index: usize) -> Coordinate {
+    coordinates.get(index).copied().unwrap_or(Coordinate { body: "?", name: "?", kind: CoordinateKind::Angle })
+}
+
+/// The row with this index; `?` if a hand-written table is too short.
+pub(crate) fn row(rows: &[Row], index: usize) -> Row {
+    rows.get(index).copied().unwrap_or(Row { joint: "?", kind: "equation", index: 1, of: 1, unit: "" })
+}

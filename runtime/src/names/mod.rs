@@ -1,0 +1,12 @@
+//! Names and descriptions: of unknowns, equations and parameters, of a mechanism's plan, and of causes of failure.
+
+mod cause;
+mod coordinate;
+mod description;
+mod plan;
+
+pub use cause::{BranchEnd, Cause, Culprit};
+pub use coordinate::{Coordinate, CoordinateKind, Row};
+pub(crate) use coordinate::{coordinate, row};
+pub use description::{Description, ParameterOutOfRange};
+pub use plan::{Operations, Plan, PlanStage};

@@ -1,0 +1,16 @@
+//! Numbers: what equations are evaluated over, and what the solver compares.
+
+mod det_sign;
+mod float;
+pub(crate) mod order;
+mod real;
+mod simd;
+pub(crate) mod sin_cos;
+mod single;
+mod table;
+
+pub use det_sign::DetSign;
+pub use float::Float;
+pub use real::Real;
+pub use simd::{Mask, SimdReal};
+pub use table::{Ends, Single, Table};

@@ -1,0 +1,185 @@
+//! The first state, on the branch of the declared start, for any parameters.
+//!
+//! The declared start is assembled at the default parameters. Other parameters are reached by continuation along the straight line
+//! λ ↦ defaults + λ (parameters − defaults), as in `continuation` along time: a step is accepted if Newton's method needs only
+//! short corrections in every block and the determinants keep their signs. The length of a step is not tied to that of the whole
+//! line: an offset of 1 m may become 1e10 m, and whatever it moves goes as far. So the last step predicts the next one (a secant),
+//! and a long step is also accepted if the solution is close to the prediction, relative to the predicted change. Where the branch
+//! ends on the line, at a fold, the same branch may still exist at the parameters themselves: an assembly there is accepted if
+//! every determinant has the same sign as at the defaults; finding only another one is a failure.
+
+use nalgebra::SVector;
+
+use super::branch::{LARGEST_LAPSE, jump};
+use super::cold::{CheckedState, cold_state, inspect, valid_state};
+use crate::names::{self, BranchEnd, Cause, CoordinateKind, Culprit};
+use crate::newton::{Scale, StepError};
+use crate::number::Float;
+use crate::solve::{ColdSolver, Stages};
+use crate::state::State;
+
+/// Largest number of steps from the defaults to the parameters, accepted or not.
+const MOST_STEPS: usize = 2000;
+
+/// Largest distance between solution and prediction: of a length, as a fraction of the predicted change plus L; of an angle, in
+/// rad.
+const SURPRISE: f64 = 0.05;
+
+/// Largest change of an angle in one step, in rad.
+const LONGEST_TURN: f64 = 0.8;
+
+/// Why there is no first state.
+pub(crate) struct Unassembled<T, const N: usize> {
+    pub(crate) cause: Cause<T>,
+    /// Where the branch ends on the way from the declared defaults.
+    pub(crate) end: Option<BranchEnd<T>>,
+    /// The last state on that line.
+    pub(crate) last: Option<State<T, N>>,
+}
+
+/// The state at t = 0 on the branch of the declared start.
+///
+/// # Errors
+/// Why there is none, at these parameters or on the line to them.
+pub(crate) fn assemble<T: Float, E: Stages<T, N>, const N: usize>(equations: &E) -> Result<State<T, N>, Unassembled<T, N>> {
+    let zero = T::of(0.0);
+    let near = |guess: &SVector<T, N>| assemble_near(equations, zero, guess);
+    let alone = |cause| Unassembled { cause, end: None, last: None };
+    let start = equations.start();
+    let Some(defaults) = equations.interpolated(zero) else { return near(&start).map_err(alone) };
+    // The defaults may be placeholders that do not close; then the start is only a guess.
+    let Ok(origin) = assemble_near(&defaults, zero, &defaults.start()) else { return near(&start).map_err(alone) };
+    if equations.validate().is_err() {
+        return near(&start).map_err(alone);
+    }
+    let (lambda, here) = match follow(equations, &origin) {
+        Ok((state, None)) => return Ok(state),
+        Ok((_, Some(cause))) => return Err(alone(cause)),
+        Err(end) => end,
+    };
+    let mut cause = None;
+    for found in [near(&here.q), near(&start)] {
+        cause = Some(match found {
+            Ok(state) if state.branch == origin.branch => return Ok(state),
+            Ok(mirrored) => jump(equations, &here.q, &mirrored.q),
+            Err(other) => less_open(cause, other),
+        });
+    }
+    let Some(cause) = cause else { return near(&start).map_err(alone) };
+    let end = end(equations, lambda, &here);
+    Err(Unassembled { cause, end, last: Some(here) })
+}
+
+/// The state at `t` (s) that Newton's method finds from a rough `guess` of q, on any branch.
+///
+/// # Errors
+/// Why there is none.
+pub(crate) fn assemble_near<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    t: T,
+    guess: &SVector<T, N>,
+) -> Result<State<T, N>, Cause<T>> {
+    equations.validate().map_err(Cause::ParameterOutOfRange)?;
+    if !t.is_finite() {
+        return Err(Cause::NotFinite { of: Culprit::Time });
+    }
+    let guess = equations.refined_guess(t, guess);
+    Ok(valid_state(equations, t, ColdSolver::from_guess(equations, &guess))?)
+}
+
+/// Of two open loops the one with the smaller gap; else the first cause.
+fn less_open<T: Float>(before: Option<Cause<T>>, now: Cause<T>) -> Cause<T> {
+    match (before, now) {
+        (Some(Cause::DoesNotClose { gap: one, .. }), Cause::DoesNotClose { gap: two, .. }) if two < one => now,
+        (Some(before), _) => before,
+        (None, now) => now,
+    }
+}
+
+/// Follows the branch from the defaults. Returns the state at the parameters, with the redundant joint that does not fit there if
+/// there is one; or λ and the last state where the branch ends.
+#[allow(clippy::type_complexity)]
+fn follow<T: Float, E: Stages<T, N>, const N: usize>(
+    equations: &E,
+    origin: &State<T, N>,
+) -> Result<(State<T, N>, Option<Cause<T>>), (T, State<T, N>)> {
+    let (zero, one) = (T::of(0.0), T::of(1.0));
+    let (mut here, mut reached, mut step) = (origin.clone(), zero, one);
+    // dq/dλ, from the last step.
+    let mut slope = SVector::from_element(zero);
+    for _ in 0..MOST_STEPS {
+        let next = if reached + step < one { reached + step } else { one };
+        let between = if next < one { equations.interpolated(next) } else { None };
+        let by = next - reached;
+        match stride(between.as_ref().unwrap_or(equations), &here, &slope, by) {
+            // Redundant joints need not fit between the defaults and the parameters.
+            Ok((state, _)) if next < one => {
+                slope = SVector::from_fn(|i, _| (state.q[i] - here.q[i]) / by);
+                (here, reached, step) = (state, next, step + step);
+            }
+            Ok(found) => return Ok(found),
+            Err(_) => step = T::of(0.5) * by,
+        }
+        // Rounding errors of the parameters move a fold by about this much; those of the defaults are smaller than any step.
+        if step < T::ROOT_EPSILON * reached + T::EPSILON * T::EPSILON {
+            break;
+        }
+    }
+    Err((reached, here))
+}
+
+/// One step from `here` to other parameters, with the predicted change `slope` times `by`.
+fn stride<T: Float, E: Stages<T, N>, const N: usize>(
+    equations: &E,
+    here: &State<T, N>,
+    slope: &SVector<T, N>,
+    by: T,
+) -> Result<CheckedState<T, N>, StepError<T>> {
+    let zero = T::of(0.0);
+    let mut slanted = here.clone();
+    (slanted.qd, slanted.qdd) = (*slope, SVector::from_element(zero));
+    let predicted = SVector::from_fn(|i, _| here.q[i] + slope[i] * by);
+    match cold_state(equations, zero, ColdSolver::from_prediction(equations, &slanted, by)) {
+        // No other assembly with the same sign can be this close.
+        Ok(found) if is_as_predicted::<T, E, N>(equations, &here.q, &predicted, &found.0, T::of(LARGEST_LAPSE) / found.0.condition) => {
+            Ok(found)
+        }
+        Ok(_) => Err(StepError::Far),
+        Err(error) => {
+            let found = cold_state(equations, zero, ColdSolver::from_guess(equations, &predicted))?;
+            let is_same = found.0.branch == here.branch;
+            if is_same && is_as_predicted::<T, E, N>(equations, &here.q, &predicted, &found.0, T::of(SURPRISE)) {
+                Ok(found)
+            } else {
+                Err(error)
+            }
+        }
+    }
+}
+
+/// Whether q is close to its prediction, relative to the predicted change.
+fn is_as_predicted<T: Float, E: Stages<T, N>, const N: usize>(
+    equations: &E,
+    before: &SVector<T, N>,
+    predicted: &SVector<T, N>,
+    found: &State<T, N>,
+    surprise: T,
+) -> bool {
+    let scale = Scale::of(equations);
+    (0..N).all(|i| {
+        let (way, off) = ((predicted[i] - before[i]).abs(), (found.q[i] - predicted[i]).abs());
+        match names::coordinate(E::COORDINATES, i).kind {
+            CoordinateKind::Angle => way <= T::of(LONGEST_TURN) && off <= surprise,
+            CoordinateKind::Length => off <= surprise * (way + scale.length),
+        }
+    })
+}
+
+/// The block that is nearest to singular where a branch ends.
+fn end<T: Float, E: Stages<T, N>, const N: usize>(equations: &E, lambda: T, here: &State<T, N>) -> Option<BranchEnd<T>> {
+    let there = equations.interpolated(lambda)?;
+    match inspect(&there, here.t, &here.q)? {
+        Cause::Singular { row, coordinate, .. } => Some(BranchEnd { lambda, row, coordinate }),
+        _ => None,
+    }
+}

@@ -1,0 +1,83 @@
+//! Whether a step stayed on its branch.
+
+use nalgebra::SVector;
+
+use crate::names::{self, Cause, CoordinateKind};
+use crate::newton::{Scale, length_of};
+use crate::number::{Float, Mask};
+use crate::solve::{SolverReal, Stages};
+use crate::state::{Coordinates, State};
+
+/// Largest distance of a computed angle from its prediction, in rad.
+const LARGEST_SURPRISE: f64 = 0.6;
+
+/// Largest distance between a state and its prediction backwards from the next state, as a fraction of 1 / condition: another
+/// assembly may be about 1 / condition away.
+pub(crate) const LARGEST_LAPSE: f64 = 0.2;
+
+/// Whether every computed angle is close to its prediction. A drive that resumes after a dwell may turn by any angle in one long
+/// step.
+#[inline(always)]
+pub(super) fn is_resolved<T: SolverReal, const N: usize>(here: &State<T, N>, q: &SVector<T, N>, h: T, angles: &[usize]) -> T::Mask {
+    let mut resolved = T::Mask::of(true);
+    for &i in angles {
+        if i < N {
+            let off = q[i] - (here.q[i] + h * (here.qd[i] + h * T::of(0.5) * here.qdd[i]));
+            resolved = resolved.and(off.abs().at_most(T::of(LARGEST_SURPRISE)));
+        }
+    }
+    resolved
+}
+
+/// Whether a step stayed on the branch, seen forwards and backwards.
+pub(crate) fn is_same_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    here: &State<T, N>,
+    there: &State<T, N>,
+) -> bool {
+    let h = there.t - here.t;
+    let coordinates = Coordinates { q: there.q, qd: there.qd, qdd: there.qdd };
+    is_resolved(here, &there.q, h, E::COMPUTED_ANGLES) && comes_from(equations, here, h, &coordinates, there.condition)
+}
+
+/// Rounding errors of positions, as a multiple of ε times their condition.
+const ROUNDINGS: f64 = 4.0;
+
+/// Whether the prediction backwards from the new state, q − h q̇ + h² q̈ / 2, meets the old state, to the distance at which another
+/// assembly may be.
+#[cold]
+#[inline(never)]
+pub(super) fn comes_from<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    here: &State<T, N>,
+    h: T,
+    there: &Coordinates<T, N>,
+    condition: T,
+) -> T::Mask {
+    let length = length_of(equations.characteristic_length());
+    let condition = condition.max(here.condition);
+    // Rounding errors of the two positions are allowed for.
+    let nearest = T::of(LARGEST_LAPSE) / condition + T::of(ROUNDINGS) * T::EPSILON * condition;
+    let mut comes = T::Mask::of(true);
+    for &i in E::ITERATED {
+        let Some(coordinate) = E::COORDINATES.get(i) else { continue };
+        let lapse = (there.q[i] - here.q[i]) - h * (there.qd[i] - T::of(0.5) * (h * there.qdd[i]));
+        // A length larger than L is scaled by its own value.
+        let size = if coordinate.kind == CoordinateKind::Length { length.max(here.q[i].abs()) } else { T::of(1.0) };
+        comes = comes.and(lapse.abs().at_most(nearest * size));
+    }
+    comes
+}
+
+/// The jump between two positions, by the coordinate in which they differ most.
+pub(crate) fn jump<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    from: &SVector<T, N>,
+    to: &SVector<T, N>,
+) -> Cause<T> {
+    let scale = Scale::of(equations);
+    let share = |i: usize| ((to[i] - from[i]) / scale.column[i]).abs();
+    let most = (0..N).fold(0, |best, i| if share(i) > share(best) { i } else { best });
+    let jump = to.get(most).zip(from.get(most)).map_or(T::of(f64::NAN), |(&to, &from)| to - from);
+    Cause::BranchLost { coordinate: names::coordinate(E::COORDINATES, most), jump }
+}

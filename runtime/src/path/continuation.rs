@@ -1,0 +1,135 @@
+//! Continuation in time along a branch. In: a state and a time. Out: the state at that time, reached by steps short enough to stay
+//! on the branch with certainty.
+//!
+//! A step is accepted if in every block the predicted change is small, the solution is close to the prediction, Newton's method
+//! contracts well and the determinant keeps its sign (two assemblies that meet at a fold have opposite signs); if the prediction
+//! backwards from the new state meets the old one (this excludes another assembly of the same sign after the branch has ended); and
+//! if computed angles are close to their predictions. A rejected step is halved; after a success the step is doubled.
+
+use super::branch::is_same_branch;
+use super::cold::cold_state;
+use super::crossing;
+use crate::names::{self, Cause, CoordinateKind, Culprit};
+use crate::newton::{StepError, length_of};
+use crate::number::Float;
+use crate::number::order::greater;
+use crate::solve::{ColdSolver, Stages};
+use crate::state::State;
+
+/// Largest number of steps of one continuation, accepted or not, for a mechanism of a few coordinates. It decreases with the number
+/// of coordinates, so that the time stays about the same.
+const MOST_STEPS: usize = 1_000_000;
+
+/// With this many coordinates the limit is about a tenth.
+const MANY: usize = 90;
+
+/// Up to this condition, as a fraction of ε^(−1/4), a state is far enough from a change point to estimate where that is.
+const CLEAR: f64 = 0.0625;
+
+/// The least such limit, for single precision.
+const LEAST_CLEAR: f64 = 16.0;
+
+/// From this condition on, as a fraction of 1 / √ε, a state may be at the end of a branch.
+const NEARLY_SINGULAR: f64 = 1.0 / 64.0;
+
+/// At the end of a branch: a step that fails and changes q by less than this fraction of 1 / condition is not halved again.
+const LEAST_WAY: f64 = 0.01;
+
+/// The shortest step, in roundings of time.
+const SHORTEST_STEP: f64 = 8.0;
+
+/// Why a continuation ended early.
+pub(crate) enum Ended<T, const N: usize> {
+    /// There is no state at this time with these parameters.
+    Refused(Cause<T>),
+    /// No step from `here` towards `next`, however short, stays on the branch.
+    Lost { error: StepError<T>, here: State<T, N>, next: T },
+    /// The limit of steps was reached, at `here`.
+    TooManySteps { steps: usize, here: State<T, N> },
+}
+
+/// Takes a state to time `t` (s) on its branch, by as many steps as it takes. A state that cannot be taken there stays as it is.
+///
+/// * `state`: given, a solved state of the same mechanism with the same parameters; returned, the state at `t`.
+///
+/// # Errors
+/// Where and why the branch could not be followed.
+#[cold]
+#[inline(never)]
+pub(crate) fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    state: &mut State<T, N>,
+    t: T,
+) -> Result<(), Ended<T, N>> {
+    if !t.is_finite() || !state.t.is_finite() {
+        return Err(Ended::Refused(Cause::NotFinite { of: Culprit::Time }));
+    }
+    if let Err(parameter) = equations.validate() {
+        return Err(Ended::Refused(Cause::ParameterOutOfRange(parameter)));
+    }
+    // A state of slightly different parameters is first solved again at its own time; a state of these parameters does not change
+    // by that.
+    let seated = cold_state(equations, state.t, ColdSolver::from_prediction(equations, state, T::of(0.0)));
+    let mut here = seated.map_or_else(|_| state.clone(), |(seated, _)| seated);
+    let mut waypoint = here.clone();
+    let mut step = t - state.t;
+    let most = const { MOST_STEPS / (1 + 10 * N / MANY) };
+    for _ in 0..most {
+        let next = if step.abs() >= (t - here.t).abs() { t } else { here.t + step };
+        match cold_state(equations, next, ColdSolver::from_prediction(equations, &here, next - here.t)) {
+            Ok((there, _)) if !is_same_branch(equations, &here, &there) && halves(equations, &mut step, next, &here, t - state.t) => {}
+            Ok((there, off)) if next == t => match off {
+                Some(cause) => return Err(Ended::Refused(cause)),
+                None => {
+                    *state = there;
+                    return Ok(());
+                }
+            },
+            Ok((there, _)) => {
+                here = there;
+                step = step + step;
+                if here.condition <= greater(largest_condition(CLEAR), T::of(LEAST_CLEAR)) {
+                    waypoint = here.clone();
+                }
+            }
+            Err(error) => {
+                if !halves(equations, &mut step, next, &here, t - state.t) {
+                    if let Some(beyond) = crossing::cross(equations, &waypoint, &here, t) {
+                        if beyond.t == t {
+                            *state = beyond;
+                            return Ok(());
+                        }
+                        step = t - beyond.t;
+                        (here, waypoint) = (beyond.clone(), beyond);
+                        continue;
+                    }
+                    return Err(Ended::Lost { error, here, next });
+                }
+            }
+        }
+    }
+    Err(Ended::TooManySteps { steps: most, here })
+}
+
+/// This fraction of ε^(−1/4).
+fn largest_condition<T: Float>(share: f64) -> T {
+    T::of(share) / T::ROOT_EPSILON.sqrt()
+}
+
+/// Halves a step; false if it cannot be shorter, because time or the coordinates would change by less than their rounding.
+///
+/// * `whole`: given, s, the whole time to be covered.
+fn halves<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, step: &mut T, next: T, here: &State<T, N>, whole: T) -> bool {
+    *step = (next - here.t) * T::of(0.5);
+    let (h, zero) = (*step, T::of(0.0));
+    let time = here.t.abs().max(next.abs()).max(T::EPSILON * whole.abs());
+    let length = length_of(equations.characteristic_length());
+    let ways = || E::ITERATED.iter().filter(|i| **i < N).map(|&i| (i, (h * here.qd[i]).abs() + (h * h * here.qdd[i]).abs()));
+    let size = |i: usize| if names::coordinate(E::COORDINATES, i).kind == CoordinateKind::Length { length } else { T::of(1.0) };
+    // So close to a fold rounding errors let the shortest steps fail and succeed at random.
+    let is_at_end = here.condition * T::ROOT_EPSILON > T::of(NEARLY_SINGULAR);
+    let least = |i: usize| if is_at_end { T::of(LEAST_WAY) * size(i) / here.condition } else { T::EPSILON * (here.q[i].abs() + size(i)) };
+    let moves = || ways().any(|(i, way)| way > least(i));
+    let rests = || ways().all(|(_, way)| way == zero);
+    h.abs() > T::of(SHORTEST_STEP) * T::EPSILON * time && (rests() || moves())
+}

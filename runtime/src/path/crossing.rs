@@ -1,0 +1,202 @@
+//! Passing a change point, where two branches cross. In: states before it. Out: the state behind it, or at it, on the smooth
+//! continuation of the branch.
+//!
+//! ```text
+//! κ = c / |t× − t|              condition on either side of the crossing at t×
+//! t× = t + (t − t₀) κ₀ / (κ − κ₀)
+//! ```
+//!
+//! Where two branches only come close to each other, both turn away, and passing straight on would be a jump from one to the other.
+//! So the crossing is approached from both sides as closely as rounding allows, both approaches must meet, and no gap may remain at
+//! the crossing itself: the equations must hold there to a few roundings of their terms, after correction in every direction that
+//! they determine.
+
+use nalgebra::SVector;
+
+use super::branch::is_same_branch;
+use super::cold::{cold_state, solve_stages};
+use crate::number::Float;
+use crate::number::order::greater;
+use crate::solve::{ColdSolver, Stages};
+use crate::state::{State, Values};
+
+/// The least condition next to a crossing, as a fraction of 1 / √ε; two branches that do not meet are distinguished at a smaller
+/// one.
+const CLOSE: f64 = 1.0 / 256.0;
+
+/// The least such limit, for single precision.
+const LEAST_CLOSE: f64 = 64.0;
+
+/// Largest number of steps towards the crossing, each half of the remaining time.
+const MOST_STEPS: usize = 64;
+
+/// Between two states of this condition (a fraction of ε^(−1/4)), one on either side, a polynomial of fifth degree is as accurate
+/// as the states.
+const STRAIGHT: f64 = 1.0 / 32.0;
+
+/// The least such limit, for single precision.
+const LEAST_STRAIGHT: f64 = 16.0;
+
+/// Times within this multiple of the last state's distance from the crossing count as the crossing itself.
+const REACH: f64 = 4.0;
+
+/// The state behind a change point, no further from it than `waypoint`, on the smooth continuation of the branch; if `t` is the
+/// change point itself, the state there. None if the branch has no smooth continuation.
+///
+/// * `waypoint`: given, a state before the change point, well conditioned.
+/// * `here`: given, the last state before it.
+/// * `t`: given, s, the time to be reached: at the change point, or behind it.
+pub(crate) fn cross<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    waypoint: &State<T, N>,
+    here: &State<T, N>,
+    t: T,
+) -> Option<State<T, N>> {
+    let close = greater(T::of(CLOSE) / T::ROOT_EPSILON, T::of(LEAST_CLOSE));
+    if here.condition < close || waypoint.t == here.t {
+        return None;
+    }
+    let crossing = here.t + (here.t - waypoint.t) * waypoint.condition / (here.condition - waypoint.condition);
+    let is_there = (t - crossing).abs() <= T::of(REACH) * (crossing - here.t).abs();
+    if !is_there && (t - crossing) * (crossing - waypoint.t) <= T::of(0.0) {
+        return None;
+    }
+    // From closer and closer to the crossing, until a step across it succeeds.
+    let (mut before, mut beyond) = (waypoint.clone(), None);
+    for _ in 0..MOST_STEPS {
+        beyond = step(equations, &before, crossing + (crossing - before.t), true);
+        if beyond.is_some() || before.condition >= close {
+            break;
+        }
+        before = step(equations, &before, T::of(0.5) * (before.t + crossing), false)?;
+    }
+    let beyond = beyond?;
+    let near = approach(equations, &before, crossing, close)?;
+    let far = approach(equations, &beyond, crossing, close)?;
+    let meets = step(equations, &near, far.t, true)?;
+    // Two simultaneous crossings leave all signs unchanged; ordinary steps then reach states behind them.
+    if meets.branch != far.branch || (far.branch == here.branch && !is_there) {
+        return None;
+    }
+    let between = greater(T::of(STRAIGHT) / T::ROOT_EPSILON.sqrt(), T::of(LEAST_STRAIGHT));
+    let [near, far] = [approach(equations, &before, crossing, between)?, approach(equations, &beyond, crossing, between)?];
+    // Between branches that only come close there is no solution.
+    let mut there = extrapolated(equations, near, far, crossing, if is_there { t } else { crossing })?;
+    there.values.q = solve_stages(equations, there.values.t, &ColdSolver::at_crossing(equations, &there.values.q)).ok()?.q;
+    if !is_there {
+        return Some(beyond);
+    }
+    Some(State { parameter_hash: equations.parameter_hash(), ..there })
+}
+
+/// The state at `t`, next to the crossing, by extrapolation of polynomials through states at ±h, ±2h and ±4h from it, as far as
+/// these states exist.
+///
+/// ```text
+/// error of q and q̇:  a h⁶ + b h⁸ + …        (64 x_h − x_2h) / 63,    then (256 x_h − x_2h) / 255
+/// error of q̈:        a h⁴ + b h⁶ + …        (16 x_h − x_2h) / 15,    then (64 x_h − x_2h) / 63
+/// ```
+///
+/// Stoer, Bulirsch: Introduction to Numerical Analysis, 3.4.
+fn extrapolated<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    near: State<T, N>,
+    far: State<T, N>,
+    crossing: T,
+    t: T,
+) -> Option<State<T, N>> {
+    let h = greater((crossing - near.t).abs(), (far.t - crossing).abs());
+    let h = if far.t > near.t { h } else { -h };
+    let between = |near: &State<T, N>, far: &State<T, N>, h: T| {
+        let near = step(equations, near, crossing - h, false)?;
+        let far = step(equations, far, crossing + h, false)?;
+        let there = interpolated(&near, &far, t);
+        Some((near, far, there))
+    };
+    let (near, far, mut there) = between(&near, &far, h)?;
+    let Some((near, far, second)) = between(&near, &far, T::of(2.0) * h) else { return Some(there) };
+    let shares = [T::of(1.0 / 63.0), T::of(1.0 / 15.0)];
+    there = combined(there, &second, shares);
+    if let Some((_, _, third)) = between(&near, &far, T::of(4.0) * h) {
+        there = combined(there, &combined(second, &third, shares), [T::of(1.0 / 255.0), T::of(1.0 / 63.0)]);
+    }
+    Some(there)
+}
+
+/// x_h + s (x_h − x_2h), with one weight s for q and q̇, and one for q̈.
+fn combined<T: Float, const N: usize>(mut fine: State<T, N>, coarse: &State<T, N>, [share, of_accelerations]: [T; 2]) -> State<T, N> {
+    let of = |fine: &mut SVector<T, N>, coarse: &SVector<T, N>, share: T| {
+        for (entry, other) in fine.iter_mut().zip(coarse.iter()) {
+            *entry = *entry + share * (*entry - *other);
+        }
+    };
+    let Values { q, qd, qdd, .. } = &mut fine.values;
+    of(q, &coarse.q, share);
+    of(qd, &coarse.qd, share);
+    of(qdd, &coarse.qdd, of_accelerations);
+    fine
+}
+
+/// The state at `t` of the polynomial of fifth degree through two states, their rates and their accelerations, on the branch of the second.
+///
+/// Its accelerations have lost twice as many digits as those of the states.
+fn interpolated<T: Float, const N: usize>(near: &State<T, N>, far: &State<T, N>, t: T) -> State<T, N> {
+    let h = far.t - near.t;
+    let s = (t - near.t) / h;
+    let of = T::of;
+    // q = q₀ + h q̇₀ s + h² q̈₀ s² / 2 + s³ (c₃ + s (c₄ + s c₅)), the c from what is left at s = 1.
+    let coefficients = |i: usize| {
+        let (first, second) = (h * near.qd[i], h * h * near.qdd[i]);
+        let value = ((far.q[i] - near.q[i]) - first) - of(0.5) * second;
+        let rate = h * (far.qd[i] - near.qd[i]) - second;
+        let acceleration = h * h * (far.qdd[i] - near.qdd[i]);
+        let c3 = of(10.0) * value - of(4.0) * rate + of(0.5) * acceleration;
+        let c4 = of(7.0) * rate - of(15.0) * value - acceleration;
+        let c5 = of(6.0) * value - of(3.0) * rate + of(0.5) * acceleration;
+        (first, second, [c3, c4, c5])
+    };
+    let q = SVector::from_fn(|i, _| {
+        let (first, second, [c3, c4, c5]) = coefficients(i);
+        near.q[i] + s * (first + s * (of(0.5) * second + s * (c3 + s * (c4 + s * c5))))
+    });
+    let qd = SVector::from_fn(|i, _| {
+        let (first, second, [c3, c4, c5]) = coefficients(i);
+        (first + s * (second + s * (of(3.0) * c3 + s * (of(4.0) * c4 + s * of(5.0) * c5)))) / h
+    });
+    let qdd = SVector::from_fn(|i, _| {
+        let (_, second, [c3, c4, c5]) = coefficients(i);
+        (second + s * (of(6.0) * c3 + s * (of(12.0) * c4 + s * of(20.0) * c5))) / (h * h)
+    });
+    let condition = greater(near.condition * near.condition, far.condition * far.condition);
+    State::solved(Values { t, q, qd, qdd, branch: far.branch, condition, iterations: far.iterations }, 0)
+}
+
+/// Approaches the crossing by steps of half of the remaining time, until the condition is `close`.
+fn approach<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    from: &State<T, N>,
+    crossing: T,
+    close: T,
+) -> Option<State<T, N>> {
+    let mut near = from.clone();
+    for _ in 0..MOST_STEPS {
+        if near.condition >= close {
+            return Some(near);
+        }
+        near = step(equations, &near, T::of(0.5) * (near.t + crossing), false)?;
+    }
+    None
+}
+
+/// One step, across the crossing or on this side of it, if it certainly stays on the branch.
+fn step<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    here: &State<T, N>,
+    t: T,
+    is_across: bool,
+) -> Option<State<T, N>> {
+    let h = t - here.t;
+    let solver = if is_across { ColdSolver::across(equations, here, h) } else { ColdSolver::from_prediction(equations, here, h) };
+    let (there, _) = cold_state(equations, t, solver).ok()?;
+    is_same_branch(equations, here, &there).then_some(there)
+}

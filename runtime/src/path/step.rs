@@ -1,0 +1,149 @@
+//! One warm step, the usual case of a sweep.
+
+use nalgebra::SVector;
+
+use super::branch::{comes_from, is_resolved};
+use crate::newton::{ONE_CORRECTION, Predictor};
+use crate::number::{Float, Mask};
+use crate::solve::{Solver, SolverReal, Stages, StepReport};
+use crate::state::{Coordinates, State, Step};
+
+/// One warm step of the coordinates that may move; whether it succeeded.
+///
+/// * `state`: given, a solved state; returned, the state at `t` (s) if the step succeeded, else unchanged.
+#[inline]
+pub(crate) fn step<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, state: &mut State<T, N>, t: T) -> bool {
+    equations.partial_step(state, t).unwrap_or_else(|| step_of_all(equations, state, t))
+}
+
+/// One warm step; whether it succeeded.
+///
+/// One function for each mechanism, so that its stages are inlined and their results stay in registers.
+#[inline(never)]
+fn step_of_all<T: Float, E: Stages<T, N> + ?Sized, const N: usize>(equations: &E, state: &mut State<T, N>, t: T) -> bool {
+    if state.parameter_hash != equations.parameter_hash() {
+        return false;
+    }
+    // Every block keeps its sign, so that the branch is unchanged.
+    let signs = state.branch;
+    step_lanes(equations, state, &signs, t, true)
+}
+
+/// One warm step of the moving coordinates only; whether it succeeded.
+///
+/// * `part`: given, the moving part as a mechanism of its own.
+/// * `held`: given, the indices of its coordinates in q.
+/// * `parameter_hash`: given, the hash of the current parameters.
+#[doc(hidden)]
+pub fn step_in_part<T: Float, E: Stages<T, P>, const P: usize, const N: usize>(
+    part: &E,
+    state: &mut State<T, N>,
+    held: &[usize; P],
+    parameter_hash: u64,
+    t: T,
+) -> bool {
+    // With other parameters the part at rest has moved.
+    if state.parameter_hash != parameter_hash {
+        return false;
+    }
+    let mut moving = state.part(held);
+    let is_made = step_of_all(part, &mut moving, t);
+    if is_made {
+        state.take(held, &moving);
+    }
+    is_made
+}
+
+/// One warm step in the lanes `moving`. Returns the lanes in which it succeeded; in these the state becomes that at `t`.
+///
+/// * `signs`: given, the signs of the determinants, each at the index of its block's first unknown.
+#[inline(always)]
+pub fn step_lanes<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    state: &mut State<T, N>,
+    signs: &[T::Signs; N],
+    t: T,
+    moving: T::Mask,
+) -> T::Mask {
+    let h = t - state.t;
+    let mut solver = Solver::warm(equations, Predictor::new(state, signs, h, moving, E::ITERATED.len()));
+    let nowhere = T::Mask::of(false);
+    if E::IN_PLACE {
+        let mut there = Coordinates::of(state);
+        let is_found = equations.stages_in_place(t, &mut solver, &mut there).is_ok();
+        let Some(report) = solver.report().filter(|_| is_found) else { return nowhere };
+        make_step(equations, state, t, &there, report, moving)
+    } else {
+        let Ok(there) = equations.stages(t, &mut solver) else { return nowhere };
+        let Some(report) = solver.report() else { return nowhere };
+        make_step(equations, state, t, &there, report, moving)
+    }
+}
+
+/// Updates the state from the result of a warm start, in the lanes in which the step is accepted; returns these lanes.
+#[inline(always)]
+fn make_step<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
+    equations: &E,
+    state: &mut State<T, N>,
+    t: T,
+    there: &Coordinates<T, N>,
+    report: StepReport<T>,
+    moving: T::Mask,
+) -> T::Mask {
+    let h = t - state.t;
+    let StepReport { found, condition, iterations } = report;
+    let found = found.and(moving).and(is_resolved(state, &there.q, h, E::COMPUTED_ANGLES));
+    // Coordinates in memory are read only once; coordinates in registers are stored when the step is accepted.
+    let accelerations = if E::IN_PLACE { state.extrapolate(h, found, there, E::ITERATED) } else { sum(&there.qdd, E::ITERATED) };
+    let mut found = found.and(is_surely_finite(h + accelerations, there, E::MAY_BE_NON_FINITE));
+    // A prediction that was right to half of its digits lies on the same branch; others are checked backwards.
+    if iterations > ONE_CORRECTION {
+        // A copy, so that the usual case can keep the original in registers.
+        let there = Coordinates { q: there.q, qd: there.qd, qdd: there.qdd };
+        found = found.and(comes_from(equations, state, h, &there, condition));
+    }
+    if !found.not().all() {
+        if !E::IN_PLACE {
+            state.extrapolate(h, found, there, E::ITERATED);
+        }
+        state.follow_on(t, &Step { h, found, condition, iterations }, there);
+    }
+    if E::IN_PLACE && !found.all() {
+        state.forget_extrapolation(found);
+    }
+    found
+}
+
+/// The sum of these entries.
+#[inline(always)]
+fn sum<T: SolverReal, const N: usize>(vector: &SVector<T, N>, indices: &[usize]) -> T {
+    let mut sum = T::of(0.0);
+    for &i in indices {
+        if i < N {
+            sum = sum + vector[i];
+        }
+    }
+    sum
+}
+
+/// Whether all coordinates are finite: a sum is not finite if one of its terms is not. Rates enter by their squares, which
+/// accelerations contain. Iterated coordinates are finite, and their rates are if their accelerations are.
+///
+/// * `sum`: given, the length of the step plus the accelerations of the iterated coordinates.
+#[inline(always)]
+fn is_surely_finite<T: SolverReal, const N: usize>(sum: T, there: &Coordinates<T, N>, indices: Option<&[usize]>) -> T::Mask {
+    // Three independent sums, which shorten the chain of dependent additions.
+    let mut sums = [sum, T::of(0.0), T::of(0.0)];
+    let mut add = |i: usize| {
+        sums[0] = sums[0] + there.q[i];
+        sums[1] = sums[1] + there.qdd[i];
+        sums[2] = sums[2] + there.qd[i] * there.qd[i];
+    };
+    match indices {
+        Some(indices) => indices.iter().filter(|i| **i < N).for_each(|i| add(*i)),
+        None => (0..N).for_each(add),
+    }
+    let sum = (sums[0] + sums[1]) + sums[2];
+    // 0 for a finite sum, NaN for ∞ and NaN.
+    (T::of(0.0) * sum).at_most(T::of(0.0))
+}

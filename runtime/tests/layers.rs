@@ -1,0 +1,42 @@
+//! The runtime is built in layers: each uses those below it, and none above.
+
+use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The folders of `src`, from the bottom to the top.
+const LAYERS: [&str; 10] = ["number", "names", "linear", "state", "newton", "solve", "path", "explain", "enclosure", "api"];
+
+/// Every file of a folder and of those in it.
+fn files(folder: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() { found.extend(files(&path)?) } else { found.push(path) }
+    }
+    Ok(found)
+}
+
+/// The words after `crate::` in the code of a line; nothing for a list in braces, which would hide where an arrow goes.
+fn targets(line: &str) -> impl Iterator<Item = &str> {
+    let code = line.split("//").next().unwrap_or_default();
+    code.split("crate::").skip(1).map(|rest| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default())
+}
+
+/// So no circle of files spans two folders.
+#[test]
+fn arrows_between_folders_go_down() -> Result<(), Box<dyn Error>> {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let folders = fs::read_dir(&source)?.filter_map(|entry| entry.ok().filter(|entry| entry.path().join("mod.rs").exists()));
+    assert_eq!(folders.count(), LAYERS.len(), "a folder has no place among the layers");
+    for (height, layer) in LAYERS.into_iter().enumerate() {
+        for file in files(&source.join(layer))? {
+            for line in fs::read_to_string(&file)?.lines() {
+                let goes_up = |target: &str| !LAYERS[..=height].contains(&target);
+                assert!(!targets(line).any(goes_up), "{}: `{}` goes up", file.display(), line.trim());
+                assert!(!line.contains("super::super"), "{}: `{}` leaves its folder", file.display(), line.trim());
+            }
+        }
+    }
+    Ok(())
+}
