@@ -93,7 +93,7 @@ mechanism! {
             output W = upper.W;
             output C = bar_c.C;
             output F = lower.F;
-            output foot = lower.T;
+            slice output foot = lower.T;
         }
     }
 }
@@ -122,7 +122,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn assert_feet_alone(walker: &Walker, turn: &[State]) -> Result<(), Box<dyn Error>> {
     let alone = walker.solve_for_leg_foot();
     for (state, whole) in alone.sweep(turn.iter().map(|state| state.t)).zip(turn) {
-        let (alone, whole) = (state?.leg_foot(), walker.leg_foot(whole));
+        let (alone, whole) = (state?.output(), walker.leg_foot(whole));
         for (alone, whole) in alone.into_iter().flatten().zip(whole.into_iter().flatten()) {
             assert!((alone.value - whole.value).amax() <= 1e-15, "{alone:?} is not {whole:?}");
         }

@@ -19,7 +19,7 @@ mechanism! {
         joint b = revolute(coupler.B, rocker.B);
         joint c = revolute(rocker.C, ground.C);
         drive input = drive_angle(crank, 1turn * t / 1s);
-        output pin = rocker.B;
+        slice output pin = rocker.B;
     }
 }
 generated!(FourBar, FourBarState, pin);

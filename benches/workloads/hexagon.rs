@@ -48,7 +48,7 @@ mechanism! {
         joint a5 = revolute(leg_5.N, ring_5.A);
         joint b5 = revolute(ring_5.B, leg_0.N);
         drive input = drive_angle(crank, 1turn * t / 1s);
-        output pin = leg_3.N;
+        slice output pin = leg_3.N;
     }
 }
 generated!(Hexagon, HexagonState, pin);

@@ -31,7 +31,7 @@ mechanism! {
         joint f = revolute(bar_f.F, foot.F);
         joint cf = revolute(bar_c.C, foot.C);
         drive input = drive_angle(crank, 1turn * t / 1s);
-        output toe = foot.T;
+        slice output toe = foot.T;
     }
 }
 generated!(Jansen, JansenState, toe);

@@ -25,7 +25,7 @@ mechanism! {
         joint b = revolute(coupler.B, right.B);
         joint b0 = revolute(ground.B0, right.B0);
         drive input = drive_angle(crank, 1turn * t / 1s);
-        output pin = coupler.C;
+        slice output pin = coupler.C;
     }
 }
 generated!(SixBar, SixBarState, pin);

@@ -20,7 +20,7 @@ mechanism! {
         joint b = revolute(rod.B, slider.B);
         joint guide = translational(ground.u, ground.O, slider.B);
         drive input = drive_angle(crank, 1turn * t / 1s);
-        output pin = slider.B;
+        slice output pin = slider.B;
     }
 }
 generated!(SliderCrank, SliderCrankState, pin);

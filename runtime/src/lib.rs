@@ -90,7 +90,9 @@ mod state;
 
 #[cfg(feature = "rayon")]
 pub use api::parallel;
-pub use api::{Gradient, Mechanism, Sweep, sweep};
+pub use api::{Gradient, Matrix, Mechanism, Prepare, Prepared, Slice, SliceState, Sliced, Sweep, Vector, sweep};
+#[doc(hidden)]
+pub use api::{Named, Relation, between, finite, require, within};
 #[cfg(feature = "certify")]
 pub use enclosure::{Certificate, Doubt, Enclosure, ErrorBound};
 pub use explain::Failure;

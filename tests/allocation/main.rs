@@ -64,7 +64,7 @@ reuleaux::mechanism! {
         ground { for i in 0..20 { point O[i] = (i * 1m, 0m); point C[i] = (i * 1m + 400mm, 0m); } }
         for i in 0..10 { part still[i] = FourBar(ground.O[i], ground.C[i], 20deg * i); }
         for i in 10..20 { part moving[i - 10] = FourBar(ground.O[i], ground.C[i], 20deg * i + 1rad_s * t); }
-        output tip = moving[3].rocker.B;
+        slice output tip = moving[3].rocker.B;
     }
 }
 

@@ -91,7 +91,7 @@ macro_rules! declared {
                 $($items)*
                 $($(
                     /// An output.
-                    output $output = $($value)*;
+                    slice output $output = $($value)*;
                 )*)?
             }
         }

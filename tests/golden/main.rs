@@ -2,6 +2,8 @@
 //!
 //! After a change that is meant, `REULEAUX_GOLDEN=write cargo test --test golden` writes the files anew.
 
+mod size;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -22,8 +22,8 @@ reuleaux::mechanism! {
         joint e = revolute(ground.C, third.position);
         redundant joint f = revolute(rod.R, third.P);
         drive input = drive_angle(crank, 60deg + speed * t);
-        output pin = rod.Q;
-        output lean = third.angle;
+        slice output pin = rod.Q;
+        slice output lean = third.angle;
     }
 }
 
@@ -125,12 +125,12 @@ fn single_precision_has_its_own_roundings() {
 #[test]
 fn a_slice_checks_what_is_upstream_of_it() {
     let mechanism = Coupled { middle: 0.6, ..Coupled::default() };
-    let pin = mechanism.solve_for_pin().solve(0.25).expect("the third crank is not upstream of the pin").pin();
+    let pin = mechanism.solve_for_pin().solve(0.25).expect("the third crank is not upstream of the pin").output();
     let angle = FRAC_PI_3 + 0.5;
     assert!((pin.value.y - 0.5 * angle.sin()).abs() < 1e-15);
     let failure = mechanism.solve_for_lean().solve(0.25).expect_err("the third crank does not fit");
     assert!(matches!(failure.cause, Cause::DoesNotHold { .. }), "{failure}");
-    let lean = Coupled::default().solve_for_lean().solve(0.25).expect("it fits").lean();
+    let lean = Coupled::default().solve_for_lean().solve(0.25).expect("it fits").output();
     assert!((lean.value - angle).abs() < 1e-14);
 }
 

@@ -39,7 +39,7 @@ mechanism! {
             joint b[i] = revolute(coupler[i].B, crank[i + 1].A);
         }
         drive input = drive_angle(crank[0], 90deg + 0.8 * sin(2 * pi * t / 1s));
-        output last = crank[n].A;
+        slice output last = crank[n].A;
     }
 }
 
@@ -96,7 +96,7 @@ fn a_slice_of_shared_code_gives_the_output() {
     let chain = Chain::default();
     let last = chain.solve_for_last();
     for t in [0.1, 0.6] {
-        let (whole, alone) = (chain.last(&chain.solve(t).unwrap()), last.solve(t).unwrap().last());
+        let (whole, alone) = (chain.last(&chain.solve(t).unwrap()), last.solve(t).unwrap().output());
         assert!((whole.value - alone.value).amax() <= 1e-13);
         assert!((whole.rate - alone.rate).amax() <= 1e-12);
         assert!((whole.acceleration - alone.acceleration).amax() <= 1e-10);
@@ -270,7 +270,7 @@ mechanism! {
         joint b = revolute(coupler.B, rocker.B);
         joint c = revolute(rocker.position, ground.C);
         drive hold = drive_angle(crank, angle);
-        output tip = rocker.B;
+        slice output tip = rocker.B;
     }
 }
 
@@ -378,7 +378,7 @@ mechanism! {
         }
         ground { for i in 0..24 { point O[i] = (i * 1m, 0m); point C[i] = (i * 1m + 400mm, 0m); } }
         for i in 0..24 { part strand[i] = Strand(ground.O[i], ground.C[i]); }
-        output end = strand[23].rocker.B;
+        slice output end = strand[23].rocker.B;
     }
 }
 
@@ -397,8 +397,8 @@ fn shared_code_finds_the_parameters_of_each_part() {
         // Places of about 20 m round to 4e-15.
         assert!((rod.norm() - (0.35 + 0.001 * i as f64)).abs() <= 1e-14, "{i}");
     }
-    let single = Curtain::<f32>::with_defaults().solve_for_end().solve(0.3).unwrap().end().value;
-    let double = Curtain::default().solve_for_end().solve(0.3).unwrap().end().value;
+    let single = Curtain::<f32>::with_defaults().solve_for_end().solve(0.3).unwrap().output().value;
+    let double = Curtain::default().solve_for_end().solve(0.3).unwrap().output().value;
     assert!((f64::from(single.x) - double.x).abs() <= 1e-5 && (f64::from(single.y) - double.y).abs() <= 1e-5);
 }
 

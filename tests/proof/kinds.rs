@@ -180,7 +180,7 @@ reuleaux::mechanism! {
         for i in 0..=80 { joint foot[i] = revolute((i * 1m, 0m), link[i].P); }
         for i in 0..80 { joint left[i] = revolute(link[i].Q, coupler[i].P);  joint right[i] = revolute(coupler[i].Q, link[i + 1].Q); }
         drive input = drive_angle(link[0], 90deg + 0.8rad * sin(1rad_s * t));
-        output tip = link[80].Q;
+        slice output tip = link[80].Q;
     }
 }
 

@@ -27,7 +27,7 @@ macro_rules! chain {
                         joint b[i] = revolute(coupler[i].B, crank[i + 1].A);
                     }
                     drive input = drive_angle(crank[0], 90deg + 0.8 * sin(2 * pi * t / 1s));
-                    output tip = crank[n].A;
+                    slice output tip = crank[n].A;
                 }
             }
             crate::workloads::generated!($name, $state, tip);

@@ -3,7 +3,7 @@
 //! If the environment variable `REULEAUX_EXPAND` names a folder, `cargo check` writes `<folder>/<Name>.rs` for each mechanism that it
 //! compiles. Cargo does not track the variable: it does not recompile a crate that is up to date.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 use quote::quote;
 use std::ffi::OsString;
 use std::io::{self, Write};
@@ -17,12 +17,107 @@ const VARIABLE: &str = "REULEAUX_EXPAND";
 pub(crate) fn write(name: &str, tokens: &TokenStream) -> TokenStream {
     let Some(folder) = std::env::var_os(VARIABLE).filter(|folder| !folder.is_empty()) else { return quote!() };
     let path = path(folder, name);
-    match save(&path, &tokens.to_string()) {
+    match save(&path, &printed(tokens)) {
         Ok(()) => quote!(),
         Err(error) => {
             let sentence = format!("the expansion of `{name}` cannot be written to `{}`: {error}", path.display());
             quote!(::core::compile_error! { #sentence })
         }
+    }
+}
+
+/// The tokens as text in which documentation is comments and items stand apart.
+fn printed(tokens: &TokenStream) -> String {
+    let mut text = String::new();
+    print(tokens.clone(), true, &mut text);
+    text
+}
+
+/// `of_items`: given, the tokens are items, not what stands in one.
+fn print(tokens: TokenStream, of_items: bool, text: &mut String) {
+    let mut tokens = tokens.into_iter().peekable();
+    // The word that says what kind of item this is.
+    let mut kind: Option<String> = None;
+    while let Some(token) = tokens.next() {
+        match token {
+            TokenTree::Punct(punct) => {
+                if let ('#', Some(lines)) = (punct.as_char(), tokens.peek().and_then(documentation)) {
+                    tokens.next();
+                    comment(&lines, of_items || tokens.peek().is_some_and(belongs_to_an_item), text);
+                    continue;
+                }
+                text.push(punct.as_char());
+                if punct.spacing() == Spacing::Alone {
+                    text.push(' ');
+                }
+                if punct.as_char() == ';' {
+                    kind = None;
+                }
+            }
+            TokenTree::Group(group) => {
+                let (open, close) = match group.delimiter() {
+                    Delimiter::Parenthesis => ("(", ")"),
+                    Delimiter::Brace => ("{ ", "}"),
+                    Delimiter::Bracket => ("[", "]"),
+                    Delimiter::None => ("", ""),
+                };
+                let is_body = group.delimiter() == Delimiter::Brace;
+                text.push_str(open);
+                print(group.stream(), is_body && matches!(kind.as_deref(), Some("impl" | "mod")), text);
+                text.push_str(close);
+                let is_end = of_items && is_body && !matches!(tokens.peek(), Some(TokenTree::Punct(punct)) if punct.as_char() != '#');
+                text.push_str(if is_end { "\n\n" } else { " " });
+                if is_end {
+                    kind = None;
+                }
+            }
+            TokenTree::Ident(word) => {
+                let word = word.to_string();
+                text.push_str(&word);
+                text.push(' ');
+                if kind.is_none() && ITEMS.contains(&word.as_str()) {
+                    kind = Some(word);
+                }
+            }
+            TokenTree::Literal(literal) => {
+                text.push_str(&literal.to_string());
+                text.push(' ');
+            }
+        }
+    }
+}
+
+/// The words with which items begin.
+const ITEMS: [&str; 8] = ["impl", "mod", "fn", "const", "static", "type", "struct", "use"];
+
+/// The lines of `[doc = "…"]`.
+fn documentation(attribute: &TokenTree) -> Option<Vec<String>> {
+    let TokenTree::Group(group) = attribute else { return None };
+    let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
+    let [TokenTree::Ident(name), TokenTree::Punct(_), TokenTree::Literal(text)] = tokens.as_slice() else { return None };
+    let text = syn::parse_str::<syn::LitStr>(&text.to_string()).ok().filter(|_| name == "doc")?;
+    let text = text.value();
+    Some(if text.is_empty() { vec![text] } else { text.lines().map(str::to_owned).collect() })
+}
+
+/// After a comment stands an item or a field, not a statement.
+fn belongs_to_an_item(next: &TokenTree) -> bool {
+    match next {
+        TokenTree::Ident(word) => word == "pub" || ITEMS.contains(&word.to_string().as_str()),
+        TokenTree::Punct(punct) => punct.as_char() == '#',
+        _ => false,
+    }
+}
+
+/// Documentation of an item, or a comment above statements.
+fn comment(lines: &[String], is_documentation: bool, text: &mut String) {
+    text.push_str(if is_documentation { "\n" } else { "\n\n" });
+    for line in lines {
+        let space = if line.is_empty() || line.starts_with(' ') { "" } else { " " };
+        text.push_str(if is_documentation { "///" } else { "//" });
+        text.push_str(space);
+        text.push_str(line);
+        text.push('\n');
     }
 }
 
@@ -56,12 +151,30 @@ fn formatted(code: &str) -> Option<Vec<u8>> {
 
 #[cfg(test)]
 mod tests {
-    use super::{formatted, path, save};
+    use super::{formatted, path, printed, save};
 
     #[test]
     fn a_file_is_named_after_the_mechanism() {
         assert_eq!(path("expanded".into(), "FourBar").to_str(), Some("expanded/FourBar.rs"));
         assert_eq!(path("expanded".into(), "r#Box").to_str(), Some("expanded/Box.rs"));
+    }
+
+    #[test]
+    fn documentation_is_written_as_comments() {
+        let tokens = quote::quote! {
+            impl Wheel {
+                /// Turns.
+                fn turn(&self) -> f64 { #[doc = " hub (revolute): wheel.x"] let x = -0.5; x }
+                fn stop(&self) {}
+            }
+            #[doc = "\n| a |\n"]
+            struct Wheel;
+        };
+        let lines: Vec<String> = printed(&tokens).lines().map(|line| line.trim().to_owned()).collect();
+        for line in ["/// Turns.", "// hub (revolute): wheel.x", "/// | a |"] {
+            assert!(lines.iter().any(|found| found == line), "`{line}` is in {lines:?}");
+        }
+        assert!(syn::parse_str::<proc_macro2::TokenStream>(&lines.join("\n")).is_ok());
     }
 
     #[test]

@@ -1,11 +1,17 @@
 //! The interface of a mechanism: states, sweeps, derivatives.
 
+mod generated;
 mod gradient;
 mod mechanism;
 #[cfg(feature = "rayon")]
 pub mod parallel;
+mod prepared;
+mod slice;
 mod sweep;
 
+pub use generated::{Matrix, Named, Relation, Vector, between, finite, require, within};
 pub use gradient::Gradient;
 pub use mechanism::Mechanism;
+pub use prepared::{Prepare, Prepared};
+pub use slice::{Slice, SliceState, Sliced};
 pub use sweep::{Sweep, sweep};

@@ -35,7 +35,7 @@ mechanism! {
             joint mesh = gear_pair(turned_by, wheel, count, teeth);
         }
         let stroke = slider.x;
-        output stroke = stroke;
+        slice output stroke = stroke;
     }
 }
 

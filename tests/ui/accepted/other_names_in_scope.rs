@@ -56,7 +56,7 @@ mod reuleaux {}
         joint hub = revolute(wheel.O, ground.O);
         drive input = drive_angle(crank, 60rpm * t);
         drive turn = drive_angle(wheel, table(t, [(0s, 0deg), (1s, 90deg), (2s, 180deg), (4s, 360deg)], linear));
-        output tip = rocker.B;
+        slice output tip = rocker.B;
         output pair = rocker.angle - widths[1] / 1m;
     }
 }

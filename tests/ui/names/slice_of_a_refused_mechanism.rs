@@ -5,7 +5,7 @@ mechanism! {
         body wheel { point rim = (1m, 0m); }
         joint axle = revolute(ground.position, wheel.positon);
         drive motor = drive_angle(wheel, 60rpm * t);
-        output rim = wheel.rim;
+        slice output rim = wheel.rim;
     }
 }
 
@@ -14,5 +14,5 @@ fn main() {
     let rim = wheel.solve_for_rim();
     let mut state = rim.solve(0.0).unwrap();
     rim.advance(&mut state, 0.1).unwrap();
-    println!("{}", state.rim().value.x);
+    println!("{}", state.output().value.x);
 }

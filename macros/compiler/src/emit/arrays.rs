@@ -36,7 +36,7 @@ pub(super) fn array_of(element: TokenStream, sizes: &[usize]) -> TokenStream {
 /// An array of what stands at some places; `element` is given the place.
 pub(super) fn array_at(places: &[usize], sizes: &[usize], element: impl Fn(TokenStream) -> TokenStream) -> TokenStream {
     if let ([], [place]) = (sizes, places) {
-        let place = Literal::usize_suffixed(*place);
+        let place = Literal::usize_unsuffixed(*place);
         return element(quote!(#place));
     }
     let mut columns = Columns::new(places.len());

@@ -1,7 +1,7 @@
 //! What stands for what in each piece of a shape: as a progression where it is one, else in a table.
 
 use super::expression::{local, named};
-use super::stages::number;
+use super::literal::{number, signed};
 use crate::plan::{Column, Shape, Words};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -59,7 +59,7 @@ impl Columns {
         let (data, piece) = (constant("DATA"), local("piece"));
         let (width, count) = (shape.data.len(), self.count);
         let lines = (0..count).map(|piece| {
-            let entries = shape.data.iter().map(|column| super::signed(column[piece]));
+            let entries = shape.data.iter().map(|column| signed(column[piece]));
             quote!([#(#entries),*])
         });
         let names = (0..width).map(|index| local(&format!("d{index}")));

@@ -10,7 +10,20 @@ use crate::plan::{Code, Cost, Elimination, Plan, Solution, Summary};
 use crate::syntax::ast::Closing;
 use crate::system::System;
 use crate::travel::Motion;
+use proc_macro2::TokenStream;
+use quote::quote;
 use std::fmt::Write;
+
+/// One line of documentation.
+pub(super) fn line(line: &str) -> TokenStream {
+    let line = format!(" {line}");
+    quote!(#[doc = #line])
+}
+
+/// Documentation line by line.
+pub(super) fn lines(page: &str) -> TokenStream {
+    page.lines().map(|line| if line.is_empty() { quote!(#[doc = ""]) } else { self::line(line) }).collect()
+}
 
 /// The page of the generated struct: the picture, and tables of parameters, coordinates and equations.
 pub(super) fn mechanism(model: &Model, system: &System, assembly: &Assembly, motion: &Motion, plan: &Plan, picture: &Picture) -> String {
@@ -250,10 +263,9 @@ fn unit_line(what: &str, unit: String) -> String {
 }
 
 /// A routine's first line and its cost.
-pub(super) fn routine(what: &str, code: &Code) -> String {
-    let cost = code.cost();
-    format!(
-        "{what}\n\n{} sums and products, {} divisions and roots, {} sine-cosine pairs, {} other functions.",
-        cost.flops, cost.divisions, cost.sines, cost.calls
-    )
+pub(super) fn routine(what: &str, code: &Code) -> TokenStream {
+    let Cost { flops, divisions, sines, calls } = code.cost();
+    lines(&format!(
+        "{what}\n\n{flops} sums and products, {divisions} divisions and roots, {sines} sine-cosine pairs, {calls} other functions."
+    ))
 }

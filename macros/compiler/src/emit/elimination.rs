@@ -4,13 +4,14 @@
 //! `l_2_0`. Each number is written once, with all that is subtracted from it.
 
 use super::expression::local;
+use super::literal::number;
 use crate::plan::Elimination;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 /// The runtime's trait `Elimination` for a type that is nothing but a block's order; of its unknowns these are lengths.
 pub(super) fn elimination(name: &Ident, is_length: Vec<bool>, elimination: &Elimination) -> TokenStream {
-    let (k, entries, factors) = (elimination.rows.len(), elimination.pattern.len(), elimination.factors.len());
+    let [k, entries, factors] = [elimination.rows.len(), elimination.pattern.len(), elimination.factors.len()].map(number);
     let order = order(elimination);
     let lines = Lines { order: elimination, is_length };
     let lines = elimination.is_short().then(|| {
@@ -50,7 +51,7 @@ struct Lines<'a> {
 impl Lines<'_> {
     fn eliminate(&self) -> TokenStream {
         let order = self.order;
-        let (k, entries, factors) = (order.rows.len(), order.pattern.len(), order.factors.len());
+        let k = order.rows.len();
         let given = order.pattern.iter().map(|place| order.place_of(*place).map(entry));
         let rows = (0..k).map(|i| {
             let (cells, watch) = (order.factors.iter().filter(|(row, _)| *row == i).map(|(_, j)| self.cell(i, *j)), self.watch(i));
@@ -60,6 +61,7 @@ impl Lines<'_> {
         let by_pivot = |stem: &str| -> Vec<Ident> { (0..k).map(|i| numbered(stem, i)).collect() };
         let pivots = (0..k).map(|i| self.weighed(&upper((i, i)), i));
         let (grown, sizes) = (by_pivot("grown"), by_pivot("size"));
+        let [k, entries, factors] = [k, order.pattern.len(), order.factors.len()].map(number);
         quote! {
             #[inline]
             fn eliminate(a: &[T; #entries], c: &[T; #k]) -> ::reuleaux::Eliminated<T, #k, #factors> {
@@ -132,7 +134,7 @@ impl Lines<'_> {
 
     fn substitute(&self) -> TokenStream {
         let order = self.order;
-        let (k, factors) = (order.rows.len(), order.factors.len());
+        let k = order.rows.len();
         let lu = order.factors.iter().map(|place| factor(*place));
         let forward = (0..k).map(|i| {
             let (y, row) = (numbered("y", i), Literal::usize_unsuffixed(order.rows[i]));
@@ -145,6 +147,7 @@ impl Lines<'_> {
             if known.is_empty() { quote!(let #x = #y * #pivot;) } else { quote!(let #x = (#y #(- #known)*) * #pivot;) }
         });
         let x = (0..k).map(|unknown| order.columns.iter().position(|column| *column == unknown).map(|step| numbered("x", step)));
+        let (k, factors) = (number(k), number(order.factors.len()));
         quote! {
             #[inline]
             fn substitute(lu: &[T; #factors], b: &[T; #k], put: impl ::core::ops::Fn(T, T) -> T) -> [T; #k] {
@@ -166,6 +169,7 @@ impl Lines<'_> {
             let terms: Vec<TokenStream> = terms.collect();
             if terms.is_empty() { quote!(T::of(0.0)) } else { quote!(#(#terms)+*) }
         });
+        let (k, entries) = (number(k), number(entries));
         quote! {
             #[inline]
             fn product(a: &[T; #entries], x: &[T; #k]) -> [T; #k] {

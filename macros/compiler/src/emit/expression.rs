@@ -1,7 +1,8 @@
 //! Expressions as Rust, with the fewest parentheses that keep the order of operations.
 
+use super::literal::{number, real};
 use crate::expr::{Arena, Binary, Evaluator, Expr, Node, Unary, Values};
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 use std::collections::BTreeMap;
 
@@ -28,6 +29,19 @@ impl Printer<'_> {
         self.print(expr).0
     }
 
+    /// The expression so that a method can be called on it.
+    pub(super) fn operand(&self, expr: Expr) -> TokenStream {
+        self.at_least(expr, Strength::Atom)
+    }
+
+    /// The value of the expression, if it depends on constants only.
+    pub(super) fn constant(&self, expr: Expr) -> Option<f64> {
+        match self.arena.as_constant(expr) {
+            Some(value) => Some(value.to_f64()),
+            None => self.is_constant(expr).then(|| self.value(expr)),
+        }
+    }
+
     /// The expression written out, even if it has a name.
     pub(super) fn definition(&self, expr: Expr) -> TokenStream {
         self.write(expr).0
@@ -42,8 +56,8 @@ impl Printer<'_> {
 
     fn write(&self, expr: Expr) -> (TokenStream, Strength) {
         match *self.arena.node(expr) {
-            Node::Constant(value) => constant(value.to_f64()),
-            _ if self.is_constant(expr) => constant(self.value(expr)),
+            Node::Constant(value) => (real(value.to_f64()), Strength::Atom),
+            _ if self.is_constant(expr) => (real(self.value(expr)), Strength::Atom),
             Node::Leaf(_) | Node::Call { .. } => (quote!(), Strength::Atom),
             Node::Unary(Unary::Neg, value) => {
                 let value = self.at_least(value, Strength::Sign);
@@ -122,7 +136,7 @@ pub(super) fn place(path: &str) -> TokenStream {
     let segment = |segment: &str| {
         let mut parts = segment.split('[');
         let name = super::identifier(parts.next().unwrap_or_default());
-        let indices = parts.filter_map(|index| index.trim_end_matches(']').parse().ok().map(Literal::usize_unsuffixed));
+        let indices = parts.filter_map(|index| index.trim_end_matches(']').parse().ok().map(number));
         quote!(#name #([#indices])*)
     };
     let segments = path.split('.').map(segment);
@@ -132,19 +146,6 @@ pub(super) fn place(path: &str) -> TokenStream {
 /// A local of generated code, which cannot be confused with the user's.
 pub(super) fn local(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
-}
-
-fn constant(value: f64) -> (TokenStream, Strength) {
-    let literal = |value: f64| if value.is_finite() { Literal::f64_unsuffixed(value) } else { Literal::f64_unsuffixed(0.0) };
-    if value.is_nan() {
-        return (quote!(T::of(<::core::primitive::f64>::NAN)), Strength::Atom);
-    }
-    if value.is_infinite() {
-        let sign = if value > 0.0 { quote!(<::core::primitive::f64>::INFINITY) } else { quote!(<::core::primitive::f64>::NEG_INFINITY) };
-        return (quote!(T::of(#sign)), Strength::Atom);
-    }
-    let size = literal(value.abs());
-    if value.is_sign_negative() { (quote!(T::of(-#size)), Strength::Atom) } else { (quote!(T::of(#size)), Strength::Atom) }
 }
 
 fn method(function: Unary) -> &'static str {

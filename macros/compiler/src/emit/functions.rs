@@ -1,13 +1,14 @@
 //! The generated functions of a mechanism.
 
 use super::docs;
-use super::expression::local;
+use super::expression::{Printer, local};
+use super::literal::{matrix_type, number, real, vector_type};
 use super::routine::{Lines, lines};
-use super::stages::number;
+use crate::expr::Expr;
 use crate::model::Model;
 use crate::plan::{Code, Plan, Routine, Target};
 use crate::quantity::Role;
-use crate::system::{Coordinate, System};
+use crate::system::System;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -32,17 +33,18 @@ impl Emitter<'_> {
         let (m, n) = self.sizes();
         let page = docs::routine("Φ(q, t), the left minus the right side of every equation.", &self.plan.phi);
         let (q, t) = (local("q"), local("t"));
-        let body = self.vector(&self.plan.phi, m);
+        let (body, of_q, of_rows) = (self.vector(&self.plan.phi, m), vector_type(n), vector_type(m));
         quote! {
-            #[doc = #page]
+            #page
             #[must_use]
-            pub fn phi(&self, #q: &::reuleaux::nalgebra::SVector<T, #n>, #t: T) -> ::reuleaux::nalgebra::SVector<T, #m> { #body }
+            pub fn phi(&self, #q: &#of_q, #t: T) -> #of_rows { #body }
         }
     }
 
     /// Φ_q, by entries and as a matrix
     pub(super) fn jacobian(&self) -> TokenStream {
-        let ((m, n), entries) = (self.sizes(), self.plan.pattern.len());
+        let ((m, n), entries) = (self.sizes(), number(self.plan.pattern.len()));
+        let (of_q, of_matrix) = (vector_type(n), matrix_type(m, n));
         let page = docs::routine("The entries of Φ_q(q, t) in the order of `JACOBIAN_PATTERN`.", &self.plan.jacobian);
         let (q, t, list) = (local("q"), local("t"), local("entries"));
         let body = match &self.plan.jacobian {
@@ -58,13 +60,13 @@ impl Emitter<'_> {
             }
         };
         quote! {
-            #[doc = #page]
+            #page
             #[must_use]
-            pub fn jacobian_entries(&self, #q: &::reuleaux::nalgebra::SVector<T, #n>, #t: T) -> [T; #entries] { #body }
+            pub fn jacobian_entries(&self, #q: &#of_q, #t: T) -> [T; #entries] { #body }
             /// Φ_q(q, t) as a dense matrix.
             #[must_use]
-            pub fn jacobian(&self, q: &::reuleaux::nalgebra::SVector<T, #n>, t: T) -> ::reuleaux::nalgebra::SMatrix<T, #m, #n> {
-                let mut matrix = ::reuleaux::nalgebra::SMatrix::from_element(T::of(0.0));
+            pub fn jacobian(&self, q: &#of_q, t: T) -> #of_matrix {
+                let mut matrix = ::reuleaux::Matrix::from_element(T::of(0.0));
                 for (place, entry) in ::core::iter::Iterator::zip(Self::JACOBIAN_PATTERN.iter(), self.jacobian_entries(q, t)) {
                     matrix[*place] = entry;
                 }
@@ -76,6 +78,7 @@ impl Emitter<'_> {
     /// Φ and Φ_q together
     pub(super) fn linearize(&self) -> TokenStream {
         let (m, n) = self.sizes();
+        let (of_q, of_rows, of_matrix) = (vector_type(n), vector_type(m), matrix_type(m, n));
         let page = docs::routine("Φ(q, t) and Φ_q(q, t), which share most of their work.", &self.plan.linearize);
         let (q, t, matrix, phi) = (local("q"), local("t"), local("matrix"), local("phi"));
         // The matrix has its sizes where it is made: were they found at the end, rustc would hold every entry open until then, and for
@@ -87,7 +90,7 @@ impl Emitter<'_> {
                 quote! {
                     #reads
                     #steps
-                    let mut #matrix = ::reuleaux::nalgebra::SMatrix::<T, #m, #n>::from_element(T::of(0.0));
+                    let mut #matrix: #of_matrix = ::reuleaux::Matrix::from_element(T::of(0.0));
                     #writes
                     (::core::convert::From::from([#(#rows),*]), #matrix)
                 }
@@ -98,21 +101,17 @@ impl Emitter<'_> {
                     Target::Entry(row, column) => quote!(#matrix[(#row, #column)] = #value;),
                 });
                 quote! {
-                    let mut #phi = ::reuleaux::nalgebra::SVector::<T, #m>::from_element(T::of(0.0));
-                    let mut #matrix = ::reuleaux::nalgebra::SMatrix::<T, #m, #n>::from_element(T::of(0.0));
+                    let mut #phi: #of_rows = ::reuleaux::Vector::from_element(T::of(0.0));
+                    let mut #matrix: #of_matrix = ::reuleaux::Matrix::from_element(T::of(0.0));
                     #groups
                     (#phi, #matrix)
                 }
             }
         };
         quote! {
-            #[doc = #page]
+            #page
             #[must_use]
-            pub fn linearize(
-                &self,
-                #q: &::reuleaux::nalgebra::SVector<T, #n>,
-                #t: T,
-            ) -> (::reuleaux::nalgebra::SVector<T, #m>, ::reuleaux::nalgebra::SMatrix<T, #m, #n>) { #body }
+            pub fn linearize(&self, #q: &#of_q, #t: T) -> (#of_rows, #of_matrix) { #body }
         }
     }
 
@@ -137,11 +136,11 @@ impl Emitter<'_> {
         let (m, n) = self.sizes();
         let page = docs::routine("ν(q, t) = −Φ_t, the right side of Φ_q q̇ = ν.", &self.plan.nu);
         let (q, t) = (local("q"), local("t"));
-        let body = self.vector(&self.plan.nu, m);
+        let (body, of_q, of_rows) = (self.vector(&self.plan.nu, m), vector_type(n), vector_type(m));
         quote! {
-            #[doc = #page]
+            #page
             #[must_use]
-            pub fn nu(&self, #q: &::reuleaux::nalgebra::SVector<T, #n>, #t: T) -> ::reuleaux::nalgebra::SVector<T, #m> { #body }
+            pub fn nu(&self, #q: &#of_q, #t: T) -> #of_rows { #body }
         }
     }
 
@@ -153,33 +152,43 @@ impl Emitter<'_> {
             &self.plan.gamma,
         );
         let (q, qd, t) = (local("q"), local("qd"), local("t"));
-        let body = self.vector(&self.plan.gamma, m);
+        let (body, of_q, of_rows) = (self.vector(&self.plan.gamma, m), vector_type(n), vector_type(m));
         quote! {
-            #[doc = #page]
+            #page
             #[must_use]
-            pub fn gamma(
-                &self,
-                #q: &::reuleaux::nalgebra::SVector<T, #n>,
-                #qd: &::reuleaux::nalgebra::SVector<T, #n>,
-                #t: T,
-            ) -> ::reuleaux::nalgebra::SVector<T, #m> { #body }
+            pub fn gamma(&self, #q: &#of_q, #qd: &#of_q, #t: T) -> #of_rows { #body }
         }
     }
 
     /// A vector of m rows
     fn vector(&self, code: &Code, m: usize) -> TokenStream {
         match code {
+            Code::Straight(routine) if self.is_sparse(routine) => {
+                let (rows, of_rows, Lines { reads, steps, results }) = (local("rows"), vector_type(m), self.lines(routine));
+                let other = (0..).zip(&routine.results).zip(results).filter(|((_, row), _)| !self.is_zero(**row));
+                let writes = other.map(|((row, _), value)| {
+                    let row = number(row);
+                    quote!(#rows[#row] = #value;)
+                });
+                quote! {
+                    #reads
+                    #steps
+                    let mut #rows: #of_rows = ::reuleaux::Vector::from_element(T::of(0.0));
+                    #(#writes)*
+                    #rows
+                }
+            }
             Code::Straight(routine) => {
                 let Lines { reads, steps, results } = self.lines(routine);
                 quote!(#reads #steps ::core::convert::From::from([#(#results),*]))
             }
             Code::Grouped(groups) => {
-                let rows = local("rows");
+                let (rows, of_rows) = (local("rows"), vector_type(m));
                 let groups = self.groups(groups, |target, value| match target {
                     Target::Row(row) | Target::Entry(row, _) => quote!(#rows[#row] = #value;),
                 });
                 quote! {
-                    let mut #rows = ::reuleaux::nalgebra::SVector::<T, #m>::from_element(T::of(0.0));
+                    let mut #rows: #of_rows = ::reuleaux::Vector::from_element(T::of(0.0));
                     #groups
                     #rows
                 }
@@ -187,76 +196,81 @@ impl Emitter<'_> {
         }
     }
 
+    fn is_zero(&self, row: Expr) -> bool {
+        self.plan.arena.as_constant(row).is_some_and(|value| value.is_zero())
+    }
+
+    /// Most rows are zero.
+    fn is_sparse(&self, routine: &Routine) -> bool {
+        2 * routine.results.iter().filter(|row| self.is_zero(**row)).count() > routine.results.len()
+    }
+
     /// The length by which others are measured
     pub(super) fn characteristic_length(&self) -> TokenStream {
-        let Lines { steps, results, .. } = self.lines(&self.plan.lengths);
-        let own = "L, the length (m) that is worth a radian when lengths and angles are compared: ";
-        let of_points = "the largest\ncoordinate of a point in the frame of its body, 1 if there is none.";
-        let of_joints = "the largest\nlength that a joint or drive demands, 1 if there is none.";
-        let page = format!("{own}{}", if self.system.lengths == self.model.lengths { of_points } else { of_joints });
+        let routine = &self.plan.lengths;
+        let Lines { steps, .. } = self.lines(routine);
+        let printer = Printer { arena: &self.plan.arena, names: &routine.names, turn: "sin_cos" };
+        // Of the constants only the largest counts.
+        let largest = routine.results.iter().filter_map(|length| printer.constant(*length)).map(f64::abs).fold(0.0, f64::max);
+        let others = routine.results.iter().filter(|length| printer.constant(**length).is_none()).map(|length| printer.operand(*length));
+        let first = real(largest);
+        let longest = quote!(#first #(.max(#others.abs()))*);
+        let longest = if largest > SMALLEST {
+            longest
+        } else {
+            quote!(let longest = #longest; T::select_less(T::of(0.0), longest, longest, T::of(1.0)))
+        };
+        let own = "L, the length (m) that is worth a radian when lengths and angles are compared: the largest";
+        let of_points = "coordinate of a point in the frame of its body, 1 if there is none.";
+        let of_joints = "length that a joint or drive demands, 1 if there is none.";
+        let of = if self.system.lengths == self.model.lengths { of_points } else { of_joints };
+        let page = docs::lines(&format!("{own}\n{of}"));
         quote! {
-            #[doc = #page]
+            #page
             #[must_use]
-            pub fn characteristic_length(&self) -> T {
-                #steps
-                let longest = T::of(0.0);
-                #(let longest = longest.max((#results).abs());)*
-                T::select_less(T::of(0.0), longest, longest, T::of(1.0))
-            }
+            pub fn characteristic_length(&self) -> T { #steps #longest }
         }
     }
 
-    /// The runtime's trait, by the functions above
+    /// The runtime's traits, by the functions above
     pub(super) fn traits(&self) -> TokenStream {
         let (name, (m, n)) = (&self.model.name, self.sizes());
         let word = name.to_string();
         let coordinates = self.system.coordinates.iter().map(|unknown| {
             let (body, name) = (self.model.bodies[unknown.body].name.to_string(), unknown.role.name());
-            let kind = kind(unknown);
-            quote!(::reuleaux::Coordinate { body: #body, name: #name, kind: #kind })
+            if unknown.role == Role::Angle {
+                quote!(::reuleaux::Coordinate::angle(#body, #name))
+            } else {
+                quote!(::reuleaux::Coordinate::length(#body, #name))
+            }
         });
         let rows = self.system.equations.iter().map(|equation| {
             let joint = &self.model.joints[equation.joint];
             let (name, kind, unit) = (joint.name.to_string(), &joint.kind, equation.dim.unit());
-            let (index, of) = (equation.row + 1, joint.residuals.len());
-            quote!(::reuleaux::Row { joint: #name, kind: #kind, index: #index, of: #of, unit: #unit })
+            let (index, of) = (number(equation.row + 1), number(joint.residuals.len()));
+            quote!(::reuleaux::Row::new(#name, #kind, #index, #of, #unit))
         });
+        let (of_q, of_rows, of_matrix) = (vector_type(n), vector_type(m), matrix_type(m, n));
+        let (m, n) = (number(m), number(n));
         quote! {
-            #[automatically_derived]
             impl<T: ::reuleaux::Real> ::reuleaux::Description<T, #n> for #name<T> {
                 const NAME: &'static ::core::primitive::str = #word;
                 const COORDINATES: &'static [::reuleaux::Coordinate] = &[#(#coordinates),*];
                 const ROWS: &'static [::reuleaux::Row] = &[#(#rows),*];
-                fn start(&self) -> ::reuleaux::nalgebra::SVector<T, #n> { self.start() }
+                fn start(&self) -> #of_q { self.start() }
                 fn characteristic_length(&self) -> T { self.characteristic_length() }
                 fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> { self.validate() }
             }
-            #[automatically_derived]
             impl<T: ::reuleaux::Real> ::reuleaux::Equations<T, #m, #n> for #name<T> {
-                fn phi(&self, q: &::reuleaux::nalgebra::SVector<T, #n>, t: T) -> ::reuleaux::nalgebra::SVector<T, #m> { self.phi(q, t) }
-                fn jacobian(&self, q: &::reuleaux::nalgebra::SVector<T, #n>, t: T) -> ::reuleaux::nalgebra::SMatrix<T, #m, #n> { self.jacobian(q, t) }
-                fn linearize(
-                    &self,
-                    q: &::reuleaux::nalgebra::SVector<T, #n>,
-                    t: T,
-                ) -> (::reuleaux::nalgebra::SVector<T, #m>, ::reuleaux::nalgebra::SMatrix<T, #m, #n>) {
-                    self.linearize(q, t)
-                }
-                fn nu(&self, q: &::reuleaux::nalgebra::SVector<T, #n>, t: T) -> ::reuleaux::nalgebra::SVector<T, #m> { self.nu(q, t) }
-                fn gamma(
-                    &self,
-                    q: &::reuleaux::nalgebra::SVector<T, #n>,
-                    qd: &::reuleaux::nalgebra::SVector<T, #n>,
-                    t: T,
-                ) -> ::reuleaux::nalgebra::SVector<T, #m> {
-                    self.gamma(q, qd, t)
-                }
+                fn phi(&self, q: &#of_q, t: T) -> #of_rows { self.phi(q, t) }
+                fn jacobian(&self, q: &#of_q, t: T) -> #of_matrix { self.jacobian(q, t) }
+                fn linearize(&self, q: &#of_q, t: T) -> (#of_rows, #of_matrix) { self.linearize(q, t) }
+                fn nu(&self, q: &#of_q, t: T) -> #of_rows { self.nu(q, t) }
+                fn gamma(&self, q: &#of_q, qd: &#of_q, t: T) -> #of_rows { self.gamma(q, qd, t) }
             }
         }
     }
 }
 
-/// What an unknown measures.
-fn kind(unknown: &Coordinate) -> TokenStream {
-    if unknown.role == Role::Angle { quote!(::reuleaux::CoordinateKind::Angle) } else { quote!(::reuleaux::CoordinateKind::Length) }
-}
+/// A constant length above this one is above zero in every number type.
+const SMALLEST: f64 = 1e-30;

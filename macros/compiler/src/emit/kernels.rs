@@ -3,10 +3,12 @@
 use super::columns::Columns;
 use super::expression::local;
 use super::functions::Emitter;
+use super::literal::{number, signed};
 use super::scene::{Scene, pair};
-use super::stages::{Index, Shelf, number};
+use super::stages::{Index, Shelf};
+use super::{allowed, docs};
 use crate::expr::{Leaf, Node};
-use crate::plan::{Kernel, Kernels, Part, Round, Words};
+use crate::plan::{Column, Kernel, Kernels, Part, Round, Words};
 use crate::quantity::Role;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -15,7 +17,7 @@ use std::collections::BTreeMap;
 impl Emitter<'_> {
     /// The body of `stages`: one call after the other
     pub(super) fn in_order(&self, kernels: &Kernels, shelf: &Shelf) -> TokenStream {
-        let (angles, rank) = (self.angles(shelf).count(), self.ranks(shelf));
+        let (angles, rank) = (number(self.angles(shelf).count()), self.ranks(shelf));
         let (t, pass, found, turns, piece) = (local("t"), local("pass"), local("found"), local("turns"), local("piece"));
         let call = |kernel: usize| {
             let name = name(shelf, kernel);
@@ -26,7 +28,7 @@ impl Emitter<'_> {
             None => one_by_one(&kernels.order, kernels.kernels.len(), &piece, call),
         };
         let constants = kernels.constants.iter().filter_map(|(unknown, value)| {
-            let (place, value) = (Literal::usize_unsuffixed(shelf.place(*unknown)?), super::signed(*value));
+            let (place, value) = (Literal::usize_unsuffixed(shelf.place(*unknown)?), signed(*value));
             Some(quote!((#place, #value)))
         });
         let given = shelf.given.iter().enumerate().filter_map(|(index, unknown)| {
@@ -60,9 +62,9 @@ impl Emitter<'_> {
         let ranks = self.ranks(shelf);
         let kernel = |(number, kernel): (usize, &Kernel)| self.kernel(number, kernel, shelf, &ranks, kernels.can_rest);
         let functions = kernels.kernels.iter().enumerate().map(kernel);
+        let allowed = allowed();
         quote! {
-            #[automatically_derived]
-            #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
+            #allowed
             impl<T: ::reuleaux::SolverReal> #name<T> { #(#functions)* }
         }
     }
@@ -79,7 +81,7 @@ impl Emitter<'_> {
     }
 
     fn kernel(&self, index: usize, kernel: &Kernel, shelf: &Shelf, ranks: &BTreeMap<usize, usize>, can_rest: bool) -> TokenStream {
-        let (n, angles) = (shelf.held.len(), ranks.len());
+        let (n, angles) = (number(shelf.held.len()), number(ranks.len()));
         let mut columns = Columns::new(kernel.shape.count);
         let mut turned = BTreeMap::new();
         for slot in kernel.kept.iter().chain(kernel.lines.turned.iter().map(|(slot, _)| slot)) {
@@ -93,7 +95,10 @@ impl Emitter<'_> {
             .iter()
             .map(|column| {
                 let place = column.mapped(kernel.shape.count, |unknown| shelf.place(unknown as usize).unwrap_or(0) as u32);
-                Index { place: columns.place(&place), ..self.index(column.at(0) as usize) }
+                let first = self.index(column.at(0) as usize);
+                // The numbers of the first piece are not those of the others.
+                let body = first.body.chars().filter(|letter| !letter.is_ascii_digit()).collect::<String>().replace("__", "_");
+                Index { place: columns.place(&place), body: body.trim_matches('_').to_owned(), ..first }
             })
             .collect();
         let equations: Vec<TokenStream> = kernel.equations.iter().map(|column| columns.place(column)).collect();
@@ -104,15 +109,15 @@ impl Emitter<'_> {
             unknowns: &unknowns,
             equations: &equations,
             kept: &kernel.kept,
+            origins: None,
         };
         let inputs = columns.inputs(&kernel.shape, &Words::new(self.model, self.system));
-        let parts: TokenStream = kernel.lines.parts.iter().enumerate().map(|(number, part)| scene.part(number, part)).collect();
-        let (reads, writes) = (reads(kernel, &unknowns, &turned), writes(kernel, &unknowns, &turned));
+        let (parts, reads, writes) = (scene.parts(), reads(kernel, &unknowns, &turned), writes(kernel, &scene, &turned));
         let rest = if can_rest { rest(kernel, &unknowns, &turned) } else { quote!() };
         let (t, pass, found, turns) = (local("t"), local("pass"), local("found"), local("turns"));
-        let (tables, name, piece) = (columns.tables(), name(shelf, index), local("piece"));
+        let (tables, name, piece, page) = (columns.tables(), name(shelf, index), local("piece"), self.kernel_page(kernel));
         quote! {
-            #[doc(hidden)]
+            #page
             #[inline]
             fn #name(
                 &self,
@@ -134,6 +139,27 @@ impl Emitter<'_> {
     }
 }
 
+impl Emitter<'_> {
+    /// What a kernel finds, by the names of its first piece.
+    fn kernel_page(&self, kernel: &Kernel) -> TokenStream {
+        let coordinate = |slot: &usize| docs::coordinate_name(self.model, self.system, kernel.shape.unknowns[*slot].at(0) as usize);
+        let equation = |column: &Column<u32>| docs::equation_name(self.model, self.system, column.at(0) as usize);
+        let found: Vec<String> = kernel.found.iter().map(coordinate).collect();
+        let equations: Vec<String> = kernel.equations.iter().map(equation).collect();
+        let mut page = match (found.join(", "), equations.join(", ")) {
+            (found, from) if from.is_empty() => found,
+            (found, from) if found.is_empty() => format!("{from}: it must hold"),
+            (found, from) => format!("{found} from {from}"),
+        };
+        match kernel.shape.count - 1 {
+            0 => {}
+            1 => page += "; 1 more of the same shape",
+            more => page += &format!("; {more} more of the same shape"),
+        }
+        docs::line(&(page + "."))
+    }
+}
+
 /// Shapes that take turns, as a loop
 fn repeated(round: &Round, piece: &Ident, call: impl Fn(usize) -> TokenStream) -> TokenStream {
     let (times, last) = (number(round.pieces(0)), number(round.pieces(0) - 1));
@@ -146,7 +172,7 @@ fn repeated(round: &Round, piece: &Ident, call: impl Fn(usize) -> TokenStream) -
 
 /// Shapes in an order that is a table
 fn one_by_one(order: &[usize], count: usize, piece: &Ident, call: impl Fn(usize) -> TokenStream) -> TokenStream {
-    let length = order.len();
+    let (length, pieces) = (number(order.len()), number(count));
     let order = order.iter().map(|shape| Literal::usize_unsuffixed(*shape));
     let arms = (0..count).map(|shape| {
         let (pattern, call) = (Literal::usize_unsuffixed(shape), call(shape));
@@ -154,7 +180,7 @@ fn one_by_one(order: &[usize], count: usize, piece: &Ident, call: impl Fn(usize)
     });
     quote! {
         static ORDER: [::core::primitive::u16; #length] = [#(#order),*];
-        let mut pieces = [0usize; #count];
+        let mut pieces = [0; #pieces];
         for &shape in &ORDER {
             let #piece = pieces[shape as ::core::primitive::usize];
             pieces[shape as ::core::primitive::usize] += 1;
@@ -218,11 +244,11 @@ fn reads(kernel: &Kernel, unknowns: &[Index], ranks: &BTreeMap<usize, TokenStrea
 }
 
 /// What the kernel found.
-fn writes(kernel: &Kernel, unknowns: &[Index], ranks: &BTreeMap<usize, TokenStream>) -> TokenStream {
+fn writes(kernel: &Kernel, scene: &Scene, ranks: &BTreeMap<usize, TokenStream>) -> TokenStream {
     let (found, turns) = (local("found"), local("turns"));
     let mut tokens = TokenStream::new();
     for slot in &kernel.found {
-        let place = &unknowns[*slot].place;
+        let place = &scene.unknowns[*slot].place;
         let [q, qd, qdd] = kernel.lines.unknowns[*slot].each_ref().map(|name| local(name));
         tokens.extend(quote!(#found.q[#place] = #q; #found.qd[#place] = #qd; #found.qdd[#place] = #qdd;));
         if !kernel.kept.contains(slot) {
@@ -235,10 +261,10 @@ fn writes(kernel: &Kernel, unknowns: &[Index], ranks: &BTreeMap<usize, TokenStre
         });
         tokens.extend(match in_block {
             Some((block, position)) => {
-                let (solved, position) = (local(&format!("block_{block}")), number(position));
+                let (solved, position) = (scene.solved(block), number(position));
                 quote!(#turns[#rank] = #solved.sin_cos[#position];)
             }
-            None => quote!(#turns[#rank] = (#q).fast_sin_cos();),
+            None => quote!(#turns[#rank] = #q.fast_sin_cos();),
         });
     }
     tokens

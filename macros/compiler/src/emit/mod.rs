@@ -1,5 +1,7 @@
 //! From a plan to tokens. Cannot fail and decides nothing.
 //!
+//! The type itself comes last: its page has a picture, which would stand in the way of the code.
+//!
 //! The user's identifiers keep their spans, so that an editor finds its way back; locals of
 //! generated code are hygienic, and all else is named by its whole path, also `f64`: a user may have a type of that name.
 
@@ -12,6 +14,7 @@ mod elimination;
 mod expression;
 mod functions;
 mod kernels;
+mod literal;
 mod outputs;
 mod parameters;
 mod prepared;
@@ -36,6 +39,7 @@ use crate::syntax::ast::{Closing, Docs};
 use crate::system::System;
 use crate::travel::Motion;
 use functions::Emitter;
+use literal::{number, real, signed, vector_type};
 use parameters::Parameters;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -49,30 +53,28 @@ pub(crate) fn identifier(name: &str) -> Ident {
     }
 }
 
-/// The generated struct, its functions and its traits.
+/// The functions of the mechanism, its traits, its state and its slices, and last the struct with its page.
 pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: &Motion, plan: &Plan, picture: &Picture) -> TokenStream {
     let emitter = Emitter { model, system, plan };
-    let (structure, defaults) =
-        (structure(model, &docs::mechanism(model, system, assembly, motion, plan, picture)), defaults(model, system));
+    let structure = structure(model, &docs::mechanism(model, system, assembly, motion, plan, picture));
+    let (default, with_defaults, family) = defaults(model, system);
+    let components = Parameters::new(&model.layout, &model.name).components(model, system);
     let (constants, tables) = (constants(model, system, plan), tables(model));
     let equations = [emitter.phi(), emitter.jacobian(), emitter.linearize(), emitter.nu(), emitter.gamma()];
     let (start, length, validate) = (start(assembly), emitter.characteristic_length(), emitter.validate());
-    let traits = emitter.traits();
-    let stages = emitter.stages();
-    let outputs = emitter.outputs();
-    let solve = if model.equations_only { quote!() } else { solve(model, system) };
-    let slices = if model.equations_only { quote!() } else { emitter.slices() };
+    let (outputs, traits, stages) = (emitter.outputs(), emitter.traits(), emitter.stages());
+    let solve = (!model.equations_only).then(|| solve(model, system, plan));
+    let (solve_for, slices) = emitter.slices();
     // Where defaults only hold a place nothing is said of them.
     let warns = model.closing == Closing::Deny && !model.allows_far_start;
     let warnings = assembly.warnings.iter().filter(|_| warns).chain(&motion.warning).map(Warning::to_tokens);
-    let state = if model.equations_only && model.outputs.is_empty() { quote!() } else { state(model, system) };
-    let name = &model.name;
+    let state = (!model.equations_only || !model.outputs.is_empty()).then(|| state(model, system));
+    let (name, allowed) = (&model.name, allowed());
     quote! {
-        #structure
-        #defaults
-        #[automatically_derived]
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
+        #default
+        #allowed
         impl<T: ::reuleaux::Real> #name<T> {
+            #with_defaults
             #constants
             #tables
             #(#equations)*
@@ -80,14 +82,23 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
             #length
             #validate
             #outputs
+            #solve_for
         }
+        #solve
+        #family
         #traits
         #stages
-        #solve
         #state
         #slices
+        #components
+        #structure
         #(#warnings)*
     }
+}
+
+/// What generated code need not be blamed for.
+pub(super) fn allowed() -> TokenStream {
+    quote!(#[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused)])
 }
 
 fn structure(model: &Model, page: &str) -> TokenStream {
@@ -106,47 +117,52 @@ fn structure(model: &Model, page: &str) -> TokenStream {
 
 /// The user's documentation, and below it what is known of the item.
 fn docs_or(docs: &Docs, known: &str) -> TokenStream {
-    let tokens = &docs.tokens;
-    if docs.text.is_empty() { quote!(#[doc = #known]) } else { quote!(#tokens #[doc = ""] #[doc = #known]) }
+    let (tokens, known) = (&docs.tokens, docs::line(known));
+    if docs.text.is_empty() { known } else { quote!(#tokens #[doc = ""] #known) }
 }
 
-/// `Default` is for `f64` only, so that `Name::default()` needs no type annotation.
-fn defaults(model: &Model, system: &System) -> TokenStream {
+/// `Default`, which is for `f64` only, so that `Name::default()` needs no type annotation; `with_defaults`; and `Family`.
+fn defaults(model: &Model, system: &System) -> (TokenStream, TokenStream, TokenStream) {
     let name = &model.name;
     let parameters = Parameters::new(&model.layout, name);
-    let (fields, components) = (parameters.defaults(&docs::default_values(model, system)), parameters.components(model, system));
+    let fields = parameters.defaults(&docs::default_values(model, system));
     let marker = model.parameters.is_empty().then(|| quote!(_real: ::core::marker::PhantomData));
     let gathered = parameters.gathered(0);
-    quote! {
-        #[automatically_derived]
+    // Without parameters there is nothing to combine.
+    let unused = model.parameters.is_empty().then(|| quote!(#[allow(unused_variables)]));
+    let default = quote! {
         impl ::core::default::Default for #name<::core::primitive::f64> {
             fn default() -> Self { Self::with_defaults() }
         }
-        #[automatically_derived]
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
-        impl<T: ::reuleaux::Real> #name<T> {
-            /// The parameters at their declared defaults, over any number type.
-            #[must_use]
-            pub fn with_defaults() -> Self { Self { #fields #marker } }
-        }
-        #components
-        #[automatically_derived]
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery, unused_variables)]
+    };
+    let with_defaults = quote! {
+        /// The parameters at their declared defaults, over any number type.
+        #[must_use]
+        pub fn with_defaults() -> Self { Self { #fields #marker } }
+    };
+    let family = quote! {
+        #unused
         impl<T: ::reuleaux::Real> ::reuleaux::Family<T> for #name<T> {
             type Over<T2: ::reuleaux::Real> = #name<T2>;
             fn gather<T2: ::reuleaux::Real, const LANES: ::core::primitive::usize>(each: [&Self; LANES], combine: impl ::core::ops::Fn([T; LANES]) -> T2) -> #name<T2> {
-                let combine = &combine;
                 #name { #gathered #marker }
             }
         }
-    }
+    };
+    (default, with_defaults, family)
 }
 
 fn constants(model: &Model, system: &System, plan: &Plan) -> TokenStream {
-    let solution = plan.solution.as_ref().map(|solution| plan_constant(model, system, solution));
-    let (coordinates, equations, entries) = (system.coordinates.len(), system.equations.len(), plan.pattern.len());
+    let solution = plan.solution.as_ref().map(|solution| {
+        let constant = plan_constant(model, system, solution);
+        quote! {
+            /// How a state is found: which coordinates are computed, which are iterated together, in which order.
+            pub #constant
+        }
+    });
+    let [coordinates, equations, entries] = [system.coordinates.len(), system.equations.len(), plan.pattern.len()].map(number);
     let pairs = plan.pattern.iter().map(|(row, column)| {
-        let (row, column) = (Literal::usize_unsuffixed(*row), Literal::usize_unsuffixed(*column));
+        let (row, column) = (number(*row), number(*column));
         quote!((#row, #column))
     });
     quote! {
@@ -165,8 +181,8 @@ fn constants(model: &Model, system: &System, plan: &Plan) -> TokenStream {
 /// The plan as data, for tests and tools.
 fn plan_constant(model: &Model, system: &System, solution: &Solution) -> TokenStream {
     let operations = |cost: Cost| {
-        let Cost { flops, divisions, sines, calls } = cost;
-        quote!(::reuleaux::Operations { flops: #flops, divisions: #divisions, sines: #sines, calls: #calls })
+        let [flops, divisions, sines, calls] = [cost.flops, cost.divisions, cost.sines, cost.calls].map(number);
+        quote!(::reuleaux::Operations::new(#flops, #divisions, #sines, #calls))
     };
     let stage = |stage: &Summary| match stage {
         Summary::Explicit { unknown, .. } => {
@@ -187,7 +203,7 @@ fn plan_constant(model: &Model, system: &System, solution: &Solution) -> TokenSt
                 }
                 None => quote!(::core::option::Option::None),
             };
-            let operations = operations(*cost);
+            let (operations, shape) = (operations(*cost), number(*shape));
             quote! {
                 ::reuleaux::PlanStage::Iterated {
                     unknowns: &[#(#unknowns),*],
@@ -201,10 +217,7 @@ fn plan_constant(model: &Model, system: &System, solution: &Solution) -> TokenSt
     };
     let stages = solution.stages.iter().map(stage);
     let operations = operations(solution.cost);
-    quote! {
-        /// How a state is found: which coordinates are computed, which are iterated together, in which order.
-        pub const PLAN: ::reuleaux::Plan = ::reuleaux::Plan { stages: &[#(#stages),*], operations: #operations };
-    }
+    quote!(const PLAN: ::reuleaux::Plan = ::reuleaux::Plan { stages: &[#(#stages),*], operations: #operations };)
 }
 
 fn tables(model: &Model) -> TokenStream {
@@ -239,22 +252,12 @@ fn tables(model: &Model) -> TokenStream {
     model.functions.iter().enumerate().map(table).collect()
 }
 
-/// A literal with its sign.
-fn signed(value: f64) -> TokenStream {
-    let size = Literal::f64_unsuffixed(if value.is_finite() { value.abs() } else { 0.0 });
-    if value.is_sign_negative() { quote!(-#size) } else { quote!(#size) }
-}
-
 fn start(assembly: &Assembly) -> TokenStream {
-    let n = assembly.start.len();
-    let values = assembly.start.iter().map(|value| {
-        let value = signed(*value);
-        quote!(T::of(#value))
-    });
+    let (vector, values) = (vector_type(assembly.start.len()), assembly.start.iter().map(|value| real(*value)));
     quote! {
         /// The assembled configuration at the declared defaults and t = 0, in SI, from which `solve` sets out.
         #[must_use]
-        pub fn start(&self) -> ::reuleaux::nalgebra::SVector<T, #n> {
+        pub fn start(&self) -> #vector {
             ::core::convert::From::from([#(#values),*])
         }
     }
@@ -278,34 +281,15 @@ fn state_path(mechanism: &Ident) -> TokenStream {
 }
 
 /// The functions that solve a mechanism.
-fn solve(model: &Model, system: &System) -> TokenStream {
+fn solve(model: &Model, system: &System, plan: &Plan) -> TokenStream {
     let (name, state, n) = (&model.name, state_path(&model.name), system.coordinates.len());
-    let solving = solving(name, &state, n, true);
-    quote! {
-        #solving
-        #[automatically_derived]
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code)]
-        impl<T: ::reuleaux::Float> #name<T> {
-            /// The state at time `t` (s) that Newton's method finds from a guess of q.
-            ///
-            /// # Errors
-            /// Why there is no such state.
-            pub fn solve_near(&self, t: T, guess: &::reuleaux::nalgebra::SVector<T, #n>) -> ::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>> {
-                ::reuleaux::Mechanism::<T, #n>::solve_near(self, t, guess).map(#state)
-            }
-        }
-    }
-}
-
-/// The functions that solve a mechanism or a slice of one.
-///
-/// A sweep prepares what there is to prepare, if it `can_prepare`.
-fn solving(name: &Ident, state: &TokenStream, n: usize, can_prepare: bool) -> TokenStream {
+    let (vector, n) = (vector_type(n), number(n));
     let result = quote!(::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>>);
-    let prepared = if can_prepare { quote!(self.prepared()) } else { quote!(*self) };
+    // A sweep prepares what there is to prepare.
+    let prepared = if prepared::fixed_names(plan).is_empty() { quote!(*self) } else { quote!(self.prepared()) };
+    let allowed = allowed();
     quote! {
-        #[automatically_derived]
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code)]
+        #allowed
         impl<T: ::reuleaux::Float> #name<T> {
             /// The state at time `t` (s): assembled from the declared start at t = 0 and followed from there, so that the
             /// assembly is kept.
@@ -315,12 +299,19 @@ fn solving(name: &Ident, state: &TokenStream, n: usize, can_prepare: bool) -> To
             pub fn solve(&self, t: T) -> #result {
                 ::reuleaux::Mechanism::<T, #n>::solve(self, t).map(#state)
             }
+            /// The state at time `t` (s) that Newton's method finds from a guess of q.
+            ///
+            /// # Errors
+            /// Why there is no such state.
+            pub fn solve_near(&self, t: T, guess: &#vector) -> #result {
+                ::reuleaux::Mechanism::<T, #n>::solve_near(self, t, guess).map(#state)
+            }
             /// The state at time `t` (s), followed from another state.
             ///
             /// # Errors
             /// Why there is no such state, with the last valid one on the way.
             pub fn solve_from(&self, t: T, from: &#state<T>) -> #result {
-                ::reuleaux::Mechanism::<T, #n>::solve_from(self, t, &from.0).map(#state)
+                ::reuleaux::Mechanism::<T, #n>::solve_from(self, t, from).map(#state)
             }
             /// Takes a state to time `t` (s) in place: [`solve_from`](Self::solve_from) without a copy. A state that
             /// cannot be taken there stays as it is.
@@ -342,40 +333,33 @@ fn solving(name: &Ident, state: &TokenStream, n: usize, can_prepare: bool) -> To
     }
 }
 
-/// A name for the failures of what is found as the path `of`.
-fn failure(name: &Ident, of: &str, visibility: &TokenStream, n: usize) -> TokenStream {
-    let page = format!("Why there is no state of [`{}`]({of}).", of.trim_start_matches("super::"));
-    quote! {
-        #[doc = #page]
-        #[allow(dead_code)]
-        #visibility type #name<T = ::core::primitive::f64> = ::reuleaux::Failure<T, #n>;
-    }
-}
-
 fn state(model: &Model, system: &System) -> TokenStream {
     let (name, visibility, n) = (&model.name, &model.visibility, system.coordinates.len());
     let (module, own_name, state) = (state_module(name), state_name(name), state_path(name));
-    let first_line = format!("A state of [`{name}`](super::{name}): time, position, velocity and acceleration of every body.");
-    let failure_name = (!model.equations_only).then(|| format_ident!("{}Failure", name, span = Span::call_site()));
-    let failure = failure_name.as_ref().map(|failure_name| failure(failure_name, &format!("super::{name}"), &quote!(pub), n));
-    // The names of a stub come by a glob, too, and have to give way.
-    let names = if model.has_stub { quote!({ #own_name, #failure_name }) } else { quote!(*) };
+    let first_line = docs::line(&format!("A state of [`{name}`](super::{name}): time, position, velocity and acceleration of every body."));
     let accessors = Accessors::new(&model.layout, &model.name, visibility, None);
     let (own, views) = (accessors.of_mechanism(), accessors.views(n));
+    let n = number(n);
+    let failure_name = (!model.equations_only).then(|| format_ident!("{}Failure", name, span = Span::call_site()));
+    let failure = failure_name.as_ref().map(|failure_name| {
+        let page = docs::line(&format!("Why there is no state of [`{name}`](super::{name})."));
+        quote!(#page #[allow(dead_code)] pub type #failure_name<T = ::core::primitive::f64> = ::reuleaux::Failure<T, #n>;)
+    });
+    // The names of a stub come by a glob, too, and have to give way.
+    let names = if model.has_stub { quote!({ #own_name, #failure_name }) } else { quote!(*) };
+    let allowed = allowed();
     quote! {
         #[allow(non_snake_case)]
         mod #module {
-            #[doc = #first_line]
+            #first_line
             #[derive(Clone, Debug, PartialEq)]
             pub struct #own_name<T = ::core::primitive::f64>(pub ::reuleaux::State<T, #n>);
             #failure
         }
         #[allow(unused_imports, unreachable_pub)]
         #visibility use #module::#names;
-        #[automatically_derived]
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case)]
+        #allowed
         impl<T: ::reuleaux::Real> #state<T> { #own }
-        #[automatically_derived]
         impl<T> ::core::ops::Deref for #state<T> {
             type Target = ::reuleaux::State<T, #n>;
             fn deref(&self) -> &Self::Target { &self.0 }

@@ -5,6 +5,7 @@ use super::columns::Columns;
 use super::expression::local;
 use super::functions::Emitter;
 use super::routine::{Lines, lines_at};
+use super::slices::plain;
 use super::{docs, docs_or, state_path};
 use crate::model::Method;
 use crate::plan::{Outputs, Routine, Shape, Words};
@@ -32,10 +33,15 @@ impl Emitter<'_> {
             Outputs::Each(routines) => self.each(method, routines),
             Outputs::Alike(alike) => self.alike(method, &alike.0, &alike.1),
         };
-        let (docs, name, state) = (docs_or(&method.docs, &docs::output(method, first)), &method.name, state_path(&self.model.name));
+        let known = docs::output(method, first);
+        let is_plain = !method.is_slice && !self.model.equations_only;
+        let known = if is_plain { format!("{known} A `slice output` could be solved for alone.") } else { known };
+        let (docs, name, state) = (docs_or(&method.docs, &known), &method.name, state_path(&self.model.name));
+        let alone = (!self.model.equations_only).then(|| alone(method));
         let kind = array_type(kind, &method.sizes);
         quote! {
             #docs
+            #alone
             #[must_use]
             pub fn #name(&self, state: &#state<T>) -> #kind { #body }
         }
@@ -75,6 +81,16 @@ impl Emitter<'_> {
         let array = array_of(quote!({ #tables #inputs #reads #steps #motion }), &method.sizes);
         quote!(#vectors #array)
     }
+}
+
+/// How an output is solved for alone. Where it cannot be, whoever tries is led here: rustc offers a method whose alias was called.
+fn alone(method: &Method) -> TokenStream {
+    let word = plain(&method.name);
+    let solve_for = format!("solve_for_{word}");
+    if method.is_slice {
+        return docs::line(&format!("[`{solve_for}`](Self::{solve_for}) solves for it alone."));
+    }
+    quote!(#[doc(alias = #solve_for)])
 }
 
 /// What the lines read.

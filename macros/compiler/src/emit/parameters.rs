@@ -2,10 +2,11 @@
 
 use super::arrays::{array_from, array_type};
 use super::expression::local;
-use super::{docs, docs_or};
+use super::literal::real;
+use super::{allowed, docs, docs_or};
 use crate::model::{Component, Field, Layout, Model, Of, Part, is_of_generated_type};
 use crate::system::System;
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 /// The structs of a mechanism.
@@ -90,15 +91,14 @@ impl<'a> Parameters<'a> {
             let docs = docs_or(&declared.docs, &self.page(declared));
             let fields = self.documented(model, component);
             let defaults = self.component_defaults(component, &name, &values);
-            let (between, gathering) = (self.between(component), self.gathering(component, &name));
+            let (allowed, gathering) = (allowed(), self.gathering(component, &name));
             quote! {
                 #docs
                 #[derive(Clone, Copy, Debug, PartialEq)]
                 #visibility struct #name<T = ::core::primitive::f64> { #fields }
                 #defaults
-                #[automatically_derived]
-                #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code)]
-                impl<T: ::reuleaux::Real> #name<T> { #between #gathering }
+                #allowed
+                impl<T: ::reuleaux::Real> #name<T> { #gathering }
             }
         };
         self.structures().map(structure).collect()
@@ -112,13 +112,12 @@ impl<'a> Parameters<'a> {
     /// A component whose parts all have the same defaults has them itself.
     fn component_defaults(&self, component: usize, name: &Ident, values: &[f64]) -> TokenStream {
         let Some(literal) = self.common(component, values) else { return quote!() };
+        let allowed = allowed();
         quote! {
-            #[automatically_derived]
             impl ::core::default::Default for #name<::core::primitive::f64> {
                 fn default() -> Self { Self::with_defaults() }
             }
-            #[automatically_derived]
-            #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+            #allowed
             impl<T: ::reuleaux::Real> #name<T> {
                 /// The parameters at their declared defaults, over any number type.
                 #[must_use]
@@ -153,47 +152,12 @@ impl<'a> Parameters<'a> {
                     let structure = self.structure(inner);
                     self.literal(&self.layout.parts[*member], &quote!(#structure), values)
                 }
-                _ => {
-                    let value = values.get(*member).copied().unwrap_or_default();
-                    let (sign, size) = (value.is_sign_negative().then(|| quote!(-)), Literal::f64_unsuffixed(value.abs()));
-                    quote!(T::of(#sign #size))
-                }
+                _ => real(values.get(*member).copied().unwrap_or_default()),
             };
             let (name, value) = (&field.name, array_from(part.members[number].iter().map(element).collect(), &field.sizes));
             quote!(#name: #value,)
         };
         self.fields(part.component).map(field).collect()
-    }
-
-    /// What lies between the defaults and other parameters, for a component.
-    fn between(&self, component: usize) -> TokenStream {
-        let (defaults, share, to) = (local("defaults"), local("share"), local("to"));
-        let fields = self.blended(component, &quote!(#to));
-        quote! {
-            #[doc(hidden)]
-            #[inline]
-            fn between(#defaults: &Self, #to: &Self, #share: T) -> Self { Self { #fields } }
-        }
-    }
-
-    /// Every field between that of `defaults` and that of `to`, at `share` of the way.
-    pub(super) fn blended(&self, component: usize, to: &TokenStream) -> TokenStream {
-        let (defaults, share) =
-            (if component == 0 { Ident::new("defaults", Span::call_site()) } else { local("defaults") }, local("share"));
-        let field = |(_, field): (usize, &Field)| {
-            let (name, rounds) = (&field.name, (0..field.sizes.len()).map(|rank| local(&format!("i{rank}"))).collect::<Vec<_>>());
-            let (one, two) = (quote!(#defaults.#name #([#rounds])*), quote!(#to.#name #([#rounds])*));
-            let element = match field.of {
-                Of::Part(inner) => {
-                    let structure = self.structure(inner);
-                    quote!(#structure::between(&#one, &#two, #share))
-                }
-                _ => quote!(#one + #share * (#two - #one)),
-            };
-            let value = rounds.iter().rev().fold(element, |inner, round| quote!(::core::array::from_fn(|#round| #inner)));
-            quote!(#name: #value,)
-        };
-        self.fields(component).map(field).collect()
     }
 }
 
@@ -209,6 +173,7 @@ impl Parameters<'_> {
             let element = match field.of {
                 Of::Part(inner) => {
                     let structure = self.structure(inner);
+                    let combine = if component == 0 { quote!(&#combine) } else { quote!(#combine) };
                     quote!(#structure::gathered(#each.map(|#one| &#place), #combine))
                 }
                 _ => quote!(#combine(#each.map(|#one| #place))),

@@ -1,11 +1,11 @@
 //! Straight lines as statements.
 
 use super::expression::{Printer, local};
-use super::stages::number;
+use super::literal::number;
 use crate::expr::{Arena, Leaf};
 use crate::model::{Function, Model};
 use crate::plan::{Routine, Step};
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 /// The statements of a routine, and an expression for each result.
@@ -20,11 +20,15 @@ pub(super) struct Lines {
 
 /// Prints a routine that reads `q`, `qd`, `qdd` and `t`.
 pub(super) fn lines(model: &Model, arena: &Arena, routine: &Routine) -> Lines {
-    lines_at(model, arena, routine, number)
+    routine_with(model, arena, routine, reads(routine, number, TOGETHER))
 }
 
 /// The same where the unknown of a number stands elsewhere.
 pub(super) fn lines_at(model: &Model, arena: &Arena, routine: &Routine, place: impl Fn(usize) -> TokenStream) -> Lines {
+    routine_with(model, arena, routine, reads(routine, place, 1))
+}
+
+fn routine_with(model: &Model, arena: &Arena, routine: &Routine, reads: TokenStream) -> Lines {
     let printer = Printer { arena, names: &routine.names, turn: "sin_cos" };
     let mut steps = TokenStream::new();
     let mut results = Vec::new();
@@ -36,20 +40,34 @@ pub(super) fn lines_at(model: &Model, arena: &Arena, routine: &Routine, place: i
         printed = *after;
         results.push(printer.expression(*result));
     }
-    Lines { reads: reads(routine, place), steps, results }
+    Lines { reads, steps, results }
 }
 
-fn reads(routine: &Routine, place: impl Fn(usize) -> TokenStream) -> TokenStream {
-    let mut tokens = TokenStream::new();
+/// As many reads of a vector stand in a line: those of a body are together.
+const TOGETHER: usize = 3;
+
+fn reads(routine: &Routine, place: impl Fn(usize) -> TokenStream, together: usize) -> TokenStream {
+    let mut of_vectors = [("q", Vec::new()), ("qd", Vec::new()), ("qdd", Vec::new())];
     for (expr, leaf) in &routine.leaves {
-        let (source, index) = match *leaf {
-            Leaf::Coordinate(index) => ("q", index),
-            Leaf::Speed(index) => ("qd", index),
-            Leaf::Acceleration(index) => ("qdd", index),
+        let (vector, index) = match *leaf {
+            Leaf::Coordinate(index) => (0, index),
+            Leaf::Speed(index) => (1, index),
+            Leaf::Acceleration(index) => (2, index),
             Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_) => continue,
         };
-        let (name, source, place) = (local(&routine.names[expr]), local(source), place(index as usize));
-        tokens.extend(quote!(let #name = #source[#place];));
+        of_vectors[vector].1.push((index, local(&routine.names[expr])));
+    }
+    let mut tokens = TokenStream::new();
+    for (vector, mut reads) in of_vectors {
+        reads.sort_by_key(|(index, _)| *index);
+        let vector = local(vector);
+        for reads in reads.chunks(together) {
+            let (names, places): (Vec<&Ident>, Vec<TokenStream>) = reads.iter().map(|(index, name)| (name, place(*index as usize))).unzip();
+            tokens.extend(match names.as_slice() {
+                [name] => quote!(let #name = #vector[#(#places)*];),
+                _ => quote!(let (#(#names),*) = (#(#vector[#places]),*);),
+            });
+        }
     }
     tokens
 }
@@ -70,18 +88,19 @@ pub(super) fn statement(model: &Model, printer: &Printer, step: &Step) -> TokenS
         }
         Step::SineCosine { angle, sine, cosine } => {
             let (sine, cosine) = (bound(sine), bound(cosine));
-            let angle = printer.expression(*angle);
-            let turn = local(printer.turn);
-            quote!(let (#sine, #cosine) = (#angle).#turn();)
+            let (angle, turn) = (printer.operand(*angle), local(printer.turn));
+            quote!(let (#sine, #cosine) = #angle.#turn();)
         }
         Step::Call { function, argument, names } => {
             let [value, first, second] = names.each_ref().map(bound);
-            let argument = printer.expression(*argument);
             match model.functions.get(*function as usize) {
-                Some(Function::Rust(path)) => quote!(let (#value, #first, #second): (T, T, T) = #path(#argument);),
+                Some(Function::Rust(path)) => {
+                    let argument = printer.expression(*argument);
+                    quote!(let (#value, #first, #second): (T, T, T) = #path(#argument);)
+                }
                 _ => {
-                    let table = local(&format!("TABLE_{function}"));
-                    quote!(let (#value, #first, #second) = (#argument).table(&Self::#table);)
+                    let (argument, table) = (printer.operand(*argument), local(&format!("TABLE_{function}")));
+                    quote!(let (#value, #first, #second) = #argument.table(&Self::#table);)
                 }
             }
         }

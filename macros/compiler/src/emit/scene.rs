@@ -3,6 +3,7 @@
 use super::expression::{Printer, local};
 use super::routine::statement;
 use super::stages::Index;
+use super::{docs, literal};
 use crate::expr::{Arena, Expr};
 use crate::model::Model;
 use crate::plan::{Iterated, Lines, Part, Step};
@@ -21,6 +22,16 @@ pub(super) struct Scene<'a> {
     pub(super) equations: &'a [TokenStream],
     /// Unknowns whose sine and cosine are wanted afterwards.
     pub(super) kept: &'a [usize],
+    /// What unknowns and equations are called in the declaration; without it statements are not commented.
+    pub(super) origins: Option<&'a Origins>,
+}
+
+/// What unknowns and equations are called in the declaration.
+pub(super) struct Origins {
+    /// By unknown, `crank.angle`.
+    pub(super) coordinates: Vec<String>,
+    /// The joint of each equation, `b (revolute)`.
+    pub(super) joints: Vec<String>,
 }
 
 impl Scene<'_> {
@@ -29,7 +40,54 @@ impl Scene<'_> {
         steps.iter().map(|step| statement(self.model, &printer, step)).collect()
     }
 
-    pub(super) fn part(&self, number: usize, part: &Part) -> TokenStream {
+    /// All parts in order, each under a comment that says which joint it serves.
+    pub(super) fn parts(&self) -> TokenStream {
+        let mut tokens = TokenStream::new();
+        let mut before = None;
+        for (number, part) in self.lines.parts.iter().enumerate() {
+            let joints = self.origins.map(|origins| origins.joints_of(part));
+            if joints != before
+                && let (Some(origins), Some(joints)) = (self.origins, &joints)
+            {
+                let alike = self.lines.parts[number..].iter().take_while(|part| origins.joints_of(part) == *joints);
+                tokens.extend(origins.comment(joints, alike));
+            }
+            before = joints;
+            tokens.extend(self.part(number, part));
+        }
+        tokens
+    }
+
+    /// The name of a block that was solved, made of those of its bodies.
+    pub(super) fn solved(&self, number: usize) -> Ident {
+        let stem = self.stem(number);
+        let is_taken = |name: &str| {
+            let is_known = self.lines.unknowns.iter().flatten().chain(self.lines.names.values()).any(|known| known == name);
+            is_known || (0..number).any(|other| self.stem(other).is_some_and(|other| other == name))
+        };
+        local(&match stem {
+            Some(stem) if !is_taken(&stem) => stem,
+            _ => format!("block_{number}"),
+        })
+    }
+
+    /// `block_coupler_rocker`, for a part that is a block.
+    fn stem(&self, number: usize) -> Option<String> {
+        let Some(Part::Block(block)) = self.lines.parts.get(number) else { return None };
+        let mut bodies: Vec<&str> = Vec::new();
+        for unknown in &block.system.unknowns {
+            let body = self.unknowns[*unknown].body.as_str();
+            if !bodies.contains(&body) {
+                bodies.push(body);
+            }
+        }
+        Some(match bodies.as_slice() {
+            [first, .., last] if bodies.len() > MOST_BODIES => format!("block_{first}_to_{last}"),
+            _ => format!("block_{}", bodies.join("_")),
+        })
+    }
+
+    fn part(&self, number: usize, part: &Part) -> TokenStream {
         match part {
             Part::Block(block) => self.block(number, block),
             Part::Check { steps, equation, residual, sizes } => {
@@ -39,11 +97,14 @@ impl Scene<'_> {
                 let (pass, equation) = (local("pass"), &self.equations[*equation]);
                 quote!(#steps #pass.check(#equation, #residual, [#(#sizes),*]);)
             }
-            Part::Explicit { steps, unknown, motion } => {
+            Part::Explicit { steps, unknown, motion, .. } => {
                 let steps = self.steps(&self.lines.names, steps);
                 let printer = Printer { arena: self.arena, names: &self.lines.names, turn: "fast_sin_cos" };
                 let names = self.lines.unknowns[*unknown].each_ref().map(|name| local(name));
                 let values = motion.map(|expr| printer.expression(expr));
+                if motion[1..].iter().all(|expr| printer.constant(*expr).is_some()) {
+                    return quote!(#steps let (#(#names),*) = (#(#values),*););
+                }
                 quote!(#steps #(let #names = #values;)*)
             }
         }
@@ -95,7 +156,7 @@ impl Scene<'_> {
             }
         };
         let order = block.system.elimination.as_ref().map(|_| quote!(#order,));
-        let (pass, place, solved) = (local("pass"), local("place"), local(&format!("block_{number}")));
+        let (pass, place, solved, k) = (local("pass"), local("place"), self.solved(number), literal::number(k));
         quote! {
             #before
             #elimination
@@ -129,8 +190,40 @@ impl Scene<'_> {
             return quote!(#(let #names = T::of(0.0);)*);
         }
         let printer = Printer { arena: self.arena, names: &self.lines.names, turn: "fast_sin_cos" };
-        let (solved, sides) = (local(&format!("block_{number}")), sides.iter().map(|side| printer.expression(*side)));
+        let (solved, sides) = (self.solved(number), sides.iter().map(|side| printer.expression(*side)));
         quote!(let [#(#names),*] = #solved.solve([#(#sides),*]);)
+    }
+}
+
+/// A block of more bodies is called by the first and the last of them.
+const MOST_BODIES: usize = 3;
+
+impl Origins {
+    /// The joints that a part serves.
+    fn joints_of(&self, part: &Part) -> Vec<&str> {
+        let equations = match part {
+            Part::Explicit { equation, .. } | Part::Check { equation, .. } => std::slice::from_ref(equation),
+            Part::Block(block) => &block.system.equations,
+        };
+        let mut joints: Vec<&str> = equations.iter().filter_map(|equation| self.joints.get(*equation)).map(String::as_str).collect();
+        joints.dedup();
+        joints
+    }
+
+    /// `b (revolute): coupler.angle, rocker.angle`
+    fn comment<'p>(&self, joints: &[&str], parts: impl Iterator<Item = &'p Part>) -> TokenStream {
+        let unknowns = |part: &'p Part| match part {
+            Part::Explicit { unknown, .. } => std::slice::from_ref(unknown),
+            Part::Block(block) => block.system.unknowns.as_slice(),
+            Part::Check { .. } => &[],
+        };
+        let found: Vec<String> = parts.flat_map(unknowns).filter_map(|unknown| self.coordinates.get(*unknown)).cloned().collect();
+        let text = match (joints.join(", "), found.join(", ")) {
+            (joints, found) if joints.is_empty() => found,
+            (joints, found) if found.is_empty() => format!("{joints}: it must hold"),
+            (joints, found) => format!("{joints}: {found}"),
+        };
+        docs::line(&text)
     }
 }
 

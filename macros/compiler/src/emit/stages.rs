@@ -1,11 +1,14 @@
 //! The generated way to solve a mechanism: stage by stage.
 
+use super::allowed;
+use super::docs::coordinate_name;
 use super::expression::{local, named};
 use super::functions::Emitter;
-use super::parameters::Parameters;
-use super::scene::Scene;
+use super::literal::{number, vector_type};
+use super::scene::{Origins, Scene};
 use crate::plan::{Lines, Solution, Solving, Summary, Words};
 use crate::quantity::Role;
+use crate::system::Equation;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use std::collections::{BTreeMap, BTreeSet};
@@ -22,13 +25,13 @@ impl Emitter<'_> {
         let (toward, lists, improved) = (self.toward(), self.lists(solution, &shelf), self.improved());
         let (body, kernels) = self.solving(&solution.solving, &shelf);
         let (step, moving) = self.moving();
-        let (body, prepared) = self.prepared(solution, body);
+        let (body, prepared) = self.prepared(body);
         let mark = self.mark(solution);
         let stages = stages_of(&solution.solving, n, &body);
+        let (n, allowed) = (number(n), allowed());
         quote! {
             #kernels
-            #[automatically_derived]
-            #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused_variables, unused_parens)]
+            #allowed
             impl<T: ::reuleaux::SolverReal> ::reuleaux::Stages<T, #n> for #name<T> {
                 #lists
                 #toward
@@ -45,12 +48,19 @@ impl Emitter<'_> {
     /// What the runtime has to know of single unknowns
     pub(super) fn lists(&self, solution: &Solution, shelf: &Shelf) -> TokenStream {
         let (angles, iterated) = (self.computed_angles(solution, shelf), iterated(solution, shelf));
-        let unsure = solution.unsure.iter().filter_map(|unknown| shelf.place(*unknown)).map(Literal::usize_unsuffixed);
+        let unsure = unsure(solution, shelf);
         quote! {
             #angles
             #iterated
-            const MAY_BE_NON_FINITE: ::core::option::Option<&'static [::core::primitive::usize]> = ::core::option::Option::Some(&[#(#unsure),*]);
+            const MAY_BE_NON_FINITE: ::core::option::Option<&'static [::core::primitive::usize]> = ::core::option::Option::Some(&[#unsure]);
         }
+    }
+
+    /// The same of a slice
+    pub(super) fn lists_of_slice(&self, solution: &Solution, shelf: &Shelf) -> TokenStream {
+        let (angles, iterated) = (self.computed_angles(solution, shelf), iterated(solution, shelf));
+        let unsure = unsure(solution, shelf);
+        quote!(#angles #iterated const MAY_BE_NON_FINITE: &'static [::core::primitive::usize] = &[#unsure];)
     }
 
     /// Computed angles that move
@@ -77,15 +87,9 @@ impl Emitter<'_> {
         if self.model.parameters.is_empty() {
             return quote!();
         }
-        let share = local("share");
-        let fields = Parameters::new(&self.model.layout, &self.model.name).blended(0, &quote!(self));
         quote! {
-            fn interpolated(&self, #share: T) -> ::core::option::Option<Self> {
-                let defaults = Self::with_defaults();
-                if self == &defaults {
-                    return ::core::option::Option::None;
-                }
-                ::core::option::Option::Some(Self { #fields })
+            fn interpolated(&self, lambda: T) -> ::core::option::Option<Self> {
+                ::reuleaux::between(&Self::with_defaults(), self, lambda)
             }
         }
     }
@@ -109,7 +113,7 @@ impl Emitter<'_> {
 
     /// A guess improved with all equations
     fn improved(&self) -> TokenStream {
-        let n = self.system.coordinates.len();
+        let (n, of_q) = (number(self.system.coordinates.len()), vector_type(self.system.coordinates.len()));
         let checked: BTreeSet<usize> = self.plan.checked.iter().copied().collect();
         let improved = if checked.is_empty() {
             quote!(::reuleaux::refined_guess_at_once(self, t, guess))
@@ -121,7 +125,7 @@ impl Emitter<'_> {
             }
         };
         quote! {
-            fn refined_guess(&self, t: T, guess: &::reuleaux::nalgebra::SVector<T, #n>) -> ::reuleaux::nalgebra::SVector<T, #n>
+            fn refined_guess(&self, t: T, guess: &#of_q) -> #of_q
             where
                 T: ::reuleaux::Float,
             {
@@ -134,17 +138,26 @@ impl Emitter<'_> {
     fn straight(&self, lines: &Lines, shelf: &Shelf) -> TokenStream {
         let indices: Vec<Index> = (0..lines.unknowns.len()).map(|unknown| self.index_on(unknown, shelf)).collect();
         let equations: Vec<TokenStream> = (0..self.system.equations.len()).map(number).collect();
-        let scene = Scene { model: self.model, arena: &self.plan.arena, lines, unknowns: &indices, equations: &equations, kept: &[] };
+        let origins = self.origins(lines.unknowns.len());
+        let scene = Scene {
+            model: self.model,
+            arena: &self.plan.arena,
+            lines,
+            unknowns: &indices,
+            equations: &equations,
+            kept: &[],
+            origins: Some(&origins),
+        };
         let given = shelf.given.iter().enumerate().map(|(index, unknown)| {
             let (name, given, index) = (local(&lines.unknowns[*unknown][0]), local("given"), number(index));
             quote!(let #name = #given[#index];)
         });
-        let parts = lines.parts.iter().enumerate().map(|(number, part)| scene.part(number, part));
+        let parts = scene.parts();
         let column = |order: usize| -> Vec<Ident> { shelf.held.iter().map(|unknown| local(&lines.unknowns[*unknown][order])).collect() };
         let (q, qd, qdd) = (column(0), column(1), column(2));
         quote! {
             #(#given)*
-            #(#parts)*
+            #parts
             ::core::result::Result::Ok(::reuleaux::Coordinates {
                 q: ::core::convert::From::from([#(#q),*]),
                 qd: ::core::convert::From::from([#(#qd),*]),
@@ -153,10 +166,23 @@ impl Emitter<'_> {
         }
     }
 
+    /// What `n` unknowns and all equations are called in the declaration.
+    fn origins(&self, n: usize) -> Origins {
+        let joint = |equation: &Equation| {
+            let joint = &self.model.joints[equation.joint];
+            format!("{} ({})", joint.name, joint.kind)
+        };
+        Origins {
+            coordinates: (0..n).map(|unknown| coordinate_name(self.model, self.system, unknown)).collect(),
+            joints: self.system.equations.iter().map(joint).collect(),
+        }
+    }
+
     /// An unknown by its index in q; components of outputs, which follow, are never solved for.
     pub(super) fn index(&self, unknown: usize) -> Index {
         let is_length = self.system.coordinates.get(unknown).is_some_and(|unknown| unknown.role.is_position());
-        Index { place: number(unknown), kind: kind(is_length), is_length }
+        let body = self.system.coordinates.get(unknown).map(|unknown| self.model.bodies[unknown.body].name.local.clone());
+        Index { place: number(unknown), kind: kind(is_length), is_length, body: body.unwrap_or_default() }
     }
 
     /// An unknown by its place on a shelf.
@@ -167,7 +193,7 @@ impl Emitter<'_> {
 
 /// Where the results of stages go: given back, or written to an argument where they are many; its name, it, and what is given back.
 pub(super) fn results(solving: &Solving, n: usize) -> (TokenStream, TokenStream, TokenStream) {
-    let found = local("found");
+    let (found, n) = (local("found"), number(n));
     match solving {
         Solving::Straight(_) => {
             (quote!(), quote!(), quote!(::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::StepError<T>>))
@@ -183,6 +209,7 @@ pub(super) fn results(solving: &Solving, n: usize) -> (TokenStream, TokenStream,
 pub(super) fn stages_of(solving: &Solving, n: usize, body: &TokenStream) -> TokenStream {
     let (t, pass) = (local("t"), local("pass"));
     let (_, to, result) = results(solving, n);
+    let n = number(n);
     let pass = quote!(#pass: &mut ::reuleaux::Solver<'_, T, #n>);
     match solving {
         Solving::Straight(_) => quote! {
@@ -239,12 +266,6 @@ fn kind(is_length: bool) -> TokenStream {
     if is_length { quote!(::reuleaux::CoordinateKind::Length) } else { quote!(::reuleaux::CoordinateKind::Angle) }
 }
 
-/// A whole number.
-pub(super) fn number(value: usize) -> TokenStream {
-    let literal = Literal::usize_unsuffixed(value);
-    quote!(#literal)
-}
-
 /// An unknown in generated code.
 pub(super) struct Index {
     /// Its index in q.
@@ -253,6 +274,14 @@ pub(super) struct Index {
     pub(super) kind: TokenStream,
     /// It is no angle.
     pub(super) is_length: bool,
+    /// Its body.
+    pub(super) body: String,
+}
+
+/// Unknowns that may be found to be no finite numbers
+fn unsure(solution: &Solution, shelf: &Shelf) -> TokenStream {
+    let unsure = solution.unsure.iter().filter_map(|unknown| shelf.place(*unknown)).map(Literal::usize_unsuffixed);
+    quote!(#(#unsure),*)
 }
 
 /// Unknowns that are iterated

@@ -1,8 +1,9 @@
 //! The generated state: named access to bodies, and views of parts.
 
 use super::arrays::{array_at, array_type};
+use super::literal::number;
 use super::parameters::{apart, holders};
-use super::{docs_or, state_name};
+use super::{allowed, docs, docs_or, state_name};
 use crate::model::{Field, Layout, Of, Part};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -46,13 +47,14 @@ impl<'a> Accessors<'a> {
         let view = |component: usize| {
             let (view, declared) = (self.view(component), &self.layout.components[component]);
             let page = format!("A `{}` in a [`{state}`].", declared.name.as_ref().map(Ident::to_string).unwrap_or_default());
+            let (page, allowed, n) = (docs::line(&page), allowed(), number(n));
             let accessors = self.of(
                 component,
                 |place| quote!(self.state.planar_body(self.first + #place)),
                 |view, place| quote!(#view { state: self.state, first: self.first + #place }),
             );
             quote! {
-                #[doc = #page]
+                #page
                 #[derive(Clone, Copy, Debug, PartialEq)]
                 #[allow(dead_code)]
                 #visibility struct #view<'a, T = ::core::primitive::f64> {
@@ -61,8 +63,7 @@ impl<'a> Accessors<'a> {
                     #[doc(hidden)]
                     first: ::core::primitive::usize,
                 }
-                #[automatically_derived]
-                #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, dead_code)]
+                #allowed
                 impl<'a, T: ::reuleaux::Real> #view<'a, T> { #accessors }
             }
         };

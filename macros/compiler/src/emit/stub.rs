@@ -2,8 +2,9 @@
 //! mistake gives one error.
 
 use super::arrays::array_type;
+use super::literal::{matrix_type, number, vector_type};
 use super::parameters::Parameters;
-use super::slices::slice_name;
+use super::slices::{plain, slice_name};
 use super::state::Accessors;
 use crate::diag::nearest;
 use crate::diag::{Fact, NameFact};
@@ -51,10 +52,11 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
     let n = 3 * promised.bodies;
     let (structure, equations) = (structure(tree, &promised.layout, visibility), equations(name, n, body));
     let accessors = accessors(tree, &promised.layout, visibility, n, body);
-    let solutions = (!tree.equations_only).then(|| solutions(&state, n, body));
+    let (solutions, stages) = (!tree.equations_only).then(|| solutions(name, &state, visibility, n, body)).unzip();
     let has_outputs = !promised.methods.is_empty() || !refused(tree, "output").is_empty();
-    let slices = (!tree.equations_only).then(|| slices(tree, &promised, visibility, body));
+    let (solve_for, slices) = (!tree.equations_only).then(|| slices(tree, &promised, visibility, body)).unzip();
     let outputs = outputs(tree, &promised, &state, body);
+    let (n, vector) = (number(n), vector_type(n));
     let state = (!tree.equations_only || has_outputs).then(|| {
         quote! {
             #[derive(Clone, Debug, PartialEq)]
@@ -73,6 +75,7 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
     quote! {
         #structure
         #state
+        #stages
         #slices
         #equations
         #[allow(missing_docs, dead_code, clippy::all)]
@@ -81,10 +84,11 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
             pub const EQUATIONS: ::core::primitive::usize = #n;
             pub const JACOBIAN_ENTRIES: ::core::primitive::usize = 0;
             pub const JACOBIAN_PATTERN: [(::core::primitive::usize, ::core::primitive::usize); 0] = [];
-            pub fn jacobian_entries(&self, _: &::reuleaux::nalgebra::SVector<T, #n>, _: T) -> [T; 0] { #body }
+            pub fn jacobian_entries(&self, _: &#vector, _: T) -> [T; 0] { #body }
             pub fn with_defaults() -> Self { #body }
             #solutions
             #outputs
+            #solve_for
         }
     }
 }
@@ -161,8 +165,7 @@ fn accessors(tree: &Mechanism, layout: &Layout, visibility: &TokenStream, n: usi
 
 /// The functions of the runtime's traits, with and without them.
 fn equations(name: &Ident, n: usize, body: &TokenStream) -> TokenStream {
-    let vector = quote!(::reuleaux::nalgebra::SVector<T, #n>);
-    let matrix = quote!(::reuleaux::nalgebra::SMatrix<T, #n, #n>);
+    let (vector, matrix, n) = (vector_type(n), matrix_type(n, n), number(n));
     let functions = [
         quote!(fn phi(&self, _: &#vector, _: T) -> #vector { #body }),
         quote!(fn jacobian(&self, _: &#vector, _: T) -> #matrix { #body }),
@@ -188,16 +191,39 @@ fn equations(name: &Ident, n: usize, body: &TokenStream) -> TokenStream {
     }
 }
 
-fn solutions(state: &Ident, n: usize, body: &TokenStream) -> TokenStream {
+/// The functions that solve, and the runtime's traits behind them.
+fn solutions(name: &Ident, state: &Ident, visibility: &TokenStream, n: usize, body: &TokenStream) -> (TokenStream, TokenStream) {
+    let (vector, n) = (vector_type(n), number(n));
     let result = quote!(::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>>);
-    quote! {
+    let prepared = format_ident!("{}Prepared", name);
+    let functions = quote! {
         pub fn solve(&self, _: T) -> #result { #body }
-        pub fn solve_near(&self, _: T, _: &::reuleaux::nalgebra::SVector<T, #n>) -> #result { #body }
+        pub fn solve_near(&self, _: T, _: &#vector) -> #result { #body }
         pub fn solve_from(&self, _: T, _: &#state<T>) -> #result { #body }
         pub fn advance(&self, _: &mut #state<T>, _: T) -> ::core::result::Result<(), ::reuleaux::Failure<T, #n>> { #body }
         pub fn sweep<I: ::core::iter::IntoIterator<Item = T>>(&self, _: I) -> ::core::iter::Empty<#result> { #body }
-        pub fn prepared(&self) -> Self { *self }
-    }
+        pub fn prepared(&self) -> #prepared<T> { #body }
+    };
+    let traits = quote! {
+        #[doc(hidden)]
+        #[allow(dead_code)]
+        #visibility type #prepared<T = ::core::primitive::f64> = ::reuleaux::Prepared<#name<T>, T, #n, 0>;
+        impl<T: ::reuleaux::SolverReal> ::reuleaux::Stages<T, #n> for #name<T> {
+            fn stages(
+                &self,
+                _: T,
+                _: &mut ::reuleaux::Solver<'_, T, #n>,
+            ) -> ::core::result::Result<::reuleaux::Coordinates<T, #n>, ::reuleaux::StepError<T>> {
+                #body
+            }
+        }
+        impl<T: ::reuleaux::SolverReal> ::reuleaux::Prepare<T, #n, 0> for #name<T> {
+            type State = #state<T>;
+            fn named(_: ::reuleaux::State<T, #n>) -> Self::State { #body }
+            fn unnamed(state: &mut Self::State) -> &mut ::reuleaux::State<T, #n> { &mut state.0 }
+        }
+    };
+    (functions, traits)
 }
 
 /// The type of an output's method, as far as can be guessed.
@@ -211,35 +237,35 @@ fn motion(tree: &Mechanism, promised: &Outline, method: &Method) -> TokenStream 
     array_type(motion, &method.sizes)
 }
 
-/// The slices upstream of outputs.
-fn slices(tree: &Mechanism, promised: &Outline, visibility: &TokenStream, body: &TokenStream) -> TokenStream {
-    let mechanism = &tree.name;
-    let slice = |method: &Method| {
-        let word = method.name.to_string();
-        let word = word.trim_start_matches("r#");
-        let (name, solve_for) = (slice_name(mechanism, &promised.methods, word), format_ident!("solve_for_{word}"));
-        let (output, motion) = (&method.name, motion(tree, promised, method));
-        let state = slice_name(&format_ident!("{mechanism}State"), &promised.methods, word);
+/// The slices upstream of outputs: the methods, and what they give.
+fn slices(tree: &Mechanism, promised: &Outline, visibility: &TokenStream, body: &TokenStream) -> (TokenStream, TokenStream) {
+    let (mechanism, n) = (&tree.name, number(3 * promised.bodies));
+    let slice = |(order, method): (usize, &Method)| {
+        let (word, order, value) = (plain(&method.name), number(order), motion(tree, promised, method));
+        let [name, state] = ["", "State"].map(|what| slice_name(&format_ident!("{mechanism}{what}"), &promised.methods, &word));
+        let solve_for = format_ident!("solve_for_{word}");
         // How many numbers a slice holds is not known; nobody asks.
-        let solutions = solutions(&state, 1, body);
-        quote! {
-            #[derive(Clone, Copy, Debug, PartialEq)]
+        let types = quote! {
             #[doc(hidden)]
             #[allow(dead_code, non_camel_case_types)]
-            #visibility struct #name<T = ::core::primitive::f64>(pub #mechanism<T>);
-            #[derive(Clone, Debug, PartialEq)]
+            #visibility type #name<T = ::core::primitive::f64> = ::reuleaux::Slice<#mechanism<T>, T, #order, 1, #n>;
             #[doc(hidden)]
             #[allow(dead_code, non_camel_case_types)]
-            #visibility struct #state<T = ::core::primitive::f64>(pub ::reuleaux::State<T, 1>);
-            #[allow(missing_docs, dead_code, non_snake_case, clippy::all)]
-            impl<T: ::reuleaux::Real> #state<T> { pub fn #output(&self) -> #motion { #body } }
-            #[allow(missing_docs, dead_code, non_snake_case, clippy::all)]
-            impl<T: ::reuleaux::Real> #mechanism<T> { pub fn #solve_for(&self) -> #name<T> { #name(*self) } }
-            #[allow(missing_docs, dead_code, clippy::all)]
-            impl<T: ::reuleaux::Float> #name<T> { #solutions }
-        }
+            #visibility type #state<T = ::core::primitive::f64> = ::reuleaux::SliceState<#mechanism<T>, T, #order, 1, #n>;
+            impl<T: ::reuleaux::SolverReal> ::reuleaux::Sliced<T, #order, 1, #n> for #mechanism<T> {
+                type Value = #value;
+                const PLAN: ::reuleaux::Plan = ::reuleaux::Plan { stages: &[], operations: ::reuleaux::Operations::new(0, 0, 0, 0) };
+                const HELD: [::core::primitive::usize; 1] = [0];
+                const COMPONENTS: &'static [::reuleaux::Coordinate] = &[];
+                const COMPUTED_ANGLES: &'static [::core::primitive::usize] = &[];
+                const ITERATED: &'static [::core::primitive::usize] = &[];
+                const MAY_BE_NON_FINITE: &'static [::core::primitive::usize] = &[];
+                fn output(_: &::reuleaux::State<T, 1>) -> #value { #body }
+            }
+        };
+        (quote!(pub fn #solve_for(&self) -> #name<T> { #body }), types)
     };
-    promised.methods.iter().map(slice).collect()
+    promised.methods.iter().filter(|method| method.is_slice).enumerate().map(slice).unzip()
 }
 
 fn outputs(tree: &Mechanism, promised: &Outline, state: &Ident, body: &TokenStream) -> TokenStream {

@@ -102,15 +102,16 @@ impl Elaborator<'_> {
     }
 
     /// One method for each output name. The method of an output in a part begins with the names of the enclosing parts.
-    pub(super) fn methods(&mut self, layout: &Layout, outputs: &[Option<Output>]) -> Vec<Method> {
+    pub(super) fn methods(&mut self, layout: &Layout, register: &Register, outputs: &[Option<Output>]) -> Vec<Method> {
         let mut methods = Vec::new();
-        self.methods_of(layout, &[0], &[], "", &mut methods);
+        self.methods_of(layout, register, &[0], &[], "", &mut methods);
         methods.sort_by_key(|method: &Method| method.members.first().copied());
         let mut taken = BTreeSet::new();
         for method in &methods {
             let word = method.name.to_string();
             let slice = word.strip_prefix("solve_for_");
-            if is_generated(&method.name) || slice.is_some_and(|output| methods.iter().any(|method| method.name == output)) {
+            let is_of_slice = |output: &str| methods.iter().any(|method| method.is_slice && method.name == output);
+            if is_generated(&method.name) || slice.is_some_and(is_of_slice) {
                 self.refuse::<()>(&method.name, NameFact::Generated { name: word });
             } else if !taken.insert(word.clone()) {
                 self.refuse::<()>(&method.name, NameFact::Duplicate { name: word, first: "another output" });
@@ -127,7 +128,7 @@ impl Elaborator<'_> {
     }
 
     /// Adds the methods of the outputs in some parts of one component.
-    fn methods_of(&self, layout: &Layout, parts: &[usize], sizes: &[usize], prefix: &str, methods: &mut Vec<Method>) {
+    fn methods_of(&self, layout: &Layout, register: &Register, parts: &[usize], sizes: &[usize], prefix: &str, methods: &mut Vec<Method>) {
         let Some(first) = parts.first() else { return };
         let component = &layout.components[layout.parts[*first].component];
         for (number, field) in component.fields.iter().enumerate() {
@@ -137,11 +138,12 @@ impl Elaborator<'_> {
             match field.of {
                 Of::Output => {
                     let word = if prefix.is_empty() { field.name.clone() } else { joined(prefix, &field.name) };
-                    methods.push(Method { name: word, docs: field.docs.clone(), sizes, members });
+                    let is_slice = members.iter().any(|member| register.outputs[*member].1.is_slice);
+                    methods.push(Method { name: word, docs: field.docs.clone(), sizes, members, is_slice });
                 }
                 Of::Part(_) => {
                     let prefix = format!("{prefix}{}_", field.name.to_string().trim_start_matches("r#"));
-                    self.methods_of(layout, &members, &sizes, &prefix, methods);
+                    self.methods_of(layout, register, &members, &sizes, &prefix, methods);
                 }
                 Of::Parameter | Of::Body => {}
             }

@@ -195,6 +195,8 @@ pub struct Method {
     pub sizes: Vec<usize>,
     /// The outputs by number; the last index varies fastest.
     pub members: Vec<usize>,
+    /// It can be solved for alone: one of the outputs is declared as `slice output`.
+    pub is_slice: bool,
 }
 
 /// A function of one variable with its first two derivatives.

@@ -369,6 +369,5 @@ pub(super) fn is_one_of_many(context: &Context) -> bool {
 /// output, a prepared or a moving mechanism.
 pub(crate) fn is_of_generated_type(word: &str) -> bool {
     let is_of_slice = word.strip_prefix("For").is_some_and(|output| output.starts_with(|first: char| first.is_uppercase() || first == '_'));
-    let is_of_failure = word.strip_prefix("Failure").is_some_and(|rest| rest.is_empty() || rest.starts_with("For"));
-    word.starts_with("State") || is_of_failure || is_of_slice || ["Prepared", "PreparedFailure", "Moving"].contains(&word)
+    word.starts_with("State") || is_of_slice || ["Failure", "Prepared", "Moving"].contains(&word)
 }

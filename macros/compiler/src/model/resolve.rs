@@ -29,7 +29,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     let lengths = work.marks(&register);
     let joints = work.joints(&register);
     let outputs = work.outputs(&register);
-    let methods = work.methods(&layout, &outputs);
+    let methods = work.methods(&layout, &register, &outputs);
     work.unused_components(&register);
     work.requirements_hold(&parameters);
     work.fixed_values_are_finite(&parameters);
@@ -77,7 +77,7 @@ pub(crate) fn outline(tree: &ast::Mechanism) -> Outline {
     let mut work = Elaborator::new(&mut diag, Names::new(BTreeMap::new()));
     let register = work.register(&tree.items);
     let layout = work.layout(&register);
-    let mut methods = work.methods(&layout, &vec![None; register.outputs.len()]);
+    let mut methods = work.methods(&layout, &register, &vec![None; register.outputs.len()]);
     let mut taken = BTreeSet::new();
     methods.retain(|method| !is_generated(&method.name) && taken.insert(method.name.to_string()));
     Outline { layout, methods, outputs: register.outputs.into_iter().map(|(_, output)| output).collect(), bodies: register.bodies.len() }

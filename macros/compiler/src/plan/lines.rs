@@ -36,6 +36,8 @@ pub enum Part {
         steps: Vec<Step>,
         /// Index in q.
         unknown: usize,
+        /// Index in Φ of the equation that gives it.
+        equation: usize,
         /// Value, rate and acceleration.
         motion: [Expr; 3],
     },
@@ -104,7 +106,10 @@ pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet
         }
     }
     roots.extend(&hoisted);
-    let apart = if is_apart { of_parameters(arena, &roots) } else { BTreeSet::new() };
+    let mut apart = if is_apart { of_parameters(arena, &roots) } else { BTreeSet::new() };
+    if !is_worth_keeping(arena, &apart) {
+        apart.clear();
+    }
     hoisted.extend(&apart);
     let mut work = Scheduler::new(arena, &roots, &hoisted, words);
     for expr in &apart {
@@ -143,6 +148,17 @@ fn of_parameters(arena: &Arena, roots: &[Expr]) -> BTreeSet<Expr> {
     found
 }
 
+/// True if expressions of parameters alone are expensive enough to be kept from state to state.
+fn is_worth_keeping(arena: &Arena, apart: &BTreeSet<Expr>) -> bool {
+    let all = arena.reachable(&apart.iter().copied().collect::<Vec<Expr>>());
+    let open: Vec<Expr> = all.into_iter().filter(|expr| !arena.leaves(*expr).is_empty()).collect();
+    let Cost { flops, divisions, sines, calls } = cost(arena, &open);
+    flops >= KEPT || divisions + sines + calls > 0
+}
+
+/// Number of additions and multiplications that is worth keeping.
+const KEPT: usize = 20;
+
 /// Names of the given sine and cosine of an unknown.
 fn known_turn(arena: &Arena, work: &mut Scheduler, unknown: usize) -> [Option<String>; 2] {
     let leaf = Node::Leaf(Leaf::Coordinate(unknown as u32));
@@ -158,11 +174,11 @@ fn known_turn(arena: &Arena, work: &mut Scheduler, unknown: usize) -> [Option<St
 
 fn part(arena: &Arena, work: &mut Scheduler, stage: &Stage, moving: &BTreeSet<Expr>, words: &Words) -> Part {
     match stage {
-        Stage::Explicit { unknown, motion, .. } => {
+        Stage::Explicit { unknown, equation, motion } => {
             for expr in motion {
                 work.serve(*expr);
             }
-            Part::Explicit { steps: work.take(), unknown: *unknown, motion: *motion }
+            Part::Explicit { steps: work.take(), unknown: *unknown, equation: *equation, motion: *motion }
         }
         Stage::Block(system) => Part::Block(Box::new(iterated(arena, work, system, moving, words))),
         Stage::Check { equation, residual, sizes } => {

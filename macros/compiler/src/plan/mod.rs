@@ -52,7 +52,7 @@ pub struct Plan {
     pub solution: Option<Solution>,
     /// Equations that are checked instead of solved, by index in Φ.
     pub checked: Vec<usize>,
-    /// For each method of outputs, the part of the mechanism upstream of it.
+    /// For each sliced method of outputs, the part of the mechanism upstream of it.
     pub slices: Vec<Slice>,
     /// The moving part of the mechanism, if it is worth code of its own.
     pub moving: Option<Slice>,
@@ -84,7 +84,7 @@ pub struct Plan {
 pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, assembly: &Assembly) -> Plan {
     let mut arena = system.arena.clone();
     let solved = (!model.equations_only).then(|| {
-        let outputs = method_outputs(&mut arena, model, system);
+        let outputs = sliced(&mut arena, model, system);
         let (mut stages, outputs) = stages::stages(&mut arena, system, structure, &outputs);
         eliminations(&arena, model, system, assembly, &mut stages);
         (stages, outputs)
@@ -116,14 +116,15 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, as
     }
 }
 
-/// Components of each method's outputs; those of a body are its coordinates.
-fn method_outputs(arena: &mut Arena, model: &Model, system: &System) -> Vec<OutputMotion> {
+/// Components of the outputs of each slice; those of a body are its coordinates.
+fn sliced(arena: &mut Arena, model: &Model, system: &System) -> Vec<OutputMotion> {
     let mut components = |member: &usize| -> Vec<[Expr; 3]> {
         let Some(body) = model.outputs[*member].body else { return system.outputs[*member].components.clone() };
         let own = (0..system.coordinates.len()).filter(|unknown| system.coordinates[*unknown].body == body);
         own.map(|unknown| [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration].map(|leaf| arena.leaf(leaf(unknown as u32)))).collect()
     };
-    model.methods.iter().map(|method| OutputMotion { components: method.members.iter().flat_map(&mut components).collect() }).collect()
+    let slices = model.methods.iter().filter(|method| method.is_slice);
+    slices.map(|method| OutputMotion { components: method.members.iter().flat_map(&mut components).collect() }).collect()
 }
 
 /// Chooses the elimination of large blocks; most mechanisms have none.
@@ -157,7 +158,9 @@ fn solving(
         slice::upstream(&Frame { words: &words, is_angle: &is_angle, ..frame }, stages, output, system.coordinates.len())
     };
     let slices = outputs.iter().map(slice).collect();
-    (solution::solution(&frame, stages, true), slices, slice::moving(&frame, stages))
+    // Where a part rests, single steps are made by what moves.
+    let moving = slice::moving(&frame, stages);
+    (solution::solution(&frame, stages, moving.is_none()), slices, moving)
 }
 
 /// Different lengths, without zeros.

@@ -83,7 +83,7 @@ pub enum Item {
     Body(Node<Frame>),
     /// `joint name = …;` or `drive name = …;`
     Joint(Node<Joint>),
-    /// `output name = value;`
+    /// `output name = value;` or `slice output name = value;`
     Output(Node<Output>),
     /// `component Name(parameters) { items }`
     Component(Node<Component>),
@@ -306,6 +306,8 @@ pub struct Argument {
 pub struct Output {
     /// Doc attributes of the generated method.
     pub docs: Docs,
+    /// It can be solved for alone.
+    pub is_slice: bool,
     /// Name.
     pub name: Ident,
     /// Indices, if it is an element of an array.

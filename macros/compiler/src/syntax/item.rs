@@ -103,7 +103,10 @@ pub(super) fn items(content: ParseStream, place: ItemContext, diag: &mut Diag) -
 /// Reads the keyword, the name and the indices of a rejected item.
 fn promised(input: ParseStream) -> Option<Refused> {
     attributes(input).ok()?;
-    let [keyword, name] = [Ident::parse_any(input).ok()?, name(input, "a name").ok()?];
+    let [mut keyword, mut name] = [Ident::parse_any(input).ok()?, self::name(input, "a name").ok()?];
+    if keyword == "slice" && name == "output" {
+        (keyword, name) = (name, self::name(input, "a name").ok()?);
+    }
     Some(Refused { keyword, name, indices: indices(input).unwrap_or_default() })
 }
 
@@ -127,7 +130,7 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
         "ground" => Item::Ground(Node::new(ground(input, docs)?)),
         "body" => Item::Body(Node::new(body(input, docs)?)),
         "joint" | "drive" | "redundant" => Item::Joint(Node::new(joint(input, docs)?)),
-        "output" => Item::Output(Node::new(output(input, docs)?)),
+        "output" | "slice" => Item::Output(Node::new(output(input, docs)?)),
         "range" => Item::Range(Node::new(times(input)?)),
         "component" => Item::Component(Node::new(component(input, docs, diag)?)),
         "part" => Item::Part(Node::new(part(input, docs)?)),
@@ -256,12 +259,18 @@ fn times(input: ParseStream) -> Parsed<Times> {
     Ok(Times { keyword, limits })
 }
 
-/// `output name = value;`
+/// `output name = value;` or `slice output name = value;`
 fn output(input: ParseStream, docs: Docs) -> Parsed<Output> {
-    Ident::parse_any(input)?;
+    let is_slice = Ident::parse_any(input)? == "slice";
+    if is_slice {
+        if keyword(input).is_none_or(|word| word != "output") {
+            return expected(input, "`output`: only an output can be solved for alone");
+        }
+        Ident::parse_any(input)?;
+    }
     let (name, indices) = declared(input, "the name of the output")?;
     let value = value(input)?;
-    Ok(Output { docs, name, indices, value })
+    Ok(Output { docs, is_slice, name, indices, value })
 }
 
 /// A name with its indices.

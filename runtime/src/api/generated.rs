@@ -1,0 +1,131 @@
+//! What generated code is written with, so that it stays short: names for vectors, tables in one line an entry, checks of parameters.
+
+use core::ops::{Bound, RangeBounds};
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::names::{Coordinate, CoordinateKind, Operations, ParameterOutOfRange, Row};
+use crate::number::Real;
+use crate::solve::Family;
+
+/// A column of `N` numbers.
+pub type Vector<T, const N: usize> = SVector<T, N>;
+
+/// A matrix of `M` rows and `N` columns.
+pub type Matrix<T, const M: usize, const N: usize> = SMatrix<T, M, N>;
+
+impl Coordinate {
+    /// A coordinate of a body in m.
+    #[must_use]
+    pub const fn length(body: &'static str, name: &'static str) -> Self {
+        Self { body, name, kind: CoordinateKind::Length }
+    }
+
+    /// A coordinate of a body in rad.
+    #[must_use]
+    pub const fn angle(body: &'static str, name: &'static str) -> Self {
+        Self { body, name, kind: CoordinateKind::Angle }
+    }
+}
+
+impl Row {
+    /// The row `index`, from 1, of the `of` rows of a joint, whose residual is in this unit.
+    #[must_use]
+    pub const fn new(joint: &'static str, kind: &'static str, index: usize, of: usize, unit: &'static str) -> Self {
+        Self { joint, kind, index, of, unit }
+    }
+}
+
+impl Operations {
+    /// So many sums and products, divisions and roots, sine-cosine pairs, and calls of other functions.
+    #[must_use]
+    pub const fn new(flops: usize, divisions: usize, sines: usize, calls: usize) -> Self {
+        Self { flops, divisions, sines, calls }
+    }
+}
+
+/// A mechanism whose parameters are interpolated between the defaults (λ = 0) and these (λ = 1); None if they are the defaults.
+#[doc(hidden)]
+pub fn between<T: Real, M: Family<T, Over<T> = M> + PartialEq>(defaults: &M, mechanism: &M, lambda: T) -> Option<M> {
+    (mechanism != defaults).then(|| M::gather([defaults, mechanism], |[from, to]| from + lambda * (to - from)))
+}
+
+/// A parameter by name, value and unit.
+#[doc(hidden)]
+pub type Named<T> = (&'static str, T, &'static str);
+
+/// Every parameter is finite: x − x is 0 for every finite x and NaN for all others, over any number type.
+///
+/// # Errors
+/// The first that is not.
+#[doc(hidden)]
+pub fn finite<T: Real>(parameters: &[Named<T>]) -> Result<(), ParameterOutOfRange<T>> {
+    first(parameters, |value| value - value != T::of(0.0), "it must be finite")
+}
+
+/// Every parameter lies within these bounds.
+///
+/// # Errors
+/// The first that does not.
+#[doc(hidden)]
+pub fn within<T: Real>(bounds: impl RangeBounds<f64>, why: &'static str, parameters: &[Named<T>]) -> Result<(), ParameterOutOfRange<T>> {
+    let is_below = |value: T| match bounds.start_bound() {
+        Bound::Included(&from) | Bound::Excluded(&from) => less(value, T::of(from)) == T::of(1.0),
+        Bound::Unbounded => false,
+    };
+    let is_above = |value: T| match bounds.end_bound() {
+        Bound::Included(&to) => less(T::of(to), value) == T::of(1.0),
+        Bound::Excluded(&to) => less(value, T::of(to)) == T::of(0.0),
+        Bound::Unbounded => false,
+    };
+    first(parameters, |value| is_below(value) || is_above(value), why)
+}
+
+/// The first parameter that is refused, as an error.
+fn first<T: Real>(parameters: &[Named<T>], is_refused: impl Fn(T) -> bool, why: &'static str) -> Result<(), ParameterOutOfRange<T>> {
+    match parameters.iter().find(|(_, value, _)| is_refused(*value)) {
+        Some(&(name, value, unit)) => Err(ParameterOutOfRange { name, value, unit, why }),
+        None => Ok(()),
+    }
+}
+
+/// How two numbers have to compare.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    Less,
+    LessOrEqual,
+    Greater,
+    GreaterOrEqual,
+    Equal,
+    Different,
+}
+
+/// Two numbers compare as a joint demands; what cannot be compared does not.
+///
+/// # Errors
+/// The parameter to blame.
+#[doc(hidden)]
+pub fn require<T: Real>(
+    lhs: T,
+    relation: Relation,
+    rhs: T,
+    (name, value, unit): Named<T>,
+    why: &'static str,
+) -> Result<(), ParameterOutOfRange<T>> {
+    let (zero, is_less, is_greater) = (T::of(0.0), less(lhs, rhs), less(rhs, lhs));
+    let fails = match relation {
+        Relation::Less => is_less == zero,
+        Relation::LessOrEqual => is_less == zero && lhs != rhs,
+        Relation::Greater => is_greater == zero,
+        Relation::GreaterOrEqual => is_greater == zero && lhs != rhs,
+        Relation::Equal => lhs != rhs,
+        Relation::Different => is_less + is_greater == zero,
+    };
+    if fails { Err(ParameterOutOfRange { name, value, unit, why }) } else { Ok(()) }
+}
+
+/// 1 where `lhs < rhs`, else 0: not every number type has comparison operators.
+fn less<T: Real>(lhs: T, rhs: T) -> T {
+    T::select_less(lhs, rhs, T::of(1.0), T::of(0.0))
+}

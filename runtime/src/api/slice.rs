@@ -1,0 +1,290 @@
+//! Everything upstream of one output, solved alone.
+//!
+//! In: what `mechanism!` generates for a `slice output`, which is [`Sliced`]. Out: [`Slice`], a mechanism of its own, and its
+//! [`SliceState`]s. Not done here: which unknowns are upstream, which the compiler decides.
+
+use core::marker::PhantomData;
+use core::ops::{Deref, DerefMut};
+
+use nalgebra::SVector;
+
+use super::{Mechanism, sweep};
+use crate::explain::Failure;
+use crate::names::{Coordinate, CoordinateKind, Description, ParameterOutOfRange, Plan, Row};
+use crate::newton::StepError;
+use crate::number::{Float, Real};
+use crate::solve::{Family, Solver, SolverReal, Stages};
+use crate::state::{Coordinates, State};
+
+/// A mechanism of `WHOLE` coordinates that can be solved for one of its outputs alone; `mechanism!` implements it for each
+/// `slice output`.
+///
+/// `OUTPUT` counts the slices of the mechanism. A state of the slice holds `N` numbers: the coordinates from which the next state is
+/// found, then the components of the output.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no slice of this kind",
+    note = "an output is solved alone where it is declared as `slice output name = …;`"
+)]
+pub trait Sliced<T: SolverReal, const OUTPUT: usize, const N: usize, const WHOLE: usize>: Stages<T, WHOLE> + Copy {
+    /// The output with its first and second derivative in time.
+    type Value;
+
+    /// How a state is found: which coordinates are computed, which are iterated together, in which order.
+    const PLAN: Plan;
+
+    /// What a state holds, by indices in q; the components of the output count on from `WHOLE`.
+    const HELD: [usize; N];
+
+    /// The components of the output.
+    const COMPONENTS: &'static [Coordinate];
+
+    /// [`Stages::COMPUTED_ANGLES`] of the slice.
+    const COMPUTED_ANGLES: &'static [usize];
+
+    /// [`Stages::ITERATED`] of the slice.
+    const ITERATED: &'static [usize];
+
+    /// [`Stages::MAY_BE_NON_FINITE`] of the slice.
+    const MAY_BE_NON_FINITE: &'static [usize];
+
+    /// [`Stages::IN_PLACE`] of the slice: `upstream_in_place` is implemented instead of `upstream`.
+    const IN_PLACE: bool = false;
+
+    /// The output in a state of the slice.
+    fn output(state: &State<T, N>) -> Self::Value;
+
+    /// [`Stages::stages`] of the slice.
+    ///
+    /// # Errors
+    /// Why there is no state near what the solver sets out from.
+    #[inline(always)]
+    fn upstream(&self, t: T, solver: &mut Solver<'_, T, N>) -> Result<Coordinates<T, N>, StepError<T>> {
+        let mut found = Coordinates::zero();
+        self.upstream_in_place(t, solver, &mut found)?;
+        Ok(found)
+    }
+
+    /// [`Stages::stages_in_place`] of the slice.
+    ///
+    /// # Errors
+    /// Why there is no state near what the solver sets out from.
+    #[inline(always)]
+    fn upstream_in_place(&self, t: T, solver: &mut Solver<'_, T, N>, found: &mut Coordinates<T, N>) -> Result<(), StepError<T>> {
+        *found = self.upstream(t, solver)?;
+        Ok(())
+    }
+}
+
+/// A mechanism for one of its outputs alone: whatever is not upstream of that output is neither solved nor compiled.
+///
+/// It is made by the method `solve_for_…` that a mechanism has for each `slice output`, and is a [`Mechanism`] of its own:
+///
+/// ```
+/// reuleaux::mechanism! {
+///     /// A crank that pushes a slide, and a lamp on the crank pin.
+///     mechanism Pump {
+///         ground { axis bore = (1, 0); }
+///         body crank  { point A = (50mm, 0mm); }
+///         body rod    { point A = (0mm, 0mm);  point B = (200mm, 0mm); }
+///         body piston { }
+///         joint main = revolute(ground.position, crank.position);
+///         joint big_end = revolute(crank.A, rod.A);
+///         joint small_end = revolute(rod.B, piston.position);
+///         joint guide = translational(ground.bore, ground.position, piston.position);
+///         drive motor = drive_angle(crank, 90rpm * t);
+///         slice output lamp = crank.A;
+///     }
+/// }
+///
+/// let pump = Pump::default();
+/// let lamp = pump.solve_for_lamp();
+/// let mut state = lamp.solve(0.0)?;
+/// lamp.advance(&mut state, 0.1)?;
+/// assert_eq!(state.output().value, pump.lamp(&pump.solve(0.1)?).value);
+/// assert_eq!(PumpForLamp::<f64>::PLAN.blocks().count(), 0);       // nothing is iterated for it
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slice<M, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> {
+    /// The whole mechanism, with its parameters.
+    pub mechanism: M,
+    over: PhantomData<T>,
+}
+
+/// A state of a [`Slice`]: the output, and the numbers from which the next state is found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SliceState<M, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> {
+    /// Time, position, velocity and acceleration, as of any mechanism.
+    pub state: State<T, N>,
+    of: PhantomData<M>,
+}
+
+impl<M, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> Slice<M, T, OUTPUT, N, WHOLE> {
+    /// The slice of a mechanism.
+    #[must_use]
+    pub const fn of(mechanism: M) -> Self {
+        Self { mechanism, over: PhantomData }
+    }
+}
+
+impl<M, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> Slice<M, T, OUTPUT, N, WHOLE>
+where
+    M: Sliced<T, OUTPUT, N, WHOLE>,
+    T: SolverReal,
+{
+    /// How a state is found: which coordinates are computed, which are iterated together, in which order.
+    pub const PLAN: Plan = M::PLAN;
+}
+
+impl<M, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> Slice<M, T, OUTPUT, N, WHOLE>
+where
+    M: Sliced<T, OUTPUT, N, WHOLE>,
+    T: Float,
+{
+    /// The state at time `t` (s): assembled from the declared start at t = 0 and followed from there, so that the assembly is kept.
+    ///
+    /// # Errors
+    /// Why there is no such state, with the last valid one on the way.
+    pub fn solve(&self, t: T) -> Result<SliceState<M, T, OUTPUT, N, WHOLE>, Failure<T, N>> {
+        Mechanism::<T, N>::solve(self, t).map(SliceState::from)
+    }
+
+    /// The state at time `t` (s), followed from another state.
+    ///
+    /// # Errors
+    /// Why there is no such state, with the last valid one on the way.
+    pub fn solve_from(&self, t: T, from: &SliceState<M, T, OUTPUT, N, WHOLE>) -> Result<SliceState<M, T, OUTPUT, N, WHOLE>, Failure<T, N>> {
+        Mechanism::<T, N>::solve_from(self, t, &from.state).map(SliceState::from)
+    }
+
+    /// Takes a state to time `t` (s) in place: [`solve_from`](Self::solve_from) without a copy. A state that cannot be taken there
+    /// stays as it is.
+    ///
+    /// # Errors
+    /// Why there is no such state, with the last valid one on the way.
+    #[inline]
+    pub fn advance(&self, state: &mut SliceState<M, T, OUTPUT, N, WHOLE>, t: T) -> Result<(), Failure<T, N>> {
+        Mechanism::<T, N>::advance(self, &mut state.state, t)
+    }
+
+    /// The states at these times (s), each followed from the one before; ends after a failure.
+    pub fn sweep<I: IntoIterator<Item = T>>(
+        &self,
+        times: I,
+    ) -> impl Iterator<Item = Result<SliceState<M, T, OUTPUT, N, WHOLE>, Failure<T, N>>> + use<M, T, I, OUTPUT, N, WHOLE> {
+        sweep(*self, times).map(|result| result.map(SliceState::from))
+    }
+}
+
+impl<M, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> SliceState<M, T, OUTPUT, N, WHOLE>
+where
+    M: Sliced<T, OUTPUT, N, WHOLE>,
+    T: SolverReal,
+{
+    /// The output with its first and second derivative in time.
+    #[must_use]
+    pub fn output(&self) -> M::Value {
+        M::output(&self.state)
+    }
+}
+
+impl<M, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> From<State<T, N>> for SliceState<M, T, OUTPUT, N, WHOLE> {
+    fn from(state: State<T, N>) -> Self {
+        Self { state, of: PhantomData }
+    }
+}
+
+impl<M, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> Deref for SliceState<M, T, OUTPUT, N, WHOLE> {
+    type Target = State<T, N>;
+
+    fn deref(&self) -> &State<T, N> {
+        &self.state
+    }
+}
+
+impl<M, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> DerefMut for SliceState<M, T, OUTPUT, N, WHOLE> {
+    fn deref_mut(&mut self) -> &mut State<T, N> {
+        &mut self.state
+    }
+}
+
+impl<M: Family<T>, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> Family<T> for Slice<M, T, OUTPUT, N, WHOLE> {
+    type Over<U: Real> = Slice<M::Over<U>, U, OUTPUT, N, WHOLE>;
+
+    fn gather<U: Real, const L: usize>(each: [&Self; L], combine: impl Fn([T; L]) -> U) -> Self::Over<U> {
+        Slice::of(M::gather(each.map(|slice| &slice.mechanism), combine))
+    }
+}
+
+impl<M, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> Slice<M, T, OUTPUT, N, WHOLE>
+where
+    M: Sliced<T, OUTPUT, N, WHOLE>,
+    T: SolverReal,
+{
+    /// What a state holds.
+    const NAMES: [Coordinate; N] = held(<M as Description<T, WHOLE>>::COORDINATES, M::COMPONENTS, &M::HELD);
+}
+
+/// The coordinates of these indices; those of the output follow those of the mechanism.
+const fn held<const N: usize>(whole: &[Coordinate], components: &[Coordinate], held: &[usize; N]) -> [Coordinate; N] {
+    let mut names = [Coordinate { body: "?", name: "?", kind: CoordinateKind::Length }; N];
+    let mut place = 0;
+    while place < N {
+        let index = held[place];
+        if index < whole.len() {
+            names[place] = whole[index];
+        } else if index - whole.len() < components.len() {
+            names[place] = components[index - whole.len()];
+        }
+        place += 1;
+    }
+    names
+}
+
+impl<M, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> Description<T, N> for Slice<M, T, OUTPUT, N, WHOLE>
+where
+    M: Sliced<T, OUTPUT, N, WHOLE>,
+    T: SolverReal,
+{
+    const NAME: &'static str = <M as Description<T, WHOLE>>::NAME;
+    const COORDINATES: &'static [Coordinate] = &Self::NAMES;
+    const ROWS: &'static [Row] = <M as Description<T, WHOLE>>::ROWS;
+
+    fn start(&self) -> SVector<T, N> {
+        let start = self.mechanism.start();
+        SVector::from(M::HELD.map(|index| start.get(index).copied().unwrap_or(T::of(0.0))))
+    }
+
+    fn characteristic_length(&self) -> T {
+        self.mechanism.characteristic_length()
+    }
+
+    fn validate(&self) -> Result<(), ParameterOutOfRange<T>> {
+        self.mechanism.validate()
+    }
+}
+
+impl<M, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> Stages<T, N> for Slice<M, T, OUTPUT, N, WHOLE>
+where
+    M: Sliced<T, OUTPUT, N, WHOLE>,
+    T: SolverReal,
+{
+    const COMPUTED_ANGLES: &'static [usize] = <M as Sliced<T, OUTPUT, N, WHOLE>>::COMPUTED_ANGLES;
+    const ITERATED: &'static [usize] = <M as Sliced<T, OUTPUT, N, WHOLE>>::ITERATED;
+    const MAY_BE_NON_FINITE: Option<&'static [usize]> = Some(<M as Sliced<T, OUTPUT, N, WHOLE>>::MAY_BE_NON_FINITE);
+    const IN_PLACE: bool = <M as Sliced<T, OUTPUT, N, WHOLE>>::IN_PLACE;
+
+    fn interpolated(&self, lambda: T) -> Option<Self> {
+        self.mechanism.interpolated(lambda).map(Self::of)
+    }
+
+    #[inline(always)]
+    fn stages(&self, t: T, solver: &mut Solver<'_, T, N>) -> Result<Coordinates<T, N>, StepError<T>> {
+        self.mechanism.upstream(t, solver)
+    }
+
+    #[inline(always)]
+    fn stages_in_place(&self, t: T, solver: &mut Solver<'_, T, N>, found: &mut Coordinates<T, N>) -> Result<(), StepError<T>> {
+        self.mechanism.upstream_in_place(t, solver, found)
+    }
+}
