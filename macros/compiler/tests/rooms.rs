@@ -34,7 +34,7 @@ const ROOMS: [&str; 19] = [
 ];
 
 /// Largest number of files in a cycle.
-const LARGEST_CIRCLE: usize = 9;
+const LARGEST_CIRCLE: usize = 4;
 
 #[test]
 fn rooms_use_only_rooms_below_them() {
@@ -78,13 +78,17 @@ fn no_two_types_share_a_name() {
     assert!(places.is_empty(), "{places:#?}");
 }
 
-/// The longest function that a reader has to keep in mind at once.
-const LONGEST_FUNCTION: usize = 100;
+/// The longest function that a reader has to keep in mind at once. The tables of sentences are none: one line stands for itself there.
+const LONGEST_FUNCTION: usize = 70;
 
 #[test]
 fn functions_are_short() {
-    let long: Vec<(String, usize)> =
-        counted().into_iter().flat_map(|(_, counted)| counted.functions).filter(|(_, lines)| *lines > LONGEST_FUNCTION).collect();
+    let long: Vec<(String, usize)> = counted()
+        .into_iter()
+        .filter(|(name, _)| !name.starts_with("diag/message"))
+        .flat_map(|(_, counted)| counted.functions)
+        .filter(|(_, lines)| *lines > LONGEST_FUNCTION)
+        .collect();
     assert!(long.is_empty(), "{long:?}");
 }
 

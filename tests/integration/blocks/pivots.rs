@@ -2,7 +2,7 @@
 
 use reuleaux_compiler::compile;
 use reuleaux_compiler::expr::{Evaluator, Expr, Values};
-use reuleaux_compiler::plan::{Elimination, Part, Solving};
+use reuleaux_compiler::plan::{Elimination, Solving, StageCode};
 
 /// The elimination of a mechanism's largest block.
 pub(super) struct Pivots {
@@ -19,7 +19,7 @@ impl Pivots {
         let Solving::Straight(lines) = compiled.plan.solution.expect("a mechanism that is solved").solving else {
             panic!("straight lines")
         };
-        let blocks = lines.parts.into_iter().filter_map(|part| if let Part::Block(block) = part { Some(block) } else { None });
+        let blocks = lines.parts.into_iter().filter_map(|part| if let StageCode::Block(block) = part { Some(block) } else { None });
         let block = blocks.max_by_key(|block| block.system.unknowns.len()).expect("a block");
         let size = block.system.unknowns.len();
         let in_order: Vec<usize> = (0..size).collect();

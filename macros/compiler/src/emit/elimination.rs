@@ -13,7 +13,7 @@ use quote::quote;
 pub(super) fn elimination(name: &Ident, is_length: Vec<bool>, elimination: &Elimination) -> TokenStream {
     let [k, entries, factors] = [elimination.rows.len(), elimination.pattern.len(), elimination.factors.len()].map(number);
     let order = order(elimination);
-    let lines = Lines { order: elimination, is_length };
+    let lines = EliminationPrinter { order: elimination, is_length };
     let lines = elimination.is_short().then(|| {
         let (eliminate, substitute, product) = (lines.eliminate(), lines.substitute(), lines.product());
         quote!(#eliminate #substitute #product)
@@ -42,13 +42,13 @@ fn order(elimination: &Elimination) -> TokenStream {
 }
 
 /// The three functions of one elimination.
-struct Lines<'a> {
+struct EliminationPrinter<'a> {
     order: &'a Elimination,
     /// By unknown.
     is_length: Vec<bool>,
 }
 
-impl Lines<'_> {
+impl EliminationPrinter<'_> {
     fn eliminate(&self) -> TokenStream {
         let order = self.order;
         let k = order.rows.len();

@@ -3,7 +3,7 @@
 use super::docs;
 use super::expression::{Printer, local};
 use super::literal::{matrix_type, number, real, vector_type};
-use super::routine::{Lines, lines};
+use super::routine::{RoutinePrinter, lines};
 use crate::expr::Expr;
 use crate::model::Model;
 use crate::plan::{Code, Plan, Routine, Target};
@@ -20,7 +20,7 @@ pub(super) struct Emitter<'a> {
 }
 
 impl Emitter<'_> {
-    pub(super) fn lines(&self, routine: &Routine) -> Lines {
+    pub(super) fn lines(&self, routine: &Routine) -> RoutinePrinter {
         lines(self.model, &self.plan.arena, routine)
     }
 
@@ -49,7 +49,7 @@ impl Emitter<'_> {
         let (q, t, list) = (local("q"), local("t"), local("entries"));
         let body = match &self.plan.jacobian {
             Code::Straight(routine) => {
-                let Lines { reads, steps, results } = self.lines(routine);
+                let RoutinePrinter { reads, steps, results } = self.lines(routine);
                 quote!(#reads #steps [#(#results),*])
             }
             Code::Grouped(groups) => {
@@ -85,7 +85,7 @@ impl Emitter<'_> {
         // some thousand entries that takes most of the time.
         let body = match &self.plan.linearize {
             Code::Straight(routine) => {
-                let Lines { reads, steps, results } = self.lines(routine);
+                let RoutinePrinter { reads, steps, results } = self.lines(routine);
                 let (rows, writes) = self.linearized(results);
                 quote! {
                     #reads
@@ -164,7 +164,7 @@ impl Emitter<'_> {
     fn vector(&self, code: &Code, m: usize) -> TokenStream {
         match code {
             Code::Straight(routine) if self.is_sparse(routine) => {
-                let (rows, of_rows, Lines { reads, steps, results }) = (local("rows"), vector_type(m), self.lines(routine));
+                let (rows, of_rows, RoutinePrinter { reads, steps, results }) = (local("rows"), vector_type(m), self.lines(routine));
                 let other = (0..).zip(&routine.results).zip(results).filter(|((_, row), _)| !self.is_zero(**row));
                 let writes = other.map(|((row, _), value)| {
                     let row = number(row);
@@ -179,7 +179,7 @@ impl Emitter<'_> {
                 }
             }
             Code::Straight(routine) => {
-                let Lines { reads, steps, results } = self.lines(routine);
+                let RoutinePrinter { reads, steps, results } = self.lines(routine);
                 quote!(#reads #steps ::core::convert::From::from([#(#results),*]))
             }
             Code::Grouped(groups) => {
@@ -208,7 +208,7 @@ impl Emitter<'_> {
     /// The length by which others are measured
     pub(super) fn characteristic_length(&self) -> TokenStream {
         let routine = &self.plan.lengths;
-        let Lines { steps, .. } = self.lines(routine);
+        let RoutinePrinter { steps, .. } = self.lines(routine);
         let printer = Printer { arena: &self.plan.arena, names: &routine.names, turn: "sin_cos" };
         // Of the constants only the largest counts.
         let largest = routine.results.iter().filter_map(|length| printer.constant(*length)).map(f64::abs).fold(0.0, f64::max);

@@ -4,11 +4,11 @@ use super::columns::Columns;
 use super::expression::local;
 use super::functions::Emitter;
 use super::literal::{number, signed};
-use super::scene::{Scene, pair};
-use super::stages::{Index, Shelf};
+use super::scene::{BlockPrinter, pair};
+use super::stages::{Index, StateLayout};
 use super::{allowed, docs};
 use crate::expr::{Leaf, Node};
-use crate::plan::{Column, Kernel, Kernels, Part, Round, Words};
+use crate::plan::{Column, Kernel, Kernels, Round, StageCode, Words};
 use crate::quantity::Role;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 
 impl Emitter<'_> {
     /// The body of `stages`: one call after the other
-    pub(super) fn in_order(&self, kernels: &Kernels, shelf: &Shelf) -> TokenStream {
+    pub(super) fn in_order(&self, kernels: &Kernels, shelf: &StateLayout) -> TokenStream {
         let (angles, rank) = (number(self.angles(shelf).count()), self.ranks(shelf));
         let (t, pass, found, turns, piece) = (local("t"), local("pass"), local("found"), local("turns"), local("piece"));
         let call = |kernel: usize| {
@@ -57,7 +57,7 @@ impl Emitter<'_> {
     }
 
     /// One function for each shape
-    pub(super) fn kernels(&self, kernels: &Kernels, shelf: &Shelf) -> TokenStream {
+    pub(super) fn kernels(&self, kernels: &Kernels, shelf: &StateLayout) -> TokenStream {
         let name = &self.model.name;
         let ranks = self.ranks(shelf);
         let kernel = |(number, kernel): (usize, &Kernel)| self.kernel(number, kernel, shelf, &ranks, kernels.can_rest);
@@ -70,17 +70,17 @@ impl Emitter<'_> {
     }
 
     /// The angles that are held.
-    fn angles<'a>(&'a self, shelf: &'a Shelf) -> impl Iterator<Item = usize> + 'a {
+    fn angles<'a>(&'a self, shelf: &'a StateLayout) -> impl Iterator<Item = usize> + 'a {
         let is_angle = |unknown: &usize| self.system.coordinates.get(*unknown).is_some_and(|unknown| unknown.role == Role::Angle);
         shelf.held.iter().copied().filter(is_angle)
     }
 
     /// Where the sine and cosine of each angle are kept.
-    fn ranks(&self, shelf: &Shelf) -> BTreeMap<usize, usize> {
+    fn ranks(&self, shelf: &StateLayout) -> BTreeMap<usize, usize> {
         self.angles(shelf).enumerate().map(|(rank, unknown)| (unknown, rank)).collect()
     }
 
-    fn kernel(&self, index: usize, kernel: &Kernel, shelf: &Shelf, ranks: &BTreeMap<usize, usize>, can_rest: bool) -> TokenStream {
+    fn kernel(&self, index: usize, kernel: &Kernel, shelf: &StateLayout, ranks: &BTreeMap<usize, usize>, can_rest: bool) -> TokenStream {
         let (n, angles) = (number(shelf.held.len()), number(ranks.len()));
         let mut columns = Columns::new(kernel.shape.count);
         let mut turned = BTreeMap::new();
@@ -102,7 +102,7 @@ impl Emitter<'_> {
             })
             .collect();
         let equations: Vec<TokenStream> = kernel.equations.iter().map(|column| columns.place(column)).collect();
-        let scene = Scene {
+        let scene = BlockPrinter {
             model: self.model,
             arena: &kernel.shape.arena,
             lines: &kernel.lines,
@@ -192,14 +192,14 @@ fn one_by_one(order: &[usize], count: usize, piece: &Ident, call: impl Fn(usize)
     }
 }
 
-fn name(shelf: &Shelf, kernel: usize) -> Ident {
+fn name(shelf: &StateLayout, kernel: usize) -> Ident {
     local(&format!("shape_{}{kernel}", shelf.prefix))
 }
 
 /// A block whose inputs rest where they were is left where it was.
 fn rest(kernel: &Kernel, unknowns: &[Index], ranks: &BTreeMap<usize, TokenStream>) -> TokenStream {
     let is_timed = kernel.shape.arena.all().any(|expr| *kernel.shape.arena.node(expr) == Node::Leaf(Leaf::Time));
-    if is_timed || !matches!(kernel.lines.parts.as_slice(), [Part::Block(_)]) {
+    if is_timed || !matches!(kernel.lines.parts.as_slice(), [StageCode::Block(_)]) {
         return quote!();
     }
     let (pass, found, turns, last) = (local("pass"), local("found"), local("turns"), local("last"));
@@ -244,7 +244,7 @@ fn reads(kernel: &Kernel, unknowns: &[Index], ranks: &BTreeMap<usize, TokenStrea
 }
 
 /// What the kernel found.
-fn writes(kernel: &Kernel, scene: &Scene, ranks: &BTreeMap<usize, TokenStream>) -> TokenStream {
+fn writes(kernel: &Kernel, scene: &BlockPrinter, ranks: &BTreeMap<usize, TokenStream>) -> TokenStream {
     let (found, turns) = (local("found"), local("turns"));
     let mut tokens = TokenStream::new();
     for slot in &kernel.found {
@@ -256,8 +256,8 @@ fn writes(kernel: &Kernel, scene: &Scene, ranks: &BTreeMap<usize, TokenStream>) 
         }
         let rank = &ranks[slot];
         let in_block = kernel.lines.parts.iter().enumerate().find_map(|(number, part)| match part {
-            Part::Block(block) => block.system.unknowns.iter().position(|unknown| unknown == slot).map(|position| (number, position)),
-            Part::Explicit { .. } | Part::Check { .. } => None,
+            StageCode::Block(block) => block.system.unknowns.iter().position(|unknown| unknown == slot).map(|position| (number, position)),
+            StageCode::Explicit { .. } | StageCode::Check { .. } => None,
         });
         tokens.extend(match in_block {
             Some((block, position)) => {

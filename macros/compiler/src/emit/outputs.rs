@@ -4,7 +4,7 @@ use super::arrays::{array_at, array_from, array_of, array_type};
 use super::columns::Columns;
 use super::expression::local;
 use super::functions::Emitter;
-use super::routine::{Lines, lines_at};
+use super::routine::{RoutinePrinter, lines_at};
 use super::slices::plain;
 use super::{docs, docs_or, state_path};
 use crate::model::Method;
@@ -51,7 +51,7 @@ impl Emitter<'_> {
     fn each(&self, method: &Method, routines: &[Routine]) -> TokenStream {
         let vectors = vectors();
         let one = |routine: &Routine| {
-            let Lines { reads, steps, results } = self.lines(routine);
+            let RoutinePrinter { reads, steps, results } = self.lines(routine);
             let motion = motion(&results);
             quote!(#reads #steps #motion)
         };
@@ -75,7 +75,7 @@ impl Emitter<'_> {
     fn alike(&self, method: &Method, shape: &Shape, routine: &Routine) -> TokenStream {
         let mut columns = Columns::new(shape.count);
         let places: Vec<TokenStream> = shape.unknowns.iter().map(|column| columns.place(column)).collect();
-        let Lines { reads, steps, results } = lines_at(self.model, &shape.arena, routine, |unknown| places[unknown].clone());
+        let RoutinePrinter { reads, steps, results } = lines_at(self.model, &shape.arena, routine, |unknown| places[unknown].clone());
         let inputs = columns.inputs(shape, &Words::new(self.model, self.system));
         let (vectors, tables, motion) = (vectors(), columns.tables(), motion(&results));
         let array = array_of(quote!({ #tables #inputs #reads #steps #motion }), &method.sizes);

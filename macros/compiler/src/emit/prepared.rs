@@ -3,9 +3,9 @@
 use super::expression::local;
 use super::functions::Emitter;
 use super::literal::number;
-use super::scene::Scene;
+use super::scene::BlockPrinter;
 use super::{allowed, docs, state_path};
-use crate::plan::{Lines, Plan, Solving};
+use crate::plan::{Plan, Solving, StraightLine};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -45,7 +45,8 @@ impl Emitter<'_> {
     /// The body of `stages`, and what computes and takes the numbers that depend on parameters only, if any are kept.
     fn kept(&self, body: TokenStream, n: &TokenStream, count: &TokenStream) -> (TokenStream, TokenStream) {
         let Some(lines) = straight(self.plan).filter(|lines| !lines.fixed_names.is_empty()) else { return (body, quote!()) };
-        let scene = Scene { model: self.model, arena: &self.plan.arena, lines, unknowns: &[], equations: &[], kept: &[], origins: None };
+        let scene =
+            BlockPrinter { model: self.model, arena: &self.plan.arena, lines, unknowns: &[], equations: &[], kept: &[], origins: None };
         let steps = scene.steps(&lines.names, &lines.fixed);
         let names: Vec<Ident> = lines.fixed_names.iter().map(|name| local(name)).collect();
         let (fixed, t, pass) = (local("fixed"), local("t"), local("pass"));
@@ -72,7 +73,7 @@ pub(super) fn fixed_names(plan: &Plan) -> &[String] {
     straight(plan).map_or(&[], |lines| &lines.fixed_names)
 }
 
-fn straight(plan: &Plan) -> Option<&Lines> {
+fn straight(plan: &Plan) -> Option<&StraightLine> {
     match plan.solution.as_ref().map(|solution| &solution.solving) {
         Some(Solving::Straight(lines)) => Some(lines),
         _ => None,

@@ -3,7 +3,7 @@
 use super::columns::Columns;
 use super::expression::local;
 use super::functions::Emitter;
-use super::routine::{Lines, lines_at};
+use super::routine::{RoutinePrinter, lines_at};
 use crate::plan::{Group, Target, Words};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -17,7 +17,8 @@ impl Emitter<'_> {
     fn group(&self, group: &Group, write: impl Fn(Target<TokenStream>, &TokenStream) -> TokenStream) -> TokenStream {
         let mut columns = Columns::new(group.shape.count);
         let places: Vec<TokenStream> = group.shape.unknowns.iter().map(|column| columns.place(column)).collect();
-        let Lines { reads, steps, results } = lines_at(self.model, &group.shape.arena, &group.routine, |unknown| places[unknown].clone());
+        let RoutinePrinter { reads, steps, results } =
+            lines_at(self.model, &group.shape.arena, &group.routine, |unknown| places[unknown].clone());
         let writes: TokenStream = group
             .targets
             .iter()

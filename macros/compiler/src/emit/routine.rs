@@ -9,7 +9,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 /// The statements of a routine, and an expression for each result.
-pub(super) struct Lines {
+pub(super) struct RoutinePrinter {
     /// Reads of coordinates, rates and accelerations.
     pub(super) reads: TokenStream,
     /// Steps in order.
@@ -19,16 +19,16 @@ pub(super) struct Lines {
 }
 
 /// Prints a routine that reads `q`, `qd`, `qdd` and `t`.
-pub(super) fn lines(model: &Model, arena: &Arena, routine: &Routine) -> Lines {
+pub(super) fn lines(model: &Model, arena: &Arena, routine: &Routine) -> RoutinePrinter {
     routine_with(model, arena, routine, reads(routine, number, TOGETHER))
 }
 
 /// The same where the unknown of a number stands elsewhere.
-pub(super) fn lines_at(model: &Model, arena: &Arena, routine: &Routine, place: impl Fn(usize) -> TokenStream) -> Lines {
+pub(super) fn lines_at(model: &Model, arena: &Arena, routine: &Routine, place: impl Fn(usize) -> TokenStream) -> RoutinePrinter {
     routine_with(model, arena, routine, reads(routine, place, 1))
 }
 
-fn routine_with(model: &Model, arena: &Arena, routine: &Routine, reads: TokenStream) -> Lines {
+fn routine_with(model: &Model, arena: &Arena, routine: &Routine, reads: TokenStream) -> RoutinePrinter {
     let printer = Printer { arena, names: &routine.names, turn: "sin_cos" };
     let mut steps = TokenStream::new();
     let mut results = Vec::new();
@@ -40,7 +40,7 @@ fn routine_with(model: &Model, arena: &Arena, routine: &Routine, reads: TokenStr
         printed = *after;
         results.push(printer.expression(*result));
     }
-    Lines { reads, steps, results }
+    RoutinePrinter { reads, steps, results }
 }
 
 /// As many reads of a vector stand in a line: those of a body are together.

@@ -6,16 +6,16 @@ use super::stages::Index;
 use super::{docs, literal};
 use crate::expr::{Arena, Expr};
 use crate::model::Model;
-use crate::plan::{Iterated, Lines, Part, Step};
+use crate::plan::{Iterated, StageCode, Step, StraightLine};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use std::collections::BTreeMap;
 
-/// Lines with what their numbers stand for.
-pub(super) struct Scene<'a> {
+/// StraightLine with what their numbers stand for.
+pub(super) struct BlockPrinter<'a> {
     pub(super) model: &'a Model,
     pub(super) arena: &'a Arena,
-    pub(super) lines: &'a Lines,
+    pub(super) lines: &'a StraightLine,
     /// By number of the unknown in these lines.
     pub(super) unknowns: &'a [Index],
     /// By number of the equation in these lines.
@@ -34,7 +34,7 @@ pub(super) struct Origins {
     pub(super) joints: Vec<String>,
 }
 
-impl Scene<'_> {
+impl BlockPrinter<'_> {
     pub(super) fn steps(&self, names: &BTreeMap<Expr, String>, steps: &[Step]) -> TokenStream {
         let printer = Printer { arena: self.arena, names, turn: "fast_sin_cos" };
         steps.iter().map(|step| statement(self.model, &printer, step)).collect()
@@ -73,7 +73,7 @@ impl Scene<'_> {
 
     /// `block_coupler_rocker`, for a part that is a block.
     fn stem(&self, number: usize) -> Option<String> {
-        let Some(Part::Block(block)) = self.lines.parts.get(number) else { return None };
+        let Some(StageCode::Block(block)) = self.lines.parts.get(number) else { return None };
         let mut bodies: Vec<&str> = Vec::new();
         for unknown in &block.system.unknowns {
             let body = self.unknowns[*unknown].body.as_str();
@@ -87,17 +87,17 @@ impl Scene<'_> {
         })
     }
 
-    fn part(&self, number: usize, part: &Part) -> TokenStream {
+    fn part(&self, number: usize, part: &StageCode) -> TokenStream {
         match part {
-            Part::Block(block) => self.block(number, block),
-            Part::Check { steps, equation, residual, sizes } => {
+            StageCode::Block(block) => self.block(number, block),
+            StageCode::Check { steps, equation, residual, sizes } => {
                 let steps = self.steps(&self.lines.names, steps);
                 let printer = Printer { arena: self.arena, names: &self.lines.names, turn: "fast_sin_cos" };
                 let (residual, sizes) = (printer.expression(*residual), sizes.map(|size| printer.expression(size)));
                 let (pass, equation) = (local("pass"), &self.equations[*equation]);
                 quote!(#steps #pass.check(#equation, #residual, [#(#sizes),*]);)
             }
-            Part::Explicit { steps, unknown, motion, .. } => {
+            StageCode::Explicit { steps, unknown, motion, .. } => {
                 let steps = self.steps(&self.lines.names, steps);
                 let printer = Printer { arena: self.arena, names: &self.lines.names, turn: "fast_sin_cos" };
                 let names = self.lines.unknowns[*unknown].each_ref().map(|name| local(name));
@@ -182,7 +182,7 @@ impl Scene<'_> {
     }
 }
 
-impl Scene<'_> {
+impl BlockPrinter<'_> {
     /// Rates or accelerations of a block from their right sides; zero where nothing moves it.
     fn rates(&self, number: usize, names: &[Ident], sides: &[Expr]) -> TokenStream {
         let zero = |side: &Expr| self.arena.as_constant(*side).is_some_and(|value| value.is_zero());
@@ -200,10 +200,10 @@ const MOST_BODIES: usize = 3;
 
 impl Origins {
     /// The joints that a part serves.
-    fn joints_of(&self, part: &Part) -> Vec<&str> {
+    fn joints_of(&self, part: &StageCode) -> Vec<&str> {
         let equations = match part {
-            Part::Explicit { equation, .. } | Part::Check { equation, .. } => std::slice::from_ref(equation),
-            Part::Block(block) => &block.system.equations,
+            StageCode::Explicit { equation, .. } | StageCode::Check { equation, .. } => std::slice::from_ref(equation),
+            StageCode::Block(block) => &block.system.equations,
         };
         let mut joints: Vec<&str> = equations.iter().filter_map(|equation| self.joints.get(*equation)).map(String::as_str).collect();
         joints.dedup();
@@ -211,11 +211,11 @@ impl Origins {
     }
 
     /// `b (revolute): coupler.angle, rocker.angle`
-    fn comment<'p>(&self, joints: &[&str], parts: impl Iterator<Item = &'p Part>) -> TokenStream {
-        let unknowns = |part: &'p Part| match part {
-            Part::Explicit { unknown, .. } => std::slice::from_ref(unknown),
-            Part::Block(block) => block.system.unknowns.as_slice(),
-            Part::Check { .. } => &[],
+    fn comment<'p>(&self, joints: &[&str], parts: impl Iterator<Item = &'p StageCode>) -> TokenStream {
+        let unknowns = |part: &'p StageCode| match part {
+            StageCode::Explicit { unknown, .. } => std::slice::from_ref(unknown),
+            StageCode::Block(block) => block.system.unknowns.as_slice(),
+            StageCode::Check { .. } => &[],
         };
         let found: Vec<String> = parts.flat_map(unknowns).filter_map(|unknown| self.coordinates.get(*unknown)).cloned().collect();
         let text = match (joints.join(", "), found.join(", ")) {

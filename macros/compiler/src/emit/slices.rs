@@ -4,7 +4,7 @@ use super::arrays::{array_at, array_type};
 use super::expression::local;
 use super::functions::Emitter;
 use super::literal::{number, vector_type};
-use super::stages::{Shelf, results, stages_of};
+use super::stages::{StateLayout, results, stages_of};
 use super::{allowed, docs, plan_constant};
 use crate::model::Method;
 use crate::plan::{Slice, Solving};
@@ -36,7 +36,7 @@ impl Emitter<'_> {
         let Some(first) = method.members.first().map(|member| &self.model.outputs[*member]) else { return quote!() };
         let (mechanism, visibility, word) = (&self.model.name, &self.model.visibility, plain(&method.name));
         let [name, state] = ["", "State"].map(|what| slice_name(&format_ident!("{mechanism}{what}"), &self.model.methods, &word));
-        let shelf = Shelf::new(&slice.held, &[], format!("for_{word}_"));
+        let shelf = StateLayout::new(&slice.held, &[], format!("for_{word}_"));
         let (body, kernels) = self.solving(&slice.solution.solving, &shelf);
         let (plan, lists) = (plan_constant(self.model, self.system, &slice.solution), self.lists_of_slice(&slice.solution, &shelf));
         let (width, kind, value): (usize, TokenStream, fn(TokenStream) -> TokenStream) = match first.components.len() {
@@ -81,7 +81,7 @@ impl Emitter<'_> {
     }
 
     /// Names, start and size of what moves: those of the mechanism, as far as they belong to it.
-    fn description(&self, name: &Ident, shelf: &Shelf) -> TokenStream {
+    fn description(&self, name: &Ident, shelf: &StateLayout) -> TokenStream {
         let (mechanism, whole) = (&self.model.name, number(self.system.coordinates.len()));
         let of_mechanism = quote!(<#mechanism<T> as ::reuleaux::Description<T, #whole>>);
         let held = || shelf.held.iter().map(|unknown| number(*unknown));
@@ -108,7 +108,7 @@ impl Emitter<'_> {
         let Some(slice) = &self.plan.moving else { return (quote!(), quote!()) };
         let (mechanism, n) = (&self.model.name, slice.held.len());
         let name = format_ident!("{}Moving", mechanism, span = Span::call_site());
-        let shelf = Shelf::new(&slice.held, &slice.given, "moving_".to_owned());
+        let shelf = StateLayout::new(&slice.held, &slice.given, "moving_".to_owned());
         let (body, kernels) = self.solving(&slice.solution.solving, &shelf);
         let (description, constants) = (self.description(&name, &shelf), self.lists(&slice.solution, &shelf));
         let (count, places) = (number(slice.given.len()), slice.given.iter().map(|unknown| number(*unknown)));

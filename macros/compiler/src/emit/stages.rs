@@ -5,8 +5,8 @@ use super::docs::coordinate_name;
 use super::expression::{local, named};
 use super::functions::Emitter;
 use super::literal::{number, vector_type};
-use super::scene::{Origins, Scene};
-use crate::plan::{Lines, Solution, Solving, Summary, Words};
+use super::scene::{BlockPrinter, Origins};
+use crate::plan::{Solution, Solving, StraightLine, Summary, Words};
 use crate::quantity::Role;
 use crate::system::Equation;
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -21,7 +21,7 @@ impl Emitter<'_> {
             return quote!();
         }
         let Some(solution) = &self.plan.solution else { return quote!() };
-        let shelf = Shelf::whole(n);
+        let shelf = StateLayout::whole(n);
         let (toward, lists, improved) = (self.toward(), self.lists(solution, &shelf), self.improved());
         let (body, kernels) = self.solving(&solution.solving, &shelf);
         let (step, moving) = self.moving();
@@ -46,7 +46,7 @@ impl Emitter<'_> {
     }
 
     /// What the runtime has to know of single unknowns
-    pub(super) fn lists(&self, solution: &Solution, shelf: &Shelf) -> TokenStream {
+    pub(super) fn lists(&self, solution: &Solution, shelf: &StateLayout) -> TokenStream {
         let (angles, iterated) = (self.computed_angles(solution, shelf), iterated(solution, shelf));
         let unsure = unsure(solution, shelf);
         quote! {
@@ -57,14 +57,14 @@ impl Emitter<'_> {
     }
 
     /// The same of a slice
-    pub(super) fn lists_of_slice(&self, solution: &Solution, shelf: &Shelf) -> TokenStream {
+    pub(super) fn lists_of_slice(&self, solution: &Solution, shelf: &StateLayout) -> TokenStream {
         let (angles, iterated) = (self.computed_angles(solution, shelf), iterated(solution, shelf));
         let unsure = unsure(solution, shelf);
         quote!(#angles #iterated const MAY_BE_NON_FINITE: &'static [::core::primitive::usize] = &[#unsure];)
     }
 
     /// Computed angles that move
-    fn computed_angles(&self, solution: &Solution, shelf: &Shelf) -> TokenStream {
+    fn computed_angles(&self, solution: &Solution, shelf: &StateLayout) -> TokenStream {
         let is_angle = |unknown: usize| self.system.coordinates.get(unknown).is_some_and(|unknown| unknown.role == Role::Angle);
         let angle = |stage: &Summary| match *stage {
             Summary::Explicit { unknown, moves: true } if is_angle(unknown) => shelf.place(unknown).map(Literal::usize_unsuffixed),
@@ -75,7 +75,7 @@ impl Emitter<'_> {
     }
 
     /// The body of `stages`, and the functions that it calls
-    pub(super) fn solving(&self, solving: &Solving, shelf: &Shelf) -> (TokenStream, TokenStream) {
+    pub(super) fn solving(&self, solving: &Solving, shelf: &StateLayout) -> (TokenStream, TokenStream) {
         match solving {
             Solving::Straight(lines) => (self.straight(lines, shelf), quote!()),
             Solving::Shared(kernels) => (self.in_order(kernels, shelf), self.kernels(kernels, shelf)),
@@ -135,11 +135,11 @@ impl Emitter<'_> {
     }
 
     /// All stages one after the other
-    fn straight(&self, lines: &Lines, shelf: &Shelf) -> TokenStream {
+    fn straight(&self, lines: &StraightLine, shelf: &StateLayout) -> TokenStream {
         let indices: Vec<Index> = (0..lines.unknowns.len()).map(|unknown| self.index_on(unknown, shelf)).collect();
         let equations: Vec<TokenStream> = (0..self.system.equations.len()).map(number).collect();
         let origins = self.origins(lines.unknowns.len());
-        let scene = Scene {
+        let scene = BlockPrinter {
             model: self.model,
             arena: &self.plan.arena,
             lines,
@@ -186,7 +186,7 @@ impl Emitter<'_> {
     }
 
     /// An unknown by its place on a shelf.
-    fn index_on(&self, unknown: usize, shelf: &Shelf) -> Index {
+    fn index_on(&self, unknown: usize, shelf: &StateLayout) -> Index {
         Index { place: number(shelf.place(unknown).unwrap_or(0)), ..self.index(unknown) }
     }
 }
@@ -234,7 +234,7 @@ pub(super) fn stages_of(solving: &Solving, n: usize, body: &TokenStream) -> Toke
 }
 
 /// Where a state holds which unknowns.
-pub(super) struct Shelf {
+pub(super) struct StateLayout {
     /// The unknowns in order.
     pub(super) held: Vec<usize>,
     /// Unknowns whose values are given.
@@ -244,15 +244,15 @@ pub(super) struct Shelf {
     places: BTreeMap<usize, usize>,
 }
 
-impl Shelf {
-    pub(super) fn new(held: &[usize], given: &[usize], prefix: String) -> Shelf {
+impl StateLayout {
+    pub(super) fn new(held: &[usize], given: &[usize], prefix: String) -> StateLayout {
         let places = held.iter().enumerate().map(|(place, unknown)| (*unknown, place)).collect();
-        Shelf { held: held.to_vec(), given: given.to_vec(), prefix, places }
+        StateLayout { held: held.to_vec(), given: given.to_vec(), prefix, places }
     }
 
     /// All unknowns, each at its own index.
-    pub(super) fn whole(n: usize) -> Shelf {
-        Shelf::new(&(0..n).collect::<Vec<usize>>(), &[], String::new())
+    pub(super) fn whole(n: usize) -> StateLayout {
+        StateLayout::new(&(0..n).collect::<Vec<usize>>(), &[], String::new())
     }
 
     /// Where an unknown is held.
@@ -279,13 +279,13 @@ pub(super) struct Index {
 }
 
 /// Unknowns that may be found to be no finite numbers
-fn unsure(solution: &Solution, shelf: &Shelf) -> TokenStream {
+fn unsure(solution: &Solution, shelf: &StateLayout) -> TokenStream {
     let unsure = solution.unsure.iter().filter_map(|unknown| shelf.place(*unknown)).map(Literal::usize_unsuffixed);
     quote!(#(#unsure),*)
 }
 
 /// Unknowns that are iterated
-fn iterated(solution: &Solution, shelf: &Shelf) -> TokenStream {
+fn iterated(solution: &Solution, shelf: &StateLayout) -> TokenStream {
     let blocks = solution.stages.iter().filter_map(|stage| match stage {
         Summary::Block { unknowns, .. } => Some(unknowns),
         Summary::Explicit { .. } | Summary::Check(_) => None,

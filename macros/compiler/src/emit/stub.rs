@@ -9,7 +9,7 @@ use super::state::Accessors;
 use crate::diag::nearest;
 use crate::diag::{Fact, NameFact};
 use crate::model::{Layout, Method, Of, Outline, is_generated, outline};
-use crate::syntax::ast::{Expr, ExprKind, Item, Marks, Mechanism, Operator, Use};
+use crate::syntax::ast::{Expression, ExpressionKind, Item, Marks, Mechanism, Operator, Use};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 use std::collections::BTreeSet;
@@ -230,8 +230,8 @@ fn solutions(name: &Ident, state: &Ident, visibility: &TokenStream, n: usize, bo
 fn motion(tree: &Mechanism, promised: &Outline, method: &Method) -> TokenStream {
     let value = method.members.first().map(|member| &promised.outputs[*member].value);
     let motion = match value.map(|value| kind(value, tree, LETS)) {
-        Some(Kind::Vector) => quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector2<T>>),
-        Some(Kind::Body) => quote!(::reuleaux::PlanarBody<T>),
+        Some(OutputKind::Vector) => quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector2<T>>),
+        Some(OutputKind::Body) => quote!(::reuleaux::PlanarBody<T>),
         _ => quote!(::reuleaux::Motion<T>),
     };
     array_type(motion, &method.sizes)
@@ -283,53 +283,55 @@ fn outputs(tree: &Mechanism, promised: &Outline, state: &Ident, body: &TokenStre
 
 /// What an output may be.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum OutputKind {
     Number,
     Vector,
     Body,
 }
 
 /// A guess at what an output is, from how it is written.
-fn kind(expr: &Expr, tree: &Mechanism, lets: usize) -> Kind {
-    let vector_if = |is_vector: bool| if is_vector { Kind::Vector } else { Kind::Number };
+fn kind(expr: &Expression, tree: &Mechanism, lets: usize) -> OutputKind {
+    let vector_if = |is_vector: bool| if is_vector { OutputKind::Vector } else { OutputKind::Number };
     match &expr.kind {
-        ExprKind::Tuple(_) => Kind::Vector,
-        ExprKind::Index(owner, _) => kind(owner, tree, lets),
-        ExprKind::Field(_, name) if ["x", "y", "angle", "c"].contains(&name.to_string().as_str()) => Kind::Number,
-        ExprKind::Field(owner, name) => {
-            if names(name, tree, lets) == Some(Kind::Body) && !is_frame(owner, tree) {
-                Kind::Body
+        ExpressionKind::Tuple(_) => OutputKind::Vector,
+        ExpressionKind::Index(owner, _) => kind(owner, tree, lets),
+        ExpressionKind::Field(_, name) if ["x", "y", "angle", "c"].contains(&name.to_string().as_str()) => OutputKind::Number,
+        ExpressionKind::Field(owner, name) => {
+            if names(name, tree, lets) == Some(OutputKind::Body) && !is_frame(owner, tree) {
+                OutputKind::Body
             } else {
-                Kind::Vector
+                OutputKind::Vector
             }
         }
-        ExprKind::Call(path, _) => vector_if(path.name.as_ref().is_some_and(|name| name == "perp" || name == "unit")),
-        ExprKind::Negative(value) => kind(value, tree, lets),
-        ExprKind::Binary(Operator::Power | Operator::Rem, ..) => Kind::Number,
-        ExprKind::Binary(_, one, two) => vector_if([one, two].into_iter().any(|side| kind(side, tree, lets) == Kind::Vector)),
-        ExprKind::Path(path) => path.name.as_ref().and_then(|name| names(name, tree, lets)).unwrap_or(Kind::Number),
-        ExprKind::Number { .. } | ExprKind::List(_) | ExprKind::If { .. } => Kind::Number,
+        ExpressionKind::Call(path, _) => vector_if(path.name.as_ref().is_some_and(|name| name == "perp" || name == "unit")),
+        ExpressionKind::Negative(value) => kind(value, tree, lets),
+        ExpressionKind::Binary(Operator::Power | Operator::Rem, ..) => OutputKind::Number,
+        ExpressionKind::Binary(_, one, two) => vector_if([one, two].into_iter().any(|side| kind(side, tree, lets) == OutputKind::Vector)),
+        ExpressionKind::Path(path) => path.name.as_ref().and_then(|name| names(name, tree, lets)).unwrap_or(OutputKind::Number),
+        ExpressionKind::Number { .. } | ExpressionKind::List(_) | ExpressionKind::If { .. } => OutputKind::Number,
     }
 }
 
 /// The expression is a body or ground, whose parts are points.
-fn is_frame(expr: &Expr, tree: &Mechanism) -> bool {
+fn is_frame(expr: &Expression, tree: &Mechanism) -> bool {
     match &expr.kind {
-        ExprKind::Index(owner, _) => is_frame(owner, tree),
-        ExprKind::Path(path) => path.name.as_ref().is_some_and(|name| name == "ground" || names(name, tree, 0) == Some(Kind::Body)),
+        ExpressionKind::Index(owner, _) => is_frame(owner, tree),
+        ExpressionKind::Path(path) => {
+            path.name.as_ref().is_some_and(|name| name == "ground" || names(name, tree, 0) == Some(OutputKind::Body))
+        }
         _ => false,
     }
 }
 
 /// A `let`, a body, or a point whose body was forgotten, wherever it is declared.
-fn names(name: &Ident, tree: &Mechanism, lets: usize) -> Option<Kind> {
+fn names(name: &Ident, tree: &Mechanism, lets: usize) -> Option<OutputKind> {
     let mut pending: Vec<&Item> = tree.items.iter().collect();
     let mut found = None;
     while let Some(item) = pending.pop() {
         match item {
             Item::Let(binding) if binding.name == *name && lets > 0 => return Some(kind(&binding.value, tree, lets - 1)),
-            Item::Body(frame) if frame.name == *name => return Some(Kind::Body),
-            Item::Body(frame) | Item::Ground(frame) if has_mark(&frame.marks, name) => found = Some(Kind::Vector),
+            Item::Body(frame) if frame.name == *name => return Some(OutputKind::Body),
+            Item::Body(frame) | Item::Ground(frame) if has_mark(&frame.marks, name) => found = Some(OutputKind::Vector),
             Item::Component(component) => pending.extend(&component.items),
             Item::For(repeated) => pending.extend(&repeated.items),
             _ => {}

@@ -3,7 +3,7 @@
 use super::expression::place;
 use super::functions::Emitter;
 use super::literal::signed;
-use super::routine::Lines;
+use super::routine::RoutinePrinter;
 use crate::expr::Leaf;
 use crate::model::{Bounds, Parameter, Requirement};
 use proc_macro2::{Ident, Span, TokenStream};
@@ -12,7 +12,7 @@ use quote::quote;
 impl Emitter<'_> {
     /// Conditions on parameters
     pub(super) fn validate(&self) -> TokenStream {
-        let Lines { steps, results, .. } = self.lines(&self.plan.requirements);
+        let RoutinePrinter { steps, results, .. } = self.lines(&self.plan.requirements);
         let (finite, bounded) = (self.finite(), self.bounded());
         let required = self.model.requirements.iter().zip(results.chunks(2)).map(|(requirement, sides)| {
             let (lhs, rhs) = (&sides[0], &sides[1]);

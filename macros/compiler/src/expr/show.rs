@@ -12,7 +12,7 @@ const LONGEST: usize = 400;
 
 /// Binding strength of a formula, the weakest first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Level {
+enum Precedence {
     Negation,
     Sum,
     Product,
@@ -22,7 +22,7 @@ enum Level {
 
 struct Formula {
     text: String,
-    level: Level,
+    level: Precedence,
     // The formula is a power with this base and exponent.
     base: Expr,
     exponent: u32,
@@ -30,7 +30,7 @@ struct Formula {
 
 impl Formula {
     /// The text, in parentheses if it binds less tightly than `level`.
-    fn within(&self, level: Level) -> Token {
+    fn within(&self, level: Precedence) -> Token {
         let text = &self.text;
         Token::Operand(if self.level >= level { text.clone() } else { format!("({text})") })
     }
@@ -62,21 +62,21 @@ fn compose(
     function: &dyn Fn(u32) -> String,
 ) -> Formula {
     let f = |operand: Expr| &formulas[&operand];
-    let whole = |operand: Expr| f(operand).within(Level::Negation);
+    let whole = |operand: Expr| f(operand).within(Precedence::Negation);
     let (mut base, mut exponent) = (expr, 1);
     let (level, parts) = match *arena.node(expr) {
         Node::Constant(value) => constant(value),
-        Node::Leaf(leaf) => (Level::Atom, vec![Token::Operand(name(leaf))]),
-        Node::Unary(Unary::Neg, a) => (Level::Negation, vec![Sign("-"), f(a).within(Level::Product)]),
-        Node::Unary(function, a) => (Level::Atom, vec![Sign(word(function)), Sign("("), whole(a), Sign(")")]),
+        Node::Leaf(leaf) => (Precedence::Atom, vec![Token::Operand(name(leaf))]),
+        Node::Unary(Unary::Neg, a) => (Precedence::Negation, vec![Sign("-"), f(a).within(Precedence::Product)]),
+        Node::Unary(function, a) => (Precedence::Atom, vec![Sign(word(function)), Sign("("), whole(a), Sign(")")]),
         Node::Binary(Binary::Mul, a, b) if f(a).base == f(b).base => {
             base = f(a).base;
             exponent = f(a).exponent.saturating_add(f(b).exponent);
-            (Level::Power, vec![f(base).within(Level::Atom), Token::Operand(superscript(exponent))])
+            (Precedence::Power, vec![f(base).within(Precedence::Atom), Token::Operand(superscript(exponent))])
         }
         Node::Binary(function, a, b) => binary(function, f(a), f(b)),
         Node::Select { lhs, rhs, then, otherwise } => (
-            Level::Negation,
+            Precedence::Negation,
             vec![
                 Sign("if "),
                 whole(lhs),
@@ -91,22 +91,22 @@ fn compose(
         ),
         Node::Call { function: number, order, argument } => {
             let name = function(number) + &primes(order);
-            (Level::Atom, vec![Token::Operand(name), Sign("("), whole(argument), Sign(")")])
+            (Precedence::Atom, vec![Token::Operand(name), Sign("("), whole(argument), Sign(")")])
         }
     };
     Formula { text: join(parts), level, base, exponent }
 }
 
-fn binary(function: Binary, a: &Formula, b: &Formula) -> (Level, Vec<Token>) {
-    let infix = |level: Level, sign: &'static str, right: Level| (level, vec![a.within(level), Sign(sign), b.within(right)]);
+fn binary(function: Binary, a: &Formula, b: &Formula) -> (Precedence, Vec<Token>) {
+    let infix = |level: Precedence, sign: &'static str, right: Precedence| (level, vec![a.within(level), Sign(sign), b.within(right)]);
     match function {
-        Binary::Add => infix(Level::Sum, " + ", Level::Sum),
-        Binary::Sub => infix(Level::Sum, " - ", Level::Product),
-        Binary::Mul => infix(Level::Product, "·", Level::Product),
-        Binary::Div => infix(Level::Product, "/", Level::Power),
+        Binary::Add => infix(Precedence::Sum, " + ", Precedence::Sum),
+        Binary::Sub => infix(Precedence::Sum, " - ", Precedence::Product),
+        Binary::Mul => infix(Precedence::Product, "·", Precedence::Product),
+        Binary::Div => infix(Precedence::Product, "/", Precedence::Power),
         Binary::Atan2 => {
-            let (a, b) = (a.within(Level::Negation), b.within(Level::Negation));
-            (Level::Atom, vec![Sign("atan2("), a, Sign(", "), b, Sign(")")])
+            let (a, b) = (a.within(Precedence::Negation), b.within(Precedence::Negation));
+            (Precedence::Atom, vec![Sign("atan2("), a, Sign(", "), b, Sign(")")])
         }
     }
 }
@@ -129,18 +129,18 @@ const fn word(function: Unary) -> &'static str {
 }
 
 /// A number: `0.25`, `2/3`, `π/6`.
-fn constant(value: Exact) -> (Level, Vec<Token>) {
+fn constant(value: Exact) -> (Precedence, Vec<Token>) {
     let (level, text) = magnitude(value.abs());
     if value.signum() < 0 {
-        return (Level::Negation, vec![Sign("-"), Token::Operand(text)]);
+        return (Precedence::Negation, vec![Sign("-"), Token::Operand(text)]);
     }
     (level, vec![Token::Operand(text)])
 }
 
 /// Formats a number that is not negative. Short decimals stay decimals, other short fractions stay fractions, long numbers are rounded.
-fn magnitude(value: Exact) -> (Level, String) {
+fn magnitude(value: Exact) -> (Precedence, String) {
     let (above, below) = (value.numerator(), value.denominator());
-    let rounded = || (Level::Atom, value.to_f64().to_string());
+    let rounded = || (Precedence::Atom, value.to_f64().to_string());
     let short = above.max(below) < 10_000_000;
     let pi = match value.pi_power() {
         0 if 1_000_000 % below == 0 || !short => return rounded(),
@@ -150,10 +150,10 @@ fn magnitude(value: Exact) -> (Level, String) {
     };
     let factor = if above == 1 && !pi.is_empty() { String::new() } else { above.to_string() };
     match (above, below) {
-        (1, 1) if value.pi_power() == 1 => (Level::Atom, pi),
-        (1, 1) => (Level::Power, pi),
-        (_, 1) => (Level::Product, format!("{factor}{pi}")),
-        _ => (Level::Product, format!("{factor}{pi}/{below}")),
+        (1, 1) if value.pi_power() == 1 => (Precedence::Atom, pi),
+        (1, 1) => (Precedence::Power, pi),
+        (_, 1) => (Precedence::Product, format!("{factor}{pi}")),
+        _ => (Precedence::Product, format!("{factor}{pi}/{below}")),
     }
 }
 

@@ -6,7 +6,7 @@
 use crate::diag::Diag;
 use crate::syntax::{
     self,
-    ast::{Definition, Function, Node},
+    ast::{Definition, FunctionItem, Shared},
 };
 use proc_macro2::TokenStream;
 use std::rc::Rc;
@@ -73,8 +73,8 @@ pub(crate) fn find(name: &str) -> Option<Rc<Definition>> {
 }
 
 /// Function with this name; `None` if there is none in the library.
-pub(crate) fn function(name: &str) -> Option<Node<Function>> {
-    syntax::parse_function(tokens(FUNCTIONS, name)?, &mut Diag::default()).map(Node::new)
+pub(crate) fn function(name: &str) -> Option<Shared<FunctionItem>> {
+    syntax::parse_function(tokens(FUNCTIONS, name)?, &mut Diag::default()).map(Shared::new)
 }
 
 fn tokens(pages: &[(&str, &str)], name: &str) -> Option<TokenStream> {

@@ -9,7 +9,7 @@ use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, Operator, Relation};
 
 impl Elaborator<'_> {
-    pub(super) fn negative(&mut self, value: &ast::Expr, scope: &Scope) -> Option<Value> {
+    pub(super) fn negative(&mut self, value: &ast::Expression, scope: &Scope) -> Option<Value> {
         let inner = self.value(value, scope)?;
         if let Value::Scalar(scalar) = inner {
             return Some(Value::Scalar(Scalar { expr: self.arena.neg(scalar.expr), ..scalar }));
@@ -21,7 +21,7 @@ impl Elaborator<'_> {
         }
     }
 
-    pub(super) fn tuple(&mut self, range: Range, items: &[ast::Expr], scope: &Scope) -> Option<Vector> {
+    pub(super) fn tuple(&mut self, range: Range, items: &[ast::Expression], scope: &Scope) -> Option<Vector> {
         let [x, y] = items else {
             return self.refuse(range, ValueFact::NotTwoComponents { found: items.len() });
         };
@@ -36,8 +36,8 @@ impl Elaborator<'_> {
     }
 
     /// Evaluates a point: a vector of lengths. If its coordinates are written out, the error marks the one that is not a length.
-    pub(super) fn location(&mut self, written: &ast::Expr, scope: &Scope) -> Option<Vector> {
-        if let ast::ExprKind::Tuple(items) = &written.kind
+    pub(super) fn location(&mut self, written: &ast::Expression, scope: &Scope) -> Option<Vector> {
+        if let ast::ExpressionKind::Tuple(items) = &written.kind
             && let [x, y] = items.as_slice()
         {
             let found = (self.scalar(x, scope), self.scalar(y, scope));
@@ -61,7 +61,14 @@ impl Elaborator<'_> {
         Some(vector)
     }
 
-    pub(super) fn binary(&mut self, range: Range, operator: Operator, lhs: &ast::Expr, rhs: &ast::Expr, scope: &Scope) -> Option<Value> {
+    pub(super) fn binary(
+        &mut self,
+        range: Range,
+        operator: Operator,
+        lhs: &ast::Expression,
+        rhs: &ast::Expression,
+        scope: &Scope,
+    ) -> Option<Value> {
         if operator == Operator::Power {
             return self.power(range, lhs, rhs, scope).map(Value::Scalar);
         }
@@ -99,7 +106,7 @@ impl Elaborator<'_> {
     }
 
     /// Evaluates `one % two` for whole numbers known at compile time.
-    fn remainder(&mut self, range: Range, lhs: &ast::Expr, rhs: &ast::Expr, scope: &Scope) -> Option<Scalar> {
+    fn remainder(&mut self, range: Range, lhs: &ast::Expression, rhs: &ast::Expression, scope: &Scope) -> Option<Scalar> {
         let (one, two) = (self.whole(lhs, scope), self.whole(rhs, scope));
         let result = self.whole_of_two(range, Operator::Rem, one?, two?)?;
         Some(Scalar { expr: self.arena.integer(result), measure: InferredDim::Known(Dim::NUMBER) })
@@ -110,8 +117,8 @@ impl Elaborator<'_> {
         &mut self,
         range: Range,
         operator: Operator,
-        left: (&ast::Expr, Value),
-        right: (&ast::Expr, Value),
+        left: (&ast::Expression, Value),
+        right: (&ast::Expression, Value),
     ) -> Option<Value> {
         if let (Operator::Mul, Value::Scalar(_)) = (operator, &left.1) {
             return self.combine_vectors(range, operator, right, left);
@@ -158,7 +165,7 @@ impl Elaborator<'_> {
     }
 
     /// Builds a power: multiplications for a whole exponent, a power of the square root for a half-integer, exp and ln otherwise.
-    fn power(&mut self, range: Range, base: &ast::Expr, exponent: &ast::Expr, scope: &Scope) -> Option<Scalar> {
+    fn power(&mut self, range: Range, base: &ast::Expression, exponent: &ast::Expression, scope: &Scope) -> Option<Scalar> {
         let (one, two) = (self.scalar(base, scope), self.scalar(exponent, scope));
         let (one, two) = (one?, two?);
         if !two.measure.fits(Dim::NUMBER) {
@@ -206,8 +213,8 @@ impl Elaborator<'_> {
     pub(super) fn choice(
         &mut self,
         range: Range,
-        (lhs, relation, rhs): (&ast::Expr, Relation, &ast::Expr),
-        (then, otherwise): (&ast::Expr, &ast::Expr),
+        (lhs, relation, rhs): (&ast::Expression, Relation, &ast::Expression),
+        (then, otherwise): (&ast::Expression, &ast::Expression),
         scope: &Scope,
     ) -> Option<Value> {
         let (left, right) = (self.scalar(lhs, scope), self.scalar(rhs, scope));
@@ -233,7 +240,7 @@ impl Elaborator<'_> {
     }
 
     /// Residuals of an equation, left minus right side: one for a number, two for a vector.
-    pub(super) fn residuals(&mut self, lhs: &ast::Expr, rhs: &ast::Expr, scope: &Scope) -> Option<Vec<Scalar>> {
+    pub(super) fn residuals(&mut self, lhs: &ast::Expression, rhs: &ast::Expression, scope: &Scope) -> Option<Vec<Scalar>> {
         let range = lhs.range.to(rhs.range);
         let (left, right) = (self.value(lhs, scope), self.value(rhs, scope));
         let (left, right) = (left?, right?);
@@ -256,9 +263,9 @@ impl Elaborator<'_> {
 }
 
 /// The digits of a number in mm, as the length that was probably meant.
-fn in_millimetres(written: &ast::Expr) -> Option<String> {
+fn in_millimetres(written: &ast::Expression) -> Option<String> {
     match &written.kind {
-        ast::ExprKind::Number { digits, .. } => Some(format!("{digits}mm")),
+        ast::ExpressionKind::Number { digits, .. } => Some(format!("{digits}mm")),
         _ => None,
     }
 }

@@ -6,7 +6,7 @@ use super::{Bounds, Parameter, Times};
 use crate::diag::ValueFact;
 use crate::expr::{Expr, Leaf};
 use crate::quantity::Dim;
-use crate::syntax::ast::{self, ExprKind, Limits};
+use crate::syntax::ast::{self, ExpressionKind, Limits};
 
 impl Bounds {
     /// True if `value` lies within the bounds.
@@ -24,7 +24,7 @@ impl Elaborator<'_> {
         let (from, to) = (self.bound(limits.from.as_ref(), dim, scope), self.bound(limits.to.as_ref(), dim, scope));
         let (from, to) = (from?, to?);
         let dots = if limits.is_inclusive { "..=" } else { ".." };
-        let end = |written: &Option<ast::Expr>, value: Option<f64>| {
+        let end = |written: &Option<ast::Expression>, value: Option<f64>| {
             written.as_ref().zip(value).map_or(String::new(), |(written, value)| in_words(written, value, dim))
         };
         let text = format!("{} {dots} {}", end(&limits.from, from), end(&limits.to, to)).trim().to_owned();
@@ -44,7 +44,7 @@ impl Elaborator<'_> {
         let scope = Scope::mechanism().timeless(place);
         let defaults: Vec<Expr> = parameters.iter().map(|parameter| parameter.default).collect();
         let defaults = self.numbers(&[], &defaults);
-        let mut end = |written: &ast::Expr| {
+        let mut end = |written: &ast::Expression| {
             let expr = self.scalar_of(written, Dim::TIME, &scope)?.expr;
             if self.arena.leaves(expr).iter().any(|leaf| !matches!(leaf, Leaf::Parameter(_))) {
                 return self.refuse(written.range, ValueFact::NotFixed { place });
@@ -62,7 +62,7 @@ impl Elaborator<'_> {
     }
 
     /// Evaluates one bound; `Some(None)` if it is not written.
-    fn bound(&mut self, written: Option<&ast::Expr>, dim: Dim, scope: &Scope) -> Option<Option<f64>> {
+    fn bound(&mut self, written: Option<&ast::Expression>, dim: Dim, scope: &Scope) -> Option<Option<f64>> {
         let Some(written) = written else { return Some(None) };
         let expr = self.scalar_of(written, dim, scope)?.expr;
         if !self.arena.leaves(expr).is_empty() {
@@ -75,13 +75,13 @@ impl Elaborator<'_> {
 }
 
 /// Text of a constant: a number with a unit as written, anything else by its value in SI.
-pub(super) fn in_words(written: &ast::Expr, value: f64, dim: Dim) -> String {
+pub(super) fn in_words(written: &ast::Expression, value: f64, dim: Dim) -> String {
     let (sign, inner) = match &written.kind {
-        ExprKind::Negative(inner) => ("-", &inner.kind),
+        ExpressionKind::Negative(inner) => ("-", &inner.kind),
         kind => ("", kind),
     };
     match inner {
-        ExprKind::Number { digits, unit } if !unit.is_empty() => format!("{sign}{digits} {unit}"),
+        ExpressionKind::Number { digits, unit } if !unit.is_empty() => format!("{sign}{digits} {unit}"),
         _ => format!("{value} {}", dim.unit()).trim_end().to_owned(),
     }
 }

@@ -10,7 +10,7 @@ use crate::diag::{ArityFact, Fact, NameFact, Range, ValueFact};
 use crate::expr::{Expr, Unary};
 use crate::library;
 use crate::quantity::{Dim, InferredDim};
-use crate::syntax::ast::{self, ExprKind};
+use crate::syntax::ast::{self, ExpressionKind};
 use proc_macro2::Ident;
 
 /// All built-in names, for suggestions and the language reference.
@@ -39,7 +39,7 @@ pub(crate) const BUILTINS: &[&str] = &[
 
 impl Elaborator<'_> {
     /// `function(arguments)`
-    pub(super) fn call(&mut self, range: Range, path: &ast::Path, arguments: &[ast::Expr], scope: &Scope) -> Option<Value> {
+    pub(super) fn call(&mut self, range: Range, path: &ast::Path, arguments: &[ast::Expression], scope: &Scope) -> Option<Value> {
         let Some(name) = &path.name else {
             let function = self.rust_function(path, InferredDim::Any, InferredDim::Any);
             return self.apply(range, path, &function, arguments, scope).map(Value::Scalar);
@@ -56,7 +56,7 @@ impl Elaborator<'_> {
                 NameFact::UnknownFunction { name: name.to_string(), near, is_constraint: library::find(&name.to_string()).is_some() },
             );
         }
-        let callee = ast::Expr { kind: ExprKind::Path(path.clone()), range: path.range, depth: 1 };
+        let callee = ast::Expression { kind: ExpressionKind::Path(path.clone()), range: path.range, depth: 1 };
         match self.value(&callee, scope)? {
             Value::Function(function) => self.apply(range, path, &function, arguments, scope).map(Value::Scalar),
             other => self.refuse(path.range, ValueFact::NotA { wanted: "a function", found: other.noun() }),
@@ -70,7 +70,7 @@ impl Elaborator<'_> {
         self.nearest(&name.to_string(), known)
     }
 
-    fn builtin(&mut self, range: Range, name: &Ident, arguments: &[ast::Expr], scope: &Scope) -> Option<Value> {
+    fn builtin(&mut self, range: Range, name: &Ident, arguments: &[ast::Expression], scope: &Scope) -> Option<Value> {
         let word = name.to_string();
         if word == "table" {
             return self.table(name, arguments, scope).map(Value::Scalar);
@@ -90,7 +90,7 @@ impl Elaborator<'_> {
         }
     }
 
-    fn of_one(&mut self, word: &str, argument: &ast::Expr, scope: &Scope) -> Option<Scalar> {
+    fn of_one(&mut self, word: &str, argument: &ast::Expression, scope: &Scope) -> Option<Scalar> {
         let scalar = self.scalar(argument, scope)?;
         let plain = |this: &mut Self, wanted: Dim| {
             let found = scalar.measure.settled();
@@ -128,7 +128,7 @@ impl Elaborator<'_> {
         Some(Scalar { expr: self.arena.unary(function, scalar.expr), measure })
     }
 
-    fn of_two(&mut self, range: Range, word: &str, arguments: &[ast::Expr], scope: &Scope) -> Option<Scalar> {
+    fn of_two(&mut self, range: Range, word: &str, arguments: &[ast::Expression], scope: &Scope) -> Option<Scalar> {
         let (one, two) = (self.scalar(&arguments[0], scope), self.scalar(&arguments[1], scope));
         let (one, two) = (one?, two?);
         let Some(measure) = one.measure.common(two.measure) else {
@@ -145,7 +145,7 @@ impl Elaborator<'_> {
     }
 
     /// Dot product a·b, or the third component of a × b.
-    fn product(&mut self, word: &str, arguments: &[ast::Expr], scope: &Scope) -> Option<Scalar> {
+    fn product(&mut self, word: &str, arguments: &[ast::Expression], scope: &Scope) -> Option<Scalar> {
         let (one, two) = (self.vector(&arguments[0], scope), self.vector(&arguments[1], scope));
         let (one, two) = (one?, two?);
         let measure = one.measure.times(two.measure);
@@ -161,7 +161,7 @@ impl Elaborator<'_> {
         Some(Scalar { expr, measure })
     }
 
-    fn of_vector(&mut self, word: &str, argument: &ast::Expr, scope: &Scope) -> Option<Value> {
+    fn of_vector(&mut self, word: &str, argument: &ast::Expression, scope: &Scope) -> Option<Value> {
         let value = self.value(argument, scope)?;
         if let ("unit" | "norm", Value::Axis(axis)) = (word, &value) {
             // A rotation keeps lengths, so the length of an axis is that of its local coordinates.
@@ -220,7 +220,7 @@ impl Elaborator<'_> {
         range: Range,
         path: &ast::Path,
         function: &FunctionValue,
-        arguments: &[ast::Expr],
+        arguments: &[ast::Expression],
         scope: &Scope,
     ) -> Option<Scalar> {
         let [argument] = arguments else {
@@ -248,7 +248,7 @@ impl Elaborator<'_> {
     }
 
     /// Evaluates the body of a function written in the language.
-    pub(super) fn written(&mut self, range: Range, function: &ast::Node<ast::Function>, argument: Scalar) -> Option<Scalar> {
+    pub(super) fn written(&mut self, range: Range, function: &ast::Shared<ast::FunctionItem>, argument: Scalar) -> Option<Scalar> {
         let name = function.name.to_string();
         if let Some(first) = self.names.open_functions.iter().position(|open| *open == name) {
             // A cycle of functions is reported once.
@@ -287,13 +287,13 @@ impl Elaborator<'_> {
     }
 
     /// `table(x, [(x0, y0), …], periodic)`
-    fn table(&mut self, name: &Ident, arguments: &[ast::Expr], scope: &Scope) -> Option<Scalar> {
+    fn table(&mut self, name: &Ident, arguments: &[ast::Expression], scope: &Scope) -> Option<Scalar> {
         let (x, points, ends) = match arguments {
             [x, points] => (x, points, Ends::Linear),
             [x, points, ends] => (x, points, self.ends(ends)?),
             _ => return self.refuse(name, ValueFact::TableArity { found: arguments.len() }),
         };
-        let ExprKind::List(items) = &points.kind else {
+        let ExpressionKind::List(items) = &points.kind else {
             return self.refuse(points.range, ValueFact::TableNeedsList);
         };
         let argument = self.scalar(x, scope)?;
@@ -315,10 +315,16 @@ impl Elaborator<'_> {
     }
 
     /// Reads the pairs of a table; their first numbers must increase.
-    fn table_pairs(&mut self, items: &[ast::Expr], mut from: InferredDim, to: &mut InferredDim, scope: &Scope) -> Option<Vec<(f64, f64)>> {
+    fn table_pairs(
+        &mut self,
+        items: &[ast::Expression],
+        mut from: InferredDim,
+        to: &mut InferredDim,
+        scope: &Scope,
+    ) -> Option<Vec<(f64, f64)>> {
         let mut pairs: Vec<(f64, f64)> = Vec::new();
         for item in items {
-            let ExprKind::Tuple(pair) = &item.kind else {
+            let ExpressionKind::Tuple(pair) = &item.kind else {
                 return self.refuse(item.range, ValueFact::TableNeedsPairs);
             };
             let [at, value] = pair.as_slice() else {
@@ -333,9 +339,9 @@ impl Elaborator<'_> {
         Some(pairs)
     }
 
-    fn ends(&mut self, expr: &ast::Expr) -> Option<Ends> {
+    fn ends(&mut self, expr: &ast::Expression) -> Option<Ends> {
         let word = match &expr.kind {
-            ExprKind::Path(path) => path.tokens.to_string(),
+            ExpressionKind::Path(path) => path.tokens.to_string(),
             _ => String::new(),
         };
         match word.as_str() {
@@ -348,7 +354,7 @@ impl Elaborator<'_> {
     }
 
     /// Evaluates one constant of a table; all entries of a column have the same dimension.
-    fn table_entry(&mut self, entry: &ast::Expr, column: &mut InferredDim, scope: &Scope) -> Option<f64> {
+    fn table_entry(&mut self, entry: &ast::Expression, column: &mut InferredDim, scope: &Scope) -> Option<f64> {
         let scalar = self.scalar(entry, scope)?;
         let Some(common) = column.common(scalar.measure) else {
             return self.refuse(entry.range, ValueFact::WrongDimension { wanted: column.settled(), found: scalar.measure.settled() });

@@ -17,7 +17,7 @@ pub(super) struct Written<'a> {
     /// Key of the declaration.
     pub(super) key: Key,
     pub(super) name: &'a Ident,
-    pub(super) indices: &'a [ast::Expr],
+    pub(super) indices: &'a [ast::Expression],
 }
 
 impl Elaborator<'_> {
@@ -83,7 +83,7 @@ impl Elaborator<'_> {
         Ok(())
     }
 
-    pub(super) fn written_indices(&mut self, indices: &[ast::Expr], key: impl Into<Key>, context: &Context) -> Option<Vec<usize>> {
+    pub(super) fn written_indices(&mut self, indices: &[ast::Expression], key: impl Into<Key>, context: &Context) -> Option<Vec<usize>> {
         if indices.is_empty() {
             return Some(Vec::new());
         }

@@ -13,7 +13,7 @@ use crate::diag::{ArityFact, Diag, EquationFact, NameFact, ValueFact};
 use crate::expr::Leaf;
 use crate::library;
 use crate::quantity::{Dim, InferredDim};
-use crate::syntax::ast::{Definition, Definitions, Dimension, Kind};
+use crate::syntax::ast::{Definition, Definitions, Dimension, FormalKind};
 use proc_macro2::Ident;
 use std::rc::Rc;
 
@@ -98,50 +98,50 @@ impl Elaborator<'_> {
                 return self.refuse(&formal.name, ArityFact::DefaultBefore { name });
             }
             match &formal.kind {
-                Kind::Scalar(written) => drop(self.kind_dimension(written)?),
-                Kind::Joint(kind) => drop(self.definition(kind)?),
-                Kind::Function(from, to) => drop((self.dimension(from)?, self.dimension(to)?)),
-                Kind::Point | Kind::Axis | Kind::Body | Kind::Quantity => {}
+                FormalKind::Scalar(written) => drop(self.kind_dimension(written)?),
+                FormalKind::Joint(kind) => drop(self.definition(kind)?),
+                FormalKind::Function(from, to) => drop((self.dimension(from)?, self.dimension(to)?)),
+                FormalKind::Point | FormalKind::Axis | FormalKind::Body | FormalKind::Quantity => {}
             }
         }
         Some(())
     }
 
-    fn check_default(&mut self, formal: &crate::syntax::ast::Formal, default: &crate::syntax::ast::Expr, found: Value) -> Option<()> {
+    fn check_default(&mut self, formal: &crate::syntax::ast::Formal, default: &crate::syntax::ast::Expression, found: Value) -> Option<()> {
         match (&formal.kind, found) {
-            (Kind::Scalar(written), Value::Scalar(scalar)) => {
+            (FormalKind::Scalar(written), Value::Scalar(scalar)) => {
                 let wanted = self.dimension(written)?;
                 if scalar.measure.fits(wanted) {
                     return Some(());
                 }
                 self.refuse(default.range, ValueFact::WrongDimension { wanted, found: scalar.measure.settled() })
             }
-            (Kind::Quantity, Value::Scalar(_))
-            | (Kind::Body, Value::Body(_))
-            | (Kind::Point, Value::Point(_))
-            | (Kind::Axis, Value::Axis(_)) => Some(()),
+            (FormalKind::Quantity, Value::Scalar(_))
+            | (FormalKind::Body, Value::Body(_))
+            | (FormalKind::Point, Value::Point(_))
+            | (FormalKind::Axis, Value::Axis(_)) => Some(()),
             (kind, other) => self.refuse(default.range, ValueFact::WrongDefault { wanted: noun(kind), found: other.noun() }),
         }
     }
 
     /// An unknown argument of the given kind.
-    pub(super) fn unknown(&mut self, kind: &Kind, others: &[Definition]) -> Option<Value> {
+    pub(super) fn unknown(&mut self, kind: &FormalKind, others: &[Definition]) -> Option<Value> {
         Some(match kind {
-            Kind::Point => Value::Point(self.unknown_fixed(InferredDim::Known(Dim::LENGTH))),
-            Kind::Axis => Value::Axis(self.unknown_fixed(InferredDim::Any)),
-            Kind::Body => Value::Body(self.new_frame("a body")),
-            Kind::Quantity => Value::Scalar(self.unknown_scalar(InferredDim::Any)),
-            Kind::Scalar(written) => {
+            FormalKind::Point => Value::Point(self.unknown_fixed(InferredDim::Known(Dim::LENGTH))),
+            FormalKind::Axis => Value::Axis(self.unknown_fixed(InferredDim::Any)),
+            FormalKind::Body => Value::Body(self.new_frame("a body")),
+            FormalKind::Quantity => Value::Scalar(self.unknown_scalar(InferredDim::Any)),
+            FormalKind::Scalar(written) => {
                 let dim = self.kind_dimension(written)?;
                 Value::Scalar(self.unknown_scalar(InferredDim::Known(dim)))
             }
-            Kind::Function(from, to) => {
+            FormalKind::Function(from, to) => {
                 let (from, to) = (self.dimension(from)?, self.dimension(to)?);
                 self.functions.push(Numbered::Rust(Default::default()));
                 let number = self.functions.len() as u32 - 1;
                 Value::Function(FunctionValue::Numbered { number, from: InferredDim::Known(from), to: InferredDim::Known(to) })
             }
-            Kind::Joint(name) => {
+            FormalKind::Joint(name) => {
                 let word = name.to_string();
                 let known = others.iter().find(|other| *name == other.name).cloned().map(Rc::new);
                 let Some(definition) = known.or_else(|| library::find(&word)) else {
@@ -151,7 +151,7 @@ impl Elaborator<'_> {
                 };
                 let mut arguments = Vec::new();
                 for formal in &definition.parameters {
-                    if !matches!(formal.kind, Kind::Joint(_)) {
+                    if !matches!(formal.kind, FormalKind::Joint(_)) {
                         arguments.push((formal.name.to_string(), self.unknown(&formal.kind, others)?));
                     }
                 }

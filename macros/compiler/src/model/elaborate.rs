@@ -8,7 +8,7 @@ use super::{Components, Function as Numbered, Name, Requirement};
 use crate::diag::{ArrayFact, Diag, EquationFact, Fact, GrammarFact, Known, NameFact, Range, ValueFact, nearest, nearest_unit};
 use crate::expr::{Arena, Exact, Expr, Leaf};
 use crate::quantity::{self, Dim, InferredDim, Role};
-use crate::syntax::ast::{self, ExprKind};
+use crate::syntax::ast::{self, ExpressionKind};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -36,7 +36,7 @@ pub(crate) struct Elaborator<'a> {
     /// True while a component without parts is checked: its arguments may be anything.
     pub(super) is_unused: bool,
     /// Values of functions of the language computed before, by function and argument.
-    pub(super) calls: BTreeMap<(ast::NodeId, Expr), (ast::Node<ast::Function>, Scalar)>,
+    pub(super) calls: BTreeMap<(ast::ItemId, Expr), (ast::Shared<ast::FunctionItem>, Scalar)>,
 }
 
 /// A definition being instantiated.
@@ -144,7 +144,7 @@ impl Elaborator<'_> {
     }
 
     /// Evaluates an expression. An array without all its indices is an error.
-    pub(super) fn value(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Value> {
+    pub(super) fn value(&mut self, expr: &ast::Expression, scope: &Scope) -> Option<Value> {
         match self.value_or_array(expr, scope)? {
             Value::Array { group, at } => {
                 let name = self.member_name(group, &at);
@@ -155,7 +155,7 @@ impl Elaborator<'_> {
     }
 
     /// Evaluates an expression, which may be an array without all its indices.
-    pub(super) fn value_or_array(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Value> {
+    pub(super) fn value_or_array(&mut self, expr: &ast::Expression, scope: &Scope) -> Option<Value> {
         let in_function = !self.names.open_functions.is_empty();
         if self.depth >= DEEPEST {
             return self.give_up(expr.range, GrammarFact::LongChain { limit: DEEPEST, in_function });
@@ -176,25 +176,25 @@ impl Elaborator<'_> {
         None
     }
 
-    fn value_of(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Value> {
+    fn value_of(&mut self, expr: &ast::Expression, scope: &Scope) -> Option<Value> {
         match &expr.kind {
-            ExprKind::Number { digits, unit } => self.number(expr.range, digits, unit).map(Value::Scalar),
-            ExprKind::Path(path) => self.named(path, scope),
-            ExprKind::Field(value, field) => self.field(value, field, scope),
-            ExprKind::Index(value, index) => self.indexed(value, index, scope),
-            ExprKind::Call(path, arguments) => self.call(expr.range, path, arguments, scope),
-            ExprKind::Negative(value) => self.negative(value, scope),
-            ExprKind::Binary(operator, lhs, rhs) => self.binary(expr.range, *operator, lhs, rhs, scope),
-            ExprKind::Tuple(items) => self.tuple(expr.range, items, scope).map(Value::Vector),
-            ExprKind::List(_) => self.refuse(expr.range, ValueFact::ListOutsideTable),
-            ExprKind::If { lhs, relation, rhs, then, otherwise } => {
+            ExpressionKind::Number { digits, unit } => self.number(expr.range, digits, unit).map(Value::Scalar),
+            ExpressionKind::Path(path) => self.named(path, scope),
+            ExpressionKind::Field(value, field) => self.field(value, field, scope),
+            ExpressionKind::Index(value, index) => self.indexed(value, index, scope),
+            ExpressionKind::Call(path, arguments) => self.call(expr.range, path, arguments, scope),
+            ExpressionKind::Negative(value) => self.negative(value, scope),
+            ExpressionKind::Binary(operator, lhs, rhs) => self.binary(expr.range, *operator, lhs, rhs, scope),
+            ExpressionKind::Tuple(items) => self.tuple(expr.range, items, scope).map(Value::Vector),
+            ExpressionKind::List(_) => self.refuse(expr.range, ValueFact::ListOutsideTable),
+            ExpressionKind::If { lhs, relation, rhs, then, otherwise } => {
                 self.choice(expr.range, (lhs, *relation, rhs), (then, otherwise), scope)
             }
         }
     }
 
     /// Evaluates an expression that must be a number.
-    pub(super) fn scalar(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Scalar> {
+    pub(super) fn scalar(&mut self, expr: &ast::Expression, scope: &Scope) -> Option<Scalar> {
         match self.value(expr, scope)? {
             Value::Scalar(scalar) => Some(scalar),
             other => self.refuse(expr.range, ValueFact::NotA { wanted: "a number", found: other.noun() }),
@@ -202,7 +202,7 @@ impl Elaborator<'_> {
     }
 
     /// Evaluates a number that must have the dimension `wanted`.
-    pub(super) fn scalar_of(&mut self, expr: &ast::Expr, wanted: Dim, scope: &Scope) -> Option<Scalar> {
+    pub(super) fn scalar_of(&mut self, expr: &ast::Expression, wanted: Dim, scope: &Scope) -> Option<Scalar> {
         let scalar = self.scalar(expr, scope)?;
         if !scalar.measure.fits(wanted) {
             return self.refuse(expr.range, ValueFact::WrongDimension { wanted, found: scalar.measure.settled() });
@@ -211,7 +211,7 @@ impl Elaborator<'_> {
     }
 
     /// Evaluates a vector in ground; a point stands for its position and an axis for its direction.
-    pub(super) fn vector(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<Vector> {
+    pub(super) fn vector(&mut self, expr: &ast::Expression, scope: &Scope) -> Option<Vector> {
         let value = self.value(expr, scope)?;
         let noun = value.noun();
         match self.as_vector(value) {
@@ -338,7 +338,7 @@ impl Elaborator<'_> {
         self.nearest(&name.to_string(), bound.chain(own).chain(fixed))
     }
 
-    fn field(&mut self, owner: &ast::Expr, field: &Ident, scope: &Scope) -> Option<Value> {
+    fn field(&mut self, owner: &ast::Expression, field: &Ident, scope: &Scope) -> Option<Value> {
         let value = self.value(owner, scope)?;
         let name = field.to_string();
         match (&value, name.as_str()) {

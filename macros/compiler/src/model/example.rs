@@ -4,7 +4,7 @@
 //! joined elsewhere, or by another kind of joint.
 
 use super::Model;
-use super::sketch::{Argument, Local};
+use super::sketch::{JointArgument, LocalVector};
 
 /// `joint name = revolute(ground.C, rocker.position);`
 pub(crate) fn revolute(one: &str, two: &str) -> String {
@@ -36,17 +36,17 @@ pub(crate) fn place_of_one(model: &Model, bodies: impl Iterator<Item = usize> + 
 /// First declared point without a joint, of a body or of ground.
 fn free_point(model: &Model, body: Option<usize>) -> Option<String> {
     let of_body = model.sketch.points.iter().filter(|point| point.at.body == body);
-    let is_free = |at: &Local| !has_joint(model, &|other| other.body == at.body && other.local == at.local);
+    let is_free = |at: &LocalVector| !has_joint(model, &|other| other.body == at.body && other.local == at.local);
     of_body.into_iter().find(|point| is_free(&point.at)).map(|point| called(model, body, &point.name))
 }
 
 /// True if such a point is an argument of a joint.
-fn has_joint(model: &Model, is_meant: &dyn Fn(&Local) -> bool) -> bool {
+fn has_joint(model: &Model, is_meant: &dyn Fn(&LocalVector) -> bool) -> bool {
     let arguments = model.sketch.joints.iter().flat_map(|joint| &joint.arguments);
-    arguments.into_iter().any(|(_, argument)| matches!(argument, Argument::Point(at) if is_meant(at)))
+    arguments.into_iter().any(|(_, argument)| matches!(argument, JointArgument::Point(at) if is_meant(at)))
 }
 
-fn is_origin(model: &Model, at: &Local) -> bool {
+fn is_origin(model: &Model, at: &LocalVector) -> bool {
     at.local.iter().all(|part| model.sketch.arena.as_constant(*part).is_some_and(|value| value.is_zero()))
 }
 

@@ -26,7 +26,7 @@ impl Elaborator<'_> {
     }
 
     /// Resolves a point or an axis of a frame.
-    pub(super) fn fixed(&mut self, frame: FrameId, mark: &ast::Node<ast::Mark>, context: &Context) -> Option<Value> {
+    pub(super) fn fixed(&mut self, frame: FrameId, mark: &ast::Shared<ast::Feature>, context: &Context) -> Option<Value> {
         let scope = Scope::of(context).timeless("a point or an axis");
         let vector = if mark.is_axis { self.vector(&mark.value, &scope)? } else { self.location(&mark.value, &scope)? };
         let local = vector.parts;
@@ -90,7 +90,7 @@ impl Elaborator<'_> {
 
     /// Resolves all bodies with their coordinates and start values.
     pub(super) fn bodies(&mut self, register: &Register) -> Vec<Body> {
-        let body = |(id, frame): &(EntityId, ast::Node<ast::Frame>)| {
+        let body = |(id, frame): &(EntityId, ast::Shared<ast::FrameItem>)| {
             self.of(*id, frame, |this, name, context| Some(this.body(frame, name, context)))
         };
         let mut bodies: Vec<Body> = register.bodies.iter().filter_map(body).collect();
@@ -109,7 +109,7 @@ impl Elaborator<'_> {
         bodies
     }
 
-    fn body(&mut self, frame: &ast::Node<ast::Frame>, name: &Name, context: &Context) -> Body {
+    fn body(&mut self, frame: &ast::Shared<ast::FrameItem>, name: &Name, context: &Context) -> Body {
         let mut starts: Vec<Option<Expr>> = vec![None; Role::PLANE.len()];
         let scope = Scope::of(context).timeless("a start value");
         for (number, start) in frame.starts.iter().enumerate() {

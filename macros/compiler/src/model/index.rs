@@ -5,7 +5,7 @@ use super::names::{GroupId, SpaceId};
 use super::value::Value;
 use crate::diag::{ArrayFact, Known, NameFact, Range};
 use crate::quantity::Dim;
-use crate::syntax::ast::{self, Bounds, ExprKind, Operator};
+use crate::syntax::ast::{self, ExpressionKind, IndexRange, Operator};
 use proc_macro2::Ident;
 use std::collections::BTreeSet;
 
@@ -14,11 +14,11 @@ const LONGEST: usize = 10_000;
 
 impl Elaborator<'_> {
     /// `array[index]`
-    pub(super) fn indexed(&mut self, owner: &ast::Expr, index: &ast::Expr, scope: &Scope) -> Option<Value> {
+    pub(super) fn indexed(&mut self, owner: &ast::Expression, index: &ast::Expression, scope: &Scope) -> Option<Value> {
         let (group, mut at) = match self.value_or_array(owner, scope)? {
             Value::Array { group, at } => (group, at),
             other => {
-                let fact = ArrayFact::NoArray { found: other.noun(), is_member: matches!(owner.kind, ExprKind::Index(..)) };
+                let fact = ArrayFact::NoArray { found: other.noun(), is_member: matches!(owner.kind, ExpressionKind::Index(..)) };
                 return self.refuse(index.range, fact);
             }
         };
@@ -88,8 +88,8 @@ impl Elaborator<'_> {
     }
 
     /// Evaluates the indices of a declared name.
-    pub(super) fn indices(&mut self, written: &[ast::Expr], scope: &Scope) -> Option<Vec<usize>> {
-        let index = |this: &mut Self, expr: &ast::Expr| {
+    pub(super) fn indices(&mut self, written: &[ast::Expression], scope: &Scope) -> Option<Vec<usize>> {
+        let index = |this: &mut Self, expr: &ast::Expression| {
             let number = this.whole(expr, scope)?;
             match usize::try_from(number) {
                 Ok(number) => Some(number),
@@ -100,13 +100,13 @@ impl Elaborator<'_> {
     }
 
     /// Values of a loop variable. `is_inner`: the loop is inside another loop and may be empty.
-    pub(super) fn rounds(&mut self, bounds: &Bounds, is_inner: bool, scope: &Scope) -> Option<Vec<i64>> {
+    pub(super) fn rounds(&mut self, bounds: &IndexRange, is_inner: bool, scope: &Scope) -> Option<Vec<i64>> {
         let (from, to) = (self.whole(&bounds.from, scope), self.whole(&bounds.to, scope));
         let (from, to) = (from?, to?);
         let rounds = i128::from(to) - i128::from(from) + i128::from(bounds.is_inclusive);
         let range = bounds.from.range.to(bounds.to.range);
         // A range with a computed bound may be empty; nobody writes `2..2` on purpose.
-        let is_written_out = [&bounds.from, &bounds.to].iter().all(|end| matches!(end.kind, ExprKind::Number { .. }));
+        let is_written_out = [&bounds.from, &bounds.to].iter().all(|end| matches!(end.kind, ExpressionKind::Number { .. }));
         if rounds < 0 || rounds == 0 && !is_inner && is_written_out {
             return self.refuse(range, ArrayFact::EmptyRange { from, to, is_inclusive: bounds.is_inclusive });
         }
@@ -117,25 +117,25 @@ impl Elaborator<'_> {
     }
 
     /// Evaluates a whole number known at compile time: literals, loop variables and whole `let`s.
-    pub(super) fn whole(&mut self, expr: &ast::Expr, scope: &Scope) -> Option<i64> {
+    pub(super) fn whole(&mut self, expr: &ast::Expression, scope: &Scope) -> Option<i64> {
         match &expr.kind {
-            ExprKind::Number { digits, unit } => match digits.parse() {
+            ExpressionKind::Number { digits, unit } => match digits.parse() {
                 Ok(number) if unit.is_empty() => Some(number),
                 Err(_) if unit.is_empty() && digits.bytes().all(|digit| digit.is_ascii_digit()) => {
                     self.refuse(expr.range, ArrayFact::WholeTooLarge { found: digits.clone() })
                 }
                 _ => self.refuse(expr.range, ArrayFact::NotWhole { found: format!("`{digits}{unit}`") }),
             },
-            ExprKind::Negative(value) => {
+            ExpressionKind::Negative(value) => {
                 let value = self.whole(value, scope)?;
                 let too_large = ArrayFact::WholeTooLarge { found: format!("-({value})") };
                 value.checked_neg().or_else(|| self.refuse(expr.range, too_large))
             }
-            ExprKind::Binary(operator, lhs, rhs) if *operator != Operator::Power => {
+            ExpressionKind::Binary(operator, lhs, rhs) if *operator != Operator::Power => {
                 let (one, two) = (self.whole(lhs, scope), self.whole(rhs, scope));
                 self.whole_of_two(expr.range, *operator, one?, two?)
             }
-            ExprKind::Path(_) | ExprKind::Field(..) | ExprKind::Index(..) => {
+            ExpressionKind::Path(_) | ExpressionKind::Field(..) | ExpressionKind::Index(..) => {
                 let value = self.value(expr, scope)?;
                 self.as_whole(expr.range, &value)
             }

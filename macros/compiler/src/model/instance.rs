@@ -10,13 +10,19 @@ use crate::diag::{ArityFact, ArrayFact, EquationFact, NameFact, Range, ValueFact
 use crate::expr::Leaf;
 use crate::library;
 use crate::quantity::{Dim, InferredDim};
-use crate::syntax::ast::{self, Argument, Definition, Formal, JointBody, Kind};
+use crate::syntax::ast::{self, Argument, Definition, Formal, FormalKind, JointBody};
 use proc_macro2::Ident;
 use std::rc::Rc;
 
 impl Elaborator<'_> {
     /// The scalar equations of a joint.
-    pub(super) fn joint_rows(&mut self, id: EntityId, joint: &ast::Joint, name: &Name, context: &Context) -> Option<Vec<ScalarEquation>> {
+    pub(super) fn joint_rows(
+        &mut self,
+        id: EntityId,
+        joint: &ast::JointItem,
+        name: &Name,
+        context: &Context,
+    ) -> Option<Vec<ScalarEquation>> {
         match &joint.body {
             JointBody::Equations(statements) => {
                 let scope = self.joint_scope(joint, context);
@@ -53,7 +59,7 @@ impl Elaborator<'_> {
 
     fn blame_for(&self, definition: &Definition, kind: &Ident, arguments: &[(String, Value)]) -> Instance {
         let is_open =
-            |name: &String| definition.parameters.iter().any(|formal| formal.name == *name && matches!(formal.kind, Kind::Quantity));
+            |name: &String| definition.parameters.iter().any(|formal| formal.name == *name && matches!(formal.kind, FormalKind::Quantity));
         let quantity = |(name, value): &(String, Value)| match value {
             Value::Scalar(scalar) if is_open(name) => Some((name.clone(), scalar.measure.settled())),
             _ => None,
@@ -62,13 +68,13 @@ impl Elaborator<'_> {
         Instance { place: kind.into(), definition: format!("`{}`", definition.name), quantities }
     }
 
-    fn joint_scope(&self, joint: &ast::Joint, context: &Context) -> Scope {
+    fn joint_scope(&self, joint: &ast::JointItem, context: &Context) -> Scope {
         let timeless = (!joint.is_drive).then(|| Timeless::Joint(joint.name.to_string()));
         Scope { timeless, ..Scope::of(context) }
     }
 
     /// Arguments of a joint by parameter name; empty for inline equations.
-    pub(super) fn bind_joint(&mut self, joint: &ast::Joint, context: &Context) -> Option<Vec<(String, Value)>> {
+    pub(super) fn bind_joint(&mut self, joint: &ast::JointItem, context: &Context) -> Option<Vec<(String, Value)>> {
         let JointBody::Of { kind, arguments } = &joint.body else { return Some(Vec::new()) };
         let definition = self.definition(kind)?;
         let scope = self.joint_scope(joint, context);
@@ -76,7 +82,7 @@ impl Elaborator<'_> {
     }
 
     /// Source range of the first argument of a joint that depends on time.
-    pub(super) fn time_dependent_argument(&mut self, id: EntityId, joint: &ast::Joint) -> Option<Range> {
+    pub(super) fn time_dependent_argument(&mut self, id: EntityId, joint: &ast::JointItem) -> Option<Range> {
         let JointBody::Of { kind, arguments } = &joint.body else { return None };
         let definition = self.known_definition(&kind.to_string())?;
         let Value::Joint { arguments: bound, .. } = self.entity(id, (&joint.name).into())? else { return None };
@@ -115,7 +121,7 @@ impl Elaborator<'_> {
 
     /// Binds every parameter of a definition to a value, or reports the argument at fault.
     fn bind(&mut self, definition: &Definition, kind: &Ident, given: &[Argument], scope: &Scope) -> Option<Vec<(String, Value)>> {
-        let slots: Vec<Option<&ast::Expr>> = self
+        let slots: Vec<Option<&ast::Expression>> = self
             .slots(definition, kind, given)?
             .into_iter()
             .map(|slot| slot.and_then(|slot| given.get(slot)).map(|given| &given.value))
@@ -171,10 +177,16 @@ impl Elaborator<'_> {
     }
 
     /// Evaluates an argument and checks its kind.
-    pub(super) fn argument(&mut self, definition: &Definition, formal: &Formal, argument: &ast::Expr, scope: &Scope) -> Option<Value> {
+    pub(super) fn argument(
+        &mut self,
+        definition: &Definition,
+        formal: &Formal,
+        argument: &ast::Expression,
+        scope: &Scope,
+    ) -> Option<Value> {
         let value = match (&formal.kind, &argument.kind) {
             // If a point is written out, each coordinate is checked.
-            (Kind::Point, ast::ExprKind::Tuple(items)) if items.len() == 2 => Value::Vector(self.location(argument, scope)?),
+            (FormalKind::Point, ast::ExpressionKind::Tuple(items)) if items.len() == 2 => Value::Vector(self.location(argument, scope)?),
             _ => self.value(argument, scope)?,
         };
         let found = match &value {
@@ -190,23 +202,23 @@ impl Elaborator<'_> {
             )
         };
         match (&formal.kind, value) {
-            (Kind::Point, value @ Value::Point(_)) | (Kind::Axis, value @ Value::Axis(_)) | (Kind::Body, value @ Value::Body(_)) => {
-                Some(value)
-            }
+            (FormalKind::Point, value @ Value::Point(_))
+            | (FormalKind::Axis, value @ Value::Axis(_))
+            | (FormalKind::Body, value @ Value::Body(_)) => Some(value),
             // A constant vector stands for a point or a direction in ground.
-            (Kind::Point, Value::Vector(vector)) if vector.parts.iter().all(|part| self.is_fixed(*part)) => {
+            (FormalKind::Point, Value::Vector(vector)) if vector.parts.iter().all(|part| self.is_fixed(*part)) => {
                 if !vector.measure.fits(Dim::LENGTH) {
                     return self.refuse(argument.range, ValueFact::WrongDimension { wanted: Dim::LENGTH, found: vector.measure.settled() });
                 }
                 let measure = InferredDim::Known(Dim::LENGTH);
                 Some(Value::Point(Fixed { frame: FrameId::GROUND, local: vector.parts, measure }))
             }
-            (Kind::Axis, Value::Vector(vector)) if vector.parts.iter().all(|part| self.is_fixed(*part)) => {
+            (FormalKind::Axis, Value::Vector(vector)) if vector.parts.iter().all(|part| self.is_fixed(*part)) => {
                 let measure = InferredDim::Known(vector.measure.settled());
                 Some(Value::Axis(Fixed { frame: FrameId::GROUND, local: vector.parts, measure }))
             }
-            (Kind::Quantity, value @ Value::Scalar(_)) => Some(value),
-            (Kind::Scalar(written), Value::Scalar(scalar)) => {
+            (FormalKind::Quantity, value @ Value::Scalar(_)) => Some(value),
+            (FormalKind::Scalar(written), Value::Scalar(scalar)) => {
                 let wanted = self.dimension(written)?;
                 if !scalar.measure.fits(wanted) {
                     let fact = ValueFact::WrongArgumentDimension {
@@ -219,11 +231,11 @@ impl Elaborator<'_> {
                 }
                 Some(Value::Scalar(Scalar { measure: InferredDim::Known(wanted), ..scalar }))
             }
-            (Kind::Function(from, to), Value::Function(function)) => {
+            (FormalKind::Function(from, to), Value::Function(function)) => {
                 let (from, to) = (self.dimension(from)?, self.dimension(to)?);
                 self.function_argument(argument.range, function, from, to).map(Value::Function)
             }
-            (Kind::Joint(wanted), Value::Joint { kind, arguments }) => {
+            (FormalKind::Joint(wanted), Value::Joint { kind, arguments }) => {
                 if wanted != &kind {
                     return wrong(self, format!("a `{wanted}` joint"));
                 }
@@ -234,13 +246,13 @@ impl Elaborator<'_> {
     }
 
     /// Suggests a replacement for an argument of the wrong kind.
-    fn instead(&self, wanted: &Kind, argument: &ast::Expr, found: &Value) -> Option<String> {
+    fn instead(&self, wanted: &FormalKind, argument: &ast::Expression, found: &Value) -> Option<String> {
         match (wanted, found, &argument.kind) {
-            (Kind::Point, Value::Body(frame), ast::ExprKind::Path(path)) => {
+            (FormalKind::Point, Value::Body(frame), ast::ExpressionKind::Path(path)) => {
                 Some(format!("{}.{}", path.last, self.names.a_point_of(*frame).unwrap_or("position")))
             }
-            (Kind::Body, Value::Point(point), _) => Some(self.names.frames[point.frame.0].name.clone()),
-            (Kind::Axis, Value::Body(_) | Value::Point(_), _) => Some("(1, 0)".to_owned()),
+            (FormalKind::Body, Value::Point(point), _) => Some(self.names.frames[point.frame.0].name.clone()),
+            (FormalKind::Axis, Value::Body(_) | Value::Point(_), _) => Some("(1, 0)".to_owned()),
             _ => None,
         }
     }

@@ -26,11 +26,11 @@ impl Elaborator<'_> {
     }
 
     /// Checks a function once on its own, with an unknown argument.
-    fn check_function(&mut self, function: &ast::Node<ast::Function>) {
+    fn check_function(&mut self, function: &ast::Shared<ast::FunctionItem>) {
         let (from, to) = (self.dimension(&function.from), self.dimension(&function.to));
         let (Some(from), Some(to)) = (from, to) else { return };
         let Some(argument) = &function.argument else {
-            if !matches!(function.value.kind, ast::ExprKind::Path(_)) {
+            if !matches!(function.value.kind, ast::ExpressionKind::Path(_)) {
                 self.refuse::<()>(function.value.range, ValueFact::FunctionNeedsArgument);
             }
             return;
@@ -44,13 +44,13 @@ impl Elaborator<'_> {
     }
 
     pub(super) fn joints(&mut self, register: &Register) -> Vec<Joint> {
-        let joint = |(id, joint): &(EntityId, ast::Node<ast::Joint>)| {
+        let joint = |(id, joint): &(EntityId, ast::Shared<ast::JointItem>)| {
             self.of(*id, joint, |this, name, context| this.joint(*id, joint, name, context))
         };
         register.joints.iter().filter_map(joint).collect()
     }
 
-    fn joint(&mut self, id: EntityId, joint: &ast::Joint, name: &Name, context: &Context) -> Option<Joint> {
+    fn joint(&mut self, id: EntityId, joint: &ast::JointItem, name: &Name, context: &Context) -> Option<Joint> {
         let rows = self.joint_rows(id, joint, name, context)?;
         let kind = match &joint.body {
             ast::JointBody::Of { kind, .. } => kind.to_string(),
@@ -63,7 +63,7 @@ impl Elaborator<'_> {
     }
 
     /// Checks that every row depends on a position, and that no row of a joint depends on time; reports at most one error.
-    fn rows_are_sound(&mut self, id: EntityId, joint: &ast::Joint, rows: &[ScalarEquation]) {
+    fn rows_are_sound(&mut self, id: EntityId, joint: &ast::JointItem, rows: &[ScalarEquation]) {
         let (name, of) = (joint.name.to_string(), rows.len());
         let leaves = |row: &ScalarEquation| self.arena.leaves(row.residual.expr);
         // An argument of an unused component may move.
@@ -79,13 +79,13 @@ impl Elaborator<'_> {
 
     /// Resolves all outputs; `None` for each rejected one.
     pub(super) fn outputs(&mut self, register: &Register) -> Vec<Option<Output>> {
-        let output = |(id, output): &(EntityId, ast::Node<ast::Output>)| {
+        let output = |(id, output): &(EntityId, ast::Shared<ast::OutputItem>)| {
             self.of(*id, output, |this, name, context| this.output(output, name, context))
         };
         register.outputs.iter().map(output).collect()
     }
 
-    fn output(&mut self, output: &ast::Output, name: &Name, context: &Context) -> Option<Output> {
+    fn output(&mut self, output: &ast::OutputItem, name: &Name, context: &Context) -> Option<Output> {
         let value = self.value(&output.value, &Scope::of(context))?;
         let noun = if matches!(value, Value::Body(FrameId::GROUND)) { "ground" } else { value.noun() };
         let (components, measure) = match value {

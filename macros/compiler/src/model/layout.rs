@@ -71,7 +71,7 @@ pub struct Part {
 /// The mechanism or a part while its items are registered.
 #[derive(Default)]
 pub(super) struct OpenPart {
-    pub(super) component: Option<ast::Node<ast::Component>>,
+    pub(super) component: Option<ast::Shared<ast::ComponentItem>>,
     /// Number of its first body.
     pub(super) first: usize,
     /// Items that appear in the generated types, each with its number among items of its kind.
@@ -91,10 +91,10 @@ impl Elaborator<'_> {
     /// The layout of everything that was registered.
     pub(super) fn layout(&mut self, register: &Register) -> Layout {
         let mut layout = Layout::default();
-        let mut known: BTreeMap<Option<ast::NodeId>, usize> = BTreeMap::new();
+        let mut known: BTreeMap<Option<ast::ItemId>, usize> = BTreeMap::new();
         let mut component_of = Vec::new();
         for place in &register.places {
-            let key = place.component.as_ref().map(ast::Node::id);
+            let key = place.component.as_ref().map(ast::Shared::id);
             let next = known.len();
             component_of.push(*known.entry(key).or_insert(next));
         }

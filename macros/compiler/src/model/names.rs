@@ -75,18 +75,18 @@ pub(super) enum Progress {
 pub(super) enum Entity {
     /// A parameter, a body, a part: its value is known from the beginning.
     Known,
-    Let(ast::Node<ast::Let>),
-    Function(ast::Node<ast::Function>),
-    Joint(ast::Node<ast::Joint>),
-    Mark(FrameId, ast::Node<ast::Mark>),
+    Let(ast::Shared<ast::Let>),
+    Function(ast::Shared<ast::FunctionItem>),
+    Joint(ast::Shared<ast::JointItem>),
+    Mark(FrameId, ast::Shared<ast::Feature>),
     /// An argument of a part, with the number of the component's parameter.
     Argument(Rc<PartArguments>, usize),
 }
 
 /// A part with its arguments.
 pub(super) struct PartArguments {
-    pub(super) component: ast::Node<ast::Component>,
-    pub(super) part: ast::Node<ast::Part>,
+    pub(super) component: ast::Shared<ast::ComponentItem>,
+    pub(super) part: ast::Shared<ast::PartItem>,
     /// For each parameter of the component, the index of its argument, if one was written.
     pub(super) slots: Vec<Option<usize>>,
     /// Context in which the part is declared.
@@ -192,7 +192,7 @@ pub(crate) struct Names {
     /// Imported constraints, and constraints of the library that were looked up.
     pub(super) definitions: BTreeMap<String, Rc<Definition>>,
     pub(super) library: BTreeMap<String, Option<Rc<Definition>>>,
-    pub(super) components: BTreeMap<String, ast::Node<ast::Component>>,
+    pub(super) components: BTreeMap<String, ast::Shared<ast::ComponentItem>>,
     /// Names with a predefined meaning that were declared as something else: their uses are ambiguous.
     pub(super) misused: BTreeSet<String>,
     /// Items being resolved; each is needed by the one before it.

@@ -28,24 +28,24 @@ const DEEPEST: usize = 20;
 /// Declared items, in the order of expansion.
 #[derive(Default)]
 pub(super) struct Register {
-    pub(super) parameters: Vec<(EntityId, ast::Node<ast::Parameter>)>,
+    pub(super) parameters: Vec<(EntityId, ast::Shared<ast::ParameterItem>)>,
     /// `let`s and arguments of parts, used or not, so that errors in all of them are found.
     pub(super) lets: Vec<EntityId>,
-    pub(super) functions: Vec<ast::Node<ast::Function>>,
-    pub(super) bodies: Vec<(EntityId, ast::Node<ast::Frame>)>,
+    pub(super) functions: Vec<ast::Shared<ast::FunctionItem>>,
+    pub(super) bodies: Vec<(EntityId, ast::Shared<ast::FrameItem>)>,
     pub(super) marks: Vec<EntityId>,
-    pub(super) joints: Vec<(EntityId, ast::Node<ast::Joint>)>,
-    pub(super) outputs: Vec<(EntityId, ast::Node<ast::Output>)>,
+    pub(super) joints: Vec<(EntityId, ast::Shared<ast::JointItem>)>,
+    pub(super) outputs: Vec<(EntityId, ast::Shared<ast::OutputItem>)>,
     output_names: BTreeMap<(SpaceId, String), BTreeSet<Vec<usize>>>,
     /// The parts as written, without an entry for the mechanism.
-    pub(super) parts: Vec<ast::Node<ast::Part>>,
+    pub(super) parts: Vec<ast::Shared<ast::PartItem>>,
     /// The mechanism and its parts.
     pub(super) places: Vec<OpenPart>,
     /// Components being expanded, to detect recursion.
     pub(super) open: Vec<String>,
     /// Number of enclosing loops.
     loops: usize,
-    pub(super) range: Option<ast::Node<ast::Times>>,
+    pub(super) range: Option<ast::Shared<ast::TimeRange>>,
     has_ground: bool,
 }
 
@@ -64,7 +64,7 @@ impl Elaborator<'_> {
         register
     }
 
-    fn component(&mut self, component: &ast::Node<ast::Component>) {
+    fn component(&mut self, component: &ast::Shared<ast::ComponentItem>) {
         let name = &component.head.name;
         let word = name.to_string();
         if is_of_generated_type(&word) {
@@ -175,7 +175,7 @@ impl Elaborator<'_> {
     }
 
     /// Registers an output. Outputs have a namespace of their own.
-    fn output_item(&mut self, output: &ast::Node<ast::Output>, context: &Context, place: usize, register: &mut Register) {
+    fn output_item(&mut self, output: &ast::Shared<ast::OutputItem>, context: &Context, place: usize, register: &mut Register) {
         let Some(indices) = self.written_indices(&output.indices, output, context) else { return };
         let name = self.full_name(context.space, Key::Name(output.id()), &output.name, &indices);
         self.names.outputs.insert((context.space, output.name.to_string()));
@@ -193,7 +193,14 @@ impl Elaborator<'_> {
     }
 
     /// The contexts of a loop, one for each iteration.
-    fn repeat(&mut self, item: Key, variable: &Ident, bounds: &ast::Bounds, context: &Context, register: &mut Register) -> Vec<Context> {
+    fn repeat(
+        &mut self,
+        item: Key,
+        variable: &Ident,
+        bounds: &ast::IndexRange,
+        context: &Context,
+        register: &mut Register,
+    ) -> Vec<Context> {
         if !self.variable_is_new(item, variable, context) {
             return Vec::new();
         }
@@ -232,7 +239,7 @@ impl Elaborator<'_> {
     }
 
     /// Registers a part: its arguments and the items of its component, in a new namespace.
-    fn part(&mut self, part: &ast::Node<ast::Part>, context: &Context, place: usize, register: &mut Register) {
+    fn part(&mut self, part: &ast::Shared<ast::PartItem>, context: &Context, place: usize, register: &mut Register) {
         let Some(component) = self.component_called(part) else { return };
         let word = component.head.name.to_string();
         if self.refused.contains(&Key::from(&component)) {
@@ -289,7 +296,7 @@ impl Elaborator<'_> {
     }
 
     /// Reports an argument for a parameter inside the component: it is set in Rust. Arguments are for the parameters in the head.
-    fn arguments_are_no_parameters(&mut self, part: &ast::Part, component: &ast::Component) -> Option<()> {
+    fn arguments_are_no_parameters(&mut self, part: &ast::PartItem, component: &ast::ComponentItem) -> Option<()> {
         let is_formal = |name: &Ident| component.head.parameters.iter().any(|formal| formal.name == *name);
         let is_parameter = |name: &Ident| component.items.iter().any(|item| matches!(item, Item::Parameter(inner) if inner.name == *name));
         let mut given = part.arguments.iter().filter_map(|argument| argument.name.as_ref());
@@ -299,7 +306,7 @@ impl Elaborator<'_> {
     }
 
     /// Component of a part. Reports an unknown name, and returns the component that was probably meant.
-    fn component_called(&mut self, part: &ast::Node<ast::Part>) -> Option<ast::Node<ast::Component>> {
+    fn component_called(&mut self, part: &ast::Shared<ast::PartItem>) -> Option<ast::Shared<ast::ComponentItem>> {
         let word = part.kind.to_string();
         if let Some(component) = self.names.components.get(&word) {
             return Some(component.clone());

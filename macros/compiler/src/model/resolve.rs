@@ -66,7 +66,7 @@ pub(crate) struct Outline {
     pub(crate) layout: Layout,
     pub(crate) methods: Vec<Method>,
     /// The outputs by number.
-    pub(crate) outputs: Vec<ast::Node<ast::Output>>,
+    pub(crate) outputs: Vec<ast::Shared<ast::OutputItem>>,
     /// Number of bodies.
     pub(crate) bodies: usize,
 }
@@ -86,7 +86,7 @@ pub(crate) fn outline(tree: &ast::Mechanism) -> Outline {
 impl Elaborator<'_> {
     /// The fields of the generated structs.
     pub(super) fn parameters(&mut self, register: &Register) -> Vec<Parameter> {
-        let parameter = |this: &mut Self, (id, written): &(EntityId, ast::Node<ast::Parameter>)| {
+        let parameter = |this: &mut Self, (id, written): &(EntityId, ast::Shared<ast::ParameterItem>)| {
             this.of(*id, written, |this, name, context| this.parameter(written, name, context))
         };
         register.parameters.iter().filter_map(|declared| parameter(self, declared)).collect()
@@ -127,7 +127,7 @@ impl Elaborator<'_> {
         found
     }
 
-    fn parameter(&mut self, parameter: &ast::Parameter, name: &Name, context: &Context) -> Option<Parameter> {
+    fn parameter(&mut self, parameter: &ast::ParameterItem, name: &Name, context: &Context) -> Option<Parameter> {
         // An unknown dimension was reported by `register`.
         let dim = parameter.dimension.dim()?;
         let scope = Scope::of(context).timeless("the default of a parameter");
@@ -192,16 +192,16 @@ impl Elaborator<'_> {
         value
     }
 
-    fn function_value(&mut self, function: &ast::Node<ast::Function>) -> Option<Value> {
+    fn function_value(&mut self, function: &ast::Shared<ast::FunctionItem>) -> Option<Value> {
         // A signature declares the dimensions of a Rust function.
-        if let (None, ast::ExprKind::Path(path)) = (&function.argument, &function.value.kind) {
+        if let (None, ast::ExpressionKind::Path(path)) = (&function.argument, &function.value.kind) {
             let (from, to) = (self.dimension(&function.from)?, self.dimension(&function.to)?);
             return Some(Value::Function(self.rust_function(path, InferredDim::Known(from), InferredDim::Known(to))));
         }
         Some(Value::Function(FunctionValue::Written(function.clone())))
     }
 
-    fn joint_value(&mut self, joint: &ast::Joint, context: &Context) -> Option<Value> {
+    fn joint_value(&mut self, joint: &ast::JointItem, context: &Context) -> Option<Value> {
         let arguments = Rc::new(self.bind_joint(joint, context)?);
         match &joint.body {
             // A definition renamed by `use` keeps its own kind.

@@ -2,7 +2,7 @@
 
 use crate::diag::nearest;
 use crate::diag::{ArityFact, Range};
-use crate::syntax::ast::{Argument, Definition, Dimension, Formal, Kind};
+use crate::syntax::ast::{Argument, Definition, Dimension, Formal, FormalKind};
 use proc_macro2::Ident;
 
 /// `revolute(P: Point, Q: Point)`
@@ -15,15 +15,15 @@ fn signature(definition: &Definition) -> String {
     format!("{}({})", definition.name, parameters.join(", "))
 }
 
-fn kind_name(kind: &Kind) -> String {
+fn kind_name(kind: &FormalKind) -> String {
     match kind {
-        Kind::Point => "Point".into(),
-        Kind::Axis => "Axis".into(),
-        Kind::Body => "Body".into(),
-        Kind::Quantity => "Quantity".into(),
-        Kind::Function(from, to) => format!("Function({}) -> {}", dimension_name(from), dimension_name(to)),
-        Kind::Joint(kind) => format!("Joint({kind})"),
-        Kind::Scalar(dimension) => dimension_name(dimension),
+        FormalKind::Point => "Point".into(),
+        FormalKind::Axis => "Axis".into(),
+        FormalKind::Body => "Body".into(),
+        FormalKind::Quantity => "Quantity".into(),
+        FormalKind::Function(from, to) => format!("Function({}) -> {}", dimension_name(from), dimension_name(to)),
+        FormalKind::Joint(kind) => format!("Joint({kind})"),
+        FormalKind::Scalar(dimension) => dimension_name(dimension),
     }
 }
 
@@ -41,15 +41,15 @@ fn dimension_name(dimension: &Dimension) -> String {
     text
 }
 
-pub(super) fn noun(kind: &Kind) -> String {
+pub(super) fn noun(kind: &FormalKind) -> String {
     match kind {
-        Kind::Point => "a point".into(),
-        Kind::Axis => "an axis".into(),
-        Kind::Body => "a body".into(),
-        Kind::Quantity => "a number".into(),
-        Kind::Function(..) => "a function of one variable".into(),
-        Kind::Joint(kind) => format!("a `{kind}` joint"),
-        Kind::Scalar(dimension) => format!("a number ({})", dimension_name(dimension)),
+        FormalKind::Point => "a point".into(),
+        FormalKind::Axis => "an axis".into(),
+        FormalKind::Body => "a body".into(),
+        FormalKind::Quantity => "a number".into(),
+        FormalKind::Function(..) => "a function of one variable".into(),
+        FormalKind::Joint(kind) => format!("a `{kind}` joint"),
+        FormalKind::Scalar(dimension) => format!("a number ({})", dimension_name(dimension)),
     }
 }
 

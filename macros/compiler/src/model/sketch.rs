@@ -20,25 +20,25 @@ pub struct Sketch {
     /// All expressions of the sketch.
     pub arena: Arena,
     /// The declared points of bodies and of ground.
-    pub points: Vec<Mark>,
+    pub points: Vec<NamedPoint>,
     /// For each joint or drive, in the order declared, its arguments.
     pub joints: Vec<Instantiation>,
     /// The outputs that are points of bodies.
-    pub outputs: Vec<Mark>,
+    pub outputs: Vec<NamedPoint>,
 }
 
 /// A point with a name.
 #[derive(Clone, Debug)]
-pub struct Mark {
+pub struct NamedPoint {
     /// Name; for a point of a body without the name of the body.
     pub name: String,
     /// Position.
-    pub at: Local,
+    pub at: LocalVector,
 }
 
 /// A point or an axis by its local coordinates.
 #[derive(Clone, Copy, Debug)]
-pub struct Local {
+pub struct LocalVector {
     /// Body that it moves with; `None` for ground.
     pub body: Option<usize>,
     /// Components in the frame of the body, functions of parameters; lengths for a point.
@@ -51,16 +51,16 @@ pub struct Instantiation {
     /// Name in the definition of the constraint, even if a `use` item renames it.
     pub kind: String,
     /// Arguments by parameter name; empty for inline equations.
-    pub arguments: Vec<(String, Argument)>,
+    pub arguments: Vec<(String, JointArgument)>,
 }
 
 /// One argument.
 #[derive(Clone, Debug)]
-pub enum Argument {
+pub enum JointArgument {
     /// A point.
-    Point(Local),
+    Point(LocalVector),
     /// An axis, of any length.
-    Axis(Local),
+    Axis(LocalVector),
     /// A body; `None` for ground.
     Body(Option<usize>),
     /// A number with its dimension.
@@ -83,18 +83,18 @@ impl Elaborator<'_> {
         let outputs = register.outputs.iter().filter_map(|(id, output)| {
             let value = self.of(*id, output, |this, _, context| this.value(&output.value, &Scope::of(context)))?;
             let Value::Point(point) = value else { return None };
-            Some(Mark { name: self.names.declared[id.0].name.to_string(), at: local(point) })
+            Some(NamedPoint { name: self.names.declared[id.0].name.to_string(), at: local(point) })
         });
         let outputs = outputs.collect();
         Sketch { arena: std::mem::replace(&mut self.arena, arena), points, joints, outputs }
     }
 
-    fn sketched_point(&mut self, mark: EntityId) -> Option<Mark> {
+    fn sketched_point(&mut self, mark: EntityId) -> Option<NamedPoint> {
         let declared = &self.names.declared[mark.0];
         let Entity::Mark(..) = declared.entity else { return None };
         let (name, range) = (declared.name.own(), Range::from(&declared.name));
         let Some(Value::Point(point)) = self.entity(mark, range) else { return None };
-        Some(Mark { name, at: local(point) })
+        Some(NamedPoint { name, at: local(point) })
     }
 
     fn sketched_joint(&mut self, joint: EntityId) -> Instantiation {
@@ -108,14 +108,14 @@ impl Elaborator<'_> {
         Some(Instantiation { kind, arguments: arguments.iter().filter_map(argument).collect() })
     }
 
-    fn sketched(&mut self, range: Range, value: Value) -> Option<Argument> {
+    fn sketched(&mut self, range: Range, value: Value) -> Option<JointArgument> {
         Some(match value {
-            Value::Point(point) => Argument::Point(local(point)),
-            Value::Axis(axis) => Argument::Axis(local(axis)),
-            Value::Body(frame) => Argument::Body(body(frame)),
-            Value::Scalar(scalar) => Argument::Number(scalar.expr, scalar.measure.settled()),
-            Value::Function(function) => Argument::Function(self.written_out(range, &function)?),
-            joint @ Value::Joint { .. } => Argument::Joint(self.made(range, joint)?),
+            Value::Point(point) => JointArgument::Point(local(point)),
+            Value::Axis(axis) => JointArgument::Axis(local(axis)),
+            Value::Body(frame) => JointArgument::Body(body(frame)),
+            Value::Scalar(scalar) => JointArgument::Number(scalar.expr, scalar.measure.settled()),
+            Value::Function(function) => JointArgument::Function(self.written_out(range, &function)?),
+            joint @ Value::Joint { .. } => JointArgument::Joint(self.made(range, joint)?),
             _ => return None,
         })
     }
@@ -133,8 +133,8 @@ impl Elaborator<'_> {
     }
 }
 
-fn local(fixed: Fixed) -> Local {
-    Local { body: body(fixed.frame), local: fixed.local }
+fn local(fixed: Fixed) -> LocalVector {
+    LocalVector { body: body(fixed.frame), local: fixed.local }
 }
 
 /// Ground is the first frame.

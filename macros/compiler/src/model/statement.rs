@@ -6,7 +6,7 @@ use super::value::{FrameId, Scalar, Value};
 use super::{Name, Parameter, Requirement};
 use crate::diag::{EquationFact, Fact, Range, ValueFact};
 use crate::expr::{Expr, Node, Unary, Values, evaluate};
-use crate::syntax::ast::{self, ExprKind, Relation, Statement};
+use crate::syntax::ast::{self, ExpressionKind, Relation, Statement};
 use proc_macro2::Ident;
 use std::collections::BTreeSet;
 
@@ -86,7 +86,7 @@ impl Elaborator<'_> {
     }
 
     /// Checks a condition between bodies; keeps one between numbers until the defaults are known, unless it is constant.
-    fn requirement(&mut self, requirement: &ast::Requirement, scope: &Scope, joint: &Name, places: &[(String, Range)]) -> Option<()> {
+    fn requirement(&mut self, requirement: &ast::Condition, scope: &Scope, joint: &Name, places: &[(String, Range)]) -> Option<()> {
         let (left, right) = (self.value(&requirement.lhs, scope), self.value(&requirement.rhs, scope));
         let (left, right) = (left?, right?);
         let place = place(&requirement.lhs, places);
@@ -100,12 +100,12 @@ impl Elaborator<'_> {
     /// Checks that two bodies are the same, or that they differ.
     fn body_requirement(
         &mut self,
-        requirement: &ast::Requirement,
+        requirement: &ast::Condition,
         [one, two]: [FrameId; 2],
         scope: &Scope,
         places: &[(String, Range)],
     ) -> Option<()> {
-        let ast::Requirement { lhs, relation, rhs, why } = requirement;
+        let ast::Condition { lhs, relation, rhs, why } = requirement;
         // If the bodies must differ, the first argument is taken as right.
         let (holds, sides) = match relation {
             Relation::Equal => (one == two, [(lhs, two), (rhs, one)]),
@@ -136,7 +136,7 @@ impl Elaborator<'_> {
 
     fn number_requirement(
         &mut self,
-        requirement: &ast::Requirement,
+        requirement: &ast::Condition,
         one: Scalar,
         two: Scalar,
         joint: &Name,
@@ -163,7 +163,7 @@ impl Elaborator<'_> {
         }
         // The compared quantity has its name in the definition.
         let compared = match &requirement.lhs.kind {
-            ExprKind::Path(path) => format!("{joint}.{}", path.last),
+            ExpressionKind::Path(path) => format!("{joint}.{}", path.last),
             _ => joint.to_string(),
         };
         self.requirements.push(Requirement { lhs, relation: requirement.relation, rhs, dim: measure.settled(), joint: compared, why });
@@ -245,22 +245,22 @@ impl Elaborator<'_> {
 }
 
 /// Parameter on one side of a condition: `P`, or `P.body`.
-fn argument_of(side: &ast::Expr) -> Option<&Ident> {
+fn argument_of(side: &ast::Expression) -> Option<&Ident> {
     match &side.kind {
-        ExprKind::Path(path) => path.name.as_ref(),
-        ExprKind::Field(owner, _) => argument_of(owner),
+        ExpressionKind::Path(path) => path.name.as_ref(),
+        ExpressionKind::Field(owner, _) => argument_of(owner),
         _ => None,
     }
 }
 
 /// Source range of the argument on one side of a condition.
-fn place(side: &ast::Expr, places: &[(String, Range)]) -> Option<Range> {
+fn place(side: &ast::Expression, places: &[(String, Range)]) -> Option<Range> {
     let name = argument_of(side)?;
     places.iter().find(|(known, _)| name == known).map(|(_, range)| *range)
 }
 
 /// Source range of a condition, from its first token to its last.
-fn range(requirement: &ast::Requirement) -> Range {
+fn range(requirement: &ast::Condition) -> Range {
     requirement.lhs.range.to(requirement.rhs.range)
 }
 

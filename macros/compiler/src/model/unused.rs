@@ -10,7 +10,7 @@ use super::layout::OpenPart;
 use super::names::{Context, Entity, Progress, Sort};
 use super::register::Register;
 use crate::quantity::Dim;
-use crate::syntax::ast::{self, Item, Kind};
+use crate::syntax::ast::{self, FormalKind, Item};
 use proc_macro2::Ident;
 use std::collections::BTreeSet;
 use std::rc::Rc;
@@ -18,7 +18,7 @@ use std::rc::Rc;
 impl Elaborator<'_> {
     /// Checks the components that have no parts.
     pub(super) fn unused_components(&mut self, register: &Register) {
-        let mut seen: BTreeSet<ast::NodeId> = places(register).collect();
+        let mut seen: BTreeSet<ast::ItemId> = places(register).collect();
         for component in outermost_first(self.names.components.values().cloned().collect()) {
             if !seen.contains(&component.id()) && !self.refused.contains(&Key::from(&component)) && !counts(&component) {
                 self.is_unused = true;
@@ -33,7 +33,7 @@ impl Elaborator<'_> {
     }
 
     /// Checks one component; returns the components that were expanded.
-    fn unused(&mut self, component: &ast::Node<ast::Component>, register: &Register) -> Vec<ast::NodeId> {
+    fn unused(&mut self, component: &ast::Shared<ast::ComponentItem>, register: &Register) -> Vec<ast::ItemId> {
         let word = component.head.name.to_string();
         let context = Context { space: self.names.new_space(format!("{word}.")), bound: Rc::default() };
         // Its parameters are numbered after those of the mechanism, which it can use.
@@ -65,12 +65,12 @@ impl Elaborator<'_> {
     }
 }
 
-fn places(register: &Register) -> impl Iterator<Item = ast::NodeId> {
-    register.places.iter().filter_map(|place| place.component.as_ref()).map(ast::Node::id)
+fn places(register: &Register) -> impl Iterator<Item = ast::ItemId> {
+    register.places.iter().filter_map(|place| place.component.as_ref()).map(ast::Shared::id)
 }
 
 /// Sorts components: those with parts before the components of the parts.
-fn outermost_first(components: Vec<ast::Node<ast::Component>>) -> Vec<ast::Node<ast::Component>> {
+fn outermost_first(components: Vec<ast::Shared<ast::ComponentItem>>) -> Vec<ast::Shared<ast::ComponentItem>> {
     let (mut visited, mut order) = (vec![false; components.len()], Vec::new());
     for at in 0..components.len() {
         let mut pending = vec![(at, false)];
@@ -88,7 +88,7 @@ fn outermost_first(components: Vec<ast::Node<ast::Component>>) -> Vec<ast::Node<
 }
 
 /// Names of the components of the parts in a component.
-fn kinds_of_parts(component: &ast::Component) -> Vec<&Ident> {
+fn kinds_of_parts(component: &ast::ComponentItem) -> Vec<&Ident> {
     let (mut kinds, mut pending): (Vec<&Ident>, Vec<&Item>) = (Vec::new(), component.items.iter().collect());
     while let Some(item) = pending.pop() {
         match item {
@@ -101,9 +101,9 @@ fn kinds_of_parts(component: &ast::Component) -> Vec<&Ident> {
 }
 
 /// True if an argument may be a number of items.
-fn counts(component: &ast::Component) -> bool {
+fn counts(component: &ast::ComponentItem) -> bool {
     component.head.parameters.iter().any(|formal| match &formal.kind {
-        Kind::Scalar(written) => written.dim() == Some(Dim::NUMBER),
-        kind => matches!(kind, Kind::Quantity),
+        FormalKind::Scalar(written) => written.dim() == Some(Dim::NUMBER),
+        kind => matches!(kind, FormalKind::Quantity),
     })
 }

@@ -42,7 +42,7 @@ pub(crate) struct Fixed {
 #[derive(Clone, Debug)]
 pub(crate) enum FunctionValue {
     /// A function written in the language.
-    Written(ast::Node<ast::Function>),
+    Written(ast::Shared<ast::FunctionItem>),
     /// A Rust function or a table, known to the arena by number.
     Numbered { number: u32, from: InferredDim, to: InferredDim },
 }

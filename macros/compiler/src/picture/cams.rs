@@ -1,9 +1,9 @@
 //! Disc cams: the outline that their profile function describes, and what runs on it.
 
-use super::canvas::{Ink, Layer, Near, Role};
+use super::canvas::{Ink, Layer, Near, Subject};
 use super::drawing::Drawing;
 use super::eye::STEPS;
-use super::plane::{Frame, Place, polar};
+use super::plane::{Place, Rectangle, polar};
 use super::scene::{Scene, Sign};
 use core::f64::consts::TAU;
 
@@ -37,8 +37,8 @@ pub(super) fn cams(scene: &Scene) -> Vec<Cam> {
 }
 
 /// What they cover.
-pub(super) fn frame(cams: &[Cam]) -> Frame {
-    Frame::around(cams.iter().flat_map(|cam| cam.outline.iter().copied()))
+pub(super) fn frame(cams: &[Cam]) -> Rectangle {
+    Rectangle::around(cams.iter().flat_map(|cam| cam.outline.iter().copied()))
 }
 
 fn cam(scene: &Scene, number: usize, joint: &Sign) -> Option<Cam> {
@@ -113,7 +113,7 @@ impl Drawing<'_> {
             && !self.links[body].has_extent()
         {
             let name = self.scene.bodies[body].name.clone();
-            self.canvas.wish(Role::Body, &name, Near::Area(outline.iter().step_by(6).copied().collect()));
+            self.canvas.wish(Subject::Body, &name, Near::Area(outline.iter().step_by(6).copied().collect()));
         }
         let follower = cam.follower.unwrap_or(usize::MAX);
         let outward = (at - middle).unit();
@@ -135,6 +135,6 @@ impl Drawing<'_> {
                 at
             }
         };
-        self.canvas.wish(Role::Joint, &name, Near::Point(contact, 8.0));
+        self.canvas.wish(Subject::Joint, &name, Near::Point(contact, 8.0));
     }
 }

@@ -1,6 +1,6 @@
 //! What is drawn, in layers, and the words that still look for their place. Units are those of the picture, y goes down.
 
-use super::plane::{Frame, Place, polar};
+use super::plane::{Place, Rectangle, polar};
 use core::f64::consts::TAU;
 
 /// What lies above what, from below.
@@ -8,7 +8,7 @@ use core::f64::consts::TAU;
 pub(super) enum Layer {
     Wheel,
     Ground,
-    Link,
+    DrawnBody,
     Rod,
     Block,
     Pin,
@@ -42,7 +42,7 @@ pub(super) enum Ink {
 
 /// A line or an area.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Shape {
+pub(super) enum Stroke {
     /// Lines through places.
     Open(Vec<Vec<Place>>),
     /// An area with these corners.
@@ -54,17 +54,17 @@ pub(super) enum Shape {
 
 /// A shape with its looks and its name.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Item {
+pub(super) struct DrawnItem {
     pub(super) layer: Layer,
     pub(super) ink: Ink,
-    pub(super) shape: Shape,
+    pub(super) shape: Stroke,
     /// What the pointer is told that rests on it.
     pub(super) title: String,
 }
 
 /// What a word stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Role {
+pub(super) enum Subject {
     Drive,
     Joint,
     Output,
@@ -88,14 +88,14 @@ pub(super) enum Near {
 #[derive(Clone, Debug)]
 pub(super) struct Wish {
     pub(super) text: String,
-    pub(super) role: Role,
+    pub(super) role: Subject,
     pub(super) near: Near,
 }
 
 /// Everything that was drawn so far.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Canvas {
-    pub(super) items: Vec<Item>,
+    pub(super) items: Vec<DrawnItem>,
     pub(super) wishes: Vec<Wish>,
     /// What has no place in the picture is said below it.
     pub(super) captions: Vec<String>,
@@ -103,48 +103,48 @@ pub(super) struct Canvas {
 
 impl Canvas {
     /// Draws a shape, once.
-    pub(super) fn draw(&mut self, layer: Layer, ink: Ink, title: &str, shape: Shape) {
-        let item = Item { layer, ink, shape, title: title.to_owned() };
+    pub(super) fn draw(&mut self, layer: Layer, ink: Ink, title: &str, shape: Stroke) {
+        let item = DrawnItem { layer, ink, shape, title: title.to_owned() };
         if !self.items.contains(&item) {
             self.items.push(item);
         }
     }
 
     pub(super) fn line(&mut self, layer: Layer, ink: Ink, title: &str, places: &[Place]) {
-        self.draw(layer, ink, title, Shape::Open(vec![places.to_vec()]));
+        self.draw(layer, ink, title, Stroke::Open(vec![places.to_vec()]));
     }
 
     pub(super) fn area(&mut self, layer: Layer, ink: Ink, title: &str, corners: &[Place]) {
-        self.draw(layer, ink, title, Shape::Closed(corners.to_vec()));
+        self.draw(layer, ink, title, Stroke::Closed(corners.to_vec()));
     }
 
     pub(super) fn circle(&mut self, layer: Layer, ink: Ink, title: &str, middle: Place, radius: f64) {
-        self.draw(layer, ink, title, Shape::Circle(middle, radius));
+        self.draw(layer, ink, title, Stroke::Circle(middle, radius));
     }
 
-    pub(super) fn wish(&mut self, role: Role, text: &str, near: Near) {
+    pub(super) fn wish(&mut self, role: Subject, text: &str, near: Near) {
         self.wishes.push(Wish { text: text.to_owned(), role, near });
     }
 }
 
-impl Shape {
+impl Stroke {
     /// The segments of its outline.
     pub(super) fn segments(&self) -> Vec<(Place, Place)> {
         let pairs = |places: &[Place]| places.windows(2).map(|pair| (pair[0], pair[1])).collect::<Vec<_>>();
         match self {
-            Shape::Open(lines) => lines.iter().flat_map(|line| pairs(line)).collect(),
-            Shape::Closed(corners) => {
+            Stroke::Open(lines) => lines.iter().flat_map(|line| pairs(line)).collect(),
+            Stroke::Closed(corners) => {
                 let closing = corners.last().zip(corners.first()).map(|(last, first)| (*last, *first));
                 pairs(corners).into_iter().chain(closing).collect()
             }
-            Shape::Circle(middle, radius) => pairs(&arc(*middle, *radius, 0.0, TAU)),
-            Shape::Arc(middle, radius, from, to) => pairs(&arc(*middle, *radius, *from, *to)),
+            Stroke::Circle(middle, radius) => pairs(&arc(*middle, *radius, 0.0, TAU)),
+            Stroke::Arc(middle, radius, from, to) => pairs(&arc(*middle, *radius, *from, *to)),
         }
     }
 
     /// What it covers, its stroke left out.
-    pub(super) fn frame(&self) -> Frame {
-        Frame::around(self.segments().into_iter().flat_map(|(a, b)| [a, b]))
+    pub(super) fn frame(&self) -> Rectangle {
+        Rectangle::around(self.segments().into_iter().flat_map(|(a, b)| [a, b]))
     }
 }
 

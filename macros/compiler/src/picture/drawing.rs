@@ -4,11 +4,11 @@
 //! name. One that has no symbol here is a dashed line between its points.
 
 use super::cams::{self, Cam, Tip};
-use super::canvas::{Canvas, Ink, Layer, Near, Role};
-use super::links::Link;
+use super::canvas::{Canvas, Ink, Layer, Near, Subject};
+use super::links::DrawnBody;
 use super::pins::{Look, Pins};
-use super::plane::{Frame, Place, place};
-use super::scene::{Scene, Seen, axis, point};
+use super::plane::{Place, Rectangle, place};
+use super::scene::{PlacedArgument, Scene, axis, point};
 use super::view::View;
 use super::wheels::Wheels;
 
@@ -42,7 +42,7 @@ pub(super) struct Drawing<'a> {
     pub(super) canvas: Canvas,
     pub(super) pins: Pins,
     /// By body.
-    pub(super) links: Vec<Link>,
+    pub(super) links: Vec<DrawnBody>,
     pub(super) tracks: Vec<Track>,
     pub(super) followers: Vec<Follower>,
     /// The middle of everything.
@@ -52,7 +52,7 @@ pub(super) struct Drawing<'a> {
 /// Draws a scene; `size` (m) is the length of the longest body.
 pub(super) fn draw(scene: &Scene, size: f64) -> (Canvas, View) {
     let (wheels, cams) = (Wheels::of(scene), cams::cams(scene));
-    let mut frame = Frame::around(scene.places());
+    let mut frame = Rectangle::around(scene.places());
     for other in [wheels.frame(), cams::frame(&cams)] {
         if other.low.x <= other.high.x {
             frame = frame.with(other.low).with(other.high);
@@ -64,7 +64,7 @@ pub(super) fn draw(scene: &Scene, size: f64) -> (Canvas, View) {
         view,
         canvas: Canvas::default(),
         pins: Pins::default(),
-        links: scene.bodies.iter().map(|_| Link::default()).collect(),
+        links: scene.bodies.iter().map(|_| DrawnBody::default()).collect(),
         tracks: Vec::new(),
         followers: cams.iter().map(|cam| follower(&view, cam)).collect(),
         middle: view.at(frame.middle()),
@@ -100,8 +100,8 @@ impl Drawing<'_> {
         if self.scene.bodies.len() > super::ALL_NAMED {
             return sign.name.clone();
         }
-        let body = |seen: &Seen| match seen {
-            Seen::Point(body, _) | Seen::Body(body) => Some(*body),
+        let body = |seen: &PlacedArgument| match seen {
+            PlacedArgument::Point(body, _) | PlacedArgument::Body(body) => Some(*body),
             _ => None,
         };
         let mut bodies: Vec<Option<usize>> = sign.arguments.iter().filter_map(|(_, seen)| body(seen)).collect();
@@ -161,7 +161,7 @@ impl Drawing<'_> {
                 let at = *at;
                 link.is_shown = true;
                 self.canvas.circle(Layer::Pin, Ink::Of(number), &body.name, at, super::pins::RADIUS + 3.0);
-                self.canvas.wish(Role::Body, &body.name, Near::Point(at, 10.0));
+                self.canvas.wish(Subject::Body, &body.name, Near::Point(at, 10.0));
             }
             link.draw(&mut self.canvas, number, &body.name);
         }
@@ -175,8 +175,8 @@ impl Drawing<'_> {
                 continue;
             }
             let arm = |x: f64, y: f64| vec![at - place(x, y) * 4.0, at + place(x, y) * 4.0];
-            self.canvas.draw(Layer::Pin, Ink::Line, name, super::canvas::Shape::Open(vec![arm(1.0, 1.0), arm(1.0, -1.0)]));
-            self.canvas.wish(Role::Output, name, Near::Point(at, 6.0));
+            self.canvas.draw(Layer::Pin, Ink::Line, name, super::canvas::Stroke::Open(vec![arm(1.0, 1.0), arm(1.0, -1.0)]));
+            self.canvas.wish(Subject::Output, name, Near::Point(at, 6.0));
         }
     }
 
@@ -185,7 +185,7 @@ impl Drawing<'_> {
         let slide = self.scene.joints[joint]
             .arguments
             .iter()
-            .find_map(|(_, seen)| if let Seen::Joint(slide) = seen { Some(slide) } else { None })?;
+            .find_map(|(_, seen)| if let PlacedArgument::Joint(slide) = seen { Some(slide) } else { None })?;
         Some((self.view.along(axis(slide, "u")?.1), self.view.at(point(slide, "Q")?.1)))
     }
 }

@@ -1,6 +1,6 @@
 //! Drives: a curved arrow about what turns, a straight one beside what is pushed.
 
-use super::canvas::{Ink, Layer, Near, Role, Shape};
+use super::canvas::{Ink, Layer, Near, Stroke, Subject};
 use super::drawing::Drawing;
 use super::gears::RIM;
 use super::plane::{Place, place, polar};
@@ -76,14 +76,14 @@ impl Drawing<'_> {
             .canvas
             .items
             .iter()
-            .filter(|item| matches!(&item.shape, Shape::Arc(middle, own, ..) if (*middle - at).norm() < 1.0 && *own > radius - 6.0));
+            .filter(|item| matches!(&item.shape, Stroke::Arc(middle, own, ..) if (*middle - at).norm() < 1.0 && *own > radius - 6.0));
         let radius = radius + 9.0 * arcs.count() as f64;
         if let Some(ground) = self.pins.ground_of(at, &taken) {
             taken.extend([ground - 0.5, ground, ground + 0.5]);
         }
         let (from, to) = (freest(&taken), SWEEP / 2.0 * (RADIUS / radius).min(1.0));
         let (first, last) = (from - to, from + to);
-        self.canvas.draw(Layer::Arrow, Ink::Line, &title, Shape::Arc(at, radius, first, last));
+        self.canvas.draw(Layer::Arrow, Ink::Line, &title, Stroke::Arc(at, radius, first, last));
         // The chord through the head meets the circle a little before its end.
         let lag = 4.0 / radius;
         if rate <= 0.0 {
@@ -93,7 +93,7 @@ impl Drawing<'_> {
             self.canvas.head(&title, at + polar(radius, first - lag), polar(1.0, first - FRAC_PI_2));
         }
         let beside = [-0.6, 0.0, 0.6].map(|part| from + part * to).map(|angle| at + polar(radius, angle));
-        self.canvas.wish(Role::Drive, &name, Near::Segments(vec![(beside[0], beside[1]), (beside[1], beside[2])]));
+        self.canvas.wish(Subject::Drive, &name, Near::Segments(vec![(beside[0], beside[1]), (beside[1], beside[2])]));
     }
 
     fn push(&mut self, joint: usize, along: Place, at: Place) {
@@ -109,7 +109,7 @@ impl Drawing<'_> {
         if rate <= 0.0 {
             self.canvas.head(&title, tail, -along);
         }
-        self.canvas.wish(Role::Drive, &name, Near::Segments(vec![(tail, tip)]));
+        self.canvas.wish(Subject::Drive, &name, Near::Segments(vec![(tail, tip)]));
     }
 }
 

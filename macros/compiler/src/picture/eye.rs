@@ -1,9 +1,9 @@
 //! From a model and a configuration to a [`Scene`]: the interpreter says where everything lies.
 
 use super::plane::{Place, place};
-use super::scene::{Figure, Instant, Scene, Seen, Sign};
+use super::scene::{Figure, Instant, PlacedArgument, Scene, Sign};
 use crate::expr::{Evaluator, Expr, Values, evaluate};
-use crate::model::sketch::{Argument, Instantiation, Local};
+use crate::model::sketch::{Instantiation, JointArgument, LocalVector};
 use crate::model::{Function, Model, Name};
 use crate::quantity::{Axis, Dim, Role};
 use crate::system::System;
@@ -102,32 +102,32 @@ impl Eye<'_> {
         evaluate(&self.model.sketch.arena, exprs, &self.known)
     }
 
-    fn local(&self, at: Local) -> Place {
+    fn local(&self, at: LocalVector) -> Place {
         let values = self.values(&at.local);
         place(values[0], values[1])
     }
 
-    fn direction(&self, at: Local) -> Place {
+    fn direction(&self, at: LocalVector) -> Place {
         let local = self.local(at);
         at.body.map_or(local, |body| local.turned(self.bodies[body].angle))
     }
 
-    fn point(&self, at: Local) -> Place {
+    fn point(&self, at: LocalVector) -> Place {
         at.body.map_or(Place::default(), |body| self.bodies[body].origin) + self.direction(at)
     }
 
-    fn arguments(&self, made: &Instantiation) -> Vec<(String, Seen)> {
+    fn arguments(&self, made: &Instantiation) -> Vec<(String, PlacedArgument)> {
         made.arguments.iter().map(|(name, argument)| (name.clone(), self.seen(argument))).collect()
     }
 
-    fn seen(&self, argument: &Argument) -> Seen {
+    fn seen(&self, argument: &JointArgument) -> PlacedArgument {
         match argument {
-            Argument::Point(at) => Seen::Point(at.body, self.point(*at)),
-            Argument::Axis(at) => Seen::Axis(at.body, self.direction(*at).unit()),
-            Argument::Body(body) => Seen::Body(*body),
-            Argument::Number(value, dim) => Seen::Number(self.values(&[*value])[0], *dim == Dim::LENGTH),
-            Argument::Function(value) => Seen::Function(self.turn(*value)),
-            Argument::Joint(made) => Seen::Joint(self.arguments(made)),
+            JointArgument::Point(at) => PlacedArgument::Point(at.body, self.point(*at)),
+            JointArgument::Axis(at) => PlacedArgument::Axis(at.body, self.direction(*at).unit()),
+            JointArgument::Body(body) => PlacedArgument::Body(*body),
+            JointArgument::Number(value, dim) => PlacedArgument::Number(self.values(&[*value])[0], *dim == Dim::LENGTH),
+            JointArgument::Function(value) => PlacedArgument::Function(self.turn(*value)),
+            JointArgument::Joint(made) => PlacedArgument::Joint(self.arguments(made)),
         }
     }
 

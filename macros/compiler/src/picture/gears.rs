@@ -1,6 +1,6 @@
 //! Wheels, racks and belts as they are drawn.
 
-use super::canvas::{Canvas, Ink, Layer, Near, Role};
+use super::canvas::{Canvas, Ink, Layer, Near, Subject};
 use super::drawing::Drawing;
 use super::plane::{Place, polar};
 use super::wheels::{Rack, Wheel, Wheels};
@@ -19,7 +19,7 @@ impl Drawing<'_> {
         for (joint, contact) in &wheels.meshes {
             let (at, title, name) = (self.view.at(*contact), self.title(*joint), self.scene.joints[*joint].name.clone());
             self.canvas.circle(Layer::Pin, Ink::Solid, &title, at, 1.8);
-            self.canvas.wish(Role::Joint, &name, Near::Point(at, 5.0));
+            self.canvas.wish(Subject::Joint, &name, Near::Point(at, 5.0));
         }
         for (joint, rack) in &wheels.racks {
             self.rack(*joint, rack);
@@ -30,7 +30,7 @@ impl Drawing<'_> {
             for (a, b) in spans {
                 self.canvas.line(Layer::Rod, Ink::Line, &title, &[a, b]);
             }
-            self.canvas.wish(Role::Joint, &name, Near::Segments(spans.to_vec()));
+            self.canvas.wish(Subject::Joint, &name, Near::Segments(spans.to_vec()));
         }
     }
 
@@ -54,7 +54,7 @@ impl Drawing<'_> {
         // A body that is also a bar has its name there.
         if !std::mem::replace(&mut self.links[body].is_shown, true) && !self.links[body].has_extent() {
             let near = if wheel.is_ring { Near::Point(at, radius + RIM + 3.0) } else { Near::Rim(at, radius) };
-            self.canvas.wish(Role::Body, &name, near);
+            self.canvas.wish(Subject::Body, &name, near);
         }
     }
 
@@ -65,10 +65,10 @@ impl Drawing<'_> {
         let (along, toward, reach) = (self.view.along(rack.along), self.view.along(rack.toward), self.view.length(rack.reach));
         let number = rack.body.unwrap_or(usize::MAX);
         let back = contact - toward * 6.5;
-        self.canvas.line(Layer::Link, Ink::Bar(number), self.scene.name(rack.body), &[back - along * reach, back + along * reach]);
+        self.canvas.line(Layer::DrawnBody, Ink::Bar(number), self.scene.name(rack.body), &[back - along * reach, back + along * reach]);
         let beside = back + along * (held - back).dot(along);
         if (held - beside).norm() > 4.0 {
-            self.canvas.line(Layer::Link, Ink::Bar(number), self.scene.name(rack.body), &[held, beside]);
+            self.canvas.line(Layer::DrawnBody, Ink::Bar(number), self.scene.name(rack.body), &[held, beside]);
         }
         let teeth = (reach / 4.0).floor().max(2.0) as i32;
         let tooth = |number: i32| {
@@ -76,11 +76,11 @@ impl Drawing<'_> {
         };
         let teeth: Vec<Place> = (-teeth..=teeth).map(tooth).collect();
         self.canvas.line(Layer::Rod, Ink::Thin, &title, &teeth);
-        self.canvas.wish(Role::Joint, &name, Near::Point(contact, 7.0));
+        self.canvas.wish(Subject::Joint, &name, Near::Point(contact, 7.0));
         if let Some(body) = rack.body {
             self.links[body].is_shown = true;
             let name = self.scene.bodies[body].name.clone();
-            self.canvas.wish(Role::Body, &name, Near::Segments(vec![(back - along * reach, back + along * reach)]));
+            self.canvas.wish(Subject::Body, &name, Near::Segments(vec![(back - along * reach, back + along * reach)]));
         }
     }
 }

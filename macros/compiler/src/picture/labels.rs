@@ -3,8 +3,8 @@
 //! A greedy search as on maps (Christensen, Marks and Shieber, An empirical study of algorithms for point-feature label placement,
 //! ACM Transactions on Graphics 14, 1995): candidates around the object, each with a cost for what it would cover.
 
-use super::canvas::{Canvas, Ink, Item, Layer, Near, Role, Shape, Wish};
-use super::plane::{Frame, Place, is_inside, place, polar};
+use super::canvas::{Canvas, DrawnItem, Ink, Layer, Near, Stroke, Subject, Wish};
+use super::plane::{Place, Rectangle, is_inside, place, polar};
 use core::f64::consts::TAU;
 
 /// The height of a line of text.
@@ -26,8 +26,8 @@ const AMBIGUOUS: f64 = 4.0;
 #[derive(Clone, Debug)]
 pub(super) struct Placed {
     pub(super) text: String,
-    pub(super) role: Role,
-    pub(super) frame: Frame,
+    pub(super) role: Subject,
+    pub(super) frame: Rectangle,
 }
 
 /// Places as many words as there is room for.
@@ -36,8 +36,8 @@ pub(super) fn labels(canvas: &Canvas) -> Vec<Placed> {
     // What has the fewest places to choose from comes first.
     wishes.sort_by_key(|wish| wish.role);
     let obstacles: Vec<Obstacle> = canvas.items.iter().flat_map(obstacles).collect();
-    let plate = |item: &Item| match (&item.shape, item.ink) {
-        (Shape::Closed(corners), Ink::Plate(_)) => Some(corners.clone()),
+    let plate = |item: &DrawnItem| match (&item.shape, item.ink) {
+        (Stroke::Closed(corners), Ink::Plate(_)) => Some(corners.clone()),
         _ => None,
     };
     let plates: Vec<Vec<Place>> = canvas.items.iter().filter_map(plate).collect();
@@ -45,10 +45,10 @@ pub(super) fn labels(canvas: &Canvas) -> Vec<Placed> {
     for wish in wishes {
         let size = place(width(&wish.text), HEIGHT);
         let candidates = candidates(&wish.near, size);
-        let reach = Frame::around(candidates.iter().flat_map(|(frame, _)| [frame.low, frame.high])).grown(8.0);
+        let reach = Rectangle::around(candidates.iter().flat_map(|(frame, _)| [frame.low, frame.high])).grown(8.0);
         let near: Vec<&Obstacle> = obstacles.iter().filter(|obstacle| reach.is_crossed(obstacle.a, obstacle.b)).collect();
-        let others: Vec<Frame> = placed.iter().map(|other| other.frame.grown(1.5)).filter(|other| other.overlaps(reach)).collect();
-        let cost = |(frame, base): (Frame, f64)| {
+        let others: Vec<Rectangle> = placed.iter().map(|other| other.frame.grown(1.5)).filter(|other| other.overlaps(reach)).collect();
+        let cost = |(frame, base): (Rectangle, f64)| {
             (frame, base + covered(frame, &near, &others) + on_plate(wish.role, frame, &plates) + ambiguity(wish, frame, &canvas.wishes))
         };
         let best = candidates.into_iter().map(cost).min_by(|a, b| a.1.total_cmp(&b.1));
@@ -81,12 +81,12 @@ struct Obstacle {
     cost: f64,
 }
 
-fn obstacles(item: &Item) -> Vec<Obstacle> {
+fn obstacles(item: &DrawnItem) -> Vec<Obstacle> {
     let cost = match (item.layer, item.ink) {
         (Layer::Pin | Layer::Arrow | Layer::Block, _) => 9.0,
         (Layer::Ground, Ink::Thin) => 0.8,
         (_, Ink::Thin) => 3.0,
-        (Layer::Link, Ink::Bar(_)) => 7.0,
+        (Layer::DrawnBody, Ink::Bar(_)) => 7.0,
         (Layer::Wheel, _) => 2.0,
         _ => 5.0,
     };
@@ -97,18 +97,18 @@ fn obstacles(item: &Item) -> Vec<Obstacle> {
     };
     // What is small is covered also where only its inside is.
     let diagonals = match (&item.shape, item.layer) {
-        (Shape::Closed(corners), Layer::Block) if corners.len() == 4 => vec![(corners[0], corners[2]), (corners[1], corners[3])],
+        (Stroke::Closed(corners), Layer::Block) if corners.len() == 4 => vec![(corners[0], corners[2]), (corners[1], corners[3])],
         _ => Vec::new(),
     };
     let mut found: Vec<Obstacle> = item.shape.segments().into_iter().chain(diagonals).map(|(a, b)| Obstacle { a, b, half, cost }).collect();
-    if let Shape::Circle(..) = item.shape {
+    if let Stroke::Circle(..) = item.shape {
         found.iter_mut().for_each(|part| part.cost *= 0.4);
     }
     found
 }
 
 /// What a word in this place would cover.
-fn covered(frame: Frame, obstacles: &[&Obstacle], others: &[Frame]) -> f64 {
+fn covered(frame: Rectangle, obstacles: &[&Obstacle], others: &[Rectangle]) -> f64 {
     if others.iter().any(|other| other.overlaps(frame)) {
         return f64::INFINITY;
     }
@@ -118,15 +118,15 @@ fn covered(frame: Frame, obstacles: &[&Obstacle], others: &[Frame]) -> f64 {
 }
 
 /// Names of bodies may stand on plates, others rather not.
-fn on_plate(role: Role, frame: Frame, plates: &[Vec<Place>]) -> f64 {
+fn on_plate(role: Subject, frame: Rectangle, plates: &[Vec<Place>]) -> f64 {
     let is_on = |plate: &Vec<Place>| is_inside(plate, frame.middle());
-    if role != Role::Body && plates.iter().any(is_on) { ON_PLATE } else { 0.0 }
+    if role != Subject::Body && plates.iter().any(is_on) { ON_PLATE } else { 0.0 }
 }
 
 /// A name is taken for that of the nearest body.
-fn ambiguity(wish: &Wish, frame: Frame, wishes: &[Wish]) -> f64 {
-    let Some(own) = distance(&wish.near, frame.middle()).filter(|_| wish.role == Role::Body) else { return 0.0 };
-    let others = wishes.iter().filter(|other| other.role == Role::Body && other.text != wish.text);
+fn ambiguity(wish: &Wish, frame: Rectangle, wishes: &[Wish]) -> f64 {
+    let Some(own) = distance(&wish.near, frame.middle()).filter(|_| wish.role == Subject::Body) else { return 0.0 };
+    let others = wishes.iter().filter(|other| other.role == Subject::Body && other.text != wish.text);
     let nearest = others.filter_map(|other| distance(&other.near, frame.middle())).fold(f64::INFINITY, f64::min);
     if nearest < own { AMBIGUOUS } else { 0.0 }
 }
@@ -145,8 +145,8 @@ fn distance(near: &Near, at: Place) -> Option<f64> {
 }
 
 /// Where a word of this size may stand, with what is against it.
-fn candidates(near: &Near, size: Place) -> Vec<(Frame, f64)> {
-    let at = |middle: Place, cost: f64| (Frame::centred(middle, size), cost);
+fn candidates(near: &Near, size: Place) -> Vec<(Rectangle, f64)> {
+    let at = |middle: Place, cost: f64| (Rectangle::centred(middle, size), cost);
     match near {
         Near::Point(point, gap) => around(*point, *gap, size),
         Near::Segments(segments) => {
@@ -168,7 +168,7 @@ fn candidates(near: &Near, size: Place) -> Vec<(Frame, f64)> {
         }
         Near::Area(corners) => {
             let middle = corners.iter().fold(Place::default(), |sum, corner| sum + *corner) * (1.0 / corners.len() as f64);
-            let frame = Frame::around(corners.iter().copied());
+            let frame = Rectangle::around(corners.iter().copied());
             let has_room = frame.size().x > size.x + 14.0 && frame.size().y > size.y + 14.0;
             let inner = has_room.then(|| at(middle, 0.0));
             let sides = corners.iter().zip(corners.iter().cycle().skip(1)).map(|(a, b)| (*a, *b)).collect();
@@ -177,11 +177,11 @@ fn candidates(near: &Near, size: Place) -> Vec<(Frame, f64)> {
         }
         Near::Rim(middle, radius) => {
             let outside = around(*middle, *radius + 3.0, size).into_iter().map(|(frame, cost)| (frame, cost + 1.0));
-            let mut found: Vec<(Frame, f64)> = outside.collect();
+            let mut found: Vec<(Rectangle, f64)> = outside.collect();
             for part in [0.55, 0.4, 0.7] {
                 found.extend((0..12).map(|step| at(*middle + polar(radius * part, TAU * f64::from(step) / 12.0), 0.0)));
             }
-            let has_room = |(frame, _): &(Frame, f64)| {
+            let has_room = |(frame, _): &(Rectangle, f64)| {
                 let corners = [frame.low, frame.high, place(frame.low.x, frame.high.y), place(frame.high.x, frame.low.y)];
                 let distances = corners.map(|corner| (corner - *middle).norm());
                 distances.iter().all(|distance| *distance < radius - 3.0) || distances.iter().all(|distance| *distance > *radius)
@@ -193,7 +193,7 @@ fn candidates(near: &Near, size: Place) -> Vec<(Frame, f64)> {
 }
 
 /// Around a place: beside it first, then further away.
-fn around(point: Place, gap: f64, size: Place) -> Vec<(Frame, f64)> {
+fn around(point: Place, gap: f64, size: Place) -> Vec<(Rectangle, f64)> {
     let mut found = Vec::new();
     for (ring, more) in [0.0, 5.0, 11.0, 19.0, 29.0, 41.0].into_iter().enumerate() {
         for step in 0..16 {
@@ -201,7 +201,7 @@ fn around(point: Place, gap: f64, size: Place) -> Vec<(Frame, f64)> {
             let angle = -TAU / 8.0 + TAU * f64::from(step) / 16.0;
             let turned = f64::from(if step <= 8 { step } else { 16 - step });
             let middle = point + beside(polar(1.0, angle), gap + more, size);
-            found.push((Frame::centred(middle, size), ring as f64 * 2.2 + turned * 0.08));
+            found.push((Rectangle::centred(middle, size), ring as f64 * 2.2 + turned * 0.08));
         }
     }
     found

@@ -1,6 +1,6 @@
 //! Bodies: a link between two hinges is a bar, one with more a plate, a body that is only a place a dot.
 
-use super::canvas::{Canvas, Ink, Layer, Near, Role};
+use super::canvas::{Canvas, Ink, Layer, Near, Subject};
 use super::plane::{Place, farthest, hull};
 
 /// Points nearer to each other than this are one in the picture.
@@ -11,7 +11,7 @@ const THIN: f64 = 3.0;
 
 /// A body while the picture is drawn.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Link {
+pub(super) struct DrawnBody {
     /// Its points, in units of the picture.
     pub(super) points: Vec<Place>,
     /// Guides that it carries beyond its points.
@@ -20,7 +20,7 @@ pub(super) struct Link {
     pub(super) is_shown: bool,
 }
 
-impl Link {
+impl DrawnBody {
     pub(super) fn reach(&mut self, at: Place) {
         if self.points.iter().all(|known| (*known - at).norm() > NEAR) {
             self.points.push(at);
@@ -55,25 +55,25 @@ impl Link {
     pub(super) fn draw(&self, canvas: &mut Canvas, number: usize, name: &str) {
         let outline = self.outline();
         for (one, two) in &self.bars {
-            canvas.line(Layer::Link, Ink::Bar(number), name, &[*one, *two]);
+            canvas.line(Layer::DrawnBody, Ink::Bar(number), name, &[*one, *two]);
         }
         match outline.as_slice() {
-            [] | [_] if !self.bars.is_empty() => canvas.wish(Role::Body, name, Near::Segments(self.bars.clone())),
+            [] | [_] if !self.bars.is_empty() => canvas.wish(Subject::Body, name, Near::Segments(self.bars.clone())),
             [] => {}
             [at] => {
                 if !self.is_shown {
-                    canvas.circle(Layer::Link, Ink::Bar(number), name, *at, 3.0);
-                    canvas.wish(Role::Body, name, Near::Point(*at, 8.0));
+                    canvas.circle(Layer::DrawnBody, Ink::Bar(number), name, *at, 3.0);
+                    canvas.wish(Subject::Body, name, Near::Point(*at, 8.0));
                 }
             }
             [one, two] => {
-                canvas.line(Layer::Link, Ink::Bar(number), name, &[*one, *two]);
+                canvas.line(Layer::DrawnBody, Ink::Bar(number), name, &[*one, *two]);
                 let segments = self.bars.iter().copied().chain([(*one, *two)]).collect();
-                canvas.wish(Role::Body, name, Near::Segments(segments));
+                canvas.wish(Subject::Body, name, Near::Segments(segments));
             }
             corners => {
-                canvas.area(Layer::Link, Ink::Plate(number), name, corners);
-                canvas.wish(Role::Body, name, Near::Area(corners.to_vec()));
+                canvas.area(Layer::DrawnBody, Ink::Plate(number), name, corners);
+                canvas.wish(Subject::Body, name, Near::Area(corners.to_vec()));
             }
         }
     }

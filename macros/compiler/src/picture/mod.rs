@@ -28,7 +28,7 @@ use crate::assembly::Assembly;
 use crate::model::Model;
 use crate::model::sketch::MOST_DRAWN;
 use crate::system::System;
-use plane::Frame;
+use plane::Rectangle;
 
 /// In mechanisms with more bodies only the first of an array is named.
 const ALL_NAMED: usize = 20;
@@ -117,9 +117,9 @@ pub(crate) fn draw(model: &Model, system: &System, assembly: &Assembly) -> Pictu
     let title = format!("{}, assembled", model.name).replace("r#", "");
     let description =
         format!("{}, {}, {}.", counted(bodies, "body", "bodies"), counted(joints, "joint", "joints"), counted(drives, "drive", "drives"));
-    let svg = svg::svg(&canvas, &placed, view, &svg::Words { title: &title, description: &description });
+    let svg = svg::svg(&canvas, &placed, view, &svg::Captions { title: &title, description: &description });
     let labels = placed.into_iter().map(|label| {
-        let Frame { low, high } = label.frame;
+        let Rectangle { low, high } = label.frame;
         Label { text: label.text, low: [low.x, low.y], high: [high.x, high.y] }
     });
     Picture { svg: Some(svg), words: words(instant.time, bodies), labels: labels.collect() }

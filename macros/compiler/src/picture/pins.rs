@@ -1,6 +1,6 @@
 //! Hinges, and what holds them to ground.
 
-use super::canvas::{Canvas, Ink, Layer, Near, Role, Shape};
+use super::canvas::{Canvas, Ink, Layer, Near, Stroke, Subject};
 use super::plane::{Place, place, polar};
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -87,7 +87,7 @@ impl Pins {
                 canvas.circle(Layer::Pin, Ink::Paper, &title, pin.at, radius);
             }
             if !names.is_empty() {
-                canvas.wish(Role::Joint, &names, Near::Point(pin.at, RADIUS + 3.0));
+                canvas.wish(Subject::Joint, &names, Near::Point(pin.at, RADIUS + 3.0));
             }
         }
     }
@@ -140,5 +140,5 @@ pub(super) fn ground(canvas: &mut Canvas, title: &str, a: Place, b: Place, into:
         vec![from, from - way * 5.0 + into * 6.0]
     };
     canvas.line(Layer::Ground, Ink::Line, title, &[a, b]);
-    canvas.draw(Layer::Ground, Ink::Thin, title, Shape::Open((0..strokes).map(stroke).collect()));
+    canvas.draw(Layer::Ground, Ink::Thin, title, Stroke::Open((0..strokes).map(stroke).collect()));
 }

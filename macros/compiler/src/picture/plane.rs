@@ -95,35 +95,35 @@ impl Neg for Place {
 
 /// A rectangle with sides along the axes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
+pub(super) struct Rectangle {
     pub(super) low: Place,
     pub(super) high: Place,
 }
 
-impl Frame {
+impl Rectangle {
     /// Around nothing.
-    pub(super) fn empty() -> Frame {
-        Frame { low: place(f64::INFINITY, f64::INFINITY), high: place(f64::NEG_INFINITY, f64::NEG_INFINITY) }
+    pub(super) fn empty() -> Rectangle {
+        Rectangle { low: place(f64::INFINITY, f64::INFINITY), high: place(f64::NEG_INFINITY, f64::NEG_INFINITY) }
     }
 
     /// Around places.
-    pub(super) fn around(places: impl IntoIterator<Item = Place>) -> Frame {
-        places.into_iter().fold(Frame::empty(), Frame::with)
+    pub(super) fn around(places: impl IntoIterator<Item = Place>) -> Rectangle {
+        places.into_iter().fold(Rectangle::empty(), Rectangle::with)
     }
 
     /// With its middle and its size.
-    pub(super) fn centred(middle: Place, size: Place) -> Frame {
-        Frame { low: middle - size * 0.5, high: middle + size * 0.5 }
+    pub(super) fn centred(middle: Place, size: Place) -> Rectangle {
+        Rectangle { low: middle - size * 0.5, high: middle + size * 0.5 }
     }
 
-    pub(super) fn with(self, other: Place) -> Frame {
+    pub(super) fn with(self, other: Place) -> Rectangle {
         let low = place(self.low.x.min(other.x), self.low.y.min(other.y));
-        Frame { low, high: place(self.high.x.max(other.x), self.high.y.max(other.y)) }
+        Rectangle { low, high: place(self.high.x.max(other.x), self.high.y.max(other.y)) }
     }
 
     /// Larger by `margin` on every side.
-    pub(super) fn grown(self, margin: f64) -> Frame {
-        Frame { low: self.low - place(margin, margin), high: self.high + place(margin, margin) }
+    pub(super) fn grown(self, margin: f64) -> Rectangle {
+        Rectangle { low: self.low - place(margin, margin), high: self.high + place(margin, margin) }
     }
 
     pub(super) fn size(self) -> Place {
@@ -134,7 +134,7 @@ impl Frame {
         (self.low + self.high) * 0.5
     }
 
-    pub(super) fn overlaps(self, other: Frame) -> bool {
+    pub(super) fn overlaps(self, other: Rectangle) -> bool {
         self.low.x < other.high.x && other.low.x < self.high.x && self.low.y < other.high.y && other.low.y < self.high.y
     }
 

@@ -1,6 +1,6 @@
 //! Which configuration is drawn: the start, unless links lie on each other there and do not a little later.
 
-use super::plane::{Frame, Place, farthest};
+use super::plane::{Place, Rectangle, farthest};
 use super::scene::{Instant, Scene, Sign};
 use crate::assembly::{Assembly, Poses};
 use crate::model::Model;
@@ -36,7 +36,7 @@ pub(super) fn pose(model: &Model, system: &System, assembly: &Assembly) -> Optio
 
 /// The least distance of a hinge from another one, and from a link that it is not part of, as a part of the whole.
 fn clearance(scene: &Scene) -> f64 {
-    let size = Frame::around(scene.places()).size().norm();
+    let size = Rectangle::around(scene.places()).size().norm();
     let near = 1e-6 * size;
     let mut hinges: Vec<Place> = Vec::new();
     for at in scene.joints.iter().flat_map(Sign::points).map(|(_, at)| at) {

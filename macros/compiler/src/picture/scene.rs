@@ -37,7 +37,7 @@ pub(super) struct Sign {
     pub(super) name: String,
     pub(super) kind: String,
     pub(super) is_drive: bool,
-    pub(super) arguments: Vec<(String, Seen)>,
+    pub(super) arguments: Vec<(String, PlacedArgument)>,
     /// The bodies whose coordinates stand in its equations.
     pub(super) bodies: Vec<usize>,
     /// The rate of a drive's law, in SI.
@@ -46,7 +46,7 @@ pub(super) struct Sign {
 
 /// An argument where it lies; `None` is ground.
 #[derive(Clone, Debug)]
-pub(super) enum Seen {
+pub(super) enum PlacedArgument {
     Point(Option<usize>, Place),
     /// With unit length.
     Axis(Option<usize>, Place),
@@ -55,7 +55,7 @@ pub(super) enum Seen {
     Number(f64, bool),
     /// Values over one turn, at equal steps.
     Function(Vec<f64>),
-    Joint(Vec<(String, Seen)>),
+    Joint(Vec<(String, PlacedArgument)>),
 }
 
 impl Sign {
@@ -72,7 +72,7 @@ impl Sign {
     /// An argument that is a body.
     pub(super) fn body(&self, name: &str) -> Option<Option<usize>> {
         self.arguments.iter().find_map(|(known, seen)| match seen {
-            Seen::Body(body) if known == name => Some(*body),
+            PlacedArgument::Body(body) if known == name => Some(*body),
             _ => None,
         })
     }
@@ -80,7 +80,7 @@ impl Sign {
     /// An argument that is a number, and whether it is a length.
     pub(super) fn number(&self, name: &str) -> Option<(f64, bool)> {
         self.arguments.iter().find_map(|(known, seen)| match seen {
-            Seen::Number(value, is_length) if known == name && value.is_finite() => Some((*value, *is_length)),
+            PlacedArgument::Number(value, is_length) if known == name && value.is_finite() => Some((*value, *is_length)),
             _ => None,
         })
     }
@@ -88,27 +88,27 @@ impl Sign {
     /// The values of an argument that is a function, if all are known.
     pub(super) fn function(&self, name: &str) -> Option<&[f64]> {
         self.arguments.iter().find_map(|(known, seen)| match seen {
-            Seen::Function(values) if known == name && values.iter().all(|value| value.is_finite()) => Some(values.as_slice()),
+            PlacedArgument::Function(values) if known == name && values.iter().all(|value| value.is_finite()) => Some(values.as_slice()),
             _ => None,
         })
     }
 
     /// All arguments that are points.
     pub(super) fn points(&self) -> impl Iterator<Item = (Option<usize>, Place)> {
-        self.arguments.iter().filter_map(|(_, seen)| if let Seen::Point(body, at) = seen { Some((*body, *at)) } else { None })
+        self.arguments.iter().filter_map(|(_, seen)| if let PlacedArgument::Point(body, at) = seen { Some((*body, *at)) } else { None })
     }
 }
 
-pub(super) fn point(arguments: &[(String, Seen)], name: &str) -> Option<(Option<usize>, Place)> {
+pub(super) fn point(arguments: &[(String, PlacedArgument)], name: &str) -> Option<(Option<usize>, Place)> {
     arguments.iter().find_map(|(known, seen)| match seen {
-        Seen::Point(body, at) if known == name => Some((*body, *at)),
+        PlacedArgument::Point(body, at) if known == name => Some((*body, *at)),
         _ => None,
     })
 }
 
-pub(super) fn axis(arguments: &[(String, Seen)], name: &str) -> Option<(Option<usize>, Place)> {
+pub(super) fn axis(arguments: &[(String, PlacedArgument)], name: &str) -> Option<(Option<usize>, Place)> {
     arguments.iter().find_map(|(known, seen)| match seen {
-        Seen::Axis(body, along) if known == name => Some((*body, *along)),
+        PlacedArgument::Axis(body, along) if known == name => Some((*body, *along)),
         _ => None,
     })
 }

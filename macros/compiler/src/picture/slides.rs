@@ -1,6 +1,6 @@
 //! Blocks on guides, pins in slots, rods and cylinders.
 
-use super::canvas::{Ink, Layer, Near, Role};
+use super::canvas::{Ink, Layer, Near, Subject};
 use super::drawing::{Drawing, Track};
 use super::pins::{Look, RADIUS, ground};
 use super::plane::{Place, place, polar};
@@ -52,12 +52,12 @@ impl Drawing<'_> {
                 let body = self.scene.bodies[j].name.clone();
                 self.canvas.area(Layer::Block, Ink::Block(j), &body, &corners);
                 if !std::mem::replace(&mut self.links[j].is_shown, true) && !self.links[j].has_extent() {
-                    self.canvas.wish(Role::Body, &body, Near::Area(corners.to_vec()));
+                    self.canvas.wish(Subject::Body, &body, Near::Area(corners.to_vec()));
                 }
             }
         }
         let rail = at + side * (BLOCK.y + if i.is_none() { 6.0 } else { 0.0 });
-        self.canvas.wish(Role::Joint, &name, Near::Segments(vec![(rail - along * GUIDE, rail + along * GUIDE)]));
+        self.canvas.wish(Subject::Joint, &name, Near::Segments(vec![(rail - along * GUIDE, rail + along * GUIDE)]));
     }
 
     /// A point of body `j` stays on a line in body `i`: a pin in a slot.
@@ -81,7 +81,7 @@ impl Drawing<'_> {
             self.links[j].is_shown = true;
             if !self.links[j].has_extent() {
                 let body = self.scene.bodies[j].name.clone();
-                self.canvas.wish(Role::Body, &body, Near::Point(at, 12.0));
+                self.canvas.wish(Subject::Body, &body, Near::Point(at, 12.0));
             }
         }
     }
@@ -93,7 +93,7 @@ impl Drawing<'_> {
         self.canvas.line(Layer::Rod, Ink::Line, &title, &[p, q]);
         self.pins.join(p, Look::Hinge, i.is_none(), "", "");
         self.pins.join(q, Look::Hinge, j.is_none(), "", "");
-        self.canvas.wish(Role::Joint, &name, Near::Segments(vec![(p, q)]));
+        self.canvas.wish(Subject::Joint, &name, Near::Segments(vec![(p, q)]));
     }
 
     /// The distance of two points is driven: a cylinder.
@@ -110,7 +110,7 @@ impl Drawing<'_> {
         self.canvas.line(Layer::Block, Ink::Line, &title, &[piston, top]);
         self.pins.join(p, Look::Hinge, i.is_none(), "", "");
         self.pins.join(q, Look::Hinge, j.is_none(), "", "");
-        self.canvas.wish(Role::Drive, &name, Near::Segments(vec![(bottom + side, top + side), (bottom - side, top - side)]));
+        self.canvas.wish(Subject::Drive, &name, Near::Segments(vec![(bottom + side, top + side), (bottom - side, top - side)]));
     }
 
     /// Bodies are one from here on.
@@ -127,7 +127,7 @@ impl Drawing<'_> {
     pub(super) fn condition(&mut self, joint: usize) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
         let points: Vec<Place> = self.scene.joints[joint].points().map(|(_, at)| self.view.at(at)).collect();
-        let role = if self.scene.joints[joint].is_drive { Role::Drive } else { Role::Joint };
+        let role = if self.scene.joints[joint].is_drive { Subject::Drive } else { Subject::Joint };
         match points.as_slice() {
             [] => self.canvas.captions.push(title),
             [at] => self.canvas.wish(role, &name, Near::Point(*at, RADIUS + 4.0)),

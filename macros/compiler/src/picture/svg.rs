@@ -1,8 +1,8 @@
 //! From shapes to SVG: the same bytes on every run, no blank line, readable on light and dark pages.
 
-use super::canvas::{Canvas, Ink, Item, Layer, Role, Shape};
+use super::canvas::{Canvas, DrawnItem, Ink, Layer, Stroke, Subject};
 use super::labels::{HEIGHT, Placed, SIZE, width};
-use super::plane::{Frame, Place, place};
+use super::plane::{Place, Rectangle, place};
 use super::view::View;
 use core::f64::consts::{PI, TAU};
 use std::fmt::Write;
@@ -33,14 +33,14 @@ const STYLE: &str = ".reuleaux{--ink:var(--main-color,#1c1c1c);--paper:var(--mai
 .reuleaux .i{font-style:italic}";
 
 /// What a picture says of itself to those who do not see it.
-pub(super) struct Words<'a> {
+pub(super) struct Captions<'a> {
     pub(super) title: &'a str,
     pub(super) description: &'a str,
 }
 
 /// The whole picture.
-pub(super) fn svg(canvas: &Canvas, labels: &[Placed], view: View, words: &Words) -> String {
-    let mut frame = Frame::empty();
+pub(super) fn svg(canvas: &Canvas, labels: &[Placed], view: View, words: &Captions) -> String {
+    let mut frame = Rectangle::empty();
     for part in canvas.items.iter().map(|item| item.shape.frame().grown(4.0)).chain(labels.iter().map(|label| label.frame)) {
         frame = frame.with(part.low).with(part.high);
     }
@@ -75,14 +75,14 @@ pub(super) fn svg(canvas: &Canvas, labels: &[Placed], view: View, words: &Words)
     let _ = writeln!(page, "<title>{}</title>\n<desc>{}</desc>", escaped(words.title), escaped(words.description));
     let colours: String = COLOURS.iter().enumerate().map(|(index, colour)| format!(".reuleaux .c{index}{{color:{colour}}}")).collect();
     let _ = writeln!(page, "<style>{STYLE}{colours}.reuleaux .g{{color:#888}}</style>");
-    let mut items: Vec<&Item> = canvas.items.iter().collect();
+    let mut items: Vec<&DrawnItem> = canvas.items.iter().collect();
     items.sort_by_key(|item| item.layer);
     for same in items.chunk_by(|one, two| one.layer == two.layer && one.title == two.title) {
         group(&mut page, same);
     }
     for label in labels {
         let middle = label.frame.middle();
-        let class = if label.role == Role::Body { " class=\"i\"" } else { "" };
+        let class = if label.role == Subject::Body { " class=\"i\"" } else { "" };
         let _ = writeln!(
             page,
             "<text{class} x=\"{}\" y=\"{}\">{}</text>",
@@ -97,7 +97,7 @@ pub(super) fn svg(canvas: &Canvas, labels: &[Placed], view: View, words: &Words)
 }
 
 /// Shapes of one thing with its name.
-fn group(page: &mut String, items: &[&Item]) {
+fn group(page: &mut String, items: &[&DrawnItem]) {
     let Some(first) = items.first() else { return };
     // Of a hinge on ground only what is on top needs to be told.
     let is_silent = first.layer == Layer::Ground || first.title.is_empty();
@@ -119,15 +119,15 @@ fn group(page: &mut String, items: &[&Item]) {
     let _ = writeln!(page, "</g>");
 }
 
-fn element(item: &Item) -> (&'static str, String) {
+fn element(item: &DrawnItem) -> (&'static str, String) {
     let class = class(item.ink);
     match &item.shape {
-        Shape::Circle(middle, radius) => {
+        Stroke::Circle(middle, radius) => {
             ("circle", format!("class=\"{class}\" cx=\"{}\" cy=\"{}\" r=\"{}\"", number(middle.x), number(middle.y), number(*radius)))
         }
-        Shape::Open(lines) => ("path", format!("class=\"{class}\" d=\"{}\"", lines.iter().map(|line| path(line)).collect::<String>())),
-        Shape::Closed(corners) => ("path", format!("class=\"{class}\" d=\"{}Z\"", path(corners))),
-        Shape::Arc(middle, radius, from, to) => {
+        Stroke::Open(lines) => ("path", format!("class=\"{class}\" d=\"{}\"", lines.iter().map(|line| path(line)).collect::<String>())),
+        Stroke::Closed(corners) => ("path", format!("class=\"{class}\" d=\"{}Z\"", path(corners))),
+        Stroke::Arc(middle, radius, from, to) => {
             let end = |angle: f64| *middle + super::plane::polar(*radius, angle);
             let (large, sweep) = (u8::from((to - from).abs() > PI && (to - from).abs() < TAU), u8::from(to > from));
             let radius = number(*radius);

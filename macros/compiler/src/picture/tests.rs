@@ -1,7 +1,7 @@
 //! What pictures say must be true: radii, contacts, directions, and which configuration is seen.
 
 use super::cams::cams;
-use super::plane::{Frame, Place, hull, is_inside, place};
+use super::plane::{Place, Rectangle, hull, is_inside, place};
 use super::pose::pose;
 use super::scene::Scene;
 use super::wheels::Wheels;
@@ -118,7 +118,7 @@ fn a_hull_has_the_outer_corners_only() {
 
 #[test]
 fn a_segment_crosses_a_box_also_without_an_end_in_it() {
-    let frame = Frame::centred(Place::default(), place(2.0, 2.0));
+    let frame = Rectangle::centred(Place::default(), place(2.0, 2.0));
     assert!(frame.is_crossed(place(-3.0, 0.0), place(3.0, 0.5)));
     assert!(frame.is_crossed(place(0.0, 0.0), place(0.5, 0.5)));
     assert!(!frame.is_crossed(place(-3.0, 0.0), place(0.0, 3.0)));

@@ -1,6 +1,6 @@
 //! From metres, y upwards, to units of the picture, y downwards.
 
-use super::plane::{Frame, Place, place};
+use super::plane::{Place, Rectangle, place};
 use super::scene::Scene;
 
 /// What is drawn fits into this, where nothing would become too small.
@@ -23,7 +23,7 @@ pub(super) struct View {
 impl View {
     /// So that all of `frame` (m) is seen; `size` (m) is the mechanism's own where the frame is a single place.
     /// `smallest` (m) is to be seen like a link of that length.
-    pub(super) fn of(scene: &Scene, frame: Frame, smallest: f64, size: f64) -> View {
+    pub(super) fn of(scene: &Scene, frame: Rectangle, smallest: f64, size: f64) -> View {
         let extent = frame.size();
         let fit = |most: Place| (most.x / extent.x).min(most.y / extent.y);
         let shortest = scene.bodies.iter().filter_map(length).fold(smallest, f64::min);

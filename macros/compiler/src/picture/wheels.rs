@@ -1,6 +1,6 @@
 //! Gears, racks and belts in m: pitch circles whose radii follow from the distance of their centres and the ratio.
 
-use super::plane::{Frame, Place, place, polar};
+use super::plane::{Place, Rectangle, place, polar};
 use super::scene::{Scene, Sign};
 
 /// A pitch circle, in m.
@@ -58,10 +58,10 @@ impl Wheels {
     }
 
     /// What they cover.
-    pub(super) fn frame(&self) -> Frame {
+    pub(super) fn frame(&self) -> Rectangle {
         let corners = |wheel: &Wheel| [wheel.middle - place(wheel.radius, wheel.radius), wheel.middle + place(wheel.radius, wheel.radius)];
         let rails = |(_, rack): &(usize, Rack)| [rack.contact - rack.along * rack.reach, rack.contact + rack.along * rack.reach];
-        Frame::around(self.wheels.iter().flat_map(corners).chain(self.racks.iter().flat_map(rails)))
+        Rectangle::around(self.wheels.iter().flat_map(corners).chain(self.racks.iter().flat_map(rails)))
     }
 
     /// What is to be seen as clearly as a link: part of the radius of the smallest wheel.

@@ -4,7 +4,7 @@
 //! columns, its unknowns. Stages exchange values in arrays: q, q̇, q̈, and the sine and cosine of angles used by more than one stage. Not
 //! done here: printing.
 
-use super::lines::{Frame, Lines, Part, lines};
+use super::lines::{PlanContext, StageCode, StraightLine, lines};
 use super::routine::Cost;
 use super::shape::{Column, Piece, Shape};
 use super::stage::{Iteration, Stage};
@@ -33,7 +33,7 @@ pub struct Kernel {
     /// Shape of the stages that it computes.
     pub shape: Shape,
     /// Its code.
-    pub lines: Lines,
+    pub lines: StraightLine,
     /// Local unknowns that it computes.
     pub found: Vec<usize>,
     /// Equations of its block, or the equation that it checks.
@@ -66,7 +66,7 @@ struct Run<'a> {
 }
 
 impl Kernels {
-    pub(super) fn new(frame: &Frame, stages: &[Stage]) -> Kernels {
+    pub(super) fn new(frame: &PlanContext, stages: &[Stage]) -> Kernels {
         let words = frame.words;
         let (runs, constants) = runs(frame, stages);
         let pieces: Vec<Piece> = runs.iter().map(|run| run.piece(frame)).collect();
@@ -101,13 +101,13 @@ impl Kernels {
 impl Kernel {
     /// Operations of one Newton step.
     fn step(&self) -> Cost {
-        let of_part = |part: &Part| if let Part::Block(block) = part { Some(block.cost) } else { None };
+        let of_part = |part: &StageCode| if let StageCode::Block(block) = part { Some(block.cost) } else { None };
         self.lines.parts.iter().find_map(of_part).unwrap_or_default()
     }
 }
 
 impl Run<'_> {
-    fn piece(&self, frame: &Frame) -> Piece {
+    fn piece(&self, frame: &PlanContext) -> Piece {
         let mut tag = vec![self.stages.len() as u32];
         let mut first = Vec::new();
         for stage in &self.stages {
@@ -157,7 +157,7 @@ fn blocks(kernels: &[Kernel], order: &[usize], runs: &[Run]) -> Vec<(usize, Cost
 }
 
 /// Groups stages into runs: each block alone, consecutive computed unknowns of one joint together. Constants are returned separately.
-fn runs<'a>(frame: &Frame, stages: &'a [Stage]) -> (Vec<Run<'a>>, Vec<(usize, f64)>) {
+fn runs<'a>(frame: &PlanContext, stages: &'a [Stage]) -> (Vec<Run<'a>>, Vec<(usize, f64)>) {
     let (mut runs, mut constants): (Vec<Run>, Vec<(usize, f64)>) = (Vec::new(), Vec::new());
     for stage in stages {
         let Stage::Explicit { unknown, equation, motion } = stage else {

@@ -10,9 +10,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Stages as straight-line code.
 #[derive(Clone, Debug)]
-pub struct Lines {
+pub struct StraightLine {
     /// Stages in order.
-    pub parts: Vec<Part>,
+    pub parts: Vec<StageCode>,
     /// Names of nodes outside of loops.
     pub names: BTreeMap<Expr, String>,
     /// For each unknown, the names of its value, rate and acceleration.
@@ -29,7 +29,7 @@ pub struct Lines {
 
 /// One stage with its steps.
 #[derive(Clone, Debug)]
-pub enum Part {
+pub enum StageCode {
     /// A computed unknown.
     Explicit {
         /// Named steps before it.
@@ -78,7 +78,7 @@ pub struct Iterated {
 }
 
 /// Context of planning.
-pub(super) struct Frame<'a> {
+pub(super) struct PlanContext<'a> {
     pub(super) arena: &'a Arena,
     pub(super) tracer: &'a Tracer<'a>,
     pub(super) words: &'a Words,
@@ -91,7 +91,7 @@ pub(super) struct Frame<'a> {
 /// Stages over `n` unknowns as straight-line code; sine and cosine of the `turned` unknowns are given.
 ///
 /// If `is_apart`, steps that depend on parameters only come first.
-pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet<usize>, is_apart: bool, words: &Words) -> Lines {
+pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet<usize>, is_apart: bool, words: &Words) -> StraightLine {
     let moving: Vec<BTreeSet<Expr>> = stages.iter().map(|stage| moving(arena, stage)).collect();
     let mut roots = Vec::new();
     let mut hoisted = BTreeSet::new();
@@ -121,7 +121,7 @@ pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet
     let parts = stages.iter().zip(&moving).map(|(stage, moving)| part(arena, &mut work, stage, moving, words)).collect();
     let name = |index: usize| [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration].map(|leaf| words.leaf(leaf(index as u32)));
     let cost = cost(arena, &work.needed);
-    Lines { parts, names: work.names, unknowns: (0..n).map(name).collect(), turned, fixed, fixed_names, cost }
+    StraightLine { parts, names: work.names, unknowns: (0..n).map(name).collect(), turned, fixed, fixed_names, cost }
 }
 
 /// Maximal subexpressions of some roots that depend on parameters and on nothing else.
@@ -172,20 +172,20 @@ fn known_turn(arena: &Arena, work: &mut Scheduler, unknown: usize) -> [Option<St
     names
 }
 
-fn part(arena: &Arena, work: &mut Scheduler, stage: &Stage, moving: &BTreeSet<Expr>, words: &Words) -> Part {
+fn part(arena: &Arena, work: &mut Scheduler, stage: &Stage, moving: &BTreeSet<Expr>, words: &Words) -> StageCode {
     match stage {
         Stage::Explicit { unknown, equation, motion } => {
             for expr in motion {
                 work.serve(*expr);
             }
-            Part::Explicit { steps: work.take(), unknown: *unknown, equation: *equation, motion: *motion }
+            StageCode::Explicit { steps: work.take(), unknown: *unknown, equation: *equation, motion: *motion }
         }
-        Stage::Block(system) => Part::Block(Box::new(iterated(arena, work, system, moving, words))),
+        Stage::Block(system) => StageCode::Block(Box::new(iterated(arena, work, system, moving, words))),
         Stage::Check { equation, residual, sizes } => {
             for expr in [residual].into_iter().chain(sizes) {
                 work.serve(*expr);
             }
-            Part::Check { steps: work.take(), equation: *equation, residual: *residual, sizes: *sizes }
+            StageCode::Check { steps: work.take(), equation: *equation, residual: *residual, sizes: *sizes }
         }
     }
 }

@@ -22,7 +22,7 @@ mod tests;
 mod words;
 
 pub use kernels::{Kernel, Kernels, Round};
-pub use lines::{Iterated, Lines, Part};
+pub use lines::{Iterated, StageCode, StraightLine};
 pub use outputs::Outputs;
 pub use rolled::{Code, Group, Target};
 pub use routine::{Cost, Routine, Step};
@@ -39,7 +39,7 @@ use crate::quantity::Role;
 use crate::structure::Structure;
 use crate::system::{OutputMotion, System};
 use joints::Joints;
-use lines::Frame;
+use lines::PlanContext;
 use rolled::Cell;
 use shape::Tracer;
 
@@ -151,11 +151,11 @@ fn solving(
 ) -> (Solution, Vec<Slice>, Option<Slice>) {
     let is_angle: Vec<bool> = system.coordinates.iter().map(|unknown| unknown.role == Role::Angle).collect();
     let joints: Vec<usize> = system.equations.iter().map(|equation| equation.joint).collect();
-    let frame = Frame { arena, tracer, words, is_angle: &is_angle, joints: &joints };
+    let frame = PlanContext { arena, tracer, words, is_angle: &is_angle, joints: &joints };
     let slice = |output: &OutputMotion| {
         let is_angle: Vec<bool> = is_angle.iter().copied().chain(output.components.iter().map(|_| false)).collect();
         let words = words.with_outputs(output.components.len());
-        slice::upstream(&Frame { words: &words, is_angle: &is_angle, ..frame }, stages, output, system.coordinates.len())
+        slice::upstream(&PlanContext { words: &words, is_angle: &is_angle, ..frame }, stages, output, system.coordinates.len())
     };
     let slices = outputs.iter().map(slice).collect();
     // Where a part rests, single steps are made by what moves.

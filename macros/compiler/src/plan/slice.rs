@@ -3,7 +3,7 @@
 //! In: the stages of a mechanism. Out: [`Slice`]s: some of the stages, and the unknowns that a state of the slice holds so that the next
 //! state can be predicted from it. Not done here: printing.
 
-use super::lines::Frame;
+use super::lines::PlanContext;
 use super::solution::{Solution, Solving, solution};
 use super::stage::Stage;
 use crate::expr::{Arena, Leaf};
@@ -22,7 +22,7 @@ pub struct Slice {
 }
 
 /// The slice upstream of an output, with the output's components as unknowns after those of the mechanism.
-pub(super) fn upstream(frame: &Frame, stages: &[Stage], output: &OutputMotion, n: usize) -> Slice {
+pub(super) fn upstream(frame: &PlanContext, stages: &[Stage], output: &OutputMotion, n: usize) -> Slice {
     let mut needed: BTreeSet<usize> = BTreeSet::new();
     let outputs: Vec<Stage> = output
         .components
@@ -52,7 +52,7 @@ pub(super) fn upstream(frame: &Frame, stages: &[Stage], output: &OutputMotion, n
 }
 
 /// The moving slice; `None` unless some blocks rest, which then need not be solved at every time, and some stages move.
-pub(super) fn moving(frame: &Frame, stages: &[Stage]) -> Option<Slice> {
+pub(super) fn moving(frame: &PlanContext, stages: &[Stage]) -> Option<Slice> {
     let timed = timed(frame.arena, stages);
     let rests = |stage: &Stage| match stage {
         Stage::Check { .. } => timed.is_disjoint(&leaves(frame.arena, stage)),
@@ -96,7 +96,7 @@ fn leaves(arena: &Arena, stage: &Stage) -> BTreeSet<usize> {
 
 /// A slice's state holds iterated unknowns (for the predictor), varying computed angles (for the step test), outputs, and, with shared
 /// code, every unknown that its kernels exchange.
-fn held(frame: &Frame, stages: &[Stage], solving: &Solving, n: usize) -> Vec<usize> {
+fn held(frame: &PlanContext, stages: &[Stage], solving: &Solving, n: usize) -> Vec<usize> {
     let timed = timed(frame.arena, stages);
     let is_held = |stage: &&Stage| match stage {
         Stage::Block(_) => true,

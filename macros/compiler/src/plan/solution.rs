@@ -1,7 +1,7 @@
 //! The solution as a whole: its stages, their cost, and whether they share code.
 
 use super::kernels::Kernels;
-use super::lines::{Frame, Lines, lines};
+use super::lines::{PlanContext, StraightLine, lines};
 use super::rolled::STRAIGHT;
 use super::routine::Cost;
 use super::stage::{Elimination, Iteration, Stage};
@@ -52,7 +52,7 @@ pub enum Summary {
 #[derive(Clone, Debug)]
 pub enum Solving {
     /// Straight-line code, stage by stage.
-    Straight(Lines),
+    Straight(StraightLine),
     /// One function per shape of stage.
     Shared(Kernels),
 }
@@ -60,8 +60,8 @@ pub enum Solving {
 /// Schedules stages.
 ///
 /// If `is_apart`, steps that depend on parameters only are separated.
-pub(super) fn solution(frame: &Frame, stages: &[Stage], is_apart: bool) -> Solution {
-    let Frame { arena, words, .. } = *frame;
+pub(super) fn solution(frame: &PlanContext, stages: &[Stage], is_apart: bool) -> Solution {
+    let PlanContext { arena, words, .. } = *frame;
     let kernels = Kernels::new(frame, stages);
     let (of_kernels, all) = (kernels.size(), size(arena, stages));
     let mut blocks = kernels.blocks.iter().copied();

@@ -5,8 +5,8 @@
 mod node;
 mod repeated;
 
-pub use node::{Node, NodeId};
-pub use repeated::{Bounds, Component, For, Part};
+pub use node::{ItemId, Shared};
+pub use repeated::{ComponentItem, For, IndexRange, PartItem};
 
 use crate::diag::Range;
 use crate::quantity::Dim;
@@ -72,34 +72,34 @@ pub enum Item {
     /// `use path::to::constraint;`
     Use(Vec<Use>),
     /// `param name: Dimension = default;`
-    Parameter(Node<Parameter>),
+    Parameter(Shared<ParameterItem>),
     /// `let name: Dimension = value;`
-    Let(Node<Let>),
+    Let(Shared<Let>),
     /// `function name(argument: Dimension) -> Dimension = value;`
-    Function(Node<Function>),
+    Function(Shared<FunctionItem>),
     /// `ground { … }`
-    Ground(Node<Frame>),
+    Ground(Shared<FrameItem>),
     /// `body name { … }`
-    Body(Node<Frame>),
+    Body(Shared<FrameItem>),
     /// `joint name = …;` or `drive name = …;`
-    Joint(Node<Joint>),
+    Joint(Shared<JointItem>),
     /// `output name = value;` or `slice output name = value;`
-    Output(Node<Output>),
+    Output(Shared<OutputItem>),
     /// `component Name(parameters) { items }`
-    Component(Node<Component>),
+    Component(Shared<ComponentItem>),
     /// `range t in from..to;`
-    Range(Node<Times>),
+    Range(Shared<TimeRange>),
     /// `part name = Component(arguments);`
-    Part(Node<Part>),
+    Part(Shared<PartItem>),
     /// `for variable in from..to { items }`
-    For(Node<For<Vec<Item>>>),
+    For(Shared<For<Vec<Item>>>),
     /// A rejected item, as far as its name could be read.
     Refused(Refused),
 }
 
 /// Declared range of time.
 #[derive(Clone, Debug)]
-pub struct Times {
+pub struct TimeRange {
     /// `range`
     pub keyword: Ident,
     /// Start and end.
@@ -114,7 +114,7 @@ pub struct Refused {
     /// Declared name.
     pub name: Ident,
     /// Indices.
-    pub indices: Vec<Expr>,
+    pub indices: Vec<Expression>,
 }
 
 /// One imported constraint.
@@ -141,17 +141,17 @@ pub struct Path {
 
 /// A parameter of a mechanism.
 #[derive(Clone, Debug)]
-pub struct Parameter {
+pub struct ParameterItem {
     /// Doc attributes of the field.
     pub docs: Docs,
     /// Name of the field.
     pub name: Ident,
     /// Indices, if it is an element of an array.
-    pub indices: Vec<Expr>,
+    pub indices: Vec<Expression>,
     /// Dimension.
     pub dimension: Dimension,
     /// Default.
-    pub default: Expr,
+    pub default: Expression,
     /// Range after `in`, if any.
     pub limits: Option<Limits>,
 }
@@ -160,9 +160,9 @@ pub struct Parameter {
 #[derive(Clone, Debug)]
 pub struct Limits {
     /// Lower bound.
-    pub from: Option<Expr>,
+    pub from: Option<Expression>,
     /// Upper bound.
-    pub to: Option<Expr>,
+    pub to: Option<Expression>,
     /// True for `..=`: the upper bound belongs to the range.
     pub is_inclusive: bool,
     /// Source range, from the first to the last token.
@@ -175,16 +175,16 @@ pub struct Let {
     /// Name.
     pub name: Ident,
     /// Indices, if it is an element of an array.
-    pub indices: Vec<Expr>,
+    pub indices: Vec<Expression>,
     /// Dimension, if declared.
     pub dimension: Option<Dimension>,
     /// Value.
-    pub value: Expr,
+    pub value: Expression,
 }
 
 /// A function of one variable written in the language, or a Rust function given a signature.
 #[derive(Clone, Debug)]
-pub struct Function {
+pub struct FunctionItem {
     /// Name.
     pub name: Ident,
     /// Name of the argument; `None` for a Rust function.
@@ -194,7 +194,7 @@ pub struct Function {
     /// Dimension of the value.
     pub to: Dimension,
     /// The value, or the path of a Rust function.
-    pub value: Expr,
+    pub value: Expression,
 }
 
 /// `Length * Angle / Time^2`: a product of named dimensions.
@@ -217,13 +217,13 @@ impl Dimension {
 
 /// A body, or ground.
 #[derive(Clone, Debug)]
-pub struct Frame {
+pub struct FrameItem {
     /// Doc attributes of the accessor.
     pub docs: Docs,
     /// Name of the body; `ground` for ground.
     pub name: Ident,
     /// Indices, if it is an element of an array.
-    pub indices: Vec<Expr>,
+    pub indices: Vec<Expression>,
     /// Points and axes fixed in it.
     pub marks: Marks,
     /// Start values.
@@ -234,22 +234,22 @@ pub struct Frame {
 #[derive(Clone, Debug, Default)]
 pub struct Marks {
     /// Points and axes declared one by one.
-    pub single: Vec<Node<Mark>>,
+    pub single: Vec<Shared<Feature>>,
     /// Points and axes declared in loops.
-    pub loops: Vec<Node<For<Marks>>>,
+    pub loops: Vec<Shared<For<Marks>>>,
 }
 
 /// A point or an axis fixed in a body.
 #[derive(Clone, Debug)]
-pub struct Mark {
+pub struct Feature {
     /// True for an axis, which is a direction.
     pub is_axis: bool,
     /// Name.
     pub name: Ident,
     /// Indices, if it is an element of an array.
-    pub indices: Vec<Expr>,
+    pub indices: Vec<Expression>,
     /// `(x, y)` in the frame of the body.
-    pub value: Expr,
+    pub value: Expression,
 }
 
 /// `start angle = …;`
@@ -258,12 +258,12 @@ pub struct Start {
     /// `x`, `y`, `angle` or `position`.
     pub what: Ident,
     /// Value.
-    pub value: Expr,
+    pub value: Expression,
 }
 
 /// A joint or a drive.
 #[derive(Clone, Debug)]
-pub struct Joint {
+pub struct JointItem {
     /// Doc attributes.
     pub docs: Docs,
     /// True for a drive. Only a drive may contain `t`.
@@ -273,7 +273,7 @@ pub struct Joint {
     /// Name.
     pub name: Ident,
     /// Indices, if it is an element of an array.
-    pub indices: Vec<Expr>,
+    pub indices: Vec<Expression>,
     /// Equations of the joint.
     pub body: JointBody,
 }
@@ -298,12 +298,12 @@ pub struct Argument {
     /// Name of the parameter, if written.
     pub name: Option<Ident>,
     /// Value.
-    pub value: Expr,
+    pub value: Expression,
 }
 
 /// A named output.
 #[derive(Clone, Debug)]
-pub struct Output {
+pub struct OutputItem {
     /// Doc attributes of the generated method.
     pub docs: Docs,
     /// It can be solved for alone.
@@ -311,9 +311,9 @@ pub struct Output {
     /// Name.
     pub name: Ident,
     /// Indices, if it is an element of an array.
-    pub indices: Vec<Expr>,
+    pub indices: Vec<Expression>,
     /// Value.
-    pub value: Expr,
+    pub value: Expression,
 }
 
 /// A `constraint!` invocation: definitions that are exported one by one, or bundles of many.
@@ -361,14 +361,14 @@ pub struct Formal {
     /// Name.
     pub name: Ident,
     /// Kind of argument.
-    pub kind: Kind,
+    pub kind: FormalKind,
     /// Default, if any.
-    pub default: Option<Expr>,
+    pub default: Option<Expression>,
 }
 
 /// Kind of argument that a formal parameter takes.
 #[derive(Clone, Debug)]
-pub enum Kind {
+pub enum FormalKind {
     /// A point of a body or of ground.
     Point,
     /// A direction fixed in a body or in ground.
@@ -391,20 +391,20 @@ pub enum Statement {
     /// `let name = value;`
     Let(Let),
     /// `lhs == rhs;`
-    Equation(Expr, Expr),
+    Equation(Expression, Expression),
     /// `require lhs != rhs: "why";`
-    Require(Requirement),
+    Require(Condition),
 }
 
 /// A condition on parameters, checked when they are known.
 #[derive(Clone, Debug)]
-pub struct Requirement {
+pub struct Condition {
     /// Left side of the relation.
-    pub lhs: Expr,
+    pub lhs: Expression,
     /// Relation that must hold.
     pub relation: Relation,
     /// Right side of the relation.
-    pub rhs: Expr,
+    pub rhs: Expression,
     /// Advice to the user if the condition fails.
     pub why: String,
 }
@@ -428,9 +428,9 @@ pub enum Relation {
 
 /// An expression.
 #[derive(Clone, Debug)]
-pub struct Expr {
+pub struct Expression {
     /// Kind of expression.
-    pub kind: ExprKind,
+    pub kind: ExpressionKind,
     /// Source range, from the first to the last token.
     pub range: Range,
     /// Longest path to a leaf, bounded by the parser.
@@ -439,7 +439,7 @@ pub struct Expr {
 
 /// Kinds of expressions.
 #[derive(Clone, Debug)]
-pub enum ExprKind {
+pub enum ExpressionKind {
     /// `120mm`
     Number {
         /// The digits, without unit.
@@ -450,31 +450,31 @@ pub enum ExprKind {
     /// A name or a path to a Rust item.
     Path(Path),
     /// `value.field`
-    Field(Box<Expr>, Ident),
+    Field(Box<Expression>, Ident),
     /// `array[index]`
-    Index(Box<Expr>, Box<Expr>),
+    Index(Box<Expression>, Box<Expression>),
     /// `function(arguments)`
-    Call(Path, Vec<Expr>),
+    Call(Path, Vec<Expression>),
     /// `-value`
-    Negative(Box<Expr>),
+    Negative(Box<Expression>),
     /// `lhs op rhs`
-    Binary(Operator, Box<Expr>, Box<Expr>),
+    Binary(Operator, Box<Expression>, Box<Expression>),
     /// `(x, y)`
-    Tuple(Vec<Expr>),
+    Tuple(Vec<Expression>),
     /// `[a, b, …]`
-    List(Vec<Expr>),
+    List(Vec<Expression>),
     /// `if lhs < rhs { then } else { otherwise }`
     If {
         /// Left side of the relation.
-        lhs: Box<Expr>,
+        lhs: Box<Expression>,
         /// Relation to test.
         relation: Relation,
         /// Right side of the relation.
-        rhs: Box<Expr>,
+        rhs: Box<Expression>,
         /// Value if the relation holds.
-        then: Box<Expr>,
+        then: Box<Expression>,
         /// Value if it does not.
-        otherwise: Box<Expr>,
+        otherwise: Box<Expression>,
     },
 }
 

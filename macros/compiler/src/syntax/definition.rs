@@ -1,6 +1,6 @@
 //! Parses definitions of constraints and their statements.
 
-use super::ast::{Definition, Definitions, Docs, Export, Formal, Kind, Requirement, Statement};
+use super::ast::{Condition, Definition, Definitions, Docs, Export, Formal, FormalKind, Statement};
 use super::dimension::dimension;
 use super::expression::{expression, relation};
 use super::item::binding;
@@ -163,25 +163,25 @@ fn formal(input: ParseStream) -> Parsed<Formal> {
     Ok(Formal { name, kind, default })
 }
 
-fn kind(input: ParseStream) -> Parsed<Kind> {
+fn kind(input: ParseStream) -> Parsed<FormalKind> {
     let Some(word) = keyword(input) else {
         return expected(input, "what the parameter takes: `Point`, `Axis`, `Body`, `Length`, `Angle`, `Quantity`, …");
     };
     let plain = match word.to_string().as_str() {
-        "Point" => Kind::Point,
-        "Axis" => Kind::Axis,
-        "Body" => Kind::Body,
-        "Quantity" => Kind::Quantity,
+        "Point" => FormalKind::Point,
+        "Axis" => FormalKind::Axis,
+        "Body" => FormalKind::Body,
+        "Quantity" => FormalKind::Quantity,
         "Function" => return function_kind(input),
         "Joint" => return joint_kind(input),
-        _ => return dimension(input).map(Kind::Scalar),
+        _ => return dimension(input).map(FormalKind::Scalar),
     };
     input.parse::<Ident>()?;
     Ok(plain)
 }
 
 /// `Function(Angle) -> Length`
-fn function_kind(input: ParseStream) -> Parsed<Kind> {
+fn function_kind(input: ParseStream) -> Parsed<FormalKind> {
     input.parse::<Ident>()?;
     if !input.peek(token::Paren) {
         return expected(input, "`(Dimension) -> Dimension`");
@@ -191,11 +191,11 @@ fn function_kind(input: ParseStream) -> Parsed<Kind> {
     if !content.is_empty() {
         return wrong(content.span(), GrammarFact::OneArgument);
     }
-    Ok(Kind::Function(from, arrow(input)?))
+    Ok(FormalKind::Function(from, arrow(input)?))
 }
 
 /// `Joint(translational)`
-fn joint_kind(input: ParseStream) -> Parsed<Kind> {
+fn joint_kind(input: ParseStream) -> Parsed<FormalKind> {
     input.parse::<Ident>()?;
     if !input.peek(token::Paren) {
         return expected(input, "`(` and the kind of the joint");
@@ -205,7 +205,7 @@ fn joint_kind(input: ParseStream) -> Parsed<Kind> {
     if !content.is_empty() {
         return wrong(content.span(), GrammarFact::TokensAfter { what: "the kind of the joint", help: "write `Joint(kind)`" });
     }
-    Ok(Kind::Joint(kind))
+    Ok(FormalKind::Joint(kind))
 }
 
 /// `let name = value;`, `require lhs != rhs: "why";` or `lhs == rhs;`
@@ -233,7 +233,7 @@ pub(super) fn statement(input: ParseStream) -> Parsed<Statement> {
 }
 
 /// `require lhs != rhs: "why";`
-fn requirement(input: ParseStream) -> Parsed<Requirement> {
+fn requirement(input: ParseStream) -> Parsed<Condition> {
     input.parse::<Ident>()?;
     let lhs = expression(input)?;
     let relation = relation(input)?;
@@ -247,5 +247,5 @@ fn requirement(input: ParseStream) -> Parsed<Requirement> {
     }
     let why = input.parse::<LitStr>()?.value();
     semicolon(input)?;
-    Ok(Requirement { lhs, relation, rhs, why })
+    Ok(Condition { lhs, relation, rhs, why })
 }

@@ -10,7 +10,7 @@
 //!         | "if" sum relation sum "{" sum "}" "else" ("{" sum "}" | if …)
 //! ```
 
-use super::ast::{Expr, ExprKind, Operator, Path, Relation};
+use super::ast::{Expression, ExpressionKind, Operator, Path, Relation};
 use super::tokens::{Parsed, braces, brackets, expected, is_path, literal, parentheses, path, wrong};
 use crate::diag::{GrammarFact, Range};
 use proc_macro2::Span;
@@ -25,7 +25,7 @@ const DEPTH: u16 = 200;
 const NESTING: u16 = 50;
 
 /// Parses one expression.
-pub(super) fn expression(input: ParseStream) -> Parsed<Expr> {
+pub(super) fn expression(input: ParseStream) -> Parsed<Expression> {
     sum(input, NESTING)
 }
 
@@ -50,7 +50,7 @@ pub(super) fn relation(input: ParseStream) -> Parsed<Relation> {
     Ok(relation?)
 }
 
-fn sum(input: ParseStream, room: u16) -> Parsed<Expr> {
+fn sum(input: ParseStream, room: u16) -> Parsed<Expression> {
     let mut left = product(input, room)?;
     loop {
         let operator = if input.peek(Token![+]) {
@@ -66,7 +66,7 @@ fn sum(input: ParseStream, room: u16) -> Parsed<Expr> {
     }
 }
 
-fn product(input: ParseStream, room: u16) -> Parsed<Expr> {
+fn product(input: ParseStream, room: u16) -> Parsed<Expression> {
     let mut left = sign(input, room)?;
     loop {
         let operator = if input.peek(Token![*]) {
@@ -88,17 +88,17 @@ fn product(input: ParseStream, room: u16) -> Parsed<Expr> {
     }
 }
 
-fn sign(input: ParseStream, room: u16) -> Parsed<Expr> {
+fn sign(input: ParseStream, room: u16) -> Parsed<Expression> {
     if input.peek(Token![-]) {
         let minus = input.parse::<Token![-]>()?.spans[0];
         let value = sign(input, deeper(room, minus.into())?)?;
         let range = Range::from(minus).to(value.range);
-        return node(ExprKind::Negative(Box::new(value)), range);
+        return node(ExpressionKind::Negative(Box::new(value)), range);
     }
     power(input, room)
 }
 
-fn power(input: ParseStream, room: u16) -> Parsed<Expr> {
+fn power(input: ParseStream, room: u16) -> Parsed<Expression> {
     let base = postfix(input, room)?;
     if !input.peek(Token![^]) {
         return Ok(base);
@@ -108,13 +108,13 @@ fn power(input: ParseStream, room: u16) -> Parsed<Expr> {
     binary(Operator::Power, base, exponent)
 }
 
-fn postfix(input: ParseStream, room: u16) -> Parsed<Expr> {
+fn postfix(input: ParseStream, room: u16) -> Parsed<Expression> {
     let mut value = atom(input, room)?;
     loop {
         if input.peek(token::Bracket) {
             let (index, range) = self::index(input, deeper(room, input.span().into())?)?;
             let range = value.range.to(range);
-            value = node(ExprKind::Index(Box::new(value), Box::new(index)), range)?;
+            value = node(ExpressionKind::Index(Box::new(value), Box::new(index)), range)?;
             continue;
         }
         // `..` ends the first bound of a loop.
@@ -130,19 +130,19 @@ fn postfix(input: ParseStream, room: u16) -> Parsed<Expr> {
             return wrong(&field, GrammarFact::MethodCall { name: field.to_string() });
         }
         let range = value.range.to(&field);
-        value = node(ExprKind::Field(Box::new(value), field), range)?;
+        value = node(ExpressionKind::Field(Box::new(value), field), range)?;
     }
 }
 
 /// `[index]` after a name, with the range of its brackets.
-fn index(input: ParseStream, room: u16) -> Parsed<(Expr, Range)> {
+fn index(input: ParseStream, room: u16) -> Parsed<(Expression, Range)> {
     let (content, range) = brackets(input)?;
     let index = sum(&content, room)?;
     if content.is_empty() { Ok((index, range)) } else { expected(&content, "`]`") }
 }
 
 /// `[i][j]` after a declared name.
-pub(super) fn indices(input: ParseStream) -> Parsed<Vec<Expr>> {
+pub(super) fn indices(input: ParseStream) -> Parsed<Vec<Expression>> {
     let mut indices = Vec::new();
     while input.peek(token::Bracket) {
         indices.push(index(input, NESTING)?.0);
@@ -150,7 +150,7 @@ pub(super) fn indices(input: ParseStream) -> Parsed<Vec<Expr>> {
     Ok(indices)
 }
 
-fn atom(input: ParseStream, room: u16) -> Parsed<Expr> {
+fn atom(input: ParseStream, room: u16) -> Parsed<Expression> {
     let room = deeper(room, input.span().into())?;
     if literal(input)? || input.peek(LitBool) {
         return number(input);
@@ -163,7 +163,7 @@ fn atom(input: ParseStream, room: u16) -> Parsed<Expr> {
     }
     if input.peek(token::Bracket) {
         let (content, range) = brackets(input)?;
-        return node(ExprKind::List(list(&content, room)?), range);
+        return node(ExpressionKind::List(list(&content, room)?), range);
     }
     if is_path(input) {
         let path = path(input)?;
@@ -171,12 +171,12 @@ fn atom(input: ParseStream, room: u16) -> Parsed<Expr> {
             return call(input, path, room);
         }
         let range = path.range;
-        return node(ExprKind::Path(path), range);
+        return node(ExpressionKind::Path(path), range);
     }
     expected(input, "an expression")
 }
 
-fn number(input: ParseStream) -> Parsed<Expr> {
+fn number(input: ParseStream) -> Parsed<Expression> {
     let literal: Lit = input.parse()?;
     let range = Range::from(literal.span());
     let (digits, unit) = match &literal {
@@ -188,7 +188,7 @@ fn number(input: ParseStream) -> Parsed<Expr> {
         let (number, unit) = (literal.to_token_stream().to_string(), input.parse::<Ident>()?);
         return wrong(range.to(&unit), GrammarFact::SpaceBeforeUnit { number, unit: unit.to_string() });
     }
-    node(ExprKind::Number { digits, unit }, range)
+    node(ExpressionKind::Number { digits, unit }, range)
 }
 
 /// True if a word follows that ends the expression: after a number it can only be meant as a unit.
@@ -217,7 +217,7 @@ fn literal_kind(literal: &Lit) -> &'static str {
     }
 }
 
-fn parenthesised(input: ParseStream, room: u16) -> Parsed<Expr> {
+fn parenthesised(input: ParseStream, room: u16) -> Parsed<Expression> {
     let (content, range) = parentheses(input)?;
     let mut items = list(&content, room)?;
     match items.len() {
@@ -225,20 +225,20 @@ fn parenthesised(input: ParseStream, room: u16) -> Parsed<Expr> {
         1 => {
             // Parentheses around one value only group it.
             let inner = items.remove(0);
-            Ok(Expr { range, ..inner })
+            Ok(Expression { range, ..inner })
         }
-        _ => node(ExprKind::Tuple(items), range),
+        _ => node(ExpressionKind::Tuple(items), range),
     }
 }
 
-fn call(input: ParseStream, path: Path, room: u16) -> Parsed<Expr> {
+fn call(input: ParseStream, path: Path, room: u16) -> Parsed<Expression> {
     let (content, range) = parentheses(input)?;
     let arguments = list(&content, room)?;
     let range = path.range.to(range);
-    node(ExprKind::Call(path, arguments), range)
+    node(ExpressionKind::Call(path, arguments), range)
 }
 
-fn list(content: ParseStream, room: u16) -> Parsed<Vec<Expr>> {
+fn list(content: ParseStream, room: u16) -> Parsed<Vec<Expression>> {
     let mut items = Vec::new();
     while !content.is_empty() {
         items.push(sum(content, room)?);
@@ -253,7 +253,7 @@ fn list(content: ParseStream, room: u16) -> Parsed<Vec<Expr>> {
     Ok(items)
 }
 
-fn choice(input: ParseStream, room: u16) -> Parsed<Expr> {
+fn choice(input: ParseStream, room: u16) -> Parsed<Expression> {
     let first: Span = input.parse::<Token![if]>()?.span;
     let lhs = sum(input, room)?;
     let relation = relation(input)?;
@@ -266,10 +266,10 @@ fn choice(input: ParseStream, room: u16) -> Parsed<Expr> {
     let otherwise = if input.peek(Token![if]) { choice(input, deeper(room, first.into())?)? } else { braced(input, room)? };
     let range = Range::from(first).to(otherwise.range);
     let [lhs, rhs, then, otherwise] = [lhs, rhs, then, otherwise].map(Box::new);
-    node(ExprKind::If { lhs, relation, rhs, then, otherwise }, range)
+    node(ExpressionKind::If { lhs, relation, rhs, then, otherwise }, range)
 }
 
-fn braced(input: ParseStream, room: u16) -> Parsed<Expr> {
+fn braced(input: ParseStream, room: u16) -> Parsed<Expression> {
     if !input.peek(token::Brace) {
         return expected(input, "`{ value }`");
     }
@@ -278,12 +278,12 @@ fn braced(input: ParseStream, room: u16) -> Parsed<Expr> {
     if !content.is_empty() {
         return expected(&content, "`}`");
     }
-    Ok(Expr { range, ..inner })
+    Ok(Expression { range, ..inner })
 }
 
-fn binary(operator: Operator, left: Expr, right: Expr) -> Parsed<Expr> {
+fn binary(operator: Operator, left: Expression, right: Expression) -> Parsed<Expression> {
     let range = left.range.to(right.range);
-    node(ExprKind::Binary(operator, Box::new(left), Box::new(right)), range)
+    node(ExpressionKind::Binary(operator, Box::new(left), Box::new(right)), range)
 }
 
 fn deeper(room: u16, range: Range) -> Parsed<u16> {
@@ -294,16 +294,20 @@ fn deeper(room: u16, range: Range) -> Parsed<u16> {
 }
 
 /// Makes a node, or reports that it is too deep.
-fn node(kind: ExprKind, range: Range) -> Parsed<Expr> {
+fn node(kind: ExpressionKind, range: Range) -> Parsed<Expression> {
     let below = match &kind {
-        ExprKind::Number { .. } | ExprKind::Path(_) => 0,
-        ExprKind::Field(value, _) | ExprKind::Negative(value) => value.depth,
-        ExprKind::Binary(_, left, right) | ExprKind::Index(left, right) => left.depth.max(right.depth),
-        ExprKind::Call(_, items) | ExprKind::Tuple(items) | ExprKind::List(items) => items.iter().map(|item| item.depth).max().unwrap_or(0),
-        ExprKind::If { lhs, rhs, then, otherwise, .. } => [lhs, rhs, then, otherwise].iter().map(|item| item.depth).max().unwrap_or(0),
+        ExpressionKind::Number { .. } | ExpressionKind::Path(_) => 0,
+        ExpressionKind::Field(value, _) | ExpressionKind::Negative(value) => value.depth,
+        ExpressionKind::Binary(_, left, right) | ExpressionKind::Index(left, right) => left.depth.max(right.depth),
+        ExpressionKind::Call(_, items) | ExpressionKind::Tuple(items) | ExpressionKind::List(items) => {
+            items.iter().map(|item| item.depth).max().unwrap_or(0)
+        }
+        ExpressionKind::If { lhs, rhs, then, otherwise, .. } => {
+            [lhs, rhs, then, otherwise].iter().map(|item| item.depth).max().unwrap_or(0)
+        }
     };
     if below >= DEPTH {
         return wrong(range, GrammarFact::TooLong { limit: DEPTH });
     }
-    Ok(Expr { kind, range, depth: below + 1 })
+    Ok(Expression { kind, range, depth: below + 1 })
 }

@@ -1,8 +1,8 @@
 //! Parses the items of a mechanism.
 
 use super::ast::{
-    Argument, Closing, Docs, Expr, ExprKind, Following, Frame, Function, Item, Joint, JointBody, Let, Limits, Mark, Marks, Mechanism, Node,
-    Output, Parameter, Refused, Start, Times, Use,
+    Argument, Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, FunctionItem, Item, JointBody, JointItem, Let,
+    Limits, Marks, Mechanism, OutputItem, ParameterItem, Refused, Shared, Start, TimeRange, Use,
 };
 use super::definition::statement;
 use super::dimension::{dimension, required_dimension};
@@ -124,17 +124,17 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
     }
     let item = match word.as_str() {
         "use" => Item::Use(uses(input)?),
-        "let" => Item::Let(Node::new(binding(input)?)),
-        "param" => Item::Parameter(Node::new(parameter(input, docs)?)),
-        "function" => Item::Function(Node::new(function(input)?)),
-        "ground" => Item::Ground(Node::new(ground(input, docs)?)),
-        "body" => Item::Body(Node::new(body(input, docs)?)),
-        "joint" | "drive" | "redundant" => Item::Joint(Node::new(joint(input, docs)?)),
-        "output" | "slice" => Item::Output(Node::new(output(input, docs)?)),
-        "range" => Item::Range(Node::new(times(input)?)),
-        "component" => Item::Component(Node::new(component(input, docs, diag)?)),
-        "part" => Item::Part(Node::new(part(input, docs)?)),
-        "for" => Item::For(Node::new(repeated_items(input, diag)?)),
+        "let" => Item::Let(Shared::new(binding(input)?)),
+        "param" => Item::Parameter(Shared::new(parameter(input, docs)?)),
+        "function" => Item::Function(Shared::new(function(input)?)),
+        "ground" => Item::Ground(Shared::new(ground(input, docs)?)),
+        "body" => Item::Body(Shared::new(body(input, docs)?)),
+        "joint" | "drive" | "redundant" => Item::Joint(Shared::new(joint(input, docs)?)),
+        "output" | "slice" => Item::Output(Shared::new(output(input, docs)?)),
+        "range" => Item::Range(Shared::new(times(input)?)),
+        "component" => Item::Component(Shared::new(component(input, docs, diag)?)),
+        "part" => Item::Part(Shared::new(part(input, docs)?)),
+        "for" => Item::For(Shared::new(repeated_items(input, diag)?)),
         _ => return wrong(&keyword, GrammarFact::UnknownItem { word }),
     };
     has_indices(&item, place)?;
@@ -156,7 +156,7 @@ fn has_indices(item: &Item, place: ItemContext) -> Parsed<()> {
 }
 
 /// The same check for any name.
-pub(super) fn indexed(name: &Ident, indices: &[Expr], place: ItemContext) -> Parsed<()> {
+pub(super) fn indexed(name: &Ident, indices: &[Expression], place: ItemContext) -> Parsed<()> {
     match place.variable {
         Some(variable) if indices.is_empty() => {
             wrong(name, ArrayFact::WithoutIndex { name: name.to_string(), variable: variable.to_string() })
@@ -208,7 +208,7 @@ pub(super) fn binding(input: ParseStream) -> Parsed<Let> {
 }
 
 /// `param name: Dimension = default;`
-fn parameter(input: ParseStream, docs: Docs) -> Parsed<Parameter> {
+fn parameter(input: ParseStream, docs: Docs) -> Parsed<ParameterItem> {
     Ident::parse_any(input)?;
     let (name, indices) = declared(input, "the name of the parameter")?;
     let dimension = required_dimension(input)?;
@@ -219,7 +219,7 @@ fn parameter(input: ParseStream, docs: Docs) -> Parsed<Parameter> {
     let default = expression(input)?;
     let limits = if input.peek(Token![in]) { Some(limits(input)?) } else { None };
     semicolon(input)?;
-    Ok(Parameter { docs, name, indices, dimension, default, limits })
+    Ok(ParameterItem { docs, name, indices, dimension, default, limits })
 }
 
 /// `in from..to`, `in from..=to`, or one of them with one end
@@ -245,7 +245,7 @@ fn limits(input: ParseStream) -> Parsed<Limits> {
 }
 
 /// `range t in from..to;`
-fn times(input: ParseStream) -> Parsed<Times> {
+fn times(input: ParseStream) -> Parsed<TimeRange> {
     let keyword = Ident::parse_any(input)?;
     if self::keyword(input).is_none_or(|word| word != "t") || !input.peek2(Token![in]) {
         return expected(input, "`t in from..to`");
@@ -256,11 +256,11 @@ fn times(input: ParseStream) -> Parsed<Times> {
         return wrong(limits.range, ValueFact::RangeWithoutEnd);
     }
     semicolon(input)?;
-    Ok(Times { keyword, limits })
+    Ok(TimeRange { keyword, limits })
 }
 
 /// `output name = value;` or `slice output name = value;`
-fn output(input: ParseStream, docs: Docs) -> Parsed<Output> {
+fn output(input: ParseStream, docs: Docs) -> Parsed<OutputItem> {
     let is_slice = Ident::parse_any(input)? == "slice";
     if is_slice {
         if keyword(input).is_none_or(|word| word != "output") {
@@ -270,16 +270,16 @@ fn output(input: ParseStream, docs: Docs) -> Parsed<Output> {
     }
     let (name, indices) = declared(input, "the name of the output")?;
     let value = value(input)?;
-    Ok(Output { docs, is_slice, name, indices, value })
+    Ok(OutputItem { docs, is_slice, name, indices, value })
 }
 
 /// A name with its indices.
-pub(super) fn declared(input: ParseStream, what: &'static str) -> Parsed<(Ident, Vec<Expr>)> {
+pub(super) fn declared(input: ParseStream, what: &'static str) -> Parsed<(Ident, Vec<Expression>)> {
     Ok((name(input, what)?, indices(input)?))
 }
 
 /// `= expression;`
-fn value(input: ParseStream) -> Parsed<Expr> {
+fn value(input: ParseStream) -> Parsed<Expression> {
     equals(input)?;
     let value = expression(input)?;
     semicolon(input)?;
@@ -287,12 +287,12 @@ fn value(input: ParseStream) -> Parsed<Expr> {
 }
 
 /// Parses a single function with its doc comment.
-pub(super) fn single_function(input: ParseStream, diag: &mut Diag) -> Option<Function> {
+pub(super) fn single_function(input: ParseStream, diag: &mut Diag) -> Option<FunctionItem> {
     report(docs(input).and_then(|_| function(input)), diag)
 }
 
 /// `function name(argument: Dimension) -> Dimension = value;`
-fn function(input: ParseStream) -> Parsed<Function> {
+fn function(input: ParseStream) -> Parsed<FunctionItem> {
     Ident::parse_any(input)?;
     let name = name(input, "the name of the function")?;
     if !input.peek(token::Paren) {
@@ -307,23 +307,23 @@ fn function(input: ParseStream) -> Parsed<Function> {
     }
     let to = arrow(input)?;
     let value = value(input)?;
-    Ok(Function { name, argument, from, to, value })
+    Ok(FunctionItem { name, argument, from, to, value })
 }
 
-fn ground(input: ParseStream, docs: Docs) -> Parsed<Frame> {
+fn ground(input: ParseStream, docs: Docs) -> Parsed<FrameItem> {
     let name = Ident::parse_any(input)?;
     frame(input, docs, (name, Vec::new()), "`{` and the points of ground")
 }
 
-fn body(input: ParseStream, docs: Docs) -> Parsed<Frame> {
+fn body(input: ParseStream, docs: Docs) -> Parsed<FrameItem> {
     Ident::parse_any(input)?;
     let name = declared(input, "the name of the body")?;
     frame(input, docs, name, "`{` and the points of the body")
 }
 
-fn frame(input: ParseStream, docs: Docs, (name, indices): (Ident, Vec<Expr>), what: &'static str) -> Parsed<Frame> {
+fn frame(input: ParseStream, docs: Docs, (name, indices): (Ident, Vec<Expression>), what: &'static str) -> Parsed<FrameItem> {
     let content = block(input, what)?;
-    let mut frame = Frame { docs, name, indices, marks: Marks::default(), starts: Vec::new() };
+    let mut frame = FrameItem { docs, name, indices, marks: Marks::default(), starts: Vec::new() };
     while !content.is_empty() {
         // Points may have doc comments; no item is generated that could carry them.
         self::docs(&content)?;
@@ -345,9 +345,9 @@ pub(super) fn marks(input: ParseStream, marks: &mut Marks, place: ItemContext) -
         "point" | "axis" => {
             let mark = mark(input)?;
             indexed(&mark.name, &mark.indices, place)?;
-            marks.single.push(Node::new(mark));
+            marks.single.push(Shared::new(mark));
         }
-        "for" => marks.loops.push(Node::new(repeated_marks(input)?)),
+        "for" => marks.loops.push(Shared::new(repeated_marks(input)?)),
         "start" => return wrong(&keyword, GrammarFact::StartInLoop),
         other => return wrong(&keyword, GrammarFact::UnknownBodyItem { word: other.to_owned() }),
     }
@@ -355,16 +355,16 @@ pub(super) fn marks(input: ParseStream, marks: &mut Marks, place: ItemContext) -
 }
 
 /// `point name = (x, y);` or `axis name = (x, y);`
-fn mark(input: ParseStream) -> Parsed<Mark> {
+fn mark(input: ParseStream) -> Parsed<Feature> {
     let is_axis = Ident::parse_any(input)? == "axis";
     let (name, indices) = declared(input, if is_axis { "the name of the axis" } else { "the name of the point" })?;
     equals(input)?;
     let value = expression(input)?;
-    if input.peek(Token![,]) && !matches!(value.kind, ExprKind::Tuple(..)) {
+    if input.peek(Token![,]) && !matches!(value.kind, ExpressionKind::Tuple(..)) {
         return wrong(value.range, GrammarFact::PairWithoutParentheses { what: if is_axis { "an axis" } else { "a point" } });
     }
     semicolon(input)?;
-    Ok(Mark { is_axis, name, indices, value })
+    Ok(Feature { is_axis, name, indices, value })
 }
 
 /// `start angle = value;`
@@ -376,7 +376,7 @@ fn start(input: ParseStream) -> Parsed<Start> {
 }
 
 /// `joint name = …;`, `redundant joint name = …;` or `drive name = …;`
-fn joint(input: ParseStream, docs: Docs) -> Parsed<Joint> {
+fn joint(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
     let mut word = Ident::parse_any(input)?;
     let is_redundant = word == "redundant";
     if is_redundant {
@@ -392,7 +392,7 @@ fn joint(input: ParseStream, docs: Docs) -> Parsed<Joint> {
     }
     equals(input)?;
     let body = if input.peek(token::Brace) { equations(input)? } else { instance(input)? };
-    Ok(Joint { docs, is_drive, is_redundant, name, indices, body })
+    Ok(JointItem { docs, is_drive, is_redundant, name, indices, body })
 }
 
 /// `{ lhs == rhs; … }`, with or without a semicolon after it.

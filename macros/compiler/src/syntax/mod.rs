@@ -15,7 +15,7 @@ mod repeated;
 mod tokens;
 
 use crate::diag::{Diag, GrammarFact, Refusal};
-use ast::{Definition, Definitions, Function, Mechanism};
+use ast::{Definition, Definitions, FunctionItem, Mechanism};
 use proc_macro2::{Span, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser};
 
@@ -38,7 +38,7 @@ pub(crate) fn parse_exported(tokens: TokenStream, diag: &mut Diag) -> Option<Vec
 }
 
 /// Parses a function of the library.
-pub(crate) fn parse_function(tokens: TokenStream, diag: &mut Diag) -> Option<Function> {
+pub(crate) fn parse_function(tokens: TokenStream, diag: &mut Diag) -> Option<FunctionItem> {
     run(tokens, diag, item::single_function)
 }
 

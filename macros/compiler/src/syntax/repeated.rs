@@ -1,6 +1,6 @@
 //! Parses components, their parts, and loops.
 
-use super::ast::{Bounds, Component, Definition, Docs, For, Item, Marks, Part};
+use super::ast::{ComponentItem, Definition, Docs, For, IndexRange, Item, Marks, PartItem};
 use super::definition::formals;
 use super::expression::expression;
 use super::item::{ItemContext, arguments, declared, items, marks};
@@ -13,17 +13,17 @@ use syn::parse::ParseStream;
 use syn::{Token, token};
 
 /// `component Name(parameters) { items }`
-pub(super) fn component(input: ParseStream, docs: Docs, diag: &mut Diag) -> Parsed<Component> {
+pub(super) fn component(input: ParseStream, docs: Docs, diag: &mut Diag) -> Parsed<ComponentItem> {
     Ident::parse_any(input)?;
     let name = name(input, "the name of the component")?;
     let parameters = formals(input, "`(` and what the component takes, or `()`")?;
     let content = block(input, "`{` and the items of the component")?;
     let items = items(&content, ItemContext { is_top: false, variable: None }, diag);
-    Ok(Component { docs: docs.clone(), head: Definition { docs, name, parameters, statements: Vec::new() }, items })
+    Ok(ComponentItem { docs: docs.clone(), head: Definition { docs, name, parameters, statements: Vec::new() }, items })
 }
 
 /// `part name = Component(arguments);`
-pub(super) fn part(input: ParseStream, docs: Docs) -> Parsed<Part> {
+pub(super) fn part(input: ParseStream, docs: Docs) -> Parsed<PartItem> {
     Ident::parse_any(input)?;
     let (name, indices) = declared(input, "the name of the part")?;
     equals(input)?;
@@ -33,7 +33,7 @@ pub(super) fn part(input: ParseStream, docs: Docs) -> Parsed<Part> {
     }
     let arguments = Rc::new(arguments(input)?);
     semicolon(input)?;
-    Ok(Part { docs, name, indices, kind, arguments })
+    Ok(PartItem { docs, name, indices, kind, arguments })
 }
 
 /// `for variable in from..to { items }`
@@ -57,7 +57,7 @@ pub(super) fn repeated_marks(input: ParseStream) -> Parsed<For<Marks>> {
 }
 
 /// `for variable in from..to`
-fn head(input: ParseStream) -> Parsed<(Ident, Bounds)> {
+fn head(input: ParseStream) -> Parsed<(Ident, IndexRange)> {
     input.parse::<Token![for]>()?;
     let variable = name(input, "a name after `for`")?;
     if keyword(input).is_none_or(|word| word != "in") {
@@ -73,5 +73,5 @@ fn head(input: ParseStream) -> Parsed<(Ident, Bounds)> {
     } else {
         return expected(input, "`..` or `..=` and the end of the range");
     }
-    Ok((variable, Bounds { from, to: expression(input)?, is_inclusive }))
+    Ok((variable, IndexRange { from, to: expression(input)?, is_inclusive }))
 }

@@ -55,7 +55,7 @@ pub(super) struct Member {
 }
 
 /// Equations of a block, linearised at a configuration, in scaled unknowns.
-pub(super) struct Local {
+pub(super) struct LinearizedMember {
     pub(super) phi: Vec<f64>,
     pub(super) jacobian: Vec<Vec<f64>>,
     /// dΦ/ds along the path while the block's own unknowns are fixed.
@@ -147,7 +147,7 @@ impl<'a> Chain<'a> {
     }
 
     /// Equations of a member at a configuration in which the blocks before it are solved.
-    pub(super) fn local(&mut self, index: usize, at: f64, q: &[f64], rates: &[f64]) -> Result<Local, Stop> {
+    pub(super) fn local(&mut self, index: usize, at: f64, q: &[f64], rates: &[f64]) -> Result<LinearizedMember, Stop> {
         let (member, path) = (&mut self.members[index], &self.path);
         let n = member.unknowns.len();
         let parameters = path.parameters(at);
@@ -160,7 +160,7 @@ impl<'a> Chain<'a> {
         }
         let found = &member.values;
         let (own, others) = (&found[n..n + member.own.len()], &found[n + member.own.len()..]);
-        let mut local = Local { phi: found[..n].to_vec(), jacobian: vec![vec![0.0; n]; n], drift: vec![0.0; n] };
+        let mut local = LinearizedMember { phi: found[..n].to_vec(), jacobian: vec![vec![0.0; n]; n], drift: vec![0.0; n] };
         for ((row, column), entry) in member.own.iter().zip(own) {
             local.jacobian[*row][*column] = entry * member.scales[*column];
         }

@@ -35,7 +35,7 @@ const MOST_HALVINGS: usize = 100;
 
 /// Event found after a pose.
 #[derive(Debug)]
-pub(super) enum Seen {
+pub(super) enum Outlook {
     End(Event),
     Crossing(Event),
     /// The motion continues, or nothing is known about it.
@@ -73,11 +73,11 @@ struct Ruler {
 
 impl Chain<'_> {
     /// Follows the curve of a member until t has advanced by `reach`.
-    pub(super) fn look(&mut self, member: usize, here: &PathPose, reach: f64) -> Seen {
-        self.looked(member, here, reach).unwrap_or(Seen::Nothing)
+    pub(super) fn look(&mut self, member: usize, here: &PathPose, reach: f64) -> Outlook {
+        self.looked(member, here, reach).unwrap_or(Outlook::Nothing)
     }
 
-    fn looked(&mut self, index: usize, here: &PathPose, reach: f64) -> Option<Seen> {
+    fn looked(&mut self, index: usize, here: &PathPose, reach: f64) -> Option<Outlook> {
         let member = &self.members[index];
         let rates: Vec<f64> = member.unknowns.iter().zip(&member.scales).map(|(unknown, scale)| here.rates[*unknown] / scale).collect();
         let speed = rates.iter().map(|rate| rate * rate).sum::<f64>().sqrt();
@@ -100,12 +100,12 @@ impl Chain<'_> {
             };
             match (next.pace() > 0.0, next.sign == spot.sign) {
                 (true, true) => {}
-                (false, true) => return self.turn(index, spot, next, &along, step).map(Seen::End),
-                (true, false) => return self.crossing(index, spot, next, &along, step).map(Seen::Crossing),
+                (false, true) => return self.turn(index, spot, next, &along, step).map(Outlook::End),
+                (true, false) => return self.crossing(index, spot, next, &along, step).map(Outlook::Crossing),
                 (false, false) => return None,
             }
             if next.at > here.at + reach {
-                return Some(Seen::Nothing);
+                return Some(Outlook::Nothing);
             }
             // The determinant keeps its sign when c is replaced by the new direction, since the two are close.
             along = next.direction();

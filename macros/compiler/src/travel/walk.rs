@@ -5,7 +5,7 @@
 //! a region of small steps (`turn`).
 
 use super::chain::{Chain, PathPose, Stop};
-use super::turn::Seen;
+use super::turn::Outlook;
 
 /// Largest movement of a block in a step, in rad and characteristic lengths.
 const LONGEST: f64 = 0.6;
@@ -113,8 +113,8 @@ impl Chain<'_> {
                     if step < short[member] && !is_known {
                         short[member] = step / 16.0;
                         match self.look(member, &here, 8.0 * taken) {
-                            Seen::End(found) if end.as_ref().is_none_or(|end| found.at < end.at) => end = Some(found),
-                            Seen::Crossing(found) if end.as_ref().is_none_or(|end| found.at < end.at) => return Way::Crossing(found),
+                            Outlook::End(found) if end.as_ref().is_none_or(|end| found.at < end.at) => end = Some(found),
+                            Outlook::Crossing(found) if end.as_ref().is_none_or(|end| found.at < end.at) => return Way::Crossing(found),
                             _ => {}
                         }
                     }
