@@ -170,6 +170,9 @@ impl Emitter<'_> {
                     let row = number(row);
                     quote!(#rows[#row] = #value;)
                 });
+                if routine.results.iter().all(|row| self.is_zero(*row)) {
+                    return quote!(::reuleaux::Vector::from_element(T::of(0.0)));
+                }
                 quote! {
                     #reads
                     #steps
@@ -215,7 +218,9 @@ impl Emitter<'_> {
         let others = routine.results.iter().filter(|length| printer.constant(**length).is_none()).map(|length| printer.operand(*length));
         let first = real(largest);
         let longest = quote!(#first #(.max(#others.abs()))*);
-        let longest = if largest > SMALLEST {
+        let longest = if routine.results.is_empty() {
+            real(1.0)
+        } else if largest > SMALLEST {
             longest
         } else {
             quote!(let longest = #longest; T::select_less(T::of(0.0), longest, longest, T::of(1.0)))

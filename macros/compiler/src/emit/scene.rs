@@ -157,6 +157,8 @@ impl BlockPrinter<'_> {
         };
         let order = block.system.elimination.as_ref().map(|_| quote!(#order,));
         let (pass, place, solved, k) = (local("pass"), local("place"), self.solved(number), literal::number(k));
+        let is_turned = block.turns.iter().flatten().any(Option::is_some);
+        let [inner_pairs, outer_pairs] = [&place, &solved].map(|of| is_turned.then(|| quote!(let [#(#pairs),*] = #of.sin_cos;)));
         quote! {
             #before
             #elimination
@@ -167,13 +169,13 @@ impl BlockPrinter<'_> {
                 #[inline(always)]
                 |#place: &::reuleaux::Iterate<T, #k>| {
                     let [#(#x),*] = #place.x.data.0[0];
-                    let [#(#pairs),*] = #place.sin_cos;
+                    #inner_pairs
                     #inside
                     ([#(#residuals),*], [#(#jacobian),*])
                 },
             )?;
             let [#(#x),*] = #solved.x;
-            let [#(#pairs),*] = #solved.sin_cos;
+            #outer_pairs
             #rates
             #first
             #accelerations
