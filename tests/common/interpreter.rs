@@ -92,6 +92,6 @@ fn run(evaluator: &mut Evaluator, known: &[Function], parameters: &[f64], at: &I
             [jet.0, jet.1, jet.2]
         }
     };
-    let values = Values { time: at.t, parameters, coordinates: &at.q, velocities: &at.qd, accelerations: &at.qdd, functions: &call };
+    let values = Values { time: at.t, parameters, coordinates: &at.q, speeds: &at.qd, accelerations: &at.qdd, functions: &call };
     evaluator.run(&values, found);
 }

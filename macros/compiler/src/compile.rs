@@ -17,7 +17,7 @@ use crate::travel::{self, Motion};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::quote;
 
-/// The result of every stage from tokens to tokens.
+/// The result of every room from tokens to tokens.
 #[derive(Clone, Debug)]
 pub struct Compiled {
     /// Names resolved to ids, quantities with dimensions.
@@ -49,7 +49,7 @@ pub fn mechanism(tokens: TokenStream) -> TokenStream {
     quote!(#fallback #rest)
 }
 
-/// Compiles a declaration without `use` items and returns the result of every stage; for tests and tools.
+/// Compiles a declaration without `use` items and returns the result of every room; for tests and tools.
 ///
 /// # Errors
 /// All errors in the declaration.
@@ -141,7 +141,7 @@ fn missing<'a>(tree: &'a ast::Mechanism, known: &TokenStream) -> Option<&'a ast:
     uses.flatten().find(|used| !names.contains(&used.name.to_string()))
 }
 
-/// Runs all stages after parsing. A stage runs only if the one before it reported no error.
+/// Runs all rooms after parsing. A room runs only if the one before it reported no error.
 fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<Compiled> {
     if !diag.is_clean() {
         return None;

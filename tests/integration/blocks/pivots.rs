@@ -42,7 +42,7 @@ impl Pivots {
         let Self { pattern, rows, columns, entries } = self;
         let functions = |_: u32, _: f64| [f64::NAN; 3];
         let mut found = vec![f64::NAN; pattern.len()];
-        entries.run(&Values { time, parameters, coordinates, velocities: &[], accelerations: &[], functions: &functions }, &mut found);
+        entries.run(&Values { time, parameters, coordinates, speeds: &[], accelerations: &[], functions: &functions }, &mut found);
         let size = rows.len();
         let mut matrix = vec![vec![0.0; size]; size];
         for ((row, column), value) in pattern.iter().zip(found) {

@@ -94,7 +94,7 @@ impl<'a> Tracker<'a> {
         let defaults: Vec<Expr> = compiled.model.parameters.iter().map(|parameter| parameter.default).collect();
         let mut parameters = vec![0.0; defaults.len()];
         let nothing = |_: u32, _: f64| [f64::NAN; 3];
-        let values = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &nothing };
+        let values = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &nothing };
         Evaluator::new(&system.arena, &defaults).run(&values, &mut parameters);
         Tracker { compiled, parameters, evaluator: Evaluator::new(&system.arena, &roots), pattern, n }
     }
@@ -105,8 +105,7 @@ impl<'a> Tracker<'a> {
             Function::Table(table) => table.evaluate(x),
             Function::Rust(_) => [f64::NAN; 3],
         };
-        let values =
-            Values { time, parameters: &self.parameters, coordinates: q, velocities: &[], accelerations: &[], functions: &functions };
+        let values = Values { time, parameters: &self.parameters, coordinates: q, speeds: &[], accelerations: &[], functions: &functions };
         let mut found = vec![0.0; 2 * self.n + self.pattern.len()];
         self.evaluator.run(&values, &mut found);
         let mut jacobian = vec![vec![0.0; self.n]; self.n];

@@ -175,7 +175,7 @@ impl Judge<'_> {
     fn without_rate(&self, is_sure: &[bool], start: &[f64]) -> Option<(Range, AssemblyFact)> {
         let all = &self.numeric.system.equations;
         let rest = vec![0.0; start.len()];
-        let values = Values { coordinates: start, velocities: &rest, accelerations: &rest, ..self.numeric.known };
+        let values = Values { coordinates: start, speeds: &rest, accelerations: &rest, ..self.numeric.known };
         let sure = self.structure.blocks.iter().zip(is_sure).filter(|(_, is_sure)| **is_sure);
         let equations: Vec<usize> = sure.flat_map(|(block, _)| block.parts().1).collect();
         let roots: Vec<Expr> = equations.iter().flat_map(|equation| [all[*equation].nu, all[*equation].gamma]).collect();

@@ -38,7 +38,7 @@ impl<'a> Poses<'a> {
     pub(crate) fn new(model: &'a Model, system: &System, assembly: &Assembly) -> Poses<'a> {
         let functions = |number: u32, x: f64| call(model, number, x);
         let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
-        let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
+        let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
         let parameters = evaluate(&system.arena, &defaults, &nothing);
         let known = Values { parameters: &parameters, ..nothing };
         let size = crate::numeric::size(system, &known);
@@ -69,8 +69,7 @@ impl<'a> Poses<'a> {
         let values = |pose: &ClosedPose| {
             let mut found = vec![f64::NAN; exprs.len()];
             let (time, parameters, coordinates) = (pose.time, self.parameters.as_slice(), pose.q.as_slice());
-            evaluator
-                .run(&Values { time, parameters, coordinates, velocities: &[], accelerations: &[], functions: &functions }, &mut found);
+            evaluator.run(&Values { time, parameters, coordinates, speeds: &[], accelerations: &[], functions: &functions }, &mut found);
             found
         };
         self.poses.iter().map(values).collect()

@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Refuses bodies and groups of bodies that are not connected to ground.
 pub(crate) fn check(model: &Model, system: &System, diag: &mut Diag) -> Option<()> {
-    if !model.equations_only {
+    if model.task.is_solved() {
         every_body_is_held(model, system, diag);
         every_group_is_on_ground(model, system, diag);
     }
@@ -125,7 +125,7 @@ fn vanishes(arena: &Arena, sum: Expr) -> bool {
         let coordinates = numbers(seed, count(|leaf| if let Leaf::Coordinate(index) = leaf { Some(index) } else { None }));
         let parameters = numbers(seed * seed, count(|leaf| if let Leaf::Parameter(index) = leaf { Some(index) } else { None }));
         let (coordinates, parameters, functions) = (&coordinates, &parameters, &|_: u32, _: f64| [f64::NAN; 3]);
-        let at = Values { time: seed, parameters, coordinates, velocities: &[], accelerations: &[], functions };
+        let at = Values { time: seed, parameters, coordinates, speeds: &[], accelerations: &[], functions };
         evaluate(arena, &[sum], &at)[0].abs() < 1e-12
     })
 }

@@ -1,4 +1,4 @@
-//! Collects the errors of all stages with their source ranges.
+//! Collects the errors of all rooms with their source ranges.
 //!
 //! In: facts and the tokens they concern. Out: `compile_error!` tokens, one block per error. Not done here: sentences. `message.rs`
 //! alone turns a fact into a sentence.
@@ -93,7 +93,7 @@ fn is_about(fact: &Fact, word: &str) -> bool {
     }
 }
 
-/// All errors so far. A stage runs only if there are none.
+/// All errors so far. A room runs only if there are none.
 #[derive(Debug, Default)]
 pub struct Diag {
     refusals: Vec<Refusal>,

@@ -234,7 +234,7 @@ fn equations(page: &mut String, model: &Model, system: &System) {
 pub(super) fn default_values(model: &Model, system: &System) -> Vec<f64> {
     let roots: Vec<_> = model.parameters.iter().map(|parameter| parameter.default).collect();
     let functions = |_: u32, _: f64| [f64::NAN; 3];
-    let values = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
+    let values = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
     let mut defaults = vec![0.0; roots.len()];
     Evaluator::new(&system.arena, &roots).run(&values, &mut defaults);
     // A default such as 1/0 is refused by `validate` when it is used.

@@ -110,7 +110,7 @@ impl Printer<'_> {
     /// The value of a constant expression, by the interpreter.
     fn value(&self, expr: Expr) -> f64 {
         let functions = |_: u32, _: f64| [f64::NAN; 3];
-        let values = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
+        let values = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
         let mut result = [f64::NAN];
         Evaluator::new(self.arena, &[expr]).run(&values, &mut result);
         result[0]

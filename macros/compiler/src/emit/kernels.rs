@@ -1,10 +1,10 @@
 //! The generated way to solve a mechanism of many stages of few shapes: one function for each shape.
 
+use super::block::{BlockPrinter, pair};
 use super::columns::Columns;
 use super::expression::local;
 use super::functions::Emitter;
 use super::literal::{number, signed};
-use super::scene::{BlockPrinter, pair};
 use super::stages::{Index, StateLayout};
 use super::{allowed, docs};
 use crate::expr::{Leaf, Node};
@@ -102,7 +102,7 @@ impl Emitter<'_> {
             })
             .collect();
         let equations: Vec<TokenStream> = kernel.equations.iter().map(|column| columns.place(column)).collect();
-        let scene = BlockPrinter {
+        let printer = BlockPrinter {
             model: self.model,
             arena: &kernel.shape.arena,
             lines: &kernel.lines,
@@ -112,7 +112,7 @@ impl Emitter<'_> {
             origins: None,
         };
         let inputs = columns.inputs(&kernel.shape, &Words::new(self.model, self.system));
-        let (parts, reads, writes) = (scene.parts(), reads(kernel, &unknowns, &turned), writes(kernel, &scene, &turned));
+        let (parts, reads, writes) = (printer.parts(), reads(kernel, &unknowns, &turned), writes(kernel, &printer, &turned));
         let rest = if can_rest { rest(kernel, &unknowns, &turned) } else { quote!() };
         let (t, pass, found, turns) = (local("t"), local("pass"), local("found"), local("turns"));
         let (tables, name, piece, page) = (columns.tables(), name(shelf, index), local("piece"), self.kernel_page(kernel));
@@ -244,11 +244,11 @@ fn reads(kernel: &Kernel, unknowns: &[Index], ranks: &BTreeMap<usize, TokenStrea
 }
 
 /// What the kernel found.
-fn writes(kernel: &Kernel, scene: &BlockPrinter, ranks: &BTreeMap<usize, TokenStream>) -> TokenStream {
+fn writes(kernel: &Kernel, printer: &BlockPrinter, ranks: &BTreeMap<usize, TokenStream>) -> TokenStream {
     let (found, turns) = (local("found"), local("turns"));
     let mut tokens = TokenStream::new();
     for slot in &kernel.found {
-        let place = &scene.unknowns[*slot].place;
+        let place = &printer.unknowns[*slot].place;
         let [q, qd, qdd] = kernel.lines.unknowns[*slot].each_ref().map(|name| local(name));
         tokens.extend(quote!(#found.q[#place] = #q; #found.qd[#place] = #qd; #found.qdd[#place] = #qdd;));
         if !kernel.kept.contains(slot) {
@@ -261,7 +261,7 @@ fn writes(kernel: &Kernel, scene: &BlockPrinter, ranks: &BTreeMap<usize, TokenSt
         });
         tokens.extend(match in_block {
             Some((block, position)) => {
-                let (solved, position) = (scene.solved(block), number(position));
+                let (solved, position) = (printer.solved(block), number(position));
                 quote!(#turns[#rank] = #solved.sin_cos[#position];)
             }
             None => quote!(#turns[#rank] = #q.fast_sin_cos();),

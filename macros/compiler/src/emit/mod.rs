@@ -7,6 +7,7 @@
 
 mod abridged;
 mod arrays;
+mod block;
 mod columns;
 mod definition;
 mod docs;
@@ -20,7 +21,7 @@ mod parameters;
 mod prepared;
 mod rolled;
 mod routine;
-mod scene;
+
 mod slices;
 mod stages;
 mod state;
@@ -63,12 +64,12 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
     let equations = [emitter.phi(), emitter.jacobian(), emitter.linearize(), emitter.nu(), emitter.gamma()];
     let (start, length, validate) = (start(assembly), emitter.characteristic_length(), emitter.validate());
     let (outputs, traits, stages) = (emitter.outputs(), emitter.traits(), emitter.stages());
-    let solve = (!model.equations_only).then(|| solve(model, system, plan));
+    let solve = (model.task.is_solved()).then(|| solve(model, system, plan));
     let (solve_for, slices) = emitter.slices();
     // Where defaults only hold a place nothing is said of them.
     let warns = model.closing == Closing::Deny && !model.allows_far_start;
     let warnings = assembly.warnings.iter().filter(|_| warns).chain(&motion.warning).map(Warning::to_tokens);
-    let state = (!model.equations_only || !model.outputs.is_empty()).then(|| state(model, system));
+    let state = (model.task.is_solved() || !model.outputs.is_empty()).then(|| state(model, system));
     let (name, allowed) = (&model.name, allowed());
     quote! {
         #default
@@ -340,7 +341,7 @@ fn state(model: &Model, system: &System) -> TokenStream {
     let accessors = Accessors::new(&model.layout, &model.name, visibility, None);
     let (own, views) = (accessors.of_mechanism(), accessors.views(n));
     let n = number(n);
-    let failure_name = (!model.equations_only).then(|| format_ident!("{}Failure", name, span = Span::call_site()));
+    let failure_name = (model.task.is_solved()).then(|| format_ident!("{}Failure", name, span = Span::call_site()));
     let failure = failure_name.as_ref().map(|failure_name| {
         let page = docs::line(&format!("Why there is no state of [`{name}`](super::{name})."));
         quote!(#page #[allow(dead_code)] pub type #failure_name<T = ::core::primitive::f64> = ::reuleaux::Failure<T, #n>;)

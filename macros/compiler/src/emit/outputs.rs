@@ -34,10 +34,10 @@ impl Emitter<'_> {
             Outputs::Alike(alike) => self.alike(method, &alike.0, &alike.1),
         };
         let known = docs::output(method, first);
-        let is_plain = !method.is_slice && !self.model.equations_only;
+        let is_plain = !method.is_slice && self.model.task.is_solved();
         let known = if is_plain { format!("{known} A `slice output` could be solved for alone.") } else { known };
         let (docs, name, state) = (docs_or(&method.docs, &known), &method.name, state_path(&self.model.name));
-        let alone = (!self.model.equations_only).then(|| alone(method));
+        let alone = (self.model.task.is_solved()).then(|| alone(method));
         let kind = array_type(kind, &method.sizes);
         quote! {
             #docs

@@ -1,9 +1,9 @@
 //! A mechanism with everything computed that depends on its parameters only and is worth keeping.
 
+use super::block::BlockPrinter;
 use super::expression::local;
 use super::functions::Emitter;
 use super::literal::number;
-use super::scene::BlockPrinter;
 use super::{allowed, docs, state_path};
 use crate::plan::{Plan, Solving, StraightLine};
 use proc_macro2::{Ident, Span, TokenStream};
@@ -45,9 +45,9 @@ impl Emitter<'_> {
     /// The body of `stages`, and what computes and takes the numbers that depend on parameters only, if any are kept.
     fn kept(&self, body: TokenStream, n: &TokenStream, count: &TokenStream) -> (TokenStream, TokenStream) {
         let Some(lines) = straight(self.plan).filter(|lines| !lines.fixed_names.is_empty()) else { return (body, quote!()) };
-        let scene =
+        let printer =
             BlockPrinter { model: self.model, arena: &self.plan.arena, lines, unknowns: &[], equations: &[], kept: &[], origins: None };
-        let steps = scene.steps(&lines.names, &lines.fixed);
+        let steps = printer.steps(&lines.names, &lines.fixed);
         let names: Vec<Ident> = lines.fixed_names.iter().map(|name| local(name)).collect();
         let (fixed, t, pass) = (local("fixed"), local("t"), local("pass"));
         let kept = quote! {

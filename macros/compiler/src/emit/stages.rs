@@ -1,11 +1,11 @@
 //! The generated way to solve a mechanism: stage by stage.
 
 use super::allowed;
+use super::block::{BlockPrinter, Origins};
 use super::docs::coordinate_name;
 use super::expression::{local, named};
 use super::functions::Emitter;
 use super::literal::{number, vector_type};
-use super::scene::{BlockPrinter, Origins};
 use crate::plan::{Solution, Solving, StraightLine, Summary, Words};
 use crate::quantity::Role;
 use crate::system::Equation;
@@ -17,7 +17,7 @@ impl Emitter<'_> {
     /// The runtime's trait `Stages`.
     pub(super) fn stages(&self) -> TokenStream {
         let (name, n) = (&self.model.name, self.system.coordinates.len());
-        if self.model.equations_only {
+        if !self.model.task.is_solved() {
             return quote!();
         }
         let Some(solution) = &self.plan.solution else { return quote!() };
@@ -139,7 +139,7 @@ impl Emitter<'_> {
         let indices: Vec<Index> = (0..lines.unknowns.len()).map(|unknown| self.index_on(unknown, shelf)).collect();
         let equations: Vec<TokenStream> = (0..self.system.equations.len()).map(number).collect();
         let origins = self.origins(lines.unknowns.len());
-        let scene = BlockPrinter {
+        let printer = BlockPrinter {
             model: self.model,
             arena: &self.plan.arena,
             lines,
@@ -152,7 +152,7 @@ impl Emitter<'_> {
             let (name, given, index) = (local(&lines.unknowns[*unknown][0]), local("given"), number(index));
             quote!(let #name = #given[#index];)
         });
-        let parts = scene.parts();
+        let parts = printer.parts();
         let column = |order: usize| -> Vec<Ident> { shelf.held.iter().map(|unknown| local(&lines.unknowns[*unknown][order])).collect() };
         let (q, qd, qdd) = (column(0), column(1), column(2));
         quote! {

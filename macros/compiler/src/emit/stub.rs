@@ -52,12 +52,12 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
     let n = 3 * promised.bodies;
     let (structure, equations) = (structure(tree, &promised.layout, visibility), equations(name, n, body));
     let accessors = accessors(tree, &promised.layout, visibility, n, body);
-    let (solutions, stages) = (!tree.equations_only).then(|| solutions(name, &state, visibility, n, body)).unzip();
+    let (solutions, stages) = (tree.task.is_solved()).then(|| solutions(name, &state, visibility, n, body)).unzip();
     let has_outputs = !promised.methods.is_empty() || !refused(tree, "output").is_empty();
-    let (solve_for, slices) = (!tree.equations_only).then(|| slices(tree, &promised, visibility, body)).unzip();
+    let (solve_for, slices) = (tree.task.is_solved()).then(|| slices(tree, &promised, visibility, body)).unzip();
     let outputs = outputs(tree, &promised, &state, body);
     let (n, vector) = (number(n), vector_type(n));
-    let state = (!tree.equations_only || has_outputs).then(|| {
+    let state = (tree.task.is_solved() || has_outputs).then(|| {
         quote! {
             #[derive(Clone, Debug, PartialEq)]
             #[doc(hidden)]

@@ -13,9 +13,9 @@ pub struct Values<'a> {
     pub parameters: &'a [f64],
     /// q, by number of coordinate.
     pub coordinates: &'a [f64],
-    /// q̇, by number of coordinate.
-    pub velocities: &'a [f64],
-    /// q̈, by number of coordinate.
+    /// u, by number of speed.
+    pub speeds: &'a [f64],
+    /// u̇, by number of speed.
     pub accelerations: &'a [f64],
     /// Value, first and second derivative of the function with this number.
     pub functions: &'a dyn Fn(u32, f64) -> [f64; 3],
@@ -29,7 +29,7 @@ impl Values<'_> {
             Leaf::Datum(_) => return f64::NAN,
             Leaf::Parameter(i) => (self.parameters, i),
             Leaf::Coordinate(i) => (self.coordinates, i),
-            Leaf::Speed(i) => (self.velocities, i),
+            Leaf::Speed(i) => (self.speeds, i),
             Leaf::Acceleration(i) => (self.accelerations, i),
         };
         list.get(number as usize).copied().unwrap_or(f64::NAN)

@@ -33,7 +33,7 @@ struct Point {
     time: f64,
     parameters: [f64; 2],
     coordinates: [f64; 3],
-    velocities: [f64; 3],
+    speeds: [f64; 3],
     accelerations: [f64; 3],
 }
 
@@ -45,7 +45,7 @@ impl Point {
             time: draw(),
             parameters: [draw(), draw()],
             coordinates: [draw(), draw(), draw()],
-            velocities: [draw(), draw(), draw()],
+            speeds: [draw(), draw(), draw()],
             accelerations: [draw(), draw(), draw()],
         }
     }
@@ -55,8 +55,8 @@ impl Point {
         let mut point = self.clone();
         point.time += s;
         for i in 0..3 {
-            point.coordinates[i] += s * (self.velocities[i] + 0.5 * s * self.accelerations[i]);
-            point.velocities[i] += s * self.accelerations[i];
+            point.coordinates[i] += s * (self.speeds[i] + 0.5 * s * self.accelerations[i]);
+            point.speeds[i] += s * self.accelerations[i];
         }
         point
     }
@@ -66,7 +66,7 @@ impl Point {
             time: self.time,
             parameters: &self.parameters,
             coordinates: &self.coordinates,
-            velocities: &self.velocities,
+            speeds: &self.speeds,
             accelerations: &self.accelerations,
             functions: &functions,
         }

@@ -15,7 +15,7 @@ use std::collections::BTreeSet;
 
 /// Matches every unknown to an equation of its own and every equation to an unknown; refuses the mechanism if this fails.
 pub(crate) fn check(model: &Model, system: &System, redundant: &BTreeSet<usize>, diag: &mut Diag) -> Option<()> {
-    if model.equations_only {
+    if !model.task.is_solved() {
         return Some(());
     }
     let exact = ExactDependence::new(model, system);

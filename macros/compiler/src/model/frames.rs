@@ -49,12 +49,11 @@ impl Elaborator<'_> {
     }
 
     /// Records a value to be checked for finiteness once all defaults are known. Always returns true.
-    fn has_to_be_finite(&mut self, expr: Expr, item: Key, range: Range, noun: &'static str) -> bool {
+    fn has_to_be_finite(&mut self, expr: Expr, item: Key, range: Range, noun: &'static str) {
         if self.arena.as_constant(expr).is_none() && !self.names.is_abstract() && !self.is_unused {
             let place = self.place.clone();
             self.fixed_values.push(FixedValue { expr, item, range, noun, place });
         }
-        true
     }
 
     /// Resolves every point and axis, used or not; returns the local coordinates of the points.
@@ -129,9 +128,10 @@ impl Elaborator<'_> {
             for (which, expr) in found.unwrap_or_default() {
                 if !self.is_fixed(expr) {
                     self.refuse::<()>(start.value.range, ValueFact::NotFixed { place: "a start value" });
-                } else if self.has_to_be_finite(expr, Key::Value(frame.id(), number), start.value.range, "the start value")
-                    && starts[which].replace(expr).is_some()
-                {
+                    continue;
+                }
+                self.has_to_be_finite(expr, Key::Value(frame.id(), number), start.value.range, "the start value");
+                if starts[which].replace(expr).is_some() {
                     self.refuse::<()>(&start.what, NameFact::DuplicateStart { name: word.clone(), body: frame.name.to_string() });
                     break;
                 }

@@ -38,7 +38,7 @@ pub use spline::{Ends, Table};
 
 use crate::expr::{Arena, Expr};
 use crate::quantity::{Dim, Role};
-use crate::syntax::ast::{Closing, Docs, Following, Relation};
+use crate::syntax::ast::{Closing, Docs, Following, Relation, Task};
 use proc_macro2::{Ident, TokenStream};
 
 pub(crate) use definition::{check as check_definition, check_names};
@@ -58,8 +58,8 @@ pub struct Model {
     pub visibility: TokenStream,
     /// Name of the generated struct.
     pub name: Ident,
-    /// True if no `solve` is generated.
-    pub equations_only: bool,
+    /// Task of the generated code.
+    pub task: Task,
     /// Policy if the mechanism does not assemble at the declared defaults.
     pub closing: Closing,
     /// True if an assembly far from the declared start causes no warning.

@@ -41,7 +41,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
         docs: tree.docs.clone(),
         visibility: tree.visibility.clone(),
         name: tree.name.clone(),
-        equations_only: tree.equations_only,
+        task: tree.task,
         closing: tree.closing,
         allows_far_start: tree.allows_far_start,
         has_stub: tree.items.iter().any(|item| matches!(item, ast::Item::Use(_))),

@@ -239,7 +239,7 @@ impl Elaborator<'_> {
             Some(super::Function::Table(table)) => table.evaluate(x),
             _ => [f64::NAN; 3],
         };
-        let values = Values { time: 0.0, parameters, coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
+        let values = Values { time: 0.0, parameters, coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
         evaluate(&self.arena, roots, &values)
     }
 }

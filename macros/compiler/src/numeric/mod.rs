@@ -44,7 +44,7 @@ pub(crate) struct Numeric<'a> {
 pub(crate) fn at_defaults<R>(model: &Model, system: &System, work: impl FnOnce(&Numeric) -> R) -> R {
     let functions = |number: u32, x: f64| call(model, number, x);
     let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
-    let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
+    let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
     let parameters = evaluate(&system.arena, &defaults, &nothing);
     let known = Values { parameters: &parameters, ..nothing };
     let start = |start: Expr| evaluate(&system.arena, &[start], &known).pop().filter(|value| value.is_finite());

@@ -19,7 +19,7 @@ impl Scene {
             Some(Function::Table(table)) => table.evaluate(x),
             _ => [f64::NAN; 3],
         };
-        let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
+        let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
         let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
         let parameters = evaluate(&model.arena, &defaults, &nothing);
         let known = Values { time: instant.time, parameters: &parameters, coordinates: &instant.q, ..nothing };

@@ -18,7 +18,7 @@ pub(super) fn pose(model: &Model, system: &System, assembly: &Assembly) -> Optio
     let first = Scene::at(model, system, &start)?;
     let has_drive = first.joints.iter().any(|joint| joint.is_drive);
     let clear = clearance(&first);
-    if clear >= CLEAR || !has_drive || model.bodies.len() > LARGEST || model.equations_only {
+    if clear >= CLEAR || !has_drive || model.bodies.len() > LARGEST || !model.task.is_solved() {
         return Some((start, first));
     }
     let mut best = (start, first, (2.0 * clear).max(0.2 * CLEAR));

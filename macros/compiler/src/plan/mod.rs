@@ -83,7 +83,7 @@ pub struct Plan {
 /// Schedules all generated code.
 pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, assembly: &Assembly) -> Plan {
     let mut arena = system.arena.clone();
-    let solved = (!model.equations_only).then(|| {
+    let solved = (model.task.is_solved()).then(|| {
         let outputs = sliced(&mut arena, model, system);
         let (mut stages, outputs) = stages::stages(&mut arena, system, structure, &outputs);
         eliminations(&arena, model, system, assembly, &mut stages);

@@ -246,7 +246,7 @@ impl<'a> Tracer<'a> {
             return Exact::to_f64(value);
         }
         let functions = |_: u32, _: f64| [f64::NAN; 3];
-        let values = Values { time: 0.0, parameters: &[], coordinates: &[], velocities: &[], accelerations: &[], functions: &functions };
+        let values = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
         let mut result = [f64::NAN];
         Evaluator::new(self.arena, &[expr]).run(&values, &mut result);
         result[0]

@@ -128,3 +128,45 @@ impl SpeedRole {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Axis, Correction, Role};
+    use std::collections::BTreeSet;
+
+    const ALL: [Role; 8] = [
+        Role::Position(Axis::X),
+        Role::Position(Axis::Y),
+        Role::Position(Axis::Z),
+        Role::Angle,
+        Role::Quaternion(0),
+        Role::Quaternion(1),
+        Role::Quaternion(2),
+        Role::Quaternion(3),
+    ];
+
+    #[test]
+    fn every_role_has_a_name_of_its_own() {
+        let names: BTreeSet<&str> = ALL.into_iter().map(Role::name).collect();
+        assert_eq!(names.len(), ALL.len());
+        assert!(Role::PLANE.into_iter().all(|role| Role::named(role.name()) == Some(role)));
+    }
+
+    #[test]
+    fn a_radian_moves_a_point_at_the_characteristic_length_as_far_as_its_scale() {
+        let length = 0.35;
+        assert!(ALL.into_iter().filter(|role| role.is_position()).all(|role| role.scale(length) == length));
+        assert_eq!(Role::Angle.scale(length), 1.0);
+        // The unit quaternion of a small angle α about x is (cos α/2, sin α/2, 0, 0).
+        let angle = 1e-6_f64;
+        let slope = (angle / 2.0).sin() / angle;
+        assert!((Role::Quaternion(1).scale(length) - slope).abs() < 1e-12);
+    }
+
+    #[test]
+    fn quaternions_alone_are_turned_instead_of_added_to() {
+        let turned: Vec<Role> = ALL.into_iter().filter(|role| role.correction() == Correction::Rotation).collect();
+        assert_eq!(turned, &ALL[4..]);
+        assert!(ALL.into_iter().all(|role| (role.period() == Some(std::f64::consts::TAU)) == (role == Role::Angle)));
+    }
+}

@@ -63,7 +63,7 @@ pub(crate) fn lookup(name: &str) -> Option<(Exact, Dim)> {
     Some((size, unit.dim))
 }
 
-/// All unit names, for suggestions and the language reference.
+/// All unit names, for suggestions.
 pub(crate) fn names<'a>() -> impl Iterator<Item = &'a str> {
     UNITS.iter().map(|unit| unit.name)
 }

@@ -15,7 +15,7 @@ use crate::system::System;
 const ROUNDING: f64 = 1e-12;
 
 /// Derivatives above this, in m and rad, are not zero.
-const SMALL: f64 = 1e-6;
+const NEGLIGIBLE: f64 = 1e-6;
 
 /// Refuses rows whose derivatives vanish at every configuration.
 pub(super) fn rows_depend_on_positions(model: &Model, system: &System, diag: &mut Diag) -> Option<()> {
@@ -36,7 +36,7 @@ pub(super) fn rows_depend_on_positions(model: &Model, system: &System, diag: &mu
             let mut rest = values.as_slice();
             let ends: Vec<&[f64]> = rows.iter().map(|row| rest.split_off(..row.len()).unwrap_or_default()).collect();
             // This test excludes most rows at once.
-            let is_small = |row: &usize| ends[*row].iter().all(|value| value.abs() < SMALL * numeric.size.min(1.0));
+            let is_small = |row: &usize| ends[*row].iter().all(|value| value.abs() < NEGLIGIBLE * numeric.size.min(1.0));
             let cancels = |row: &usize| {
                 let sizes = magnitudes(&system.arena, &rows[*row], &known);
                 ends[*row].iter().zip(sizes).all(|(value, size)| value.abs() <= ROUNDING * size)

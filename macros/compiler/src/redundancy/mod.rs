@@ -27,7 +27,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Finds the equations that are checked instead of solved. A mechanism of which only equations are wanted has none.
 pub(crate) fn find(model: &Model, system: &System, diag: &mut Diag) -> Option<BTreeSet<usize>> {
     identity::rows_depend_on_positions(model, system, diag)?;
-    if !model.equations_only {
+    if model.task.is_solved() {
         ExactDependence::new(model, system).no_row_follows_from_others(true, diag);
     }
     if diag.is_clean() { left_over(model, system, diag) } else { None }

@@ -22,43 +22,43 @@ pub(crate) const SMALL: usize = 60;
 /// Blocks in order, each with the unmatched equations that belong to it. A block with a marked equation counts as overdetermined.
 pub(crate) fn subsystems(pattern: &Pattern, matching: &Matching, is_marked: impl Fn(&usize) -> bool) -> Vec<Subsystem> {
     let groups = components::in_order(pattern, matching);
-    let mut piece_of = vec![0; pattern.unknowns];
-    let mut pieces: Vec<Subsystem> = Vec::new();
+    let mut subsystem_of = vec![0; pattern.unknowns];
+    let mut subsystems: Vec<Subsystem> = Vec::new();
     for equations in groups {
         let unknowns: Vec<usize> = equations.iter().filter_map(|equation| matching.of_equation[*equation]).collect();
-        unknowns.iter().for_each(|unknown| piece_of[*unknown] = pieces.len());
+        unknowns.iter().for_each(|unknown| subsystem_of[*unknown] = subsystems.len());
         let is_overdetermined = equations.iter().any(&is_marked);
-        pieces.push(Subsystem { unknowns, equations, is_overdetermined });
+        subsystems.push(Subsystem { unknowns, equations, is_overdetermined });
     }
     for equation in matching.free_equations() {
-        let last = pattern.rows[equation].iter().map(|entry| piece_of[entry.unknown]).max();
-        if let Some(piece) = last.and_then(|last| pieces.get_mut(last)) {
-            piece.equations.push(equation);
-            piece.is_overdetermined = true;
+        let last = pattern.rows[equation].iter().map(|entry| subsystem_of[entry.unknown]).max();
+        if let Some(subsystem) = last.and_then(|last| subsystems.get_mut(last)) {
+            subsystem.equations.push(equation);
+            subsystem.is_overdetermined = true;
         }
     }
-    let wider: Vec<(usize, Subsystem)> = (0..pieces.len())
-        .filter(|index| pieces[*index].is_overdetermined)
-        .map(|index| (index, with_upstream(pattern, &pieces, &piece_of, index)))
+    let wider: Vec<(usize, Subsystem)> = (0..subsystems.len())
+        .filter(|index| subsystems[*index].is_overdetermined)
+        .map(|index| (index, with_upstream(pattern, &subsystems, &subsystem_of, index)))
         .collect();
-    for (index, piece) in wider {
-        pieces[index] = piece;
+    for (index, subsystem) in wider {
+        subsystems[index] = subsystem;
     }
-    pieces
+    subsystems
 }
 
 /// Extends a subsystem upstream, nearest first, up to `SMALL` unknowns: its unmatched equations depend on equations there.
-fn with_upstream(pattern: &Pattern, pieces: &[Subsystem], piece_of: &[usize], index: usize) -> Subsystem {
+fn with_upstream(pattern: &Pattern, subsystems: &[Subsystem], subsystem_of: &[usize], index: usize) -> Subsystem {
     let mut found = vec![index];
-    let mut wide = pieces[index].clone();
+    let mut wide = subsystems[index].clone();
     let mut next = 0;
-    while let Some(piece) = found.get(next).map(|index| &pieces[*index]) {
-        for entry in piece.equations.iter().flat_map(|equation| &pattern.rows[*equation]) {
-            let upstream = piece_of[entry.unknown];
-            if !found.contains(&upstream) && wide.unknowns.len() + pieces[upstream].unknowns.len() <= SMALL {
+    while let Some(subsystem) = found.get(next).map(|index| &subsystems[*index]) {
+        for entry in subsystem.equations.iter().flat_map(|equation| &pattern.rows[*equation]) {
+            let upstream = subsystem_of[entry.unknown];
+            if !found.contains(&upstream) && wide.unknowns.len() + subsystems[upstream].unknowns.len() <= SMALL {
                 found.push(upstream);
-                wide.unknowns.extend(&pieces[upstream].unknowns);
-                wide.equations.extend(&pieces[upstream].equations);
+                wide.unknowns.extend(&subsystems[upstream].unknowns);
+                wide.equations.extend(&subsystems[upstream].equations);
             }
         }
         next += 1;

@@ -17,8 +17,8 @@ use proc_macro2::{Ident, TokenStream};
 pub struct Mechanism {
     /// Doc attributes, re-emitted on the generated struct.
     pub docs: Docs,
-    /// `#[equations_only]`: no `solve` is generated, and the system need not be square.
-    pub equations_only: bool,
+    /// Task of the generated code.
+    pub task: Task,
     /// `#[closure(…)]`
     pub closing: Closing,
     /// `#[allow(far_start)]`: no warning if the assembly is far from the declared start.
@@ -43,6 +43,27 @@ pub enum Closing {
     Allow,
     /// No assembly is computed.
     Off,
+}
+
+/// Task of the generated code.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Task {
+    /// Positions, velocities and accelerations are solved for.
+    #[default]
+    Kinematics,
+    /// `#[equations_only]`: no `solve` is generated, and the system need not be square.
+    EquationsOnly,
+}
+
+impl Task {
+    /// True if the equations are solved.
+    #[must_use]
+    pub fn is_solved(self) -> bool {
+        match self {
+            Task::Kinematics => true,
+            Task::EquationsOnly => false,
+        }
+    }
 }
 
 /// Policy for a motion that ends.

@@ -2,7 +2,7 @@
 
 use super::ast::{
     Argument, Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, FunctionItem, Item, JointBody, JointItem, Let,
-    Limits, Marks, Mechanism, OutputItem, ParameterItem, Refused, Shared, Start, TimeRange, Use,
+    Limits, Marks, Mechanism, OutputItem, ParameterItem, Refused, Shared, Start, Task, TimeRange, Use,
 };
 use super::definition::statement;
 use super::dimension::{dimension, required_dimension};
@@ -52,15 +52,15 @@ fn head(input: ParseStream) -> Parsed<Mechanism> {
     if name == "T" {
         return wrong(&name, GrammarFact::NumberType);
     }
-    let Options { equations_only, closing, following, allows_far_start } = options;
-    Ok(Mechanism { docs, equations_only, closing, following, allows_far_start, visibility, name, items: Vec::new() })
+    let Options { task, closing, following, allows_far_start } = options;
+    Ok(Mechanism { docs, task, closing, following, allows_far_start, visibility, name, items: Vec::new() })
 }
 
 /// A mechanism of which only the name could be read.
 fn salvaged(name: Ident) -> Mechanism {
     Mechanism {
         docs: Docs::default(),
-        equations_only: false,
+        task: Task::default(),
         closing: Closing::default(),
         allows_far_start: false,
         following: Following::default(),

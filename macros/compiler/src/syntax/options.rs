@@ -1,6 +1,6 @@
 //! Parses attributes before a mechanism: doc comments, `#[equations_only]`, `#[closure(…)]`, `#[allow(far_start)]`.
 
-use super::ast::{Closing, Docs, Following};
+use super::ast::{Closing, Docs, Following, Task};
 use super::tokens::{Attribute, Parsed, attributes, wrong};
 use crate::diag::GrammarFact;
 use crate::diag::nearest;
@@ -9,7 +9,7 @@ use syn::parse::{ParseStream, Parser};
 
 /// Options for the mechanism as a whole.
 pub(super) struct Options {
-    pub(super) equations_only: bool,
+    pub(super) task: Task,
     pub(super) closing: Closing,
     pub(super) allows_far_start: bool,
     pub(super) following: Following,
@@ -31,9 +31,10 @@ pub(super) fn options(input: ParseStream) -> Parsed<(Docs, Options)> {
             return wrong(&attribute.name, GrammarFact::AttributeTwice { name });
         }
     }
-    let (equations_only, allows_far_start) = (equations_only.is_some(), far_start.is_some());
+    let task = if equations_only.is_some() { Task::EquationsOnly } else { Task::Kinematics };
+    let allows_far_start = far_start.is_some();
     let (closing, following) = closing.unwrap_or_default();
-    Ok((docs, Options { equations_only, closing, following, allows_far_start }))
+    Ok((docs, Options { task, closing, following, allows_far_start }))
 }
 
 /// `#[allow(far_start)]`

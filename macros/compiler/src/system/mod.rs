@@ -237,7 +237,7 @@ fn has_bodies(model: &Model, diag: &mut Diag) {
 
 /// Reports a joint if every equation of it is an equation of earlier joints.
 fn no_joint_repeats_another(model: &Model, arena: &mut Arena, diag: &mut Diag) {
-    if !diag.is_clean() || model.equations_only {
+    if !diag.is_clean() || !model.task.is_solved() {
         return;
     }
     let mut said = Said::default();

@@ -56,7 +56,7 @@ pub struct Motion {
 
 /// Follows the motion from the start, over the declared range or until it repeats.
 pub(crate) fn follow(model: &Model, system: &System, structure: &Structure, assembly: &Assembly, diag: &mut Diag) -> Option<Motion> {
-    if !assembly.is_closed || assembly.remark.is_some() || model.following == Following::Off || model.equations_only {
+    if !assembly.is_closed || assembly.remark.is_some() || model.following == Following::Off || !model.task.is_solved() {
         return Some(Motion::default());
     }
     let Travel { reached, end, notes: mut remarks, spent: effort } =

@@ -81,7 +81,7 @@ fn deep_expressions_do_not_overflow_the_stack() {
     let slope = derivative(&mut arena, root, Leaf::Coordinate(0));
     let [_, first, _] = Jets::along(Seed::motion((0..8).map(Rate::Speed).collect())).of(&mut arena, root);
     let point = super::Point::random(&mut super::random::Random::new(4));
-    let expected = point.velocities[0] * point.value_of(&arena, slope);
+    let expected = point.speeds[0] * point.value_of(&arena, slope);
     super::assert_close(point.value_of(&arena, first), expected, 1e-9, "deep");
     let text = show(&arena, root, &|_| "x".to_string(), &|_| String::new());
     assert!(text.chars().count() <= 400);

@@ -75,7 +75,7 @@ fn shifted(point: &Point, leaf: Leaf, step: f64) -> Point {
         Leaf::Datum(_) => unreachable!("a point has no data"),
         Leaf::Parameter(i) => point.parameters[i as usize] += step,
         Leaf::Coordinate(i) => point.coordinates[i as usize] += step,
-        Leaf::Speed(i) => point.velocities[i as usize] += step,
+        Leaf::Speed(i) => point.speeds[i as usize] += step,
         Leaf::Acceleration(i) => point.accelerations[i as usize] += step,
     }
     point

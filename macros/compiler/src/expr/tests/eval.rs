@@ -15,7 +15,7 @@ fn values_are_those_of_the_formula_written_by_hand() {
     let mut random = Random::new(8);
     for _ in 0..100 {
         let point = Point::random(&mut random);
-        let ([x, y, z], [u, v, _]) = (point.coordinates, point.velocities);
+        let ([x, y, z], [u, v, _]) = (point.coordinates, point.speeds);
         let ((sine, cosine), d) = (libm::sincos(y), x - y);
         let expected = [
             x * cosine - 0.1 * sine + point.time,

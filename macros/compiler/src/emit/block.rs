@@ -136,26 +136,7 @@ impl BlockPrinter<'_> {
             .zip(&block.turns)
             .map(|(unknown, names)| names.iter().any(Option::is_some) || self.kept.contains(unknown));
         let pairs: Vec<TokenStream> = block.turns.iter().map(pair).collect();
-        let order = local(&format!("Elimination{number}"));
-        let (elimination, method, jacobian) = match &block.system.elimination {
-            None => {
-                let row = |row: &Vec<Expr>| {
-                    let entries = list(&inner, row);
-                    quote!([#(#entries),*])
-                };
-                (quote!(), quote!(small), block.system.jacobian.iter().map(row).collect())
-            }
-            Some(elimination) => {
-                let is_length = block.system.unknowns.iter().map(|unknown| self.unknowns[*unknown].is_length).collect();
-                let entry = |(i, j): &(usize, usize)| inner.expression(block.system.jacobian[*i][*j]);
-                (
-                    super::elimination::elimination(&order, is_length, elimination),
-                    quote!(sparse),
-                    elimination.pattern.iter().map(entry).collect::<Vec<_>>(),
-                )
-            }
-        };
-        let order = block.system.elimination.as_ref().map(|_| quote!(#order,));
+        let LinearSolution { elimination, order, method, jacobian } = self.linear_solution(number, block, &inner);
         let (pass, place, solved, k) = (local("pass"), local("place"), self.solved(number), literal::number(k));
         let is_turned = block.turns.iter().flatten().any(Option::is_some);
         let [inner_pairs, outer_pairs] = [&place, &solved].map(|of| is_turned.then(|| quote!(let [#(#pairs),*] = #of.sin_cos;)));
@@ -180,6 +161,41 @@ impl BlockPrinter<'_> {
             #first
             #accelerations
             #second
+        }
+    }
+}
+
+/// How the linear system of a block is solved.
+struct LinearSolution {
+    /// The type that has the order of elimination, if there is one.
+    elimination: TokenStream,
+    /// That type as an argument.
+    order: Option<TokenStream>,
+    /// The method of the solver.
+    method: TokenStream,
+    /// Its Jacobian: by rows, or the entries that the elimination reads.
+    jacobian: Vec<TokenStream>,
+}
+
+impl BlockPrinter<'_> {
+    /// In closed form, or by the elimination that was chosen.
+    fn linear_solution(&self, number: usize, block: &Iterated, inner: &Printer) -> LinearSolution {
+        let Some(elimination) = &block.system.elimination else {
+            let row = |row: &Vec<Expr>| {
+                let entries = row.iter().map(|expr| inner.expression(*expr));
+                quote!([#(#entries),*])
+            };
+            let jacobian = block.system.jacobian.iter().map(row).collect();
+            return LinearSolution { elimination: quote!(), order: None, method: quote!(small), jacobian };
+        };
+        let order = local(&format!("Elimination{number}"));
+        let is_length = block.system.unknowns.iter().map(|unknown| self.unknowns[*unknown].is_length).collect();
+        let entry = |(i, j): &(usize, usize)| inner.expression(block.system.jacobian[*i][*j]);
+        LinearSolution {
+            elimination: super::elimination::elimination(&order, is_length, elimination),
+            order: Some(quote!(#order,)),
+            method: quote!(sparse),
+            jacobian: elimination.pattern.iter().map(entry).collect(),
         }
     }
 }
