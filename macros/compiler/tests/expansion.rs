@@ -39,26 +39,26 @@ fn is_written_formatted() {
     let _ = std::fs::remove_dir_all(&folder);
     compiled_with(&folder);
     let written = std::fs::read_to_string(folder.join("Crank.rs")).expect("the expansion");
-    assert!(written.contains("// input (drive_angle): crank.angle"), "statements are under the joint that they serve");
-    let [file, tokens] =
-        [written.parse().expect("tokens"), expansion()].map(|code| prettyplease::unparse(&syn::parse2(undocumented(code)).expect("Rust")));
-    assert_eq!(file, tokens);
+    let file: TokenStream = written.parse().expect("tokens");
+    let [file, tokens] = [file, expansion()].map(|code| syn::parse2(without_documentation(code)).expect("Rust"));
+    assert_eq!(prettyplease::unparse(&file), prettyplease::unparse(&tokens));
+    // Comments lead from a statement to its joint.
+    assert!(written.contains("// o (revolute): crank.x, crank.y\n"), "{written}");
+    assert!(written.contains("/// A crank."), "{written}");
 }
 
-/// The tokens without documentation, which is written as comments.
-fn undocumented(code: TokenStream) -> TokenStream {
-    let mut kept: Vec<TokenTree> = Vec::new();
-    for token in code {
+/// Inside functions, documentation is written as comments.
+fn without_documentation(code: TokenStream) -> TokenStream {
+    let mut tokens = code.into_iter().peekable();
+    let mut kept = Vec::new();
+    while let Some(token) = tokens.next() {
+        let is_documentation =
+            |next: &TokenTree| matches!(next, TokenTree::Group(group) if group.stream().to_string().starts_with("doc ="));
         match token {
-            TokenTree::Group(group) => {
-                let is_attribute = matches!(kept.last(), Some(TokenTree::Punct(punct)) if punct.as_char() == '#');
-                let text = group.stream().to_string();
-                if is_attribute && text.starts_with("doc =") {
-                    kept.pop();
-                    continue;
-                }
-                kept.push(TokenTree::Group(Group::new(group.delimiter(), undocumented(group.stream()))));
+            TokenTree::Punct(punct) if punct.as_char() == '#' && tokens.peek().is_some_and(is_documentation) => {
+                tokens.next();
             }
+            TokenTree::Group(group) => kept.push(Group::new(group.delimiter(), without_documentation(group.stream())).into()),
             other => kept.push(other),
         }
     }

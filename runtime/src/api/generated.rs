@@ -59,7 +59,7 @@ pub type Named<T> = (&'static str, T, &'static str);
 /// # Errors
 /// The first that is not.
 #[doc(hidden)]
-#[expect(clippy::eq_op, reason = "zero for every finite number, NaN for all others")]
+#[allow(clippy::eq_op)] // Only finite numbers leave nothing when subtracted from themselves.
 pub fn finite<T: Real>(parameters: &[Named<T>]) -> Result<(), ParameterOutOfRange<T>> {
     first(parameters, |value| value - value != T::of(0.0), "it must be finite")
 }

@@ -11,6 +11,7 @@ use super::Wide;
 /// Four crank lengths along the same times:
 ///
 /// ```
+/// use reuleaux::Real as _;
 /// use reuleaux_wide::{F64x4, Lockstep};
 ///
 /// reuleaux::mechanism! {
