@@ -9,7 +9,7 @@ use crate::number::Float;
 use crate::state::{Coordinates, State};
 
 /// The solution of a mechanism, stage by stage. Emitted code implements it block by block; hand-written mechanisms can call
-/// [`at_once`].
+/// [`at_once`](crate::at_once).
 pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
     /// Angles that are computed rather than iterated. Iterated angles never change much in one step; computed angles are compared
     /// with their prediction after each step.
