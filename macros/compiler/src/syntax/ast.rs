@@ -2,10 +2,16 @@
 //!
 //! Items that may be repeated are shared, so that a part declared once and used many times is never copied.
 
+mod definition;
+mod expression;
 mod node;
+mod options;
 mod repeated;
 
+pub use definition::{Condition, Definition, Definitions, Export, Formal, FormalKind, Statement};
+pub use expression::{Expression, ExpressionKind, Operator, Relation};
 pub use node::{ItemId, Shared};
+pub use options::{Closing, Following, Task};
 pub use repeated::{ComponentItem, For, IndexRange, PartItem};
 
 use crate::diag::Range;
@@ -31,51 +37,6 @@ pub struct Mechanism {
     pub name: Ident,
     /// Items between the braces, in the order written.
     pub items: Vec<Item>,
-}
-
-/// Policy for a mechanism that does not assemble at its declared defaults, or whose assembly is ambiguous.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Closing {
-    /// An error.
-    #[default]
-    Deny,
-    /// A note in the generated documentation.
-    Allow,
-    /// No assembly is computed.
-    Off,
-}
-
-/// Task of the generated code.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Task {
-    /// Positions, velocities and accelerations are solved for.
-    #[default]
-    Kinematics,
-    /// `#[equations_only]`: no `solve` is generated, and the system need not be square.
-    EquationsOnly,
-}
-
-impl Task {
-    /// True if the equations are solved.
-    #[must_use]
-    pub fn is_solved(self) -> bool {
-        match self {
-            Task::Kinematics => true,
-            Task::EquationsOnly => false,
-        }
-    }
-}
-
-/// Policy for a motion that ends.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Following {
-    /// An error within a declared range; a warning if no range is declared.
-    #[default]
-    Declared,
-    /// Always an error.
-    Strict,
-    /// The motion is not followed.
-    Off,
 }
 
 /// Doc attributes as tokens, and their text.
@@ -335,183 +296,4 @@ pub struct OutputItem {
     pub indices: Vec<Expression>,
     /// Value.
     pub value: Expression,
-}
-
-/// A `constraint!` invocation: definitions that are exported one by one, or bundles of many.
-#[derive(Clone, Debug)]
-pub struct Definitions {
-    /// Exports, in the order written.
-    pub exports: Vec<Export>,
-}
-
-/// Definitions that are exported under one name.
-#[derive(Clone, Debug)]
-pub struct Export {
-    /// Doc attributes of the exported macro.
-    pub docs: Docs,
-    /// Visibility, such as `pub`.
-    pub visibility: TokenStream,
-    /// The exported name.
-    pub name: Ident,
-    /// One definition, or all definitions of a bundle.
-    pub definitions: Vec<Definition>,
-    /// The tokens of the definitions, handed over to mechanisms.
-    pub tokens: TokenStream,
-    /// True if written as `bundle name { … }`.
-    pub is_bundle: bool,
-    /// The constraints of a bundle one by one, each with its own tokens.
-    pub members: Vec<(Ident, TokenStream)>,
-}
-
-/// One `constraint` definition.
-#[derive(Clone, Debug)]
-pub struct Definition {
-    /// Manual page.
-    pub docs: Docs,
-    /// Name.
-    pub name: Ident,
-    /// Parameters.
-    pub parameters: Vec<Formal>,
-    /// Statements.
-    pub statements: Vec<Statement>,
-}
-
-/// A formal parameter of a definition.
-#[derive(Clone, Debug)]
-pub struct Formal {
-    /// Name.
-    pub name: Ident,
-    /// Kind of argument.
-    pub kind: FormalKind,
-    /// Default, if any.
-    pub default: Option<Expression>,
-}
-
-/// Kind of argument that a formal parameter takes.
-#[derive(Clone, Debug)]
-pub enum FormalKind {
-    /// A point of a body or of ground.
-    Point,
-    /// A direction fixed in a body or in ground.
-    Axis,
-    /// A body or ground.
-    Body,
-    /// A number of any dimension.
-    Quantity,
-    /// A function of one variable.
-    Function(Dimension, Dimension),
-    /// A joint of the named kind.
-    Joint(Ident),
-    /// A number of one dimension.
-    Scalar(Dimension),
-}
-
-/// A statement of a definition or of an inline joint.
-#[derive(Clone, Debug)]
-pub enum Statement {
-    /// `let name = value;`
-    Let(Let),
-    /// `lhs == rhs;`
-    Equation(Expression, Expression),
-    /// `require lhs != rhs: "why";`
-    Require(Condition),
-}
-
-/// A condition on parameters, checked when they are known.
-#[derive(Clone, Debug)]
-pub struct Condition {
-    /// Left side of the relation.
-    pub lhs: Expression,
-    /// Relation that must hold.
-    pub relation: Relation,
-    /// Right side of the relation.
-    pub rhs: Expression,
-    /// Advice to the user if the condition fails.
-    pub why: String,
-}
-
-/// Relation between two numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Relation {
-    /// `<`
-    Less,
-    /// `<=`
-    LessOrEqual,
-    /// `>`
-    Greater,
-    /// `>=`
-    GreaterOrEqual,
-    /// `==`
-    Equal,
-    /// `!=`
-    Different,
-}
-
-/// An expression.
-#[derive(Clone, Debug)]
-pub struct Expression {
-    /// Kind of expression.
-    pub kind: ExpressionKind,
-    /// Source range, from the first to the last token.
-    pub range: Range,
-    /// Longest path to a leaf, bounded by the parser.
-    pub depth: u16,
-}
-
-/// Kinds of expressions.
-#[derive(Clone, Debug)]
-pub enum ExpressionKind {
-    /// `120mm`
-    Number {
-        /// The digits, without unit.
-        digits: String,
-        /// Name of the unit; empty if there is none.
-        unit: String,
-    },
-    /// A name or a path to a Rust item.
-    Path(Path),
-    /// `value.field`
-    Field(Box<Expression>, Ident),
-    /// `array[index]`
-    Index(Box<Expression>, Box<Expression>),
-    /// `function(arguments)`
-    Call(Path, Vec<Expression>),
-    /// `-value`
-    Negative(Box<Expression>),
-    /// `lhs op rhs`
-    Binary(Operator, Box<Expression>, Box<Expression>),
-    /// `(x, y)`
-    Tuple(Vec<Expression>),
-    /// `[a, b, …]`
-    List(Vec<Expression>),
-    /// `if lhs < rhs { then } else { otherwise }`
-    If {
-        /// Left side of the relation.
-        lhs: Box<Expression>,
-        /// Relation to test.
-        relation: Relation,
-        /// Right side of the relation.
-        rhs: Box<Expression>,
-        /// Value if the relation holds.
-        then: Box<Expression>,
-        /// Value if it does not.
-        otherwise: Box<Expression>,
-    },
-}
-
-/// A binary operator.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Operator {
-    /// `+`
-    Add,
-    /// `-`
-    Sub,
-    /// `*`
-    Mul,
-    /// `/`
-    Div,
-    /// `%`
-    Rem,
-    /// `^`
-    Power,
 }

@@ -1,0 +1,97 @@
+//! Definitions of constraints, and the statements in them.
+
+use super::{Dimension, Docs, Expression, Let, Relation};
+use proc_macro2::{Ident, TokenStream};
+
+/// A `constraint!` invocation: definitions that are exported one by one, or bundles of many.
+#[derive(Clone, Debug)]
+pub struct Definitions {
+    /// Exports, in the order written.
+    pub exports: Vec<Export>,
+}
+
+/// Definitions that are exported under one name.
+#[derive(Clone, Debug)]
+pub struct Export {
+    /// Doc attributes of the exported macro.
+    pub docs: Docs,
+    /// Visibility, such as `pub`.
+    pub visibility: TokenStream,
+    /// The exported name.
+    pub name: Ident,
+    /// One definition, or all definitions of a bundle.
+    pub definitions: Vec<Definition>,
+    /// The tokens of the definitions, handed over to mechanisms.
+    pub tokens: TokenStream,
+    /// True if written as `bundle name { … }`.
+    pub is_bundle: bool,
+    /// The constraints of a bundle one by one, each with its own tokens.
+    pub members: Vec<(Ident, TokenStream)>,
+}
+
+/// One `constraint` definition.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// Manual page.
+    pub docs: Docs,
+    /// Name.
+    pub name: Ident,
+    /// Parameters.
+    pub parameters: Vec<Formal>,
+    /// Statements.
+    pub statements: Vec<Statement>,
+}
+
+/// A formal parameter of a definition.
+#[derive(Clone, Debug)]
+pub struct Formal {
+    /// Name.
+    pub name: Ident,
+    /// Kind of argument.
+    pub kind: FormalKind,
+    /// Default, if any.
+    pub default: Option<Expression>,
+}
+
+/// Kind of argument that a formal parameter takes.
+#[derive(Clone, Debug)]
+pub enum FormalKind {
+    /// A point of a body or of ground.
+    Point,
+    /// A direction fixed in a body or in ground.
+    Axis,
+    /// A body or ground.
+    Body,
+    /// A number of any dimension.
+    Quantity,
+    /// A function of one variable.
+    Function(Dimension, Dimension),
+    /// A joint of the named kind.
+    Joint(Ident),
+    /// A number of one dimension.
+    Scalar(Dimension),
+}
+
+/// A statement of a definition or of an inline joint.
+#[derive(Clone, Debug)]
+pub enum Statement {
+    /// `let name = value;`
+    Let(Let),
+    /// `lhs == rhs;`
+    Equation(Expression, Expression),
+    /// `require lhs != rhs: "why";`
+    Require(Condition),
+}
+
+/// A condition on parameters, checked when they are known.
+#[derive(Clone, Debug)]
+pub struct Condition {
+    /// Left side of the relation.
+    pub lhs: Expression,
+    /// Relation that must hold.
+    pub relation: Relation,
+    /// Right side of the relation.
+    pub rhs: Expression,
+    /// Advice to the user if the condition fails.
+    pub why: String,
+}

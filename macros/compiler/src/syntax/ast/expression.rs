@@ -1,0 +1,91 @@
+//! Expressions as written.
+
+use super::Path;
+use crate::diag::Range;
+use proc_macro2::Ident;
+
+/// An expression.
+#[derive(Clone, Debug)]
+pub struct Expression {
+    /// Kind of expression.
+    pub kind: ExpressionKind,
+    /// Source range, from the first to the last token.
+    pub range: Range,
+    /// Longest path to a leaf, bounded by the parser.
+    pub depth: u16,
+}
+
+/// Kinds of expressions.
+#[derive(Clone, Debug)]
+pub enum ExpressionKind {
+    /// `120mm`
+    Number {
+        /// The digits, without unit.
+        digits: String,
+        /// Name of the unit; empty if there is none.
+        unit: String,
+    },
+    /// A name or a path to a Rust item.
+    Path(Path),
+    /// `value.field`
+    Field(Box<Expression>, Ident),
+    /// `array[index]`
+    Index(Box<Expression>, Box<Expression>),
+    /// `function(arguments)`
+    Call(Path, Vec<Expression>),
+    /// `-value`
+    Negative(Box<Expression>),
+    /// `lhs op rhs`
+    Binary(Operator, Box<Expression>, Box<Expression>),
+    /// `(x, y)`
+    Tuple(Vec<Expression>),
+    /// `[a, b, …]`
+    List(Vec<Expression>),
+    /// `if lhs < rhs { then } else { otherwise }`
+    If {
+        /// Left side of the relation.
+        lhs: Box<Expression>,
+        /// Relation to test.
+        relation: Relation,
+        /// Right side of the relation.
+        rhs: Box<Expression>,
+        /// Value if the relation holds.
+        then: Box<Expression>,
+        /// Value if it does not.
+        otherwise: Box<Expression>,
+    },
+}
+
+/// A binary operator.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operator {
+    /// `+`
+    Add,
+    /// `-`
+    Sub,
+    /// `*`
+    Mul,
+    /// `/`
+    Div,
+    /// `%`
+    Rem,
+    /// `^`
+    Power,
+}
+
+/// Relation between two numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    /// `<`
+    Less,
+    /// `<=`
+    LessOrEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterOrEqual,
+    /// `==`
+    Equal,
+    /// `!=`
+    Different,
+}
