@@ -152,10 +152,10 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     // Only unknowns and equations are left, with all their derivatives.
     connectivity::check(&model, &system, diag)?;
     // All bodies are connected to ground.
-    let redundant = redundancy::find(&model, &system, diag)?;
+    let redundancy = redundancy::find(&model, &system, diag)?;
     // No row is redundant, except in joints declared redundant: those rows are checked instead of solved.
-    let structure = structure::analyze(&system.pattern, &redundant);
-    mobility::check(&model, &system, &redundant, diag)?;
+    let structure = structure::analyze(&system.pattern, &redundancy.rows);
+    mobility::check(&model, &system, &redundancy, &structure, diag)?;
     // Every unknown belongs to a block, and the blocks are in order.
     let assembly = assembly::assemble(&model, &system, &structure, diag)?;
     // There is an initial configuration; it is assembled unless the mechanism allows others.

@@ -8,30 +8,25 @@ mod overdetermined;
 
 use crate::diag::Diag;
 use crate::model::Model;
-use crate::redundancy::ExactDependence;
-use crate::structure::{maximum, overdetermined, underdetermined};
+use crate::redundancy::Redundancy;
+use crate::structure::{Structure, overdetermined, underdetermined};
 use crate::system::System;
-use std::collections::BTreeSet;
 
 /// Matches every unknown to an equation of its own and every equation to an unknown; refuses the mechanism if this fails.
-pub(crate) fn check(model: &Model, system: &System, redundant: &BTreeSet<usize>, diag: &mut Diag) -> Option<()> {
-    if !model.task.is_solved() {
-        return Some(());
-    }
-    let exact = ExactDependence::new(model, system);
+pub(crate) fn check(model: &Model, system: &System, redundancy: &Redundancy, structure: &Structure, diag: &mut Diag) -> Option<()> {
+    let Some(exact) = &redundancy.exact else { return Some(()) };
     // A joint that is not redundant as a whole may have redundant rows.
     exact.no_row_follows_from_others(false, diag);
     if !diag.is_clean() {
         return None;
     }
-    let pattern = system.pattern.without(redundant);
-    let matching = maximum(&pattern);
-    let over = overdetermined(&pattern, &matching);
-    let under = underdetermined(&pattern, &matching);
+    let Structure { pattern, matching, .. } = structure;
+    let over = overdetermined(pattern, matching);
+    let under = underdetermined(pattern, matching);
     match (over.equations.is_empty(), under.unknowns.is_empty()) {
         (true, true) => exact.no_rows_collide(diag),
-        (true, false) => freedoms::nothing_is_free(model, system, &pattern, &matching, &under, diag),
-        (false, _) => overdetermined::nothing_is_demanded_twice(model, system, &pattern, &under, diag),
+        (true, false) => freedoms::nothing_is_free(model, system, pattern, matching, &under, diag),
+        (false, _) => overdetermined::nothing_is_demanded_twice(model, system, pattern, &under, diag),
     }
     diag.is_clean().then_some(())
 }

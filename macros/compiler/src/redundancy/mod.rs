@@ -24,13 +24,23 @@ pub(crate) use exact::ExactDependence;
 use rows::Rows;
 use std::collections::{BTreeMap, BTreeSet};
 
+/// What depends on what in a system.
+pub(crate) struct Redundancy<'a> {
+    /// The equations that are checked instead of solved.
+    pub(crate) rows: BTreeSet<usize>,
+    /// Rows that depend on others by exact elimination; `None` if only equations are wanted.
+    pub(crate) exact: Option<ExactDependence<'a>>,
+}
+
 /// Finds the equations that are checked instead of solved. A mechanism of which only equations are wanted has none.
-pub(crate) fn find(model: &Model, system: &System, diag: &mut Diag) -> Option<BTreeSet<usize>> {
+pub(crate) fn find<'a>(model: &'a Model, system: &'a System, diag: &mut Diag) -> Option<Redundancy<'a>> {
     identity::rows_depend_on_positions(model, system, diag)?;
-    if model.task.is_solved() {
-        ExactDependence::new(model, system).no_row_follows_from_others(true, diag);
+    let exact = model.task.is_solved().then(|| ExactDependence::new(model, system));
+    exact.iter().for_each(|exact| exact.no_row_follows_from_others(true, diag));
+    if !diag.is_clean() {
+        return None;
     }
-    if diag.is_clean() { left_over(model, system, diag) } else { None }
+    Some(Redundancy { rows: left_over(model, system, diag)?, exact })
 }
 
 /// Finds the redundant equations; by their pattern alone if `#[closure(…)]` accepts placeholder defaults.

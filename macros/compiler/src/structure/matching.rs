@@ -6,7 +6,7 @@
 use super::pattern::Pattern;
 
 /// Matched pairs of an equation and an unknown.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Matching {
     /// The unknown matched to each equation.
     pub(crate) of_equation: Vec<Option<usize>>,

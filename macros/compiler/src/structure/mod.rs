@@ -33,6 +33,10 @@ pub struct Structure {
     pub blocks: Vec<Block>,
     /// Redundant equations, which follow from the others in every position: they are checked, not solved.
     pub checked: Vec<usize>,
+    /// The pattern, with the rows of redundant equations left empty.
+    pub(crate) pattern: Pattern,
+    /// As many pairs of an equation and an unknown as there can be.
+    pub(crate) matching: Matching,
 }
 
 /// A block: unknowns that are found together.
@@ -72,5 +76,5 @@ pub(crate) fn analyze(pattern: &Pattern, checked: &BTreeSet<usize>) -> Structure
     let matching = maximum(&pattern);
     let groups = components::in_order(&pattern, &matching);
     let blocks = groups.iter().map(|group| tearing::tear(&pattern, &matching, group)).collect();
-    Structure { blocks, checked: checked.iter().copied().collect() }
+    Structure { blocks, checked: checked.iter().copied().collect(), pattern, matching }
 }

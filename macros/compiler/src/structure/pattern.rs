@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 /// Sparsity pattern of Φ_q, by rows.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct Pattern {
     /// Number of unknowns.
     pub unknowns: usize,
@@ -12,7 +12,7 @@ pub struct Pattern {
 }
 
 /// One entry of Φ_q that is not identically zero.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Entry {
     /// Column.
     pub unknown: usize,
