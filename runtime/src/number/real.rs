@@ -71,6 +71,28 @@ pub trait Real:
     fn map(self, function: fn(f64) -> (f64, f64, f64)) -> (Self, Self, Self);
 }
 
+/// Operations that are the same in every precision.
+macro_rules! comparisons {
+    ($float:ident) => {
+        #[inline]
+        fn abs(self) -> Self {
+            $float::abs(self)
+        }
+        #[inline]
+        fn sign(self) -> Self {
+            match self {
+                x if x > 0.0 => 1.0,
+                x if x < 0.0 => -1.0,
+                zero_or_nan => zero_or_nan,
+            }
+        }
+        #[inline]
+        fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self {
+            if lhs < rhs { then } else { otherwise }
+        }
+    };
+}
+
 impl Real for f64 {
     #[inline]
     fn of(value: f64) -> Self {
@@ -112,22 +134,7 @@ impl Real for f64 {
     fn ln(self) -> Self {
         libm::log(self)
     }
-    #[inline]
-    fn abs(self) -> Self {
-        f64::abs(self)
-    }
-    #[inline]
-    fn sign(self) -> Self {
-        match self {
-            x if x > 0.0 => 1.0,
-            x if x < 0.0 => -1.0,
-            zero_or_nan => zero_or_nan,
-        }
-    }
-    #[inline]
-    fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self {
-        if lhs < rhs { then } else { otherwise }
-    }
+    comparisons!(f64);
     #[inline]
     fn table(self, table: &Table) -> (Self, Self, Self) {
         table.evaluate(self)
@@ -179,22 +186,7 @@ impl Real for f32 {
     fn ln(self) -> Self {
         libm::logf(self)
     }
-    #[inline]
-    fn abs(self) -> Self {
-        f32::abs(self)
-    }
-    #[inline]
-    fn sign(self) -> Self {
-        match self {
-            x if x > 0.0 => 1.0,
-            x if x < 0.0 => -1.0,
-            zero_or_nan => zero_or_nan,
-        }
-    }
-    #[inline]
-    fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self {
-        if lhs < rhs { then } else { otherwise }
-    }
+    comparisons!(f32);
     #[inline]
     fn table(self, table: &Table) -> (Self, Self, Self) {
         table.evaluate_single(self)
