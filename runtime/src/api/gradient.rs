@@ -1,7 +1,7 @@
 //! Derivatives by parameters: the emitted code is run over numbers that carry them along.
 //!
-//! In: a mechanism, a state of it, and the selected parameters. Out: the same state over [`Gradient`]s. A block is not solved
-//! again; its factors are those of the state, and each parameter is one more right-hand side:
+//! In: a mechanism, a state of it, and the selected parameters. Out: the same state over [`Gradient`]s. A block is not
+//! iterated: its Jacobian is factorised once at the state, and each parameter is one more right-hand side:
 //!
 //! ```text
 //! Φ_q ∂q/∂p = −Φ_p                                position
