@@ -108,7 +108,7 @@ pub use path::step_in_part;
 #[doc(hidden)]
 pub use solve::parameter_hash;
 pub use solve::{Equations, Family, Solver, SolverReal, Stages, at_once, refined_guess_at_once, refined_guess_by_rows};
-pub use state::{Coordinates, Motion, PlanarBody, State, Values};
+pub use state::{Coordinates, Motion, PlanarBody, SpatialBody, State, Values};
 
 /// For crates in which a number has several lanes, such as `reuleaux-wide`: what is no part of the language.
 #[doc(hidden)]

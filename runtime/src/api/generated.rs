@@ -26,6 +26,12 @@ impl Coordinate {
     pub const fn angle(body: &'static str, name: &'static str) -> Self {
         Self { body, name, kind: CoordinateKind::Angle }
     }
+
+    /// A coordinate of a body without unit.
+    #[must_use]
+    pub const fn number(body: &'static str, name: &'static str) -> Self {
+        Self { body, name, kind: CoordinateKind::Number }
+    }
 }
 
 impl Row {

@@ -163,7 +163,7 @@ where
     let radius = (0..N).fold(T::of(0.0), |radius, i| {
         let share = match names::coordinate(E::COORDINATES, i).kind {
             CoordinateKind::Length => above((within.q[i] / length).to_f64()),
-            CoordinateKind::Angle => within.q[i],
+            CoordinateKind::Angle | CoordinateKind::Number => within.q[i],
         };
         if share > radius { share } else { radius }
     });

@@ -18,6 +18,8 @@ pub enum CoordinateKind {
     Length,
     /// Radians.
     Angle,
+    /// A number: a component of a quaternion, or a direction cosine.
+    Number,
 }
 
 /// One entry of Φ.
@@ -42,6 +44,7 @@ impl CoordinateKind {
         match self {
             Self::Length => "m",
             Self::Angle => "rad",
+            Self::Number => "1",
         }
     }
 }

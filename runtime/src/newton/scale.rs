@@ -50,7 +50,7 @@ impl<T: SimdReal, const N: usize> Scale<T, N> {
         let pick = |of_length: T| {
             SVector::from_fn(|i, _| match kinds[i] {
                 CoordinateKind::Length => of_length,
-                CoordinateKind::Angle => T::of(1.0),
+                CoordinateKind::Angle | CoordinateKind::Number => T::of(1.0),
             })
         };
         Self { length, column: pick(length), reciprocal: pick(reciprocal) }

@@ -169,7 +169,7 @@ fn is_as_predicted<T: Float, E: Stages<T, N>, const N: usize>(
     (0..N).all(|i| {
         let (way, off) = ((predicted[i] - before[i]).abs(), (found.q[i] - predicted[i]).abs());
         match names::coordinate(E::COORDINATES, i).kind {
-            CoordinateKind::Angle => way <= T::of(LONGEST_TURN) && off <= surprise,
+            CoordinateKind::Angle | CoordinateKind::Number => way <= T::of(LONGEST_TURN) && off <= surprise,
             CoordinateKind::Length => off <= surprise * (way + scale.length),
         }
     })

@@ -2,7 +2,7 @@
 
 use core::ops::{Deref, DerefMut};
 
-use nalgebra::{SVector, Vector2};
+use nalgebra::{Matrix3, SVector, Vector2, Vector3};
 
 use crate::number::{DetSign, Float, Real};
 
@@ -14,7 +14,7 @@ mod step;
 
 pub use coordinates::Coordinates;
 pub(crate) use extrapolation::Extrapolation;
-pub use motion::{Motion, PlanarBody};
+pub use motion::{Motion, PlanarBody, SpatialBody};
 pub(crate) use step::Step;
 
 /// Position, velocity and acceleration of a mechanism at one instant.
@@ -125,6 +125,30 @@ impl<T: Real, const N: usize> State<T, N> {
 }
 
 impl<T: Real, const N: usize> State<T, N> {
+    /// The motion of the point whose x, y and z begin at index `first`; NaN where there is none.
+    #[must_use]
+    pub fn point_in_space(&self, first: usize) -> Motion<Vector3<T>> {
+        let parts = [0, 1, 2].map(|offset| self.coordinate(first.saturating_add(offset)));
+        let vector = |of: fn(&Motion<T>) -> T| Vector3::new(of(&parts[0]), of(&parts[1]), of(&parts[2]));
+        Motion { value: vector(|part| part.value), rate: vector(|part| part.rate), acceleration: vector(|part| part.acceleration) }
+    }
+
+    /// The motion of the body whose x, y and z begin at index `first`, and whose rotation matrix, row by row, at `orientation`: there
+    /// the first three rates are ω and the first three accelerations ω̇.
+    #[must_use]
+    pub fn spatial_body(&self, first: usize, orientation: usize) -> SpatialBody<T> {
+        let (place, turn) = (self.point_in_space(first), self.point_in_space(orientation));
+        let rotation = Matrix3::from_fn(|i, j| self.coordinate(orientation.saturating_add(3 * i + j)).value);
+        SpatialBody {
+            position: place.value,
+            rotation,
+            velocity: place.rate,
+            angular_velocity: turn.rate,
+            acceleration: place.acceleration,
+            angular_acceleration: turn.acceleration,
+        }
+    }
+
     /// A state that was not solved for, from time (s), positions (m, rad), rates and accelerations.
     #[must_use]
     pub fn new(t: T, q: SVector<T, N>, qd: SVector<T, N>, qdd: SVector<T, N>) -> Self {

@@ -1,8 +1,8 @@
 //! Points and bodies in motion, as a state shows them.
 
-use nalgebra::Vector2;
+use nalgebra::{Matrix3, Quaternion, Unit, UnitQuaternion, Vector2, Vector3};
 
-use crate::number::Real;
+use crate::number::{Float, Real};
 
 /// A quantity with its first and second derivative by time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,4 +53,90 @@ impl<T: Real> PlanarBody<T> {
             acceleration: vector(&|i| self.acceleration[i] + (across[i] * self.angular_acceleration - turned[i] * square)),
         }
     }
+}
+
+/// The motion of a body in space: of its frame's origin and of its orientation, in ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpatialBody<T> {
+    /// (x, y, z) in m.
+    pub position: Vector3<T>,
+    /// A, whose columns are the axes of the body's frame.
+    pub rotation: Matrix3<T>,
+    /// (ẋ, ẏ, ż) in m/s.
+    pub velocity: Vector3<T>,
+    /// ω in rad/s.
+    pub angular_velocity: Vector3<T>,
+    /// (ẍ, ÿ, z̈) in m/s².
+    pub acceleration: Vector3<T>,
+    /// ω̇ in rad/s².
+    pub angular_acceleration: Vector3<T>,
+}
+
+impl<T: Real> SpatialBody<T> {
+    /// The motion of the point of this body with the local coordinates s' (m).
+    ///
+    /// ```text
+    /// r_P = r + A s'
+    /// ṙ_P = ṙ + ω × A s'
+    /// r̈_P = r̈ + ω̇ × A s' + ω × (ω × A s')
+    /// ```
+    #[must_use]
+    pub fn point(&self, local: Vector3<T>) -> Motion<Vector3<T>> {
+        let arm = self.turned(local);
+        let swing = cross(self.angular_velocity, arm);
+        let (along, inward) = (cross(self.angular_acceleration, arm), cross(self.angular_velocity, swing));
+        let sum = |a: &Vector3<T>, b: Vector3<T>| Vector3::new(a[0] + b[0], a[1] + b[1], a[2] + b[2]);
+        Motion { value: sum(&self.position, arm), rate: sum(&self.velocity, swing), acceleration: sum(&sum(&self.acceleration, along), inward) }
+    }
+
+    /// The motion of a vector fixed in this body, from its local components v'.
+    ///
+    /// ```text
+    /// v = A v',   v̇ = ω × v,   v̈ = ω̇ × v + ω × (ω × v)
+    /// ```
+    #[must_use]
+    pub fn vector(&self, local: Vector3<T>) -> Motion<Vector3<T>> {
+        let value = self.turned(local);
+        let rate = cross(self.angular_velocity, value);
+        let (along, inward) = (cross(self.angular_acceleration, value), cross(self.angular_velocity, rate));
+        Motion { value, rate, acceleration: Vector3::new(along[0] + inward[0], along[1] + inward[1], along[2] + inward[2]) }
+    }
+
+    /// A v'
+    fn turned(&self, local: Vector3<T>) -> Vector3<T> {
+        let row = |i: usize| self.rotation[(i, 0)] * local[0] + self.rotation[(i, 1)] * local[1] + self.rotation[(i, 2)] * local[2];
+        Vector3::new(row(0), row(1), row(2))
+    }
+}
+
+impl<T: Float> SpatialBody<T> {
+    /// The orientation as a unit quaternion whose real part is not negative: Shepperd's method, which divides by the largest component.
+    #[must_use]
+    pub fn orientation(&self) -> UnitQuaternion<T> {
+        let a = |i: usize, j: usize| self.rotation[(i, j)];
+        let (one, half) = (T::of(1.0), T::of(0.5));
+        let trace = a(0, 0) + a(1, 1) + a(2, 2);
+        // 4 e² of each component.
+        let squares = [one + trace, one + a(0, 0) - a(1, 1) - a(2, 2), one - a(0, 0) + a(1, 1) - a(2, 2), one - a(0, 0) - a(1, 1) + a(2, 2)];
+        let largest = (1..4).fold(0, |largest, k| if squares[k] > squares[largest] { k } else { largest });
+        let root = squares[largest].sqrt();
+        let (own, factor) = (half * root, half / root);
+        let (sums, differences) = (
+            [a(2, 1) + a(1, 2), a(0, 2) + a(2, 0), a(1, 0) + a(0, 1)],
+            [a(2, 1) - a(1, 2), a(0, 2) - a(2, 0), a(1, 0) - a(0, 1)],
+        );
+        let [w, x, y, z] = match largest {
+            0 => [own, factor * differences[0], factor * differences[1], factor * differences[2]],
+            1 => [factor * differences[0], own, factor * sums[2], factor * sums[1]],
+            2 => [factor * differences[1], factor * sums[2], own, factor * sums[0]],
+            _ => [factor * differences[2], factor * sums[1], factor * sums[0], own],
+        };
+        let sign = if w < T::of(0.0) { T::of(-1.0) } else { one };
+        Unit::new_unchecked(Quaternion::new(sign * w, sign * x, sign * y, sign * z))
+    }
+}
+
+/// a × b
+fn cross<T: Real>(a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
+    Vector3::new(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 }

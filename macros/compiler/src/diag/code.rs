@@ -48,7 +48,7 @@ codes! {
     E0006: Grammar::TokensAfter;
     E0007: Grammar::UnknownItem;
     E0008: Grammar::UnknownBodyItem;
-    E0009: Grammar::PairWithoutParentheses Value::NotTwoComponents;
+    E0009: Grammar::PairWithoutParentheses Value::NotTwoComponents Value::NotThreeComponents;
     E0010: Grammar::DoubleStar Grammar::MethodCall;
     E0011: Grammar::PathOfConstraint;
     E0012: Grammar::SpaceBeforeUnit;
@@ -98,13 +98,14 @@ codes! {
     E0402: Value::NotFinite;
     E0403: Value::DivisionByZero;
     E0404: Equation::RequirementFails Equation::RequirementFailsAtDefaults;
-    E0405: Value::ZeroAxis;
+    E0405: Value::ZeroAxis Value::AlongItsAxis;
     E0406: Value::NotConstant;
     E0407: Value::NotFixed;
     E0408: Value::EqualityInChoice;
     E0409: Value::ListOutsideTable Value::TableNeedsList Value::TableNeedsPairs Value::TableTooShort;
     E0410: Value::TableNotIncreasing;
     E0411: Value::TableNotPeriodic Value::TableEnds;
+    E0412: Value::OnlyInSpace Value::OnlyInPlane;
     // Loops, arrays and parts.
     E0501: Array::WithoutIndex Array::DuplicateInLoop;
     E0502: Array::ArrayWithoutIndex;

@@ -127,7 +127,13 @@ pub(crate) fn library_pages() -> TokenStream {
         let page = format!("{}\n\n# Definition\n\n```text\n{}\n```\n", docs.join("\n"), code.join("\n"));
         quote! { #[doc = #page] pub mod #module {} }
     };
-    crate::library::pages().map(page).collect()
+    let plane: TokenStream = crate::library::pages().map(page).collect();
+    let space = crate::library::spatial_pages().map(page);
+    quote! {
+        #plane
+        /// Constraints of mechanisms `in space`.
+        pub mod space { #(#space)* }
+    }
 }
 
 /// The pages of the index of errors as modules that rustdoc shows.

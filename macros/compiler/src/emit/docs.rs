@@ -8,7 +8,7 @@ use crate::model::{Function, Method, Model, Output, Parameter};
 use crate::picture::Picture;
 use crate::plan::{Code, Cost, Elimination, Plan, Solution, Summary};
 use crate::syntax::ast::Closing;
-use crate::system::System;
+use crate::system::{COSINES, System};
 use crate::travel::Motion;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -55,8 +55,8 @@ pub(super) fn mechanism(model: &Model, system: &System, assembly: &Assembly, mot
         let _ = writeln!(
             page,
             "| `q[{index}]` | `{}` | {} | {} |",
-            model.bodies[unknown.body].name,
-            unknown.role.name(),
+            system.owner_and_name(model, index).0,
+            system.owner_and_name(model, index).1,
             unknown.role.dim().unit()
         );
     }
@@ -114,12 +114,12 @@ fn solution(page: &mut String, model: &Model, system: &System, solution: &Soluti
         .filter_map(|stage| if let Summary::Block { unknowns, .. } = stage { Some(unknowns) } else { None })
         .collect();
     let iterated: usize = blocks.iter().map(|unknowns| unknowns.len()).sum();
-    let (explicit, blocks) = (system.coordinates.len() - iterated, blocks.len());
+    let (explicit, blocks) = (system.coordinates.len().saturating_sub(iterated), blocks.len());
     let _ = writeln!(page, "\n# Solution\n\n{explicit} coordinates are computed, {iterated} are iterated in {blocks} blocks.\n\n```text");
     let name = |unknown: &usize| coordinate_name(model, system, *unknown);
     let mut table = Abridged::new(model);
     let body = |unknown: &usize| &model.bodies[system.coordinates[*unknown].body].name;
-    for stage in &solution.stages {
+    for stage in solution.stages.iter().filter(|stage| !is_orientation(system, stage)) {
         let is_shown = match stage {
             Summary::Explicit { unknown, .. } => table.shows([body(unknown)].into_iter()),
             Summary::Block { unknowns, .. } => table.shows(unknowns.iter().map(body)),
@@ -146,6 +146,11 @@ fn solution(page: &mut String, model: &Model, system: &System, solution: &Soluti
     let _ = writeln!(page, "```");
 }
 
+/// In space: computes an entry of a body's rotation matrix, which follows from the coordinates.
+pub(super) fn is_orientation(system: &System, stage: &Summary) -> bool {
+    matches!(stage, Summary::Explicit { unknown, .. } if (system.coordinates.len()..system.width()).contains(unknown))
+}
+
 /// What becomes of a large block's Jacobian.
 fn eliminated(page: &mut String, elimination: &Elimination) -> std::fmt::Result {
     let (entries, factors) = (elimination.pattern.len(), elimination.factors.len());
@@ -159,9 +164,13 @@ fn eliminated(page: &mut String, elimination: &Elimination) -> std::fmt::Result 
 /// `crank.angle`
 pub(super) fn coordinate_name(model: &Model, system: &System, unknown: usize) -> String {
     match system.coordinates.get(unknown) {
-        Some(unknown) => format!("{}.{}", model.bodies[unknown.body].name, unknown.role.name()),
+        Some(_) => system.name(model, unknown),
+        None if unknown < system.width() => {
+            let body = &model.bodies[(unknown - system.coordinates.len()) / COSINES];
+            format!("{}.orientation", body.name)
+        }
         // What a slice is for comes after all unknowns.
-        None => format!("component {} of the output", unknown - system.coordinates.len() + 1),
+        None => format!("component {} of the output", unknown - system.width() + 1),
     }
 }
 
@@ -195,7 +204,7 @@ fn equations(page: &mut String, model: &Model, system: &System) {
     let _ = writeln!(page, "\n# Equations\n\nEach expression is zero; x, y and φ are the coordinates of the body in the index.\n\n```text");
     let name = |leaf: Leaf| match leaf {
         Leaf::Time => "t".to_owned(),
-        Leaf::Datum(index) => format!("d{index}"),
+        Leaf::Datum(index) | Leaf::Turn(index) => format!("d{index}"),
         Leaf::Parameter(index) => model.parameters.get(index as usize).map_or(String::new(), |parameter| parameter.name.to_string()),
         Leaf::Coordinate(index) | Leaf::Speed(index) | Leaf::Acceleration(index) => {
             let Some(unknown) = system.coordinates.get(index as usize) else { return String::new() };

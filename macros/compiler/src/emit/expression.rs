@@ -59,6 +59,7 @@ impl Printer<'_> {
             Node::Constant(value) => (real(value.to_f64()), Strength::Atom),
             _ if self.is_constant(expr) => (real(self.value(expr)), Strength::Atom),
             Node::Leaf(_) | Node::Call { .. } => (quote!(), Strength::Atom),
+            Node::Marked { value, .. } => self.print(value),
             Node::Unary(Unary::Neg, value) => {
                 let value = self.at_least(value, Strength::Sign);
                 (quote!(-#value), Strength::Sign)

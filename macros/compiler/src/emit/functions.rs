@@ -4,11 +4,11 @@ use super::docs;
 use super::expression::{Printer, local};
 use super::literal::{matrix_type, number, real, vector_type};
 use super::routine::{RoutinePrinter, lines};
-use crate::expr::Expr;
+use crate::expr::{Arena, Expr};
 use crate::model::Model;
 use crate::plan::{Code, Plan, Routine, Target};
 use crate::quantity::Role;
-use crate::system::System;
+use crate::system::{COSINES, System};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -24,8 +24,31 @@ impl Emitter<'_> {
         lines(self.model, &self.plan.arena, routine)
     }
 
+    /// Numbers of equations and of coordinates.
     fn sizes(&self) -> (usize, usize) {
-        (self.system.equations.len(), self.system.coordinates.len())
+        match &self.system.declared {
+            Some(declared) => (declared.equations.len(), declared.coordinates),
+            None => (self.system.equations.len(), self.system.coordinates.len()),
+        }
+    }
+
+    /// Number of speeds.
+    fn speeds(&self) -> usize {
+        self.system.declared.as_ref().map_or(self.system.speeds.len(), |declared| declared.speeds)
+    }
+
+    /// The lines of an equation of the declaration.
+    fn equation_lines(&self, routine: &Routine) -> RoutinePrinter {
+        lines(self.model, self.equation_arena(), routine)
+    }
+
+    fn equation_arena(&self) -> &Arena {
+        self.plan.declared.as_ref().unwrap_or(&self.plan.arena)
+    }
+
+    /// How Φ_q is called: in space it is Φ_u.
+    fn jacobian_name(&self) -> (&'static str, &'static str) {
+        if self.system.declared.is_some() { ("Φ_u", "u") } else { ("Φ_q", "q̇") }
     }
 
     /// Φ
@@ -44,12 +67,14 @@ impl Emitter<'_> {
     /// Φ_q, by entries and as a matrix
     pub(super) fn jacobian(&self) -> TokenStream {
         let ((m, n), entries) = (self.sizes(), number(self.plan.pattern.len()));
-        let (of_q, of_matrix) = (vector_type(n), matrix_type(m, n));
-        let page = docs::routine("The entries of Φ_q(q, t) in the order of `JACOBIAN_PATTERN`.", &self.plan.jacobian);
+        let (of_q, of_matrix) = (vector_type(n), matrix_type(m, self.speeds()));
+        let (matrix, _) = self.jacobian_name();
+        let page = docs::routine(&format!("The entries of {matrix}(q, t) in the order of `JACOBIAN_PATTERN`."), &self.plan.jacobian);
+        let dense = docs::line(&format!("{matrix}(q, t) as a dense matrix."));
         let (q, t, list) = (local("q"), local("t"), local("entries"));
         let body = match &self.plan.jacobian {
             Code::Straight(routine) => {
-                let RoutinePrinter { reads, steps, results } = self.lines(routine);
+                let RoutinePrinter { reads, steps, results } = self.equation_lines(routine);
                 quote!(#reads #steps [#(#results),*])
             }
             Code::Grouped(groups) => {
@@ -63,7 +88,7 @@ impl Emitter<'_> {
             #page
             #[must_use]
             pub fn jacobian_entries(&self, #q: &#of_q, #t: T) -> [T; #entries] { #body }
-            /// Φ_q(q, t) as a dense matrix.
+            #dense
             #[must_use]
             pub fn jacobian(&self, q: &#of_q, t: T) -> #of_matrix {
                 let mut matrix = ::reuleaux::Matrix::from_element(T::of(0.0));
@@ -78,14 +103,15 @@ impl Emitter<'_> {
     /// Φ and Φ_q together
     pub(super) fn linearize(&self) -> TokenStream {
         let (m, n) = self.sizes();
-        let (of_q, of_rows, of_matrix) = (vector_type(n), vector_type(m), matrix_type(m, n));
-        let page = docs::routine("Φ(q, t) and Φ_q(q, t), which share most of their work.", &self.plan.linearize);
+        let (of_q, of_rows, of_matrix) = (vector_type(n), vector_type(m), matrix_type(m, self.speeds()));
+        let (name, _) = self.jacobian_name();
+        let page = docs::routine(&format!("Φ(q, t) and {name}(q, t), which share most of their work."), &self.plan.linearize);
         let (q, t, matrix, phi) = (local("q"), local("t"), local("matrix"), local("phi"));
         // The matrix has its sizes where it is made: were they found at the end, rustc would hold every entry open until then, and for
         // some thousand entries that takes most of the time.
         let body = match &self.plan.linearize {
             Code::Straight(routine) => {
-                let RoutinePrinter { reads, steps, results } = self.lines(routine);
+                let RoutinePrinter { reads, steps, results } = self.equation_lines(routine);
                 let (rows, writes) = self.linearized(results);
                 quote! {
                     #reads
@@ -134,7 +160,8 @@ impl Emitter<'_> {
     /// ν
     pub(super) fn nu(&self) -> TokenStream {
         let (m, n) = self.sizes();
-        let page = docs::routine("ν(q, t) = −Φ_t, the right side of Φ_q q̇ = ν.", &self.plan.nu);
+        let (matrix, speeds) = self.jacobian_name();
+        let page = docs::routine(&format!("ν(q, t) = −Φ_t, the right side of {matrix} {speeds} = ν."), &self.plan.nu);
         let (q, t) = (local("q"), local("t"));
         let (body, of_q, of_rows) = (self.vector(&self.plan.nu, m), vector_type(n), vector_type(m));
         quote! {
@@ -147,16 +174,17 @@ impl Emitter<'_> {
     /// γ
     pub(super) fn gamma(&self) -> TokenStream {
         let (m, n) = self.sizes();
-        let page = docs::routine(
-            "γ(q, q̇, t), the right side of Φ_q q̈ = γ: minus the second derivative of s ↦ Φ(q + s q̇, t + s) at s = 0.",
-            &self.plan.gamma,
-        );
+        let text = match self.system.declared {
+            None => "γ(q, q̇, t), the right side of Φ_q q̈ = γ: minus the second derivative of s ↦ Φ(q + s q̇, t + s) at s = 0.",
+            Some(_) => "γ(q, u, t), the right side of Φ_u u̇ = γ: minus the second derivative of Φ along the motion with constant v and ω.",
+        };
+        let page = docs::routine(text, &self.plan.gamma);
         let (q, qd, t) = (local("q"), local("qd"), local("t"));
-        let (body, of_q, of_rows) = (self.vector(&self.plan.gamma, m), vector_type(n), vector_type(m));
+        let (body, of_q, of_u, of_rows) = (self.vector(&self.plan.gamma, m), vector_type(n), vector_type(self.speeds()), vector_type(m));
         quote! {
             #page
             #[must_use]
-            pub fn gamma(&self, #q: &#of_q, #qd: &#of_q, #t: T) -> #of_rows { #body }
+            pub fn gamma(&self, #q: &#of_q, #qd: &#of_u, #t: T) -> #of_rows { #body }
         }
     }
 
@@ -164,7 +192,7 @@ impl Emitter<'_> {
     fn vector(&self, code: &Code, m: usize) -> TokenStream {
         match code {
             Code::Straight(routine) if self.is_sparse(routine) => {
-                let (rows, of_rows, RoutinePrinter { reads, steps, results }) = (local("rows"), vector_type(m), self.lines(routine));
+                let (rows, of_rows, RoutinePrinter { reads, steps, results }) = (local("rows"), vector_type(m), self.equation_lines(routine));
                 let other = (0..).zip(&routine.results).zip(results).filter(|((_, row), _)| !self.is_zero(**row));
                 let writes = other.map(|((row, _), value)| {
                     let row = number(row);
@@ -182,7 +210,7 @@ impl Emitter<'_> {
                 }
             }
             Code::Straight(routine) => {
-                let RoutinePrinter { reads, steps, results } = self.lines(routine);
+                let RoutinePrinter { reads, steps, results } = self.equation_lines(routine);
                 quote!(#reads #steps ::core::convert::From::from([#(#results),*]))
             }
             Code::Grouped(groups) => {
@@ -200,7 +228,7 @@ impl Emitter<'_> {
     }
 
     fn is_zero(&self, row: Expr) -> bool {
-        self.plan.arena.as_constant(row).is_some_and(|value| value.is_zero())
+        self.equation_arena().as_constant(row).is_some_and(|value| value.is_zero())
     }
 
     /// Most rows are zero.
@@ -239,16 +267,25 @@ impl Emitter<'_> {
 
     /// The runtime's traits, by the functions above
     pub(super) fn traits(&self) -> TokenStream {
-        let (name, (m, n)) = (&self.model.name, self.sizes());
+        let (name, m, n) = (&self.model.name, self.system.equations.len(), self.system.width());
         let word = name.to_string();
-        let coordinates = self.system.coordinates.iter().map(|unknown| {
-            let (body, name) = (self.model.bodies[unknown.body].name.to_string(), unknown.role.name());
-            if unknown.role == Role::Angle {
-                quote!(::reuleaux::Coordinate::angle(#body, #name))
-            } else {
-                quote!(::reuleaux::Coordinate::length(#body, #name))
+        let coordinates = (0..self.system.coordinates.len()).map(|index| {
+            let (owner, name) = self.system.owner_and_name(self.model, index);
+            let owner = owner.to_string();
+            match self.system.coordinates[index].role {
+                Role::Angle => quote!(::reuleaux::Coordinate::angle(#owner, #name)),
+                Role::Position(_) | Role::Displacement => quote!(::reuleaux::Coordinate::length(#owner, #name)),
+                Role::Quaternion(_) => quote!(::reuleaux::Coordinate::number(#owner, #name)),
             }
         });
+        let orientations = self.model.bodies.iter().take(self.system.frames.len()).flat_map(|body| {
+            let body = body.name.to_string();
+            (0..COSINES).map(move |k| {
+                let name = format!("a{}{}", k / 3 + 1, k % 3 + 1);
+                quote!(::reuleaux::Coordinate::number(#body, #name))
+            })
+        });
+        let coordinates = coordinates.chain(orientations);
         let rows = self.system.equations.iter().map(|equation| {
             let joint = &self.model.joints[equation.joint];
             let (name, kind, unit) = (joint.name.to_string(), &joint.kind, equation.dim.unit());
@@ -257,6 +294,17 @@ impl Emitter<'_> {
         });
         let (of_q, of_rows, of_matrix) = (vector_type(n), vector_type(m), matrix_type(m, n));
         let (m, n) = (number(m), number(n));
+        let equations = self.system.declared.is_none().then(|| {
+            quote! {
+                impl<T: ::reuleaux::Real> ::reuleaux::Equations<T, #m, #n> for #name<T> {
+                    fn phi(&self, q: &#of_q, t: T) -> #of_rows { self.phi(q, t) }
+                    fn jacobian(&self, q: &#of_q, t: T) -> #of_matrix { self.jacobian(q, t) }
+                    fn linearize(&self, q: &#of_q, t: T) -> (#of_rows, #of_matrix) { self.linearize(q, t) }
+                    fn nu(&self, q: &#of_q, t: T) -> #of_rows { self.nu(q, t) }
+                    fn gamma(&self, q: &#of_q, qd: &#of_q, t: T) -> #of_rows { self.gamma(q, qd, t) }
+                }
+            }
+        });
         quote! {
             impl<T: ::reuleaux::Real> ::reuleaux::Description<T, #n> for #name<T> {
                 const NAME: &'static ::core::primitive::str = #word;
@@ -266,13 +314,7 @@ impl Emitter<'_> {
                 fn characteristic_length(&self) -> T { self.characteristic_length() }
                 fn validate(&self) -> ::core::result::Result<(), ::reuleaux::ParameterOutOfRange<T>> { self.validate() }
             }
-            impl<T: ::reuleaux::Real> ::reuleaux::Equations<T, #m, #n> for #name<T> {
-                fn phi(&self, q: &#of_q, t: T) -> #of_rows { self.phi(q, t) }
-                fn jacobian(&self, q: &#of_q, t: T) -> #of_matrix { self.jacobian(q, t) }
-                fn linearize(&self, q: &#of_q, t: T) -> (#of_rows, #of_matrix) { self.linearize(q, t) }
-                fn nu(&self, q: &#of_q, t: T) -> #of_rows { self.nu(q, t) }
-                fn gamma(&self, q: &#of_q, qd: &#of_q, t: T) -> #of_rows { self.gamma(q, qd, t) }
-            }
+            #equations
         }
     }
 }

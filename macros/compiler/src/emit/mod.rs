@@ -62,7 +62,7 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
     let components = Parameters::new(&model.layout, &model.name).components(model, system);
     let (constants, tables) = (constants(model, system, plan), tables(model));
     let equations = [emitter.phi(), emitter.jacobian(), emitter.linearize(), emitter.nu(), emitter.gamma()];
-    let (start, length, validate) = (start(assembly), emitter.characteristic_length(), emitter.validate());
+    let (start, length, validate) = (start(assembly, plan), emitter.characteristic_length(), emitter.validate());
     let (outputs, traits, stages) = (emitter.outputs(), emitter.traits(), emitter.stages());
     let solve = (model.task.is_solved()).then(|| solve(model, system, plan));
     let (solve_for, slices) = emitter.slices();
@@ -161,7 +161,20 @@ fn constants(model: &Model, system: &System, plan: &Plan) -> TokenStream {
             pub #constant
         }
     });
-    let [coordinates, equations, entries] = [system.coordinates.len(), system.equations.len(), plan.pattern.len()].map(number);
+    let (q, m) = match &system.declared {
+        Some(declared) => (declared.coordinates, declared.equations.len()),
+        None => (system.coordinates.len(), system.equations.len()),
+    };
+    let [coordinates, equations, entries] = [q, m, plan.pattern.len()].map(number);
+    let speeds = system.declared.as_ref().map(|declared| {
+        let speeds = number(declared.speeds);
+        quote! {
+            /// The number of speeds: v and ω of each body, in ground.
+            pub const SPEEDS: ::core::primitive::usize = #speeds;
+        }
+    });
+    let matrix = if system.declared.is_some() { "Φ_u" } else { "Φ_q" };
+    let count = docs::line(&format!("The number of entries of {matrix} that are not identically zero."));
     let pairs = plan.pattern.iter().map(|(row, column)| {
         let (row, column) = (number(*row), number(*column));
         quote!((#row, #column))
@@ -171,7 +184,8 @@ fn constants(model: &Model, system: &System, plan: &Plan) -> TokenStream {
         pub const COORDINATES: ::core::primitive::usize = #coordinates;
         /// M, the number of equations.
         pub const EQUATIONS: ::core::primitive::usize = #equations;
-        /// The number of entries of Φ_q that are not identically zero.
+        #speeds
+        #count
         pub const JACOBIAN_ENTRIES: ::core::primitive::usize = #entries;
         /// Row and column of each entry that `jacobian_entries` gives, row by row.
         pub const JACOBIAN_PATTERN: [(::core::primitive::usize, ::core::primitive::usize); #entries] = [#(#pairs),*];
@@ -216,7 +230,7 @@ fn plan_constant(model: &Model, system: &System, solution: &Solution) -> TokenSt
             }
         }
     };
-    let stages = solution.stages.iter().map(stage);
+    let stages = solution.stages.iter().filter(|stage| !docs::is_orientation(system, stage)).map(stage);
     let operations = operations(solution.cost);
     quote!(const PLAN: ::reuleaux::Plan = ::reuleaux::Plan { stages: &[#(#stages),*], operations: #operations };)
 }
@@ -253,8 +267,9 @@ fn tables(model: &Model) -> TokenStream {
     model.functions.iter().enumerate().map(table).collect()
 }
 
-fn start(assembly: &Assembly) -> TokenStream {
-    let (vector, values) = (vector_type(assembly.start.len()), assembly.start.iter().map(|value| real(*value)));
+fn start(assembly: &Assembly, plan: &Plan) -> TokenStream {
+    let values: Vec<TokenStream> = assembly.start.iter().chain(&plan.orientations).map(|value| real(*value)).collect();
+    let vector = vector_type(values.len());
     quote! {
         /// The assembled configuration at the declared defaults and t = 0, in SI, from which `solve` sets out.
         #[must_use]
@@ -283,7 +298,7 @@ fn state_path(mechanism: &Ident) -> TokenStream {
 
 /// The functions that solve a mechanism.
 fn solve(model: &Model, system: &System, plan: &Plan) -> TokenStream {
-    let (name, state, n) = (&model.name, state_path(&model.name), system.coordinates.len());
+    let (name, state, n) = (&model.name, state_path(&model.name), system.width());
     let (vector, n) = (vector_type(n), number(n));
     let result = quote!(::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>>);
     // A sweep prepares what there is to prepare.
@@ -335,10 +350,10 @@ fn solve(model: &Model, system: &System, plan: &Plan) -> TokenStream {
 }
 
 fn state(model: &Model, system: &System) -> TokenStream {
-    let (name, visibility, n) = (&model.name, &model.visibility, system.coordinates.len());
+    let (name, visibility, n) = (&model.name, &model.visibility, system.width());
     let (module, own_name, state) = (state_module(name), state_name(name), state_path(name));
     let first_line = docs::line(&format!("A state of [`{name}`](super::{name}): time, position, velocity and acceleration of every body."));
-    let accessors = Accessors::new(&model.layout, &model.name, visibility, None);
+    let accessors = Accessors::new(&model.layout, &model.name, visibility, None).in_space((!system.frames.is_empty()).then_some(system.coordinates.len()));
     let (own, views) = (accessors.of_mechanism(), accessors.views(n));
     let n = number(n);
     let failure_name = (model.task.is_solved()).then(|| format_ident!("{}Failure", name, span = Span::call_site()));

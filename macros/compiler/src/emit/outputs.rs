@@ -4,6 +4,7 @@ use super::arrays::{array_at, array_from, array_of, array_type};
 use super::columns::Columns;
 use super::expression::local;
 use super::functions::Emitter;
+use super::literal::number;
 use super::routine::{RoutinePrinter, lines_at};
 use super::slices::plain;
 use super::{docs, docs_or, state_path};
@@ -18,17 +19,27 @@ impl Emitter<'_> {
         self.model.methods.iter().zip(&self.plan.outputs).map(|(method, outputs)| self.method(method, outputs)).collect()
     }
 
+    /// In space: where the orientations begin in a state.
+    fn orientations(&self) -> Option<TokenStream> {
+        (!self.system.frames.is_empty()).then(|| number(self.system.coordinates.len()))
+    }
+
     fn method(&self, method: &Method, outputs: &Outputs) -> TokenStream {
         let Some(first) = method.members.first().map(|member| &self.model.outputs[*member]) else { return quote!() };
         let kind = match first.components.len() {
+            0 if !self.system.frames.is_empty() => quote!(::reuleaux::SpatialBody<T>),
             0 => quote!(::reuleaux::PlanarBody<T>),
+            3 => quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector3<T>>),
             1 => quote!(::reuleaux::Motion<T>),
             _ => quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector2<T>>),
         };
         let body = match outputs {
             Outputs::Bodies(bodies) => {
                 let places: Vec<usize> = bodies.iter().map(|body| 3 * body).collect();
-                array_at(&places, &method.sizes, |place| quote!(state.planar_body(#place)))
+                array_at(&places, &method.sizes, |place| match self.orientations() {
+                    Some(first) => quote!(state.spatial_body(#place, #first + 3 * (#place))),
+                    None => quote!(state.planar_body(#place)),
+                })
             }
             Outputs::Each(routines) => self.each(method, routines),
             Outputs::Alike(alike) => self.alike(method, &alike.0, &alike.1),
@@ -105,6 +116,7 @@ fn motion(results: &[TokenStream]) -> TokenStream {
         let parts: Vec<&TokenStream> = results.iter().skip(order).step_by(3).collect();
         match parts.as_slice() {
             [scalar] => quote!(#scalar),
+            [_, _, _] => quote!(::reuleaux::nalgebra::Vector3::new(#(#parts),*)),
             _ => quote!(::reuleaux::nalgebra::Vector2::new(#(#parts),*)),
         }
     };

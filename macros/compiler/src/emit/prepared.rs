@@ -12,7 +12,7 @@ use quote::{format_ident, quote};
 impl Emitter<'_> {
     /// The body of `stages`, and the runtime's trait `Prepare`.
     pub(super) fn prepared(&self, body: TokenStream) -> (TokenStream, TokenStream) {
-        let (mechanism, state, n) = (&self.model.name, state_path(&self.model.name), number(self.system.coordinates.len()));
+        let (mechanism, state, n) = (&self.model.name, state_path(&self.model.name), number(self.system.width()));
         let count = number(fixed_names(self.plan).len());
         let (body, kept) = self.kept(body, &n, &count);
         let type_name = format_ident!("{}Prepared", mechanism, span = Span::call_site());

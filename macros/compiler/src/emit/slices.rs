@@ -8,6 +8,7 @@ use super::stages::{StateLayout, results, stages_of};
 use super::{allowed, docs, plan_constant};
 use crate::model::Method;
 use crate::plan::{Slice, Solving};
+use crate::system::COSINES;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -40,7 +41,11 @@ impl Emitter<'_> {
         let (body, kernels) = self.solving(&slice.solution.solving, &shelf);
         let (plan, lists) = (plan_constant(self.model, self.system, &slice.solution), self.lists_of_slice(&slice.solution, &shelf));
         let (width, kind, value): (usize, TokenStream, fn(TokenStream) -> TokenStream) = match first.components.len() {
+            0 if !self.system.frames.is_empty() => {
+                (3 + COSINES, quote!(::reuleaux::SpatialBody<T>), |place| quote!(state.spatial_body(#place, #place + 3)))
+            }
             0 => (3, quote!(::reuleaux::PlanarBody<T>), |place| quote!(state.planar_body(#place))),
+            3 => (3, quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector3<T>>), |place| quote!(state.point_in_space(#place))),
             1 => (1, quote!(::reuleaux::Motion<T>), |place| quote!(state.coordinate(#place))),
             _ => (2, quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector2<T>>), |place| quote!(state.point(#place))),
         };
@@ -52,7 +57,7 @@ impl Emitter<'_> {
             quote!(::reuleaux::Coordinate::length(#word, #component))
         });
         let upstream = upstream(&slice.solution.solving, slice.held.len(), &body);
-        let [n, whole, order] = [slice.held.len(), self.system.coordinates.len(), order].map(number);
+        let [n, whole, order] = [slice.held.len(), self.system.width(), order].map(number);
         let held = slice.held.iter().map(|unknown| number(*unknown));
         let page = docs::line(&format!(
             "What is upstream of the output `{word}` of [`{mechanism}`], and nothing else, made by [`{mechanism}::solve_for_{word}`]."
@@ -82,7 +87,7 @@ impl Emitter<'_> {
 
     /// Names, start and size of what moves: those of the mechanism, as far as they belong to it.
     fn description(&self, name: &Ident, shelf: &StateLayout) -> TokenStream {
-        let (mechanism, whole) = (&self.model.name, number(self.system.coordinates.len()));
+        let (mechanism, whole) = (&self.model.name, number(self.system.width()));
         let of_mechanism = quote!(<#mechanism<T> as ::reuleaux::Description<T, #whole>>);
         let held = || shelf.held.iter().map(|unknown| number(*unknown));
         let coordinates = held().map(|index| quote!(#of_mechanism::COORDINATES[#index]));
@@ -116,7 +121,7 @@ impl Emitter<'_> {
         let (t, pass, given, stages) = (local("t"), local("pass"), local("given"), local("stages_of_what_moves"));
         let (argument, to, result) = results(&slice.solution.solving, n);
         let of_trait = stages_of(&slice.solution.solving, n, &quote!(self.0.#stages(&self.1, #t, #pass, #argument)));
-        let ([whole, n], allowed) = ([self.system.coordinates.len(), n].map(number), allowed());
+        let ([whole, n], allowed) = ([self.system.width(), n].map(number), allowed());
         let step = quote! {
             fn partial_step(&self, state: &mut ::reuleaux::State<T, #whole>, t: T) -> ::core::option::Option<::core::primitive::bool>
             where

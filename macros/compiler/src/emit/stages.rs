@@ -7,7 +7,7 @@ use super::expression::{local, named};
 use super::functions::Emitter;
 use super::literal::{number, vector_type};
 use crate::plan::{Solution, Solving, StraightLine, Summary, Words};
-use crate::quantity::Role;
+use crate::quantity::{Dim, Role};
 use crate::system::Equation;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -16,7 +16,7 @@ use std::collections::{BTreeMap, BTreeSet};
 impl Emitter<'_> {
     /// The runtime's trait `Stages`.
     pub(super) fn stages(&self) -> TokenStream {
-        let (name, n) = (&self.model.name, self.system.coordinates.len());
+        let (name, n) = (&self.model.name, self.system.width());
         if !self.model.task.is_solved() {
             return quote!();
         }
@@ -113,6 +113,9 @@ impl Emitter<'_> {
 
     /// A guess improved with all equations
     fn improved(&self) -> TokenStream {
+        if self.system.declared.is_some() {
+            return quote!();
+        }
         let (n, of_q) = (number(self.system.coordinates.len()), vector_type(self.system.coordinates.len()));
         let checked: BTreeSet<usize> = self.plan.checked.iter().copied().collect();
         let improved = if checked.is_empty() {
@@ -180,7 +183,7 @@ impl Emitter<'_> {
 
     /// An unknown by its index in q; components of outputs, which follow, are never solved for.
     pub(super) fn index(&self, unknown: usize) -> Index {
-        let is_length = self.system.coordinates.get(unknown).is_some_and(|unknown| unknown.role.is_position());
+        let is_length = self.system.coordinates.get(unknown).is_some_and(|unknown| unknown.role.dim() == Dim::LENGTH);
         let body = self.system.coordinates.get(unknown).map(|unknown| self.model.bodies[unknown.body].name.local.clone());
         Index { place: number(unknown), kind: kind(is_length), is_length, body: body.unwrap_or_default() }
     }

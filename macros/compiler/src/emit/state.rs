@@ -17,6 +17,8 @@ pub(super) struct Accessors<'a> {
     has_any: Vec<bool>,
     /// What stands in every accessor instead, in a stub.
     body: Option<&'a TokenStream>,
+    /// In space: where the orientations begin in a state.
+    orientations: Option<usize>,
 }
 
 impl<'a> Accessors<'a> {
@@ -26,7 +28,20 @@ impl<'a> Accessors<'a> {
         visibility: &'a TokenStream,
         body: Option<&'a TokenStream>,
     ) -> Accessors<'a> {
-        Accessors { layout, mechanism, visibility, has_any: holders(layout, Of::Body), body }
+        Accessors { layout, mechanism, visibility, has_any: holders(layout, Of::Body), body, orientations: None }
+    }
+
+    /// The same in space, where orientations begin at an index of the state.
+    pub(super) fn in_space(self, orientations: Option<usize>) -> Accessors<'a> {
+        Accessors { orientations, ..self }
+    }
+
+    /// A body of a state, by the place of its origin.
+    fn view_of(&self, state: TokenStream, place: TokenStream) -> TokenStream {
+        match self.orientations.map(number) {
+            Some(first) => quote!(#state.spatial_body(#place, #first + 3 * (#place))),
+            None => quote!(#state.planar_body(#place)),
+        }
     }
 
     /// The view of a component's part, `WalkerStateLeg`.
@@ -38,7 +53,7 @@ impl<'a> Accessors<'a> {
 
     /// The accessors of the mechanism's own bodies and parts, as methods of its state.
     pub(super) fn of_mechanism(&self) -> TokenStream {
-        self.of(0, |place| quote!(self.0.planar_body(#place)), |view, place| quote!(#view { state: &self.0, first: #place }))
+        self.of(0, |place| self.view_of(quote!(self.0), place), |view, place| quote!(#view { state: &self.0, first: #place }))
     }
 
     /// The views of parts, over a state of `n` coordinates.
@@ -50,7 +65,7 @@ impl<'a> Accessors<'a> {
             let (page, allowed, n) = (docs::line(&page), allowed(), number(n));
             let accessors = self.of(
                 component,
-                |place| quote!(self.state.planar_body(self.first + #place)),
+                |place| self.view_of(quote!(self.state), quote!(self.first + #place)),
                 |view, place| quote!(#view { state: self.state, first: self.first + #place }),
             );
             quote! {
@@ -82,10 +97,11 @@ impl<'a> Accessors<'a> {
             let name = &field.name;
             let (known, kind, value) = match field.of {
                 Of::Body => {
-                    let known =
-                        format!("{} place of its frame's origin (m) and angle (rad), with their rates.", called("body", "bodies", field));
+                    let what = if self.orientations.is_some() { "orientation" } else { "angle (rad)" };
+                    let known = format!("{} place of its frame's origin (m) and {what}, with their rates.", called("body", "bodies", field));
+                    let kind = if self.orientations.is_some() { quote!(::reuleaux::SpatialBody<T>) } else { quote!(::reuleaux::PlanarBody<T>) };
                     let places = self.places(first, &first.members[number], |body| body);
-                    (known, quote!(::reuleaux::PlanarBody<T>), array_at(&places, &field.sizes, &body))
+                    (known, kind, array_at(&places, &field.sizes, &body))
                 }
                 Of::Part(inner) if self.has_any[inner] => {
                     let view = self.view(inner);

@@ -9,6 +9,7 @@ use super::state::Accessors;
 use crate::diag::nearest;
 use crate::diag::{Fact, NameFact};
 use crate::model::{Layout, Method, Of, Outline, is_generated, outline};
+use crate::quantity::Ambient;
 use crate::syntax::ast::{Expression, ExpressionKind, Item, Marks, Mechanism, Operator, Use};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
@@ -149,11 +150,11 @@ fn structure(tree: &Mechanism, layout: &Layout, visibility: &TokenStream) -> Tok
 
 fn accessors(tree: &Mechanism, layout: &Layout, visibility: &TokenStream, n: usize, body: &TokenStream) -> TokenStream {
     let state = format_ident!("{}State", tree.name);
-    let accessors = Accessors::new(layout, &tree.name, visibility, Some(body));
+    let accessors = Accessors::new(layout, &tree.name, visibility, Some(body)).in_space((tree.ambient == Ambient::Space).then_some(0));
     let (own, views) = (accessors.of_mechanism(), accessors.views(n));
     let is_new = |name: &Ident| !layout.components[0].fields.iter().any(|field| field.of == Of::Body && field.name == *name);
     let refused = refused(tree, "body").into_iter().filter(|(name, _)| is_new(name)).map(|(name, ranks)| {
-        let kind = array(quote!(::reuleaux::PlanarBody<T>), ranks);
+        let kind = array(body_type(tree), ranks);
         quote!(pub fn #name(&self) -> #kind { #body })
     });
     quote! {
@@ -226,12 +227,21 @@ fn solutions(name: &Ident, state: &Ident, visibility: &TokenStream, n: usize, bo
     (functions, traits)
 }
 
+/// The motion of a body.
+fn body_type(tree: &Mechanism) -> TokenStream {
+    match tree.ambient {
+        Ambient::Plane => quote!(::reuleaux::PlanarBody<T>),
+        Ambient::Space => quote!(::reuleaux::SpatialBody<T>),
+    }
+}
+
 /// The type of an output's method, as far as can be guessed.
 fn motion(tree: &Mechanism, promised: &Outline, method: &Method) -> TokenStream {
     let value = method.members.first().map(|member| &promised.outputs[*member].value);
     let motion = match value.map(|value| kind(value, tree, LETS)) {
+        Some(OutputKind::Vector) if tree.ambient == Ambient::Space => quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector3<T>>),
         Some(OutputKind::Vector) => quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector2<T>>),
-        Some(OutputKind::Body) => quote!(::reuleaux::PlanarBody<T>),
+        Some(OutputKind::Body) => body_type(tree),
         _ => quote!(::reuleaux::Motion<T>),
     };
     array_type(motion, &method.sizes)

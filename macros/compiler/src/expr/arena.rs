@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeSet, HashMap};
 
+use super::frame::Frames;
 use super::{Binary, Exact, Expr, Leaf, Node, RULES, Unary};
 
 /// A hash-consed store of simplified expressions.
@@ -12,6 +13,8 @@ pub struct Arena {
     nodes: Vec<Node>,
     // Only looked up, never iterated, so that its order cannot reach the output.
     places: HashMap<Node, Expr>,
+    /// Frames that turn in space, and vectors fixed in them.
+    pub(super) frames: Frames,
 }
 
 impl Arena {
@@ -196,12 +199,40 @@ impl Arena {
 
     /// Like [`Arena::reachable`], but leaves out `known` nodes and does not descend below them.
     pub(crate) fn reachable_until(&self, roots: &[Expr], known: impl Fn(Expr) -> bool) -> Vec<Expr> {
+        self.reachable_down_to(roots, known, |_| false)
+    }
+
+    /// Like [`Arena::reachable`], but does not descend below nodes that are `whole`.
+    pub(crate) fn reachable_above(&self, roots: &[Expr], whole: impl Fn(&Node) -> bool) -> Vec<Expr> {
+        self.reachable_down_to(roots, |_| false, whole)
+    }
+
+    /// The same operation on other operands, in writing order.
+    pub(crate) fn with_children(&mut self, expr: Expr, children: &[Expr]) -> Expr {
+        let node = match (*self.node(expr), children) {
+            (Node::Unary(function, _), [a]) => Node::Unary(function, *a),
+            (Node::Binary(function, ..), [a, b]) => Node::Binary(function, *a, *b),
+            (Node::Select { .. }, [lhs, rhs, then, otherwise]) => {
+                Node::Select { lhs: *lhs, rhs: *rhs, then: *then, otherwise: *otherwise }
+            }
+            (Node::Call { function, order, .. }, [argument]) => Node::Call { function, order, argument: *argument },
+            (Node::Marked { mark, .. }, [value]) => Node::Marked { mark, value: *value },
+            _ => return expr,
+        };
+        self.build(node)
+    }
+
+    /// Like [`Arena::reachable_until`], but does not descend below nodes that are `whole`.
+    pub(super) fn reachable_down_to(&self, roots: &[Expr], known: impl Fn(Expr) -> bool, whole: impl Fn(&Node) -> bool) -> Vec<Expr> {
         // The largest pending index has no parent left to visit, hence each node comes out once.
         let mut pending: BTreeSet<Expr> = roots.iter().copied().filter(|&e| !known(e)).collect();
         let mut found = Vec::new();
         while let Some(expr) = pending.pop_last() {
             found.push(expr);
-            pending.extend(self.node(expr).children().filter(|&e| !known(e)));
+            let node = self.node(expr);
+            if !whole(node) {
+                pending.extend(node.children().filter(|&e| !known(e)));
+            }
         }
         found.reverse();
         found

@@ -5,7 +5,7 @@
 
 use std::collections::HashMap;
 
-use super::{Arena, Binary, Expr, Leaf, Node, Unary};
+use super::{Arena, Binary, Expr, Leaf, Mark, Node, Unary};
 
 /// The partial derivative of `root` by one leaf.
 pub fn derivative(arena: &mut Arena, root: Expr, by: Leaf) -> Expr {
@@ -28,11 +28,17 @@ impl Derivatives {
 
     /// The derivative of `root`.
     pub fn of(&mut self, arena: &mut Arena, root: Expr) -> Expr {
-        for expr in arena.reachable_until(&[root], |e| self.known.contains_key(&e)) {
+        let is_turned = |node: &Node| self.turns() && matches!(node, Node::Marked { mark: Mark::Turned { .. }, .. });
+        for expr in arena.reachable_down_to(&[root], |e| self.known.contains_key(&e), is_turned) {
             let slope = self.slope(arena, expr);
             self.known.insert(expr, slope);
         }
         self.known[&root]
+    }
+
+    /// True if frames say how they turn with the leaf.
+    fn turns(&self) -> bool {
+        matches!(self.by, Leaf::Coordinate(_) | Leaf::Turn(_))
     }
 
     /// The derivative of one node whose operands have been differentiated.
@@ -42,6 +48,8 @@ impl Derivatives {
         let d = |operand: Expr| self.known[&operand];
         match node {
             Node::Leaf(leaf) if leaf == self.by => arena.integer(1),
+            Node::Marked { mark: Mark::Turned { vector, axis }, .. } if self.turns() => arena.turned_by(vector, axis, self.by),
+            Node::Marked { value, .. } => d(value),
             // Without this line, unused nodes would be built only to be multiplied by 0.
             _ if node.children().all(|operand| d(operand) == zero) => zero,
             Node::Constant(_) | Node::Leaf(_) => zero,

@@ -26,7 +26,7 @@ impl Values<'_> {
         let (list, number) = match leaf {
             Leaf::Time => return self.time,
             // Expressions with data are printed, not evaluated.
-            Leaf::Datum(_) => return f64::NAN,
+            Leaf::Datum(_) | Leaf::Turn(_) => return f64::NAN,
             Leaf::Parameter(i) => (self.parameters, i),
             Leaf::Coordinate(i) => (self.coordinates, i),
             Leaf::Speed(i) => (self.speeds, i),
@@ -90,7 +90,7 @@ pub(crate) fn magnitudes(arena: &Arena, roots: &[Expr], values: &Values) -> Vec<
     for (expr, value) in order.iter().zip(&of) {
         let size = |operand: Expr| sizes[slot(operand)];
         sizes.push(match *arena.node(*expr) {
-            Node::Unary(Unary::Neg | Unary::Abs, a) => size(a),
+            Node::Unary(Unary::Neg | Unary::Abs, a) | Node::Marked { value: a, .. } => size(a),
             Node::Unary(Unary::Sin | Unary::Cos, _) => 1.0,
             Node::Binary(Binary::Add | Binary::Sub, a, b) => size(a) + size(b),
             Node::Binary(Binary::Mul, a, b) => size(a) * size(b),
@@ -117,6 +117,7 @@ enum Instruction {
     Leaf(Leaf),
     Unary(Unary, usize),
     Binary(Binary, usize, usize),
+    Same(usize),
     Select([usize; 4]),
     Call { function: u32, order: usize, argument: usize },
 }
@@ -133,6 +134,7 @@ impl Evaluator {
             Node::Leaf(leaf) => Instruction::Leaf(leaf),
             Node::Unary(function, a) => Instruction::Unary(function, slot(a)),
             Node::Binary(function, a, b) => Instruction::Binary(function, slot(a), slot(b)),
+            Node::Marked { value, .. } => Instruction::Same(slot(value)),
             Node::Select { lhs, rhs, then, otherwise } => Instruction::Select([lhs, rhs, then, otherwise].map(slot)),
             Node::Call { function, order, argument } => Instruction::Call { function, order: usize::from(order), argument: slot(argument) },
         };
@@ -158,6 +160,7 @@ impl Evaluator {
                 Instruction::Leaf(leaf) => values.of(leaf),
                 Instruction::Unary(function, a) => function.apply(slots[a]),
                 Instruction::Binary(function, a, b) => function.apply(slots[a], slots[b]),
+                Instruction::Same(value) => slots[value],
                 Instruction::Select([lhs, rhs, then, otherwise]) => {
                     if slots[lhs] < slots[rhs] {
                         slots[then]

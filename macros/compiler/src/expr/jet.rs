@@ -7,7 +7,7 @@
 use std::collections::HashMap;
 
 use super::derivative::{cosine_of_arcsine, one_plus_square, sum_of_squares, turning};
-use super::{Arena, Binary, Expr, Leaf, Node, Unary};
+use super::{Arena, Binary, Expr, Leaf, Mark, Node, Unary};
 
 /// Value, first and second derivative.
 type Jet = [Expr; 3];
@@ -32,19 +32,27 @@ pub struct Seed {
     parameter: Option<u32>,
     /// D(q) of each coordinate; those beyond the last one are constant.
     coordinates: Vec<Rate>,
+    /// Number of the first coordinate.
+    first: u32,
 }
 
 impl Seed {
     /// Along the motion: D(q) as given, D(u) = u̇, D(t) = 1. The rate of u̇ is taken as 0.
     #[must_use]
     pub fn motion(coordinates: Vec<Rate>) -> Seed {
-        Seed { time_runs: true, speeds_change: true, parameter: None, coordinates }
+        Seed { time_runs: true, speeds_change: true, parameter: None, coordinates, first: 0 }
     }
 
     /// At constant speeds: D(q) as given, D(u) = 0, D(t) = 1. The second derivative of Φ is −γ.
     #[must_use]
     pub fn constant_speeds(coordinates: Vec<Rate>) -> Seed {
         Seed { speeds_change: false, ..Seed::motion(coordinates) }
+    }
+
+    /// The same seed for coordinates that are numbered from `first` on.
+    #[must_use]
+    pub fn numbered_from(self, first: u32) -> Seed {
+        Seed { first, ..self }
     }
 
     /// Along a parameter, at fixed q, u and t.
@@ -70,7 +78,8 @@ impl Jets {
 
     /// Value, first and second derivative of `root`.
     pub fn of(&mut self, arena: &mut Arena, root: Expr) -> [Expr; 3] {
-        for expr in arena.reachable_until(&[root], |e| self.known.contains_key(&e)) {
+        let is_turned = |node: &Node| self.seed.time_runs && matches!(node, Node::Marked { mark: Mark::Turned { .. }, .. });
+        for expr in arena.reachable_down_to(&[root], |e| self.known.contains_key(&e), is_turned) {
             let jet = self.jet(arena, expr);
             self.known.insert(expr, jet);
         }
@@ -85,6 +94,11 @@ impl Jets {
         match node {
             Node::Constant(_) => [expr, zero, zero],
             Node::Leaf(leaf) => self.of_leaf(arena, expr, leaf),
+            Node::Marked { mark: Mark::Turned { vector, axis }, .. } if self.seed.time_runs => {
+                let [first, second] = arena.turning_with(vector, axis, self.seed.speeds_change);
+                [expr, first, second]
+            }
+            Node::Marked { value, .. } => [expr, j(value)[1], j(value)[2]],
             // Without this line, unused nodes would be built only to be multiplied by 0.
             _ if node.children().all(|operand| j(operand)[1..] == [zero, zero]) => [expr, zero, zero],
             Node::Unary(function, a) => of_unary(arena, function, expr, j(a)),
@@ -109,7 +123,7 @@ impl Jets {
             Leaf::Time if seed.time_runs => [expr, arena.integer(1), zero],
             Leaf::Parameter(i) if seed.parameter == Some(i) => [expr, arena.integer(1), zero],
             Leaf::Speed(i) if seed.speeds_change => [expr, arena.leaf(Leaf::Acceleration(i)), zero],
-            Leaf::Coordinate(i) => match seed.coordinates.get(i as usize) {
+            Leaf::Coordinate(i) => match i.checked_sub(seed.first).and_then(|i| seed.coordinates.get(i as usize)) {
                 None => [expr, zero, zero],
                 Some(Rate::Given([first, second])) => [expr, *first, *second],
                 Some(Rate::Speed(i)) => {
@@ -117,7 +131,7 @@ impl Jets {
                     [expr, first, if seed.speeds_change { arena.leaf(Leaf::Acceleration(*i)) } else { zero }]
                 }
             },
-            Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_) | Leaf::Speed(_) | Leaf::Acceleration(_) => [expr, zero, zero],
+            Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_) | Leaf::Turn(_) | Leaf::Speed(_) | Leaf::Acceleration(_) => [expr, zero, zero],
         }
     }
 }

@@ -29,6 +29,23 @@ pub enum Leaf {
     Acceleration(u32),
     /// Placeholder for a number, in an expression shared by several of the same shape.
     Datum(u32),
+    /// An infinitesimal turn of a body in space about an axis of ground, three for each body. Expressions are differentiated by it and
+    /// never contain it.
+    Turn(u32),
+}
+
+/// Meaning of an expression, which has its own rule of differentiation or stands for an unknown of its own.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Mark {
+    /// A component of a vector fixed in a frame, along an axis of ground. Its rate is that of ω × v.
+    Turned {
+        /// Number of the vector in its [`Arena`](super::Arena).
+        vector: u32,
+        /// Axis of ground: 0, 1 or 2.
+        axis: u8,
+    },
+    /// The angle or the displacement of a joint, by the number of the joint's own coordinate.
+    OfJoint(u32),
 }
 
 /// A function of one operand.
@@ -106,6 +123,13 @@ pub enum Node {
         /// Argument of the function.
         argument: Expr,
     },
+    /// An expression with a meaning. Its value is that of the expression.
+    Marked {
+        /// The meaning.
+        mark: Mark,
+        /// The expression.
+        value: Expr,
+    },
 }
 
 impl Node {
@@ -113,7 +137,7 @@ impl Node {
     pub fn children(&self) -> impl Iterator<Item = Expr> + use<> {
         let operands = match *self {
             Node::Constant(_) | Node::Leaf(_) => [None; 4],
-            Node::Unary(_, a) | Node::Call { argument: a, .. } => [Some(a), None, None, None],
+            Node::Unary(_, a) | Node::Call { argument: a, .. } | Node::Marked { value: a, .. } => [Some(a), None, None, None],
             Node::Binary(_, a, b) => [Some(a), Some(b), None, None],
             Node::Select { lhs, rhs, then, otherwise } => [Some(lhs), Some(rhs), Some(then), Some(otherwise)],
         };

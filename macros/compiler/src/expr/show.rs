@@ -74,6 +74,7 @@ fn compose(
             exponent = f(a).exponent.saturating_add(f(b).exponent);
             (Precedence::Power, vec![f(base).within(Precedence::Atom), Token::Operand(superscript(exponent))])
         }
+        Node::Marked { value, .. } => (f(value).level, vec![Token::Operand(f(value).text.clone())]),
         Node::Binary(function, a, b) => binary(function, f(a), f(b)),
         Node::Select { lhs, rhs, then, otherwise } => (
             Precedence::Negation,

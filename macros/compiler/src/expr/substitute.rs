@@ -49,6 +49,8 @@ impl Substitution {
                     let [lhs, rhs, then, otherwise] = [lhs, rhs, then, otherwise].map(new);
                     arena.select(lhs, rhs, then, otherwise)
                 }
+                // What is replaced inside a frame is differentiated as written.
+                Node::Marked { value, .. } => new(value),
                 Node::Call { function, order, argument } => {
                     let argument = new(argument);
                     arena.call(function, order, argument)

@@ -4,6 +4,7 @@
 //! file is its manual page; the rustdoc of the runtime shows all of them.
 
 use crate::diag::Diag;
+use crate::quantity::Ambient;
 use crate::syntax::{
     self,
     ast::{Definition, FunctionItem, Shared},
@@ -16,7 +17,11 @@ macro_rules! pages {
     ($($name:literal),* $(,)?) => { &[$(($name, include_str!(concat!("../../library/", $name, ".rs")))),*] };
 }
 
-/// Constraints: name and text of the file.
+macro_rules! spatial_pages {
+    ($($name:literal),* $(,)?) => { &[$(($name, include_str!(concat!("../../library/space/", $name, ".rs")))),*] };
+}
+
+/// Constraints in the plane: name and text of the file.
 const CONSTRAINTS: &[(&str, &str)] = pages![
     "revolute",
     "translational",
@@ -46,13 +51,53 @@ const CONSTRAINTS: &[(&str, &str)] = pages![
     "drive_along",
 ];
 
+/// Constraints in space: name and text of the file.
+const SPATIAL: &[(&str, &str)] = spatial_pages![
+    "spherical",
+    "revolute",
+    "cylindrical",
+    "translational",
+    "universal",
+    "screw",
+    "planar",
+    "weld",
+    "point_on_line",
+    "point_on_plane",
+    "parallel_axes",
+    "perpendicular_axes",
+    "absolute_z",
+    "absolute_orientation",
+    "gear_pair",
+    "rack_pinion",
+    "drive_rotation",
+    "drive_translation",
+    "drive_z",
+];
+
+/// Constraints whose text is right in the plane and in space.
+const BOTH: &[&str] = &["distance", "absolute_x", "absolute_y", "drive_distance", "drive_x", "drive_y"];
+
 /// Functions of one variable: name and text of the file.
 const FUNCTIONS: &[(&str, &str)] =
     pages!["harmonic", "cycloidal", "polynomial_345", "polynomial_4567", "modified_trapezoidal", "smooth_step", "wrap",];
 
-/// The names of all constraints of the library.
-pub fn constraints<'a>() -> impl Iterator<Item = &'a str> {
-    CONSTRAINTS.iter().map(|(name, _)| *name)
+/// The names of all constraints of the library that can be used in the plane, or in space.
+pub fn constraints<'a>(ambient: Ambient) -> impl Iterator<Item = &'a str> {
+    of(ambient).map(|(name, _)| name)
+}
+
+/// Name and text of the constraints that can be used in the plane, or in space.
+fn of(ambient: Ambient) -> impl Iterator<Item = (&'static str, &'static str)> {
+    let own = match ambient {
+        Ambient::Plane => CONSTRAINTS,
+        Ambient::Space => SPATIAL,
+    };
+    let both = match ambient {
+        Ambient::Plane => &[],
+        Ambient::Space => BOTH,
+    };
+    let shared = CONSTRAINTS.iter().filter(|(name, _)| both.contains(name));
+    own.iter().chain(shared).copied()
 }
 
 /// The names of all functions of the library.
@@ -60,14 +105,20 @@ pub fn functions<'a>() -> impl Iterator<Item = &'a str> {
     FUNCTIONS.iter().map(|(name, _)| *name)
 }
 
-/// Name and text of every page of the library, constraints first.
+/// Name and text of every page of constraints in space.
+pub fn spatial_pages() -> impl Iterator<Item = (&'static str, &'static str)> {
+    SPATIAL.iter().copied()
+}
+
+/// Name and text of every page of the plane and of both, constraints first.
 pub fn pages() -> impl Iterator<Item = (&'static str, &'static str)> {
     CONSTRAINTS.iter().chain(FUNCTIONS).copied()
 }
 
 /// Constraint with this name; `None` if there is none in the library.
-pub(crate) fn find(name: &str) -> Option<Rc<Definition>> {
-    let tokens = tokens(CONSTRAINTS, name)?;
+pub(crate) fn find(name: &str, ambient: Ambient) -> Option<Rc<Definition>> {
+    let (_, text) = of(ambient).find(|(known, _)| *known == name)?;
+    let tokens = TokenStream::from_str(text).ok()?;
     // The tests of this crate find a page that does not parse.
     syntax::parse_exported(tokens, &mut Diag::default())?.into_iter().next().map(Rc::new)
 }

@@ -148,6 +148,7 @@ fn drive_for(model: &Model, system: &System, unknown: usize) -> String {
     let body = &model.bodies[unknown.body].name;
     match unknown.role {
         Role::Position(_) => format!("drive {name} = drive_{}({body}.position, 10mm * sin(1rad_s * t));", unknown.role.name()),
+        Role::Displacement => format!("drive {name} = drive_translation({body}, 10mm * sin(1rad_s * t));"),
         Role::Angle | Role::Quaternion(_) => format!("drive {name} = drive_angle({body}, 60rpm * t);"),
     }
 }

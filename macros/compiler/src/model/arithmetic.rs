@@ -5,7 +5,7 @@ use super::elaborate::{Elaborator, Scope};
 use super::value::{Scalar, Value, Vector};
 use crate::diag::{Range, ValueFact};
 use crate::expr::{Exact, Expr, Unary};
-use crate::quantity::{Dim, InferredDim};
+use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Operator, Relation};
 
 impl Elaborator<'_> {
@@ -22,6 +22,9 @@ impl Elaborator<'_> {
     }
 
     pub(super) fn tuple(&mut self, range: Range, items: &[ast::Expression], scope: &Scope) -> Option<Vector> {
+        if self.names.ambient == Ambient::Space {
+            return self.triple(range, items, scope);
+        }
         let [x, y] = items else {
             return self.refuse(range, ValueFact::NotTwoComponents { found: items.len() });
         };
@@ -39,6 +42,7 @@ impl Elaborator<'_> {
     pub(super) fn location(&mut self, written: &ast::Expression, scope: &Scope) -> Option<Vector> {
         if let ast::ExpressionKind::Tuple(items) = &written.kind
             && let [x, y] = items.as_slice()
+            && self.names.ambient == Ambient::Plane
         {
             let found = (self.scalar(x, scope), self.scalar(y, scope));
             let (one, two) = (found.0?, found.1?);
@@ -78,8 +82,21 @@ impl Elaborator<'_> {
         let (left, right) = (self.value(lhs, scope), self.value(rhs, scope));
         let (left, right) = (left?, right?);
         match (left, right) {
+            (Value::Orientation(one), Value::Orientation(two)) if operator == Operator::Mul => {
+                Some(Value::Orientation(self.composed(one, two)))
+            }
             (Value::Scalar(one), Value::Scalar(two)) => self.combine(range, operator, one, (two, rhs.range)).map(Value::Scalar),
-            (left, right) => self.combine_vectors(range, operator, (lhs, left), (rhs, right)),
+            (left, right) => {
+                let points = match (&left, &right) {
+                    (Value::Point(to), Value::Point(from)) if operator == Operator::Sub => Some((*from, *to)),
+                    _ => None,
+                };
+                let value = self.combine_vectors(range, operator, (lhs, left), (rhs, right))?;
+                if let (Some((from, to)), Value::Vector(vector)) = (points, &value) {
+                    self.note_difference(vector.parts, from, to);
+                }
+                Some(value)
+            }
         }
     }
 
@@ -251,13 +268,30 @@ impl Elaborator<'_> {
             return Some(vec![Scalar { expr: self.arena.sub(one.expr, two.expr), measure }]);
         }
         let nouns = (left.noun(), right.noun());
+        let points = match (&left, &right) {
+            (Value::Point(to), Value::Point(from)) => Some((*from, *to)),
+            _ => None,
+        };
+        // In space `== 0` says that all components vanish.
+        if let (Value::Vector(vector), Value::Scalar(zero)) = (&left, &right)
+            && self.names.ambient == Ambient::Space
+            && self.arena.as_constant(zero.expr).is_some_and(|value| value.is_zero())
+        {
+            return Some(vector.parts.iter().map(|expr| Scalar { expr: *expr, measure: vector.measure }).collect());
+        }
         let (Some(one), Some(two)) = (self.as_vector(left), self.as_vector(right)) else {
             return self.refuse(range, ValueFact::CannotEquate { one: nouns.0, two: nouns.1 });
         };
         let Some(measure) = one.measure.common(two.measure) else {
             return self.refuse(range, ValueFact::Unlike { action: "equate", one: one.measure.settled(), two: two.measure.settled() });
         };
+        if one.parts.len() != two.parts.len() {
+            return self.refuse(range, ValueFact::CannotEquate { one: nouns.0, two: nouns.1 });
+        }
         let parts = one.parts.zip(two.parts, |one, two| self.arena.sub(one, two));
+        if let Some((from, to)) = points {
+            self.note_difference(parts, from, to);
+        }
         Some(parts.iter().map(|expr| Scalar { expr: *expr, measure }).collect())
     }
 }

@@ -5,11 +5,11 @@ use super::Function as Numbered;
 use super::elaborate::{Elaborator, Scope};
 use super::key::Key;
 use super::spline::{Ends, Table};
-use super::value::{FunctionValue, Scalar, Value, Vector};
+use super::value::{Fixed, FunctionValue, Scalar, Value, Vector};
 use crate::diag::{ArityFact, Fact, NameFact, Range, ValueFact};
 use crate::expr::{Expr, Unary};
 use crate::library;
-use crate::quantity::{Dim, InferredDim};
+use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, ExpressionKind};
 use proc_macro2::Ident;
 
@@ -49,11 +49,17 @@ impl Elaborator<'_> {
         if BUILTINS.contains(&name.to_string().as_str()) {
             return self.builtin(range, name, arguments, scope);
         }
+        if !is_bound && super::space::BUILTINS.contains(&name.to_string().as_str()) {
+            return match self.names.ambient {
+                Ambient::Space => self.spatial_builtin(range, name, arguments, scope),
+                Ambient::Plane => self.refuse(name, ValueFact::OnlyInSpace { word: name.to_string() }),
+            };
+        }
         if !is_bound && !self.is_library_function(name) {
             let near = self.similar_function(name, scope);
             return self.refuse(
                 name,
-                NameFact::UnknownFunction { name: name.to_string(), near, is_constraint: library::find(&name.to_string()).is_some() },
+                NameFact::UnknownFunction { name: name.to_string(), near, is_constraint: library::find(&name.to_string(), self.names.ambient).is_some() },
             );
         }
         let callee = ast::Expression { kind: ExpressionKind::Path(path.clone()), range: path.range, depth: 1 };
@@ -83,7 +89,8 @@ impl Elaborator<'_> {
             return self.refuse(name, ArityFact::FunctionArity { name: word, wanted, found: arguments.len() });
         }
         match word.as_str() {
-            "dot" | "cross" => self.product(&word, arguments, scope).map(Value::Scalar),
+            "perp" | "direction" if self.names.ambient == Ambient::Space => self.refuse(name, ValueFact::OnlyInPlane { word }),
+            "dot" | "cross" => self.product(&word, arguments, scope),
             "perp" | "unit" | "norm" | "direction" => self.of_vector(&word, &arguments[0], scope),
             "atan2" | "min" | "max" => self.of_two(range, &word, arguments, scope).map(Value::Scalar),
             _ => self.of_one(&word, &arguments[0], scope).map(Value::Scalar),
@@ -145,12 +152,27 @@ impl Elaborator<'_> {
     }
 
     /// Dot product a·b, or the third component of a × b.
-    fn product(&mut self, word: &str, arguments: &[ast::Expression], scope: &Scope) -> Option<Scalar> {
-        let (one, two) = (self.vector(&arguments[0], scope), self.vector(&arguments[1], scope));
-        let (one, two) = (one?, two?);
+    fn product(&mut self, word: &str, arguments: &[ast::Expression], scope: &Scope) -> Option<Value> {
+        let fixed = |this: &mut Self, argument: &ast::Expression| -> Option<(Vector, Option<Fixed>)> {
+            let value = this.value(argument, scope)?;
+            let (noun, fixed) = (value.noun(), if let Value::Axis(axis) = &value { Some(*axis) } else { None });
+            match this.as_vector(value) {
+                Some(vector) => Some((vector, fixed)),
+                None => this.refuse(argument.range, ValueFact::NotA { wanted: "a vector or a point", found: noun }),
+            }
+        };
+        let (one, two) = (fixed(self, &arguments[0]), fixed(self, &arguments[1]));
+        let ((one, first), (two, second)) = (one?, two?);
         let measure = one.measure.times(two.measure);
         let arena = &mut self.arena;
-        let expr = if word == "dot" {
+        let expr = if let (Some(a), Some(b)) = (one.parts.in_space(), two.parts.in_space()) {
+            if word == "cross" {
+                return Some(Value::Vector(Vector { parts: Components::space(crate::expr::cross(arena, a, b)), measure }));
+            }
+            let product = crate::expr::dot(arena, a, b);
+            self.note_product(product, first, second);
+            product
+        } else if word == "dot" {
             let products = one.parts.zip(two.parts, |one, two| arena.mul(one, two));
             arena.sum(&products)
         } else {
@@ -158,7 +180,7 @@ impl Elaborator<'_> {
             let (xy, yx) = (arena.mul(ax, by), arena.mul(ay, bx));
             arena.sub(xy, yx)
         };
-        Some(Scalar { expr, measure })
+        Some(Value::Scalar(Scalar { expr, measure }))
     }
 
     fn of_vector(&mut self, word: &str, argument: &ast::Expression, scope: &Scope) -> Option<Value> {

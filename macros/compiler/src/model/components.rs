@@ -27,6 +27,24 @@ impl Components {
         Components { parts: [x, y, x], length: 2 }
     }
 
+    /// As many components; new ones repeat the first.
+    pub(crate) fn resized(mut self, length: usize) -> Components {
+        let first = self.parts[0];
+        (self.length..MOST).for_each(|at| self.parts[at] = first);
+        Components { length: length.min(MOST), ..self }
+    }
+
+    /// Components of a vector in space.
+    pub(crate) fn space(parts: [Expr; 3]) -> Components {
+        Components { parts, length: 3 }
+    }
+
+    /// x, y and z; `None` unless there are exactly three components.
+    pub(crate) fn in_space(self) -> Option<[Expr; 3]> {
+        let [x, y, z] = *self else { return None };
+        Some([x, y, z])
+    }
+
     /// Applies `change` to each component.
     pub(crate) fn map(mut self, mut change: impl FnMut(Expr) -> Expr) -> Components {
         let length = self.length;

@@ -10,7 +10,7 @@ use super::statement::ScalarEquation;
 use super::value::{Fixed, FunctionValue, Scalar, Value};
 use crate::diag::nearest;
 use crate::diag::{ArityFact, Diag, EquationFact, NameFact, ValueFact};
-use crate::expr::Leaf;
+use crate::expr::{Expr, Leaf};
 use crate::library;
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{Definition, Definitions, Dimension, FormalKind};
@@ -22,7 +22,7 @@ const KINDS: &[&str] = &["Point", "Axis", "Body", "Quantity", "Function", "Joint
 
 /// Reports the errors in a definition, which may use the definitions in `others` as kinds of joints.
 pub(crate) fn check(definition: &Definition, others: &[Definition], diag: &mut Diag) {
-    let mut work = Elaborator::new(diag, Names::abstract_());
+    let mut work = Elaborator::new(diag, Names::abstract_(definition.ambient.unwrap_or_default()));
     work.check(definition, others);
 }
 
@@ -144,9 +144,9 @@ impl Elaborator<'_> {
             FormalKind::Joint(name) => {
                 let word = name.to_string();
                 let known = others.iter().find(|other| *name == other.name).cloned().map(Rc::new);
-                let Some(definition) = known.or_else(|| library::find(&word)) else {
+                let Some(definition) = known.or_else(|| library::find(&word, self.names.ambient)) else {
                     let own: Vec<String> = others.iter().map(|other| other.name.to_string()).collect();
-                    let near = nearest(&word, own.iter().map(String::as_str).chain(library::constraints()));
+                    let near = nearest(&word, own.iter().map(String::as_str).chain(library::constraints(self.names.ambient)));
                     return self.refuse(name, NameFact::UnknownConstraint { name: word, near });
                 };
                 let mut arguments = Vec::new();
@@ -179,7 +179,8 @@ impl Elaborator<'_> {
 
     fn unknown_fixed(&mut self, measure: InferredDim) -> Fixed {
         let frame = self.new_frame("a body");
-        let local = Components::plane(self.unknown_scalar(measure).expr, self.unknown_scalar(measure).expr);
-        Fixed { frame, local, measure }
+        let parts: Vec<Expr> = (0..self.names.ambient.components()).map(|_| self.unknown_scalar(measure).expr).collect();
+        let local = Components::new(&parts).unwrap_or(Components::plane(parts[0], parts[0]));
+        Fixed { frame, local, measure, zero: None }
     }
 }

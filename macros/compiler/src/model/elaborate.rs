@@ -2,12 +2,13 @@
 
 use super::key::Key;
 use super::names::{Context, Names, SpaceId};
+use super::space::Space;
 use super::statement::FixedValue;
 use super::value::{Fixed, FrameId, Scalar, Value, Vector};
 use super::{Components, Function as Numbered, Name, Requirement};
 use crate::diag::{ArrayFact, Diag, EquationFact, Fact, GrammarFact, Known, NameFact, Range, ValueFact, nearest, nearest_unit};
 use crate::expr::{Arena, Exact, Expr, Leaf};
-use crate::quantity::{self, Dim, InferredDim, Role};
+use crate::quantity::{self, Ambient, Dim, InferredDim, Role};
 use crate::syntax::ast::{self, ExpressionKind};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
@@ -37,6 +38,10 @@ pub(crate) struct Elaborator<'a> {
     pub(super) is_unused: bool,
     /// Values of functions of the language computed before, by function and argument.
     pub(super) calls: BTreeMap<(ast::ItemId, Expr), (ast::Shared<ast::FunctionItem>, Scalar)>,
+    /// Defaults of the parameters, once they are known.
+    pub(super) defaults: Vec<f64>,
+    /// What was found of joints in space.
+    pub(super) space: Space,
 }
 
 /// A definition being instantiated.
@@ -120,6 +125,8 @@ impl Elaborator<'_> {
             fixed_values: Vec::new(),
             is_unused: false,
             calls: BTreeMap::new(),
+            defaults: Vec::new(),
+            space: Space::default(),
         }
     }
 
@@ -240,7 +247,10 @@ impl Elaborator<'_> {
     }
 
     /// A(φ) s', A = [cos −sin; sin cos]
-    fn direction(&mut self, axis: Fixed) -> Vector {
+    pub(super) fn direction(&mut self, axis: Fixed) -> Vector {
+        if self.names.ambient == Ambient::Space {
+            return Vector { parts: self.turned(axis), measure: axis.measure };
+        }
         let (Some([sx, sy]), Some(angle)) = (axis.local.in_plane(), self.coordinate(axis.frame, Role::Angle)) else {
             return Vector { parts: axis.local, measure: axis.measure };
         };
@@ -349,39 +359,48 @@ impl Elaborator<'_> {
                 if let Some((_, argument)) = arguments.iter().find(|(known, _)| *known == name) {
                     return Some(argument.clone());
                 }
+                let (kind, arguments) = (kind.clone(), arguments.clone());
+                if let Some(value) = self.quantity_of(&kind, &arguments, &name) {
+                    return Some(value);
+                }
                 let near = self.nearest(&name, arguments.iter().map(|(known, _)| known.as_str()));
                 let known = Known::of(arguments.iter().map(|(known, _)| known.as_str()));
                 return self.refuse(field, NameFact::UnknownField { owner: format!("a `{kind}` joint"), name, near, known });
             }
-            _ if axis(&name).is_some() => {}
-            _ => return self.refuse(field, unknown_field(&value, name)),
+            _ if axis(&name, self.names.ambient).is_some() => {}
+            _ => return self.refuse(field, unknown_field(&value, name, self.names.ambient)),
         }
-        let unknown = unknown_field(&value, name.clone());
+        let unknown = unknown_field(&value, name.clone(), self.names.ambient);
         let Some(vector) = self.as_vector(value) else {
             return self.refuse(field, unknown);
         };
-        let expr = *vector.parts.get(axis(&name)?)?;
+        let expr = *vector.parts.get(axis(&name, self.names.ambient)?)?;
         Some(Value::Scalar(Scalar { expr, measure: vector.measure }))
     }
 
     fn body_field(&mut self, frame: FrameId, field: &Ident) -> Option<Value> {
         let zero = self.arena.integer(0);
         let name = field.to_string();
-        match Role::named(&name) {
+        // In space axes may be called x, y and z.
+        let own = self.names.find(self.names.frames[frame.0].space, &name).filter(|_| self.names.ambient == Ambient::Space);
+        if let Some(group) = own {
+            return self.of_group(group, field);
+        }
+        match self.names.ambient.coordinate(&name) {
             Some(role) => {
                 let expr = self.coordinate(frame, role).unwrap_or(zero);
                 Some(Value::Scalar(Scalar { expr, measure: InferredDim::Known(role.dim()) }))
             }
             None if name == "position" => {
-                let local = Components::plane(zero, zero);
-                Some(Value::Point(Fixed { frame, local, measure: InferredDim::Known(Dim::LENGTH) }))
+                let local = Components::plane(zero, zero).resized(self.names.ambient.components());
+                Some(Value::Point(Fixed { frame, local, measure: InferredDim::Known(Dim::LENGTH), zero: None }))
             }
             None => {
                 let space = self.names.frames[frame.0].space;
                 if let Some(group) = self.names.find(space, &name) {
                     return self.of_group(group, field);
                 }
-                let (axes, others): (Vec<Role>, Vec<Role>) = Role::PLANE.into_iter().partition(|role| role.is_position());
+                let (axes, others): (Vec<Role>, Vec<Role>) = self.names.ambient.named().partition(|role| role.is_position());
                 let words: Vec<&str> = others.into_iter().chain(axes).map(Role::name).collect();
                 let known = || self.names.words(space).chain(["position"]).chain(words.iter().copied());
                 let (near, known) = (self.nearest(&name, known()), Known::of(known()));
@@ -403,12 +422,12 @@ impl Elaborator<'_> {
 }
 
 /// Index of a component of a vector, by name.
-fn axis(name: &str) -> Option<usize> {
-    Role::PLANE.into_iter().filter(|role| role.is_position()).position(|role| role.name() == name)
+fn axis(name: &str, ambient: Ambient) -> Option<usize> {
+    ambient.positions().position(|role| role.name() == name)
 }
 
-fn unknown_field(value: &Value, name: String) -> NameFact {
-    let axes = Role::PLANE.into_iter().filter(|role| role.is_position()).map(Role::name);
+fn unknown_field(value: &Value, name: String, ambient: Ambient) -> NameFact {
+    let axes = ambient.positions().map(Role::name);
     let known: Vec<&str> = match value {
         Value::Point(_) | Value::Axis(_) => axes.chain(["body"]).collect(),
         Value::Vector(_) => axes.collect(),

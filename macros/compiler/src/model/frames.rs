@@ -4,13 +4,14 @@ use super::elaborate::{Elaborator, Scope};
 use super::key::Key;
 use super::names::{Context, EntityId, FrameScope};
 use super::register::Register;
+use super::space::DECLARED;
 use super::statement::FixedValue;
 use super::value::{Fixed, FrameId, Value};
 use super::{Body, BodyCoordinate, Name, Requirement};
 use crate::diag::nearest;
 use crate::diag::{NameFact, Range, ValueFact};
 use crate::expr::{Expr, Leaf};
-use crate::quantity::{Dim, InferredDim, Role};
+use crate::quantity::{Ambient, Dim, InferredDim, Role};
 use crate::syntax::ast;
 use std::collections::BTreeSet;
 
@@ -18,8 +19,15 @@ impl Elaborator<'_> {
     /// Adds a frame with new coordinates.
     pub(super) fn new_frame(&mut self, name: &str) -> FrameId {
         let first = self.names.frames.last().map_or(0, |before| before.first + before.coordinates.len());
-        let leaf = |(offset, role): (usize, Role)| (role, self.arena.leaf(Leaf::Coordinate((first + offset) as u32)));
-        let coordinates = Role::PLANE.into_iter().enumerate().map(leaf).collect();
+        let base = if self.names.ambient == Ambient::Space { DECLARED } else { 0 };
+        let leaf =
+            |(offset, role): (usize, &Role)| (*role, self.arena.leaf(Leaf::Coordinate(base + (first + offset) as u32)));
+        let coordinates: Vec<(Role, Expr)> = self.names.ambient.coordinates().iter().enumerate().map(leaf).collect();
+        if self.names.ambient == Ambient::Space {
+            let quaternion: Vec<Expr> = coordinates[3..].iter().map(|(_, leaf)| *leaf).collect();
+            let body = self.names.frames.len() as u32 - 1;
+            self.declare_frame(body, &quaternion);
+        }
         let space = self.names.new_space(format!("{name}."));
         self.names.frames.push(FrameScope { name: name.to_owned(), first, coordinates, space });
         FrameId(self.names.frames.len() - 1)
@@ -43,9 +51,10 @@ impl Elaborator<'_> {
                 return self.refuse(mark.value.range, ValueFact::ZeroAxis { name: mark.name.to_string() });
             }
             let measure = InferredDim::Known(vector.measure.settled());
-            return Some(Value::Axis(Fixed { frame, local, measure }));
+            let zero = self.zero_direction(mark, &scope, local)?;
+            return Some(Value::Axis(Fixed { frame, local, measure, zero }));
         }
-        Some(Value::Point(Fixed { frame, local, measure: InferredDim::Known(Dim::LENGTH) }))
+        Some(Value::Point(Fixed { frame, local, measure: InferredDim::Known(Dim::LENGTH), zero: None }))
     }
 
     /// Records a value to be checked for finiteness once all defaults are known. Always returns true.
@@ -109,19 +118,22 @@ impl Elaborator<'_> {
     }
 
     fn body(&mut self, frame: &ast::Shared<ast::FrameItem>, name: &Name, context: &Context) -> Body {
-        let mut starts: Vec<Option<Expr>> = vec![None; Role::PLANE.len()];
+        let ambient = self.names.ambient;
+        let mut starts: Vec<Option<Expr>> = vec![None; ambient.coordinates().len()];
         let scope = Scope::of(context).timeless("a start value");
         for (number, start) in frame.starts.iter().enumerate() {
             let word = start.what.to_string();
-            let place = |role: Role| Role::PLANE.iter().position(|other| *other == role);
-            let found: Option<Vec<(usize, Expr)>> = match Role::named(&word) {
+            let place = |role: Role| ambient.coordinates().iter().position(|other| *other == role);
+            let found: Option<Vec<(usize, Expr)>> = match ambient.coordinate(&word) {
                 Some(role) => self.scalar_of(&start.value, role.dim(), &scope).and_then(|value| Some(vec![(place(role)?, value.expr)])),
                 None if word == "position" => {
-                    let axes = Role::PLANE.into_iter().enumerate().filter(|(_, role)| role.is_position()).map(|(place, _)| place);
-                    self.location(&start.value, &scope).map(|vector| axes.zip(vector.parts.iter().copied()).collect())
+                    self.location(&start.value, &scope).map(|vector| (0..).zip(vector.parts.iter().copied()).collect())
+                }
+                None if word == "orientation" && ambient == Ambient::Space => {
+                    self.orientation(&start.value, &scope).map(|quaternion| (3..).zip(quaternion).collect())
                 }
                 None => {
-                    let near = nearest(&word, start_words());
+                    let near = nearest(&word, start_words(ambient));
                     self.refuse(&start.what, NameFact::UnknownStart { name: word.clone(), near })
                 }
             };
@@ -137,12 +149,13 @@ impl Elaborator<'_> {
                 }
             }
         }
-        let coordinates = Role::PLANE.into_iter().zip(starts).map(|(role, start)| BodyCoordinate { role, start }).collect();
+        let coordinates = ambient.coordinates().iter().zip(starts).map(|(role, start)| BodyCoordinate { role: *role, start }).collect();
         Body { name: name.clone(), first: 0, coordinates }
     }
 }
 
 /// The words allowed after `start`.
-pub(super) fn start_words() -> impl Iterator<Item = &'static str> {
-    Role::PLANE.into_iter().map(Role::name).chain(["position"])
+pub(super) fn start_words(ambient: Ambient) -> impl Iterator<Item = &'static str> {
+    let orientation = (ambient == Ambient::Space).then_some("orientation");
+    ambient.named().map(Role::name).chain(["position"]).chain(orientation)
 }

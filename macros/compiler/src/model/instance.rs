@@ -9,7 +9,7 @@ use super::value::{Fixed, FrameId, FunctionValue, Scalar, Value};
 use crate::diag::{ArityFact, ArrayFact, EquationFact, NameFact, Range, ValueFact};
 use crate::expr::Leaf;
 use crate::library;
-use crate::quantity::{Dim, InferredDim};
+use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Argument, Definition, Formal, FormalKind, JointBody};
 use proc_macro2::Ident;
 use std::rc::Rc;
@@ -51,6 +51,7 @@ impl Elaborator<'_> {
             Value::Scalar(scalar) => (!self.is_still(scalar.expr)).then_some(false),
             Value::Vector(vector) => vector.parts.iter().any(|part| !self.is_still(*part)).then_some(false),
             Value::Joint { .. } | Value::Part(_) | Value::Array { .. } => Some(false),
+            Value::Orientation(_) => None,
             Value::Function(_) => None,
         };
         let mut found = arguments.iter().filter_map(|(_, value)| of_ground(value)).peekable();
@@ -101,7 +102,7 @@ impl Elaborator<'_> {
         if self.names.components.contains_key(&word) {
             return self.refuse(kind, ArrayFact::ComponentAsConstraint { name: word });
         }
-        let known = self.names.definitions.keys().map(String::as_str).chain(library::constraints());
+        let known = self.names.definitions.keys().map(String::as_str).chain(library::constraints(self.names.ambient));
         let near = self.nearest(&word, known);
         self.refuse(kind, NameFact::UnknownConstraint { name: word, near })
     }
@@ -114,7 +115,7 @@ impl Elaborator<'_> {
         if let Some(known) = self.names.library.get(word) {
             return known.clone();
         }
-        let found = library::find(word);
+        let found = library::find(word, self.names.ambient);
         self.names.library.insert(word.to_owned(), found.clone());
         found
     }
@@ -189,6 +190,7 @@ impl Elaborator<'_> {
             (FormalKind::Point, ast::ExpressionKind::Tuple(items)) if items.len() == 2 => Value::Vector(self.location(argument, scope)?),
             _ => self.value(argument, scope)?,
         };
+        let value = self.measured(formal, value)?;
         let found = match &value {
             Value::Joint { kind, .. } => format!("a `{kind}` joint"),
             other => other.noun().to_owned(),
@@ -211,11 +213,11 @@ impl Elaborator<'_> {
                     return self.refuse(argument.range, ValueFact::WrongDimension { wanted: Dim::LENGTH, found: vector.measure.settled() });
                 }
                 let measure = InferredDim::Known(Dim::LENGTH);
-                Some(Value::Point(Fixed { frame: FrameId::GROUND, local: vector.parts, measure }))
+                Some(Value::Point(Fixed { frame: FrameId::GROUND, local: vector.parts, measure, zero: None }))
             }
             (FormalKind::Axis, Value::Vector(vector)) if vector.parts.iter().all(|part| self.is_fixed(*part)) => {
                 let measure = InferredDim::Known(vector.measure.settled());
-                Some(Value::Axis(Fixed { frame: FrameId::GROUND, local: vector.parts, measure }))
+                Some(Value::Axis(Fixed { frame: FrameId::GROUND, local: vector.parts, measure, zero: None }))
             }
             (FormalKind::Quantity, value @ Value::Scalar(_)) => Some(value),
             (FormalKind::Scalar(written), Value::Scalar(scalar)) => {
@@ -245,6 +247,18 @@ impl Elaborator<'_> {
         }
     }
 
+    /// A joint stands for its angle where an angle is wanted, and for its displacement where a length is.
+    fn measured(&mut self, formal: &Formal, value: Value) -> Option<Value> {
+        let (FormalKind::Scalar(written), Value::Joint { kind, arguments }) = (&formal.kind, &value) else { return Some(value) };
+        let name = match self.dimension(written)? {
+            Dim::ANGLE => "angle",
+            Dim::LENGTH => "displacement",
+            _ => return Some(value),
+        };
+        let (kind, arguments) = (kind.clone(), arguments.clone());
+        Some(self.quantity_of(&kind, &arguments, name).unwrap_or(value))
+    }
+
     /// Suggests a replacement for an argument of the wrong kind.
     fn instead(&self, wanted: &FormalKind, argument: &ast::Expression, found: &Value) -> Option<String> {
         match (wanted, found, &argument.kind) {
@@ -252,7 +266,7 @@ impl Elaborator<'_> {
                 Some(format!("{}.{}", path.last, self.names.a_point_of(*frame).unwrap_or("position")))
             }
             (FormalKind::Body, Value::Point(point), _) => Some(self.names.frames[point.frame.0].name.clone()),
-            (FormalKind::Axis, Value::Body(_) | Value::Point(_), _) => Some("(1, 0)".to_owned()),
+            (FormalKind::Axis, Value::Body(_) | Value::Point(_), _) => Some(if self.names.ambient == Ambient::Space { "(1, 0, 0)" } else { "(1, 0)" }.to_owned()),
             _ => None,
         }
     }

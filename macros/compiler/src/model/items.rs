@@ -8,7 +8,7 @@ use super::value::{FrameId, Scalar, Value};
 use super::{Joint, Layout, Method, Name, Of, Output, Residual};
 use crate::diag::{ArrayFact, EquationFact, NameFact, Range, ValueFact};
 use crate::expr::Leaf;
-use crate::quantity::{Dim, InferredDim};
+use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast;
 use proc_macro2::Ident;
 use std::collections::BTreeSet;
@@ -44,22 +44,31 @@ impl Elaborator<'_> {
     }
 
     pub(super) fn joints(&mut self, register: &Register) -> Vec<Joint> {
-        let joint = |(id, joint): &(EntityId, ast::Shared<ast::JointItem>)| {
-            self.of(*id, joint, |this, name, context| this.joint(*id, joint, name, context))
+        let joint = |this: &mut Self, (id, joint): &(EntityId, ast::Shared<ast::JointItem>)| {
+            this.of(*id, joint, |this, name, context| this.joint(*id, joint, name, context))
         };
-        register.joints.iter().filter_map(joint).collect()
+        let mut joints = Vec::new();
+        for declared in &register.joints {
+            if let Some((joint, rows)) = joint(self, declared) {
+                if self.names.ambient == Ambient::Space {
+                    self.note_relations(joints.len(), &rows);
+                }
+                joints.push(joint);
+            }
+        }
+        joints
     }
 
-    fn joint(&mut self, id: EntityId, joint: &ast::JointItem, name: &Name, context: &Context) -> Option<Joint> {
+    fn joint(&mut self, id: EntityId, joint: &ast::JointItem, name: &Name, context: &Context) -> Option<(Joint, Vec<ScalarEquation>)> {
         let rows = self.joint_rows(id, joint, name, context)?;
         let kind = match &joint.body {
             ast::JointBody::Of { kind, .. } => kind.to_string(),
             ast::JointBody::Equations(_) => "equation".to_owned(),
         };
         self.rows_are_sound(id, joint, &rows);
-        let residual = |row: ScalarEquation| Residual { expr: row.residual.expr, dim: row.residual.measure.settled() };
-        let residuals = rows.into_iter().map(residual).collect();
-        Some(Joint { name: name.clone(), kind, is_drive: joint.is_drive, is_redundant: joint.is_redundant, residuals })
+        let residual = |row: &ScalarEquation| Residual { expr: row.residual.expr, dim: row.residual.measure.settled() };
+        let residuals = rows.iter().map(residual).collect();
+        Some((Joint { name: name.clone(), kind, is_drive: joint.is_drive, is_redundant: joint.is_redundant, residuals }, rows))
     }
 
     /// Checks that every row depends on a position, and that no row of a joint depends on time; reports at most one error.

@@ -25,6 +25,7 @@ mod register;
 mod resolve;
 mod signature;
 pub mod sketch;
+pub(crate) mod space;
 pub(crate) mod spline;
 mod statement;
 mod unused;
@@ -34,10 +35,11 @@ pub use components::Components;
 pub use layout::{Component, Field, Layout, Of, Part};
 pub use name::Name;
 pub use sketch::Sketch;
+pub use space::{Geometry, JointQuantity, Place, Relation as Relationship, Triad};
 pub use spline::{Ends, Table};
 
 use crate::expr::{Arena, Expr};
-use crate::quantity::{Dim, Role};
+use crate::quantity::{Ambient, Dim, Role};
 use crate::syntax::ast::{Closing, Docs, Following, Relation, Task};
 use proc_macro2::{Ident, TokenStream};
 
@@ -58,6 +60,10 @@ pub struct Model {
     pub visibility: TokenStream,
     /// Name of the generated struct.
     pub name: Ident,
+    /// Where the bodies move.
+    pub ambient: Ambient,
+    /// What joints in space relate.
+    pub space: Geometry,
     /// Task of the generated code.
     pub task: Task,
     /// Policy if the mechanism does not assemble at the declared defaults.

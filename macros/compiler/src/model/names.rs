@@ -7,7 +7,7 @@ use super::Name;
 use super::key::Key;
 use super::value::{FrameId, Value};
 use crate::expr::Expr;
-use crate::quantity::Role;
+use crate::quantity::{Ambient, Role};
 use crate::syntax::ast::{self, Definition};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
@@ -205,11 +205,13 @@ pub(crate) struct Names {
     pub(super) outputs: BTreeSet<(SpaceId, String)>,
     /// Names imported by `use` items.
     pub(super) used: Vec<String>,
+    /// Where the bodies move.
+    pub(super) ambient: Ambient,
 }
 
 impl Names {
     /// Names with ground as the only frame.
-    pub(super) fn new(definitions: BTreeMap<String, Rc<Definition>>) -> Names {
+    pub(super) fn new(definitions: BTreeMap<String, Rc<Definition>>, ambient: Ambient) -> Names {
         let ground = FrameScope { name: "ground".into(), first: 0, coordinates: Vec::new(), space: SpaceId(1) };
         Names {
             frames: vec![ground],
@@ -226,12 +228,13 @@ impl Names {
             is_abstract: false,
             outputs: BTreeSet::new(),
             used: Vec::new(),
+            ambient,
         }
     }
 
     /// Names for checking a definition on its own.
-    pub(super) fn abstract_() -> Names {
-        Names { is_abstract: true, ..Names::new(BTreeMap::new()) }
+    pub(super) fn abstract_(ambient: Ambient) -> Names {
+        Names { is_abstract: true, ..Names::new(BTreeMap::new(), ambient) }
     }
 
     pub(super) fn is_abstract(&self) -> bool {

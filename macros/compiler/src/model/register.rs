@@ -13,7 +13,7 @@ use super::names::{Context, Declared, Entity, EntityId, PartArguments, Progress,
 use super::value::{FrameId, Scalar, Value};
 use crate::diag::{ArrayFact, EquationFact, GrammarFact, NameFact};
 use crate::expr::Leaf;
-use crate::quantity::{Dim, InferredDim};
+use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Item, Marks};
 use proc_macro2::Ident;
 use std::collections::{BTreeMap, BTreeSet};
@@ -326,7 +326,8 @@ impl Elaborator<'_> {
             }
             let Some(indices) = self.written_indices(&mark.indices, mark, context) else { continue };
             let word = mark.name.to_string();
-            if start_words().any(|known| known == word) {
+            let is_free = self.names.ambient == Ambient::Space && self.names.ambient.coordinate(&word).is_some();
+            if start_words(self.names.ambient).any(|known| known == word) && !is_free {
                 self.once(mark, |this| this.refuse::<()>(&mark.name, NameFact::Reserved { name: word }));
                 continue;
             }

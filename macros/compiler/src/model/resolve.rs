@@ -17,13 +17,15 @@ use std::rc::Rc;
 /// Resolves a whole mechanism; `definitions` are imported by its `use` items.
 pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definition)>, diag: &mut Diag) -> Option<Model> {
     let definitions = definitions.into_iter().map(|(name, definition)| (name, Rc::new(definition))).collect();
-    let mut work = Elaborator::new(diag, Names::new(definitions));
+    let mut work = Elaborator::new(diag, Names::new(definitions, tree.ambient));
     let register = work.register(&tree.items);
     if work.diag.is_exhausted() {
         return None;
     }
     let layout = work.layout(&register);
     let parameters = work.parameters(&register);
+    let defaults: Vec<_> = parameters.iter().map(|parameter| parameter.default).collect();
+    work.defaults = work.numbers(&[], &defaults);
     work.lets_and_functions(&register);
     let bodies = work.bodies(&register);
     let lengths = work.marks(&register);
@@ -35,12 +37,14 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     work.fixed_values_are_finite(&parameters);
     let range = work.times(&register, &parameters);
     let sketch = work.sketch(&register);
-    let Elaborator { arena, functions, requirements, .. } = work;
+    let Elaborator { arena, functions, requirements, space, .. } = work;
     let model = Model {
         arena,
         docs: tree.docs.clone(),
         visibility: tree.visibility.clone(),
         name: tree.name.clone(),
+        ambient: tree.ambient,
+        space: space.into(),
         task: tree.task,
         closing: tree.closing,
         allows_far_start: tree.allows_far_start,
@@ -74,7 +78,7 @@ pub(crate) struct Outline {
 /// Outline of a mechanism despite its errors, for its stub.
 pub(crate) fn outline(tree: &ast::Mechanism) -> Outline {
     let mut diag = Diag::default();
-    let mut work = Elaborator::new(&mut diag, Names::new(BTreeMap::new()));
+    let mut work = Elaborator::new(&mut diag, Names::new(BTreeMap::new(), tree.ambient));
     let register = work.register(&tree.items);
     let layout = work.layout(&register);
     let mut methods = work.methods(&layout, &register, &vec![None; register.outputs.len()]);

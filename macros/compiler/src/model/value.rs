@@ -36,6 +36,8 @@ pub(crate) struct Fixed {
     pub(crate) frame: FrameId,
     pub(crate) local: Components,
     pub(crate) measure: InferredDim,
+    /// Direction from which angles about an axis are counted, if declared.
+    pub(crate) zero: Option<Components>,
 }
 
 /// A function of one variable.
@@ -58,6 +60,8 @@ pub(crate) enum Value {
     Point(Fixed),
     Axis(Fixed),
     Body(FrameId),
+    /// A rotation, as a unit quaternion with the real part first.
+    Orientation([Expr; 4]),
     Function(FunctionValue),
     Joint {
         kind: String,
@@ -86,6 +90,7 @@ impl Value {
             Value::Point(_) => "a point",
             Value::Axis(_) => "an axis",
             Value::Body(_) => "a body",
+            Value::Orientation(_) => "an orientation",
             Value::Function(_) => "a function",
             Value::Joint { .. } => "a joint",
             Value::Part(_) => "a part",

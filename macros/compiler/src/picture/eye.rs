@@ -55,7 +55,7 @@ fn figures(model: &Model, system: &System, q: &[f64]) -> Vec<Figure> {
             Role::Position(Axis::Y) => body.origin.y = *value,
             Role::Angle => body.angle = *value,
             // The picture is one of the plane.
-            Role::Position(Axis::Z) | Role::Quaternion(_) => {}
+            Role::Position(Axis::Z) | Role::Displacement | Role::Quaternion(_) => {}
         }
     }
     bodies

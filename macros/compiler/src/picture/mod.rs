@@ -27,6 +27,7 @@ mod wheels;
 use crate::assembly::Assembly;
 use crate::model::Model;
 use crate::model::sketch::MOST_DRAWN;
+use crate::quantity::Ambient;
 use crate::system::System;
 use plane::Rectangle;
 
@@ -92,6 +93,9 @@ impl Picture {
 /// Draws the mechanism where it is assembled.
 pub(crate) fn draw(model: &Model, system: &System, assembly: &Assembly) -> Picture {
     let bodies = model.bodies.len();
+    if model.ambient == Ambient::Space {
+        return Picture::none("There is no picture of mechanisms in space yet.".into());
+    }
     if bodies > MOST_DRAWN {
         return Picture::none(format!("There is no picture: in one of {bodies} bodies nothing could be told apart."));
     }

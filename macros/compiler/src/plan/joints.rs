@@ -2,7 +2,7 @@
 
 use super::rolled::{Cell, Target};
 use crate::expr::Expr;
-use crate::system::{Equation, System};
+use crate::system::Equation;
 
 /// Equations of a system, grouped by joint.
 pub(super) struct Joints<'a> {
@@ -11,9 +11,9 @@ pub(super) struct Joints<'a> {
 }
 
 impl<'a> Joints<'a> {
-    pub(super) fn new(system: &'a System) -> Joints<'a> {
+    pub(super) fn new(equations: &'a [Equation]) -> Joints<'a> {
         let mut joints: Vec<Vec<(u32, &Equation)>> = Vec::new();
-        for (row, equation) in system.equations.iter().enumerate() {
+        for (row, equation) in equations.iter().enumerate() {
             match joints.last_mut() {
                 Some(joint) if joint.last().is_some_and(|(_, last)| last.joint == equation.joint) => joint.push((row as u32, equation)),
                 _ => joints.push(vec![(row as u32, equation)]),

@@ -15,6 +15,7 @@ mod schedule;
 mod shape;
 mod slice;
 mod solution;
+mod space;
 mod stage;
 mod stages;
 #[cfg(test)]
@@ -48,6 +49,8 @@ use shape::Tracer;
 pub struct Plan {
     /// Expressions of the system and of its solution.
     pub arena: Arena,
+    /// Expressions of Φ, Φ_q, ν and γ, if they are not those of the system.
+    pub declared: Option<Arena>,
     /// Solution for q, q̇ and q̈; `None` if only equations are wanted.
     pub solution: Option<Solution>,
     /// Equations that are checked instead of solved, by index in Φ.
@@ -78,6 +81,8 @@ pub struct Plan {
     pub lengths: Routine,
     /// Left and right side of each requirement.
     pub requirements: Routine,
+    /// In space: the rotation matrices of the bodies at the start, as a state holds them.
+    pub orientations: Vec<f64>,
 }
 
 /// Schedules all generated code.
@@ -85,26 +90,32 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, as
     let mut arena = system.arena.clone();
     let solved = (model.task.is_solved()).then(|| {
         let outputs = sliced(&mut arena, model, system);
-        let (mut stages, outputs) = stages::stages(&mut arena, system, structure, &outputs);
+        let (mut stages, mut outputs) = stages::stages(&mut arena, system, structure, &outputs);
+        space::without_marks(&mut arena, &mut stages, &mut outputs);
         eliminations(&arena, model, system, assembly, &mut stages);
         (stages, outputs)
     });
+    let motions = space::plain_outputs(&mut arena, system);
     let words = Words::new(model, system);
     let tracer = Tracer::new(&arena);
     let line = |results: Vec<Expr>| schedule::routine(&arena, results, &words);
-    let code = |cells: Vec<Cell>| rolled::code(&arena, &tracer, cells, &words);
-    let joints = Joints::new(system);
+    let declared = system.declared.as_deref();
+    let joints = Joints::new(declared.map_or(&system.equations, |declared| &declared.equations));
+    let words_of_equations = if declared.is_some() { Words::declared(model) } else { words.clone() };
+    let arena_of_equations = declared.map_or(&arena, |declared| &declared.arena);
+    let tracer_of_equations = Tracer::new(arena_of_equations);
+    let equations = |cells: Vec<Cell>| rolled::code(arena_of_equations, &tracer_of_equations, cells, &words_of_equations);
     let solving = solved.map(|(stages, outputs)| solving(&arena, &tracer, system, &words, &stages, &outputs));
     let sides = model.requirements.iter().flat_map(|requirement| [requirement.lhs, requirement.rhs]).collect();
     Plan {
         linearized: joints.linearized().iter().flatten().map(|(target, _)| *target).collect(),
-        linearize: code(joints.linearized()),
-        phi: code(joints.rows(|equation| equation.phi())),
-        jacobian: code(joints.entries()),
-        nu: code(joints.rows(|equation| Some(equation.nu))),
-        gamma: code(joints.rows(|equation| Some(equation.gamma))),
+        linearize: equations(joints.linearized()),
+        phi: equations(joints.rows(|equation| equation.phi())),
+        jacobian: equations(joints.entries()),
+        nu: equations(joints.rows(|equation| Some(equation.nu))),
+        gamma: equations(joints.rows(|equation| Some(equation.gamma))),
         pattern: joints.pattern(),
-        outputs: outputs::outputs(&arena, &tracer, model, system, &words),
+        outputs: outputs::outputs(&arena, &tracer, model, &motions, &words),
         start: line(system.coordinates.iter().filter_map(|unknown| unknown.start).collect()),
         lengths: line(distinct(&arena, &system.lengths)),
         requirements: line(sides),
@@ -112,6 +123,8 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, as
         solution: solving.as_ref().map(|(solution, _, _)| solution.clone()),
         slices: solving.as_ref().map_or(Vec::new(), |(_, slices, _)| slices.clone()),
         moving: solving.and_then(|(_, _, moving)| moving),
+        declared: declared.map(|declared| declared.arena.clone()),
+        orientations: space::orientations_at_start(model, system, assembly),
         arena,
     }
 }
@@ -120,8 +133,10 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, as
 fn sliced(arena: &mut Arena, model: &Model, system: &System) -> Vec<OutputMotion> {
     let mut components = |member: &usize| -> Vec<[Expr; 3]> {
         let Some(body) = model.outputs[*member].body else { return system.outputs[*member].components.clone() };
-        let own = (0..system.coordinates.len()).filter(|unknown| system.coordinates[*unknown].body == body);
-        own.map(|unknown| [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration].map(|leaf| arena.leaf(leaf(unknown as u32)))).collect()
+        let own = (0..system.coordinates.len())
+            .filter(|unknown| system.coordinates[*unknown].body == body && (system.frames.is_empty() || *unknown / 3 == body));
+        let own: Vec<[Expr; 3]> = own.map(|unknown| [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration].map(|leaf| arena.leaf(leaf(unknown as u32)))).collect();
+        if system.frames.is_empty() { own } else { own.into_iter().chain(system.orientation(arena, body)).collect() }
     };
     let slices = model.methods.iter().filter(|method| method.is_slice);
     slices.map(|method| OutputMotion { components: method.members.iter().flat_map(&mut components).collect() }).collect()
@@ -149,13 +164,14 @@ fn solving(
     stages: &[Stage],
     outputs: &[OutputMotion],
 ) -> (Solution, Vec<Slice>, Option<Slice>) {
-    let is_angle: Vec<bool> = system.coordinates.iter().map(|unknown| unknown.role == Role::Angle).collect();
+    let is_angle = |index: usize| system.coordinates.get(index).is_some_and(|unknown| unknown.role == Role::Angle);
+    let is_angle: Vec<bool> = (0..system.width()).map(is_angle).collect();
     let joints: Vec<usize> = system.equations.iter().map(|equation| equation.joint).collect();
     let frame = PlanContext { arena, tracer, words, is_angle: &is_angle, joints: &joints };
     let slice = |output: &OutputMotion| {
         let is_angle: Vec<bool> = is_angle.iter().copied().chain(output.components.iter().map(|_| false)).collect();
         let words = words.with_outputs(output.components.len());
-        slice::upstream(&PlanContext { words: &words, is_angle: &is_angle, ..frame }, stages, output, system.coordinates.len())
+        slice::upstream(&PlanContext { words: &words, is_angle: &is_angle, ..frame }, stages, output, system.width())
     };
     let slices = outputs.iter().map(slice).collect();
     // Where a part rests, single steps are made by what moves.

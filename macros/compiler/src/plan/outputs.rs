@@ -6,7 +6,7 @@ use super::shape::{Piece, Shape, Tracer};
 use super::words::Words;
 use crate::expr::{Arena, Expr};
 use crate::model::{Method, Model};
-use crate::system::System;
+use crate::system::OutputMotion;
 
 /// Computation of the outputs of one method.
 #[derive(Clone, Debug)]
@@ -20,8 +20,8 @@ pub enum Outputs {
 }
 
 /// Plans the outputs of each method.
-pub(super) fn outputs(arena: &Arena, tracer: &Tracer, model: &Model, system: &System, words: &Words) -> Vec<Outputs> {
-    let results = |member: &usize| -> Vec<Expr> { system.outputs[*member].components.iter().flatten().copied().collect() };
+pub(super) fn outputs(arena: &Arena, tracer: &Tracer, model: &Model, motions: &[OutputMotion], words: &Words) -> Vec<Outputs> {
+    let results = |member: &usize| -> Vec<Expr> { motions[*member].components.iter().flatten().copied().collect() };
     let outputs = |method: &Method| {
         let bodies: Option<Vec<usize>> = method.members.iter().map(|member| model.outputs[*member].body).collect();
         if let Some(bodies) = bodies {

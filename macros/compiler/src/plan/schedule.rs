@@ -240,7 +240,7 @@ pub(super) fn cost(arena: &Arena, needed: &[Expr]) -> Cost {
             }
             Node::Binary(Binary::Div, ..) | Node::Unary(Unary::Sqrt, _) => cost.divisions += 1,
             Node::Select { .. } => cost.flops += 2,
-            Node::Constant(_) | Node::Leaf(_) => {}
+            Node::Constant(_) | Node::Leaf(_) | Node::Marked { .. } => {}
             Node::Unary(Unary::Sin | Unary::Cos, angle) => cost.sines += usize::from(angles.insert(angle)),
             Node::Call { function, argument, .. } => cost.calls += usize::from(arguments.insert((function, argument))),
             Node::Unary(..) | Node::Binary(Binary::Atan2, ..) => cost.calls += 1,

@@ -151,13 +151,17 @@ impl<'a> Tracer<'a> {
         for result in results {
             for expr in self.below(*result, &places) {
                 let operands: Vec<u32> = self.operands(expr).into_iter().map(|operand| self.place(&mut trace, &places, operand)).collect();
+                if let Node::Marked { .. } = self.arena.node(expr) {
+                    places.insert(expr, operands[0]);
+                    continue;
+                }
                 let mark = match *self.arena.node(expr) {
                     Node::Leaf(leaf) => trace.leaf(leaf),
                     Node::Unary(function, _) => Operation::Unary(function, operands[0]),
                     Node::Binary(function, ..) => Operation::Binary(function, operands[0], operands[1]),
                     Node::Select { .. } => Operation::Select([operands[0], operands[1], operands[2], operands[3]]),
                     Node::Call { function, order, .. } => Operation::Call(function, order, operands[0]),
-                    Node::Constant(_) => Operation::Datum,
+                    Node::Constant(_) | Node::Marked { .. } => Operation::Datum,
                 };
                 places.insert(expr, trace.push(mark));
             }
@@ -262,7 +266,7 @@ impl Trace {
     fn leaf(&mut self, leaf: Leaf) -> Operation {
         match leaf {
             Leaf::Time => Operation::Time,
-            Leaf::Datum(_) => Operation::Datum,
+            Leaf::Datum(_) | Leaf::Turn(_) => Operation::Datum,
             Leaf::Parameter(index) => Operation::Parameter(slot(&mut self.parameters, index)),
             Leaf::Coordinate(index) => Operation::Coordinate(slot(&mut self.unknowns, index)),
             Leaf::Speed(index) => Operation::Speed(slot(&mut self.unknowns, index)),
@@ -349,7 +353,7 @@ fn kind(node: &Node, kinds: &[u64], is_closed: bool) -> u64 {
     }
     operands.hash(&mut hasher);
     match *node {
-        Node::Constant(_) => {}
+        Node::Constant(_) | Node::Marked { .. } => {}
         Node::Leaf(leaf) => std::mem::discriminant(&leaf).hash(&mut hasher),
         Node::Unary(function, _) => (1, function).hash(&mut hasher),
         Node::Binary(function, ..) => (2, function).hash(&mut hasher),

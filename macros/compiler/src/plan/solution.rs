@@ -106,7 +106,7 @@ fn has_poles(arena: &Arena, node: &Node) -> bool {
         Node::Binary(Binary::Div, _, divisor) => arena.as_constant(divisor).is_none(),
         Node::Unary(function, _) => matches!(function, Unary::Sqrt | Unary::Tan | Unary::Asin | Unary::Acos | Unary::Exp | Unary::Ln),
         Node::Call { .. } => true,
-        Node::Constant(_) | Node::Leaf(_) | Node::Binary(..) | Node::Select { .. } => false,
+        Node::Constant(_) | Node::Leaf(_) | Node::Binary(..) | Node::Select { .. } | Node::Marked { .. } => false,
     }
 }
 

@@ -25,6 +25,8 @@ pub(super) fn stages(
     let mut work =
         StageBuilder { arena, system, jets: Jets::along(Seed::motion(system.kinematics.clone())), constants: Substitution::new() };
     let mut stages: Vec<Stage> = structure.blocks.iter().flat_map(|block| work.block(block)).collect();
+    let orientations = super::space::orientations(work.arena, system);
+    stages.extend(orientations.into_iter().map(|stage| work.with_constants(stage)));
     stages.extend(structure.checked.iter().filter_map(|equation| work.check(*equation)));
     let outputs = outputs.iter().map(|output| work.output(output)).collect();
     (stages, outputs)
@@ -89,6 +91,14 @@ impl StageBuilder<'_> {
         let motion = self.jets.of(self.arena, value).map(|expr| self.constants.of(self.arena, expr));
         self.note_constants(unknown, &motion);
         Stage::Explicit { unknown, equation, motion }
+    }
+
+    /// A stage with constants substituted.
+    fn with_constants(&mut self, mut stage: Stage) -> Stage {
+        if let Stage::Explicit { motion, .. } = &mut stage {
+            *motion = motion.map(|expr| self.constants.of(self.arena, expr));
+        }
+        stage
     }
 
     /// An output with constants substituted.

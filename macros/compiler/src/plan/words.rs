@@ -2,14 +2,17 @@
 
 use super::shape::{Column, Shape};
 use crate::expr::Leaf;
-use crate::model::Model;
-use crate::system::System;
+use crate::model::{Body, Model};
+use crate::quantity::Role;
+use crate::system::{COSINES, System};
 use std::collections::BTreeSet;
 
 /// Names of leaves, in the user's words.
 #[derive(Clone)]
 pub(crate) struct Words {
     coordinates: Vec<String>,
+    /// Names of speeds that are not named by a coordinate.
+    speeds: Vec<String>,
     /// Prefixed with `self.` if they are fields.
     parameters: Vec<String>,
 }
@@ -17,11 +20,40 @@ pub(crate) struct Words {
 impl Words {
     /// Names formed from those of bodies, coordinates and parameters.
     pub(crate) fn new(model: &Model, system: &System) -> Words {
-        let coordinate = |unknown: &crate::system::Coordinate| format!("{}_{}", model.bodies[unknown.body].name.local, unknown.role.name());
+        let coordinate = |unknown: usize| {
+            let (owner, name) = system.owner_and_name(model, unknown);
+            format!("{}_{name}", owner.local)
+        };
+        let mut coordinates: Vec<String> = (0..system.coordinates.len()).map(coordinate).collect();
+        if !system.frames.is_empty() {
+            let cosine = |body: &Body, k: usize| format!("{}_a{}{}", body.name.local, k / 3 + 1, k % 3 + 1);
+            coordinates.extend(model.bodies.iter().flat_map(|body| (0..COSINES).map(move |k| cosine(body, k))));
+            set_apart(&mut coordinates);
+        }
         Words {
-            coordinates: system.coordinates.iter().map(coordinate).collect(),
+            coordinates,
+            speeds: Vec::new(),
             parameters: model.parameters.iter().map(|parameter| format!("self.{}", parameter.name)).collect(),
         }
+    }
+
+    /// Names of declared coordinates and speeds in space.
+    pub(crate) fn declared(model: &Model) -> Words {
+        let of_body = |body: &Body| {
+            let name = body.name.local.clone();
+            Role::SPACE.map(|role| format!("{name}_{}", role.name())).to_vec()
+        };
+        let speeds = |body: &Body| {
+            let name = body.name.local.clone();
+            ["vx", "vy", "vz", "wx", "wy", "wz"].map(|speed| format!("{name}_{speed}")).to_vec()
+        };
+        let mut coordinates: Vec<String> = model.bodies.iter().flat_map(of_body).collect();
+        coordinates.extend((0..model.space.quantities.len()).map(|number| format!("joint_{number}")));
+        let mut names: Vec<String> = coordinates.into_iter().chain(model.bodies.iter().flat_map(speeds)).collect();
+        set_apart(&mut names);
+        let speeds = names.split_off(names.len() - 6 * model.bodies.len());
+        let parameters = model.parameters.iter().map(|parameter| format!("self.{}", parameter.name)).collect();
+        Words { coordinates: names, speeds, parameters }
     }
 
     /// With additional names for the components of an output.
@@ -50,7 +82,7 @@ impl Words {
             Column::Same(number) => self.parameters[*number as usize].clone(),
             _ => format!("p{slot}"),
         };
-        Words { coordinates, parameters: shape.parameters.iter().enumerate().map(parameter).collect() }
+        Words { coordinates, speeds: Vec::new(), parameters: shape.parameters.iter().enumerate().map(parameter).collect() }
     }
 
     /// Names of all leaves but parameters, which no step may use.
@@ -58,7 +90,7 @@ impl Words {
         let motion = [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration];
         let of_unknown = |index: usize| motion.map(|leaf| self.leaf(leaf(index as u32)));
         // Data and parameters that are not fields have numbered names like steps, but with other letters.
-        (0..self.coordinates.len()).flat_map(of_unknown).chain([self.leaf(Leaf::Time)]).collect()
+        (0..self.coordinates.len()).flat_map(of_unknown).chain([self.leaf(Leaf::Time)]).chain(self.speeds.iter().cloned()).collect()
     }
 
     /// Name of a parameter in generated code.
@@ -71,11 +103,21 @@ impl Words {
         let coordinate = |index: u32| self.coordinates.get(index as usize).cloned().unwrap_or_default();
         match leaf {
             Leaf::Time => "t".to_owned(),
-            Leaf::Datum(index) => format!("d{index}"),
+            Leaf::Datum(index) | Leaf::Turn(index) => format!("d{index}"),
             Leaf::Parameter(index) => self.parameters.get(index as usize).cloned().unwrap_or_default(),
             Leaf::Coordinate(index) => coordinate(index),
-            Leaf::Speed(index) => coordinate(index) + "_rate",
+            Leaf::Speed(index) => self.speeds.get(index as usize).cloned().unwrap_or_else(|| coordinate(index) + "_rate"),
             Leaf::Acceleration(index) => coordinate(index) + "_acceleration",
+        }
+    }
+}
+
+/// Makes equal names different.
+fn set_apart(names: &mut [String]) {
+    let mut taken = BTreeSet::new();
+    for name in names {
+        while !taken.insert(name.clone()) {
+            name.push('_');
         }
     }
 }

@@ -8,5 +8,5 @@ mod unit;
 
 pub use dimension::Dim;
 pub(crate) use dimension::InferredDim;
-pub use role::{Axis, Correction, Role, SpeedRole};
+pub use role::{Ambient, Axis, Correction, Role, SpeedRole};
 pub(crate) use unit::{lookup as unit, names as units};

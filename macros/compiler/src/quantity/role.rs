@@ -13,6 +13,60 @@ pub enum Axis {
     Z,
 }
 
+/// Where the bodies of a mechanism move.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Ambient {
+    /// In the plane: x, y and one angle.
+    #[default]
+    Plane,
+    /// In space: x, y, z and an orientation.
+    Space,
+}
+
+impl Ambient {
+    /// The coordinates of a body, in their order in q.
+    #[must_use]
+    pub fn coordinates(self) -> &'static [Role] {
+        match self {
+            Ambient::Plane => &Role::PLANE,
+            Ambient::Space => &Role::SPACE,
+        }
+    }
+
+    /// The coordinates of a body's origin.
+    pub fn positions(self) -> impl Iterator<Item = Role> {
+        self.coordinates().iter().copied().filter(|role| role.is_position())
+    }
+
+    /// The coordinates of a body that have a name in the language.
+    pub fn named(self) -> impl Iterator<Item = Role> {
+        self.coordinates().iter().copied().filter(|role| !matches!(role, Role::Quaternion(_)))
+    }
+
+    /// Number of components of a vector.
+    #[must_use]
+    pub fn components(self) -> usize {
+        match self {
+            Ambient::Plane => 2,
+            Ambient::Space => 3,
+        }
+    }
+
+    /// The speeds of a body, in their order in u.
+    #[must_use]
+    pub fn speeds(self) -> &'static [SpeedRole] {
+        match self {
+            Ambient::Plane => &SpeedRole::PLANE,
+            Ambient::Space => &SpeedRole::SPACE,
+        }
+    }
+
+    /// Coordinate of a body by its name in the language.
+    pub(crate) fn coordinate(self, name: &str) -> Option<Role> {
+        self.named().find(|role| role.name() == name)
+    }
+}
+
 /// Role of a coordinate in the placement of its body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Role {
@@ -20,6 +74,8 @@ pub enum Role {
     Position(Axis),
     /// Rotation of the body in the plane, counterclockwise.
     Angle,
+    /// Displacement along the axis of a joint.
+    Displacement,
     /// One of the four components of the unit quaternion that rotates the body, the real one first.
     Quaternion(u8),
 }
@@ -37,6 +93,17 @@ impl Role {
     /// The coordinates of a body in the plane, in their order in q.
     pub const PLANE: [Role; 3] = [Role::Position(Axis::X), Role::Position(Axis::Y), Role::Angle];
 
+    /// The coordinates of a body in space, in their order in q.
+    pub const SPACE: [Role; 7] = [
+        Role::Position(Axis::X),
+        Role::Position(Axis::Y),
+        Role::Position(Axis::Z),
+        Role::Quaternion(0),
+        Role::Quaternion(1),
+        Role::Quaternion(2),
+        Role::Quaternion(3),
+    ];
+
     /// Name in the language and in generated code.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -45,6 +112,7 @@ impl Role {
             Role::Position(Axis::Y) => "y",
             Role::Position(Axis::Z) => "z",
             Role::Angle => "angle",
+            Role::Displacement => "displacement",
             Role::Quaternion(component) => ["e0", "e1", "e2", "e3"][usize::from(component % 4)],
         }
     }
@@ -55,16 +123,11 @@ impl Role {
         if self == Role::Angle { "φ" } else { self.name() }
     }
 
-    /// Coordinate of a body in the plane, by name.
-    pub(crate) fn named(name: &str) -> Option<Role> {
-        Role::PLANE.into_iter().find(|role| role.name() == name)
-    }
-
     /// Dimension.
     #[must_use]
     pub fn dim(self) -> Dim {
         match self {
-            Role::Position(_) => Dim::LENGTH,
+            Role::Position(_) | Role::Displacement => Dim::LENGTH,
             Role::Angle => Dim::ANGLE,
             Role::Quaternion(_) => Dim::NUMBER,
         }
@@ -74,7 +137,7 @@ impl Role {
     #[must_use]
     pub fn scale(self, length: f64) -> f64 {
         match self {
-            Role::Position(_) => length,
+            Role::Position(_) | Role::Displacement => length,
             Role::Angle => 1.0,
             // To first order a rotation by δ changes a component by at most δ/2.
             Role::Quaternion(_) => 0.5,
@@ -86,7 +149,7 @@ impl Role {
     pub fn period(self) -> Option<f64> {
         match self {
             Role::Angle => Some(core::f64::consts::TAU),
-            Role::Position(_) | Role::Quaternion(_) => None,
+            Role::Position(_) | Role::Displacement | Role::Quaternion(_) => None,
         }
     }
 
@@ -94,7 +157,7 @@ impl Role {
     #[must_use]
     pub fn correction(self) -> Correction {
         match self {
-            Role::Position(_) | Role::Angle => Correction::Sum,
+            Role::Position(_) | Role::Displacement | Role::Angle => Correction::Sum,
             Role::Quaternion(_) => Correction::Rotation,
         }
     }
@@ -119,6 +182,16 @@ impl SpeedRole {
     /// The speeds of a body in the plane, in their order in u.
     pub const PLANE: [SpeedRole; 3] = [SpeedRole::Linear(Axis::X), SpeedRole::Linear(Axis::Y), SpeedRole::Angular(Axis::Z)];
 
+    /// The speeds of a body in space, in their order in u.
+    pub const SPACE: [SpeedRole; 6] = [
+        SpeedRole::Linear(Axis::X),
+        SpeedRole::Linear(Axis::Y),
+        SpeedRole::Linear(Axis::Z),
+        SpeedRole::Angular(Axis::X),
+        SpeedRole::Angular(Axis::Y),
+        SpeedRole::Angular(Axis::Z),
+    ];
+
     /// Dimension of the integral of the speed, a small displacement.
     #[must_use]
     pub fn displacement(self) -> Dim {
@@ -131,14 +204,15 @@ impl SpeedRole {
 
 #[cfg(test)]
 mod tests {
-    use super::{Axis, Correction, Role};
+    use super::{Ambient, Axis, Correction, Role};
     use std::collections::BTreeSet;
 
-    const ALL: [Role; 8] = [
+    const ALL: [Role; 9] = [
         Role::Position(Axis::X),
         Role::Position(Axis::Y),
         Role::Position(Axis::Z),
         Role::Angle,
+        Role::Displacement,
         Role::Quaternion(0),
         Role::Quaternion(1),
         Role::Quaternion(2),
@@ -149,7 +223,7 @@ mod tests {
     fn every_role_has_a_name_of_its_own() {
         let names: BTreeSet<&str> = ALL.into_iter().map(Role::name).collect();
         assert_eq!(names.len(), ALL.len());
-        assert!(Role::PLANE.into_iter().all(|role| Role::named(role.name()) == Some(role)));
+        assert!(Ambient::Plane.named().all(|role| Ambient::Plane.coordinate(role.name()) == Some(role)));
     }
 
     #[test]
@@ -166,7 +240,7 @@ mod tests {
     #[test]
     fn quaternions_alone_are_turned_instead_of_added_to() {
         let turned: Vec<Role> = ALL.into_iter().filter(|role| role.correction() == Correction::Rotation).collect();
-        assert_eq!(turned, &ALL[4..]);
+        assert_eq!(turned, &ALL[5..]);
         assert!(ALL.into_iter().all(|role| (role.period() == Some(std::f64::consts::TAU)) == (role == Role::Angle)));
     }
 }

@@ -15,7 +15,7 @@ pub use options::{Closing, Following, Task};
 pub use repeated::{ComponentItem, For, IndexRange, PartItem};
 
 use crate::diag::Range;
-use crate::quantity::Dim;
+use crate::quantity::{Ambient, Dim};
 use proc_macro2::{Ident, TokenStream};
 
 /// A whole `mechanism!` declaration.
@@ -35,6 +35,8 @@ pub struct Mechanism {
     pub visibility: TokenStream,
     /// Name of the generated struct.
     pub name: Ident,
+    /// `in space` or `in plane`.
+    pub ambient: Ambient,
     /// Items between the braces, in the order written.
     pub items: Vec<Item>,
 }
@@ -230,8 +232,10 @@ pub struct Feature {
     pub name: Ident,
     /// Indices, if it is an element of an array.
     pub indices: Vec<Expression>,
-    /// `(x, y)` in the frame of the body.
+    /// `(x, y)` or `(x, y, z)` in the frame of the body.
     pub value: Expression,
+    /// `from (x, y, z)`: the direction from which angles about the axis are counted.
+    pub zero: Option<Expression>,
 }
 
 /// `start angle = …;`

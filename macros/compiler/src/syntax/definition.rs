@@ -3,7 +3,7 @@
 use super::ast::{Condition, Definition, Definitions, Docs, Export, Formal, FormalKind, Statement};
 use super::dimension::dimension;
 use super::expression::{expression, relation};
-use super::item::binding;
+use super::item::{ambient, binding};
 use super::tokens::{
     Parsed, arrow, attributes, block, comma, docs, equals, expected, keyword, name, parentheses, report, semicolon, skip_item, visibility,
     wrong,
@@ -124,12 +124,13 @@ fn definition(input: ParseStream) -> Parsed<Definition> {
     Ident::parse_any(input)?;
     let name = name(input, "the name of the constraint")?;
     let parameters = formals(input, "`(` and the parameters of the constraint")?;
+    let ambient = ambient(input)?;
     let content = block(input, "`{` and the equations of the constraint")?;
     let mut statements = Vec::new();
     while !content.is_empty() {
         statements.push(statement(&content)?);
     }
-    Ok(Definition { docs, name, parameters, statements })
+    Ok(Definition { docs, name, parameters, ambient, statements })
 }
 
 /// `(name: kind, …)`

@@ -14,6 +14,7 @@ use super::tokens::{
     skip_item, skip_to_block, visibility, wrong,
 };
 use crate::diag::{ArrayFact, Diag, GrammarFact, Range, ValueFact};
+use crate::quantity::Ambient;
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -52,8 +53,25 @@ fn head(input: ParseStream) -> Parsed<Mechanism> {
     if name == "T" {
         return wrong(&name, GrammarFact::NumberType);
     }
+    let ambient = ambient(input)?.unwrap_or_default();
     let Options { task, closing, following, allows_far_start } = options;
-    Ok(Mechanism { docs, task, closing, following, allows_far_start, visibility, name, items: Vec::new() })
+    Ok(Mechanism { docs, task, closing, following, allows_far_start, visibility, name, ambient, items: Vec::new() })
+}
+
+/// `in space` or `in plane`, if written.
+pub(super) fn ambient(input: ParseStream) -> Parsed<Option<Ambient>> {
+    if !input.peek(Token![in]) {
+        return Ok(None);
+    }
+    input.parse::<Token![in]>()?;
+    let word = keyword(input).map(|word| word.to_string());
+    let found = match word.as_deref() {
+        Some("space") => Ambient::Space,
+        Some("plane") => Ambient::Plane,
+        _ => return expected(input, "`space` or `plane`"),
+    };
+    Ident::parse_any(input)?;
+    Ok(Some(found))
 }
 
 /// A mechanism of which only the name could be read.
@@ -66,6 +84,7 @@ fn salvaged(name: Ident) -> Mechanism {
         following: Following::default(),
         visibility: quote::quote!(pub),
         name,
+        ambient: Ambient::default(),
         items: Vec::new(),
     }
 }
@@ -363,8 +382,14 @@ fn mark(input: ParseStream) -> Parsed<Feature> {
     if input.peek(Token![,]) && !matches!(value.kind, ExpressionKind::Tuple(..)) {
         return wrong(value.range, GrammarFact::PairWithoutParentheses { what: if is_axis { "an axis" } else { "a point" } });
     }
+    let zero = if is_axis && keyword(input).is_some_and(|word| word == "from") {
+        Ident::parse_any(input)?;
+        Some(expression(input)?)
+    } else {
+        None
+    };
     semicolon(input)?;
-    Ok(Feature { is_axis, name, indices, value })
+    Ok(Feature { is_axis, name, indices, value, zero })
 }
 
 /// `start angle = value;`

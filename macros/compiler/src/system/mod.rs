@@ -9,16 +9,19 @@
 //! γ = −d²/ds² Φ(q + s q̇, t + s) at s = 0
 //! ```
 
+mod declared;
+mod forest;
 mod magnitude;
 mod pattern;
 
 use crate::diag::{Diag, SystemFact};
 use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Rate, Seed, Substitution, derivative};
-use crate::model::{Model, Said};
-use crate::quantity::{Dim, Role, SpeedRole};
+use crate::model::{Model, Name, Said};
+use crate::quantity::{Ambient, Axis, Dim, Role, SpeedRole};
 use crate::structure::Pattern;
 use std::collections::BTreeMap;
 
+pub use declared::Declared;
 pub(crate) use magnitude::magnitude;
 
 /// Unknowns and equations.
@@ -41,6 +44,10 @@ pub struct System {
     /// Lengths, the largest of which is the characteristic length: local coordinates of points or, if all points are origins, the
     /// lengths that joints and drives demand.
     pub lengths: Vec<Expr>,
+    /// In space: the equations as declared, of which some hold by the choice of the coordinates.
+    pub declared: Option<Box<Declared>>,
+    /// In space: the frame of each body in the arena.
+    pub frames: Vec<usize>,
 }
 
 /// One coordinate.
@@ -52,6 +59,8 @@ pub struct Coordinate {
     pub role: Role,
     /// Declared start value, a function of parameters.
     pub start: Option<Expr>,
+    /// For a coordinate of a joint, the joint and the name of the coordinate.
+    pub of_joint: Option<(usize, &'static str)>,
 }
 
 /// One speed.
@@ -112,11 +121,41 @@ impl Equation {
     }
 }
 
+/// Entries of a rotation matrix, which a state holds for each body in space.
+pub(crate) const COSINES: usize = 9;
+
 impl System {
+    /// Number of entries of a state: the coordinates, and in space the rotation matrices of the bodies.
+    #[must_use]
+    pub fn width(&self) -> usize {
+        self.coordinates.len() + COSINES * self.frames.len()
+    }
+
+    /// In space: value, rate and acceleration of the entries of a body's orientation in a state. The values are the rotation matrix,
+    /// row by row; the rates of the first three are ω, their accelerations ω̇.
+    pub(crate) fn orientation(&self, arena: &mut Arena, body: usize) -> Vec<[Expr; 3]> {
+        let zero = arena.integer(0);
+        let frame = arena.frame(self.frames[body]);
+        let entry = |k: usize| {
+            let value = frame.columns[k % 3][k / 3];
+            if k < 3 { [value, frame.velocity[k], frame.acceleration[k]] } else { [value, zero, zero] }
+        };
+        (0..COSINES).map(entry).collect()
+    }
+
     /// The name of a coordinate: `crank.angle`.
     pub(crate) fn name(&self, model: &Model, coordinate: usize) -> String {
+        let (owner, name) = self.owner_and_name(model, coordinate);
+        format!("{owner}.{name}")
+    }
+
+    /// The name of the body or of the joint that a coordinate belongs to, and its own name.
+    pub(crate) fn owner_and_name<'a>(&self, model: &'a Model, coordinate: usize) -> (&'a Name, &'static str) {
         let coordinate = &self.coordinates[coordinate];
-        format!("{}.{}", model.bodies[coordinate.body].name, coordinate.role.name())
+        match coordinate.of_joint {
+            Some((joint, name)) => (&model.joints[joint].name, name),
+            None => (&model.bodies[coordinate.body].name, coordinate.role.name()),
+        }
     }
 
     /// The equations of a joint of the model, which are consecutive: equations are in the order of joints.
@@ -129,6 +168,56 @@ impl System {
 
 /// Differentiates every residual and output of a model.
 pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
+    match model.ambient {
+        Ambient::Plane => in_plane(model, diag),
+        Ambient::Space => in_space(model, diag),
+    }
+}
+
+fn in_space(model: &Model, diag: &mut Diag) -> Option<System> {
+    has_bodies(model, diag);
+    let mut arena = model.arena.clone();
+    no_joint_repeats_another(model, &mut arena, diag);
+    if !diag.is_clean() {
+        return None;
+    }
+    let forest::Reduced { coordinates, rows, outputs, frames } = forest::reduce(model, &mut arena);
+    let kinematics: Vec<Rate> = (0..coordinates.len()).map(|number| Rate::Speed(number as u32)).collect();
+    let role = |role: Role| match role {
+        Role::Position(axis) => SpeedRole::Linear(axis),
+        Role::Displacement => SpeedRole::Linear(Axis::X),
+        Role::Angle | Role::Quaternion(_) => SpeedRole::Angular(Axis::Z),
+    };
+    let speeds = coordinates.iter().map(|coordinate| Speed { body: coordinate.body, role: role(coordinate.role) }).collect();
+    let mut by_coordinate: Vec<Derivatives> =
+        (0..coordinates.len()).map(|index| Derivatives::new(Leaf::Coordinate(index as u32))).collect();
+    let mut by_time = Derivatives::new(Leaf::Time);
+    let mut along = Jets::along(Seed::constant_speeds(kinematics.clone()));
+    let mut equations = Vec::new();
+    for row in &rows {
+        let mut jacobian = Vec::new();
+        for leaf in arena.leaves(row.phi) {
+            let Leaf::Coordinate(index) = leaf else { continue };
+            jacobian.push((index as usize, by_coordinate[index as usize].of(&mut arena, row.phi)));
+        }
+        jacobian.retain(|(_, entry)| !arena.as_constant(*entry).is_some_and(|value| value.is_zero()));
+        let rate = by_time.of(&mut arena, row.phi);
+        let nu = arena.neg(rate);
+        let [_, _, second] = along.of(&mut arena, row.phi);
+        let gamma = arena.neg(second);
+        equations.push(forest::equation(row, jacobian, nu, gamma));
+    }
+    let mut motion = Jets::along(Seed::motion(kinematics.clone()));
+    let motions =
+        outputs.iter().map(|parts| OutputMotion { components: parts.iter().map(|part| motion.of(&mut arena, *part)).collect() });
+    let outputs = motions.collect();
+    let lengths = lengths(&mut arena, model, &coordinates, &equations);
+    let pattern = pattern::pattern(model, &arena, coordinates.len(), &equations);
+    let declared = Some(Box::new(declared::declared(model)));
+    Some(System { arena, coordinates, speeds, kinematics, equations, pattern, outputs, lengths, declared, frames })
+}
+
+fn in_plane(model: &Model, diag: &mut Diag) -> Option<System> {
     let mut arena = model.arena.clone();
     let (coordinates, speeds, kinematics) = (coordinates(model), speeds(model), kinematics(model));
     let mut equations = Vec::new();
@@ -163,7 +252,18 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     has_bodies(model, diag);
     no_joint_repeats_another(model, &mut arena, diag);
     let pattern = pattern::pattern(model, &arena, speeds.len(), &equations);
-    diag.is_clean().then_some(System { arena, coordinates, speeds, kinematics, equations, pattern, outputs, lengths })
+    diag.is_clean().then_some(System {
+        arena,
+        coordinates,
+        speeds,
+        kinematics,
+        equations,
+        pattern,
+        outputs,
+        lengths,
+        declared: None,
+        frames: Vec::new(),
+    })
 }
 
 fn coordinates(model: &Model) -> Vec<Coordinate> {
@@ -171,7 +271,7 @@ fn coordinates(model: &Model) -> Vec<Coordinate> {
         declared
             .coordinates
             .iter()
-            .map(move |coordinate| Coordinate { body, role: coordinate.role, start: coordinate.start })
+            .map(move |coordinate| Coordinate { body, role: coordinate.role, start: coordinate.start, of_joint: None })
             .collect::<Vec<_>>()
     };
     model.bodies.iter().enumerate().flat_map(of_body).collect()

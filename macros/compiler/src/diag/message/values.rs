@@ -48,6 +48,17 @@ impl Display for ValueFact {
             ValueFact::OrderOfBodies => write!(f, "bodies have no order\nhelp: compare them with `==` or `!=`"),
             ValueFact::CannotCompare { one, two } => write!(f, "cannot compare {one} with {two}"),
             ValueFact::CannotEquate { one, two } => write!(f, "cannot equate {one} with {two}{}", remedy::of_equation(one, two)),
+            ValueFact::NotThreeComponents { found } => write!(f, "a vector in space has 3 components, found {found}"),
+            ValueFact::OnlyInSpace { word } => {
+                write!(f, "`{word}` is for mechanisms in space: write `mechanism Name in space {{ … }}`, or leave it out in the plane")
+            }
+            ValueFact::OnlyInPlane { word } => {
+                let instead = if word == "perp" { "`cross(axis, v)`" } else { "`joint.angle`, or `atan2` of two dot products" };
+                write!(f, "`{word}` is for the plane; in space write {instead}")
+            }
+            ValueFact::AlongItsAxis { name } => {
+                write!(f, "angles about `{name}` are counted from a direction across it, and this one is along it")
+            }
             ValueFact::NotTwoComponents { found } => write!(f, "a vector in the plane has 2 components, found {found}"),
             ValueFact::VectorAndNumber => {
                 write!(f, "cannot add or subtract a vector and a number")?;

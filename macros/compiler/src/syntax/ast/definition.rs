@@ -1,6 +1,7 @@
 //! Definitions of constraints, and the statements in them.
 
 use super::{Dimension, Docs, Expression, Let, Relation};
+use crate::quantity::Ambient;
 use proc_macro2::{Ident, TokenStream};
 
 /// A `constraint!` invocation: definitions that are exported one by one, or bundles of many.
@@ -38,6 +39,8 @@ pub struct Definition {
     pub name: Ident,
     /// Parameters.
     pub parameters: Vec<Formal>,
+    /// `in space` or `in plane`; `None` if it may be used in both.
+    pub ambient: Option<Ambient>,
     /// Statements.
     pub statements: Vec<Statement>,
 }

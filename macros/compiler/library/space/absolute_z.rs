@@ -1,0 +1,12 @@
+/// The z coordinate of a point is given.
+///
+/// ```text
+///   z_P − c = 0                                1 row, m
+/// ```
+///
+/// Removes one freedom. Degenerate case: none.
+///
+/// Reference: Haug, section 9.3.
+constraint absolute_z(P: Point, c: Length) in space {
+    P.z == c;
+}

@@ -1,0 +1,13 @@
+/// The angle of a joint follows a law of time: a motor.
+///
+/// ```text
+///   θ − C(t) = 0                               1 row, rad
+///   ν = Ċ
+/// ```
+///
+/// `angle` is a joint that has an angle, or an angle such as `axle.angle`. Exact over any number of turns. Degenerate case: none.
+///
+/// Reference: Haug, section 9.5.
+constraint drive_rotation(angle: Angle, C: Angle) in space {
+    angle == C;
+}

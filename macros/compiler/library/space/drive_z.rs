@@ -1,0 +1,13 @@
+/// The z coordinate of a point follows a law of time.
+///
+/// ```text
+///   z_P − C(t) = 0                             1 row, m
+///   ν = Ċ
+/// ```
+///
+/// Degenerate case: none.
+///
+/// Reference: Haug, section 9.5.
+constraint drive_z(P: Point, C: Length) in space {
+    P.z == C;
+}

@@ -1,0 +1,162 @@
+//! Frames that turn in space, and vectors fixed in them.
+//!
+//! ```text
+//! v = A s            s: components in the frame, constant in time
+//! v̇ = ω × v
+//! v̈ = ω̇ × v + ω × (ω × v)
+//! ∂v/∂q = τ × v      τ: the turn of the frame with the coordinate q
+//! ```
+//!
+//! A vector fixed in a frame is differentiated as a whole by these rules, and only then written as scalars.
+
+use super::{Arena, Expr, Leaf, Mark, Node};
+use std::collections::HashMap;
+
+/// Three components along the axes of ground or of a frame.
+pub type Triple = [Expr; 3];
+
+/// A frame that turns in space.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// The columns of A: the axes of the frame, by components in ground.
+    pub columns: [Triple; 3],
+    /// ω in ground.
+    pub velocity: Triple,
+    /// ω̇ in ground.
+    pub acceleration: Triple,
+    /// ω̇ at constant speeds.
+    pub acceleration_at_constant_speeds: Triple,
+    /// τ by coordinate, for those with which the frame turns.
+    pub turns: Vec<(Leaf, Triple)>,
+}
+
+/// The frames of an arena, and the vectors fixed in them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Frames {
+    frames: Vec<Frame>,
+    vectors: Vec<(usize, Triple)>,
+    // Only looked up, never iterated.
+    numbers: HashMap<(usize, Triple), u32>,
+}
+
+impl Arena {
+    /// Adds a frame; returns its number.
+    pub fn add_frame(&mut self, frame: Frame) -> usize {
+        self.frames.frames.push(frame);
+        self.frames.frames.len() - 1
+    }
+
+    /// A frame by its number.
+    #[must_use]
+    pub fn frame(&self, number: usize) -> &Frame {
+        &self.frames.frames[number]
+    }
+
+    /// True if there are frames that turn in space.
+    #[must_use]
+    pub fn is_spatial(&self) -> bool {
+        !self.frames.frames.is_empty()
+    }
+
+    /// Frame and local components of a vector.
+    #[must_use]
+    pub fn vector(&self, number: u32) -> (usize, Triple) {
+        self.frames.vectors[number as usize]
+    }
+
+    /// A s: a vector fixed in a frame, by its components in ground.
+    pub fn turned(&mut self, frame: usize, local: Triple) -> Triple {
+        let next = self.frames.vectors.len() as u32;
+        let vector = *self.frames.numbers.entry((frame, local)).or_insert(next);
+        if vector == next {
+            self.frames.vectors.push((frame, local));
+        }
+        self.components(vector)
+    }
+
+    /// The components of a vector in ground.
+    fn components(&mut self, vector: u32) -> Triple {
+        let (frame, local) = self.vector(vector);
+        let columns = self.frames.frames[frame].columns;
+        [0, 1, 2].map(|axis: u8| {
+            let products: Vec<Expr> = columns.iter().zip(local).map(|(column, part)| self.mul(part, column[usize::from(axis)])).collect();
+            let zero = self.integer(0);
+            let terms: Vec<Expr> = products.into_iter().filter(|product| *product != zero).collect();
+            let value = self.sum(&terms);
+            if self.as_constant(value).is_some() { value } else { self.build(Node::Marked { mark: Mark::Turned { vector, axis }, value }) }
+        })
+    }
+
+    /// ∂v/∂q of one component, q being a coordinate or a turn.
+    pub(super) fn turned_by(&mut self, vector: u32, axis: u8, by: Leaf) -> Expr {
+        let (frame, _) = self.vector(vector);
+        let turn = self.frames.frames[frame].turns.iter().find(|(leaf, _)| *leaf == by).map(|(_, turn)| *turn);
+        match turn {
+            Some(turn) => {
+                let components = self.components(vector);
+                cross(self, turn, components)[usize::from(axis)]
+            }
+            None => self.integer(0),
+        }
+    }
+
+    /// v̇ and v̈ of one component.
+    pub(super) fn turning_with(&mut self, vector: u32, axis: u8, speeds_change: bool) -> [Expr; 2] {
+        let (frame, _) = self.vector(vector);
+        let Frame { velocity, acceleration, acceleration_at_constant_speeds, .. } = self.frames.frames[frame];
+        let components = self.components(vector);
+        let first = cross(self, velocity, components);
+        let acceleration = if speeds_change { acceleration } else { acceleration_at_constant_speeds };
+        let along = cross(self, acceleration, components);
+        let inward = cross(self, velocity, first);
+        let axis = usize::from(axis);
+        [first[axis], self.add(along[axis], inward[axis])]
+    }
+
+    /// The expression without marks, in the same arena.
+    pub(crate) fn plain(&mut self, root: Expr, known: &mut HashMap<Expr, Expr>) -> Expr {
+        for expr in self.reachable_until(&[root], |e| known.contains_key(&e)) {
+            let node = *self.node(expr);
+            let at = |child: Expr| known[&child];
+            let plain = match node {
+                Node::Marked { value, .. } => at(value),
+                _ if node.children().all(|child| at(child) == child) => expr,
+                Node::Constant(_) | Node::Leaf(_) => expr,
+                Node::Unary(function, a) => {
+                    let a = at(a);
+                    self.unary(function, a)
+                }
+                Node::Binary(function, a, b) => {
+                    let (a, b) = (at(a), at(b));
+                    self.binary(function, a, b)
+                }
+                Node::Select { lhs, rhs, then, otherwise } => {
+                    let [lhs, rhs, then, otherwise] = [lhs, rhs, then, otherwise].map(at);
+                    self.select(lhs, rhs, then, otherwise)
+                }
+                Node::Call { function, order, argument } => {
+                    let argument = at(argument);
+                    self.call(function, order, argument)
+                }
+            };
+            known.insert(expr, plain);
+        }
+        known[&root]
+    }
+}
+
+/// a × b
+pub fn cross(arena: &mut Arena, a: Triple, b: Triple) -> Triple {
+    [[1, 2], [2, 0], [0, 1]].map(|[i, j]| {
+        let (left, right) = (arena.mul(a[i], b[j]), arena.mul(a[j], b[i]));
+        arena.sub(left, right)
+    })
+}
+
+/// a · b
+pub fn dot(arena: &mut Arena, a: Triple, b: Triple) -> Expr {
+    let products = [0, 1, 2].map(|axis| arena.mul(a[axis], b[axis]));
+    let zero = arena.integer(0);
+    let terms: Vec<Expr> = products.into_iter().filter(|product| *product != zero).collect();
+    arena.sum(&terms)
+}

@@ -1,0 +1,449 @@
+//! Space: orientations, axes with the directions across them, and what joints relate.
+//!
+//! ```text
+//! triad of an axis   z = a/|a|,  x = (b − (b·z) z)/|…| for the declared direction b,  y = z × x
+//! joint angle        θ = atan2(y_i · x_j, x_i · x_j), continued over whole turns
+//! displacement       z_i · (r_Q − r_P)
+//! ```
+
+use super::elaborate::{Elaborator, Scope};
+use super::statement::ScalarEquation;
+use super::value::{Arguments, Fixed, FrameId, Scalar, Value, Vector};
+use super::Components;
+use crate::diag::{ArityFact, Range, ValueFact};
+use crate::expr::{Expr, Frame, Leaf, Mark, Node, Triple, cross, dot};
+use crate::quantity::{Dim, InferredDim, Role};
+use crate::syntax::ast::{self, Statement};
+use proc_macro2::Ident;
+use std::collections::HashMap;
+
+/// Number of the first declared coordinate in space. The coordinates that are solved for count from 0: they are other ones.
+pub(crate) const DECLARED: u32 = 1 << 24;
+
+/// Built-in functions of space.
+pub(crate) const BUILTINS: &[&str] = &["across", "along", "joint_angle", "misalignment", "turn", "x_axis", "y_axis", "z_axis"];
+
+/// Three perpendicular unit vectors fixed in a body or in ground: x, y, and the axis z.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Triad {
+    /// Body; `None` for ground.
+    pub body: Option<usize>,
+    /// x, y and z by local components.
+    pub axes: [Triple; 3],
+}
+
+/// A point or a vector fixed in a body or in ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Place {
+    /// Body; `None` for ground.
+    pub body: Option<usize>,
+    /// Local components.
+    pub local: Triple,
+}
+
+/// What some rows of a joint mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    /// Two points are one: three rows.
+    Coincident(Place, Place),
+    /// Two axes have one direction: two rows.
+    SameDirection(Triad, Triad),
+    /// All axes of two triads have one direction: three rows.
+    SameOrientation(Triad, Triad),
+    /// Two vectors are perpendicular: one row.
+    Perpendicular(Place, Place),
+    /// The second point lies on the axis through the first: two rows.
+    OnLine(Triad, Place, Place),
+}
+
+impl Relation {
+    /// Number of rows.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        match self {
+            Relation::Coincident(..) | Relation::SameOrientation(..) => 3,
+            Relation::SameDirection(..) | Relation::OnLine(..) => 2,
+            Relation::Perpendicular(..) => 1,
+        }
+    }
+}
+
+/// An angle or a displacement of a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JointQuantity {
+    /// Angle of the second triad against the first.
+    Angle(Triad, Triad),
+    /// Distance of the second point from the first, along an axis.
+    Displacement(Triad, Place, Place),
+}
+
+/// What joints in space relate.
+#[derive(Clone, Debug, Default)]
+pub struct Geometry {
+    /// Relations, with the joint and the first of its rows that they stand for.
+    pub relations: Vec<(usize, usize, Relation)>,
+    /// Angles and displacements of joints, each with its expression, which is marked with its number here.
+    pub quantities: Vec<(JointQuantity, Expr)>,
+}
+
+/// What is known of expressions while a mechanism is resolved.
+#[derive(Default)]
+pub(super) struct Space {
+    geometry: Geometry,
+    /// Relations that hold where these expressions vanish.
+    origins: HashMap<Vec<Expr>, Relation>,
+    /// Points whose difference has these components: the second minus the first.
+    differences: HashMap<[Expr; 3], (Place, Place)>,
+    triads: HashMap<(Place, Option<Triple>), Triad>,
+}
+
+impl From<Space> for Geometry {
+    fn from(space: Space) -> Geometry {
+        space.geometry
+    }
+}
+
+impl Elaborator<'_> {
+    /// Declares the frame of a body with the quaternion that rotates it and with speeds of its own.
+    pub(super) fn declare_frame(&mut self, body: u32, quaternion: &[Expr]) {
+        let &[w, x, y, z] = quaternion else { return };
+        let columns = rotation(&mut self.arena, [w, x, y, z]).0;
+        let zero = self.arena.integer(0);
+        let one = self.arena.integer(1);
+        let axis = |axis: u32| [0, 1, 2].map(|other| if other == axis { one } else { zero });
+        let turns = [0, 1, 2].map(|k| (Leaf::Turn(3 * body + k), axis(k)));
+        let speed = |leaf: fn(u32) -> Leaf| [0, 1, 2].map(|k| leaf(DECLARED + 6 * body + 3 + k));
+        let velocity = speed(Leaf::Speed).map(|leaf| self.arena.leaf(leaf));
+        let acceleration = speed(Leaf::Acceleration).map(|leaf| self.arena.leaf(leaf));
+        let acceleration_at_constant_speeds = [zero; 3];
+        self.arena.add_frame(Frame { columns, velocity, acceleration, acceleration_at_constant_speeds, turns: turns.to_vec() });
+    }
+
+    /// A vector fixed in a body, by its components in ground.
+    pub(super) fn turned(&mut self, fixed: Fixed) -> Components {
+        match (body(fixed.frame), fixed.local.in_space()) {
+            (Some(body), Some(local)) => Components::space(self.arena.turned(body, local)),
+            _ => fixed.local,
+        }
+    }
+
+    /// `from (x, y, z)` of an axis.
+    pub(super) fn zero_direction(&mut self, mark: &ast::Feature, scope: &Scope, axis: Components) -> Option<Option<Components>> {
+        let Some(written) = &mark.zero else { return Some(None) };
+        let zero = self.vector(written, scope)?.parts;
+        let (Some(one), Some(two)) = (axis.in_space(), zero.in_space()) else {
+            return self.refuse(written.range, ValueFact::OnlyInSpace { word: "from".to_owned() });
+        };
+        if !zero.iter().all(|part| self.is_fixed(*part)) {
+            return self.refuse(written.range, ValueFact::NotFixed { place: "a point or an axis" });
+        }
+        let normal = cross(&mut self.arena, one, two);
+        if normal.iter().all(|part| self.arena.as_constant(*part).is_some_and(|value| value.is_zero())) {
+            return self.refuse(written.range, ValueFact::AlongItsAxis { name: mark.name.to_string() });
+        }
+        Some(Some(zero))
+    }
+
+    /// `(x, y, z)`
+    pub(super) fn triple(&mut self, range: Range, items: &[ast::Expression], scope: &Scope) -> Option<Vector> {
+        if items.len() != 3 {
+            return self.refuse(range, ValueFact::NotThreeComponents { found: items.len() });
+        }
+        let found: Vec<Option<Scalar>> = items.iter().map(|item| self.scalar(item, scope)).collect();
+        let found: Option<Vec<Scalar>> = found.into_iter().collect();
+        let found = found?;
+        let mut measure = found[0].measure;
+        for scalar in &found[1..] {
+            match measure.common(scalar.measure) {
+                Some(common) => measure = common,
+                None => {
+                    let (one, two) = (measure.settled(), scalar.measure.settled());
+                    return self.refuse(range, ValueFact::Unlike { action: "make one vector of", one, two });
+                }
+            }
+        }
+        Some(Vector { parts: Components::space([found[0].expr, found[1].expr, found[2].expr]), measure })
+    }
+
+    /// Notes that a vector leads from one point to another.
+    pub(super) fn note_difference(&mut self, parts: Components, from: Fixed, to: Fixed) {
+        if let (Some(parts), Some(from), Some(to)) = (parts.in_space(), place(from), place(to)) {
+            self.space.differences.insert(parts, (from, to));
+            self.space.origins.insert(parts.to_vec(), Relation::Coincident(from, to));
+        }
+    }
+
+    /// A built-in function of space.
+    pub(super) fn spatial_builtin(&mut self, range: Range, name: &Ident, arguments: &[ast::Expression], scope: &Scope) -> Option<Value> {
+        let word = name.to_string();
+        let wanted = if word.ends_with("_axis") { 1 } else { 2 };
+        if arguments.len() != wanted {
+            return self.refuse(name, ArityFact::FunctionArity { name: word, wanted, found: arguments.len() });
+        }
+        let values: Option<Vec<Value>> = arguments.iter().map(|argument| self.value(argument, scope)).collect();
+        let values = values?;
+        let Some(axis) = self.as_axis(values[0].clone()) else {
+            return self.refuse(arguments[0].range, ValueFact::NotA { wanted: "an axis", found: values[0].noun() });
+        };
+        let triad = self.triad(axis)?;
+        match word.as_str() {
+            "x_axis" | "y_axis" | "z_axis" => {
+                let which = ["x_axis", "y_axis", "z_axis"].iter().position(|known| *known == word).unwrap_or(2);
+                let local = Components::space(triad.axes[which]);
+                Some(Value::Axis(Fixed { frame: axis.frame, local, measure: InferredDim::Known(Dim::NUMBER), zero: None }))
+            }
+            "turn" => {
+                let angle = self.scalar_of(&arguments[1], Dim::ANGLE, scope)?.expr;
+                Some(Value::Orientation(self.turn(triad.axes[2], angle)))
+            }
+            "across" | "along" => {
+                let second = values[1].clone();
+                let noun = second.noun();
+                let other = self.as_axis(second.clone());
+                let Some(vector) = self.as_vector(second) else {
+                    return self.refuse(arguments[1].range, ValueFact::NotA { wanted: "a vector", found: noun });
+                };
+                if word == "along" { self.along(triad, vector).map(Value::Scalar) } else { self.across(triad, vector, other) }
+            }
+            _ => {
+                let Some(other) = self.as_axis(values[1].clone()) else {
+                    return self.refuse(arguments[1].range, ValueFact::NotA { wanted: "an axis", found: values[1].noun() });
+                };
+                let other = self.triad(other)?;
+                if word == "joint_angle" {
+                    return Some(Value::Scalar(self.joint_angle(triad, other)));
+                }
+                Some(Value::Vector(self.misalignment(range, triad, other)))
+            }
+        }
+    }
+
+    /// An axis; a constant vector stands for a direction in ground.
+    fn as_axis(&self, value: Value) -> Option<Fixed> {
+        match value {
+            Value::Axis(axis) => Some(axis),
+            Value::Vector(Vector { parts, measure }) if parts.iter().all(|part| self.is_fixed(*part)) => {
+                Some(Fixed { frame: FrameId::GROUND, local: parts, measure, zero: None })
+            }
+            _ => None,
+        }
+    }
+
+    /// The triad of an axis.
+    fn triad(&mut self, axis: Fixed) -> Option<Triad> {
+        let own = place(axis)?;
+        let zero = axis.zero.and_then(Components::in_space);
+        if let Some(known) = self.space.triads.get(&(own, zero)) {
+            return Some(*known);
+        }
+        let z = self.unit(own.local);
+        let from = zero.unwrap_or_else(|| self.some_direction_across(own.local));
+        let along = dot(&mut self.arena, from, z);
+        let across = [0, 1, 2].map(|k| {
+            let part = self.arena.mul(along, z[k]);
+            self.arena.sub(from[k], part)
+        });
+        let x = self.unit(across);
+        let y = cross(&mut self.arena, z, x);
+        let triad = Triad { body: own.body, axes: [x, y, z] };
+        self.space.triads.insert((own, zero), triad);
+        Some(triad)
+    }
+
+    fn unit(&mut self, vector: Triple) -> Triple {
+        let square = dot(&mut self.arena, vector, vector);
+        let length = self.arena.sqrt(square);
+        vector.map(|part| self.arena.div(part, length))
+    }
+
+    /// The axis of the frame that follows the one nearest to `axis`: x for z, y for x, z for y.
+    fn some_direction_across(&mut self, axis: Triple) -> Triple {
+        let values = self.numbers(&self.defaults, &axis);
+        let size = |k: usize| if values[k].is_finite() { values[k].abs() } else { 0.0 };
+        let longest = (0..3).fold(0, |longest, k| if size(k) > size(longest) { k } else { longest });
+        let (zero, one) = (self.arena.integer(0), self.arena.integer(1));
+        [0, 1, 2].map(|k| if k == (longest + 1) % 3 { one } else { zero })
+    }
+
+    /// The axes of a triad in ground.
+    fn in_ground(&mut self, triad: Triad) -> [Triple; 3] {
+        match triad.body {
+            Some(body) => triad.axes.map(|axis| self.arena.turned(body, axis)),
+            None => triad.axes,
+        }
+    }
+
+    /// x · v and y · v
+    fn across(&mut self, triad: Triad, vector: Vector, other: Option<Fixed>) -> Option<Value> {
+        let [x, y, _] = self.in_ground(triad);
+        let relation = match other {
+            Some(other) => Some(Relation::SameDirection(triad, self.triad(other)?)),
+            None => {
+                let difference = vector.parts.in_space().and_then(|parts| self.space.differences.get(&parts).copied());
+                difference.map(|(from, to)| Relation::OnLine(triad, from, to))
+            }
+        };
+        // The direction of an axis is a unit vector.
+        let (v, measure) = match relation {
+            Some(Relation::SameDirection(_, other)) => (self.in_ground(other)[2], InferredDim::Known(Dim::NUMBER)),
+            _ => (vector.parts.in_space()?, vector.measure),
+        };
+        let rows = [dot(&mut self.arena, x, v), dot(&mut self.arena, y, v)];
+        if let Some(relation) = relation {
+            self.space.origins.insert(rows.to_vec(), relation);
+        }
+        Some(Value::Vector(Vector { parts: Components::plane(rows[0], rows[1]), measure }))
+    }
+
+    /// z · v
+    fn along(&mut self, triad: Triad, vector: Vector) -> Option<Scalar> {
+        let z = self.in_ground(triad)[2];
+        let v = vector.parts.in_space()?;
+        let value = dot(&mut self.arena, z, v);
+        let expr = match self.space.differences.get(&v).copied() {
+            Some((from, to)) => self.quantity(JointQuantity::Displacement(triad, from, to), |_, _| value),
+            None => value,
+        };
+        Some(Scalar { expr, measure: vector.measure })
+    }
+
+    /// The angle of the second triad against the first, near the joint's own coordinate.
+    fn joint_angle(&mut self, one: Triad, two: Triad) -> Scalar {
+        let ([x, y, _], [other, _, _]) = (self.in_ground(one), self.in_ground(two));
+        let bodies = self.names.frames.len() as u32 - 1;
+        let expr = self.quantity(JointQuantity::Angle(one, two), |arena, number| {
+            let near = arena.leaf(Leaf::Coordinate(DECLARED + Role::SPACE.len() as u32 * bodies + number));
+            let (s, c) = (dot(arena, y, other), dot(arena, x, other));
+            let (sine, cosine) = (arena.sin(near), arena.cos(near));
+            let [sc, cs, cc, ss] = [(s, cosine), (c, sine), (c, cosine), (s, sine)].map(|(a, b)| arena.mul(a, b));
+            let (above, below) = (arena.sub(sc, cs), arena.add(cc, ss));
+            let rest = arena.binary(crate::expr::Binary::Atan2, above, below);
+            arena.add(near, rest)
+        });
+        Scalar { expr, measure: InferredDim::Known(Dim::ANGLE) }
+    }
+
+    /// The marked expression of a quantity.
+    fn quantity(&mut self, quantity: JointQuantity, value: impl FnOnce(&mut crate::expr::Arena, u32) -> Expr) -> Expr {
+        let known = &self.space.geometry.quantities;
+        if let Some((_, expr)) = known.iter().find(|(known, _)| *known == quantity) {
+            return *expr;
+        }
+        let number = known.len() as u32;
+        let value = value(&mut self.arena, number);
+        let expr = self.arena.build(Node::Marked { mark: Mark::OfJoint(number), value });
+        self.space.geometry.quantities.push((quantity, expr));
+        expr
+    }
+
+    /// y_i · z_j, z_i · x_j and x_i · y_j, which vanish where the triads are equal.
+    fn misalignment(&mut self, _: Range, one: Triad, two: Triad) -> Vector {
+        let ([xi, yi, zi], [xj, yj, zj]) = (self.in_ground(one), self.in_ground(two));
+        let rows = [(yi, zj), (zi, xj), (xi, yj)].map(|(a, b)| dot(&mut self.arena, a, b));
+        self.space.origins.insert(rows.to_vec(), Relation::SameOrientation(one, two));
+        Vector { parts: Components::space(rows), measure: InferredDim::Known(Dim::NUMBER) }
+    }
+
+    /// Notes that the product of two vectors fixed in bodies means something where it vanishes.
+    pub(super) fn note_product(&mut self, product: Expr, one: Option<Fixed>, two: Option<Fixed>) {
+        if let (Some(one), Some(two)) = (one.and_then(place), two.and_then(place)) {
+            self.space.origins.insert(vec![product], Relation::Perpendicular(one, two));
+        }
+    }
+
+    /// The meanings of the rows of a joint.
+    pub(super) fn note_relations(&mut self, joint: usize, rows: &[ScalarEquation]) {
+        let exprs: Vec<Expr> = rows.iter().map(|row| row.residual.expr).collect();
+        let mut at = 0;
+        while at < exprs.len() {
+            let found = (1..=3.min(exprs.len() - at)).rev().find_map(|length| self.space.origins.get(&exprs[at..at + length]).copied());
+            if let Some(relation) = found {
+                self.space.geometry.relations.push((joint, at, relation));
+            }
+            at += found.map_or(1, |relation| relation.rows());
+        }
+    }
+
+    /// A quantity that a joint names with `let`.
+    pub(super) fn quantity_of(&mut self, kind: &str, arguments: &Arguments, name: &str) -> Option<Value> {
+        let definition = self.known_definition(kind)?;
+        let mut scope = Scope { bound: arguments.to_vec(), ..Scope::default() };
+        for statement in &definition.statements {
+            if let Statement::Let(binding) = statement {
+                let value = self.binding(binding, &scope)?;
+                if binding.name == name {
+                    return Some(value);
+                }
+                scope.bound.push((binding.name.to_string(), value));
+            }
+        }
+        None
+    }
+
+    /// Evaluates an orientation.
+    pub(super) fn orientation(&mut self, written: &ast::Expression, scope: &Scope) -> Option<[Expr; 4]> {
+        match self.value(written, scope)? {
+            Value::Orientation(quaternion) => Some(quaternion),
+            other => self.refuse(written.range, ValueFact::NotA { wanted: "an orientation, such as `turn((0, 0, 1), 30deg)`", found: other.noun() }),
+        }
+    }
+
+    /// The quaternion of a turn about a unit vector.
+    fn turn(&mut self, axis: Triple, angle: Expr) -> [Expr; 4] {
+        let two = self.arena.integer(2);
+        let half = self.arena.div(angle, two);
+        let (sine, cosine) = (self.arena.sin(half), self.arena.cos(half));
+        let [x, y, z] = axis.map(|part| self.arena.mul(part, sine));
+        [cosine, x, y, z]
+    }
+
+    /// The product of two rotations: the second comes first.
+    pub(super) fn composed(&mut self, [aw, ax, ay, az]: [Expr; 4], [bw, bx, by, bz]: [Expr; 4]) -> [Expr; 4] {
+        let arena = &mut self.arena;
+        let (a, b) = ([ax, ay, az], [bx, by, bz]);
+        let (real, inner) = (arena.mul(aw, bw), dot(arena, a, b));
+        let turned = cross(arena, a, b);
+        let [x, y, z] = [0, 1, 2].map(|k| {
+            let (left, right) = (arena.mul(aw, b[k]), arena.mul(bw, a[k]));
+            let sum = arena.add(left, right);
+            arena.add(sum, turned[k])
+        });
+        [arena.sub(real, inner), x, y, z]
+    }
+}
+
+/// Columns of the matrix of a quaternion of any length, and 2 over the square of the length.
+pub(crate) fn rotation(arena: &mut crate::expr::Arena, [w, x, y, z]: [Expr; 4]) -> ([Triple; 3], Expr) {
+    let squares = [w, x, y, z].map(|part| arena.square(part));
+    let length = arena.sum(&squares);
+    let two = arena.integer(2);
+    let factor = arena.div(two, length);
+    let one = arena.integer(1);
+    // 1 − h (b² + c²)
+    let mut diagonal = |b: Expr, c: Expr| {
+        let (b, c) = (arena.square(b), arena.square(c));
+        let sum = arena.add(b, c);
+        let part = arena.mul(factor, sum);
+        arena.sub(one, part)
+    };
+    let [xx, yy, zz] = [diagonal(y, z), diagonal(x, z), diagonal(x, y)];
+    // h (a b ± w c)
+    let mut mixed = |a: Expr, b: Expr, c: Expr, is_plus: bool| {
+        let (one, two) = (arena.mul(a, b), arena.mul(w, c));
+        let sum = if is_plus { arena.add(one, two) } else { arena.sub(one, two) };
+        arena.mul(factor, sum)
+    };
+    let (yx, xy) = (mixed(x, y, z, true), mixed(x, y, z, false));
+    let (xz, zx) = (mixed(x, z, y, true), mixed(x, z, y, false));
+    let (zy, yz) = (mixed(y, z, x, true), mixed(y, z, x, false));
+    ([[xx, yx, zx], [xy, yy, zy], [xz, yz, zz]], factor)
+}
+
+/// Body of a frame; `None` for ground.
+fn body(frame: FrameId) -> Option<usize> {
+    frame.0.checked_sub(1)
+}
+
+fn place(fixed: Fixed) -> Option<Place> {
+    Some(Place { body: body(fixed.frame), local: fixed.local.in_space()? })
+}
