@@ -210,7 +210,7 @@ pub enum SystemFact {
     Follows { joint: String, is_drive: bool, rows: Vec<usize>, of: usize, others: Vec<String> },
     Contradicts { joint: String, others: Vec<String>, demand: Option<Box<Demand>>, off: String },
     Collides { joint: String, others: Vec<String>, off: String },
-    FollowsFrom { joint: String, is_drive: bool, rows: usize, of: usize, others: Vec<String>, free: Vec<String>, moves: bool },
+    FollowsFrom { joint: String, is_drive: bool, rows: usize, of: usize, others: Vec<String>, free: Vec<String>, moves: bool, in_space: bool },
     NotRedundant { joint: String, free: Vec<String> },
     CannotHold { joint: String, bodies: Vec<String>, length: Option<f64>, angle: Option<f64>, time: Option<f64>, is_redundant: bool },
     TooManyEquations { joint: String, others: Vec<String>, equations: usize, coordinates: Vec<String>, free: Vec<String>, for_free: usize },

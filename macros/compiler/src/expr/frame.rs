@@ -10,7 +10,7 @@
 //! A vector fixed in a frame is differentiated as a whole by these rules, and only then written as scalars.
 
 use super::{Arena, Expr, Leaf, Mark, Node};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 /// Three components along the axes of ground or of a frame.
 pub type Triple = [Expr; 3];
@@ -28,15 +28,30 @@ pub struct Frame {
     pub acceleration_at_constant_speeds: Triple,
     /// τ by coordinate, for those with which the frame turns.
     pub turns: Vec<(Leaf, Triple)>,
+    /// The frame against which it turns; `None` for ground.
+    pub against: Option<usize>,
+    /// The coordinates with which it turns against that frame.
+    pub own: Vec<Leaf>,
 }
 
 /// The frames of an arena, and the vectors fixed in them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Frames {
     frames: Vec<Frame>,
-    vectors: Vec<(usize, Triple)>,
+    vectors: Vec<FixedVector>,
     // Only looked up, never iterated.
     numbers: HashMap<(usize, Triple), u32>,
+}
+
+/// A vector fixed in a frame.
+#[derive(Clone, Copy, Debug)]
+struct FixedVector {
+    frame: usize,
+    local: Triple,
+    /// The frame that it moves with; `None` if it rests.
+    moving: Option<usize>,
+    /// In ground.
+    components: Triple,
 }
 
 impl Arena {
@@ -61,7 +76,8 @@ impl Arena {
     /// Frame and local components of a vector.
     #[must_use]
     pub fn vector(&self, number: u32) -> (usize, Triple) {
-        self.frames.vectors[number as usize]
+        let FixedVector { frame, local, .. } = self.frames.vectors[number as usize];
+        (frame, local)
     }
 
     /// A s: a vector fixed in a frame, by its components in ground.
@@ -69,27 +85,48 @@ impl Arena {
         let next = self.frames.vectors.len() as u32;
         let vector = *self.frames.numbers.entry((frame, local)).or_insert(next);
         if vector == next {
-            self.frames.vectors.push((frame, local));
+            let (moving, components) = self.motion_of(frame, local);
+            self.frames.vectors.push(FixedVector { frame, local, moving, components });
         }
         self.components(vector)
     }
 
+    /// The components of a vector, and the frame that it moves with: a vector along the axis of a joint does not turn with the joint.
+    fn motion_of(&mut self, frame: usize, local: Triple) -> (Option<usize>, Triple) {
+        let columns = self.frames.frames[frame].columns;
+        let zero = self.integer(0);
+        let components = [0, 1, 2].map(|axis: usize| {
+            let products: Vec<Expr> = columns.iter().zip(local).map(|(column, part)| self.mul(part, column[axis])).collect();
+            let terms: Vec<Expr> = products.into_iter().filter(|product| *product != zero).collect();
+            self.sum(&terms)
+        });
+        let leaves: BTreeSet<Leaf> = components.iter().flat_map(|component| self.leaves(*component)).collect();
+        let mut moving = Some(frame);
+        while let Some(frame) = moving {
+            let Frame { against, own, .. } = &self.frames.frames[frame];
+            if own.iter().any(|leaf| leaves.contains(leaf)) {
+                break;
+            }
+            moving = *against;
+        }
+        (moving, components)
+    }
+
     /// The components of a vector in ground.
     fn components(&mut self, vector: u32) -> Triple {
-        let (frame, local) = self.vector(vector);
-        let columns = self.frames.frames[frame].columns;
+        let FixedVector { components, moving, .. } = self.frames.vectors[vector as usize];
         [0, 1, 2].map(|axis: u8| {
-            let products: Vec<Expr> = columns.iter().zip(local).map(|(column, part)| self.mul(part, column[usize::from(axis)])).collect();
-            let zero = self.integer(0);
-            let terms: Vec<Expr> = products.into_iter().filter(|product| *product != zero).collect();
-            let value = self.sum(&terms);
-            if self.as_constant(value).is_some() { value } else { self.build(Node::Marked { mark: Mark::Turned { vector, axis }, value }) }
+            let value = components[usize::from(axis)];
+            if moving.is_none() || self.as_constant(value).is_some() {
+                return value;
+            }
+            self.build(Node::Marked { mark: Mark::Turned { vector, axis }, value })
         })
     }
 
     /// ∂v/∂q of one component, q being a coordinate or a turn.
     pub(super) fn turned_by(&mut self, vector: u32, axis: u8, by: Leaf) -> Expr {
-        let (frame, _) = self.vector(vector);
+        let Some(frame) = self.frames.vectors[vector as usize].moving else { return self.integer(0) };
         let turn = self.frames.frames[frame].turns.iter().find(|(leaf, _)| *leaf == by).map(|(_, turn)| *turn);
         match turn {
             Some(turn) => {
@@ -102,7 +139,7 @@ impl Arena {
 
     /// v̇ and v̈ of one component.
     pub(super) fn turning_with(&mut self, vector: u32, axis: u8, speeds_change: bool) -> [Expr; 2] {
-        let (frame, _) = self.vector(vector);
+        let Some(frame) = self.frames.vectors[vector as usize].moving else { return [self.integer(0); 2] };
         let Frame { velocity, acceleration, acceleration_at_constant_speeds, .. } = self.frames.frames[frame];
         let components = self.components(vector);
         let first = cross(self, velocity, components);

@@ -116,7 +116,10 @@ impl Elaborator<'_> {
         let velocity = speed(Leaf::Speed).map(|leaf| self.arena.leaf(leaf));
         let acceleration = speed(Leaf::Acceleration).map(|leaf| self.arena.leaf(leaf));
         let acceleration_at_constant_speeds = [zero; 3];
-        self.arena.add_frame(Frame { columns, velocity, acceleration, acceleration_at_constant_speeds, turns: turns.to_vec() });
+        let leaf = |part: &Expr| if let Node::Leaf(leaf) = self.arena.node(*part) { Some(*leaf) } else { None };
+        let own = quaternion.iter().filter_map(leaf).collect();
+        let turns = turns.to_vec();
+        self.arena.add_frame(Frame { columns, velocity, acceleration, acceleration_at_constant_speeds, turns, against: None, own });
     }
 
     /// A vector fixed in a body, by its components in ground.

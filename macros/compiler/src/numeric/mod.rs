@@ -14,6 +14,7 @@ pub(crate) mod basis;
 pub(crate) mod dense;
 pub(crate) mod gap;
 pub(crate) mod least_squares;
+mod resting;
 pub(crate) mod samples;
 pub(crate) mod search;
 pub(crate) mod turns;
@@ -23,6 +24,7 @@ use crate::model::{Function, Model};
 use crate::system::{Equation, System};
 use least_squares::Problem;
 use std::cell::{Cell, OnceCell};
+use std::collections::BTreeSet;
 use turns::Turns;
 
 /// A system with the declared defaults substituted.
@@ -36,6 +38,8 @@ pub(crate) struct Numeric<'a> {
     pub(crate) declared: Vec<Option<f64>>,
     /// Computed on first use.
     turns: OnceCell<Turns>,
+    /// Computed on first use.
+    resting: OnceCell<BTreeSet<usize>>,
     /// Number of operations spent.
     pub(crate) effort: Cell<u64>,
 }
@@ -55,14 +59,14 @@ pub(crate) fn at_defaults<R>(model: &Model, system: &System, work: impl FnOnce(&
 impl<'a> Numeric<'a> {
     pub(crate) fn new(model: &'a Model, system: &'a System, known: Values<'a>, declared: Vec<Option<f64>>) -> Numeric<'a> {
         let size = size(system, &known);
-        Numeric { model, system, known, size, declared, turns: OnceCell::new(), effort: Cell::default() }
+        Numeric { model, system, known, size, declared, turns: OnceCell::new(), resting: OnceCell::new(), effort: Cell::default() }
     }
 }
 
 impl Numeric<'_> {
     /// A copy with other parameters and start values; the characteristic length stays.
     pub(crate) fn with<'b>(&'b self, known: Values<'b>, declared: Vec<Option<f64>>) -> Numeric<'b> {
-        Numeric { known, declared, effort: Cell::default(), turns: OnceCell::new(), ..*self }
+        Numeric { known, declared, effort: Cell::default(), turns: OnceCell::new(), resting: OnceCell::new(), ..*self }
     }
 
     /// Angles that may differ by whole turns.
@@ -99,8 +103,14 @@ impl Numeric<'_> {
 
     /// The problem of some equations in some unknowns; all other coordinates keep the given values.
     pub(crate) fn problem(&self, equations: &[usize], unknowns: Vec<usize>, coordinates: Vec<f64>) -> Problem<'_> {
-        let rows: Vec<&Equation> =
-            equations.iter().map(|equation| &self.system.equations[*equation]).filter(|equation| equation.phi().is_some()).collect();
+        // A row that holds by the choice of the coordinates has no gradient.
+        let holds = |equation: &usize| self.system.declared.is_some() && self.resting().contains(equation);
+        let rows: Vec<&Equation> = equations
+            .iter()
+            .filter(|equation| !holds(equation))
+            .map(|equation| &self.system.equations[*equation])
+            .filter(|equation| equation.phi().is_some())
+            .collect();
         let mut roots: Vec<Expr> = rows.iter().filter_map(|equation| equation.phi()).collect();
         let mut pattern = Vec::new();
         for (row, equation) in rows.iter().enumerate() {

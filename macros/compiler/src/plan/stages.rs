@@ -14,6 +14,7 @@ use crate::expr::{Arena, Expr, Jets, Leaf, Seed, Substitution, derivative};
 use crate::quantity::Dim;
 use crate::structure::{Block, Explicit, Structure};
 use crate::system::{OutputMotion, System, magnitude};
+use std::collections::{BTreeSet, HashMap};
 
 /// Stages of a mechanism whose unknowns all belong to blocks, and outputs with constants substituted.
 pub(super) fn stages(
@@ -23,7 +24,7 @@ pub(super) fn stages(
     outputs: &[OutputMotion],
 ) -> (Vec<Stage>, Vec<OutputMotion>) {
     let mut work =
-        StageBuilder { arena, system, jets: Jets::along(Seed::motion(system.kinematics.clone())), constants: Substitution::new() };
+        StageBuilder { arena, system, jets: Jets::along(Seed::motion(system.kinematics.clone())), constants: Substitution::new(), plain: HashMap::new() };
     let mut stages: Vec<Stage> = structure.blocks.iter().flat_map(|block| work.block(block)).collect();
     let orientations = super::space::orientations(work.arena, system);
     stages.extend(orientations.into_iter().map(|stage| work.with_constants(stage)));
@@ -38,6 +39,8 @@ struct StageBuilder<'a> {
     jets: Jets,
     /// Values, rates and accelerations known to be constant.
     constants: Substitution,
+    /// Expressions without marks.
+    plain: HashMap<Expr, Expr>,
 }
 
 impl StageBuilder<'_> {
@@ -88,9 +91,42 @@ impl StageBuilder<'_> {
 
     /// The stage of an unknown with this value.
     fn computed(&mut self, unknown: usize, equation: usize, value: Expr) -> Stage {
-        let motion = self.jets.of(self.arena, value).map(|expr| self.constants.of(self.arena, expr));
+        let motion = self.motion(value).map(|expr| self.constants.of(self.arena, expr));
         self.note_constants(unknown, &motion);
         Stage::Explicit { unknown, equation, motion }
+    }
+
+    /// Value, rate and acceleration. A component of a vector fixed in a frame may depend on fewer coordinates than the vector: it is
+    /// differentiated as written where the vector's rate would need a coordinate that is found later.
+    fn motion(&mut self, value: Expr) -> [Expr; 3] {
+        let motion = self.jets.of(self.arena, value);
+        if !self.arena.is_spatial() || self.depends_on_no_more(&motion[1..], value) {
+            return motion;
+        }
+        let plain = self.arena.plain(value, &mut self.plain);
+        self.jets.of(self.arena, plain)
+    }
+
+    /// The derivative by an unknown, with the same care.
+    fn slope_by(&mut self, value: Expr, unknown: usize) -> Expr {
+        let by = Leaf::Coordinate(unknown as u32);
+        let slope = derivative(self.arena, value, by);
+        if !self.arena.is_spatial() || self.depends_on_no_more(&[slope], value) {
+            return slope;
+        }
+        let plain = self.arena.plain(value, &mut self.plain);
+        derivative(self.arena, plain, by)
+    }
+
+    /// True if some derivatives of a value depend on no coordinates, nor on their rates, on which the value does not depend.
+    fn depends_on_no_more(&self, derivatives: &[Expr], value: Expr) -> bool {
+        let number = |leaf: Leaf| match leaf {
+            Leaf::Coordinate(number) | Leaf::Speed(number) | Leaf::Acceleration(number) => Some(number),
+            Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_) | Leaf::Turn(_) => None,
+        };
+        let numbers = |root: Expr| self.arena.leaves(root).into_iter().filter_map(number).collect::<BTreeSet<u32>>();
+        let own = numbers(value);
+        derivatives.iter().all(|derivative| numbers(*derivative).is_subset(&own))
     }
 
     /// A stage with constants substituted.
@@ -165,9 +201,9 @@ impl StageBuilder<'_> {
         let mut seconds = Vec::new();
         for equation in &block.residuals {
             let residual = inside.of(self.arena, self.system.equations[*equation].phi()?);
-            let [residual, first, second] = self.jets.of(self.arena, residual).map(|expr| self.constants.of(self.arena, expr));
-            let row = block.iterated.iter().map(|unknown| derivative(self.arena, residual, Leaf::Coordinate(*unknown as u32)));
-            found.jacobian.push(row.collect());
+            let [residual, first, second] = self.motion(residual).map(|expr| self.constants.of(self.arena, expr));
+            let row = block.iterated.iter().map(|unknown| self.slope_by(residual, *unknown)).collect();
+            found.jacobian.push(row);
             let first = still.of(self.arena, first);
             found.rates.push(self.arena.neg(first));
             seconds.push(second);

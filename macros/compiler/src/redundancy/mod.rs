@@ -233,7 +233,8 @@ impl Search<'_, '_> {
         let mut of_joint: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         dependent.iter().for_each(|row| of_joint.entry(joint(row)).or_default().push(*row));
         for (index, own) in of_joint {
-            let sources: BTreeSet<usize> = own.iter().flat_map(|row| basis.sources(*row)).map(|row| joint(&row)).collect();
+            let mut sources: BTreeSet<usize> = own.iter().flat_map(|row| basis.sources(*row)).map(|row| joint(&row)).collect();
+            sources.extend(self.numeric.system.loop_of(index));
             if sources.is_empty() {
                 // A row with zero gradient (a square at its root) is neither solvable nor dependent on others; it is reported elsewhere.
                 continue;
@@ -252,6 +253,7 @@ impl Search<'_, '_> {
                 others,
                 free: free.to_vec(),
                 moves,
+                in_space: self.numeric.system.declared.is_some(),
             };
             self.diag.refuse::<()>(name, fact);
         }

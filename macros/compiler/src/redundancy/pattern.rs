@@ -1,6 +1,7 @@
 //! Redundancy by the pattern of Φ_q.
 
 use crate::model::Model;
+use crate::numeric::at_defaults;
 use crate::structure::{SMALL, Subsystem, maximum_in, subsystems};
 use crate::system::System;
 use std::collections::BTreeSet;
@@ -15,7 +16,8 @@ pub(super) fn overdetermined(model: &Model, system: &System) -> Option<Vec<Subsy
     }
     let has_mark = model.joints.iter().any(|joint| joint.is_redundant);
     let matching = maximum_in(&system.pattern, in_turn(model, system));
-    if !has_mark && matching.free_equations().is_empty() {
+    let has_resting = system.declared.is_some() && !at_defaults(model, system, |numeric| numeric.resting().is_empty());
+    if !has_mark && !has_resting && matching.free_equations().is_empty() {
         return None;
     }
     if system.coordinates.len() <= SMALL {

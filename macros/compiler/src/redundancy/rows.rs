@@ -8,7 +8,7 @@ use crate::numeric::samples::Pose;
 use crate::quantity::Role;
 use crate::structure::{Block, Structure, Subsystem};
 use crate::system::Equation;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Rows of a subsystem, in the order in which the basis takes them.
 pub(super) struct Rows {
@@ -25,7 +25,13 @@ impl Numeric<'_> {
 
     pub(super) fn rows(&self, subsystem: &Subsystem) -> Rows {
         let mut all: Vec<usize> = (0..subsystem.equations.len()).collect();
-        all.sort_by_key(|row| (self.joint(subsystem, *row).is_drive, subsystem.equations[*row]));
+        // Rows that hold by the choice of the coordinates blame their joint: its other rows come last.
+        let blamed: BTreeSet<usize> = match &self.system.declared {
+            Some(_) => self.resting().iter().map(|row| self.system.equations[*row].joint).collect(),
+            None => BTreeSet::new(),
+        };
+        let joint_of = |row: usize| self.system.equations[subsystem.equations[row]].joint;
+        all.sort_by_key(|row| (self.joint(subsystem, *row).is_drive, blamed.contains(&joint_of(*row)), subsystem.equations[*row]));
         let (marked, plain) = all.into_iter().partition(|row| self.joint(subsystem, *row).is_redundant);
         Rows { plain, marked }
     }
@@ -37,6 +43,8 @@ impl Numeric<'_> {
         let roots: Vec<Expr> = equations.iter().flat_map(|equation| equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
         let mut evaluator = Evaluator::new(&self.system.arena, &roots);
         let mut values = vec![f64::NAN; roots.len()];
+        // Roundings of a row that holds by construction are no directions.
+        let resting = self.system.declared.is_some().then(|| self.resting());
         let matrix = |pose: &Pose| {
             evaluator.run(&Values { time: pose.time, coordinates: &pose.q, ..self.known }, &mut values);
             let mut entries = values.iter();
@@ -46,7 +54,9 @@ impl Numeric<'_> {
                     // A Rust function is unknown to the compiler: its row gets arbitrary entries, independent of all other rows.
                     let value =
                         if value.is_finite() { *value } else { 0.1 + (number as f64 * 0.754_877 + *unknown as f64 * 0.569_84).fract() };
-                    if let Some(column) = place.get(unknown) {
+                    if let Some(column) = place.get(unknown)
+                        && !resting.is_some_and(|resting| resting.contains(&subsystem.equations[number]))
+                    {
                         row[*column] = value * self.scale(*unknown);
                     }
                 }

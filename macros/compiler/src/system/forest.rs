@@ -26,6 +26,10 @@ pub(super) struct Forest<'a> {
     /// Number of relations between ground and the body.
     depths: Vec<usize>,
     coordinates: Vec<Coordinate>,
+    /// The relation's joint by which each body was reached, and the body that it was reached from.
+    reached: Vec<Option<(usize, Option<usize>)>>,
+    /// Angles between triads.
+    angles: Vec<(Triad, Triad, Expr)>,
     /// Unknown that a quantity stands for.
     unknowns: HashMap<u32, Expr>,
     /// Rows that hold by construction.
@@ -56,6 +60,8 @@ pub(super) struct Reduced {
     pub(super) outputs: Vec<Vec<Expr>>,
     /// Frame of each body in the arena.
     pub(super) frames: Vec<usize>,
+    /// The joint by which each body was reached, and the body that it was reached from.
+    pub(super) reached: Vec<Option<(usize, Option<usize>)>>,
 }
 
 /// Chooses the unknowns of a mechanism in space, and writes its rows and outputs in them.
@@ -67,6 +73,8 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena) -> Reduced {
         frames: vec![None; bodies],
         depths: vec![usize::MAX; bodies],
         coordinates: Vec::new(),
+        reached: vec![None; bodies],
+        angles: Vec::new(),
         unknowns: HashMap::new(),
         holding: BTreeSet::new(),
         rows: Vec::new(),
@@ -81,7 +89,7 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena) -> Reduced {
     forest.remaining_quantities();
     forest.rows.sort_by_key(|row| row.joint);
     let frames = forest.frames.iter().map(|frame| frame.unwrap_or(0)).collect();
-    Reduced { coordinates: forest.coordinates, rows: forest.rows, outputs, frames }
+    Reduced { coordinates: forest.coordinates, rows: forest.rows, outputs, frames, reached: forest.reached }
 }
 
 impl Forest<'_> {
@@ -129,7 +137,7 @@ impl Forest<'_> {
 
     /// The relation that reaches a new body by the fewest unknowns, and of these the nearest to ground.
     fn next_relation(&self) -> Option<(usize, usize, Relationship)> {
-        let rank = |(_, _, relation): &&(usize, usize, Relationship)| {
+        let rank = |(joint, _, relation): &&(usize, usize, Relationship)| {
             let (unknowns, bodies) = match relation {
                 Relationship::SameOrientation(one, two) => (0, [one.body, two.body]),
                 Relationship::SameDirection(one, two) => (1, [one.body, two.body]),
@@ -137,7 +145,7 @@ impl Forest<'_> {
                 Relationship::Coincident(..) | Relationship::OnLine(..) => return None,
             };
             match bodies.map(|body| self.depth(body)) {
-                [Some(depth), None] | [None, Some(depth)] => Some((unknowns, depth)),
+                [Some(depth), None] | [None, Some(depth)] => Some((self.model.joints[*joint].is_redundant, unknowns, depth)),
                 _ => None,
             }
         };
@@ -151,7 +159,7 @@ impl Forest<'_> {
             Relationship::SameOrientation(one, two) => {
                 let (inner, outer) = self.inward(one, two);
                 let axes = self.in_ground(inner);
-                self.attach(inner.body, outer, axes, &[]);
+                self.attach(joint, inner.body, outer, axes, &[]);
             }
             Relationship::SameDirection(one, two) => self.reach_by_angle(joint, one, two),
             Relationship::Perpendicular(one, two) => self.reach_by_two_angles(joint, one, two),
@@ -170,7 +178,7 @@ impl Forest<'_> {
         let [x, y, z] = self.in_ground(inner);
         if let Some(row) = self.twist(one, two) {
             self.holding.insert(row);
-            self.attach(inner.body, outer, [x, y, z], &[]);
+            self.attach(joint, inner.body, outer, [x, y, z], &[]);
             return;
         }
         let start = self.start_angle(one, two);
@@ -179,11 +187,30 @@ impl Forest<'_> {
         let is_forward = inner == one;
         let (angle, turn) = if is_forward { (unknown, z) } else { (self.arena.neg(unknown), z.map(|part| self.arena.neg(part))) };
         let axes = self.about(angle, [x, y, z]);
-        self.attach(inner.body, outer, axes, &[(number, turn)]);
-        let quantity = JointQuantity::Angle(one, two);
-        if let Some(index) = self.model.space.quantities.iter().position(|(known, _)| *known == quantity) {
-            self.unknowns.insert(index as u32, unknown);
-        }
+        self.attach(joint, inner.body, outer, axes, &[(number, turn)]);
+        self.angles.push((one, two, unknown));
+    }
+
+    /// An angle of two triads by one that is known, if both are about the same axes.
+    fn by_known_angle(&mut self, one: Triad, two: Triad) -> Option<Expr> {
+        let is_about = |a: &Triad, b: &Triad| a.body == b.body && a.axes[2] == b.axes[2];
+        let known = self.angles.iter().find_map(|(a, b, angle)| {
+            let forward = is_about(a, &one) && is_about(b, &two);
+            (forward || is_about(a, &two) && is_about(b, &one)).then_some((*a, *b, *angle, forward))
+        });
+        let (a, b, angle, is_forward) = known?;
+        let (one, two) = if is_forward { (one, two) } else { (two, one) };
+        // Directions of x in the known triads: θ' = θ + β − α.
+        let (alpha, beta) = (self.direction_in(a, one), self.direction_in(b, two));
+        let offset = self.arena.sub(beta, alpha);
+        let sum = self.arena.add(angle, offset);
+        Some(if is_forward { sum } else { self.arena.neg(sum) })
+    }
+
+    /// Angle of the x axis of a triad in another one with the same z axis.
+    fn direction_in(&mut self, of: Triad, triad: Triad) -> Expr {
+        let (s, c) = (dot(self.arena, triad.axes[0], of.axes[1]), dot(self.arena, triad.axes[0], of.axes[0]));
+        self.arena.binary(crate::expr::Binary::Atan2, s, c)
     }
 
     /// The row that keeps two bodies with one axis direction from turning about it.
@@ -214,7 +241,7 @@ impl Forest<'_> {
         // After a quarter turn about x the second axis lies across the first.
         let across = [x, z, y.map(|part| self.arena.neg(part))];
         let turned = self.about(two, across);
-        self.attach(inner.body, outer, turned, &[(alpha, axes[2]), (beta, across[2])]);
+        self.attach(joint, inner.body, outer, turned, &[(alpha, axes[2]), (beta, across[2])]);
     }
 
     /// A body about which nothing is known.
@@ -257,7 +284,9 @@ impl Forest<'_> {
         let acceleration = [0, 1, 2].map(|k| arena.sub(along[k], drift[k]));
         let acceleration_at_constant_speeds = drift.map(|part| arena.neg(part));
         let turns = turns.iter().map(|(number, turn)| (Leaf::Coordinate(*number), *turn)).collect();
-        let frame = arena.add_frame(Frame { columns, velocity, acceleration, acceleration_at_constant_speeds, turns });
+        let own = unknowns.iter().map(|(number, _)| Leaf::Coordinate(*number)).collect();
+        let frame =
+            arena.add_frame(Frame { columns, velocity, acceleration, acceleration_at_constant_speeds, turns, against: None, own });
         self.frames[body] = Some(frame);
         self.depths[body] = self.model.bodies.len();
         let squares = [w, x, y, z].map(|part| self.arena.square(part));
@@ -276,8 +305,9 @@ impl Forest<'_> {
     }
 
     /// The frame of a body: its triad has these axes in ground, and it turns against the frame of another with these coordinates.
-    fn attach(&mut self, from: Option<usize>, triad: Triad, axes: [Triple; 3], by: &[(u32, Triple)]) {
+    fn attach(&mut self, joint: usize, from: Option<usize>, triad: Triad, axes: [Triple; 3], by: &[(u32, Triple)]) {
         let Some(body) = triad.body else { return };
+        self.reached[body] = Some((joint, from));
         // A = (x y z) Tᵀ
         let columns = [0, 1, 2].map(|column| {
             [0, 1, 2].map(|row| {
@@ -309,7 +339,9 @@ impl Forest<'_> {
             }
             turns.push((Leaf::Coordinate(*number), *axis));
         }
-        let frame = Frame { columns, velocity, acceleration, acceleration_at_constant_speeds: steady, turns };
+        let against = from.and_then(|from| self.frames[from]);
+        let own = by.iter().map(|(number, _)| Leaf::Coordinate(*number)).collect();
+        let frame = Frame { columns, velocity, acceleration, acceleration_at_constant_speeds: steady, turns, against, own };
         self.frames[body] = Some(self.arena.add_frame(frame));
         self.depths[body] = from.map_or(0, |from| self.depths[from]) + 1;
     }
@@ -442,6 +474,7 @@ impl Forest<'_> {
                         Relationship::OnLine(_, one, two) => (1, [one.body, two.body]),
                         _ => return None,
                     };
+                    let rank = (self.model.joints[found.0].is_redundant, rank);
                     (is_placed(&placed, bodies[0]) != is_placed(&placed, bodies[1])).then_some((rank, bodies, *found))
                 })
                 .min_by_key(|(rank, _, _)| *rank);
@@ -564,6 +597,9 @@ impl Forest<'_> {
                 self.rewrite(value)
             }
             JointQuantity::Angle(one, two) => {
+                if let Some(angle) = self.by_known_angle(one, two) {
+                    return angle;
+                }
                 let body = two.body.or(one.body).unwrap_or(0);
                 let start = self.start_angle(one, two);
                 let (_, unknown) = self.unknown(body, Role::Angle, start, Some((self.a_joint_of(body), "angle")));

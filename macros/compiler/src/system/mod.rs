@@ -19,7 +19,7 @@ use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Rate, Seed, Substitution
 use crate::model::{Model, Name, Said};
 use crate::quantity::{Ambient, Axis, Dim, Role, SpeedRole};
 use crate::structure::Pattern;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 pub use declared::Declared;
 pub(crate) use magnitude::magnitude;
@@ -48,6 +48,8 @@ pub struct System {
     pub declared: Option<Box<Declared>>,
     /// In space: the frame of each body in the arena.
     pub frames: Vec<usize>,
+    /// In space: the joint by which the orientation of each body follows, and the body that it follows from.
+    pub reached: Vec<Option<(usize, Option<usize>)>>,
 }
 
 /// One coordinate.
@@ -131,6 +133,26 @@ impl System {
         self.coordinates.len() + COSINES * self.frames.len()
     }
 
+    /// In space: the joints that close a loop with a joint, by the orientations of its bodies.
+    pub(crate) fn loop_of(&self, joint: usize) -> BTreeSet<usize> {
+        let Some(declared) = &self.declared else { return BTreeSet::new() };
+        let own = declared.equations.iter().filter(|equation| equation.joint == joint);
+        let bodies: BTreeSet<usize> = own.flat_map(|equation| equation.jacobian.iter().map(|(speed, _)| speed / 6)).collect();
+        let mut joints = BTreeSet::new();
+        for mut body in bodies {
+            // What the ways of two bodies share is not in the loop.
+            while let Some((joint, from)) = self.reached[body] {
+                if !joints.insert(joint) {
+                    joints.remove(&joint);
+                }
+                let Some(from) = from else { break };
+                body = from;
+            }
+        }
+        joints.remove(&joint);
+        joints
+    }
+
     /// In space: value, rate and acceleration of the entries of a body's orientation in a state. The values are the rotation matrix,
     /// row by row; the rates of the first three are ω, their accelerations ω̇.
     pub(crate) fn orientation(&self, arena: &mut Arena, body: usize) -> Vec<[Expr; 3]> {
@@ -181,7 +203,7 @@ fn in_space(model: &Model, diag: &mut Diag) -> Option<System> {
     if !diag.is_clean() {
         return None;
     }
-    let forest::Reduced { coordinates, rows, outputs, frames } = forest::reduce(model, &mut arena);
+    let forest::Reduced { coordinates, rows, outputs, frames, reached } = forest::reduce(model, &mut arena);
     let kinematics: Vec<Rate> = (0..coordinates.len()).map(|number| Rate::Speed(number as u32)).collect();
     let role = |role: Role| match role {
         Role::Position(axis) => SpeedRole::Linear(axis),
@@ -214,7 +236,7 @@ fn in_space(model: &Model, diag: &mut Diag) -> Option<System> {
     let lengths = lengths(&mut arena, model, &coordinates, &equations);
     let pattern = pattern::pattern(model, &arena, coordinates.len(), &equations);
     let declared = Some(Box::new(declared::declared(model)));
-    Some(System { arena, coordinates, speeds, kinematics, equations, pattern, outputs, lengths, declared, frames })
+    Some(System { arena, coordinates, speeds, kinematics, equations, pattern, outputs, lengths, declared, frames, reached })
 }
 
 fn in_plane(model: &Model, diag: &mut Diag) -> Option<System> {
@@ -263,6 +285,7 @@ fn in_plane(model: &Model, diag: &mut Diag) -> Option<System> {
         lengths,
         declared: None,
         frames: Vec::new(),
+        reached: Vec::new(),
     })
 }
 

@@ -13,7 +13,7 @@ impl Display for SystemFact {
                 write!(f, "\nhelp: join it to ground or to another body, such as `{example}`, or take it away")
             }
             SystemFact::Repeats { joint, other } => write!(f, "`{joint}` demands the same as `{other}`\nhelp: take one of them away"),
-            SystemFact::FollowsFrom { joint, is_drive, rows, of, others, free, moves } => {
+            SystemFact::FollowsFrom { joint, is_drive, rows, of, others, free, moves, in_space } => {
                 let place = if *moves { "in every position tried" } else { "where the mechanism stands" };
                 let sources = if others.is_empty() { "the rest of it".to_owned() } else { list(others) };
                 match (rows == of, of) {
@@ -34,6 +34,11 @@ impl Display for SystemFact {
                     _ if others.is_empty() => write!(f, "\nhelp: say it once"),
                     (true, _) => write!(f, "\nhelp: take it away"),
                     (false, true) => write!(f, "\nhelp: take it away, or write `redundant joint` for `joint` to keep it as a check"),
+                    (false, false) if *in_space => write!(
+                        f,
+                        "\nhelp: in a loop a spherical and a cylindrical joint in place of two revolutes demand no more than is needed; or write \
+                         `redundant joint` for `joint`: what is needed of it is solved, the rest is checked"
+                    ),
                     (false, false) => {
                         write!(f, "\nhelp: write `redundant joint` for `joint`: what is needed of it is solved, the rest is checked")
                     }

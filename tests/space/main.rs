@@ -1,0 +1,6 @@
+//! Mechanisms in space.
+
+mod declaration;
+mod mechanisms;
+mod states;
+mod units;
