@@ -2,7 +2,7 @@
 //!
 //! All its expressions are in a separate arena, so that drawing a mechanism does not change how it is solved.
 
-use super::Components;
+use super::{Components, Model};
 use super::elaborate::{Elaborator, Scope};
 use super::names::{Entity, EntityId};
 use super::register::Register;
@@ -69,6 +69,13 @@ pub enum JointArgument {
     Function(Expr),
     /// Another joint.
     Joint(Instantiation),
+}
+
+impl Model {
+    /// The name of a body in a picture.
+    pub(crate) fn drawn_name(&self, body: Option<usize>) -> String {
+        body.map_or_else(|| "ground".to_owned(), |body| self.bodies[body].name.unraw())
+    }
 }
 
 impl Elaborator<'_> {

@@ -1,16 +1,16 @@
 //! Wheels, racks and belts as they are drawn.
 
-use super::canvas::{Canvas, Ink, Layer, Near, Subject};
-use super::drawing::Drawing;
-use super::plane::{Place, polar};
-use super::wheels::{Rack, Wheel, Wheels};
+use crate::canvas::{Canvas, Ink, Layer, Near, Subject};
+use crate::drawing::Drawing;
+use crate::plane::{Place, polar};
+use crate::wheels::{Rack, Wheel, Wheels};
 
 /// How much wider than its pitch circle a ring is drawn.
-pub(super) const RIM: f64 = 9.0;
+pub(crate) const RIM: f64 = 9.0;
 
 impl Drawing<'_> {
     /// Draws all wheels, racks and belts.
-    pub(super) fn wheels(&mut self, wheels: &Wheels) {
+    pub(crate) fn wheels(&mut self, wheels: &Wheels) {
         let mut sorted: Vec<&Wheel> = wheels.wheels.iter().collect();
         sorted.sort_by(|a, b| b.radius.total_cmp(&a.radius));
         for wheel in sorted {
@@ -87,7 +87,7 @@ impl Drawing<'_> {
 
 impl Canvas {
     /// A thin arrow head at `tip` that points along `way`.
-    pub(super) fn head(&mut self, title: &str, tip: Place, way: Place) {
+    pub(crate) fn head(&mut self, title: &str, tip: Place, way: Place) {
         let (back, side) = (tip - way * 8.0, way.perp() * 3.2);
         self.area(Layer::Arrow, Ink::Solid, title, &[tip, back + side, back - side]);
     }

@@ -1,9 +1,9 @@
 //! Blocks on guides, pins in slots, rods and cylinders.
 
-use super::canvas::{Ink, Layer, Near, Subject};
-use super::drawing::{Drawing, Track};
-use super::pins::{Look, RADIUS, ground};
-use super::plane::{Place, place, polar};
+use crate::canvas::{Ink, Layer, Near, Subject};
+use crate::drawing::{Drawing, Track};
+use crate::pins::{Look, RADIUS, ground};
+use crate::plane::{Place, place, polar};
 use core::f64::consts::PI;
 
 /// Half of a block, along its guide and across.
@@ -20,11 +20,11 @@ const ABOVE_CAM: f64 = 44.0;
 
 impl Drawing<'_> {
     /// Body `j` slides along a line in body `i`: a block on a guide.
-    pub(super) fn slide(&mut self, joint: usize, (i, along): (Option<usize>, Place), start: Place, (j, held): (Option<usize>, Place)) {
+    pub(crate) fn slide(&mut self, joint: usize, (i, along): (Option<usize>, Place), start: Place, (j, held): (Option<usize>, Place)) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
         let (along, start, held) = (self.view.along(along), self.view.at(start), self.view.at(held));
         let at = self.beside_cam(j, held, along);
-        let side = self.free_side(at, along);
+        let side = self.free_side(joint, i.is_none(), at, along);
         self.tracks.push(Track { held, at, along, side });
         if let (None, None) = (i, j) {
             return;
@@ -61,12 +61,12 @@ impl Drawing<'_> {
     }
 
     /// A point of body `j` stays on a line in body `i`: a pin in a slot.
-    pub(super) fn slot(&mut self, joint: usize, (i, along): (Option<usize>, Place), start: Place, (j, held): (Option<usize>, Place)) {
+    pub(crate) fn slot(&mut self, joint: usize, (i, along): (Option<usize>, Place), start: Place, (j, held): (Option<usize>, Place)) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
         let (along, start, at) = (self.view.along(along), self.view.at(start), self.view.at(held));
         let (one, two) = (at - along * SLOT, at + along * SLOT);
         let half = RADIUS + 2.4;
-        let side = self.free_side(at, along);
+        let side = self.free_side(joint, i.is_none(), at, along);
         match i {
             None => ground(&mut self.canvas, &title, one + side * half, two + side * half, side),
             Some(i) => self.extend(i, start, at, along, SLOT),
@@ -87,7 +87,7 @@ impl Drawing<'_> {
     }
 
     /// Two points keep their distance: a rod.
-    pub(super) fn rod(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, q): (Option<usize>, Place)) {
+    pub(crate) fn rod(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, q): (Option<usize>, Place)) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
         let (p, q) = (self.view.at(p), self.view.at(q));
         self.canvas.line(Layer::Rod, Ink::Line, &title, &[p, q]);
@@ -97,7 +97,7 @@ impl Drawing<'_> {
     }
 
     /// The distance of two points is driven: a cylinder.
-    pub(super) fn cylinder(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, q): (Option<usize>, Place)) {
+    pub(crate) fn cylinder(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, q): (Option<usize>, Place)) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
         let (p, q) = (self.view.at(p), self.view.at(q));
         let (way, length) = ((q - p).unit(), (q - p).norm());
@@ -114,7 +114,7 @@ impl Drawing<'_> {
     }
 
     /// Bodies are one from here on.
-    pub(super) fn weld(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, _): (Option<usize>, Place)) {
+    pub(crate) fn weld(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, _): (Option<usize>, Place)) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
         let at = self.view.at(p);
         self.pins.join(at, Look::Weld, false, &name, &title);
@@ -124,7 +124,7 @@ impl Drawing<'_> {
     }
 
     /// A condition that has no shape of its own: its points are joined by a dashed line.
-    pub(super) fn condition(&mut self, joint: usize) {
+    pub(crate) fn condition(&mut self, joint: usize) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
         let points: Vec<Place> = self.scene.joints[joint].points().map(|(_, at)| self.view.at(at)).collect();
         let role = if self.scene.joints[joint].is_drive { Subject::Drive } else { Subject::Joint };
@@ -175,18 +175,23 @@ impl Drawing<'_> {
     }
 
     /// The side of a guide on which ground lies: below, or away from the rest.
-    fn free_side(&self, at: Place, along: Place) -> Place {
+    fn free_side(&mut self, joint: usize, is_on_ground: bool, at: Place, along: Place) -> Place {
         let normal = along.perp();
         let below = if normal.y < 0.0 { -normal } else { normal };
         // What pulls at the block does not come through its ground.
-        let pull = self.pull(at).dot(below);
+        let mut pull = self.pull(at).dot(below);
+        if is_on_ground {
+            self.habits.pull(joint, pull);
+            pull = self.known.pulled(joint).unwrap_or(pull);
+        }
         if below.y > 0.35 {
             return if pull > 0.1 { -below } else { below };
         }
         if pull.abs() > 0.1 {
             return if pull > 0.0 { -below } else { below };
         }
-        if (self.middle - at).dot(normal) > 0.0 { -normal } else { normal }
+        // The middle of the picture is its origin.
+        if (-at).dot(normal) > 0.0 { -normal } else { normal }
     }
 
     /// Where the block of a follower is drawn: outside of its cam.
