@@ -3,6 +3,7 @@
 //! After a change that is meant, `REULEAUX_GOLDEN=write cargo test --test pictures` draws the picture of the README anew. With
 //! `REULEAUX_PICTURES` set to a folder, all pictures are written there to be looked at.
 
+mod run_time;
 mod textbook;
 
 use std::fs;

@@ -71,6 +71,29 @@ pub enum JointArgument {
     Joint(Instantiation),
 }
 
+impl Sketch {
+    /// All numbers, and the values of all functions.
+    pub(crate) fn exprs(&self) -> (Vec<Expr>, Vec<Expr>) {
+        let (mut numbers, mut functions) = (Vec::new(), Vec::new());
+        for point in self.points.iter().chain(&self.outputs) {
+            numbers.extend(point.at.local.iter());
+        }
+        let mut pending: Vec<&Instantiation> = self.joints.iter().collect();
+        while let Some(made) = pending.pop() {
+            for (_, argument) in &made.arguments {
+                match argument {
+                    JointArgument::Point(at) | JointArgument::Axis(at) => numbers.extend(at.local.iter()),
+                    JointArgument::Body(_) => {}
+                    JointArgument::Number(value, _) => numbers.push(*value),
+                    JointArgument::Function(value) => functions.push(*value),
+                    JointArgument::Joint(made) => pending.push(made),
+                }
+            }
+        }
+        (numbers, functions)
+    }
+}
+
 impl Model {
     /// The name of a body in a picture.
     pub(crate) fn drawn_name(&self, body: Option<usize>) -> String {

@@ -52,8 +52,8 @@ fn head(input: ParseStream) -> Parsed<Mechanism> {
     if name == "T" {
         return wrong(&name, GrammarFact::NumberType);
     }
-    let Options { task, closing, following, allows_far_start } = options;
-    Ok(Mechanism { docs, task, closing, following, allows_far_start, visibility, name, items: Vec::new() })
+    let Options { task, closing, following, allows_far_start, pictured } = options;
+    Ok(Mechanism { docs, task, closing, following, allows_far_start, pictured, visibility, name, items: Vec::new() })
 }
 
 /// A mechanism of which only the name could be read.
@@ -64,6 +64,7 @@ fn salvaged(name: Ident) -> Mechanism {
         closing: Closing::default(),
         allows_far_start: false,
         following: Following::default(),
+        pictured: None,
         visibility: quote::quote!(pub),
         name,
         items: Vec::new(),
