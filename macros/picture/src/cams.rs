@@ -2,9 +2,9 @@
 
 use crate::canvas::{Ink, Layer, Near, Subject};
 use crate::drawing::Drawing;
-use crate::scene::STEPS;
-use crate::plane::{Place, Rectangle, polar};
 use crate::placed::{PlacedScene, Sign};
+use crate::plane::{Place, Rectangle, polar};
+use crate::scene::STEPS;
 use core::f64::consts::TAU;
 
 /// What touches the cam.

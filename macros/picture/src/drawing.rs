@@ -8,8 +8,8 @@ use crate::canvas::{Canvas, Ink, Layer, Near, Subject};
 use crate::habits::Habits;
 use crate::links::DrawnBody;
 use crate::pins::{Look, Pins};
-use crate::plane::{Place, place};
 use crate::placed::{PlacedArgument, PlacedScene, axis, point};
+use crate::plane::{Place, place};
 use crate::view::{Extent, View};
 use crate::wheels::Wheels;
 

@@ -2,6 +2,7 @@
 
 use crate::canvas::{Canvas, Ink, Layer, Near, Subject};
 use crate::drawing::Drawing;
+use crate::habits::Guide;
 use crate::plane::{Place, polar};
 use crate::wheels::{Rack, Wheel, Wheels};
 
@@ -64,15 +65,17 @@ impl Drawing<'_> {
         let (contact, held) = (self.view.at(rack.contact), self.view.at(rack.held));
         let (along, toward, reach) = (self.view.along(rack.along), self.view.along(rack.toward), self.view.length(rack.reach));
         let number = rack.body.unwrap_or(usize::MAX);
+        let (middle, reach) = self.bar(joint, (contact - held).dot(along), reach, self.view.length(rack.overhang));
         let back = contact - toward * 6.5;
-        self.canvas.line(Layer::DrawnBody, Ink::Bar(number), self.scene.name(rack.body), &[back - along * reach, back + along * reach]);
+        let bar = [back + along * (middle - reach), back + along * (middle + reach)];
+        self.canvas.line(Layer::DrawnBody, Ink::Bar(number), self.scene.name(rack.body), &bar);
         let beside = back + along * (held - back).dot(along);
         if (held - beside).norm() > 4.0 {
             self.canvas.line(Layer::DrawnBody, Ink::Bar(number), self.scene.name(rack.body), &[held, beside]);
         }
         let teeth = (reach / 4.0).floor().max(2.0) as i32;
         let tooth = |number: i32| {
-            contact + along * (f64::from(number) * reach / f64::from(teeth)) + toward * if number % 2 == 0 { 3.0 } else { -3.0 }
+            contact + along * (middle + f64::from(number) * reach / f64::from(teeth)) + toward * if number % 2 == 0 { 3.0 } else { -3.0 }
         };
         let teeth: Vec<Place> = (-teeth..=teeth).map(tooth).collect();
         self.canvas.line(Layer::Rod, Ink::Thin, &title, &teeth);
@@ -80,7 +83,17 @@ impl Drawing<'_> {
         if let Some(body) = rack.body {
             self.links[body].is_shown = true;
             let name = self.scene.bodies[body].name.clone();
-            self.canvas.wish(Subject::Body, &name, Near::Segments(vec![(back - along * reach, back + along * reach)]));
+            self.canvas.wish(Subject::Body, &name, Near::Segments(vec![(bar[0], bar[1])]));
+        }
+    }
+
+    /// Where the middle of a rack is along it from the contact, and half of its length: in a motion, so that all its contacts are on it.
+    fn bar(&mut self, joint: usize, contact: f64, reach: f64, overhang: f64) -> (f64, f64) {
+        let own = Guide::new(contact, 0.0);
+        self.habits.slide(joint, own);
+        match self.known.guide(joint) {
+            Some(Guide { low, high, .. }) if low < high => ((low + high) / 2.0 - contact, (high - low) / 2.0 + overhang),
+            _ => (0.0, reach),
         }
     }
 }

@@ -91,7 +91,9 @@ impl Sign {
     /// The values of an argument that is a function, if all are known.
     pub(crate) fn function(&self, name: &str) -> Option<&[f64]> {
         self.arguments.iter().find_map(|(known, seen)| match seen {
-            PlacedArgument::Function(values) if known == name && values.iter().all(|value| value.abs() <= FARTHEST) => Some(values.as_slice()),
+            PlacedArgument::Function(values) if known == name && values.iter().all(|value| value.abs() <= FARTHEST) => {
+                Some(values.as_slice())
+            }
             _ => None,
         })
     }

@@ -164,14 +164,7 @@ impl Fixed {
 
 impl Joint {
     fn new(name: &str, kind: &str) -> Joint {
-        Joint {
-            name: name.to_owned(),
-            kind: kind.to_owned(),
-            is_drive: false,
-            rate: 0.0,
-            bodies: Vec::new(),
-            arguments: Vec::new(),
-        }
+        Joint { name: name.to_owned(), kind: kind.to_owned(), is_drive: false, rate: 0.0, bodies: Vec::new(), arguments: Vec::new() }
     }
 
     fn with(&mut self, name: &str, argument: Argument) -> &mut Joint {

@@ -81,4 +81,3 @@ impl View {
         length * self.scale
     }
 }
-

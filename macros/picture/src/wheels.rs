@@ -1,7 +1,7 @@
 //! Gears, racks and belts in m: pitch circles whose radii follow from the distance of their centres and the ratio.
 
-use crate::plane::{Place, Rectangle, place, polar};
 use crate::placed::{PlacedScene, Sign};
+use crate::plane::{Place, Rectangle, place, polar};
 
 /// A pitch circle, in m.
 #[derive(Clone, Debug)]
@@ -26,6 +26,8 @@ pub(crate) struct Rack {
     /// The point of the rack that is guided.
     pub(crate) held: Place,
     pub(crate) reach: f64,
+    /// How far it goes on beyond a contact at its end.
+    pub(crate) overhang: f64,
 }
 
 /// All that turns on itself, in m.
@@ -142,9 +144,10 @@ impl Wheels {
         let middle = scene.centre(pinion, carrier);
         // Where the pinion's rim moves as the rack does.
         let contact = middle + along.perp() * radius;
-        let reach = ((held - contact).dot(along).abs() + 0.3 * radius.abs()).max(1.3 * radius.abs());
+        let overhang = 0.3 * radius.abs();
+        let reach = ((held - contact).dot(along).abs() + overhang).max(1.3 * radius.abs());
         self.wheel(pinion, middle, radius.abs(), false);
-        self.racks.push((number, Rack { body, contact, along, toward: (middle - contact).unit(), held, reach }));
+        self.racks.push((number, Rack { body, contact, along, toward: (middle - contact).unit(), held, reach, overhang }));
         Some(())
     }
 

@@ -2,11 +2,11 @@
 //!
 //! All its expressions are in a separate arena, so that drawing a mechanism does not change how it is solved.
 
-use super::{Components, Model};
 use super::elaborate::{Elaborator, Scope};
 use super::names::{Entity, EntityId};
 use super::register::Register;
 use super::value::{Fixed, FrameId, FunctionValue, Scalar, Value};
+use super::{Components, Model};
 use crate::diag::Range;
 use crate::expr::{Arena, Expr, Leaf};
 use crate::quantity::{Dim, InferredDim};

@@ -94,4 +94,3 @@ fn words(time: f64, names_all: bool) -> String {
 fn rounded(value: f64) -> f64 {
     format!("{value:.2e}").parse().unwrap_or(value)
 }
-
