@@ -1,6 +1,8 @@
 //! What is to be drawn: a mechanism in one configuration. Lengths are in m, angles in rad.
 
+use crate::clearance::clearance;
 use crate::picture::{self, Picture};
+use crate::placed::PlacedScene;
 use crate::undrawable::Undrawable;
 use core::f64::consts::TAU;
 
@@ -149,10 +151,12 @@ impl Scene {
     }
 
     /// How far apart things are that a reader has to tell apart, hinges from each other and from the links of others, as a part of the
-    /// size of the mechanism. `None` if there is no picture.
-    #[must_use]
-    pub fn clearance(&self) -> Option<f64> {
-        crate::placed::PlacedScene::of(self).ok().map(|scene| crate::clearance::clearance(&scene))
+    /// size of the mechanism.
+    ///
+    /// # Errors
+    /// Why there is no picture.
+    pub fn clearance(&self) -> Result<f64, Undrawable> {
+        PlacedScene::of(self).map(|scene| clearance(&scene))
     }
 }
 

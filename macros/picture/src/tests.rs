@@ -153,7 +153,7 @@ fn ground_stands_still_throughout_a_motion() {
         assert_eq!((view(frame.svg()), ground(frame.svg())), (view(frames[0].svg()), ground(frames[0].svg())));
     }
     // One by one the support gives way to the crank.
-    let alone: Vec<Habits> = scenes.iter().map(|scene| habits(scene)).collect();
+    let alone: Vec<Habits> = scenes.iter().map(habits).collect();
     assert!(alone.iter().all(|habits| habits.at(Place::default()).count() <= 1));
 }
 
@@ -219,7 +219,7 @@ impl Chance {
     fn number(&mut self, is_wild: bool) -> f64 {
         let usual = (self.next() % 2001) as f64 * 1e-3 - 1.0;
         let wild = [0.0, -0.0, 1e-300, 5e-324, 1e-12, 1e9, 1e30, -1e99, 1e100, 1e160, f64::MAX, f64::INFINITY, f64::NAN];
-        if is_wild && self.next() % 4 == 0 { self.one(&wild) } else { usual }
+        if is_wild && self.next().is_multiple_of(4) { self.one(&wild) } else { usual }
     }
 }
 
@@ -269,7 +269,7 @@ fn anything(chance: &mut Chance, is_wild: bool) -> Scene {
         let rate = chance.number(is_wild);
         let joint = if kind.starts_with("drive") { scene.drive(&name, kind, rate) } else { scene.joint(&name, kind) };
         for name in ["P", "Q", "O", "C", "F", "rack"] {
-            if chance.next() % 5 > 0 {
+            if !chance.next().is_multiple_of(5) {
                 joint.point(name, chance.one(&BODIES), [(); 2].map(|()| chance.number(is_wild)));
             }
         }
@@ -281,7 +281,7 @@ fn anything(chance: &mut Chance, is_wild: bool) -> Scene {
         }
         for name in ["a", "b", "R", "z_sun", "z_ring", "roller"] {
             let value = chance.number(is_wild);
-            if chance.next() % 2 == 0 {
+            if chance.next().is_multiple_of(2) {
                 joint.length(name, value)
             } else {
                 joint.number(name, value)

@@ -67,11 +67,10 @@ pub(crate) fn draw(model: &Model, system: &System, assembly: &Assembly) -> Pictu
     if !assembly.is_closed {
         return Picture::none("There is no picture: no assembly was found at the declared defaults.".into());
     }
-    let Some((time, scene)) = pose::pose(model, system, assembly) else {
-        return Picture::none("There is no picture: not every place is a number at the declared defaults.".into());
-    };
-    match scene.draw() {
-        Ok(picture) => Picture { words: words(time, picture.names_all()), drawn: Some(picture) },
+    let drawn = pose::pose(model, system, assembly).and_then(|(time, scene)| Ok((time, scene.draw()?)));
+    match drawn {
+        Ok((time, picture)) => Picture { words: words(time, picture.names_all()), drawn: Some(picture) },
+        Err(Undrawable::Nowhere) => Picture::none("There is no picture: not every place is a number at the declared defaults.".into()),
         Err(undrawable) => Picture::none(undrawable.sentence()),
     }
 }

@@ -4,7 +4,7 @@ use super::scene::scene;
 use crate::assembly::{Assembly, Poses};
 use crate::model::Model;
 use crate::system::System;
-use reuleaux_picture::Scene;
+use reuleaux_picture::{Scene, Undrawable};
 
 /// Hinges and links should be this far from each other, as a part of the picture.
 const CLEAR: f64 = 0.035;
@@ -21,23 +21,23 @@ pub(super) struct Instant {
     pub(super) q: Vec<f64>,
 }
 
-/// The configuration that is drawn, with its time; none if nothing can be evaluated.
-pub(super) fn pose(model: &Model, system: &System, assembly: &Assembly) -> Option<(f64, Scene)> {
+/// The configuration that is drawn, with its time.
+pub(super) fn pose(model: &Model, system: &System, assembly: &Assembly) -> Result<(f64, Scene), Undrawable> {
     let first = scene(model, system, &Instant { time: 0.0, q: assembly.start.clone() });
     let clear = first.clearance()?;
     let has_drive = model.joints.iter().any(|joint| joint.is_drive);
     if clear >= CLEAR || !has_drive || model.bodies.len() > LARGEST || !model.task.is_solved() {
-        return Some((0.0, first));
+        return Ok((0.0, first));
     }
     let mut best = (0.0, first, (2.0 * clear).max(0.2 * CLEAR));
     for (time, q) in Poses::new(model, system, assembly).closed() {
         let scene = scene(model, system, &Instant { time, q: q.to_vec() });
-        let Some(clear) = scene.clearance() else { continue };
+        let Ok(clear) = scene.clearance() else { continue };
         // What comes later is preferred a little to what was before.
         let clear = clear.min(CLEAR * 1.5) * if time < 0.0 { 0.8 } else { 1.0 };
         if clear > best.2 {
             best = (time, scene, clear);
         }
     }
-    Some((best.0, best.1))
+    Ok((best.0, best.1))
 }
