@@ -94,6 +94,27 @@ declared!(press {
     }
 });
 
+/// The radius (m) of a cam by its angle, with its derivatives.
+fn measured<T: reuleaux::Real>(psi: T) -> (T, T, T) {
+    let (sine, cosine) = psi.sin_cos();
+    let lift = T::of(0.004);
+    (T::of(0.03) + lift * cosine, -(lift * sine), -(lift * cosine))
+}
+
+declared!(measured_cam {
+    #[picture]
+    pub mechanism MeasuredCam {
+        function profile(Angle) -> Length = super::measured;
+        ground { axis up = (0, 1); }
+        body cam { }
+        body knife { start position = (0mm, 30mm); }
+        joint axle = revolute(ground.position, cam.position);
+        joint way = translational(ground.up, ground.position, knife.position);
+        joint edge = cam_knife(cam.position, knife.position, profile);
+        drive motor = drive_angle(cam, 60rpm * t);
+    }
+});
+
 /// The picture on the page of a declaration.
 fn page(text: &str) -> String {
     let compiled = super::compiled(&("page".into(), text.parse().expect("tokens")));
@@ -109,6 +130,16 @@ fn at_the_start_the_page_has_the_same_picture() -> Result<(), Box<dyn Error>> {
     assert_eq!(valve.picture(&valve.solve(0.0)?.0), page(valve::TEXT));
     assert_eq!(train.picture(&train.solve(0.0)?.0), page(train::TEXT));
     assert_eq!(press.picture(&press.solve(0.0)?.0), page(press::TEXT));
+    Ok(())
+}
+
+#[test]
+fn a_rust_function_is_drawn_by_programs_only() -> Result<(), Box<dyn Error>> {
+    let cam = measured_cam::MeasuredCam::default();
+    let dashed = "<circle class=\"d\"";
+    assert!(page(measured_cam::TEXT).contains(dashed));
+    let svg = cam.picture(&cam.solve(0.1)?.0);
+    assert!(!svg.contains(dashed) && svg.contains("<path class=\"w c0\""), "{svg}");
     Ok(())
 }
 
