@@ -41,6 +41,8 @@
 //! - `std` (default): nalgebra with the standard library, and nothing else.
 //! - `certify` (default): error bounds of states, proofs that they are solutions, and polished states
 //!   ([`Mechanism::error_bound`], [`certify`](Mechanism::certify), [`polish`](Mechanism::polish)).
+//! - `page-picture` (default): a drawing of each mechanism on the page of its type. It costs time to compile and nothing at run time.
+//! - `picture`: the same drawing of any state at run time (`reuleaux::picture`), for mechanisms declared with `#[picture]`.
 //! - `rayon`: sweeps of many mechanisms on all processors (`reuleaux::parallel`).
 //!
 //! The crate `reuleaux-wide` advances several mechanisms together in the lanes of SIMD registers.
@@ -69,7 +71,7 @@
 // A failure carries the last valid state by value: there is no allocator to put it elsewhere.
 #![allow(clippy::result_large_err)]
 
-#[cfg(feature = "rayon")]
+#[cfg(any(feature = "picture", feature = "rayon"))]
 extern crate std;
 
 // Emitted code names its types by `::reuleaux`; this lets examples and macros inside the crate do so too.
@@ -122,6 +124,17 @@ pub mod for_lanes {
 pub use reuleaux_macros::__resume;
 #[doc(inline)]
 pub use reuleaux_macros::{constraint, mechanism};
+
+/// Textbook drawings of states, as SVG: single ones by [`Drawable`](picture::Drawable), those of a motion by
+/// [`frames`](picture::frames()) and [`animation`](picture::animation).
+///
+/// A mechanism is drawn at run time if `#[picture]` stands before its declaration. The drawing is the one on the page of its type; a
+/// profile that is a Rust function, which the compiler cannot call, is drawn here.
+#[cfg(feature = "picture")]
+pub mod picture {
+    pub use crate::api::Drawable;
+    pub use reuleaux_picture::{GROUND, Joint, Label, Picture, Pose, Scene, Undrawable, Vector, animation, frames};
+}
 
 /// The standard library of constraints and motion laws, each with its manual page.
 ///

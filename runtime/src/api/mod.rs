@@ -1,5 +1,7 @@
 //! The interface of a mechanism: states, sweeps, derivatives.
 
+#[cfg(feature = "picture")]
+mod drawable;
 mod generated;
 mod gradient;
 mod mechanism;
@@ -9,6 +11,8 @@ mod prepared;
 mod slice;
 mod sweep;
 
+#[cfg(feature = "picture")]
+pub use drawable::Drawable;
 pub use generated::{Matrix, Named, Relation, Vector, between, finite, require, within};
 pub use gradient::Gradient;
 pub use mechanism::Mechanism;

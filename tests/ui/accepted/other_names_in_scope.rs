@@ -29,12 +29,17 @@ struct T;
 struct T2;
 struct I;
 struct LANES;
+struct Scene;
+struct Pose;
+struct Drawable;
+mod picture {}
 mod core {}
 mod std {}
 mod nalgebra {}
 mod reuleaux {}
 
 ::reuleaux::mechanism! {
+    #[picture]
     pub mechanism Everything {
         param crank_length: Length = 100mm in 1mm..1m;
         for i in 0..3 { param widths[i]: Length = 10mm; }

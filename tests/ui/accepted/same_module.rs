@@ -3,6 +3,7 @@ reuleaux::constraint! {
 }
 
 reuleaux::mechanism! {
+    #[picture]
     pub mechanism Crank {
         use rolling;
         param length: Length = 100mm;
@@ -16,5 +17,6 @@ reuleaux::mechanism! {
 fn main() {
     let mechanism = Crank { length: 0.2, ..Default::default() };
     let state = mechanism.solve(0.5).unwrap();
+    let _ = reuleaux::picture::Drawable::picture(&mechanism, &state);
     let _ = [mechanism.tip(&state).value.x, state.crank().angle];
 }

@@ -26,6 +26,7 @@ pub(crate) struct Poses<'a> {
     poses: Vec<ClosedPose>,
 }
 
+#[cfg_attr(not(feature = "picture"), allow(dead_code))]
 struct ClosedPose {
     time: f64,
     q: Vec<f64>,
@@ -58,6 +59,7 @@ impl<'a> Poses<'a> {
     }
 
     /// Times and configurations of the closed poses.
+    #[cfg_attr(not(feature = "picture"), allow(dead_code))]
     pub(crate) fn closed(&self) -> impl Iterator<Item = (f64, &[f64])> {
         self.poses.iter().filter(|pose| pose.is_closed).map(|pose| (pose.time, pose.q.as_slice()))
     }

@@ -21,7 +21,7 @@ mod parameters;
 mod prepared;
 mod rolled;
 mod routine;
-
+mod scene;
 mod slices;
 mod stages;
 mod state;
@@ -70,6 +70,7 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
     let warns = model.closing == Closing::Deny && !model.allows_far_start;
     let warnings = assembly.warnings.iter().filter(|_| warns).chain(&motion.warning).map(Warning::to_tokens);
     let state = (model.task.is_solved() || !model.outputs.is_empty()).then(|| state(model, system));
+    let drawable = emitter.drawable();
     let (name, allowed) = (&model.name, allowed());
     quote! {
         #default
@@ -91,6 +92,7 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
         #stages
         #state
         #slices
+        #drawable
         #components
         #structure
         #(#warnings)*

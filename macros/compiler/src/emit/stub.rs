@@ -4,6 +4,7 @@
 use super::arrays::array_type;
 use super::literal::{matrix_type, number, vector_type};
 use super::parameters::Parameters;
+use super::scene;
 use super::slices::{plain, slice_name};
 use super::state::Accessors;
 use crate::diag::nearest;
@@ -73,9 +74,11 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
             #accessors
         }
     });
+    let drawable = tree.pictured.as_ref().map(|word| scene::implementation(word, name, 3 * promised.bodies, body));
     quote! {
         #structure
         #state
+        #drawable
         #stages
         #slices
         #equations

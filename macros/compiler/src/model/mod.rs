@@ -74,6 +74,8 @@ pub struct Model {
     pub has_stub: bool,
     /// Policy for following the motion from the start.
     pub following: Following,
+    /// The word of `#[picture]`, if states are to be drawn at run time.
+    pub pictured: Option<Ident>,
     /// Declared range of time, if any.
     pub range: Option<Times>,
     /// Composition of the mechanism and its components.

@@ -30,6 +30,11 @@ impl Name {
         Name { word: word.clone(), declaration: 0, indices: Vec::new(), path, local }
     }
 
+    /// The path without the marks of raw identifiers, as it is shown.
+    pub(crate) fn unraw(&self) -> String {
+        self.path.replace("r#", "")
+    }
+
     /// Identifier with the item's own indices: `coupler[2]`.
     pub(super) fn own(&self) -> String {
         self.indices.iter().fold(self.word.to_string(), |name, index| format!("{name}[{index}]"))

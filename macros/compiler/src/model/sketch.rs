@@ -2,11 +2,11 @@
 //!
 //! All its expressions are in a separate arena, so that drawing a mechanism does not change how it is solved.
 
-use super::Components;
 use super::elaborate::{Elaborator, Scope};
 use super::names::{Entity, EntityId};
 use super::register::Register;
 use super::value::{Fixed, FrameId, FunctionValue, Scalar, Value};
+use super::{Components, Model};
 use crate::diag::Range;
 use crate::expr::{Arena, Expr, Leaf};
 use crate::quantity::{Dim, InferredDim};
@@ -69,6 +69,36 @@ pub enum JointArgument {
     Function(Expr),
     /// Another joint.
     Joint(Instantiation),
+}
+
+impl Sketch {
+    /// All numbers, and the values of all functions.
+    pub(crate) fn exprs(&self) -> (Vec<Expr>, Vec<Expr>) {
+        let (mut numbers, mut functions) = (Vec::new(), Vec::new());
+        for point in self.points.iter().chain(&self.outputs) {
+            numbers.extend(point.at.local.iter());
+        }
+        let mut pending: Vec<&Instantiation> = self.joints.iter().collect();
+        while let Some(made) = pending.pop() {
+            for (_, argument) in &made.arguments {
+                match argument {
+                    JointArgument::Point(at) | JointArgument::Axis(at) => numbers.extend(at.local.iter()),
+                    JointArgument::Body(_) => {}
+                    JointArgument::Number(value, _) => numbers.push(*value),
+                    JointArgument::Function(value) => functions.push(*value),
+                    JointArgument::Joint(made) => pending.push(made),
+                }
+            }
+        }
+        (numbers, functions)
+    }
+}
+
+impl Model {
+    /// The name of a body in a picture.
+    pub(crate) fn drawn_name(&self, body: Option<usize>) -> String {
+        body.map_or_else(|| "ground".to_owned(), |body| self.bodies[body].name.unraw())
+    }
 }
 
 impl Elaborator<'_> {

@@ -1,149 +1,107 @@
-//! The mechanism in one configuration: every point where it lies in ground, in m, with y upwards.
+//! From a model and a configuration to a [`Scene`]: the interpreter computes its numbers.
 
-use super::plane::Place;
+use super::pose::Instant;
+use crate::expr::{Evaluator, Expr, Values, evaluate};
+use crate::model::sketch::{Instantiation, JointArgument, LocalVector};
+use crate::model::{Function, Model};
+use crate::quantity::{Axis, Dim, Role};
+use crate::system::System;
+use reuleaux_picture::{Joint, Pose, Scene};
 
-/// A time and a configuration.
-#[derive(Clone, Debug)]
-pub(super) struct Instant {
-    /// In s.
-    pub(super) time: f64,
-    /// One value for each unknown, in SI.
-    pub(super) q: Vec<f64>,
+/// The mechanism at an instant.
+pub(super) fn scene(model: &Model, system: &System, instant: &Instant) -> Scene {
+    let functions = |number: u32, x: f64| match model.functions.get(number as usize) {
+        Some(Function::Table(table)) => table.evaluate(x),
+        _ => [f64::NAN; 3],
+    };
+    let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
+    let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
+    let parameters = evaluate(&model.arena, &defaults, &nothing);
+    let known = Values { time: instant.time, parameters: &parameters, coordinates: &instant.q, ..nothing };
+    Composer { model, system, known }.scene()
 }
 
-/// Everything where it lies.
-#[derive(Clone, Debug)]
-pub(super) struct Scene {
-    pub(super) bodies: Vec<Figure>,
-    pub(super) joints: Vec<Sign>,
-    /// Outputs that are points of bodies: name, body, place.
-    pub(super) outputs: Vec<(String, Option<usize>, Place)>,
+/// Composes a scene.
+struct Composer<'a> {
+    model: &'a Model,
+    system: &'a System,
+    known: Values<'a>,
 }
 
-/// A body.
-#[derive(Clone, Debug)]
-pub(super) struct Figure {
-    pub(super) name: String,
-    pub(super) origin: Place,
-    /// In rad.
-    pub(super) angle: f64,
-    /// Its declared points, and those that joints take hold of.
-    pub(super) points: Vec<Place>,
-}
-
-/// A joint or a drive.
-#[derive(Clone, Debug)]
-pub(super) struct Sign {
-    pub(super) name: String,
-    pub(super) kind: String,
-    pub(super) is_drive: bool,
-    pub(super) arguments: Vec<(String, PlacedArgument)>,
-    /// The bodies whose coordinates stand in its equations.
-    pub(super) bodies: Vec<usize>,
-    /// The rate of a drive's law, in SI.
-    pub(super) rate: f64,
-}
-
-/// An argument where it lies; `None` is ground.
-#[derive(Clone, Debug)]
-pub(super) enum PlacedArgument {
-    Point(Option<usize>, Place),
-    /// With unit length.
-    Axis(Option<usize>, Place),
-    Body(Option<usize>),
-    /// A number in SI, and whether it is a length.
-    Number(f64, bool),
-    /// Values over one turn, at equal steps.
-    Function(Vec<f64>),
-    Joint(Vec<(String, PlacedArgument)>),
-}
-
-impl Sign {
-    /// The body, and the place, of an argument that is a point.
-    pub(super) fn point(&self, name: &str) -> Option<(Option<usize>, Place)> {
-        point(&self.arguments, name)
+impl Composer<'_> {
+    fn scene(&self) -> Scene {
+        let Composer { model, system, known } = self;
+        let mut scene = Scene::new(&model.name.to_string().replace("r#", ""));
+        for (index, body) in model.bodies.iter().enumerate() {
+            scene.body(&body.name.unraw(), pose(system, index, known.coordinates));
+        }
+        for point in &model.sketch.points {
+            scene.point(&model.drawn_name(point.at.body), self.local(point.at));
+        }
+        for (index, (joint, made)) in model.joints.iter().zip(&model.sketch.joints).enumerate() {
+            let (name, kind) = (joint.name.unraw(), made.kind.as_str());
+            let drawn = if joint.is_drive { scene.drive(&name, kind, self.rate(index)) } else { scene.joint(&name, kind) };
+            for body in system.bodies_of(index) {
+                drawn.of(&[&model.drawn_name(Some(body))]);
+            }
+            self.give(drawn, made);
+        }
+        for output in &model.sketch.outputs {
+            scene.output(&output.name, &model.drawn_name(output.at.body), self.local(output.at));
+        }
+        scene
     }
 
-    /// The body, and the direction, of an argument that is an axis.
-    pub(super) fn axis(&self, name: &str) -> Option<(Option<usize>, Place)> {
-        axis(&self.arguments, name)
-    }
-
-    /// An argument that is a body.
-    pub(super) fn body(&self, name: &str) -> Option<Option<usize>> {
-        self.arguments.iter().find_map(|(known, seen)| match seen {
-            PlacedArgument::Body(body) if known == name => Some(*body),
-            _ => None,
-        })
-    }
-
-    /// An argument that is a number, and whether it is a length.
-    pub(super) fn number(&self, name: &str) -> Option<(f64, bool)> {
-        self.arguments.iter().find_map(|(known, seen)| match seen {
-            PlacedArgument::Number(value, is_length) if known == name && value.is_finite() => Some((*value, *is_length)),
-            _ => None,
-        })
-    }
-
-    /// The values of an argument that is a function, if all are known.
-    pub(super) fn function(&self, name: &str) -> Option<&[f64]> {
-        self.arguments.iter().find_map(|(known, seen)| match seen {
-            PlacedArgument::Function(values) if known == name && values.iter().all(|value| value.is_finite()) => Some(values.as_slice()),
-            _ => None,
-        })
-    }
-
-    /// All arguments that are points.
-    pub(super) fn points(&self) -> impl Iterator<Item = (Option<usize>, Place)> {
-        self.arguments.iter().filter_map(|(_, seen)| if let PlacedArgument::Point(body, at) = seen { Some((*body, *at)) } else { None })
-    }
-}
-
-pub(super) fn point(arguments: &[(String, PlacedArgument)], name: &str) -> Option<(Option<usize>, Place)> {
-    arguments.iter().find_map(|(known, seen)| match seen {
-        PlacedArgument::Point(body, at) if known == name => Some((*body, *at)),
-        _ => None,
-    })
-}
-
-pub(super) fn axis(arguments: &[(String, PlacedArgument)], name: &str) -> Option<(Option<usize>, Place)> {
-    arguments.iter().find_map(|(known, seen)| match seen {
-        PlacedArgument::Axis(body, along) if known == name => Some((*body, *along)),
-        _ => None,
-    })
-}
-
-impl Scene {
-    /// All places that are named.
-    pub(super) fn places(&self) -> impl Iterator<Item = Place> {
-        let of_bodies = self.bodies.iter().flat_map(|body| if body.points.is_empty() { vec![body.origin] } else { body.points.clone() });
-        of_bodies
-            .chain(self.joints.iter().flat_map(|joint| joint.points().map(|(_, at)| at)))
-            .chain(self.outputs.iter().map(|output| output.2))
-    }
-
-    /// Where a body turns: its hinge on `carrier`, on ground, or on any body; else the origin of its frame.
-    pub(super) fn centre(&self, body: Option<usize>, carrier: Option<usize>) -> Place {
-        let hinges =
-            self.joints.iter().filter(|joint| joint.kind == "revolute").filter_map(|joint| Some((joint.point("P")?, joint.point("Q")?)));
-        let own: Vec<(Option<usize>, Place)> = hinges
-            .filter_map(|(p, q)| {
-                if p.0 == body {
-                    Some((q.0, p.1))
-                } else if q.0 == body {
-                    Some((p.0, q.1))
-                } else {
-                    None
+    /// Gives a joint its arguments.
+    fn give(&self, joint: &mut Joint, made: &Instantiation) {
+        for (name, argument) in &made.arguments {
+            match argument {
+                JointArgument::Point(at) => joint.point(name, &self.model.drawn_name(at.body), self.local(*at)),
+                JointArgument::Axis(along) => joint.axis(name, &self.model.drawn_name(along.body), self.local(*along)),
+                JointArgument::Body(body) => joint.body(name, &self.model.drawn_name(*body)),
+                JointArgument::Number(value, Dim::LENGTH) => joint.length(name, self.values(&[*value])[0]),
+                JointArgument::Number(value, _) => joint.number(name, self.values(&[*value])[0]),
+                JointArgument::Function(value) => {
+                    // Time stands for the variable of the function.
+                    let mut evaluator = Evaluator::new(&self.model.sketch.arena, &[*value]);
+                    joint.function(name, |variable| {
+                        let mut found = [f64::NAN];
+                        evaluator.run(&Values { time: variable, ..self.known }, &mut found);
+                        found[0]
+                    })
                 }
-            })
-            .collect();
-        let on = |other: Option<usize>| own.iter().find(|(known, _)| *known == other);
-        let found = on(carrier).or_else(|| on(None)).or_else(|| own.first());
-        found.map(|(_, at)| *at).or_else(|| body.and_then(|body| self.bodies.get(body)).map(|body| body.origin)).unwrap_or_default()
+                JointArgument::Joint(made) => joint.joint(name, &made.kind, |joint| self.give(joint, made)),
+            };
+        }
     }
 
-    /// `crank`, or `ground`.
-    pub(super) fn name(&self, body: Option<usize>) -> &str {
-        body.and_then(|body| self.bodies.get(body)).map_or("ground", |body| &body.name)
+    /// The rate of a drive's law; that of a Rust function is not known here.
+    fn rate(&self, joint: usize) -> f64 {
+        let law = self.system.of_joint(joint).first();
+        law.map_or(f64::NAN, |equation| evaluate(&self.system.arena, &[equation.nu], &self.known)[0])
     }
+
+    fn values(&self, exprs: &[Expr]) -> Vec<f64> {
+        evaluate(&self.model.sketch.arena, exprs, &self.known)
+    }
+
+    fn local(&self, at: LocalVector) -> [f64; 2] {
+        let values = self.values(&at.local);
+        [values[0], values[1]]
+    }
+}
+
+/// Where the frame of a body is.
+fn pose(system: &System, body: usize, q: &[f64]) -> Pose {
+    let [mut x, mut y, mut angle] = [0.0; 3];
+    for (unknown, value) in system.coordinates.iter().zip(q).filter(|(unknown, _)| unknown.body == body) {
+        match unknown.role {
+            Role::Position(Axis::X) => x = *value,
+            Role::Position(Axis::Y) => y = *value,
+            Role::Angle => angle = *value,
+            // The picture is one of the plane.
+            Role::Position(Axis::Z) | Role::Displacement | Role::Quaternion(_) => {}
+        }
+    }
+    Pose::plane(x, y, angle)
 }

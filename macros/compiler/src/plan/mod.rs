@@ -11,6 +11,7 @@ mod lines;
 mod outputs;
 mod rolled;
 mod routine;
+mod scene;
 mod schedule;
 mod shape;
 mod slice;
@@ -27,6 +28,7 @@ pub use lines::{Iterated, StageCode, StraightLine};
 pub use outputs::Outputs;
 pub use rolled::{Code, Group, Target};
 pub use routine::{Cost, Routine, Step};
+pub use scene::SceneCode;
 pub use shape::{Column, Shape};
 pub use slice::Slice;
 pub use solution::{Solution, Solving, Summary};
@@ -83,6 +85,8 @@ pub struct Plan {
     pub requirements: Routine,
     /// In space: the rotation matrices of the bodies at the start, as a state holds them.
     pub orientations: Vec<f64>,
+    /// Numbers of the picture, if states are to be drawn at run time.
+    pub scene: Option<SceneCode>,
 }
 
 /// Schedules all generated code.
@@ -119,6 +123,7 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, as
         start: line(system.coordinates.iter().filter_map(|unknown| unknown.start).collect()),
         lengths: line(distinct(&arena, &system.lengths)),
         requirements: line(sides),
+        scene: model.pictured.is_some().then(|| scene::scene(&model.sketch, &words)),
         checked: structure.checked.clone(),
         solution: solving.as_ref().map(|(solution, _, _)| solution.clone()),
         slices: solving.as_ref().map_or(Vec::new(), |(_, slices, _)| slices.clone()),

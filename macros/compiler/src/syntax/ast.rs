@@ -31,6 +31,8 @@ pub struct Mechanism {
     pub allows_far_start: bool,
     /// Policy for following the motion from the start.
     pub following: Following,
+    /// `#[picture]`: states can be drawn at run time.
+    pub pictured: Option<Ident>,
     /// Visibility, such as `pub`.
     pub visibility: TokenStream,
     /// Name of the generated struct.

@@ -54,8 +54,8 @@ fn head(input: ParseStream) -> Parsed<Mechanism> {
         return wrong(&name, GrammarFact::NumberType);
     }
     let ambient = ambient(input)?.unwrap_or_default();
-    let Options { task, closing, following, allows_far_start } = options;
-    Ok(Mechanism { docs, task, closing, following, allows_far_start, visibility, name, ambient, items: Vec::new() })
+    let Options { task, closing, following, allows_far_start, pictured } = options;
+    Ok(Mechanism { docs, task, closing, following, allows_far_start, pictured, visibility, name, ambient, items: Vec::new() })
 }
 
 /// `in space` or `in plane`, if written.
@@ -82,6 +82,7 @@ fn salvaged(name: Ident) -> Mechanism {
         closing: Closing::default(),
         allows_far_start: false,
         following: Following::default(),
+        pictured: None,
         visibility: quote::quote!(pub),
         name,
         ambient: Ambient::default(),

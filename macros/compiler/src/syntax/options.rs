@@ -1,9 +1,11 @@
-//! Parses attributes before a mechanism: doc comments, `#[equations_only]`, `#[closure(…)]`, `#[allow(far_start)]`.
+//! Parses attributes before a mechanism: doc comments, `#[equations_only]`, `#[closure(…)]`, `#[allow(far_start)]`,
+//! `#[picture]`.
 
 use super::ast::{Closing, Docs, Following, Task};
 use super::tokens::{Attribute, Parsed, attributes, wrong};
 use crate::diag::GrammarFact;
 use crate::diag::nearest;
+use proc_macro2::Ident;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 
@@ -13,18 +15,21 @@ pub(super) struct Options {
     pub(super) closing: Closing,
     pub(super) allows_far_start: bool,
     pub(super) following: Following,
+    /// `#[picture]`
+    pub(super) pictured: Option<Ident>,
 }
 
 /// Doc comments and options, in any order.
 pub(super) fn options(input: ParseStream) -> Parsed<(Docs, Options)> {
     let (docs, attributes) = attributes(input)?;
-    let (mut equations_only, mut closing, mut far_start) = (None, None, None);
+    let (mut equations_only, mut closing, mut far_start, mut pictured) = (None, None, None, None);
     for attribute in attributes {
         let name = attribute.name.to_string();
         let again = match name.as_str() {
             "equations_only" => equations_only.replace(()).is_some(),
             "closure" => closing.replace(self::closing(&attribute)?).is_some(),
             "allow" => far_start.replace(allowed(&attribute)?).is_some(),
+            "picture" => pictured.replace(attribute.name.clone()).is_some(),
             _ => return wrong(&attribute.name, GrammarFact::UnknownAttribute { name }),
         };
         if again {
@@ -34,7 +39,7 @@ pub(super) fn options(input: ParseStream) -> Parsed<(Docs, Options)> {
     let task = if equations_only.is_some() { Task::EquationsOnly } else { Task::Kinematics };
     let allows_far_start = far_start.is_some();
     let (closing, following) = closing.unwrap_or_default();
-    Ok((docs, Options { task, closing, following, allows_far_start }))
+    Ok((docs, Options { task, closing, following, allows_far_start, pictured }))
 }
 
 /// `#[allow(far_start)]`

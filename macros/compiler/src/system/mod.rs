@@ -182,9 +182,25 @@ impl System {
 
     /// The equations of a joint of the model, which are consecutive: equations are in the order of joints.
     pub(crate) fn of_joint(&self, joint: usize) -> &[Equation] {
-        let first = self.equations.partition_point(|equation| equation.joint < joint);
-        let rest = &self.equations[first..];
+        let rest = &self.equations[self.first_of(joint)..];
         &rest[..rest.partition_point(|equation| equation.joint == joint)]
+    }
+
+    /// The index of the first equation of a joint.
+    pub(crate) fn first_of(&self, joint: usize) -> usize {
+        self.equations.partition_point(|equation| equation.joint < joint)
+    }
+
+    /// The bodies on whose speeds the equations of a joint depend, each once.
+    pub(crate) fn bodies_of(&self, joint: usize) -> Vec<usize> {
+        let mut bodies = Vec::new();
+        for (speed, _) in self.of_joint(joint).iter().flat_map(|equation| &equation.jacobian) {
+            let body = self.speeds[*speed].body;
+            if !bodies.contains(&body) {
+                bodies.push(body);
+            }
+        }
+        bodies
     }
 }
 

@@ -32,6 +32,7 @@ const CRANK_ROCKER: &str = "
 
 /// A cam with a table, functions and laws.
 const CAM: &str = "
+    #[picture]
     pub mechanism Cam {
         param base: Length = 30mm;
         let lift: Length = 10mm;

@@ -24,7 +24,7 @@ impl fmt::Display for Flat {
 }
 
 /// Tokens with a meaning to the compiler, and some without.
-const WORDS: &str = "param let ground body joint drive output function use constraint bundle require mechanism equations_only \
+const WORDS: &str = "param let ground body joint drive output function use constraint bundle require mechanism equations_only picture \
     point axis start x y angle position t pi sin cos tan asin acos atan atan2 sqrt exp ln abs min max dot cross perp norm unit \
     direction table if else periodic linear hold Length Angle Time Number Quantity Point Axis Body Function Joint pub as crate self \
     super fn type r#type _ T Self phi solve state default doc crank rocker coupler A B O P Q u v a b c f g speed \

@@ -4,60 +4,60 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 /// A place or a vector; in m before it is drawn, in units of the picture afterwards.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Place {
-    pub(super) x: f64,
-    pub(super) y: f64,
+pub(crate) struct Place {
+    pub(crate) x: f64,
+    pub(crate) y: f64,
 }
 
-pub(super) fn place(x: f64, y: f64) -> Place {
+pub(crate) fn place(x: f64, y: f64) -> Place {
     Place { x, y }
 }
 
 /// At distance `radius` from the origin in the direction `angle` (rad).
-pub(super) fn polar(radius: f64, angle: f64) -> Place {
+pub(crate) fn polar(radius: f64, angle: f64) -> Place {
     place(radius * libm::cos(angle), radius * libm::sin(angle))
 }
 
 impl Place {
-    pub(super) fn norm(self) -> f64 {
+    pub(crate) fn norm(self) -> f64 {
         libm::hypot(self.x, self.y)
     }
 
-    pub(super) fn dot(self, other: Place) -> f64 {
+    pub(crate) fn dot(self, other: Place) -> f64 {
         self.x * other.x + self.y * other.y
     }
 
-    pub(super) fn cross(self, other: Place) -> f64 {
+    pub(crate) fn cross(self, other: Place) -> f64 {
         self.x * other.y - self.y * other.x
     }
 
     /// Turned by a right angle from x towards y.
-    pub(super) fn perp(self) -> Place {
+    pub(crate) fn perp(self) -> Place {
         place(-self.y, self.x)
     }
 
     /// With unit length; along x where there is no direction.
-    pub(super) fn unit(self) -> Place {
+    pub(crate) fn unit(self) -> Place {
         let norm = self.norm();
         if norm > 0.0 { self * (1.0 / norm) } else { place(1.0, 0.0) }
     }
 
     /// Turned by `angle` (rad) from x towards y.
-    pub(super) fn turned(self, angle: f64) -> Place {
+    pub(crate) fn turned(self, angle: f64) -> Place {
         let (sine, cosine) = libm::sincos(angle);
         place(cosine * self.x - sine * self.y, sine * self.x + cosine * self.y)
     }
 
-    pub(super) fn angle(self) -> f64 {
+    pub(crate) fn angle(self) -> f64 {
         libm::atan2(self.y, self.x)
     }
 
-    pub(super) fn is_finite(self) -> bool {
+    pub(crate) fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite()
     }
 
     /// The distance from the segment between `a` and `b`.
-    pub(super) fn to_segment(self, a: Place, b: Place) -> f64 {
+    pub(crate) fn to_segment(self, a: Place, b: Place) -> f64 {
         let way = b - a;
         let square = way.dot(way);
         let along = if square > 0.0 { ((self - a).dot(way) / square).clamp(0.0, 1.0) } else { 0.0 };
@@ -95,51 +95,51 @@ impl Neg for Place {
 
 /// A rectangle with sides along the axes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Rectangle {
-    pub(super) low: Place,
-    pub(super) high: Place,
+pub(crate) struct Rectangle {
+    pub(crate) low: Place,
+    pub(crate) high: Place,
 }
 
 impl Rectangle {
     /// Around nothing.
-    pub(super) fn empty() -> Rectangle {
+    pub(crate) fn empty() -> Rectangle {
         Rectangle { low: place(f64::INFINITY, f64::INFINITY), high: place(f64::NEG_INFINITY, f64::NEG_INFINITY) }
     }
 
     /// Around places.
-    pub(super) fn around(places: impl IntoIterator<Item = Place>) -> Rectangle {
+    pub(crate) fn around(places: impl IntoIterator<Item = Place>) -> Rectangle {
         places.into_iter().fold(Rectangle::empty(), Rectangle::with)
     }
 
     /// With its middle and its size.
-    pub(super) fn centred(middle: Place, size: Place) -> Rectangle {
+    pub(crate) fn centred(middle: Place, size: Place) -> Rectangle {
         Rectangle { low: middle - size * 0.5, high: middle + size * 0.5 }
     }
 
-    pub(super) fn with(self, other: Place) -> Rectangle {
+    pub(crate) fn with(self, other: Place) -> Rectangle {
         let low = place(self.low.x.min(other.x), self.low.y.min(other.y));
         Rectangle { low, high: place(self.high.x.max(other.x), self.high.y.max(other.y)) }
     }
 
     /// Larger by `margin` on every side.
-    pub(super) fn grown(self, margin: f64) -> Rectangle {
+    pub(crate) fn grown(self, margin: f64) -> Rectangle {
         Rectangle { low: self.low - place(margin, margin), high: self.high + place(margin, margin) }
     }
 
-    pub(super) fn size(self) -> Place {
+    pub(crate) fn size(self) -> Place {
         self.high - self.low
     }
 
-    pub(super) fn middle(self) -> Place {
+    pub(crate) fn middle(self) -> Place {
         (self.low + self.high) * 0.5
     }
 
-    pub(super) fn overlaps(self, other: Rectangle) -> bool {
+    pub(crate) fn overlaps(self, other: Rectangle) -> bool {
         self.low.x < other.high.x && other.low.x < self.high.x && self.low.y < other.high.y && other.low.y < self.high.y
     }
 
     /// A segment has points in it (Liang and Barsky's clipping).
-    pub(super) fn is_crossed(self, a: Place, b: Place) -> bool {
+    pub(crate) fn is_crossed(self, a: Place, b: Place) -> bool {
         let way = b - a;
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
         let sides = [(-way.x, a.x - self.low.x), (way.x, self.high.x - a.x), (-way.y, a.y - self.low.y), (way.y, self.high.y - a.y)];
@@ -159,7 +159,7 @@ impl Rectangle {
 }
 
 /// The corners of the convex hull in order (Andrew's monotone chain); two places for what lies on a line.
-pub(super) fn hull(places: &[Place]) -> Vec<Place> {
+pub(crate) fn hull(places: &[Place]) -> Vec<Place> {
     let mut sorted = places.to_vec();
     sorted.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     sorted.dedup();
@@ -185,14 +185,14 @@ pub(super) fn hull(places: &[Place]) -> Vec<Place> {
 }
 
 /// A place lies in a convex area with these corners in order.
-pub(super) fn is_inside(corners: &[Place], at: Place) -> bool {
+pub(crate) fn is_inside(corners: &[Place], at: Place) -> bool {
     let sides = corners.iter().zip(corners.iter().cycle().skip(1));
     let turns: Vec<f64> = sides.map(|(a, b)| (*b - *a).cross(at - *a)).collect();
     turns.iter().all(|turn| *turn > 0.0) || turns.iter().all(|turn| *turn < 0.0)
 }
 
 /// The two of these places that are farthest apart, in their order.
-pub(super) fn farthest(places: &[Place]) -> Option<(Place, Place)> {
+pub(crate) fn farthest(places: &[Place]) -> Option<(Place, Place)> {
     let pairs = places.iter().enumerate().flat_map(|(index, one)| places[index + 1..].iter().map(move |two| (*one, *two)));
     pairs.max_by(|a, b| (a.1 - a.0).norm().total_cmp(&(b.1 - b.0).norm()))
 }

@@ -1,11 +1,11 @@
 //! What is drawn, in layers, and the words that still look for their place. Units are those of the picture, y goes down.
 
-use super::plane::{Place, Rectangle, polar};
+use crate::plane::{Place, Rectangle, polar};
 use core::f64::consts::TAU;
 
 /// What lies above what, from below.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Layer {
+pub(crate) enum Layer {
     Wheel,
     Ground,
     DrawnBody,
@@ -17,7 +17,7 @@ pub(super) enum Layer {
 
 /// How something is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Ink {
+pub(crate) enum Ink {
     /// A thin line.
     Thin,
     /// A short-dashed line: a condition without a shape of its own.
@@ -42,7 +42,7 @@ pub(super) enum Ink {
 
 /// A line or an area.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Stroke {
+pub(crate) enum Stroke {
     /// Lines through places.
     Open(Vec<Vec<Place>>),
     /// An area with these corners.
@@ -54,17 +54,17 @@ pub(super) enum Stroke {
 
 /// A shape with its looks and its name.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct DrawnItem {
-    pub(super) layer: Layer,
-    pub(super) ink: Ink,
-    pub(super) shape: Stroke,
+pub(crate) struct DrawnItem {
+    pub(crate) layer: Layer,
+    pub(crate) ink: Ink,
+    pub(crate) shape: Stroke,
     /// What the pointer is told that rests on it.
-    pub(super) title: String,
+    pub(crate) title: String,
 }
 
 /// What a word stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Subject {
+pub(crate) enum Subject {
     Drive,
     Joint,
     Output,
@@ -73,7 +73,7 @@ pub(super) enum Subject {
 
 /// Where a word may stand.
 #[derive(Clone, Debug)]
-pub(super) enum Near {
+pub(crate) enum Near {
     /// Beside a place, at least this far away.
     Point(Place, f64),
     /// Beside one of these segments.
@@ -86,50 +86,50 @@ pub(super) enum Near {
 
 /// A word that looks for its place.
 #[derive(Clone, Debug)]
-pub(super) struct Wish {
-    pub(super) text: String,
-    pub(super) role: Subject,
-    pub(super) near: Near,
+pub(crate) struct Wish {
+    pub(crate) text: String,
+    pub(crate) role: Subject,
+    pub(crate) near: Near,
 }
 
 /// Everything that was drawn so far.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Canvas {
-    pub(super) items: Vec<DrawnItem>,
-    pub(super) wishes: Vec<Wish>,
+pub(crate) struct Canvas {
+    pub(crate) items: Vec<DrawnItem>,
+    pub(crate) wishes: Vec<Wish>,
     /// What has no place in the picture is said below it.
-    pub(super) captions: Vec<String>,
+    pub(crate) captions: Vec<String>,
 }
 
 impl Canvas {
     /// Draws a shape, once.
-    pub(super) fn draw(&mut self, layer: Layer, ink: Ink, title: &str, shape: Stroke) {
+    pub(crate) fn draw(&mut self, layer: Layer, ink: Ink, title: &str, shape: Stroke) {
         let item = DrawnItem { layer, ink, shape, title: title.to_owned() };
         if !self.items.contains(&item) {
             self.items.push(item);
         }
     }
 
-    pub(super) fn line(&mut self, layer: Layer, ink: Ink, title: &str, places: &[Place]) {
+    pub(crate) fn line(&mut self, layer: Layer, ink: Ink, title: &str, places: &[Place]) {
         self.draw(layer, ink, title, Stroke::Open(vec![places.to_vec()]));
     }
 
-    pub(super) fn area(&mut self, layer: Layer, ink: Ink, title: &str, corners: &[Place]) {
+    pub(crate) fn area(&mut self, layer: Layer, ink: Ink, title: &str, corners: &[Place]) {
         self.draw(layer, ink, title, Stroke::Closed(corners.to_vec()));
     }
 
-    pub(super) fn circle(&mut self, layer: Layer, ink: Ink, title: &str, middle: Place, radius: f64) {
+    pub(crate) fn circle(&mut self, layer: Layer, ink: Ink, title: &str, middle: Place, radius: f64) {
         self.draw(layer, ink, title, Stroke::Circle(middle, radius));
     }
 
-    pub(super) fn wish(&mut self, role: Subject, text: &str, near: Near) {
+    pub(crate) fn wish(&mut self, role: Subject, text: &str, near: Near) {
         self.wishes.push(Wish { text: text.to_owned(), role, near });
     }
 }
 
 impl Stroke {
     /// The segments of its outline.
-    pub(super) fn segments(&self) -> Vec<(Place, Place)> {
+    pub(crate) fn segments(&self) -> Vec<(Place, Place)> {
         let pairs = |places: &[Place]| places.windows(2).map(|pair| (pair[0], pair[1])).collect::<Vec<_>>();
         match self {
             Stroke::Open(lines) => lines.iter().flat_map(|line| pairs(line)).collect(),
@@ -143,7 +143,7 @@ impl Stroke {
     }
 
     /// What it covers, its stroke left out.
-    pub(super) fn frame(&self) -> Rectangle {
+    pub(crate) fn frame(&self) -> Rectangle {
         Rectangle::around(self.segments().into_iter().flat_map(|(a, b)| [a, b]))
     }
 }

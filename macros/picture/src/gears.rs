@@ -1,16 +1,17 @@
 //! Wheels, racks and belts as they are drawn.
 
-use super::canvas::{Canvas, Ink, Layer, Near, Subject};
-use super::drawing::Drawing;
-use super::plane::{Place, polar};
-use super::wheels::{Rack, Wheel, Wheels};
+use crate::canvas::{Canvas, Ink, Layer, Near, Subject};
+use crate::drawing::Drawing;
+use crate::habits::Guide;
+use crate::plane::{Place, polar};
+use crate::wheels::{Rack, Wheel, Wheels};
 
 /// How much wider than its pitch circle a ring is drawn.
-pub(super) const RIM: f64 = 9.0;
+pub(crate) const RIM: f64 = 9.0;
 
 impl Drawing<'_> {
     /// Draws all wheels, racks and belts.
-    pub(super) fn wheels(&mut self, wheels: &Wheels) {
+    pub(crate) fn wheels(&mut self, wheels: &Wheels) {
         let mut sorted: Vec<&Wheel> = wheels.wheels.iter().collect();
         sorted.sort_by(|a, b| b.radius.total_cmp(&a.radius));
         for wheel in sorted {
@@ -64,15 +65,17 @@ impl Drawing<'_> {
         let (contact, held) = (self.view.at(rack.contact), self.view.at(rack.held));
         let (along, toward, reach) = (self.view.along(rack.along), self.view.along(rack.toward), self.view.length(rack.reach));
         let number = rack.body.unwrap_or(usize::MAX);
+        let (middle, reach) = self.bar(joint, (contact - held).dot(along), reach, self.view.length(rack.overhang));
         let back = contact - toward * 6.5;
-        self.canvas.line(Layer::DrawnBody, Ink::Bar(number), self.scene.name(rack.body), &[back - along * reach, back + along * reach]);
+        let bar = [back + along * (middle - reach), back + along * (middle + reach)];
+        self.canvas.line(Layer::DrawnBody, Ink::Bar(number), self.scene.name(rack.body), &bar);
         let beside = back + along * (held - back).dot(along);
         if (held - beside).norm() > 4.0 {
             self.canvas.line(Layer::DrawnBody, Ink::Bar(number), self.scene.name(rack.body), &[held, beside]);
         }
         let teeth = (reach / 4.0).floor().max(2.0) as i32;
         let tooth = |number: i32| {
-            contact + along * (f64::from(number) * reach / f64::from(teeth)) + toward * if number % 2 == 0 { 3.0 } else { -3.0 }
+            contact + along * (middle + f64::from(number) * reach / f64::from(teeth)) + toward * if number % 2 == 0 { 3.0 } else { -3.0 }
         };
         let teeth: Vec<Place> = (-teeth..=teeth).map(tooth).collect();
         self.canvas.line(Layer::Rod, Ink::Thin, &title, &teeth);
@@ -80,14 +83,24 @@ impl Drawing<'_> {
         if let Some(body) = rack.body {
             self.links[body].is_shown = true;
             let name = self.scene.bodies[body].name.clone();
-            self.canvas.wish(Subject::Body, &name, Near::Segments(vec![(back - along * reach, back + along * reach)]));
+            self.canvas.wish(Subject::Body, &name, Near::Segments(vec![(bar[0], bar[1])]));
+        }
+    }
+
+    /// Where the middle of a rack is along it from the contact, and half of its length: in a motion, so that all its contacts are on it.
+    fn bar(&mut self, joint: usize, contact: f64, reach: f64, overhang: f64) -> (f64, f64) {
+        let own = Guide::new(contact, 0.0);
+        self.habits.slide(joint, own);
+        match self.known.guide(joint) {
+            Some(Guide { low, high, .. }) if low < high => ((low + high) / 2.0 - contact, (high - low) / 2.0 + overhang),
+            _ => (0.0, reach),
         }
     }
 }
 
 impl Canvas {
     /// A thin arrow head at `tip` that points along `way`.
-    pub(super) fn head(&mut self, title: &str, tip: Place, way: Place) {
+    pub(crate) fn head(&mut self, title: &str, tip: Place, way: Place) {
         let (back, side) = (tip - way * 8.0, way.perp() * 3.2);
         self.area(Layer::Arrow, Ink::Solid, title, &[tip, back + side, back - side]);
     }

@@ -3,87 +3,114 @@
 //! Symbols are conventions (ISO 3952 and the textbooks), not properties of equations: here alone a constraint is asked for its
 //! name. One that has no symbol here is a dashed line between its points.
 
-use super::cams::{self, Cam, Tip};
-use super::canvas::{Canvas, Ink, Layer, Near, Subject};
-use super::links::DrawnBody;
-use super::pins::{Look, Pins};
-use super::plane::{Place, Rectangle, place};
-use super::scene::{PlacedArgument, Scene, axis, point};
-use super::view::View;
-use super::wheels::Wheels;
+use crate::cams::{self, Cam, Tip};
+use crate::canvas::{Canvas, Ink, Layer, Near, Subject};
+use crate::habits::Habits;
+use crate::links::DrawnBody;
+use crate::pins::{Look, Pins};
+use crate::placed::{PlacedArgument, PlacedScene, axis, point};
+use crate::plane::{Place, place};
+use crate::view::{Extent, View};
+use crate::wheels::Wheels;
 
 /// A guide that was drawn.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Track {
+pub(crate) struct Track {
     /// The point that is guided.
-    pub(super) held: Place,
+    pub(crate) held: Place,
     /// Where the block was drawn.
-    pub(super) at: Place,
-    pub(super) along: Place,
+    pub(crate) at: Place,
+    pub(crate) along: Place,
     /// Where ground lies.
-    pub(super) side: Place,
+    pub(crate) side: Place,
 }
 
 /// A cam's follower, in units of the picture.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Follower {
-    pub(super) body: Option<usize>,
-    pub(super) at: Place,
+pub(crate) struct Follower {
+    pub(crate) body: Option<usize>,
+    pub(crate) at: Place,
     /// The middle of its cam.
-    pub(super) cam: Place,
+    pub(crate) cam: Place,
     /// How far it reaches beyond its point.
-    pub(super) size: f64,
+    pub(crate) size: f64,
 }
 
 /// A picture in the making.
-pub(super) struct Drawing<'a> {
-    pub(super) scene: &'a Scene,
-    pub(super) view: View,
-    pub(super) canvas: Canvas,
-    pub(super) pins: Pins,
+pub(crate) struct Drawing<'a> {
+    pub(crate) scene: &'a PlacedScene,
+    pub(crate) view: View,
+    pub(crate) canvas: Canvas,
+    pub(crate) pins: Pins,
     /// By body.
-    pub(super) links: Vec<DrawnBody>,
-    pub(super) tracks: Vec<Track>,
-    pub(super) followers: Vec<Follower>,
-    /// The middle of everything.
-    pub(super) middle: Place,
+    pub(crate) links: Vec<DrawnBody>,
+    pub(crate) tracks: Vec<Track>,
+    pub(crate) followers: Vec<Follower>,
+    /// Those of the whole motion.
+    pub(crate) known: &'a Habits,
+    /// Those of this scene.
+    pub(crate) habits: Habits,
 }
 
-/// Draws a scene; `size` (m) is the length of the longest body.
-pub(super) fn draw(scene: &Scene, size: f64) -> (Canvas, View) {
-    let (wheels, cams) = (Wheels::of(scene), cams::cams(scene));
-    let mut frame = Rectangle::around(scene.places());
-    for other in [wheels.frame(), cams::frame(&cams)] {
-        if other.low.x <= other.high.x {
-            frame = frame.with(other.low).with(other.high);
+/// A scene with what is made of it as a whole.
+#[derive(Clone, Debug)]
+pub(crate) struct Setting<'a> {
+    scene: &'a PlacedScene,
+    wheels: Wheels,
+    cams: Vec<Cam>,
+}
+
+/// What was drawn.
+#[derive(Clone, Debug)]
+pub(crate) struct Drawn {
+    pub(crate) canvas: Canvas,
+    pub(crate) habits: Habits,
+}
+
+impl Setting<'_> {
+    pub(crate) fn of(scene: &PlacedScene) -> Setting<'_> {
+        Setting { scene, wheels: Wheels::of(scene), cams: cams::cams(scene) }
+    }
+
+    /// How much there is to see.
+    pub(crate) fn extent(&self) -> Extent {
+        Extent::of(self.scene, &self.wheels, &self.cams)
+    }
+
+    /// Draws the scene as it is seen in a view; `known` are the habits of the whole motion.
+    pub(crate) fn draw(&self, view: View, known: &Habits) -> Drawn {
+        let Setting { scene, wheels, cams } = self;
+        let mut drawing = Drawing {
+            scene,
+            view,
+            canvas: Canvas::default(),
+            pins: Pins::default(),
+            links: scene.bodies.iter().map(|_| DrawnBody::default()).collect(),
+            tracks: Vec::new(),
+            followers: cams.iter().map(|cam| follower(&view, cam)).collect(),
+            known,
+            habits: Habits::default(),
+        };
+        drawing.start();
+        drawing.wheels(wheels);
+        drawing.cams(cams);
+        for joint in 0..scene.joints.len() {
+            drawing.joint(joint, wheels.shows(joint));
         }
+        drawing.finish();
+        drawing.drives(|body| wheels.largest(body).map(|(radius, is_ring)| (view.length(radius), is_ring)));
+        Drawn { canvas: drawing.canvas, habits: drawing.habits }
     }
-    let view = View::of(scene, frame, wheels.smallest(), size);
-    let mut drawing = Drawing {
-        scene,
-        view,
-        canvas: Canvas::default(),
-        pins: Pins::default(),
-        links: scene.bodies.iter().map(|_| DrawnBody::default()).collect(),
-        tracks: Vec::new(),
-        followers: cams.iter().map(|cam| follower(&view, cam)).collect(),
-        middle: view.at(frame.middle()),
-    };
-    drawing.start();
-    drawing.wheels(&wheels);
-    drawing.cams(&cams);
-    for joint in 0..scene.joints.len() {
-        drawing.joint(joint, wheels.shows(joint));
-    }
-    drawing.finish();
-    let wheels = |body: Option<usize>| wheels.largest(body).map(|(radius, is_ring)| (view.length(radius), is_ring));
-    drawing.drives(wheels);
-    (drawing.canvas, view)
 }
 
 fn follower(view: &View, cam: &Cam) -> Follower {
     let size = if let Tip::Roller(radius) = cam.tip { view.length(radius) } else { 0.0 };
     Follower { body: cam.follower, at: view.at(cam.at), cam: view.at(cam.middle), size }
+}
+
+/// The directions (rad) in which links leave a place, in this scene and in the whole motion.
+pub(crate) fn directions(links: &[DrawnBody], known: &Habits, at: Place) -> Vec<f64> {
+    links.iter().flat_map(|link| link.directions(at)).chain(known.at(at)).collect()
 }
 
 impl Drawing<'_> {
@@ -95,9 +122,9 @@ impl Drawing<'_> {
     }
 
     /// `o: revolute of ground and crank`; of very many only the name.
-    pub(super) fn title(&self, joint: usize) -> String {
+    pub(crate) fn title(&self, joint: usize) -> String {
         let sign = &self.scene.joints[joint];
-        if self.scene.bodies.len() > super::ALL_NAMED {
+        if self.scene.bodies.len() > crate::picture::ALL_NAMED {
             return sign.name.clone();
         }
         let body = |seen: &PlacedArgument| match seen {
@@ -160,13 +187,15 @@ impl Drawing<'_> {
             {
                 let at = *at;
                 link.is_shown = true;
-                self.canvas.circle(Layer::Pin, Ink::Of(number), &body.name, at, super::pins::RADIUS + 3.0);
+                self.canvas.circle(Layer::Pin, Ink::Of(number), &body.name, at, crate::pins::RADIUS + 3.0);
                 self.canvas.wish(Subject::Body, &body.name, Near::Point(at, 10.0));
             }
             link.draw(&mut self.canvas, number, &body.name);
         }
-        let links = &self.links;
-        self.pins.draw(&mut self.canvas, |at| links.iter().flat_map(|link| link.directions(at)).collect());
+        self.pins.draw(&mut self.canvas, |at| directions(&self.links, self.known, at));
+        for pin in self.pins.pins.iter().filter(|pin| pin.is_on_ground) {
+            self.habits.reach(pin.at, directions(&self.links, &Habits::default(), pin.at));
+        }
         for (name, _, at) in &self.scene.outputs {
             let at = self.view.at(*at);
             let is_taken = |other: Place| (other - at).norm() < 1.0;
@@ -175,13 +204,13 @@ impl Drawing<'_> {
                 continue;
             }
             let arm = |x: f64, y: f64| vec![at - place(x, y) * 4.0, at + place(x, y) * 4.0];
-            self.canvas.draw(Layer::Pin, Ink::Line, name, super::canvas::Stroke::Open(vec![arm(1.0, 1.0), arm(1.0, -1.0)]));
+            self.canvas.draw(Layer::Pin, Ink::Line, name, crate::canvas::Stroke::Open(vec![arm(1.0, 1.0), arm(1.0, -1.0)]));
             self.canvas.wish(Subject::Output, name, Near::Point(at, 6.0));
         }
     }
 
     /// The axis and the guided point of a driven joint.
-    pub(super) fn driven_slide(&self, joint: usize) -> Option<(Place, Place)> {
+    pub(crate) fn driven_slide(&self, joint: usize) -> Option<(Place, Place)> {
         let slide = self.scene.joints[joint]
             .arguments
             .iter()

@@ -1,9 +1,9 @@
 //! Drives: a curved arrow about what turns, a straight one beside what is pushed.
 
-use super::canvas::{Ink, Layer, Near, Stroke, Subject};
-use super::drawing::Drawing;
-use super::gears::RIM;
-use super::plane::{Place, place, polar};
+use crate::canvas::{Ink, Layer, Near, Stroke, Subject};
+use crate::drawing::{Drawing, directions};
+use crate::gears::RIM;
+use crate::plane::{Place, place, polar};
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// The radius of a curved arrow about a hinge.
@@ -17,12 +17,12 @@ const ARROW: f64 = 34.0;
 
 impl Drawing<'_> {
     /// The drive is drawn as an arrow.
-    pub(super) fn is_arrow(&self, joint: usize) -> bool {
+    pub(crate) fn is_arrow(&self, joint: usize) -> bool {
         self.pushed(joint).is_some() || self.turned(joint).is_some()
     }
 
     /// Draws all arrows; `wheel` gives the radius of a body's wheel, and whether it is a ring.
-    pub(super) fn drives(&mut self, wheel: impl Fn(Option<usize>) -> Option<(f64, bool)>) {
+    pub(crate) fn drives(&mut self, wheel: impl Fn(Option<usize>) -> Option<(f64, bool)>) {
         for joint in (0..self.scene.joints.len()).filter(|joint| self.scene.joints[*joint].is_drive) {
             if self.scene.joints[joint].kind == "drive_distance" {
                 continue;
@@ -71,7 +71,7 @@ impl Drawing<'_> {
             Some((radius, false)) if radius < RADIUS + 7.0 => radius + 7.0,
             _ => RADIUS,
         };
-        let mut taken: Vec<f64> = self.links.iter().flat_map(|link| link.directions(at)).collect();
+        let mut taken = directions(&self.links, self.known, at);
         let arcs = self
             .canvas
             .items

@@ -1,11 +1,11 @@
 //! Hinges, and what holds them to ground.
 
-use super::canvas::{Canvas, Ink, Layer, Near, Stroke, Subject};
-use super::plane::{Place, place, polar};
+use crate::canvas::{Canvas, Ink, Layer, Near, Stroke, Subject};
+use crate::plane::{Place, place, polar};
 use core::f64::consts::{FRAC_PI_2, PI};
 
 /// The radius of a hinge.
-pub(super) const RADIUS: f64 = 4.6;
+pub(crate) const RADIUS: f64 = 4.6;
 
 /// Hinges nearer to each other than this are one in the picture.
 const NEAR: f64 = 1.0;
@@ -15,7 +15,7 @@ const MOST_NAMES: usize = 4;
 
 /// How bodies are joined at a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Look {
+pub(crate) enum Look {
     /// They turn about it.
     Hinge,
     /// They are one.
@@ -24,24 +24,24 @@ pub(super) enum Look {
 
 /// A place where bodies are joined.
 #[derive(Clone, Debug)]
-pub(super) struct Pin {
-    pub(super) at: Place,
+pub(crate) struct Pin {
+    pub(crate) at: Place,
     has_hinge: bool,
     has_weld: bool,
-    pub(super) is_on_ground: bool,
+    pub(crate) is_on_ground: bool,
     /// The joints by name, with what they are.
     names: Vec<(String, String)>,
 }
 
 /// All of them.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Pins {
-    pub(super) pins: Vec<Pin>,
+pub(crate) struct Pins {
+    pub(crate) pins: Vec<Pin>,
 }
 
 impl Pins {
     /// Joins bodies at a place; `name` is shown there, `title` is told.
-    pub(super) fn join(&mut self, at: Place, look: Look, is_on_ground: bool, name: &str, title: &str) {
+    pub(crate) fn join(&mut self, at: Place, look: Look, is_on_ground: bool, name: &str, title: &str) {
         let pin = match self.pins.iter().position(|pin| (pin.at - at).norm() < NEAR) {
             Some(known) => &mut self.pins[known],
             None => {
@@ -59,17 +59,17 @@ impl Pins {
     }
 
     /// A joint is at this place.
-    pub(super) fn is_at(&self, at: Place) -> bool {
+    pub(crate) fn is_at(&self, at: Place) -> bool {
         self.pins.iter().any(|pin| (pin.at - at).norm() < NEAR)
     }
 
     /// Where ground lies (rad) below a hinge on it; `links` are the directions in which links leave the place.
-    pub(super) fn ground_of(&self, at: Place, links: &[f64]) -> Option<f64> {
+    pub(crate) fn ground_of(&self, at: Place, links: &[f64]) -> Option<f64> {
         self.pins.iter().find(|pin| pin.is_on_ground && (pin.at - at).norm() < NEAR).map(|_| freest(links))
     }
 
     /// Draws all of them; `links` are the directions in which links leave a place.
-    pub(super) fn draw(&self, canvas: &mut Canvas, links: impl Fn(Place) -> Vec<f64>) {
+    pub(crate) fn draw(&self, canvas: &mut Canvas, links: impl Fn(Place) -> Vec<f64>) {
         for pin in &self.pins {
             let title =
                 pin.names.iter().filter(|(_, title)| !title.is_empty()).map(|(_, title)| title.as_str()).collect::<Vec<_>>().join("; ");
@@ -130,7 +130,7 @@ fn support(canvas: &mut Canvas, title: &str, at: Place, angle: f64) {
 }
 
 /// The edge of ground between two places, hatched on the side of `into`.
-pub(super) fn ground(canvas: &mut Canvas, title: &str, a: Place, b: Place, into: Place) {
+pub(crate) fn ground(canvas: &mut Canvas, title: &str, a: Place, b: Place, into: Place) {
     let way = (b - a).unit();
     let length = (b - a).norm();
     let strokes = (length / 6.0).floor().max(1.0) as usize;

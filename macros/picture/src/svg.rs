@@ -1,9 +1,9 @@
 //! From shapes to SVG: the same bytes on every run, no blank line, readable on light and dark pages.
 
-use super::canvas::{Canvas, DrawnItem, Ink, Layer, Stroke, Subject};
-use super::labels::{HEIGHT, Placed, SIZE, width};
-use super::plane::{Place, Rectangle, place};
-use super::view::View;
+use crate::canvas::{Canvas, DrawnItem, Ink, Layer, Stroke, Subject};
+use crate::labels::{HEIGHT, Placed, SIZE, width};
+use crate::plane::{Place, Rectangle, place};
+use crate::view::View;
 use core::f64::consts::{PI, TAU};
 use std::fmt::Write;
 
@@ -33,33 +33,72 @@ const STYLE: &str = ".reuleaux{--ink:var(--main-color,#1c1c1c);--paper:var(--mai
 .reuleaux .i{font-style:italic}";
 
 /// What a picture says of itself to those who do not see it.
-pub(super) struct Captions<'a> {
-    pub(super) title: &'a str,
-    pub(super) description: &'a str,
+pub(crate) struct Captions<'a> {
+    pub(crate) title: &'a str,
+    pub(crate) description: &'a str,
 }
 
-/// The whole picture.
-pub(super) fn svg(canvas: &Canvas, labels: &[Placed], view: View, words: &Captions) -> String {
-    let mut frame = Rectangle::empty();
-    for part in canvas.items.iter().map(|item| item.shape.frame().grown(4.0)).chain(labels.iter().map(|label| label.frame)) {
-        frame = frame.with(part.low).with(part.high);
+/// What shapes and words cover.
+pub(crate) fn frame(canvas: &Canvas, labels: &[Placed]) -> Rectangle {
+    let parts = canvas.items.iter().map(|item| item.shape.frame().grown(4.0)).chain(labels.iter().map(|label| label.frame));
+    parts.fold(Rectangle::empty(), |frame, part| frame.with(part.low).with(part.high))
+}
+
+/// The whole picture, with room for `frame`.
+pub(crate) fn svg(canvas: &Canvas, labels: &[Placed], view: View, frame: Rectangle, words: &Captions) -> String {
+    let (foot, frame) = foot(&canvas.captions, view, frame);
+    let mut page = head(frame, words);
+    page += &body(canvas, labels);
+    page += &foot;
+    page += "</svg>\n";
+    page
+}
+
+/// One picture of several frames, each for an equal part of `period` (s), with room for `frame`.
+pub(crate) fn animation(frames: &[(Canvas, Vec<Placed>)], view: View, frame: Rectangle, words: &Captions, period: f64) -> String {
+    let captions = frames.first().map_or(&[][..], |(canvas, _)| &canvas.captions);
+    let (foot, frame) = foot(captions, view, frame);
+    let mut page = head(frame, words);
+    for (index, (canvas, labels)) in frames.iter().enumerate() {
+        page += &shown_in_turn(index, frames.len(), period);
+        page += &body(canvas, labels);
+        page += "</g>\n";
     }
-    let mut below = String::new();
-    let mut foot = place(frame.low.x, frame.high.y + 16.0);
-    for caption in &canvas.captions {
-        foot.y += HEIGHT + 3.0;
-        let _ = writeln!(
-            below,
-            "<text class=\"i\" style=\"text-anchor:start\" x=\"{}\" y=\"{}\">{}</text>",
-            number(foot.x),
-            number(foot.y),
-            escaped(caption)
-        );
-        frame = frame.with(foot + place(width(caption), 2.0));
-    }
-    foot.y += 10.0;
-    let right = scale_bar(&mut below, view, foot);
-    let frame = frame.with(right).with(foot + place(0.0, 4.0)).grown(MARGIN);
+    page += &foot;
+    page += "</svg>\n";
+    page
+}
+
+/// Opens a group that is seen for one part of a period. Where nothing moves only the first one is seen.
+fn shown_in_turn(index: usize, count: usize, period: f64) -> String {
+    let time = |index: usize| format!("{}", (index as f64 / count as f64 * 1e4).round() / 1e4);
+    let (values, times) = match index {
+        0 => ("visible;hidden", format!("0;{}", time(1))),
+        last if last + 1 == count => ("hidden;visible", format!("0;{}", time(last))),
+        index => ("hidden;visible;hidden", format!("0;{};{}", time(index), time(index + 1))),
+    };
+    let visibility = if index == 0 { "visible" } else { "hidden" };
+    let animate = if count > 1 {
+        format!(
+            "<animate attributeName=\"visibility\" calcMode=\"discrete\" values=\"{values}\" keyTimes=\"{times}\" dur=\"{period}s\" \
+             repeatCount=\"indefinite\"/>"
+        )
+    } else {
+        String::new()
+    };
+    format!("<g visibility=\"{visibility}\">{animate}\n")
+}
+
+/// A sentence where there is no picture.
+pub(crate) fn sentence(name: &str, sentence: &str) -> String {
+    let frame = Rectangle::centred(Place::default(), place(width(sentence), HEIGHT)).grown(MARGIN);
+    let mut page = head(frame, &Captions { title: name, description: sentence });
+    let _ = writeln!(page, "<text x=\"0\" y=\"{}\">{}</text>\n</svg>", number(SIZE * 0.33), escaped(sentence));
+    page
+}
+
+/// Everything before the shapes.
+fn head(frame: Rectangle, words: &Captions) -> String {
     let (corner, size) = (frame.low, frame.size());
     let mut page = String::new();
     let _ = writeln!(
@@ -75,6 +114,12 @@ pub(super) fn svg(canvas: &Canvas, labels: &[Placed], view: View, words: &Captio
     let _ = writeln!(page, "<title>{}</title>\n<desc>{}</desc>", escaped(words.title), escaped(words.description));
     let colours: String = COLOURS.iter().enumerate().map(|(index, colour)| format!(".reuleaux .c{index}{{color:{colour}}}")).collect();
     let _ = writeln!(page, "<style>{STYLE}{colours}.reuleaux .g{{color:#888}}</style>");
+    page
+}
+
+/// Shapes from below to above, and names.
+fn body(canvas: &Canvas, labels: &[Placed]) -> String {
+    let mut page = String::new();
     let mut items: Vec<&DrawnItem> = canvas.items.iter().collect();
     items.sort_by_key(|item| item.layer);
     for same in items.chunk_by(|one, two| one.layer == two.layer && one.title == two.title) {
@@ -91,9 +136,27 @@ pub(super) fn svg(canvas: &Canvas, labels: &[Placed], view: View, words: &Captio
             escaped(&label.text)
         );
     }
-    page += &below;
-    page += "</svg>\n";
     page
+}
+
+/// Captions and the scale bar below a frame, and the frame of the whole.
+fn foot(captions: &[String], view: View, mut frame: Rectangle) -> (String, Rectangle) {
+    let mut below = String::new();
+    let mut foot = place(frame.low.x, frame.high.y + 16.0);
+    for caption in captions {
+        foot.y += HEIGHT + 3.0;
+        let _ = writeln!(
+            below,
+            "<text class=\"i\" style=\"text-anchor:start\" x=\"{}\" y=\"{}\">{}</text>",
+            number(foot.x),
+            number(foot.y),
+            escaped(caption)
+        );
+        frame = frame.with(foot + place(width(caption), 2.0));
+    }
+    foot.y += 10.0;
+    let right = scale_bar(&mut below, view, foot);
+    (below, frame.with(right).with(foot + place(0.0, 4.0)).grown(MARGIN))
 }
 
 /// Shapes of one thing with its name.
@@ -128,7 +191,7 @@ fn element(item: &DrawnItem) -> (&'static str, String) {
         Stroke::Open(lines) => ("path", format!("class=\"{class}\" d=\"{}\"", lines.iter().map(|line| path(line)).collect::<String>())),
         Stroke::Closed(corners) => ("path", format!("class=\"{class}\" d=\"{}Z\"", path(corners))),
         Stroke::Arc(middle, radius, from, to) => {
-            let end = |angle: f64| *middle + super::plane::polar(*radius, angle);
+            let end = |angle: f64| *middle + crate::plane::polar(*radius, angle);
             let (large, sweep) = (u8::from((to - from).abs() > PI && (to - from).abs() < TAU), u8::from(to > from));
             let radius = number(*radius);
             ("path", format!("class=\"{class}\" d=\"M{}A{radius} {radius} 0 {large} {sweep} {}\"", pair(end(*from)), pair(end(*to))))

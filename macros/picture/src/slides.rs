@@ -1,9 +1,10 @@
 //! Blocks on guides, pins in slots, rods and cylinders.
 
-use super::canvas::{Ink, Layer, Near, Subject};
-use super::drawing::{Drawing, Track};
-use super::pins::{Look, RADIUS, ground};
-use super::plane::{Place, place, polar};
+use crate::canvas::{Ink, Layer, Near, Subject};
+use crate::drawing::{Drawing, Track};
+use crate::habits::Guide;
+use crate::pins::{Look, RADIUS, ground};
+use crate::plane::{Place, place, polar};
 use core::f64::consts::PI;
 
 /// Half of a block, along its guide and across.
@@ -20,18 +21,18 @@ const ABOVE_CAM: f64 = 44.0;
 
 impl Drawing<'_> {
     /// Body `j` slides along a line in body `i`: a block on a guide.
-    pub(super) fn slide(&mut self, joint: usize, (i, along): (Option<usize>, Place), start: Place, (j, held): (Option<usize>, Place)) {
+    pub(crate) fn slide(&mut self, joint: usize, (i, along): (Option<usize>, Place), start: Place, (j, held): (Option<usize>, Place)) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
         let (along, start, held) = (self.view.along(along), self.view.at(start), self.view.at(held));
         let at = self.beside_cam(j, held, along);
-        let side = self.free_side(at, along);
+        let (side, [first, last]) = self.guide(joint, (i, start), at, along);
         self.tracks.push(Track { held, at, along, side });
         if let (None, None) = (i, j) {
             return;
         }
         match i {
-            None => ground(&mut self.canvas, &title, at - along * GUIDE + side * BLOCK.y, at + along * GUIDE + side * BLOCK.y, side),
-            Some(i) => self.extend(i, start, at, along, BLOCK.x + 9.0),
+            None => ground(&mut self.canvas, &title, first - along * GUIDE + side * BLOCK.y, last + along * GUIDE + side * BLOCK.y, side),
+            Some(i) => self.extend(i, start, [first, last], along, BLOCK.x + 9.0),
         }
         let corner = |x: f64, y: f64| at + along * (x * BLOCK.x) + side * (y * BLOCK.y);
         let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
@@ -56,20 +57,20 @@ impl Drawing<'_> {
                 }
             }
         }
-        let rail = at + side * (BLOCK.y + if i.is_none() { 6.0 } else { 0.0 });
-        self.canvas.wish(Subject::Joint, &name, Near::Segments(vec![(rail - along * GUIDE, rail + along * GUIDE)]));
+        let rail = side * (BLOCK.y + if i.is_none() { 6.0 } else { 0.0 });
+        self.canvas.wish(Subject::Joint, &name, Near::Segments(vec![(first + rail - along * GUIDE, last + rail + along * GUIDE)]));
     }
 
     /// A point of body `j` stays on a line in body `i`: a pin in a slot.
-    pub(super) fn slot(&mut self, joint: usize, (i, along): (Option<usize>, Place), start: Place, (j, held): (Option<usize>, Place)) {
+    pub(crate) fn slot(&mut self, joint: usize, (i, along): (Option<usize>, Place), start: Place, (j, held): (Option<usize>, Place)) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
         let (along, start, at) = (self.view.along(along), self.view.at(start), self.view.at(held));
-        let (one, two) = (at - along * SLOT, at + along * SLOT);
+        let (side, [first, last]) = self.guide(joint, (i, start), at, along);
+        let (one, two) = (first - along * SLOT, last + along * SLOT);
         let half = RADIUS + 2.4;
-        let side = self.free_side(at, along);
         match i {
             None => ground(&mut self.canvas, &title, one + side * half, two + side * half, side),
-            Some(i) => self.extend(i, start, at, along, SLOT),
+            Some(i) => self.extend(i, start, [first, last], along, SLOT),
         }
         let turn = along.angle();
         let end = |middle: Place, from: f64| (0..=6).map(move |step| middle + polar(half, turn + from + PI * f64::from(step) / 6.0));
@@ -87,7 +88,7 @@ impl Drawing<'_> {
     }
 
     /// Two points keep their distance: a rod.
-    pub(super) fn rod(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, q): (Option<usize>, Place)) {
+    pub(crate) fn rod(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, q): (Option<usize>, Place)) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
         let (p, q) = (self.view.at(p), self.view.at(q));
         self.canvas.line(Layer::Rod, Ink::Line, &title, &[p, q]);
@@ -97,15 +98,16 @@ impl Drawing<'_> {
     }
 
     /// The distance of two points is driven: a cylinder.
-    pub(super) fn cylinder(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, q): (Option<usize>, Place)) {
+    pub(crate) fn cylinder(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, q): (Option<usize>, Place)) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
         let (p, q) = (self.view.at(p), self.view.at(q));
         let (way, length) = ((q - p).unit(), (q - p).norm());
         let side = way.perp() * 6.5;
-        let (bottom, top) = (p + way * (0.08 * length), p + way * (0.62 * length));
+        let (least, stroke) = self.stroke(joint, length);
+        let (bottom, top) = (p + way * (0.08 * least), p + way * (0.62 * least));
         self.canvas.line(Layer::Rod, Ink::Line, &title, &[p, q]);
         self.canvas.area(Layer::Block, Ink::Paper, &title, &[bottom + side, top + side, top - side, bottom - side]);
-        let piston = p + way * (0.42 * length);
+        let piston = p + way * (stroke * least);
         self.canvas.line(Layer::Block, Ink::Line, &title, &[piston + side, piston - side]);
         self.canvas.line(Layer::Block, Ink::Line, &title, &[piston, top]);
         self.pins.join(p, Look::Hinge, i.is_none(), "", "");
@@ -113,8 +115,18 @@ impl Drawing<'_> {
         self.canvas.wish(Subject::Drive, &name, Near::Segments(vec![(bottom + side, top + side), (bottom - side, top - side)]));
     }
 
+    /// The length by which a cylinder is drawn, its least one, and where its piston is as a part of it.
+    fn stroke(&mut self, joint: usize, length: f64) -> (f64, f64) {
+        let own = Guide::new(length, 0.0);
+        self.habits.slide(joint, own);
+        match self.known.guide(joint) {
+            Some(Guide { low, high, .. }) if low < high => (low, 0.16 + 0.4 * (length - low) / (high - low)),
+            _ => (length, 0.42),
+        }
+    }
+
     /// Bodies are one from here on.
-    pub(super) fn weld(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, _): (Option<usize>, Place)) {
+    pub(crate) fn weld(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, _): (Option<usize>, Place)) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
         let at = self.view.at(p);
         self.pins.join(at, Look::Weld, false, &name, &title);
@@ -124,7 +136,7 @@ impl Drawing<'_> {
     }
 
     /// A condition that has no shape of its own: its points are joined by a dashed line.
-    pub(super) fn condition(&mut self, joint: usize) {
+    pub(crate) fn condition(&mut self, joint: usize) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
         let points: Vec<Place> = self.scene.joints[joint].points().map(|(_, at)| self.view.at(at)).collect();
         let role = if self.scene.joints[joint].is_drive { Subject::Drive } else { Subject::Joint };
@@ -139,8 +151,29 @@ impl Drawing<'_> {
         }
     }
 
-    /// The line from `start` to `at`, and a little beyond, becomes part of a body where it is not yet.
-    fn extend(&mut self, body: usize, start: Place, at: Place, along: Place, beyond: f64) {
+    /// On which side of a guide ground lies, and where what slides on it is at the ends of its way.
+    fn guide(&mut self, joint: usize, (body, start): (Option<usize>, Place), at: Place, along: Place) -> (Place, [Place; 2]) {
+        let normal = along.perp();
+        let below = if normal.y < 0.0 { -normal } else { normal };
+        // Ground stands still, so that its origin can be that of the picture.
+        let from = if body.is_none() { Place::default() } else { start };
+        let here = (at - from).dot(along);
+        let own = Guide::new(here, self.pull(at).dot(below));
+        self.habits.slide(joint, own);
+        let known = self.known.guide(joint).unwrap_or(own);
+        let side = free_side(at, normal, below, if body.is_none() { known.pull() } else { own.pull() });
+        (side, [known.low, known.high].map(|end| at + along * (end - here)))
+    }
+
+    /// The line from `start` to the ends of a way, and a little beyond, becomes part of a body where it is not yet.
+    fn extend(&mut self, body: usize, start: Place, [first, last]: [Place; 2], along: Place, beyond: f64) {
+        self.extend_to(body, start, first, along, beyond);
+        if last != first {
+            self.extend_to(body, start, last, along, beyond);
+        }
+    }
+
+    fn extend_to(&mut self, body: usize, start: Place, at: Place, along: Place, beyond: f64) {
         let link = &mut self.links[body];
         let ends = link.points.iter().filter(|point| (**point - at).cross(along).abs() < 3.0).map(|point| (*point - at).dot(along));
         let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), next| (low.min(next), high.max(next)));
@@ -174,21 +207,6 @@ impl Drawing<'_> {
         ways.chain(rods).fold(Place::default(), |sum, way| sum + way)
     }
 
-    /// The side of a guide on which ground lies: below, or away from the rest.
-    fn free_side(&self, at: Place, along: Place) -> Place {
-        let normal = along.perp();
-        let below = if normal.y < 0.0 { -normal } else { normal };
-        // What pulls at the block does not come through its ground.
-        let pull = self.pull(at).dot(below);
-        if below.y > 0.35 {
-            return if pull > 0.1 { -below } else { below };
-        }
-        if pull.abs() > 0.1 {
-            return if pull > 0.0 { -below } else { below };
-        }
-        if (self.middle - at).dot(normal) > 0.0 { -normal } else { normal }
-    }
-
     /// Where the block of a follower is drawn: outside of its cam.
     fn beside_cam(&self, body: Option<usize>, held: Place, along: Place) -> Place {
         let own = self.followers.iter().find(|follower| follower.body == body && (follower.at - held).norm() < 60.0);
@@ -197,4 +215,17 @@ impl Drawing<'_> {
         let ahead = (follower.at - held).dot(way).max(0.0);
         held + way * (ahead + follower.size + ABOVE_CAM)
     }
+}
+
+/// The side of a guide on which ground lies: below, or away from the rest.
+fn free_side(at: Place, normal: Place, below: Place, pull: f64) -> Place {
+    // What pulls at the block does not come through its ground.
+    if below.y > 0.35 {
+        return if pull > 0.1 { -below } else { below };
+    }
+    if pull.abs() > 0.1 {
+        return if pull > 0.0 { -below } else { below };
+    }
+    // The middle of the picture is its origin.
+    if (-at).dot(normal) > 0.0 { -normal } else { normal }
 }

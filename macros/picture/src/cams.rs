@@ -1,15 +1,15 @@
 //! Disc cams: the outline that their profile function describes, and what runs on it.
 
-use super::canvas::{Ink, Layer, Near, Subject};
-use super::drawing::Drawing;
-use super::eye::STEPS;
-use super::plane::{Place, Rectangle, polar};
-use super::scene::{Scene, Sign};
+use crate::canvas::{Ink, Layer, Near, Subject};
+use crate::drawing::Drawing;
+use crate::placed::{PlacedScene, Sign};
+use crate::plane::{Place, Rectangle, polar};
+use crate::scene::STEPS;
 use core::f64::consts::TAU;
 
 /// What touches the cam.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Tip {
+pub(crate) enum Tip {
     Knife,
     /// A roller of this radius (m).
     Roller(f64),
@@ -19,29 +19,29 @@ pub(super) enum Tip {
 
 /// A cam with its follower, in m.
 #[derive(Clone, Debug)]
-pub(super) struct Cam {
+pub(crate) struct Cam {
     joint: usize,
     body: Option<usize>,
-    pub(super) middle: Place,
-    pub(super) outline: Vec<Place>,
+    pub(crate) middle: Place,
+    pub(crate) outline: Vec<Place>,
     /// The profile is a Rust function, of which nothing is known here.
     is_unknown: bool,
-    pub(super) follower: Option<usize>,
+    pub(crate) follower: Option<usize>,
     /// The follower's point.
-    pub(super) at: Place,
-    pub(super) tip: Tip,
+    pub(crate) at: Place,
+    pub(crate) tip: Tip,
 }
 
-pub(super) fn cams(scene: &Scene) -> Vec<Cam> {
+pub(crate) fn cams(scene: &PlacedScene) -> Vec<Cam> {
     scene.joints.iter().enumerate().filter_map(|(number, joint)| cam(scene, number, joint)).collect()
 }
 
 /// What they cover.
-pub(super) fn frame(cams: &[Cam]) -> Rectangle {
+pub(crate) fn frame(cams: &[Cam]) -> Rectangle {
     Rectangle::around(cams.iter().flat_map(|cam| cam.outline.iter().copied()))
 }
 
-fn cam(scene: &Scene, number: usize, joint: &Sign) -> Option<Cam> {
+fn cam(scene: &PlacedScene, number: usize, joint: &Sign) -> Option<Cam> {
     let (body, middle) = joint.point("O")?;
     let (law, (follower, at), tip) = match joint.kind.as_str() {
         "cam_knife" => ("R", joint.point("F")?, Tip::Knife),
@@ -91,7 +91,7 @@ fn outline(values: &[f64], middle: Place, turned: f64, tip: Tip) -> Vec<Place> {
 }
 
 impl Drawing<'_> {
-    pub(super) fn cams(&mut self, cams: &[Cam]) {
+    pub(crate) fn cams(&mut self, cams: &[Cam]) {
         for cam in cams {
             self.cam(cam);
         }

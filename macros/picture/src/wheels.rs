@@ -1,46 +1,48 @@
 //! Gears, racks and belts in m: pitch circles whose radii follow from the distance of their centres and the ratio.
 
-use super::plane::{Place, Rectangle, place, polar};
-use super::scene::{Scene, Sign};
+use crate::placed::{PlacedScene, Sign};
+use crate::plane::{Place, Rectangle, place, polar};
 
 /// A pitch circle, in m.
 #[derive(Clone, Debug)]
-pub(super) struct Wheel {
+pub(crate) struct Wheel {
     /// None for a wheel that is fixed to ground.
-    pub(super) body: Option<usize>,
-    pub(super) middle: Place,
-    pub(super) radius: f64,
+    pub(crate) body: Option<usize>,
+    pub(crate) middle: Place,
+    pub(crate) radius: f64,
     /// It lies around what it meshes with.
-    pub(super) is_ring: bool,
+    pub(crate) is_ring: bool,
 }
 
 /// A rack, in m.
 #[derive(Clone, Debug)]
-pub(super) struct Rack {
-    pub(super) body: Option<usize>,
+pub(crate) struct Rack {
+    pub(crate) body: Option<usize>,
     /// Where it touches the pinion.
-    pub(super) contact: Place,
-    pub(super) along: Place,
+    pub(crate) contact: Place,
+    pub(crate) along: Place,
     /// From the contact to the pinion's middle.
-    pub(super) toward: Place,
+    pub(crate) toward: Place,
     /// The point of the rack that is guided.
-    pub(super) held: Place,
-    pub(super) reach: f64,
+    pub(crate) held: Place,
+    pub(crate) reach: f64,
+    /// How far it goes on beyond a contact at its end.
+    pub(crate) overhang: f64,
 }
 
 /// All that turns on itself, in m.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Wheels {
-    pub(super) wheels: Vec<Wheel>,
+pub(crate) struct Wheels {
+    pub(crate) wheels: Vec<Wheel>,
     /// Where two mesh: the joint's number and the place.
-    pub(super) meshes: Vec<(usize, Place)>,
-    pub(super) racks: Vec<(usize, Rack)>,
+    pub(crate) meshes: Vec<(usize, Place)>,
+    pub(crate) racks: Vec<(usize, Rack)>,
     /// The straight parts of belts.
-    pub(super) belts: Vec<(usize, [(Place, Place); 2])>,
+    pub(crate) belts: Vec<(usize, [(Place, Place); 2])>,
 }
 
 impl Wheels {
-    pub(super) fn of(scene: &Scene) -> Wheels {
+    pub(crate) fn of(scene: &PlacedScene) -> Wheels {
         let mut found = Wheels::default();
         for (number, joint) in scene.joints.iter().enumerate() {
             let _ = match joint.kind.as_str() {
@@ -58,25 +60,25 @@ impl Wheels {
     }
 
     /// What they cover.
-    pub(super) fn frame(&self) -> Rectangle {
+    pub(crate) fn frame(&self) -> Rectangle {
         let corners = |wheel: &Wheel| [wheel.middle - place(wheel.radius, wheel.radius), wheel.middle + place(wheel.radius, wheel.radius)];
         let rails = |(_, rack): &(usize, Rack)| [rack.contact - rack.along * rack.reach, rack.contact + rack.along * rack.reach];
         Rectangle::around(self.wheels.iter().flat_map(corners).chain(self.racks.iter().flat_map(rails)))
     }
 
     /// What is to be seen as clearly as a link: part of the radius of the smallest wheel.
-    pub(super) fn smallest(&self) -> f64 {
+    pub(crate) fn smallest(&self) -> f64 {
         self.wheels.iter().map(|wheel| 0.6 * wheel.radius).fold(f64::INFINITY, f64::min)
     }
 
     /// The largest wheel of a body: its radius, and whether it is a ring.
-    pub(super) fn largest(&self, body: Option<usize>) -> Option<(f64, bool)> {
+    pub(crate) fn largest(&self, body: Option<usize>) -> Option<(f64, bool)> {
         let own = self.wheels.iter().filter(|wheel| wheel.body == body);
         own.max_by(|a, b| a.radius.total_cmp(&b.radius)).map(|wheel| (wheel.radius, wheel.is_ring))
     }
 
     /// Its equation is drawn.
-    pub(super) fn shows(&self, joint: usize) -> bool {
+    pub(crate) fn shows(&self, joint: usize) -> bool {
         let numbers = self.meshes.iter().map(|mesh| mesh.0).chain(self.racks.iter().map(|rack| rack.0));
         numbers.chain(self.belts.iter().map(|belt| belt.0)).any(|number| number == joint)
     }
@@ -90,7 +92,7 @@ impl Wheels {
         }
     }
 
-    fn gears(&mut self, scene: &Scene, number: usize, joint: &Sign) -> Option<()> {
+    fn gears(&mut self, scene: &PlacedScene, number: usize, joint: &Sign) -> Option<()> {
         let (i, j, carrier) = (joint.body("i")?, joint.body("j")?, joint.body("carrier").unwrap_or(None));
         let ((a, is_length), (b, _)) = (joint.number("a")?, joint.number("b")?);
         let (one, two) = (scene.centre(i, carrier), scene.centre(j, carrier));
@@ -113,7 +115,7 @@ impl Wheels {
         Some(())
     }
 
-    fn planetary(&mut self, scene: &Scene, number: usize, joint: &Sign) -> Option<()> {
+    fn planetary(&mut self, scene: &PlacedScene, number: usize, joint: &Sign) -> Option<()> {
         let (sun, ring, carrier) = (joint.body("sun")?, joint.body("ring")?, joint.body("carrier")?);
         let (z_sun, z_ring) = (joint.number("z_sun")?, joint.number("z_ring")?);
         let middle = scene.centre(sun, None);
@@ -136,19 +138,20 @@ impl Wheels {
         Some(())
     }
 
-    fn rack(&mut self, scene: &Scene, number: usize, joint: &Sign) -> Option<()> {
+    fn rack(&mut self, scene: &PlacedScene, number: usize, joint: &Sign) -> Option<()> {
         let (pinion, (body, held)) = (joint.body("pinion")?, joint.point("rack")?);
         let ((carrier, along), (radius, _)) = (joint.axis("u")?, joint.number("R")?);
         let middle = scene.centre(pinion, carrier);
         // Where the pinion's rim moves as the rack does.
         let contact = middle + along.perp() * radius;
-        let reach = ((held - contact).dot(along).abs() + 0.3 * radius.abs()).max(1.3 * radius.abs());
+        let overhang = 0.3 * radius.abs();
+        let reach = ((held - contact).dot(along).abs() + overhang).max(1.3 * radius.abs());
         self.wheel(pinion, middle, radius.abs(), false);
-        self.racks.push((number, Rack { body, contact, along, toward: (middle - contact).unit(), held, reach }));
+        self.racks.push((number, Rack { body, contact, along, toward: (middle - contact).unit(), held, reach, overhang }));
         Some(())
     }
 
-    fn belt(&mut self, scene: &Scene, number: usize, joint: &Sign) -> Option<()> {
+    fn belt(&mut self, scene: &PlacedScene, number: usize, joint: &Sign) -> Option<()> {
         let (i, j, carrier) = (joint.body("i")?, joint.body("j")?, joint.body("carrier").unwrap_or(None));
         let ((a, is_length), (b, _)) = (joint.number("a")?, joint.number("b")?);
         let (one, two) = (scene.centre(i, carrier), scene.centre(j, carrier));

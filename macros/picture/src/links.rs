@@ -1,7 +1,7 @@
 //! Bodies: a link between two hinges is a bar, one with more a plate, a body that is only a place a dot.
 
-use super::canvas::{Canvas, Ink, Layer, Near, Subject};
-use super::plane::{Place, farthest, hull};
+use crate::canvas::{Canvas, Ink, Layer, Near, Subject};
+use crate::plane::{Place, farthest, hull};
 
 /// Points nearer to each other than this are one in the picture.
 const NEAR: f64 = 0.7;
@@ -11,36 +11,36 @@ const THIN: f64 = 3.0;
 
 /// A body while the picture is drawn.
 #[derive(Clone, Debug, Default)]
-pub(super) struct DrawnBody {
+pub(crate) struct DrawnBody {
     /// Its points, in units of the picture.
-    pub(super) points: Vec<Place>,
+    pub(crate) points: Vec<Place>,
     /// Guides that it carries beyond its points.
-    pub(super) bars: Vec<(Place, Place)>,
+    pub(crate) bars: Vec<(Place, Place)>,
     /// Something else shows where it is: a block, a wheel, a cam.
-    pub(super) is_shown: bool,
+    pub(crate) is_shown: bool,
 }
 
 impl DrawnBody {
-    pub(super) fn reach(&mut self, at: Place) {
+    pub(crate) fn reach(&mut self, at: Place) {
         if self.points.iter().all(|known| (*known - at).norm() > NEAR) {
             self.points.push(at);
         }
     }
 
     /// The corners of its outline: one, the two ends of a bar, or those of a plate.
-    pub(super) fn outline(&self) -> Vec<Place> {
+    pub(crate) fn outline(&self) -> Vec<Place> {
         let Some((one, two)) = farthest(&self.points) else { return self.points.clone() };
         let is_thin = self.points.iter().all(|at| at.to_segment(one, two) < THIN);
         if is_thin { vec![one, two] } else { hull(&self.points) }
     }
 
     /// It is more than a place.
-    pub(super) fn has_extent(&self) -> bool {
+    pub(crate) fn has_extent(&self) -> bool {
         self.outline().len() > 1 || !self.bars.is_empty()
     }
 
     /// The directions (rad) in which it leaves a place.
-    pub(super) fn directions(&self, from: Place) -> Vec<f64> {
+    pub(crate) fn directions(&self, from: Place) -> Vec<f64> {
         let of_bars = self.bars.iter().filter(|(one, _)| (*one - from).norm() < 2.0).map(|(one, two)| (*two - *one).angle());
         let of_bars: Vec<f64> = of_bars.collect();
         if !self.points.iter().any(|at| (*at - from).norm() < 2.0) {
@@ -52,7 +52,7 @@ impl DrawnBody {
         ends.filter(|end| (**end - from).norm() > 2.0).map(|end| (*end - from).angle()).chain(of_bars).collect()
     }
 
-    pub(super) fn draw(&self, canvas: &mut Canvas, number: usize, name: &str) {
+    pub(crate) fn draw(&self, canvas: &mut Canvas, number: usize, name: &str) {
         let outline = self.outline();
         for (one, two) in &self.bars {
             canvas.line(Layer::DrawnBody, Ink::Bar(number), name, &[*one, *two]);

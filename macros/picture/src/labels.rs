@@ -3,15 +3,15 @@
 //! A greedy search as on maps (Christensen, Marks and Shieber, An empirical study of algorithms for point-feature label placement,
 //! ACM Transactions on Graphics 14, 1995): candidates around the object, each with a cost for what it would cover.
 
-use super::canvas::{Canvas, DrawnItem, Ink, Layer, Near, Stroke, Subject, Wish};
-use super::plane::{Place, Rectangle, is_inside, place, polar};
+use crate::canvas::{Canvas, DrawnItem, Ink, Layer, Near, Stroke, Subject, Wish};
+use crate::plane::{Place, Rectangle, is_inside, place, polar};
 use core::f64::consts::TAU;
 
 /// The height of a line of text.
-pub(super) const HEIGHT: f64 = 13.0;
+pub(crate) const HEIGHT: f64 = 13.0;
 
 /// The size of the letters.
-pub(super) const SIZE: f64 = 12.0;
+pub(crate) const SIZE: f64 = 12.0;
 
 /// A word that costs more to place is left out, and told by its shape only.
 const DEAREST: f64 = 60.0;
@@ -22,16 +22,21 @@ const ON_PLATE: f64 = 1.2;
 /// What it costs the name of a body to stand nearer to another one.
 const AMBIGUOUS: f64 = 4.0;
 
+/// What is taken off the cost of the place that a word had in the frame before.
+const KEPT: f64 = 3.0;
+
 /// A word in its place.
 #[derive(Clone, Debug)]
-pub(super) struct Placed {
-    pub(super) text: String,
-    pub(super) role: Subject,
-    pub(super) frame: Rectangle,
+pub(crate) struct Placed {
+    pub(crate) text: String,
+    pub(crate) role: Subject,
+    pub(crate) frame: Rectangle,
+    /// Which of the places near what it names it has.
+    choice: usize,
 }
 
-/// Places as many words as there is room for.
-pub(super) fn labels(canvas: &Canvas) -> Vec<Placed> {
+/// Places as many words as there is room for; `before` are those of the frame before, from whose places they move when they must.
+pub(crate) fn labels(canvas: &Canvas, before: &[Placed]) -> Vec<Placed> {
     let mut wishes: Vec<&Wish> = canvas.wishes.iter().collect();
     // What has the fewest places to choose from comes first.
     wishes.sort_by_key(|wish| wish.role);
@@ -48,21 +53,24 @@ pub(super) fn labels(canvas: &Canvas) -> Vec<Placed> {
         let reach = Rectangle::around(candidates.iter().flat_map(|(frame, _)| [frame.low, frame.high])).grown(8.0);
         let near: Vec<&Obstacle> = obstacles.iter().filter(|obstacle| reach.is_crossed(obstacle.a, obstacle.b)).collect();
         let others: Vec<Rectangle> = placed.iter().map(|other| other.frame.grown(1.5)).filter(|other| other.overlaps(reach)).collect();
-        let cost = |(frame, base): (Rectangle, f64)| {
-            (frame, base + covered(frame, &near, &others) + on_plate(wish.role, frame, &plates) + ambiguity(wish, frame, &canvas.wishes))
+        let kept = before.iter().find(|known| known.role == wish.role && known.text == wish.text).map(|known| known.choice);
+        let cost = |(choice, (frame, base)): (usize, (Rectangle, f64))| {
+            let base = if kept == Some(choice) { base - KEPT } else { base };
+            let cost = base + covered(frame, &near, &others) + on_plate(wish.role, frame, &plates) + ambiguity(wish, frame, &canvas.wishes);
+            (choice, frame, cost)
         };
-        let best = candidates.into_iter().map(cost).min_by(|a, b| a.1.total_cmp(&b.1));
-        if let Some((frame, cost)) = best
+        let best = candidates.into_iter().enumerate().map(cost).min_by(|a, b| a.2.total_cmp(&b.2));
+        if let Some((choice, frame, cost)) = best
             && cost < DEAREST
         {
-            placed.push(Placed { text: wish.text.clone(), role: wish.role, frame });
+            placed.push(Placed { text: wish.text.clone(), role: wish.role, frame, choice });
         }
     }
     placed
 }
 
 /// The width of a text, estimated generously from its letters.
-pub(super) fn width(text: &str) -> f64 {
+pub(crate) fn width(text: &str) -> f64 {
     let letter = |letter: char| match letter {
         'i' | 'j' | 'l' | 't' | 'f' | 'r' | '.' | ',' | ':' | ';' | '[' | ']' | '(' | ')' | ' ' | '|' => 0.36,
         'm' | 'w' | 'M' | 'W' => 0.9,

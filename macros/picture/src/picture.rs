@@ -1,0 +1,190 @@
+//! From scenes to pictures: one as it stands, or the frames of a motion, drawn alike.
+
+use crate::canvas::Canvas;
+use crate::drawing::Setting;
+use crate::habits::Habits;
+use crate::labels::{Placed, labels};
+use crate::placed::PlacedScene;
+use crate::plane::Rectangle;
+use crate::scene::Scene;
+use crate::svg::{self, Captions};
+use crate::undrawable::Undrawable;
+use crate::view::{Extent, View};
+
+/// In mechanisms with more bodies only the first of an array is named.
+pub(crate) const ALL_NAMED: usize = 20;
+
+/// In mechanisms with more bodies names would hide what they name.
+const MOST_NAMED: usize = 60;
+
+/// A mechanism as it is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    svg: String,
+    labels: Vec<Label>,
+    names_all: bool,
+}
+
+/// A name in the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Label {
+    /// What it says.
+    pub text: String,
+    /// The least x and y of the box that is kept free for it, in units of the picture.
+    pub low: [f64; 2],
+    /// The largest x and y.
+    pub high: [f64; 2],
+}
+
+impl Picture {
+    /// Inline SVG without a blank line, in the colours of the page around it.
+    #[must_use]
+    pub fn svg(&self) -> &str {
+        &self.svg
+    }
+
+    /// The same as a file of its own, on white.
+    #[must_use]
+    pub fn page(&self) -> String {
+        on_white(&self.svg)
+    }
+
+    /// The names in the picture, where they stand.
+    #[must_use]
+    pub fn labels(&self) -> &[Label] {
+        &self.labels
+    }
+
+    /// Whether everything is named that has room for a name; in a picture of many bodies the others show where the pointer rests.
+    #[must_use]
+    pub fn names_all(&self) -> bool {
+        self.names_all
+    }
+}
+
+/// Draws the frames of a motion: all with one view and one size, ground where it is, and names that stay where they can.
+///
+/// ```
+/// use reuleaux_picture::{GROUND, Pose, Scene, frames};
+///
+/// let pendulum = |angle: f64| {
+///     let mut scene = Scene::new("Pendulum");
+///     scene.body("bob", Pose::plane(0.0, 0.0, angle));
+///     scene.point("bob", [1.0, 0.0]);
+///     scene.joint("pivot", "revolute").point("P", GROUND, [0.0, 0.0]).point("Q", "bob", [0.0, 0.0]);
+///     scene
+/// };
+/// let frames = frames(&[pendulum(-2.0), pendulum(-1.5), pendulum(-1.0)])?;
+/// assert_eq!(frames.len(), 3);
+/// # Ok::<(), reuleaux_picture::Undrawable>(())
+/// ```
+///
+/// # Errors
+/// Why one of them cannot be drawn.
+pub fn frames(scenes: &[Scene]) -> Result<Vec<Picture>, Undrawable> {
+    let Some(reel) = Reel::of(scenes)? else { return Ok(Vec::new()) };
+    Ok(reel.sheets.iter().map(|sheet| reel.picture(sheet)).collect())
+}
+
+/// The [frames](frames()) of a motion as one picture that moves, over and over, on white; `period` (s) is how long all of them take.
+///
+/// Programs that do not move SVG show the first one.
+///
+/// # Errors
+/// Why one of them cannot be drawn.
+pub fn animation(scenes: &[Scene], period: f64) -> Result<String, Undrawable> {
+    let Some(reel) = Reel::of(scenes)? else { return Err(Undrawable::Empty) };
+    let Reel { captions: [title, description], view, frame, .. } = &reel;
+    let period = if period > 0.0 && period.is_finite() { period } else { 1.0 };
+    let sheets: Vec<(Canvas, Vec<Placed>)> = reel.sheets.iter().map(|sheet| (sheet.canvas.clone(), sheet.labels.clone())).collect();
+    Ok(on_white(&svg::animation(&sheets, *view, *frame, &Captions { title, description }, period)))
+}
+
+/// Draws a scene as it stands.
+pub(crate) fn draw(scene: &Scene) -> Result<Picture, Undrawable> {
+    let reel = Reel::of(std::slice::from_ref(scene))?.ok_or(Undrawable::Empty)?;
+    reel.sheets.first().map(|sheet| reel.picture(sheet)).ok_or(Undrawable::Empty)
+}
+
+/// Frames before they are written.
+struct Reel {
+    sheets: Vec<Sheet>,
+    view: View,
+    frame: Rectangle,
+    /// A title and a description.
+    captions: [String; 2],
+    names_all: bool,
+}
+
+/// One of them.
+struct Sheet {
+    canvas: Canvas,
+    labels: Vec<Placed>,
+}
+
+impl Reel {
+    /// Draws scenes with one view; nothing if there is none.
+    fn of(scenes: &[Scene]) -> Result<Option<Reel>, Undrawable> {
+        let placed = scenes.iter().map(PlacedScene::of).collect::<Result<Vec<_>, _>>()?;
+        let settings: Vec<Setting> = placed.iter().map(Setting::of).collect();
+        let Some(extent) = settings.iter().map(Setting::extent).reduce(Extent::and) else { return Ok(None) };
+        if !extent.is_finite() {
+            return Err(Undrawable::Nowhere);
+        }
+        let view = View::of(&extent);
+        let mut known = Habits::default();
+        if let [_, _, ..] = settings.as_slice() {
+            settings.iter().for_each(|setting| known.learn(setting.draw(view, &Habits::default()).habits));
+        }
+        let mut sheets: Vec<Sheet> = Vec::new();
+        for (scene, setting) in scenes.iter().zip(&settings) {
+            let mut canvas = setting.draw(view, &known).canvas;
+            let is_named = |text: &str| is_named(scene.bodies.len(), text);
+            canvas.wishes.retain(|wish| is_named(&wish.text));
+            canvas.captions.retain(|caption| is_named(caption));
+            let labels = labels(&canvas, sheets.last().map_or(&[], |before| &before.labels));
+            sheets.push(Sheet { canvas, labels });
+        }
+        let frames = sheets.iter().map(|sheet| svg::frame(&sheet.canvas, &sheet.labels));
+        let Some(frame) = frames.reduce(|all, next| all.with(next.low).with(next.high)) else { return Ok(None) };
+        let captions = scenes.first().map(captions).unwrap_or_default();
+        let names_all = scenes.iter().all(|scene| scene.bodies.len() <= ALL_NAMED);
+        Ok(Some(Reel { sheets, view, frame, captions, names_all }))
+    }
+
+    fn picture(&self, sheet: &Sheet) -> Picture {
+        let [title, description] = &self.captions;
+        let svg = svg::svg(&sheet.canvas, &sheet.labels, self.view, self.frame, &Captions { title, description });
+        let label = |label: &Placed| {
+            let Rectangle { low, high } = label.frame;
+            Label { text: label.text.clone(), low: [low.x, low.y], high: [high.x, high.y] }
+        };
+        Picture { svg, labels: sheet.labels.iter().map(label).collect(), names_all: self.names_all }
+    }
+}
+
+fn on_white(svg: &str) -> String {
+    svg.replacen("</style>", "</style>\n<rect x=\"-50%\" y=\"-50%\" width=\"200%\" height=\"200%\" fill=\"#fff\"/>", 1)
+}
+
+fn captions(scene: &Scene) -> [String; 2] {
+    let (bodies, drives) = (scene.bodies.len(), scene.joints.iter().filter(|joint| joint.is_drive).count());
+    let joints = scene.joints.len() - drives;
+    let description =
+        format!("{}, {}, {}.", counted(bodies, "body", "bodies"), counted(joints, "joint", "joints"), counted(drives, "drive", "drives"));
+    [format!("{}, assembled", scene.name), description]
+}
+
+fn counted(number: usize, one: &str, many: &str) -> String {
+    format!("{number} {}", if number == 1 { one } else { many })
+}
+
+/// In a mechanism of so many bodies there is room for this name.
+fn is_named(bodies: usize, text: &str) -> bool {
+    bodies <= ALL_NAMED || bodies <= MOST_NAMED && !is_repetition(text)
+}
+
+/// One of its indices is above 0.
+fn is_repetition(name: &str) -> bool {
+    name.split('[').skip(1).any(|part| part.starts_with(|digit: char| ('1'..='9').contains(&digit)))
+}

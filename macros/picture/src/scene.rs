@@ -1,0 +1,222 @@
+//! What is to be drawn: a mechanism in one configuration. Lengths are in m, angles in rad.
+
+use crate::clearance::clearance;
+use crate::picture::{self, Picture};
+use crate::placed::PlacedScene;
+use crate::undrawable::Undrawable;
+use core::f64::consts::TAU;
+
+/// How many values of a function of one turn are looked at.
+pub(crate) const STEPS: usize = 90;
+
+/// The name of ground.
+pub const GROUND: &str = "ground";
+
+/// A mechanism in one configuration.
+///
+/// Bodies are referred to by their names, ground by [`GROUND`]; they may be added in any order. What is wrong with a scene shows when
+/// it is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    pub(crate) name: String,
+    pub(crate) bodies: Vec<Body>,
+    pub(crate) points: Vec<Fixed>,
+    pub(crate) joints: Vec<Joint>,
+    pub(crate) outputs: Vec<(String, Fixed)>,
+}
+
+/// A body where it is.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Body {
+    pub(crate) name: String,
+    pub(crate) pose: Pose,
+}
+
+/// Where the frame of a body is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    pub(crate) position: Vector,
+    pub(crate) angle: f64,
+}
+
+impl Pose {
+    /// A frame with its origin at (`x`, `y`), turned by `angle` from x towards y.
+    #[must_use]
+    pub fn plane(x: f64, y: f64, angle: f64) -> Pose {
+        Pose { position: Vector::from([x, y]), angle }
+    }
+}
+
+/// Components of a point or a direction along the axes of a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vector {
+    pub(crate) x: f64,
+    pub(crate) y: f64,
+}
+
+impl From<[f64; 2]> for Vector {
+    fn from([x, y]: [f64; 2]) -> Vector {
+        Vector { x, y }
+    }
+}
+
+/// A point or a direction in the frame of a body.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Fixed {
+    pub(crate) body: String,
+    pub(crate) at: Vector,
+}
+
+/// A joint or a drive: its kind and what it is made of.
+///
+/// Kinds and arguments have the names of the constraints in `reuleaux::library`: a `revolute` joint has points `P` and `Q`. A kind that
+/// has no symbol is drawn as a dashed line between its points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Joint {
+    pub(crate) name: String,
+    pub(crate) kind: String,
+    pub(crate) is_drive: bool,
+    pub(crate) rate: f64,
+    pub(crate) bodies: Vec<String>,
+    pub(crate) arguments: Vec<(String, Argument)>,
+}
+
+/// An argument of a joint.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Argument {
+    Point(Fixed),
+    Axis(Fixed),
+    Body(String),
+    Length(f64),
+    Number(f64),
+    /// Values over one turn, at equal steps.
+    Function(Vec<f64>),
+    Joint(Joint),
+}
+
+impl Scene {
+    /// A mechanism of this name without bodies.
+    #[must_use]
+    pub fn new(name: &str) -> Scene {
+        Scene { name: name.to_owned(), bodies: Vec::new(), points: Vec::new(), joints: Vec::new(), outputs: Vec::new() }
+    }
+
+    /// Adds a body.
+    pub fn body(&mut self, name: &str, pose: Pose) {
+        self.bodies.push(Body { name: name.to_owned(), pose });
+    }
+
+    /// Adds a point of a body, to which the body is drawn.
+    pub fn point(&mut self, body: &str, at: impl Into<Vector>) {
+        self.points.push(Fixed::new(body, at));
+    }
+
+    /// Adds a joint; give it its arguments.
+    pub fn joint(&mut self, name: &str, kind: &str) -> &mut Joint {
+        self.add(Joint::new(name, kind))
+    }
+
+    /// Adds a drive; `rate` is that of its law, in SI, whose sign says which way the arrow points.
+    pub fn drive(&mut self, name: &str, kind: &str, rate: f64) -> &mut Joint {
+        // The rate of what has no derivative is not known.
+        self.add(Joint { is_drive: true, rate: if rate.is_finite() { rate } else { 0.0 }, ..Joint::new(name, kind) })
+    }
+
+    /// Adds a point of a body that is to be marked.
+    pub fn output(&mut self, name: &str, body: &str, at: impl Into<Vector>) {
+        self.outputs.push((name.to_owned(), Fixed::new(body, at)));
+    }
+
+    fn add(&mut self, joint: Joint) -> &mut Joint {
+        let index = self.joints.len();
+        self.joints.push(joint);
+        &mut self.joints[index]
+    }
+
+    /// Draws the scene.
+    ///
+    /// # Errors
+    /// Why there is no picture.
+    pub fn draw(&self) -> Result<Picture, Undrawable> {
+        picture::draw(self)
+    }
+
+    /// The picture as inline SVG; of a scene that cannot be drawn, a sentence that says why.
+    #[must_use]
+    pub fn svg(&self) -> String {
+        match self.draw() {
+            Ok(picture) => picture.svg().to_owned(),
+            Err(undrawable) => crate::svg::sentence(&self.name, &undrawable.sentence()),
+        }
+    }
+
+    /// How far apart things are that a reader has to tell apart, hinges from each other and from the links of others, as a part of the
+    /// size of the mechanism.
+    ///
+    /// # Errors
+    /// Why there is no picture.
+    pub fn clearance(&self) -> Result<f64, Undrawable> {
+        PlacedScene::of(self).map(|scene| clearance(&scene))
+    }
+}
+
+impl Fixed {
+    fn new(body: &str, at: impl Into<Vector>) -> Fixed {
+        Fixed { body: body.to_owned(), at: at.into() }
+    }
+}
+
+impl Joint {
+    fn new(name: &str, kind: &str) -> Joint {
+        Joint { name: name.to_owned(), kind: kind.to_owned(), is_drive: false, rate: 0.0, bodies: Vec::new(), arguments: Vec::new() }
+    }
+
+    fn with(&mut self, name: &str, argument: Argument) -> &mut Joint {
+        self.arguments.push((name.to_owned(), argument));
+        self
+    }
+
+    /// The bodies on which its equations depend, besides those of its arguments.
+    pub fn of(&mut self, bodies: &[&str]) -> &mut Joint {
+        self.bodies.extend(bodies.iter().map(|body| (*body).to_owned()));
+        self
+    }
+
+    /// An argument that is a point.
+    pub fn point(&mut self, name: &str, body: &str, at: impl Into<Vector>) -> &mut Joint {
+        self.with(name, Argument::Point(Fixed::new(body, at)))
+    }
+
+    /// An argument that is an axis, of any length.
+    pub fn axis(&mut self, name: &str, body: &str, along: impl Into<Vector>) -> &mut Joint {
+        self.with(name, Argument::Axis(Fixed::new(body, along)))
+    }
+
+    /// An argument that is a body.
+    pub fn body(&mut self, name: &str, body: &str) -> &mut Joint {
+        self.with(name, Argument::Body(body.to_owned()))
+    }
+
+    /// An argument that is a length.
+    pub fn length(&mut self, name: &str, value: f64) -> &mut Joint {
+        self.with(name, Argument::Length(value))
+    }
+
+    /// An argument that is another number, such as a number of teeth.
+    pub fn number(&mut self, name: &str, value: f64) -> &mut Joint {
+        self.with(name, Argument::Number(value))
+    }
+
+    /// An argument that is a function of an angle, such as the profile of a cam.
+    pub fn function(&mut self, name: &str, mut of: impl FnMut(f64) -> f64) -> &mut Joint {
+        let values = (0..STEPS).map(|step| of(step as f64 * TAU / STEPS as f64)).collect();
+        self.with(name, Argument::Function(values))
+    }
+
+    /// An argument that is another joint, to which `made` gives its own arguments.
+    pub fn joint(&mut self, name: &str, kind: &str, made: impl FnOnce(&mut Joint)) -> &mut Joint {
+        let mut joint = Joint::new(name, kind);
+        made(&mut joint);
+        self.with(name, Argument::Joint(joint))
+    }
+}

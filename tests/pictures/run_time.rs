@@ -1,0 +1,209 @@
+//! Pictures that programs draw: at the start those of the pages, of a motion alike.
+
+use std::error::Error;
+
+use reuleaux::picture::{Drawable, Scene, Undrawable, animation, frames};
+
+/// A mechanism and the text of its declaration.
+macro_rules! declared {
+    ($name:ident { $($tokens:tt)* }) => {
+        mod $name {
+            reuleaux::mechanism! { $($tokens)* }
+            pub(super) const TEXT: &str = stringify!($($tokens)*);
+        }
+    };
+}
+
+declared!(engine {
+    #[picture]
+    pub mechanism Engine {
+        param crank_length: Length = 40mm;
+        param rod_length: Length = 120mm;
+        ground { point O = (0mm, 0mm); axis bore = (1, 0); }
+        body crank { point A = (crank_length, 0mm); }
+        body rod { point B = (rod_length, 0mm); start angle = -20deg; }
+        body piston { }
+        joint o = revolute(ground.O, crank.position);
+        joint a = revolute(crank.A, rod.position);
+        joint b = revolute(rod.B, piston.position);
+        joint bore = translational(ground.bore, ground.O, piston.position);
+        drive motor = drive_angle(crank, 1rad + 60rpm * t);
+        output travel = piston.position;
+    }
+});
+
+declared!(valve {
+    #[picture]
+    pub mechanism Valve {
+        param radius: Length = 30mm;
+        param lift: Length = 8mm;
+        function profile(psi: Angle) -> Length = radius + lift * cos(psi);
+        function measured(psi: Angle) -> Length = table(psi, [(0deg, 40mm), (90deg, 36mm), (180deg, 32mm), (270deg, 36mm), (360deg, 40mm)], periodic);
+        ground { point O = (0mm, 0mm); point P = (150mm, 0mm); axis up = (0, 1); }
+        body cam { }
+        body follower { point top = (0mm, 60mm); start position = (0mm, 45mm); }
+        body disc { }
+        body knife { start position = (150mm, 45mm); }
+        joint shaft = revolute(ground.O, cam.position);
+        joint guide = translational(ground.up, ground.O, follower.position);
+        joint touch = cam_roller(cam.position, follower.position, radius / 5, profile);
+        joint axle = revolute(ground.P, disc.position);
+        joint way = translational(ground.up, ground.P, knife.position);
+        joint edge = cam_knife(disc.position, knife.position, measured);
+        joint pair = gear_pair(cam, disc, 20, 20);
+        drive motor = drive_angle(cam, 0.7rad + 60rpm * t);
+        output top = follower.top;
+    }
+});
+
+declared!(train {
+    #[picture]
+    pub mechanism Train {
+        param teeth: Number = 24;
+        ground { point O = (0mm, 0mm); }
+        body sun { }
+        body ring { }
+        body arm { point A = (42mm, 0mm); }
+        body planet { }
+        joint s = revolute(ground.O, sun.position);
+        joint r = revolute(ground.O, ring.position);
+        joint k = revolute(ground.O, arm.position);
+        joint p = revolute(arm.A, planet.position);
+        joint willis = planetary(sun, ring, arm, teeth, 60);
+        joint mesh = gear_pair(sun, planet, teeth, 18, carrier: arm);
+        drive motor = drive_angle(sun, 1rad_s * t);
+        drive brake = drive_angle(ring, 0);
+    }
+});
+
+declared!(press {
+    #[picture]
+    pub mechanism Press {
+        param reach: Length = 100mm;
+        component Lever(side: Number) {
+            param arm: Length = 80mm;
+            body r#type { point tip = (arm, 0mm); start angle = 45deg; }
+            joint pivot = revolute(ground.A, r#type.position);
+            drive push = drive_distance(r#type.tip, ground.B, 70mm + 5mm * side + 1mm_s * t);
+        }
+        ground { point A = (0mm, 0mm); point B = (reach, 0mm); axis along = (1, 0); }
+        for i in 0..2 { part lever[i] = Lever(side: i); }
+        body slide { }
+        joint way = translational(ground.along, ground.A, slide.position);
+        drive feed = drive_along(way, 20mm - 3mm_s * t);
+    }
+});
+
+/// The radius (m) of a cam by its angle, with its derivatives.
+fn measured<T: reuleaux::Real>(psi: T) -> (T, T, T) {
+    let (sine, cosine) = psi.sin_cos();
+    let lift = T::of(0.004);
+    (T::of(0.03) + lift * cosine, -(lift * sine), -(lift * cosine))
+}
+
+declared!(measured_cam {
+    #[picture]
+    pub mechanism MeasuredCam {
+        function profile(Angle) -> Length = super::measured;
+        ground { axis up = (0, 1); }
+        body cam { }
+        body knife { start position = (0mm, 30mm); }
+        joint axle = revolute(ground.position, cam.position);
+        joint way = translational(ground.up, ground.position, knife.position);
+        joint edge = cam_knife(cam.position, knife.position, profile);
+        drive motor = drive_angle(cam, 60rpm * t);
+    }
+});
+
+/// The picture on the page of a declaration.
+fn page(text: &str) -> String {
+    let compiled = super::compiled(&("page".into(), text.parse().expect("tokens")));
+    assert!(compiled.picture.words().starts_with("Assembled at the declared defaults, at t = 0."), "{}", compiled.picture.words());
+    compiled.picture.svg().expect("it is assembled").to_owned()
+}
+
+#[test]
+fn at_the_start_the_page_has_the_same_picture() -> Result<(), Box<dyn Error>> {
+    let (engine, valve, train, press) =
+        (engine::Engine::default(), valve::Valve::default(), train::Train::default(), press::Press::default());
+    assert_eq!(engine.picture(&engine.solve(0.0)?.0), page(engine::TEXT));
+    assert_eq!(valve.picture(&valve.solve(0.0)?.0), page(valve::TEXT));
+    assert_eq!(train.picture(&train.solve(0.0)?.0), page(train::TEXT));
+    assert_eq!(press.picture(&press.solve(0.0)?.0), page(press::TEXT));
+    Ok(())
+}
+
+#[test]
+fn a_rust_function_is_drawn_by_programs_only() -> Result<(), Box<dyn Error>> {
+    let cam = measured_cam::MeasuredCam::default();
+    let dashed = "<circle class=\"d\"";
+    assert!(page(measured_cam::TEXT).contains(dashed));
+    let svg = cam.picture(&cam.solve(0.1)?.0);
+    assert!(!svg.contains(dashed) && svg.contains("<path class=\"w c0\""), "{svg}");
+    Ok(())
+}
+
+#[test]
+fn a_picture_shows_the_state_and_the_parameters() -> Result<(), Box<dyn Error>> {
+    let engine = engine::Engine::default();
+    let longer = engine::Engine { rod_length: 0.2, ..engine };
+    let start = engine.picture(&engine.solve(0.0)?.0);
+    assert_ne!(engine.picture(&engine.solve(0.1)?.0), start);
+    assert_ne!(longer.picture(&longer.solve(0.0)?.0), start);
+    let single = engine::Engine::<f32>::with_defaults();
+    assert_eq!(single.picture(&single.solve(0.0)?.0), start, "a tenth of a unit is more than `f32` rounds off");
+    Ok(())
+}
+
+#[test]
+fn a_state_without_numbers_is_a_sentence() -> Result<(), Box<dyn Error>> {
+    let engine = engine::Engine::default();
+    for wrong in [f64::NAN, f64::INFINITY, 1e200, f64::MAX] {
+        for coordinate in 0..9 {
+            let mut state = engine.solve(0.0)?.0;
+            state.q[coordinate] = wrong;
+            let svg = engine.picture(&state);
+            roxmltree::Document::parse(&svg)?;
+            // Angles may be as large as they like.
+            let has_place = coordinate % 3 == 2 && wrong.is_finite();
+            assert_eq!(svg.contains("There is no picture: not every place is a number."), !has_place, "{wrong} in {coordinate}");
+        }
+    }
+    Ok(())
+}
+
+/// The lines that show ground, which have no titles.
+fn ground(svg: &str) -> Vec<&str> {
+    svg.lines().filter(|line| line.starts_with("<g><path class=\"p\"") || line.starts_with("<g><path class=\"l\"")).collect()
+}
+
+#[test]
+fn frames_have_one_size_and_ground_that_stands_still() -> Result<(), Box<dyn Error>> {
+    let engine = engine::Engine::default();
+    let states = engine.sweep((0..12).map(|step| f64::from(step) / 12.0)).collect::<Result<Vec<_>, _>>()?;
+    let scenes: Vec<Scene> = states.iter().map(|state| engine.scene(state)).collect();
+    let drawn = frames(&scenes)?;
+    let alone: Vec<String> = scenes.iter().map(Scene::svg).collect();
+    let head = |svg: &str| svg.lines().next().map(ToOwned::to_owned);
+    let pivot = |svg: &str| ground(svg).into_iter().find(|line| line.contains("class=\"p\"")).map(ToOwned::to_owned);
+    assert!(pivot(drawn[0].svg()).is_some());
+    for frame in &drawn {
+        assert_eq!(head(frame.svg()), head(drawn[0].svg()));
+        assert_eq!(pivot(frame.svg()), pivot(drawn[0].svg()));
+    }
+    assert!(alone.iter().any(|svg| head(svg) != head(&alone[0])), "one by one they have the size that each needs");
+    Ok(())
+}
+
+#[test]
+fn an_animation_shows_each_frame_in_turn() -> Result<(), Box<dyn Error>> {
+    let train = train::Train::default();
+    let states = train.sweep((0..8).map(f64::from)).collect::<Result<Vec<_>, _>>()?;
+    let scenes: Vec<Scene> = states.iter().map(|state| train.scene(state)).collect();
+    let moving = animation(&scenes, 2.0)?;
+    let tree = roxmltree::Document::parse(&moving)?;
+    let frames = tree.descendants().filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "animate")));
+    assert_eq!(frames.count(), 8);
+    assert_eq!(animation(&[], 2.0), Err(Undrawable::Empty));
+    Ok(())
+}
