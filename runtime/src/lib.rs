@@ -92,9 +92,12 @@ mod state;
 
 #[cfg(feature = "rayon")]
 pub use api::parallel;
-pub use api::{Gradient, Matrix, Mechanism, Prepare, Prepared, Slice, SliceState, Sliced, Sweep, Vector, sweep};
+pub use api::{
+    DriveLoad, Gradient, Loads, Matrix, Mechanism, PlanarLoad, Prepare, Prepared, Slice, SliceState, Sliced, SpatialLoad, Sweep, Vector,
+    sweep,
+};
 #[doc(hidden)]
-pub use api::{Named, Relation, between, finite, require, within};
+pub use api::{Named, Relation, between, declared_motion, finite, require, within};
 #[cfg(feature = "certify")]
 pub use enclosure::{Certificate, Doubt, Enclosure, ErrorBound};
 pub use explain::Failure;

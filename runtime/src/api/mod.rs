@@ -4,6 +4,7 @@
 mod drawable;
 mod generated;
 mod gradient;
+mod loads;
 mod mechanism;
 #[cfg(feature = "rayon")]
 pub mod parallel;
@@ -15,6 +16,7 @@ mod sweep;
 pub use drawable::Drawable;
 pub use generated::{Matrix, Named, Relation, Vector, between, finite, require, within};
 pub use gradient::Gradient;
+pub use loads::{DriveLoad, Loads, PlanarLoad, SpatialLoad, declared_motion};
 pub use mechanism::Mechanism;
 pub use prepared::{Prepare, Prepared};
 pub use slice::{Slice, SliceState, Sliced};

@@ -123,6 +123,7 @@ codes! {
     E0603: Equation::NoEquations Equation::EmptyBundle;
     E0604: Equation::GroundStart;
     E0605: Equation::NotAffine System::Nonholonomic;
+    E0606: Equation::EquationInForce Equation::ForceInJoint;
     // Mobility.
     E0701: System::NoBodies;
     E0702: System::BodyIsFree;

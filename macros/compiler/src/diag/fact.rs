@@ -189,6 +189,8 @@ pub enum EquationFact {
     RequirementFails { why: String, instead: Option<String> },
     RequirementFailsAtDefaults { why: String, value: f64 },
     RowOfNothing { joint: String, row: usize, of: usize, at_defaults: bool },
+    EquationInForce,
+    ForceInJoint,
     NotAffine { joint: String, row: usize, of: usize },
     OnGround { joint: String, kind: String },
     NoEquations { name: String },
@@ -207,7 +209,11 @@ pub enum SystemFact {
         body: String,
         example: String,
     },
-    Nonholonomic { joint: String, row: usize, of: usize },
+    Nonholonomic {
+        joint: String,
+        row: usize,
+        of: usize,
+    },
     Repeats {
         joint: String,
         other: String,

@@ -129,10 +129,13 @@ pub(crate) fn library_pages() -> TokenStream {
     };
     let plane: TokenStream = crate::library::pages().map(page).collect();
     let space = crate::library::spatial_pages().map(page);
+    let forces = crate::library::force_pages().map(page);
     quote! {
         #plane
         /// Constraints of mechanisms `in space`.
         pub mod space { #(#space)* }
+        /// Forces, in the plane and in space.
+        pub mod force { #(#forces)* }
     }
 }
 

@@ -189,7 +189,7 @@ impl Emitter<'_> {
     }
 
     /// A vector of m rows
-    fn vector(&self, code: &Code, m: usize) -> TokenStream {
+    pub(super) fn vector(&self, code: &Code, m: usize) -> TokenStream {
         match code {
             Code::Straight(routine) if self.is_sparse(routine) => {
                 let (rows, of_rows, RoutinePrinter { reads, steps, results }) =

@@ -16,6 +16,7 @@ mod expression;
 mod functions;
 mod kernels;
 mod literal;
+mod loads;
 mod outputs;
 mod parameters;
 mod prepared;
@@ -71,7 +72,7 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
     let warnings = assembly.warnings.iter().filter(|_| warns).chain(&motion.warning).map(Warning::to_tokens);
     let state = (model.task.is_solved() || !model.outputs.is_empty()).then(|| state(model, system));
     let drawable = emitter.drawable();
-    let (name, allowed) = (&model.name, allowed());
+    let (name, allowed, loads) = (&model.name, allowed(), emitter.loads());
     quote! {
         #default
         #allowed
@@ -91,6 +92,7 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
         #traits
         #stages
         #state
+        #loads
         #slices
         #drawable
         #components

@@ -82,6 +82,13 @@ const SPATIAL: &[(&str, &str)] = spatial_pages![
     "knife_edge",
 ];
 
+macro_rules! force_pages {
+    ($($name:literal),* $(,)?) => { &[$(($name, include_str!(concat!("../../library/force/", $name, ".rs")))),*] };
+}
+
+/// Forces, in the plane and in space: name and text of the file.
+const FORCES: &[(&str, &str)] = force_pages!["spring", "damper", "spring_damper", "actuator"];
+
 /// Constraints whose text is right in the plane and in space.
 const BOTH: &[&str] = &["distance", "absolute_x", "absolute_y", "drive_distance", "drive_x", "drive_y"];
 
@@ -105,7 +112,7 @@ fn of(ambient: Ambient) -> impl Iterator<Item = (&'static str, &'static str)> {
         Ambient::Space => BOTH,
     };
     let shared = CONSTRAINTS.iter().filter(|(name, _)| both.contains(name));
-    own.iter().chain(shared).copied()
+    own.iter().chain(shared).chain(FORCES).copied()
 }
 
 /// The names of all functions of the library.
@@ -116,6 +123,11 @@ pub fn functions<'a>() -> impl Iterator<Item = &'a str> {
 /// Name and text of every page of constraints in space.
 pub fn spatial_pages() -> impl Iterator<Item = (&'static str, &'static str)> {
     SPATIAL.iter().copied()
+}
+
+/// Name and text of every page of forces.
+pub fn force_pages() -> impl Iterator<Item = (&'static str, &'static str)> {
+    FORCES.iter().copied()
 }
 
 /// Name and text of every page of the plane and of both, constraints first.

@@ -5,7 +5,7 @@ use super::names::{Context, Names, SpaceId};
 use super::space::Notes;
 use super::statement::FixedValue;
 use super::value::{Fixed, FrameId, Scalar, Value, Vector};
-use super::{Components, Function as Numbered, Name, Requirement};
+use super::{Components, Force, Function as Numbered, Name, Requirement};
 use crate::diag::{ArrayFact, Diag, EquationFact, Fact, GrammarFact, Known, NameFact, Range, ValueFact, nearest, nearest_unit};
 use crate::expr::{Arena, Exact, Expr, Leaf};
 use crate::quantity::{self, Ambient, Dim, InferredDim, Role};
@@ -40,6 +40,8 @@ pub(crate) struct Elaborator<'a> {
     pub(super) calls: BTreeMap<(ast::ItemId, Expr), (ast::Shared<ast::FunctionItem>, Scalar)>,
     /// Defaults of the parameters, once they are known.
     pub(super) defaults: Vec<f64>,
+    /// Forces found so far, while a force is resolved.
+    pub(super) applied: Option<Vec<Force>>,
     /// What was found of joints in space.
     pub(super) space: Notes,
 }
@@ -126,6 +128,7 @@ impl Elaborator<'_> {
             is_unused: false,
             calls: BTreeMap::new(),
             defaults: Vec::new(),
+            applied: None,
             space: Notes::default(),
         }
     }

@@ -149,7 +149,8 @@ impl Elaborator<'_> {
             }
         }
         let coordinates = ambient.coordinates().iter().zip(starts).map(|(role, start)| BodyCoordinate { role: *role, start }).collect();
-        Body { name: name.clone(), first: 0, coordinates }
+        let mass = self.mass(frame, &scope);
+        Body { name: name.clone(), first: 0, coordinates, mass }
     }
 }
 

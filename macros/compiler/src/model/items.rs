@@ -7,7 +7,7 @@ use super::statement::ScalarEquation;
 use super::value::{FrameId, Scalar, Value};
 use super::{Joint, Layout, Method, Name, Of, Output, Residual};
 use crate::diag::{ArrayFact, EquationFact, NameFact, Range, ValueFact};
-use crate::expr::Leaf;
+use crate::expr::{Expr, Leaf};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast;
 use proc_macro2::Ident;
@@ -73,7 +73,24 @@ impl Elaborator<'_> {
             Residual { expr: row.residual.expr, dim: row.residual.measure.times(time).settled(), is_velocity }
         };
         let residuals = rows.iter().map(residual).collect();
-        Some((Joint { name: name.clone(), kind, is_drive: joint.is_drive, is_redundant: joint.is_redundant, residuals }, rows))
+        let place = self.place_of_load(id, joint);
+        Some((Joint { name: name.clone(), kind, is_drive: joint.is_drive, is_redundant: joint.is_redundant, residuals, place }, rows))
+    }
+
+    /// The last point of a joint that moves; without one, the origin of the last body that does.
+    fn place_of_load(&mut self, id: EntityId, joint: &ast::JointItem) -> Option<(usize, Vec<Expr>)> {
+        let Value::Joint { arguments, .. } = self.entity(id, (&joint.name).into())? else { return None };
+        let zero = self.arena.integer(0);
+        let origin = vec![zero; self.names.ambient.components()];
+        let moving = |value: &Value| match value {
+            Value::Point(point) => Some((point.frame.0.checked_sub(1)?, point.local.to_vec(), true)),
+            Value::Axis(axis) => Some((axis.frame.0.checked_sub(1)?, origin.clone(), false)),
+            Value::Body(frame) => Some((frame.0.checked_sub(1)?, origin.clone(), false)),
+            _ => None,
+        };
+        let found: Vec<(usize, Vec<Expr>, bool)> = arguments.iter().filter_map(|(_, value)| moving(value)).collect();
+        let place = found.iter().rev().find(|(_, _, is_point)| *is_point).or(found.last())?;
+        Some((place.0, place.1.clone()))
     }
 
     /// Checks that every row depends on a position, and that no row of a joint depends on time; reports at most one error.
@@ -81,7 +98,8 @@ impl Elaborator<'_> {
         let (name, of) = (joint.name.to_string(), rows.len());
         let leaves = |row: &ScalarEquation| self.arena.leaves(row.residual.expr);
         // An argument of an unused component may move.
-        let may_move = |leaf: &Leaf| matches!(leaf, Leaf::Coordinate(_) | Leaf::Speed(_)) || self.is_unused && matches!(leaf, Leaf::Parameter(_));
+        let may_move =
+            |leaf: &Leaf| matches!(leaf, Leaf::Coordinate(_) | Leaf::Speed(_)) || self.is_unused && matches!(leaf, Leaf::Parameter(_));
         let is_of_nothing = |row: &ScalarEquation| !leaves(row).iter().any(may_move);
         if let Some(row) = rows.iter().position(is_of_nothing) {
             self.say::<()>(rows[row].range, EquationFact::RowOfNothing { joint: name, row: row + 1, of, at_defaults: false });

@@ -10,6 +10,7 @@ mod bounds;
 mod builtin;
 mod declare;
 mod definition;
+mod dynamics;
 mod elaborate;
 pub(crate) mod example;
 mod frames;
@@ -86,6 +87,10 @@ pub struct Model {
     pub lengths: Vec<Expr>,
     /// Joints and drives, in the order declared.
     pub joints: Vec<Joint>,
+    /// Forces and torques on bodies.
+    pub forces: Vec<Force>,
+    /// Acceleration of free fall, by components in ground.
+    pub gravity: Option<Vec<Expr>>,
     /// Named outputs, in the order declared.
     pub outputs: Vec<Output>,
     /// Generated methods that return the outputs.
@@ -142,6 +147,30 @@ pub struct Body {
     pub first: usize,
     /// Coordinates, in their order in q.
     pub coordinates: Vec<BodyCoordinate>,
+    /// Mass and its distribution.
+    pub mass: Mass,
+}
+
+/// Mass of a body and its distribution; what is not declared is zero.
+#[derive(Clone, Debug, Default)]
+pub struct Mass {
+    /// Mass.
+    pub mass: Option<Expr>,
+    /// Centre of mass, by local components.
+    pub center: Option<Vec<Expr>>,
+    /// Inertia about the centre of mass: one number in the plane, in space I_xx, I_yy, I_zz, I_xy, I_xz, I_yz in the axes of the body.
+    pub inertia: Option<Vec<Expr>>,
+}
+
+/// A force at a point of a body, or a torque on it.
+#[derive(Clone, Debug)]
+pub struct Force {
+    /// Index of the body.
+    pub body: usize,
+    /// Local components of the point; `None` for a torque.
+    pub point: Option<Vec<Expr>>,
+    /// Components in ground; in the plane a torque has one.
+    pub parts: Vec<Expr>,
 }
 
 /// One coordinate of a body.
@@ -166,6 +195,8 @@ pub struct Joint {
     pub is_redundant: bool,
     /// Left minus right side of each scalar equation.
     pub residuals: Vec<Residual>,
+    /// Body on which the load of the joint is stated, and the local components of the point there.
+    pub place: Option<(usize, Vec<Expr>)>,
 }
 
 /// Left minus right side of one scalar equation.

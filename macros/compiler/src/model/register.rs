@@ -35,6 +35,8 @@ pub(super) struct Register {
     pub(super) bodies: Vec<(EntityId, ast::Shared<ast::FrameItem>)>,
     pub(super) marks: Vec<EntityId>,
     pub(super) joints: Vec<(EntityId, ast::Shared<ast::JointItem>)>,
+    pub(super) forces: Vec<(EntityId, ast::Shared<ast::JointItem>)>,
+    pub(super) gravity: Option<ast::Shared<ast::Gravity>>,
     pub(super) outputs: Vec<(EntityId, ast::Shared<ast::OutputItem>)>,
     output_names: BTreeMap<(SpaceId, String), BTreeSet<Vec<usize>>>,
     /// The parts as written, without an entry for the mechanism.
@@ -155,6 +157,15 @@ impl Elaborator<'_> {
                 let id = self.declare(written, Entity::Joint(joint.clone()), Progress::Untouched, sort, context);
                 register.joints.extend(id.map(|id| (id, joint.clone())));
             }
+            Item::Force(force) => {
+                let written = Written { key: Key::Name(force.id()), name: &force.name, indices: &force.indices };
+                let id = self.declare(written, Entity::Joint(force.clone()), Progress::Untouched, Sort::Force, context);
+                register.forces.extend(id.map(|id| (id, force.clone())));
+            }
+            Item::Gravity(gravity) if register.gravity.is_some() => {
+                self.diag.refuse::<()>(&gravity.keyword, NameFact::Duplicate { name: "gravity".to_owned(), first: "another `gravity`" });
+            }
+            Item::Gravity(gravity) => register.gravity = Some(gravity.clone()),
             Item::Output(output) => self.output_item(output, context, place, register),
             Item::Part(part) => self.part(part, context, place, register),
             Item::For(repeated) => {

@@ -30,6 +30,8 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     let bodies = work.bodies(&register);
     let lengths = work.marks(&register);
     let joints = work.joints(&register);
+    let forces = work.forces(&register);
+    let gravity = work.gravity(&register);
     let outputs = work.outputs(&register);
     let methods = work.methods(&layout, &register, &outputs);
     work.unused_components(&register);
@@ -57,6 +59,8 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
         bodies,
         lengths,
         joints,
+        forces,
+        gravity,
         outputs: outputs.into_iter().flatten().collect(),
         methods,
         functions,

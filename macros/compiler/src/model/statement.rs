@@ -51,6 +51,9 @@ impl Elaborator<'_> {
                     let value = self.binding(binding, &scope)?;
                     scope.bound.push((binding.name.to_string(), value));
                 }
+                Statement::Equation(lhs, rhs) if self.applied.is_some() => {
+                    return self.refuse(lhs.range.to(rhs.range), EquationFact::EquationInForce);
+                }
                 Statement::Equation(lhs, rhs) => {
                     number += 1;
                     match self.numbered(number, of, |this| this.residuals(lhs, rhs, &scope)) {
@@ -61,6 +64,7 @@ impl Elaborator<'_> {
                         None => complete = false,
                     }
                 }
+                Statement::Apply(applied) => complete &= self.apply_force(applied, &scope).is_some(),
                 Statement::Require(requirement) => complete &= self.requirement(requirement, &scope, joint, places).is_some(),
             }
             // One error per instance is enough: the next one would mark the same token.
@@ -68,7 +72,7 @@ impl Elaborator<'_> {
                 return None;
             }
         }
-        if complete && rows.is_empty() {
+        if complete && rows.is_empty() && self.applied.is_none() {
             return self.refuse(joint, EquationFact::NoEquations { name: joint.word.to_string() });
         }
         complete.then_some(rows)

@@ -75,6 +75,8 @@ pub struct Plan {
     pub gamma: Code,
     /// Row and column of each entry of Φ_q.
     pub pattern: Vec<(usize, usize)>,
+    /// Forces that joints and drives have to supply, by speed, and the arms of the joints' points, one result for each component.
+    pub unbalanced: Option<[Code; 2]>,
     /// Outputs of each method.
     pub outputs: Vec<Outputs>,
     /// Declared start values, by unknown; undeclared ones have no result.
@@ -114,7 +116,13 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, as
     let equations = |cells: Vec<Cell>| rolled::code(arena_of_equations, &tracer_of_equations, cells, &words_of_equations);
     let solving = solved.map(|(stages, outputs)| solving(&arena, &tracer, system, &words, &stages, &outputs));
     let sides = model.requirements.iter().flat_map(|requirement| [requirement.lhs, requirement.rhs]).collect();
+    let unbalanced = system.unbalanced.as_ref().map(|found| {
+        let cells = |results: Vec<Expr>| (0..).zip(results).map(|(row, result)| vec![(Target::Row(row), result)]).collect();
+        let arms = found.arms.iter().flatten().flat_map(|(_, arm)| arm.iter().copied()).collect();
+        [equations(cells(found.forces.clone())), equations(cells(arms))]
+    });
     Plan {
+        unbalanced,
         linearized: joints.linearized(residual).iter().flatten().map(|(target, _)| *target).collect(),
         linearize: equations(joints.linearized(residual)),
         phi: equations(joints.rows(residual)),

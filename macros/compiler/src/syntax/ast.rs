@@ -8,7 +8,7 @@ mod node;
 mod options;
 mod repeated;
 
-pub use definition::{Condition, Definition, Definitions, Export, Formal, FormalKind, Statement};
+pub use definition::{Applied, Condition, Definition, Definitions, Export, Formal, FormalKind, Statement};
 pub use expression::{Expression, ExpressionKind, Operator, Relation};
 pub use node::{ItemId, Shared};
 pub use options::{Closing, Following, Task};
@@ -69,6 +69,10 @@ pub enum Item {
     Body(Shared<FrameItem>),
     /// `joint name = …;` or `drive name = …;`
     Joint(Shared<JointItem>),
+    /// `force name = …;`
+    Force(Shared<JointItem>),
+    /// `gravity = (x, y);`
+    Gravity(Shared<Gravity>),
     /// `output name = value;` or `slice output name = value;`
     Output(Shared<OutputItem>),
     /// `component Name(parameters) { items }`
@@ -81,6 +85,15 @@ pub enum Item {
     For(Shared<For<Vec<Item>>>),
     /// A rejected item, as far as its name could be read.
     Refused(Refused),
+}
+
+/// Acceleration of free fall.
+#[derive(Clone, Debug)]
+pub struct Gravity {
+    /// `gravity`
+    pub keyword: Ident,
+    /// The vector.
+    pub value: Expression,
 }
 
 /// Declared range of time.
@@ -214,6 +227,8 @@ pub struct FrameItem {
     pub marks: Marks,
     /// Start values.
     pub starts: Vec<Start>,
+    /// `mass`, `center` and `inertia`.
+    pub masses: Vec<Start>,
 }
 
 /// Points and axes fixed in a body.

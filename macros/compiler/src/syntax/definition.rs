@@ -1,6 +1,6 @@
 //! Parses definitions of constraints and their statements.
 
-use super::ast::{Condition, Definition, Definitions, Docs, Export, Formal, FormalKind, Statement};
+use super::ast::{Applied, Condition, Definition, Definitions, Docs, Export, Formal, FormalKind, Statement};
 use super::dimension::dimension;
 use super::expression::{expression, relation};
 use super::item::{ambient, binding};
@@ -64,7 +64,7 @@ fn is_export(input: ParseStream) -> bool {
 }
 
 fn is_export_word(word: &Ident) -> bool {
-    word == "constraint" || word == "bundle"
+    word == "constraint" || word == "force" || word == "bundle"
 }
 
 fn export(input: ParseStream, diag: &mut Diag) -> Parsed<Export> {
@@ -118,7 +118,7 @@ fn bundle(input: ParseStream, docs: Docs, visibility: TokenStream, diag: &mut Di
 fn definition(input: ParseStream) -> Parsed<Definition> {
     let docs = docs(input)?;
     visibility(input)?;
-    if keyword(input).is_none_or(|word| word != "constraint") {
+    if keyword(input).is_none_or(|word| word != "constraint" && word != "force") {
         return expected(input, "`constraint name(…) { … }`");
     }
     Ident::parse_any(input)?;
@@ -223,6 +223,13 @@ pub(super) fn statement(input: ParseStream) -> Parsed<Statement> {
     if is_requirement {
         return requirement(input).map(Statement::Require);
     }
+    let applies = keyword(input).filter(|word| word == "at" || word == "on");
+    if let Some(word) = applies
+        && !input.peek2(Token![.])
+        && !input.peek2(Token![==])
+    {
+        return applied(input, word == "on").map(Statement::Apply);
+    }
     let lhs = expression(input)?;
     if !input.peek(Token![==]) {
         return expected(input, "`==` and the other side of the equation");
@@ -231,6 +238,19 @@ pub(super) fn statement(input: ParseStream) -> Parsed<Statement> {
     let rhs = expression(input)?;
     semicolon(input)?;
     Ok(Statement::Equation(lhs, rhs))
+}
+
+/// `at point: force;` or `on body: torque;`
+fn applied(input: ParseStream, is_torque: bool) -> Parsed<Applied> {
+    input.parse::<Ident>()?;
+    let target = expression(input)?;
+    if !input.peek(Token![:]) {
+        return expected(input, if is_torque { "`:` and the torque" } else { "`:` and the force" });
+    }
+    input.parse::<Token![:]>()?;
+    let value = expression(input)?;
+    semicolon(input)?;
+    Ok(Applied { is_torque, target, value })
 }
 
 /// `require lhs != rhs: "why";`

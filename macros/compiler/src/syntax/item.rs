@@ -1,8 +1,8 @@
 //! Parses the items of a mechanism.
 
 use super::ast::{
-    Argument, Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, FunctionItem, Item, JointBody, JointItem, Let,
-    Limits, Marks, Mechanism, OutputItem, ParameterItem, Refused, Shared, Start, Task, TimeRange, Use,
+    Argument, Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, FunctionItem, Gravity, Item, JointBody, JointItem,
+    Let, Limits, Marks, Mechanism, OutputItem, ParameterItem, Refused, Shared, Start, Task, TimeRange, Use,
 };
 use super::definition::statement;
 use super::dimension::{dimension, required_dimension};
@@ -139,7 +139,7 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
         );
     };
     let word = keyword.to_string();
-    if !place.is_top && matches!(word.as_str(), "use" | "function" | "ground" | "component" | "range") {
+    if !place.is_top && matches!(word.as_str(), "gravity" | "use" | "function" | "ground" | "component" | "range") {
         return wrong(&keyword, GrammarFact::OnlyAtTheTop { word });
     }
     let item = match word.as_str() {
@@ -150,6 +150,8 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
         "ground" => Item::Ground(Shared::new(ground(input, docs)?)),
         "body" => Item::Body(Shared::new(body(input, docs)?)),
         "joint" | "drive" | "redundant" => Item::Joint(Shared::new(joint(input, docs)?)),
+        "force" => Item::Force(Shared::new(joint(input, docs)?)),
+        "gravity" => Item::Gravity(Shared::new(gravity(input)?)),
         "output" | "slice" => Item::Output(Shared::new(output(input, docs)?)),
         "range" => Item::Range(Shared::new(times(input)?)),
         "component" => Item::Component(Shared::new(component(input, docs, diag)?)),
@@ -167,7 +169,7 @@ fn has_indices(item: &Item, place: ItemContext) -> Parsed<()> {
         Item::Parameter(item) => (&item.name, &item.indices),
         Item::Let(item) => (&item.name, &item.indices),
         Item::Body(item) => (&item.name, &item.indices),
-        Item::Joint(item) => (&item.name, &item.indices),
+        Item::Joint(item) | Item::Force(item) => (&item.name, &item.indices),
         Item::Output(item) => (&item.name, &item.indices),
         Item::Part(item) => (&item.name, &item.indices),
         _ => return Ok(()),
@@ -264,6 +266,12 @@ fn limits(input: ParseStream) -> Parsed<Limits> {
     Ok(Limits { from, to, is_inclusive, range })
 }
 
+/// `gravity = (x, y);`
+fn gravity(input: ParseStream) -> Parsed<Gravity> {
+    let keyword = Ident::parse_any(input)?;
+    Ok(Gravity { keyword, value: value(input)? })
+}
+
 /// `range t in from..to;`
 fn times(input: ParseStream) -> Parsed<TimeRange> {
     let keyword = Ident::parse_any(input)?;
@@ -343,12 +351,15 @@ fn body(input: ParseStream, docs: Docs) -> Parsed<FrameItem> {
 
 fn frame(input: ParseStream, docs: Docs, (name, indices): (Ident, Vec<Expression>), what: &'static str) -> Parsed<FrameItem> {
     let content = block(input, what)?;
-    let mut frame = FrameItem { docs, name, indices, marks: Marks::default(), starts: Vec::new() };
+    let mut frame = FrameItem { docs, name, indices, marks: Marks::default(), starts: Vec::new(), masses: Vec::new() };
     while !content.is_empty() {
         // Points may have doc comments; no item is generated that could carry them.
         self::docs(&content)?;
         if keyword(&content).is_some_and(|word| word == "start") {
             frame.starts.push(start(&content)?);
+        } else if let Some(what) = keyword(&content).filter(|word| ["mass", "center", "inertia"].iter().any(|known| word == known)) {
+            Ident::parse_any(&content)?;
+            frame.masses.push(Start { what, value: value(&content)? });
         } else {
             marks(&content, &mut frame.marks, ItemContext::TOP)?;
         }

@@ -272,8 +272,9 @@ pub(super) fn is_item(input: ParseStream) -> bool {
     match word.to_string().as_str() {
         "ground" => input.peek2(token::Brace),
         "use" => true,
-        "param" | "let" | "function" | "body" | "joint" | "redundant" | "drive" | "output" | "slice" | "range" | "component" | "part"
-        | "for" => input.peek2(syn::Ident),
+        "gravity" => input.peek2(Token![=]),
+        "force" | "param" | "let" | "function" | "body" | "joint" | "redundant" | "drive" | "output" | "slice" | "range" | "component"
+        | "part" | "for" => input.peek2(syn::Ident),
         _ => false,
     }
 }

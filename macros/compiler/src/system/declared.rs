@@ -6,7 +6,7 @@
 //! γ   = −d²/ds² Φ(r + s v, exp(s ω) A, t + s) at s = 0
 //! ```
 
-use super::{Equation, Level};
+use super::{Equation, Level, Unbalanced};
 use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Rate, Seed, Substitution, derivative};
 use crate::model::Model;
 use crate::model::space::DECLARED;
@@ -24,6 +24,8 @@ pub struct DeclaredEquations {
     pub speeds: usize,
     /// One equation for each row, in the order declared.
     pub equations: Vec<Equation>,
+    /// What forces and masses leave to joints and drives.
+    pub unbalanced: Option<Unbalanced>,
 }
 
 /// Coordinates of a body, and speeds.
@@ -74,8 +76,9 @@ pub(super) fn declared(model: &Model) -> DeclaredEquations {
     }
     let quantities = model.space.quantities.len();
     let coordinates = EACH[0] * bodies + quantities;
-    renumber(&mut arena, &mut equations, coordinates, EACH[1] * bodies);
-    DeclaredEquations { arena, coordinates, speeds: EACH[1] * bodies, equations }
+    let mut unbalanced = super::unbalanced(model, &mut arena);
+    renumber(&mut arena, &mut equations, &mut unbalanced, (coordinates, EACH[1] * bodies));
+    DeclaredEquations { arena, coordinates, speeds: EACH[1] * bodies, equations, unbalanced }
 }
 
 /// A row of velocities r = a · u − b: a, b and γ = ḃ − ȧ · u.
@@ -118,10 +121,11 @@ fn touched(arena: &Arena, phi: Expr, bodies: usize) -> Vec<usize> {
 }
 
 /// Numbers declared coordinates and speeds from 0, and removes marks.
-fn renumber(arena: &mut Arena, equations: &mut [Equation], coordinates: usize, speeds: usize) {
+fn renumber(arena: &mut Arena, equations: &mut [Equation], unbalanced: &mut Option<Unbalanced>, (coordinates, speeds): (usize, usize)) {
     let mut numbered = Substitution::new();
     let mut known = HashMap::new();
-    for (leaf, count) in [(Leaf::Coordinate as fn(u32) -> Leaf, coordinates), (Leaf::Speed as fn(u32) -> Leaf, speeds)] {
+    let leaves: [(fn(u32) -> Leaf, usize); 3] = [(Leaf::Coordinate, coordinates), (Leaf::Speed, speeds), (Leaf::Acceleration, speeds)];
+    for (leaf, count) in leaves {
         for number in 0..count as u32 {
             let new = arena.leaf(leaf(number));
             numbered.replace(leaf(DECLARED + number), new);
@@ -138,5 +142,8 @@ fn renumber(arena: &mut Arena, equations: &mut [Equation], coordinates: usize, s
         if let Level::Position { phi } = &mut equation.level {
             *phi = renewed(*phi);
         }
+    }
+    if let Some(Unbalanced { forces, arms }) = unbalanced {
+        forces.iter_mut().chain(arms.iter_mut().flatten().flat_map(|(_, arm)| arm)).for_each(|expr| *expr = renewed(*expr));
     }
 }

@@ -10,6 +10,7 @@
 //! ```
 
 mod declared;
+mod dynamics;
 mod forest;
 mod magnitude;
 mod pattern;
@@ -48,8 +49,19 @@ pub struct System {
     pub declared: Option<Box<DeclaredEquations>>,
     /// In space: the frame of each body in the arena.
     pub frames: Vec<usize>,
+    /// Forces that joints and drives have to supply, if there are masses or forces; in space they belong to the declared equations.
+    pub unbalanced: Option<Unbalanced>,
     /// In space: the joint by which the orientation of each body follows, and the body that it follows from.
     pub reached: Vec<Option<(usize, Option<usize>)>>,
+}
+
+/// What forces and masses leave to joints and drives.
+#[derive(Clone, Debug)]
+pub struct Unbalanced {
+    /// M u̇ − Q, by speed.
+    pub forces: Vec<Expr>,
+    /// For each joint the body on which its load is stated, and the arm of its point there.
+    pub arms: Vec<Option<(usize, Vec<Expr>)>>,
 }
 
 /// One coordinate.
@@ -251,8 +263,10 @@ fn in_space(model: &Model, diag: &mut Diag) -> Option<System> {
     let outputs = motions.collect();
     let lengths = lengths(&mut arena, model, &coordinates, &equations);
     let pattern = pattern::pattern(model, &arena, coordinates.len(), &equations);
-    let declared = Some(Box::new(declared::declared(model)));
-    Some(System { arena, coordinates, speeds, kinematics, equations, pattern, outputs, lengths, declared, frames, reached })
+    let mut declared = declared::declared(model);
+    let unbalanced = declared.unbalanced.take();
+    let declared = Some(Box::new(declared));
+    Some(System { arena, coordinates, speeds, kinematics, equations, pattern, outputs, lengths, declared, frames, unbalanced, reached })
 }
 
 /// Replaces rows of velocities by the rows of positions of which they are the rates. Others are refused if they have to be solved, and
@@ -350,6 +364,7 @@ fn in_plane(model: &Model, diag: &mut Diag) -> Option<System> {
     has_bodies(model, diag);
     no_joint_repeats_another(model, &mut arena, diag);
     let pattern = pattern::pattern(model, &arena, speeds.len(), &equations);
+    let unbalanced = unbalanced(model, &mut arena);
     diag.is_clean().then_some(System {
         arena,
         coordinates,
@@ -361,8 +376,20 @@ fn in_plane(model: &Model, diag: &mut Diag) -> Option<System> {
         lengths,
         declared: None,
         frames: Vec::new(),
+        unbalanced,
         reached: Vec::new(),
     })
+}
+
+/// What forces and masses leave to joints and drives, and where joints state it.
+fn unbalanced(model: &Model, arena: &mut Arena) -> Option<Unbalanced> {
+    let forces = dynamics::unbalanced(model, arena)?;
+    let arms = model.joints.iter().map(|joint| {
+        let (body, local) = joint.place.as_ref()?;
+        Some((*body, dynamics::arm(model, arena, *body, local)))
+    });
+    let arms = arms.collect();
+    Some(Unbalanced { forces, arms })
 }
 
 fn coordinates(model: &Model) -> Vec<Coordinate> {

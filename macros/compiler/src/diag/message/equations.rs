@@ -26,6 +26,15 @@ impl Display for EquationFact {
                 let when = if *at_defaults { ", at the declared defaults" } else { "" };
                 write!(f, "{} of `{joint}` does not depend on the position of any body{when}", equation(*row, *of))
             }
+            EquationFact::EquationInForce => {
+                write!(f, "a force has no equations\nhelp: write `at point: force;` or `on body: torque;`, and equations in a `joint`")
+            }
+            EquationFact::ForceInJoint => {
+                write!(
+                    f,
+                    "a joint has equations and no forces\nhelp: write `force name = …;` for what pushes or turns, `joint name = …;` for what holds"
+                )
+            }
             EquationFact::NotAffine { joint, row, of } => {
                 write!(f, "{} of `{joint}` contains products or functions of velocities", equation(*row, *of))?;
                 write!(f, "\nhelp: write an equation in which each velocity stands alone, with a factor that contains none")

@@ -84,6 +84,19 @@ pub enum Statement {
     Equation(Expression, Expression),
     /// `require lhs != rhs: "why";`
     Require(Condition),
+    /// `at point: force;` or `on body: torque;`
+    Apply(Applied),
+}
+
+/// A force at a point, or a torque on a body.
+#[derive(Clone, Debug)]
+pub struct Applied {
+    /// True for `on body: torque;`.
+    pub is_torque: bool,
+    /// Point or body.
+    pub target: Expression,
+    /// Force or torque.
+    pub value: Expression,
 }
 
 /// A condition on parameters, checked when they are known.

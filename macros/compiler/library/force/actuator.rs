@@ -1,0 +1,14 @@
+/// A force along the line between two points: a hydraulic cylinder, a muscle.
+///
+/// ```text
+///   F pushes P and Q apart
+/// ```
+///
+/// The force may depend on time and on anything else. Degenerate case: at length zero the line has no direction.
+///
+/// Reference: Haug, section 6.2.
+force actuator(P: Point, Q: Point, F: Force) {
+    let line = unit(Q - P);
+    at P: -F * line;
+    at Q: F * line;
+}

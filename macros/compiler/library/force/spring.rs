@@ -1,0 +1,16 @@
+/// A spring between two points.
+///
+/// ```text
+///   F = stiffness (l − rest) along the line from P to Q, on both ends      l = |r_Q − r_P|
+/// ```
+///
+/// `at P` it pulls towards `Q` where it is longer than `rest`, and pushes where it is shorter. Degenerate case: at length zero the line has
+/// no direction.
+///
+/// Reference: Nikravesh, section 9.4; Haug, section 6.2.
+force spring(P: Point, Q: Point, stiffness: Stiffness, rest: Length = 0mm) {
+    let line = Q - P;
+    let force = stiffness * (norm(line) - rest);
+    at P: force * unit(line);
+    at Q: -force * unit(line);
+}

@@ -1,0 +1,162 @@
+//! Newton's and Euler's equations of each body: the forces that joints and drives have to supply.
+//!
+//! ```text
+//! f = M u̇ − Q,    Φ_uᵀ λ = −f
+//! translation     m (a_C − g) − Σ F                     a_C: the acceleration of the centre of mass
+//! rotation        I ω̇ + ω × I ω + c × m (a_C − g) − Σ (r_P − r) × F − Σ T      about the origin of the body, c = r_C − r
+//! ```
+//!
+//! In the axes of ground, three for each body in the plane and six in space, in the order of the speeds.
+
+use crate::expr::{Arena, Expr, Leaf, Triple, cross, dot};
+use crate::model::space::DECLARED;
+use crate::model::{Body, Force, Model};
+use crate::quantity::{Ambient, Role};
+
+/// f of every body; `None` if there is neither a mass nor a force.
+pub(super) fn unbalanced(model: &Model, arena: &mut Arena) -> Option<Vec<Expr>> {
+    let has_mass = model.bodies.iter().any(|body| body.mass.mass.is_some() || body.mass.inertia.is_some());
+    if !has_mass && model.forces.is_empty() {
+        return None;
+    }
+    let work = (0..model.bodies.len()).flat_map(|body| match model.ambient {
+        Ambient::Plane => in_plane(model, arena, body).to_vec(),
+        Ambient::Space => in_space(model, arena, body).to_vec(),
+    });
+    Some(work.collect())
+}
+
+/// Number of the coordinate, speed or acceleration of a body at an offset.
+fn number(model: &Model, body: usize, offset: usize) -> u32 {
+    match model.ambient {
+        Ambient::Plane => (model.bodies[body].first + offset) as u32,
+        Ambient::Space => DECLARED + (6 * body + offset) as u32,
+    }
+}
+
+fn in_plane(model: &Model, arena: &mut Arena, body: usize) -> [Expr; 3] {
+    let declared = &model.bodies[body];
+    let zero = arena.integer(0);
+    let angle = arena.leaf(Leaf::Coordinate(number(model, body, 2)));
+    let (sine, cosine) = (arena.sin(angle), arena.cos(angle));
+    let turned = |arena: &mut Arena, local: &[Expr]| -> [Expr; 2] {
+        let (cx, sy) = (arena.mul(cosine, local[0]), arena.mul(sine, local[1]));
+        let (sx, cy) = (arena.mul(sine, local[0]), arena.mul(cosine, local[1]));
+        [arena.sub(cx, sy), arena.add(sx, cy)]
+    };
+    let mass = declared.mass.mass.unwrap_or(zero);
+    let center = declared.mass.center.clone().unwrap_or_else(|| vec![zero; 2]);
+    let c = turned(arena, &center);
+    let speed = arena.leaf(Leaf::Speed(number(model, body, 2)));
+    let [ax, ay, turning] = [0, 1, 2].map(|offset| arena.leaf(Leaf::Acceleration(number(model, body, offset))));
+    let inward = arena.square(speed);
+    // a_C − g
+    let gravity = model.gravity.clone().unwrap_or_else(|| vec![zero; 2]);
+    let across = [arena.neg(c[1]), c[0]];
+    let a = [(ax, 0), (ay, 1)].map(|(a, k)| {
+        let (along, centripetal) = (arena.mul(across[k], turning), arena.mul(c[k], inward));
+        let a = arena.add(a, along);
+        let a = arena.sub(a, centripetal);
+        arena.sub(a, gravity[k])
+    });
+    let [mut fx, mut fy] = a.map(|a| arena.mul(mass, a));
+    let inertia = declared.mass.inertia.as_ref().map_or(zero, |inertia| inertia[0]);
+    let spin = arena.mul(inertia, turning);
+    let moment = cross_in_plane(arena, c, [fx, fy]);
+    let mut torque = arena.add(spin, moment);
+    for force in model.forces.iter().filter(|force| force.body == body) {
+        match &force.point {
+            None => torque = arena.sub(torque, force.parts[0]),
+            Some(point) => {
+                let arm = turned(arena, point);
+                let parts = [force.parts[0], force.parts[1]];
+                fx = arena.sub(fx, parts[0]);
+                fy = arena.sub(fy, parts[1]);
+                let moment = cross_in_plane(arena, arm, parts);
+                torque = arena.sub(torque, moment);
+            }
+        }
+    }
+    [fx, fy, torque]
+}
+
+fn cross_in_plane(arena: &mut Arena, a: [Expr; 2], b: [Expr; 2]) -> Expr {
+    let (left, right) = (arena.mul(a[0], b[1]), arena.mul(a[1], b[0]));
+    arena.sub(left, right)
+}
+
+fn in_space(model: &Model, arena: &mut Arena, body: usize) -> [Expr; 6] {
+    let declared = &model.bodies[body];
+    let zero = arena.integer(0);
+    let three = |list: &Option<Vec<Expr>>| list.as_ref().map_or([zero; 3], |list| [list[0], list[1], list[2]]);
+    let leaves = |arena: &mut Arena, leaf: fn(u32) -> Leaf, first: usize| -> Triple {
+        [0, 1, 2].map(|k| arena.leaf(leaf(number(model, body, first + k))))
+    };
+    let speed = leaves(arena, Leaf::Speed, 3);
+    let (a, turning) = (leaves(arena, Leaf::Acceleration, 0), leaves(arena, Leaf::Acceleration, 3));
+    let c = vector(arena, body, three(&declared.mass.center));
+    let swing = cross(arena, speed, c);
+    let (along, inward) = (cross(arena, turning, c), cross(arena, speed, swing));
+    let gravity = three(&model.gravity);
+    let mass = declared.mass.mass.unwrap_or(zero);
+    let mut force: Triple = [0, 1, 2].map(|k| {
+        let sum = arena.add(along[k], inward[k]);
+        let a = arena.add(a[k], sum);
+        let a = arena.sub(a, gravity[k]);
+        arena.mul(mass, a)
+    });
+    let [spin, change] = [speed, turning].map(|vector| inertia_times(arena, declared, body, vector));
+    let gyroscopic = cross(arena, speed, spin);
+    let moment = cross(arena, c, force);
+    let mut torque: Triple = [0, 1, 2].map(|k| {
+        let sum = arena.add(change[k], gyroscopic[k]);
+        arena.add(sum, moment[k])
+    });
+    for Force { point, parts, .. } in model.forces.iter().filter(|force| force.body == body) {
+        let parts = [parts[0], parts[1], parts[2]];
+        let moment = match point {
+            None => parts,
+            Some(point) => {
+                let arm = vector(arena, body, [point[0], point[1], point[2]]);
+                force = [0, 1, 2].map(|k| arena.sub(force[k], parts[k]));
+                cross(arena, arm, parts)
+            }
+        };
+        torque = [0, 1, 2].map(|k| arena.sub(torque[k], moment[k]));
+    }
+    [force[0], force[1], force[2], torque[0], torque[1], torque[2]]
+}
+
+/// A vector fixed in a declared body, in ground.
+fn vector(arena: &mut Arena, body: usize, local: Triple) -> Triple {
+    arena.turned(body, local)
+}
+
+/// A I' Aᵀ v
+fn inertia_times(arena: &mut Arena, declared: &Body, body: usize, v: Triple) -> Triple {
+    let zero = arena.integer(0);
+    let Some(inertia) = &declared.mass.inertia else { return [zero; 3] };
+    let (zero, one) = (arena.integer(0), arena.integer(1));
+    let axes = [0, 1, 2].map(|axis| {
+        let unit = [0, 1, 2].map(|k| if k == axis { one } else { zero });
+        arena.turned(body, unit)
+    });
+    let local = axes.map(|axis| dot(arena, axis, v));
+    let [xx, yy, zz, xy, xz, yz] = [inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]];
+    let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]].map(|row| dot(arena, row, local));
+    [0, 1, 2].map(|k| dot(arena, rows, axes.map(|axis| axis[k])))
+}
+
+/// The arm of a joint's point on the second of its bodies, in ground; `None` without a point on a body.
+pub(super) fn arm(model: &Model, arena: &mut Arena, body: usize, local: &[Expr]) -> Vec<Expr> {
+    match model.ambient {
+        Ambient::Space => vector(arena, body, [local[0], local[1], local[2]]).to_vec(),
+        Ambient::Plane => {
+            let angle = arena.leaf(Leaf::Coordinate((model.bodies[body].first + Role::PLANE.len() - 1) as u32));
+            let (sine, cosine) = (arena.sin(angle), arena.cos(angle));
+            let (cx, sy) = (arena.mul(cosine, local[0]), arena.mul(sine, local[1]));
+            let (sx, cy) = (arena.mul(sine, local[0]), arena.mul(cosine, local[1]));
+            vec![arena.sub(cx, sy), arena.add(sx, cy)]
+        }
+    }
+}
