@@ -1,4 +1,7 @@
-//! What derivatives by parameters cost, beside a warm step. `cargo run --release -p reuleaux-benches --bin derivatives`
+//! What derivatives by parameters cost, beside a warm step: `cargo run --release -p reuleaux-benches --bin derivatives`.
+//!
+//! A crank-rocker, and W1 to W3 of the workloads with each of their lengths as a parameter. A warm step and a state with its
+//! derivatives are each followed by the tracked point with its rate and acceleration, and measured in turns.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -28,54 +31,161 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// W1: a four-bar whose crank turns.
+    pub mechanism FourBar {
+        param speed: AngularVelocity = 60rpm;
+        param ground_length: Length = 4m;
+        param crank_length: Length = 1m;
+        param coupler_length: Length = 3.5m;
+        param rocker_length: Length = 3m;
+        ground { point C = (ground_length, 0m); }
+        body crank { point A = (crank_length, 0m); }
+        body coupler { point B = (coupler_length, 0m); }
+        body rocker { point B = (rocker_length, 0m); start angle = 110deg; }
+        joint o = revolute(ground.position, crank.position);
+        joint a = revolute(crank.A, coupler.position);
+        joint b = revolute(coupler.B, rocker.B);
+        joint c = revolute(rocker.position, ground.C);
+        drive input = drive_angle(crank, speed * t);
+        output pin = rocker.B;
+    }
+}
+
+mechanism! {
+    /// W2: a slider-crank.
+    pub mechanism SliderCrank {
+        param speed: AngularVelocity = 60rpm;
+        param crank_length: Length = 1m;
+        param rod_length: Length = 3m;
+        ground { axis u = (1, 0); }
+        body crank { point A = (crank_length, 0m); }
+        body rod { point B = (rod_length, 0m); start angle = 0deg; }
+        body slider { }
+        joint o = revolute(ground.position, crank.position);
+        joint a = revolute(crank.A, rod.position);
+        joint b = revolute(rod.B, slider.position);
+        joint guide = translational(ground.u, ground.position, slider.position);
+        drive input = drive_angle(crank, speed * t);
+        output pin = slider.position;
+    }
+}
+
+mechanism! {
+    /// W3: Jansen's leg.
+    pub mechanism Jansen {
+        param speed: AngularVelocity = 60rpm;
+        param a: Length = 3.8m;
+        param b: Length = 4.15m;
+        param c: Length = 3.93m;
+        param d: Length = 4.01m;
+        param e: Length = 5.58m;
+        param f: Length = 3.94m;
+        param g: Length = 3.67m;
+        param h: Length = 6.57m;
+        param i: Length = 4.90m;
+        param j: Length = 5m;
+        param k: Length = 6.19m;
+        param l: Length = 0.78m;
+        param m: Length = 1.5m;
+        ground { point V = (-a, -l); }
+        body crank { point X = (m, 0m); }
+        body bar_j { point U = (j, 0m); start angle = 2.466; }
+        let wx = (b^2 + d^2 - e^2) / (2 * b);
+        body upper { point U = (b, 0m); point W = (wx, sqrt(d^2 - wx^2)); start angle = 1.227; }
+        body bar_k { point C = (k, 0m); start angle = -2.315; }
+        body bar_c { point C = (c, 0m); start angle = -1.286; }
+        body bar_f { point F = (f, 0m); start angle = -1.165; }
+        let tx = (g^2 + h^2 - i^2) / (2 * g);
+        body foot { point C = (g, 0m); point T = (tx, -sqrt(h^2 - tx^2)); start angle = -0.496; }
+        joint o = revolute(ground.position, crank.position);
+        joint xj = revolute(crank.X, bar_j.position);
+        joint xk = revolute(crank.X, bar_k.position);
+        joint u = revolute(bar_j.U, upper.U);
+        joint v = revolute(ground.V, upper.position);
+        joint vc = revolute(ground.V, bar_c.position);
+        joint kc = revolute(bar_k.C, bar_c.C);
+        joint w = revolute(upper.W, bar_f.position);
+        joint ff = revolute(bar_f.F, foot.position);
+        joint cf = revolute(bar_c.C, foot.C);
+        drive input = drive_angle(crank, speed * t);
+        output toe = foot.T;
+    }
+}
+
 /// States of a turn.
 const STEPS: u32 = 1000;
 
 /// Turns for one measurement, and measurements, of which the median counts.
-const TURNS: usize = 20;
-const MEASUREMENTS: usize = 21;
+const TURNS: usize = 4;
+const MEASUREMENTS: usize = 51;
 
-/// Nanoseconds for each state of a turn.
-fn measured(mut turn: impl FnMut()) -> f64 {
-    let mut times: Vec<f64> = (0..MEASUREMENTS)
-        .map(|_| {
+/// Nanoseconds for each state of a turn, for each of the ways; they take turns.
+fn measured(ways: &mut [&mut dyn FnMut()]) -> Vec<f64> {
+    let mut times = vec![Vec::new(); ways.len()];
+    for _ in 0..MEASUREMENTS {
+        for (way, times) in ways.iter_mut().zip(&mut times) {
             let begin = Instant::now();
-            (0..TURNS).for_each(|_| turn());
-            begin.elapsed().as_nanos() as f64 / (TURNS as f64 * f64::from(STEPS))
-        })
-        .collect();
-    times.sort_by(f64::total_cmp);
-    times[MEASUREMENTS / 2]
+            (0..TURNS).for_each(|_| way());
+            times.push(begin.elapsed().as_nanos() as f64 / (TURNS as f64 * f64::from(STEPS)));
+        }
+    }
+    let median = |mut times: Vec<f64>| {
+        times.sort_by(f64::total_cmp);
+        times[MEASUREMENTS / 2]
+    };
+    times.into_iter().map(median).collect()
+}
+
+/// Measures a mechanism: a warm step, derivatives by the parameter named first, and by all.
+macro_rules! measure {
+    ($name:literal, $mechanism:ident, $state:ident, $output:ident, $one:ident, [$($all:ident),*]) => {{
+        let mechanism = $mechanism::default();
+        let times: Vec<f64> = (0..=STEPS).map(|step| f64::from(step) / f64::from(STEPS)).collect();
+        let states: Vec<$state> = mechanism.sweep(times.iter().copied()).map(|state| state.expect("it turns")).collect();
+        let mut step = || {
+            let mut state = states[0].clone();
+            for &t in &times[1..] {
+                mechanism.advance(&mut state, t).expect("it turns");
+                black_box(mechanism.$output(&state));
+            }
+        };
+        let mut of_one = || {
+            for state in &states[1..] {
+                let (varied, state) = mechanism.derivatives(state, |m| [&mut m.$one]).expect("a state");
+                black_box(varied.$output(&$state(state)));
+            }
+        };
+        let mut of_all = || {
+            for state in &states[1..] {
+                let all = mechanism.derivatives(state, |m| {
+                    let $mechanism { $($all),* } = m;
+                    [$($all),*]
+                });
+                let (varied, state) = all.expect("a state");
+                black_box(varied.$output(&$state(state)));
+            }
+        };
+        let count = [$(stringify!($all)),*].len();
+        let found = measured(&mut [&mut step, &mut of_one, &mut of_all]);
+        let [step, one, all] = found[..] else { unreachable!("three ways") };
+        let each = all / step / count as f64;
+        println!("| {} | {step:.0} ns | {one:.0} ns | {count} | {all:.0} ns | {:.2} | {each:.2} |", $name, all / step);
+    }};
 }
 
 fn main() {
-    let mechanism = CrankRocker::default();
-    let times: Vec<f64> = (0..=STEPS).map(|step| f64::from(step) / f64::from(STEPS)).collect();
-    let states: Vec<CrankRockerState> = mechanism.sweep(times.iter().copied()).map(|state| state.expect("a crank-rocker turns")).collect();
-    let step = measured(|| {
-        let mut state = states[0].clone();
-        for &t in &times[1..] {
-            mechanism.advance(&mut state, t).expect("a crank-rocker turns");
-            black_box(mechanism.tip(&state));
-        }
-    });
-    let of_one = measured(|| {
-        for state in &states[1..] {
-            let (varied, state) = mechanism.derivatives(state, |m| [&mut m.crank_length]).expect("a state");
-            black_box(varied.tip(&CrankRockerState(state)));
-        }
-    });
-    let of_seven = measured(|| {
-        for state in &states[1..] {
-            let all = mechanism.derivatives(state, |m| {
-                let CrankRocker { speed, ground_length, crank_length, coupler_length, rocker_length, along, across } = m;
-                [speed, ground_length, crank_length, coupler_length, rocker_length, along, across]
-            });
-            let (varied, state) = all.expect("a state");
-            black_box(varied.tip(&CrankRockerState(state)));
-        }
-    });
-    println!("warm step and output         {step:7.1} ns");
-    println!("derivatives by 1 parameter   {of_one:7.1} ns   {:5.2} steps", of_one / step);
-    println!("derivatives by 7 parameters  {of_seven:7.1} ns   {:5.2} steps, {:.2} for each", of_seven / step, of_seven / step / 7.0);
+    println!("| mechanism | warm step and output | derivatives by 1 | parameters | derivatives by all | in steps | for each parameter |");
+    println!("| --- | ---: | ---: | ---: | ---: | ---: | ---: |");
+    measure!(
+        "crank-rocker",
+        CrankRocker,
+        CrankRockerState,
+        tip,
+        crank_length,
+        [speed, ground_length, crank_length, coupler_length, rocker_length, along, across]
+    );
+    measure!("W1 four-bar", FourBar, FourBarState, pin, crank_length, [speed, ground_length, crank_length, coupler_length, rocker_length]);
+    measure!("W2 slider-crank", SliderCrank, SliderCrankState, pin, crank_length, [speed, crank_length, rod_length]);
+    measure!("W3 Jansen's leg", Jansen, JansenState, toe, m, [speed, a, b, c, d, e, f, g, h, i, j, k, l, m]);
 }
