@@ -7,7 +7,7 @@ use nalgebra::{SMatrix, SVector};
 use super::ball::{Ball, ROUNDING};
 use super::twofold::Twofold;
 use super::{EnclosureSolver, block, functions};
-use crate::linear::{FactorReal, Linear};
+use crate::linear::{FactorReal, Linear, Small};
 use crate::newton::{Block, Evaluate, Solved, StepError};
 use crate::number::{DetSign, Real, SimdReal, Table};
 use crate::solve::{ColdStart, SolverReal};
@@ -238,6 +238,7 @@ impl SimdReal for Enclosure {
 }
 
 impl FactorReal for Enclosure {
+    type Small<const K: usize> = Small<Self, K>;
     type Dense<const K: usize> = Unsolved;
 }
 

@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::{ColdStart, SolverReal, lengths_of};
-use crate::linear::{Elimination, Entries, Linear, Small, Sparse};
+use crate::linear::{Elimination, Entries, Linear, Sparse};
 use crate::names::Description;
 use crate::newton::{Block, BlockData, Iterate, Linearized, Predictor, Scale, Solved, StepError};
 use crate::number::{Mask, SimdReal};
@@ -106,7 +106,7 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
         block: &Block<K>,
         sizes: [T; K],
         evaluate: impl Fn(&Iterate<T, K>) -> ([T; K], [[T; K]; K]),
-    ) -> Result<Solved<T, Small<T, K>, K>, StepError<T>> {
+    ) -> Result<Solved<T, T::Small<K>, K>, StepError<T>> {
         self.block(block, sizes, |iterate| dense(evaluate(iterate)))
     }
 
