@@ -1,6 +1,6 @@
 //! What derivatives by parameters cost, beside a warm step: `cargo run --release -p reuleaux-benches --bin derivatives`.
 //!
-//! A crank-rocker, and W1 to W3 of the workloads with each of their lengths as a parameter. A warm step and a state with its
+//! A crank-rocker, and W1 to W3 and the six-bar of the workloads with each of their lengths as a parameter. A warm step and a state with its
 //! derivatives are each followed by the tracked point with its rate and acceleration, and measured in turns.
 
 use std::hint::black_box;
@@ -113,6 +113,35 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A six-bar driven at its far link, whose four angles are found together.
+    pub mechanism SixBar {
+        param speed: AngularVelocity = 60rpm;
+        param crank_length: Length = 1m;
+        param link_length: Length = 3.5m;
+        param left_length: Length = 2.5m;
+        param coupler_length: Length = 4.5m;
+        param apex: Length = 1.984313483298443m;
+        param right_length: Length = 2.75m;
+        param ground_length: Length = 4m;
+        ground { point B0 = (ground_length, 0m); point D0 = (4m, 5.5m); }
+        body crank { point D = (crank_length, 0m); }
+        body link { point C = (link_length, 0m); start position = (5m, 5.5m); start angle = -164.8deg; }
+        body left { point A = (left_length, 0m); start angle = 101.3deg; }
+        body coupler { point B = (coupler_length, 0m); point C = (coupler_length / 2, apex); start angle = 3.8deg; }
+        body right { point B = (right_length, 0m); start angle = 90deg; }
+        joint d0 = revolute(ground.D0, crank.position);
+        joint d = revolute(crank.D, link.position);
+        joint c = revolute(link.C, coupler.C);
+        joint a0 = revolute(ground.position, left.position);
+        joint a = revolute(left.A, coupler.position);
+        joint b = revolute(coupler.B, right.B);
+        joint b0 = revolute(ground.B0, right.position);
+        drive input = drive_angle(crank, speed * t);
+        output pin = coupler.C;
+    }
+}
+
 /// States of a turn.
 const STEPS: u32 = 1000;
 
@@ -150,33 +179,54 @@ macro_rules! measure {
                 black_box(mechanism.$output(&state));
             }
         };
+        let (varied, there) = mechanism.derivatives(&states[0], |m| [&mut m.$one]).expect("a state");
+        let mut there = $state(there);
         let mut of_one = || {
             for state in &states[1..] {
-                let (varied, state) = mechanism.derivatives(state, |m| [&mut m.$one]).expect("a state");
-                black_box(varied.$output(&$state(state)));
+                mechanism.update_derivatives(state, &varied, &mut there.0).expect("a state");
+                black_box(varied.$output(&there));
             }
         };
-        let mut of_all = || {
-            for state in &states[1..] {
-                let all = mechanism.derivatives(state, |m| {
+        macro_rules! all {
+            ($given:expr) => {
+                mechanism.derivatives($given, |m| {
                     let $mechanism { $($all),* } = m;
                     [$($all),*]
-                });
-                let (varied, state) = all.expect("a state");
-                black_box(varied.$output(&$state(state)));
+                }).expect("a state")
+            };
+        }
+        let (varied, there) = all!(&states[0]);
+        let mut there = $state(there);
+        let mut of_all = || {
+            for state in &states[1..] {
+                mechanism.update_derivatives(state, &varied, &mut there.0).expect("a state");
+                black_box(varied.$output(&there));
+            }
+        };
+        let mut moved = || {
+            for state in &states[1..] {
+                let (varied, there) = all!(state);
+                black_box(varied.$output(&$state(there)));
             }
         };
         let count = [$(stringify!($all)),*].len();
-        let found = measured(&mut [&mut step, &mut of_one, &mut of_all]);
-        let [step, one, all] = found[..] else { unreachable!("three ways") };
-        let each = all / step / count as f64;
-        println!("| {} | {step:.0} ns | {one:.0} ns | {count} | {all:.0} ns | {:.2} | {each:.2} |", $name, all / step);
+        let found = measured(&mut [&mut step, &mut of_one, &mut of_all, &mut moved]);
+        let [step, one, all, moved] = found[..] else { unreachable!("four ways") };
+        let each = |time: f64| time / step / count as f64;
+        println!(
+            "| {} | {step:.0} ns | {one:.0} ns | {count} | {all:.0} ns | {:.2} | {moved:.0} ns | {:.2} |",
+            $name,
+            each(all),
+            each(moved)
+        );
     }};
 }
 
 fn main() {
-    println!("| mechanism | warm step and output | derivatives by 1 | parameters | derivatives by all | in steps | for each parameter |");
-    println!("| --- | ---: | ---: | ---: | ---: | ---: | ---: |");
+    println!(
+        "| mechanism | warm step and output | by 1 parameter | parameters | by all | for each, in steps | by all, a new state | for each, in steps |"
+    );
+    println!("| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |");
     measure!(
         "crank-rocker",
         CrankRocker,
@@ -187,5 +237,13 @@ fn main() {
     );
     measure!("W1 four-bar", FourBar, FourBarState, pin, crank_length, [speed, ground_length, crank_length, coupler_length, rocker_length]);
     measure!("W2 slider-crank", SliderCrank, SliderCrankState, pin, crank_length, [speed, crank_length, rod_length]);
+    measure!(
+        "six-bar, one block of 4",
+        SixBar,
+        SixBarState,
+        pin,
+        crank_length,
+        [speed, crank_length, link_length, left_length, coupler_length, apex, right_length, ground_length]
+    );
     measure!("W3 Jansen's leg", Jansen, JansenState, toe, m, [speed, a, b, c, d, e, f, g, h, i, j, k, l, m]);
 }

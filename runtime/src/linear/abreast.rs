@@ -1,9 +1,10 @@
 //! Many right-hand sides at once: each step is done for all of them before the next one.
 
+use super::elimination::substitute_rows;
 use super::permuted::{entry, put};
 use super::small::EXACT;
-use super::{Factors, Linear, Small};
-use crate::number::Float;
+use super::{Elimination, Factors, Linear, Small, Sparse};
+use crate::number::{Float, row};
 
 /// Factors that solve many right-hand sides at once.
 pub trait Abreast<T: Float, const N: usize>: Linear<T, N> {
@@ -30,9 +31,13 @@ impl<T: Float, const N: usize> Small<T, N> {
     fn solve_columns<const P: usize>(&self, b: &[[T; P]; N]) -> [[T; P]; N] {
         let mut x = [[T::ZERO; P]; N];
         for i in 0..N {
-            for p in 0..P {
-                x[i][p] = (1..N).fold(self.adjugate[(i, 0)] * b[0][p], |sum, k| sum + self.adjugate[(i, k)] * b[k][p]) * self.reciprocal;
-            }
+            // An entry of the inverse.
+            let of = |k: usize| self.adjugate[(i, k)] * self.reciprocal;
+            x[i] = match N {
+                1 => row::scaled(of(0), &b[0]),
+                2 => row::combined(of(0), of(1), &b[0], &b[1]),
+                _ => row::less(-of(2), &row::combined(of(0), of(1), &b[0], &b[1]), &b[2]),
+            };
         }
         x
     }
@@ -57,12 +62,12 @@ impl<T: Float, const N: usize> Factors<T, N> {
             if let Some(b) = b.get(row) {
                 *y = *b;
             }
-            y.iter_mut().for_each(|y| *y = *y * scale);
+            *y = row::scaled(scale, y);
         }
         for k in 0..rank {
             let known = y[k];
             for i in k + 1..rank {
-                subtract(&mut y[i], self.lu[k][i], &known);
+                y[i] = row::less(self.lu[k][i], &y[i], &known);
             }
         }
         for k in (0..rank).rev() {
@@ -70,15 +75,36 @@ impl<T: Float, const N: usize> Factors<T, N> {
             y[k].iter_mut().for_each(|y| *y = *y / pivot);
             let known = y[k];
             for i in 0..k {
-                subtract(&mut y[i], self.lu[k][i], &known);
+                y[i] = row::less(self.lu[k][i], &y[i], &known);
             }
         }
         let mut x = [[T::ZERO; P]; N];
-        for (mut y, &column) in y.into_iter().zip(&self.columns).take(rank) {
+        for (y, &column) in y.iter().zip(&self.columns).take(rank) {
             let scale = entry(self.column_scale.as_slice(), column);
-            y.iter_mut().for_each(|y| *y = *y * scale);
-            put(&mut x, column, y);
+            put(&mut x, column, row::scaled(scale, y));
         }
+        x
+    }
+}
+
+impl<T, E, const K: usize, const ENTRIES: usize, const FACTORS: usize> Abreast<T, K> for Sparse<T, E, K, ENTRIES, FACTORS>
+where
+    T: Float,
+    E: Elimination<T, K, ENTRIES, FACTORS>,
+{
+    fn solve_abreast<const P: usize>(&self, b: &[[T; P]; K]) -> [[T; P]; K] {
+        if !self.is_stable {
+            return self.pivoted().map_or([[T::of(f64::NAN); P]; K], |factors| factors.solve_abreast(b));
+        }
+        let solve = |b: &[[T; P]; K]| substitute_rows::<T, E, K, ENTRIES, FACTORS, P>(&self.lu, b);
+        let mut x = solve(b);
+        let mut rest = *b;
+        for (&entry, &(i, j)) in self.matrix.values.iter().zip(&E::ORDER.pattern) {
+            if let (Some(rest), Some(known)) = (rest.get_mut(i), x.get(j)) {
+                *rest = row::less(entry, rest, known);
+            }
+        }
+        add(&mut x, &solve(&rest));
         x
     }
 }
@@ -89,25 +115,15 @@ fn residual<T: Float, const N: usize, const P: usize>(matrix: &[[T; N]; N], b: &
     let mut rest = *b;
     for (column, known) in matrix.iter().zip(x) {
         for (rest, &factor) in rest.iter_mut().zip(column) {
-            subtract(rest, factor, known);
+            *rest = row::less(factor, rest, known);
         }
     }
     rest
 }
 
-/// Subtracts a multiple of another row.
-#[inline(always)]
-fn subtract<T: Float, const P: usize>(row: &mut [T; P], factor: T, other: &[T; P]) {
-    for (entry, &other) in row.iter_mut().zip(other) {
-        *entry = *entry - factor * other;
-    }
-}
-
 #[inline(always)]
 fn add<T: Float, const N: usize, const P: usize>(x: &mut [[T; P]; N], correction: &[[T; P]; N]) {
     for (x, correction) in x.iter_mut().zip(correction) {
-        for (x, &correction) in x.iter_mut().zip(correction) {
-            *x = *x + correction;
-        }
+        *x = row::sum(x, correction);
     }
 }

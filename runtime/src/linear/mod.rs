@@ -27,16 +27,22 @@ use nalgebra::{SMatrix, SVector};
 use crate::number::{Float, SimdReal};
 
 pub(crate) use abreast::Abreast;
+pub(crate) use elimination::InOrder;
 pub use elimination::{Eliminated, Elimination, Order};
 pub use factor::Factors;
 pub(crate) use rank::{regular_part, weakest};
 pub use small::Small;
 pub use sparse::{Entries, Sparse};
 
-/// A [`SimdReal`] with a factorisation of dense matrices.
+/// A [`SimdReal`] with a factorisation of matrices.
 pub trait FactorReal: SimdReal {
     /// Factors of matrices of one to three rows.
     type Small<const K: usize>: Linear<Self, K, Matrix = SMatrix<Self, K, K>>;
+
+    /// Factors of matrices by elimination in a fixed order.
+    type Sparse<E, const K: usize, const ENTRIES: usize, const FACTORS: usize>: Linear<Self, K, Matrix = Entries<Self, K, ENTRIES>>
+    where
+        E: Elimination<Self, K, ENTRIES, FACTORS>;
 
     /// Factors of matrices of any size.
     type Dense<const K: usize>: Linear<Self, K, Matrix = SMatrix<Self, K, K>>;
@@ -44,6 +50,10 @@ pub trait FactorReal: SimdReal {
 
 impl<T: Float> FactorReal for T {
     type Small<const K: usize> = Small<T, K>;
+    type Sparse<E, const K: usize, const ENTRIES: usize, const FACTORS: usize>
+        = Sparse<T, E, K, ENTRIES, FACTORS>
+    where
+        E: Elimination<Self, K, ENTRIES, FACTORS>;
     type Dense<const K: usize> = Factors<T, K>;
 }
 
@@ -74,7 +84,7 @@ pub trait Linear<T: SimdReal, const N: usize>: Sized {
 
     /// x of A x = b as if the entries of A were constants, for numbers that carry derivatives.
     fn solve_as_constant(&self, b: &SVector<T, N>) -> SVector<T, N> {
-        self.solve_regular(b)
+        self.solve_refined(b)
     }
 
     /// Factors of a matrix with the same numbers and other derivatives, for numbers that carry them.

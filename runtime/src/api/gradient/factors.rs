@@ -1,16 +1,107 @@
 //! Factors of a matrix of numbers, and the derivatives of its entries: A ∂x = ∂b − ∂A x.
 
+use core::fmt;
+use core::marker::PhantomData;
+
 use nalgebra::{SMatrix, SVector};
 
 use super::Gradient;
-use crate::linear::{Abreast, Linear};
-use crate::number::{DetSign, Float};
+use crate::linear::{Abreast, Elimination, Entries, Linear, Sparse};
+use crate::number::{DetSign, Float, row};
 
 /// The factors `F` of a matrix of numbers, with the derivatives of its entries. All parameters are right-hand sides of the same factors.
 #[derive(Clone, Copy, Debug)]
-pub struct GradientFactors<T, F, const P: usize, const K: usize> {
+pub struct GradientFactors<T: Float, F, S: Storage<T, P, K>, const P: usize, const K: usize> {
     factors: F,
-    matrix: SMatrix<Gradient<T, P>, K, K>,
+    matrix: S::Matrix,
+}
+
+/// How matrices are stored.
+pub trait Storage<T: Float, const P: usize, const K: usize> {
+    /// A matrix of numbers with derivatives.
+    type Matrix: Copy + fmt::Debug;
+
+    /// A matrix of numbers.
+    type Values;
+
+    /// The numbers.
+    fn values(matrix: &Self::Matrix) -> Self::Values;
+
+    /// The dense matrix.
+    fn dense(matrix: &Self::Matrix) -> SMatrix<Gradient<T, P>, K, K>;
+
+    /// Subtracts ∂A x.
+    fn subtract(matrix: &Self::Matrix, x: &SVector<T, K>, from: &mut [[T; P]; K]);
+}
+
+/// Every entry.
+#[derive(Clone, Copy, Debug)]
+pub struct Whole;
+
+impl<T: Float, const P: usize, const K: usize> Storage<T, P, K> for Whole {
+    type Matrix = SMatrix<Gradient<T, P>, K, K>;
+    type Values = SMatrix<T, K, K>;
+
+    #[inline(always)]
+    fn values(matrix: &Self::Matrix) -> SMatrix<T, K, K> {
+        let mut values = SMatrix::<T, K, K>::from_element(T::ZERO);
+        for (value, entry) in values.iter_mut().zip(matrix) {
+            *value = entry.value;
+        }
+        values
+    }
+
+    #[inline(always)]
+    fn dense(matrix: &Self::Matrix) -> Self::Matrix {
+        *matrix
+    }
+
+    #[inline(always)]
+    fn subtract(matrix: &Self::Matrix, x: &SVector<T, K>, from: &mut [[T; P]; K]) {
+        for i in 0..K {
+            for j in 0..K {
+                from[i] = row::less(x[j], &from[i], &matrix[(i, j)].by);
+            }
+        }
+    }
+}
+
+/// The entries in the pattern of the elimination `E`.
+#[derive(Clone, Copy, Debug)]
+pub struct Pattern<E, const ENTRIES: usize, const FACTORS: usize>(PhantomData<E>);
+
+impl<T, E, const P: usize, const K: usize, const ENTRIES: usize, const FACTORS: usize> Storage<T, P, K> for Pattern<E, ENTRIES, FACTORS>
+where
+    T: Float,
+    E: Elimination<Gradient<T, P>, K, ENTRIES, FACTORS>,
+{
+    type Matrix = Entries<Gradient<T, P>, K, ENTRIES>;
+    type Values = Entries<T, K, ENTRIES>;
+
+    #[inline]
+    fn values(matrix: &Self::Matrix) -> Entries<T, K, ENTRIES> {
+        let mut entries = Entries { values: [T::ZERO; ENTRIES], columns: [T::ZERO; K] };
+        for (value, entry) in entries.values.iter_mut().zip(&matrix.values) {
+            *value = entry.value;
+        }
+        for (value, entry) in entries.columns.iter_mut().zip(&matrix.columns) {
+            *value = entry.value;
+        }
+        entries
+    }
+
+    fn dense(matrix: &Self::Matrix) -> SMatrix<Gradient<T, P>, K, K> {
+        Sparse::<Gradient<T, P>, E, K, ENTRIES, FACTORS>::dense(matrix)
+    }
+
+    #[inline]
+    fn subtract(matrix: &Self::Matrix, x: &SVector<T, K>, from: &mut [[T; P]; K]) {
+        for (entry, &(i, j)) in matrix.values.iter().zip(&E::ORDER.pattern) {
+            if let (Some(from), Some(&x)) = (from.get_mut(i), x.get(j)) {
+                *from = row::less(x, from, &entry.by);
+            }
+        }
+    }
 }
 
 /// The numbers of a vector, without their derivatives.
@@ -43,38 +134,29 @@ fn together<T: Float, const P: usize, const K: usize>(values: &SVector<T, K>, de
     x
 }
 
-impl<T, F, const P: usize, const K: usize> Linear<Gradient<T, P>, K> for GradientFactors<T, F, P, K>
+impl<T, F, S, const P: usize, const K: usize> Linear<Gradient<T, P>, K> for GradientFactors<T, F, S, P, K>
 where
     T: Float,
-    F: Abreast<T, K> + Linear<T, K, Matrix = SMatrix<T, K, K>>,
+    S: Storage<T, P, K>,
+    F: Abreast<T, K> + Linear<T, K, Matrix = S::Values>,
 {
-    type Matrix = SMatrix<Gradient<T, P>, K, K>;
+    type Matrix = S::Matrix;
 
     #[inline(always)]
     fn factor(matrix: &Self::Matrix) -> Result<Self, usize> {
-        let mut values = SMatrix::<T, K, K>::from_element(T::ZERO);
-        for (value, entry) in values.iter_mut().zip(matrix) {
-            *value = entry.value;
-        }
-        Ok(Self { factors: F::factor(&values)?, matrix: *matrix })
+        Ok(Self { factors: F::factor(&S::values(matrix))?, matrix: *matrix })
     }
 
     #[inline(always)]
-    fn dense(matrix: &Self::Matrix) -> Self::Matrix {
-        *matrix
+    fn dense(matrix: &Self::Matrix) -> SMatrix<Gradient<T, P>, K, K> {
+        S::dense(matrix)
     }
 
     #[inline(always)]
     fn solve_regular(&self, b: &SVector<Gradient<T, P>, K>) -> SVector<Gradient<T, P>, K> {
         let x = self.factors.solve_refined(&values(b));
         let mut rest = derivatives(b);
-        for i in 0..K {
-            for j in 0..K {
-                for (rest, &by) in rest[i].iter_mut().zip(&self.matrix[(i, j)].by) {
-                    *rest = *rest - by * x[j];
-                }
-            }
-        }
+        S::subtract(&self.matrix, &x, &mut rest);
         together(&x, &self.factors.solve_abreast(&rest))
     }
 

@@ -17,22 +17,26 @@ mod number;
 use nalgebra::SVector;
 
 use crate::explain::Failure;
-use crate::linear::{FactorReal, Factors, Linear, Small};
+use crate::linear::{Elimination, FactorReal, Factors, InOrder, Linear, Small, Sparse};
 use crate::names::{self, Cause, Coordinate, CoordinateKind, Culprit, Description};
 use crate::newton::{Block, Evaluate, Iterate, Solved, StepError};
-use crate::number::{Float, Real};
+use crate::number::{Float, Real, row};
 use crate::solve::{ColdStart, Family, Solver, SolverReal, Stages, lengths_of};
 use crate::state::{State, Values};
 
-use factors::GradientFactors;
+use factors::{GradientFactors, Pattern, Whole};
 pub use number::Gradient;
 
 /// A state with a larger correction than this, as a fraction of the unknown plus its scale, is not a solution.
 const OFF: f64 = 1e-3;
 
 impl<T: Float, const P: usize> FactorReal for Gradient<T, P> {
-    type Small<const K: usize> = GradientFactors<T, Small<T, K>, P, K>;
-    type Dense<const K: usize> = GradientFactors<T, Factors<T, K>, P, K>;
+    type Small<const K: usize> = GradientFactors<T, Small<T, K>, Whole, P, K>;
+    type Sparse<E, const K: usize, const ENTRIES: usize, const FACTORS: usize>
+        = GradientFactors<T, Sparse<T, InOrder<E, Self>, K, ENTRIES, FACTORS>, Pattern<E, ENTRIES, FACTORS>, P, K>
+    where
+        E: Elimination<Self, K, ENTRIES, FACTORS>;
+    type Dense<const K: usize> = GradientFactors<T, Factors<T, K>, Whole, P, K>;
 }
 
 impl<T: Float, const P: usize> SolverReal for Gradient<T, P> {
@@ -93,7 +97,7 @@ impl<T: Float, const P: usize, const N: usize> ColdStart<Gradient<T, P>, N> for 
         }
         for k in 0..K {
             let (sine, cosine) = here.sin_cos[k];
-            let x = off[k].with(here.x[k], |by| -by);
+            let x = Gradient { value: here.x[k], by: row::negated(&off[k].by) };
             place.x[k] = x;
             place.sin_cos[k] = (x.chain(sine, cosine), x.chain(cosine, -sine));
         }
@@ -107,7 +111,7 @@ impl<T: Float, const P: usize, const N: usize> ColdStart<Gradient<T, P>, N> for 
 }
 
 /// [`Mechanism::derivatives`](crate::Mechanism::derivatives)
-#[inline]
+#[inline(always)]
 pub(crate) fn derivatives<T, E, const P: usize, const N: usize>(
     mechanism: &E,
     state: &State<T, N>,
@@ -119,17 +123,21 @@ where
     E::Over<Gradient<T, P>>: Stages<Gradient<T, P>, N>,
 {
     let mut varied = E::gather([mechanism], |[parameter]| Gradient::constant(parameter));
-    for (k, parameter) in by(&mut varied).into_iter().enumerate() {
-        for (other, by) in parameter.by.iter_mut().enumerate() {
-            *by = T::of(if other == k { 1.0 } else { 0.0 });
-        }
+    for (parameter, k) in by(&mut varied).into_iter().zip(0..P) {
+        parameter.by[k] = T::of(1.0);
     }
-    let state = derivatives_along(mechanism, state, &varied)?;
-    Ok((varied, state))
+    // Written where it is returned: moving it takes about as long as finding it.
+    let mut found = Ok((varied, still(state)));
+    if let Ok((varied, there)) = &mut found
+        && let Err(cause) = differentiate(mechanism, state, varied, there)
+    {
+        found = Err(failure::<T, E, N>(state, cause));
+    }
+    found
 }
 
 /// [`Mechanism::derivatives_along`](crate::Mechanism::derivatives_along)
-#[inline]
+#[inline(always)]
 pub(crate) fn derivatives_along<T, E, const P: usize, const N: usize>(
     mechanism: &E,
     state: &State<T, N>,
@@ -140,27 +148,88 @@ where
     E: Family<T> + Description<T, N>,
     E::Over<Gradient<T, P>>: Stages<Gradient<T, P>, N>,
 {
-    let fail = |cause| Failure { mechanism: E::NAME, cause, time: state.t, end: None, last: Some(state.clone()) };
-    mechanism.validate().map_err(|parameter| fail(Cause::ParameterOutOfRange(parameter)))?;
-    let differentiation = Differentiation { q: &state.q, lengths: lengths_of(mechanism), coordinates: E::COORDINATES };
-    let found = varied.stages(Gradient::constant(state.t), &mut Solver::cold(&differentiation)).map_err(|error| match error {
-        StepError::NotFinite(of) => fail(Cause::NotFinite { of }),
-        StepError::Far | StepError::Open(_) => fail(Cause::NoConvergence { correction: T::of(OFF), iterations: 0 }),
-    })?;
-    let is_finite = |index: usize| [&found.q, &found.qd, &found.qdd].iter().all(|entries| entries[index].value.is_finite());
-    if let Some(index) = (0..N).find(|&index| !is_finite(index)) {
-        return Err(fail(Cause::NotFinite { of: Culprit::Coordinate(names::coordinate(E::COORDINATES, index)) }));
+    let mut found = Ok(still(state));
+    if let Ok(there) = &mut found
+        && let Err(cause) = differentiate(mechanism, state, varied, there)
+    {
+        found = Err(failure::<T, E, N>(state, cause));
     }
+    found
+}
+
+/// A state that depends on no parameter, with coordinates to be filled in.
+#[inline(always)]
+fn still<T: Float, const P: usize, const N: usize>(state: &State<T, N>) -> State<Gradient<T, P>, N> {
+    let zero = SVector::from_element(Gradient::constant(T::ZERO));
     let values = Values {
         t: Gradient::constant(state.t),
-        q: found.q,
-        qd: found.qd,
-        qdd: found.qdd,
+        q: zero,
+        qd: zero,
+        qdd: zero,
         branch: state.branch,
         condition: Gradient::constant(state.condition),
         iterations: state.iterations,
     };
-    Ok(State::solved(values, 0))
+    State::solved(values, 0)
+}
+
+#[cold]
+#[inline(never)]
+fn failure<T: Float, E: Description<T, N>, const N: usize>(state: &State<T, N>, cause: Cause<T>) -> Failure<T, N> {
+    Failure { mechanism: E::NAME, cause, time: state.t, end: None, last: Some(state.clone()) }
+}
+
+/// [`Mechanism::update_derivatives`](crate::Mechanism::update_derivatives)
+#[inline(always)]
+pub(crate) fn update_derivatives<T, E, const P: usize, const N: usize>(
+    mechanism: &E,
+    state: &State<T, N>,
+    varied: &E::Over<Gradient<T, P>>,
+    there: &mut State<Gradient<T, P>, N>,
+) -> Result<(), Failure<T, N>>
+where
+    T: Float,
+    E: Family<T> + Description<T, N>,
+    E::Over<Gradient<T, P>>: Stages<Gradient<T, P>, N>,
+{
+    there.t = Gradient::constant(state.t);
+    there.branch = state.branch;
+    there.condition = Gradient::constant(state.condition);
+    there.iterations = state.iterations;
+    differentiate(mechanism, state, varied, there).map_err(|cause| failure::<T, E, N>(state, cause))
+}
+
+/// Fills in the coordinates with their derivatives.
+#[inline]
+fn differentiate<T, E, const P: usize, const N: usize>(
+    mechanism: &E,
+    state: &State<T, N>,
+    varied: &E::Over<Gradient<T, P>>,
+    there: &mut State<Gradient<T, P>, N>,
+) -> Result<(), Cause<T>>
+where
+    T: Float,
+    E: Family<T> + Description<T, N>,
+    E::Over<Gradient<T, P>>: Stages<Gradient<T, P>, N>,
+{
+    mechanism.validate().map_err(Cause::ParameterOutOfRange)?;
+    let differentiation = Differentiation { q: &state.q, lengths: lengths_of(mechanism), coordinates: E::COORDINATES };
+    let there = &mut there.values;
+    match varied.stages(Gradient::constant(state.t), &mut Solver::cold(&differentiation)) {
+        Ok(found) => (there.q, there.qd, there.qdd) = (found.q, found.qd, found.qdd),
+        Err(StepError::NotFinite(of)) => return Err(Cause::NotFinite { of }),
+        Err(StepError::Far | StepError::Open(_)) => return Err(Cause::NoConvergence { correction: T::of(OFF), iterations: 0 }),
+    }
+    let is_finite = |entry: Option<&Gradient<T, P>>| entry.is_some_and(|entry| entry.value.is_finite());
+    let is_good = |&index: &usize| [&there.q, &there.qd, &there.qdd].iter().all(|entries| is_finite(entries.get(index)));
+    let bad = match <E::Over<Gradient<T, P>>>::MAY_BE_NON_FINITE {
+        Some(some) => some.iter().copied().find(|index| !is_good(index)),
+        None => (0..N).find(|index| !is_good(index)),
+    };
+    match bad {
+        Some(index) => Err(Cause::NotFinite { of: Culprit::Coordinate(names::coordinate(E::COORDINATES, index)) }),
+        None => Ok(()),
+    }
 }
 
 /// A mechanism and its state over gradients.

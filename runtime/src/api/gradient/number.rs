@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::number::{DetSign, Float, Real, SimdReal, Table};
+use crate::number::{DetSign, Float, Real, SimdReal, Table, row};
 
 /// A number and its partial derivatives by `P` parameters: the number type of [`derivatives`](crate::Mechanism::derivatives).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,43 +21,23 @@ impl<T: Float, const P: usize> Gradient<T, P> {
         Self { value, by: [T::of(0.0); P] }
     }
 
-    /// A number with the derivatives of this one, each put through `along`.
-    ///
-    /// A loop, since rustc does not always compile `array::map` into its caller.
-    #[inline(always)]
-    pub(super) fn with(mut self, value: T, along: impl Fn(T) -> T) -> Self {
-        for by in &mut self.by {
-            *by = along(*by);
-        }
-        Self { value, by: self.by }
-    }
-
-    /// A number whose derivatives are put together from those of two.
-    #[inline(always)]
-    fn with_both(mut self, other: &Self, value: T, along: impl Fn(T, T) -> T) -> Self {
-        for (by, &others) in self.by.iter_mut().zip(&other.by) {
-            *by = along(*by, others);
-        }
-        Self { value, by: self.by }
-    }
-
     /// f(x) by its value and slope at x.
     #[inline(always)]
     pub(super) fn chain(self, value: T, slope: T) -> Self {
-        self.with(value, |by| slope * by)
+        Self { value, by: row::scaled(slope, &self.by) }
     }
 
     /// f(a, b) by its value and its slopes.
     #[inline(always)]
     fn chain_of_two(self, other: Self, value: T, [own, others]: [T; 2]) -> Self {
-        self.with_both(&other, value, |by, by_other| own * by + others * by_other)
+        Self { value, by: row::combined(own, others, &self.by, &other.by) }
     }
 
     /// A function with its value and three derivatives; the third is used only where x depends on a parameter.
     fn derived(self, [value, first, second, third]: [T; 4]) -> (Self, Self, Self) {
         let zero = T::of(0.0);
         let of_second = |by: T| if by == zero { zero } else { third * by };
-        (self.chain(value, first), self.chain(first, second), self.with(second, of_second))
+        (self.chain(value, first), self.chain(first, second), Self { value: second, by: self.by.map(of_second) })
     }
 }
 
@@ -65,7 +45,7 @@ impl<T: Float, const P: usize> Add for Gradient<T, P> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        self.with_both(&other, self.value + other.value, |by, others| by + others)
+        Self { value: self.value + other.value, by: row::sum(&self.by, &other.by) }
     }
 }
 
@@ -73,7 +53,7 @@ impl<T: Float, const P: usize> Sub for Gradient<T, P> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        self.with_both(&other, self.value - other.value, |by, others| by - others)
+        Self { value: self.value - other.value, by: row::difference(&self.by, &other.by) }
     }
 }
 
@@ -99,7 +79,7 @@ impl<T: Float, const P: usize> Neg for Gradient<T, P> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        self.with(-self.value, |by| -by)
+        Self { value: -self.value, by: row::negated(&self.by) }
     }
 }
 
@@ -153,7 +133,9 @@ impl<T: Float, const P: usize> Real for Gradient<T, P> {
 
     #[inline(always)]
     fn abs(self) -> Self {
-        if self.value < T::of(0.0) { -self } else { self }
+        // Without a branch, so that nothing is left where the result is not used.
+        let slope = T::select_less(self.value, T::ZERO, T::of(-1.0), T::of(1.0));
+        self.chain(slope * self.value, slope)
     }
 
     fn sign(self) -> Self {
