@@ -194,8 +194,9 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// Nothing is iterated: each parameter costs one more right-hand side for the Jacobian of the state, for q, q̇ and q̈. Where the
-    /// derivative of an acceleration needs the third derivative of a Rust function, which is unknown, it is NaN.
+    /// Nothing is iterated: each parameter costs one more right-hand side for the Jacobian of the state, for q, q̇ and q̈. In loops
+    /// [`update_derivatives`](Self::update_derivatives) saves moving the result. Where the derivative of an acceleration needs the
+    /// third derivative of a Rust function, which is unknown, it is NaN.
     ///
     /// # Errors
     /// If the state does not belong to this mechanism, or Φ_q is singular there.

@@ -30,10 +30,10 @@ impl<T: Float, const N: usize> Small<T, N> {
     #[inline(always)]
     fn solve_columns<const P: usize>(&self, b: &[[T; P]; N]) -> [[T; P]; N] {
         let mut x = [[T::ZERO; P]; N];
-        for i in 0..N {
+        for (i, x) in x.iter_mut().enumerate() {
             // An entry of the inverse.
             let of = |k: usize| self.adjugate[(i, k)] * self.reciprocal;
-            x[i] = match N {
+            *x = match N {
                 1 => row::scaled(of(0), &b[0]),
                 2 => row::combined(of(0), of(1), &b[0], &b[1]),
                 _ => row::less(-of(2), &row::combined(of(0), of(1), &b[0], &b[1]), &b[2]),
@@ -66,16 +66,16 @@ impl<T: Float, const N: usize> Factors<T, N> {
         }
         for k in 0..rank {
             let known = y[k];
-            for i in k + 1..rank {
-                y[i] = row::less(self.lu[k][i], &y[i], &known);
+            for (y, &multiplier) in y.iter_mut().zip(&self.lu[k]).take(rank).skip(k + 1) {
+                *y = row::less(multiplier, y, &known);
             }
         }
         for k in (0..rank).rev() {
             let pivot = self.lu[k][k];
             y[k].iter_mut().for_each(|y| *y = *y / pivot);
             let known = y[k];
-            for i in 0..k {
-                y[i] = row::less(self.lu[k][i], &y[i], &known);
+            for (y, &entry) in y.iter_mut().zip(&self.lu[k]).take(k) {
+                *y = row::less(entry, y, &known);
             }
         }
         let mut x = [[T::ZERO; P]; N];
