@@ -1,12 +1,10 @@
-//! What derivatives by parameters cost, beside a warm step: `cargo run --release -p reuleaux-benches --bin derivatives`.
+//! The mechanisms of which derivatives by parameters are measured, and the clock.
 //!
-//! A crank-rocker, and W1 to W3 and the six-bar of the workloads with each of their lengths as a parameter. A warm step and a state with its
-//! derivatives are each followed by the tracked point with its rate and acceleration, and measured in turns.
+//! A crank-rocker, and W1 to W3 and the six-bar of the workloads with each of their lengths as a parameter.
 
-use std::hint::black_box;
 use std::time::Instant;
 
-use reuleaux::{Mechanism, mechanism};
+use reuleaux::mechanism;
 
 mechanism! {
     /// A crank-rocker with seven parameters.
@@ -143,14 +141,14 @@ mechanism! {
 }
 
 /// States of a turn.
-const STEPS: u32 = 1000;
+pub(crate) const STEPS: u32 = 1000;
 
 /// Turns for one measurement, and measurements, of which the median counts.
 const TURNS: usize = 4;
 const MEASUREMENTS: usize = 51;
 
 /// Nanoseconds for each state of a turn, for each of the ways; they take turns.
-fn measured(ways: &mut [&mut dyn FnMut()]) -> Vec<f64> {
+pub(crate) fn measured(ways: &mut [&mut dyn FnMut()]) -> Vec<f64> {
     let mut times = vec![Vec::new(); ways.len()];
     for _ in 0..MEASUREMENTS {
         for (way, times) in ways.iter_mut().zip(&mut times) {
@@ -166,84 +164,35 @@ fn measured(ways: &mut [&mut dyn FnMut()]) -> Vec<f64> {
     times.into_iter().map(median).collect()
 }
 
-/// Measures a mechanism: a warm step, derivatives by the parameter named first, and by all.
-macro_rules! measure {
-    ($name:literal, $mechanism:ident, $state:ident, $output:ident, $one:ident, [$($all:ident),*]) => {{
-        let mechanism = $mechanism::default();
-        let times: Vec<f64> = (0..=STEPS).map(|step| f64::from(step) / f64::from(STEPS)).collect();
-        let states: Vec<$state> = mechanism.sweep(times.iter().copied()).map(|state| state.expect("it turns")).collect();
-        let mut step = || {
-            let mut state = states[0].clone();
-            for &t in &times[1..] {
-                mechanism.advance(&mut state, t).expect("it turns");
-                black_box(mechanism.$output(&state));
-            }
-        };
-        let (varied, there) = mechanism.derivatives(&states[0], |m| [&mut m.$one]).expect("a state");
-        let mut there = $state(there);
-        let mut of_one = || {
-            for state in &states[1..] {
-                mechanism.update_derivatives(state, &varied, &mut there.0).expect("a state");
-                black_box(varied.$output(&there));
-            }
-        };
-        macro_rules! all {
-            ($given:expr) => {
-                mechanism.derivatives($given, |m| {
-                    let $mechanism { $($all),* } = m;
-                    [$($all),*]
-                }).expect("a state")
-            };
-        }
-        let (varied, there) = all!(&states[0]);
-        let mut there = $state(there);
-        let mut of_all = || {
-            for state in &states[1..] {
-                mechanism.update_derivatives(state, &varied, &mut there.0).expect("a state");
-                black_box(varied.$output(&there));
-            }
-        };
-        let mut moved = || {
-            for state in &states[1..] {
-                let (varied, there) = all!(state);
-                black_box(varied.$output(&$state(there)));
-            }
-        };
-        let count = [$(stringify!($all)),*].len();
-        let found = measured(&mut [&mut step, &mut of_one, &mut of_all, &mut moved]);
-        let [step, one, all, moved] = found[..] else { unreachable!("four ways") };
-        let each = |time: f64| time / step / count as f64;
-        println!(
-            "| {} | {step:.0} ns | {one:.0} ns | {count} | {all:.0} ns | {:.2} | {moved:.0} ns | {:.2} |",
-            $name,
-            each(all),
-            each(moved)
+/// Gives each mechanism to a macro: its name, its type, that of its states, an output, one parameter, all parameters.
+macro_rules! each {
+    ($measure:ident) => {
+        $measure!(
+            "crank-rocker",
+            CrankRocker,
+            CrankRockerState,
+            tip,
+            crank_length,
+            [speed, ground_length, crank_length, coupler_length, rocker_length, along, across]
         );
-    }};
+        $measure!(
+            "W1 four-bar",
+            FourBar,
+            FourBarState,
+            pin,
+            crank_length,
+            [speed, ground_length, crank_length, coupler_length, rocker_length]
+        );
+        $measure!("W2 slider-crank", SliderCrank, SliderCrankState, pin, crank_length, [speed, crank_length, rod_length]);
+        $measure!(
+            "six-bar, one block of 4",
+            SixBar,
+            SixBarState,
+            pin,
+            crank_length,
+            [speed, crank_length, link_length, left_length, coupler_length, apex, right_length, ground_length]
+        );
+        $measure!("W3 Jansen's leg", Jansen, JansenState, toe, m, [speed, a, b, c, d, e, f, g, h, i, j, k, l, m]);
+    };
 }
-
-fn main() {
-    println!(
-        "| mechanism | warm step and output | by 1 parameter | parameters | by all | for each, in steps | by all, a new state | for each, in steps |"
-    );
-    println!("| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |");
-    measure!(
-        "crank-rocker",
-        CrankRocker,
-        CrankRockerState,
-        tip,
-        crank_length,
-        [speed, ground_length, crank_length, coupler_length, rocker_length, along, across]
-    );
-    measure!("W1 four-bar", FourBar, FourBarState, pin, crank_length, [speed, ground_length, crank_length, coupler_length, rocker_length]);
-    measure!("W2 slider-crank", SliderCrank, SliderCrankState, pin, crank_length, [speed, crank_length, rod_length]);
-    measure!(
-        "six-bar, one block of 4",
-        SixBar,
-        SixBarState,
-        pin,
-        crank_length,
-        [speed, crank_length, link_length, left_length, coupler_length, apex, right_length, ground_length]
-    );
-    measure!("W3 Jansen's leg", Jansen, JansenState, toe, m, [speed, a, b, c, d, e, f, g, h, i, j, k, l, m]);
-}
+pub(crate) use each;
