@@ -194,12 +194,14 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// Nothing is iterated: each parameter costs one more right-hand side for the Jacobian of the state, for q, q̇ and q̈. Where the
-    /// derivative of an acceleration needs the third derivative of a Rust function, which is unknown, it is NaN.
+    /// Nothing is iterated: each parameter costs one more right-hand side for the Jacobian of the state, for q, q̇ and q̈. In loops
+    /// [`update_derivatives`](Self::update_derivatives) saves moving the result. Where the derivative of an acceleration needs the
+    /// third derivative of a Rust function, which is unknown, it is NaN.
     ///
     /// # Errors
     /// If the state does not belong to this mechanism, or Φ_q is singular there.
     #[allow(clippy::type_complexity, reason = "a mechanism and its state, over numbers with derivatives")]
+    #[inline]
     fn derivatives<const P: usize>(
         &self,
         state: &State<T, N>,
@@ -220,6 +222,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     ///
     /// # Errors
     /// As [`derivatives`](Self::derivatives).
+    #[inline]
     fn derivatives_along<const P: usize>(
         &self,
         state: &State<T, N>,
@@ -230,6 +233,28 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
         Self::Over<Gradient<T, P>>: Stages<Gradient<T, P>, N>,
     {
         gradient::derivatives_along(self, state, varied)
+    }
+
+    /// The same in place, for loops: states with many derivatives are large, and moving one takes about as long as finding it.
+    ///
+    /// * `state`, `varied`: given, as for [`derivatives_along`](Self::derivatives_along); [`derivatives`](Self::derivatives) gives a
+    ///   `varied` for parameters by themselves, and the first of the states to be written over.
+    /// * `there`: given, any state; returned, the state with its derivatives, unspecified after an error.
+    ///
+    /// # Errors
+    /// As [`derivatives`](Self::derivatives).
+    #[inline]
+    fn update_derivatives<const P: usize>(
+        &self,
+        state: &State<T, N>,
+        varied: &Self::Over<Gradient<T, P>>,
+        there: &mut State<Gradient<T, P>, N>,
+    ) -> Result<(), Failure<T, N>>
+    where
+        Self: Family<T>,
+        Self::Over<Gradient<T, P>>: Stages<Gradient<T, P>, N>,
+    {
+        gradient::update_derivatives(self, state, varied, there)
     }
 
     /// The states at these times (s), such as `(0..=360).map(|i| f64::from(i) * 1e-3)`: the first as by [`solve`](Self::solve), each

@@ -7,7 +7,7 @@ use nalgebra::{SMatrix, SVector};
 use super::ball::{Ball, ROUNDING};
 use super::twofold::Twofold;
 use super::{EnclosureSolver, block, functions};
-use crate::linear::{FactorReal, Linear};
+use crate::linear::{Elimination, FactorReal, Linear, Small, Sparse};
 use crate::newton::{Block, Evaluate, Solved, StepError};
 use crate::number::{DetSign, Real, SimdReal, Table};
 use crate::solve::{ColdStart, SolverReal};
@@ -238,6 +238,11 @@ impl SimdReal for Enclosure {
 }
 
 impl FactorReal for Enclosure {
+    type Small<const K: usize> = Small<Self, K>;
+    type Sparse<E, const K: usize, const ENTRIES: usize, const FACTORS: usize>
+        = Sparse<Self, E, K, ENTRIES, FACTORS>
+    where
+        E: Elimination<Self, K, ENTRIES, FACTORS>;
     type Dense<const K: usize> = Unsolved;
 }
 

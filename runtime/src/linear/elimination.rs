@@ -3,7 +3,9 @@
 //! In: the entries of A that are not identically zero. Out: those of L and U, and the numbers from which their stability is judged.
 //! The order is data ([`Order`]); the provided functions loop over it, and emitted code unrolls them where the result is short.
 
-use crate::number::Real;
+use core::marker::PhantomData;
+
+use crate::number::{Float, Real, row};
 
 /// The pattern of a matrix of K rows and the order of its elimination.
 ///
@@ -64,6 +66,43 @@ pub trait Elimination<T: Real, const K: usize, const ENTRIES: usize, const FACTO
         }
         product
     }
+}
+
+/// The order of `E`, an elimination of matrices of `G`, for matrices of other numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct InOrder<E, G>(PhantomData<(E, G)>);
+
+impl<T, E, G, const K: usize, const ENTRIES: usize, const FACTORS: usize> Elimination<T, K, ENTRIES, FACTORS> for InOrder<E, G>
+where
+    T: Real,
+    G: Real,
+    E: Elimination<G, K, ENTRIES, FACTORS>,
+{
+    const ORDER: Order<K, ENTRIES, FACTORS> = E::ORDER;
+}
+
+/// L y = b, U z = y, and x is z in the order of columns, for each column of B.
+pub(super) fn substitute_rows<T, E, const K: usize, const ENTRIES: usize, const FACTORS: usize, const P: usize>(
+    lu: &[T; FACTORS],
+    b: &[[T; P]; K],
+) -> [[T; P]; K]
+where
+    T: Float,
+    E: Elimination<T, K, ENTRIES, FACTORS>,
+{
+    let (order, places) = (&E::ORDER, &const { Places::of(&E::ORDER) });
+    let (mut y, mut x) = ([[T::ZERO; P]; K], [[T::ZERO; P]; K]);
+    for i in 0..K {
+        let known = |rest, place: usize| row::less(lu[place], &rest, &y[order.factors[place].1]);
+        y[i] = (places.rows[i]..places.pivots[i]).fold(b[order.rows[i]], known);
+    }
+    for i in (0..K).rev() {
+        let known = |rest, place: usize| row::less(lu[place], &rest, &y[order.factors[place].1]);
+        let rest = (places.pivots[i] + 1..places.ends[i]).fold(y[i], known);
+        y[i] = row::scaled(lu[places.pivots[i]], &rest);
+        x[order.columns[i]] = y[i];
+    }
+    x
 }
 
 /// Where things are stored.

@@ -12,6 +12,7 @@
 //! Systems of one to three unknowns are solved in closed form ([`Small`]), and larger ones with known zeros by elimination in an
 //! order that the compiler chose ([`Sparse`]).
 
+mod abreast;
 mod condition;
 mod elimination;
 mod factor;
@@ -25,19 +26,34 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::number::{Float, SimdReal};
 
+pub(crate) use abreast::Abreast;
+pub(crate) use elimination::InOrder;
 pub use elimination::{Eliminated, Elimination, Order};
 pub use factor::Factors;
 pub(crate) use rank::{regular_part, weakest};
 pub use small::Small;
 pub use sparse::{Entries, Sparse};
 
-/// A [`SimdReal`] with a factorisation of dense matrices.
+/// A [`SimdReal`] with a factorisation of matrices.
 pub trait FactorReal: SimdReal {
+    /// Factors of matrices of one to three rows.
+    type Small<const K: usize>: Linear<Self, K, Matrix = SMatrix<Self, K, K>>;
+
+    /// Factors of matrices by elimination in a fixed order.
+    type Sparse<E, const K: usize, const ENTRIES: usize, const FACTORS: usize>: Linear<Self, K, Matrix = Entries<Self, K, ENTRIES>>
+    where
+        E: Elimination<Self, K, ENTRIES, FACTORS>;
+
     /// Factors of matrices of any size.
     type Dense<const K: usize>: Linear<Self, K, Matrix = SMatrix<Self, K, K>>;
 }
 
 impl<T: Float> FactorReal for T {
+    type Small<const K: usize> = Small<T, K>;
+    type Sparse<E, const K: usize, const ENTRIES: usize, const FACTORS: usize>
+        = Sparse<T, E, K, ENTRIES, FACTORS>
+    where
+        E: Elimination<Self, K, ENTRIES, FACTORS>;
     type Dense<const K: usize> = Factors<T, K>;
 }
 
@@ -65,6 +81,19 @@ pub trait Linear<T: SimdReal, const N: usize>: Sized {
 
     /// x of A x = b, with a step of iterative refinement where that improves it; unspecified if A is singular.
     fn solve_refined(&self, b: &SVector<T, N>) -> SVector<T, N>;
+
+    /// x of A x = b as if the entries of A were constants, for numbers that carry derivatives.
+    fn solve_as_constant(&self, b: &SVector<T, N>) -> SVector<T, N> {
+        self.solve_refined(b)
+    }
+
+    /// Factors of a matrix with the same numbers and other derivatives, for numbers that carry them.
+    ///
+    /// # Errors
+    /// As [`factor`](Self::factor).
+    fn with_derivatives_of(self, matrix: &Self::Matrix) -> Result<Self, usize> {
+        Self::factor(matrix)
+    }
 
     /// The factor by which rounding errors of A x − b are amplified in x; unspecified if A is singular.
     ///

@@ -11,18 +11,18 @@ use crate::number::{Float, SimdReal};
 /// and accelerations get a step of refinement on top.
 #[derive(Clone, Copy, Debug)]
 pub struct Small<T, const N: usize> {
-    matrix: SMatrix<T, N, N>,
-    adjugate: SMatrix<T, N, N>,
+    pub(super) matrix: SMatrix<T, N, N>,
+    pub(super) adjugate: SMatrix<T, N, N>,
     determinant: T,
     /// One over the determinant.
-    reciprocal: T,
+    pub(super) reciprocal: T,
     /// The determinant's expansion with the magnitudes of its terms, to which its rounding errors are proportional.
     magnitude: T,
 }
 
 /// Up to this size x is a quotient of two determinants of two products each, which are as good as they can be (Higham: Accuracy
 /// and Stability of Numerical Algorithms, 1.10.1); a refinement would not change them.
-const EXACT: usize = 2;
+pub(super) const EXACT: usize = 2;
 
 /// A determinant below this many roundings of its terms is noise.
 const NOISE: f64 = 8.0;

@@ -35,13 +35,13 @@ pub struct Entries<T, const K: usize, const ENTRIES: usize> {
 /// determinant has the sign that it shows. Where this does not hold, [dense factors](FactorReal::Dense) are used.
 #[derive(Clone, Copy, Debug)]
 pub struct Sparse<T: FactorReal, E, const K: usize, const ENTRIES: usize, const FACTORS: usize> {
-    matrix: Entries<T, K, ENTRIES>,
+    pub(super) matrix: Entries<T, K, ENTRIES>,
     /// L and U.
-    lu: [T; FACTORS],
+    pub(super) lu: [T; FACTORS],
     /// |A| c by pivot.
     sizes: [T; K],
     /// Whether L and U are stable.
-    is_stable: T::Mask,
+    pub(super) is_stable: T::Mask,
     elimination: PhantomData<E>,
 }
 
@@ -153,7 +153,7 @@ where
     /// The factors with pivoting. They are computed on demand: storing them would make every other state copy them.
     #[cold]
     #[inline(never)]
-    fn pivoted(&self) -> Result<T::Dense<K>, usize> {
+    pub(super) fn pivoted(&self) -> Result<T::Dense<K>, usize> {
         T::Dense::<K>::factor(&Self::dense(&self.matrix))
     }
 

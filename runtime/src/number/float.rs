@@ -1,9 +1,14 @@
 //! Scalar floating-point numbers.
 
+use super::row::Pair;
 use super::{DetSign, SimdReal};
 
 /// A scalar [`SimdReal`] with an order and a conversion to `f64`: `f64` and `f32`.
 pub trait Float: SimdReal<Mask = bool, Signs = DetSign> + PartialOrd {
+    /// Two numbers in one register.
+    #[doc(hidden)]
+    type Pair: Pair<Self>;
+
     /// 0
     const ZERO: Self;
 
@@ -24,6 +29,11 @@ pub trait Float: SimdReal<Mask = bool, Signs = DetSign> + PartialOrd {
 }
 
 impl Float for f64 {
+    #[cfg(feature = "pairs")]
+    type Pair = wide::f64x2;
+    #[cfg(not(feature = "pairs"))]
+    type Pair = [f64; 2];
+
     const ZERO: Self = 0.0;
 
     #[inline]
@@ -45,6 +55,8 @@ impl Float for f64 {
 }
 
 impl Float for f32 {
+    type Pair = [f32; 2];
+
     const ZERO: Self = 0.0;
 
     #[inline]

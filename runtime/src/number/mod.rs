@@ -4,6 +4,7 @@ mod det_sign;
 mod float;
 pub(crate) mod order;
 mod real;
+pub(crate) mod row;
 mod simd;
 pub(crate) mod sin_cos;
 mod single;

@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::{ColdStart, SolverReal, lengths_of};
-use crate::linear::{Elimination, Entries, Linear, Small, Sparse};
+use crate::linear::{Elimination, Entries, Linear};
 use crate::names::Description;
 use crate::newton::{Block, BlockData, Iterate, Linearized, Predictor, Scale, Solved, StepError};
 use crate::number::{Mask, SimdReal};
@@ -106,8 +106,13 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
         block: &Block<K>,
         sizes: [T; K],
         evaluate: impl Fn(&Iterate<T, K>) -> ([T; K], [[T; K]; K]),
-    ) -> Result<Solved<T, Small<T, K>, K>, StepError<T>> {
-        self.block(block, sizes, |iterate| dense(evaluate(iterate)))
+    ) -> Result<Solved<T, T::Small<K>, K>, StepError<T>> {
+        self.block(
+            block,
+            sizes,
+            #[inline(always)]
+            |iterate| dense(evaluate(iterate)),
+        )
     }
 
     /// Solves a larger block: by a pivoted factorisation.
@@ -136,7 +141,7 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
         block: &Block<K>,
         sizes: [T; K],
         evaluate: impl Fn(&Iterate<T, K>) -> ([T; K], [T; ENTRIES]),
-    ) -> Result<Solved<T, Sparse<T, E, K, ENTRIES, FACTORS>, K>, StepError<T>> {
+    ) -> Result<Solved<T, T::Sparse<E, K, ENTRIES, FACTORS>, K>, StepError<T>> {
         // Only the type of the elimination is needed.
         let _ = elimination;
         let (length, reciprocal) = self.lengths();

@@ -4,7 +4,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use nalgebra::SMatrix;
 use reuleaux::for_lanes::{NoColdStart, SIN_COS_RANGE, sin_cos_in_range};
-use reuleaux::{DetSign, FactorReal, Mask, Real, SimdReal, SolverReal, Table};
+use reuleaux::{DetSign, Elimination, FactorReal, Mask, Real, SimdReal, Small, SolverReal, Sparse, Table};
 use wide::{f32x8, f64x4};
 
 use super::{LaneFactors, Wide};
@@ -208,6 +208,11 @@ macro_rules! register {
         }
 
         impl FactorReal for $name {
+            type Small<const K: usize> = Small<Self, K>;
+            type Sparse<E, const K: usize, const ENTRIES: usize, const FACTORS: usize>
+                = Sparse<Self, E, K, ENTRIES, FACTORS>
+            where
+                E: Elimination<Self, K, ENTRIES, FACTORS>;
             type Dense<const K: usize> = LaneFactors<Self, K, $lanes>;
         }
 

@@ -135,7 +135,7 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
     let Some(keyword) = keyword(input) else {
         return expected(
             input,
-            "an item: `param`, `let`, `ground`, `body`, `joint`, `drive`, `output`, `range`, `part`, `for`, `component`, `function` or `use`",
+            "an item: `param`, `let`, `ground`, `body`, `joint`, `drive`, `force`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` or `use`",
         );
     };
     let word = keyword.to_string();

@@ -71,8 +71,23 @@ impl Display for GrammarFact {
                 write!(f, "all of a mechanism is as public as the mechanism\nhelp: take `pub` away")
             }
             GrammarFact::UnknownItem { word } => {
-                let known =
-                    ["param", "let", "ground", "body", "joint", "drive", "output", "range", "part", "for", "component", "function", "use"];
+                let known = [
+                    "param",
+                    "let",
+                    "ground",
+                    "body",
+                    "joint",
+                    "drive",
+                    "force",
+                    "gravity",
+                    "output",
+                    "range",
+                    "part",
+                    "for",
+                    "component",
+                    "function",
+                    "use",
+                ];
                 // Words as short as `for` resemble many others: they are tried last.
                 let (rare, often): (Vec<&str>, Vec<&str>) = known.iter().partition(|known| matches!(**known, "part" | "for" | "range"));
                 let near = crate::diag::nearest;
@@ -82,7 +97,11 @@ impl Display for GrammarFact {
             }
             GrammarFact::UnknownBodyItem { word } => {
                 let near = crate::diag::nearest(word, ["point", "axis", "start"].into_iter());
-                write!(f, "`{word}` is no item of a body{}\nnote: a body has `point`, `axis` and `start`", did_you_mean(&near))
+                write!(
+                    f,
+                    "`{word}` is no item of a body{}\nnote: a body has `point`, `axis`, `start`, `mass`, `center` and `inertia`",
+                    did_you_mean(&near)
+                )
             }
             GrammarFact::OneArgument => {
                 write!(f, "a function here has one argument\nhelp: what else it depends on is a `param` or a `let`, which it sees")

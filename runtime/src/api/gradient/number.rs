@@ -1,0 +1,198 @@
+//! Numbers with their derivatives, and what the solver asks of numbers.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::number::{DetSign, Float, Real, SimdReal, Table, row};
+
+/// A number and its partial derivatives by `P` parameters: the number type of [`derivatives`](crate::Mechanism::derivatives).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gradient<T, const P: usize> {
+    /// The number.
+    pub value: T,
+    /// Its derivative by each parameter, in the order in which these were asked for.
+    pub by: [T; P],
+}
+
+impl<T: Float, const P: usize> Gradient<T, P> {
+    /// A constant, which depends on no parameter.
+    #[must_use]
+    #[inline(always)]
+    pub fn constant(value: T) -> Self {
+        Self { value, by: [T::of(0.0); P] }
+    }
+
+    /// f(x) by its value and slope at x.
+    #[inline(always)]
+    pub(super) fn chain(self, value: T, slope: T) -> Self {
+        Self { value, by: row::scaled(slope, &self.by) }
+    }
+
+    /// f(a, b) by its value and its slopes.
+    #[inline(always)]
+    fn chain_of_two(self, other: Self, value: T, [own, others]: [T; 2]) -> Self {
+        Self { value, by: row::combined(own, others, &self.by, &other.by) }
+    }
+
+    /// A function with its value and three derivatives; the third is used only where x depends on a parameter.
+    fn derived(self, [value, first, second, third]: [T; 4]) -> (Self, Self, Self) {
+        let zero = T::of(0.0);
+        let of_second = |by: T| if by == zero { zero } else { third * by };
+        (self.chain(value, first), self.chain(first, second), Self { value: second, by: self.by.map(of_second) })
+    }
+}
+
+impl<T: Float, const P: usize> Add for Gradient<T, P> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self { value: self.value + other.value, by: row::sum(&self.by, &other.by) }
+    }
+}
+
+impl<T: Float, const P: usize> Sub for Gradient<T, P> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self { value: self.value - other.value, by: row::difference(&self.by, &other.by) }
+    }
+}
+
+impl<T: Float, const P: usize> Mul for Gradient<T, P> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        self.chain_of_two(other, self.value * other.value, [other.value, self.value])
+    }
+}
+
+impl<T: Float, const P: usize> Div for Gradient<T, P> {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        let reciprocal = T::of(1.0) / other.value;
+        let quotient = self.value / other.value;
+        self.chain_of_two(other, quotient, [reciprocal, -(quotient * reciprocal)])
+    }
+}
+
+impl<T: Float, const P: usize> Neg for Gradient<T, P> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { value: -self.value, by: row::negated(&self.by) }
+    }
+}
+
+impl<T: Float, const P: usize> Real for Gradient<T, P> {
+    #[inline(always)]
+    fn of(value: f64) -> Self {
+        Self::constant(T::of(value))
+    }
+
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = self.value.sin_cos();
+        (self.chain(sine, cosine), self.chain(cosine, -sine))
+    }
+
+    fn sqrt(self) -> Self {
+        let root = self.value.sqrt();
+        self.chain(root, T::of(0.5) / root)
+    }
+
+    fn tan(self) -> Self {
+        let tangent = self.value.tan();
+        self.chain(tangent, T::of(1.0) + tangent * tangent)
+    }
+
+    fn asin(self) -> Self {
+        self.chain(self.value.asin(), T::of(1.0) / leg(self.value))
+    }
+
+    fn acos(self) -> Self {
+        self.chain(self.value.acos(), T::of(-1.0) / leg(self.value))
+    }
+
+    fn atan(self) -> Self {
+        self.chain(self.value.atan(), T::of(1.0) / (T::of(1.0) + self.value * self.value))
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        let square = x.value * x.value + self.value * self.value;
+        self.chain_of_two(x, self.value.atan2(x.value), [x.value / square, -self.value / square])
+    }
+
+    fn exp(self) -> Self {
+        let power = self.value.exp();
+        self.chain(power, power)
+    }
+
+    fn ln(self) -> Self {
+        self.chain(self.value.ln(), T::of(1.0) / self.value)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        // Without a branch, so that nothing is left where the result is not used.
+        let slope = T::select_less(self.value, T::ZERO, T::of(-1.0), T::of(1.0));
+        self.chain(slope * self.value, slope)
+    }
+
+    fn sign(self) -> Self {
+        Self::constant(self.value.sign())
+    }
+
+    #[inline(always)]
+    fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self {
+        if lhs.value < rhs.value { then } else { otherwise }
+    }
+
+    fn table(self, table: &Table) -> (Self, Self, Self) {
+        let (value, first, second) = self.value.table(table);
+        self.derived([value, first, second, T::of(table.third_derivative(self.value.to_f64()))])
+    }
+
+    /// The third derivative of a Rust function is unknown: where its argument depends on a parameter, results that need it are NaN.
+    fn map(self, function: fn(f64) -> (f64, f64, f64)) -> (Self, Self, Self) {
+        let (value, first, second) = self.value.map(function);
+        self.derived([value, first, second, T::of(f64::NAN)])
+    }
+}
+
+/// √(1 − x²)
+fn leg<T: Float>(x: T) -> T {
+    ((T::of(1.0) - x) * (T::of(1.0) + x)).sqrt()
+}
+
+/// Comparisons look at the numbers and not at their derivatives.
+impl<T: Float, const P: usize> SimdReal for Gradient<T, P> {
+    type Mask = bool;
+    type Signs = DetSign;
+
+    const EPSILON: Self = Self { value: T::EPSILON, by: [T::ZERO; P] };
+    const ROOT_EPSILON: Self = Self { value: T::ROOT_EPSILON, by: [T::ZERO; P] };
+
+    #[inline(always)]
+    fn at_most(self, bound: Self) -> bool {
+        self.value <= bound.value
+    }
+
+    #[inline(always)]
+    fn pick(mask: bool, then: Self, otherwise: Self) -> Self {
+        if mask { then } else { otherwise }
+    }
+
+    fn signs(self) -> DetSign {
+        self.value.signs()
+    }
+
+    fn same_signs(a: DetSign, b: DetSign) -> bool {
+        a == b
+    }
+
+    #[inline(always)]
+    fn fast_sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = self.value.fast_sin_cos();
+        (self.chain(sine, cosine), self.chain(cosine, -sine))
+    }
+}
