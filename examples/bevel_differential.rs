@@ -125,7 +125,7 @@ fn print(m: &Differential, bend: &[State]) {
 
 fn picture(m: &Differential, bend: &[State]) -> Plate {
     let mut scene = Scene::new();
-    draw(&mut scene, &bend[63]);
+    draw(&mut scene, &bend[74]);
     let rpm = 60.0 / TAU;
     let over = |of: fn(&Differential, &State) -> f64| bend.iter().map(move |state| (state.t, of(m, state)));
     let wheels = |sign: f64| bend.iter().step_by(10).map(move |state| (state.t, (m.speed + sign * parted(m, state.t)[1] / 2.0) * rpm));

@@ -52,7 +52,7 @@ mechanism! {
 
         joint axle = revolute(ground.axle, ground.axle_line, crank.position, crank.line);
         joint ball = spherical(crank.A, rod.position);
-        joint cross = universal(rod.B, rod.cross, slider.position, slider.cross);
+        joint hooke = universal(rod.B, rod.cross, slider.position, slider.cross);
         joint rail = translational(ground.position, ground.way, slider.position, slider.way);
         drive motor = drive_rotation(axle, speed * t);
 
