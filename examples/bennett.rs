@@ -144,7 +144,8 @@ fn picture(m: &Bennett, turn: &[State]) -> Plate {
     hinges(&mut scene, m, &turn[8]);
 
     let driven = |state: &State| m.driven(state).value.to_degrees();
-    let dots = |part: usize, unit: f64| turn.iter().step_by(7).map(move |state| (driven(state), next(m, m.driven(state).value)[part] * unit));
+    let dots =
+        |part: usize, unit: f64| turn.iter().step_by(7).map(move |state| (driven(state), next(m, m.driven(state).value)[part] * unit));
     let degrees = 360.0 / TAU;
     Plate::new("Bennett's linkage", scene, Abscissa { name: "angle of the driven hinge in °", range: 60.0..420.0, step: 60.0 })
         .diagram(
@@ -180,7 +181,12 @@ fn draw(scene: &mut Scene, m: &Bennett, state: &State) {
 
 /// The axes of the hinges.
 fn hinges(scene: &mut Scene, m: &Bennett, state: &State) {
-    let axes = [Vector3::z(), state.second().vector(Vector3::z()).value, state.third().vector(Vector3::z()).value, state.fourth().vector(Vector3::z()).value];
+    let axes = [
+        Vector3::z(),
+        state.second().vector(Vector3::z()).value,
+        state.third().vector(Vector3::z()).value,
+        state.fourth().vector(Vector3::z()).value,
+    ];
     let corners = [Vector3::zeros(), m.A(state).value, m.B(state).value, m.C(state).value];
     for (corner, axis) in corners.iter().zip(&axes) {
         scene.dashes(Ink::Ground, seen(&(corner - axis * 0.04)), seen(&(corner + axis * 0.04)));

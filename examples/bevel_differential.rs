@@ -84,9 +84,7 @@ fn assert_turns(m: &Differential, bend: &[State]) {
     for (order, unit) in [TAU, m.speed].into_iter().enumerate() {
         let of = |motion: reuleaux::Motion<f64>| [motion.value, motion.rate][order] / unit;
         let mean = largest_difference(bend.iter().map(|state| ((of(m.left(state)) + of(m.right(state))) / 2.0, of(m.cage(state)))));
-        let apart = largest_difference(
-            bend.iter().map(|state| (of(m.right(state)) - of(m.left(state)), parted(m, state.t)[order] / unit)),
-        );
+        let apart = largest_difference(bend.iter().map(|state| (of(m.right(state)) - of(m.left(state)), parted(m, state.t)[order] / unit)));
         let planet = largest_difference(bend.iter().map(|state| (of(m.planet(state)), 0.8 * parted(m, state.t)[order] / unit)));
         assert!(mean.max(apart).max(planet) < 1e-14, "order {order}: off by {mean:e}, {apart:e} and {planet:e}");
     }

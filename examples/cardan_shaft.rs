@@ -147,9 +147,7 @@ fn picture(good: &CardanShaft, bad: &CardanShaft, [cured, doubled]: &[Vec<State>
     draw(&mut scene, good, &cured[20]);
 
     let degrees = |state: &State| good.driven(state).value.to_degrees();
-    let lead = |m: &CardanShaft, state: &State, of: fn(&CardanShaft, &State) -> f64| {
-        (of(m, state) - m.driven(state).value).to_degrees()
-    };
+    let lead = |m: &CardanShaft, state: &State, of: fn(&CardanShaft, &State) -> f64| (of(m, state) - m.driven(state).value).to_degrees();
     let middle: fn(&CardanShaft, &State) -> f64 = |m, state| m.between(state).value;
     let end: fn(&CardanShaft, &State) -> f64 = |m, state| m.delivered(state).value - m.phase;
     let circles = |m: CardanShaft, of: fn(&CardanShaft, f64) -> f64| {

@@ -136,9 +136,8 @@ fn picture(m: &SpatialSliderCrank, turn: &[State]) -> Plate {
     scene.name(a, "A", [-4.0, 16.0]).name(b, "B", [6.0, -18.0]);
 
     let crank = |state: &State| m.angle(state).value.to_degrees();
-    let exact = |order: usize, unit: f64| {
-        turn.iter().step_by(9).map(move |state| (crank(state), travel(m, m.angle(state).value)[order] * unit))
-    };
+    let exact =
+        |order: usize, unit: f64| turn.iter().step_by(9).map(move |state| (crank(state), travel(m, m.angle(state).value)[order] * unit));
     let solved = |of: fn(&SpatialSliderCrank, &State) -> f64| turn.iter().map(move |state| (crank(state), of(m, state)));
     Plate::new("Slider-crank in space", scene, Abscissa { name: "crank angle in °", range: 0.0..360.0, step: 60.0 })
         .diagram(

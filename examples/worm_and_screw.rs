@@ -101,7 +101,9 @@ fn assert_height(m: &ScrewJack, motion: &[State]) {
     }
     for state in motion {
         let screw = state.screw();
-        assert!(screw.position.xy().norm() < 1e-17 && (screw.rotation.trace() - 3.0).abs() < 1e-15 && screw.angular_velocity.norm() < 1e-12);
+        assert!(
+            screw.position.xy().norm() < 1e-17 && (screw.rotation.trace() - 3.0).abs() < 1e-15 && screw.angular_velocity.norm() < 1e-12
+        );
         assert!((state.wheel().angular_velocity.z * 30.0 + state.worm().angular_velocity.x).abs() < 1e-12);
     }
 }
@@ -110,7 +112,12 @@ fn print(m: &ScrewJack, motion: &[State]) {
     println!("time s   turns of the motor   turns of the wheel   height mm   mm/s");
     for state in motion.iter().step_by(24) {
         let [motor, wheel] = [m.motor(state), m.wheel(state)].map(|angle| angle.value / TAU);
-        println!("{:6.1}   {motor:18.3}   {wheel:18.4}   {:9.3}   {:5.2}", state.t, m.height(state).value * 1e3, m.height(state).rate * 1e3);
+        println!(
+            "{:6.1}   {motor:18.3}   {wheel:18.4}   {:9.3}   {:5.2}",
+            state.t,
+            m.height(state).value * 1e3,
+            m.height(state).rate * 1e3
+        );
     }
 }
 
@@ -133,9 +140,8 @@ fn picture(m: &ScrewJack, motion: &[State]) -> Plate {
     scene.name(left, "worm", [-14.0, 12.0]).name(seen(&m.head(state).value), "load", [26.0, 0.0]);
 
     let over = |of: fn(&ScrewJack, &State) -> f64| motion.iter().map(move |state| (state.t, of(m, state)));
-    let dots = |order: usize, unit: f64| {
-        motion.iter().step_by(12).map(move |state| (state.t, exact(m, state.t / m.duration)[order] * unit))
-    };
+    let dots =
+        |order: usize, unit: f64| motion.iter().step_by(12).map(move |state| (state.t, exact(m, state.t / m.duration)[order] * unit));
     Plate::new("Worm gear and screw", scene, Abscissa { name: "time in s", range: 0.0..60.0, step: 10.0 })
         .diagram(
             Diagram::new("height in mm")
@@ -143,9 +149,7 @@ fn picture(m: &ScrewJack, motion: &[State]) -> Plate {
                 .circles("closed form", dots(0, 1e3)),
         )
         .diagram(Diagram::new("turns of the motor").curve(Ink::Input, "", over(|m, state| m.motor(state).value / TAU)))
-        .diagram(
-            Diagram::new("mm/s").curve(Ink::Output, "", over(|m, state| m.height(state).rate * 1e3)).circles("", dots(1, 1e3)),
-        )
+        .diagram(Diagram::new("mm/s").curve(Ink::Output, "", over(|m, state| m.height(state).rate * 1e3)).circles("", dots(1, 1e3)))
 }
 
 /// The screw with its thread.
