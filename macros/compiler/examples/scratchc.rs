@@ -14,5 +14,7 @@ fn main() {
     }
     println!("{:?}", t.elapsed());
     let out = reuleaux_compiler::mechanism(tokens);
+    std::fs::write("/tmp/out.rs", out.to_string()).unwrap();
+    std::fs::write("/tmp/out.rs", out.to_string()).unwrap();
     println!("{} tokens {:?}", out.to_string().len(), t.elapsed());
 }

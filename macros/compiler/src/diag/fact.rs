@@ -199,21 +199,95 @@ pub enum EquationFact {
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum SystemFact {
-    NoBodies { name: String },
-    BodyIsFree { body: String, example: String },
-    Repeats { joint: String, other: String },
-    NotOnGround { bodies: Vec<String> },
-    FreeCoordinates { body: String, coordinates: Vec<String>, has_place: bool, example: String },
-    DrivesMissing { name: String, count: Box<Count>, forgotten: Box<Forgotten>, candidates: Vec<String>, example: String },
-    NothingToDrive { drive: String, joints: Vec<String>, equations: [usize; 2], coordinates: Vec<String>, free: Vec<String> },
-    DrivesContend { drives: Vec<String>, freedoms: usize, joints: Vec<String>, coordinates: Vec<String>, free: Vec<String> },
-    Follows { joint: String, is_drive: bool, rows: Vec<usize>, of: usize, others: Vec<String> },
-    Contradicts { joint: String, others: Vec<String>, demand: Option<Box<Demand>>, off: String },
-    Collides { joint: String, others: Vec<String>, off: String },
-    FollowsFrom { joint: String, is_drive: bool, rows: usize, of: usize, others: Vec<String>, free: Vec<String>, moves: bool, in_space: bool },
-    NotRedundant { joint: String, free: Vec<String> },
-    CannotHold { joint: String, bodies: Vec<String>, length: Option<f64>, angle: Option<f64>, time: Option<f64>, is_redundant: bool },
-    TooManyEquations { joint: String, others: Vec<String>, equations: usize, coordinates: Vec<String>, free: Vec<String>, for_free: usize },
+    NoBodies {
+        name: String,
+    },
+    BodyIsFree {
+        body: String,
+        example: String,
+    },
+    Repeats {
+        joint: String,
+        other: String,
+    },
+    NotOnGround {
+        bodies: Vec<String>,
+    },
+    FreeCoordinates {
+        body: String,
+        coordinates: Vec<String>,
+        has_place: bool,
+        example: String,
+    },
+    DrivesMissing {
+        name: String,
+        count: Box<Count>,
+        forgotten: Box<Forgotten>,
+        candidates: Vec<String>,
+        example: String,
+    },
+    NothingToDrive {
+        drive: String,
+        joints: Vec<String>,
+        equations: [usize; 2],
+        coordinates: Vec<String>,
+        free: Vec<String>,
+    },
+    DrivesContend {
+        drives: Vec<String>,
+        freedoms: usize,
+        joints: Vec<String>,
+        coordinates: Vec<String>,
+        free: Vec<String>,
+    },
+    Follows {
+        joint: String,
+        is_drive: bool,
+        rows: Vec<usize>,
+        of: usize,
+        others: Vec<String>,
+    },
+    Contradicts {
+        joint: String,
+        others: Vec<String>,
+        demand: Option<Box<Demand>>,
+        off: String,
+    },
+    Collides {
+        joint: String,
+        others: Vec<String>,
+        off: String,
+    },
+    FollowsFrom {
+        joint: String,
+        is_drive: bool,
+        rows: usize,
+        of: usize,
+        others: Vec<String>,
+        free: Vec<String>,
+        moves: bool,
+        in_space: bool,
+    },
+    NotRedundant {
+        joint: String,
+        free: Vec<String>,
+    },
+    CannotHold {
+        joint: String,
+        bodies: Vec<String>,
+        length: Option<f64>,
+        angle: Option<f64>,
+        time: Option<f64>,
+        is_redundant: bool,
+    },
+    TooManyEquations {
+        joint: String,
+        others: Vec<String>,
+        equations: usize,
+        coordinates: Vec<String>,
+        free: Vec<String>,
+        for_free: usize,
+    },
 }
 
 /// The assembly at the declared defaults, and the motion from there.

@@ -2,7 +2,7 @@
 
 use super::key::Key;
 use super::names::{Context, Names, SpaceId};
-use super::space::Space;
+use super::space::Notes;
 use super::statement::FixedValue;
 use super::value::{Fixed, FrameId, Scalar, Value, Vector};
 use super::{Components, Function as Numbered, Name, Requirement};
@@ -41,7 +41,7 @@ pub(crate) struct Elaborator<'a> {
     /// Defaults of the parameters, once they are known.
     pub(super) defaults: Vec<f64>,
     /// What was found of joints in space.
-    pub(super) space: Space,
+    pub(super) space: Notes,
 }
 
 /// A definition being instantiated.
@@ -126,7 +126,7 @@ impl Elaborator<'_> {
             is_unused: false,
             calls: BTreeMap::new(),
             defaults: Vec::new(),
-            space: Space::default(),
+            space: Notes::default(),
         }
     }
 

@@ -140,7 +140,8 @@ fn sliced(arena: &mut Arena, model: &Model, system: &System) -> Vec<OutputMotion
         let Some(body) = model.outputs[*member].body else { return system.outputs[*member].components.clone() };
         let own = (0..system.coordinates.len())
             .filter(|unknown| system.coordinates[*unknown].body == body && (system.frames.is_empty() || *unknown / 3 == body));
-        let own: Vec<[Expr; 3]> = own.map(|unknown| [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration].map(|leaf| arena.leaf(leaf(unknown as u32)))).collect();
+        let own: Vec<[Expr; 3]> =
+            own.map(|unknown| [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration].map(|leaf| arena.leaf(leaf(unknown as u32)))).collect();
         if system.frames.is_empty() { own } else { own.into_iter().chain(system.orientation(arena, body)).collect() }
     };
     let slices = model.methods.iter().filter(|method| method.is_slice);

@@ -15,7 +15,7 @@ use std::collections::HashMap;
 
 /// Equations by the coordinates and speeds of bodies in space.
 #[derive(Clone, Debug)]
-pub struct Declared {
+pub struct DeclaredEquations {
     /// All expressions.
     pub arena: Arena,
     /// Number of coordinates: seven for each body, then the angles of joints.
@@ -30,7 +30,7 @@ pub struct Declared {
 const EACH: [usize; 2] = [Role::SPACE.len(), 6];
 
 /// Differentiates every residual of a model in space.
-pub(super) fn declared(model: &Model) -> Declared {
+pub(super) fn declared(model: &Model) -> DeclaredEquations {
     let mut arena = model.arena.clone();
     let bodies = model.bodies.len();
     let zero = arena.integer(0);
@@ -70,7 +70,7 @@ pub(super) fn declared(model: &Model) -> Declared {
     let quantities = model.space.quantities.len();
     let coordinates = EACH[0] * bodies + quantities;
     renumber(&mut arena, &mut equations, coordinates, EACH[1] * bodies);
-    Declared { arena, coordinates, speeds: EACH[1] * bodies, equations }
+    DeclaredEquations { arena, coordinates, speeds: EACH[1] * bodies, equations }
 }
 
 /// Bodies on whose coordinates an expression depends.

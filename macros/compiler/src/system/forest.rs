@@ -12,7 +12,8 @@
 
 use super::{Coordinate, Equation, Level};
 use crate::expr::{Arena, Expr, Frame, Leaf, Mark, Node, Triple, cross, dot};
-use crate::model::space::{DECLARED, rotation};
+use crate::geometry::rotation;
+use crate::model::space::DECLARED;
 use crate::model::{JointQuantity, Model, Place, Relationship, Triad};
 use crate::quantity::{Axis, Dim, Role};
 use std::collections::{BTreeSet, HashMap};
@@ -51,7 +52,7 @@ pub(super) struct Row {
 }
 
 /// What is solved for.
-pub(super) struct Reduced {
+pub(super) struct Choice {
     /// Unknowns.
     pub(super) coordinates: Vec<Coordinate>,
     /// Rows, in the order of joints.
@@ -65,7 +66,7 @@ pub(super) struct Reduced {
 }
 
 /// Chooses the unknowns of a mechanism in space, and writes its rows and outputs in them.
-pub(super) fn reduce(model: &Model, arena: &mut Arena) -> Reduced {
+pub(super) fn reduce(model: &Model, arena: &mut Arena) -> Choice {
     let bodies = model.bodies.len();
     let mut forest = Forest {
         model,
@@ -89,7 +90,7 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena) -> Reduced {
     forest.remaining_quantities();
     forest.rows.sort_by_key(|row| row.joint);
     let frames = forest.frames.iter().map(|frame| frame.unwrap_or(0)).collect();
-    Reduced { coordinates: forest.coordinates, rows: forest.rows, outputs, frames, reached: forest.reached }
+    Choice { coordinates: forest.coordinates, rows: forest.rows, outputs, frames, reached: forest.reached }
 }
 
 impl Forest<'_> {
@@ -285,8 +286,7 @@ impl Forest<'_> {
         let acceleration_at_constant_speeds = drift.map(|part| arena.neg(part));
         let turns = turns.iter().map(|(number, turn)| (Leaf::Coordinate(*number), *turn)).collect();
         let own = unknowns.iter().map(|(number, _)| Leaf::Coordinate(*number)).collect();
-        let frame =
-            arena.add_frame(Frame { columns, velocity, acceleration, acceleration_at_constant_speeds, turns, against: None, own });
+        let frame = arena.add_frame(Frame { columns, velocity, acceleration, acceleration_at_constant_speeds, turns, against: None, own });
         self.frames[body] = Some(frame);
         self.depths[body] = self.model.bodies.len();
         let squares = [w, x, y, z].map(|part| self.arena.square(part));
@@ -300,7 +300,8 @@ impl Forest<'_> {
     fn a_joint_of(&self, body: usize) -> usize {
         let first = DECLARED + (Role::SPACE.len() * body) as u32;
         let own = first..first + Role::SPACE.len() as u32;
-        let is_of = |expr: Expr| self.model.arena.leaves(expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(number) if own.contains(number)));
+        let is_of =
+            |expr: Expr| self.model.arena.leaves(expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(number) if own.contains(number)));
         self.model.joints.iter().position(|joint| joint.residuals.iter().any(|residual| is_of(residual.expr))).unwrap_or(0)
     }
 
@@ -497,7 +498,8 @@ impl Forest<'_> {
         self.holding.extend([(joint, row), (joint, row + 1)]);
         let body = to.body.or(from.body).unwrap_or(0);
         let start = {
-            let (z, p, q) = (self.at_start(Place { body: triad.body, local: triad.axes[2] }), self.point_at_start(from), self.point_at_start(to));
+            let (z, p, q) =
+                (self.at_start(Place { body: triad.body, local: triad.axes[2] }), self.point_at_start(from), self.point_at_start(to));
             let d = [0, 1, 2].map(|k| self.arena.sub(q[k], p[k]));
             dot(self.arena, z, d)
         };

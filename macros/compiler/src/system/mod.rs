@@ -21,7 +21,7 @@ use crate::quantity::{Ambient, Axis, Dim, Role, SpeedRole};
 use crate::structure::Pattern;
 use std::collections::{BTreeMap, BTreeSet};
 
-pub use declared::Declared;
+pub use declared::DeclaredEquations;
 pub(crate) use magnitude::magnitude;
 
 /// Unknowns and equations.
@@ -45,7 +45,7 @@ pub struct System {
     /// lengths that joints and drives demand.
     pub lengths: Vec<Expr>,
     /// In space: the equations as declared, of which some hold by the choice of the coordinates.
-    pub declared: Option<Box<Declared>>,
+    pub declared: Option<Box<DeclaredEquations>>,
     /// In space: the frame of each body in the arena.
     pub frames: Vec<usize>,
     /// In space: the joint by which the orientation of each body follows, and the body that it follows from.
@@ -219,7 +219,7 @@ fn in_space(model: &Model, diag: &mut Diag) -> Option<System> {
     if !diag.is_clean() {
         return None;
     }
-    let forest::Reduced { coordinates, rows, outputs, frames, reached } = forest::reduce(model, &mut arena);
+    let forest::Choice { coordinates, rows, outputs, frames, reached } = forest::reduce(model, &mut arena);
     let kinematics: Vec<Rate> = (0..coordinates.len()).map(|number| Rate::Speed(number as u32)).collect();
     let role = |role: Role| match role {
         Role::Position(axis) => SpeedRole::Linear(axis),
@@ -246,8 +246,7 @@ fn in_space(model: &Model, diag: &mut Diag) -> Option<System> {
         equations.push(forest::equation(row, jacobian, nu, gamma));
     }
     let mut motion = Jets::along(Seed::motion(kinematics.clone()));
-    let motions =
-        outputs.iter().map(|parts| OutputMotion { components: parts.iter().map(|part| motion.of(&mut arena, *part)).collect() });
+    let motions = outputs.iter().map(|parts| OutputMotion { components: parts.iter().map(|part| motion.of(&mut arena, *part)).collect() });
     let outputs = motions.collect();
     let lengths = lengths(&mut arena, model, &coordinates, &equations);
     let pattern = pattern::pattern(model, &arena, coordinates.len(), &equations);
