@@ -189,6 +189,7 @@ pub enum EquationFact {
     RequirementFails { why: String, instead: Option<String> },
     RequirementFailsAtDefaults { why: String, value: f64 },
     RowOfNothing { joint: String, row: usize, of: usize, at_defaults: bool },
+    NotAffine { joint: String, row: usize, of: usize },
     OnGround { joint: String, kind: String },
     NoEquations { name: String },
     EmptyBundle { name: String },
@@ -206,6 +207,7 @@ pub enum SystemFact {
         body: String,
         example: String,
     },
+    Nonholonomic { joint: String, row: usize, of: usize },
     Repeats {
         joint: String,
         other: String,

@@ -49,6 +49,9 @@ impl Elaborator<'_> {
         if BUILTINS.contains(&name.to_string().as_str()) {
             return self.builtin(range, name, arguments, scope);
         }
+        if !is_bound && name == super::speeds::RATE {
+            return self.rate(name, arguments, scope);
+        }
         if !is_bound && super::space::BUILTINS.contains(&name.to_string().as_str()) {
             return match self.names.ambient {
                 Ambient::Space => self.spatial_builtin(range, name, arguments, scope),

@@ -395,6 +395,7 @@ impl Elaborator<'_> {
                 let local = Components::plane(zero, zero).resized(self.names.ambient.components());
                 Some(Value::Point(Fixed { frame, local, measure: InferredDim::Known(Dim::LENGTH), zero: None }))
             }
+            None if name == "angular_velocity" => Some(self.angular_velocity(frame)),
             None => {
                 let space = self.names.frames[frame.0].space;
                 if let Some(group) = self.names.find(space, &name) {

@@ -25,6 +25,7 @@ mod resolve;
 mod signature;
 pub mod sketch;
 pub(crate) mod space;
+mod speeds;
 mod statement;
 mod unused;
 pub(crate) mod value;
@@ -172,8 +173,10 @@ pub struct Joint {
 pub struct Residual {
     /// Value.
     pub expr: Expr,
-    /// Dimension.
+    /// Dimension; for a row of velocities, dimension of its integral.
     pub dim: Dim,
+    /// True if it contains speeds: a row of velocities.
+    pub is_velocity: bool,
 }
 
 /// A named output.

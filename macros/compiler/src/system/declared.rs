@@ -7,10 +7,10 @@
 //! ```
 
 use super::{Equation, Level};
-use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Rate, Seed, Substitution};
+use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Rate, Seed, Substitution, derivative};
 use crate::model::Model;
 use crate::model::space::DECLARED;
-use crate::quantity::Role;
+use crate::quantity::{Dim, Role};
 use std::collections::HashMap;
 
 /// Equations by the coordinates and speeds of bodies in space.
@@ -52,6 +52,11 @@ pub(super) fn declared(model: &Model) -> DeclaredEquations {
             let phi = residual.expr;
             let touched = touched(&arena, phi, bodies);
             let mut jacobian = Vec::new();
+            if residual.is_velocity {
+                let row = velocity_row(&mut arena, &mut along, (joint, row, residual.dim), phi);
+                equations.push(row);
+                continue;
+            }
             for body in touched {
                 for speed in EACH[1] * body..EACH[1] * (body + 1) {
                     let entry = by_speed[speed].of(&mut arena, phi);
@@ -71,6 +76,31 @@ pub(super) fn declared(model: &Model) -> DeclaredEquations {
     let coordinates = EACH[0] * bodies + quantities;
     renumber(&mut arena, &mut equations, coordinates, EACH[1] * bodies);
     DeclaredEquations { arena, coordinates, speeds: EACH[1] * bodies, equations }
+}
+
+/// A row of velocities r = a · u − b: a, b and γ = ḃ − ȧ · u.
+fn velocity_row(arena: &mut Arena, along: &mut Jets, (joint, row, dim): (usize, usize, Dim), residual: Expr) -> Equation {
+    let (jacobian, nu) = affine(arena, residual);
+    let jacobian = jacobian.into_iter().map(|(speed, entry)| ((speed - DECLARED) as usize, entry)).collect();
+    let [_, first, _] = along.of(arena, residual);
+    Equation { joint, row, dim, level: Level::Velocity, jacobian, nu, gamma: arena.neg(first) }
+}
+
+/// a by number of the speed, and b, of an expression a · u − b.
+pub(super) fn affine(arena: &mut Arena, residual: Expr) -> (Vec<(u32, Expr)>, Expr) {
+    let zero = arena.integer(0);
+    let mut still = Substitution::new();
+    let mut factors = Vec::new();
+    for leaf in arena.leaves(residual) {
+        let Leaf::Speed(number) = leaf else { continue };
+        still.replace(leaf, zero);
+        let factor = derivative(arena, residual, leaf);
+        if factor != zero {
+            factors.push((number, factor));
+        }
+    }
+    let rest = still.of(arena, residual);
+    (factors, arena.neg(rest))
 }
 
 /// Bodies on whose coordinates an expression depends.

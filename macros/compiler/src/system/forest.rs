@@ -47,8 +47,10 @@ pub(super) struct Row {
     pub(super) row: usize,
     /// Dimension of Φ.
     pub(super) dim: Dim,
-    /// Φ
+    /// Φ; of a row of velocities, its residual.
     pub(super) phi: Expr,
+    /// True for a row of velocities.
+    pub(super) is_velocity: bool,
 }
 
 /// What is solved for.
@@ -293,7 +295,7 @@ impl Forest<'_> {
         let sum = self.arena.sum(&squares);
         let one = self.arena.integer(1);
         let phi = self.arena.sub(sum, one);
-        self.rows.push(Row { joint: self.a_joint_of(body), row: 0, dim: Dim::NUMBER, phi });
+        self.rows.push(Row { joint: self.a_joint_of(body), row: 0, dim: Dim::NUMBER, phi, is_velocity: false });
     }
 
     /// A joint of a body.
@@ -511,7 +513,7 @@ impl Forest<'_> {
             let d = self.arena.sub(q[k], p[k]);
             let part = self.arena.mul(unknown, z[k]);
             let phi = self.arena.sub(d, part);
-            self.rows.push(Row { joint, row: row + k.min(1), dim: Dim::LENGTH, phi });
+            self.rows.push(Row { joint, row: row + k.min(1), dim: Dim::LENGTH, phi, is_velocity: false });
         }
         let quantity = JointQuantity::Displacement(triad, from, to);
         if let Some(index) = self.model.space.quantities.iter().position(|(known, _)| *known == quantity) {
@@ -536,7 +538,7 @@ impl Forest<'_> {
             for (row, residual) in declared.residuals.iter().enumerate() {
                 if !self.holding.contains(&(joint, row)) {
                     let phi = self.rewrite(residual.expr);
-                    self.rows.push(Row { joint, row, dim: residual.dim, phi });
+                    self.rows.push(Row { joint, row, dim: residual.dim, phi, is_velocity: residual.is_velocity });
                 }
             }
         }
@@ -555,7 +557,7 @@ impl Forest<'_> {
             let (left, right) = (self.arena.mul(s, cosine), self.arena.mul(c, sine));
             let phi = self.arena.sub(left, right);
             let joint = two.body.or(one.body).map_or(0, |body| self.a_joint_of(body));
-            self.rows.push(Row { joint, row: 0, dim: Dim::NUMBER, phi });
+            self.rows.push(Row { joint, row: 0, dim: Dim::NUMBER, phi, is_velocity: false });
         }
     }
 
@@ -573,6 +575,7 @@ impl Forest<'_> {
                     let (body, role) = ((number - DECLARED) as usize / Role::SPACE.len(), (number - DECLARED) as usize % Role::SPACE.len());
                     self.arena.leaf(Leaf::Coordinate((3 * body + role) as u32))
                 }
+                Node::Leaf(Leaf::Speed(number)) if number >= DECLARED => self.speed((number - DECLARED) as usize),
                 Node::Marked { mark: Mark::Turned { vector, axis }, .. } => {
                     let (body, local) = self.arena.vector(vector);
                     self.vector(Place { body: Some(body), local })[usize::from(axis)]
@@ -586,6 +589,16 @@ impl Forest<'_> {
             self.rewritten.insert(expr, new);
         }
         self.rewritten[&root]
+    }
+
+    /// A declared speed in the rates of the unknowns.
+    fn speed(&mut self, number: usize) -> Expr {
+        let (body, at) = (number / 6, number % 6);
+        match (at.checked_sub(3), self.frames[body]) {
+            (None, _) => self.arena.leaf(Leaf::Speed((3 * body + at) as u32)),
+            (Some(axis), Some(frame)) => self.arena.frame(frame).velocity[axis],
+            (Some(_), None) => self.arena.integer(0),
+        }
     }
 
     /// An angle or a displacement of a joint in the unknowns.
