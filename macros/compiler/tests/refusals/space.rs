@@ -119,6 +119,7 @@ refused! {
 }
 
 crate::refusals! {
+    mechanism a_platform_above_or_below: "mechanism Tripod in space { ground { point A = (1m, 0m, 0m); point B = (-0.5m, 0.866m, 0m); point C = (-0.5m, -0.866m, 0m); } body «p» { point A = (0.5m, 0m, 0m); point B = (-0.25m, 0.433m, 0m); point C = (-0.25m, -0.433m, 0m); } drive a = drive_distance(ground.A, p.A, 1m); drive b = drive_distance(ground.B, p.B, 1m); drive c = drive_distance(ground.C, p.C, 1m); drive d = drive_distance(ground.A, p.B, 1.4m); drive e = drive_distance(ground.B, p.C, 1.4m); drive f = drive_distance(ground.C, p.A, 1.4m); }" => "two assemblies are equally near: `p.z` = 803.9 mm or -803.9 mm\nhelp: write `start z = 803.9mm;` in `body p`";
     mechanism no_space_and_no_plane: "mechanism S in «air» { body b { } }" => "expected `space` or `plane`, found `air`";
     mechanism a_hinge_without_motor: "mechanism «S» in space { ground { axis z = (0, 0, 1); } body b { axis z = (0, 0, 1); } joint a = revolute(ground.position, ground.z, b.position, b.z); }" => "`S` has mobility 1, but no drive\nnote: 4 coordinates and 3 equations of joints\nhelp: drive `a.angle`, such as `drive input = drive_rotation(a, 60rpm * t);`";
     constraint a_word_of_space_in_a_definition_of_the_plane: "constraint c(P: Point, a: Axis, Q: Point) { «along»(a, Q - P) == 0; }" => "`along` is for mechanisms in space: write `mechanism Name in space { … }`, or leave it out in the plane";
