@@ -80,8 +80,9 @@ type State = CardanShaftState<f64>;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let [good, bad] = [0.0, FRAC_PI_2].map(|phase| CardanShaft { phase, ..Default::default() });
-    let turn = |m: &CardanShaft| m.sweep(steps(0.0, 1.0, 180)).collect::<Result<Vec<State>, _>>();
-    let turns = [turn(&good)?, turn(&bad)?];
+    let cured: Vec<State> = good.sweep(steps(0.0, 1.0, 180)).collect::<Result<_, _>>()?;
+    let doubled: Vec<State> = bad.sweep(steps(0.0, 1.0, 180)).collect::<Result<_, _>>()?;
+    let turns = [cured, doubled];
 
     for bend in [5_f64, 30.0, 60.0] {
         for phase in [0_f64, 35.0, 90.0] {
