@@ -3,11 +3,19 @@
 //! A [`Plate`] is one picture: a [`Scene`], the mechanism at a few phases with equal scales, and below it [`Diagram`]s that
 //! share one abscissa. Each example draws its own mechanism with the few shapes of a textbook: links, pins, pivots, walls.
 
+use std::f64::consts::TAU;
+
 use reuleaux::PlanarBody;
+use reuleaux::nalgebra::Vector3;
 
 mod drawing;
 
 pub use drawing::{Abscissa, Diagram, Ink, Place, Plate, Scene, gear, meshing, place, polar, rectangle};
+
+/// From how far to the right pictures of space are seen (rad).
+const SIDE: f64 = 0.6;
+/// From how far above (rad).
+const HEIGHT: f64 = 0.42;
 
 /// `count` + 1 numbers from `first` to `last` (both included) at equal steps.
 pub fn steps(first: f64, last: f64, count: u32) -> impl Iterator<Item = f64> + Clone {
@@ -43,4 +51,18 @@ pub fn carried(local: Place, pivot: Place, arm: Place, seen: Place) -> Place {
 /// The product of two places as complex numbers: one is turned and stretched by the other.
 fn turned(a: Place, b: Place) -> Place {
     place(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x)
+}
+
+/// Where a point in space (m) shows in the picture: seen from the right in front and from above, z upwards, without perspective.
+pub fn seen(at: &Vector3<f64>) -> Place {
+    let ((sin, cos), (rise, fall)) = (SIDE.sin_cos(), HEIGHT.sin_cos());
+    place(cos * at.x + sin * at.y, rise * (cos * at.y - sin * at.x) + fall * at.z)
+}
+
+/// A circle of this radius (m) about `centre` in the plane normal to `axis`, as it shows in the picture.
+pub fn ring(centre: &Vector3<f64>, axis: &Vector3<f64>, radius: f64) -> Vec<Place> {
+    let other = if axis.x.abs() < 0.6 * axis.norm() { Vector3::x() } else { Vector3::y() };
+    let one = axis.cross(&other).normalize();
+    let two = axis.cross(&one).normalize();
+    steps(0.0, TAU, 72).map(|angle| seen(&(centre + (one * angle.cos() + two * angle.sin()) * radius))).collect()
 }

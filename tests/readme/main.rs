@@ -4,6 +4,8 @@
 use std::process::Command;
 
 use proc_macro2::{TokenStream, TokenTree};
+use reuleaux_compiler::library;
+use reuleaux_compiler::quantity::Ambient;
 
 const README: &str = include_str!("../../README.md");
 const PROGRAM: &str = include_str!("crank_rocker.rs");
@@ -64,8 +66,17 @@ fn seven_coordinates_are_computed_and_two_are_iterated() {
 
 #[test]
 fn every_kind_of_the_library_has_its_row() {
-    for name in reuleaux_compiler::library::constraints().chain(reuleaux_compiler::library::functions()) {
-        assert!(README.contains(&format!("\n| `{name}(")), "`{name}` is missing in the README's tables");
+    let (plane, space) = README.split_once("\n| joint in space ").expect("the tables of space stand below those of the plane");
+    let (space, laws) = space.split_once("\n| motion law ").expect("the laws stand below the joints");
+    let rows: [(&str, Vec<&str>); 3] = [
+        (plane, library::constraints(Ambient::Plane).collect()),
+        (space, library::constraints(Ambient::Space).collect()),
+        (laws, library::functions().collect()),
+    ];
+    for (table, names) in rows {
+        for name in names {
+            assert!(table.contains(&format!("\n| `{name}(")), "`{name}` is missing in the README's tables");
+        }
     }
 }
 

@@ -27,7 +27,7 @@ fn every_body_is_held(model: &Model, system: &System, diag: &mut Diag) {
     let on_ground = bodies_on_ground(model, system);
     for (index, body) in model.bodies.iter().enumerate() {
         if !held.contains(&index) && said.is_new(&body.name) {
-            let example = example::revolute(&example::place_of_one(model, on_ground.iter().copied()), &example::place_of(model, index));
+            let example = example::joint(model, &example::place_of_one(model, on_ground.iter().copied()), &example::place_of(model, index));
             diag.refuse::<()>(&body.name, SystemFact::BodyIsFree { body: body.name.to_string(), example });
         }
     }

@@ -104,7 +104,7 @@ pub enum NameFact {
     UnknownConstraint { name: String, near: Option<String> },
     UnknownUnit { number: String, name: String, near: Option<String> },
     UnknownDimension { name: String, near: Option<String> },
-    UnknownStart { name: String, near: Option<String> },
+    UnknownStart { name: String, near: Option<String>, in_space: bool },
     NotAConstraint { name: String },
     UnknownKind { name: String, near: Option<String> },
     Duplicate { name: String, first: &'static str },
@@ -146,13 +146,13 @@ pub enum ValueFact {
     FunctionTakes { wanted: Dim, found: Dim },
     OrderOfBodies,
     CannotCompare { one: &'static str, two: &'static str },
-    CannotEquate { one: &'static str, two: &'static str },
+    CannotEquate { one: &'static str, two: &'static str, in_space: bool },
     NotTwoComponents { found: usize },
     NotThreeComponents { found: usize },
     OnlyInSpace { word: String },
     OnlyInPlane { word: String },
     AlongItsAxis { name: String },
-    VectorAndNumber,
+    VectorAndNumber { in_space: bool },
     VectorTimesVector,
     NumberByVector,
     PowerOfDimension { base: Dim },
@@ -176,7 +176,7 @@ pub enum ValueFact {
     DefaultOutOfBounds { value: String, bounds: String },
     NotFixed { place: &'static str },
     FunctionNeedsArgument,
-    ZeroAxis { name: String },
+    ZeroAxis { name: String, in_space: bool },
 }
 
 /// Joints, drives and definitions, each on its own.

@@ -17,14 +17,20 @@ pub(super) fn of_kind(wanted: &str, found: &str) -> &'static str {
         ("a vector or a point", "a body") => "\nhelp: its place is `.position`",
         ("a point", "a number") => "\nhelp: write `(x, y)` for a place in ground, `body.P` for a point of a body",
         ("an axis", "a number") => "\nhelp: write `(1, 0)` for the direction of x",
+        ("an axis in space", _) => "\nhelp: write `(1, 0, 0)` for the direction of x",
         ("a function of one variable", _) => "\nhelp: declare one, such as `function name(x: Angle) -> Length = …;`",
         _ => "",
     }
 }
 
 /// For two values that cannot be equated.
-pub(super) fn of_equation(one: &str, two: &str) -> &'static str {
+pub(super) fn of_equation(one: &str, two: &str, in_space: bool) -> &'static str {
     match (one, two) {
+        ("a number", "a point" | "a vector" | "an axis") | ("a point" | "a vector" | "an axis", "a number") if in_space => {
+            "\nhelp: write `.x`, `.y` or `.z` for one component, or `(x, y, z)` on the other side for all"
+        }
+        ("a body", "a body") if in_space => "\nhelp: `weld` holds two bodies together; the place of a body is `.position`",
+        ("a body", _) | (_, "a body") if in_space => "\nhelp: its place is `.position`; angles are those of joints, `joint.angle`",
         ("a number", "a point" | "a vector" | "an axis") | ("a point" | "a vector" | "an axis", "a number") => {
             "\nhelp: write `.x` or `.y` for one component, or `(x, y)` on the other side for both"
         }

@@ -6,7 +6,7 @@ use crate::quantity::{unit, units};
 const LONGEST: usize = 60;
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 27] = [
+const SYNONYMS: [(&str, &[&str]); 31] = [
     ("body", &["link", "bar", "rigid", "member"]),
     ("ground", &["frame", "base", "world", "fixed"]),
     ("param", &["parameter", "var", "variable", "input"]),
@@ -16,6 +16,10 @@ const SYNONYMS: [(&str, &[&str]); 27] = [
     ("drive", &["driver", "motor", "actuator", "motion"]),
     ("output", &["measure", "sensor", "result"]),
     ("start", &["initial", "guess", "init"]),
+    ("spherical", &["ball", "ball_joint", "globe"]),
+    ("universal", &["hooke", "cardan", "u_joint"]),
+    ("cylindrical", &["cylinder"]),
+    ("drive_rotation", &["rotation_driver", "drive_rotate"]),
     ("revolute", &["pin", "hinge", "pivot", "rotary", "rotational"]),
     ("translational", &["prismatic", "slider", "slide", "linear", "sliding"]),
     ("weld", &["rigid", "fixed", "fix", "clamp"]),

@@ -101,6 +101,12 @@ pub fn constraints<'a>(ambient: Ambient) -> impl Iterator<Item = &'a str> {
     of(ambient).map(|(name, _)| name)
 }
 
+/// True for a constraint of the plane that is not one of space, or the other way round.
+pub(crate) fn is_elsewhere(name: &str, ambient: Ambient) -> bool {
+    let has = |ambient: Ambient| constraints(ambient).any(|known| known == name);
+    !has(ambient) && (has(Ambient::Plane) || has(Ambient::Space))
+}
+
 /// Name and text of the constraints that can be used in the plane, or in space.
 fn of(ambient: Ambient) -> impl Iterator<Item = (&'static str, &'static str)> {
     let own = match ambient {

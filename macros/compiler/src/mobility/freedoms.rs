@@ -2,7 +2,7 @@
 
 use crate::diag::{Count, Diag, Forgotten, SystemFact};
 use crate::model::{Model, example};
-use crate::quantity::{Axis, Role};
+use crate::quantity::{Ambient, Axis, Role};
 use crate::structure::{DmPart, Entry, Matching, Pattern, maximum};
 use crate::system::System;
 use std::collections::{BTreeMap, BTreeSet};
@@ -103,9 +103,9 @@ fn every_row_finds_an_unknown(pattern: &Pattern) -> bool {
     maximum(pattern).free_equations().into_iter().all(|row| pattern.rows[row].is_empty())
 }
 
-/// A revolute joint of a body with ground, ready to be typed.
+/// A joint of a body with ground, ready to be typed.
 fn pin(model: &Model, body: usize) -> String {
-    example::revolute(&example::place_of_ground(model), &example::place_of(model, body))
+    example::joint(model, &example::place_of_ground(model), &example::place_of(model, body))
 }
 
 /// Bodies with remaining freedom and only one neighbour, another body or ground: a joint may be missing there.
@@ -146,7 +146,16 @@ fn drive_for(model: &Model, system: &System, unknown: usize) -> String {
     let name = ["input", "motor", "feed", "drive_1"].iter().find(taken).unwrap_or(&"another");
     let unknown = &system.coordinates[unknown];
     let body = &model.bodies[unknown.body].name;
+    let joint = unknown.of_joint.map(|(joint, word)| (&model.joints[joint].name.path, word));
     match unknown.role {
+        _ if joint.is_some_and(|(_, word)| word == "angle") => {
+            format!("drive {name} = drive_rotation({}, 60rpm * t);", joint.map_or("", |(joint, _)| joint))
+        }
+        _ if joint.is_some_and(|(_, word)| word == "displacement") => {
+            format!("drive {name} = drive_translation({}, 10mm * sin(1rad_s * t));", joint.map_or("", |(joint, _)| joint))
+        }
+        // No single drive holds a part of an orientation.
+        _ if model.ambient == Ambient::Space && !matches!(unknown.role, Role::Position(_)) => String::new(),
         Role::Position(_) => format!("drive {name} = drive_{}({body}.position, 10mm * sin(1rad_s * t));", unknown.role.name()),
         Role::Displacement => format!("drive {name} = drive_translation({body}, 10mm * sin(1rad_s * t));"),
         Role::Angle | Role::Quaternion(_) => format!("drive {name} = drive_angle({body}, 60rpm * t);"),

@@ -145,7 +145,9 @@ impl Elaborator<'_> {
         }
         match (operator, &left.1) {
             (Operator::Div, Value::Scalar(_)) => return self.refuse(range, ValueFact::NumberByVector),
-            (_, Value::Scalar(_)) => return self.refuse(range, ValueFact::VectorAndNumber),
+            (_, Value::Scalar(_)) => {
+                return self.refuse(range, ValueFact::VectorAndNumber { in_space: self.names.ambient == Ambient::Space });
+            }
             _ => {}
         }
         let noun = left.1.noun();
@@ -154,7 +156,7 @@ impl Elaborator<'_> {
         };
         if let Value::Scalar(factor) = right.1 {
             if matches!(operator, Operator::Add | Operator::Sub) {
-                return self.refuse(range, ValueFact::VectorAndNumber);
+                return self.refuse(range, ValueFact::VectorAndNumber { in_space: self.names.ambient == Ambient::Space });
             }
             let factors = vec![factor; one.parts.len()];
             return self.combine_parts(range, operator, one, &factors, right.0.range).map(Value::Vector);
@@ -280,13 +282,15 @@ impl Elaborator<'_> {
             return Some(vector.parts.iter().map(|expr| Scalar { expr: *expr, measure: vector.measure }).collect());
         }
         let (Some(one), Some(two)) = (self.as_vector(left), self.as_vector(right)) else {
-            return self.refuse(range, ValueFact::CannotEquate { one: nouns.0, two: nouns.1 });
+            return self
+                .refuse(range, ValueFact::CannotEquate { one: nouns.0, two: nouns.1, in_space: self.names.ambient == Ambient::Space });
         };
         let Some(measure) = one.measure.common(two.measure) else {
             return self.refuse(range, ValueFact::Unlike { action: "equate", one: one.measure.settled(), two: two.measure.settled() });
         };
         if one.parts.len() != two.parts.len() {
-            return self.refuse(range, ValueFact::CannotEquate { one: nouns.0, two: nouns.1 });
+            return self
+                .refuse(range, ValueFact::CannotEquate { one: nouns.0, two: nouns.1, in_space: self.names.ambient == Ambient::Space });
         }
         let parts = one.parts.zip(two.parts, |one, two| self.arena.sub(one, two));
         if let Some((from, to)) = points {

@@ -5,10 +5,12 @@
 
 use super::Model;
 use super::sketch::{JointArgument, LocalVector};
+use crate::quantity::Ambient;
 
-/// `joint name = revolute(ground.C, rocker.position);`
-pub(crate) fn revolute(one: &str, two: &str) -> String {
-    format!("joint name = revolute({one}, {two});")
+/// `joint name = revolute(ground.C, rocker.position);`, in space `spherical`: the joint that holds two points together.
+pub(crate) fn joint(model: &Model, one: &str, two: &str) -> String {
+    let kind = if model.ambient == Ambient::Space { "spherical" } else { "revolute" };
+    format!("joint name = {kind}({one}, {two});")
 }
 
 /// Point at which to join a body: its origin or, if a joint is there already, its first declared point without a joint.

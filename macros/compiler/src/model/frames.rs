@@ -47,7 +47,10 @@ impl Elaborator<'_> {
         if mark.is_axis {
             let is_zero = local.iter().all(|part| self.arena.as_constant(*part).is_some_and(|value| value.is_zero()));
             if is_zero {
-                return self.refuse(mark.value.range, ValueFact::ZeroAxis { name: mark.name.to_string() });
+                return self.refuse(
+                    mark.value.range,
+                    ValueFact::ZeroAxis { name: mark.name.to_string(), in_space: self.names.ambient == Ambient::Space },
+                );
             }
             let measure = InferredDim::Known(vector.measure.settled());
             let zero = self.zero_direction(mark, &scope, local)?;
@@ -133,7 +136,7 @@ impl Elaborator<'_> {
                 }
                 None => {
                     let near = nearest(&word, start_words(ambient));
-                    self.refuse(&start.what, NameFact::UnknownStart { name: word.clone(), near })
+                    self.refuse(&start.what, NameFact::UnknownStart { name: word.clone(), near, in_space: ambient == Ambient::Space })
                 }
             };
             for (which, expr) in found.unwrap_or_default() {

@@ -102,6 +102,13 @@ impl Elaborator<'_> {
         if self.names.components.contains_key(&word) {
             return self.refuse(kind, ArrayFact::ComponentAsConstraint { name: word });
         }
+        if library::is_elsewhere(&word, self.names.ambient) {
+            let fact = match self.names.ambient {
+                Ambient::Plane => ValueFact::OnlyInSpace { word },
+                Ambient::Space => ValueFact::OnlyInPlane { word },
+            };
+            return self.refuse(kind, fact);
+        }
         let known = self.names.definitions.keys().map(String::as_str).chain(library::constraints(self.names.ambient));
         let near = self.nearest(&word, known);
         self.refuse(kind, NameFact::UnknownConstraint { name: word, near })

@@ -123,7 +123,7 @@ impl Elaborator<'_> {
         let values: Option<Vec<Value>> = arguments.iter().map(|argument| self.value(argument, scope)).collect();
         let values = values?;
         let Some(axis) = self.as_axis(values[0].clone()) else {
-            return self.refuse(arguments[0].range, ValueFact::NotA { wanted: "an axis", found: values[0].noun() });
+            return self.refuse(arguments[0].range, ValueFact::NotA { wanted: "an axis in space", found: values[0].noun() });
         };
         let triad = self.triad(axis)?;
         match word.as_str() {
@@ -147,7 +147,7 @@ impl Elaborator<'_> {
             }
             _ => {
                 let Some(other) = self.as_axis(values[1].clone()) else {
-                    return self.refuse(arguments[1].range, ValueFact::NotA { wanted: "an axis", found: values[1].noun() });
+                    return self.refuse(arguments[1].range, ValueFact::NotA { wanted: "an axis in space", found: values[1].noun() });
                 };
                 let other = self.triad(other)?;
                 if word == "joint_angle" {

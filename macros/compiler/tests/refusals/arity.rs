@@ -11,6 +11,6 @@ crate::refusals! {
     item own_function_with_too_many: "output b = «lift»(crank.angle, 2);" => "`lift` takes 1 argument, found 2";
     item law_with_too_few: "output b = «harmonic»();" => "`harmonic` takes 1 argument, found 0";
     item table_with_too_few: "output b = «table»(crank.angle);" => "`table` takes 2 or 3 arguments, found 1\nnote: `table(x, [(x0, y0), (x1, y1), …], periodic)`";
-    item vector_with_three_components: "output b = «(1, 2, 3)»;" => "a vector in the plane has 2 components, found 3";
-    item point_with_three_components: "body b { point P = «(1mm, 2mm, 3mm)»; }" => "a vector in the plane has 2 components, found 3";
+    item vector_with_three_components: "output b = «(1, 2, 3)»;" => "a vector in the plane has 2 components, found 3\nhelp: for a mechanism in space write `mechanism Name in space { … }`";
+    item point_with_three_components: "body b { point P = «(1mm, 2mm, 3mm)»; }" => "a vector in the plane has 2 components, found 3\nhelp: for a mechanism in space write `mechanism Name in space { … }`";
 }

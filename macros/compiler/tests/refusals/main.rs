@@ -14,6 +14,7 @@ mod mobility;
 mod names;
 mod parameters;
 mod redundancy;
+mod space;
 mod syntax;
 mod uses;
 mod values;

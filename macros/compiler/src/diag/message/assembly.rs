@@ -58,6 +58,9 @@ impl Display for AssemblyFact {
                 if is_angle {
                     return write!(f, "\nhelp: write `start angle = {}deg;` in {of}", between(*values));
                 }
+                if coordinate.name() == "z" {
+                    return write!(f, "\nhelp: write `start z = {}mm;` in {of}", significant(values[0] * 1e3));
+                }
                 let [x, y] = place.map(|value| significant(value * 1e3));
                 write!(f, "\nhelp: write `start position = ({x}mm, {y}mm);` in {of}")
             }

@@ -60,8 +60,11 @@ impl Display for NameFact {
                 }
                 Ok(())
             }
-            NameFact::UnknownStart { name, near } => {
-                write!(f, "a body does not start with `{name}`{}\nnote: it starts with `x`, `y`, `position` or `angle`", did_you_mean(near))
+            NameFact::UnknownStart { name, near, in_space } => {
+                let words = if *in_space { "`x`, `y`, `z`, `position` or `orientation`" } else { "`x`, `y`, `position` or `angle`" };
+                write!(f, "a body {}does not start with `{name}`{}", if *in_space { "in space " } else { "" }, did_you_mean(near))?;
+                write!(f, "\nnote: it starts with {words}")?;
+                if *in_space && name == "angle" { write!(f, ", such as `start orientation = turn((0, 0, 1), 30deg);`") } else { Ok(()) }
             }
             NameFact::NotAConstraint { name } => {
                 write!(f, "`{name}` is not a constraint\nhelp: `use` brings in what `reuleaux::constraint!` defines")

@@ -47,20 +47,39 @@ impl Display for ValueFact {
             ValueFact::FunctionTakes { wanted, found } => write!(f, "expected a function of {wanted}, found a function of {found}"),
             ValueFact::OrderOfBodies => write!(f, "bodies have no order\nhelp: compare them with `==` or `!=`"),
             ValueFact::CannotCompare { one, two } => write!(f, "cannot compare {one} with {two}"),
-            ValueFact::CannotEquate { one, two } => write!(f, "cannot equate {one} with {two}{}", remedy::of_equation(one, two)),
+            ValueFact::CannotEquate { one, two, in_space } => {
+                write!(f, "cannot equate {one} with {two}{}", remedy::of_equation(one, two, *in_space))
+            }
             ValueFact::NotThreeComponents { found } => write!(f, "a vector in space has 3 components, found {found}"),
             ValueFact::OnlyInSpace { word } => {
                 write!(f, "`{word}` is for mechanisms in space: write `mechanism Name in space {{ … }}`, or leave it out in the plane")
             }
             ValueFact::OnlyInPlane { word } => {
-                let instead = if word == "perp" { "`cross(axis, v)`" } else { "`joint.angle`, or `atan2` of two dot products" };
+                let instead = match word.as_str() {
+                    "perp" => "`cross(axis, v)`",
+                    "direction" => "`joint.angle`, or `atan2` of two dot products",
+                    "drive_angle" | "drive_relative_angle" => "`drive_rotation(joint, law)`",
+                    "drive_along" => "`drive_translation(joint, law)`",
+                    "absolute_angle" | "relative_angle" | "parallel" => "an equation of `joint.angle`, or `absolute_orientation(a, b)`",
+                    "belt" | "differential" | "planetary" => "`gear_pair` with the angles of joints, or an equation of them",
+                    "revolute_translational" => "`point_on_plane(P, a, Q, offset)`",
+                    "absolute_distance" => "`distance(P, Q, c)`",
+                    _ => "an equation of your own",
+                };
                 write!(f, "`{word}` is for the plane; in space write {instead}")
             }
             ValueFact::AlongItsAxis { name } => {
-                write!(f, "angles about `{name}` are counted from a direction across it, and this one is along it")
+                write!(f, "angles about `{name}` are counted from a direction across it, and nothing of this one is across")
             }
-            ValueFact::NotTwoComponents { found } => write!(f, "a vector in the plane has 2 components, found {found}"),
-            ValueFact::VectorAndNumber => {
+            ValueFact::NotTwoComponents { found } => {
+                write!(f, "a vector in the plane has 2 components, found {found}")?;
+                if *found == 3 { write!(f, "\nhelp: for a mechanism in space write `mechanism Name in space {{ … }}`") } else { Ok(()) }
+            }
+            ValueFact::VectorAndNumber { in_space: true } => {
+                write!(f, "cannot add or subtract a vector and a number")?;
+                write!(f, "\nhelp: write the number as a vector, `(x, y, z)`, or take a component, `.x`, `.y` or `.z`")
+            }
+            ValueFact::VectorAndNumber { in_space: false } => {
                 write!(f, "cannot add or subtract a vector and a number")?;
                 write!(f, "\nhelp: write the number as a vector, `(x, y)`, or take a component, `.x` or `.y`")
             }
@@ -136,7 +155,10 @@ impl Display for ValueFact {
                     "a function written here names its argument\nhelp: write `function name(x: Angle) -> Length = …;`, or give the path of a Rust function"
                 )
             }
-            ValueFact::ZeroAxis { name } => {
+            ValueFact::ZeroAxis { name, in_space: true } => {
+                write!(f, "the axis `{name}` has no direction: all components are zero\nhelp: write `(1, 0, 0)` for the direction of x")
+            }
+            ValueFact::ZeroAxis { name, in_space: false } => {
                 write!(f, "the axis `{name}` has no direction: both components are zero\nhelp: write `(1, 0)` for the direction of x")
             }
         }

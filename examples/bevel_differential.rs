@@ -1,0 +1,163 @@
+//! The differential of a car in a bend: bevel gears on a carrier that itself goes round.
+//!
+//! ```text
+//!            ┌──[10]──┐         planet on a pin across the axle, in the cage that the engine turns
+//!   left ══[16]      [16]══ right
+//!            └────────┘ cage
+//! ```
+//!
+//! The cage turns as the engine says; how much faster the outer wheel runs than the inner one is said by the road: while the car yaws by
+//! ψ, the wheels, a track b apart and of radius R, part by b ψ / R. So
+//!
+//! ```text
+//! (φ_left + φ_right) / 2 = φ_cage            φ_right − φ_left = b ψ / R            planet: (16/10) b ψ / 2R on its pin
+//! ```
+//!
+//! The angles of the joints on the cage are those against the cage: nothing else has to be said for a carrier that moves. The meshes are
+//! checked in space: where two pitch circles touch, both gears have one velocity.
+//!
+//! Source: the law of gearing; module 4 mm.
+
+use std::error::Error;
+use std::f64::consts::TAU;
+
+use reuleaux::nalgebra::Vector3;
+use reuleaux::{SpatialBody, mechanism};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, ring, seen, steps};
+
+mechanism! {
+    /// A differential whose cage turns steadily while the car drives into a bend, through it, and out.
+    pub mechanism Differential in space {
+        param speed: AngularVelocity = 300rpm;
+        param track: Length = 1.5m;
+        param wheel_radius: Length = 300mm;
+        /// By which the car turns to the left.
+        param bend: Angle = 90deg;
+        param duration: Time = 2s;
+        let module = 4mm;
+
+        ground { axis y = (0, 1, 0) from (1, 0, 0); }
+        body cage   { axis y = (0, 1, 0) from (1, 0, 0);  axis pin = (1, 0, 0); }
+        body left   { axis y = (0, 1, 0) from (1, 0, 0); }
+        body right  { axis y = (0, 1, 0) from (1, 0, 0); }
+        body planet { axis pin = (1, 0, 0); }
+
+        joint bearing = revolute(ground.position, ground.y, cage.position, cage.y);
+        joint left_shaft = revolute(cage.position, cage.y, left.position, left.y);
+        joint right_shaft = revolute(cage.position, cage.y, right.position, right.y);
+        joint pin = revolute(cage.position, cage.pin, planet.position, planet.pin);
+        joint left_mesh = gear_pair(pin.angle, left_shaft.angle, 10, 16);
+        joint right_mesh = gear_pair(pin.angle, right_shaft.angle, 10, -16);
+        drive engine = drive_rotation(bearing, speed * t);
+        drive road = { right_shaft.angle - left_shaft.angle == track * bend * polynomial_345(t / duration) / wheel_radius; }
+
+        output cage = bearing.angle;
+        output left = bearing.angle + left_shaft.angle;
+        output right = bearing.angle + right_shaft.angle;
+        output planet = pin.angle;
+    }
+}
+
+type State = DifferentialState<f64>;
+
+/// Radii of the pitch circles of planet and side gears (m).
+const RADII: [f64; 2] = [0.02, 0.032];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mechanism = Differential::default();
+    let bend: Vec<State> = mechanism.sweep(steps(0.0, 2.0, 200)).collect::<Result<_, _>>()?;
+
+    assert_turns(&mechanism, &bend);
+    bend.iter().for_each(assert_meshes);
+    print(&mechanism, &bend);
+    println!("{}", picture(&mechanism, &bend).save("bevel_differential")?.display());
+    Ok(())
+}
+
+/// Angle by which the wheels have parted (rad) and its rate.
+fn parted(m: &Differential, t: f64) -> [f64; 2] {
+    let (u, all) = (t / m.duration, m.track * m.bend / m.wheel_radius);
+    [all * u.powi(3) * (10.0 - 15.0 * u + 6.0 * u * u), all * 30.0 * (u * (1.0 - u)).powi(2) / m.duration]
+}
+
+fn assert_turns(m: &Differential, bend: &[State]) {
+    for (order, unit) in [TAU, m.speed].into_iter().enumerate() {
+        let of = |motion: reuleaux::Motion<f64>| [motion.value, motion.rate][order] / unit;
+        let mean = largest_difference(bend.iter().map(|state| ((of(m.left(state)) + of(m.right(state))) / 2.0, of(m.cage(state)))));
+        let apart = largest_difference(bend.iter().map(|state| (of(m.right(state)) - of(m.left(state)), parted(m, state.t)[order] / unit)));
+        let planet = largest_difference(bend.iter().map(|state| (of(m.planet(state)), 0.8 * parted(m, state.t)[order] / unit)));
+        assert!(mean.max(apart).max(planet) < 1e-14, "order {order}: off by {mean:e}, {apart:e} and {planet:e}");
+    }
+}
+
+/// The velocity of a place (m) that moves with a body.
+fn velocity(body: &SpatialBody<f64>, place: Vector3<f64>) -> Vector3<f64> {
+    body.velocity + body.angular_velocity.cross(&(place - body.position))
+}
+
+/// Where their pitch circles touch, planet and side gears have one velocity.
+fn assert_meshes(state: &State) {
+    for (side, gear) in [(1.0, state.left()), (-1.0, state.right())] {
+        let touch = state.cage().point(Vector3::new(RADII[1], side * RADII[0], 0.0)).value;
+        let slip = velocity(&gear, touch) - velocity(&state.planet(), touch);
+        assert!(slip.norm() < 1e-14, "the mesh slips by {slip} at t = {}", state.t);
+    }
+}
+
+fn print(m: &Differential, bend: &[State]) {
+    println!("time s   cage turns   left turns   right turns   planet turns   left rpm   right rpm");
+    for state in bend.iter().step_by(20) {
+        let [cage, left, right, planet] = [m.cage(state), m.left(state), m.right(state), m.planet(state)];
+        println!(
+            "{:6.2}   {:10.4}   {:10.4}   {:11.4}   {:12.4}   {:8.2}   {:9.2}",
+            state.t,
+            cage.value / TAU,
+            left.value / TAU,
+            right.value / TAU,
+            planet.value / TAU,
+            left.rate * 60.0 / TAU,
+            right.rate * 60.0 / TAU
+        );
+    }
+}
+
+fn picture(m: &Differential, bend: &[State]) -> Plate {
+    let mut scene = Scene::new();
+    draw(&mut scene, &bend[74]);
+    let rpm = 60.0 / TAU;
+    let over = |of: fn(&Differential, &State) -> f64| bend.iter().map(move |state| (state.t, of(m, state)));
+    let wheels = |sign: f64| bend.iter().step_by(10).map(move |state| (state.t, (m.speed + sign * parted(m, state.t)[1] / 2.0) * rpm));
+    Plate::new("Bevel differential", scene, Abscissa { name: "time in s", range: 0.0..2.0, step: 0.5 })
+        .diagram(
+            Diagram::new("rpm")
+                .curve(Ink::Ground, "cage", over(|m, state| m.cage(state).rate * 60.0 / TAU))
+                .curve(Ink::Output, "right", over(|m, state| m.right(state).rate * 60.0 / TAU))
+                .curve(Ink::Second, "left", over(|m, state| m.left(state).rate * 60.0 / TAU))
+                .circles("closed form", wheels(1.0).chain(wheels(-1.0))),
+        )
+        .diagram(
+            Diagram::new("planet on its pin in °")
+                .curve(Ink::Input, "", over(|m, state| m.planet(state).value.to_degrees()))
+                .circles("", bend.iter().step_by(10).map(|state| (state.t, 0.8 * parted(m, state.t)[0].to_degrees()))),
+        )
+}
+
+/// Pitch cones: each gear by the circle at its back and lines to the common apex.
+fn draw(scene: &mut Scene, state: &State) {
+    let cone = |scene: &mut Scene, ink: Ink, body: SpatialBody<f64>, axis: Vector3<f64>, height: f64, radius: f64, teeth: u32| {
+        let back = body.vector(axis).value * height;
+        scene.surface(ink, ring(&back, &body.vector(axis).value, radius));
+        let other = axis.cross(&Vector3::z());
+        for angle in steps(0.0, TAU * f64::from(teeth - 1) / f64::from(teeth), teeth - 1) {
+            let rim = body.point((other * angle.cos() + Vector3::z() * angle.sin()) * radius).value + back;
+            scene.line(ink, [seen(&rim), seen(&(rim * 0.7))]);
+        }
+    };
+    let (x, y) = (Vector3::x(), Vector3::y());
+    cone(scene, Ink::Second, state.left(), y, RADII[0], RADII[1], 16);
+    cone(scene, Ink::Input, state.planet(), x, RADII[1], RADII[0], 10);
+    cone(scene, Ink::Output, state.right(), y, -RADII[0], RADII[1], 16);
+    let [left, right] = [1.0, -1.0].map(|side| [y * side * RADII[0], y * side * 0.09].map(|place| seen(&place)));
+    scene.link(Ink::Second, &left).link(Ink::Output, &right);
+    scene.name(left[1], "left", [0.0, 18.0]).name(right[1], "right", [0.0, -18.0]);
+}

@@ -1,0 +1,166 @@
+//! A slider-crank in space: the crank turns across the way of the slider, and a rod with a ball at one end and a cross at the other
+//! leads from one to the other.
+//!
+//! ```text
+//!     ╭─○ A  crank about an axis along x, at (b, c) beside the slider's way
+//!     ╰o ╲
+//!         ╲  rod l
+//!   ───────[B]───── x
+//! ```
+//!
+//! With the crank's angle θ from z
+//!
+//! ```text
+//! A = (0, b − r sin θ, c + r cos θ)          x² = l² − A_y² − A_z²
+//! ```
+//!
+//! and speed and acceleration of the slider follow by differentiation.
+//!
+//! Source of the lengths: E. J. Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, section 10.2.
+
+use std::error::Error;
+
+use reuleaux::mechanism;
+use reuleaux::nalgebra::Vector3;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, ring, seen, steps};
+
+mechanism! {
+    /// A crank that turns across the way of its slider.
+    pub mechanism SpatialSliderCrank in space {
+        param speed: AngularVelocity = 60rpm;
+        param crank_length: Length = 80mm;
+        param rod_length: Length = 300mm;
+
+        ground {
+            point axle = (0mm, 100mm, 120mm);
+            axis axle_line = (1, 0, 0) from (0, 0, 1);
+            axis way = (1, 0, 0) from (0, 1, 0);
+        }
+        body crank {
+            axis line = (1, 0, 0) from (0, 0, 1);
+            point A = (0mm, 0mm, crank_length);
+        }
+        body rod {
+            point B = (rod_length, 0mm, 0mm);
+            axis cross = (0, 1, 0);
+        }
+        body slider {
+            axis cross = (0, 0, 1);
+            axis way = (1, 0, 0) from (0, 1, 0);
+            start position = (200mm, 0mm, 0mm);
+        }
+
+        joint axle = revolute(ground.axle, ground.axle_line, crank.position, crank.line);
+        joint ball = spherical(crank.A, rod.position);
+        joint hooke = universal(rod.B, rod.cross, slider.position, slider.cross);
+        joint rail = translational(ground.position, ground.way, slider.position, slider.way);
+        drive motor = drive_rotation(axle, speed * t);
+
+        output angle = axle.angle;
+        output travel = rail.displacement;
+        output A = crank.A;
+        output B = rod.B;
+    }
+}
+
+type State = SpatialSliderCrankState<f64>;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mechanism = SpatialSliderCrank::default();
+    let turn: Vec<State> = mechanism.sweep(steps(0.0, 1.0, 180)).collect::<Result<_, _>>()?;
+
+    assert_travel(&mechanism, &turn);
+    assert_rod(&mechanism, &turn);
+    print(&mechanism, &turn);
+    println!("{}", picture(&mechanism, &turn).save("spatial_slider_crank")?.display());
+    Ok(())
+}
+
+/// Travel (m), speed and acceleration of the slider at the crank's angle θ (rad).
+fn travel(m: &SpatialSliderCrank, angle: f64) -> [f64; 3] {
+    let ((sin, cos), r) = (angle.sin_cos(), m.crank_length);
+    let (y, z) = (0.1 - r * sin, 0.12 + r * cos);
+    let x = (m.rod_length.powi(2) - y * y - z * z).sqrt();
+    // x x' = −(y y' + z z'), and the derivative of that.
+    let slope = (y * r * cos + z * r * sin) / x;
+    let curvature = (-y * r * sin + z * r * cos - r * r - slope * slope) / x;
+    [x, slope * m.speed, curvature * m.speed.powi(2)]
+}
+
+fn assert_travel(m: &SpatialSliderCrank, turn: &[State]) {
+    for (order, unit) in [1.0, m.speed, m.speed.powi(2)].into_iter().map(|factor| factor * m.crank_length).enumerate() {
+        let solved = |state| [m.travel(state).value, m.travel(state).rate, m.travel(state).acceleration][order];
+        let error = largest_difference(turn.iter().map(|state| (solved(state) / unit, travel(m, m.angle(state).value)[order] / unit)));
+        assert!(error < 4e-14, "derivative {order} of the travel is {error:e} off");
+    }
+}
+
+/// The rod keeps its length, and the speeds of its ends along it agree; its cross stays at a right angle.
+fn assert_rod(m: &SpatialSliderCrank, turn: &[State]) {
+    for state in turn {
+        let (a, b) = (m.A(state), m.B(state));
+        let rod = b.value - a.value;
+        assert!((rod.norm() - m.rod_length).abs() < 1e-15);
+        assert!((rod.dot(&(b.rate - a.rate)) / (m.rod_length * m.crank_length * m.speed)).abs() < 1e-14);
+        assert!(state.rod().vector(Vector3::y()).value.z.abs() < 1e-15);
+    }
+}
+
+fn print(m: &SpatialSliderCrank, turn: &[State]) {
+    println!("crank °   travel mm   speed m/s   acceleration m/s²   rod's angular velocity rad/s");
+    for state in turn.iter().step_by(15) {
+        let (travel, omega) = (m.travel(state), state.rod().angular_velocity);
+        println!(
+            "{:7.1}   {:9.3}   {:9.4}   {:17.3}   {:7.3} {:7.3} {:7.3}",
+            m.angle(state).value.to_degrees(),
+            travel.value * 1e3,
+            travel.rate,
+            travel.acceleration,
+            omega.x,
+            omega.y,
+            omega.z
+        );
+    }
+}
+
+fn picture(m: &SpatialSliderCrank, turn: &[State]) -> Plate {
+    let mut scene = Scene::new();
+    let [from, to] = [0.0, 0.34].map(|x| seen(&Vector3::new(x, 0.0, 0.0)));
+    scene.dashes(Ink::Ground, from, to);
+    for state in turn.iter().step_by(30).skip(1) {
+        scene.faint(|scene| draw(scene, m, state));
+    }
+    scene.line(Ink::Trace, turn.iter().map(|state| seen(&m.A(state).value)));
+    draw(&mut scene, m, &turn[20]);
+    let [a, b] = [m.A(&turn[20]), m.B(&turn[20])].map(|point| seen(&point.value));
+    scene.name(a, "A", [-4.0, 16.0]).name(b, "B", [6.0, -18.0]);
+
+    let crank = |state: &State| m.angle(state).value.to_degrees();
+    let exact =
+        |order: usize, unit: f64| turn.iter().step_by(9).map(move |state| (crank(state), travel(m, m.angle(state).value)[order] * unit));
+    let solved = |of: fn(&SpatialSliderCrank, &State) -> f64| turn.iter().map(move |state| (crank(state), of(m, state)));
+    Plate::new("Slider-crank in space", scene, Abscissa { name: "crank angle in °", range: 0.0..360.0, step: 60.0 })
+        .diagram(
+            Diagram::new("travel in mm")
+                .curve(Ink::Output, "reuleaux", solved(|m, state| m.travel(state).value * 1e3))
+                .circles("closed form", exact(0, 1e3)),
+        )
+        .diagram(Diagram::new("speed in m/s").curve(Ink::Output, "", solved(|m, state| m.travel(state).rate)).circles("", exact(1, 1.0)))
+        .diagram(
+            Diagram::new("acceleration in m/s²")
+                .curve(Ink::Output, "", solved(|m, state| m.travel(state).acceleration))
+                .circles("", exact(2, 1.0)),
+        )
+}
+
+fn draw(scene: &mut Scene, m: &SpatialSliderCrank, state: &State) {
+    let axle = Vector3::new(0.0, 0.1, 0.12);
+    let [o, a, b] = [axle, m.A(state).value, m.B(state).value].map(|place| seen(&place));
+    for end in [-0.02, 0.02] {
+        let middle = m.B(state).value + Vector3::x() * end;
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+        scene.surface(Ink::Output, corners.map(|[y, z]| seen(&(middle + Vector3::new(0.0, y, z) * 0.015))));
+    }
+    scene.link(Ink::Coupler, &[a, b]).link(Ink::Input, &[o, a]).pin(a).pin(b);
+    scene.surface(Ink::Ground, ring(&axle, &Vector3::x(), 0.008));
+}

@@ -1,0 +1,167 @@
+//! A screw jack with a worm gear: three thousand turns of a motor raise a load by six hundred millimetres.
+//!
+//! ```text
+//!           ║ load
+//!     ┌─────╫─────┐
+//!     │  wheel 30 │  = nut on the screw, lead 6 mm
+//!     └─────╫─────┘
+//!   ═══(≈≈≈≈≈≈)═══  worm, one start, across below
+//! ```
+//!
+//! The worm turns about x, the wheel about z, and the screw, which is kept from turning, climbs in the wheel. Angles of joints in space
+//! are never wrapped either: a turn of the worm is a fifth of a millimetre, the first one as the last.
+//!
+//! ```text
+//! z = lead φ / (30 · 2π)
+//! ```
+//!
+//! Source: the law of gearing; Dubbel, Taschenbuch für den Maschinenbau, on power screws.
+
+use std::error::Error;
+use std::f64::consts::TAU;
+
+use reuleaux::mechanism;
+use reuleaux::nalgebra::Vector3;
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, largest_difference, ring, seen, steps};
+
+mechanism! {
+    /// A screw jack on a worm gear.
+    pub mechanism ScrewJack in space {
+        param turns: Angle = 3000turn;
+        param duration: Time = 60s;
+        param lead: Length = 6mm;
+        /// Distance of the two axes.
+        param distance: Length = 60mm;
+        let teeth = 30;
+
+        ground {
+            point worm = (0mm, -distance, 0mm);
+            axis x = (1, 0, 0);
+            axis z = (0, 0, 1);
+        }
+        body worm  { axis x = (1, 0, 0);  start position = (0mm, -distance, 0mm); }
+        body wheel { axis z = (0, 0, 1); }
+        body screw { axis z = (0, 0, 1);  axis key = (0, 1, 0);  point head = (0mm, 0mm, 250mm); }
+
+        joint worm_bearing = revolute(ground.worm, ground.x, worm.position, worm.x);
+        joint wheel_bearing = revolute(ground.position, ground.z, wheel.position, wheel.z);
+        joint mesh = gear_pair(worm_bearing.angle, wheel_bearing.angle, 1, teeth);
+        joint thread = screw(wheel.position, wheel.z, screw.position, screw.z, lead);
+        joint key = perpendicular_axes(ground.x, screw.key);
+        drive motor = drive_rotation(worm_bearing, turns * polynomial_345(t / duration));
+
+        output motor = worm_bearing.angle;
+        output wheel = wheel_bearing.angle;
+        output height = screw.position.z;
+        output head = screw.head;
+    }
+}
+
+type State = ScrewJackState<f64>;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mechanism = ScrewJack::default();
+    let motion: Vec<State> = mechanism.sweep(steps(0.0, 60.0, 240)).collect::<Result<_, _>>()?;
+
+    assert_height(&mechanism, &motion);
+    for turns in [1.0, -7.25, 3e4] {
+        let mechanism = ScrewJack { turns: turns * TAU, ..Default::default() };
+        let end = mechanism.sweep([0.0, mechanism.duration]).last().ok_or("no state")??;
+        let rise = mechanism.height(&end).value;
+        assert!((rise / (turns * mechanism.lead / 30.0) - 1.0).abs() < 8.0 * f64::EPSILON, "{rise} m after {turns} turns");
+    }
+    print(&mechanism, &motion);
+    println!("{}", picture(&mechanism, &motion).save("worm_and_screw")?.display());
+    Ok(())
+}
+
+/// Share of the way of the law 10u³ − 15u⁴ + 6u⁵, by its derivatives.
+fn law(u: f64) -> [f64; 3] {
+    let rest = 1.0 - u;
+    [u.powi(3) * (10.0 - 15.0 * u + 6.0 * u * u), 30.0 * (u * rest).powi(2), 60.0 * u * rest * (1.0 - 2.0 * u)]
+}
+
+/// Height (m), speed and acceleration of the load after a share of the time.
+fn exact(m: &ScrewJack, share: f64) -> [f64; 3] {
+    let way = m.lead * m.turns / (30.0 * TAU);
+    let mut order = 0;
+    law(share).map(|part| {
+        order += 1;
+        way * part / m.duration.powi(order - 1)
+    })
+}
+
+/// The load rises as the law says, and neither leaves its axis nor turns; worm and wheel keep their ratio.
+fn assert_height(m: &ScrewJack, motion: &[State]) {
+    for (order, exact_at_most) in exact(m, 0.5).into_iter().enumerate() {
+        let scale = if order == 2 { exact(m, 0.21)[2] } else { exact_at_most };
+        let solved = |state| [m.height(state).value, m.height(state).rate, m.height(state).acceleration][order];
+        let error = largest_difference(motion.iter().map(|state| (solved(state) / scale, exact(m, state.t / m.duration)[order] / scale)));
+        assert!(error < 4e-15, "derivative {order} of the height is {error:e} off");
+    }
+    for state in motion {
+        let screw = state.screw();
+        assert!(
+            screw.position.xy().norm() < 1e-17 && (screw.rotation.trace() - 3.0).abs() < 1e-15 && screw.angular_velocity.norm() < 1e-12
+        );
+        assert!((state.wheel().angular_velocity.z * 30.0 + state.worm().angular_velocity.x).abs() < 1e-12);
+    }
+}
+
+fn print(m: &ScrewJack, motion: &[State]) {
+    println!("time s   turns of the motor   turns of the wheel   height mm   mm/s");
+    for state in motion.iter().step_by(24) {
+        let [motor, wheel] = [m.motor(state), m.wheel(state)].map(|angle| angle.value / TAU);
+        println!(
+            "{:6.1}   {motor:18.3}   {wheel:18.4}   {:9.3}   {:5.2}",
+            state.t,
+            m.height(state).value * 1e3,
+            m.height(state).rate * 1e3
+        );
+    }
+}
+
+fn picture(m: &ScrewJack, motion: &[State]) -> Plate {
+    let mut scene = Scene::new();
+    for state in [&motion[240], &motion[120]] {
+        scene.faint(|scene| screw(scene, m, state));
+    }
+    screw(&mut scene, m, &motion[60]);
+    let state = &motion[60];
+    for height in [-0.012, 0.012] {
+        scene.surface(Ink::Coupler, ring(&(Vector3::z() * height), &Vector3::z(), 0.045));
+    }
+    let tooth = |local: Vector3<f64>| seen(&state.wheel().point(local).value);
+    scene.line(Ink::Ground, [tooth(Vector3::z() * 0.012), tooth(Vector3::new(0.045, 0.0, 0.012))]);
+    let thread = steps(-4.0 * TAU, 4.0 * TAU, 240).map(|angle| worm(state, angle));
+    scene.line(Ink::Input, thread);
+    let [left, right] = [-0.09, 0.09].map(|x| seen(&Vector3::new(x, -m.distance, 0.0)));
+    scene.dashes(Ink::Input, left, right);
+    scene.name(left, "worm", [-14.0, 12.0]).name(seen(&m.head(state).value), "load", [26.0, 0.0]);
+
+    let over = |of: fn(&ScrewJack, &State) -> f64| motion.iter().map(move |state| (state.t, of(m, state)));
+    let dots =
+        |order: usize, unit: f64| motion.iter().step_by(12).map(move |state| (state.t, exact(m, state.t / m.duration)[order] * unit));
+    Plate::new("Worm gear and screw", scene, Abscissa { name: "time in s", range: 0.0..60.0, step: 10.0 })
+        .diagram(
+            Diagram::new("height in mm")
+                .curve(Ink::Output, "reuleaux", over(|m, state| m.height(state).value * 1e3))
+                .circles("closed form", dots(0, 1e3)),
+        )
+        .diagram(Diagram::new("turns of the motor").curve(Ink::Input, "", over(|m, state| m.motor(state).value / TAU)))
+        .diagram(Diagram::new("mm/s").curve(Ink::Output, "", over(|m, state| m.height(state).rate * 1e3)).circles("", dots(1, 1e3)))
+}
+
+/// The screw with its thread.
+fn screw(scene: &mut Scene, m: &ScrewJack, state: &State) {
+    let head = m.head(state).value;
+    let foot = head - Vector3::z() * 0.25;
+    scene.link(Ink::Output, &[seen(&foot), seen(&head)]);
+    scene.surface(Ink::Output, ring(&head, &Vector3::z(), 0.03));
+}
+
+/// A place on the thread of the worm.
+fn worm(state: &State, angle: f64) -> Place {
+    let local = Vector3::new(angle * 0.05 / (4.0 * TAU), 0.016 * angle.cos(), 0.016 * angle.sin());
+    seen(&state.worm().point(local).value)
+}

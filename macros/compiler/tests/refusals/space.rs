@@ -1,0 +1,127 @@
+//! Space: words that belong to the plane and the other way round, components, axes, hinges that hold too often.
+
+/// A body on a hinge of ground; `$rest` adds one item.
+macro_rules! hinge {
+    ($rest:literal) => {
+        concat!(
+            "mechanism Hinge in space {
+                ground { axis z = (0, 0, 1); }
+                body b { axis z = (0, 0, 1); point A = (1m, 0m, 0m); }
+                joint a = revolute(ground.position, ground.z, b.position, b.z); ",
+            $rest,
+            "}"
+        )
+    };
+}
+
+/// The same with a motor.
+macro_rules! driven {
+    ($rest:literal) => {
+        concat!(
+            "mechanism Hinge in space {
+                ground { axis z = (0, 0, 1); }
+                body b { axis z = (0, 0, 1); point A = (1m, 0m, 0m); }
+                joint a = revolute(ground.position, ground.z, b.position, b.z); drive m = drive_rotation(a, 60rpm * t); ",
+            $rest,
+            "}"
+        )
+    };
+}
+
+/// The same in the plane.
+macro_rules! plane {
+    ($rest:literal) => {
+        concat!(
+            "mechanism Hinge {
+                ground { axis u = (1, 0); } body b { point A = (1m, 0m); }
+                joint a = revolute(ground.position, b.position); ",
+            $rest,
+            "}"
+        )
+    };
+}
+
+/// A planar four-bar whose hinges are joints of space; `$rest` closes it.
+macro_rules! four_bar {
+    ($rest:literal) => {
+        concat!(
+            "mechanism FourBar in space {
+                ground { axis z = (0, 0, 1); point C = (400mm, 0mm, 0mm); }
+                body crank { axis z = (0, 0, 1); point A = (100mm, 0mm, 0mm); }
+                body coupler { axis z = (0, 0, 1); point B = (350mm, 0mm, 0mm); }
+                body rocker { axis z = (0, 0, 1); point B = (300mm, 0mm, 0mm); point D = (300mm, 0mm, 10mm); start orientation = turn((0, 0, 1), 70deg); }
+                joint o = revolute(ground.position, ground.z, crank.position, crank.z);
+                joint a = revolute(crank.A, crank.z, coupler.position, coupler.z);
+                joint c = revolute(ground.C, ground.z, rocker.position, rocker.z);
+                drive input = drive_rotation(o, 60rpm * t); ",
+            $rest,
+            "}"
+        )
+    };
+}
+
+/// Sarrus' linkage, which lifts a platform straight; `$rest` closes the second of its chains.
+macro_rules! sarrus {
+    ($rest:literal) => {
+        concat!(
+            "mechanism Sarrus in space {
+                ground { axis x = (1, 0, 0); axis y = (0, 1, 0); point P = (0mm, -200mm, 0mm); point Q = (-200mm, 0mm, 0mm); }
+                body platform { axis x = (1, 0, 0); axis y = (0, 1, 0); point P = (0mm, -200mm, 0mm); point Q = (-200mm, 0mm, 0mm); start z = 360mm; }
+                body lower { axis x = (1, 0, 0); point P = (0mm, 300mm, 0mm); start orientation = turn((1, 0, 0), 143deg); }
+                body upper { axis x = (1, 0, 0); point P = (0mm, 300mm, 0mm); start position = (0mm, -440mm, 180mm); start orientation = turn((1, 0, 0), 37deg); }
+                body inner { axis y = (0, 1, 0); point Q = (300mm, 0mm, 0mm); start orientation = turn((0, 1, 0), -143deg); }
+                body outer { axis y = (0, 1, 0); point Q = (300mm, 0mm, 0mm); start position = (-440mm, 0mm, 180mm); start orientation = turn((0, 1, 0), -37deg); }
+                joint a = revolute(ground.P, ground.x, lower.position, lower.x);
+                joint b = revolute(lower.P, lower.x, upper.position, upper.x);
+                joint c = revolute(upper.P, upper.x, platform.P, platform.x);
+                joint d = revolute(ground.Q, ground.y, inner.position, inner.y);
+                joint e = revolute(inner.Q, inner.y, outer.position, outer.y);
+                drive lift = drive_rotation(a, 143deg - 5deg * sin(1rad_s * t)); ",
+            $rest,
+            "}"
+        )
+    };
+}
+
+/// Refused with these words, at the marked token.
+macro_rules! refused {
+    ($($frame:ident $name:ident: $source:literal => $words:literal;)*) => {
+        $(#[test] fn $name() { crate::mechanism($frame!($source), $words); })*
+    };
+}
+
+refused! {
+    driven a_perpendicular_in_space: "output o = «perp»(b.A);" => "`perp` is for the plane; in space write `cross(axis, v)`";
+    driven a_direction_in_space: "output o = «direction»(b.A);" => "`direction` is for the plane; in space write `joint.angle`, or `atan2` of two dot products";
+    hinge a_drive_of_the_plane_in_space: "drive m = «drive_angle»(b, 60rpm * t);" => "`drive_angle` is for the plane; in space write `drive_rotation(joint, law)`";
+    driven a_joint_of_the_plane_in_space: "joint c = «absolute_angle»(b, 0deg);" => "`absolute_angle` is for the plane; in space write an equation of `joint.angle`, or `absolute_orientation(a, b)`";
+    driven a_start_angle_in_space: "body c { start «angle» = 30deg; }" => "a body in space does not start with `angle`\nnote: it starts with `x`, `y`, `z`, `position` or `orientation`, such as `start orientation = turn((0, 0, 1), 30deg);`";
+    driven a_start_without_axis: "body c { start orientation = «30deg»; }" => "expected an orientation, such as `turn((0, 0, 1), 30deg)`, found a number";
+    driven a_turn_with_its_arguments_the_other_way_round: "body c { start orientation = turn(«30deg», (0, 0, 1)); }" => "expected an axis in space, found a number\nhelp: write `(1, 0, 0)` for the direction of x";
+    driven a_point_of_two_components: "body c { point P = «(1m, 0m)»; }" => "a vector in space has 3 components, found 2";
+    driven an_axis_of_two_components: "body c { axis u = «(0, 1)»; }" => "a vector in space has 3 components, found 2";
+    driven a_zero_direction_of_two_components: "body c { axis u = (0, 0, 1) from «(1, 0)»; }" => "a vector in space has 3 components, found 2";
+    driven a_start_of_two_components: "body c { start position = «(0m, 1m)»; }" => "a vector in space has 3 components, found 2";
+    driven angles_from_along_the_axis: "body c { axis u = (0, 0, 1) from «(0, 0, 2)»; }" => "angles about `u` are counted from a direction across it, and nothing of this one is across";
+    driven angles_from_nowhere: "body c { axis u = (0, 0, 1) from «(0, 0, 0)»; }" => "angles about `u` are counted from a direction across it, and nothing of this one is across";
+    driven an_axis_in_space_without_direction: "body c { axis u = «(0, 0, 0)»; }" => "the axis `u` has no direction: all components are zero\nhelp: write `(1, 0, 0)` for the direction of x";
+    hinge a_point_that_equals_a_number: "drive m = { «b.A == 1m»; }" => "cannot equate a point with a number\nhelp: write `.x`, `.y` or `.z` for one component, or `(x, y, z)` on the other side for all";
+    driven a_vector_and_a_number_in_space: "output o = «b.A + 1m»;" => "cannot add or subtract a vector and a number\nhelp: write the number as a vector, `(x, y, z)`, or take a component, `.x`, `.y` or `.z`";
+    hinge an_angle_of_a_ball_joint: "joint c = spherical(ground.position, b.position); drive m = drive_rotation(c.«angle», 60rpm * t);" => "a `spherical` joint has no `angle`\nnote: it has `P` and `Q`";
+    plane three_components_in_the_plane: "body c { point P = «(1m, 0m, 0m)»; }" => "a vector in the plane has 2 components, found 3\nhelp: for a mechanism in space write `mechanism Name in space { … }`";
+    plane a_zero_direction_in_the_plane: "body c { axis u = (1, 0) from «(0, 1)»; }" => "`from` is for mechanisms in space: write `mechanism Name in space { … }`, or leave it out in the plane";
+    plane a_displacement_along_an_axis_in_the_plane: "output o = «along»(ground.u, b.A);" => "`along` is for mechanisms in space: write `mechanism Name in space { … }`, or leave it out in the plane";
+    plane a_joint_of_space_in_the_plane: "joint c = «spherical»(ground.position, b.A);" => "`spherical` is for mechanisms in space: write `mechanism Name in space { … }`, or leave it out in the plane";
+    plane a_drive_of_space_in_the_plane: "drive m = «drive_rotation»(a, 60rpm * t);" => "`drive_rotation` is for mechanisms in space: write `mechanism Name in space { … }`, or leave it out in the plane";
+    four_bar four_parallel_hinges: "joint «b» = revolute(coupler.B, coupler.z, rocker.B, rocker.z);" => "3 of the 5 equations of `b` add nothing: they follow from `o`, `a` and `c` in every position tried\nhelp: in a loop a spherical and a cylindrical joint in place of two revolutes demand no more than is needed; or write `redundant joint` for `joint`: what is needed of it is solved, the rest is checked";
+    four_bar parallel_hinges_that_do_not_meet: "redundant joint «b» = revolute(coupler.B, coupler.z, rocker.D, rocker.z);" => "`b` contradicts the other joints: with all of them closed it is 10 mm off\nnote: it joins `crank`, `coupler` and `rocker`\nhelp: a redundant joint must fit as well: change a measure, or take it away";
+    sarrus six_hinges_of_sarrus: "joint «f» = revolute(outer.Q, outer.y, platform.Q, platform.y);" => "1 of the 5 equations of `f` adds nothing: it follows from `a`, `b`, `c`, `d` and `e` in every position tried\nhelp: in a loop a spherical and a cylindrical joint in place of two revolutes demand no more than is needed; or write `redundant joint` for `joint`: what is needed of it is solved, the rest is checked";
+}
+
+crate::refusals! {
+    mechanism a_platform_above_or_below: "mechanism Tripod in space { ground { point A = (1m, 0m, 0m); point B = (-0.5m, 0.866m, 0m); point C = (-0.5m, -0.866m, 0m); } body «p» { point A = (0.5m, 0m, 0m); point B = (-0.25m, 0.433m, 0m); point C = (-0.25m, -0.433m, 0m); } drive a = drive_distance(ground.A, p.A, 1m); drive b = drive_distance(ground.B, p.B, 1m); drive c = drive_distance(ground.C, p.C, 1m); drive d = drive_distance(ground.A, p.B, 1.4m); drive e = drive_distance(ground.B, p.C, 1.4m); drive f = drive_distance(ground.C, p.A, 1.4m); }" => "two assemblies are equally near: `p.z` = 803.9 mm or -803.9 mm\nhelp: write `start z = 803.9mm;` in `body p`";
+    mechanism no_space_and_no_plane: "mechanism S in «air» { body b { } }" => "expected `space` or `plane`, found `air`";
+    mechanism a_hinge_without_motor: "mechanism «S» in space { ground { axis z = (0, 0, 1); } body b { axis z = (0, 0, 1); } joint a = revolute(ground.position, ground.z, b.position, b.z); }" => "`S` has mobility 1, but no drive\nnote: 4 coordinates and 3 equations of joints\nhelp: drive `a.angle`, such as `drive input = drive_rotation(a, 60rpm * t);`";
+    constraint a_word_of_space_in_a_definition_of_the_plane: "constraint c(P: Point, a: Axis, Q: Point) { «along»(a, Q - P) == 0; }" => "`along` is for mechanisms in space: write `mechanism Name in space { … }`, or leave it out in the plane";
+    constraint a_word_of_the_plane_in_a_definition_of_space: "constraint c(P: Point, a: Axis, Q: Point) in space { dot(«perp»(a), Q - P) == 0; }" => "`perp` is for the plane; in space write `cross(axis, v)`";
+}
