@@ -40,6 +40,7 @@ mod placed;
 mod plane;
 mod scene;
 mod slides;
+mod space;
 mod svg;
 mod undrawable;
 mod view;
