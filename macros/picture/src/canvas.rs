@@ -48,6 +48,8 @@ pub(crate) enum Ink {
     Fork(usize),
     /// A face that the light falls on.
     Shine,
+    /// What is behind shows through faintly.
+    Glass,
 }
 
 /// A line or an area.

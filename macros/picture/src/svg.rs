@@ -37,6 +37,7 @@ const IN_SPACE: &str = ".reuleaux .a{fill:none;stroke:var(--ink);stroke-width:.8
 .reuleaux .r{fill:none;stroke:var(--ink);stroke-width:2.6}\
 .reuleaux .h{fill:none;stroke:var(--paper);stroke-width:12;stroke-linecap:butt}\
 .reuleaux .f{fill:none;stroke:currentColor;stroke-width:4.5}\
+.reuleaux .e{fill:var(--paper);fill-opacity:.6;stroke:none}\
 .reuleaux .v{fill:#fff;fill-opacity:.4;stroke:var(--ink);stroke-width:1.2}";
 
 /// What a picture says of itself to those who do not see it.
@@ -244,6 +245,7 @@ fn class(ink: Ink) -> String {
         Ink::Halo => "h".into(),
         Ink::Fork(body) => format!("f {}", of(body)),
         Ink::Shine => "v".into(),
+        Ink::Glass => "e".into(),
     }
 }
 
@@ -270,7 +272,7 @@ impl Axes {
     /// Axes as long as a round length; `seen` are those of a metre.
     pub(crate) fn new(seen: [Place; 3], scale: f64) -> Axes {
         let metres = round_length(AXIS / scale);
-        let ways = seen.map(|way| way * metres);
+        let ways = seen.map(|way| way * (metres * scale));
         let text = format!("axes {}", length(metres));
         let box_of = Rectangle::around(ways.into_iter().chain([Place::default()])).grown(LETTER);
         let at = place(box_of.middle().x, box_of.high.y + HEIGHT / 2.0);

@@ -84,7 +84,10 @@ pub(crate) fn draw(scene: &Placed, sight: &Sight, customs: &Customs) -> Canvas {
     (0..scene.joints.len()).for_each(|joint| drawing.prepare(joint));
     wheels.show(&mut drawing);
     (0..scene.bodies.len()).for_each(|body| drawing.body(body));
-    (0..scene.joints.len()).for_each(|joint| drawing.joint(joint));
+    // What is on a guide lies above it.
+    let is_guide = |joint: &usize| ["translational", "cylindrical", "screw", "planar"].contains(&scene.joints[*joint].kind.as_str());
+    (0..scene.joints.len()).filter(is_guide).for_each(|joint| drawing.joint(joint));
+    (0..scene.joints.len()).filter(|joint| !is_guide(joint)).for_each(|joint| drawing.joint(joint));
     wheels.draw(&mut drawing);
     (0..scene.joints.len()).for_each(|joint| drawing.drive(joint));
     drawing.outputs();

@@ -96,6 +96,17 @@ impl Pen<'_> {
         self.line(Layer::Pin, Ink::Thin, &[near, near - toward[top] * 2.0]);
     }
 
+    /// The half of a turn of a thread that is seen.
+    pub(crate) fn half_turn(&self, at: Vec3, axis: Vec3, radius: f64, pitch: f64) -> Vec<Vec3> {
+        let toward = self.sight.camera.toward.across(axis).direction().unwrap_or_else(|| axis.frame().0);
+        let side = axis.cross(toward);
+        let place = |step: i32| {
+            let (sine, cosine) = libm::sincos(TAU * f64::from(step) / 16.0);
+            at + (side * sine + toward * cosine) * radius + axis * (pitch * f64::from(step) / 16.0)
+        };
+        (-4..=4).map(place).collect()
+    }
+
     /// Places on part of a circle in space: from `x` towards `y`, unit vectors at a right angle.
     pub(crate) fn on_circle(middle: Vec3, [x, y]: [Vec3; 2], radius: f64, from: f64, to: f64) -> Vec<Vec3> {
         let steps = ((to - from).abs() / TAU * 32.0).ceil().max(2.0) as usize;

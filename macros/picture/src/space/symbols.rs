@@ -156,7 +156,12 @@ impl Drawing<'_> {
     fn revolute(&mut self, number: usize, p: Of, q: Of, axis: Vec3) {
         let joint = &self.scene.joints[number];
         let (title, half) = (self.title(joint), axis * (SIZE / 2.0));
-        let at = p.at;
+        let at = self.hinge_at(p.at, axis);
+        if (at - p.at).norm() > NEAR {
+            // A shaft leads to the wheel.
+            let (body, name) = (q.body.or(p.body), self.title(joint));
+            self.bar(&name, Layer::DrawnBody, Ink::Bar(body.unwrap_or(usize::MAX)), body, at, p.at);
+        }
         if p.body.is_none() || q.body.is_none() {
             self.bearing(number, &title, at, axis);
         }
@@ -177,6 +182,12 @@ impl Drawing<'_> {
         }
         self.put_on(at, pen);
         self.name(at, &joint.name);
+    }
+
+    /// Where a hinge is drawn: beside a wheel that would hide it.
+    fn hinge_at(&self, at: Vec3, axis: Vec3) -> Vec3 {
+        let reach = self.wheels.reach(at, axis);
+        if reach > SIZE / 2.0 { at - axis * (reach + SIZE / 2.0 + 5.0) } else { at }
     }
 
     /// A dash-dotted line along an axis.
@@ -214,6 +225,8 @@ impl Drawing<'_> {
 
     /// A hatched patch of ground, which lies in the direction `into`.
     fn patch(&mut self, title: &str, at: Vec3, into: Vec3, along: Vec3) {
+        // Ground is level where it can be.
+        let into = if into.z.abs() > 0.5 { UP * into.z.signum() } else { into };
         let one = along.across(into).direction().unwrap_or_else(|| into.frame().0);
         let two = into.cross(one);
         let corner = |a: f64, b: f64| at + one * (a * 17.0) + two * (b * 11.0);
@@ -221,12 +234,12 @@ impl Drawing<'_> {
         let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
         pen.area(Layer::Ground, Ink::Paper, &corners);
         let stroke = |part: i32| {
-            let b = f64::from(part) / 3.0;
+            let b = f64::from(part) / 2.0;
             // Strokes at a slant, cut off at the edges.
             let (from, to) = ((b - 1.0).max(-1.0), (b + 1.0).min(1.0));
             vec![corner(from, (from - b).clamp(-1.0, 1.0)), corner(to, (to - b).clamp(-1.0, 1.0))]
         };
-        pen.lines(Layer::Ground, Ink::Thin, &(-5..=5).map(stroke).collect::<Vec<_>>());
+        pen.lines(Layer::Ground, Ink::Thin, &(-3..=3).map(stroke).collect::<Vec<_>>());
         self.put(self.sight.depth(at) - if self.sight.depth(into) < 0.0 { 6.0 } else { 0.0 }, pen);
     }
 
@@ -281,17 +294,9 @@ impl Drawing<'_> {
         let mut pen = self.pen(title);
         if is_thread {
             pen.tube(Layer::Rod, block(body), low, high, 4.0);
-            let (one, two) = axis.frame();
             let count = ((high - low).norm() / 5.0).floor().clamp(0.0, 80.0) as usize;
-            // Half a turn of the thread is seen.
-            let toward = self.sight.camera.toward.across(axis).direction().unwrap_or(one);
-            let side = axis.cross(toward);
-            let stroke = |number: usize| {
-                let at = low + axis * (2.5 + 5.0 * number as f64);
-                vec![at - side * 4.0 - axis * 1.2, at + toward * 4.0, at + side * 4.0 + axis * 1.2]
-            };
-            let _ = two;
-            pen.lines(Layer::Rod, Ink::Thin, &(0..count).map(stroke).collect::<Vec<_>>());
+            let strokes: Vec<_> = (0..count).map(|number| pen.half_turn(low + axis * (2.5 + 5.0 * number as f64), axis, 4.0, 5.0)).collect();
+            pen.lines(Layer::Rod, Ink::Thin, &strokes);
             self.put(self.sight.depth((low + high) * 0.5), pen);
         } else {
             self.bar(title, Layer::Rod, Ink::Rod, body, low, high);
@@ -489,7 +494,7 @@ impl Drawing<'_> {
                 Slide::Telescope { outer, inner } => (outer.at + (inner.at - outer.at) * 0.35, a.at, (inner.at - outer.at).norm() * 0.21),
             }),
             "universal" => Some((p.at, a.at, FORK)),
-            _ => Some((p.at, a.at, SIZE / 2.0)),
+            _ => Some((self.hinge_at(p.at, a.at), a.at, SIZE / 2.0)),
         }
     }
 }

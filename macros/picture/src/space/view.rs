@@ -131,7 +131,7 @@ impl Look {
             };
             cost += seen.iter().zip(&self.places).map(hidden).sum::<f64>();
             let along = (*b - *a).unit().dot(camera.toward).abs();
-            cost += ((along - 0.7) / 0.3).max(0.0) * 0.8;
+            cost += ((along - 0.7) / 0.3).max(0.0) * 0.8 + 0.5 * (1.0 - (1.0 - along * along).max(0.0).sqrt());
         }
         cost /= (self.places.len() as f64 / 4.0).max(1.0);
         let end_on = |axis: &Vec3| ((axis.dot(camera.toward).abs() - 0.8) / 0.2).max(0.0);

@@ -191,8 +191,8 @@ impl Wheels {
 
     /// How far wheels reach along an axis from a place.
     pub(crate) fn reach(&self, at: Vec3, axis: Vec3) -> f64 {
-        let own = self.wheels.iter().filter(|wheel| wheel.axis.dot(axis).abs() > 0.99 && (wheel.at - at).across(axis).norm() < 2.0);
-        own.map(|wheel| if wheel.look == Look::Worm { wheel.radius } else { HALF + 2.0 }).fold(0.0, f64::max)
+        let own = self.wheels.iter().filter(|wheel| wheel.axis.dot(axis).abs() > 0.99 && (wheel.at - at).norm() < 2.0);
+        own.map(Wheel::half).fold(0.0, f64::max)
     }
 
     /// Bodies with wheels are seen by them, and have shafts to their hinges.
@@ -245,7 +245,7 @@ impl Wheel {
         match self.look {
             Look::Spur => {
                 let (from, to) = (self.at - self.axis * HALF, self.at + self.axis * HALF);
-                pen.mantle(Layer::Wheel, Ink::Paper, from, to, self.radius);
+                pen.mantle(Layer::Wheel, Ink::Glass, from, to, self.radius);
                 pen.mantle(Layer::Wheel, Ink::Wheel(body), from, to, self.radius);
                 let front = if pen.sight.depth(self.axis) >= 0.0 { to } else { from };
                 pen.disc(Layer::Wheel, Ink::Wheel(body), front, self.axis, self.radius);
@@ -257,7 +257,7 @@ impl Wheel {
                 let ring = |(at, radius): (Vec3, f64)| Pen::on_circle(at, [one, two], radius, 0.0, TAU);
                 let ends = [ring((self.at, self.radius)), ring(small)].concat();
                 let outline: Vec<Place> = hull(&ends.iter().map(|at| pen.sight.at(*at)).collect::<Vec<_>>());
-                for ink in [Ink::Paper, Ink::Wheel(body)] {
+                for ink in [Ink::Glass, Ink::Wheel(body)] {
                     let item = DrawnItem { layer: Layer::Wheel, ink, shape: Stroke::Closed(outline.clone()), title: pen.title.clone() };
                     pen.items.push(item);
                 }
@@ -267,18 +267,18 @@ impl Wheel {
                 self.spoke(pen, scene, front.0, front.1);
             }
             Look::Worm => {
-                let half = self.axis * (self.radius * 3.0).clamp(18.0, 60.0);
+                let half = self.axis * self.half();
                 pen.tube(Layer::Wheel, Ink::Block(body), self.at - half, self.at + half, self.radius);
-                let toward = pen.sight.camera.toward.across(self.axis).unit();
-                let side = self.axis.cross(toward);
-                let turn = |step: i32| {
-                    let at = self.at + half * (f64::from(step) / 5.0);
-                    let lean = self.axis * (half.norm() / 12.0);
-                    vec![at - side * self.radius - lean, at + toward * self.radius, at + side * self.radius + lean]
-                };
-                pen.lines(Layer::Wheel, Ink::Line, &(-4..=4).map(turn).collect::<Vec<_>>());
+                let turn = |step: i32| pen.half_turn(self.at + half * (f64::from(step) / 5.0), self.axis, self.radius, self.half() / 5.5);
+                let turns: Vec<_> = (-4..=4).map(turn).collect();
+                pen.lines(Layer::Wheel, Ink::Line, &turns);
             }
         }
+    }
+
+    /// Half of its width.
+    fn half(&self) -> f64 {
+        if self.look == Look::Worm { (self.radius * 3.0).clamp(18.0, 60.0) } else { HALF + 2.0 }
     }
 
     /// A line that turns with the wheel.
