@@ -146,6 +146,10 @@ fn body(canvas: &Canvas, labels: &[Placed]) -> String {
 /// Captions and the scale below a frame, and the frame of the whole.
 fn foot(captions: &[String], scale: &Scale, mut frame: Rectangle) -> (String, Rectangle) {
     let mut below = String::new();
+    if let Scale::Axes(axes) = scale {
+        let taken = axes_of_ground(&mut below, axes);
+        frame = frame.with(taken.low).with(taken.high);
+    }
     let mut foot = place(frame.low.x, frame.high.y + 16.0);
     for caption in captions {
         foot.y += HEIGHT + 3.0;
@@ -164,10 +168,7 @@ fn foot(captions: &[String], scale: &Scale, mut frame: Rectangle) -> (String, Re
             let right = scale_bar(&mut below, *view, foot);
             (below, frame.with(right).with(foot + place(0.0, 4.0)).grown(MARGIN))
         }
-        Scale::Axes(axes) => {
-            let taken = axes_of_ground(&mut below, axes);
-            (below, frame.with(taken.low).with(taken.high).grown(MARGIN))
-        }
+        Scale::Axes(_) => (below, frame.grown(MARGIN)),
     }
 }
 

@@ -62,6 +62,8 @@ pub(crate) struct Drawing<'a> {
     bars: Vec<Bar>,
     /// Joints by place.
     names: Vec<(Vec3, Vec<String>)>,
+    /// Sleeves and blocks, on which other joints may be: where, and how deep.
+    pub(crate) tops: Vec<(Vec3, f64)>,
     /// Arrows that turn: where, and on which side.
     pub(crate) arrows: Vec<(Vec3, Vec3)>,
 }
@@ -79,6 +81,7 @@ pub(crate) fn draw(scene: &Placed, sight: &Sight, customs: &Customs) -> Canvas {
         pieces: Vec::new(),
         bars: Vec::new(),
         names: Vec::new(),
+        tops: Vec::new(),
         arrows: Vec::new(),
     };
     (0..scene.joints.len()).for_each(|joint| drawing.prepare(joint));
@@ -146,7 +149,8 @@ impl<'a> Drawing<'a> {
     pub(crate) fn depth_on(&self, at: Vec3) -> f64 {
         let halves = self.bars.iter().flat_map(|bar| [(bar.ends[0], bar.ends[1]), (bar.ends[1], bar.ends[0])]);
         let own = halves.filter(|(one, _)| (*one - at).norm() < 16.0).map(|(one, two)| self.sight.depth(one * 0.75 + two * 0.25));
-        own.fold(self.sight.depth(at), f64::max) + 0.5
+        let tops = self.tops.iter().filter(|(known, _)| (*known - at).norm() < 8.0).map(|(_, depth)| *depth);
+        own.chain(tops).fold(self.sight.depth(at), f64::max) + 0.5
     }
 
     /// A link goes from near a place in a direction.
@@ -280,6 +284,9 @@ impl<'a> Drawing<'a> {
     /// Puts everything into its order.
     fn finish(mut self) -> Canvas {
         for (at, names) in std::mem::take(&mut self.names) {
+            // In the order declared.
+            let mut names = names;
+            names.sort_by_key(|name| self.scene.joints.iter().position(|joint| joint.name == *name));
             let names = together(names.iter().map(String::as_str));
             self.canvas.wish(Subject::Joint, &names, Near::Point(self.sight.at(at), 9.0));
         }

@@ -104,7 +104,7 @@ impl Pen<'_> {
             let (sine, cosine) = libm::sincos(TAU * f64::from(step) / 16.0);
             at + (side * sine + toward * cosine) * radius + axis * (pitch * f64::from(step) / 16.0)
         };
-        (-4..=4).map(place).collect()
+        [-4, -2, 0, 2, 4].map(place).to_vec()
     }
 
     /// Places on part of a circle in space: from `x` towards `y`, unit vectors at a right angle.

@@ -114,6 +114,14 @@ impl Placed {
                 bodies[body].points.push(of.at);
             }
         }
+        // A link that is held at one place only reaches to the origin of its frame.
+        for body in &mut bodies {
+            if let Some(first) = body.points.first()
+                && body.points.iter().all(|at| (*at - *first).norm() <= 1e-9 * (*first - body.origin).norm())
+            {
+                body.points.push(body.origin);
+            }
+        }
         let output = |(name, fixed): &(String, Fixed)| frames.point(fixed).map(|of| (name.clone(), of.at));
         let outputs = scene.outputs.iter().map(output).collect::<Result<Vec<_>, _>>()?;
         let placed = Placed { bodies, joints, outputs, scale: 1.0 };

@@ -81,7 +81,10 @@ impl Drawing<'_> {
                         }
                     }
                     Slide::Sleeve { at, inner, .. } => {
-                        if let Some(body) = inner {
+                        if let Some(body) = inner.filter(|_| joint.kind == "screw") {
+                            let [low, high] = self.spindle(at, if inner == p.body { p.at } else { q.at }, a.at);
+                            self.shapes[body].bars.push((low, high));
+                        } else if let Some(body) = inner {
                             let (low, high) = self.customs.way(number);
                             let here = (q.at - p.at).dot(a.at);
                             // A bar of the first body stands still while the sleeve of the second moves along it.
@@ -265,15 +268,19 @@ impl Drawing<'_> {
             }
             Slide::Sleeve { at, outer, inner } => {
                 if kind == "screw" {
-                    let other = if inner == p.body { p.at } else { q.at };
-                    let reach = (other - at).dot(axis);
-                    let (low, high) = (reach.min(0.0) - 24.0, reach.max(0.0) + 24.0);
-                    self.rail(number, &title, [at + axis * low, at + axis * high], axis, true, inner);
+                    let ends = self.spindle(at, if inner == p.body { p.at } else { q.at }, axis);
+                    self.rail(number, &title, ends, axis, true, inner);
                 }
                 self.sleeve(&title, outer, at, axis, SIZE / 2.0, kind == "cylindrical");
                 self.name(at, &name);
             }
         }
+    }
+
+    /// The ends of a spindle from its point to beyond its nut.
+    fn spindle(&self, nut: Vec3, own: Vec3, axis: Vec3) -> [Vec3; 2] {
+        let reach = (own - nut).dot(axis);
+        [nut + axis * (reach.min(0.0) - 24.0), nut + axis * (reach.max(0.0) + 24.0)]
     }
 
     /// A box or a cylinder along an axis.
@@ -287,6 +294,7 @@ impl Drawing<'_> {
         }
         let depth = self.depth_on(at).max(self.depth_on(at + axis * half)).max(self.depth_on(at - axis * half));
         self.put(depth, pen);
+        self.tops.push((at, depth));
     }
 
     /// A rod along which something slides; ground holds it at its ends.
@@ -443,7 +451,8 @@ impl Drawing<'_> {
         let mut pen = self.pen(&title);
         let (from, to) = (p.at + way * 0.14, p.at + way * 0.56);
         pen.tube(Layer::Block, Ink::Paper, from, to, 5.5);
-        let depth = self.depth_on((from + to) * 0.5).max(self.sight.depth((p.at * 3.0 + q.at) * 0.25)) + 0.5;
+        let quarters = [0.25, 0.75].map(|part| self.sight.depth(p.at + way * part));
+        let depth = quarters[0].max(quarters[1]) + 0.5;
         self.put(depth, pen);
         self.balls(number, &title, p, q);
         self.wish_beside(&name, from, to, Subject::Drive);

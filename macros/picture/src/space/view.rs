@@ -5,7 +5,7 @@
 
 use super::placed::Placed;
 use super::vector::{Vec3, vec3};
-use crate::plane::{Place, place};
+use crate::plane::{Place, Rectangle, place};
 use core::f64::consts::PI;
 
 /// Points and links are held against each other up to this many.
@@ -63,7 +63,7 @@ fn candidates() -> impl Iterator<Item = (f64, Camera)> {
     azimuths.flat_map(move |(quadrant, azimuth)| {
         [26, 32, 20, 38].into_iter().enumerate().map(move |(rank, height)| {
             // From the front is better than from the side, and from behind last.
-            let strange = [0.0, 0.12, 0.3, 0.2][quadrant as usize] + 0.002 * f64::from((azimuth + 60_i32).abs()) + 0.02 * rank as f64;
+            let strange = [0.0, 0.08, 0.22, 0.16][quadrant as usize] + 0.002 * f64::from((azimuth + 60_i32).abs()) + 0.02 * rank as f64;
             (strange, Camera::new(f64::from(azimuth + 90 * quadrant) * degrees, f64::from(height) * degrees))
         })
     })
@@ -134,6 +134,8 @@ impl Look {
             cost += ((along - 0.7) / 0.3).max(0.0) * 0.8 + 0.5 * (1.0 - (1.0 - along * along).max(0.0).sqrt());
         }
         cost /= (self.places.len() as f64 / 4.0).max(1.0);
+        let spread = Rectangle::around(seen.iter().copied()).size();
+        cost -= 0.6 * spread.x.min(spread.y) / self.size.max(f64::MIN_POSITIVE);
         let end_on = |axis: &Vec3| ((axis.dot(camera.toward).abs() - 0.8) / 0.2).max(0.0);
         let edge_on = |normal: &Vec3| (1.0 - normal.dot(camera.toward).abs() / 0.3).max(0.0);
         let mean = |costs: f64, count: usize| costs / (count as f64 / 3.0).max(1.0);
