@@ -24,6 +24,7 @@ pub struct Picture {
     svg: String,
     labels: Vec<Label>,
     names_all: bool,
+    is_in_space: bool,
 }
 
 /// A name in the picture.
@@ -47,7 +48,7 @@ impl Picture {
     /// The same as a file of its own, on white.
     #[must_use]
     pub fn page(&self) -> String {
-        on_white(&self.svg)
+        on_white(&self.svg, self.is_in_space)
     }
 
     /// The names in the picture, where they stand.
@@ -98,7 +99,7 @@ pub fn animation(scenes: &[Scene], period: f64) -> Result<String, Undrawable> {
     let Reel { captions: [title, description], scale, frame, .. } = &reel;
     let period = if period > 0.0 && period.is_finite() { period } else { 1.0 };
     let sheets: Vec<(Canvas, Vec<Placed>)> = reel.sheets.iter().map(|sheet| (sheet.canvas.clone(), sheet.labels.clone())).collect();
-    Ok(on_white(&svg::animation(&sheets, scale, *frame, &Captions { title, description }, period)))
+    Ok(on_white(&svg::animation(&sheets, scale, *frame, &Captions { title, description }, period), matches!(scale, Scale::Axes(_))))
 }
 
 /// Draws a scene as it stands.
@@ -179,12 +180,15 @@ impl Reel {
             let Rectangle { low, high } = label.frame;
             Label { text: label.text.clone(), low: [low.x, low.y], high: [high.x, high.y] }
         };
-        Picture { svg, labels: sheet.labels.iter().map(label).collect(), names_all: self.names_all }
+        Picture { svg, labels: sheet.labels.iter().map(label).collect(), names_all: self.names_all, is_in_space: matches!(self.scale, Scale::Axes(_)) }
     }
 }
 
-fn on_white(svg: &str) -> String {
-    svg.replacen("</style>", "</style>\n<rect x=\"-50%\" y=\"-50%\" width=\"200%\" height=\"200%\" fill=\"#fff\"/>", 1)
+fn on_white(svg: &str, is_in_space: bool) -> String {
+    // In space the middle of the mechanism need not be that of the picture.
+    let (corner, size) = if is_in_space { ("-100%", "300%") } else { ("-50%", "200%") };
+    let paper = format!("</style>\n<rect x=\"{corner}\" y=\"{corner}\" width=\"{size}\" height=\"{size}\" fill=\"#fff\"/>");
+    svg.replacen("</style>", &paper, 1)
 }
 
 fn captions(scene: &Scene) -> [String; 2] {

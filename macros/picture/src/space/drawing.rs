@@ -219,7 +219,7 @@ impl<'a> Drawing<'a> {
             pen.ball(Ink::Block(number), at, 4.0);
             self.put(self.sight.depth(at), pen);
         }
-        let beside = || if segments.is_empty() { Near::Point(self.sight.at(at), 11.0) } else { Near::Segments(segments) };
+        let beside = || if segments.is_empty() { Near::Point(self.sight.at(at), 13.0) } else { Near::Segments(segments) };
         self.canvas.wish(Subject::Body, &name, near.unwrap_or_else(beside));
     }
 
@@ -288,7 +288,7 @@ impl<'a> Drawing<'a> {
             let mut names = names;
             names.sort_by_key(|name| self.scene.joints.iter().position(|joint| joint.name == *name));
             let names = together(names.iter().map(String::as_str));
-            self.canvas.wish(Subject::Joint, &names, Near::Point(self.sight.at(at), 9.0));
+            self.canvas.wish(Subject::Joint, &names, Near::Point(self.sight.at(at), 10.0));
         }
         // Rounding shall not change the order of what is at one depth.
         self.pieces.sort_by_key(|piece| (piece.depth * 8.0).round() as i64);

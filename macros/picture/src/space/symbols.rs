@@ -299,13 +299,17 @@ impl Drawing<'_> {
 
     /// A rod along which something slides; ground holds it at its ends.
     fn rail(&mut self, number: usize, title: &str, [low, high]: [Vec3; 2], axis: Vec3, is_thread: bool, body: Option<usize>) {
-        let mut pen = self.pen(title);
         if is_thread {
-            pen.tube(Layer::Rod, block(body), low, high, 4.0);
-            let count = ((high - low).norm() / 5.0).floor().clamp(0.0, 80.0) as usize;
-            let strokes: Vec<_> = (0..count).map(|number| pen.half_turn(low + axis * (2.5 + 5.0 * number as f64), axis, 4.0, 5.0)).collect();
-            pen.lines(Layer::Rod, Ink::Thin, &strokes);
-            self.put(self.sight.depth((low + high) * 0.5), pen);
+            let middle = (low + high) * 0.5;
+            for (from, to) in [(low, middle), (middle, high)] {
+                let mut pen = self.pen(title);
+                pen.tube(Layer::Rod, block(body), from, to, 4.0);
+                let count = ((to - from).norm() / 5.0).floor().clamp(0.0, 60.0) as usize;
+                let turn = |number: usize| pen.half_turn(from + axis * (2.5 + 5.0 * number as f64), axis, 4.0, 5.0);
+                let turns: Vec<_> = (0..count).map(turn).collect();
+                pen.lines(Layer::Rod, Ink::Thin, &turns);
+                self.put(self.sight.depth((from + to) * 0.5) + 0.2, pen);
+            }
         } else {
             self.bar(title, Layer::Rod, Ink::Rod, body, low, high);
         }
