@@ -253,7 +253,8 @@ fn a_motion_in_space_is_seen_from_one_place() -> Result<(), Box<dyn Error>> {
     let states = across.sweep((0..12).map(|step| f64::from(step) / 12.0)).collect::<Result<Vec<_>, _>>()?;
     let scenes: Vec<Scene> = states.iter().map(|state| across.scene(state)).collect();
     let drawn = frames(&scenes)?;
-    let hinge = |svg: &str| svg.lines().find(|line| line.contains("axle: revolute") && line.contains("class=\"k g\"")).map(ToOwned::to_owned);
+    let hinge =
+        |svg: &str| svg.lines().find(|line| line.contains("axle: revolute") && line.contains("class=\"k g\"")).map(ToOwned::to_owned);
     assert!(hinge(drawn[0].svg()).is_some());
     for frame in &drawn {
         assert_eq!(frame.svg().lines().next(), drawn[0].svg().lines().next());

@@ -128,7 +128,10 @@ impl Declaration {
 
 /// `(1.0m, 0.0m, 0.0m)`
 pub(crate) fn vector(value: &Value, unit: &str) -> String {
-    let parts: Vec<String> = list(value).iter().map(|part| if unit.is_empty() { plain(number(part)) } else { format!("{} * 1{unit}", plain(number(part))) }).collect();
+    let parts: Vec<String> = list(value)
+        .iter()
+        .map(|part| if unit.is_empty() { plain(number(part)) } else { format!("{} * 1{unit}", plain(number(part))) })
+        .collect();
     format!("({})", parts.join(", "))
 }
 

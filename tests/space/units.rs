@@ -23,10 +23,14 @@ fn rows(case: &Value) -> Rows {
         panic!("{}\n{text}", sentences.join("\n"))
     });
     let declared = compiled.system.declared.expect("a mechanism in space");
-    let mut q: Vec<f64> =
-        list(&case["bodies"]).iter().flat_map(|body| ["r", "p"].into_iter().flat_map(|name| list(&body[name]).iter().map(number))).collect();
-    let u: Vec<f64> =
-        list(&case["bodies"]).iter().flat_map(|body| ["v", "w"].into_iter().flat_map(|name| list(&body[name]).iter().map(number))).collect();
+    let mut q: Vec<f64> = list(&case["bodies"])
+        .iter()
+        .flat_map(|body| ["r", "p"].into_iter().flat_map(|name| list(&body[name]).iter().map(number)))
+        .collect();
+    let u: Vec<f64> = list(&case["bodies"])
+        .iter()
+        .flat_map(|body| ["v", "w"].into_iter().flat_map(|name| list(&body[name]).iter().map(number)))
+        .collect();
     // The angles of joints, which the state of a mechanism holds.
     if let Some(angles) = case["theta"].as_object() {
         let order = ["theta", "theta_i", "theta_j"];

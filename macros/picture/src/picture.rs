@@ -180,7 +180,12 @@ impl Reel {
             let Rectangle { low, high } = label.frame;
             Label { text: label.text.clone(), low: [low.x, low.y], high: [high.x, high.y] }
         };
-        Picture { svg, labels: sheet.labels.iter().map(label).collect(), names_all: self.names_all, is_in_space: matches!(self.scale, Scale::Axes(_)) }
+        Picture {
+            svg,
+            labels: sheet.labels.iter().map(label).collect(),
+            names_all: self.names_all,
+            is_in_space: matches!(self.scale, Scale::Axes(_)),
+        }
     }
 }
 

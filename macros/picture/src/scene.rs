@@ -100,6 +100,9 @@ pub(crate) struct Fixed {
 ///
 /// Kinds and arguments have the names of the constraints in `reuleaux::library`: a `revolute` joint has points `P` and `Q`. A kind that
 /// has no symbol is drawn as a dashed line between its points.
+///
+/// In space gears and drives are made with the `angle` (axes `a` and `b`) or the `displacement` (points `P` and `Q`, axis `a`) of a joint:
+/// an argument that is a joint of that kind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     pub(crate) name: String,

@@ -86,7 +86,11 @@ impl<T: Real> SpatialBody<T> {
         let swing = cross(self.angular_velocity, arm);
         let (along, inward) = (cross(self.angular_acceleration, arm), cross(self.angular_velocity, swing));
         let sum = |a: &Vector3<T>, b: Vector3<T>| Vector3::new(a[0] + b[0], a[1] + b[1], a[2] + b[2]);
-        Motion { value: sum(&self.position, arm), rate: sum(&self.velocity, swing), acceleration: sum(&sum(&self.acceleration, along), inward) }
+        Motion {
+            value: sum(&self.position, arm),
+            rate: sum(&self.velocity, swing),
+            acceleration: sum(&sum(&self.acceleration, along), inward),
+        }
     }
 
     /// The motion of a vector fixed in this body, from its local components v'.
@@ -117,14 +121,13 @@ impl<T: Float> SpatialBody<T> {
         let (one, half) = (T::of(1.0), T::of(0.5));
         let trace = a(0, 0) + a(1, 1) + a(2, 2);
         // 4 e² of each component.
-        let squares = [one + trace, one + a(0, 0) - a(1, 1) - a(2, 2), one - a(0, 0) + a(1, 1) - a(2, 2), one - a(0, 0) - a(1, 1) + a(2, 2)];
+        let squares =
+            [one + trace, one + a(0, 0) - a(1, 1) - a(2, 2), one - a(0, 0) + a(1, 1) - a(2, 2), one - a(0, 0) - a(1, 1) + a(2, 2)];
         let largest = (1..4).fold(0, |largest, k| if squares[k] > squares[largest] { k } else { largest });
         let root = squares[largest].sqrt();
         let (own, factor) = (half * root, half / root);
-        let (sums, differences) = (
-            [a(2, 1) + a(1, 2), a(0, 2) + a(2, 0), a(1, 0) + a(0, 1)],
-            [a(2, 1) - a(1, 2), a(0, 2) - a(2, 0), a(1, 0) - a(0, 1)],
-        );
+        let (sums, differences) =
+            ([a(2, 1) + a(1, 2), a(0, 2) + a(2, 0), a(1, 0) + a(0, 1)], [a(2, 1) - a(1, 2), a(0, 2) - a(2, 0), a(1, 0) - a(0, 1)]);
         let [w, x, y, z] = match largest {
             0 => [own, factor * differences[0], factor * differences[1], factor * differences[2]],
             1 => [factor * differences[0], own, factor * sums[2], factor * sums[1]],

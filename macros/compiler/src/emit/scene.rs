@@ -92,7 +92,7 @@ impl SceneComposer<'_> {
                     let entries = [0, 1, 2].map(|column| at(system.coordinates.len() + COSINES * index + 3 * row + column));
                     quote!([#(#entries),*])
                 });
-                return quote!(#scene.body(#name, __picture::Pose::space([#(#position),*], [#(#rotation),*]));)
+                return quote!(#scene.body(#name, __picture::Pose::space([#(#position),*], [#(#rotation),*])););
             }
             let [x, y, angle] = [Role::Position(Axis::X), Role::Position(Axis::Y), Role::Angle].map(|role| coordinate(index, role));
             quote!(#scene.body(#name, __picture::Pose::plane(#x, #y, #angle));)

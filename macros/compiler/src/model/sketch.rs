@@ -183,9 +183,14 @@ impl Elaborator<'_> {
         let point = |place: Place| JointArgument::Point(LocalVector { body: place.body, local: Components::space(place.local) });
         let (kind, arguments) = match self.quantity_at(expr)? {
             JointQuantity::Angle(one, two) => ("angle", vec![("a", axis(one)), ("b", axis(two))]),
-            JointQuantity::Displacement(along, from, to) => ("displacement", vec![("P", point(from)), ("a", axis(along)), ("Q", point(to))]),
+            JointQuantity::Displacement(along, from, to) => {
+                ("displacement", vec![("P", point(from)), ("a", axis(along)), ("Q", point(to))])
+            }
         };
-        Some(Instantiation { kind: kind.to_owned(), arguments: arguments.into_iter().map(|(name, argument)| (name.to_owned(), argument)).collect() })
+        Some(Instantiation {
+            kind: kind.to_owned(),
+            arguments: arguments.into_iter().map(|(name, argument)| (name.to_owned(), argument)).collect(),
+        })
     }
 
     /// It contains neither coordinates nor speeds.

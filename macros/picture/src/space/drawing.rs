@@ -200,7 +200,8 @@ impl<'a> Drawing<'a> {
         let mut near = None;
         if let Some(corners) = plate(&points) {
             let seen: Vec<Place> = hull(&corners.iter().map(|at| self.sight.at(*at)).collect::<Vec<_>>());
-            let item = DrawnItem { layer: Layer::DrawnBody, ink: Ink::Plate(number), shape: Stroke::Closed(seen.clone()), title: name.clone() };
+            let item =
+                DrawnItem { layer: Layer::DrawnBody, ink: Ink::Plate(number), shape: Stroke::Closed(seen.clone()), title: name.clone() };
             let depth = self.sight.depth(Vec3::middle(&corners));
             self.pieces.push(Piece { depth, items: vec![item] });
             links.extend(shape.ends.iter().filter(|(at, end)| (*at - *end).norm() > NEAR).copied());

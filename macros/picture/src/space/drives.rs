@@ -71,7 +71,8 @@ impl Drawing<'_> {
     /// Where an angle is one of a joint.
     pub(crate) fn seat_of(&self, made: &Made) -> Option<(Seat, Option<usize>)> {
         let (a, b) = (made.given.axis("a")?, made.given.axis("b")?);
-        let own = self.joint_between([a.body, b.body], a.at).or_else(|| self.joint_of(b.body, a.at)).or_else(|| self.joint_of(a.body, a.at));
+        let own =
+            self.joint_between([a.body, b.body], a.at).or_else(|| self.joint_of(b.body, a.at)).or_else(|| self.joint_of(a.body, a.at));
         if let Some((at, _, reach)) = own.and_then(|joint| self.seat(joint)) {
             return Some(((at, a.at, reach), own));
         }
@@ -109,7 +110,10 @@ impl Drawing<'_> {
         let tip = |angle: f64, ahead: f64| {
             let (sine, cosine) = libm::sincos(angle + 0.35 * ahead);
             let (chord_sine, chord_cosine) = libm::sincos(angle);
-            let (tip, foot) = (middle + (circle[0] * cosine + circle[1] * sine) * RADIUS, middle + (circle[0] * chord_cosine + circle[1] * chord_sine) * RADIUS);
+            let (tip, foot) = (
+                middle + (circle[0] * cosine + circle[1] * sine) * RADIUS,
+                middle + (circle[0] * chord_cosine + circle[1] * chord_sine) * RADIUS,
+            );
             (tip, tip - foot)
         };
         if rate >= 0.0 {

@@ -110,7 +110,8 @@ impl Stage {
         let corners = [place(low.x, high.y), place(high.x, high.y), low, place(high.x, low.y)];
         // A part of them may stand out from the frame.
         let more = corners.into_iter().zip([place(-1.0, 1.0), place(1.0, 1.0), place(-1.0, -1.0), place(1.0, -1.0)]);
-        let candidates: Vec<Place> = [0.0, 12.0, 24.0, 38.0].into_iter().flat_map(|out| more.clone().map(move |(at, way)| at + way * out)).collect();
+        let candidates: Vec<Place> =
+            [0.0, 12.0, 24.0, 38.0].into_iter().flat_map(|out| more.clone().map(move |(at, way)| at + way * out)).collect();
         let below = place(low.x, frame.high.y - own.low.y + 6.0);
         axes.origin = candidates.into_iter().find(is_free).unwrap_or(below);
         axes

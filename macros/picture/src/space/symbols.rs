@@ -171,7 +171,8 @@ impl Drawing<'_> {
         self.centre_line(&title, at - axis * (SIZE / 2.0 + 13.0), at + axis * (SIZE / 2.0 + 13.0));
         let mut pen = self.pen(&title);
         // A barrel of the second body between two of the first, those behind first.
-        let mut parts = vec![(at - half, at - half * 0.5, p.body), (at - half * 0.5, at + half * 0.5, q.body), (at + half * 0.5, at + half, p.body)];
+        let mut parts =
+            vec![(at - half, at - half * 0.5, p.body), (at - half * 0.5, at + half * 0.5, q.body), (at + half * 0.5, at + half, p.body)];
         if self.sight.depth(axis) < 0.0 {
             parts.reverse();
         }

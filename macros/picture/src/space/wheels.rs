@@ -178,7 +178,8 @@ impl Wheels {
     /// One wheel for each body and hinge.
     fn add(&mut self, seat: Seat, at: Vec3, radius: f64, look: Look) {
         let Seat { body, axis, at: hinge } = seat;
-        let is_known = |wheel: &Wheel| wheel.body == body && (wheel.at - at).norm() < 1e-3 * radius && (wheel.radius - radius).abs() < 1e-3 * radius;
+        let is_known =
+            |wheel: &Wheel| wheel.body == body && (wheel.at - at).norm() < 1e-3 * radius && (wheel.radius - radius).abs() < 1e-3 * radius;
         if !self.wheels.iter().any(is_known) {
             self.wheels.push(Wheel { body, at, axis, radius, look, hinge });
         }
@@ -306,6 +307,8 @@ fn seat(scene: &Placed, made: &Made, common: Option<usize>) -> Option<Seat> {
     // Turned from the second body's side an angle is the opposite one.
     let axis = if b.body == common { -a.at } else { a.at };
     let bodies = [a.body, b.body];
-    let joint = scene.joint_on(axis, |p, q| [p, q] == bodies || [q, p] == bodies).or_else(|| scene.joint_on(axis, |p, q| p == wheel.body || q == wheel.body))?;
+    let joint = scene
+        .joint_on(axis, |p, q| [p, q] == bodies || [q, p] == bodies)
+        .or_else(|| scene.joint_on(axis, |p, q| p == wheel.body || q == wheel.body))?;
     Some(Seat { body: wheel.body, at: scene.joints[joint].given.point("P")?.at, axis })
 }
