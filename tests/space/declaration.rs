@@ -103,11 +103,63 @@ impl Declaration {
                 let q = at("P", "body_j", "point_j", None);
                 format!("rack_pinion(joint_angle({k}, {i}), {p}, {u}, {q}, {} * 1m, {} * 1m)", given("radius"), given("offset"))
             }
-            other => panic!("unknown constraint {other}"),
+            "rolling_disk" => {
+                let (a, q) = (at("a", "body_i", "axis_i", Some("x_i")), at("P", "body_j", "point_j", None));
+                format!("rolling_disk({a}, {q}, {}, {} * 1m)", at("a", "body_j", "axis_j", None), given("radius"))
+            }
+            "rolling_ball" => {
+                let a = at("a", "body_i", "axis_i", Some("x_i"));
+                format!("rolling_ball({a}, {}, {} * 1m)", at("P", "body_j", "point_j", None), given("radius"))
+            }
+            "knife_edge" => {
+                let q = at("P", "body_j", "point_j", None);
+                format!("knife_edge({}, {q}, {})", text(&constraint["body_i"]), at("a", "body_j", "axis_j", None))
+            }
+            "mpc" => self.multi_point(constraint),
+            kind => self.gear_type(kind, constraint),
         };
-        let word = if kind.starts_with("driver") { "drive" } else { "joint" };
+        let word = if kind.starts_with("driver") || kind == "mpc" { "drive" } else { "joint" };
         let end = if equations.ends_with('}') { "" } else { ";" };
         self.joints.push(format!("{prefix}{word} {name} = {equations}{end}"));
+    }
+
+    /// An axis fixed in a body.
+    fn axis(&mut self, body: &str, axis: &Value, zero: &Value) -> String {
+        let marks = self.marks.entry(body.to_owned()).or_default();
+        let name = format!("a{}", marks.len());
+        marks.push(format!("axis {name} = {} from {};", vector(axis, ""), vector(zero, "")));
+        format!("{body}.{name}")
+    }
+
+    /// A gear type joint of multi-point constraints.
+    fn gear_type(&mut self, kind: &str, constraint: &Value) -> String {
+        let nodes: Vec<&str> = list(&constraint["nodes"]).iter().map(text).collect();
+        let axes: Vec<String> = (1..nodes.len())
+            .map(|node| self.axis(nodes[0], &constraint[format!("axis_{node}")], &constraint[format!("x_{node}")]))
+            .collect();
+        let (word, unit) = match kind {
+            "rotational_gear" => ("gear_joint", ""),
+            "rack_pinion_published" => ("rack_and_pinion_joint", " * 1m / 1rad"),
+            "rack_pinion_guided" => ("guided_rack_and_pinion_joint", " * 1m / 1rad"),
+            "differential_published" => ("differential_joint", ""),
+            "differential_bearings" => ("differential_joint_on_bearings", ""),
+            other => panic!("unknown constraint {other}"),
+        };
+        format!("{word}({}, {}, {}{unit})", nodes.join(", "), axes.join(", "), plain(number(&constraint["alpha"])))
+    }
+
+    /// Σ c (velocity of a node along or about an axis) = f(t)
+    fn multi_point(&mut self, constraint: &Value) -> String {
+        let term = |this: &mut Self, term: &Value| {
+            let skew = &term["skew"];
+            let axis = this.axis(text(&skew["body"]), &skew["axis"], &skew["x"]);
+            let (dof, node) = (number(&term["dof"]) as usize - 1, text(&term["node"]));
+            let direction = format!("{}({axis})", ["x_axis", "y_axis", "z_axis"][dof % 3]);
+            let speed = if dof < 3 { format!("rate({node}.position) / 1m") } else { format!("{node}.angular_velocity / 1rad") };
+            format!("{} * dot({direction}, {speed})", plain(number(&term["coeff"])))
+        };
+        let terms: Vec<String> = list(&constraint["terms"]).iter().map(|found| term(self, found)).collect();
+        format!("{{ {} == ({}) / 1s; }}", terms.join(" + "), law(&constraint["f"]))
     }
 
     /// The declaration; `bodies` in order, each with the statements of its start.

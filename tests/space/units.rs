@@ -42,7 +42,7 @@ fn rows(case: &Value) -> Rows {
     let values = Values { time: t, parameters: &[], coordinates: &q, speeds: &u, accelerations: &[], functions: &functions };
     let mut roots = Vec::new();
     for equation in &declared.equations {
-        roots.extend(equation.phi());
+        roots.push(equation.phi().unwrap_or(equation.nu));
         roots.extend([equation.nu, equation.gamma]);
         roots.extend(equation.jacobian.iter().map(|(_, entry)| *entry));
     }
@@ -85,6 +85,23 @@ fn every_constraint_has_its_reference_rows_at_states_that_do_not_satisfy_it() {
             assert!(error <= 1.0, "{name}, {what}: {error} of what is allowed\n{found:?}\n{wanted}");
         };
         check("Φ", &rows.phi, &case["Phi"], &case["Phi_bound"]);
+        check("ν", &rows.nu, &case["nu"], &case["nu_bound"]);
+        check("γ", &rows.gamma, &case["gamma"], &case["gamma_bound"]);
+        for (row, found) in rows.jacobian.iter().enumerate() {
+            check("Φ_u", found, &case["Phi_w"][row], &case["Phi_w_bound"][row]);
+        }
+    }
+}
+
+#[test]
+fn every_row_of_velocities_has_its_reference_entries() {
+    let all = file("space/unit_velocity_rows.json");
+    for case in list(&all["cases"]) {
+        let (rows, name) = (rows(case), text(&case["id"]));
+        let check = |what: &str, found: &[f64], wanted: &Value, bounds: &Value| {
+            let error = worst(found, wanted, bounds);
+            assert!(error <= 1.0, "{name}, {what}: {error} of what is allowed\n{found:?}\n{wanted}");
+        };
         check("ν", &rows.nu, &case["nu"], &case["nu_bound"]);
         check("γ", &rows.gamma, &case["gamma"], &case["gamma_bound"]);
         for (row, found) in rows.jacobian.iter().enumerate() {

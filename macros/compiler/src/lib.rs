@@ -16,6 +16,7 @@ pub mod diag;
 mod emit;
 mod expansion;
 pub mod expr;
+pub mod geometry;
 pub mod library;
 mod mobility;
 pub mod model;

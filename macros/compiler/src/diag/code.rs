@@ -122,6 +122,7 @@ codes! {
     E0602: Equation::RowOfNothing Equation::OnGround;
     E0603: Equation::NoEquations Equation::EmptyBundle;
     E0604: Equation::GroundStart;
+    E0605: Equation::NotAffine System::Nonholonomic;
     // Mobility.
     E0701: System::NoBodies;
     E0702: System::BodyIsFree;

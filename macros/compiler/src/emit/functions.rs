@@ -192,7 +192,8 @@ impl Emitter<'_> {
     fn vector(&self, code: &Code, m: usize) -> TokenStream {
         match code {
             Code::Straight(routine) if self.is_sparse(routine) => {
-                let (rows, of_rows, RoutinePrinter { reads, steps, results }) = (local("rows"), vector_type(m), self.equation_lines(routine));
+                let (rows, of_rows, RoutinePrinter { reads, steps, results }) =
+                    (local("rows"), vector_type(m), self.equation_lines(routine));
                 let other = (0..).zip(&routine.results).zip(results).filter(|((_, row), _)| !self.is_zero(**row));
                 let writes = other.map(|((row, _), value)| {
                     let row = number(row);

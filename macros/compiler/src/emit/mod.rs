@@ -355,7 +355,8 @@ fn state(model: &Model, system: &System) -> TokenStream {
     let (name, visibility, n) = (&model.name, &model.visibility, system.width());
     let (module, own_name, state) = (state_module(name), state_name(name), state_path(name));
     let first_line = docs::line(&format!("A state of [`{name}`](super::{name}): time, position, velocity and acceleration of every body."));
-    let accessors = Accessors::new(&model.layout, &model.name, visibility, None).in_space((!system.frames.is_empty()).then_some(system.coordinates.len()));
+    let accessors = Accessors::new(&model.layout, &model.name, visibility, None)
+        .in_space((!system.frames.is_empty()).then_some(system.coordinates.len()));
     let (own, views) = (accessors.of_mechanism(), accessors.views(n));
     let n = number(n);
     let failure_name = (model.task.is_solved()).then(|| format_ident!("{}Failure", name, span = Span::call_site()));

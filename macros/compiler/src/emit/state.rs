@@ -98,8 +98,10 @@ impl<'a> Accessors<'a> {
             let (known, kind, value) = match field.of {
                 Of::Body => {
                     let what = if self.orientations.is_some() { "orientation" } else { "angle (rad)" };
-                    let known = format!("{} place of its frame's origin (m) and {what}, with their rates.", called("body", "bodies", field));
-                    let kind = if self.orientations.is_some() { quote!(::reuleaux::SpatialBody<T>) } else { quote!(::reuleaux::PlanarBody<T>) };
+                    let known =
+                        format!("{} place of its frame's origin (m) and {what}, with their rates.", called("body", "bodies", field));
+                    let kind =
+                        if self.orientations.is_some() { quote!(::reuleaux::SpatialBody<T>) } else { quote!(::reuleaux::PlanarBody<T>) };
                     let places = self.places(first, &first.members[number], |body| body);
                     (known, kind, array_at(&places, &field.sizes, &body))
                 }

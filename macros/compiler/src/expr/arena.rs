@@ -212,9 +212,7 @@ impl Arena {
         let node = match (*self.node(expr), children) {
             (Node::Unary(function, _), [a]) => Node::Unary(function, *a),
             (Node::Binary(function, ..), [a, b]) => Node::Binary(function, *a, *b),
-            (Node::Select { .. }, [lhs, rhs, then, otherwise]) => {
-                Node::Select { lhs: *lhs, rhs: *rhs, then: *then, otherwise: *otherwise }
-            }
+            (Node::Select { .. }, [lhs, rhs, then, otherwise]) => Node::Select { lhs: *lhs, rhs: *rhs, then: *then, otherwise: *otherwise },
             (Node::Call { function, order, .. }, [argument]) => Node::Call { function, order, argument: *argument },
             (Node::Marked { mark, .. }, [value]) => Node::Marked { mark, value: *value },
             _ => return expr,

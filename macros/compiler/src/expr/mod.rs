@@ -21,6 +21,7 @@ mod jet;
 mod node;
 mod show;
 mod simplify;
+pub mod spline;
 mod substitute;
 
 pub use arena::Arena;
@@ -28,8 +29,8 @@ pub use derivative::{Derivatives, derivative};
 pub(crate) use eval::magnitudes;
 pub use eval::{Evaluator, Values, evaluate};
 pub use exact::Exact;
-pub use jet::{Jets, Rate, Seed};
 pub use frame::{Frame, Triple, cross, dot};
+pub use jet::{Jets, Rate, Seed};
 pub use node::{Binary, Expr, Leaf, Mark, Node, Unary};
 pub use show::show;
 pub use simplify::{RULES, Rewrite, Rule};

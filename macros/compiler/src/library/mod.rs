@@ -72,6 +72,14 @@ const SPATIAL: &[(&str, &str)] = spatial_pages![
     "drive_rotation",
     "drive_translation",
     "drive_z",
+    "gear_joint",
+    "rack_and_pinion_joint",
+    "guided_rack_and_pinion_joint",
+    "differential_joint",
+    "differential_joint_on_bearings",
+    "rolling_disk",
+    "rolling_ball",
+    "knife_edge",
 ];
 
 /// Constraints whose text is right in the plane and in space.

@@ -4,9 +4,9 @@ use super::Components;
 use super::Function as Numbered;
 use super::elaborate::{Elaborator, Scope};
 use super::key::Key;
-use super::spline::{Ends, Table};
 use super::value::{Fixed, FunctionValue, Scalar, Value, Vector};
 use crate::diag::{ArityFact, Fact, NameFact, Range, ValueFact};
+use crate::expr::spline::{Ends, Table};
 use crate::expr::{Expr, Unary};
 use crate::library;
 use crate::quantity::{Ambient, Dim, InferredDim};
@@ -49,6 +49,9 @@ impl Elaborator<'_> {
         if BUILTINS.contains(&name.to_string().as_str()) {
             return self.builtin(range, name, arguments, scope);
         }
+        if !is_bound && name == super::speeds::RATE {
+            return self.rate(name, arguments, scope);
+        }
         if !is_bound && super::space::BUILTINS.contains(&name.to_string().as_str()) {
             return match self.names.ambient {
                 Ambient::Space => self.spatial_builtin(range, name, arguments, scope),
@@ -59,7 +62,11 @@ impl Elaborator<'_> {
             let near = self.similar_function(name, scope);
             return self.refuse(
                 name,
-                NameFact::UnknownFunction { name: name.to_string(), near, is_constraint: library::find(&name.to_string(), self.names.ambient).is_some() },
+                NameFact::UnknownFunction {
+                    name: name.to_string(),
+                    near,
+                    is_constraint: library::find(&name.to_string(), self.names.ambient).is_some(),
+                },
             );
         }
         let callee = ast::Expression { kind: ExpressionKind::Path(path.clone()), range: path.range, depth: 1 };

@@ -51,7 +51,7 @@ impl Elaborator<'_> {
         let rows = self.statements(&definition.statements, scope, &place, &[])?;
         let of = rows.len();
         for (row, ScalarEquation { residual, range }) in rows.into_iter().enumerate() {
-            let depends = self.arena.leaves(residual.expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)));
+            let depends = self.arena.leaves(residual.expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_) | Leaf::Speed(_)));
             if !depends {
                 return self.refuse(
                     range,

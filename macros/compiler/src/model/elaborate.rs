@@ -2,7 +2,7 @@
 
 use super::key::Key;
 use super::names::{Context, Names, SpaceId};
-use super::space::Space;
+use super::space::Notes;
 use super::statement::FixedValue;
 use super::value::{Fixed, FrameId, Scalar, Value, Vector};
 use super::{Components, Function as Numbered, Name, Requirement};
@@ -41,7 +41,7 @@ pub(crate) struct Elaborator<'a> {
     /// Defaults of the parameters, once they are known.
     pub(super) defaults: Vec<f64>,
     /// What was found of joints in space.
-    pub(super) space: Space,
+    pub(super) space: Notes,
 }
 
 /// A definition being instantiated.
@@ -126,7 +126,7 @@ impl Elaborator<'_> {
             is_unused: false,
             calls: BTreeMap::new(),
             defaults: Vec::new(),
-            space: Space::default(),
+            space: Notes::default(),
         }
     }
 
@@ -395,6 +395,7 @@ impl Elaborator<'_> {
                 let local = Components::plane(zero, zero).resized(self.names.ambient.components());
                 Some(Value::Point(Fixed { frame, local, measure: InferredDim::Known(Dim::LENGTH), zero: None }))
             }
+            None if name == "angular_velocity" => Some(self.angular_velocity(frame)),
             None => {
                 let space = self.names.frames[frame.0].space;
                 if let Some(group) = self.names.find(space, &name) {

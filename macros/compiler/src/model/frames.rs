@@ -20,8 +20,7 @@ impl Elaborator<'_> {
     pub(super) fn new_frame(&mut self, name: &str) -> FrameId {
         let first = self.names.frames.last().map_or(0, |before| before.first + before.coordinates.len());
         let base = if self.names.ambient == Ambient::Space { DECLARED } else { 0 };
-        let leaf =
-            |(offset, role): (usize, &Role)| (*role, self.arena.leaf(Leaf::Coordinate(base + (first + offset) as u32)));
+        let leaf = |(offset, role): (usize, &Role)| (*role, self.arena.leaf(Leaf::Coordinate(base + (first + offset) as u32)));
         let coordinates: Vec<(Role, Expr)> = self.names.ambient.coordinates().iter().enumerate().map(leaf).collect();
         if self.names.ambient == Ambient::Space {
             let quaternion: Vec<Expr> = coordinates[3..].iter().map(|(_, leaf)| *leaf).collect();

@@ -266,7 +266,9 @@ impl Elaborator<'_> {
                 Some(format!("{}.{}", path.last, self.names.a_point_of(*frame).unwrap_or("position")))
             }
             (FormalKind::Body, Value::Point(point), _) => Some(self.names.frames[point.frame.0].name.clone()),
-            (FormalKind::Axis, Value::Body(_) | Value::Point(_), _) => Some(if self.names.ambient == Ambient::Space { "(1, 0, 0)" } else { "(1, 0)" }.to_owned()),
+            (FormalKind::Axis, Value::Body(_) | Value::Point(_), _) => {
+                Some(if self.names.ambient == Ambient::Space { "(1, 0, 0)" } else { "(1, 0)" }.to_owned())
+            }
             _ => None,
         }
     }

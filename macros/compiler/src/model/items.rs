@@ -66,7 +66,12 @@ impl Elaborator<'_> {
             ast::JointBody::Equations(_) => "equation".to_owned(),
         };
         self.rows_are_sound(id, joint, &rows);
-        let residual = |row: &ScalarEquation| Residual { expr: row.residual.expr, dim: row.residual.measure.settled() };
+        self.rows_are_affine(&name.to_string(), &rows);
+        let residual = |row: &ScalarEquation| {
+            let is_velocity = self.has_speeds(row.residual.expr);
+            let time = InferredDim::Known(if is_velocity { Dim::TIME } else { Dim::NUMBER });
+            Residual { expr: row.residual.expr, dim: row.residual.measure.times(time).settled(), is_velocity }
+        };
         let residuals = rows.iter().map(residual).collect();
         Some((Joint { name: name.clone(), kind, is_drive: joint.is_drive, is_redundant: joint.is_redundant, residuals }, rows))
     }
@@ -76,7 +81,7 @@ impl Elaborator<'_> {
         let (name, of) = (joint.name.to_string(), rows.len());
         let leaves = |row: &ScalarEquation| self.arena.leaves(row.residual.expr);
         // An argument of an unused component may move.
-        let may_move = |leaf: &Leaf| matches!(leaf, Leaf::Coordinate(_)) || self.is_unused && matches!(leaf, Leaf::Parameter(_));
+        let may_move = |leaf: &Leaf| matches!(leaf, Leaf::Coordinate(_) | Leaf::Speed(_)) || self.is_unused && matches!(leaf, Leaf::Parameter(_));
         let is_of_nothing = |row: &ScalarEquation| !leaves(row).iter().any(may_move);
         if let Some(row) = rows.iter().position(is_of_nothing) {
             self.say::<()>(rows[row].range, EquationFact::RowOfNothing { joint: name, row: row + 1, of, at_defaults: false });
@@ -97,6 +102,14 @@ impl Elaborator<'_> {
     fn output(&mut self, output: &ast::OutputItem, name: &Name, context: &Context) -> Option<Output> {
         let value = self.value(&output.value, &Scope::of(context))?;
         let noun = if matches!(value, Value::Body(FrameId::GROUND)) { "ground" } else { value.noun() };
+        let has_speeds = match &value {
+            Value::Scalar(scalar) => self.has_speeds(scalar.expr),
+            Value::Vector(vector) => vector.parts.iter().any(|part| self.has_speeds(*part)),
+            _ => false,
+        };
+        if has_speeds {
+            return self.refuse(output.value.range, ValueFact::NotAnOutput { found: "a velocity" });
+        }
         let (components, measure) = match value {
             Value::Scalar(scalar) => (vec![scalar.expr], scalar.measure),
             Value::Body(frame) if frame != FrameId::GROUND => {

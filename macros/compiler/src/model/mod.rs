@@ -8,7 +8,6 @@
 mod arithmetic;
 mod bounds;
 mod builtin;
-mod components;
 mod declare;
 mod definition;
 mod elaborate;
@@ -26,17 +25,16 @@ mod resolve;
 mod signature;
 pub mod sketch;
 pub(crate) mod space;
-pub(crate) mod spline;
+mod speeds;
 mod statement;
 mod unused;
 pub(crate) mod value;
 
-pub use components::Components;
+pub use crate::expr::spline::{Ends, Table};
+pub use crate::geometry::{Components, Geometry, JointQuantity, Place, Relationship, Triad};
 pub use layout::{Component, Field, Layout, Of, Part};
 pub use name::Name;
 pub use sketch::Sketch;
-pub use space::{Geometry, JointQuantity, Place, Relation as Relationship, Triad};
-pub use spline::{Ends, Table};
 
 use crate::expr::{Arena, Expr};
 use crate::quantity::{Ambient, Dim, Role};
@@ -175,8 +173,10 @@ pub struct Joint {
 pub struct Residual {
     /// Value.
     pub expr: Expr,
-    /// Dimension.
+    /// Dimension; for a row of velocities, dimension of its integral.
     pub dim: Dim,
+    /// True if it contains speeds: a row of velocities.
+    pub is_velocity: bool,
 }
 
 /// A named output.

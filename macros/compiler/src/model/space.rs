@@ -9,9 +9,9 @@
 use super::elaborate::{Elaborator, Scope};
 use super::statement::ScalarEquation;
 use super::value::{Arguments, Fixed, FrameId, Scalar, Value, Vector};
-use super::Components;
 use crate::diag::{ArityFact, Range, ValueFact};
 use crate::expr::{Expr, Frame, Leaf, Mark, Node, Triple, cross, dot};
+use crate::geometry::{Components, Geometry, JointQuantity, Place, Relationship, Triad, rotation};
 use crate::quantity::{Dim, InferredDim, Role};
 use crate::syntax::ast::{self, Statement};
 use proc_macro2::Ident;
@@ -23,82 +23,19 @@ pub(crate) const DECLARED: u32 = 1 << 24;
 /// Built-in functions of space.
 pub(crate) const BUILTINS: &[&str] = &["across", "along", "joint_angle", "misalignment", "turn", "x_axis", "y_axis", "z_axis"];
 
-/// Three perpendicular unit vectors fixed in a body or in ground: x, y, and the axis z.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Triad {
-    /// Body; `None` for ground.
-    pub body: Option<usize>,
-    /// x, y and z by local components.
-    pub axes: [Triple; 3],
-}
-
-/// A point or a vector fixed in a body or in ground.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Place {
-    /// Body; `None` for ground.
-    pub body: Option<usize>,
-    /// Local components.
-    pub local: Triple,
-}
-
-/// What some rows of a joint mean.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Relation {
-    /// Two points are one: three rows.
-    Coincident(Place, Place),
-    /// Two axes have one direction: two rows.
-    SameDirection(Triad, Triad),
-    /// All axes of two triads have one direction: three rows.
-    SameOrientation(Triad, Triad),
-    /// Two vectors are perpendicular: one row.
-    Perpendicular(Place, Place),
-    /// The second point lies on the axis through the first: two rows.
-    OnLine(Triad, Place, Place),
-}
-
-impl Relation {
-    /// Number of rows.
-    #[must_use]
-    pub fn rows(&self) -> usize {
-        match self {
-            Relation::Coincident(..) | Relation::SameOrientation(..) => 3,
-            Relation::SameDirection(..) | Relation::OnLine(..) => 2,
-            Relation::Perpendicular(..) => 1,
-        }
-    }
-}
-
-/// An angle or a displacement of a joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum JointQuantity {
-    /// Angle of the second triad against the first.
-    Angle(Triad, Triad),
-    /// Distance of the second point from the first, along an axis.
-    Displacement(Triad, Place, Place),
-}
-
-/// What joints in space relate.
-#[derive(Clone, Debug, Default)]
-pub struct Geometry {
-    /// Relations, with the joint and the first of its rows that they stand for.
-    pub relations: Vec<(usize, usize, Relation)>,
-    /// Angles and displacements of joints, each with its expression, which is marked with its number here.
-    pub quantities: Vec<(JointQuantity, Expr)>,
-}
-
 /// What is known of expressions while a mechanism is resolved.
 #[derive(Default)]
-pub(super) struct Space {
+pub(super) struct Notes {
     geometry: Geometry,
     /// Relations that hold where these expressions vanish.
-    origins: HashMap<Vec<Expr>, Relation>,
+    origins: HashMap<Vec<Expr>, Relationship>,
     /// Points whose difference has these components: the second minus the first.
     differences: HashMap<[Expr; 3], (Place, Place)>,
     triads: HashMap<(Place, Option<Triple>), Triad>,
 }
 
-impl From<Space> for Geometry {
-    fn from(space: Space) -> Geometry {
+impl From<Notes> for Geometry {
+    fn from(space: Notes) -> Geometry {
         space.geometry
     }
 }
@@ -172,7 +109,7 @@ impl Elaborator<'_> {
     pub(super) fn note_difference(&mut self, parts: Components, from: Fixed, to: Fixed) {
         if let (Some(parts), Some(from), Some(to)) = (parts.in_space(), place(from), place(to)) {
             self.space.differences.insert(parts, (from, to));
-            self.space.origins.insert(parts.to_vec(), Relation::Coincident(from, to));
+            self.space.origins.insert(parts.to_vec(), Relationship::Coincident(from, to));
         }
     }
 
@@ -280,15 +217,15 @@ impl Elaborator<'_> {
     fn across(&mut self, triad: Triad, vector: Vector, other: Option<Fixed>) -> Option<Value> {
         let [x, y, _] = self.in_ground(triad);
         let relation = match other {
-            Some(other) => Some(Relation::SameDirection(triad, self.triad(other)?)),
+            Some(other) => Some(Relationship::SameDirection(triad, self.triad(other)?)),
             None => {
                 let difference = vector.parts.in_space().and_then(|parts| self.space.differences.get(&parts).copied());
-                difference.map(|(from, to)| Relation::OnLine(triad, from, to))
+                difference.map(|(from, to)| Relationship::OnLine(triad, from, to))
             }
         };
         // The direction of an axis is a unit vector.
         let (v, measure) = match relation {
-            Some(Relation::SameDirection(_, other)) => (self.in_ground(other)[2], InferredDim::Known(Dim::NUMBER)),
+            Some(Relationship::SameDirection(_, other)) => (self.in_ground(other)[2], InferredDim::Known(Dim::NUMBER)),
             _ => (vector.parts.in_space()?, vector.measure),
         };
         let rows = [dot(&mut self.arena, x, v), dot(&mut self.arena, y, v)];
@@ -348,14 +285,14 @@ impl Elaborator<'_> {
     fn misalignment(&mut self, _: Range, one: Triad, two: Triad) -> Vector {
         let ([xi, yi, zi], [xj, yj, zj]) = (self.in_ground(one), self.in_ground(two));
         let rows = [(yi, zj), (zi, xj), (xi, yj)].map(|(a, b)| dot(&mut self.arena, a, b));
-        self.space.origins.insert(rows.to_vec(), Relation::SameOrientation(one, two));
+        self.space.origins.insert(rows.to_vec(), Relationship::SameOrientation(one, two));
         Vector { parts: Components::space(rows), measure: InferredDim::Known(Dim::NUMBER) }
     }
 
     /// Notes that the product of two vectors fixed in bodies means something where it vanishes.
     pub(super) fn note_product(&mut self, product: Expr, one: Option<Fixed>, two: Option<Fixed>) {
         if let (Some(one), Some(two)) = (one.and_then(place), two.and_then(place)) {
-            self.space.origins.insert(vec![product], Relation::Perpendicular(one, two));
+            self.space.origins.insert(vec![product], Relationship::Perpendicular(one, two));
         }
     }
 
@@ -392,7 +329,8 @@ impl Elaborator<'_> {
     pub(super) fn orientation(&mut self, written: &ast::Expression, scope: &Scope) -> Option<[Expr; 4]> {
         match self.value(written, scope)? {
             Value::Orientation(quaternion) => Some(quaternion),
-            other => self.refuse(written.range, ValueFact::NotA { wanted: "an orientation, such as `turn((0, 0, 1), 30deg)`", found: other.noun() }),
+            other => self
+                .refuse(written.range, ValueFact::NotA { wanted: "an orientation, such as `turn((0, 0, 1), 30deg)`", found: other.noun() }),
         }
     }
 
@@ -418,33 +356,6 @@ impl Elaborator<'_> {
         });
         [arena.sub(real, inner), x, y, z]
     }
-}
-
-/// Columns of the matrix of a quaternion of any length, and 2 over the square of the length.
-pub(crate) fn rotation(arena: &mut crate::expr::Arena, [w, x, y, z]: [Expr; 4]) -> ([Triple; 3], Expr) {
-    let squares = [w, x, y, z].map(|part| arena.square(part));
-    let length = arena.sum(&squares);
-    let two = arena.integer(2);
-    let factor = arena.div(two, length);
-    let one = arena.integer(1);
-    // 1 − h (b² + c²)
-    let mut diagonal = |b: Expr, c: Expr| {
-        let (b, c) = (arena.square(b), arena.square(c));
-        let sum = arena.add(b, c);
-        let part = arena.mul(factor, sum);
-        arena.sub(one, part)
-    };
-    let [xx, yy, zz] = [diagonal(y, z), diagonal(x, z), diagonal(x, y)];
-    // h (a b ± w c)
-    let mut mixed = |a: Expr, b: Expr, c: Expr, is_plus: bool| {
-        let (one, two) = (arena.mul(a, b), arena.mul(w, c));
-        let sum = if is_plus { arena.add(one, two) } else { arena.sub(one, two) };
-        arena.mul(factor, sum)
-    };
-    let (yx, xy) = (mixed(x, y, z, true), mixed(x, y, z, false));
-    let (xz, zx) = (mixed(x, z, y, true), mixed(x, z, y, false));
-    let (zy, yz) = (mixed(y, z, x, true), mixed(y, z, x, false));
-    ([[xx, yx, zx], [xy, yy, zy], [xz, yz, zz]], factor)
 }
 
 /// Body of a frame; `None` for ground.

@@ -43,12 +43,12 @@ impl<'a> Joints<'a> {
     }
 
     /// Φ, then the entries of Φ_q with row and column.
-    pub(super) fn linearized(&self) -> Vec<Cell> {
+    pub(super) fn linearized(&self, residual: impl Fn(&Equation) -> Option<Expr>) -> Vec<Cell> {
         let entries = |(row, equation): &(u32, &'a Equation)| {
             let row = *row;
             equation.jacobian.iter().map(move |(column, entry)| (Target::Entry(row, *column as u32), *entry)).collect::<Vec<_>>()
         };
-        let cells = self.rows(|equation| equation.phi()).into_iter().zip(&self.joints);
+        let cells = self.rows(residual).into_iter().zip(&self.joints);
         cells.map(|(phi, joint)| phi.into_iter().chain(joint.iter().flat_map(entries)).collect()).collect()
     }
 

@@ -40,7 +40,7 @@ use crate::expr::{Arena, Expr, Leaf};
 use crate::model::Model;
 use crate::quantity::Role;
 use crate::structure::Structure;
-use crate::system::{OutputMotion, System};
+use crate::system::{Equation, OutputMotion, System};
 use joints::Joints;
 use lines::PlanContext;
 use rolled::Cell;
@@ -108,13 +108,16 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, as
     let words_of_equations = if declared.is_some() { Words::declared(model) } else { words.clone() };
     let arena_of_equations = declared.map_or(&arena, |declared| &declared.arena);
     let tracer_of_equations = Tracer::new(arena_of_equations);
+    // A row of velocities has no residual between positions.
+    let zero = arena_of_equations.all().find(|expr| arena_of_equations.as_constant(*expr).is_some_and(|value| value.is_zero()));
+    let residual = |equation: &Equation| equation.phi().or(zero);
     let equations = |cells: Vec<Cell>| rolled::code(arena_of_equations, &tracer_of_equations, cells, &words_of_equations);
     let solving = solved.map(|(stages, outputs)| solving(&arena, &tracer, system, &words, &stages, &outputs));
     let sides = model.requirements.iter().flat_map(|requirement| [requirement.lhs, requirement.rhs]).collect();
     Plan {
-        linearized: joints.linearized().iter().flatten().map(|(target, _)| *target).collect(),
-        linearize: equations(joints.linearized()),
-        phi: equations(joints.rows(|equation| equation.phi())),
+        linearized: joints.linearized(residual).iter().flatten().map(|(target, _)| *target).collect(),
+        linearize: equations(joints.linearized(residual)),
+        phi: equations(joints.rows(residual)),
         jacobian: equations(joints.entries()),
         nu: equations(joints.rows(|equation| Some(equation.nu))),
         gamma: equations(joints.rows(|equation| Some(equation.gamma))),
@@ -140,7 +143,8 @@ fn sliced(arena: &mut Arena, model: &Model, system: &System) -> Vec<OutputMotion
         let Some(body) = model.outputs[*member].body else { return system.outputs[*member].components.clone() };
         let own = (0..system.coordinates.len())
             .filter(|unknown| system.coordinates[*unknown].body == body && (system.frames.is_empty() || *unknown / 3 == body));
-        let own: Vec<[Expr; 3]> = own.map(|unknown| [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration].map(|leaf| arena.leaf(leaf(unknown as u32)))).collect();
+        let own: Vec<[Expr; 3]> =
+            own.map(|unknown| [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration].map(|leaf| arena.leaf(leaf(unknown as u32)))).collect();
         if system.frames.is_empty() { own } else { own.into_iter().chain(system.orientation(arena, body)).collect() }
     };
     let slices = model.methods.iter().filter(|method| method.is_slice);

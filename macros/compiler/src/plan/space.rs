@@ -63,7 +63,5 @@ pub(super) fn orientations_at_start(model: &Model, system: &System, assembly: &A
     let mut arena = system.arena.clone();
     let bodies = 0..system.frames.len();
     let roots: Vec<Expr> = bodies.flat_map(|body| system.orientation(&mut arena, body)).map(|[value, _, _]| value).collect();
-    numeric::at_defaults(model, system, |numeric| {
-        evaluate(&arena, &roots, &Values { coordinates: &assembly.start, ..numeric.known })
-    })
+    numeric::at_defaults(model, system, |numeric| evaluate(&arena, &roots, &Values { coordinates: &assembly.start, ..numeric.known }))
 }

@@ -23,8 +23,13 @@ pub(super) fn stages(
     structure: &Structure,
     outputs: &[OutputMotion],
 ) -> (Vec<Stage>, Vec<OutputMotion>) {
-    let mut work =
-        StageBuilder { arena, system, jets: Jets::along(Seed::motion(system.kinematics.clone())), constants: Substitution::new(), plain: HashMap::new() };
+    let mut work = StageBuilder {
+        arena,
+        system,
+        jets: Jets::along(Seed::motion(system.kinematics.clone())),
+        constants: Substitution::new(),
+        plain: HashMap::new(),
+    };
     let mut stages: Vec<Stage> = structure.blocks.iter().flat_map(|block| work.block(block)).collect();
     let orientations = super::space::orientations(work.arena, system);
     stages.extend(orientations.into_iter().map(|stage| work.with_constants(stage)));

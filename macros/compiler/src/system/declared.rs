@@ -7,15 +7,15 @@
 //! ```
 
 use super::{Equation, Level};
-use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Rate, Seed, Substitution};
+use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Rate, Seed, Substitution, derivative};
 use crate::model::Model;
 use crate::model::space::DECLARED;
-use crate::quantity::Role;
+use crate::quantity::{Dim, Role};
 use std::collections::HashMap;
 
 /// Equations by the coordinates and speeds of bodies in space.
 #[derive(Clone, Debug)]
-pub struct Declared {
+pub struct DeclaredEquations {
     /// All expressions.
     pub arena: Arena,
     /// Number of coordinates: seven for each body, then the angles of joints.
@@ -30,7 +30,7 @@ pub struct Declared {
 const EACH: [usize; 2] = [Role::SPACE.len(), 6];
 
 /// Differentiates every residual of a model in space.
-pub(super) fn declared(model: &Model) -> Declared {
+pub(super) fn declared(model: &Model) -> DeclaredEquations {
     let mut arena = model.arena.clone();
     let bodies = model.bodies.len();
     let zero = arena.integer(0);
@@ -52,6 +52,11 @@ pub(super) fn declared(model: &Model) -> Declared {
             let phi = residual.expr;
             let touched = touched(&arena, phi, bodies);
             let mut jacobian = Vec::new();
+            if residual.is_velocity {
+                let row = velocity_row(&mut arena, &mut along, (joint, row, residual.dim), phi);
+                equations.push(row);
+                continue;
+            }
             for body in touched {
                 for speed in EACH[1] * body..EACH[1] * (body + 1) {
                     let entry = by_speed[speed].of(&mut arena, phi);
@@ -70,7 +75,32 @@ pub(super) fn declared(model: &Model) -> Declared {
     let quantities = model.space.quantities.len();
     let coordinates = EACH[0] * bodies + quantities;
     renumber(&mut arena, &mut equations, coordinates, EACH[1] * bodies);
-    Declared { arena, coordinates, speeds: EACH[1] * bodies, equations }
+    DeclaredEquations { arena, coordinates, speeds: EACH[1] * bodies, equations }
+}
+
+/// A row of velocities r = a · u − b: a, b and γ = ḃ − ȧ · u.
+fn velocity_row(arena: &mut Arena, along: &mut Jets, (joint, row, dim): (usize, usize, Dim), residual: Expr) -> Equation {
+    let (jacobian, nu) = affine(arena, residual);
+    let jacobian = jacobian.into_iter().map(|(speed, entry)| ((speed - DECLARED) as usize, entry)).collect();
+    let [_, first, _] = along.of(arena, residual);
+    Equation { joint, row, dim, level: Level::Velocity, jacobian, nu, gamma: arena.neg(first) }
+}
+
+/// a by number of the speed, and b, of an expression a · u − b.
+pub(super) fn affine(arena: &mut Arena, residual: Expr) -> (Vec<(u32, Expr)>, Expr) {
+    let zero = arena.integer(0);
+    let mut still = Substitution::new();
+    let mut factors = Vec::new();
+    for leaf in arena.leaves(residual) {
+        let Leaf::Speed(number) = leaf else { continue };
+        still.replace(leaf, zero);
+        let factor = derivative(arena, residual, leaf);
+        if factor != zero {
+            factors.push((number, factor));
+        }
+    }
+    let rest = still.of(arena, residual);
+    (factors, arena.neg(rest))
 }
 
 /// Bodies on whose coordinates an expression depends.

@@ -12,7 +12,8 @@
 
 use super::{Coordinate, Equation, Level};
 use crate::expr::{Arena, Expr, Frame, Leaf, Mark, Node, Triple, cross, dot};
-use crate::model::space::{DECLARED, rotation};
+use crate::geometry::rotation;
+use crate::model::space::DECLARED;
 use crate::model::{JointQuantity, Model, Place, Relationship, Triad};
 use crate::quantity::{Axis, Dim, Role};
 use std::collections::{BTreeSet, HashMap};
@@ -46,12 +47,14 @@ pub(super) struct Row {
     pub(super) row: usize,
     /// Dimension of Φ.
     pub(super) dim: Dim,
-    /// Φ
+    /// Φ; of a row of velocities, its residual.
     pub(super) phi: Expr,
+    /// True for a row of velocities.
+    pub(super) is_velocity: bool,
 }
 
 /// What is solved for.
-pub(super) struct Reduced {
+pub(super) struct Choice {
     /// Unknowns.
     pub(super) coordinates: Vec<Coordinate>,
     /// Rows, in the order of joints.
@@ -65,7 +68,7 @@ pub(super) struct Reduced {
 }
 
 /// Chooses the unknowns of a mechanism in space, and writes its rows and outputs in them.
-pub(super) fn reduce(model: &Model, arena: &mut Arena) -> Reduced {
+pub(super) fn reduce(model: &Model, arena: &mut Arena) -> Choice {
     let bodies = model.bodies.len();
     let mut forest = Forest {
         model,
@@ -89,7 +92,7 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena) -> Reduced {
     forest.remaining_quantities();
     forest.rows.sort_by_key(|row| row.joint);
     let frames = forest.frames.iter().map(|frame| frame.unwrap_or(0)).collect();
-    Reduced { coordinates: forest.coordinates, rows: forest.rows, outputs, frames, reached: forest.reached }
+    Choice { coordinates: forest.coordinates, rows: forest.rows, outputs, frames, reached: forest.reached }
 }
 
 impl Forest<'_> {
@@ -285,22 +288,22 @@ impl Forest<'_> {
         let acceleration_at_constant_speeds = drift.map(|part| arena.neg(part));
         let turns = turns.iter().map(|(number, turn)| (Leaf::Coordinate(*number), *turn)).collect();
         let own = unknowns.iter().map(|(number, _)| Leaf::Coordinate(*number)).collect();
-        let frame =
-            arena.add_frame(Frame { columns, velocity, acceleration, acceleration_at_constant_speeds, turns, against: None, own });
+        let frame = arena.add_frame(Frame { columns, velocity, acceleration, acceleration_at_constant_speeds, turns, against: None, own });
         self.frames[body] = Some(frame);
         self.depths[body] = self.model.bodies.len();
         let squares = [w, x, y, z].map(|part| self.arena.square(part));
         let sum = self.arena.sum(&squares);
         let one = self.arena.integer(1);
         let phi = self.arena.sub(sum, one);
-        self.rows.push(Row { joint: self.a_joint_of(body), row: 0, dim: Dim::NUMBER, phi });
+        self.rows.push(Row { joint: self.a_joint_of(body), row: 0, dim: Dim::NUMBER, phi, is_velocity: false });
     }
 
     /// A joint of a body.
     fn a_joint_of(&self, body: usize) -> usize {
         let first = DECLARED + (Role::SPACE.len() * body) as u32;
         let own = first..first + Role::SPACE.len() as u32;
-        let is_of = |expr: Expr| self.model.arena.leaves(expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(number) if own.contains(number)));
+        let is_of =
+            |expr: Expr| self.model.arena.leaves(expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(number) if own.contains(number)));
         self.model.joints.iter().position(|joint| joint.residuals.iter().any(|residual| is_of(residual.expr))).unwrap_or(0)
     }
 
@@ -497,7 +500,8 @@ impl Forest<'_> {
         self.holding.extend([(joint, row), (joint, row + 1)]);
         let body = to.body.or(from.body).unwrap_or(0);
         let start = {
-            let (z, p, q) = (self.at_start(Place { body: triad.body, local: triad.axes[2] }), self.point_at_start(from), self.point_at_start(to));
+            let (z, p, q) =
+                (self.at_start(Place { body: triad.body, local: triad.axes[2] }), self.point_at_start(from), self.point_at_start(to));
             let d = [0, 1, 2].map(|k| self.arena.sub(q[k], p[k]));
             dot(self.arena, z, d)
         };
@@ -509,7 +513,7 @@ impl Forest<'_> {
             let d = self.arena.sub(q[k], p[k]);
             let part = self.arena.mul(unknown, z[k]);
             let phi = self.arena.sub(d, part);
-            self.rows.push(Row { joint, row: row + k.min(1), dim: Dim::LENGTH, phi });
+            self.rows.push(Row { joint, row: row + k.min(1), dim: Dim::LENGTH, phi, is_velocity: false });
         }
         let quantity = JointQuantity::Displacement(triad, from, to);
         if let Some(index) = self.model.space.quantities.iter().position(|(known, _)| *known == quantity) {
@@ -534,7 +538,7 @@ impl Forest<'_> {
             for (row, residual) in declared.residuals.iter().enumerate() {
                 if !self.holding.contains(&(joint, row)) {
                     let phi = self.rewrite(residual.expr);
-                    self.rows.push(Row { joint, row, dim: residual.dim, phi });
+                    self.rows.push(Row { joint, row, dim: residual.dim, phi, is_velocity: residual.is_velocity });
                 }
             }
         }
@@ -553,7 +557,7 @@ impl Forest<'_> {
             let (left, right) = (self.arena.mul(s, cosine), self.arena.mul(c, sine));
             let phi = self.arena.sub(left, right);
             let joint = two.body.or(one.body).map_or(0, |body| self.a_joint_of(body));
-            self.rows.push(Row { joint, row: 0, dim: Dim::NUMBER, phi });
+            self.rows.push(Row { joint, row: 0, dim: Dim::NUMBER, phi, is_velocity: false });
         }
     }
 
@@ -571,6 +575,7 @@ impl Forest<'_> {
                     let (body, role) = ((number - DECLARED) as usize / Role::SPACE.len(), (number - DECLARED) as usize % Role::SPACE.len());
                     self.arena.leaf(Leaf::Coordinate((3 * body + role) as u32))
                 }
+                Node::Leaf(Leaf::Speed(number)) if number >= DECLARED => self.speed((number - DECLARED) as usize),
                 Node::Marked { mark: Mark::Turned { vector, axis }, .. } => {
                     let (body, local) = self.arena.vector(vector);
                     self.vector(Place { body: Some(body), local })[usize::from(axis)]
@@ -584,6 +589,16 @@ impl Forest<'_> {
             self.rewritten.insert(expr, new);
         }
         self.rewritten[&root]
+    }
+
+    /// A declared speed in the rates of the unknowns.
+    fn speed(&mut self, number: usize) -> Expr {
+        let (body, at) = (number / 6, number % 6);
+        match (at.checked_sub(3), self.frames[body]) {
+            (None, _) => self.arena.leaf(Leaf::Speed((3 * body + at) as u32)),
+            (Some(axis), Some(frame)) => self.arena.frame(frame).velocity[axis],
+            (Some(_), None) => self.arena.integer(0),
+        }
     }
 
     /// An angle or a displacement of a joint in the unknowns.

@@ -21,7 +21,7 @@ use crate::quantity::{Ambient, Axis, Dim, Role, SpeedRole};
 use crate::structure::Pattern;
 use std::collections::{BTreeMap, BTreeSet};
 
-pub use declared::Declared;
+pub use declared::DeclaredEquations;
 pub(crate) use magnitude::magnitude;
 
 /// Unknowns and equations.
@@ -45,7 +45,7 @@ pub struct System {
     /// lengths that joints and drives demand.
     pub lengths: Vec<Expr>,
     /// In space: the equations as declared, of which some hold by the choice of the coordinates.
-    pub declared: Option<Box<Declared>>,
+    pub declared: Option<Box<DeclaredEquations>>,
     /// In space: the frame of each body in the arena.
     pub frames: Vec<usize>,
     /// In space: the joint by which the orientation of each body follows, and the body that it follows from.
@@ -219,7 +219,8 @@ fn in_space(model: &Model, diag: &mut Diag) -> Option<System> {
     if !diag.is_clean() {
         return None;
     }
-    let forest::Reduced { coordinates, rows, outputs, frames, reached } = forest::reduce(model, &mut arena);
+    let forest::Choice { coordinates, mut rows, outputs, frames, reached } = forest::reduce(model, &mut arena);
+    integrate(model, &mut arena, &coordinates, &mut rows, diag)?;
     let kinematics: Vec<Rate> = (0..coordinates.len()).map(|number| Rate::Speed(number as u32)).collect();
     let role = |role: Role| match role {
         Role::Position(axis) => SpeedRole::Linear(axis),
@@ -246,13 +247,56 @@ fn in_space(model: &Model, diag: &mut Diag) -> Option<System> {
         equations.push(forest::equation(row, jacobian, nu, gamma));
     }
     let mut motion = Jets::along(Seed::motion(kinematics.clone()));
-    let motions =
-        outputs.iter().map(|parts| OutputMotion { components: parts.iter().map(|part| motion.of(&mut arena, *part)).collect() });
+    let motions = outputs.iter().map(|parts| OutputMotion { components: parts.iter().map(|part| motion.of(&mut arena, *part)).collect() });
     let outputs = motions.collect();
     let lengths = lengths(&mut arena, model, &coordinates, &equations);
     let pattern = pattern::pattern(model, &arena, coordinates.len(), &equations);
     let declared = Some(Box::new(declared::declared(model)));
     Some(System { arena, coordinates, speeds, kinematics, equations, pattern, outputs, lengths, declared, frames, reached })
+}
+
+/// Replaces rows of velocities by the rows of positions of which they are the rates. Others are refused if they have to be solved, and
+/// left out if only the declared equations are wanted.
+fn integrate(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &mut Vec<forest::Row>, diag: &mut Diag) -> Option<()> {
+    let mut said = Said::default();
+    rows.retain_mut(|row| {
+        if !row.is_velocity {
+            return true;
+        }
+        if let Some(phi) = integral(arena, coordinates, row.phi) {
+            (row.phi, row.is_velocity) = (phi, false);
+            return true;
+        }
+        let joint = &model.joints[row.joint];
+        if model.task.is_solved() && said.is_new(&joint.name) {
+            let (name, of) = (joint.name.to_string(), joint.residuals.len());
+            diag.refuse::<()>(&joint.name, SystemFact::Nonholonomic { joint: name, row: row.row + 1, of });
+        }
+        false
+    });
+    diag.is_clean().then_some(())
+}
+
+/// Σ a (q − q₀) − b t of a row of velocities a · u = b with constant factors; q₀ are the declared start values.
+fn integral(arena: &mut Arena, coordinates: &[Coordinate], residual: Expr) -> Option<Expr> {
+    let mut known = std::collections::HashMap::new();
+    let residual = arena.plain(residual, &mut known);
+    let (factors, side) = declared::affine(arena, residual);
+    let is_fixed = |arena: &Arena, expr: Expr| arena.leaves(expr).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)));
+    if !is_fixed(arena, side) || !factors.iter().all(|(_, factor)| is_fixed(arena, *factor)) {
+        return None;
+    }
+    let time = arena.leaf(Leaf::Time);
+    let way = arena.mul(side, time);
+    let mut phi = arena.neg(way);
+    for (number, factor) in factors {
+        let q = arena.leaf(Leaf::Coordinate(number));
+        let start = coordinates.get(number as usize)?.start;
+        let change = start.map_or(q, |start| arena.sub(q, start));
+        let term = arena.mul(factor, change);
+        phi = arena.add(phi, term);
+    }
+    Some(phi)
 }
 
 fn in_plane(model: &Model, diag: &mut Diag) -> Option<System> {
@@ -265,7 +309,23 @@ fn in_plane(model: &Model, diag: &mut Diag) -> Option<System> {
     let mut along = Jets::along(Seed::constant_speeds(kinematics.clone()));
     for (joint, declared) in model.joints.iter().enumerate() {
         for (row, residual) in declared.residuals.iter().enumerate() {
-            let phi = residual.expr;
+            let mut velocity = residual.is_velocity.then_some(residual.expr);
+            let mut phi = residual.expr;
+            if let Some(found) = velocity.and_then(|row| integral(&mut arena, &coordinates, row)) {
+                (velocity, phi) = (None, found);
+            }
+            if let Some(residual_row) = velocity {
+                if model.task.is_solved() {
+                    let (name, of) = (declared.name.to_string(), declared.residuals.len());
+                    diag.refuse::<()>(&declared.name, SystemFact::Nonholonomic { joint: name, row: row + 1, of });
+                }
+                let (factors, nu) = declared::affine(&mut arena, residual_row);
+                let jacobian = factors.into_iter().map(|(speed, entry)| (speed as usize, entry)).collect();
+                let [_, first, _] = along.of(&mut arena, residual_row);
+                let gamma = arena.neg(first);
+                equations.push(Equation { joint, row, dim: residual.dim, level: Level::Velocity, jacobian, nu, gamma });
+                continue;
+            }
             let mut jacobian = Vec::new();
             for leaf in arena.leaves(phi) {
                 let Leaf::Coordinate(index) = leaf else { continue };

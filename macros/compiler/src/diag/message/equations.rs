@@ -26,6 +26,10 @@ impl Display for EquationFact {
                 let when = if *at_defaults { ", at the declared defaults" } else { "" };
                 write!(f, "{} of `{joint}` does not depend on the position of any body{when}", equation(*row, *of))
             }
+            EquationFact::NotAffine { joint, row, of } => {
+                write!(f, "{} of `{joint}` contains products or functions of velocities", equation(*row, *of))?;
+                write!(f, "\nhelp: write an equation in which each velocity stands alone, with a factor that contains none")
+            }
             EquationFact::OnGround { joint, kind } => {
                 write!(f, "`{joint}` joins ground to ground, and ground does not move")?;
                 write!(f, "\nhelp: give `{kind}` at least one body, or a point or an axis of one")

@@ -13,6 +13,14 @@ impl Display for SystemFact {
                 write!(f, "\nhelp: join it to ground or to another body, such as `{example}`, or take it away")
             }
             SystemFact::Repeats { joint, other } => write!(f, "`{joint}` demands the same as `{other}`\nhelp: take one of them away"),
+            SystemFact::Nonholonomic { joint, row, of } => {
+                let which = if *of == 1 { "the equation".to_owned() } else { format!("equation {row} of {of}") };
+                write!(
+                    f,
+                    "{which} of `{joint}` relates velocities by factors that change, and no position follows from it\nhelp: relate positions \
+                     or angles instead, or write `#[equations_only]` to have its rows alone"
+                )
+            }
             SystemFact::FollowsFrom { joint, is_drive, rows, of, others, free, moves, in_space } => {
                 let place = if *moves { "in every position tried" } else { "where the mechanism stands" };
                 let sources = if others.is_empty() { "the rest of it".to_owned() } else { list(others) };

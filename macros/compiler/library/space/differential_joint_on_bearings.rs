@@ -1,0 +1,25 @@
+/// The differential of multi-point constraints on bearings: three nodes turn about axes of a carrier, their turns in a fixed relation.
+///
+/// ```text
+///   α Δω_1 · r_1 + Δω_2 · r_2 + Δω_3 · r_3 = 0     1 row, rad/s       Δω_i = ω_i − ω_0
+///   Δω_i · s_i = 0,  Δω_i · t_i = 0                2 rows for each node, rad/s
+/// ```
+///
+/// To solve for a motion take three `revolute` joints and the sum of their angles as an equation. Degenerate case: none.
+///
+/// Reference: OpenRadioss theory manual, gear type joints.
+constraint differential_joint_on_bearings(N0: Body, N1: Body, N2: Body, N3: Body, r1: Axis, r2: Axis, r3: Axis, alpha: Number) in space {
+    require r1.body == N0: "the axes of a differential are fixed in its carrier";
+    require r2.body == N0: "the axes of a differential are fixed in its carrier";
+    require r3.body == N0: "the axes of a differential are fixed in its carrier";
+    let one = N1.angular_velocity - N0.angular_velocity;
+    let two = N2.angular_velocity - N0.angular_velocity;
+    let three = N3.angular_velocity - N0.angular_velocity;
+    alpha * dot(z_axis(r1), one) + dot(z_axis(r2), two) + dot(z_axis(r3), three) == 0;
+    dot(x_axis(r1), one) == 0;
+    dot(y_axis(r1), one) == 0;
+    dot(x_axis(r2), two) == 0;
+    dot(y_axis(r2), two) == 0;
+    dot(x_axis(r3), three) == 0;
+    dot(y_axis(r3), three) == 0;
+}

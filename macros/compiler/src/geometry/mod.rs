@@ -1,0 +1,100 @@
+//! Geometry of mechanisms: components of vectors, and what joints relate in space.
+//!
+//! In: nothing but expressions. Out: vectors by their components, triads, points and axes fixed in bodies, relations between them, and the
+//! matrix of a quaternion. Not done here: names.
+
+mod components;
+
+pub use components::Components;
+
+use crate::expr::{Arena, Expr, Triple};
+
+/// Three perpendicular unit vectors fixed in a body or in ground: x, y, and the axis z.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Triad {
+    /// Body; `None` for ground.
+    pub body: Option<usize>,
+    /// x, y and z by local components.
+    pub axes: [Triple; 3],
+}
+
+/// A point or a vector fixed in a body or in ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Place {
+    /// Body; `None` for ground.
+    pub body: Option<usize>,
+    /// Local components.
+    pub local: Triple,
+}
+
+/// What some rows of a joint mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relationship {
+    /// Two points are one: three rows.
+    Coincident(Place, Place),
+    /// Two axes have one direction: two rows.
+    SameDirection(Triad, Triad),
+    /// All axes of two triads have one direction: three rows.
+    SameOrientation(Triad, Triad),
+    /// Two vectors are perpendicular: one row.
+    Perpendicular(Place, Place),
+    /// The second point lies on the axis through the first: two rows.
+    OnLine(Triad, Place, Place),
+}
+
+impl Relationship {
+    /// Number of rows.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        match self {
+            Relationship::Coincident(..) | Relationship::SameOrientation(..) => 3,
+            Relationship::SameDirection(..) | Relationship::OnLine(..) => 2,
+            Relationship::Perpendicular(..) => 1,
+        }
+    }
+}
+
+/// An angle or a displacement of a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JointQuantity {
+    /// Angle of the second triad against the first.
+    Angle(Triad, Triad),
+    /// Distance of the second point from the first, along an axis.
+    Displacement(Triad, Place, Place),
+}
+
+/// What joints in space relate.
+#[derive(Clone, Debug, Default)]
+pub struct Geometry {
+    /// Relations, with the joint and the first of its rows that they stand for.
+    pub relations: Vec<(usize, usize, Relationship)>,
+    /// Angles and displacements of joints, each with its expression, which is marked with its number here.
+    pub quantities: Vec<(JointQuantity, Expr)>,
+}
+
+/// Columns of the matrix of a quaternion of any length, and 2 over the square of the length.
+pub(crate) fn rotation(arena: &mut Arena, [w, x, y, z]: [Expr; 4]) -> ([Triple; 3], Expr) {
+    let squares = [w, x, y, z].map(|part| arena.square(part));
+    let length = arena.sum(&squares);
+    let two = arena.integer(2);
+    let factor = arena.div(two, length);
+    let one = arena.integer(1);
+    // 1 − h (b² + c²)
+    let mut diagonal = |b: Expr, c: Expr| {
+        let (b, c) = (arena.square(b), arena.square(c));
+        let sum = arena.add(b, c);
+        let part = arena.mul(factor, sum);
+        arena.sub(one, part)
+    };
+    let [xx, yy, zz] = [diagonal(y, z), diagonal(x, z), diagonal(x, y)];
+    // h (a b ± w c)
+    let mut mixed = |a: Expr, b: Expr, c: Expr, is_plus: bool| {
+        let (one, two) = (arena.mul(a, b), arena.mul(w, c));
+        let sum = if is_plus { arena.add(one, two) } else { arena.sub(one, two) };
+        arena.mul(factor, sum)
+    };
+    let (yx, xy) = (mixed(x, y, z, true), mixed(x, y, z, false));
+    let (xz, zx) = (mixed(x, z, y, true), mixed(x, z, y, false));
+    let (zy, yz) = (mixed(y, z, x, true), mixed(y, z, x, false));
+    ([[xx, yx, zx], [xy, yy, zy], [xz, yz, zz]], factor)
+}

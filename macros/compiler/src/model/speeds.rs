@@ -1,0 +1,102 @@
+//! Speeds in equations: total derivatives, angular velocities, and rows of velocities.
+//!
+//! ```text
+//! rate(e)            de/dt along the motion, by the speeds of the bodies and by t
+//! angular_velocity   ω of a body in space, φ̇ of one in the plane
+//! ```
+//!
+//! An equation that contains speeds is a row of velocities a(q, t) · u = b(q, t): it has to be affine in them.
+
+use super::Components;
+use super::elaborate::{Elaborator, Scope};
+use super::space::DECLARED;
+use super::statement::ScalarEquation;
+use super::value::{FrameId, Scalar, Value, Vector};
+use crate::diag::{ArityFact, EquationFact, ValueFact};
+use crate::expr::{Expr, Jets, Leaf, Rate, Seed, derivative};
+use crate::quantity::{Ambient, Dim, InferredDim, Role};
+use crate::syntax::ast;
+use proc_macro2::Ident;
+
+/// The function that differentiates along the motion; a name of the user is preferred to it.
+pub(super) const RATE: &str = "rate";
+
+impl Elaborator<'_> {
+    /// `rate(value)`
+    pub(super) fn rate(&mut self, name: &Ident, arguments: &[ast::Expression], scope: &Scope) -> Option<Value> {
+        let [argument] = arguments else {
+            return self.refuse(name, ArityFact::FunctionArity { name: RATE.to_owned(), wanted: 1, found: arguments.len() });
+        };
+        let value = self.value(argument, scope)?;
+        let noun = value.noun();
+        if let Value::Scalar(Scalar { expr, measure }) = value {
+            let expr = self.rate_of(expr);
+            return Some(Value::Scalar(Scalar { expr, measure: measure.per(InferredDim::Known(Dim::TIME)) }));
+        }
+        let Some(Vector { parts, measure }) = self.as_vector(value) else {
+            return self.refuse(argument.range, ValueFact::NotA { wanted: "a number, a vector or a point", found: noun });
+        };
+        let parts = parts.map(|part| self.rate_of(part));
+        Some(Value::Vector(Vector { parts, measure: measure.per(InferredDim::Known(Dim::TIME)) }))
+    }
+
+    /// Total derivative along the motion.
+    fn rate_of(&mut self, expr: Expr) -> Expr {
+        let frames = &self.names.frames;
+        let count = frames.last().map_or(0, |last| last.first + last.coordinates.len());
+        let seed = match self.names.ambient {
+            Ambient::Plane => Seed::motion((0..count).map(|number| Rate::Speed(number as u32)).collect()),
+            Ambient::Space => {
+                let zero = self.arena.integer(0);
+                let each = Role::SPACE.len();
+                let rate = |number: usize| {
+                    let (body, at) = (number / each, number % each);
+                    if at < 3 { Rate::Speed(DECLARED + (6 * body + at) as u32) } else { Rate::Given([zero, zero]) }
+                };
+                Seed::motion((0..count).map(rate).collect()).numbered_from(DECLARED)
+            }
+        };
+        Jets::along(seed).of(&mut self.arena, expr)[1]
+    }
+
+    /// ω of a body.
+    pub(super) fn angular_velocity(&mut self, frame: FrameId) -> Value {
+        let measure = InferredDim::Known(Dim::ANGLE).per(InferredDim::Known(Dim::TIME));
+        let zero = self.arena.integer(0);
+        let body = frame.0.checked_sub(1);
+        match (self.names.ambient, body) {
+            (Ambient::Plane, _) => {
+                let first = self.names.frames[frame.0].first as u32;
+                let expr = if body.is_some() { self.arena.leaf(Leaf::Speed(first + 2)) } else { zero };
+                Value::Scalar(Scalar { expr, measure })
+            }
+            (Ambient::Space, Some(body)) => {
+                let speed = |k: u32| self.arena.leaf(Leaf::Speed(DECLARED + 6 * body as u32 + 3 + k));
+                Value::Vector(Vector { parts: Components::space([0, 1, 2].map(speed)), measure })
+            }
+            (Ambient::Space, None) => Value::Vector(Vector { parts: Components::space([zero; 3]), measure }),
+        }
+    }
+
+    /// True if an expression contains speeds.
+    pub(super) fn has_speeds(&self, expr: Expr) -> bool {
+        self.arena.leaves(expr).iter().any(|leaf| matches!(leaf, Leaf::Speed(_)))
+    }
+
+    /// Refuses rows of velocities that are not affine in the speeds.
+    pub(super) fn rows_are_affine(&mut self, joint: &str, rows: &[ScalarEquation]) {
+        for (row, equation) in rows.iter().enumerate() {
+            let residual = equation.residual.expr;
+            let speeds: Vec<Leaf> = self.arena.leaves(residual).into_iter().filter(|leaf| matches!(leaf, Leaf::Speed(_))).collect();
+            let is_affine = speeds.into_iter().all(|speed| {
+                let slope = derivative(&mut self.arena, residual, speed);
+                !self.has_speeds(slope)
+            });
+            if !is_affine {
+                let fact = EquationFact::NotAffine { joint: joint.to_owned(), row: row + 1, of: rows.len() };
+                self.say::<()>(equation.range, fact);
+                return;
+            }
+        }
+    }
+}
