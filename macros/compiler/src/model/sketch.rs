@@ -2,14 +2,14 @@
 //!
 //! All its expressions are in a separate arena, so that drawing a mechanism does not change how it is solved.
 
+use super::Model;
 use super::elaborate::{Elaborator, Scope};
 use super::names::{Entity, EntityId};
 use super::register::Register;
-use super::space::{JointQuantity, Place, Triad};
 use super::value::{Fixed, FrameId, FunctionValue, Scalar, Value};
-use super::{Components, Model};
 use crate::diag::Range;
 use crate::expr::{Arena, Derivatives, Expr, Leaf};
+use crate::geometry::{Components, JointQuantity, Place, Triad};
 use crate::quantity::{Ambient, Dim, InferredDim};
 
 /// Mechanisms with more bodies are not drawn: their parts could not be distinguished.
