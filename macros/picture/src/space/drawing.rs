@@ -242,8 +242,9 @@ impl<'a> Drawing<'a> {
 
     /// What passes in front of a bar is set off from it.
     fn crossings(&mut self) {
-        for (index, one) in self.bars.clone().iter().enumerate() {
-            for two in self.bars[..index].to_vec() {
+        let bars = self.bars.clone();
+        for (index, one) in bars.iter().enumerate() {
+            for two in &bars[..index] {
                 if let (Some(a), Some(b)) = (one.body, two.body)
                     && a == b
                 {
@@ -255,7 +256,7 @@ impl<'a> Drawing<'a> {
                 if (depth - other).abs() < PASSING {
                     continue;
                 }
-                let (front, at, back) = if depth > other { (*one, of_one, two) } else { (two, of_two, *one) };
+                let (front, at, back) = if depth > other { (*one, of_one, *two) } else { (*two, of_two, *one) };
                 let seen = (self.sight.at(front.ends[1]) - self.sight.at(front.ends[0])).norm();
                 let reach = |units: f64| [at - units / seen, at + units / seen].map(|part| along(front.ends, part.clamp(0.0, 1.0)));
                 let mut pen = self.pen("");
