@@ -105,9 +105,9 @@ declared!(across {
         body slide { axis x = (1, 0, 0); start position = (200mm, 0mm, 0mm); }
         joint axle = revolute(ground.O, ground.x, crank.position, crank.x);
         joint ball = spherical(crank.A, rod.A);
-        joint cross = universal(rod.B, rod.y, slide.position, slide.x);
+        joint fork = universal(rod.B, rod.y, slide.position, slide.x);
         joint rail = translational(ground.position, ground.x, slide.position, slide.x);
-        drive turn = drive_rotation(axle, speed * t);
+        drive motor = drive_rotation(axle, speed * t);
         output stroke = slide.position;
     }
 });
