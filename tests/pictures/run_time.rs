@@ -94,6 +94,42 @@ declared!(press {
     }
 });
 
+declared!(across {
+    #[picture]
+    pub mechanism AcrossCrank in space {
+        param speed: AngularVelocity = 60rpm;
+        param crank_length: Length = 80mm;
+        ground { point O = (0mm, 100mm, 120mm); axis x = (1, 0, 0); }
+        body crank { axis x = (1, 0, 0); point A = (0mm, 0mm, crank_length); }
+        body rod { point A = (-150mm, 0mm, 0mm); point B = (150mm, 0mm, 0mm); axis y = (0, 1, 0); start position = (100mm, 50mm, 100mm); start orientation = turn((0.9087, -0.0960, -0.4063), 2.7182rad); }
+        body slide { axis x = (1, 0, 0); start position = (200mm, 0mm, 0mm); }
+        joint axle = revolute(ground.O, ground.x, crank.position, crank.x);
+        joint ball = spherical(crank.A, rod.A);
+        joint fork = universal(rod.B, rod.y, slide.position, slide.x);
+        joint rail = translational(ground.position, ground.x, slide.position, slide.x);
+        drive motor = drive_rotation(axle, speed * t);
+        output stroke = slide.position;
+    }
+});
+
+declared!(arm {
+    #[picture]
+    pub mechanism Arm in space {
+        param reach: Length = 400mm;
+        ground { axis z = (0, 0, 1); axis y = (0, 1, 0); }
+        body column { axis z = (0, 0, 1); axis y = (0, 1, 0); point S = (0mm, 0mm, 300mm); }
+        body boom { axis y = (0, 1, 0); axis x = (1, 0, 0); point E = (reach, 0mm, 0mm); start position = (0mm, 0mm, 300mm); }
+        body quill { axis x = (1, 0, 0); point T = (200mm, 0mm, 0mm); start position = (500mm, 0mm, 300mm); }
+        joint base = revolute(ground.position, ground.z, column.position, column.z);
+        joint shoulder = revolute(column.S, column.y, boom.position, boom.y);
+        joint way = translational(boom.E, boom.x, quill.position, quill.x);
+        drive pan = drive_rotation(base, 20deg - 1rad_s * t);
+        drive tilt = drive_rotation(shoulder, -30deg + 0.5rad * sin(t * 2rad_s));
+        drive feed = drive_translation(way, 100mm + 20mm_s * t);
+        output tool = quill.T;
+    }
+});
+
 /// The radius (m) of a cam by its angle, with its derivatives.
 fn measured<T: reuleaux::Real>(psi: T) -> (T, T, T) {
     let (sine, cosine) = psi.sin_cos();
@@ -130,6 +166,9 @@ fn at_the_start_the_page_has_the_same_picture() -> Result<(), Box<dyn Error>> {
     assert_eq!(valve.picture(&valve.solve(0.0)?.0), page(valve::TEXT));
     assert_eq!(train.picture(&train.solve(0.0)?.0), page(train::TEXT));
     assert_eq!(press.picture(&press.solve(0.0)?.0), page(press::TEXT));
+    let (across, arm) = (across::AcrossCrank::default(), arm::Arm::default());
+    assert_eq!(across.picture(&across.solve(0.0)?.0), page(across::TEXT));
+    assert_eq!(arm.picture(&arm.solve(0.0)?.0), page(arm::TEXT));
     Ok(())
 }
 
@@ -205,5 +244,24 @@ fn an_animation_shows_each_frame_in_turn() -> Result<(), Box<dyn Error>> {
     let frames = tree.descendants().filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "animate")));
     assert_eq!(frames.count(), 8);
     assert_eq!(animation(&[], 2.0), Err(Undrawable::Empty));
+    Ok(())
+}
+
+#[test]
+fn a_motion_in_space_is_seen_from_one_place() -> Result<(), Box<dyn Error>> {
+    let across = across::AcrossCrank::default();
+    let states = across.sweep((0..12).map(|step| f64::from(step) / 12.0)).collect::<Result<Vec<_>, _>>()?;
+    let scenes: Vec<Scene> = states.iter().map(|state| across.scene(state)).collect();
+    let drawn = frames(&scenes)?;
+    let hinge =
+        |svg: &str| svg.lines().find(|line| line.contains("axle: revolute") && line.contains("class=\"k g\"")).map(ToOwned::to_owned);
+    assert!(hinge(drawn[0].svg()).is_some());
+    for frame in &drawn {
+        assert_eq!(frame.svg().lines().next(), drawn[0].svg().lines().next());
+        assert_eq!(hinge(frame.svg()), hinge(drawn[0].svg()));
+    }
+    assert_ne!(drawn[3].svg(), drawn[0].svg());
+    let shorter = across::AcrossCrank { crank_length: 0.07, ..across };
+    assert_ne!(shorter.picture(&shorter.solve(0.0)?.0), across.picture(&states[0].0));
     Ok(())
 }

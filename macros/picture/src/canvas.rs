@@ -38,6 +38,18 @@ pub(crate) enum Ink {
     Wheel(usize),
     /// A thin line in the colour of this body.
     Of(usize),
+    /// A dash-dotted line: the axis of a joint.
+    Axis,
+    /// A line of ordinary width in a wide one in the colour of the page, which sets it off from what is behind.
+    Rod,
+    /// A wide line in the colour of the page: what is in front passes over it.
+    Halo,
+    /// A part of this body that is a line, narrower than a bar.
+    Fork(usize),
+    /// A face that the light falls on.
+    Shine,
+    /// What is behind shows through faintly.
+    Glass,
 }
 
 /// A line or an area.
@@ -50,6 +62,10 @@ pub(crate) enum Stroke {
     Circle(Place, f64),
     /// Part of a circle: middle, radius, where it begins and ends (rad, from x towards y).
     Arc(Place, f64, f64, f64),
+    /// A circle seen at an angle: middle, half of its longer axis, half the length of its shorter one.
+    Ellipse(Place, Place, f64),
+    /// A cylinder: the middles of its ends, and the ellipse that each of them is.
+    Tube([Place; 2], Place, f64),
 }
 
 /// A shape with its looks and its name.
@@ -99,6 +115,8 @@ pub(crate) struct Canvas {
     pub(crate) wishes: Vec<Wish>,
     /// What has no place in the picture is said below it.
     pub(crate) captions: Vec<String>,
+    /// In space what is nearer to the eye comes later; in the plane the layers say what lies above what.
+    pub(crate) is_in_space: bool,
 }
 
 impl Canvas {
@@ -139,6 +157,11 @@ impl Stroke {
             }
             Stroke::Circle(middle, radius) => pairs(&arc(*middle, *radius, 0.0, TAU)),
             Stroke::Arc(middle, radius, from, to) => pairs(&arc(*middle, *radius, *from, *to)),
+            Stroke::Ellipse(middle, major, minor) => pairs(&ellipse(*middle, *major, *minor)),
+            Stroke::Tube([from, to], major, minor) => {
+                let ends = [pairs(&ellipse(*from, *major, *minor)), pairs(&ellipse(*to, *major, *minor))].concat();
+                [ends, vec![(*from + *major, *to + *major), (*from - *major, *to - *major)]].concat()
+            }
         }
     }
 
@@ -146,6 +169,16 @@ impl Stroke {
     pub(crate) fn frame(&self) -> Rectangle {
         Rectangle::around(self.segments().into_iter().flat_map(|(a, b)| [a, b]))
     }
+}
+
+/// Places on an ellipse.
+fn ellipse(middle: Place, major: Place, minor: f64) -> Vec<Place> {
+    let minor = major.perp().unit() * minor;
+    let at = |step: i32| {
+        let (sine, cosine) = libm::sincos(TAU * f64::from(step) / 16.0);
+        middle + major * cosine + minor * sine
+    };
+    (0..=16).map(at).collect()
 }
 
 /// Places on a circle.

@@ -1,4 +1,4 @@
-//! Textbook drawings of plane mechanisms: a [`Scene`] in, SVG out, the same bytes on every run and every machine.
+//! Textbook drawings of mechanisms in the plane and in space: a [`Scene`] in, SVG out, the same bytes on every run and every machine.
 //!
 //! Bodies are bars and plates, joints the symbols of ISO 3952, drives arrows. The macros of `reuleaux` draw the pictures on the pages of
 //! generated types with this crate; with the feature `picture` of `reuleaux` programs draw any state of a mechanism.
@@ -6,6 +6,10 @@
 //! ```text
 //! Scene ─place─▶ PlacedScene (m) ─draw─▶ Canvas (shapes) ─labels─▶ words in their places ─svg─▶ text
 //! ```
+//!
+//! A scene in which something has three components is one in space. It is drawn in axonometry: orthographic, z upwards, from the one of
+//! some directions from which points that are apart are seen apart and no axis of a joint is seen as a point. All frames of a motion are
+//! seen from one direction.
 //!
 //! A scene may also be put together by hand:
 //!
@@ -18,6 +22,23 @@
 //! scene.joint("pivot", "revolute").point("P", GROUND, [0.0, 0.0]).point("Q", "bob", [0.0, 0.0]);
 //! let svg = scene.svg();
 //! assert!(svg.contains("<title>pivot: revolute of ground and bob</title>"));
+//! ```
+//!
+//! In space poses are positions with rotation matrices, and points and axes have three components:
+//!
+//! ```
+//! use reuleaux_picture::{GROUND, Pose, Scene};
+//!
+//! let mut scene = Scene::new("Door");
+//! scene.body("leaf", Pose::space([0.0, 0.0, 0.0], [[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]]));
+//! scene.point("leaf", [0.9, 0.0, 0.0]);
+//! scene.point("leaf", [0.9, 0.0, 2.0]);
+//! let up = [0.0, 0.0, 1.0];
+//! for (name, height) in [("upper", 1.8), ("lower", 0.2)] {
+//!     let hinge = scene.joint(name, "revolute");
+//!     hinge.point("P", GROUND, [0.0, 0.0, height]).axis("a", GROUND, up).point("Q", "leaf", [0.0, 0.0, height]).axis("b", "leaf", up);
+//! }
+//! assert!(scene.svg().contains("<title>upper: revolute of ground and leaf</title>"));
 //! ```
 //!
 //! Nothing here panics, whatever the numbers: what cannot be drawn is an [`Undrawable`], or a sentence in place of the picture.
@@ -40,6 +61,7 @@ mod placed;
 mod plane;
 mod scene;
 mod slides;
+mod space;
 mod svg;
 mod undrawable;
 mod view;

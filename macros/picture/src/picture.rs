@@ -7,7 +7,8 @@ use crate::labels::{Placed, labels};
 use crate::placed::PlacedScene;
 use crate::plane::Rectangle;
 use crate::scene::Scene;
-use crate::svg::{self, Captions};
+use crate::space;
+use crate::svg::{self, Captions, Scale};
 use crate::undrawable::Undrawable;
 use crate::view::{Extent, View};
 
@@ -23,6 +24,7 @@ pub struct Picture {
     svg: String,
     labels: Vec<Label>,
     names_all: bool,
+    is_in_space: bool,
 }
 
 /// A name in the picture.
@@ -46,7 +48,7 @@ impl Picture {
     /// The same as a file of its own, on white.
     #[must_use]
     pub fn page(&self) -> String {
-        on_white(&self.svg)
+        on_white(&self.svg, self.is_in_space)
     }
 
     /// The names in the picture, where they stand.
@@ -94,10 +96,10 @@ pub fn frames(scenes: &[Scene]) -> Result<Vec<Picture>, Undrawable> {
 /// Why one of them cannot be drawn.
 pub fn animation(scenes: &[Scene], period: f64) -> Result<String, Undrawable> {
     let Some(reel) = Reel::of(scenes)? else { return Err(Undrawable::Empty) };
-    let Reel { captions: [title, description], view, frame, .. } = &reel;
+    let Reel { captions: [title, description], scale, frame, .. } = &reel;
     let period = if period > 0.0 && period.is_finite() { period } else { 1.0 };
     let sheets: Vec<(Canvas, Vec<Placed>)> = reel.sheets.iter().map(|sheet| (sheet.canvas.clone(), sheet.labels.clone())).collect();
-    Ok(on_white(&svg::animation(&sheets, *view, *frame, &Captions { title, description }, period)))
+    Ok(on_white(&svg::animation(&sheets, scale, *frame, &Captions { title, description }, period), matches!(scale, Scale::Axes(_))))
 }
 
 /// Draws a scene as it stands.
@@ -109,7 +111,7 @@ pub(crate) fn draw(scene: &Scene) -> Result<Picture, Undrawable> {
 /// Frames before they are written.
 struct Reel {
     sheets: Vec<Sheet>,
-    view: View,
+    scale: Scale,
     frame: Rectangle,
     /// A title and a description.
     captions: [String; 2],
@@ -125,6 +127,9 @@ struct Sheet {
 impl Reel {
     /// Draws scenes with one view; nothing if there is none.
     fn of(scenes: &[Scene]) -> Result<Option<Reel>, Undrawable> {
+        if scenes.iter().any(Scene::is_in_space) {
+            return Reel::in_space(scenes);
+        }
         let placed = scenes.iter().map(PlacedScene::of).collect::<Result<Vec<_>, _>>()?;
         let settings: Vec<Setting> = placed.iter().map(Setting::of).collect();
         let Some(extent) = settings.iter().map(Setting::extent).reduce(Extent::and) else { return Ok(None) };
@@ -136,9 +141,24 @@ impl Reel {
         if let [_, _, ..] = settings.as_slice() {
             settings.iter().for_each(|setting| known.learn(setting.draw(view, &Habits::default()).habits));
         }
+        let canvases = settings.iter().map(|setting| setting.draw(view, &known).canvas).collect();
+        let reel = Reel::from(scenes, canvases, |_, _| Scale::Bar(view));
+        Ok(reel)
+    }
+
+    /// Mechanisms in space.
+    fn in_space(scenes: &[Scene]) -> Result<Option<Reel>, Undrawable> {
+        let mut stage = space::stage(scenes)?;
+        let canvases = std::mem::take(&mut stage.canvases);
+        Ok(Reel::from(scenes, canvases, |sheets, frame| {
+            Scale::Axes(stage.axes(sheets.iter().map(|sheet| (&sheet.canvas, sheet.labels.as_slice())), frame))
+        }))
+    }
+
+    /// Finds places for the words.
+    fn from(scenes: &[Scene], canvases: Vec<Canvas>, scale: impl Fn(&[Sheet], Rectangle) -> Scale) -> Option<Reel> {
         let mut sheets: Vec<Sheet> = Vec::new();
-        for (scene, setting) in scenes.iter().zip(&settings) {
-            let mut canvas = setting.draw(view, &known).canvas;
+        for (scene, mut canvas) in scenes.iter().zip(canvases) {
             let is_named = |text: &str| is_named(scene.bodies.len(), text);
             canvas.wishes.retain(|wish| is_named(&wish.text));
             canvas.captions.retain(|caption| is_named(caption));
@@ -146,25 +166,34 @@ impl Reel {
             sheets.push(Sheet { canvas, labels });
         }
         let frames = sheets.iter().map(|sheet| svg::frame(&sheet.canvas, &sheet.labels));
-        let Some(frame) = frames.reduce(|all, next| all.with(next.low).with(next.high)) else { return Ok(None) };
+        let frame = frames.reduce(|all, next| all.with(next.low).with(next.high))?;
         let captions = scenes.first().map(captions).unwrap_or_default();
         let names_all = scenes.iter().all(|scene| scene.bodies.len() <= ALL_NAMED);
-        Ok(Some(Reel { sheets, view, frame, captions, names_all }))
+        let scale = scale(&sheets, frame);
+        Some(Reel { sheets, scale, frame, captions, names_all })
     }
 
     fn picture(&self, sheet: &Sheet) -> Picture {
         let [title, description] = &self.captions;
-        let svg = svg::svg(&sheet.canvas, &sheet.labels, self.view, self.frame, &Captions { title, description });
+        let svg = svg::svg(&sheet.canvas, &sheet.labels, &self.scale, self.frame, &Captions { title, description });
         let label = |label: &Placed| {
             let Rectangle { low, high } = label.frame;
             Label { text: label.text.clone(), low: [low.x, low.y], high: [high.x, high.y] }
         };
-        Picture { svg, labels: sheet.labels.iter().map(label).collect(), names_all: self.names_all }
+        Picture {
+            svg,
+            labels: sheet.labels.iter().map(label).collect(),
+            names_all: self.names_all,
+            is_in_space: matches!(self.scale, Scale::Axes(_)),
+        }
     }
 }
 
-fn on_white(svg: &str) -> String {
-    svg.replacen("</style>", "</style>\n<rect x=\"-50%\" y=\"-50%\" width=\"200%\" height=\"200%\" fill=\"#fff\"/>", 1)
+fn on_white(svg: &str, is_in_space: bool) -> String {
+    // In space the middle of the mechanism need not be that of the picture.
+    let (corner, size) = if is_in_space { ("-100%", "300%") } else { ("-50%", "200%") };
+    let paper = format!("</style>\n<rect x=\"{corner}\" y=\"{corner}\" width=\"{size}\" height=\"{size}\" fill=\"#fff\"/>");
+    svg.replacen("</style>", &paper, 1)
 }
 
 fn captions(scene: &Scene) -> [String; 2] {

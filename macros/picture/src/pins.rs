@@ -94,7 +94,7 @@ impl Pins {
 }
 
 /// Several names as one: those that differ in an index only are one name, and of many the first are said.
-fn together<'a>(names: impl Iterator<Item = &'a str>) -> String {
+pub(crate) fn together<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let mut kinds: Vec<(String, &str, bool)> = Vec::new();
     for name in names {
         let kind: String = name.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect();

@@ -12,7 +12,7 @@ const MOST_BODIES: usize = 200;
 const MOST_PLACES: usize = 1000;
 
 /// Places farther away (m) are nowhere, so that squares of distances are numbers; other numbers as large are as good as unknown.
-const FARTHEST: f64 = 1e100;
+pub(crate) const FARTHEST: f64 = 1e100;
 
 /// Everything where it lies.
 #[derive(Clone, Debug)]
@@ -118,16 +118,21 @@ pub(crate) fn axis(arguments: &[(String, PlacedArgument)], name: &str) -> Option
     })
 }
 
+/// There is not too much to be told apart.
+pub(crate) fn has_a_size_to_draw(scene: &Scene) -> Result<(), Undrawable> {
+    let (bodies, joints, points) = (scene.bodies.len(), scene.joints.len(), scene.points.len());
+    match () {
+        () if bodies > MOST_BODIES => Err(Undrawable::Bodies(bodies)),
+        () if joints > MOST_PLACES => Err(Undrawable::Joints(joints)),
+        () if points > MOST_PLACES => Err(Undrawable::Points(points)),
+        () => Ok(()),
+    }
+}
+
 impl PlacedScene {
     /// Puts everything where it lies.
     pub(crate) fn of(scene: &Scene) -> Result<PlacedScene, Undrawable> {
-        let (bodies, joints, points) = (scene.bodies.len(), scene.joints.len(), scene.points.len());
-        match () {
-            () if bodies > MOST_BODIES => return Err(Undrawable::Bodies(bodies)),
-            () if joints > MOST_PLACES => return Err(Undrawable::Joints(joints)),
-            () if points > MOST_PLACES => return Err(Undrawable::Points(points)),
-            () => {}
-        }
+        has_a_size_to_draw(scene)?;
         let frames = Frames::of(scene);
         let mut bodies = frames.bodies.clone();
         let declared = scene.points.iter().map(|at| frames.point(at)).collect::<Result<Vec<_>, _>>()?;
@@ -207,7 +212,7 @@ impl Frames<'_> {
     fn of(scene: &Scene) -> Frames<'_> {
         let figure = |body: &crate::scene::Body| {
             let origin = place(body.pose.position.x, body.pose.position.y);
-            Figure { name: body.name.clone(), origin, angle: body.pose.angle, points: Vec::new() }
+            Figure { name: body.name.clone(), origin, angle: body.pose.angle(), points: Vec::new() }
         };
         // Of two bodies with one name the first is meant.
         let numbers = scene.bodies.iter().enumerate().rev().map(|(number, body)| (body.name.as_str(), number)).collect();
@@ -223,7 +228,7 @@ impl Frames<'_> {
     }
 
     fn direction(&self, fixed: &Fixed) -> Result<(Option<usize>, Place), Undrawable> {
-        let (body, Vector { x, y }) = (self.body(&fixed.body)?, fixed.at);
+        let (body, Vector { x, y, .. }) = (self.body(&fixed.body)?, fixed.at);
         let local = place(x, y);
         Ok((body, body.map_or(local, |body| local.turned(self.bodies[body].angle))))
     }

@@ -36,27 +36,56 @@ pub(crate) struct Body {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
     pub(crate) position: Vector,
-    pub(crate) angle: f64,
+    pub(crate) turn: Turn,
+}
+
+/// How the frame of a body is turned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Turn {
+    /// From x towards y.
+    Plane(f64),
+    /// The rotation matrix by rows, from the frame to ground.
+    Space([[f64; 3]; 3]),
 }
 
 impl Pose {
     /// A frame with its origin at (`x`, `y`), turned by `angle` from x towards y.
     #[must_use]
     pub fn plane(x: f64, y: f64, angle: f64) -> Pose {
-        Pose { position: Vector::from([x, y]), angle }
+        Pose { position: Vector::from([x, y]), turn: Turn::Plane(angle) }
+    }
+
+    /// A frame in space with its origin at `position`; `rotation` is the matrix, by rows, that takes components along its axes to those
+    /// along the axes of ground.
+    #[must_use]
+    pub fn space(position: [f64; 3], rotation: [[f64; 3]; 3]) -> Pose {
+        Pose { position: Vector::from(position), turn: Turn::Space(rotation) }
+    }
+
+    /// The angle in the plane.
+    pub(crate) fn angle(&self) -> f64 {
+        if let Turn::Plane(angle) = self.turn { angle } else { f64::NAN }
     }
 }
 
-/// Components of a point or a direction along the axes of a frame.
+/// Components of a point or a direction along the axes of a frame: two in the plane, three in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vector {
     pub(crate) x: f64,
     pub(crate) y: f64,
+    /// In space.
+    pub(crate) z: Option<f64>,
 }
 
 impl From<[f64; 2]> for Vector {
     fn from([x, y]: [f64; 2]) -> Vector {
-        Vector { x, y }
+        Vector { x, y, z: None }
+    }
+}
+
+impl From<[f64; 3]> for Vector {
+    fn from([x, y, z]: [f64; 3]) -> Vector {
+        Vector { x, y, z: Some(z) }
     }
 }
 
@@ -71,6 +100,9 @@ pub(crate) struct Fixed {
 ///
 /// Kinds and arguments have the names of the constraints in `reuleaux::library`: a `revolute` joint has points `P` and `Q`. A kind that
 /// has no symbol is drawn as a dashed line between its points.
+///
+/// In space gears and drives are made with the `angle` (axes `a` and `b`) or the `displacement` (points `P` and `Q`, axis `a`) of a joint:
+/// an argument that is a joint of that kind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     pub(crate) name: String,
@@ -156,7 +188,25 @@ impl Scene {
     /// # Errors
     /// Why there is no picture.
     pub fn clearance(&self) -> Result<f64, Undrawable> {
+        if self.is_in_space() {
+            return crate::space::clearance(self);
+        }
         PlacedScene::of(self).map(|scene| clearance(&scene))
+    }
+
+    /// Something in it has three components. In such a scene what has two lies in the plane z = 0.
+    pub(crate) fn is_in_space(&self) -> bool {
+        fn is_spatial(arguments: &[(String, Argument)]) -> bool {
+            arguments.iter().any(|(_, argument)| match argument {
+                Argument::Point(fixed) | Argument::Axis(fixed) => fixed.at.z.is_some(),
+                Argument::Joint(joint) => is_spatial(&joint.arguments),
+                _ => false,
+            })
+        }
+        let points = self.points.iter().chain(self.outputs.iter().map(|(_, at)| at));
+        self.bodies.iter().any(|body| body.pose.position.z.is_some())
+            || points.clone().any(|fixed| fixed.at.z.is_some())
+            || self.joints.iter().any(|joint| is_spatial(&joint.arguments))
     }
 }
 

@@ -32,6 +32,14 @@ const STYLE: &str = ".reuleaux{--ink:var(--main-color,#1c1c1c);--paper:var(--mai
 .reuleaux text{font:12px \"Fira Sans\",\"DejaVu Sans\",Arial,sans-serif;fill:var(--ink);stroke:var(--paper);stroke-width:3;paint-order:stroke;text-anchor:middle}\
 .reuleaux .i{font-style:italic}";
 
+/// What there is in space only.
+const IN_SPACE: &str = ".reuleaux .a{fill:none;stroke:var(--ink);stroke-width:.8;stroke-opacity:.75;stroke-dasharray:9 3 1 3}\
+.reuleaux .r{fill:none;stroke:var(--ink);stroke-width:2.6}\
+.reuleaux .h{fill:none;stroke:var(--paper);stroke-width:12;stroke-linecap:butt}\
+.reuleaux .f{fill:none;stroke:currentColor;stroke-width:4.5}\
+.reuleaux .e{fill:var(--paper);fill-opacity:.6;stroke:none}\
+.reuleaux .v{fill:#fff;fill-opacity:.4;stroke:var(--ink);stroke-width:1.2}";
+
 /// What a picture says of itself to those who do not see it.
 pub(crate) struct Captions<'a> {
     pub(crate) title: &'a str,
@@ -45,9 +53,9 @@ pub(crate) fn frame(canvas: &Canvas, labels: &[Placed]) -> Rectangle {
 }
 
 /// The whole picture, with room for `frame`.
-pub(crate) fn svg(canvas: &Canvas, labels: &[Placed], view: View, frame: Rectangle, words: &Captions) -> String {
-    let (foot, frame) = foot(&canvas.captions, view, frame);
-    let mut page = head(frame, words);
+pub(crate) fn svg(canvas: &Canvas, labels: &[Placed], scale: &Scale, frame: Rectangle, words: &Captions) -> String {
+    let (foot, frame) = foot(&canvas.captions, scale, frame);
+    let mut page = head(frame, words, canvas.is_in_space);
     page += &body(canvas, labels);
     page += &foot;
     page += "</svg>\n";
@@ -55,10 +63,10 @@ pub(crate) fn svg(canvas: &Canvas, labels: &[Placed], view: View, frame: Rectang
 }
 
 /// One picture of several frames, each for an equal part of `period` (s), with room for `frame`.
-pub(crate) fn animation(frames: &[(Canvas, Vec<Placed>)], view: View, frame: Rectangle, words: &Captions, period: f64) -> String {
+pub(crate) fn animation(frames: &[(Canvas, Vec<Placed>)], scale: &Scale, frame: Rectangle, words: &Captions, period: f64) -> String {
     let captions = frames.first().map_or(&[][..], |(canvas, _)| &canvas.captions);
-    let (foot, frame) = foot(captions, view, frame);
-    let mut page = head(frame, words);
+    let (foot, frame) = foot(captions, scale, frame);
+    let mut page = head(frame, words, matches!(scale, Scale::Axes(_)));
     for (index, (canvas, labels)) in frames.iter().enumerate() {
         page += &shown_in_turn(index, frames.len(), period);
         page += &body(canvas, labels);
@@ -92,13 +100,13 @@ fn shown_in_turn(index: usize, count: usize, period: f64) -> String {
 /// A sentence where there is no picture.
 pub(crate) fn sentence(name: &str, sentence: &str) -> String {
     let frame = Rectangle::centred(Place::default(), place(width(sentence), HEIGHT)).grown(MARGIN);
-    let mut page = head(frame, &Captions { title: name, description: sentence });
+    let mut page = head(frame, &Captions { title: name, description: sentence }, false);
     let _ = writeln!(page, "<text x=\"0\" y=\"{}\">{}</text>\n</svg>", number(SIZE * 0.33), escaped(sentence));
     page
 }
 
 /// Everything before the shapes.
-fn head(frame: Rectangle, words: &Captions) -> String {
+fn head(frame: Rectangle, words: &Captions, is_in_space: bool) -> String {
     let (corner, size) = (frame.low, frame.size());
     let mut page = String::new();
     let _ = writeln!(
@@ -113,7 +121,8 @@ fn head(frame: Rectangle, words: &Captions) -> String {
     );
     let _ = writeln!(page, "<title>{}</title>\n<desc>{}</desc>", escaped(words.title), escaped(words.description));
     let colours: String = COLOURS.iter().enumerate().map(|(index, colour)| format!(".reuleaux .c{index}{{color:{colour}}}")).collect();
-    let _ = writeln!(page, "<style>{STYLE}{colours}.reuleaux .g{{color:#888}}</style>");
+    let more = if is_in_space { IN_SPACE } else { "" };
+    let _ = writeln!(page, "<style>{STYLE}{colours}.reuleaux .g{{color:#888}}{more}</style>");
     page
 }
 
@@ -121,27 +130,26 @@ fn head(frame: Rectangle, words: &Captions) -> String {
 fn body(canvas: &Canvas, labels: &[Placed]) -> String {
     let mut page = String::new();
     let mut items: Vec<&DrawnItem> = canvas.items.iter().collect();
-    items.sort_by_key(|item| item.layer);
+    if !canvas.is_in_space {
+        items.sort_by_key(|item| item.layer);
+    }
     for same in items.chunk_by(|one, two| one.layer == two.layer && one.title == two.title) {
         group(&mut page, same);
     }
     for label in labels {
-        let middle = label.frame.middle();
         let class = if label.role == Subject::Body { " class=\"i\"" } else { "" };
-        let _ = writeln!(
-            page,
-            "<text{class} x=\"{}\" y=\"{}\">{}</text>",
-            number(middle.x),
-            number(middle.y + SIZE * 0.33),
-            escaped(&label.text)
-        );
+        word(&mut page, class, label.frame.middle(), &label.text);
     }
     page
 }
 
-/// Captions and the scale bar below a frame, and the frame of the whole.
-fn foot(captions: &[String], view: View, mut frame: Rectangle) -> (String, Rectangle) {
+/// Captions and the scale below a frame, and the frame of the whole.
+fn foot(captions: &[String], scale: &Scale, mut frame: Rectangle) -> (String, Rectangle) {
     let mut below = String::new();
+    if let Scale::Axes(axes) = scale {
+        let taken = axes_of_ground(&mut below, axes);
+        frame = frame.with(taken.low).with(taken.high);
+    }
     let mut foot = place(frame.low.x, frame.high.y + 16.0);
     for caption in captions {
         foot.y += HEIGHT + 3.0;
@@ -154,9 +162,14 @@ fn foot(captions: &[String], view: View, mut frame: Rectangle) -> (String, Recta
         );
         frame = frame.with(foot + place(width(caption), 2.0));
     }
-    foot.y += 10.0;
-    let right = scale_bar(&mut below, view, foot);
-    (below, frame.with(right).with(foot + place(0.0, 4.0)).grown(MARGIN))
+    match scale {
+        Scale::Bar(view) => {
+            foot.y += 10.0;
+            let right = scale_bar(&mut below, *view, foot);
+            (below, frame.with(right).with(foot + place(0.0, 4.0)).grown(MARGIN))
+        }
+        Scale::Axes(_) => (below, frame.grown(MARGIN)),
+    }
 }
 
 /// Shapes of one thing with its name.
@@ -196,7 +209,23 @@ fn element(item: &DrawnItem) -> (&'static str, String) {
             let radius = number(*radius);
             ("path", format!("class=\"{class}\" d=\"M{}A{radius} {radius} 0 {large} {sweep} {}\"", pair(end(*from)), pair(end(*to))))
         }
+        Stroke::Ellipse(middle, major, minor) => {
+            let half = format!("A{} 0 1 ", radii(*major, *minor));
+            let (one, two) = (pair(*middle + *major), pair(*middle - *major));
+            ("path", format!("class=\"{class}\" d=\"M{one}{half}{two}{half}{one}Z\""))
+        }
+        Stroke::Tube([from, to], major, minor) => {
+            let half = format!("A{} 0 {} ", radii(*major, *minor), u8::from(major.cross(*to - *from) > 0.0));
+            let corners = [*from + *major, *to + *major, *to - *major, *from - *major].map(pair);
+            let [one, two, three, four] = corners;
+            ("path", format!("class=\"{class}\" d=\"M{one}L{two}{half}{three}L{four}{half}{one}Z\""))
+        }
     }
+}
+
+/// The half axes of an ellipse, and how it is turned.
+fn radii(major: Place, minor: f64) -> String {
+    format!("{} {} {}", number(major.norm()), number(minor), number(major.angle() * 180.0 / PI))
 }
 
 fn class(ink: Ink) -> String {
@@ -212,14 +241,93 @@ fn class(ink: Ink) -> String {
         Ink::Block(body) => format!("k {}", of(body)),
         Ink::Wheel(body) => format!("w {}", of(body)),
         Ink::Of(body) => format!("o {}", of(body)),
+        Ink::Axis => "a".into(),
+        Ink::Rod => "r".into(),
+        Ink::Halo => "h".into(),
+        Ink::Fork(body) => format!("f {}", of(body)),
+        Ink::Shine => "v".into(),
+        Ink::Glass => "e".into(),
     }
+}
+
+/// What shows how large things are.
+#[derive(Clone, Debug)]
+pub(crate) enum Scale {
+    /// A bar below the picture.
+    Bar(View),
+    /// The axes of ground, which are as long as they say.
+    Axes(Axes),
+}
+
+/// The axes x, y and z of ground with their length.
+#[derive(Clone, Debug)]
+pub(crate) struct Axes {
+    pub(crate) origin: Place,
+    /// From the origin to their ends.
+    pub(crate) ways: [Place; 3],
+    /// What is said of their length, with the place where it is said.
+    pub(crate) length: (String, Place),
+}
+
+impl Axes {
+    /// Axes as long as a round length; `seen` are those of a metre.
+    pub(crate) fn new(seen: [Place; 3], scale: f64) -> Axes {
+        let metres = round_length(AXIS / scale);
+        let ways = seen.map(|way| way * (metres * scale));
+        let text = format!("axes {}", length(metres));
+        let box_of = Rectangle::around(ways.into_iter().chain([Place::default()])).grown(LETTER);
+        let at = place(box_of.middle().x, box_of.high.y + HEIGHT / 2.0);
+        Axes { origin: Place::default(), ways, length: (text, at) }
+    }
+
+    /// What they cover with their letters.
+    pub(crate) fn frame(&self) -> Rectangle {
+        let ends = self.ways.iter().map(|way| self.origin + *way).chain([self.origin]);
+        let (text, at) = &self.length;
+        let words = Rectangle::centred(self.origin + *at, place(width(text), HEIGHT));
+        Rectangle::around(ends).grown(LETTER).with(words.low).with(words.high)
+    }
+}
+
+/// The axes of ground are not longer, and not much shorter.
+const AXIS: f64 = 52.0;
+
+/// Room for the letter of an axis beyond its end.
+const LETTER: f64 = 16.0;
+
+fn axes_of_ground(page: &mut String, axes: &Axes) -> Rectangle {
+    let Axes { origin, ways, length: (text, at) } = axes;
+    let mut lines = String::new();
+    for way in ways {
+        let _ = write!(lines, "M{}L{}", pair(*origin), pair(*origin + *way));
+    }
+    let _ = writeln!(page, "<path class=\"l\" d=\"{lines}\"/>");
+    for (name, way) in ["x", "y", "z"].into_iter().zip(ways) {
+        let (tip, along) = (*origin + *way, way.unit());
+        if way.norm() > 8.0 {
+            let (back, side) = (tip - along * 8.0, along.perp() * 3.2);
+            let _ = writeln!(page, "<path class=\"s\" d=\"{}Z\"/>", path(&[tip, back + side, back - side]));
+        }
+        word(page, "", tip + along * 9.0, name);
+    }
+    word(page, "", *origin + *at, text);
+    axes.frame()
+}
+
+/// A word with its middle at a place.
+fn word(page: &mut String, class: &str, middle: Place, text: &str) {
+    let _ = writeln!(page, "<text{class} x=\"{}\" y=\"{}\">{}</text>", number(middle.x), number(middle.y + SIZE * 0.33), escaped(text));
+}
+
+/// The largest of 1, 2 and 5 times a power of ten that is not larger.
+fn round_length(most: f64) -> f64 {
+    let power = libm::pow(10.0, libm::floor(libm::log10(most)));
+    [5.0, 2.0, 1.0].into_iter().map(|step| step * power).find(|length| *length <= most).unwrap_or(power)
 }
 
 /// A bar with a round length, from its left end; gives the place where its words end.
 fn scale_bar(page: &mut String, view: View, from: Place) -> Place {
-    let most = BAR / view.scale;
-    let power = libm::pow(10.0, libm::floor(libm::log10(most)));
-    let metres = [5.0, 2.0, 1.0].into_iter().map(|step| step * power).find(|length| *length <= most).unwrap_or(power);
+    let metres = round_length(BAR / view.scale);
     let to = from + place(view.length(metres), 0.0);
     let tick = |at: Place| format!("M{}V{}", pair(at - place(0.0, 4.0)), number(at.y + 4.0));
     let text = length(metres);

@@ -202,21 +202,21 @@ fn a_segment_crosses_a_box_also_without_an_end_in_it() {
 }
 
 /// Numbers that follow from each other in no order (splitmix64).
-struct Chance(u64);
+pub(crate) struct Chance(pub(crate) u64);
 
 impl Chance {
-    fn next(&mut self) -> u64 {
+    pub(crate) fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
         let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
         mixed ^ (mixed >> 31)
     }
 
-    fn one<T: Copy>(&mut self, of: &[T]) -> T {
+    pub(crate) fn one<T: Copy>(&mut self, of: &[T]) -> T {
         of[self.next() as usize % of.len()]
     }
 
-    fn number(&mut self, is_wild: bool) -> f64 {
+    pub(crate) fn number(&mut self, is_wild: bool) -> f64 {
         let usual = (self.next() % 2001) as f64 * 1e-3 - 1.0;
         let wild = [0.0, -0.0, 1e-300, 5e-324, 1e-12, 1e9, 1e30, -1e99, 1e100, 1e160, f64::MAX, f64::INFINITY, f64::NAN];
         if is_wild && self.next().is_multiple_of(4) { self.one(&wild) } else { usual }

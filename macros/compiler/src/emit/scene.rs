@@ -8,6 +8,7 @@ use crate::expr::Expr;
 use crate::model::sketch::{Instantiation, JointArgument, LocalVector};
 use crate::plan::SceneCode;
 use crate::quantity::{Axis, Dim, Role};
+use crate::system::COSINES;
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 use std::collections::BTreeMap;
@@ -20,7 +21,7 @@ impl Emitter<'_> {
         let printed = code.numbers.results.iter().copied().zip(results).collect();
         let composer = SceneComposer { emitter: self, code, printed };
         let (scene, q, t, name) = (local("scene"), local("q"), local("t"), self.model.name.to_string().replace("r#", ""));
-        let has_drive = self.model.joints.iter().any(|joint| joint.is_drive);
+        let has_drive = self.system.frames.is_empty() && self.model.joints.iter().any(|joint| joint.is_drive);
         let nu = has_drive.then(|| {
             let nu = local("nu");
             quote!(let #nu = self.nu(#q, #t);)
@@ -38,7 +39,7 @@ impl Emitter<'_> {
             #outputs
             #scene
         };
-        Some(implementation(word, &self.model.name, self.system.coordinates.len(), &body))
+        Some(implementation(word, &self.model.name, self.system.width(), &body))
     }
 
     fn sketched(&self, routine: &crate::plan::Routine) -> RoutinePrinter {
@@ -81,6 +82,18 @@ impl SceneComposer<'_> {
         let scene = local("scene");
         let body = |(index, body): (usize, &crate::model::Body)| {
             let name = body.name.unraw();
+            if !system.frames.is_empty() {
+                let at = |index: usize| {
+                    let (q, index) = (local("q"), number(index));
+                    quote!(#q[#index].to_f64())
+                };
+                let position = [0, 1, 2].map(|axis| at(3 * index + axis));
+                let rotation = [0, 1, 2].map(|row| {
+                    let entries = [0, 1, 2].map(|column| at(system.coordinates.len() + COSINES * index + 3 * row + column));
+                    quote!([#(#entries),*])
+                });
+                return quote!(#scene.body(#name, __picture::Pose::space([#(#position),*], [#(#rotation),*])););
+            }
             let [x, y, angle] = [Role::Position(Axis::X), Role::Position(Axis::Y), Role::Angle].map(|role| coordinate(index, role));
             quote!(#scene.body(#name, __picture::Pose::plane(#x, #y, #angle));)
         };
@@ -112,6 +125,9 @@ impl SceneComposer<'_> {
             let (name, kind, arguments) = (joint.name.unraw(), &made.kind, self.arguments(made));
             let bodies = system.bodies_of(index).into_iter().map(|body| model.drawn_name(Some(body)));
             let rate = joint.is_drive.then(|| {
+                if let Some(rate) = model.sketch.rates.get(index) {
+                    return rate.map_or_else(|| quote!(::core::primitive::f64::NAN), |rate| self.number(rate));
+                }
                 let (nu, row) = (local("nu"), number(system.first_of(index)));
                 quote!(#nu[#row].to_f64())
             });

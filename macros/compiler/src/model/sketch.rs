@@ -2,14 +2,15 @@
 //!
 //! All its expressions are in a separate arena, so that drawing a mechanism does not change how it is solved.
 
+use super::Model;
 use super::elaborate::{Elaborator, Scope};
 use super::names::{Entity, EntityId};
 use super::register::Register;
 use super::value::{Fixed, FrameId, FunctionValue, Scalar, Value};
-use super::{Components, Model};
 use crate::diag::Range;
-use crate::expr::{Arena, Expr, Leaf};
-use crate::quantity::{Dim, InferredDim};
+use crate::expr::{Arena, Derivatives, Expr, Leaf};
+use crate::geometry::{Components, JointQuantity, Place, Triad};
+use crate::quantity::{Ambient, Dim, InferredDim};
 
 /// Mechanisms with more bodies are not drawn: their parts could not be distinguished.
 pub const MOST_DRAWN: usize = 200;
@@ -25,6 +26,8 @@ pub struct Sketch {
     pub joints: Vec<Instantiation>,
     /// The outputs that are points of bodies.
     pub outputs: Vec<NamedPoint>,
+    /// In space: for each joint or drive, in the order declared, the rate of its law.
+    pub rates: Vec<Option<Expr>>,
 }
 
 /// A point with a name.
@@ -63,11 +66,11 @@ pub enum JointArgument {
     Axis(LocalVector),
     /// A body; `None` for ground.
     Body(Option<usize>),
-    /// A number with its dimension.
+    /// A number with its dimension; in space a function of parameters and time.
     Number(Expr, Dim),
     /// A function of one variable, as an expression in which time stands for the variable.
     Function(Expr),
-    /// Another joint.
+    /// Another joint; in space also the `angle` between two axes, or the `displacement` of a point along an axis.
     Joint(Instantiation),
 }
 
@@ -78,6 +81,7 @@ impl Sketch {
         for point in self.points.iter().chain(&self.outputs) {
             numbers.extend(point.at.local.iter());
         }
+        numbers.extend(self.rates.iter().flatten());
         let mut pending: Vec<&Instantiation> = self.joints.iter().collect();
         while let Some(made) = pending.pop() {
             for (_, argument) in &made.arguments {
@@ -109,14 +113,33 @@ impl Elaborator<'_> {
         }
         let arena = self.arena.clone();
         let points = register.marks.iter().filter_map(|mark| self.sketched_point(*mark)).collect();
-        let joints = register.joints.iter().map(|(id, _)| self.sketched_joint(*id)).collect();
+        let joints: Vec<Instantiation> = register.joints.iter().map(|(id, _)| self.sketched_joint(*id)).collect();
         let outputs = register.outputs.iter().filter_map(|(id, output)| {
             let value = self.of(*id, output, |this, _, context| this.value(&output.value, &Scope::of(context)))?;
             let Value::Point(point) = value else { return None };
             Some(NamedPoint { name: self.names.declared[id.0].name.to_string(), at: local(point) })
         });
         let outputs = outputs.collect();
-        Sketch { arena: std::mem::replace(&mut self.arena, arena), points, joints, outputs }
+        let rates = self.rates(&joints, register);
+        Sketch { arena: std::mem::replace(&mut self.arena, arena), points, joints, outputs, rates }
+    }
+
+    /// The rates of the laws of drives in space, whose equations contain the quantities of joints.
+    fn rates(&mut self, joints: &[Instantiation], register: &Register) -> Vec<Option<Expr>> {
+        if self.names.ambient != Ambient::Space {
+            return Vec::new();
+        }
+        let mut by_time = Derivatives::new(Leaf::Time);
+        let drives = register.joints.iter().map(|(_, joint)| joint.is_drive);
+        let law = |(made, is_drive): (&Instantiation, bool)| {
+            let numbers = made.arguments.iter().rev().filter_map(|(_, argument)| match argument {
+                JointArgument::Number(value, _) => Some(*value),
+                _ => None,
+            });
+            numbers.take(usize::from(is_drive)).next()
+        };
+        let laws: Vec<Option<Expr>> = joints.iter().zip(drives).map(law).collect();
+        laws.into_iter().map(|law| law.map(|law| by_time.of(&mut self.arena, law))).collect()
     }
 
     fn sketched_point(&mut self, mark: EntityId) -> Option<NamedPoint> {
@@ -143,11 +166,36 @@ impl Elaborator<'_> {
             Value::Point(point) => JointArgument::Point(local(point)),
             Value::Axis(axis) => JointArgument::Axis(local(axis)),
             Value::Body(frame) => JointArgument::Body(body(frame)),
-            Value::Scalar(scalar) => JointArgument::Number(scalar.expr, scalar.measure.settled()),
+            Value::Scalar(scalar) => match self.quantity_in_sketch(scalar.expr) {
+                Some(quantity) => JointArgument::Joint(quantity),
+                None if self.names.ambient == Ambient::Space && !self.follows_from_time(scalar.expr) => return None,
+                None => JointArgument::Number(scalar.expr, scalar.measure.settled()),
+            },
             Value::Function(function) => JointArgument::Function(self.written_out(range, &function)?),
             joint @ Value::Joint { .. } => JointArgument::Joint(self.made(range, joint)?),
             _ => return None,
         })
+    }
+
+    /// Of the angle or the displacement of a joint in space, what it is measured between.
+    fn quantity_in_sketch(&self, expr: Expr) -> Option<Instantiation> {
+        let axis = |triad: Triad| JointArgument::Axis(LocalVector { body: triad.body, local: Components::space(triad.axes[2]) });
+        let point = |place: Place| JointArgument::Point(LocalVector { body: place.body, local: Components::space(place.local) });
+        let (kind, arguments) = match self.quantity_at(expr)? {
+            JointQuantity::Angle(one, two) => ("angle", vec![("a", axis(one)), ("b", axis(two))]),
+            JointQuantity::Displacement(along, from, to) => {
+                ("displacement", vec![("P", point(from)), ("a", axis(along)), ("Q", point(to))])
+            }
+        };
+        Some(Instantiation {
+            kind: kind.to_owned(),
+            arguments: arguments.into_iter().map(|(name, argument)| (name.to_owned(), argument)).collect(),
+        })
+    }
+
+    /// It contains neither coordinates nor speeds.
+    fn follows_from_time(&self, expr: Expr) -> bool {
+        self.arena.leaves(expr).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_) | Leaf::Time))
     }
 
     /// Value of a function at t. Functions of one variable do not depend on time, so that t can stand for the variable.

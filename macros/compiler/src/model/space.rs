@@ -276,6 +276,11 @@ impl Elaborator<'_> {
         expr
     }
 
+    /// The angle or displacement of a joint that an expression is.
+    pub(super) fn quantity_at(&self, expr: Expr) -> Option<JointQuantity> {
+        self.space.geometry.quantities.iter().find(|(_, known)| *known == expr).map(|(quantity, _)| *quantity)
+    }
+
     /// y_i · z_j, z_i · x_j and x_i · y_j, which vanish where the triads are equal.
     fn misalignment(&mut self, _: Range, one: Triad, two: Triad) -> Vector {
         let ([xi, yi, zi], [xj, yj, zj]) = (self.in_ground(one), self.in_ground(two));

@@ -61,9 +61,6 @@ pub(crate) fn draw(_: &Model, _: &System, _: &Assembly) -> Picture {
 pub(crate) fn draw(model: &Model, system: &System, assembly: &Assembly) -> Picture {
     use reuleaux_picture::Undrawable;
     let bodies = model.bodies.len();
-    if model.ambient == crate::quantity::Ambient::Space {
-        return Picture::none("There is no picture of mechanisms in space yet.".into());
-    }
     if bodies > crate::model::sketch::MOST_DRAWN {
         return Picture::none(Undrawable::Bodies(bodies).sentence());
     }

@@ -1,8 +1,9 @@
-//! Which configuration is drawn: the start, unless links lie on each other there and do not a little later.
+//! Which configuration is drawn: the start, unless links of a plane mechanism lie on each other there and do not a little later.
 
 use super::scene::scene;
 use crate::assembly::{Assembly, Poses};
 use crate::model::Model;
+use crate::quantity::Ambient;
 use crate::system::System;
 use reuleaux_picture::{Scene, Undrawable};
 
@@ -24,6 +25,10 @@ pub(super) struct Instant {
 /// The configuration that is drawn, with its time.
 pub(super) fn pose(model: &Model, system: &System, assembly: &Assembly) -> Result<(f64, Scene), Undrawable> {
     let first = scene(model, system, &Instant { time: 0.0, q: assembly.start.clone() });
+    // In space it is looked at from where nothing lies on anything else.
+    if model.ambient == Ambient::Space {
+        return Ok((0.0, first));
+    }
     let clear = first.clearance()?;
     let has_drive = model.joints.iter().any(|joint| joint.is_drive);
     if clear >= CLEAR || !has_drive || model.bodies.len() > LARGEST || !model.task.is_solved() {

@@ -5,8 +5,8 @@ use crate::expr::{Evaluator, Expr, Values, evaluate};
 use crate::model::sketch::{Instantiation, JointArgument, LocalVector};
 use crate::model::{Function, Model};
 use crate::quantity::{Axis, Dim, Role};
-use crate::system::System;
-use reuleaux_picture::{Joint, Pose, Scene};
+use crate::system::{COSINES, System};
+use reuleaux_picture::{Joint, Pose, Scene, Vector};
 
 /// The mechanism at an instant.
 pub(super) fn scene(model: &Model, system: &System, instant: &Instant) -> Scene {
@@ -32,8 +32,13 @@ impl Composer<'_> {
     fn scene(&self) -> Scene {
         let Composer { model, system, known } = self;
         let mut scene = Scene::new(&model.name.to_string().replace("r#", ""));
-        for (index, body) in model.bodies.iter().enumerate() {
-            scene.body(&body.name.unraw(), pose(system, index, known.coordinates));
+        let poses = if system.frames.is_empty() {
+            (0..model.bodies.len()).map(|body| pose(system, body, known.coordinates)).collect()
+        } else {
+            self.poses_in_space()
+        };
+        for (body, pose) in model.bodies.iter().zip(poses) {
+            scene.body(&body.name.unraw(), pose);
         }
         for point in &model.sketch.points {
             scene.point(&model.drawn_name(point.at.body), self.local(point.at));
@@ -50,6 +55,21 @@ impl Composer<'_> {
             scene.output(&output.name, &model.drawn_name(output.at.body), self.local(output.at));
         }
         scene
+    }
+
+    /// Where the frames of all bodies are in space.
+    fn poses_in_space(&self) -> Vec<Pose> {
+        let mut arena = self.system.arena.clone();
+        let entries = self.system.frames.iter().enumerate().flat_map(|(body, _)| self.system.orientation(&mut arena, body));
+        let roots: Vec<Expr> = entries.map(|[value, _, _]| value).collect();
+        let values = evaluate(&arena, &roots, &self.known);
+        let places = self.known.coordinates.chunks(3).take(self.system.frames.len());
+        let pose = |(place, rotation): (&[f64], &[f64])| {
+            let at = |values: &[f64], index: usize| values.get(index).copied().unwrap_or(f64::NAN);
+            let row = |row: usize| [0, 1, 2].map(|column| at(rotation, 3 * row + column));
+            Pose::space([0, 1, 2].map(|axis| at(place, axis)), [row(0), row(1), row(2)])
+        };
+        places.zip(values.chunks(COSINES)).map(pose).collect()
     }
 
     /// Gives a joint its arguments.
@@ -77,6 +97,9 @@ impl Composer<'_> {
 
     /// The rate of a drive's law; that of a Rust function is not known here.
     fn rate(&self, joint: usize) -> f64 {
+        if let Some(rate) = self.model.sketch.rates.get(joint) {
+            return rate.map_or(f64::NAN, |rate| self.values(&[rate])[0]);
+        }
         let law = self.system.of_joint(joint).first();
         law.map_or(f64::NAN, |equation| evaluate(&self.system.arena, &[equation.nu], &self.known)[0])
     }
@@ -85,13 +108,16 @@ impl Composer<'_> {
         evaluate(&self.model.sketch.arena, exprs, &self.known)
     }
 
-    fn local(&self, at: LocalVector) -> [f64; 2] {
-        let values = self.values(&at.local);
-        [values[0], values[1]]
+    fn local(&self, at: LocalVector) -> Vector {
+        match *self.values(&at.local) {
+            [x, y, z] => Vector::from([x, y, z]),
+            [x, y] => Vector::from([x, y]),
+            _ => Vector::from([f64::NAN; 2]),
+        }
     }
 }
 
-/// Where the frame of a body is.
+/// Where the frame of a body is in the plane.
 fn pose(system: &System, body: usize, q: &[f64]) -> Pose {
     let [mut x, mut y, mut angle] = [0.0; 3];
     for (unknown, value) in system.coordinates.iter().zip(q).filter(|(unknown, _)| unknown.body == body) {
@@ -99,7 +125,7 @@ fn pose(system: &System, body: usize, q: &[f64]) -> Pose {
             Role::Position(Axis::X) => x = *value,
             Role::Position(Axis::Y) => y = *value,
             Role::Angle => angle = *value,
-            // The picture is one of the plane.
+            // These are coordinates of space.
             Role::Position(Axis::Z) | Role::Displacement | Role::Quaternion(_) => {}
         }
     }

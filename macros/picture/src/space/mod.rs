@@ -1,0 +1,119 @@
+//! Mechanisms in space: an axonometric drawing, from a direction that is chosen so that most is seen.
+//!
+//! ```text
+//! Scene ─placed─▶ Placed (m) ─view─▶ Placed (units of the picture) ─drawing, symbols, wheels, drives─▶ Canvas
+//! ```
+//!
+//! What lies far from the eye is drawn first. Words and SVG are those of the plane.
+
+mod customs;
+mod drawing;
+mod drives;
+mod pen;
+mod placed;
+mod symbols;
+mod vector;
+mod view;
+mod wheels;
+
+#[cfg(test)]
+mod tests;
+
+use crate::canvas::Canvas;
+use crate::labels::Placed as Word;
+use crate::plane::{Place, Rectangle, place};
+use crate::scene::Scene;
+use crate::svg::Axes;
+use crate::undrawable::Undrawable;
+use customs::Customs;
+use placed::Placed;
+use view::{Camera, Sight};
+use wheels::Wheels;
+
+/// What is drawn fits into this, where nothing would become too small.
+const USUAL: Place = Place { x: 420.0, y: 330.0 };
+
+/// What is drawn never becomes larger.
+const LARGEST: Place = Place { x: 620.0, y: 500.0 };
+
+/// The shortest link should be this long.
+const SHORTEST: f64 = 70.0;
+
+/// What was drawn.
+pub(crate) struct Stage {
+    /// One for each scene.
+    pub(crate) canvases: Vec<Canvas>,
+    sight: Sight,
+}
+
+/// Draws scenes, all as they are seen from one place.
+pub(crate) fn stage(scenes: &[Scene]) -> Result<Stage, Undrawable> {
+    let placed = scenes.iter().map(Placed::of).collect::<Result<Vec<_>, _>>()?;
+    let camera = Camera::best(&placed);
+    let sight = sight(&placed, camera)?;
+    let seen: Vec<Placed> = placed.iter().map(|scene| scene.seen(sight.scale, |at| sight.enlarge(at))).collect();
+    let customs = Customs::of(&seen);
+    let canvases = seen.iter().map(|scene| drawing::draw(scene, &sight, &customs)).collect();
+    Ok(Stage { canvases, sight })
+}
+
+/// The least distance of two points that are apart, as they are seen, as a part of the whole.
+pub(crate) fn clearance(scene: &Scene) -> Result<f64, Undrawable> {
+    let placed = Placed::of(scene)?;
+    let camera = Camera::best(std::slice::from_ref(&placed));
+    Ok(view::clearance(&placed, &camera))
+}
+
+/// So that all scenes are seen.
+fn sight(scenes: &[Placed], camera: Camera) -> Result<Sight, Undrawable> {
+    let mut frame = Rectangle::empty();
+    let mut shortest = f64::INFINITY;
+    for scene in scenes {
+        frame = scene.places().map(|at| camera.project(at)).fold(frame, Rectangle::with);
+        for wheel in Wheels::of(scene).wheels {
+            let around = Rectangle::centred(camera.project(wheel.at), place(2.0, 2.0) * wheel.radius);
+            frame = frame.with(around.low).with(around.high);
+            shortest = shortest.min(3.0 * wheel.radius);
+        }
+        let lengths = scene.bodies.iter().filter_map(placed::Solid::bar).map(|(one, two)| (two - one).norm());
+        shortest = lengths.filter(|length| *length > 0.0).fold(shortest, f64::min);
+    }
+    let size = frame.size();
+    if !(frame.low.is_finite() && frame.high.is_finite() && size.is_finite()) {
+        return Err(Undrawable::Nowhere);
+    }
+    // What is shorter than this is no link but an offset.
+    let shortest = shortest.max(0.04 * size.norm());
+    let fit = |most: Place| (most.x / size.x).min(most.y / size.y);
+    let (least, most) = (fit(USUAL), fit(LARGEST));
+    let scale = if most.is_finite() { (SHORTEST / shortest).clamp(least, most) } else { 100.0 };
+    let scale = if scale.is_finite() && scale > 0.0 { scale } else { 1.0 };
+    Ok(Sight::new(camera, frame.middle(), scale))
+}
+
+impl Stage {
+    /// The axes of ground in a corner that is free in all pictures, or below them.
+    pub(crate) fn axes<'a>(&self, sheets: impl Iterator<Item = (&'a Canvas, &'a [Word])> + Clone, frame: Rectangle) -> Axes {
+        let camera = &self.sight.camera;
+        let seen = [camera.right, camera.up];
+        let way = |of: fn(vector::Vec3) -> f64| place(of(seen[0]), -of(seen[1]));
+        let mut axes = Axes::new([way(|v| v.x), way(|v| v.y), way(|v| v.z)], self.sight.scale);
+        let own = axes.frame();
+        let (low, high) = (frame.low - own.low, frame.high - own.high);
+        let is_free = |origin: &Place| {
+            let taken = Rectangle { low: own.low + *origin, high: own.high + *origin }.grown(5.0);
+            sheets.clone().all(|(canvas, words)| {
+                let mut segments = canvas.items.iter().flat_map(|item| item.shape.segments());
+                !segments.any(|(a, b)| taken.is_crossed(a, b)) && !words.iter().any(|word| word.frame.overlaps(taken))
+            })
+        };
+        let corners = [place(low.x, high.y), place(high.x, high.y), low, place(high.x, low.y)];
+        // A part of them may stand out from the frame.
+        let more = corners.into_iter().zip([place(-1.0, 1.0), place(1.0, 1.0), place(-1.0, -1.0), place(1.0, -1.0)]);
+        let candidates: Vec<Place> =
+            [0.0, 12.0, 24.0, 38.0].into_iter().flat_map(|out| more.clone().map(move |(at, way)| at + way * out)).collect();
+        let below = place(low.x, frame.high.y - own.low.y + 6.0);
+        axes.origin = candidates.into_iter().find(is_free).unwrap_or(below);
+        axes
+    }
+}

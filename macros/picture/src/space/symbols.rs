@@ -1,0 +1,514 @@
+//! Joints by their usual symbols (ISO 3952), in space.
+
+use super::drawing::{Drawing, NEAR};
+use super::pen::Pen;
+use super::placed::{Of, Sign};
+use super::vector::{UP, Vec3, vec3};
+use crate::canvas::{Ink, Layer, Near, Subject};
+use core::f64::consts::{FRAC_PI_2, PI};
+
+/// The length of a hinge.
+pub(crate) const SIZE: f64 = 28.0;
+
+/// The radius of a hinge.
+const RADIUS: f64 = 6.5;
+
+/// The radius of a ball.
+const BALL: f64 = 5.6;
+
+/// The radius of the forks of a universal joint.
+const FORK: f64 = 14.0;
+
+/// Half of the width of a sleeve.
+const SLEEVE: f64 = 6.5;
+
+/// Half of the side of a plate.
+const PLATE: f64 = 24.0;
+
+/// The height of a hinge above the ground that holds it.
+const HEIGHT: f64 = 22.0;
+
+/// How one body slides along another.
+#[derive(Clone, Copy, Debug)]
+enum Slide {
+    /// A guide of ground along which a body goes: the body, and where it is held.
+    Guide { mover: Option<usize>, at: Vec3 },
+    /// One body reaches into another.
+    Telescope { outer: Of, inner: Of },
+    /// A sleeve on a bar.
+    Sleeve { at: Vec3, outer: Option<usize>, inner: Option<usize> },
+}
+
+/// Ground is grey.
+fn block(body: Option<usize>) -> Ink {
+    Ink::Block(body.unwrap_or(usize::MAX))
+}
+
+fn fork(body: Option<usize>) -> Ink {
+    Ink::Fork(body.unwrap_or(usize::MAX))
+}
+
+impl Drawing<'_> {
+    /// What a joint adds to its bodies.
+    pub(crate) fn prepare(&mut self, number: usize) {
+        let joint = &self.scene.joints[number];
+        let points: Vec<Of> = joint.given.points().collect();
+        let has_symbol = joint.hinge().is_some() || joint.kind == "spherical" || joint.kind.ends_with("distance");
+        for body in points.iter().filter_map(|of| of.body).filter(|_| has_symbol) {
+            self.shapes[body].is_shown = true;
+        }
+        match joint.kind.as_str() {
+            "universal" => {
+                let Some((p, q, a)) = joint.hinge() else { return };
+                let Some(b) = joint.given.axis("b") else { return };
+                for (of, axis, other) in [(p, a.at, b.at), (q, b.at, a.at)] {
+                    let way = self.fork_way(number, of, axis, other);
+                    if let Some(body) = of.body {
+                        self.shapes[body].end_at(of.at, of.at + way * FORK);
+                    }
+                }
+            }
+            "translational" | "cylindrical" | "screw" => {
+                let Some((p, q, a)) = joint.hinge() else { return };
+                match self.slide(number, p, q, a.at) {
+                    Slide::Guide { .. } => {}
+                    Slide::Telescope { outer, inner } => {
+                        let way = inner.at - outer.at;
+                        for (of, to) in [(outer, outer.at + way * 0.2), (inner, outer.at + way * 0.5)] {
+                            if let Some(body) = of.body {
+                                self.shapes[body].bars.push((of.at, to));
+                            }
+                        }
+                    }
+                    Slide::Sleeve { at, inner, .. } => {
+                        if let Some(body) = inner.filter(|_| joint.kind == "screw") {
+                            let [low, high] = self.spindle(at, if inner == p.body { p.at } else { q.at }, a.at);
+                            self.shapes[body].bars.push((low, high));
+                        } else if let Some(body) = inner {
+                            let (low, high) = self.customs.way(number);
+                            let here = (q.at - p.at).dot(a.at);
+                            // A bar of the first body stands still while the sleeve of the second moves along it.
+                            let (low, high) = if inner == p.body { (low - here, high - here) } else { (here - high, here - low) };
+                            self.shapes[body].bars.push((at + a.at * (low - 30.0), at + a.at * (high + 30.0)));
+                        }
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn slide(&self, number: usize, p: Of, q: Of, axis: Vec3) -> Slide {
+        let way = (q.at - p.at).dot(axis);
+        match (p.body, q.body) {
+            (None, mover) => Slide::Guide { mover, at: p.at + axis * way },
+            (mover, None) => Slide::Guide { mover, at: q.at - axis * way },
+            (outer, inner) => {
+                if self.scene.joints[number].kind != "screw" && way.abs() > 2.6 * SIZE {
+                    return Slide::Telescope { outer: p, inner: Of { body: inner, at: p.at + axis * way } };
+                }
+                // A spindle turns in a bearing, and is what the nut sits on.
+                let is_turned = |body: Option<usize>| {
+                    self.scene.joints.iter().any(|other| other.kind == "revolute" && other.given.points().any(|of| of.body == body))
+                };
+                if self.scene.joints[number].kind == "screw" && is_turned(inner) && !is_turned(outer) {
+                    Slide::Sleeve { at: p.at, outer, inner }
+                } else {
+                    Slide::Sleeve { at: p.at + axis * way, outer: inner, inner: outer }
+                }
+            }
+        }
+    }
+
+    /// In which direction the shaft leaves a fork, at a right angle to the arm of the cross that it holds.
+    fn fork_way(&self, number: usize, of: Of, axis: Vec3, other: Vec3) -> Vec3 {
+        let own = of.body.and_then(|body| self.shapes[body].away(of.at, axis));
+        let ground = || {
+            let down = self.customs.down(number).across(axis);
+            if down.norm() > 0.3 { down.unit() } else { other.across(axis).unit() }
+        };
+        own.unwrap_or_else(|| if of.body.is_none() { ground() } else { axis.cross(other).unit() })
+    }
+
+    /// Draws a joint; drives that turn or push something wait.
+    pub(crate) fn joint(&mut self, number: usize) {
+        let scene = self.scene;
+        let joint = &scene.joints[number];
+        let (p, q) = (joint.given.point("P"), joint.given.point("Q"));
+        match (joint.kind.as_str(), joint.hinge(), p, q) {
+            ("revolute", Some((p, q, a)), ..) => self.revolute(number, p, q, a.at),
+            ("translational" | "cylindrical" | "screw", Some((p, q, a)), ..) => self.sliding(number, p, q, a.at),
+            ("universal", Some((p, q, a)), ..) if joint.given.axis("b").is_some() => {
+                self.universal(number, p, q, [a.at, joint.given.axis("b").map_or(UP, |of| of.at)]);
+            }
+            ("planar", Some((p, q, a)), ..) => self.planar(number, p, q, a.at),
+            ("point_on_plane", Some((p, q, a)), ..) => self.on_plane(number, p.body, q, a.at),
+            ("point_on_line", Some((p, q, a)), ..) => self.on_line(number, p, q, a.at),
+            ("weld", Some((p, ..)), ..) => self.weld(number, p),
+            ("spherical", _, Some(p), Some(q)) => self.spherical(number, p, q),
+            ("distance", _, Some(p), Some(q)) => self.rod(number, p, q),
+            ("drive_distance", _, Some(p), Some(q)) => self.actuator(number, p, q),
+            ("absolute_x", _, Some(p), _) => self.on_plane(number, None, p, vec3(1.0, 0.0, 0.0)),
+            ("absolute_y", _, Some(p), _) => self.on_plane(number, None, p, vec3(0.0, 1.0, 0.0)),
+            ("absolute_z", _, Some(p), _) => self.on_plane(number, None, p, UP),
+            _ if self.wheels.shows(number) || joint.is_drive && self.is_arrow(number) => {}
+            _ => self.condition(joint),
+        }
+    }
+
+    fn revolute(&mut self, number: usize, p: Of, q: Of, axis: Vec3) {
+        let joint = &self.scene.joints[number];
+        let (title, half) = (self.title(joint), axis * (SIZE / 2.0));
+        let at = self.hinge_at(p.at, axis);
+        if (at - p.at).norm() > NEAR {
+            // A shaft leads to the wheel.
+            let (body, name) = (q.body.or(p.body), self.title(joint));
+            self.bar(&name, Layer::DrawnBody, Ink::Bar(body.unwrap_or(usize::MAX)), body, at, p.at);
+        }
+        if p.body.is_none() || q.body.is_none() {
+            self.bearing(number, &title, at, axis);
+        }
+        self.centre_line(&title, at - axis * (SIZE / 2.0 + 13.0), at + axis * (SIZE / 2.0 + 13.0));
+        let mut pen = self.pen(&title);
+        // A barrel of the second body between two of the first, those behind first.
+        let mut parts =
+            vec![(at - half, at - half * 0.5, p.body), (at - half * 0.5, at + half * 0.5, q.body), (at + half * 0.5, at + half, p.body)];
+        if self.sight.depth(axis) < 0.0 {
+            parts.reverse();
+        }
+        let last = parts.len() - 1;
+        for (index, (from, to, body)) in parts.into_iter().enumerate() {
+            if index == last {
+                pen.tube(Layer::Pin, block(body), from, to, RADIUS);
+            } else {
+                pen.mantle(Layer::Pin, block(body), from, to, RADIUS);
+            }
+        }
+        self.put_on(at, pen);
+        self.name(at, &joint.name);
+    }
+
+    /// Where a hinge is drawn: beside a wheel that would hide it.
+    fn hinge_at(&self, at: Vec3, axis: Vec3) -> Vec3 {
+        let reach = self.wheels.reach(at, axis);
+        if reach > SIZE / 2.0 { at - axis * (reach + SIZE / 2.0 + 5.0) } else { at }
+    }
+
+    /// A dash-dotted line along an axis.
+    pub(crate) fn centre_line(&mut self, title: &str, from: Vec3, to: Vec3) {
+        let mut pen = self.pen(title);
+        pen.line(Layer::Ground, Ink::Axis, &[from, to]);
+        let depth = self.depth_on((from + to) * 0.5) - 0.3;
+        self.put(depth, pen);
+    }
+
+    /// What holds a cylinder to ground: a pedestal below it, or a foot at its end.
+    fn bearing(&mut self, number: usize, title: &str, at: Vec3, axis: Vec3) {
+        let down = self.customs.down(number);
+        if axis.z.abs() > 0.75 {
+            let along = if axis.dot(down) > 0.0 { axis } else { -axis };
+            self.foot(title, at + along * (SIZE / 2.0), along, 9.0);
+            return;
+        }
+        let below = down.across(axis).unit();
+        let foot = at + below * HEIGHT;
+        self.patch(title, foot, below, axis);
+        let mut pen = self.pen(title);
+        pen.area(Layer::Ground, Ink::Paper, &[at - axis * 7.0, at + axis * 7.0, foot + axis * 12.0, foot - axis * 12.0]);
+        self.put(self.sight.depth(at + below * 8.0).min(self.depth_on(at) - 0.2), pen);
+    }
+
+    /// A short post to ground.
+    fn foot(&mut self, title: &str, from: Vec3, along: Vec3, length: f64) {
+        let foot = from + along * length;
+        self.patch(title, foot, along, along.frame().0);
+        let mut pen = self.pen(title);
+        pen.mantle(Layer::Ground, Ink::Paper, from, foot, 3.0);
+        self.put(self.sight.depth((from + foot) * 0.5), pen);
+    }
+
+    /// A hatched patch of ground, which lies in the direction `into`.
+    fn patch(&mut self, title: &str, at: Vec3, into: Vec3, along: Vec3) {
+        // Ground is level where it can be.
+        let into = if into.z.abs() > 0.5 { UP * into.z.signum() } else { into };
+        let one = along.across(into).direction().unwrap_or_else(|| into.frame().0);
+        let two = into.cross(one);
+        let corner = |a: f64, b: f64| at + one * (a * 17.0) + two * (b * 11.0);
+        let mut pen = self.pen(title);
+        let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+        pen.area(Layer::Ground, Ink::Paper, &corners);
+        let stroke = |part: i32| {
+            let b = f64::from(part) / 2.0;
+            // Strokes at a slant, cut off at the edges.
+            let (from, to) = ((b - 1.0).max(-1.0), (b + 1.0).min(1.0));
+            vec![corner(from, (from - b).clamp(-1.0, 1.0)), corner(to, (to - b).clamp(-1.0, 1.0))]
+        };
+        pen.lines(Layer::Ground, Ink::Thin, &(-3..=3).map(stroke).collect::<Vec<_>>());
+        self.put(self.sight.depth(at) - if self.sight.depth(into) < 0.0 { 6.0 } else { 0.0 }, pen);
+    }
+
+    fn sliding(&mut self, number: usize, p: Of, q: Of, axis: Vec3) {
+        let joint = &self.scene.joints[number];
+        let (title, name, kind) = (self.title(joint), joint.name.clone(), joint.kind.clone());
+        let here = (q.at - p.at).dot(axis);
+        let is_round = kind != "translational";
+        match self.slide(number, p, q, axis) {
+            Slide::Guide { mover, at } => {
+                let (low, high) = self.customs.way(number);
+                let (low, high) = if p.body.is_none() { (low - here, high - here) } else { (here - high, here - low) };
+                let ends = [at + axis * (low - 34.0), at + axis * (high + 34.0)];
+                self.rail(number, &title, ends, axis, kind == "screw", None);
+                self.sleeve(&title, mover, at, axis, SIZE / 2.0, is_round);
+                self.name(at, &name);
+            }
+            Slide::Telescope { outer, inner } => {
+                let way = inner.at - outer.at;
+                let (from, to) = (outer.at + way * 0.14, outer.at + way * 0.56);
+                self.sleeve(&title, outer.body, (from + to) * 0.5, way.unit(), (to - from).norm() / 2.0, is_round);
+                self.wish_beside(&name, from, to, Subject::Joint);
+            }
+            Slide::Sleeve { at, outer, inner } => {
+                if kind == "screw" {
+                    let ends = self.spindle(at, if inner == p.body { p.at } else { q.at }, axis);
+                    self.rail(number, &title, ends, axis, true, inner);
+                }
+                self.sleeve(&title, outer, at, axis, SIZE / 2.0, kind == "cylindrical");
+                self.name(at, &name);
+            }
+        }
+    }
+
+    /// The ends of a spindle from its point to beyond its nut.
+    fn spindle(&self, nut: Vec3, own: Vec3, axis: Vec3) -> [Vec3; 2] {
+        let reach = (own - nut).dot(axis);
+        [nut + axis * (reach.min(0.0) - 24.0), nut + axis * (reach.max(0.0) + 24.0)]
+    }
+
+    /// A box or a cylinder along an axis.
+    fn sleeve(&mut self, title: &str, body: Option<usize>, at: Vec3, axis: Vec3, half: f64, is_round: bool) {
+        let mut pen = self.pen(title);
+        if is_round {
+            pen.tube(Layer::Block, block(body), at - axis * half, at + axis * half, SLEEVE);
+        } else {
+            let (one, two) = axis.frame();
+            pen.block(block(body), at, [axis * half, one * SLEEVE, two * SLEEVE]);
+        }
+        let depth = self.depth_on(at).max(self.depth_on(at + axis * half)).max(self.depth_on(at - axis * half));
+        self.put(depth, pen);
+        self.tops.push((at, depth));
+    }
+
+    /// A rod along which something slides; ground holds it at its ends.
+    fn rail(&mut self, number: usize, title: &str, [low, high]: [Vec3; 2], axis: Vec3, is_thread: bool, body: Option<usize>) {
+        if is_thread {
+            let middle = (low + high) * 0.5;
+            for (from, to) in [(low, middle), (middle, high)] {
+                let mut pen = self.pen(title);
+                pen.tube(Layer::Rod, block(body), from, to, 4.0);
+                let count = ((to - from).norm() / 5.0).floor().clamp(0.0, 60.0) as usize;
+                let turn = |number: usize| pen.half_turn(from + axis * (2.5 + 5.0 * number as f64), axis, 4.0, 5.0);
+                let turns: Vec<_> = (0..count).map(turn).collect();
+                pen.lines(Layer::Rod, Ink::Thin, &turns);
+                self.put(self.sight.depth((from + to) * 0.5) + 0.2, pen);
+            }
+        } else {
+            self.bar(title, Layer::Rod, Ink::Rod, body, low, high);
+        }
+        if body.is_none() {
+            let down = self.customs.down(number);
+            if axis.z.abs() > 0.75 {
+                let (end, along) = if axis.dot(down) > 0.0 { (high, axis) } else { (low, -axis) };
+                self.foot(title, end, along, 4.0);
+            } else {
+                for end in [low, high] {
+                    self.foot(title, end, down.across(axis).unit(), 12.0);
+                }
+            }
+        }
+    }
+
+    fn universal(&mut self, number: usize, p: Of, q: Of, [a, b]: [Vec3; 2]) {
+        let joint = &self.scene.joints[number];
+        let (title, at) = (self.title(joint), p.at);
+        let ways = [self.fork_way(number, p, a, b), self.fork_way(number, q, b, a)];
+        if let Some((_, way)) = [(p, ways[0]), (q, ways[1])].into_iter().find(|(of, _)| of.body.is_none()) {
+            self.foot(&title, at + way * FORK, way, 7.0);
+        }
+        let on = self.depth_on(at);
+        let mut forks = [(p.body, a, ways[0]), (q.body, b, ways[1])];
+        forks.sort_by(|one, two| self.sight.depth(one.2).total_cmp(&self.sight.depth(two.2)));
+        for (rank, (body, arm, way)) in forks.into_iter().enumerate() {
+            let mut pen = self.pen(&title);
+            let arc = Pen::on_circle(at, [arm, way], FORK, 0.0, PI);
+            pen.line(Layer::Pin, fork(body), &arc);
+            self.put(on + 0.4 * rank as f64, pen);
+        }
+        let mut pen = self.pen(&title);
+        let arms = [a, b].map(|arm| vec![at - arm * FORK, at + arm * FORK]);
+        pen.lines(Layer::Pin, Ink::Rod, &arms);
+        arms.iter().flatten().for_each(|end| pen.ball(Ink::Paper, *end, 2.8));
+        self.put(on + 0.2, pen);
+        self.name(at, &joint.name);
+    }
+
+    fn planar(&mut self, number: usize, p: Of, q: Of, axis: Vec3) {
+        let joint = &self.scene.joints[number];
+        let (title, name) = (self.title(joint), joint.name.clone());
+        let (one, two) = axis.frame();
+        // The plate of the second body lies on the other one.
+        let at = q.at;
+        for (body, offset, half) in [(p.body, -2.5, PLATE), (q.body, 2.5, PLATE * 0.6)] {
+            self.plate(&title, body, at + axis * offset, [one * half, two * half]);
+        }
+        if p.body.is_none() || q.body.is_none() {
+            let into = if p.body.is_none() { -axis } else { axis };
+            self.foot(&title, at + into * 3.0, into, 12.0);
+        }
+        self.name(at, &name);
+    }
+
+    fn plate(&mut self, title: &str, body: Option<usize>, at: Vec3, [one, two]: [Vec3; 2]) {
+        let mut pen = self.pen(title);
+        let corners = [at + one + two, at + one - two, at - one - two, at - one + two];
+        pen.area(Layer::DrawnBody, Ink::Paper, &corners);
+        pen.area(Layer::DrawnBody, Ink::Wheel(body.unwrap_or(usize::MAX)), &corners);
+        let depth = self.depth_on(at) - 0.4 + self.sight.depth((one.cross(two)).unit()).signum() * 0.01;
+        self.put(depth, pen);
+    }
+
+    fn on_plane(&mut self, number: usize, body: Option<usize>, q: Of, axis: Vec3) {
+        let joint = &self.scene.joints[number];
+        let (title, name) = (self.title(joint), joint.name.clone());
+        let (one, two) = axis.frame();
+        self.plate(&title, body, q.at - axis * BALL, [one * PLATE, two * PLATE]);
+        if body.is_none() {
+            self.foot(&title, q.at - axis * BALL, -axis, 12.0);
+        }
+        let mut pen = self.pen(&title);
+        pen.ball(block(q.body), q.at, BALL);
+        self.put_on(q.at, pen);
+        self.name(q.at, &name);
+    }
+
+    fn on_line(&mut self, number: usize, p: Of, q: Of, axis: Vec3) {
+        let joint = &self.scene.joints[number];
+        let (title, name) = (self.title(joint), joint.name.clone());
+        let here = (q.at - p.at).dot(axis);
+        let (low, high) = self.customs.way(number);
+        let (low, high) = (low.min(0.0) - here, high.max(0.0) - here);
+        self.rail(number, &title, [q.at + axis * (low - 24.0), q.at + axis * (high + 24.0)], axis, false, p.body);
+        let mut pen = self.pen(&title);
+        pen.ball(block(q.body), q.at, BALL + 1.0);
+        self.put_on(q.at, pen);
+        self.name(q.at, &name);
+    }
+
+    fn weld(&mut self, number: usize, p: Of) {
+        let joint = &self.scene.joints[number];
+        let title = self.title(joint);
+        if joint.bodies.contains(&None) {
+            self.foot(&title, p.at, -UP, HEIGHT - 8.0);
+        }
+        let mut pen = self.pen(&title);
+        pen.block(Ink::Solid, p.at, [vec3(5.5, 0.0, 0.0), vec3(0.0, 5.5, 0.0), vec3(0.0, 0.0, 5.5)]);
+        self.put_on(p.at, pen);
+        self.name(p.at, &joint.name);
+    }
+
+    /// A ball of the second body in a socket of the first.
+    fn spherical(&mut self, number: usize, p: Of, q: Of) {
+        let joint = &self.scene.joints[number];
+        let (title, at) = (self.title(joint), p.at);
+        if p.body.is_none() || q.body.is_none() {
+            self.foot(&title, at + self.customs.down(number) * (BALL + 2.0), self.customs.down(number), 12.0);
+        }
+        let (socket, ball) = if p.body.is_none() || q.body.is_some() { (p.body, q.body) } else { (q.body, p.body) };
+        let open = self.open_side(at, ball, socket);
+        let mut pen = self.pen(&title);
+        pen.ball(block(ball), at, BALL);
+        pen.arc(fork(socket), at, BALL + 3.4, open + 1.0, open + 2.0 * PI - 1.0);
+        self.put_on(at, pen);
+        self.name(at, &joint.name);
+    }
+
+    /// The direction (rad) in which a link leaves the socket of a joint.
+    fn open_side(&self, at: Vec3, ball: Option<usize>, socket: Option<usize>) -> f64 {
+        let away = |body: Option<usize>| body.and_then(|body| self.shapes[body].away(at, Vec3::default()));
+        let way = away(ball).or_else(|| away(socket).map(|way| -way)).map(|way| self.sight.at(way));
+        way.filter(|way| way.norm() > 1e-3).map_or(-FRAC_PI_2, |way| (way.angle() * 1e4).round() / 1e4)
+    }
+
+    /// A thin rod with a ball at either end.
+    fn rod(&mut self, number: usize, p: Of, q: Of) {
+        let joint = &self.scene.joints[number];
+        let (title, name) = (self.title(joint), joint.name.clone());
+        self.bar(&title, Layer::Rod, Ink::Rod, None, p.at, q.at);
+        self.balls(number, &title, p, q);
+        self.wish_beside(&name, p.at, q.at, Subject::Joint);
+    }
+
+    /// A cylinder with its rod, and a ball at either end.
+    fn actuator(&mut self, number: usize, p: Of, q: Of) {
+        let joint = &self.scene.joints[number];
+        let (title, name) = (self.title(joint), joint.name.clone());
+        let way = q.at - p.at;
+        self.bar(&title, Layer::Rod, Ink::Rod, None, p.at, q.at);
+        let mut pen = self.pen(&title);
+        let (from, to) = (p.at + way * 0.14, p.at + way * 0.56);
+        pen.tube(Layer::Block, Ink::Paper, from, to, 5.5);
+        let quarters = [0.25, 0.75].map(|part| self.sight.depth(p.at + way * part));
+        let depth = quarters[0].max(quarters[1]) + 0.5;
+        self.put(depth, pen);
+        self.balls(number, &title, p, q);
+        self.wish_beside(&name, from, to, Subject::Drive);
+    }
+
+    fn balls(&mut self, number: usize, title: &str, p: Of, q: Of) {
+        for of in [p, q] {
+            if of.body.is_none() {
+                self.foot(title, of.at, self.customs.down(number), 12.0);
+            }
+            let mut pen = self.pen(title);
+            pen.ball(Ink::Paper, of.at, 4.2);
+            self.put_on(of.at, pen);
+        }
+    }
+
+    /// A condition that has no shape of its own: its points are joined by a dashed line.
+    fn condition(&mut self, joint: &Sign) {
+        let title = self.title(joint);
+        let points: Vec<Vec3> = joint.given.points().map(|of| of.at).collect();
+        let role = if joint.is_drive { Subject::Drive } else { Subject::Joint };
+        match points.as_slice() {
+            [] => self.canvas.captions.push(title),
+            [at] => self.canvas.wish(role, &joint.name, Near::Point(self.sight.at(*at), 9.0)),
+            several => {
+                let mut pen = self.pen(&title);
+                pen.line(Layer::Rod, Ink::Dashed, several);
+                self.put(self.sight.depth(Vec3::middle(several)), pen);
+                let is_long = several.windows(2).any(|pair| (pair[1] - pair[0]).norm() > NEAR);
+                let seen: Vec<_> = several.windows(2).map(|pair| (self.sight.at(pair[0]), self.sight.at(pair[1]))).collect();
+                let near = if is_long { Near::Segments(seen) } else { Near::Point(self.sight.at(several[0]), 9.0) };
+                self.canvas.wish(role, &joint.name, near);
+            }
+        }
+    }
+
+    pub(crate) fn wish_beside(&mut self, name: &str, from: Vec3, to: Vec3, role: Subject) {
+        self.canvas.wish(role, name, Near::Segments(vec![(self.sight.at(from), self.sight.at(to))]));
+    }
+
+    /// Where a joint is drawn, its axis, and how far its symbol reaches along it.
+    pub(crate) fn seat(&self, number: usize) -> Option<(Vec3, Vec3, f64)> {
+        let joint = &self.scene.joints[number];
+        let (p, q, a) = joint.hinge()?;
+        match joint.kind.as_str() {
+            "translational" | "cylindrical" | "screw" => Some(match self.slide(number, p, q, a.at) {
+                Slide::Guide { at, .. } | Slide::Sleeve { at, .. } => (at, a.at, SIZE / 2.0),
+                Slide::Telescope { outer, inner } => (outer.at + (inner.at - outer.at) * 0.35, a.at, (inner.at - outer.at).norm() * 0.21),
+            }),
+            "universal" => Some((p.at, a.at, FORK)),
+            _ => Some((self.hinge_at(p.at, a.at), a.at, SIZE / 2.0)),
+        }
+    }
+}
