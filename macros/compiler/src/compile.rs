@@ -6,10 +6,11 @@ use crate::diag::{Diag, Refusal};
 use crate::emit;
 use crate::expansion;
 use crate::mobility;
-use crate::model::{self, Model};
+use crate::model::Model;
 use crate::picture::{self, Picture};
 use crate::plan::{self, Plan};
 use crate::redundancy;
+use crate::resolve;
 use crate::structure::{self, Structure};
 use crate::syntax::{self, ast};
 use crate::system::{self, System};
@@ -146,7 +147,7 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     if !diag.is_clean() {
         return None;
     }
-    let model = model::resolve(tree, definitions, diag)?;
+    let model = resolve::resolve(tree, definitions, diag)?;
     // Every name is an id, every quantity has a dimension.
     let system = system::assemble(&model, diag)?;
     // Only unknowns and equations are left, with all their derivatives.
@@ -171,10 +172,10 @@ fn check(definitions: &ast::Definitions, diag: &mut Diag) {
     if !diag.is_clean() {
         return;
     }
-    model::check_names(definitions, diag);
+    resolve::check_names(definitions, diag);
     let all: Vec<ast::Definition> = definitions.exports.iter().flat_map(|export| export.definitions.clone()).collect();
     for definition in &all {
-        model::check_definition(definition, &all, diag);
+        resolve::check_definition(definition, &all, diag);
     }
 }
 

@@ -25,6 +25,7 @@ pub mod picture;
 pub mod plan;
 pub mod quantity;
 mod redundancy;
+mod resolve;
 pub mod structure;
 pub mod syntax;
 pub mod system;

@@ -142,8 +142,7 @@ fn eliminate<T: Float, const M: usize, const U: usize>(matrix: &mut SMatrix<T, U
         }
         let (size, row, column) = best;
         largest = if size > largest { size } else { largest };
-        // Also where nothing is a number.
-        if !(size > T::of(DEPENDENT) * largest) {
+        if size <= T::of(DEPENDENT) * largest {
             return (pivots, rank);
         }
         pivots.swap(rank, column);

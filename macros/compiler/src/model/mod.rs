@@ -1,40 +1,17 @@
-//! Resolves the syntax tree to a model in which every name is an id and every quantity has a dimension.
+//! What a mechanism is made of, with all names resolved: bodies, joints, outputs, parameters.
 //!
-//! In: an [`ast::Mechanism`](crate::syntax::ast::Mechanism) and the definitions it uses. Out: a
-//! [`Model`], whose joints are lists of residuals in one arena. Not done here: derivatives.
-//!
-//! Items may be declared in any order: parameters, `let`s and points are resolved on first use.
+//! Nouns only: `resolve` makes them.
 
-mod arithmetic;
-mod bounds;
-mod builtin;
-mod declare;
-mod definition;
-mod dynamics;
-mod elaborate;
 pub(crate) mod example;
-mod frames;
-mod index;
-mod instance;
-mod items;
-mod key;
 mod layout;
 mod name;
-mod names;
-mod register;
-mod resolve;
-mod signature;
 pub mod sketch;
-pub(crate) mod space;
-mod speeds;
-mod statement;
-mod unused;
-pub(crate) mod value;
 
 pub use crate::expr::spline::{Ends, Table};
 pub use crate::geometry::{Components, Geometry, JointQuantity, Place, Relationship, Triad};
 pub use layout::{Component, Field, Layout, Of, Part};
 pub use name::Name;
+pub(crate) use name::Said;
 pub use sketch::Sketch;
 
 use crate::expr::{Arena, Expr};
@@ -42,11 +19,8 @@ use crate::quantity::{Ambient, Dim, Role};
 use crate::syntax::ast::{Closing, Docs, Following, Relation, Task};
 use proc_macro2::{Ident, TokenStream};
 
-pub(crate) use definition::{check as check_definition, check_names};
-pub(crate) use name::Said;
-pub(crate) use names::is_generated;
-pub(crate) use register::is_of_generated_type;
-pub(crate) use resolve::{Outline, outline, resolve};
+/// Number of the first declared coordinate in space. The coordinates that are solved for count from 0: they are other ones.
+pub(crate) const DECLARED: u32 = 1 << 24;
 
 /// A mechanism with all names resolved.
 #[derive(Clone, Debug)]

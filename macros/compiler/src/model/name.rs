@@ -36,12 +36,12 @@ impl Name {
     }
 
     /// Identifier with the item's own indices: `coupler[2]`.
-    pub(super) fn own(&self) -> String {
+    pub(crate) fn own(&self) -> String {
         self.indices.iter().fold(self.word.to_string(), |name, index| format!("{name}[{index}]"))
     }
 
     /// A name in a namespace whose paths begin with `prefix`.
-    pub(super) fn within(prefix: &str, word: &Ident, declaration: usize, indices: &[usize]) -> Name {
+    pub(crate) fn within(prefix: &str, word: &Ident, declaration: usize, indices: &[usize]) -> Name {
         let mut name = Name { declaration, indices: indices.to_vec(), ..Name::plain(word) };
         name.path = format!("{prefix}{}", name.own());
         name.local = name.path.replace(['.', '['], "_").replace(']', "").replace("r#", "");

@@ -8,8 +8,8 @@
 
 use super::{Equation, Level, Unbalanced};
 use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Rate, Seed, Substitution, derivative};
+use crate::model::DECLARED;
 use crate::model::Model;
-use crate::model::space::DECLARED;
 use crate::quantity::{Dim, Role};
 use std::collections::HashMap;
 
@@ -60,8 +60,8 @@ pub(super) fn declared(model: &Model) -> DeclaredEquations {
                 continue;
             }
             for body in touched {
-                for speed in EACH[1] * body..EACH[1] * (body + 1) {
-                    let entry = by_speed[speed].of(&mut arena, phi);
+                for (speed, by) in by_speed.iter_mut().enumerate().skip(EACH[1] * body).take(EACH[1]) {
+                    let entry = by.of(&mut arena, phi);
                     if !arena.as_constant(entry).is_some_and(|value| value.is_zero()) {
                         jacobian.push((speed, entry));
                     }
@@ -124,9 +124,8 @@ fn touched(arena: &Arena, phi: Expr, bodies: usize) -> Vec<usize> {
 fn renumber(arena: &mut Arena, equations: &mut [Equation], unbalanced: &mut Option<Unbalanced>, (coordinates, speeds): (usize, usize)) {
     let mut numbered = Substitution::new();
     let mut known = HashMap::new();
-    let leaves: [(fn(u32) -> Leaf, usize); 3] = [(Leaf::Coordinate, coordinates), (Leaf::Speed, speeds), (Leaf::Acceleration, speeds)];
-    for (leaf, count) in leaves {
-        for number in 0..count as u32 {
+    for number in 0..coordinates.max(speeds) as u32 {
+        for leaf in [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration] {
             let new = arena.leaf(leaf(number));
             numbered.replace(leaf(DECLARED + number), new);
         }

@@ -9,7 +9,7 @@
 //! In the axes of ground, three for each body in the plane and six in space, in the order of the speeds.
 
 use crate::expr::{Arena, Expr, Leaf, Triple, cross, dot};
-use crate::model::space::DECLARED;
+use crate::model::DECLARED;
 use crate::model::{Body, Force, Model};
 use crate::quantity::{Ambient, Role};
 

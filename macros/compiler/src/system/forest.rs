@@ -13,7 +13,7 @@
 use super::{Coordinate, Equation, Level};
 use crate::expr::{Arena, Expr, Frame, Leaf, Mark, Node, Triple, cross, dot};
 use crate::geometry::rotation;
-use crate::model::space::DECLARED;
+use crate::model::DECLARED;
 use crate::model::{JointQuantity, Model, Place, Relationship, Triad};
 use crate::quantity::{Axis, Dim, Role};
 use std::collections::{BTreeSet, HashMap};

@@ -12,13 +12,11 @@ use super::value::{Arguments, Fixed, FrameId, Scalar, Value, Vector};
 use crate::diag::{ArityFact, Range, ValueFact};
 use crate::expr::{Expr, Frame, Leaf, Mark, Node, Triple, cross, dot};
 use crate::geometry::{Components, Geometry, JointQuantity, Place, Relationship, Triad, rotation};
+use crate::model::DECLARED;
 use crate::quantity::{Dim, InferredDim, Role};
 use crate::syntax::ast::{self, Statement};
 use proc_macro2::Ident;
 use std::collections::HashMap;
-
-/// Number of the first declared coordinate in space. The coordinates that are solved for count from 0: they are other ones.
-pub(crate) const DECLARED: u32 = 1 << 24;
 
 /// Built-in functions of space.
 pub(crate) const BUILTINS: &[&str] = &["across", "along", "joint_angle", "misalignment", "turn", "x_axis", "y_axis", "z_axis"];

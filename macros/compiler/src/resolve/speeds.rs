@@ -9,11 +9,11 @@
 
 use super::Components;
 use super::elaborate::{Elaborator, Scope};
-use super::space::DECLARED;
 use super::statement::ScalarEquation;
 use super::value::{FrameId, Scalar, Value, Vector};
 use crate::diag::{ArityFact, EquationFact, ValueFact};
 use crate::expr::{Expr, Jets, Leaf, Rate, Seed, derivative};
+use crate::model::DECLARED;
 use crate::quantity::{Ambient, Dim, InferredDim, Role};
 use crate::syntax::ast;
 use proc_macro2::Ident;

@@ -3,12 +3,13 @@
 //! Bodies, parameters, joints and outputs are numbered in the order of expansion, those of one part consecutively. Only whole numbers
 //! are evaluated here.
 
+use super::Of;
 use super::declare::Written;
 use super::declare::{duplicate, is_reserved};
 use super::elaborate::{Elaborator, Scope};
 use super::frames::start_words;
 use super::key::Key;
-use super::layout::{Of, OpenPart};
+use super::layout::OpenPart;
 use super::names::{Context, Declared, Entity, EntityId, PartArguments, Progress, Sort, SpaceId};
 use super::value::{FrameId, Scalar, Value};
 use crate::diag::{ArrayFact, EquationFact, GrammarFact, NameFact};
