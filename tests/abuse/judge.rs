@@ -54,7 +54,7 @@ pub(crate) fn judge<T: Float, E: Equations<Twofold, M, N>, const M: usize, const
     let sizes = |vector: &SVector<T, N>, least: [f64; 2]| {
         let size = |coordinate: &reuleaux::Coordinate| match coordinate.kind {
             CoordinateKind::Length => greatest(vector, coordinate.kind).max(least[0]),
-            CoordinateKind::Angle => greatest(vector, coordinate.kind).max(least[1]),
+            CoordinateKind::Angle | reuleaux::CoordinateKind::Number => greatest(vector, coordinate.kind).max(least[1]),
         };
         E::COORDINATES.iter().map(size).collect::<Vec<f64>>()
     };

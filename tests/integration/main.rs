@@ -8,6 +8,7 @@ mod crossings;
 mod files;
 mod finite;
 mod limits;
+mod loads;
 mod mechanisms;
 mod parameters;
 mod plates;

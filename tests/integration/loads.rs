@@ -1,0 +1,126 @@
+//! Loads of driven mechanisms in the plane: reactions, torques and powers against reference numbers.
+
+use reuleaux::{PlanarLoad, mechanism};
+use reuleaux_tests::common::decimal::Decimal;
+use reuleaux_tests::common::reference::{Value, file, list, number, text};
+
+mechanism! {
+    /// `dynamics/driven_four_bar.json`.
+    pub(crate) mechanism DrivenFourBar {
+        gravity = (0, -9.81m_s2);
+        ground { point A = (0m, 0m);  point D = (0.35m, 0m); }
+        body crank   { point A = (0m, 0m);  point B = (0.1m, 0m);  mass = 0.8kg;  inertia = 0.002kgm2;  center = (0.05m, 0m); }
+        body coupler { point B = (0m, 0m);  point C = (0.3m, 0m);  mass = 1.5kg;  inertia = 0.015kgm2;  center = (0.16m, 0.05m);  start angle = 0.759rad; }
+        body rocker  { point D = (-0.125m, 0m);  point C = (0.125m, 0m);  mass = 1.2kg;  inertia = 0.009kgm2;  start angle = 1.73rad; }
+        joint a = revolute(ground.A, crank.A);
+        joint b = revolute(crank.B, coupler.B);
+        joint c = revolute(coupler.C, rocker.C);
+        joint d = revolute(rocker.D, ground.D);
+        drive motor = drive_relative_angle(ground, crank, (0.4 + 12 * (t / 1s) + 0.05 * sin((24 * (t / 1s) + 0.3) * 1rad)) * 1rad);
+    }
+}
+
+mechanism! {
+    /// `dynamics/slider_crank_engine.json`.
+    pub(crate) mechanism Engine {
+        gravity = (0, -9.81m_s2);
+        let w = 75rad_s * t;
+        ground { point O = (0m, 0m);  axis bore = (1, 0); }
+        body crank  { point O = (0m, 0m);  point A = (0.05m, 0m);  mass = 2.5kg;  inertia = 0.004kgm2;  center = (-0.008m, 0.001m); }
+        body rod    { point A = (-0.05m, 0m);  point B = (0.12000000000000001m, 0m);  mass = 0.55kg;  inertia = 0.0021kgm2;  start angle = -0.0585rad; }
+        body piston { point B = (0m, 0m);  mass = 0.4kg;  inertia = 0.0003kgm2;  center = (0.01m, 0m); }
+        joint main = revolute(ground.O, crank.O);
+        joint big = revolute(crank.A, rod.A);
+        joint small = revolute(rod.B, piston.B);
+        joint cylinder = translational(ground.bore, ground.O, piston.B);
+        drive turn = drive_relative_angle(ground, crank, 0.2rad + 150rad_s * t);
+        force gas = {
+            at piston.B: (
+                (-900 - 1500 * sin(w + 1.2rad) - 700 * sin(2 * w + 0.9rad) + 300 * sin(3 * w + 0.2rad)) * 1N,
+                0N
+            );
+        }
+    }
+}
+
+/// Errors of reactions relative to the largest entry of the multipliers.
+fn reaction(found: PlanarLoad<f64>, wanted: &Value, sign: f64, size: f64) -> f64 {
+    assert!(found.is_unique);
+    let [x, y] = [0, 1].map(|k| Decimal::parse(text(&wanted["force"][k])));
+    let torque = Decimal::parse(text(&wanted["torque"]));
+    [x.error_of(sign * found.force.x), y.error_of(sign * found.force.y), torque.error_of(sign * found.torque)]
+        .into_iter()
+        .fold(0.0, f64::max)
+        / size
+}
+
+fn largest(state: &Value) -> f64 {
+    list(&state["lambda"]).iter().map(|entry| Decimal::parse(text(entry)).value.abs()).fold(0.0, f64::max)
+}
+
+#[test]
+fn a_driven_four_bar_has_its_reference_reactions_torque_and_power() {
+    let reference = file("dynamics/driven_four_bar.json");
+    let mechanism = DrivenFourBar::default();
+    let times: Vec<f64> = list(&reference["states"]).iter().map(|state| number(&state["t"])).collect();
+    for (state, wanted) in mechanism.sweep(times).zip(list(&reference["states"])) {
+        let loads = mechanism.loads(&state.expect("a state"));
+        let size = largest(wanted);
+        // The last joint is stated on the rocker there, and here as well: ground does not move.
+        let errors = [loads.a(), loads.b(), loads.c(), loads.d()]
+            .into_iter()
+            .zip(list(&wanted["reactions"]))
+            .map(|(found, wanted)| reaction(found, wanted, 1.0, size));
+        let worst = errors.fold(0.0, f64::max);
+        let drive = loads.motor();
+        let torque = Decimal::parse(text(&wanted["driver_forces"][0])).error_of(drive.effort) / size;
+        let power = Decimal::parse(text(&wanted["power_drivers"])).error_of(drive.power) / (12.0 * size);
+        assert!(worst < 1e-12 && torque < 1e-12 && power < 1e-12, "{worst:e} {torque:e} {power:e}");
+    }
+}
+
+#[test]
+fn an_engine_has_its_reference_reactions_torque_and_power() {
+    let reference = file("dynamics/slider_crank_engine.json");
+    let mechanism = Engine::default();
+    let times: Vec<f64> = list(&reference["states"]).iter().map(|state| number(&state["t"])).collect();
+    for (state, wanted) in mechanism.sweep(times).zip(list(&reference["states"])) {
+        let loads = mechanism.loads(&state.expect("a state"));
+        let size = largest(wanted);
+        let errors = [loads.main(), loads.big(), loads.small(), loads.cylinder()]
+            .into_iter()
+            .zip(list(&wanted["reactions"]))
+            .map(|(found, wanted)| reaction(found, wanted, 1.0, size));
+        let worst = errors.fold(0.0, f64::max);
+        let drive = loads.turn();
+        let torque = Decimal::parse(text(&wanted["driver_forces"][0])).error_of(drive.effort) / size;
+        let power = Decimal::parse(text(&wanted["power_drivers"])).error_of(drive.power) / (150.0 * size);
+        assert!(worst < 1e-12 && torque < 1e-12 && power < 1e-12, "{worst:e} {torque:e} {power:e}");
+    }
+}
+
+mechanism! {
+    /// A mass on a spring and a damper, moved along its line.
+    pub(crate) mechanism Shaken {
+        param stiffness: Stiffness = 2000N_m;
+        ground { point P = (0m, 0m);  axis line = (1, 0); }
+        body block { point Q = (0m, 0m);  mass = 3kg; }
+        joint rail = translational(ground.line, ground.P, block.Q);
+        drive shake = drive_x(block.Q, 200mm + 20mm * sin(10rad_s * t));
+        force support = spring_damper(ground.P, block.Q, stiffness, rest: 150mm, damping: 40Ns_m);
+    }
+}
+
+#[test]
+fn a_drive_carries_inertia_spring_and_damper() {
+    let shaken = Shaken::default();
+    for step in 0..50 {
+        let t = f64::from(step) * 0.0137;
+        let loads = shaken.loads(&shaken.solve(t).expect("a state"));
+        let (sine, cosine) = (10.0 * t).sin_cos();
+        let [x, v, a] = [0.2 + 0.02 * sine, 0.2 * cosine, -2.0 * sine];
+        let wanted = 3.0 * a + 2000.0 * (x - 0.15) + 40.0 * v;
+        assert!((loads.shake().effort - wanted).abs() < 1e-12 * 200.0, "{} {wanted}", loads.shake().effort);
+        assert!((loads.shake().power - wanted * v).abs() < 1e-12 * 40.0);
+    }
+}
