@@ -119,7 +119,7 @@ declared!(arm {
         ground { axis z = (0, 0, 1); axis y = (0, 1, 0); }
         body column { axis z = (0, 0, 1); axis y = (0, 1, 0); point S = (0mm, 0mm, 300mm); }
         body boom { axis y = (0, 1, 0); axis x = (1, 0, 0); point E = (reach, 0mm, 0mm); start position = (0mm, 0mm, 300mm); }
-        body quill { axis x = (1, 0, 0); point T = (200mm, 0mm, 0mm); start position = (500mm, 0mm, 300mm); }
+        body quill { axis x = (1, 0, 0); point T = (200mm, 0mm, 0mm); start position = (407mm, 148mm, 550mm); }
         joint base = revolute(ground.position, ground.z, column.position, column.z);
         joint shoulder = revolute(column.S, column.y, boom.position, boom.y);
         joint way = translational(boom.E, boom.x, quill.position, quill.x);
