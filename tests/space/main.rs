@@ -3,5 +3,6 @@
 mod declaration;
 mod loads;
 mod mechanisms;
+mod objective;
 mod states;
 mod units;

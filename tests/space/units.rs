@@ -6,14 +6,14 @@ use reuleaux_tests::common::decimal::Decimal;
 use reuleaux_tests::common::reference::{Value, file, list, number, text};
 
 /// Rows of a declaration at a state: Φ, the rows of Φ_u, ν and γ.
-struct Rows {
-    phi: Vec<f64>,
-    jacobian: Vec<Vec<f64>>,
-    nu: Vec<f64>,
-    gamma: Vec<f64>,
+pub(crate) struct Rows {
+    pub(crate) phi: Vec<f64>,
+    pub(crate) jacobian: Vec<Vec<f64>>,
+    pub(crate) nu: Vec<f64>,
+    pub(crate) gamma: Vec<f64>,
 }
 
-fn rows(case: &Value) -> Rows {
+pub(crate) fn rows(case: &Value) -> Rows {
     let mut declaration = Declaration::default();
     declaration.add(&case["constraint"], "");
     let bodies: Vec<(String, String)> = list(&case["bodies"]).iter().map(|body| (text(&body["name"]).to_owned(), String::new())).collect();

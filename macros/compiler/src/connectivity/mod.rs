@@ -7,7 +7,7 @@
 use crate::diag::{Diag, SystemFact};
 use crate::expr::{Arena, Expr, Leaf, Values, evaluate};
 use crate::model::{Model, Said, example};
-use crate::quantity::Role;
+use crate::quantity::{Axis, Role, SpeedRole};
 use crate::system::{Equation, System};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -22,7 +22,8 @@ pub(crate) fn check(model: &Model, system: &System, diag: &mut Diag) -> Option<(
 
 /// Refuses bodies whose coordinates occur in no equation.
 fn every_body_is_held(model: &Model, system: &System, diag: &mut Diag) {
-    let held: BTreeSet<usize> = system.pattern.rows.iter().flatten().map(|entry| system.coordinates[entry.unknown].body).collect();
+    let rows = Rows::of(system);
+    let held: BTreeSet<usize> = (0..rows.equations.len()).flat_map(|row| rows.bodies(row)).collect();
     let mut said = Said::default();
     let on_ground = bodies_on_ground(model, system);
     for (index, body) in model.bodies.iter().enumerate() {
@@ -38,10 +39,11 @@ fn every_group_is_on_ground(model: &Model, system: &System, diag: &mut Diag) {
     let Groups { groups, of_group, is_held } = Groups::new(model, system);
     let mut said = Said::default();
     let mut scratch: Option<Arena> = None;
+    let all = Rows::of(system);
     for (group, rows) in of_group.iter().filter(|(group, _)| !is_held.contains(group)) {
-        let arena = scratch.get_or_insert_with(|| system.arena.clone());
+        let arena = scratch.get_or_insert_with(|| all.arena.clone());
         let bodies: Vec<usize> = (0..groups.len()).filter(|body| groups[*body] == *group).collect();
-        let floats = rows.iter().all(|row| can_be_shifted(system, arena, &system.equations[*row]));
+        let floats = rows.iter().all(|row| can_be_shifted(&all, arena, &all.equations[*row]));
         if floats && said.is_new(&model.bodies[bodies[0]].name) {
             let names = bodies.iter().map(|body| model.bodies[*body].name.to_string()).collect();
             diag.refuse::<()>(&model.bodies[bodies[0]].name, SystemFact::NotOnGround { bodies: names });
@@ -53,6 +55,39 @@ fn every_group_is_on_ground(model: &Model, system: &System, diag: &mut Diag) {
 fn bodies_on_ground(model: &Model, system: &System) -> BTreeSet<usize> {
     let Groups { groups, is_held, .. } = Groups::new(model, system);
     (0..groups.len()).filter(|body| is_held.contains(&groups[*body])).collect()
+}
+
+/// Equations by coordinates in the plane, and as declared, by speeds, in space.
+struct Rows<'a> {
+    equations: &'a [Equation],
+    arena: &'a Arena,
+    system: &'a System,
+}
+
+impl<'a> Rows<'a> {
+    fn of(system: &'a System) -> Rows<'a> {
+        match &system.declared {
+            Some(declared) => Rows { equations: &declared.equations, arena: &declared.arena, system },
+            None => Rows { equations: &system.equations, arena: &system.arena, system },
+        }
+    }
+
+    /// Body of a column, and its axis if it moves the origin of the body.
+    fn column(&self, column: usize) -> (usize, Option<Axis>) {
+        if self.system.declared.is_some() {
+            let speed = SpeedRole::SPACE[column % SpeedRole::SPACE.len()];
+            let axis = if let SpeedRole::Linear(axis) = speed { Some(axis) } else { None };
+            return (column / SpeedRole::SPACE.len(), axis);
+        }
+        let coordinate = &self.system.coordinates[column];
+        let axis = if let Role::Position(axis) = coordinate.role { Some(axis) } else { None };
+        (coordinate.body, axis)
+    }
+
+    /// Bodies in an equation.
+    fn bodies(&self, row: usize) -> BTreeSet<usize> {
+        self.equations[row].jacobian.iter().map(|(column, _)| self.column(*column).0).collect()
+    }
 }
 
 /// Groups of connected bodies.
@@ -67,13 +102,13 @@ struct Groups {
 
 impl Groups {
     fn new(model: &Model, system: &System) -> Groups {
-        let bodies_of: Vec<BTreeSet<usize>> =
-            system.pattern.rows.iter().map(|row| row.iter().map(|entry| system.coordinates[entry.unknown].body).collect()).collect();
+        let rows = Rows::of(system);
+        let bodies_of: Vec<BTreeSet<usize>> = (0..rows.equations.len()).map(|row| rows.bodies(row)).collect();
         let groups = groups(model.bodies.len(), &bodies_of);
         let mut of_group: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         let mut is_held: BTreeSet<usize> = BTreeSet::new();
         let is_alone = |group: usize| groups.iter().filter(|other| **other == group).count() == 1;
-        let is_of_angles = |row: usize| system.pattern.rows[row].iter().all(|entry| system.coordinates[entry.unknown].role == Role::Angle);
+        let is_of_angles = |row: usize| rows.equations[row].jacobian.iter().all(|(column, _)| rows.column(*column).1.is_none());
         for (row, bodies) in bodies_of.iter().enumerate() {
             let Some(first) = bodies.first() else { continue };
             of_group.entry(groups[*first]).or_default().push(row);
@@ -106,11 +141,11 @@ fn groups(bodies: usize, rows: &[BTreeSet<usize>]) -> Vec<usize> {
     (0..bodies).map(|body| root(&mut parent, body)).collect()
 }
 
-/// True if Σ ∂Φ/∂x = 0 over all bodies, and the same for y.
-fn can_be_shifted(system: &System, arena: &mut Arena, equation: &Equation) -> bool {
-    Role::PLANE.into_iter().filter(|role| role.is_position()).all(|role| {
+/// True if Σ ∂Φ/∂x = 0 over all bodies, and the same for the other axes.
+fn can_be_shifted(rows: &Rows, arena: &mut Arena, equation: &Equation) -> bool {
+    [Axis::X, Axis::Y, Axis::Z].into_iter().all(|axis| {
         let entries: Vec<Expr> =
-            equation.jacobian.iter().filter(|(unknown, _)| system.coordinates[*unknown].role == role).map(|(_, entry)| *entry).collect();
+            equation.jacobian.iter().filter(|(column, _)| rows.column(*column).1 == Some(axis)).map(|(_, entry)| *entry).collect();
         let zero = arena.integer(0);
         let sum = entries.into_iter().fold(zero, |sum, entry| arena.add(sum, entry));
         sum == zero || vanishes(arena, sum)

@@ -133,6 +133,7 @@ codes! {
     E0706: System::FreeCoordinates;
     E0707: System::NothingToDrive;
     E0708: System::DrivesContend;
+    E0709: System::PassiveSpin;
     // Redundancy.
     E0801: System::Repeats System::Follows System::FollowsFrom;
     E0802: System::Contradicts System::CannotHold System::Collides;

@@ -209,6 +209,10 @@ pub enum SystemFact {
         body: String,
         example: String,
     },
+    PassiveSpin {
+        body: String,
+        joints: [String; 2],
+    },
     Nonholonomic {
         joint: String,
         row: usize,

@@ -107,6 +107,11 @@ pub(crate) fn is_elsewhere(name: &str, ambient: Ambient) -> bool {
     !has(ambient) && (has(Ambient::Plane) || has(Ambient::Space))
 }
 
+/// The names of all forces of the library.
+pub fn forces<'a>() -> impl Iterator<Item = &'a str> {
+    FORCES.iter().map(|(name, _)| *name)
+}
+
 /// Name and text of the constraints that can be used in the plane, or in space.
 fn of(ambient: Ambient) -> impl Iterator<Item = (&'static str, &'static str)> {
     let own = match ambient {
@@ -118,7 +123,7 @@ fn of(ambient: Ambient) -> impl Iterator<Item = (&'static str, &'static str)> {
         Ambient::Space => BOTH,
     };
     let shared = CONSTRAINTS.iter().filter(|(name, _)| both.contains(name));
-    own.iter().chain(shared).chain(FORCES).copied()
+    own.iter().chain(shared).copied()
 }
 
 /// The names of all functions of the library.
@@ -141,9 +146,9 @@ pub fn pages() -> impl Iterator<Item = (&'static str, &'static str)> {
     CONSTRAINTS.iter().chain(FUNCTIONS).copied()
 }
 
-/// Constraint with this name; `None` if there is none in the library.
+/// Constraint or force with this name; `None` if there is none in the library.
 pub(crate) fn find(name: &str, ambient: Ambient) -> Option<Rc<Definition>> {
-    let (_, text) = of(ambient).find(|(known, _)| *known == name)?;
+    let (_, text) = of(ambient).chain(FORCES.iter().copied()).find(|(known, _)| *known == name)?;
     let tokens = TokenStream::from_str(text).ok()?;
     // The tests of this crate find a page that does not parse.
     syntax::parse_exported(tokens, &mut Diag::default())?.into_iter().next().map(Rc::new)

@@ -1,7 +1,7 @@
 //! Remaining freedoms: undetermined coordinates and missing drives.
 
 use crate::diag::{Count, Diag, Forgotten, SystemFact};
-use crate::model::{Model, example};
+use crate::model::{Model, Relationship, example};
 use crate::quantity::{Ambient, Axis, Role};
 use crate::structure::{DmPart, Entry, Matching, Pattern, maximum};
 use crate::system::System;
@@ -15,6 +15,12 @@ const MOST_TRIED: usize = 100;
 
 /// Refuses a mechanism with too few equations. `under`: given, the underdetermined unknowns and their equations.
 pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern, matching: &Matching, under: &DmPart, diag: &mut Diag) {
+    if let Some((body, joints)) = passive_spin(model, system) {
+        let name = &model.bodies[body].name;
+        let joints = joints.map(|joint| model.joints[joint].name.to_string());
+        diag.refuse::<()>(name, SystemFact::PassiveSpin { body: name.to_string(), joints });
+        return;
+    }
     let drives = drives(model);
     let solved = pattern.rows.iter().filter(|row| !row.is_empty()).count();
     let in_none = in_no_equation(pattern);
@@ -45,6 +51,24 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
         example: chosen.first().map_or(String::new(), |unknown| drive_for(model, system, *unknown)),
     };
     diag.refuse::<()>(&model.name, fact);
+}
+
+/// In space: a body that two joints hold by one point each and nothing else, so that it can turn about the line through both.
+fn passive_spin(model: &Model, system: &System) -> Option<(usize, [usize; 2])> {
+    let declared = system.declared.as_ref()?;
+    (0..model.bodies.len()).find_map(|body| {
+        let own = declared.equations.iter().filter(|equation| equation.jacobian.iter().any(|(speed, _)| speed / 6 == body));
+        let joints: Vec<usize> = own.map(|equation| equation.joint).collect::<BTreeSet<usize>>().into_iter().collect();
+        let is_ball = |joint: &usize| {
+            let of_it =
+                |(other, _, relation): &&(usize, usize, Relationship)| other == joint && matches!(relation, Relationship::Coincident(..));
+            model.joints[*joint].residuals.len() == 3 && model.space.relations.iter().any(|relation| of_it(&relation))
+        };
+        match joints.as_slice() {
+            [one, two] if [one, two].into_iter().all(is_ball) => Some((body, [*one, *two])),
+            _ => None,
+        }
+    })
 }
 
 /// Unknowns that occur in no equation.

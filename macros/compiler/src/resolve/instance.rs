@@ -109,7 +109,8 @@ impl Elaborator<'_> {
             };
             return self.refuse(kind, fact);
         }
-        let known = self.names.definitions.keys().map(String::as_str).chain(library::constraints(self.names.ambient));
+        let known =
+            self.names.definitions.keys().map(String::as_str).chain(library::constraints(self.names.ambient)).chain(library::forces());
         let near = self.nearest(&word, known);
         self.refuse(kind, NameFact::UnknownConstraint { name: word, near })
     }

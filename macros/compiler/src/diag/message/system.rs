@@ -13,6 +13,13 @@ impl Display for SystemFact {
                 write!(f, "\nhelp: join it to ground or to another body, such as `{example}`, or take it away")
             }
             SystemFact::Repeats { joint, other } => write!(f, "`{joint}` demands the same as `{other}`\nhelp: take one of them away"),
+            SystemFact::PassiveSpin { body, joints: [one, two] } => {
+                write!(f, "`{body}` can turn about the line from `{one}` to `{two}`: each holds it by one point, and nothing else does")?;
+                write!(
+                    f,
+                    "\nhelp: write `distance(…)` of the two points that it joins instead of the body, or make one of the joints `universal`"
+                )
+            }
             SystemFact::Nonholonomic { joint, row, of } => {
                 let which = if *of == 1 { "the equation".to_owned() } else { format!("equation {row} of {of}") };
                 write!(
