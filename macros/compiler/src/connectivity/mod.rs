@@ -22,7 +22,7 @@ pub(crate) fn check(model: &Model, system: &System, diag: &mut Diag) -> Option<(
 
 /// Refuses bodies whose coordinates occur in no equation.
 fn every_body_is_held(model: &Model, system: &System, diag: &mut Diag) {
-    let rows = Rows::of(system);
+    let rows = Declarations::of(system);
     let held: BTreeSet<usize> = (0..rows.equations.len()).flat_map(|row| rows.bodies(row)).collect();
     let mut said = Said::default();
     let on_ground = bodies_on_ground(model, system);
@@ -39,7 +39,7 @@ fn every_group_is_on_ground(model: &Model, system: &System, diag: &mut Diag) {
     let Groups { groups, of_group, is_held } = Groups::new(model, system);
     let mut said = Said::default();
     let mut scratch: Option<Arena> = None;
-    let all = Rows::of(system);
+    let all = Declarations::of(system);
     for (group, rows) in of_group.iter().filter(|(group, _)| !is_held.contains(group)) {
         let arena = scratch.get_or_insert_with(|| all.arena.clone());
         let bodies: Vec<usize> = (0..groups.len()).filter(|body| groups[*body] == *group).collect();
@@ -58,17 +58,17 @@ fn bodies_on_ground(model: &Model, system: &System) -> BTreeSet<usize> {
 }
 
 /// Equations by coordinates in the plane, and as declared, by speeds, in space.
-struct Rows<'a> {
+struct Declarations<'a> {
     equations: &'a [Equation],
     arena: &'a Arena,
     system: &'a System,
 }
 
-impl<'a> Rows<'a> {
-    fn of(system: &'a System) -> Rows<'a> {
+impl<'a> Declarations<'a> {
+    fn of(system: &'a System) -> Declarations<'a> {
         match &system.declared {
-            Some(declared) => Rows { equations: &declared.equations, arena: &declared.arena, system },
-            None => Rows { equations: &system.equations, arena: &system.arena, system },
+            Some(declared) => Declarations { equations: &declared.equations, arena: &declared.arena, system },
+            None => Declarations { equations: &system.equations, arena: &system.arena, system },
         }
     }
 
@@ -102,7 +102,7 @@ struct Groups {
 
 impl Groups {
     fn new(model: &Model, system: &System) -> Groups {
-        let rows = Rows::of(system);
+        let rows = Declarations::of(system);
         let bodies_of: Vec<BTreeSet<usize>> = (0..rows.equations.len()).map(|row| rows.bodies(row)).collect();
         let groups = groups(model.bodies.len(), &bodies_of);
         let mut of_group: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
@@ -142,7 +142,7 @@ fn groups(bodies: usize, rows: &[BTreeSet<usize>]) -> Vec<usize> {
 }
 
 /// True if Σ ∂Φ/∂x = 0 over all bodies, and the same for the other axes.
-fn can_be_shifted(rows: &Rows, arena: &mut Arena, equation: &Equation) -> bool {
+fn can_be_shifted(rows: &Declarations, arena: &mut Arena, equation: &Equation) -> bool {
     [Axis::X, Axis::Y, Axis::Z].into_iter().all(|axis| {
         let entries: Vec<Expr> =
             equation.jacobian.iter().filter(|(column, _)| rows.column(*column).1 == Some(axis)).map(|(_, entry)| *entry).collect();
