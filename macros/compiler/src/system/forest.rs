@@ -194,20 +194,32 @@ impl Forest<'_> {
         self.angles.push((one, two, unknown));
     }
 
-    /// An angle of two triads by one that is known, if both are about the same axes.
-    fn by_known_angle(&mut self, one: Triad, two: Triad) -> Option<Expr> {
-        let is_about = |a: &Triad, b: &Triad| a.body == b.body && a.axes[2] == b.axes[2];
-        let known = self.angles.iter().find_map(|(a, b, angle)| {
-            let forward = is_about(a, &one) && is_about(b, &two);
-            (forward || is_about(a, &two) && is_about(b, &one)).then_some((*a, *b, *angle, forward))
-        });
-        let (a, b, angle, is_forward) = known?;
-        let (one, two) = if is_forward { (one, two) } else { (two, one) };
-        // Directions of x in the known triads: θ' = θ + β − α.
-        let (alpha, beta) = (self.direction_in(a, one), self.direction_in(b, two));
-        let offset = self.arena.sub(beta, alpha);
-        let sum = self.arena.add(angle, offset);
-        Some(if is_forward { sum } else { self.arena.neg(sum) })
+    /// An angle of two triads by those that are known, if a chain of joints about one direction leads from one to the other.
+    fn by_known_angles(&mut self, one: Triad, two: Triad) -> Option<Expr> {
+        let zero = self.arena.integer(0);
+        // Triads on the way, each with its angle against the first.
+        let mut found = vec![(one, zero)];
+        let mut next = 0;
+        while next < found.len() {
+            let (here, angle) = found[next];
+            next += 1;
+            if here.body == two.body && here.axes[2] == two.axes[2] {
+                let rest = self.direction_in(here, two);
+                return Some(self.arena.add(angle, rest));
+            }
+            for (a, b, between) in self.angles.clone() {
+                for (near, far, is_forward) in [(a, b, true), (b, a, false)] {
+                    let is_new = !found.iter().any(|(known, _)| known.body == far.body);
+                    if near.body == here.body && near.axes[2] == here.axes[2] && is_new {
+                        let own = self.direction_in(here, near);
+                        let sum = self.arena.add(angle, own);
+                        let sum = if is_forward { self.arena.add(sum, between) } else { self.arena.sub(sum, between) };
+                        found.push((far, sum));
+                    }
+                }
+            }
+        }
+        None
     }
 
     /// Angle of the x axis of a triad in another one with the same z axis.
@@ -612,7 +624,7 @@ impl Forest<'_> {
                 self.rewrite(value)
             }
             JointQuantity::Angle(one, two) => {
-                if let Some(angle) = self.by_known_angle(one, two) {
+                if let Some(angle) = self.by_known_angles(one, two) {
                     return angle;
                 }
                 let body = two.body.or(one.body).unwrap_or(0);
