@@ -209,6 +209,10 @@ impl Arena {
 
     /// The same operation on other operands, in writing order.
     pub(crate) fn with_children(&mut self, expr: Expr, children: &[Expr]) -> Expr {
+        // Building the same node anew would only find it again.
+        if self.node(expr).children().eq(children.iter().copied()) {
+            return expr;
+        }
         let node = match (*self.node(expr), children) {
             (Node::Unary(function, _), [a]) => Node::Unary(function, *a),
             (Node::Binary(function, ..), [a, b]) => Node::Binary(function, *a, *b),

@@ -94,12 +94,7 @@ impl Arena {
     /// The components of a vector, and the frame that it moves with: a vector along the axis of a joint does not turn with the joint.
     fn motion_of(&mut self, frame: usize, local: Triple) -> (Option<usize>, Triple) {
         let columns = self.frames.frames[frame].columns;
-        let zero = self.integer(0);
-        let components = [0, 1, 2].map(|axis: usize| {
-            let products: Vec<Expr> = columns.iter().zip(local).map(|(column, part)| self.mul(part, column[axis])).collect();
-            let terms: Vec<Expr> = products.into_iter().filter(|product| *product != zero).collect();
-            self.sum(&terms)
-        });
+        let components = combination(self, local, columns);
         let leaves: BTreeSet<Leaf> = components.iter().flat_map(|component| self.leaves(*component)).collect();
         let mut moving = Some(frame);
         while let Some(frame) = moving {
@@ -154,28 +149,8 @@ impl Arena {
     pub(crate) fn plain(&mut self, root: Expr, known: &mut HashMap<Expr, Expr>) -> Expr {
         for expr in self.reachable_until(&[root], |e| known.contains_key(&e)) {
             let node = *self.node(expr);
-            let at = |child: Expr| known[&child];
-            let plain = match node {
-                Node::Marked { value, .. } => at(value),
-                _ if node.children().all(|child| at(child) == child) => expr,
-                Node::Constant(_) | Node::Leaf(_) => expr,
-                Node::Unary(function, a) => {
-                    let a = at(a);
-                    self.unary(function, a)
-                }
-                Node::Binary(function, a, b) => {
-                    let (a, b) = (at(a), at(b));
-                    self.binary(function, a, b)
-                }
-                Node::Select { lhs, rhs, then, otherwise } => {
-                    let [lhs, rhs, then, otherwise] = [lhs, rhs, then, otherwise].map(at);
-                    self.select(lhs, rhs, then, otherwise)
-                }
-                Node::Call { function, order, argument } => {
-                    let argument = at(argument);
-                    self.call(function, order, argument)
-                }
-            };
+            let children: Vec<Expr> = node.children().map(|child| known[&child]).collect();
+            let plain = if let Node::Marked { .. } = node { children[0] } else { self.with_children(expr, &children) };
             known.insert(expr, plain);
         }
         known[&root]
@@ -188,6 +163,18 @@ pub fn cross(arena: &mut Arena, a: Triple, b: Triple) -> Triple {
         let (left, right) = (arena.mul(a[i], b[j]), arena.mul(a[j], b[i]));
         arena.sub(left, right)
     })
+}
+
+/// a₁ v₁ + a₂ v₂ + a₃ v₃
+pub fn combination(arena: &mut Arena, a: Triple, vectors: [Triple; 3]) -> Triple {
+    [0, 1, 2].map(|axis| dot(arena, a, vectors.map(|vector| vector[axis])))
+}
+
+/// v/|v|
+pub fn unit(arena: &mut Arena, v: Triple) -> Triple {
+    let square = dot(arena, v, v);
+    let length = arena.sqrt(square);
+    v.map(|part| arena.div(part, length))
 }
 
 /// a · b

@@ -1,6 +1,6 @@
 //! Derivatives along a direction: value, first and second derivative of an expression.
 //!
-//! The direction is a [`Seed`], the derivative D of each leaf. Along the motion u and u̇ are separate leaves and D(q) = N(q) u, time
+//! The direction is a [`Seed`], the derivative D of each leaf. Along the motion u and u̇ are separate leaves and D(q) = u, time
 //! has rate 1, parameters are constant. The derivatives are propagated together as Taylor coefficients through each operation, which
 //! gives shorter and better conditioned expressions than differentiating twice.
 
@@ -12,15 +12,6 @@ use super::{Arena, Binary, Expr, Leaf, Mark, Node, Unary};
 /// Value, first and second derivative.
 type Jet = [Expr; 3];
 
-/// The rate of a coordinate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rate {
-    /// The speed of this number.
-    Speed(u32),
-    /// First and second derivative along the seed, as expressions.
-    Given([Expr; 2]),
-}
-
 /// A direction: the derivative D of each leaf.
 #[derive(Clone, Debug, Default)]
 pub struct Seed {
@@ -30,22 +21,22 @@ pub struct Seed {
     speeds_change: bool,
     /// Parameter with D(p) = 1; all others are constant.
     parameter: Option<u32>,
-    /// D(q) of each coordinate; those beyond the last one are constant.
-    coordinates: Vec<Rate>,
+    /// The number of the speed D(q) of each coordinate; `None` for a constant, and so are all beyond the last one.
+    coordinates: Vec<Option<u32>>,
     /// Number of the first coordinate.
     first: u32,
 }
 
 impl Seed {
-    /// Along the motion: D(q) as given, D(u) = u̇, D(t) = 1. The rate of u̇ is taken as 0.
+    /// Along the motion: D(q) the speed of this number, D(u) = u̇, D(t) = 1. The rate of u̇ is taken as 0.
     #[must_use]
-    pub fn motion(coordinates: Vec<Rate>) -> Seed {
+    pub fn motion(coordinates: Vec<Option<u32>>) -> Seed {
         Seed { time_runs: true, speeds_change: true, parameter: None, coordinates, first: 0 }
     }
 
-    /// At constant speeds: D(q) as given, D(u) = 0, D(t) = 1. The second derivative of Φ is −γ.
+    /// At constant speeds: D(q) the speed of this number, D(u) = 0, D(t) = 1. The second derivative of Φ is −γ.
     #[must_use]
-    pub fn constant_speeds(coordinates: Vec<Rate>) -> Seed {
+    pub fn constant_speeds(coordinates: Vec<Option<u32>>) -> Seed {
         Seed { speeds_change: false, ..Seed::motion(coordinates) }
     }
 
@@ -123,12 +114,11 @@ impl Jets {
             Leaf::Time if seed.time_runs => [expr, arena.integer(1), zero],
             Leaf::Parameter(i) if seed.parameter == Some(i) => [expr, arena.integer(1), zero],
             Leaf::Speed(i) if seed.speeds_change => [expr, arena.leaf(Leaf::Acceleration(i)), zero],
-            Leaf::Coordinate(i) => match i.checked_sub(seed.first).and_then(|i| seed.coordinates.get(i as usize)) {
+            Leaf::Coordinate(i) => match i.checked_sub(seed.first).and_then(|i| *seed.coordinates.get(i as usize)?) {
                 None => [expr, zero, zero],
-                Some(Rate::Given([first, second])) => [expr, *first, *second],
-                Some(Rate::Speed(i)) => {
-                    let first = arena.leaf(Leaf::Speed(*i));
-                    [expr, first, if seed.speeds_change { arena.leaf(Leaf::Acceleration(*i)) } else { zero }]
+                Some(i) => {
+                    let first = arena.leaf(Leaf::Speed(i));
+                    [expr, first, if seed.speeds_change { arena.leaf(Leaf::Acceleration(i)) } else { zero }]
                 }
             },
             Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_) | Leaf::Turn(_) | Leaf::Speed(_) | Leaf::Acceleration(_) => [expr, zero, zero],

@@ -30,31 +30,12 @@ impl Substitution {
                 continue;
             }
             let node = *arena.node(expr);
-            let new = |child: Expr| self.memo.get(&child).copied().unwrap_or(child);
-            let is_same = node.children().all(|child| new(child) == child);
+            let children: Vec<Expr> = node.children().map(|child| self.memo.get(&child).copied().unwrap_or(child)).collect();
             let replaced = match node {
                 Node::Leaf(leaf) => self.map.get(&leaf).copied().unwrap_or(expr),
-                // Building it anew would only find the same node again.
-                _ if is_same => expr,
-                Node::Constant(_) => expr,
-                Node::Unary(function, value) => {
-                    let value = new(value);
-                    arena.unary(function, value)
-                }
-                Node::Binary(function, one, two) => {
-                    let (one, two) = (new(one), new(two));
-                    arena.binary(function, one, two)
-                }
-                Node::Select { lhs, rhs, then, otherwise } => {
-                    let [lhs, rhs, then, otherwise] = [lhs, rhs, then, otherwise].map(new);
-                    arena.select(lhs, rhs, then, otherwise)
-                }
-                // What is replaced inside a frame is differentiated as written.
-                Node::Marked { value, .. } => new(value),
-                Node::Call { function, order, argument } => {
-                    let argument = new(argument);
-                    arena.call(function, order, argument)
-                }
+                // A component of a frame with other leaves is no component of that frame.
+                Node::Marked { .. } if !node.children().eq(children.iter().copied()) => children[0],
+                _ => arena.with_children(expr, &children),
             };
             self.memo.insert(expr, replaced);
         }

@@ -7,7 +7,7 @@ mod components;
 
 pub use components::Components;
 
-use crate::expr::{Arena, Expr, Triple};
+use crate::expr::{Arena, Expr, Triple, cross, dot, unit};
 
 /// Three perpendicular unit vectors fixed in a body or in ground: x, y, and the axis z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -16,6 +16,21 @@ pub struct Triad {
     pub body: Option<usize>,
     /// x, y and z by local components.
     pub axes: [Triple; 3],
+}
+
+impl Triad {
+    /// The triad with this z axis whose x axis is the part of `toward` across it.
+    pub(crate) fn along(arena: &mut Arena, z: Place, toward: Triple) -> Triad {
+        let body = z.body;
+        let z = unit(arena, z.local);
+        let along = dot(arena, toward, z);
+        let across = [0, 1, 2].map(|k| {
+            let part = arena.mul(along, z[k]);
+            arena.sub(toward[k], part)
+        });
+        let x = unit(arena, across);
+        Triad { body, axes: [x, cross(arena, z, x), z] }
+    }
 }
 
 /// A point or a vector fixed in a body or in ground.

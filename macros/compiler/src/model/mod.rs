@@ -22,6 +22,17 @@ use proc_macro2::{Ident, TokenStream};
 /// Number of the first declared coordinate in space. The coordinates that are solved for count from 0: they are other ones.
 pub(crate) const DECLARED: u32 = 1 << 24;
 
+/// The speed that is the rate of each declared coordinate in space. Orientations have none: vectors fixed in a body are differentiated
+/// as a whole.
+pub(crate) fn declared_rates(coordinates: usize) -> Vec<Option<u32>> {
+    let each = Role::SPACE.len();
+    let rate = |number: usize| {
+        let (body, at) = (number / each, number % each);
+        (at < 3).then(|| DECLARED + (6 * body + at) as u32)
+    };
+    (0..coordinates).map(rate).collect()
+}
+
 /// A mechanism with all names resolved.
 #[derive(Clone, Debug)]
 pub struct Model {

@@ -26,7 +26,7 @@ pub(super) fn stages(
     let mut work = StageBuilder {
         arena,
         system,
-        jets: Jets::along(Seed::motion(system.kinematics.clone())),
+        jets: Jets::along(Seed::motion(system.rates())),
         constants: Substitution::new(),
         plain: HashMap::new(),
     };

@@ -54,7 +54,7 @@ impl Elaborator<'_> {
         }
         if !is_bound && super::space::BUILTINS.contains(&name.to_string().as_str()) {
             return match self.names.ambient {
-                Ambient::Space => self.spatial_builtin(range, name, arguments, scope),
+                Ambient::Space => self.spatial_builtin(name, arguments, scope),
                 Ambient::Plane => self.refuse(name, ValueFact::OnlyInSpace { word: name.to_string() }),
             };
         }

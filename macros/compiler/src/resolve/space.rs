@@ -112,7 +112,7 @@ impl Elaborator<'_> {
     }
 
     /// A built-in function of space.
-    pub(super) fn spatial_builtin(&mut self, range: Range, name: &Ident, arguments: &[ast::Expression], scope: &Scope) -> Option<Value> {
+    pub(super) fn spatial_builtin(&mut self, name: &Ident, arguments: &[ast::Expression], scope: &Scope) -> Option<Value> {
         let word = name.to_string();
         let wanted = if word.ends_with("_axis") { 1 } else { 2 };
         if arguments.len() != wanted {
@@ -151,7 +151,7 @@ impl Elaborator<'_> {
                 if word == "joint_angle" {
                     return Some(Value::Scalar(self.joint_angle(triad, other)));
                 }
-                Some(Value::Vector(self.misalignment(range, triad, other)))
+                Some(Value::Vector(self.misalignment(triad, other)))
             }
         }
     }
@@ -174,24 +174,10 @@ impl Elaborator<'_> {
         if let Some(known) = self.space.triads.get(&(own, zero)) {
             return Some(*known);
         }
-        let z = self.unit(own.local);
-        let from = zero.unwrap_or_else(|| self.some_direction_across(own.local));
-        let along = dot(&mut self.arena, from, z);
-        let across = [0, 1, 2].map(|k| {
-            let part = self.arena.mul(along, z[k]);
-            self.arena.sub(from[k], part)
-        });
-        let x = self.unit(across);
-        let y = cross(&mut self.arena, z, x);
-        let triad = Triad { body: own.body, axes: [x, y, z] };
+        let toward = zero.unwrap_or_else(|| self.some_direction_across(own.local));
+        let triad = Triad::along(&mut self.arena, own, toward);
         self.space.triads.insert((own, zero), triad);
         Some(triad)
-    }
-
-    fn unit(&mut self, vector: Triple) -> Triple {
-        let square = dot(&mut self.arena, vector, vector);
-        let length = self.arena.sqrt(square);
-        vector.map(|part| self.arena.div(part, length))
     }
 
     /// The axis of the frame that follows the one nearest to `axis`: x for z, y for x, z for y.
@@ -280,7 +266,7 @@ impl Elaborator<'_> {
     }
 
     /// y_i · z_j, z_i · x_j and x_i · y_j, which vanish where the triads are equal.
-    fn misalignment(&mut self, _: Range, one: Triad, two: Triad) -> Vector {
+    fn misalignment(&mut self, one: Triad, two: Triad) -> Vector {
         let ([xi, yi, zi], [xj, yj, zj]) = (self.in_ground(one), self.in_ground(two));
         let rows = [(yi, zj), (zi, xj), (xi, yj)].map(|(a, b)| dot(&mut self.arena, a, b));
         self.space.origins.insert(rows.to_vec(), Relationship::SameOrientation(one, two));

@@ -12,9 +12,9 @@ use super::elaborate::{Elaborator, Scope};
 use super::statement::ScalarEquation;
 use super::value::{FrameId, Scalar, Value, Vector};
 use crate::diag::{ArityFact, EquationFact, ValueFact};
-use crate::expr::{Expr, Jets, Leaf, Rate, Seed, derivative};
-use crate::model::DECLARED;
-use crate::quantity::{Ambient, Dim, InferredDim, Role};
+use crate::expr::{Expr, Jets, Leaf, Seed, derivative};
+use crate::model::{DECLARED, declared_rates};
+use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast;
 use proc_macro2::Ident;
 
@@ -45,16 +45,8 @@ impl Elaborator<'_> {
         let frames = &self.names.frames;
         let count = frames.last().map_or(0, |last| last.first + last.coordinates.len());
         let seed = match self.names.ambient {
-            Ambient::Plane => Seed::motion((0..count).map(|number| Rate::Speed(number as u32)).collect()),
-            Ambient::Space => {
-                let zero = self.arena.integer(0);
-                let each = Role::SPACE.len();
-                let rate = |number: usize| {
-                    let (body, at) = (number / each, number % each);
-                    if at < 3 { Rate::Speed(DECLARED + (6 * body + at) as u32) } else { Rate::Given([zero, zero]) }
-                };
-                Seed::motion((0..count).map(rate).collect()).numbered_from(DECLARED)
-            }
+            Ambient::Plane => Seed::motion((0..count as u32).map(Some).collect()),
+            Ambient::Space => Seed::motion(declared_rates(count)).numbered_from(DECLARED),
         };
         Jets::along(seed).of(&mut self.arena, expr)[1]
     }

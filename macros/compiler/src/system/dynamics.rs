@@ -8,10 +8,9 @@
 //!
 //! In the axes of ground, three for each body in the plane and six in space, in the order of the speeds.
 
-use crate::expr::{Arena, Expr, Leaf, Triple, cross, dot};
-use crate::model::DECLARED;
-use crate::model::{Body, Force, Model};
-use crate::quantity::{Ambient, Role};
+use crate::expr::{Arena, Expr, Leaf, Triple, combination, cross, dot};
+use crate::model::{Body, DECLARED, Force, Model};
+use crate::quantity::Ambient;
 
 /// f of every body; `None` if there is neither a mass nor a force.
 pub(super) fn unbalanced(model: &Model, arena: &mut Arena) -> Option<Vec<Expr>> {
@@ -37,16 +36,9 @@ fn number(model: &Model, body: usize, offset: usize) -> u32 {
 fn in_plane(model: &Model, arena: &mut Arena, body: usize) -> [Expr; 3] {
     let declared = &model.bodies[body];
     let zero = arena.integer(0);
-    let angle = arena.leaf(Leaf::Coordinate(number(model, body, 2)));
-    let (sine, cosine) = (arena.sin(angle), arena.cos(angle));
-    let turned = |arena: &mut Arena, local: &[Expr]| -> [Expr; 2] {
-        let (cx, sy) = (arena.mul(cosine, local[0]), arena.mul(sine, local[1]));
-        let (sx, cy) = (arena.mul(sine, local[0]), arena.mul(cosine, local[1]));
-        [arena.sub(cx, sy), arena.add(sx, cy)]
-    };
     let mass = declared.mass.mass.unwrap_or(zero);
     let center = declared.mass.center.clone().unwrap_or_else(|| vec![zero; 2]);
-    let c = turned(arena, &center);
+    let c = turned_in_plane(model, arena, body, &center);
     let speed = arena.leaf(Leaf::Speed(number(model, body, 2)));
     let [ax, ay, turning] = [0, 1, 2].map(|offset| arena.leaf(Leaf::Acceleration(number(model, body, offset))));
     let inward = arena.square(speed);
@@ -68,7 +60,7 @@ fn in_plane(model: &Model, arena: &mut Arena, body: usize) -> [Expr; 3] {
         match &force.point {
             None => torque = arena.sub(torque, force.parts[0]),
             Some(point) => {
-                let arm = turned(arena, point);
+                let arm = turned_in_plane(model, arena, body, point);
                 let parts = [force.parts[0], force.parts[1]];
                 fx = arena.sub(fx, parts[0]);
                 fy = arena.sub(fy, parts[1]);
@@ -78,6 +70,15 @@ fn in_plane(model: &Model, arena: &mut Arena, body: usize) -> [Expr; 3] {
         }
     }
     [fx, fy, torque]
+}
+
+/// A vector fixed in a body in the plane, in ground.
+fn turned_in_plane(model: &Model, arena: &mut Arena, body: usize, local: &[Expr]) -> [Expr; 2] {
+    let angle = arena.leaf(Leaf::Coordinate(number(model, body, 2)));
+    let (sine, cosine) = (arena.sin(angle), arena.cos(angle));
+    let (cx, sy) = (arena.mul(cosine, local[0]), arena.mul(sine, local[1]));
+    let (sx, cy) = (arena.mul(sine, local[0]), arena.mul(cosine, local[1]));
+    [arena.sub(cx, sy), arena.add(sx, cy)]
 }
 
 fn cross_in_plane(arena: &mut Arena, a: [Expr; 2], b: [Expr; 2]) -> Expr {
@@ -94,7 +95,7 @@ fn in_space(model: &Model, arena: &mut Arena, body: usize) -> [Expr; 6] {
     };
     let speed = leaves(arena, Leaf::Speed, 3);
     let (a, turning) = (leaves(arena, Leaf::Acceleration, 0), leaves(arena, Leaf::Acceleration, 3));
-    let c = vector(arena, body, three(&declared.mass.center));
+    let c = arena.turned(body, three(&declared.mass.center));
     let swing = cross(arena, speed, c);
     let (along, inward) = (cross(arena, turning, c), cross(arena, speed, swing));
     let gravity = three(&model.gravity);
@@ -117,7 +118,7 @@ fn in_space(model: &Model, arena: &mut Arena, body: usize) -> [Expr; 6] {
         let moment = match point {
             None => parts,
             Some(point) => {
-                let arm = vector(arena, body, [point[0], point[1], point[2]]);
+                let arm = arena.turned(body, [point[0], point[1], point[2]]);
                 force = [0, 1, 2].map(|k| arena.sub(force[k], parts[k]));
                 cross(arena, arm, parts)
             }
@@ -125,11 +126,6 @@ fn in_space(model: &Model, arena: &mut Arena, body: usize) -> [Expr; 6] {
         torque = [0, 1, 2].map(|k| arena.sub(torque[k], moment[k]));
     }
     [force[0], force[1], force[2], torque[0], torque[1], torque[2]]
-}
-
-/// A vector fixed in a declared body, in ground.
-fn vector(arena: &mut Arena, body: usize, local: Triple) -> Triple {
-    arena.turned(body, local)
 }
 
 /// A I' Aᵀ v
@@ -144,19 +140,13 @@ fn inertia_times(arena: &mut Arena, declared: &Body, body: usize, v: Triple) -> 
     let local = axes.map(|axis| dot(arena, axis, v));
     let [xx, yy, zz, xy, xz, yz] = [inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]];
     let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]].map(|row| dot(arena, row, local));
-    [0, 1, 2].map(|k| dot(arena, rows, axes.map(|axis| axis[k])))
+    combination(arena, rows, axes)
 }
 
-/// The arm of a joint's point on the second of its bodies, in ground; `None` without a point on a body.
+/// A vector fixed in a body, in ground: the arm of a joint's point.
 pub(super) fn arm(model: &Model, arena: &mut Arena, body: usize, local: &[Expr]) -> Vec<Expr> {
     match model.ambient {
-        Ambient::Space => vector(arena, body, [local[0], local[1], local[2]]).to_vec(),
-        Ambient::Plane => {
-            let angle = arena.leaf(Leaf::Coordinate((model.bodies[body].first + Role::PLANE.len() - 1) as u32));
-            let (sine, cosine) = (arena.sin(angle), arena.cos(angle));
-            let (cx, sy) = (arena.mul(cosine, local[0]), arena.mul(sine, local[1]));
-            let (sx, cy) = (arena.mul(sine, local[0]), arena.mul(cosine, local[1]));
-            vec![arena.sub(cx, sy), arena.add(sx, cy)]
-        }
+        Ambient::Space => arena.turned(body, [local[0], local[1], local[2]]).to_vec(),
+        Ambient::Plane => turned_in_plane(model, arena, body, local).to_vec(),
     }
 }

@@ -10,11 +10,11 @@
 //!
 //! Bodies are reached from ground, each by one relation. Rows of relations that reached a body hold by construction and are not solved.
 
-use super::{Coordinate, Equation, Level};
-use crate::expr::{Arena, Expr, Frame, Leaf, Mark, Node, Triple, cross, dot};
+use super::rows::Row;
+use super::{Choice, Coordinate};
+use crate::expr::{Arena, Expr, Frame, Leaf, Mark, Node, Triple, combination, cross, dot};
 use crate::geometry::rotation;
-use crate::model::DECLARED;
-use crate::model::{JointQuantity, Model, Place, Relationship, Triad};
+use crate::model::{DECLARED, JointQuantity, Model, Place, Relationship, Triad};
 use crate::quantity::{Axis, Dim, Role};
 use std::collections::{BTreeSet, HashMap};
 
@@ -37,34 +37,6 @@ pub(super) struct Forest<'a> {
     holding: BTreeSet<(usize, usize)>,
     rows: Vec<Row>,
     rewritten: HashMap<Expr, Expr>,
-}
-
-/// A row before it is differentiated.
-pub(super) struct Row {
-    /// Index of its joint.
-    pub(super) joint: usize,
-    /// Number within the joint.
-    pub(super) row: usize,
-    /// Dimension of Φ.
-    pub(super) dim: Dim,
-    /// Φ; of a row of velocities, its residual.
-    pub(super) phi: Expr,
-    /// True for a row of velocities.
-    pub(super) is_velocity: bool,
-}
-
-/// What is solved for.
-pub(super) struct Choice {
-    /// Unknowns.
-    pub(super) coordinates: Vec<Coordinate>,
-    /// Rows, in the order of joints.
-    pub(super) rows: Vec<Row>,
-    /// Components of the outputs.
-    pub(super) outputs: Vec<Vec<Expr>>,
-    /// Frame of each body in the arena.
-    pub(super) frames: Vec<usize>,
-    /// The joint by which each body was reached, and the body that it was reached from.
-    pub(super) reached: Vec<Option<(usize, Option<usize>)>>,
 }
 
 /// Chooses the unknowns of a mechanism in space, and writes its rows and outputs in them.
@@ -307,7 +279,7 @@ impl Forest<'_> {
         let sum = self.arena.sum(&squares);
         let one = self.arena.integer(1);
         let phi = self.arena.sub(sum, one);
-        self.rows.push(Row { joint: self.a_joint_of(body), row: 0, dim: Dim::NUMBER, phi, is_velocity: false });
+        self.rows.push(Row { joint: self.a_joint_of(body), row: 0, dim: Dim::NUMBER, residual: phi, is_velocity: false });
     }
 
     /// A joint of a body.
@@ -324,14 +296,7 @@ impl Forest<'_> {
         let Some(body) = triad.body else { return };
         self.reached[body] = Some((joint, from));
         // A = (x y z) Tᵀ
-        let columns = [0, 1, 2].map(|column| {
-            [0, 1, 2].map(|row| {
-                let parts = [0, 1, 2].map(|k| self.arena.mul(triad.axes[k][column], axes[k][row]));
-                let zero = self.arena.integer(0);
-                let terms: Vec<Expr> = parts.into_iter().filter(|part| *part != zero).collect();
-                self.arena.sum(&terms)
-            })
-        });
+        let columns = [0, 1, 2].map(|column| combination(self.arena, triad.axes.map(|axis| axis[column]), axes));
         let zero = self.arena.integer(0);
         let (mut velocity, mut acceleration, mut steady, mut turns) = match from.and_then(|from| self.frames[from]) {
             Some(frame) => {
@@ -403,22 +368,8 @@ impl Forest<'_> {
         let sizes = place.local.map(value);
         let least = (0..3).fold(0, |least, k| if sizes[k] < sizes[least] { k } else { least });
         let (zero, one) = (self.arena.integer(0), self.arena.integer(1));
-        let from = [0, 1, 2].map(|k| if k == least { one } else { zero });
-        let z = self.unit(place.local);
-        let along = dot(self.arena, from, z);
-        let across = [0, 1, 2].map(|k| {
-            let part = self.arena.mul(along, z[k]);
-            self.arena.sub(from[k], part)
-        });
-        let x = self.unit(across);
-        let y = cross(self.arena, z, x);
-        Triad { body: place.body, axes: [x, y, z] }
-    }
-
-    fn unit(&mut self, vector: Triple) -> Triple {
-        let square = dot(self.arena, vector, vector);
-        let length = self.arena.sqrt(square);
-        vector.map(|part| self.arena.div(part, length))
+        let toward = [0, 1, 2].map(|k| if k == least { one } else { zero });
+        Triad::along(self.arena, place, toward)
     }
 
     /// Declared orientation of a body at the start, as a quaternion.
@@ -433,7 +384,7 @@ impl Forest<'_> {
         let Some(body) = place.body else { return place.local };
         let quaternion = self.start_quaternion(body);
         let columns = rotation(self.arena, quaternion).0;
-        [0, 1, 2].map(|row| dot(self.arena, place.local, columns.map(|column| column[row])))
+        combination(self.arena, place.local, columns)
     }
 
     /// Position of a point at the declared start.
@@ -525,7 +476,7 @@ impl Forest<'_> {
             let d = self.arena.sub(q[k], p[k]);
             let part = self.arena.mul(unknown, z[k]);
             let phi = self.arena.sub(d, part);
-            self.rows.push(Row { joint, row: row + k.min(1), dim: Dim::LENGTH, phi, is_velocity: false });
+            self.rows.push(Row { joint, row: row + k.min(1), dim: Dim::LENGTH, residual: phi, is_velocity: false });
         }
         let quantity = JointQuantity::Displacement(triad, from, to);
         if let Some(index) = self.model.space.quantities.iter().position(|(known, _)| *known == quantity) {
@@ -546,12 +497,10 @@ impl Forest<'_> {
     }
 
     fn declared_rows(&mut self) {
-        for (joint, declared) in self.model.joints.iter().enumerate() {
-            for (row, residual) in declared.residuals.iter().enumerate() {
-                if !self.holding.contains(&(joint, row)) {
-                    let phi = self.rewrite(residual.expr);
-                    self.rows.push(Row { joint, row, dim: residual.dim, phi, is_velocity: residual.is_velocity });
-                }
+        for row in Row::declared(self.model) {
+            if !self.holding.contains(&(row.joint, row.row)) {
+                let residual = self.rewrite(row.residual);
+                self.rows.push(Row { residual, ..row });
             }
         }
     }
@@ -569,7 +518,7 @@ impl Forest<'_> {
             let (left, right) = (self.arena.mul(s, cosine), self.arena.mul(c, sine));
             let phi = self.arena.sub(left, right);
             let joint = two.body.or(one.body).map_or(0, |body| self.a_joint_of(body));
-            self.rows.push(Row { joint, row: 0, dim: Dim::NUMBER, phi, is_velocity: false });
+            self.rows.push(Row { joint, row: 0, dim: Dim::NUMBER, residual: phi, is_velocity: false });
         }
     }
 
@@ -639,8 +588,3 @@ impl Forest<'_> {
 
 /// Angles that place no body are kept from here on.
 const COUNTED: u32 = 1 << 30;
-
-/// A row without its derivatives.
-pub(super) fn equation(row: &Row, jacobian: Vec<(usize, Expr)>, nu: Expr, gamma: Expr) -> Equation {
-    Equation { joint: row.joint, row: row.row, dim: row.dim, level: Level::Position { phi: row.phi }, jacobian, nu, gamma }
-}

@@ -14,9 +14,10 @@ mod dynamics;
 mod forest;
 mod magnitude;
 mod pattern;
+mod rows;
 
 use crate::diag::{Diag, SystemFact};
-use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Rate, Seed, Substitution, derivative};
+use crate::expr::{Arena, Expr, Jets, Leaf, Seed, Substitution};
 use crate::model::{Model, Name, Said};
 use crate::quantity::{Ambient, Axis, Dim, Role, SpeedRole};
 use crate::structure::Pattern;
@@ -24,6 +25,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 pub use declared::DeclaredEquations;
 pub(crate) use magnitude::magnitude;
+use rows::{Differentiation, Row, coordinates_in};
 
 /// Unknowns and equations.
 #[derive(Clone, Debug)]
@@ -34,8 +36,6 @@ pub struct System {
     pub coordinates: Vec<Coordinate>,
     /// Speeds in the order of u.
     pub speeds: Vec<Speed>,
-    /// q̇ = N(q) u, by coordinate. In the plane N is the identity.
-    pub kinematics: Vec<Rate>,
     /// One equation for each row, in the order declared.
     pub equations: Vec<Equation>,
     /// Sparsity pattern: which equation contains which unknown.
@@ -177,6 +177,11 @@ impl System {
         (0..COSINES).map(entry).collect()
     }
 
+    /// The number of the speed that is the rate of each coordinate.
+    pub(crate) fn rates(&self) -> Vec<Option<u32>> {
+        rates(self.coordinates.len())
+    }
+
     /// The name of a coordinate: `crank.angle`.
     pub(crate) fn name(&self, model: &Model, coordinate: usize) -> String {
         let (owner, name) = self.owner_and_name(model, coordinate);
@@ -218,167 +223,81 @@ impl System {
 
 /// Differentiates every residual and output of a model.
 pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
-    match model.ambient {
-        Ambient::Plane => in_plane(model, diag),
-        Ambient::Space => in_space(model, diag),
-    }
-}
-
-fn in_space(model: &Model, diag: &mut Diag) -> Option<System> {
-    has_bodies(model, diag);
+    has_bodies(model, diag)?;
     let mut arena = model.arena.clone();
+    let Choice { coordinates, mut rows, outputs, frames, reached } = match model.ambient {
+        Ambient::Plane => in_plane(model),
+        Ambient::Space => forest::reduce(model, &mut arena),
+    };
+    let is_spatial = model.ambient == Ambient::Space;
+    rows::integrate(model, &mut arena, &coordinates, &mut rows, diag);
+    // In space the declared equations have the rows that are left.
+    rows.retain(|row| !(is_spatial && row.is_velocity));
+    let rates = rates(coordinates.len());
+    let columns = (0..coordinates.len() as u32).map(Leaf::Coordinate);
+    let mut derivatives = Differentiation::new(columns, Seed::constant_speeds(rates.clone()), 0);
+    let of_row = |row: &Row| {
+        let columns = coordinates_in(&arena, row.residual);
+        derivatives.of(&mut arena, row, columns)
+    };
+    let equations: Vec<Equation> = rows.iter().map(of_row).collect();
+    let mut motion = Jets::along(Seed::motion(rates));
+    let outputs = outputs.iter().map(|parts| OutputMotion { components: parts.iter().map(|part| motion.of(&mut arena, *part)).collect() });
+    let outputs = outputs.collect();
+    let lengths = lengths(&mut arena, model, &coordinates, &equations);
     no_joint_repeats_another(model, &mut arena, diag);
     if !diag.is_clean() {
         return None;
     }
-    let forest::Choice { coordinates, mut rows, outputs, frames, reached } = forest::reduce(model, &mut arena);
-    integrate(model, &mut arena, &coordinates, &mut rows, diag)?;
-    let kinematics: Vec<Rate> = (0..coordinates.len()).map(|number| Rate::Speed(number as u32)).collect();
-    let role = |role: Role| match role {
+    let pattern = pattern::pattern(model, &arena, coordinates.len(), &equations);
+    let (declared, unbalanced) = match model.ambient {
+        Ambient::Plane => (None, unbalanced(model, &mut arena)),
+        Ambient::Space => {
+            let mut declared = declared::declared(model);
+            let unbalanced = declared.unbalanced.take();
+            (Some(Box::new(declared)), unbalanced)
+        }
+    };
+    let speeds = coordinates.iter().map(|coordinate| Speed { body: coordinate.body, role: speed_of(coordinate.role) }).collect();
+    Some(System { arena, coordinates, speeds, equations, pattern, outputs, lengths, declared, frames, unbalanced, reached })
+}
+
+/// What is solved for: unknowns, and the rows and outputs in them.
+struct Choice {
+    coordinates: Vec<Coordinate>,
+    /// In the order of joints.
+    rows: Vec<Row>,
+    /// Components of the outputs.
+    outputs: Vec<Vec<Expr>>,
+    /// In space: the frame of each body in the arena.
+    frames: Vec<usize>,
+    /// In space: the joint by which each body was reached, and the body that it was reached from.
+    reached: Vec<Option<(usize, Option<usize>)>>,
+}
+
+/// In the plane the unknowns are the coordinates of the bodies.
+fn in_plane(model: &Model) -> Choice {
+    Choice {
+        coordinates: coordinates(model),
+        rows: Row::declared(model).collect(),
+        outputs: model.outputs.iter().map(|output| output.components.clone()).collect(),
+        frames: Vec::new(),
+        reached: Vec::new(),
+    }
+}
+
+/// q̇ = u: the rate of each coordinate is the speed of the same number.
+fn rates(coordinates: usize) -> Vec<Option<u32>> {
+    (0..coordinates as u32).map(Some).collect()
+}
+
+/// The role of the rate of a coordinate.
+fn speed_of(role: Role) -> SpeedRole {
+    match role {
         Role::Position(axis) => SpeedRole::Linear(axis),
         Role::Displacement => SpeedRole::Linear(Axis::X),
         Role::Angle | Role::Quaternion(_) => SpeedRole::Angular(Axis::Z),
-    };
-    let speeds = coordinates.iter().map(|coordinate| Speed { body: coordinate.body, role: role(coordinate.role) }).collect();
-    let mut by_coordinate: Vec<Derivatives> =
-        (0..coordinates.len()).map(|index| Derivatives::new(Leaf::Coordinate(index as u32))).collect();
-    let mut by_time = Derivatives::new(Leaf::Time);
-    let mut along = Jets::along(Seed::constant_speeds(kinematics.clone()));
-    let mut equations = Vec::new();
-    for row in &rows {
-        let mut jacobian = Vec::new();
-        for leaf in arena.leaves(row.phi) {
-            let Leaf::Coordinate(index) = leaf else { continue };
-            jacobian.push((index as usize, by_coordinate[index as usize].of(&mut arena, row.phi)));
-        }
-        jacobian.retain(|(_, entry)| !arena.as_constant(*entry).is_some_and(|value| value.is_zero()));
-        let rate = by_time.of(&mut arena, row.phi);
-        let nu = arena.neg(rate);
-        let [_, _, second] = along.of(&mut arena, row.phi);
-        let gamma = arena.neg(second);
-        equations.push(forest::equation(row, jacobian, nu, gamma));
     }
-    let mut motion = Jets::along(Seed::motion(kinematics.clone()));
-    let motions = outputs.iter().map(|parts| OutputMotion { components: parts.iter().map(|part| motion.of(&mut arena, *part)).collect() });
-    let outputs = motions.collect();
-    let lengths = lengths(&mut arena, model, &coordinates, &equations);
-    let pattern = pattern::pattern(model, &arena, coordinates.len(), &equations);
-    let mut declared = declared::declared(model);
-    let unbalanced = declared.unbalanced.take();
-    let declared = Some(Box::new(declared));
-    Some(System { arena, coordinates, speeds, kinematics, equations, pattern, outputs, lengths, declared, frames, unbalanced, reached })
-}
-
-/// Replaces rows of velocities by the rows of positions of which they are the rates. Others are refused if they have to be solved, and
-/// left out if only the declared equations are wanted.
-fn integrate(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &mut Vec<forest::Row>, diag: &mut Diag) -> Option<()> {
-    let mut said = Said::default();
-    rows.retain_mut(|row| {
-        if !row.is_velocity {
-            return true;
-        }
-        if let Some(phi) = integral(arena, coordinates, row.phi) {
-            (row.phi, row.is_velocity) = (phi, false);
-            return true;
-        }
-        let joint = &model.joints[row.joint];
-        if model.task.is_solved() && said.is_new(&joint.name) {
-            let (name, of) = (joint.name.to_string(), joint.residuals.len());
-            diag.refuse::<()>(&joint.name, SystemFact::Nonholonomic { joint: name, row: row.row + 1, of });
-        }
-        false
-    });
-    diag.is_clean().then_some(())
-}
-
-/// Σ a (q − q₀) − b t of a row of velocities a · u = b with constant factors; q₀ are the declared start values.
-fn integral(arena: &mut Arena, coordinates: &[Coordinate], residual: Expr) -> Option<Expr> {
-    let mut known = std::collections::HashMap::new();
-    let residual = arena.plain(residual, &mut known);
-    let (factors, side) = declared::affine(arena, residual);
-    let is_fixed = |arena: &Arena, expr: Expr| arena.leaves(expr).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)));
-    if !is_fixed(arena, side) || !factors.iter().all(|(_, factor)| is_fixed(arena, *factor)) {
-        return None;
-    }
-    let time = arena.leaf(Leaf::Time);
-    let way = arena.mul(side, time);
-    let mut phi = arena.neg(way);
-    for (number, factor) in factors {
-        let q = arena.leaf(Leaf::Coordinate(number));
-        let start = coordinates.get(number as usize)?.start;
-        let change = start.map_or(q, |start| arena.sub(q, start));
-        let term = arena.mul(factor, change);
-        phi = arena.add(phi, term);
-    }
-    Some(phi)
-}
-
-fn in_plane(model: &Model, diag: &mut Diag) -> Option<System> {
-    let mut arena = model.arena.clone();
-    let (coordinates, speeds, kinematics) = (coordinates(model), speeds(model), kinematics(model));
-    let mut equations = Vec::new();
-    let mut by_coordinate: Vec<Derivatives> =
-        (0..coordinates.len()).map(|index| Derivatives::new(Leaf::Coordinate(index as u32))).collect();
-    let mut by_time = Derivatives::new(Leaf::Time);
-    let mut along = Jets::along(Seed::constant_speeds(kinematics.clone()));
-    for (joint, declared) in model.joints.iter().enumerate() {
-        for (row, residual) in declared.residuals.iter().enumerate() {
-            let mut velocity = residual.is_velocity.then_some(residual.expr);
-            let mut phi = residual.expr;
-            if let Some(found) = velocity.and_then(|row| integral(&mut arena, &coordinates, row)) {
-                (velocity, phi) = (None, found);
-            }
-            if let Some(residual_row) = velocity {
-                if model.task.is_solved() {
-                    let (name, of) = (declared.name.to_string(), declared.residuals.len());
-                    diag.refuse::<()>(&declared.name, SystemFact::Nonholonomic { joint: name, row: row + 1, of });
-                }
-                let (factors, nu) = declared::affine(&mut arena, residual_row);
-                let jacobian = factors.into_iter().map(|(speed, entry)| (speed as usize, entry)).collect();
-                let [_, first, _] = along.of(&mut arena, residual_row);
-                let gamma = arena.neg(first);
-                equations.push(Equation { joint, row, dim: residual.dim, level: Level::Velocity, jacobian, nu, gamma });
-                continue;
-            }
-            let mut jacobian = Vec::new();
-            for leaf in arena.leaves(phi) {
-                let Leaf::Coordinate(index) = leaf else { continue };
-                let entry = by_coordinate[index as usize].of(&mut arena, phi);
-                by_speed(&mut arena, &mut jacobian, entry, kinematics[index as usize]);
-            }
-            jacobian.retain(|(_, entry)| !arena.as_constant(*entry).is_some_and(|value| value.is_zero()));
-            let rate = by_time.of(&mut arena, phi);
-            let nu = arena.neg(rate);
-            let [_, _, second] = along.of(&mut arena, phi);
-            let gamma = arena.neg(second);
-            equations.push(Equation { joint, row, dim: residual.dim, level: Level::Position { phi }, jacobian, nu, gamma });
-        }
-    }
-    let mut motion = Jets::along(Seed::motion(kinematics.clone()));
-    let outputs = model
-        .outputs
-        .iter()
-        .map(|output| OutputMotion { components: output.components.iter().map(|part| motion.of(&mut arena, *part)).collect() });
-    let outputs = outputs.collect();
-    let lengths = lengths(&mut arena, model, &coordinates, &equations);
-    has_bodies(model, diag);
-    no_joint_repeats_another(model, &mut arena, diag);
-    let pattern = pattern::pattern(model, &arena, speeds.len(), &equations);
-    let unbalanced = unbalanced(model, &mut arena);
-    diag.is_clean().then_some(System {
-        arena,
-        coordinates,
-        speeds,
-        kinematics,
-        equations,
-        pattern,
-        outputs,
-        lengths,
-        declared: None,
-        frames: Vec::new(),
-        unbalanced,
-        reached: Vec::new(),
-    })
 }
 
 /// What forces and masses leave to joints and drives, and where joints state it.
@@ -403,38 +322,6 @@ fn coordinates(model: &Model) -> Vec<Coordinate> {
     model.bodies.iter().enumerate().flat_map(of_body).collect()
 }
 
-fn speeds(model: &Model) -> Vec<Speed> {
-    (0..model.bodies.len()).flat_map(|body| SpeedRole::PLANE.map(|role| Speed { body, role })).collect()
-}
-
-/// q̇ = u: each coordinate of a body in the plane has the speed of the same number.
-fn kinematics(model: &Model) -> Vec<Rate> {
-    let speeds: usize = model.bodies.iter().map(|body| body.coordinates.len()).sum();
-    (0..speeds).map(|speed| Rate::Speed(speed as u32)).collect()
-}
-
-/// Adds ∂Φ/∂q_c ∂q̇_c/∂u to a row of Φ_u, given `entry` = ∂Φ/∂q_c.
-fn by_speed(arena: &mut Arena, row: &mut Vec<(usize, Expr)>, entry: Expr, rate: Rate) {
-    let parts: Vec<(usize, Expr)> = match rate {
-        Rate::Speed(speed) => vec![(speed as usize, entry)],
-        Rate::Given([rate, _]) => {
-            let speeds = arena.leaves(rate).into_iter().filter_map(|leaf| if let Leaf::Speed(speed) = leaf { Some(speed) } else { None });
-            let speeds: Vec<u32> = speeds.collect();
-            let of_speed = |speed: u32| {
-                let slope = derivative(arena, rate, Leaf::Speed(speed));
-                (speed as usize, arena.mul(entry, slope))
-            };
-            speeds.into_iter().map(of_speed).collect()
-        }
-    };
-    for (speed, part) in parts {
-        match row.iter_mut().find(|(known, _)| *known == speed) {
-            Some((_, sum)) => *sum = arena.add(*sum, part),
-            None => row.push((speed, part)),
-        }
-    }
-}
-
 /// Lengths in the declaration that determine the characteristic length.
 fn lengths(arena: &mut Arena, model: &Model, coordinates: &[Coordinate], equations: &[Equation]) -> Vec<Expr> {
     let is_zero = |length: &Expr| arena.as_constant(*length).is_some_and(|value| value.is_zero());
@@ -455,10 +342,11 @@ fn lengths(arena: &mut Arena, model: &Model, coordinates: &[Coordinate], equatio
     lengths
 }
 
-fn has_bodies(model: &Model, diag: &mut Diag) {
+fn has_bodies(model: &Model, diag: &mut Diag) -> Option<()> {
     if model.bodies.is_empty() {
-        diag.refuse::<()>(&model.name, SystemFact::NoBodies { name: model.name.to_string() });
+        return diag.refuse(&model.name, SystemFact::NoBodies { name: model.name.to_string() });
     }
+    Some(())
 }
 
 /// Reports a joint if every equation of it is an equation of earlier joints.

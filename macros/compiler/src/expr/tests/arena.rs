@@ -1,7 +1,7 @@
 use std::collections::BTreeSet;
 
 use super::expr;
-use crate::expr::{Arena, Exact, Jets, Leaf, Rate, Seed, derivative, evaluate, show};
+use crate::expr::{Arena, Exact, Jets, Leaf, Seed, derivative, evaluate, show};
 
 #[test]
 fn the_same_node_has_the_same_place() {
@@ -79,7 +79,7 @@ fn deep_expressions_do_not_overflow_the_stack() {
         root = arena.add(sine, x);
     }
     let slope = derivative(&mut arena, root, Leaf::Coordinate(0));
-    let [_, first, _] = Jets::along(Seed::motion((0..8).map(Rate::Speed).collect())).of(&mut arena, root);
+    let [_, first, _] = Jets::along(Seed::motion((0..8).map(Some).collect())).of(&mut arena, root);
     let point = super::Point::random(&mut super::random::Random::new(4));
     let expected = point.speeds[0] * point.value_of(&arena, slope);
     super::assert_close(point.value_of(&arena, first), expected, 1e-9, "deep");

@@ -1,0 +1,141 @@
+//! Rows, and their derivatives.
+//!
+//! ```text
+//! Φ(q, t) = 0      Φ_u = ∂Φ/∂q by the coordinates or turns,  ν = −Φ_t,  γ = −d²/ds² Φ at constant speeds
+//! a · u − b = 0    Φ_u = a,                                  ν = b,     γ = ḃ − ȧ · u
+//! ```
+
+use super::{Coordinate, Equation, Level};
+use crate::diag::{Diag, SystemFact};
+use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Seed, Substitution, derivative};
+use crate::model::{Model, Said};
+use crate::quantity::Dim;
+use std::collections::HashMap;
+
+/// A row before it is differentiated.
+pub(super) struct Row {
+    /// Index of its joint.
+    pub(super) joint: usize,
+    /// Number within the joint.
+    pub(super) row: usize,
+    /// Dimension of Φ; of a row of velocities, dimension of its integral.
+    pub(super) dim: Dim,
+    /// Φ; of a row of velocities, a · u − b.
+    pub(super) residual: Expr,
+    /// True for a row of velocities.
+    pub(super) is_velocity: bool,
+}
+
+impl Row {
+    /// The rows that a model declares.
+    pub(super) fn declared(model: &Model) -> impl Iterator<Item = Row> {
+        let of_joint = |(joint, declared): (usize, &crate::model::Joint)| {
+            let rows = declared.residuals.iter().enumerate().map(move |(row, residual)| Row {
+                joint,
+                row,
+                dim: residual.dim,
+                residual: residual.expr,
+                is_velocity: residual.is_velocity,
+            });
+            rows.collect::<Vec<_>>()
+        };
+        model.joints.iter().enumerate().flat_map(of_joint)
+    }
+}
+
+/// The derivatives of rows, stored so that many rows share their work. Belongs to one arena.
+pub(super) struct Differentiation {
+    by_column: Vec<Derivatives>,
+    by_time: Derivatives,
+    along: Jets,
+    first_speed: u32,
+}
+
+impl Differentiation {
+    /// Column k of Φ_u is the derivative by the k-th variable; speeds are numbered from `first_speed` on.
+    pub(super) fn new(columns: impl Iterator<Item = Leaf>, at_constant_speeds: Seed, first_speed: u32) -> Differentiation {
+        Differentiation {
+            by_column: columns.map(Derivatives::new).collect(),
+            by_time: Derivatives::new(Leaf::Time),
+            along: Jets::along(at_constant_speeds),
+            first_speed,
+        }
+    }
+
+    /// The equation of a row; its entries in all columns but these are zero.
+    pub(super) fn of(&mut self, arena: &mut Arena, row: &Row, columns: impl IntoIterator<Item = usize>) -> Equation {
+        let Row { joint, row: number, dim, residual, is_velocity } = *row;
+        if is_velocity {
+            let (factors, nu) = affine(arena, residual);
+            let jacobian = factors.into_iter().map(|(speed, factor)| ((speed - self.first_speed) as usize, factor)).collect();
+            let [_, first, _] = self.along.of(arena, residual);
+            return Equation { joint, row: number, dim, level: Level::Velocity, jacobian, nu, gamma: arena.neg(first) };
+        }
+        let entries = columns.into_iter().map(|column| (column, self.by_column[column].of(arena, residual)));
+        let mut jacobian: Vec<(usize, Expr)> = entries.collect();
+        jacobian.retain(|(_, entry)| !arena.as_constant(*entry).is_some_and(|value| value.is_zero()));
+        let rate = self.by_time.of(arena, residual);
+        let nu = arena.neg(rate);
+        let [_, _, second] = self.along.of(arena, residual);
+        let gamma = arena.neg(second);
+        Equation { joint, row: number, dim, level: Level::Position { phi: residual }, jacobian, nu, gamma }
+    }
+}
+
+/// The coordinates that an expression contains, in ascending order.
+pub(super) fn coordinates_in(arena: &Arena, expr: Expr) -> Vec<usize> {
+    let number = |leaf: Leaf| if let Leaf::Coordinate(number) = leaf { Some(number as usize) } else { None };
+    arena.leaves(expr).into_iter().filter_map(number).collect()
+}
+
+/// a by number of the speed, and b, of an expression a · u − b.
+fn affine(arena: &mut Arena, residual: Expr) -> (Vec<(u32, Expr)>, Expr) {
+    let zero = arena.integer(0);
+    let mut still = Substitution::new();
+    let mut factors = Vec::new();
+    for leaf in arena.leaves(residual) {
+        let Leaf::Speed(number) = leaf else { continue };
+        still.replace(leaf, zero);
+        let factor = derivative(arena, residual, leaf);
+        if factor != zero {
+            factors.push((number, factor));
+        }
+    }
+    let rest = still.of(arena, residual);
+    (factors, arena.neg(rest))
+}
+
+/// Replaces rows of velocities by the rows of positions of which they are the rates, and refuses the others if they have to be solved.
+pub(super) fn integrate(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &mut [Row], diag: &mut Diag) {
+    let mut said = Said::default();
+    for row in rows.iter_mut().filter(|row| row.is_velocity) {
+        let joint = &model.joints[row.joint];
+        if let Some(phi) = integral(arena, coordinates, row.residual) {
+            (row.residual, row.is_velocity) = (phi, false);
+        } else if model.task.is_solved() && said.is_new(&joint.name) {
+            let (name, of) = (joint.name.to_string(), joint.residuals.len());
+            diag.refuse::<()>(&joint.name, SystemFact::Nonholonomic { joint: name, row: row.row + 1, of });
+        }
+    }
+}
+
+/// Σ a (q − q₀) − b t of a row of velocities a · u = b with constant factors; q₀ are the declared start values.
+fn integral(arena: &mut Arena, coordinates: &[Coordinate], residual: Expr) -> Option<Expr> {
+    let residual = arena.plain(residual, &mut HashMap::new());
+    let (factors, side) = affine(arena, residual);
+    let is_fixed = |arena: &Arena, expr: Expr| arena.leaves(expr).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_)));
+    if !is_fixed(arena, side) || !factors.iter().all(|(_, factor)| is_fixed(arena, *factor)) {
+        return None;
+    }
+    let time = arena.leaf(Leaf::Time);
+    let way = arena.mul(side, time);
+    let mut phi = arena.neg(way);
+    for (number, factor) in factors {
+        let q = arena.leaf(Leaf::Coordinate(number));
+        let start = coordinates.get(number as usize)?.start;
+        let change = start.map_or(q, |start| arena.sub(q, start));
+        let term = arena.mul(factor, change);
+        phi = arena.add(phi, term);
+    }
+    Some(phi)
+}
