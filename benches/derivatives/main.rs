@@ -1,7 +1,7 @@
 //! What derivatives by parameters cost, beside a warm step: `cargo run --release -p reuleaux-benches --bin derivatives`.
 //!
-//! A warm step and a new state with its derivatives are each followed by the tracked point with its rate and acceleration, and measured
-//! in turns.
+//! A warm step writes its state in place (`advance`). Derivatives are measured both ways: in place (`update_derivatives`), and with a
+//! new state for each (`derivatives`). Each is followed by the tracked point with its rate and acceleration; all are measured in turns.
 
 mod mechanisms;
 
@@ -10,7 +10,7 @@ use std::hint::black_box;
 use mechanisms::*;
 use reuleaux::Mechanism;
 
-/// Measures a mechanism: a warm step, derivatives by one parameter, and by all.
+/// Measures a mechanism: a warm step, and derivatives by one parameter and by all, in place and as new states.
 macro_rules! measure {
     ($name:literal, $mechanism:ident, $state:ident, $output:ident, $one:ident, [$($all:ident),*]) => {{
         let mechanism = $mechanism::default();
@@ -23,31 +23,56 @@ macro_rules! measure {
                 black_box(mechanism.$output(&state));
             }
         };
+        let (varied, there) = mechanism.derivatives(&states[0], |m| [&mut m.$one]).expect("a state");
+        let mut there = $state(there);
         let mut of_one = || {
+            for state in &states[1..] {
+                mechanism.update_derivatives(state, &varied, &mut there.0).expect("a state");
+                black_box(varied.$output(&there));
+            }
+        };
+        let by_all = |state: &$state| {
+            let all = mechanism.derivatives(state, |m| {
+                let $mechanism { $($all),* } = m;
+                [$($all),*]
+            });
+            all.expect("a state")
+        };
+        let (varied_by_all, there) = by_all(&states[0]);
+        let mut there_by_all = $state(there);
+        let mut of_all = || {
+            for state in &states[1..] {
+                mechanism.update_derivatives(state, &varied_by_all, &mut there_by_all.0).expect("a state");
+                black_box(varied_by_all.$output(&there_by_all));
+            }
+        };
+        let mut new_of_one = || {
             for state in &states[1..] {
                 let (varied, state) = mechanism.derivatives(state, |m| [&mut m.$one]).expect("a state");
                 black_box(varied.$output(&$state(state)));
             }
         };
-        let mut of_all = || {
+        let mut new_of_all = || {
             for state in &states[1..] {
-                let all = mechanism.derivatives(state, |m| {
-                    let $mechanism { $($all),* } = m;
-                    [$($all),*]
-                });
-                let (varied, state) = all.expect("a state");
+                let (varied, state) = by_all(state);
                 black_box(varied.$output(&$state(state)));
             }
         };
         let count = [$(stringify!($all)),*].len();
-        let found = measured(&mut [&mut step, &mut of_one, &mut of_all]);
-        let [step, one, all] = found[..] else { unreachable!("three ways") };
-        println!("| {} | {step:.0} ns | {one:.0} ns | {count} | {all:.0} ns | {:.2} |", $name, all / step / count as f64);
+        let found = measured(&mut [&mut step, &mut of_one, &mut of_all, &mut new_of_one, &mut new_of_all]);
+        let [step, one, all, new_one, new_all] = found[..] else { unreachable!("five ways") };
+        let each = |all: f64| all / step / count as f64;
+        println!(
+            "| {} | {step:.0} ns | {count} | {one:.0} ns | {all:.0} ns | {:.2} | {new_one:.0} ns | {new_all:.0} ns | {:.2} |",
+            $name,
+            each(all),
+            each(new_all)
+        );
     }};
 }
 
 fn main() {
-    println!("| mechanism | warm step and output | by 1 parameter | parameters | by all | for each, in steps |");
-    println!("| --- | ---: | ---: | ---: | ---: | ---: |");
+    println!("| mechanism | warm step and output | parameters | in place: by 1 | by all | for each, in steps | new: by 1 | by all | for each |");
+    println!("| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |");
     each!(measure);
 }

@@ -1,0 +1,190 @@
+//! What is solved for in space: positions, angles and displacements of joints, and quaternions only where no joint says more.
+//!
+//! ```text
+//! axes of one direction      A_j = A_i T_i R_z(θ) T_jᵀ                 one angle for two rows
+//! equal triads               A_j = A_i T_i T_jᵀ                        no unknown for three rows
+//! perpendicular vectors      A_j = A_i T_i R_z(α) R_x(90°) R_z(β) T_jᵀ  two angles for one row
+//! no relation                A_j = A(e),  e · e = 1                    four components, one row more
+//! point on a line            r_Q = r_P + s z                           one displacement, three rows for two
+//! ```
+//!
+//! Bodies are reached from ground, each by one relation. Rows of relations that reached a body hold by construction and are not solved.
+
+mod lines;
+mod orientation;
+mod rewrite;
+mod start;
+
+use super::rows::Row;
+use super::{Choice, Coordinate};
+use crate::expr::{Arena, Expr, Leaf, Triple};
+use crate::model::{DECLARED, Model, Place, Relationship, Triad};
+use crate::quantity::{Axis, Role};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+/// Unknowns and rows of a mechanism in space.
+pub(super) struct Forest<'a> {
+    model: &'a Model,
+    arena: &'a mut Arena,
+    /// Frame of each body in the arena.
+    frames: Vec<Option<usize>>,
+    /// Number of relations between ground and the body.
+    depths: Vec<usize>,
+    coordinates: Vec<Coordinate>,
+    /// The relation's joint by which each body was reached, and the body that it was reached from.
+    reached: Vec<Option<(usize, Option<usize>)>>,
+    /// Angles between triads.
+    angles: Vec<(Triad, Triad, Expr)>,
+    /// Displacements along lines that place a body, by number of the quantity.
+    displacements: HashMap<u32, Expr>,
+    /// Angles that joints name but that place no body, by number of the quantity.
+    further_angles: BTreeMap<u32, Expr>,
+    /// Rows that hold by construction.
+    holding: BTreeSet<(usize, usize)>,
+    rows: Vec<Row>,
+    rewritten: HashMap<Expr, Expr>,
+}
+
+/// Chooses the unknowns of a mechanism in space, and writes its rows and outputs in them.
+pub(super) fn reduce(model: &Model, arena: &mut Arena) -> Choice {
+    let bodies = model.bodies.len();
+    let mut forest = Forest {
+        model,
+        arena,
+        frames: vec![None; bodies],
+        depths: vec![usize::MAX; bodies],
+        coordinates: Vec::new(),
+        reached: vec![None; bodies],
+        angles: Vec::new(),
+        displacements: HashMap::new(),
+        further_angles: BTreeMap::new(),
+        holding: BTreeSet::new(),
+        rows: Vec::new(),
+        rewritten: HashMap::new(),
+    };
+    forest.positions();
+    forest.orientations();
+    forest.lines();
+    forest.declared_rows();
+    forest.rows.sort_by_key(|row| row.joint);
+    let outputs = model.outputs.iter().map(|output| output.components.iter().map(|part| forest.rewrite(*part)).collect()).collect();
+    forest.rows_of_further_angles();
+    forest.rows.sort_by_key(|row| row.joint);
+    let frames = forest.frames.iter().map(|frame| frame.unwrap_or(0)).collect();
+    Choice { coordinates: forest.coordinates, rows: forest.rows, outputs, frames, reached: forest.reached }
+}
+
+impl Forest<'_> {
+    fn positions(&mut self) {
+        for (body, declared) in self.model.bodies.iter().enumerate() {
+            for (role, axis) in Role::SPACE.into_iter().zip([Axis::X, Axis::Y, Axis::Z]) {
+                let start = declared.coordinates.iter().find(|coordinate| coordinate.role == role).and_then(|found| found.start);
+                self.coordinates.push(Coordinate { body, role: Role::Position(axis), start, of_joint: None });
+            }
+        }
+    }
+
+    /// Position of a body.
+    fn origin(&mut self, body: usize) -> Triple {
+        [0, 1, 2].map(|axis| self.arena.leaf(Leaf::Coordinate((3 * body + axis) as u32)))
+    }
+
+    /// A new unknown.
+    fn unknown(&mut self, body: usize, role: Role, start: Option<Expr>, of_joint: Option<(usize, &'static str)>) -> (u32, Expr) {
+        let number = self.coordinates.len() as u32;
+        self.coordinates.push(Coordinate { body, role, start, of_joint });
+        (number, self.arena.leaf(Leaf::Coordinate(number)))
+    }
+
+    /// Depth of a body, or of ground; `None` if it has not been reached.
+    fn depth(&self, body: Option<usize>) -> Option<usize> {
+        match body {
+            None => Some(0),
+            Some(body) => self.frames[body].map(|_| self.depths[body]),
+        }
+    }
+
+    /// Reaches every body.
+    fn orientations(&mut self) {
+        loop {
+            if let Some((joint, row, relation)) = self.next_relation() {
+                self.reach(joint, row, relation);
+            } else if let Some(body) = self.frames.iter().position(Option::is_none) {
+                self.free(body);
+            } else {
+                return;
+            }
+        }
+    }
+
+    /// The relation that reaches a new body by the fewest unknowns, and of these the nearest to ground.
+    fn next_relation(&self) -> Option<(usize, usize, Relationship)> {
+        let rank = |(joint, _, relation): &&(usize, usize, Relationship)| {
+            let (unknowns, bodies) = match relation {
+                Relationship::SameOrientation(one, two) => (0, [one.body, two.body]),
+                Relationship::SameDirection(one, two) => (1, [one.body, two.body]),
+                Relationship::Perpendicular(one, two) => (2, [one.body, two.body]),
+                Relationship::Coincident(..) | Relationship::OnLine(..) => return None,
+            };
+            match bodies.map(|body| self.depth(body)) {
+                [Some(depth), None] | [None, Some(depth)] => Some((self.model.joints[*joint].is_redundant, unknowns, depth)),
+                _ => None,
+            }
+        };
+        let relations = self.model.space.relations.iter();
+        relations.filter_map(|relation| Some((rank(&relation)?, relation))).min_by_key(|(rank, _)| *rank).map(|(_, relation)| *relation)
+    }
+
+    fn reach(&mut self, joint: usize, row: usize, relation: Relationship) {
+        self.holding.extend((0..relation.rows()).map(|offset| (joint, row + offset)));
+        match relation {
+            Relationship::SameOrientation(one, two) => {
+                let (inner, outer) = self.inward(one, two);
+                let axes = self.in_ground(inner);
+                self.attach(joint, inner.body, outer, axes, &[]);
+            }
+            Relationship::SameDirection(one, two) => self.reach_by_angle(joint, one, two),
+            Relationship::Perpendicular(one, two) => self.reach_by_two_angles(joint, one, two),
+            Relationship::Coincident(..) | Relationship::OnLine(..) => {}
+        }
+    }
+
+    /// The triad of the body that has been reached, and that of the other.
+    fn inward(&self, one: Triad, two: Triad) -> (Triad, Triad) {
+        if self.depth(one.body).is_some() { (one, two) } else { (two, one) }
+    }
+
+    /// A joint of a body.
+    fn a_joint_of(&self, body: usize) -> usize {
+        let first = DECLARED + (Role::SPACE.len() * body) as u32;
+        let own = first..first + Role::SPACE.len() as u32;
+        let is_of =
+            |expr: Expr| self.model.arena.leaves(expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(number) if own.contains(number)));
+        self.model.joints.iter().position(|joint| joint.residuals.iter().any(|residual| is_of(residual.expr))).unwrap_or(0)
+    }
+
+    /// The axes of a triad in ground.
+    fn in_ground(&mut self, triad: Triad) -> [Triple; 3] {
+        triad.axes.map(|axis| self.vector(Place { body: triad.body, local: axis }))
+    }
+
+    /// A vector fixed in a body, in ground.
+    fn vector(&mut self, place: Place) -> Triple {
+        match place.body.and_then(|body| self.frames[body]) {
+            Some(frame) => self.arena.turned(frame, place.local),
+            None => place.local,
+        }
+    }
+
+    /// A point in ground.
+    fn point(&mut self, place: Place) -> Triple {
+        let turned = self.vector(place);
+        match place.body {
+            Some(body) => {
+                let origin = self.origin(body);
+                [0, 1, 2].map(|k| self.arena.add(origin[k], turned[k]))
+            }
+            None => turned,
+        }
+    }
+}

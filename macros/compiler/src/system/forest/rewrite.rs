@@ -1,0 +1,129 @@
+//! Declared rows and outputs in the unknowns.
+
+use super::super::rows::Row;
+use super::Forest;
+use crate::expr::{Binary, Expr, Leaf, Mark, Node, dot};
+use crate::model::{DECLARED, JointQuantity, Place, Triad};
+use crate::quantity::{Dim, Role};
+
+impl Forest<'_> {
+    /// An angle of two triads by those that are known, if a chain of joints about one direction leads from one to the other.
+    fn by_known_angles(&mut self, one: Triad, two: Triad) -> Option<Expr> {
+        let zero = self.arena.integer(0);
+        // Triads on the way, each with its angle against the first.
+        let mut found = vec![(one, zero)];
+        let mut next = 0;
+        while next < found.len() {
+            let (here, angle) = found[next];
+            next += 1;
+            if here.body == two.body && here.axes[2] == two.axes[2] {
+                let rest = self.direction_in(here, two);
+                return Some(self.arena.add(angle, rest));
+            }
+            for (a, b, between) in self.angles.clone() {
+                for (near, far, is_forward) in [(a, b, true), (b, a, false)] {
+                    let is_new = !found.iter().any(|(known, _)| known.body == far.body);
+                    if near.body == here.body && near.axes[2] == here.axes[2] && is_new {
+                        let own = self.direction_in(here, near);
+                        let sum = self.arena.add(angle, own);
+                        let sum = if is_forward { self.arena.add(sum, between) } else { self.arena.sub(sum, between) };
+                        found.push((far, sum));
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    /// Angle of the x axis of a triad in another one with the same z axis.
+    fn direction_in(&mut self, of: Triad, triad: Triad) -> Expr {
+        let (s, c) = (dot(self.arena, triad.axes[0], of.axes[1]), dot(self.arena, triad.axes[0], of.axes[0]));
+        self.arena.binary(Binary::Atan2, s, c)
+    }
+
+    pub(super) fn declared_rows(&mut self) {
+        for row in Row::declared(self.model) {
+            if !self.holding.contains(&(row.joint, row.row)) {
+                let residual = self.rewrite(row.residual);
+                self.rows.push(Row { residual, ..row });
+            }
+        }
+    }
+
+    /// Rows of the angles that joints name but that place no body.
+    pub(super) fn rows_of_further_angles(&mut self) {
+        for (number, unknown) in self.further_angles.clone() {
+            let (JointQuantity::Angle(one, two), _) = self.model.space.quantities[number as usize] else { continue };
+            let ([x, y, _], [other, _, _]) = (self.in_ground(one), self.in_ground(two));
+            let (s, c) = (dot(self.arena, y, other), dot(self.arena, x, other));
+            let (sine, cosine) = (self.arena.sin(unknown), self.arena.cos(unknown));
+            let (left, right) = (self.arena.mul(s, cosine), self.arena.mul(c, sine));
+            let phi = self.arena.sub(left, right);
+            let joint = two.body.or(one.body).map_or(0, |body| self.a_joint_of(body));
+            self.rows.push(Row { joint, row: 0, dim: Dim::NUMBER, residual: phi, is_velocity: false });
+        }
+    }
+
+    /// A declared expression in the unknowns.
+    pub(super) fn rewrite(&mut self, root: Expr) -> Expr {
+        let whole = |node: &Node| matches!(node, Node::Marked { mark: Mark::Turned { .. } | Mark::OfJoint(_), .. });
+        for expr in self.arena.reachable_above(&[root], whole) {
+            if self.rewritten.contains_key(&expr) {
+                continue;
+            }
+            let node = *self.arena.node(expr);
+            let at = |this: &Self, child: Expr| this.rewritten.get(&child).copied().unwrap_or(child);
+            let new = match node {
+                Node::Leaf(Leaf::Coordinate(number)) if number >= DECLARED => {
+                    let (body, role) = ((number - DECLARED) as usize / Role::SPACE.len(), (number - DECLARED) as usize % Role::SPACE.len());
+                    self.arena.leaf(Leaf::Coordinate((3 * body + role) as u32))
+                }
+                Node::Leaf(Leaf::Speed(number)) if number >= DECLARED => self.speed((number - DECLARED) as usize),
+                Node::Marked { mark: Mark::Turned { vector, axis }, .. } => {
+                    let (body, local) = self.arena.vector(vector);
+                    self.vector(Place { body: Some(body), local })[usize::from(axis)]
+                }
+                Node::Marked { mark: Mark::OfJoint(number), value } => self.quantity(number, value),
+                _ => {
+                    let children: Vec<Expr> = node.children().map(|child| at(self, child)).collect();
+                    self.arena.with_children(expr, &children)
+                }
+            };
+            self.rewritten.insert(expr, new);
+        }
+        self.rewritten[&root]
+    }
+
+    /// A declared speed in the rates of the unknowns.
+    fn speed(&mut self, number: usize) -> Expr {
+        let (body, at) = (number / 6, number % 6);
+        match (at.checked_sub(3), self.frames[body]) {
+            (None, _) => self.arena.leaf(Leaf::Speed((3 * body + at) as u32)),
+            (Some(axis), Some(frame)) => self.arena.frame(frame).velocity[axis],
+            (Some(_), None) => self.arena.integer(0),
+        }
+    }
+
+    /// An angle or a displacement of a joint in the unknowns.
+    fn quantity(&mut self, number: u32, value: Expr) -> Expr {
+        if let Some(known) = self.displacements.get(&number).or_else(|| self.further_angles.get(&number)) {
+            return *known;
+        }
+        match self.model.space.quantities[number as usize].0 {
+            JointQuantity::Displacement(..) => {
+                let Node::Marked { value, .. } = *self.arena.node(value) else { return self.rewrite(value) };
+                self.rewrite(value)
+            }
+            JointQuantity::Angle(one, two) => {
+                if let Some(angle) = self.by_known_angles(one, two) {
+                    return angle;
+                }
+                let body = two.body.or(one.body).unwrap_or(0);
+                let start = self.start_angle(one, two);
+                let (_, unknown) = self.unknown(body, Role::Angle, start, Some((self.a_joint_of(body), "angle")));
+                self.further_angles.insert(number, unknown);
+                unknown
+            }
+        }
+    }
+}
