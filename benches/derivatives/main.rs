@@ -72,7 +72,9 @@ macro_rules! measure {
 }
 
 fn main() {
-    println!("| mechanism | warm step and output | parameters | in place: by 1 | by all | for each, in steps | new: by 1 | by all | for each |");
+    println!(
+        "| mechanism | warm step and output | parameters | in place: by 1 | by all | for each, in steps | new: by 1 | by all | for each |"
+    );
     println!("| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |");
     each!(measure);
 }
