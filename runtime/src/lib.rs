@@ -58,6 +58,7 @@
 //! | `names` | names of unknowns and equations, [`Description`], [`Plan`], [`Cause`] |
 //! | `linear` | linear systems on the stack: closed form, sparse, dense with pivoting |
 //! | `state` | [`State`], its extrapolation, accepted steps |
+//! | `dynamics` | [`Dynamics`]: accelerations from forces, initial states, [`Integrator`] |
 //! | `newton` | Newton's method on one block: warm start, tracking, limited and damped steps |
 //! | `solve` | all blocks at one time: [`Equations`], [`Stages`], [`Solver`], cold start |
 //! | `path` | warm steps, continuation in time and in parameters, change points |
@@ -79,6 +80,7 @@ extern crate self as reuleaux;
 
 // Layers, as in the table above; `tests/layers.rs` checks the imports.
 mod api;
+mod dynamics;
 #[cfg(feature = "certify")]
 mod enclosure;
 mod explain;
@@ -98,6 +100,7 @@ pub use api::{
 };
 #[doc(hidden)]
 pub use api::{Named, Relation, between, declared_motion, finite, require, within};
+pub use dynamics::{Balance, Constraints, Dynamics, Energy, Integrator, Stopped};
 #[cfg(feature = "certify")]
 pub use enclosure::{Certificate, Doubt, Enclosure, ErrorBound};
 pub use explain::Failure;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The folders of `src`, from the bottom to the top.
-const LAYERS: [&str; 10] = ["number", "names", "linear", "state", "newton", "solve", "path", "explain", "enclosure", "api"];
+const LAYERS: [&str; 11] = ["number", "names", "linear", "state", "dynamics", "newton", "solve", "path", "explain", "enclosure", "api"];
 
 /// Every file of a folder and of those in it.
 fn files(folder: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {

@@ -3,6 +3,7 @@
 use crate::assembly::{self, Assembly};
 use crate::connectivity;
 use crate::diag::{Diag, Refusal};
+use crate::dynamics;
 use crate::emit;
 use crate::expansion;
 use crate::mobility;
@@ -162,7 +163,9 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     // There is an initial configuration; it is assembled unless the mechanism allows others.
     let motion = travel::follow(&model, &system, &structure, &assembly, diag)?;
     // The motion continues over its declared range, as far as it was followed.
-    let plan = plan::schedule(&model, &system, &structure, &assembly);
+    let dynamics = dynamics::reduce(&model, &system, &structure);
+    // What is integrated has equations of motion, everything else follows from it.
+    let plan = plan::schedule(&model, &system, &structure, &assembly, dynamics.as_ref());
     // Nothing is left to decide.
     let picture = picture::draw(&model, &system, &assembly);
     Some(Compiled { model, system, structure, assembly, motion, plan, picture })

@@ -13,6 +13,7 @@ pub mod assembly;
 mod compile;
 mod connectivity;
 pub mod diag;
+pub mod dynamics;
 mod emit;
 mod expansion;
 pub mod expr;

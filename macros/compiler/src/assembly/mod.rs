@@ -63,15 +63,15 @@ pub(crate) fn assemble(model: &Model, system: &System, structure: &Structure, di
             return Some(Assembly { start: numeric.unassembled(), is_closed: false, remark: None, warnings: Vec::new(), effort: 0 });
         }
         let mut assembled = numeric.assembled(structure);
-        if model.closing == Closing::Deny && model.task.is_solved() {
+        if model.closing == Closing::Deny && model.task.is_determined() {
             redundancy::drives_have_something_to_drive(numeric, structure, &assembled.start, assembled.open.is_some(), diag)?;
         }
-        if assembled.is_closed && model.task.is_solved() {
+        if assembled.is_closed && model.task.is_determined() {
             redundancy::equations_are_independent(numeric, structure, &assembled.start, diag)?;
         }
-        let wrong = if !model.task.is_solved() { None } else { diagnose::judge(numeric, structure, &mut assembled) };
+        let wrong = if !model.task.is_determined() { None } else { diagnose::judge(numeric, structure, &mut assembled) };
         let start = numeric.finished(structure, &assembled);
-        let warnings = if assembled.is_closed && model.task.is_solved() { numeric.far_starts(structure, &start) } else { Vec::new() };
+        let warnings = if assembled.is_closed && model.task.is_determined() { numeric.far_starts(structure, &start) } else { Vec::new() };
         let remark = match wrong {
             Some((range, fact)) if model.closing == Closing::Deny => return diag.refuse(range, fact),
             wrong => wrong.map(|(_, fact)| fact.to_string()),
@@ -83,14 +83,14 @@ pub(crate) fn assemble(model: &Model, system: &System, structure: &Structure, di
 impl Numeric<'_> {
     /// The assembly to start from, or a partial one.
     fn assembled(&self, structure: &Structure) -> Assembled {
-        let is_small = self.system.coordinates.len() <= SMALL && self.model.task.is_solved();
+        let is_small = self.system.coordinates.len() <= SMALL && self.model.task.is_determined();
         if let Some(assembled) = is_small.then(|| self.nearest_of_all(structure, Reach::Nearest)).flatten() {
             return assembled;
         }
-        if self.system.coordinates.len() <= SMALL || !self.model.task.is_solved() {
+        if self.system.coordinates.len() <= SMALL || !self.model.task.is_determined() {
             let found = self.search(&mut self.whole(), if self.declared.iter().all(Option::is_some) { 1 } else { search::GUESSES });
             let is_closed = !found.assemblies.is_empty();
-            if is_closed || !self.model.task.is_solved() {
+            if is_closed || !self.model.task.is_determined() {
                 let mut assemblies = found.assemblies.into_iter();
                 let start = assemblies.next().unwrap_or(found.first);
                 return Assembled {
@@ -110,7 +110,7 @@ impl Numeric<'_> {
     /// The start refined to rounding, with the whole turns that bring it nearest to the declared values.
     fn finished(&self, structure: &Structure, assembled: &Assembled) -> Vec<f64> {
         let mut start = assembled.start.clone();
-        if assembled.is_closed && self.model.task.is_solved() {
+        if assembled.is_closed && self.model.task.is_determined() {
             let has_turned = self.turn_to_start(&mut start);
             if has_turned || !assembled.is_settled {
                 self.settle(structure, &mut start);

@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Refuses bodies and groups of bodies that are not connected to ground.
 pub(crate) fn check(model: &Model, system: &System, diag: &mut Diag) -> Option<()> {
-    if model.task.is_solved() {
+    if model.task.is_determined() {
         every_body_is_held(model, system, diag);
         every_group_is_on_ground(model, system, diag);
     }

@@ -191,6 +191,7 @@ pub enum EquationFact {
     RowOfNothing { joint: String, row: usize, of: usize, at_defaults: bool },
     EquationInForce,
     ForceInJoint,
+    RateOfSpeed,
     NotAffine { joint: String, row: usize, of: usize },
     OnGround { joint: String, kind: String },
     NoEquations { name: String },

@@ -26,10 +26,8 @@ impl Emitter<'_> {
 
     /// Numbers of equations and of coordinates.
     fn sizes(&self) -> (usize, usize) {
-        match &self.system.declared {
-            Some(declared) => (declared.equations.len(), declared.coordinates),
-            None => (self.system.equations.len(), self.system.coordinates.len()),
-        }
+        let coordinates = self.system.declared.as_ref().map_or(self.system.coordinates.len(), |declared| declared.coordinates);
+        (self.system.constraints(self.model).len(), coordinates)
     }
 
     /// Number of speeds.
@@ -268,7 +266,8 @@ impl Emitter<'_> {
 
     /// The runtime's traits, by the functions above
     pub(super) fn traits(&self) -> TokenStream {
-        let (name, m, n) = (&self.model.name, self.system.equations.len(), self.system.width());
+        let rows = if self.system.declared.is_some() { self.system.equations.clone() } else { self.system.constraints(self.model) };
+        let (name, m, n) = (&self.model.name, rows.len(), self.system.width());
         let word = name.to_string();
         let coordinates = (0..self.system.coordinates.len()).map(|index| {
             let (owner, name) = self.system.owner_and_name(self.model, index);
@@ -287,7 +286,7 @@ impl Emitter<'_> {
             })
         });
         let coordinates = coordinates.chain(orientations);
-        let rows = self.system.equations.iter().map(|equation| {
+        let rows = rows.iter().map(|equation| {
             let joint = &self.model.joints[equation.joint];
             let (name, kind, unit) = (joint.name.to_string(), &joint.kind, equation.dim.unit());
             let (index, of) = (number(equation.row + 1), number(joint.residuals.len()));

@@ -6,7 +6,7 @@ use super::literal::{number, vector_type};
 use super::{allowed, docs, identifier, state_path};
 use crate::plan::Code;
 use crate::quantity::Ambient;
-use crate::system::{Equation, Unbalanced};
+use crate::system::Unbalanced;
 use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -14,12 +14,12 @@ impl Emitter<'_> {
     /// The method `loads`, and what it gives; nothing without masses and forces.
     pub(super) fn loads(&self) -> TokenStream {
         let (Some(codes), Some(unbalanced)) = (&self.plan.unbalanced, self.unbalanced()) else { return quote!() };
-        if !self.model.task.is_solved() {
+        if !self.model.task.is_determined() {
             return quote!();
         }
         let (name, visibility, state) = (&self.model.name, &self.model.visibility, state_path(&self.model.name));
         let loads = format_ident!("{}Loads", name, span = Span::call_site());
-        let (m, q, u) = (self.declared_equations().len(), self.declared_coordinates(), unbalanced.forces.len());
+        let (m, q, u) = (self.system.constraints(self.model).len(), self.declared_coordinates(), unbalanced.forces.len());
         let width: usize = unbalanced.arms.iter().flatten().map(|(_, arm)| arm.len()).sum();
         let functions = self.functions_of_loads(codes, (q, u, width));
         let methods = self.methods_of_loads(unbalanced);
@@ -66,10 +66,6 @@ impl Emitter<'_> {
         self.system.unbalanced.as_ref()
     }
 
-    fn declared_equations(&self) -> &[Equation] {
-        self.system.declared.as_ref().map_or(&self.system.equations, |declared| &declared.equations)
-    }
-
     fn declared_coordinates(&self) -> usize {
         self.system.declared.as_ref().map_or(self.system.coordinates.len(), |declared| declared.coordinates)
     }
@@ -89,8 +85,9 @@ impl Emitter<'_> {
     fn methods_of_loads(&self, unbalanced: &Unbalanced) -> TokenStream {
         let (mut first, mut arm) = (0, 0);
         let mut methods = TokenStream::new();
-        for (index, joint) in self.model.joints.iter().enumerate() {
-            let count = self.declared_equations().iter().filter(|equation| equation.joint == index).count();
+        let equations = self.system.constraints(self.model);
+        for (index, joint) in self.model.joints.iter().enumerate().filter(|(_, joint)| joint.freedom.is_none()) {
+            let count = equations.iter().filter(|equation| equation.joint == index).count();
             let (from, to) = (number(first), number(first + count));
             let name = identifier(&joint.name.local);
             first += count;

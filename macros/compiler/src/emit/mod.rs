@@ -11,6 +11,7 @@ mod block;
 mod columns;
 mod definition;
 mod docs;
+mod dynamics;
 mod elimination;
 mod expression;
 mod functions;
@@ -70,8 +71,8 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
     // Where defaults only hold a place nothing is said of them.
     let warns = model.closing == Closing::Deny && !model.allows_far_start;
     let warnings = assembly.warnings.iter().filter(|_| warns).chain(&motion.warning).map(Warning::to_tokens);
-    let state = (model.task.is_solved() || !model.outputs.is_empty()).then(|| state(model, system));
-    let drawable = emitter.drawable();
+    let state = (model.task.is_determined() || !model.outputs.is_empty()).then(|| state(model, system));
+    let (drawable, dynamics) = (emitter.drawable(), emitter.dynamics());
     let (name, allowed, loads) = (&model.name, allowed(), emitter.loads());
     quote! {
         #default
@@ -93,6 +94,7 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
         #stages
         #state
         #loads
+        #dynamics
         #slices
         #drawable
         #components
@@ -165,11 +167,8 @@ fn constants(model: &Model, system: &System, plan: &Plan) -> TokenStream {
             pub #constant
         }
     });
-    let (q, m) = match &system.declared {
-        Some(declared) => (declared.coordinates, declared.equations.len()),
-        None => (system.coordinates.len(), system.equations.len()),
-    };
-    let [coordinates, equations, entries] = [q, m, plan.pattern.len()].map(number);
+    let q = system.declared.as_ref().map_or(system.coordinates.len(), |declared| declared.coordinates);
+    let [coordinates, equations, entries] = [q, system.constraints(model).len(), plan.pattern.len()].map(number);
     let speeds = system.declared.as_ref().map(|declared| {
         let speeds = number(declared.speeds);
         quote! {

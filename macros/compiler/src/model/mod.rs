@@ -70,7 +70,7 @@ pub struct Model {
     pub bodies: Vec<Body>,
     /// Local coordinates of all points, from which a characteristic length is taken.
     pub lengths: Vec<Expr>,
-    /// Joints and drives, in the order declared.
+    /// Joints and drives, in the order declared, and after them the freedoms.
     pub joints: Vec<Joint>,
     /// Forces and torques on bodies.
     pub forces: Vec<Force>,
@@ -167,17 +167,26 @@ pub struct BodyCoordinate {
     pub start: Option<Expr>,
 }
 
-/// A joint or a drive: residuals that must vanish.
+/// Initial value of a freedom.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Freedom {
+    /// True if it is the value at the declared start, which the residuals do not contain.
+    pub is_from_start: bool,
+}
+
+/// A joint, a drive or a freedom: residuals that must vanish.
 #[derive(Clone, Debug)]
 pub struct Joint {
     /// Name.
     pub name: Name,
     /// Name of the constraint; `equation` for inline equations.
     pub kind: String,
-    /// True if declared by `drive`.
+    /// True if declared by `drive` or `freedom`.
     pub is_drive: bool,
     /// True if declared by `redundant joint`: equations that follow from others are checked instead of solved.
     pub is_redundant: bool,
+    /// For a freedom, where its equations begin; they hold at the start only.
+    pub freedom: Option<Freedom>,
     /// Left minus right side of each scalar equation.
     pub residuals: Vec<Residual>,
     /// Body on which the load of the joint is stated, and the local components of the point there.

@@ -31,7 +31,7 @@ pub(super) fn pose(model: &Model, system: &System, assembly: &Assembly) -> Resul
     }
     let clear = first.clearance()?;
     let has_drive = model.joints.iter().any(|joint| joint.is_drive);
-    if clear >= CLEAR || !has_drive || model.bodies.len() > LARGEST || !model.task.is_solved() {
+    if clear >= CLEAR || !has_drive || model.bodies.len() > LARGEST || !model.task.is_determined() {
         return Ok((0.0, first));
     }
     let mut best = (0.0, first, (2.0 * clear).max(0.2 * CLEAR));

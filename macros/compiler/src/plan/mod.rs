@@ -3,6 +3,7 @@
 //! In: a [`System`] and the expressions to be computed. Out: [`Routine`]s: named steps for common subexpressions, and results that refer to
 //! them. Not done here: printing.
 
+mod dynamics;
 mod elimination;
 mod joints;
 mod kernels;
@@ -23,6 +24,7 @@ mod stages;
 mod tests;
 mod words;
 
+pub use dynamics::DynamicsCode;
 pub use kernels::{Kernel, Kernels, Round};
 pub use lines::{Iterated, StageCode, StraightLine};
 pub use outputs::Outputs;
@@ -87,12 +89,20 @@ pub struct Plan {
     pub requirements: Routine,
     /// In space: the rotation matrices of the bodies at the start, as a state holds them.
     pub orientations: Vec<f64>,
+    /// Equations of motion, where freedoms are integrated.
+    pub dynamics: Option<DynamicsCode>,
     /// Numbers of the picture, if states are to be drawn at run time.
     pub scene: Option<SceneCode>,
 }
 
 /// Schedules all generated code.
-pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, assembly: &Assembly) -> Plan {
+pub(crate) fn schedule(
+    model: &Model,
+    system: &System,
+    structure: &Structure,
+    assembly: &Assembly,
+    dynamics: Option<&crate::dynamics::Dynamics>,
+) -> Plan {
     let mut arena = system.arena.clone();
     let solved = (model.task.is_solved()).then(|| {
         let outputs = sliced(&mut arena, model, system);
@@ -106,7 +116,8 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, as
     let tracer = Tracer::new(&arena);
     let line = |results: Vec<Expr>| schedule::routine(&arena, results, &words);
     let declared = system.declared.as_deref();
-    let joints = Joints::new(declared.map_or(&system.equations, |declared| &declared.equations));
+    let constraints = system.constraints(model);
+    let joints = Joints::new(&constraints);
     let words_of_equations = if declared.is_some() { Words::declared(model) } else { words.clone() };
     let arena_of_equations = declared.map_or(&arena, |declared| &declared.arena);
     let tracer_of_equations = Tracer::new(arena_of_equations);
@@ -122,6 +133,7 @@ pub(crate) fn schedule(model: &Model, system: &System, structure: &Structure, as
         [equations(cells(found.forces.clone())), equations(cells(arms))]
     });
     Plan {
+        dynamics: dynamics.map(|dynamics| dynamics::code(model, system, dynamics)),
         unbalanced,
         linearized: joints.linearized(residual).iter().flatten().map(|(target, _)| *target).collect(),
         linearize: equations(joints.linearized(residual)),

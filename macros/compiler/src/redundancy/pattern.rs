@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 /// Equations of joints declared as redundant are the first to be left over.
 pub(super) fn overdetermined(model: &Model, system: &System) -> Option<Vec<Subsystem>> {
     let is_marked = |equation: &usize| model.joints[system.equations[*equation].joint].is_redundant;
-    if !model.task.is_solved() {
+    if !model.task.is_determined() {
         return None;
     }
     let has_mark = model.joints.iter().any(|joint| joint.is_redundant);

@@ -28,6 +28,10 @@ impl Elaborator<'_> {
                 let scope = self.joint_scope(joint, context);
                 self.statements(statements, scope, name, &[])
             }
+            JointBody::Freedom(freedom) => {
+                let scope = self.joint_scope(joint, context);
+                self.freedom(freedom, &scope)
+            }
             JointBody::Of { kind, arguments: given, .. } => {
                 let Value::Joint { arguments, .. } = self.entity(id, (&joint.name).into())? else { return None };
                 let definition = self.definition(kind)?;

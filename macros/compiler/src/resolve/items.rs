@@ -5,11 +5,11 @@ use super::names::{Context, EntityId, is_generated};
 use super::register::Register;
 use super::statement::ScalarEquation;
 use super::value::{FrameId, Scalar, Value};
-use super::{Joint, Layout, Method, Name, Of, Output, Residual};
+use super::{Freedom, Joint, Layout, Method, Name, Of, Output, Residual};
 use crate::diag::{ArrayFact, EquationFact, NameFact, Range, ValueFact};
 use crate::expr::{Expr, Leaf};
 use crate::quantity::{Ambient, Dim, InferredDim};
-use crate::syntax::ast;
+use crate::syntax::ast::{self, JointItem};
 use proc_macro2::Ident;
 use std::collections::BTreeSet;
 
@@ -48,7 +48,9 @@ impl Elaborator<'_> {
             this.of(*id, joint, |this, name, context| this.joint(*id, joint, name, context))
         };
         let mut joints = Vec::new();
-        for declared in &register.joints {
+        // Freedoms come last: their equations hold at the start only.
+        let (freedoms, others): (Vec<_>, Vec<_>) = register.joints.iter().partition(|(_, joint)| joint.is_freedom());
+        for declared in others.into_iter().chain(freedoms) {
             if let Some((joint, rows)) = joint(self, declared) {
                 if self.names.ambient == Ambient::Space {
                     self.note_relations(joints.len(), &rows);
@@ -64,6 +66,11 @@ impl Elaborator<'_> {
         let kind = match &joint.body {
             ast::JointBody::Of { kind, .. } => kind.to_string(),
             ast::JointBody::Equations(_) => "equation".to_owned(),
+            ast::JointBody::Freedom(_) => "freedom".to_owned(),
+        };
+        let freedom = match &joint.body {
+            ast::JointBody::Freedom(freedom) => Some(Freedom { is_from_start: freedom.from.is_none() }),
+            _ => None,
         };
         self.rows_are_sound(id, joint, &rows);
         self.rows_are_affine(&name.to_string(), &rows);
@@ -74,7 +81,8 @@ impl Elaborator<'_> {
         };
         let residuals = rows.iter().map(residual).collect();
         let place = self.place_of_load(id, joint);
-        Some((Joint { name: name.clone(), kind, is_drive: joint.is_drive, is_redundant: joint.is_redundant, residuals, place }, rows))
+        let JointItem { is_drive, is_redundant, .. } = *joint;
+        Some((Joint { name: name.clone(), kind, is_drive, is_redundant, freedom, residuals, place }, rows))
     }
 
     /// The last point of a joint that moves; without one, the origin of the last body that does.

@@ -153,7 +153,11 @@ impl Elaborator<'_> {
                 self.fill(number, &frame.marks, context, register);
             }
             Item::Joint(joint) => {
-                let sort = if joint.is_drive { Sort::Drive } else { Sort::Joint };
+                let sort = match joint.is_drive {
+                    _ if joint.is_freedom() => Sort::Freedom,
+                    true => Sort::Drive,
+                    false => Sort::Joint,
+                };
                 let written = Written { key: Key::Name(joint.id()), name: &joint.name, indices: &joint.indices };
                 let id = self.declare(written, Entity::Joint(joint.clone()), Progress::Untouched, sort, context);
                 register.joints.extend(id.map(|id| (id, joint.clone())));

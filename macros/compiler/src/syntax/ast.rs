@@ -67,7 +67,7 @@ pub enum Item {
     Ground(Shared<FrameItem>),
     /// `body name { … }`
     Body(Shared<FrameItem>),
-    /// `joint name = …;` or `drive name = …;`
+    /// `joint name = …;`, `drive name = …;` or `freedom name = …;`
     Joint(Shared<JointItem>),
     /// `force name = …;`
     Force(Shared<JointItem>),
@@ -264,12 +264,12 @@ pub struct Start {
     pub value: Expression,
 }
 
-/// A joint or a drive.
+/// A joint, a drive or a freedom.
 #[derive(Clone, Debug)]
 pub struct JointItem {
     /// Doc attributes.
     pub docs: Docs,
-    /// True for a drive. Only a drive may contain `t`.
+    /// True for a drive, and for a freedom, which is a drive at t = 0. Only they may contain `t`.
     pub is_drive: bool,
     /// True for a redundant joint: equations that follow from others are checked instead of solved.
     pub is_redundant: bool,
@@ -281,7 +281,15 @@ pub struct JointItem {
     pub body: JointBody,
 }
 
-/// Equations of a joint: an instance of a constraint, or written inline.
+impl JointItem {
+    /// True for a freedom.
+    #[must_use]
+    pub fn is_freedom(&self) -> bool {
+        matches!(self.body, JointBody::Freedom(_))
+    }
+}
+
+/// Equations of a joint: an instance of a constraint, or written inline; of a freedom, its quantity.
 #[derive(Clone, Debug)]
 pub enum JointBody {
     /// `kind(arguments)`
@@ -293,6 +301,19 @@ pub enum JointBody {
     },
     /// `{ lhs == rhs; … }`
     Equations(Vec<Statement>),
+    /// `freedom name = value from start at rate;`
+    Freedom(Box<Freedom>),
+}
+
+/// A quantity that follows from forces.
+#[derive(Clone, Debug)]
+pub struct Freedom {
+    /// The quantity.
+    pub value: Expression,
+    /// `from value`: its value at t = 0.
+    pub from: Option<Expression>,
+    /// `at rate`: its rate at t = 0.
+    pub at: Option<Expression>,
 }
 
 /// An argument, positional or named.

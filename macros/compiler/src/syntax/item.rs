@@ -1,8 +1,8 @@
 //! Parses the items of a mechanism.
 
 use super::ast::{
-    Argument, Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, FunctionItem, Gravity, Item, JointBody, JointItem,
-    Let, Limits, Marks, Mechanism, OutputItem, ParameterItem, Refused, Shared, Start, Task, TimeRange, Use,
+    Argument, Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, Freedom, FunctionItem, Gravity, Item, JointBody,
+    JointItem, Let, Limits, Marks, Mechanism, OutputItem, ParameterItem, Refused, Shared, Start, Task, TimeRange, Use,
 };
 use super::definition::statement;
 use super::dimension::{dimension, required_dimension};
@@ -32,6 +32,9 @@ pub(super) fn mechanism(input: ParseStream, diag: &mut Diag) -> Option<Mechanism
     let content = report(block(input, "`{` and the items of the mechanism"), diag);
     let Some(content) = content else { return Some(mechanism) };
     mechanism.items = items(&content, ItemContext::TOP, diag);
+    if mechanism.task == Task::Kinematics && has_freedoms(&mechanism.items) {
+        mechanism.task = Task::Motion;
+    }
     if !input.is_empty() {
         diag.refuse::<()>(
             input.span(),
@@ -39,6 +42,16 @@ pub(super) fn mechanism(input: ParseStream, diag: &mut Diag) -> Option<Mechanism
         );
     }
     Some(mechanism)
+}
+
+/// True if some item, also of a loop or a component, is a freedom.
+fn has_freedoms(items: &[Item]) -> bool {
+    items.iter().any(|item| match item {
+        Item::Joint(joint) => joint.is_freedom(),
+        Item::For(repeated) => has_freedoms(&repeated.items),
+        Item::Component(component) => has_freedoms(&component.items),
+        _ => false,
+    })
 }
 
 /// Parses everything before the items.
@@ -135,7 +148,7 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
     let Some(keyword) = keyword(input) else {
         return expected(
             input,
-            "an item: `param`, `let`, `ground`, `body`, `joint`, `drive`, `force`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` or `use`",
+            "an item: `param`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` or `use`",
         );
     };
     let word = keyword.to_string();
@@ -150,6 +163,7 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
         "ground" => Item::Ground(Shared::new(ground(input, docs)?)),
         "body" => Item::Body(Shared::new(body(input, docs)?)),
         "joint" | "drive" | "redundant" => Item::Joint(Shared::new(joint(input, docs)?)),
+        "freedom" => Item::Joint(Shared::new(freedom(input, docs)?)),
         "force" => Item::Force(Shared::new(joint(input, docs)?)),
         "gravity" => Item::Gravity(Shared::new(gravity(input)?)),
         "output" | "slice" => Item::Output(Shared::new(output(input, docs)?)),
@@ -430,6 +444,28 @@ fn joint(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
     equals(input)?;
     let body = if input.peek(token::Brace) { equations(input)? } else { instance(input)? };
     Ok(JointItem { docs, is_drive, is_redundant, name, indices, body })
+}
+
+/// `freedom name = value from start at rate;`
+fn freedom(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
+    Ident::parse_any(input)?;
+    let (name, indices) = declared(input, "the name of the freedom")?;
+    equals(input)?;
+    let value = expression(input)?;
+    let clause = |word: &str| -> Parsed<Option<Expression>> {
+        if keyword(input).is_none_or(|found| found != word) {
+            return Ok(None);
+        }
+        Ident::parse_any(input)?;
+        expression(input).map(Some)
+    };
+    let (from, at) = (clause("from")?, clause("at")?);
+    if !input.peek(Token![;]) && keyword(input).is_some() {
+        return expected(input, "`from` and the value at t = 0, `at` and the rate at t = 0, or `;`");
+    }
+    semicolon(input)?;
+    let body = JointBody::Freedom(Box::new(Freedom { value, from, at }));
+    Ok(JointItem { docs, is_drive: true, is_redundant: false, name, indices, body })
 }
 
 /// `{ lhs == rhs; … }`, with or without a semicolon after it.

@@ -26,7 +26,7 @@ pub(super) fn unbalanced(model: &Model, arena: &mut Arena) -> Option<Vec<Expr>> 
 }
 
 /// Number of the coordinate, speed or acceleration of a body at an offset.
-fn number(model: &Model, body: usize, offset: usize) -> u32 {
+pub(super) fn number(model: &Model, body: usize, offset: usize) -> u32 {
     match model.ambient {
         Ambient::Plane => (model.bodies[body].first + offset) as u32,
         Ambient::Space => DECLARED + (6 * body + offset) as u32,

@@ -9,11 +9,13 @@
 //! γ = −d²/ds² Φ(q + s q̇, t + s) at s = 0
 //! ```
 
+mod balance;
 mod declared;
 mod dynamics;
 mod forest;
 mod magnitude;
 mod pattern;
+mod pins;
 mod rows;
 
 use crate::diag::{Diag, SystemFact};
@@ -21,8 +23,10 @@ use crate::expr::{Arena, Expr, Jets, Leaf, Seed, Substitution};
 use crate::model::{Model, Name, Said};
 use crate::quantity::{Ambient, Axis, Dim, Role, SpeedRole};
 use crate::structure::Pattern;
+use crate::syntax::ast::Task;
 use std::collections::{BTreeMap, BTreeSet};
 
+pub use balance::Balance;
 pub use declared::DeclaredEquations;
 pub(crate) use magnitude::magnitude;
 use rows::{Differentiation, Row, coordinates_in};
@@ -38,6 +42,10 @@ pub struct System {
     pub speeds: Vec<Speed>,
     /// One equation for each row, in the order declared.
     pub equations: Vec<Equation>,
+    /// Equations between speeds alone, of joints and of freedoms, where freedoms are integrated.
+    pub of_speeds: Vec<Equation>,
+    /// Forces by the speeds, where freedoms are integrated.
+    pub balance: Option<Balance>,
     /// Sparsity pattern: which equation contains which unknown.
     pub pattern: Pattern,
     /// Motion of each output, in the order declared.
@@ -145,6 +153,19 @@ impl System {
         self.coordinates.len() + COSINES * self.frames.len()
     }
 
+    /// The equations as declared, in the order of joints, without those of freedoms, which hold at the start only.
+    pub(crate) fn constraints(&self, model: &Model) -> Vec<Equation> {
+        let of_joint = |equation: &&Equation| model.joints[equation.joint].freedom.is_none();
+        match &self.declared {
+            Some(declared) => declared.equations.iter().filter(of_joint).cloned().collect(),
+            None => {
+                let mut all: Vec<Equation> = self.equations.iter().chain(&self.of_speeds).filter(of_joint).cloned().collect();
+                all.sort_by_key(|equation| equation.joint);
+                all
+            }
+        }
+    }
+
     /// In space: the joints that close a loop with a joint, by the orientations of its bodies.
     pub(crate) fn loop_of(&self, joint: usize) -> BTreeSet<usize> {
         let Some(declared) = &self.declared else { return BTreeSet::new() };
@@ -225,22 +246,33 @@ impl System {
 pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     has_bodies(model, diag)?;
     let mut arena = model.arena.clone();
-    let Choice { coordinates, mut rows, outputs, frames, reached } = match model.ambient {
-        Ambient::Plane => in_plane(model),
+    let Choice { coordinates, mut rows, outputs, frames, reached, balance } = match model.ambient {
+        Ambient::Plane => in_plane(model, &mut arena),
         Ambient::Space => forest::reduce(model, &mut arena),
     };
-    let is_spatial = model.ambient == Ambient::Space;
     rows::integrate(model, &mut arena, &coordinates, &mut rows, diag);
-    // In space the declared equations have the rows that are left.
-    rows.retain(|row| !(is_spatial && row.is_velocity));
+    rows::begin_at_start(model, &mut arena, &coordinates, &mut rows);
+    let is_motion = model.task == Task::Motion;
+    let is_apart = |row: &Row| row.is_velocity && (is_motion || model.ambient == Ambient::Space);
+    // Without freedoms the declared equations have them.
+    let (mut of_speeds, mut rows): (Vec<Row>, Vec<Row>) = rows.into_iter().partition(is_apart);
+    of_speeds.retain(|_| is_motion);
     let rates = rates(coordinates.len());
     let columns = (0..coordinates.len() as u32).map(Leaf::Coordinate);
     let mut derivatives = Differentiation::new(columns, Seed::constant_speeds(rates.clone()), 0);
-    let of_row = |row: &Row| {
-        let columns = coordinates_in(&arena, row.residual);
-        derivatives.of(&mut arena, row, columns)
+    let mut equations_of = |arena: &mut Arena, rows: &[Row]| -> Vec<Equation> {
+        let of_row = |row: &Row| {
+            let columns = coordinates_in(arena, row.residual);
+            derivatives.of(arena, row, columns)
+        };
+        rows.iter().map(of_row).collect()
     };
-    let equations: Vec<Equation> = rows.iter().map(of_row).collect();
+    let mut equations = equations_of(&mut arena, &rows);
+    let of_speeds = equations_of(&mut arena, &of_speeds);
+    if !of_speeds.is_empty() {
+        rows = pins::pins(model, &mut arena, &coordinates, &equations);
+        equations.extend(equations_of(&mut arena, &rows));
+    }
     let mut motion = Jets::along(Seed::motion(rates));
     let outputs = outputs.iter().map(|parts| OutputMotion { components: parts.iter().map(|part| motion.of(&mut arena, *part)).collect() });
     let outputs = outputs.collect();
@@ -259,7 +291,21 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
         }
     };
     let speeds = coordinates.iter().map(|coordinate| Speed { body: coordinate.body, role: speed_of(coordinate.role) }).collect();
-    Some(System { arena, coordinates, speeds, equations, pattern, outputs, lengths, declared, frames, unbalanced, reached })
+    Some(System {
+        arena,
+        coordinates,
+        speeds,
+        equations,
+        of_speeds,
+        balance,
+        pattern,
+        outputs,
+        lengths,
+        declared,
+        frames,
+        unbalanced,
+        reached,
+    })
 }
 
 /// What is solved for: unknowns, and the rows and outputs in them.
@@ -273,11 +319,14 @@ struct Choice {
     frames: Vec<usize>,
     /// In space: the joint by which each body was reached, and the body that it was reached from.
     reached: Vec<Option<(usize, Option<usize>)>>,
+    /// Forces by the rates of the unknowns, where they decide the motion.
+    balance: Option<Balance>,
 }
 
 /// In the plane the unknowns are the coordinates of the bodies.
-fn in_plane(model: &Model) -> Choice {
+fn in_plane(model: &Model, arena: &mut Arena) -> Choice {
     Choice {
+        balance: (model.task == Task::Motion).then(|| Balance::declared(model, arena)),
         coordinates: coordinates(model),
         rows: Row::declared(model).collect(),
         outputs: model.outputs.iter().map(|output| output.components.clone()).collect(),
@@ -351,7 +400,7 @@ fn has_bodies(model: &Model, diag: &mut Diag) -> Option<()> {
 
 /// Reports a joint if every equation of it is an equation of earlier joints.
 fn no_joint_repeats_another(model: &Model, arena: &mut Arena, diag: &mut Diag) {
-    if !diag.is_clean() || !model.task.is_solved() {
+    if !diag.is_clean() || !model.task.is_determined() {
         return;
     }
     let mut said = Said::default();

@@ -10,6 +10,7 @@ use crate::diag::{Diag, SystemFact};
 use crate::expr::{Arena, Derivatives, Expr, Jets, Leaf, Seed, Substitution, derivative};
 use crate::model::{Model, Said};
 use crate::quantity::Dim;
+use crate::syntax::ast::Task;
 use std::collections::HashMap;
 
 /// A row before it is differentiated.
@@ -108,13 +109,33 @@ fn affine(arena: &mut Arena, residual: Expr) -> (Vec<(u32, Expr)>, Expr) {
 /// Replaces rows of velocities by the rows of positions of which they are the rates, and refuses the others if they have to be solved.
 pub(super) fn integrate(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &mut [Row], diag: &mut Diag) {
     let mut said = Said::default();
-    for row in rows.iter_mut().filter(|row| row.is_velocity) {
+    for row in rows.iter_mut().filter(|row| row.is_velocity && model.joints[row.joint].freedom.is_none()) {
         let joint = &model.joints[row.joint];
         if let Some(phi) = integral(arena, coordinates, row.residual) {
             (row.residual, row.is_velocity) = (phi, false);
         } else if model.task.is_solved() && said.is_new(&joint.name) {
             let (name, of) = (joint.name.to_string(), joint.residuals.len());
             diag.refuse::<()>(&joint.name, SystemFact::Nonholonomic { joint: name, row: row.row + 1, of });
+        }
+    }
+}
+
+/// Lets freedoms of which no initial value is declared begin at the declared start.
+pub(super) fn begin_at_start(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &mut [Row]) {
+    if model.task != Task::Motion {
+        return;
+    }
+    let mut at_start = Substitution::new();
+    let zero = arena.integer(0);
+    at_start.replace(Leaf::Time, zero);
+    for (number, coordinate) in coordinates.iter().enumerate() {
+        at_start.replace(Leaf::Coordinate(number as u32), coordinate.start.unwrap_or(zero));
+    }
+    for row in rows.iter_mut().filter(|row| !row.is_velocity) {
+        if model.joints[row.joint].freedom.is_some_and(|freedom| freedom.is_from_start) {
+            let plain = arena.plain(row.residual, &mut HashMap::new());
+            let start = at_start.of(arena, plain);
+            row.residual = arena.sub(row.residual, start);
         }
     }
 }

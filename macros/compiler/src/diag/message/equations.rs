@@ -39,6 +39,10 @@ impl Display for EquationFact {
                 write!(f, "{} of `{joint}` contains products or functions of velocities", equation(*row, *of))?;
                 write!(f, "\nhelp: write an equation in which each velocity stands alone, with a factor that contains none")
             }
+            EquationFact::RateOfSpeed => {
+                write!(f, "the value of this freedom is a velocity already")?;
+                write!(f, "\nhelp: write its value at t = 0 after `from`, and nothing after `at`")
+            }
             EquationFact::OnGround { joint, kind } => {
                 write!(f, "`{joint}` joins ground to ground, and ground does not move")?;
                 write!(f, "\nhelp: give `{kind}` at least one body, or a point or an axis of one")

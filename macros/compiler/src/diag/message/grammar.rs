@@ -78,6 +78,7 @@ impl Display for GrammarFact {
                     "body",
                     "joint",
                     "drive",
+                    "freedom",
                     "force",
                     "gravity",
                     "output",

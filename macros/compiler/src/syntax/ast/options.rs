@@ -18,18 +18,23 @@ pub enum Task {
     /// Positions, velocities and accelerations are solved for.
     #[default]
     Kinematics,
+    /// Freedoms follow from forces: what they do not determine is solved for, and they are integrated.
+    Motion,
     /// `#[equations_only]`: no `solve` is generated, and the system need not be square.
     EquationsOnly,
 }
 
 impl Task {
-    /// True if the equations are solved.
+    /// True if the state at every time is solved for, by the drives alone.
     #[must_use]
     pub fn is_solved(self) -> bool {
-        match self {
-            Task::Kinematics => true,
-            Task::EquationsOnly => false,
-        }
+        self == Task::Kinematics
+    }
+
+    /// True if drives and freedoms have to determine a state.
+    #[must_use]
+    pub fn is_determined(self) -> bool {
+        self != Task::EquationsOnly
     }
 }
 

@@ -16,10 +16,11 @@ mod rewrite;
 mod start;
 
 use super::rows::Row;
-use super::{Choice, Coordinate};
+use super::{Balance, Choice, Coordinate};
 use crate::expr::{Arena, Expr, Leaf, Triple};
 use crate::model::{DECLARED, Model, Place, Relationship, Triad};
 use crate::quantity::{Axis, Role};
+use crate::syntax::ast::Task;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Unknowns and rows of a mechanism in space.
@@ -70,8 +71,10 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena) -> Choice {
     let outputs = model.outputs.iter().map(|output| output.components.iter().map(|part| forest.rewrite(*part)).collect()).collect();
     forest.rows_of_further_angles();
     forest.rows.sort_by_key(|row| row.joint);
-    let frames = forest.frames.iter().map(|frame| frame.unwrap_or(0)).collect();
-    Choice { coordinates: forest.coordinates, rows: forest.rows, outputs, frames, reached: forest.reached }
+    let balance = (model.task == Task::Motion).then(|| Balance::declared(model, forest.arena).map(|expr| forest.rewrite(expr)));
+    let frames: Vec<usize> = forest.frames.iter().map(|frame| frame.unwrap_or(0)).collect();
+    let balance = balance.map(|balance| balance.by_unknowns(forest.arena, &frames, forest.coordinates.len()));
+    Choice { coordinates: forest.coordinates, rows: forest.rows, outputs, frames, reached: forest.reached, balance }
 }
 
 impl Forest<'_> {

@@ -79,6 +79,7 @@ impl Forest<'_> {
                     self.arena.leaf(Leaf::Coordinate((3 * body + role) as u32))
                 }
                 Node::Leaf(Leaf::Speed(number)) if number >= DECLARED => self.speed((number - DECLARED) as usize),
+                Node::Leaf(Leaf::Acceleration(number)) if number >= DECLARED => self.acceleration((number - DECLARED) as usize),
                 Node::Marked { mark: Mark::Turned { vector, axis }, .. } => {
                     let (body, local) = self.arena.vector(vector);
                     self.vector(Place { body: Some(body), local })[usize::from(axis)]
@@ -100,6 +101,16 @@ impl Forest<'_> {
         match (at.checked_sub(3), self.frames[body]) {
             (None, _) => self.arena.leaf(Leaf::Speed((3 * body + at) as u32)),
             (Some(axis), Some(frame)) => self.arena.frame(frame).velocity[axis],
+            (Some(_), None) => self.arena.integer(0),
+        }
+    }
+
+    /// A declared acceleration in those of the unknowns.
+    fn acceleration(&mut self, number: usize) -> Expr {
+        let (body, at) = (number / 6, number % 6);
+        match (at.checked_sub(3), self.frames[body]) {
+            (None, _) => self.arena.leaf(Leaf::Acceleration((3 * body + at) as u32)),
+            (Some(axis), Some(frame)) => self.arena.frame(frame).acceleration[axis],
             (Some(_), None) => self.arena.integer(0),
         }
     }

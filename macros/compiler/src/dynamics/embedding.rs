@@ -1,0 +1,249 @@
+//! Explicit coordinates as functions of the others.
+//!
+//! ```text
+//! q_e = h(q, t)      u_e = Σ E_er u_r + ν_e      u̇_e = Σ E_er u̇_r + γ_e
+//! ```
+
+use super::{Masses, ReducedRow};
+use crate::expr::{Arena, Expr, Leaf, Substitution};
+use crate::system::Equation;
+use std::collections::BTreeMap;
+
+/// Coordinates written in those that are integrated.
+pub(super) struct Embedding<'a> {
+    arena: &'a mut Arena,
+    explicit: BTreeMap<usize, Explicit>,
+    coordinates: usize,
+    /// Replaces explicit coordinates, speeds and accelerations.
+    substitution: Substitution,
+}
+
+/// An explicit coordinate.
+#[derive(Clone)]
+struct Explicit {
+    value: Expr,
+    motion: Affine,
+}
+
+/// Speed and acceleration of a coordinate, affine in those of others.
+#[derive(Clone)]
+struct Affine {
+    factors: BTreeMap<usize, Expr>,
+    nu: Expr,
+    gamma: Expr,
+}
+
+impl Embedding<'_> {
+    pub(super) fn new(arena: &mut Arena, coordinates: usize) -> Embedding<'_> {
+        Embedding { arena, explicit: BTreeMap::new(), coordinates, substitution: Substitution::new() }
+    }
+
+    /// Solves rows for coordinates that stand alone in them, those first that offer the fewest; returns the rows that are left.
+    ///
+    /// * `pivots`: given, for each row the coordinates with a factor that is never zero.
+    pub(super) fn eliminate(&mut self, rows: &[Equation], pivots: &[Vec<usize>]) -> Vec<usize> {
+        let mut left: Vec<usize> = (0..rows.len()).collect();
+        loop {
+            let offers = |row: &usize| {
+                let offers: Vec<usize> = pivots[*row].iter().copied().filter(|pivot| self.stands_alone(&rows[*row], *pivot)).collect();
+                (!offers.is_empty()).then_some((offers.len(), *row, offers))
+            };
+            let Some((_, row, offers)) = left.iter().filter_map(offers).min() else { return left };
+            // Bodies are reached outwards: of two new ones the later follows the earlier.
+            if let Some(pivot) = offers.into_iter().max() {
+                self.solve(&rows[row], pivot);
+            }
+            left.retain(|other| *other != row);
+        }
+    }
+
+    /// True if a coordinate is not explicit, and no explicit coordinate of the row depends on it.
+    fn stands_alone(&self, row: &Equation, pivot: usize) -> bool {
+        let others = row.jacobian.iter().filter_map(|(other, _)| self.explicit.get(other));
+        !self.explicit.contains_key(&pivot) && !others.into_iter().any(|other| other.motion.factors.contains_key(&pivot))
+    }
+
+    /// Solves a row for a coordinate.
+    fn solve(&mut self, row: &Equation, pivot: usize) {
+        let (Some(phi), Some((_, slope))) = (row.phi(), row.jacobian.iter().find(|(unknown, _)| *unknown == pivot)) else { return };
+        let zero = self.arena.integer(0);
+        let mut without = Substitution::new();
+        without.replace(Leaf::Coordinate(pivot as u32), zero);
+        let rest = without.of(self.arena, phi);
+        let (rest, slope) = (self.of(rest), self.of(*slope));
+        let quotient = self.arena.div(rest, slope);
+        let value = self.arena.neg(quotient);
+        let mut motion = self.affine(row);
+        motion.factors.remove(&pivot);
+        for factor in motion.factors.values_mut() {
+            let quotient = self.arena.div(*factor, slope);
+            *factor = self.arena.neg(quotient);
+        }
+        motion.nu = self.arena.div(motion.nu, slope);
+        motion.gamma = self.arena.div(motion.gamma, slope);
+        self.explicit.insert(pivot, Explicit { value, motion });
+        self.rewrite_by(pivot);
+    }
+
+    /// Writes earlier explicit coordinates by a new one.
+    fn rewrite_by(&mut self, pivot: usize) {
+        let new = self.explicit[&pivot].clone();
+        self.note(pivot, &new);
+        let dependent: Vec<usize> =
+            self.explicit.iter().filter(|(_, other)| other.motion.factors.contains_key(&pivot)).map(|(number, _)| *number).collect();
+        for number in dependent {
+            let mut other = self.explicit[&number].clone();
+            other.value = self.of(other.value);
+            let factor = other.motion.factors.remove(&pivot);
+            for factor in other.motion.factors.values_mut() {
+                *factor = self.of(*factor);
+            }
+            [other.motion.nu, other.motion.gamma] = [other.motion.nu, other.motion.gamma].map(|expr| self.of(expr));
+            if let Some(factor) = factor {
+                let factor = self.of(factor);
+                self.add(&mut other.motion, factor, &new.motion);
+            }
+            self.note(number, &other);
+            self.explicit.insert(number, other);
+        }
+    }
+
+    /// sum + factor · motion
+    fn add(&mut self, sum: &mut Affine, factor: Expr, motion: &Affine) {
+        let zero = self.arena.integer(0);
+        for (unknown, of_unknown) in &motion.factors {
+            let term = self.arena.mul(factor, *of_unknown);
+            let entry = sum.factors.entry(*unknown).or_insert(zero);
+            *entry = self.arena.add(*entry, term);
+        }
+        let [nu, gamma] = [motion.nu, motion.gamma].map(|part| self.arena.mul(factor, part));
+        sum.nu = self.arena.add(sum.nu, nu);
+        sum.gamma = self.arena.add(sum.gamma, gamma);
+    }
+
+    /// Enters a coordinate into the substitution.
+    fn note(&mut self, number: usize, explicit: &Explicit) {
+        let [value, rate, acceleration] = self.written(explicit);
+        for (leaf, expr) in [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration].into_iter().zip([value, rate, acceleration]) {
+            self.substitution.replace(leaf(number as u32), expr);
+        }
+    }
+
+    fn written(&mut self, explicit: &Explicit) -> [Expr; 3] {
+        let Affine { factors, nu, gamma } = &explicit.motion;
+        let (mut rate, mut acceleration) = (*nu, *gamma);
+        for (unknown, factor) in factors {
+            let [u, a] = [Leaf::Speed(*unknown as u32), Leaf::Acceleration(*unknown as u32)].map(|leaf| self.arena.leaf(leaf));
+            let [u, a] = [u, a].map(|leaf| self.arena.mul(*factor, leaf));
+            (rate, acceleration) = (self.arena.add(rate, u), self.arena.add(acceleration, a));
+        }
+        [explicit.value, rate, acceleration]
+    }
+
+    /// An expression in the integrated coordinates.
+    pub(super) fn of(&mut self, expr: Expr) -> Expr {
+        self.substitution.of(self.arena, expr)
+    }
+
+    /// Factors, ν and γ of a row, in the integrated coordinates.
+    fn affine(&mut self, row: &Equation) -> Affine {
+        let zero = self.arena.integer(0);
+        let mut sum = Affine { factors: BTreeMap::new(), nu: self.of(row.nu), gamma: self.of(row.gamma) };
+        for (unknown, entry) in &row.jacobian {
+            let entry = self.of(*entry);
+            match self.explicit.get(unknown).map(|explicit| explicit.motion.clone()) {
+                Some(mut motion) => {
+                    // They stand on the other side.
+                    [motion.nu, motion.gamma] = [motion.nu, motion.gamma].map(|part| self.arena.neg(part));
+                    self.add(&mut sum, entry, &motion);
+                }
+                None => {
+                    let old = *sum.factors.entry(*unknown).or_insert(zero);
+                    let new = self.arena.add(old, entry);
+                    sum.factors.insert(*unknown, new);
+                }
+            }
+        }
+        sum
+    }
+
+    /// A row in the integrated coordinates.
+    pub(super) fn row(&mut self, equation: &Equation) -> ReducedRow {
+        let zero = self.arena.integer(0);
+        let Affine { factors, nu, gamma } = self.affine(equation);
+        let phi = equation.phi().map(|phi| self.of(phi));
+        let jacobian = self.integrated().iter().map(|unknown| factors.get(unknown).copied().unwrap_or(zero)).collect();
+        ReducedRow { of: (equation.joint, equation.row), phi, jacobian, nu, gamma }
+    }
+
+    /// Coordinates that are not explicit.
+    pub(super) fn integrated(&self) -> Vec<usize> {
+        (0..self.coordinates).filter(|unknown| !self.explicit.contains_key(unknown)).collect()
+    }
+
+    /// Value, rate and acceleration of a coordinate.
+    pub(super) fn motion(&mut self, unknown: usize) -> [Expr; 3] {
+        match self.explicit.get(&unknown).cloned() {
+            Some(explicit) => self.written(&explicit),
+            None => [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration].map(|leaf| self.arena.leaf(leaf(unknown as u32))),
+        }
+    }
+
+    /// Derivatives of the speed of a coordinate by the integrated ones.
+    fn factors(&mut self, unknown: usize) -> BTreeMap<usize, Expr> {
+        match self.explicit.get(&unknown) {
+            Some(explicit) => explicit.motion.factors.clone(),
+            None => BTreeMap::from([(unknown, self.arena.integer(1))]),
+        }
+    }
+
+    /// Eᵀ M E, the lower triangle row by row.
+    pub(super) fn mass(&mut self, masses: &Masses) -> Vec<Expr> {
+        let zero = self.arena.integer(0);
+        // M E, by speed and integrated speed
+        let mut right: BTreeMap<(usize, usize), Expr> = BTreeMap::new();
+        for (&(row, column), &entry) in masses {
+            let entry = self.of(entry);
+            for (unknown, factor) in self.factors(column) {
+                let term = self.arena.mul(entry, factor);
+                let sum = right.entry((row, unknown)).or_insert(zero);
+                *sum = self.arena.add(*sum, term);
+            }
+        }
+        let integrated = self.integrated();
+        let mut both: BTreeMap<(usize, usize), Expr> = BTreeMap::new();
+        for ((row, unknown), entry) in right {
+            for (other, factor) in self.factors(row) {
+                if other >= unknown {
+                    let term = self.arena.mul(factor, entry);
+                    let sum = both.entry((other, unknown)).or_insert(zero);
+                    *sum = self.arena.add(*sum, term);
+                }
+            }
+        }
+        let lower = |row: usize| integrated[..=row].iter().map(move |column| (row, *column)).collect::<Vec<_>>();
+        let places = (0..integrated.len()).flat_map(lower);
+        places.map(|(row, column)| both.get(&(integrated[row], column)).copied().unwrap_or(zero)).collect()
+    }
+
+    /// Eᵀ f at u̇ = 0
+    pub(super) fn forces(&mut self, forces: &[Expr]) -> Vec<Expr> {
+        let zero = self.arena.integer(0);
+        let integrated = self.integrated();
+        let mut still = Substitution::new();
+        for unknown in &integrated {
+            still.replace(Leaf::Acceleration(*unknown as u32), zero);
+        }
+        let mut sums: BTreeMap<usize, Expr> = BTreeMap::new();
+        for (row, force) in forces.iter().enumerate() {
+            let force = self.of(*force);
+            let force = still.of(self.arena, force);
+            for (unknown, factor) in self.factors(row) {
+                let term = self.arena.mul(factor, force);
+                let sum = sums.entry(unknown).or_insert(zero);
+                *sum = self.arena.add(*sum, term);
+            }
+        }
+        integrated.iter().map(|unknown| sums.get(unknown).copied().unwrap_or(zero)).collect()
+    }
+}

@@ -1,0 +1,137 @@
+//! Equations of motion in as few coordinates as explicit rows leave.
+//!
+//! In: a [`System`] with forces. Out: a [`Dynamics`]: the coordinates to integrate, the equations between them, their mass matrix and
+//! forces, and every other coordinate as a function of them. Not done here: which of the coordinates are independent, which changes
+//! during the motion.
+//!
+//! ```text
+//! M u̇ + Jᵀ λ = −f       f: forces at u̇ = 0, with opposite sign
+//! J u̇ = γ
+//! ```
+
+mod embedding;
+
+use crate::expr::{Arena, Expr, Leaf, derivative};
+use crate::model::Model;
+use crate::structure::Structure;
+use crate::system::{Equation, Level, System};
+use embedding::Embedding;
+use std::collections::{BTreeMap, HashMap};
+
+/// Equations of motion.
+#[derive(Clone, Debug)]
+pub struct Dynamics {
+    /// All expressions.
+    pub arena: Arena,
+    /// Coordinates that are integrated, by index in the state.
+    pub integrated: Vec<usize>,
+    /// Equations between them.
+    pub rows: Vec<ReducedRow>,
+    /// Equations of the freedoms at t = 0.
+    pub initial: Vec<ReducedRow>,
+    /// Lower triangle of the mass matrix, row by row.
+    pub mass: Vec<Expr>,
+    /// M u̇ − Q at u̇ = 0, by integrated speed.
+    pub forces: Vec<Expr>,
+    /// Value, rate and acceleration of every entry of the state.
+    pub state: Vec<[Expr; 3]>,
+    /// Kinetic energy, potential energy and power of the forces declared.
+    pub energies: [Expr; 3],
+    /// 0
+    pub zero: Expr,
+}
+
+/// An equation in the integrated coordinates.
+#[derive(Clone, Debug)]
+pub struct ReducedRow {
+    /// Index of its joint in the model, and number within the joint.
+    pub of: (usize, usize),
+    /// Φ; `None` for an equation between speeds.
+    pub phi: Option<Expr>,
+    /// Entries by integrated speed.
+    pub jacobian: Vec<Expr>,
+    /// ν
+    pub nu: Expr,
+    /// γ
+    pub gamma: Expr,
+}
+
+/// Eliminates explicit coordinates from the equations of motion; `None` if the motion does not follow from forces.
+pub(crate) fn reduce(model: &Model, system: &System, structure: &Structure) -> Option<Dynamics> {
+    let balance = system.balance.as_ref()?;
+    let mut arena = system.arena.clone();
+    let mut known = HashMap::new();
+    let orientations: Vec<[Expr; 3]> = (0..system.frames.len()).flat_map(|body| system.orientation(&mut arena, body)).collect();
+    let orientations: Vec<[Expr; 3]> = orientations.into_iter().map(|motion| motion.map(|expr| arena.plain(expr, &mut known))).collect();
+    let equations = [&system.equations, &system.of_speeds].map(|list| plain(&mut arena, &mut known, list));
+    let forces: Vec<Expr> = balance.forces.iter().map(|force| arena.plain(*force, &mut known)).collect();
+    let [potential, power] = [balance.potential, balance.power].map(|expr| arena.plain(expr, &mut known));
+    let masses = masses(&mut arena, &forces);
+    let kinetic = kinetic(&mut arena, &masses);
+
+    let is_initial = |equation: &Equation| model.joints[equation.joint].freedom.is_some();
+    let initial: Vec<Equation> = equations[0].iter().filter(|equation| is_initial(equation)).cloned().collect();
+    // Checked equations follow from the others.
+    let solved = |row: &usize| !is_initial(&equations[0][*row]) && !structure.checked.contains(row);
+    let solved: Vec<usize> = (0..equations[0].len()).filter(solved).collect();
+    let constraints: Vec<Equation> = solved.iter().map(|row| equations[0][*row].clone()).collect();
+    let pivots = |row: &usize| system.pattern.rows[*row].iter().filter(|entry| entry.is_pivot).map(|entry| entry.unknown).collect();
+    let pivots: Vec<Vec<usize>> = solved.iter().map(pivots).collect();
+    let mut embedding = Embedding::new(&mut arena, system.coordinates.len());
+    let left = embedding.eliminate(&constraints, &pivots);
+    let (of_freedoms, of_joints): (Vec<&Equation>, Vec<&Equation>) = equations[1].iter().partition(|equation| is_initial(equation));
+    let rows = left.into_iter().map(|row| &constraints[row]).chain(of_joints);
+    let rows: Vec<ReducedRow> = rows.map(|equation| embedding.row(equation)).collect();
+    let initial = initial.iter().chain(of_freedoms).map(|equation| embedding.row(equation)).collect();
+    let mass = embedding.mass(&masses);
+    let forces = embedding.forces(&forces);
+    let mut state: Vec<[Expr; 3]> = (0..system.coordinates.len()).map(|unknown| embedding.motion(unknown)).collect();
+    state.extend(orientations.into_iter().map(|motion| motion.map(|expr| embedding.of(expr))));
+    let integrated = embedding.integrated();
+    let zero = arena.integer(0);
+    Some(Dynamics { arena, integrated, rows, initial, mass, forces, state, energies: [kinetic, potential, power], zero })
+}
+
+/// Equations without marks.
+fn plain(arena: &mut Arena, known: &mut HashMap<Expr, Expr>, equations: &[Equation]) -> Vec<Equation> {
+    let mut equations = equations.to_vec();
+    for equation in &mut equations {
+        if let Level::Position { phi } = &mut equation.level {
+            *phi = arena.plain(*phi, known);
+        }
+        for expr in equation.jacobian.iter_mut().map(|(_, entry)| entry).chain([&mut equation.nu, &mut equation.gamma]) {
+            *expr = arena.plain(*expr, known);
+        }
+    }
+    equations
+}
+
+/// Entries of the mass matrix that are not zero, by the number of two speeds.
+type Masses = BTreeMap<(usize, usize), Expr>;
+
+/// ∂f/∂u̇
+fn masses(arena: &mut Arena, forces: &[Expr]) -> Masses {
+    let mut masses = Masses::new();
+    for (row, force) in forces.iter().enumerate() {
+        for leaf in arena.leaves(*force) {
+            if let Leaf::Acceleration(column) = leaf {
+                let entry = derivative(arena, *force, leaf);
+                masses.insert((row, column as usize), entry);
+            }
+        }
+    }
+    masses
+}
+
+/// ½ uᵀ M u
+fn kinetic(arena: &mut Arena, masses: &Masses) -> Expr {
+    let mut sum = arena.integer(0);
+    for (&(row, column), &entry) in masses {
+        let [u, v] = [row, column].map(|number| arena.leaf(Leaf::Speed(number as u32)));
+        let product = arena.mul(u, v);
+        let term = arena.mul(entry, product);
+        sum = arena.add(sum, term);
+    }
+    let two = arena.integer(2);
+    arena.div(sum, two)
+}

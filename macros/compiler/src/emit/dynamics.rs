@@ -1,0 +1,207 @@
+//! The generated equations of motion, and the functions that integrate them.
+
+use super::expression::local;
+use super::functions::Emitter;
+use super::literal::{matrix_type, number, real, vector_type};
+use super::routine::{RoutinePrinter, lines};
+use super::{allowed, docs, state_path};
+use crate::plan::{DynamicsCode, Routine};
+use crate::quantity::Role;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+impl Emitter<'_> {
+    /// The trait of the equations of motion and the methods that use it; nothing if all is driven.
+    pub(super) fn dynamics(&self) -> TokenStream {
+        let Some(code) = &self.plan.dynamics else { return quote!() };
+        let name = &self.model.name;
+        let [n, i, m, r] = self.sizes_of(code).map(number);
+        let (functions, constants) = (self.functions_of_motion(code), self.constants_of_motion(code));
+        let (methods, allowed) = (self.methods_of_motion(), allowed());
+        quote! {
+            #allowed
+            impl<T: ::reuleaux::Float> ::reuleaux::Dynamics<T, #n, #i, #m, #r> for #name<T> {
+                #constants
+                #functions
+            }
+            #allowed
+            impl<T: ::reuleaux::Float> #name<T> { #methods }
+        }
+    }
+
+    fn sizes_of(&self, code: &DynamicsCode) -> [usize; 4] {
+        [self.system.width(), code.integrated.len(), code.rows, code.initial_rows.len()]
+    }
+
+    fn constants_of_motion(&self, code: &DynamicsCode) -> TokenStream {
+        let [_, i, _, r] = self.sizes_of(code).map(number);
+        let integrated = code.integrated.iter().map(|unknown| number(*unknown));
+        let is_length = |unknown: &usize| matches!(self.system.coordinates[*unknown].role, Role::Position(_) | Role::Displacement);
+        let is_length = code.integrated.iter().map(is_length);
+        let joints = code.initial_rows.iter().map(|(joint, _)| self.model.joints[*joint].name.to_string());
+        let levels = code.initial_rows.iter().map(|(_, [position, speed])| quote!([#position, #speed]));
+        quote! {
+            const INTEGRATED: [::core::primitive::usize; #i] = [#(#integrated),*];
+            const IS_LENGTH: [::core::primitive::bool; #i] = [#(#is_length),*];
+            const JOINTS: [&'static ::core::primitive::str; #r] = [#(#joints),*];
+            const LEVELS: [[::core::primitive::bool; 2]; #r] = [#(#levels),*];
+        }
+    }
+
+    fn functions_of_motion(&self, code: &DynamicsCode) -> TokenStream {
+        let [n, i, m, r] = self.sizes_of(code);
+        let [q, qd, qdd, t] = ["q", "qd", "qdd", "t"].map(local);
+        let of_state = vector_type(n);
+        let (constraints, initial) = (self.kinematics(code, &code.constraints, m), self.kinematics(code, &code.initial, r));
+        let RoutinePrinter { reads, steps, results } = lines(self.model, &code.arena, &code.balance);
+        let matrix = self.entries(code, &code.balance, &results, 0, (m, i), &all(m, i));
+        let gamma = &results[m * i..m * i + m];
+        let triangle = m * i + m;
+        let places: Vec<(usize, usize)> = (0..i).flat_map(|row| (0..=row).map(move |column| (row, column))).collect();
+        let mass = self.entries(code, &code.balance, &results, triangle, (i, i), &places);
+        let forces = &results[triangle + places.len()..];
+        let [number_m, number_i, number_r] = [m, i, r].map(number);
+        let state = lines(self.model, &code.arena, &code.state);
+        let (reads_of_state, steps_of_state) = (&state.reads, &state.steps);
+        let parts = [0, 1, 2].map(|part| {
+            let values = state.results.iter().skip(part).step_by(3);
+            quote!(::core::convert::From::from([#(#values),*]))
+        });
+        let energy = lines(self.model, &code.arena, &code.energies);
+        let (reads_of_energy, steps_of_energy) = (&energy.reads, &energy.steps);
+        let [kinetic, potential, power] = [0, 1, 2].map(|part| &energy.results[part]);
+        quote! {
+            fn constraints(&self, #q: &#of_state, #t: T) -> ::reuleaux::Constraints<T, #number_m, #number_i> { #constraints }
+            fn initial(&self, #q: &#of_state, #t: T) -> ::reuleaux::Constraints<T, #number_r, #number_i> { #initial }
+            fn balance(&self, #q: &#of_state, #qd: &#of_state, #t: T) -> ::reuleaux::Balance<T, #number_m, #number_i> {
+                #reads
+                #steps
+                ::reuleaux::Balance {
+                    jacobian: #matrix,
+                    gamma: ::core::convert::From::from([#(#gamma),*]),
+                    mass: #mass,
+                    forces: ::core::convert::From::from([#(#forces),*]),
+                }
+            }
+            fn complete(&self, #q: &#of_state, #qd: &#of_state, #qdd: &#of_state, #t: T) -> [#of_state; 3] {
+                #reads_of_state
+                #steps_of_state
+                [#(#parts),*]
+            }
+            fn energy(&self, #q: &#of_state, #qd: &#of_state, #t: T) -> ::reuleaux::Energy<T> {
+                #reads_of_energy
+                #steps_of_energy
+                ::reuleaux::Energy { kinetic: #kinetic, potential: #potential, power: #power }
+            }
+        }
+    }
+
+    /// Φ, ν and J of `m` rows.
+    fn kinematics(&self, code: &DynamicsCode, routine: &Routine, m: usize) -> TokenStream {
+        let i = code.integrated.len();
+        let RoutinePrinter { reads, steps, results } = lines(self.model, &code.arena, routine);
+        let (phi, nu) = (&results[..m], &results[m..2 * m]);
+        let matrix = self.entries(code, routine, &results, 2 * m, (m, i), &all(m, i));
+        quote! {
+            #reads
+            #steps
+            ::reuleaux::Constraints {
+                phi: ::core::convert::From::from([#(#phi),*]),
+                jacobian: #matrix,
+                nu: ::core::convert::From::from([#(#nu),*]),
+            }
+        }
+    }
+
+    /// A matrix whose entries are results from `first` on.
+    fn entries(
+        &self,
+        code: &DynamicsCode,
+        routine: &Routine,
+        results: &[TokenStream],
+        first: usize,
+        (rows, columns): (usize, usize),
+        places: &[(usize, usize)],
+    ) -> TokenStream {
+        let is_zero = |k: usize| code.arena.as_constant(routine.results[first + k]).is_some_and(|value| value.is_zero());
+        let writes = places.iter().enumerate().filter(|(k, _)| !is_zero(*k)).map(|(k, (row, column))| {
+            let value = &results[first + k];
+            let (row, column) = (number(*row), number(*column));
+            quote!(matrix[(#row, #column)] = #value;)
+        });
+        let (of_matrix, zero) = (matrix_type(rows, columns), real(0.0));
+        quote!({
+            let mut matrix: #of_matrix = ::reuleaux::Matrix::from_element(#zero);
+            #(#writes)*
+            matrix
+        })
+    }
+
+    /// Initial state, steps and energies.
+    fn methods_of_motion(&self) -> TokenStream {
+        let state = state_path(&self.model.name);
+        let list: Vec<String> =
+            self.model.joints.iter().filter(|joint| joint.freedom.is_some()).map(|joint| format!("`{}`", joint.name)).collect();
+        let page = docs::line(&format!("The state at t = 0 with the initial values declared for the freedoms: {}.", list.join(", ")));
+        let failure = quote!(::reuleaux::Stopped<T>);
+        quote! {
+            #page
+            ///
+            /// # Errors
+            /// Why there is none.
+            pub fn initial_state(&self) -> ::core::result::Result<#state<T>, #failure> {
+                ::reuleaux::Integrator::<T>::initial_state(self).map(#state)
+            }
+            /// Makes the accelerations of a state those of its positions and speeds, which have to fulfil the equations.
+            ///
+            /// # Errors
+            /// Why there are none.
+            pub fn accelerate(&self, state: &mut #state<T>) -> ::core::result::Result<(), #failure> {
+                ::reuleaux::Integrator::<T>::refresh(self, &mut state.0)
+            }
+            /// Takes a state to time `t` (s), by steps whose error is within the tolerance of the integrator.
+            ///
+            /// # Errors
+            /// Why the motion stops; the state is the last one reached.
+            pub fn advance(
+                &self,
+                state: &mut #state<T>,
+                t: T,
+                integrator: &mut ::reuleaux::Integrator<T>,
+            ) -> ::core::result::Result<(), #failure> {
+                integrator.advance(self, &mut state.0, t)
+            }
+            /// Takes a state to the first instant before `t` (s) at which `event` changes its sign, or to `t`. True if there is such an
+            /// instant; an event where the state begins does not count.
+            ///
+            /// # Errors
+            /// Why the motion stops; the state is the last one reached.
+            pub fn advance_until(
+                &self,
+                state: &mut #state<T>,
+                t: T,
+                integrator: &mut ::reuleaux::Integrator<T>,
+                event: impl ::core::ops::Fn(&#state<T>) -> T,
+            ) -> ::core::result::Result<::core::primitive::bool, #failure> {
+                integrator.advance_until(self, &mut state.0, t, |state| event(&#state(::core::clone::Clone::clone(state))))
+            }
+            /// Takes a state over one step of `h` (s), always in the same time: for controllers.
+            ///
+            /// # Errors
+            /// Why there is no state after it; the state stays as it is.
+            pub fn step(&self, state: &mut #state<T>, h: T) -> ::core::result::Result<(), #failure> {
+                ::reuleaux::Integrator::<T>::fixed_step(self, &mut state.0, h)
+            }
+            /// Kinetic energy, potential energy of gravity, and the power of the forces declared.
+            #[must_use]
+            pub fn energy(&self, state: &#state<T>) -> ::reuleaux::Energy<T> {
+                ::reuleaux::Dynamics::energy(self, &state.q, &state.qd, state.t)
+            }
+        }
+    }
+}
+
+/// Row and column of every entry, row by row.
+fn all(rows: usize, columns: usize) -> Vec<(usize, usize)> {
+    (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))).collect()
+}

@@ -1,0 +1,63 @@
+//! Code of the equations of motion.
+
+use super::routine::Routine;
+use super::schedule;
+use super::words::Words;
+use crate::dynamics::{Dynamics, ReducedRow};
+use crate::expr::{Arena, Expr};
+use crate::model::Model;
+use crate::system::System;
+
+/// Code of the equations of motion, each routine with its results in the order stated.
+#[derive(Clone, Debug)]
+pub struct DynamicsCode {
+    /// All expressions.
+    pub arena: Arena,
+    /// Indices in the state of the coordinates that are integrated.
+    pub integrated: Vec<usize>,
+    /// Joint of each equation at t = 0, and whether it counts between positions and between speeds.
+    pub initial_rows: Vec<(usize, [bool; 2])>,
+    /// Number of equations between integrated coordinates, the first of those at t = 0.
+    pub rows: usize,
+    /// Φ, ν and J, row by row.
+    pub constraints: Routine,
+    /// The same of all equations at t = 0.
+    pub initial: Routine,
+    /// J row by row, γ, the lower triangle of M row by row, f.
+    pub balance: Routine,
+    /// Value, rate and acceleration of every entry of the state.
+    pub state: Routine,
+    /// Kinetic energy, potential energy, power.
+    pub energies: Routine,
+}
+
+/// Plans the equations of motion.
+pub(super) fn code(model: &Model, system: &System, dynamics: &Dynamics) -> DynamicsCode {
+    let words = Words::new(model, system);
+    let arena = dynamics.arena.clone();
+    let line = |results: Vec<Expr>| schedule::routine(&arena, results, &words);
+    let Dynamics { rows, initial, mass, forces, state, energies, integrated, .. } = dynamics;
+    let all: Vec<ReducedRow> = rows.iter().chain(initial).cloned().collect();
+    let level = |row: &ReducedRow| {
+        // A pin holds a position, and leaves its rate to the equations between speeds.
+        let is_pin = row.of.1 >= model.joints[row.of.0].residuals.len();
+        (row.of.0, [row.phi.is_some(), !is_pin])
+    };
+    let entries = |rows: &[ReducedRow]| rows.iter().flat_map(|row| row.jacobian.clone()).collect::<Vec<_>>();
+    let kinematics = |rows: &[ReducedRow]| {
+        let phi = rows.iter().map(|row| row.phi.unwrap_or(dynamics.zero));
+        phi.chain(rows.iter().map(|row| row.nu)).chain(entries(rows)).collect::<Vec<_>>()
+    };
+    let gamma = rows.iter().map(|row| row.gamma);
+    DynamicsCode {
+        integrated: integrated.clone(),
+        initial_rows: all.iter().map(level).collect(),
+        rows: rows.len(),
+        constraints: line(kinematics(rows)),
+        initial: line(kinematics(&all)),
+        balance: line(entries(rows).into_iter().chain(gamma).chain(mass.iter().chain(forces).copied()).collect()),
+        state: line(state.iter().flatten().copied().collect()),
+        energies: line(energies.to_vec()),
+        arena,
+    }
+}

@@ -1,0 +1,72 @@
+//! Freedoms: quantities that follow from forces.
+//!
+//! ```text
+//! freedom a = e from e₀ at ė₀      of positions:   e − e₀ − ė₀ t at t = 0
+//! freedom w = e from e₀            of speeds:      e − e₀
+//! ```
+
+use super::elaborate::{Elaborator, Scope};
+use super::statement::ScalarEquation;
+use super::value::{Scalar, Value};
+use crate::diag::{EquationFact, ValueFact};
+use crate::expr::{Expr, Leaf};
+use crate::quantity::{Dim, InferredDim};
+use crate::syntax::ast;
+
+impl Elaborator<'_> {
+    /// The equations of a freedom, which hold at t = 0 only. Without `from` its value at the declared start is still to be subtracted.
+    pub(super) fn freedom(&mut self, freedom: &ast::Freedom, scope: &Scope) -> Option<Vec<ScalarEquation>> {
+        let range = freedom.value.range;
+        let parts = self.quantities(&freedom.value, scope)?;
+        let measure = parts.first()?.measure;
+        let is_of_speeds = parts.iter().any(|part| self.has_speeds(part.expr));
+        let timeless = scope.clone().timeless("the initial value of a freedom");
+        let from = self.initial(freedom.from.as_ref(), &parts, measure, &timeless)?;
+        let per_time = measure.per(InferredDim::Known(Dim::TIME));
+        let at = self.initial(freedom.at.as_ref(), &parts, per_time, &timeless)?;
+        if let (true, Some(at)) = (is_of_speeds, &freedom.at) {
+            return self.refuse(at.range, EquationFact::RateOfSpeed);
+        }
+        let time = self.arena.leaf(Leaf::Time);
+        let equations = parts.into_iter().zip(from.into_iter().zip(at)).map(|(Scalar { expr, measure }, (from, at))| {
+            let way = self.arena.mul(at, time);
+            let rest = self.arena.sub(expr, from);
+            ScalarEquation { residual: Scalar { expr: self.arena.sub(rest, way), measure }, range }
+        });
+        Some(equations.collect())
+    }
+
+    /// The numbers of a number, a vector or a joint that has one coordinate.
+    fn quantities(&mut self, written: &ast::Expression, scope: &Scope) -> Option<Vec<Scalar>> {
+        let value = self.value(written, scope)?;
+        let noun = value.noun();
+        if let Value::Scalar(scalar) = value {
+            return Some(vec![scalar]);
+        }
+        match self.as_vector(value) {
+            Some(vector) => Some(vector.parts.iter().map(|expr| Scalar { expr: *expr, measure: vector.measure }).collect()),
+            None => self.refuse(written.range, ValueFact::NotA { wanted: "a number or a vector", found: noun }),
+        }
+    }
+
+    /// Initial values, zero if none are written.
+    fn initial(&mut self, written: Option<&ast::Expression>, of: &[Scalar], measure: InferredDim, scope: &Scope) -> Option<Vec<Expr>> {
+        let Some(written) = written else { return Some(vec![self.arena.integer(0); of.len()]) };
+        let found = self.quantities(written, scope)?;
+        if found.len() != of.len() {
+            let noun = |count: usize| if count == 1 { "a number" } else { "a vector" };
+            return self.refuse(written.range, ValueFact::NotA { wanted: noun(of.len()), found: noun(found.len()) });
+        }
+        let values = found.into_iter().map(|value| {
+            if value.measure.common(measure).is_none() {
+                let (wanted, found) = (measure.settled(), value.measure.settled());
+                return self.refuse(written.range, ValueFact::WrongDimension { wanted, found });
+            }
+            if !self.is_fixed(value.expr) {
+                return self.refuse(written.range, ValueFact::NotFixed { place: "the initial value of a freedom" });
+            }
+            Some(value.expr)
+        });
+        values.collect()
+    }
+}

@@ -1,0 +1,126 @@
+//! What forces and masses do by the speeds of the unknowns, where they decide the motion.
+//!
+//! ```text
+//! f_k = Σ ∂v/∂u_k · F + ∂ω/∂u_k · T      F, T: M u̇ − Q of a body, about its origin
+//! V   = −Σ m g · r_C                      P = Σ F · v_P + T · ω of the forces declared
+//! ```
+
+use super::dynamics;
+use crate::expr::{Arena, Expr, Leaf, cross, derivative};
+use crate::model::{DECLARED, Force, Model};
+use crate::quantity::{Ambient, Role};
+
+/// Forces by speed, and energies.
+#[derive(Clone, Debug)]
+pub struct Balance {
+    /// M u̇ − Q, by speed.
+    pub forces: Vec<Expr>,
+    /// Potential energy of gravity.
+    pub potential: Expr,
+    /// Power of the forces declared.
+    pub power: Expr,
+}
+
+impl Balance {
+    /// In the declared coordinates, by the speeds of bodies.
+    pub(super) fn declared(model: &Model, arena: &mut Arena) -> Balance {
+        let zero = arena.integer(0);
+        let each = if model.ambient == Ambient::Space { 6 } else { 3 };
+        let forces = dynamics::unbalanced(model, arena).unwrap_or_else(|| vec![zero; each * model.bodies.len()]);
+        Balance { forces, potential: potential(model, arena), power: power(model, arena) }
+    }
+
+    /// Every expression, as `of` writes it.
+    pub(super) fn map(mut self, mut of: impl FnMut(Expr) -> Expr) -> Balance {
+        self.forces.iter_mut().chain([&mut self.potential, &mut self.power]).for_each(|expr| *expr = of(*expr));
+        self
+    }
+
+    /// By the rates of unknowns in space, of which the first are the positions of the bodies.
+    pub(super) fn by_unknowns(mut self, arena: &mut Arena, frames: &[usize], unknowns: usize) -> Balance {
+        let zero = arena.integer(0);
+        let mut forces = vec![zero; unknowns];
+        for (body, frame) in frames.iter().enumerate() {
+            for axis in 0..3 {
+                forces[3 * body + axis] = self.forces[6 * body + axis];
+                let spin = arena.frame(*frame).velocity[axis];
+                let torque = self.forces[6 * body + 3 + axis];
+                for leaf in arena.leaves(spin) {
+                    let Leaf::Speed(number) = leaf else { continue };
+                    let slope = derivative(arena, spin, leaf);
+                    let part = arena.mul(slope, torque);
+                    forces[number as usize] = arena.add(forces[number as usize], part);
+                }
+            }
+        }
+        self.forces = forces;
+        self
+    }
+}
+
+/// −Σ m g · r_C
+fn potential(model: &Model, arena: &mut Arena) -> Expr {
+    let mut sum = arena.integer(0);
+    let Some(gravity) = &model.gravity else { return sum };
+    let zero = arena.integer(0);
+    for (body, declared) in model.bodies.iter().enumerate() {
+        let Some(mass) = declared.mass.mass else { continue };
+        let center = declared.mass.center.clone().unwrap_or_else(|| vec![zero; gravity.len()]);
+        let arm = dynamics::arm(model, arena, body, &center);
+        for (axis, (along, g)) in arm.into_iter().zip(gravity).enumerate() {
+            let origin = arena.leaf(Leaf::Coordinate(coordinate(model, body, axis)));
+            let place = arena.add(origin, along);
+            let height = arena.mul(*g, place);
+            let energy = arena.mul(mass, height);
+            sum = arena.sub(sum, energy);
+        }
+    }
+    sum
+}
+
+/// Σ F · v_P + T · ω
+fn power(model: &Model, arena: &mut Arena) -> Expr {
+    let mut sum = arena.integer(0);
+    for Force { body, point, parts } in &model.forces {
+        let arm = point.as_ref().map(|point| dynamics::arm(model, arena, *body, point));
+        let speeds: Vec<Expr> = match (model.ambient, arm) {
+            (Ambient::Plane, None) => vec![speed(model, arena, *body, 2)],
+            (Ambient::Plane, Some(arm)) => {
+                let turning = speed(model, arena, *body, 2);
+                let across = [arena.neg(arm[1]), arm[0]].map(|part| arena.mul(part, turning));
+                along(model, arena, *body, &across)
+            }
+            (Ambient::Space, None) => (3..6).map(|k| speed(model, arena, *body, k)).collect(),
+            (Ambient::Space, Some(arm)) => {
+                let spin = [3, 4, 5].map(|k| speed(model, arena, *body, k));
+                let across = cross(arena, spin, [arm[0], arm[1], arm[2]]);
+                along(model, arena, *body, &across)
+            }
+        };
+        for (part, speed) in parts.iter().zip(speeds) {
+            let term = arena.mul(*part, speed);
+            sum = arena.add(sum, term);
+        }
+    }
+    sum
+}
+
+/// Velocity of a body's origin, and the rest of a point's.
+fn along(model: &Model, arena: &mut Arena, body: usize, rest: &[Expr]) -> Vec<Expr> {
+    let parts = rest.iter().enumerate().map(|(axis, rest)| {
+        let origin = speed(model, arena, body, axis);
+        arena.add(origin, *rest)
+    });
+    parts.collect()
+}
+
+fn speed(model: &Model, arena: &mut Arena, body: usize, offset: usize) -> Expr {
+    arena.leaf(Leaf::Speed(dynamics::number(model, body, offset)))
+}
+
+fn coordinate(model: &Model, body: usize, axis: usize) -> u32 {
+    match model.ambient {
+        Ambient::Plane => dynamics::number(model, body, axis),
+        Ambient::Space => DECLARED + (Role::SPACE.len() * body + axis) as u32,
+    }
+}

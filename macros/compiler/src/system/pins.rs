@@ -1,0 +1,66 @@
+//! Coordinates that keep their declared start values where only speeds are said of them.
+
+use super::rows::Row;
+use super::{Coordinate, Equation};
+use crate::expr::{Arena, Expr, Leaf, Values, evaluate};
+use crate::model::{Function, Model};
+use crate::quantity::{Dim, Role};
+
+/// Rows that hold the coordinates which the equations leave open at the start; they belong to the last freedom.
+pub(super) fn pins(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], equations: &[Equation]) -> Vec<Row> {
+    let (open, joint) = (open(model, arena, coordinates, equations), model.joints.len() - 1);
+    let first = model.joints[joint].residuals.len();
+    let row = |(number, unknown): (usize, usize)| {
+        let Coordinate { role, start, .. } = coordinates[unknown];
+        let leaf = arena.leaf(Leaf::Coordinate(unknown as u32));
+        let residual = start.map_or(leaf, |start| arena.sub(leaf, start));
+        let dim = match role {
+            Role::Position(_) | Role::Displacement => Dim::LENGTH,
+            Role::Angle => Dim::ANGLE,
+            Role::Quaternion(_) => Dim::NUMBER,
+        };
+        Row { joint, row: first + number, dim, residual, is_velocity: false }
+    };
+    open.into_iter().enumerate().map(row).collect()
+}
+
+/// Unknowns without a pivot when Φ_q at the declared start is eliminated, the largest entry of all first.
+fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], equations: &[Equation]) -> Vec<usize> {
+    let functions = |number: u32, x: f64| match model.functions.get(number as usize) {
+        Some(Function::Table(table)) => table.evaluate(x),
+        _ => [f64::NAN; 3],
+    };
+    let nothing = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
+    let defaults: Vec<Expr> = model.parameters.iter().map(|parameter| parameter.default).collect();
+    let parameters = evaluate(arena, &defaults, &nothing);
+    let known = Values { parameters: &parameters, ..nothing };
+    let start = |coordinate: &Coordinate| coordinate.start.and_then(|start| evaluate(arena, &[start], &known).pop()).unwrap_or(0.0);
+    let start: Vec<f64> = coordinates.iter().map(start).collect();
+    let at_start = Values { coordinates: &start, ..known };
+    let mut rows: Vec<Vec<f64>> = Vec::new();
+    for equation in equations {
+        let mut row = vec![0.0; coordinates.len()];
+        let entries: Vec<Expr> = equation.jacobian.iter().map(|(_, entry)| *entry).collect();
+        for ((column, _), value) in equation.jacobian.iter().zip(evaluate(arena, &entries, &at_start)) {
+            row[*column] = value;
+        }
+        rows.push(row);
+    }
+    let mut free: Vec<usize> = (0..coordinates.len()).collect();
+    while let Some(mut row) = rows.pop() {
+        let Some(at) = (0..free.len()).max_by(|one, two| row[free[*one]].abs().total_cmp(&row[free[*two]].abs())) else { break };
+        let pivot = free.remove(at);
+        if row[pivot] == 0.0 {
+            free.push(pivot);
+            continue;
+        }
+        let factor = 1.0 / row[pivot];
+        row.iter_mut().for_each(|entry| *entry *= factor);
+        for other in &mut rows {
+            let times = other[pivot];
+            other.iter_mut().zip(&row).for_each(|(entry, own)| *entry -= times * own);
+        }
+    }
+    free.sort_unstable();
+    free
+}

@@ -1,0 +1,74 @@
+//! Equations of motion, as emitted code provides them.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::names::Description;
+use crate::number::Float;
+
+/// Equations of motion of a mechanism with `N` entries of its state, of which `I` are integrated, `M` equations between them and `R`
+/// equations at t = 0. Emitted code implements it.
+///
+/// Vectors q, q̇ and q̈ have the `N` entries of the state; only the integrated ones are read.
+pub trait Dynamics<T: Float, const N: usize, const I: usize, const M: usize, const R: usize>: Description<T, N> {
+    /// Indices of the integrated coordinates.
+    const INTEGRATED: [usize; I];
+
+    /// True for an integrated coordinate in m.
+    const IS_LENGTH: [bool; I];
+
+    /// Names of the joints of the equations at t = 0, of which the first are those between integrated coordinates.
+    const JOINTS: [&'static str; R];
+
+    /// For each equation at t = 0 whether it is one between positions, and whether it, or its rate, is one between speeds.
+    const LEVELS: [[bool; 2]; R];
+
+    /// Φ, J and ν.
+    fn constraints(&self, q: &SVector<T, N>, t: T) -> Constraints<T, M, I>;
+
+    /// The same for all equations that hold at t = 0.
+    fn initial(&self, q: &SVector<T, N>, t: T) -> Constraints<T, R, I>;
+
+    /// J, γ, M and f.
+    fn balance(&self, q: &SVector<T, N>, qd: &SVector<T, N>, t: T) -> Balance<T, M, I>;
+
+    /// The whole state, from its integrated entries.
+    fn complete(&self, q: &SVector<T, N>, qd: &SVector<T, N>, qdd: &SVector<T, N>, t: T) -> [SVector<T, N>; 3];
+
+    /// Energies and power in a state.
+    fn energy(&self, q: &SVector<T, N>, qd: &SVector<T, N>, t: T) -> Energy<T>;
+}
+
+/// Equations between positions and between speeds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constraints<T, const M: usize, const I: usize> {
+    /// Φ; 0 for an equation between speeds.
+    pub phi: SVector<T, M>,
+    /// J, by integrated speed.
+    pub jacobian: SMatrix<T, M, I>,
+    /// ν
+    pub nu: SVector<T, M>,
+}
+
+/// Equations between accelerations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Balance<T, const M: usize, const I: usize> {
+    /// J, by integrated speed.
+    pub jacobian: SMatrix<T, M, I>,
+    /// γ
+    pub gamma: SVector<T, M>,
+    /// M; its lower triangle counts.
+    pub mass: SMatrix<T, I, I>,
+    /// f, M u̇ − Q at u̇ = 0.
+    pub forces: SVector<T, I>,
+}
+
+/// Energies of a mechanism in a state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Energy<T> {
+    /// Kinetic energy, in J.
+    pub kinetic: T,
+    /// Potential energy of gravity, in J.
+    pub potential: T,
+    /// Power of the forces declared with `force`, in W. That of gravity is in the potential energy, that of drives in the loads.
+    pub power: T,
+}

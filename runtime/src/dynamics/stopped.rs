@@ -1,0 +1,83 @@
+//! Why a motion stops.
+
+use core::fmt::{self, Display, Formatter};
+
+use crate::names::ParameterOutOfRange;
+
+/// Why there is no initial state, or why a motion stops.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stopped<T> {
+    /// Joints, drives and the initial values of the freedoms cannot hold together.
+    NotAssembled {
+        /// The joint or freedom that stays open furthest.
+        joint: &'static str,
+        /// Its residual, in its unit.
+        residual: T,
+    },
+    /// An equation depends on the others: the mechanism can go on in several ways, or its joints lock.
+    Singular {
+        /// Time in s.
+        time: T,
+        /// Its joint.
+        joint: &'static str,
+    },
+    /// No mass or inertia resists a motion that joints and drives allow.
+    Massless {
+        /// Time in s.
+        time: T,
+        /// Body or joint of a coordinate that is free to move.
+        owner: &'static str,
+        /// The coordinate.
+        coordinate: &'static str,
+    },
+    /// A number is infinite or NaN.
+    NotFinite {
+        /// Time in s.
+        time: T,
+    },
+    /// No step is short enough for the tolerance.
+    StepTooShort {
+        /// Time in s.
+        time: T,
+    },
+    /// The time is not reached within the steps of one call.
+    TooManySteps {
+        /// Time in s.
+        time: T,
+    },
+    /// A parameter has a value for which the mechanism is not defined.
+    ParameterOutOfRange(ParameterOutOfRange<T>),
+}
+
+impl<T: Display> Display for Stopped<T> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Stopped::NotAssembled { joint, residual } => {
+                write!(f, "there is no initial state: `{joint}` stays open by {residual}; start nearer to it, or change the initial values")
+            }
+            Stopped::Singular { time, joint } => {
+                write!(f, "at t = {time} s the equations of `{joint}` depend on those of other joints: the motion is not determined")
+            }
+            Stopped::Massless { time, owner, coordinate } => {
+                write!(
+                    f,
+                    "at t = {time} s no mass or inertia resists the motion of `{owner}.{coordinate}`; give a body that moves with it a mass"
+                )
+            }
+            Stopped::NotFinite { time } => write!(f, "at t = {time} s a number is infinite or not a number"),
+            Stopped::StepTooShort { time } => {
+                write!(
+                    f,
+                    "at t = {time} s no step is short enough for the tolerance: the motion is not smooth there, or the tolerance below rounding errors"
+                )
+            }
+            Stopped::TooManySteps { time } => write!(f, "the steps of one call end at t = {time} s"),
+            Stopped::ParameterOutOfRange(ParameterOutOfRange { name, value, unit, why }) => {
+                let space = if unit.is_empty() { "" } else { " " };
+                write!(f, "the parameter `{name}` is {value}{space}{unit}: {why}")
+            }
+        }
+    }
+}
+
+impl<T: Display + fmt::Debug> core::error::Error for Stopped<T> {}
