@@ -163,7 +163,7 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     // There is an initial configuration; it is assembled unless the mechanism allows others.
     let motion = travel::follow(&model, &system, &structure, &assembly, diag)?;
     // The motion continues over its declared range, as far as it was followed.
-    let dynamics = dynamics::reduce(&model, &system, &structure);
+    let dynamics = dynamics::derive(&model, &system, &structure, &assembly, diag)?;
     // What is integrated has equations of motion, everything else follows from it.
     let plan = plan::schedule(&model, &system, &structure, &assembly, dynamics.as_ref());
     // Nothing is left to decide.

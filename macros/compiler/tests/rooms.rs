@@ -11,7 +11,7 @@ use syn::visit::{self, Visit};
 use syn::{Item, UseTree, Visibility};
 
 /// From the bottom up; `compile` enters them from the top.
-const ROOMS: [&str; 21] = [
+const ROOMS: [&str; 22] = [
     "expr",
     "geometry",
     "quantity",
@@ -28,6 +28,7 @@ const ROOMS: [&str; 21] = [
     "mobility",
     "assembly",
     "travel",
+    "dynamics",
     "plan",
     "picture",
     "emit",

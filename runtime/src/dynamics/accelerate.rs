@@ -95,7 +95,8 @@ fn solve<T: Float, const I: usize>(
             let factor = matrix[(k, j)];
             pivot = pivot - factor * factor * matrix[(j, j)];
         }
-        if !(pivot * length(k) * length(k) > T::of(MASSLESS) * largest) {
+        let is_above_zero = pivot * length(k) * length(k) > T::of(MASSLESS) * largest;
+        if !is_above_zero {
             return Err(k);
         }
         matrix[(k, k)] = pivot;

@@ -13,7 +13,7 @@ use crate::state::State;
 /// Steps of a motion: their tolerance, their size, and what they cost.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Integrator<T = f64> {
-    /// Error of a step that is accepted, relative to the largest length, angle and speed.
+    /// Error aimed at, relative to the largest length, angle and speed; motions that amplify errors end with larger ones.
     pub tolerance: T,
     /// Longest step, in s; infinite unless set.
     pub longest: T,
@@ -293,6 +293,9 @@ where
     Ok(next)
 }
 
+/// Errors of steps add up: each may have this fraction of the tolerance.
+const EACH: f64 = 0.02;
+
 /// Estimated error of a step, relative to the tolerance.
 fn error<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
@@ -312,13 +315,13 @@ where
     for (k, &place) in S::INTEGRATED.iter().enumerate() {
         fastest = fastest.max((state.qd[place] / lengths[k]).abs()).max((end[1][k] / lengths[k]).abs());
     }
-    let (mut fifth, mut third) = (T::ZERO, T::ZERO);
+    let (mut fifth, mut third, allowed) = (T::ZERO, T::ZERO, T::of(EACH) * tolerance);
     for (k, &place) in S::INTEGRATED.iter().enumerate() {
         let value = (state.q[place] / lengths[k]).abs().max((end[0][k] / lengths[k]).abs()).max(T::of(1.0));
         let scales = [lengths[k] * value, lengths[k] * fastest.max(T::of(1e-30))];
         for (part, scale) in scales.into_iter().enumerate() {
             let sum = |weights: &[(usize, f64)]| {
-                weights.iter().fold(T::ZERO, |sum, (stage, weight)| sum + T::of(*weight) * rates[*stage][part][k]) / (tolerance * scale)
+                weights.iter().fold(T::ZERO, |sum, (stage, weight)| sum + T::of(*weight) * rates[*stage][part][k]) / (allowed * scale)
             };
             let (five, three) = (sum(&FIFTH), sum(&THIRD));
             fifth = fifth + five * five;

@@ -64,7 +64,8 @@ impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
                 }
             }
             let (size, row, column) = best;
-            if rank >= I || !(size > T::of(DEPENDENT) * sizes[row]) {
+            let is_independent = size > T::of(DEPENDENT) * sizes[row];
+            if rank >= I || !is_independent {
                 return Err(names[row]);
             }
             swap_rows(&mut matrix, &mut side, rank, row);

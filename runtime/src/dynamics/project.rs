@@ -75,8 +75,9 @@ fn gap<T: Float, const K: usize, const I: usize>(here: &Constraints<T, K, I>, co
     let mut gap = (0, T::ZERO);
     for row in (0..K).filter(|row| counts(*row)) {
         let size = here.phi[row].abs();
+        let is_smaller = size <= gap.1;
         // What is not a number is open.
-        if !(size <= gap.1) {
+        if !is_smaller {
             gap = (row, size);
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! The first line of every error ends with its code, `[reuleaux::E0305]`. Each code has a page in the error index for users,
 //! `reuleaux::errors`. The hundreds are families: 00 grammar, 01 names, 02 arguments, 03 kinds and dimensions, 04 values, 05 loops,
-//! arrays and parts, 06 equations, 07 mobility, 08 redundancy, 09 assembly, 10 parameters.
+//! arrays and parts, 06 equations, 07 mobility, 08 redundancy, 09 assembly, 10 parameters, 11 masses and forces.
 //!
 //! To give a new fact its code:
 //!
@@ -147,4 +147,8 @@ codes! {
     // Parameters.
     E1001: Value::EmptyBounds Value::RangeWithoutEnd;
     E1002: Value::DefaultOutOfBounds;
+    // Masses and forces.
+    E1101: System::FreedomDepends System::FreedomsMissing;
+    E1102: System::Massless;
+    E1103: Value::NegativeMass Value::ImpossibleInertia Value::CenterWithoutMass;
 }

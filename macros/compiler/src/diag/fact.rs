@@ -176,6 +176,9 @@ pub enum ValueFact {
     DefaultOutOfBounds { value: String, bounds: String },
     NotFixed { place: &'static str },
     FunctionNeedsArgument,
+    NegativeMass { what: &'static str, body: String, value: f64 },
+    ImpossibleInertia { body: String },
+    CenterWithoutMass { body: String },
     ZeroAxis { name: String, in_space: bool },
 }
 
@@ -214,6 +217,20 @@ pub enum SystemFact {
         body: String,
         joints: [String; 2],
     },
+    FreedomDepends {
+        freedom: String,
+        of: usize,
+    },
+    FreedomsMissing {
+        name: String,
+        missing: usize,
+        declared: usize,
+        candidates: Vec<String>,
+    },
+    Massless {
+        bodies: Vec<String>,
+        has_any: bool,
+    },
     Nonholonomic {
         joint: String,
         row: usize,
@@ -238,6 +255,7 @@ pub enum SystemFact {
         forgotten: Box<Forgotten>,
         candidates: Vec<String>,
         example: String,
+        freedom: Option<String>,
     },
     NothingToDrive {
         drive: String,

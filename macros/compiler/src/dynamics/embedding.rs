@@ -1,10 +1,10 @@
-//! Explicit coordinates as functions of the others.
+//! Embedded coordinates as functions of the others.
 //!
 //! ```text
 //! q_e = h(q, t)      u_e = Σ E_er u_r + ν_e      u̇_e = Σ E_er u̇_r + γ_e
 //! ```
 
-use super::{Masses, ReducedRow};
+use super::{Masses, MotionRow};
 use crate::expr::{Arena, Expr, Leaf, Substitution};
 use crate::system::Equation;
 use std::collections::BTreeMap;
@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 /// Coordinates written in those that are integrated.
 pub(super) struct Embedding<'a> {
     arena: &'a mut Arena,
-    explicit: BTreeMap<usize, Explicit>,
+    explicit: BTreeMap<usize, Embedded>,
     coordinates: usize,
     /// Replaces explicit coordinates, speeds and accelerations.
     substitution: Substitution,
@@ -20,7 +20,7 @@ pub(super) struct Embedding<'a> {
 
 /// An explicit coordinate.
 #[derive(Clone)]
-struct Explicit {
+struct Embedded {
     value: Expr,
     motion: Affine,
 }
@@ -81,7 +81,7 @@ impl Embedding<'_> {
         }
         motion.nu = self.arena.div(motion.nu, slope);
         motion.gamma = self.arena.div(motion.gamma, slope);
-        self.explicit.insert(pivot, Explicit { value, motion });
+        self.explicit.insert(pivot, Embedded { value, motion });
         self.rewrite_by(pivot);
     }
 
@@ -122,14 +122,14 @@ impl Embedding<'_> {
     }
 
     /// Enters a coordinate into the substitution.
-    fn note(&mut self, number: usize, explicit: &Explicit) {
+    fn note(&mut self, number: usize, explicit: &Embedded) {
         let [value, rate, acceleration] = self.written(explicit);
         for (leaf, expr) in [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration].into_iter().zip([value, rate, acceleration]) {
             self.substitution.replace(leaf(number as u32), expr);
         }
     }
 
-    fn written(&mut self, explicit: &Explicit) -> [Expr; 3] {
+    fn written(&mut self, explicit: &Embedded) -> [Expr; 3] {
         let Affine { factors, nu, gamma } = &explicit.motion;
         let (mut rate, mut acceleration) = (*nu, *gamma);
         for (unknown, factor) in factors {
@@ -168,12 +168,12 @@ impl Embedding<'_> {
     }
 
     /// A row in the integrated coordinates.
-    pub(super) fn row(&mut self, equation: &Equation) -> ReducedRow {
+    pub(super) fn row(&mut self, equation: &Equation) -> MotionRow {
         let zero = self.arena.integer(0);
         let Affine { factors, nu, gamma } = self.affine(equation);
         let phi = equation.phi().map(|phi| self.of(phi));
         let jacobian = self.integrated().iter().map(|unknown| factors.get(unknown).copied().unwrap_or(zero)).collect();
-        ReducedRow { of: (equation.joint, equation.row), phi, jacobian, nu, gamma }
+        MotionRow { of: (equation.joint, equation.row), phi, jacobian, nu, gamma }
     }
 
     /// Coordinates that are not explicit.

@@ -9,12 +9,15 @@
 //! J u̇ = γ
 //! ```
 
+mod check;
 mod embedding;
 
+use crate::assembly::Assembly;
+use crate::diag::Diag;
 use crate::expr::{Arena, Expr, Leaf, derivative};
 use crate::model::Model;
 use crate::structure::Structure;
-use crate::system::{Equation, Level, System};
+use crate::system::{Balance, Equation, Level, System};
 use embedding::Embedding;
 use std::collections::{BTreeMap, HashMap};
 
@@ -26,9 +29,9 @@ pub struct Dynamics {
     /// Coordinates that are integrated, by index in the state.
     pub integrated: Vec<usize>,
     /// Equations between them.
-    pub rows: Vec<ReducedRow>,
+    pub rows: Vec<MotionRow>,
     /// Equations of the freedoms at t = 0.
-    pub initial: Vec<ReducedRow>,
+    pub initial: Vec<MotionRow>,
     /// Lower triangle of the mass matrix, row by row.
     pub mass: Vec<Expr>,
     /// M u̇ − Q at u̇ = 0, by integrated speed.
@@ -43,7 +46,7 @@ pub struct Dynamics {
 
 /// An equation in the integrated coordinates.
 #[derive(Clone, Debug)]
-pub struct ReducedRow {
+pub struct MotionRow {
     /// Index of its joint in the model, and number within the joint.
     pub of: (usize, usize),
     /// Φ; `None` for an equation between speeds.
@@ -56,9 +59,22 @@ pub struct ReducedRow {
     pub gamma: Expr,
 }
 
-/// Eliminates explicit coordinates from the equations of motion; `None` if the motion does not follow from forces.
-pub(crate) fn reduce(model: &Model, system: &System, structure: &Structure) -> Option<Dynamics> {
-    let balance = system.balance.as_ref()?;
+/// The equations of motion, if it follows from forces; refuses freedoms that do not determine it, and motions without mass.
+pub(crate) fn derive(
+    model: &Model,
+    system: &System,
+    structure: &Structure,
+    assembly: &Assembly,
+    diag: &mut Diag,
+) -> Option<Option<Dynamics>> {
+    let Some(balance) = &system.balance else { return Some(None) };
+    let dynamics = reduce(system, structure, balance);
+    check::check(model, system, assembly, &dynamics, diag)?;
+    Some(Some(dynamics))
+}
+
+/// Eliminates explicit coordinates from the equations of motion.
+fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics {
     let mut arena = system.arena.clone();
     let mut known = HashMap::new();
     let orientations: Vec<[Expr; 3]> = (0..system.frames.len()).flat_map(|body| system.orientation(&mut arena, body)).collect();
@@ -69,19 +85,18 @@ pub(crate) fn reduce(model: &Model, system: &System, structure: &Structure) -> O
     let masses = masses(&mut arena, &forces);
     let kinetic = kinetic(&mut arena, &masses);
 
-    let is_initial = |equation: &Equation| model.joints[equation.joint].freedom.is_some();
-    let initial: Vec<Equation> = equations[0].iter().filter(|equation| is_initial(equation)).cloned().collect();
+    let initial: Vec<Equation> = equations[0].iter().filter(|equation| equation.is_initial).cloned().collect();
     // Checked equations follow from the others.
-    let solved = |row: &usize| !is_initial(&equations[0][*row]) && !structure.checked.contains(row);
+    let solved = |row: &usize| !equations[0][*row].is_initial && !structure.checked.contains(row);
     let solved: Vec<usize> = (0..equations[0].len()).filter(solved).collect();
     let constraints: Vec<Equation> = solved.iter().map(|row| equations[0][*row].clone()).collect();
     let pivots = |row: &usize| system.pattern.rows[*row].iter().filter(|entry| entry.is_pivot).map(|entry| entry.unknown).collect();
     let pivots: Vec<Vec<usize>> = solved.iter().map(pivots).collect();
     let mut embedding = Embedding::new(&mut arena, system.coordinates.len());
     let left = embedding.eliminate(&constraints, &pivots);
-    let (of_freedoms, of_joints): (Vec<&Equation>, Vec<&Equation>) = equations[1].iter().partition(|equation| is_initial(equation));
+    let (of_freedoms, of_joints): (Vec<&Equation>, Vec<&Equation>) = equations[1].iter().partition(|equation| equation.is_initial);
     let rows = left.into_iter().map(|row| &constraints[row]).chain(of_joints);
-    let rows: Vec<ReducedRow> = rows.map(|equation| embedding.row(equation)).collect();
+    let rows: Vec<MotionRow> = rows.map(|equation| embedding.row(equation)).collect();
     let initial = initial.iter().chain(of_freedoms).map(|equation| embedding.row(equation)).collect();
     let mass = embedding.mass(&masses);
     let forces = embedding.forces(&forces);
@@ -89,7 +104,7 @@ pub(crate) fn reduce(model: &Model, system: &System, structure: &Structure) -> O
     state.extend(orientations.into_iter().map(|motion| motion.map(|expr| embedding.of(expr))));
     let integrated = embedding.integrated();
     let zero = arena.integer(0);
-    Some(Dynamics { arena, integrated, rows, initial, mass, forces, state, energies: [kinetic, potential, power], zero })
+    Dynamics { arena, integrated, rows, initial, mass, forces, state, energies: [kinetic, potential, power], zero }
 }
 
 /// Equations without marks.

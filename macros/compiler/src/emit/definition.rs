@@ -9,6 +9,7 @@
 //!   ─▶ ::reuleaux::__resume! { { constraint rolling … } { known } rolling { … } }
 //! ```
 
+use crate::quantity::Ambient;
 use crate::syntax::ast::{Definitions, Export, Use};
 use proc_macro2::{Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote, quote_spanned};
@@ -129,13 +130,18 @@ pub(crate) fn library_pages() -> TokenStream {
     };
     let plane: TokenStream = crate::library::pages().map(page).collect();
     let space = crate::library::spatial_pages().map(page);
-    let forces = crate::library::force_pages().map(page);
+    let forces = crate::library::force_pages(Ambient::Plane).map(page);
+    let spatial_forces = crate::library::force_pages(Ambient::Space).map(page);
     quote! {
         #plane
         /// Constraints of mechanisms `in space`.
         pub mod space { #(#space)* }
         /// Forces, in the plane and in space.
-        pub mod force { #(#forces)* }
+        pub mod force {
+            #(#forces)*
+            /// Forces of mechanisms `in space`.
+            pub mod space { #(#spatial_forces)* }
+        }
     }
 }
 

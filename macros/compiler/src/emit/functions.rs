@@ -27,7 +27,7 @@ impl Emitter<'_> {
     /// Numbers of equations and of coordinates.
     fn sizes(&self) -> (usize, usize) {
         let coordinates = self.system.declared.as_ref().map_or(self.system.coordinates.len(), |declared| declared.coordinates);
-        (self.system.constraints(self.model).len(), coordinates)
+        (self.system.constraints().len(), coordinates)
     }
 
     /// Number of speeds.
@@ -266,7 +266,10 @@ impl Emitter<'_> {
 
     /// The runtime's traits, by the functions above
     pub(super) fn traits(&self) -> TokenStream {
-        let rows = if self.system.declared.is_some() { self.system.equations.clone() } else { self.system.constraints(self.model) };
+        let rows = match &self.system.declared {
+            Some(_) => self.system.equations.iter().filter(|equation| !equation.is_initial).cloned().collect(),
+            None => self.system.constraints(),
+        };
         let (name, m, n) = (&self.model.name, rows.len(), self.system.width());
         let word = name.to_string();
         let coordinates = (0..self.system.coordinates.len()).map(|index| {

@@ -19,7 +19,7 @@ impl Emitter<'_> {
         }
         let (name, visibility, state) = (&self.model.name, &self.model.visibility, state_path(&self.model.name));
         let loads = format_ident!("{}Loads", name, span = Span::call_site());
-        let (m, q, u) = (self.system.constraints(self.model).len(), self.declared_coordinates(), unbalanced.forces.len());
+        let (m, q, u) = (self.system.constraints().len(), self.declared_coordinates(), unbalanced.forces.len());
         let width: usize = unbalanced.arms.iter().flatten().map(|(_, arm)| arm.len()).sum();
         let functions = self.functions_of_loads(codes, (q, u, width));
         let methods = self.methods_of_loads(unbalanced);
@@ -85,7 +85,7 @@ impl Emitter<'_> {
     fn methods_of_loads(&self, unbalanced: &Unbalanced) -> TokenStream {
         let (mut first, mut arm) = (0, 0);
         let mut methods = TokenStream::new();
-        let equations = self.system.constraints(self.model);
+        let equations = self.system.constraints();
         for (index, joint) in self.model.joints.iter().enumerate().filter(|(_, joint)| joint.freedom.is_none()) {
             let count = equations.iter().filter(|equation| equation.joint == index).count();
             let (from, to) = (number(first), number(first + count));

@@ -168,7 +168,7 @@ fn constants(model: &Model, system: &System, plan: &Plan) -> TokenStream {
         }
     });
     let q = system.declared.as_ref().map_or(system.coordinates.len(), |declared| declared.coordinates);
-    let [coordinates, equations, entries] = [q, system.constraints(model).len(), plan.pattern.len()].map(number);
+    let [coordinates, equations, entries] = [q, system.constraints().len(), plan.pattern.len()].map(number);
     let speeds = system.declared.as_ref().map(|declared| {
         let speeds = number(declared.speeds);
         quote! {

@@ -86,8 +86,20 @@ macro_rules! force_pages {
     ($($name:literal),* $(,)?) => { &[$(($name, include_str!(concat!("../../library/force/", $name, ".rs")))),*] };
 }
 
+macro_rules! force_pages_of {
+    ($ambient:literal: $($name:literal),* $(,)?) => {
+        &[$(($name, include_str!(concat!("../../library/force/", $ambient, "/", $name, ".rs")))),*]
+    };
+}
+
 /// Forces, in the plane and in space: name and text of the file.
-const FORCES: &[(&str, &str)] = force_pages!["spring", "damper", "spring_damper", "actuator"];
+const FORCES: &[(&str, &str)] = force_pages!["spring", "damper", "spring_damper", "actuator", "drag"];
+
+/// Forces in the plane.
+const PLANAR_FORCES: &[(&str, &str)] = force_pages_of!["plane": "motor", "torsion_spring", "torsion_spring_damper"];
+
+/// Forces in space.
+const SPATIAL_FORCES: &[(&str, &str)] = force_pages_of!["space": "motor", "torsion_spring", "torsion_spring_damper"];
 
 /// Constraints whose text is right in the plane and in space.
 const BOTH: &[&str] = &["distance", "absolute_x", "absolute_y", "drive_distance", "drive_x", "drive_y"];
@@ -107,9 +119,18 @@ pub(crate) fn is_elsewhere(name: &str, ambient: Ambient) -> bool {
     !has(ambient) && (has(Ambient::Plane) || has(Ambient::Space))
 }
 
-/// The names of all forces of the library.
-pub fn forces<'a>() -> impl Iterator<Item = &'a str> {
-    FORCES.iter().map(|(name, _)| *name)
+/// The names of all forces of the library that can be used in the plane, or in space.
+pub fn forces<'a>(ambient: Ambient) -> impl Iterator<Item = &'a str> {
+    forces_of(ambient).map(|(name, _)| name)
+}
+
+/// Name and text of the forces that can be used in the plane, or in space.
+fn forces_of(ambient: Ambient) -> impl Iterator<Item = (&'static str, &'static str)> {
+    let own = match ambient {
+        Ambient::Plane => PLANAR_FORCES,
+        Ambient::Space => SPATIAL_FORCES,
+    };
+    FORCES.iter().chain(own).copied()
 }
 
 /// Name and text of the constraints that can be used in the plane, or in space.
@@ -136,9 +157,10 @@ pub fn spatial_pages() -> impl Iterator<Item = (&'static str, &'static str)> {
     SPATIAL.iter().copied()
 }
 
-/// Name and text of every page of forces.
-pub fn force_pages() -> impl Iterator<Item = (&'static str, &'static str)> {
-    FORCES.iter().copied()
+/// Name and text of every page of forces: of those in the plane and of both, or of those in space alone.
+pub fn force_pages(ambient: Ambient) -> impl Iterator<Item = (&'static str, &'static str)> {
+    let pages = forces_of(ambient);
+    pages.filter(move |(name, _)| ambient == Ambient::Plane || !FORCES.iter().any(|(both, _)| both == name))
 }
 
 /// Name and text of every page of the plane and of both, constraints first.
@@ -148,7 +170,7 @@ pub fn pages() -> impl Iterator<Item = (&'static str, &'static str)> {
 
 /// Constraint or force with this name; `None` if there is none in the library.
 pub(crate) fn find(name: &str, ambient: Ambient) -> Option<Rc<Definition>> {
-    let (_, text) = of(ambient).chain(FORCES.iter().copied()).find(|(known, _)| *known == name)?;
+    let (_, text) = of(ambient).chain(forces_of(ambient)).find(|(known, _)| *known == name)?;
     let tokens = TokenStream::from_str(text).ok()?;
     // The tests of this crate find a page that does not parse.
     syntax::parse_exported(tokens, &mut Diag::default())?.into_iter().next().map(Rc::new)

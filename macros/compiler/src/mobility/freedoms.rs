@@ -43,12 +43,14 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
     let chosen = chosen(pattern, &[first.as_slice(), &second].concat(), missing.min(MOST_CHOSEN));
     let shown = if missing == 1 { &first } else { &chosen };
     let forgotten = if missing > 1 { forgotten(model, system, pattern, under, &chosen) } else { Forgotten::default() };
+    let has_masses = model.bodies.iter().any(|body| body.mass.mass.is_some() || body.mass.inertia.is_some());
     let fact = SystemFact::DrivesMissing {
         name: model.name.to_string(),
         count: Box::new(Count { coordinates: system.coordinates.len(), joints: solved - drives, drives, missing }),
         forgotten: Box::new(forgotten),
         candidates: shown.iter().map(|unknown| system.name(model, *unknown)).collect(),
         example: chosen.first().map_or(String::new(), |unknown| drive_for(model, system, *unknown)),
+        freedom: chosen.first().filter(|_| has_masses).map(|unknown| format!("freedom name = {};", system.name(model, *unknown))),
     };
     diag.refuse::<()>(&model.name, fact);
 }

@@ -3,7 +3,7 @@
 use super::routine::Routine;
 use super::schedule;
 use super::words::Words;
-use crate::dynamics::{Dynamics, ReducedRow};
+use crate::dynamics::{Dynamics, MotionRow};
 use crate::expr::{Arena, Expr};
 use crate::model::Model;
 use crate::system::System;
@@ -37,14 +37,14 @@ pub(super) fn code(model: &Model, system: &System, dynamics: &Dynamics) -> Dynam
     let arena = dynamics.arena.clone();
     let line = |results: Vec<Expr>| schedule::routine(&arena, results, &words);
     let Dynamics { rows, initial, mass, forces, state, energies, integrated, .. } = dynamics;
-    let all: Vec<ReducedRow> = rows.iter().chain(initial).cloned().collect();
-    let level = |row: &ReducedRow| {
+    let all: Vec<MotionRow> = rows.iter().chain(initial).cloned().collect();
+    let level = |row: &MotionRow| {
         // A pin holds a position, and leaves its rate to the equations between speeds.
         let is_pin = row.of.1 >= model.joints[row.of.0].residuals.len();
         (row.of.0, [row.phi.is_some(), !is_pin])
     };
-    let entries = |rows: &[ReducedRow]| rows.iter().flat_map(|row| row.jacobian.clone()).collect::<Vec<_>>();
-    let kinematics = |rows: &[ReducedRow]| {
+    let entries = |rows: &[MotionRow]| rows.iter().flat_map(|row| row.jacobian.clone()).collect::<Vec<_>>();
+    let kinematics = |rows: &[MotionRow]| {
         let phi = rows.iter().map(|row| row.phi.unwrap_or(dynamics.zero));
         phi.chain(rows.iter().map(|row| row.nu)).chain(entries(rows)).collect::<Vec<_>>()
     };

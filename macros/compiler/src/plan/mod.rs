@@ -116,7 +116,7 @@ pub(crate) fn schedule(
     let tracer = Tracer::new(&arena);
     let line = |results: Vec<Expr>| schedule::routine(&arena, results, &words);
     let declared = system.declared.as_deref();
-    let constraints = system.constraints(model);
+    let constraints = system.constraints();
     let joints = Joints::new(&constraints);
     let words_of_equations = if declared.is_some() { Words::declared(model) } else { words.clone() };
     let arena_of_equations = declared.map_or(&arena, |declared| &declared.arena);

@@ -44,8 +44,10 @@ impl Elaborator<'_> {
             let function = self.rust_function(path, InferredDim::Any, InferredDim::Any);
             return self.apply(range, path, &function, arguments, scope).map(Value::Scalar);
         };
+        let declared = scope.space.and_then(|space| self.names.visible(space, &name.to_string()));
+        // A body or a joint is no function: one called `turn` does not hide the function.
         let is_bound = scope.bound.iter().any(|(known, _)| name == known)
-            || scope.space.is_some_and(|space| self.names.visible(space, &name.to_string()).is_some());
+            || declared.is_some_and(|group| self.names.group(group).sort.may_be_function());
         if BUILTINS.contains(&name.to_string().as_str()) {
             return self.builtin(range, name, arguments, scope);
         }

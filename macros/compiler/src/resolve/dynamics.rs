@@ -7,13 +7,12 @@
 
 use super::elaborate::{Elaborator, Scope};
 use super::key::Key;
-use super::names::EntityId;
 use super::register::Register;
 use super::value::{FrameId, Value};
 use super::{Force, Mass};
 use crate::diag::{EquationFact, NameFact, Range, ValueFact};
 use crate::expr::Expr;
-use crate::quantity::{Ambient, Dim};
+use crate::quantity::{Ambient, Dim, is_inertia};
 use crate::syntax::ast::{self, ExpressionKind};
 
 /// kg
@@ -55,7 +54,29 @@ impl Elaborator<'_> {
                 });
             }
         }
+        self.mass_is_possible(frame, &found);
         found
+    }
+
+    /// Refuses a negative mass, a centre without a mass, and an inertia that no distribution of mass has.
+    fn mass_is_possible(&mut self, frame: &ast::Shared<ast::FrameItem>, found: &Mass) {
+        let body = frame.name.to_string();
+        let of = |this: &Self, list: &[Expr]| this.numbers(&this.defaults, list);
+        let place = |word: &str| frame.masses.iter().find(|written| written.what == word).map(|written| written.value.range);
+        if let (Some(range), None) = (place("center"), found.mass) {
+            self.refuse::<()>(range, ValueFact::CenterWithoutMass { body: body.clone() });
+        }
+        for (what, value) in [("mass", found.mass.map(|mass| vec![mass])), ("inertia", found.inertia.clone())] {
+            let (Some(range), Some(value)) = (place(what), value) else { continue };
+            let values = of(self, &value);
+            if let Some(value) = values.iter().take(3).find(|value| **value < 0.0) {
+                self.refuse::<()>(range, ValueFact::NegativeMass { what, body: body.clone(), value: *value });
+            } else if let [xx, yy, zz, xy, xz, yz] = values[..]
+                && !is_inertia([xx, yy, zz, xy, xz, yz])
+            {
+                self.refuse::<()>(range, ValueFact::ImpossibleInertia { body: body.clone() });
+            }
+        }
     }
 
     /// One number in the plane; in space three, or six with the products of inertia.
@@ -95,19 +116,13 @@ impl Elaborator<'_> {
         for (id, force) in &register.forces {
             let found = self.of(*id, force, |this, name, context| {
                 this.applied = Some(Vec::new());
-                let rows = this.force_rows(*id, force, name, context);
+                let rows = this.joint_rows(*id, force, name, context);
                 let applied = this.applied.take();
                 rows.and(applied)
             });
             forces.extend(found.into_iter().flatten());
         }
         forces
-    }
-
-    fn force_rows(&mut self, id: EntityId, force: &ast::JointItem, name: &super::Name, context: &super::names::Context) -> Option<()> {
-        // A force may depend on time.
-        let as_drive = ast::JointItem { is_drive: true, ..force.clone() };
-        self.joint_rows(id, &as_drive, name, context).map(|_| ())
     }
 
     /// `at point: force;` or `on body: torque;`

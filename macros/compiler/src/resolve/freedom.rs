@@ -15,7 +15,7 @@ use crate::syntax::ast;
 
 impl Elaborator<'_> {
     /// The equations of a freedom, which hold at t = 0 only. Without `from` its value at the declared start is still to be subtracted.
-    pub(super) fn freedom(&mut self, freedom: &ast::Freedom, scope: &Scope) -> Option<Vec<ScalarEquation>> {
+    pub(super) fn freedom(&mut self, freedom: &ast::FreedomItem, scope: &Scope) -> Option<Vec<ScalarEquation>> {
         let range = freedom.value.range;
         let parts = self.quantities(&freedom.value, scope)?;
         let measure = parts.first()?.measure;

@@ -113,8 +113,13 @@ impl Elaborator<'_> {
             };
             return self.refuse(kind, fact);
         }
-        let known =
-            self.names.definitions.keys().map(String::as_str).chain(library::constraints(self.names.ambient)).chain(library::forces());
+        let known = self
+            .names
+            .definitions
+            .keys()
+            .map(String::as_str)
+            .chain(library::constraints(self.names.ambient))
+            .chain(library::forces(self.names.ambient));
         let near = self.nearest(&word, known);
         self.refuse(kind, NameFact::UnknownConstraint { name: word, near })
     }

@@ -147,6 +147,11 @@ impl Sort {
         }
     }
 
+    /// True if such an item can be called.
+    pub(super) fn may_be_function(self) -> bool {
+        matches!(self, Sort::Parameter | Sort::Let | Sort::Function | Sort::Argument)
+    }
+
     /// True if components see such items of the mechanism around them: they do not move.
     pub(super) fn is_seen_from_components(self) -> bool {
         matches!(self, Sort::Parameter | Sort::Let | Sort::Function)

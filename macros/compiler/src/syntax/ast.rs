@@ -302,12 +302,12 @@ pub enum JointBody {
     /// `{ lhs == rhs; … }`
     Equations(Vec<Statement>),
     /// `freedom name = value from start at rate;`
-    Freedom(Box<Freedom>),
+    Freedom(Box<FreedomItem>),
 }
 
 /// A quantity that follows from forces.
 #[derive(Clone, Debug)]
-pub struct Freedom {
+pub struct FreedomItem {
     /// The quantity.
     pub value: Expression,
     /// `from value`: its value at t = 0.

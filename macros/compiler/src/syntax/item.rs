@@ -1,8 +1,8 @@
 //! Parses the items of a mechanism.
 
 use super::ast::{
-    Argument, Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, Freedom, FunctionItem, Gravity, Item, JointBody,
-    JointItem, Let, Limits, Marks, Mechanism, OutputItem, ParameterItem, Refused, Shared, Start, Task, TimeRange, Use,
+    Argument, Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, FreedomItem, FunctionItem, Gravity, Item,
+    JointBody, JointItem, Let, Limits, Marks, Mechanism, OutputItem, ParameterItem, Refused, Shared, Start, Task, TimeRange, Use,
 };
 use super::definition::statement;
 use super::dimension::{dimension, required_dimension};
@@ -164,7 +164,8 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
         "body" => Item::Body(Shared::new(body(input, docs)?)),
         "joint" | "drive" | "redundant" => Item::Joint(Shared::new(joint(input, docs)?)),
         "freedom" => Item::Joint(Shared::new(freedom(input, docs)?)),
-        "force" => Item::Force(Shared::new(joint(input, docs)?)),
+        // A force may depend on time.
+        "force" => Item::Force(Shared::new(JointItem { is_drive: true, ..joint(input, docs)? })),
         "gravity" => Item::Gravity(Shared::new(gravity(input)?)),
         "output" | "slice" => Item::Output(Shared::new(output(input, docs)?)),
         "range" => Item::Range(Shared::new(times(input)?)),
@@ -464,7 +465,7 @@ fn freedom(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
         return expected(input, "`from` and the value at t = 0, `at` and the rate at t = 0, or `;`");
     }
     semicolon(input)?;
-    let body = JointBody::Freedom(Box::new(Freedom { value, from, at }));
+    let body = JointBody::Freedom(Box::new(FreedomItem { value, from, at }));
     Ok(JointItem { docs, is_drive: true, is_redundant: false, name, indices, body })
 }
 

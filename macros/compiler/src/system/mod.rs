@@ -123,6 +123,8 @@ pub struct Equation {
     pub nu: Expr,
     /// γ
     pub gamma: Expr,
+    /// True if it holds at the start only: it belongs to a freedom.
+    pub is_initial: bool,
 }
 
 /// Motion of an output.
@@ -154,8 +156,8 @@ impl System {
     }
 
     /// The equations as declared, in the order of joints, without those of freedoms, which hold at the start only.
-    pub(crate) fn constraints(&self, model: &Model) -> Vec<Equation> {
-        let of_joint = |equation: &&Equation| model.joints[equation.joint].freedom.is_none();
+    pub(crate) fn constraints(&self) -> Vec<Equation> {
+        let of_joint = |equation: &&Equation| !equation.is_initial;
         match &self.declared {
             Some(declared) => declared.equations.iter().filter(of_joint).cloned().collect(),
             None => {

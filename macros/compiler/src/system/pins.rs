@@ -19,7 +19,7 @@ pub(super) fn pins(model: &Model, arena: &mut Arena, coordinates: &[Coordinate],
             Role::Angle => Dim::ANGLE,
             Role::Quaternion(_) => Dim::NUMBER,
         };
-        Row { joint, row: first + number, dim, residual, is_velocity: false }
+        Row { joint, row: first + number, dim, residual, is_velocity: false, is_initial: true }
     };
     open.into_iter().enumerate().map(row).collect()
 }

@@ -25,6 +25,8 @@ pub(super) struct Row {
     pub(super) residual: Expr,
     /// True for a row of velocities.
     pub(super) is_velocity: bool,
+    /// True if it holds at the start only.
+    pub(super) is_initial: bool,
 }
 
 impl Row {
@@ -37,6 +39,7 @@ impl Row {
                 dim: residual.dim,
                 residual: residual.expr,
                 is_velocity: residual.is_velocity,
+                is_initial: declared.freedom.is_some(),
             });
             rows.collect::<Vec<_>>()
         };
@@ -65,12 +68,12 @@ impl Differentiation {
 
     /// The equation of a row; its entries in all columns but these are zero.
     pub(super) fn of(&mut self, arena: &mut Arena, row: &Row, columns: impl IntoIterator<Item = usize>) -> Equation {
-        let Row { joint, row: number, dim, residual, is_velocity } = *row;
+        let Row { joint, row: number, dim, residual, is_velocity, is_initial } = *row;
         if is_velocity {
             let (factors, nu) = affine(arena, residual);
             let jacobian = factors.into_iter().map(|(speed, factor)| ((speed - self.first_speed) as usize, factor)).collect();
             let [_, first, _] = self.along.of(arena, residual);
-            return Equation { joint, row: number, dim, level: Level::Velocity, jacobian, nu, gamma: arena.neg(first) };
+            return Equation { joint, row: number, dim, level: Level::Velocity, jacobian, nu, gamma: arena.neg(first), is_initial };
         }
         let entries = columns.into_iter().map(|column| (column, self.by_column[column].of(arena, residual)));
         let mut jacobian: Vec<(usize, Expr)> = entries.collect();
@@ -79,7 +82,7 @@ impl Differentiation {
         let nu = arena.neg(rate);
         let [_, _, second] = self.along.of(arena, residual);
         let gamma = arena.neg(second);
-        Equation { joint, row: number, dim, level: Level::Position { phi: residual }, jacobian, nu, gamma }
+        Equation { joint, row: number, dim, level: Level::Position { phi: residual }, jacobian, nu, gamma, is_initial }
     }
 }
 
@@ -109,7 +112,7 @@ fn affine(arena: &mut Arena, residual: Expr) -> (Vec<(u32, Expr)>, Expr) {
 /// Replaces rows of velocities by the rows of positions of which they are the rates, and refuses the others if they have to be solved.
 pub(super) fn integrate(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], rows: &mut [Row], diag: &mut Diag) {
     let mut said = Said::default();
-    for row in rows.iter_mut().filter(|row| row.is_velocity && model.joints[row.joint].freedom.is_none()) {
+    for row in rows.iter_mut().filter(|row| row.is_velocity && !row.is_initial) {
         let joint = &model.joints[row.joint];
         if let Some(phi) = integral(arena, coordinates, row.residual) {
             (row.residual, row.is_velocity) = (phi, false);
@@ -131,7 +134,7 @@ pub(super) fn begin_at_start(model: &Model, arena: &mut Arena, coordinates: &[Co
     for (number, coordinate) in coordinates.iter().enumerate() {
         at_start.replace(Leaf::Coordinate(number as u32), coordinate.start.unwrap_or(zero));
     }
-    for row in rows.iter_mut().filter(|row| !row.is_velocity) {
+    for row in rows.iter_mut().filter(|row| row.is_initial && !row.is_velocity) {
         if model.joints[row.joint].freedom.is_some_and(|freedom| freedom.is_from_start) {
             let plain = arena.plain(row.residual, &mut HashMap::new());
             let start = at_start.of(arena, plain);

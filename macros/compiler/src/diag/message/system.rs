@@ -20,6 +20,27 @@ impl Display for SystemFact {
                     "\nhelp: write `distance(…)` of the two points that it joins instead of the body, or make one of the joints `universal`"
                 )
             }
+            SystemFact::FreedomDepends { freedom, of } => {
+                let which =
+                    if *of == 1 { format!("`{freedom}` is not free") } else { format!("not all {of} numbers of `{freedom}` are free") };
+                write!(f, "{which}: joints, drives and the freedoms before it determine its rate where the mechanism is assembled")?;
+                write!(f, "\nhelp: take the freedom away, or the drive that moves the same bodies; declare what can still move")
+            }
+            SystemFact::FreedomsMissing { name, missing, declared, candidates } => {
+                let found = if *declared == 1 { "1 freedom is".to_owned() } else { format!("{} are", plural(*declared, "freedom")) };
+                write!(f, "`{name}` can move in {} independent ways, but {found} declared", missing + declared)?;
+                write!(
+                    f,
+                    "\nhelp: declare what else can move, such as `freedom name = {};`",
+                    candidates.first().map_or("", String::as_str)
+                )?;
+                if candidates.len() > 1 { write!(f, "; {} are free", list(candidates)) } else { Ok(()) }
+            }
+            SystemFact::Massless { bodies, has_any } => {
+                write!(f, "no mass or inertia resists a motion of {}: its acceleration does not follow from forces", list(bodies))?;
+                let place = if *has_any { "in a body that moves with it" } else { "in the bodies" };
+                write!(f, "\nhelp: write `mass = …;` and `inertia = …;` {place}, or `drive` for `freedom`")
+            }
             SystemFact::Nonholonomic { joint, row, of } => {
                 let which = if *of == 1 { "the equation".to_owned() } else { format!("equation {row} of {of}") };
                 write!(
@@ -93,7 +114,7 @@ impl Display for SystemFact {
                     false => write!(f, "\nhelp: join `{body}` to ground or to another body, such as `{example}`"),
                 }
             }
-            SystemFact::DrivesMissing { name, count, forgotten, candidates, example } => {
+            SystemFact::DrivesMissing { name, count, forgotten, candidates, example, freedom } => {
                 let Count { coordinates, joints, drives, missing } = count.as_ref();
                 let Forgotten { loose, line, holds } = forgotten.as_ref();
                 write!(f, "`{name}` has mobility {}, but {}", missing + drives, drives_there_are(*drives))?;
@@ -114,7 +135,13 @@ impl Display for SystemFact {
                         write!(f, "\nhelp: {or}add {missing} drives{or_joints}; drives on {} go together", first_of(candidates, *missing))?
                     }
                 }
-                if example.is_empty() { Ok(()) } else { write!(f, ", such as `{example}`") }
+                if !example.is_empty() {
+                    write!(f, ", such as `{example}`")?;
+                }
+                match freedom {
+                    Some(freedom) => write!(f, "\nhelp: what follows from forces is a freedom, such as `{freedom}`"),
+                    None => Ok(()),
+                }
             }
             SystemFact::NothingToDrive { drive, joints, equations: [equations, of], coordinates, free } => {
                 write!(f, "`{drive}` has nothing to drive: ")?;

@@ -155,6 +155,16 @@ impl Display for ValueFact {
                     "a function written here names its argument\nhelp: write `function name(x: Angle) -> Length = …;`, or give the path of a Rust function"
                 )
             }
+            ValueFact::NegativeMass { what, body, value } => {
+                write!(f, "the {what} of `{body}` is {value}, and cannot be negative\nhelp: write a positive number")
+            }
+            ValueFact::ImpossibleInertia { body } => {
+                write!(f, "no body has the inertia of `{body}`: about perpendicular axes, none is greater than the sum of the two others")?;
+                write!(f, "\nhelp: write I_xx, I_yy, I_zz about the centre of mass, and if they are not zero I_xy, I_xz, I_yz after them")
+            }
+            ValueFact::CenterWithoutMass { body } => {
+                write!(f, "`{body}` has a centre of mass but no mass\nhelp: write `mass = 1kg;`, or take `center` away")
+            }
             ValueFact::ZeroAxis { name, in_space: true } => {
                 write!(f, "the axis `{name}` has no direction: all components are zero\nhelp: write `(1, 0, 0)` for the direction of x")
             }

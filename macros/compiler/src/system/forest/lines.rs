@@ -56,7 +56,7 @@ impl Forest<'_> {
             let d = self.arena.sub(q[k], p[k]);
             let part = self.arena.mul(unknown, z[k]);
             let phi = self.arena.sub(d, part);
-            self.rows.push(Row { joint, row: row + k.min(1), dim: Dim::LENGTH, residual: phi, is_velocity: false });
+            self.rows.push(Row { joint, row: row + k.min(1), dim: Dim::LENGTH, residual: phi, is_velocity: false, is_initial: false });
         }
         let quantity = JointQuantity::Displacement(triad, from, to);
         if let Some(index) = self.model.space.quantities.iter().position(|(known, _)| *known == quantity) {

@@ -106,7 +106,14 @@ impl Forest<'_> {
         let sum = self.arena.sum(&squares);
         let one = self.arena.integer(1);
         let phi = self.arena.sub(sum, one);
-        self.rows.push(Row { joint: self.a_joint_of(body), row: 0, dim: Dim::NUMBER, residual: phi, is_velocity: false });
+        self.rows.push(Row {
+            joint: self.a_joint_of(body),
+            row: 0,
+            dim: Dim::NUMBER,
+            residual: phi,
+            is_velocity: false,
+            is_initial: false,
+        });
     }
 
     /// The frame of a body: its triad has these axes in ground, and it turns against the frame of another with these coordinates.

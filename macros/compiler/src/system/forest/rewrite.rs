@@ -60,7 +60,7 @@ impl Forest<'_> {
             let (left, right) = (self.arena.mul(s, cosine), self.arena.mul(c, sine));
             let phi = self.arena.sub(left, right);
             let joint = two.body.or(one.body).map_or(0, |body| self.a_joint_of(body));
-            self.rows.push(Row { joint, row: 0, dim: Dim::NUMBER, residual: phi, is_velocity: false });
+            self.rows.push(Row { joint, row: 0, dim: Dim::NUMBER, residual: phi, is_velocity: false, is_initial: false });
         }
     }
 

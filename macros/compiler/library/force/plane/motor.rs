@@ -1,0 +1,13 @@
+/// A torque between two bodies in the plane: a motor, a brake, a load.
+///
+/// ```text
+///   T on `two`, −T on `one`
+/// ```
+///
+/// The torque may depend on time, on speeds and on anything else. Degenerate case: none.
+///
+/// Reference: Haug, section 6.2.
+force motor(one: Body, two: Body, torque: Torque) in plane {
+    on two: torque;
+    on one: -torque;
+}

@@ -1,0 +1,14 @@
+/// A torsion spring between two bodies in the plane.
+///
+/// ```text
+///   T = −stiffness (φ_two − φ_one − rest) on `two`, −T on `one`
+/// ```
+///
+/// Angles are not wrapped: the spring remembers whole turns. Degenerate case: none.
+///
+/// Reference: Nikravesh, section 9.4; Haug, section 6.2.
+force torsion_spring(one: Body, two: Body, stiffness: Torque / Angle, rest: Angle) in plane {
+    let torque = stiffness * (two.angle - one.angle - rest);
+    on two: -torque;
+    on one: torque;
+}

@@ -1,0 +1,22 @@
+/// A torsion spring and a torsion damper in parallel in space, about a common axis of two bodies.
+///
+/// ```text
+///   T = −stiffness (θ − rest) − damping θ̇, T z_a on the body of `b`, −T z_a on the body of `a`
+/// ```
+///
+/// θ is the angle of b against a about z_a. The axes have to stay in one direction, as a revolute or cylindrical joint keeps them.
+/// Degenerate case: none.
+///
+/// Reference: Haug, section 9.5.
+force torsion_spring_damper(
+    a: Axis,
+    b: Axis,
+    stiffness: Torque / Angle,
+    rest: Angle,
+    damping: Torque / AngularVelocity,
+) in space {
+    let turning = dot(b.body.angular_velocity - a.body.angular_velocity, z_axis(a));
+    let line = (stiffness * (joint_angle(a, b) - rest) + damping * turning) * z_axis(a);
+    on b.body: -line;
+    on a.body: line;
+}

@@ -1,0 +1,176 @@
+//! Checks of the equations of motion where the mechanism is assembled: freedoms are independent and complete, and every motion that they
+//! leave has a mass.
+
+use super::Dynamics;
+use crate::assembly::Assembly;
+use crate::diag::{Diag, SystemFact};
+use crate::expr::{Expr, Values, evaluate};
+use crate::model::Model;
+use crate::numeric::{Numeric, at_defaults};
+use crate::quantity::Role;
+use crate::system::System;
+
+/// A pivot below this fraction of its row, or of the largest mass, counts as zero.
+const NOTHING: f64 = 1e-9;
+
+/// Refuses freedoms that depend on others, freedoms that are missing, and motions without mass.
+pub(super) fn check(model: &Model, system: &System, assembly: &Assembly, dynamics: &Dynamics, diag: &mut Diag) -> Option<()> {
+    if !assembly.is_closed {
+        return Some(());
+    }
+    at_defaults(model, system, |numeric| AtStart::new(numeric, assembly, dynamics).check(diag))
+}
+
+/// The equations of motion at the start, in coordinates that are comparable.
+struct AtStart<'a> {
+    numeric: &'a Numeric<'a>,
+    dynamics: &'a Dynamics,
+    /// Equations between speeds, those of freedoms last.
+    rows: Vec<(usize, Vec<f64>)>,
+    mass: Vec<f64>,
+}
+
+impl<'a> AtStart<'a> {
+    fn new(numeric: &'a Numeric<'a>, assembly: &Assembly, dynamics: &'a Dynamics) -> AtStart<'a> {
+        let zeros = vec![0.0; numeric.system.coordinates.len()];
+        let known = Values { coordinates: &assembly.start, speeds: &zeros, accelerations: &zeros, ..numeric.known };
+        let of = |roots: &[Expr]| evaluate(&dynamics.arena, roots, &known);
+        let scales: Vec<f64> = dynamics.integrated.iter().map(|unknown| numeric.scale(*unknown)).collect();
+        let is_pin = |(joint, row): (usize, usize)| row >= numeric.model.joints[joint].residuals.len();
+        let of_freedoms = dynamics.initial.iter().filter(|row| !is_pin(row.of));
+        let scaled = |values: Vec<f64>| values.into_iter().zip(&scales).map(|(value, scale)| value * scale).collect();
+        let rows = dynamics.rows.iter().chain(of_freedoms).map(|row| (row.of.0, scaled(of(&row.jacobian)))).collect();
+        let places = (0..scales.len()).flat_map(|row| (0..=row).map(move |column| (row, column)));
+        let mass = of(&dynamics.mass).into_iter().zip(places).map(|(mass, (row, column))| mass * scales[row] * scales[column]);
+        AtStart { numeric, dynamics, rows, mass: mass.collect() }
+    }
+
+    fn check(mut self, diag: &mut Diag) -> Option<()> {
+        if self.rows.iter().flat_map(|(_, row)| row).chain(&self.mass).any(|value| !value.is_finite()) {
+            return Some(());
+        }
+        let count = self.dynamics.integrated.len();
+        let joints = self.dynamics.rows.len();
+        let (mut order, mut rank) = ((0..count).collect::<Vec<usize>>(), 0);
+        // Motions that the joints leave, before freedoms take their share.
+        let mut motions = Vec::new();
+        for at in 0..self.rows.len() {
+            if at == joints {
+                motions = self.motions(&order, rank);
+            }
+            match self.eliminate(at, rank, &mut order) {
+                true => rank += 1,
+                false if at >= joints => return self.depends(at, diag),
+                // An equation of joints that holds here by the others is judged elsewhere.
+                false => {}
+            }
+        }
+        if rank < count {
+            return self.missing(&order[rank..], diag);
+        }
+        self.has_mass(&motions, diag)
+    }
+
+    /// Eliminates a row by the earlier pivots, and later rows by it; false if nothing is left of it.
+    fn eliminate(&mut self, at: usize, rank: usize, order: &mut [usize]) -> bool {
+        let before = self.rows[at].1.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        for (done, &column) in order[..rank].iter().enumerate() {
+            let pivot = self.rows[done].1.clone();
+            let factor = self.rows[at].1[column] / pivot[column];
+            self.rows[at].1.iter_mut().zip(pivot).for_each(|(value, pivot)| *value -= factor * pivot);
+        }
+        let row = &self.rows[at].1;
+        let Some(place) = (rank..order.len()).max_by(|one, two| row[order[*one]].abs().total_cmp(&row[order[*two]].abs())) else {
+            return false;
+        };
+        if row[order[place]].abs() <= NOTHING * before {
+            return false;
+        }
+        order.swap(rank, place);
+        self.rows.swap(rank, at);
+        true
+    }
+
+    /// A basis of the speeds at which the first `rank` rows vanish.
+    fn motions(&self, order: &[usize], rank: usize) -> Vec<Vec<f64>> {
+        let motion = |free: &usize| {
+            let mut motion = vec![0.0; order.len()];
+            motion[*free] = 1.0;
+            for done in (0..rank).rev() {
+                let row = &self.rows[done].1;
+                let sum: f64 = row.iter().zip(&motion).map(|(entry, value)| entry * value).sum();
+                motion[order[done]] -= sum / row[order[done]];
+            }
+            motion
+        };
+        order[rank..].iter().map(motion).collect()
+    }
+
+    fn depends(&self, at: usize, diag: &mut Diag) -> Option<()> {
+        let name = &self.numeric.model.joints[self.rows[at].0].name;
+        let of = self.numeric.model.joints[self.rows[at].0].residuals.len();
+        diag.refuse(name, SystemFact::FreedomDepends { freedom: name.to_string(), of })
+    }
+
+    fn missing(&self, free: &[usize], diag: &mut Diag) -> Option<()> {
+        let model = self.numeric.model;
+        let mut candidates: Vec<String> = free.iter().map(|column| self.speed(*column)).collect();
+        candidates.dedup();
+        let declared = model.joints.iter().filter(|joint| joint.freedom.is_some()).map(|joint| joint.residuals.len()).sum();
+        let fact = SystemFact::FreedomsMissing { name: model.name.to_string(), missing: free.len(), declared, candidates };
+        diag.refuse(&model.name, fact)
+    }
+
+    /// An integrated speed, as the language writes it.
+    fn speed(&self, column: usize) -> String {
+        let unknown = self.dynamics.integrated[column];
+        let (model, system) = (self.numeric.model, self.numeric.system);
+        let body = &model.bodies[system.coordinates[unknown].body].name;
+        match system.coordinates[unknown].role {
+            Role::Quaternion(_) => format!("{body}.angular_velocity"),
+            Role::Position(_) if !system.frames.is_empty() => format!("rate({body}.position)"),
+            _ => system.name(model, unknown),
+        }
+    }
+
+    /// Checks that the reduced mass matrix is positive definite.
+    fn has_mass(&self, motions: &[Vec<f64>], diag: &mut Diag) -> Option<()> {
+        let count = self.dynamics.integrated.len();
+        let mass = |row: usize, column: usize| {
+            let (row, column) = if row < column { (column, row) } else { (row, column) };
+            self.mass[row * (row + 1) / 2 + column]
+        };
+        let product = |one: &[f64], two: &[f64]| -> f64 {
+            (0..count).map(|row| one[row] * (0..count).map(|column| mass(row, column) * two[column]).sum::<f64>()).sum()
+        };
+        // Motions made orthogonal in the metric of the mass, one after the other.
+        let mut heavy: Vec<(Vec<f64>, f64)> = Vec::new();
+        let largest = motions.iter().map(|motion| product(motion, motion)).fold(0.0, f64::max);
+        for motion in motions {
+            let mut rest = motion.clone();
+            for (other, own) in &heavy {
+                let factor = product(other, &rest) / own;
+                rest.iter_mut().zip(other).for_each(|(value, other)| *value -= factor * other);
+            }
+            let own = product(&rest, &rest);
+            if own <= NOTHING * largest || largest == 0.0 {
+                return self.massless(&rest, diag);
+            }
+            heavy.push((rest, own));
+        }
+        Some(())
+    }
+
+    fn massless(&self, motion: &[f64], diag: &mut Diag) -> Option<()> {
+        let (model, system) = (self.numeric.model, self.numeric.system);
+        let moves = |column: &usize| motion[*column].abs() > NOTHING;
+        let mut bodies: Vec<usize> =
+            (0..motion.len()).filter(moves).map(|column| system.coordinates[self.dynamics.integrated[column]].body).collect();
+        bodies.sort_unstable();
+        bodies.dedup();
+        let names = bodies.iter().map(|body| model.bodies[*body].name.to_string()).collect();
+        let has_any = model.bodies.iter().any(|body| body.mass.mass.is_some() || body.mass.inertia.is_some());
+        let first = bodies.first().map_or(0, |body| *body);
+        diag.refuse(&model.bodies[first].name, SystemFact::Massless { bodies: names, has_any })
+    }
+}

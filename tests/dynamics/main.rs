@@ -1,0 +1,6 @@
+//! Motion that follows from forces, against reference numbers, closed forms and conserved quantities.
+
+#[macro_use]
+mod compare;
+mod plane;
+mod space;
