@@ -8,28 +8,35 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::equations::{Balance, Dynamics};
-use super::partition::Partition;
+use super::partition::{Partition, Pivots};
 use super::stopped::Stopped;
 use crate::number::Float;
 
 /// A pivot of the mass matrix below this fraction of the largest one counts as zero.
 const MASSLESS: f64 = 1e-13;
 
-/// The accelerations of the integrated coordinates.
+/// The accelerations of the integrated coordinates. `pivots` are taken if they are still good, and are replaced if not.
 pub(super) fn accelerations<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
-    q: &SVector<T, N>,
-    qd: &SVector<T, N>,
+    (q, qd): (&SVector<T, N>, &SVector<T, N>),
     t: T,
+    pivots: &mut Option<Pivots<T, M, I>>,
 ) -> Result<SVector<T, I>, Stopped<T>>
 where
     T: Float,
     S: Dynamics<T, N, I, M, R>,
 {
+    if let Some(found) = mechanism.accelerations(q, qd, t) {
+        return Ok(found);
+    }
     let Balance { jacobian, gamma, mass, forces } = mechanism.balance(q, qd, t);
     let lengths = lengths(mechanism);
-    let parts = Partition::new(jacobian, gamma, &lengths, |_| true)
-        .map_err(|row| Stopped::Singular { time: t, joint: S::JOINTS.get(row).copied().unwrap_or_default() })?;
+    let parts = match pivots.as_ref().and_then(|pivots| Partition::along(&jacobian, &gamma, pivots)) {
+        Some(parts) => parts,
+        None => Partition::new(&jacobian, &gamma, &lengths, |_| true)
+            .map_err(|row| Stopped::Singular { time: t, joint: S::JOINTS.get(row).copied().unwrap_or_default() })?,
+    };
+    *pivots = Some(parts.pivots);
     let count = parts.independent();
     let rest = parts.unknowns(|_| T::ZERO);
     let moved = times(&mass, &rest);
@@ -47,9 +54,9 @@ where
         }
         right[k] = -dot(&side, |i| motion[i]);
     }
-    let found = solve(&mut reduced, &mut right, count, |k| lengths[parts.order[parts.rank + k]]);
+    let found = solve(&mut reduced, &mut right, count, |k| lengths[parts.independent_at(k)]);
     if let Err(k) = found {
-        let unknown = S::INTEGRATED[parts.order[parts.rank + k]];
+        let unknown = S::INTEGRATED[parts.independent_at(k)];
         let (owner, coordinate) = S::COORDINATES.get(unknown).map_or(("", ""), |coordinate| (coordinate.body, coordinate.name));
         return Err(Stopped::Massless { time: t, owner, coordinate });
     }

@@ -31,11 +31,23 @@ pub trait Dynamics<T: Float, const N: usize, const I: usize, const M: usize, con
     /// J, γ, M and f.
     fn balance(&self, q: &SVector<T, N>, qd: &SVector<T, N>, t: T) -> Balance<T, M, I>;
 
+    /// u̇ in closed form; `None` where its pivots are too small, or where it would be too long.
+    fn accelerations(&self, _q: &SVector<T, N>, _qd: &SVector<T, N>, _t: T) -> Option<SVector<T, I>> {
+        None
+    }
+
     /// The whole state, from its integrated entries.
     fn complete(&self, q: &SVector<T, N>, qd: &SVector<T, N>, qdd: &SVector<T, N>, t: T) -> [SVector<T, N>; 3];
 
     /// Energies and power in a state.
     fn energy(&self, q: &SVector<T, N>, qd: &SVector<T, N>, t: T) -> Energy<T>;
+}
+
+/// True if a pivot is large enough, compared with a part of the numbers that it comes from.
+#[doc(hidden)]
+#[inline(always)]
+pub fn is_steady<T: Float>(pivot: T, size: T) -> bool {
+    pivot.abs() > size
 }
 
 /// Equations between positions and between speeds.

@@ -238,14 +238,14 @@ where
     let zero = SVector::from_element(T::ZERO);
     let mut rates = [[zero; 2]; STAGES];
     rates[0] = [pick(&state.qd), pick(&state.qdd)];
-    let (mut q, mut qd) = (state.q, state.qd);
+    let (mut q, mut qd, mut pivots) = (state.q, state.qd, None);
     for stage in 1..STAGES {
         let at = phase::<T, S, N, I, M, R>(state, &rates, STEPS[stage], h);
         for (k, &place) in S::INTEGRATED.iter().enumerate() {
             (q[place], qd[place]) = (at[0][k], at[1][k]);
         }
         let t = state.t + T::of(NODES[stage]) * h;
-        rates[stage] = [at[1], accelerations(mechanism, &q, &qd, t)?];
+        rates[stage] = [at[1], accelerations(mechanism, (&q, &qd), t, &mut pivots)?];
     }
     Ok(rates)
 }

@@ -19,6 +19,6 @@ mod project;
 mod stopped;
 mod tableau;
 
-pub use equations::{Balance, Constraints, Dynamics, Energy};
+pub use equations::{Balance, Constraints, Dynamics, Energy, is_steady};
 pub use integrator::Integrator;
 pub use stopped::Stopped;

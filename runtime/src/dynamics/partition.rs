@@ -1,4 +1,4 @@
-//! Dependent and independent speeds.
+//! Dependent and independent unknowns.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -7,24 +7,36 @@ use crate::number::Float;
 /// A pivot below this fraction of its row counts as zero.
 const DEPENDENT: f64 = 1e-10;
 
-/// Rows J x = b solved for dependent unknowns, by Gauss-Jordan elimination with complete pivoting.
+/// Known pivots are taken again as long as none falls below this fraction of its size when they were chosen.
+const WORSE: f64 = 0.1;
+
+/// Rows J x = b solved for dependent unknowns, by Gauss-Jordan elimination.
 ///
 /// ```text
 /// x_d = b' − R x_i
 /// ```
 pub(super) struct Partition<T, const M: usize, const I: usize> {
-    /// Unknowns: the dependent ones in the order of the rows, then the independent ones.
-    pub(super) order: [usize; I],
-    /// Row that each pivot stands in.
+    /// Number of dependent unknowns.
     pub(super) rank: usize,
-    /// The eliminated matrix, whose dependent columns are unit vectors.
-    pub(super) matrix: SMatrix<T, M, I>,
+    pub(super) pivots: Pivots<T, M, I>,
+    /// The rows: a unit matrix, and R.
+    rows: [[T; I]; M],
     /// b'
-    pub(super) side: SVector<T, M>,
+    side: [T; M],
+}
+
+/// An order of elimination.
+#[derive(Clone, Copy)]
+pub(super) struct Pivots<T, const M: usize, const I: usize> {
+    /// Row of each pivot.
+    rows: [usize; M],
+    /// Unknowns: the dependent ones in the order of the pivots, then the independent ones.
+    pub(super) unknowns: [usize; I],
+    sizes: [T; M],
 }
 
 impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
-    /// Eliminates rows.
+    /// Eliminates rows; each pivot is the largest entry of all, relative to its row.
     ///
     /// * `lengths`: given, for each unknown the number that makes it comparable with the others.
     /// * `takes_part`: given, true for each row that counts.
@@ -32,63 +44,111 @@ impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
     /// # Errors
     /// The number of a row that depends on the others.
     pub(super) fn new(
-        mut matrix: SMatrix<T, M, I>,
-        mut side: SVector<T, M>,
+        matrix: &SMatrix<T, M, I>,
+        side: &SVector<T, M>,
         lengths: &[T; I],
         takes_part: impl Fn(usize) -> bool,
     ) -> Result<Self, usize> {
-        let mut order: [usize; I] = core::array::from_fn(|k| k);
-        let mut names: [usize; M] = core::array::from_fn(|k| k);
+        let pivots = Pivots { rows: core::array::from_fn(|k| k), unknowns: core::array::from_fn(|k| k), sizes: [T::ZERO; M] };
+        let mut this = Self { rank: 0, pivots, rows: [[T::ZERO; I]; M], side: [T::ZERO; M] };
         let mut sizes = [T::ZERO; M];
         let mut count = 0;
-        for row in 0..M {
-            if !takes_part(row) {
-                continue;
-            }
-            swap_rows(&mut matrix, &mut side, count, row);
-            names[count] = row;
-            for column in 0..I {
-                sizes[count] = sizes[count].max((matrix[(count, column)] * lengths[column]).abs());
-            }
+        for row in (0..M).filter(|row| takes_part(*row)) {
+            this.rows[count] = core::array::from_fn(|column| matrix[(row, column)]);
+            (this.side[count], this.pivots.rows[count]) = (side[row], row);
+            sizes[count] = (0..I).fold(T::ZERO, |size, column| size.max((matrix[(row, column)] * lengths[column]).abs()));
             count += 1;
         }
-        for rank in 0..count {
-            let mut best = (T::ZERO, rank, rank);
-            for row in rank..count {
-                for column in rank..I {
-                    let size = (matrix[(row, order[column])] * lengths[order[column]]).abs();
-                    // Rows count by their own size.
-                    if size * sizes[best.1] > best.0 * sizes[row] || best.0 == T::ZERO && size > T::ZERO {
-                        best = (size, row, column);
-                    }
+        while this.rank < count {
+            let (row, column) = this.largest(count, &sizes, lengths);
+            let size = this.rows[row].get(column).map_or(T::ZERO, |entry| (*entry * lengths[this.pivots.unknowns[column]]).abs());
+            let is_independent = size > T::of(DEPENDENT) * sizes[row];
+            if !is_independent {
+                return Err(this.pivots.rows[row]);
+            }
+            this.exchange(row, column, count);
+            sizes.swap(this.rank, row);
+            this.eliminate(count);
+        }
+        Ok(this)
+    }
+
+    /// Eliminates all rows in a known order; `None` if a pivot is much smaller than when it was chosen.
+    pub(super) fn along(matrix: &SMatrix<T, M, I>, side: &SVector<T, M>, pivots: &Pivots<T, M, I>) -> Option<Self> {
+        let rows = pivots.rows.map(|row| pivots.unknowns.map(|column| matrix[(row, column)]));
+        let mut this = Self { rank: 0, pivots: *pivots, rows, side: pivots.rows.map(|row| side[row]) };
+        for k in 0..M.min(I) {
+            let size = this.rows[k][k].abs();
+            let is_as_good = size >= T::of(WORSE) * pivots.sizes[k];
+            if !is_as_good {
+                return None;
+            }
+            this.eliminate(M);
+        }
+        this.pivots.sizes = pivots.sizes;
+        Some(this)
+    }
+
+    /// Row and column of the largest entry that is left, relative to its row.
+    fn largest(&self, count: usize, sizes: &[T; M], lengths: &[T; I]) -> (usize, usize) {
+        let mut best = (T::ZERO, self.rank, self.rank);
+        for row in self.rank..count {
+            for column in self.rank..I {
+                let size = (self.rows[row][column] * lengths[self.pivots.unknowns[column]]).abs();
+                if size * sizes[best.1] > best.0 * sizes[row] || best.0 == T::ZERO && size > T::ZERO {
+                    best = (size, row, column);
                 }
             }
-            let (size, row, column) = best;
-            let is_independent = size > T::of(DEPENDENT) * sizes[row];
-            if rank >= I || !is_independent {
-                return Err(names[row]);
-            }
-            swap_rows(&mut matrix, &mut side, rank, row);
-            names.swap(rank, row);
-            sizes.swap(rank, row);
-            order.swap(rank, column);
-            eliminate(&mut matrix, &mut side, (rank, count), &order);
         }
-        Ok(Self { order, rank: count, matrix, side })
+        (best.1, best.2)
+    }
+
+    /// Puts an entry where the next pivot stands.
+    fn exchange(&mut self, row: usize, column: usize, count: usize) {
+        let k = self.rank;
+        self.rows.swap(k, row);
+        self.side.swap(k, row);
+        self.pivots.rows.swap(k, row);
+        self.pivots.unknowns.swap(k, column);
+        for row in &mut self.rows[..count] {
+            row.swap(k, column);
+        }
+    }
+
+    /// Makes the column of the next pivot a unit vector.
+    #[inline(always)]
+    fn eliminate(&mut self, count: usize) {
+        let k = self.rank;
+        let (mut own, mut side) = (self.rows[k], self.side[k]);
+        self.pivots.sizes[k] = own[k].abs();
+        let inverse = T::of(1.0) / own[k];
+        for entry in &mut own[k + 1..] {
+            *entry = *entry * inverse;
+        }
+        side = side * inverse;
+        for row in (0..count).filter(|row| *row != k) {
+            let factor = self.rows[row][k];
+            for (entry, own) in self.rows[row][k + 1..].iter_mut().zip(&own[k + 1..]) {
+                *entry = *entry - factor * *own;
+            }
+            self.side[row] = self.side[row] - factor * side;
+        }
+        (self.rows[k], self.side[k]) = (own, side);
+        self.rank += 1;
     }
 
     /// Unknowns, of which the independent ones are given by their place behind the dependent ones.
     pub(super) fn unknowns(&self, independent: impl Fn(usize) -> T) -> SVector<T, I> {
         let mut unknowns = SVector::from_element(T::ZERO);
-        for (place, &unknown) in self.order[self.rank..].iter().enumerate() {
-            unknowns[unknown] = independent(place);
+        for (row, &unknown) in self.pivots.unknowns[..self.rank].iter().enumerate() {
+            unknowns[unknown] = self.side[row];
         }
-        for (row, &unknown) in self.order[..self.rank].iter().enumerate() {
-            let mut value = self.side[row];
-            for &other in &self.order[self.rank..] {
-                value = value - self.matrix[(row, other)] * unknowns[other];
-            }
+        for (place, &unknown) in self.pivots.unknowns[self.rank..].iter().enumerate() {
+            let value = independent(place);
             unknowns[unknown] = value;
+            for (row, &dependent) in self.pivots.unknowns[..self.rank].iter().enumerate() {
+                unknowns[dependent] = unknowns[dependent] - self.rows[row][self.rank + place] * value;
+            }
         }
         unknowns
     }
@@ -96,48 +156,21 @@ impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
     /// Speeds for a unit of the independent one at a place, with homogeneous rows.
     pub(super) fn unit(&self, place: usize) -> SVector<T, I> {
         let mut motion = SVector::from_element(T::ZERO);
-        let own = self.order[self.rank + place];
-        motion[own] = T::of(1.0);
-        for (row, &unknown) in self.order[..self.rank].iter().enumerate() {
-            motion[unknown] = -self.matrix[(row, own)];
+        let own = self.rank + place;
+        motion[self.pivots.unknowns[own]] = T::of(1.0);
+        for (row, &unknown) in self.pivots.unknowns[..self.rank].iter().enumerate() {
+            motion[unknown] = -self.rows[row][own];
         }
         motion
+    }
+
+    /// The unknown that is the independent one at a place.
+    pub(super) fn independent_at(&self, place: usize) -> usize {
+        self.pivots.unknowns[self.rank + place]
     }
 
     /// Number of independent unknowns.
     pub(super) fn independent(&self) -> usize {
         I - self.rank
-    }
-}
-
-fn swap_rows<T: Float, const M: usize, const I: usize>(matrix: &mut SMatrix<T, M, I>, side: &mut SVector<T, M>, one: usize, two: usize) {
-    if one != two {
-        matrix.swap_rows(one, two);
-        side.swap_rows(one, two);
-    }
-}
-
-/// Makes the column of a pivot a unit vector.
-fn eliminate<T: Float, const M: usize, const I: usize>(
-    matrix: &mut SMatrix<T, M, I>,
-    side: &mut SVector<T, M>,
-    (rank, count): (usize, usize),
-    order: &[usize; I],
-) {
-    let own = order[rank];
-    let pivot = matrix[(rank, own)];
-    for &other in &order[rank..] {
-        matrix[(rank, other)] = matrix[(rank, other)] / pivot;
-    }
-    side[rank] = side[rank] / pivot;
-    for row in (0..count).filter(|row| *row != rank) {
-        let factor = matrix[(row, own)];
-        if factor == T::ZERO {
-            continue;
-        }
-        for &other in &order[rank..] {
-            matrix[(row, other)] = matrix[(row, other)] - factor * matrix[(rank, other)];
-        }
-        side[row] = side[row] - factor * side[rank];
     }
 }

@@ -40,7 +40,7 @@ where
     let mut here = equations(q);
     let mut open = gap(&here, is_of_positions);
     for _ in 0..CORRECTIONS {
-        let parts = Partition::new(here.jacobian, -here.phi, &lengths, is_of_positions).map_err(|row| (row, here.phi[row]))?;
+        let parts = Partition::new(&here.jacobian, &-here.phi, &lengths, is_of_positions).map_err(|row| (row, here.phi[row]))?;
         let correction = parts.unknowns(|_| T::ZERO);
         let size = (0..I).fold(T::ZERO, |size, k| size.max((correction[k] / lengths[k]).abs()));
         let mut factor = T::of(1.0);
@@ -58,9 +58,15 @@ where
             factor = factor * T::of(0.5);
         }
         if size < T::of(LAST) {
-            let speeds = Partition::new(here.jacobian, here.nu, &lengths, |row| levels(row)[1]).map_err(|row| (row, T::ZERO))?;
+            // Where the same rows count, the same pivots are good.
+            let are_same = (0..K).all(|row| levels(row) == [true, true]);
+            let known = if are_same { Partition::along(&here.jacobian, &here.nu, &parts.pivots) } else { None };
+            let speeds = match known {
+                Some(speeds) => speeds,
+                None => Partition::new(&here.jacobian, &here.nu, &lengths, |row| levels(row)[1]).map_err(|row| (row, T::ZERO))?,
+            };
             let independent: [T; I] = core::array::from_fn(|k| qd[S::INTEGRATED[k]]);
-            let found = speeds.unknowns(|place| independent[speeds.order[speeds.rank + place]]);
+            let found = speeds.unknowns(|place| independent[speeds.independent_at(place)]);
             for (k, &place) in S::INTEGRATED.iter().enumerate() {
                 qd[place] = found[k];
             }
@@ -111,7 +117,7 @@ where
     T: Float,
     S: Dynamics<T, N, I, M, R>,
 {
-    let found = accelerations(mechanism, &state.q, &state.qd, state.t)?;
+    let found = accelerations(mechanism, (&state.q, &state.qd), state.t, &mut None)?;
     let mut qdd = state.qdd;
     for (k, &place) in S::INTEGRATED.iter().enumerate() {
         qdd[place] = found[k];

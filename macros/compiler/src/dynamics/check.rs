@@ -22,7 +22,7 @@ pub(super) fn check(model: &Model, system: &System, assembly: &Assembly, dynamic
 }
 
 /// The equations of motion at the start, in coordinates that are comparable.
-struct AtStart<'a> {
+pub(super) struct AtStart<'a> {
     numeric: &'a Numeric<'a>,
     dynamics: &'a Dynamics,
     /// Equations between speeds, those of freedoms last.
@@ -31,7 +31,7 @@ struct AtStart<'a> {
 }
 
 impl<'a> AtStart<'a> {
-    fn new(numeric: &'a Numeric<'a>, assembly: &Assembly, dynamics: &'a Dynamics) -> AtStart<'a> {
+    pub(super) fn new(numeric: &'a Numeric<'a>, assembly: &Assembly, dynamics: &'a Dynamics) -> AtStart<'a> {
         let zeros = vec![0.0; numeric.system.coordinates.len()];
         let known = Values { coordinates: &assembly.start, speeds: &zeros, accelerations: &zeros, ..numeric.known };
         let of = |roots: &[Expr]| evaluate(&dynamics.arena, roots, &known);
@@ -43,6 +43,11 @@ impl<'a> AtStart<'a> {
         let places = (0..scales.len()).flat_map(|row| (0..=row).map(move |column| (row, column)));
         let mass = of(&dynamics.mass).into_iter().zip(places).map(|(mass, (row, column))| mass * scales[row] * scales[column]);
         AtStart { numeric, dynamics, rows, mass: mass.collect() }
+    }
+
+    /// J.
+    pub(super) fn constraints(&self) -> Vec<Vec<f64>> {
+        self.rows[..self.dynamics.rows.len()].iter().map(|(_, row)| row.clone()).collect()
     }
 
     fn check(mut self, diag: &mut Diag) -> Option<()> {

@@ -10,14 +10,18 @@
 //! ```
 
 mod check;
+mod elimination;
 mod embedding;
 
 use crate::assembly::Assembly;
 use crate::diag::Diag;
 use crate::expr::{Arena, Expr, Leaf, derivative};
 use crate::model::Model;
+use crate::numeric::{Numeric, at_defaults};
+use crate::quantity::Role;
 use crate::structure::Structure;
 use crate::system::{Balance, Equation, Level, System};
+pub use elimination::Accelerations;
 use embedding::Embedding;
 use std::collections::{BTreeMap, HashMap};
 
@@ -40,8 +44,39 @@ pub struct Dynamics {
     pub state: Vec<[Expr; 3]>,
     /// Kinetic energy, potential energy and power of the forces declared.
     pub energies: [Expr; 3],
+    /// Accelerations in closed form, if there are not too many freedoms.
+    pub accelerations: Option<Accelerations>,
     /// 0
     pub zero: Expr,
+}
+
+/// With more freedoms than this, the equations are eliminated at run time: the expressions would grow with their cube.
+const MOST_FREEDOMS: usize = 12;
+
+impl Dynamics {
+    /// Accelerations by an order of elimination that is good where the mechanism is assembled.
+    fn in_closed_form(&mut self, numeric: &Numeric, assembly: &Assembly) -> Option<Accelerations> {
+        let count = self.integrated.len();
+        if !assembly.is_closed || count > MOST_FREEDOMS + self.rows.len() {
+            return None;
+        }
+        let numbers = check::AtStart::new(numeric, assembly, self).constraints();
+        let is_zero = |row: usize, column: usize| self.rows[row].jacobian[column] == self.zero;
+        let order = elimination::order(&numbers, is_zero)?;
+        let scales: Vec<f64> = self.integrated.iter().map(|unknown| numeric.scale(*unknown)).collect();
+        let lengths: Vec<Expr> = scales.into_iter().map(|scale| power_of_two(&mut self.arena, scale)).collect();
+        let is_quaternion = |unknown: &usize| matches!(numeric.system.coordinates[*unknown].role, Role::Quaternion(_));
+        let has_orientations = self.integrated.iter().any(is_quaternion);
+        let equations = (self.rows.as_slice(), self.mass.as_slice(), self.forces.as_slice());
+        Some(elimination::accelerations(&mut self.arena, equations, &order, &lengths, has_orientations))
+    }
+}
+
+/// The power of two next to a length.
+fn power_of_two(arena: &mut Arena, length: f64) -> Expr {
+    let exponent = libm::log2(length).round().clamp(-30.0, 30.0) as i32;
+    let (power, one) = (arena.integer(1 << exponent.abs()), arena.integer(1));
+    if exponent < 0 { arena.div(one, power) } else { power }
 }
 
 /// An equation in the integrated coordinates.
@@ -68,8 +103,9 @@ pub(crate) fn derive(
     diag: &mut Diag,
 ) -> Option<Option<Dynamics>> {
     let Some(balance) = &system.balance else { return Some(None) };
-    let dynamics = reduce(system, structure, balance);
+    let mut dynamics = reduce(system, structure, balance);
     check::check(model, system, assembly, &dynamics, diag)?;
+    dynamics.accelerations = at_defaults(model, system, |numeric| dynamics.in_closed_form(numeric, assembly));
     Some(Some(dynamics))
 }
 
@@ -104,7 +140,7 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
     state.extend(orientations.into_iter().map(|motion| motion.map(|expr| embedding.of(expr))));
     let integrated = embedding.integrated();
     let zero = arena.integer(0);
-    Dynamics { arena, integrated, rows, initial, mass, forces, state, energies: [kinetic, potential, power], zero }
+    Dynamics { arena, integrated, rows, initial, mass, forces, state, energies: [kinetic, potential, power], accelerations: None, zero }
 }
 
 /// Equations without marks.

@@ -3,7 +3,7 @@
 use super::expression::local;
 use super::functions::Emitter;
 use super::literal::{matrix_type, number, real, vector_type};
-use super::routine::{RoutinePrinter, lines};
+use super::routine::{RoutinePrinter, fast_lines};
 use super::{allowed, docs, state_path};
 use crate::plan::{DynamicsCode, Routine};
 use crate::quantity::Role;
@@ -53,7 +53,7 @@ impl Emitter<'_> {
         let [q, qd, qdd, t] = ["q", "qd", "qdd", "t"].map(local);
         let of_state = vector_type(n);
         let (constraints, initial) = (self.kinematics(code, &code.constraints, m), self.kinematics(code, &code.initial, r));
-        let RoutinePrinter { reads, steps, results } = lines(self.model, &code.arena, &code.balance);
+        let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, &code.balance);
         let matrix = self.entries(code, &code.balance, &results, 0, (m, i), &all(m, i));
         let gamma = &results[m * i..m * i + m];
         let triangle = m * i + m;
@@ -61,13 +61,14 @@ impl Emitter<'_> {
         let mass = self.entries(code, &code.balance, &results, triangle, (i, i), &places);
         let forces = &results[triangle + places.len()..];
         let [number_m, number_i, number_r] = [m, i, r].map(number);
-        let state = lines(self.model, &code.arena, &code.state);
+        let accelerations = code.accelerations.as_ref().map(|routine| self.accelerations(code, routine, (n, i)));
+        let state = fast_lines(self.model, &code.arena, &code.state);
         let (reads_of_state, steps_of_state) = (&state.reads, &state.steps);
         let parts = [0, 1, 2].map(|part| {
             let values = state.results.iter().skip(part).step_by(3);
             quote!(::core::convert::From::from([#(#values),*]))
         });
-        let energy = lines(self.model, &code.arena, &code.energies);
+        let energy = fast_lines(self.model, &code.arena, &code.energies);
         let (reads_of_energy, steps_of_energy) = (&energy.reads, &energy.steps);
         let [kinetic, potential, power] = [0, 1, 2].map(|part| &energy.results[part]);
         quote! {
@@ -83,6 +84,7 @@ impl Emitter<'_> {
                     forces: ::core::convert::From::from([#(#forces),*]),
                 }
             }
+            #accelerations
             fn complete(&self, #q: &#of_state, #qd: &#of_state, #qdd: &#of_state, #t: T) -> [#of_state; 3] {
                 #reads_of_state
                 #steps_of_state
@@ -96,10 +98,34 @@ impl Emitter<'_> {
         }
     }
 
+    /// u̇ in closed form, unless a pivot is too small.
+    fn accelerations(&self, code: &DynamicsCode, routine: &Routine, (n, i): (usize, usize)) -> TokenStream {
+        let [q, qd, t] = ["q", "qd", "t"].map(local);
+        let (of_state, of_speeds) = (vector_type(n), vector_type(i));
+        let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, routine);
+        let (values, pivots) = results.split_at(i);
+        let is_steady = |pair: &[TokenStream]| {
+            let (pivot, size) = (&pair[0], &pair[1]);
+            quote!(::reuleaux::is_steady(#pivot, #size))
+        };
+        let are_steady: Vec<TokenStream> = pivots.chunks(2).map(is_steady).collect();
+        quote! {
+            fn accelerations(&self, #q: &#of_state, #qd: &#of_state, #t: T) -> ::core::option::Option<#of_speeds> {
+                #reads
+                #steps
+                let are_steady = true #(& #are_steady)*;
+                if !are_steady {
+                    return ::core::option::Option::None;
+                }
+                ::core::option::Option::Some(::core::convert::From::from([#(#values),*]))
+            }
+        }
+    }
+
     /// Φ, ν and J of `m` rows.
     fn kinematics(&self, code: &DynamicsCode, routine: &Routine, m: usize) -> TokenStream {
         let i = code.integrated.len();
-        let RoutinePrinter { reads, steps, results } = lines(self.model, &code.arena, routine);
+        let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, routine);
         let (phi, nu) = (&results[..m], &results[m..2 * m]);
         let matrix = self.entries(code, routine, &results, 2 * m, (m, i), &all(m, i));
         quote! {

@@ -20,16 +20,21 @@ pub(super) struct RoutinePrinter {
 
 /// Prints a routine that reads `q`, `qd`, `qdd` and `t`.
 pub(super) fn lines(model: &Model, arena: &Arena, routine: &Routine) -> RoutinePrinter {
-    routine_with(model, arena, routine, reads(routine, number, TOGETHER))
+    routine_with(model, arena, routine, reads(routine, number, TOGETHER), "sin_cos")
+}
+
+/// The same with sines and cosines that are fast, but not the same bits everywhere.
+pub(super) fn fast_lines(model: &Model, arena: &Arena, routine: &Routine) -> RoutinePrinter {
+    routine_with(model, arena, routine, reads(routine, number, TOGETHER), "fast_sin_cos")
 }
 
 /// The same where the unknown of a number stands elsewhere.
 pub(super) fn lines_at(model: &Model, arena: &Arena, routine: &Routine, place: impl Fn(usize) -> TokenStream) -> RoutinePrinter {
-    routine_with(model, arena, routine, reads(routine, place, 1))
+    routine_with(model, arena, routine, reads(routine, place, 1), "sin_cos")
 }
 
-fn routine_with(model: &Model, arena: &Arena, routine: &Routine, reads: TokenStream) -> RoutinePrinter {
-    let printer = Printer { arena, names: &routine.names, turn: "sin_cos" };
+fn routine_with(model: &Model, arena: &Arena, routine: &Routine, reads: TokenStream, turn: &'static str) -> RoutinePrinter {
+    let printer = Printer { arena, names: &routine.names, turn };
     let mut steps = TokenStream::new();
     let mut results = Vec::new();
     let mut printed = 0;

@@ -12,7 +12,7 @@ use crate::diag::{Fact, NameFact};
 use crate::model::{Layout, Method, Of};
 use crate::quantity::Ambient;
 use crate::resolve::{Outline, is_generated, outline};
-use crate::syntax::ast::{Expression, ExpressionKind, Item, Marks, Mechanism, Operator, Use};
+use crate::syntax::ast::{Expression, ExpressionKind, Item, Marks, Mechanism, Operator, Task, Use};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 use std::collections::BTreeSet;
@@ -60,7 +60,9 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
     let (solve_for, slices) = (tree.task.is_solved()).then(|| slices(tree, &promised, visibility, body)).unzip();
     let outputs = outputs(tree, &promised, &state, body);
     let (n, vector) = (number(n), vector_type(n));
-    let state = (tree.task.is_solved() || has_outputs).then(|| {
+    let motion = (tree.task == Task::Motion).then(|| motion_from_forces(&state, body));
+    let (loads, of_loads) = has_forces(tree).then(|| loads(tree, &state, visibility, body)).unzip();
+    let state = (tree.task.is_determined() || has_outputs).then(|| {
         quote! {
             #[derive(Clone, Debug, PartialEq)]
             #[doc(hidden)]
@@ -82,6 +84,7 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
         #drawable
         #stages
         #slices
+        #of_loads
         #equations
         #[allow(missing_docs, dead_code, clippy::all)]
         impl<T: ::reuleaux::Real> #name<T> {
@@ -92,6 +95,8 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
             pub fn jacobian_entries(&self, _: &#vector, _: T) -> [T; 0] { #body }
             pub fn with_defaults() -> Self { #body }
             #solutions
+            #motion
+            #loads
             #outputs
             #solve_for
         }
@@ -229,6 +234,66 @@ fn solutions(name: &Ident, state: &Ident, visibility: &TokenStream, n: usize, bo
         }
     };
     (functions, traits)
+}
+
+/// What a mechanism with freedoms can be asked for.
+fn motion_from_forces(state: &Ident, body: &TokenStream) -> TokenStream {
+    let done = |value: TokenStream| quote!(::core::result::Result<#value, ::reuleaux::Stopped<T>>);
+    let (first, nothing, found) = (done(quote!(#state<T>)), done(quote!(())), done(quote!(::core::primitive::bool)));
+    quote! {
+        pub fn initial_state(&self) -> #first { #body }
+        pub fn accelerate(&self, _: &mut #state<T>) -> #nothing { #body }
+        pub fn advance(&self, _: &mut #state<T>, _: T, _: &mut ::reuleaux::Integrator<T>) -> #nothing { #body }
+        pub fn advance_until(
+            &self,
+            _: &mut #state<T>,
+            _: T,
+            _: &mut ::reuleaux::Integrator<T>,
+            _: impl ::core::ops::Fn(&#state<T>) -> T,
+        ) -> #found { #body }
+        pub fn step(&self, _: &mut #state<T>, _: T) -> #nothing { #body }
+        pub fn energy(&self, _: &#state<T>) -> ::reuleaux::Energy<T> { #body }
+    }
+}
+
+/// True if masses or forces are declared, so that there are loads.
+fn has_forces(tree: &Mechanism) -> bool {
+    let has = |item: &Item| match item {
+        Item::Body(body) => !body.masses.is_empty(),
+        Item::Force(_) => true,
+        _ => false,
+    };
+    tree.task.is_determined() && tree.items.iter().any(has)
+}
+
+/// The loads, with the joints and drives of the mechanism itself.
+fn loads(tree: &Mechanism, state: &Ident, visibility: &TokenStream, body: &TokenStream) -> (TokenStream, TokenStream) {
+    let name = &tree.name;
+    let loads = format_ident!("{}Loads", name);
+    let of_joint = match tree.ambient {
+        Ambient::Plane => quote!(::reuleaux::PlanarLoad<T>),
+        Ambient::Space => quote!(::reuleaux::SpatialLoad<T>),
+    };
+    let joints = tree.items.iter().filter_map(|item| match item {
+        Item::Joint(joint) if joint.indices.is_empty() && !joint.is_freedom() => {
+            let (name, kind) = (&joint.name, if joint.is_drive { quote!(::reuleaux::DriveLoad<T>) } else { of_joint.clone() });
+            Some(quote!(pub fn #name(&self) -> #kind { #body }))
+        }
+        _ => None,
+    });
+    let function = quote!(pub fn loads(&self, _: &#state<T>) -> #loads<T> { #body });
+    let of_loads = quote! {
+        #[doc(hidden)]
+        #[allow(dead_code)]
+        #visibility struct #loads<T = ::core::primitive::f64>(::reuleaux::Loads<T, 0, 0>);
+        #[allow(missing_docs, dead_code, clippy::all)]
+        impl<T: ::reuleaux::Real> #loads<T> { #(#joints)* }
+        impl<T> ::core::ops::Deref for #loads<T> {
+            type Target = ::reuleaux::Loads<T, 0, 0>;
+            fn deref(&self) -> &Self::Target { &self.0 }
+        }
+    };
+    (function, of_loads)
 }
 
 /// The motion of a body.

@@ -25,6 +25,8 @@ pub struct DynamicsCode {
     pub initial: Routine,
     /// J row by row, γ, the lower triangle of M row by row, f.
     pub balance: Routine,
+    /// u̇, then the pivots of its computation, each with the size that it is compared with.
+    pub accelerations: Option<Routine>,
     /// Value, rate and acceleration of every entry of the state.
     pub state: Routine,
     /// Kinetic energy, potential energy, power.
@@ -56,6 +58,10 @@ pub(super) fn code(model: &Model, system: &System, dynamics: &Dynamics) -> Dynam
         constraints: line(kinematics(rows)),
         initial: line(kinematics(&all)),
         balance: line(entries(rows).into_iter().chain(gamma).chain(mass.iter().chain(forces).copied()).collect()),
+        accelerations: dynamics.accelerations.as_ref().map(|found| {
+            let pivots = found.pivots.iter().flatten();
+            line(found.values.iter().chain(pivots).copied().collect())
+        }),
         state: line(state.iter().flatten().copied().collect()),
         energies: line(energies.to_vec()),
         arena,
