@@ -3,4 +3,5 @@
 #[macro_use]
 mod compare;
 mod plane;
+mod published;
 mod space;

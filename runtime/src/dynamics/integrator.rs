@@ -1,9 +1,10 @@
 //! Integration in time.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 use super::accelerate::{accelerations, lengths};
 use super::equations::Dynamics;
+use super::partition::{Pivots, has_other_signs, weakest};
 use super::project::{initial_state, project, refresh};
 use super::stopped::Stopped;
 use super::tableau::{FIFTH, NODES, STAGES, STEPS, THIRD, WEIGHTS};
@@ -83,7 +84,9 @@ impl<T: Float> Integrator<T> {
         S: Dynamics<T, N, I, M, R>,
     {
         let stages = stages(mechanism, state, h)?;
-        *state = after(mechanism, state, &stages, h)?;
+        let (next, reached) = after(mechanism, state, &stages, h)?;
+        keeps_rank(mechanism, state, &next, &reached)?;
+        *state = next;
         Ok(())
     }
 
@@ -175,7 +178,8 @@ impl<T: Float> Integrator<T> {
                 Err(_) => T::of(f64::INFINITY),
             };
             if error <= T::of(1.0) {
-                let mut next = after(mechanism, state, &tried?, h)?;
+                let (mut next, reached) = after(mechanism, state, &tried?, h)?;
+                keeps_rank(mechanism, state, &next, &reached)?;
                 self.accepted += 1;
                 let grown = wanted * factor(error, 6.0);
                 // A last step that was cut says nothing of the next one, unless it allows more.
@@ -266,31 +270,94 @@ where
     [of(&state.q, 0), of(&state.qd, 1)]
 }
 
+/// Positions and speeds at the end of a step.
+fn integrated<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    state: &State<T, N>,
+    rates: &[Phase<T, I>; STAGES],
+    h: T,
+) -> (SVector<T, N>, SVector<T, N>)
+where
+    T: Float,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let at = phase::<T, S, N, I, M, R>(state, rates, &WEIGHTS, h);
+    let (mut q, mut qd) = (state.q, state.qd);
+    for (k, &place) in S::INTEGRATED.iter().enumerate() {
+        (q[place], qd[place]) = (at[0][k], at[1][k]);
+    }
+    (q, qd)
+}
+
 /// The state after a step, brought back to where the equations hold.
 fn after<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     state: &State<T, N>,
     rates: &[Phase<T, I>; STAGES],
     h: T,
-) -> Result<State<T, N>, Stopped<T>>
+) -> Result<(State<T, N>, Reached<T, M, I>), Stopped<T>>
 where
     T: Float,
     S: Dynamics<T, N, I, M, R>,
 {
-    let at = phase::<T, S, N, I, M, R>(state, rates, &WEIGHTS, h);
-    let (mut q, mut qd, t) = (state.q, state.qd, state.t + h);
-    for (k, &place) in S::INTEGRATED.iter().enumerate() {
-        (q[place], qd[place]) = (at[0][k], at[1][k]);
-    }
+    let ((mut q, mut qd), t) = (integrated::<T, S, N, I, M, R>(state, rates, h), state.t + h);
     let is_finite = |vector: &SVector<T, N>| vector.iter().all(|value| value.is_finite());
     if !(is_finite(&q) && is_finite(&qd)) {
         return Err(Stopped::NotFinite { time: t });
     }
-    project(mechanism, (&mut q, &mut qd), |q| mechanism.constraints(q, t), |row| S::LEVELS[row])
+    let reached = project(mechanism, (&mut q, &mut qd), |q| mechanism.constraints(q, t), |row| S::LEVELS[row])
         .map_err(|(row, _)| Stopped::Singular { time: t, joint: S::JOINTS.get(row).copied().unwrap_or_default() })?;
     let mut next = State::new(t, q, qd, state.qdd);
     refresh(mechanism, &mut next)?;
-    Ok(next)
+    Ok((next, reached))
+}
+
+/// J at the end of a step, with an order of its elimination.
+type Reached<T, const M: usize, const I: usize> = (SMatrix<T, M, I>, Pivots<T, M, I>);
+
+/// Below this part of its row an equation depends on the others.
+const LOST: f64 = 1e-4;
+
+/// Checks that the equations stay independent over a step.
+///
+/// # Errors
+/// When they do not, and a joint whose equations depend on the others there.
+fn keeps_rank<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    from: &State<T, N>,
+    to: &State<T, N>,
+    (jacobian, pivots): &Reached<T, M, I>,
+) -> Result<(), Stopped<T>>
+where
+    T: Float,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let lengths = lengths(mechanism);
+    let start = mechanism.constraints(&from.q, from.t).jacobian;
+    if !has_other_signs(&start, jacobian, pivots) {
+        return Ok(());
+    }
+    // Either these pivots are bad somewhere on the way, or all are.
+    let (mut low, mut high, mut last) = (T::ZERO, to.t - from.t, start);
+    for _ in 0..SEARCH {
+        let h = (low + high) * T::of(0.5);
+        // Near the instant a projection may lead to another branch: these places are those integrated.
+        let there = stages(mechanism, from, h).map(|stages| {
+            let (q, _) = integrated::<T, S, N, I, M, R>(from, &stages, h);
+            mechanism.constraints(&q, from.t + h).jacobian
+        });
+        match there {
+            Ok(there) if !has_other_signs(&start, &there, pivots) => (low, last) = (h, there),
+            _ => high = h,
+        }
+        if (high - low).abs() <= T::of(f64::EPSILON) * (from.t.abs() + high.abs()) {
+            break;
+        }
+    }
+    let (row, left) = weakest(&last, &start, &lengths);
+    if left > T::of(LOST) {
+        return Ok(());
+    }
+    Err(Stopped::Singular { time: from.t + high, joint: S::JOINTS.get(row).copied().unwrap_or_default() })
 }
 
 /// Errors of steps add up: each may have this fraction of the tolerance.
@@ -360,7 +427,7 @@ where
         }
         let h = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
         let stages = stages(mechanism, from, h)?;
-        let state = after(mechanism, from, &stages, h)?;
+        let (state, _) = after(mechanism, from, &stages, h)?;
         let value = event(&state);
         if value * high.1 > T::ZERO || value == T::ZERO {
             high = (h, value);

@@ -174,3 +174,52 @@ impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
         I - self.rank
     }
 }
+
+/// True where two matrices, eliminated in the same order, have a pivot of different sign: between them a partition fails, or rank is lost.
+pub(super) fn has_other_signs<T: Float, const M: usize, const I: usize>(
+    one: &SMatrix<T, M, I>,
+    two: &SMatrix<T, M, I>,
+    pivots: &Pivots<T, M, I>,
+) -> bool {
+    let square = |matrix: &SMatrix<T, M, I>| {
+        let columns: [usize; M] = core::array::from_fn(|k| pivots.unknowns.get(k).copied().unwrap_or(0));
+        signs(pivots.rows.map(|row| columns.map(|column| matrix[(row, column)])))
+    };
+    M <= I && square(one) != square(two)
+}
+
+/// For each pivot whether it is above zero.
+fn signs<T: Float, const M: usize>(mut matrix: [[T; M]; M]) -> [bool; M] {
+    let mut signs = [true; M];
+    for k in 0..M {
+        let own = matrix[k];
+        signs[k] = own[k] > T::ZERO;
+        for row in &mut matrix[k + 1..] {
+            let factor = row[k] / own[k];
+            for (entry, own) in row[k..].iter_mut().zip(&own[k..]) {
+                *entry = *entry - factor * *own;
+            }
+        }
+    }
+    signs
+}
+
+/// The row that depends most on the others, and what is left of it as a part of the row as it was elsewhere.
+pub(super) fn weakest<T: Float, const M: usize, const I: usize>(
+    matrix: &SMatrix<T, M, I>,
+    elsewhere: &SMatrix<T, M, I>,
+    lengths: &[T; I],
+) -> (usize, T) {
+    let size = |row: usize| (0..I).fold(T::ZERO, |size, k| size.max((elsewhere[(row, k)] * lengths[k]).abs()));
+    match Partition::new(matrix, &SVector::from_element(T::ZERO), lengths, |_| true) {
+        Ok(parts) => {
+            let mut found = (0, T::of(1.0));
+            for (k, &row) in parts.pivots.rows.iter().enumerate() {
+                let left = parts.pivots.sizes[k] * lengths[parts.pivots.unknowns[k]] / size(row);
+                found = if left < found.1 { (row, left) } else { found };
+            }
+            found
+        }
+        Err(row) => (row, T::ZERO),
+    }
+}

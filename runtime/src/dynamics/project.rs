@@ -1,10 +1,10 @@
 //! Positions and speeds that fulfil the equations.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 use super::accelerate::{accelerations, lengths};
 use super::equations::{Constraints, Dynamics};
-use super::partition::Partition;
+use super::partition::{Partition, Pivots};
 use super::stopped::Stopped;
 use crate::number::Float;
 use crate::state::State;
@@ -18,7 +18,8 @@ const HALVINGS: usize = 12;
 /// A correction below this, relative to 1 rad and L, is the last one.
 const LAST: f64 = 1e-9;
 
-/// Moves the integrated coordinates of a state so that `equations` hold, and sets their speeds; independent ones stay.
+/// Moves the integrated coordinates of a state so that `equations` hold, and sets their speeds; independent ones stay. Returns J there, with an order
+/// of its elimination.
 ///
 /// * `levels`: given, for each row whether it counts between positions, and whether between speeds.
 ///
@@ -29,7 +30,7 @@ pub(super) fn project<T, S, const N: usize, const I: usize, const M: usize, cons
     state: (&mut SVector<T, N>, &mut SVector<T, N>),
     equations: impl Fn(&SVector<T, N>) -> Constraints<T, K, I>,
     levels: impl Fn(usize) -> [bool; 2],
-) -> Result<(), (usize, T)>
+) -> Result<(SMatrix<T, K, I>, Pivots<T, K, I>), (usize, T)>
 where
     T: Float,
     S: Dynamics<T, N, I, M, R>,
@@ -70,7 +71,7 @@ where
             for (k, &place) in S::INTEGRATED.iter().enumerate() {
                 qd[place] = found[k];
             }
-            return Ok(());
+            return Ok((here.jacobian, parts.pivots));
         }
     }
     Err(open)
