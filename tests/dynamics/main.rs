@@ -2,6 +2,7 @@
 
 #[macro_use]
 mod compare;
+mod conserved;
 mod plane;
 mod published;
 mod space;

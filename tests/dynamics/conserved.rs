@@ -1,0 +1,153 @@
+//! Conserved quantities, events, and motions that are asked for too much.
+
+use super::plane::{Cart, DoublePendulum};
+use super::space::{FreeBody, SteadyTop};
+use reuleaux::{Integrator, Stopped, mechanism};
+use reuleaux_tests::common::decimal::Decimal;
+use reuleaux_tests::common::reference::{file, text};
+
+mechanism! {
+    /// The simple pendulum of `pendulum.json`: all its mass at the end.
+    pub(crate) mechanism Pendulum {
+        gravity = (0, -9.81m_s2);
+        param start: Angle = -180deg;
+        body rod { point O = (0m, 0m);  mass = 1kg;  center = (1m, 0m); }
+        joint pin = revolute((0m, 0m), rod.O);
+        freedom swing = rod.angle from start;
+    }
+}
+
+fn total(energy: reuleaux::Energy<f64>) -> f64 {
+    energy.kinetic + energy.potential
+}
+
+#[test]
+fn a_pendulum_turns_back_after_half_its_period() {
+    let reference = file("pendulum.json");
+    let period = Decimal::parse(text(&reference["simple"]["period"])).value;
+    let mechanism = Pendulum::default();
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        let mut state = mechanism.initial_state().expect("a state");
+        let mut integrator = Integrator::new(tolerance);
+        for turn in 1..=4 {
+            let has_turned = mechanism.advance_until(&mut state, 10.0, &mut integrator, |state| state.rod().angular_velocity);
+            assert_eq!(has_turned, Ok(true));
+            let error = state.t - f64::from(turn) * 0.5 * period;
+            assert!(error.abs() < 10.0 * tolerance, "turn {turn} at {tolerance:e}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn an_event_that_does_not_come_leaves_the_state_at_the_end() {
+    let mechanism = Pendulum { start: -1.0, ..Pendulum::default() };
+    let mut state = mechanism.initial_state().expect("a state");
+    let found = mechanism.advance_until(&mut state, 1.0, &mut Integrator::new(1e-9), |state| state.rod().angle + 4.0);
+    assert_eq!((found, state.t), (Ok(false), 1.0));
+}
+
+#[test]
+fn energy_is_kept_over_a_hundred_thousand_steps() {
+    let mechanism = Pendulum { start: -2.0, ..Pendulum::default() };
+    let mut state = mechanism.initial_state().expect("a state");
+    let start = total(mechanism.energy(&state));
+    let mut worst = 0.0_f64;
+    for _ in 0..100_000 {
+        mechanism.step(&mut state, 0.01).expect("a step");
+        worst = worst.max((total(mechanism.energy(&state)) - start).abs());
+    }
+    assert!(worst < 1e-9, "{worst:e}");
+}
+
+#[test]
+fn energy_drifts_less_than_ten_times_the_tolerance() {
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        let mechanism = DoublePendulum::default();
+        let mut state = mechanism.initial_state().expect("a state");
+        let start = total(mechanism.energy(&state));
+        mechanism.advance(&mut state, 5.0, &mut Integrator::new(tolerance)).expect("a motion");
+        let drift = total(mechanism.energy(&state)) - start;
+        // Its energies are of the order of 10 J.
+        assert!(drift.abs() < 100.0 * tolerance, "{tolerance:e}: {drift:e}");
+    }
+}
+
+#[test]
+fn a_free_body_keeps_its_angular_momentum() {
+    let mechanism = FreeBody::default();
+    let mut state = mechanism.initial_state().expect("a state");
+    let momentum = |state: &super::space::FreeBodyState| {
+        let body = state.body();
+        let local = body.rotation.transpose() * body.angular_velocity;
+        body.rotation * nalgebra(&[0.02 * local[0], 0.035 * local[1], 0.05 * local[2]])
+    };
+    let start = momentum(&state);
+    mechanism.advance(&mut state, 6.0, &mut Integrator::new(1e-12)).expect("a motion");
+    assert!((momentum(&state) - start).norm() < 1e-12 * start.norm() * 10.0);
+    assert!((state.body().rotation.determinant() - 1.0).abs() < 1e-14);
+}
+
+fn nalgebra(parts: &[f64; 3]) -> reuleaux::nalgebra::Vector3<f64> {
+    reuleaux::nalgebra::Vector3::from(*parts)
+}
+
+/// Nodes and weights of Gauss and Legendre on [−1, 1], 8 of them, by symmetry.
+const NODES: [(f64, f64); 4] = [
+    (0.183_434_642_495_649_8, 0.362_683_783_378_362),
+    (0.525_532_409_916_329, 0.313_706_645_877_887_3),
+    (0.796_666_477_413_626_7, 0.222_381_034_453_374_48),
+    (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
+];
+
+#[test]
+fn energy_changes_by_the_work_of_forces() {
+    let mechanism = Cart::default();
+    let mut state = mechanism.initial_state().expect("a state");
+    let mut integrator = Integrator::new(1e-12);
+    let (mut work, half) = (0.0, 0.01);
+    let start = total(mechanism.energy(&state));
+    for interval in 0..50 {
+        let middle = (2 * interval + 1) as f64 * half;
+        let mut nodes: Vec<(f64, f64)> = NODES.iter().flat_map(|(node, weight)| [(-node, *weight), (*node, *weight)]).collect();
+        nodes.sort_by(|one, two| one.0.total_cmp(&two.0));
+        for (node, weight) in nodes {
+            mechanism.advance(&mut state, middle + half * node, &mut integrator).expect("a motion");
+            work += half * weight * mechanism.energy(&state).power;
+        }
+    }
+    mechanism.advance(&mut state, 100.0 * half, &mut integrator).expect("a motion");
+    let rest = total(mechanism.energy(&state)) - start - work;
+    assert!(rest.abs() < 1e-11, "{rest:e}");
+}
+
+#[test]
+fn a_motion_goes_back_the_way_it_came() {
+    let mechanism = SteadyTop::default();
+    let start = mechanism.initial_state().expect("a state");
+    let mut state = start.clone();
+    let mut integrator = Integrator::new(1e-10);
+    for time in [0.3, -0.2, 0.0] {
+        mechanism.advance(&mut state, time, &mut integrator).expect("a motion");
+    }
+    assert!((state.top().rotation - start.top().rotation).norm() < 1e-8);
+    assert!((state.top().angular_velocity - start.top().angular_velocity).norm() < 1e-6);
+}
+
+#[test]
+fn what_is_not_a_number_stops_a_motion() {
+    let mechanism = Pendulum::default();
+    let good = mechanism.initial_state().expect("a state");
+    let mut integrator = Integrator::new(1e-9);
+    for time in [f64::NAN, f64::INFINITY] {
+        let mut state = good.clone();
+        assert!(matches!(mechanism.advance(&mut state, time, &mut integrator), Err(Stopped::NotFinite { .. })));
+        assert_eq!(state, good);
+    }
+    let mut state = good.clone();
+    state.0.q[2] = f64::NAN;
+    assert!(mechanism.advance(&mut state, 1.0, &mut Integrator::new(1e-9)).is_err());
+    assert!(mechanism.step(&mut state, 0.1).is_err());
+    assert!(Pendulum { start: f64::NAN, ..mechanism }.initial_state().is_err());
+    let mut few = Integrator { most: 2, ..Integrator::new(1e-9) };
+    assert!(matches!(mechanism.advance(&mut good.clone(), 10.0, &mut few), Err(Stopped::TooManySteps { .. })));
+}
