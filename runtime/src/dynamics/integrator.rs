@@ -22,6 +22,8 @@ pub struct Integrator<T = f64> {
     pub most: usize,
     /// Size of the next step in s; 0 before the first one.
     pub step: T,
+    /// Largest speed so far, in L/s and rad/s, which errors of speeds are compared with.
+    pub fastest: T,
     /// Number of accepted steps.
     pub accepted: usize,
     /// Number of rejected steps.
@@ -38,7 +40,8 @@ impl<T: Float> Integrator<T> {
     #[must_use]
     pub fn new(tolerance: T) -> Self {
         let longest = T::of(f64::INFINITY);
-        Self { tolerance, longest, most: 1_000_000, step: T::ZERO, accepted: 0, rejected: 0, evaluations: 0 }
+        let (step, fastest) = (T::ZERO, T::ZERO);
+        Self { tolerance, longest, most: 1_000_000, step, fastest, accepted: 0, rejected: 0, evaluations: 0 }
     }
 
     /// The state at t = 0 with the initial values of the freedoms.
@@ -172,15 +175,15 @@ impl<T: Float> Integrator<T> {
             }
             let tried = stages(mechanism, state, h);
             self.evaluations += STAGES;
-            let error = match &tried {
-                Ok(stages) => error(mechanism, state, stages, h, self.tolerance),
+            let (error, fastest) = match &tried {
+                Ok(stages) => error(mechanism, state, stages, h, (self.tolerance, self.fastest)),
                 // A trial beyond what the joints allow is a step that is too long.
-                Err(_) => T::of(f64::INFINITY),
+                Err(_) => (T::of(f64::INFINITY), self.fastest),
             };
             if error <= T::of(1.0) {
                 let (mut next, reached) = after(mechanism, state, &tried?, h)?;
                 keeps_rank(mechanism, state, &next, &reached)?;
-                self.accepted += 1;
+                (self.accepted, self.fastest) = (self.accepted + 1, fastest);
                 let grown = wanted * factor(error, 6.0);
                 // A last step that was cut says nothing of the next one, unless it allows more.
                 self.step = if is_last { self.step.abs().max(h.abs() * factor(error, 6.0)) } else { grown };
@@ -363,22 +366,20 @@ where
 /// Errors of steps add up: each may have this fraction of the tolerance.
 const EACH: f64 = 0.02;
 
-/// Estimated error of a step, relative to the tolerance.
+/// Estimated error of a step, relative to the tolerance, and the largest speed so far.
 fn error<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     state: &State<T, N>,
     rates: &[Phase<T, I>; STAGES],
     h: T,
-    tolerance: T,
-) -> T
+    (tolerance, mut fastest): (T, T),
+) -> (T, T)
 where
     T: Float,
     S: Dynamics<T, N, I, M, R>,
 {
     let lengths = lengths(mechanism);
     let end = phase::<T, S, N, I, M, R>(state, rates, &WEIGHTS, h);
-    // Speeds count relative to the largest one of the step.
-    let mut fastest = T::ZERO;
     for (k, &place) in S::INTEGRATED.iter().enumerate() {
         fastest = fastest.max((state.qd[place] / lengths[k]).abs()).max((end[1][k] / lengths[k]).abs());
     }
@@ -396,11 +397,11 @@ where
         }
     }
     if fifth == T::ZERO && third == T::ZERO {
-        return T::ZERO;
+        return (T::ZERO, fastest);
     }
     let count = T::of(2.0 * I as f64);
     let bound = fifth + T::of(0.01) * third;
-    h.abs() * fifth / (bound * count).sqrt()
+    (h.abs() * fifth / (bound * count).sqrt(), fastest)
 }
 
 /// Most steps of the search for an event.

@@ -1,0 +1,125 @@
+//! A heavy top: it precesses as Euler's equations say, and nods between two closed forms.
+//!
+//! ```text
+//! steady precession     I₁ Ω² cos θ − I₃ ω₃ Ω + m g l = 0      θ from the vertical, ω₃ about its axis
+//! let go at θ₀          nods down to cos θ₁ = λ − √(λ² − 2 λ cos θ₀ + 1),   λ = I₃² ω₃² / (4 I₁ m g l)
+//! ```
+//!
+//! Source: H. Goldstein, Classical Mechanics, the heavy symmetrical top with one point fixed.
+
+use std::error::Error;
+use std::f64::consts::TAU;
+
+use reuleaux::nalgebra::Vector3;
+use reuleaux::{Integrator, mechanism};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, ring, seen, steps};
+
+mechanism! {
+    /// A top that spins on its tip.
+    pub mechanism Top in space {
+        param lean: Angle = 30deg;
+        /// About its own axis.
+        param spin: AngularVelocity = 2400rpm;
+        /// About the vertical.
+        param precession: AngularVelocity = 0rad_s;
+
+        gravity = (0m_s2, 0m_s2, -9.81m_s2);
+        body top {
+            mass = 0.3kg;  center = (0mm, 0mm, 60mm);  inertia = (0.0002kgm2, 0.0002kgm2, 0.00025kgm2);
+            start orientation = turn((1, 0, 0), lean);
+        }
+        joint tip = spherical((0mm, 0mm, 0mm), top.position);
+        // The axis stands at (0, -sin, cos).
+        freedom turning = top.angular_velocity
+            from (0rad_s, -(spin - precession * cos(lean)) * sin(lean), (spin - precession * cos(lean)) * cos(lean) + precession);
+    }
+}
+
+type State = TopState<f64>;
+
+/// I₁ about the tip, I₃ and m g l.
+const NUMBERS: [f64; 3] = [0.0002 + 0.3 * 0.06 * 0.06, 0.00025, 0.3 * 9.81 * 0.06];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let [slow, fast] = steady(&Top::default());
+    println!("precession rad/s   after one turn: lean °   short of a turn by °");
+    for precession in [slow, fast] {
+        let top = Top { precession, ..Top::default() };
+        let mut state = top.initial_state()?;
+        top.advance(&mut state, TAU / precession, &mut Integrator::new(1e-11))?;
+        let [lean, azimuth] = axis(&state);
+        println!("{precession:16.6}   {:22.9}   {azimuth:10.1e}", lean.to_degrees());
+        assert!((lean - top.lean).abs() < 1e-9 && azimuth.abs() < 1e-8, "{lean} {azimuth}");
+    }
+    let (top, curve) = (Top::default(), nodding(&Top::default())?);
+    let lowest = curve.iter().map(|(_, lean, _)| *lean).fold(0.0, f64::max);
+    println!(
+        "let go at {:.3}°, it nods down to {:.6}°, by the closed form {:.6}°",
+        top.lean.to_degrees(),
+        lowest.to_degrees(),
+        bound(&top).to_degrees()
+    );
+    assert!((turning_point(&top)? - bound(&top)).abs() < 1e-9);
+    println!("{}", picture(&top, &curve).save("spinning_top")?.display());
+    Ok(())
+}
+
+/// The two speeds (rad/s) of steady precession.
+fn steady(m: &Top) -> [f64; 2] {
+    let [i1, i3, weight] = NUMBERS;
+    let (a, b) = (i1 * m.lean.cos(), i3 * m.spin);
+    let root = (b * b - 4.0 * a * weight).sqrt();
+    [-1.0, 1.0].map(|sign| (b + sign * root) / (2.0 * a))
+}
+
+/// The largest angle (rad) from the vertical, let go at rest but for its spin.
+fn bound(m: &Top) -> f64 {
+    let [i1, i3, weight] = NUMBERS;
+    let (lambda, start) = ((i3 * m.spin).powi(2) / (4.0 * i1 * weight), m.lean.cos());
+    (lambda - (lambda * lambda - 2.0 * lambda * start + 1.0).sqrt()).acos()
+}
+
+/// The axis of the top: angle (rad) from the vertical, and about it from where it started.
+fn axis(state: &State) -> [f64; 2] {
+    let axis = state.top().rotation.column(2).into_owned();
+    [axis.xy().norm().atan2(axis.z), axis.x.atan2(-axis.y)]
+}
+
+/// Where the axis turns back for the first time.
+fn turning_point(m: &Top) -> Result<f64, Box<dyn Error>> {
+    let mut state = m.initial_state()?;
+    let mut integrator = Integrator::new(1e-11);
+    // Not the instant at which it is let go.
+    m.advance(&mut state, 0.01, &mut integrator)?;
+    let sinks = |state: &State| state.top().angular_velocity.cross(&state.top().rotation.column(2).into_owned()).z;
+    assert!(m.advance_until(&mut state, 1.0, &mut integrator, sinks)?);
+    Ok(axis(&state)[0])
+}
+
+/// Time, lean and place of the top's centre over a second.
+fn nodding(m: &Top) -> Result<Vec<(f64, f64, Vector3<f64>)>, Box<dyn Error>> {
+    let (mut state, mut integrator) = (m.initial_state()?, Integrator::new(1e-9));
+    let mut curve = Vec::new();
+    for time in steps(0.0, 1.0, 500) {
+        m.advance(&mut state, time, &mut integrator)?;
+        curve.push((time, axis(&state)[0], state.top().rotation.column(2) * 0.06));
+    }
+    Ok(curve)
+}
+
+fn picture(m: &Top, curve: &[(f64, f64, Vector3<f64>)]) -> Plate {
+    let mut scene = Scene::new();
+    let path: Vec<Place> = curve.iter().map(|(_, _, centre)| seen(centre)).collect();
+    scene.line(Ink::Trace, path);
+    let centre = curve[0].2;
+    scene.surface(Ink::Input, ring(&centre, &centre, 0.035));
+    scene.link(Ink::Coupler, &[seen(&Vector3::zeros()), seen(&(centre * 1.6))]);
+    scene.pivot(seen(&Vector3::zeros()));
+    let bounds = [m.lean, bound(m)].map(|lean| lean.to_degrees());
+    let lines = steps(0.0, 1.0, 10).flat_map(|time| bounds.map(|lean| (time, lean)));
+    Plate::new("Spinning top", scene, Abscissa { name: "time in s", range: 0.0..1.0, step: 0.2 }).diagram(
+        Diagram::new("from the vertical in °")
+            .curve(Ink::Output, "", curve.iter().map(|(time, lean, _)| (*time, lean.to_degrees())))
+            .circles("closed form of the bounds", lines),
+    )
+}
