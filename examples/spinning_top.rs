@@ -37,6 +37,9 @@ mechanism! {
 
 type State = TopState<f64>;
 
+/// Time, lean and place of the top's centre.
+type Moment = (f64, f64, Vector3<f64>);
+
 /// I₁ about the tip, I₃ and m g l.
 const NUMBERS: [f64; 3] = [0.0002 + 0.3 * 0.06 * 0.06, 0.00025, 0.3 * 9.81 * 0.06];
 
@@ -97,7 +100,7 @@ fn turning_point(m: &Top) -> Result<f64, Box<dyn Error>> {
 }
 
 /// Time, lean and place of the top's centre over a second.
-fn nodding(m: &Top) -> Result<Vec<(f64, f64, Vector3<f64>)>, Box<dyn Error>> {
+fn nodding(m: &Top) -> Result<Vec<Moment>, Box<dyn Error>> {
     let (mut state, mut integrator) = (m.initial_state()?, Integrator::new(1e-9));
     let mut curve = Vec::new();
     for time in steps(0.0, 1.0, 500) {
@@ -107,7 +110,7 @@ fn nodding(m: &Top) -> Result<Vec<(f64, f64, Vector3<f64>)>, Box<dyn Error>> {
     Ok(curve)
 }
 
-fn picture(m: &Top, curve: &[(f64, f64, Vector3<f64>)]) -> Plate {
+fn picture(m: &Top, curve: &[Moment]) -> Plate {
     let mut scene = Scene::new();
     let path: Vec<Place> = curve.iter().map(|(_, _, centre)| seen(centre)).collect();
     scene.line(Ink::Trace, path);

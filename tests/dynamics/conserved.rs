@@ -40,7 +40,7 @@ fn a_pendulum_turns_back_after_half_its_period() {
 
 #[test]
 fn an_event_that_does_not_come_leaves_the_state_at_the_end() {
-    let mechanism = Pendulum { start: -1.0, ..Pendulum::default() };
+    let mechanism = Pendulum { start: -1.0 };
     let mut state = mechanism.initial_state().expect("a state");
     let found = mechanism.advance_until(&mut state, 1.0, &mut Integrator::new(1e-9), |state| state.rod().angle + 4.0);
     assert_eq!((found, state.t), (Ok(false), 1.0));
@@ -48,7 +48,7 @@ fn an_event_that_does_not_come_leaves_the_state_at_the_end() {
 
 #[test]
 fn energy_is_kept_over_a_hundred_thousand_steps() {
-    let mechanism = Pendulum { start: -2.0, ..Pendulum::default() };
+    let mechanism = Pendulum { start: -2.0 };
     let mut state = mechanism.initial_state().expect("a state");
     let start = total(mechanism.energy(&state));
     let mut worst = 0.0_f64;
@@ -147,7 +147,7 @@ fn what_is_not_a_number_stops_a_motion() {
     state.0.q[2] = f64::NAN;
     assert!(mechanism.advance(&mut state, 1.0, &mut Integrator::new(1e-9)).is_err());
     assert!(mechanism.step(&mut state, 0.1).is_err());
-    assert!(Pendulum { start: f64::NAN, ..mechanism }.initial_state().is_err());
+    assert!(Pendulum { start: f64::NAN }.initial_state().is_err());
     let mut few = Integrator { most: 2, ..Integrator::new(1e-9) };
     assert!(matches!(mechanism.advance(&mut good.clone(), 10.0, &mut few), Err(Stopped::TooManySteps { .. })));
 }
