@@ -100,8 +100,6 @@ pub use api::{
 };
 #[doc(hidden)]
 pub use api::{Named, Relation, between, declared_motion, finite, require, within};
-#[doc(hidden)]
-pub use dynamics::is_steady;
 pub use dynamics::{Balance, Constraints, Dynamics, Energy, Integrator, Stopped};
 #[cfg(feature = "certify")]
 pub use enclosure::{Certificate, Doubt, Enclosure, ErrorBound};

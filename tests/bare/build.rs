@@ -29,6 +29,9 @@ const FILES: [(&str, &[(&str, &str)]); 20] = [
     ("../examples/walker.rs", &[]),
 ];
 
+/// Those with freedoms.
+const FREE: [&str; 2] = ["../examples/andrews.rs", "../examples/rolling_coin.rs"];
+
 fn main() -> Result<(), Box<dyn Error>> {
     // Only who looks at their code needs them.
     if env::var_os("CARGO_FEATURE_ALONE").is_none() {
@@ -43,39 +46,67 @@ fn main() -> Result<(), Box<dyn Error>> {
         for (from, to) in *changes {
             text = text.replace(from, to);
         }
-        writeln!(all, "// {file}\n{}", module(number, &text).ok_or_else(|| format!("no mechanism in {file}"))?)?;
+        writeln!(all, "// {file}\n{}", module(number, &text, solve).ok_or_else(|| format!("no mechanism in {file}"))?)?;
+    }
+    for (number, file) in (FILES.len()..).zip(FREE) {
+        let path = folder.join(file);
+        println!("cargo::rerun-if-changed={}", path.display());
+        let text = fs::read_to_string(&path)?;
+        writeln!(all, "// {file}\n{}", module(number, &text, integrate).ok_or_else(|| format!("no mechanism in {file}"))?)?;
     }
     fs::write(Path::new(&env::var("OUT_DIR")?).join("mechanisms.rs"), all)?;
     Ok(())
 }
 
-/// A module with the first mechanism of a file.
-fn module(number: usize, text: &str) -> Option<String> {
+/// A module with the first mechanism of a file; `used` makes a function of its name and its declaration, called `run`.
+fn module(number: usize, text: &str, used: fn(&str, &str) -> String) -> Option<String> {
     let declaration = between(text, "mechanism! {").unwrap_or(text);
     let name = declaration.split("mechanism ").nth(1)?.split([' ', '{']).next()?;
+    let function = used(name, declaration);
+    Some(format!(
+        "mod m{number} {{
+            use super::T;
+            reuleaux::mechanism! {{ {declaration} }}
+            {function}
+            #[used]
+            static RUN: fn(&{name}<T>, T, &mut {name}State<T>) -> bool = run;
+        }}"
+    ))
+}
+
+/// Every way to a state, and what is made of it.
+fn solve(name: &str, declaration: &str) -> String {
     let outputs = declaration.lines().filter_map(|line| {
         // Those at the top: one deeper is an output of a part.
         let output = line.trim_start_matches("pub ").trim_start().strip_prefix("output ")?;
         (indent(line) <= 8).then(|| output.split([' ', ':']).next())?
     });
     let outputs: String = outputs.map(|output| format!("core::hint::black_box(mechanism.{output}(state));")).collect();
-    Some(format!(
-        "mod m{number} {{
-            use super::T;
-            reuleaux::mechanism! {{ {declaration} }}
-            /// Every way to a state, and what is made of it.
-            fn solve(mechanism: &{name}<T>, t: T, state: &mut {name}State<T>) -> bool {{
-                let is_there = mechanism.advance(state, t).is_ok();
-                {outputs}
-                let after = mechanism.solve_from(t, state).is_ok();
-                let anew = mechanism.solve(t).map(|found| *state = found).is_ok();
-                let swept = mechanism.sweep([t, t + t]).filter_map(Result::ok).map(|found| *state = found).count();
-                is_there & after & anew & (swept > 1)
-            }}
-            #[used]
-            static SOLVE: fn(&{name}<T>, T, &mut {name}State<T>) -> bool = solve;
+    format!(
+        "fn run(mechanism: &{name}<T>, t: T, state: &mut {name}State<T>) -> bool {{
+            let is_there = mechanism.advance(state, t).is_ok();
+            {outputs}
+            let after = mechanism.solve_from(t, state).is_ok();
+            let anew = mechanism.solve(t).map(|found| *state = found).is_ok();
+            let swept = mechanism.sweep([t, t + t]).filter_map(Result::ok).map(|found| *state = found).count();
+            is_there & after & anew & (swept > 1)
         }}"
-    ))
+    )
+}
+
+/// Every way along a motion that follows from forces.
+fn integrate(name: &str, _: &str) -> String {
+    format!(
+        "fn run(mechanism: &{name}<T>, t: T, state: &mut {name}State<T>) -> bool {{
+            let is_there = mechanism.initial_state().map(|found| *state = found).is_ok();
+            let mut integrator = reuleaux::Integrator::new(t);
+            let moves = mechanism.advance(state, t, &mut integrator).is_ok();
+            let stops = mechanism.advance_until(state, t + t, &mut integrator, |state| state.qd[0]).is_ok();
+            let steps = mechanism.step(state, t).is_ok() & mechanism.accelerate(state).is_ok();
+            core::hint::black_box(mechanism.energy(state));
+            is_there & moves & stops & steps
+        }}"
+    )
 }
 
 /// What stands between the opening brace at the end of `opening` and the one that closes it.

@@ -12,8 +12,8 @@ use super::partition::{Partition, Pivots};
 use super::stopped::Stopped;
 use crate::number::Float;
 
-/// A pivot of the mass matrix below this fraction of the largest one counts as zero.
-const MASSLESS: f64 = 1e-13;
+/// Times ε: a pivot of the mass matrix below this part of its diagonal entry counts as zero.
+const MASSLESS: f64 = 500.0;
 
 /// The accelerations of the integrated coordinates. `pivots` are taken if they are still good, and are replaced if not.
 pub(super) fn accelerations<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
@@ -21,46 +21,51 @@ pub(super) fn accelerations<T, S, const N: usize, const I: usize, const M: usize
     (q, qd): (&SVector<T, N>, &SVector<T, N>),
     t: T,
     pivots: &mut Option<Pivots<T, M, I>>,
-) -> Result<SVector<T, I>, Stopped<T>>
+) -> Result<[T; I], Stopped<T>>
 where
     T: Float,
     S: Dynamics<T, N, I, M, R>,
 {
     if let Some(found) = mechanism.accelerations(q, qd, t) {
-        return Ok(found);
+        return Ok(found.data.0[0]);
     }
     let Balance { jacobian, gamma, mass, forces } = mechanism.balance(q, qd, t);
     let lengths = lengths(mechanism);
     let parts = match pivots.as_ref().and_then(|pivots| Partition::along(&jacobian, &gamma, pivots)) {
         Some(parts) => parts,
-        None => Partition::new(&jacobian, &gamma, &lengths, |_| true)
-            .map_err(|row| Stopped::Singular { time: t, joint: S::JOINTS.get(row).copied().unwrap_or_default() })?,
+        None => Partition::new(&jacobian, &gamma, &lengths, |_| true).map_err(|row| singular::<T, S, N, I, M, R>(t, row))?,
     };
     *pivots = Some(parts.pivots);
     let count = parts.independent();
-    let rest = parts.unknowns(|_| T::ZERO);
-    let moved = times(&mass, &rest);
-    let side = SVector::<T, I>::from_fn(|k, _| forces[k] + moved[k]);
-    // Columns N, and M N below the ones that are done.
-    let mut motions = SMatrix::<T, I, I>::from_element(T::ZERO);
-    let mut reduced = SMatrix::<T, I, I>::from_element(T::ZERO);
-    let mut right = SVector::<T, I>::from_element(T::ZERO);
-    for k in 0..count {
-        let motion = parts.unit(k);
-        let momentum = times(&mass, &motion);
-        motions.set_column(k, &motion);
-        for j in 0..=k {
-            reduced[(k, j)] = dot(&momentum, |i| motions[(i, j)]);
+    let moved = times(&mass, &parts.unknowns(|_| T::ZERO));
+    let side: [T; I] = core::array::from_fn(|k| forces.data.0[0][k] + moved[k]);
+    let (mut motions, mut reduced, mut right) = ([[T::ZERO; I]; I], [[T::ZERO; I]; I], [T::ZERO; I]);
+    for k in 0..I {
+        if k >= count {
+            break;
         }
-        right[k] = -dot(&side, |i| motion[i]);
+        motions[k] = parts.unit(k);
+        let momentum = times(&mass, &motions[k]);
+        for j in 0..=k {
+            reduced[k][j] = dot(&momentum, &motions[j]);
+        }
+        right[k] = -dot(&side, &motions[k]);
     }
-    let found = solve(&mut reduced, &mut right, count, |k| lengths[parts.independent_at(k)]);
-    if let Err(k) = found {
-        let unknown = S::INTEGRATED[parts.independent_at(k)];
+    solve(&mut reduced, &mut right, count).map_err(|k| {
+        let unknown = S::INTEGRATED.get(parts.independent_at(k)).copied().unwrap_or(0);
         let (owner, coordinate) = S::COORDINATES.get(unknown).map_or(("", ""), |coordinate| (coordinate.body, coordinate.name));
-        return Err(Stopped::Massless { time: t, owner, coordinate });
-    }
-    Ok(parts.unknowns(|place| right[place]))
+        Stopped::Massless { time: t, owner, coordinate }
+    })?;
+    Ok(parts.unknowns(|place| right.get(place).copied().unwrap_or(T::ZERO)))
+}
+
+/// A row depends on the others.
+pub(super) fn singular<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(time: T, row: usize) -> Stopped<T>
+where
+    T: Float,
+    S: Dynamics<T, N, I, M, R>,
+{
+    Stopped::Singular { time, joint: S::JOINTS.get(row).copied().unwrap_or_default() }
 }
 
 /// L for lengths, 1 for angles.
@@ -73,60 +78,57 @@ where
     S::IS_LENGTH.map(|is_length| if is_length { length } else { T::of(1.0) })
 }
 
-fn times<T: Float, const I: usize>(lower: &SMatrix<T, I, I>, vector: &SVector<T, I>) -> SVector<T, I> {
-    SVector::from_fn(|row, _| dot(vector, |k| if k <= row { lower[(row, k)] } else { lower[(k, row)] }))
+/// A product with a symmetric matrix, of which the lower triangle counts.
+fn times<T: Float, const I: usize>(lower: &SMatrix<T, I, I>, vector: &[T; I]) -> [T; I] {
+    let columns = &lower.data.0;
+    let mut product = [T::ZERO; I];
+    for row in 0..I {
+        for column in 0..=row {
+            let entry = columns[column][row];
+            product[row] = product[row] + entry * vector[column];
+            if column != row {
+                product[column] = product[column] + entry * vector[row];
+            }
+        }
+    }
+    product
 }
 
-fn dot<T: Float, const I: usize>(vector: &SVector<T, I>, other: impl Fn(usize) -> T) -> T {
-    (0..I).fold(T::ZERO, |sum, k| sum + vector[k] * other(k))
+fn dot<T: Float, const I: usize>(one: &[T; I], two: &[T; I]) -> T {
+    one.iter().zip(two).fold(T::ZERO, |sum, (one, two)| sum + *one * *two)
 }
 
 /// Solves a positive definite system of the first `count` rows in place, by L D Lᵀ.
 ///
 /// # Errors
-/// The number of a row whose pivot is not above zero.
-fn solve<T: Float, const I: usize>(
-    matrix: &mut SMatrix<T, I, I>,
-    right: &mut SVector<T, I>,
-    count: usize,
-    length: impl Fn(usize) -> T,
-) -> Result<(), usize> {
-    let mut largest = T::ZERO;
-    for k in 0..count {
-        largest = largest.max(matrix[(k, k)] * length(k) * length(k));
-    }
-    for k in 0..count {
-        let own = matrix[(k, k)];
-        let mut pivot = own;
-        for j in 0..k {
-            let factor = matrix[(k, j)];
-            pivot = pivot - factor * factor * matrix[(j, j)];
+/// The number of a row of which the rows before leave nothing above rounding.
+fn solve<T: Float, const I: usize>(matrix: &mut [[T; I]; I], right: &mut [T; I], count: usize) -> Result<(), usize> {
+    let before: [T; I] = core::array::from_fn(|k| matrix[k][k]);
+    for k in 0..I {
+        if k >= count {
+            break;
         }
-        let is_above_zero = pivot * length(k) * length(k) > T::of(MASSLESS) * largest;
+        // L is stored times D.
+        for j in 0..k {
+            let factor = matrix[k][j] / matrix[j][j];
+            for row in matrix.iter_mut().take(count).skip(k) {
+                row[k] = row[k] - factor * row[j];
+            }
+            right[k] = right[k] - factor * right[j];
+        }
+        let is_above_zero = matrix[k][k] > T::of(MASSLESS) * T::EPSILON * before[k];
         if !is_above_zero {
             return Err(k);
         }
-        matrix[(k, k)] = pivot;
-        for i in k + 1..count {
-            let mut entry = matrix[(i, k)];
-            for j in 0..k {
-                entry = entry - matrix[(i, j)] * matrix[(j, j)] * matrix[(k, j)];
-            }
-            matrix[(i, k)] = entry / pivot;
-        }
     }
-    for k in 0..count {
-        for j in 0..k {
-            right[k] = right[k] - matrix[(k, j)] * right[j];
+    for k in (0..I).rev() {
+        if k >= count {
+            continue;
         }
-    }
-    for k in 0..count {
-        right[k] = right[k] / matrix[(k, k)];
-    }
-    for k in (0..count).rev() {
-        for i in k + 1..count {
-            right[k] = right[k] - matrix[(i, k)] * right[i];
+        for (row, found) in matrix.iter().zip(*right).take(count).skip(k + 1) {
+            right[k] = right[k] - row[k] * found;
         }
+        right[k] = right[k] / matrix[k][k];
     }
     Ok(())
 }

@@ -19,7 +19,7 @@ pub trait Dynamics<T: Float, const N: usize, const I: usize, const M: usize, con
     /// Names of the joints of the equations at t = 0, of which the first are those between integrated coordinates.
     const JOINTS: [&'static str; R];
 
-    /// For each equation at t = 0 whether it is one between positions, and whether it, or its rate, is one between speeds.
+    /// For each equation at t = 0: whether it counts between positions, and whether it counts between speeds.
     const LEVELS: [[bool; 2]; R];
 
     /// Φ, J and ν.
@@ -41,13 +41,6 @@ pub trait Dynamics<T: Float, const N: usize, const I: usize, const M: usize, con
 
     /// Energies and power in a state.
     fn energy(&self, q: &SVector<T, N>, qd: &SVector<T, N>, t: T) -> Energy<T>;
-}
-
-/// True if a pivot is large enough, compared with a part of the numbers that it comes from.
-#[doc(hidden)]
-#[inline(always)]
-pub fn is_steady<T: Float>(pivot: T, size: T) -> bool {
-    pivot.abs() > size
 }
 
 /// Equations between positions and between speeds.

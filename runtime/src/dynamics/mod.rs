@@ -15,10 +15,11 @@ mod accelerate;
 mod equations;
 mod integrator;
 mod partition;
+mod places;
 mod project;
 mod stopped;
 mod tableau;
 
-pub use equations::{Balance, Constraints, Dynamics, Energy, is_steady};
+pub use equations::{Balance, Constraints, Dynamics, Energy};
 pub use integrator::Integrator;
 pub use stopped::Stopped;

@@ -4,8 +4,8 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::number::Float;
 
-/// A pivot below this fraction of its row counts as zero.
-const DEPENDENT: f64 = 1e-10;
+/// Times √ε: a pivot below this part of its row counts as zero.
+const DEPENDENT: f64 = 0.01;
 
 /// Known pivots are taken again as long as none falls below this fraction of its size when they were chosen.
 const WORSE: f64 = 0.1;
@@ -17,9 +17,9 @@ const WORSE: f64 = 0.1;
 /// ```
 pub(super) struct Partition<T, const M: usize, const I: usize> {
     /// Number of dependent unknowns.
-    pub(super) rank: usize,
+    rank: usize,
     pub(super) pivots: Pivots<T, M, I>,
-    /// The rows: a unit matrix, and R.
+    /// The rows in the order of the pivots: a unit matrix, and R.
     rows: [[T; I]; M],
     /// b'
     side: [T; M],
@@ -31,8 +31,35 @@ pub(super) struct Pivots<T, const M: usize, const I: usize> {
     /// Row of each pivot.
     rows: [usize; M],
     /// Unknowns: the dependent ones in the order of the pivots, then the independent ones.
-    pub(super) unknowns: [usize; I],
+    unknowns: [usize; I],
+    /// Size of each pivot when it was chosen.
     sizes: [T; M],
+}
+
+/// The matrix by rows.
+fn by_rows<T: Float, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>) -> [[T; I]; M] {
+    let columns = &matrix.data.0;
+    core::array::from_fn(|row| core::array::from_fn(|column| columns[column][row]))
+}
+
+/// Some entries of a list, in another order.
+fn ordered<X: Copy, const K: usize, const L: usize>(list: &[X; K], order: &[usize; L], otherwise: X) -> [X; L] {
+    order.map(|place| list.get(place).copied().unwrap_or(otherwise))
+}
+
+fn exchange<X: Copy>(list: &mut [X], one: usize, two: usize) {
+    let (Some(first), Some(second)) = (list.get(one).copied(), list.get(two).copied()) else { return };
+    if let Some(entry) = list.get_mut(one) {
+        *entry = second;
+    }
+    if let Some(entry) = list.get_mut(two) {
+        *entry = first;
+    }
+}
+
+/// Largest entry of a row, in comparable units.
+fn size<T: Float, const I: usize>(row: &[T; I], lengths: &[T; I]) -> T {
+    row.iter().zip(lengths).fold(T::ZERO, |size, (entry, length)| size.max((*entry * *length).abs()))
 }
 
 impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
@@ -49,25 +76,33 @@ impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
         lengths: &[T; I],
         takes_part: impl Fn(usize) -> bool,
     ) -> Result<Self, usize> {
-        let pivots = Pivots { rows: core::array::from_fn(|k| k), unknowns: core::array::from_fn(|k| k), sizes: [T::ZERO; M] };
+        let pivots = Pivots { rows: [0; M], unknowns: core::array::from_fn(|k| k), sizes: [T::ZERO; M] };
         let mut this = Self { rank: 0, pivots, rows: [[T::ZERO; I]; M], side: [T::ZERO; M] };
-        let mut sizes = [T::ZERO; M];
+        let (mut sizes, mut lengths) = ([T::ZERO; M], *lengths);
         let mut count = 0;
-        for row in (0..M).filter(|row| takes_part(*row)) {
-            this.rows[count] = core::array::from_fn(|column| matrix[(row, column)]);
-            (this.side[count], this.pivots.rows[count]) = (side[row], row);
-            sizes[count] = (0..I).fold(T::ZERO, |size, column| size.max((matrix[(row, column)] * lengths[column]).abs()));
-            count += 1;
+        let mut open = this.rows.iter_mut().zip(&mut this.side).zip(&mut this.pivots.rows).zip(&mut sizes);
+        for ((number, row), value) in by_rows(matrix).iter().enumerate().zip(side.iter()) {
+            if !takes_part(number) {
+                continue;
+            }
+            if let Some((((entries, side), name), own)) = open.next() {
+                (*entries, *side, *name, *own) = (*row, *value, number, size(row, &lengths));
+                count += 1;
+            }
         }
         while this.rank < count {
-            let (row, column) = this.largest(count, &sizes, lengths);
-            let size = this.rows[row].get(column).map_or(T::ZERO, |entry| (*entry * lengths[this.pivots.unknowns[column]]).abs());
-            let is_independent = size > T::of(DEPENDENT) * sizes[row];
+            let (row, column, is_independent) = this.largest(count, &sizes, &lengths);
             if !is_independent {
-                return Err(this.pivots.rows[row]);
+                return Err(this.pivots.rows.get(row).copied().unwrap_or(0));
             }
-            this.exchange(row, column, count);
-            sizes.swap(this.rank, row);
+            let rank = this.rank;
+            exchange(&mut this.rows, rank, row);
+            exchange(&mut this.side, rank, row);
+            exchange(&mut this.pivots.rows, rank, row);
+            exchange(&mut sizes, rank, row);
+            exchange(&mut this.pivots.unknowns, rank, column);
+            exchange(&mut lengths, rank, column);
+            this.rows.iter_mut().take(count).for_each(|row| exchange(row, rank, column));
             this.eliminate(count);
         }
         Ok(this)
@@ -75,11 +110,12 @@ impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
 
     /// Eliminates all rows in a known order; `None` if a pivot is much smaller than when it was chosen.
     pub(super) fn along(matrix: &SMatrix<T, M, I>, side: &SVector<T, M>, pivots: &Pivots<T, M, I>) -> Option<Self> {
-        let rows = pivots.rows.map(|row| pivots.unknowns.map(|column| matrix[(row, column)]));
-        let mut this = Self { rank: 0, pivots: *pivots, rows, side: pivots.rows.map(|row| side[row]) };
-        for k in 0..M.min(I) {
-            let size = this.rows[k][k].abs();
-            let is_as_good = size >= T::of(WORSE) * pivots.sizes[k];
+        let rows = ordered(&by_rows(matrix), &pivots.rows, [T::ZERO; I]).map(|row| ordered(&row, &pivots.unknowns, T::ZERO));
+        let side = pivots.rows.map(|row| side.get(row).copied().unwrap_or(T::ZERO));
+        let mut this = Self { rank: 0, pivots: *pivots, rows, side };
+        for (k, before) in pivots.sizes.iter().enumerate() {
+            let own = this.rows.get(k)?.get(k)?.abs();
+            let is_as_good = own >= T::of(WORSE) * *before;
             if !is_as_good {
                 return None;
             }
@@ -89,89 +125,91 @@ impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
         Some(this)
     }
 
-    /// Row and column of the largest entry that is left, relative to its row.
-    fn largest(&self, count: usize, sizes: &[T; M], lengths: &[T; I]) -> (usize, usize) {
-        let mut best = (T::ZERO, self.rank, self.rank);
-        for row in self.rank..count {
-            for column in self.rank..I {
-                let size = (self.rows[row][column] * lengths[self.pivots.unknowns[column]]).abs();
-                if size * sizes[best.1] > best.0 * sizes[row] || best.0 == T::ZERO && size > T::ZERO {
-                    best = (size, row, column);
+    /// Row and column of the largest entry that is left, relative to its row, and whether it is above zero.
+    fn largest(&self, count: usize, sizes: &[T; M], lengths: &[T; I]) -> (usize, usize, bool) {
+        // The entry, and the size of its row.
+        let mut best = (T::ZERO, T::of(1.0), self.rank, self.rank);
+        for (row, (entries, size)) in self.rows.iter().zip(sizes).enumerate().take(count).skip(self.rank) {
+            for (column, (entry, length)) in entries.iter().zip(lengths).enumerate().skip(self.rank) {
+                let entry = (*entry * *length).abs();
+                if entry * best.1 > best.0 * *size {
+                    best = (entry, *size, row, column);
                 }
             }
         }
-        (best.1, best.2)
-    }
-
-    /// Puts an entry where the next pivot stands.
-    fn exchange(&mut self, row: usize, column: usize, count: usize) {
-        let k = self.rank;
-        self.rows.swap(k, row);
-        self.side.swap(k, row);
-        self.pivots.rows.swap(k, row);
-        self.pivots.unknowns.swap(k, column);
-        for row in &mut self.rows[..count] {
-            row.swap(k, column);
-        }
+        (best.2, best.3, best.0 > T::of(DEPENDENT) * T::ROOT_EPSILON * best.1)
     }
 
     /// Makes the column of the next pivot a unit vector.
     #[inline(always)]
     fn eliminate(&mut self, count: usize) {
         let k = self.rank;
-        let (mut own, mut side) = (self.rows[k], self.side[k]);
-        self.pivots.sizes[k] = own[k].abs();
-        let inverse = T::of(1.0) / own[k];
-        for entry in &mut own[k + 1..] {
-            *entry = *entry * inverse;
-        }
-        side = side * inverse;
-        for row in (0..count).filter(|row| *row != k) {
-            let factor = self.rows[row][k];
-            for (entry, own) in self.rows[row][k + 1..].iter_mut().zip(&own[k + 1..]) {
+        self.rank += 1;
+        let (Some(&own), Some(&side)) = (self.rows.get(k), self.side.get(k)) else { return };
+        let pivot = own.get(k).copied().unwrap_or(T::ZERO);
+        let inverse = T::of(1.0) / pivot;
+        let (own, side) = (own.map(|entry| entry * inverse), side * inverse);
+        for (row, (entries, value)) in self.rows.iter_mut().zip(&mut self.side).enumerate().take(count) {
+            if row == k {
+                (*entries, *value) = (own, side);
+                continue;
+            }
+            let factor = entries.get(k).copied().unwrap_or(T::ZERO);
+            for (entry, own) in entries.iter_mut().zip(&own).skip(k + 1) {
                 *entry = *entry - factor * *own;
             }
-            self.side[row] = self.side[row] - factor * side;
+            *value = *value - factor * side;
         }
-        (self.rows[k], self.side[k]) = (own, side);
-        self.rank += 1;
+        if let Some(size) = self.pivots.sizes.get_mut(k) {
+            *size = pivot.abs();
+        }
     }
 
     /// Unknowns, of which the independent ones are given by their place behind the dependent ones.
-    pub(super) fn unknowns(&self, independent: impl Fn(usize) -> T) -> SVector<T, I> {
-        let mut unknowns = SVector::from_element(T::ZERO);
-        for (row, &unknown) in self.pivots.unknowns[..self.rank].iter().enumerate() {
-            unknowns[unknown] = self.side[row];
+    pub(super) fn unknowns(&self, independent: impl Fn(usize) -> T) -> [T; I] {
+        let mut values = [T::ZERO; I];
+        for (place, value) in values.iter_mut().skip(self.rank).enumerate() {
+            *value = independent(place);
         }
-        for (place, &unknown) in self.pivots.unknowns[self.rank..].iter().enumerate() {
-            let value = independent(place);
-            unknowns[unknown] = value;
-            for (row, &dependent) in self.pivots.unknowns[..self.rank].iter().enumerate() {
-                unknowns[dependent] = unknowns[dependent] - self.rows[row][self.rank + place] * value;
+        let given = values;
+        for ((value, row), side) in values.iter_mut().zip(&self.rows).zip(&self.side).take(self.rank) {
+            *value = row.iter().zip(&given).skip(self.rank).fold(*side, |sum, (entry, given)| sum - *entry * *given);
+        }
+        self.in_order(&values)
+    }
+
+    /// Speeds for a unit of the independent one at a place, with homogeneous rows.
+    pub(super) fn unit(&self, place: usize) -> [T; I] {
+        let own = self.rank + place;
+        let mut values = [T::ZERO; I];
+        if let Some(value) = values.get_mut(own) {
+            *value = T::of(1.0);
+        }
+        for (value, row) in values.iter_mut().zip(&self.rows).take(self.rank) {
+            *value = -row.get(own).copied().unwrap_or(T::ZERO);
+        }
+        self.in_order(&values)
+    }
+
+    /// Values in the order of the pivots, in that of the unknowns.
+    fn in_order(&self, values: &[T; I]) -> [T; I] {
+        let mut unknowns = [T::ZERO; I];
+        for (unknown, value) in self.pivots.unknowns.iter().zip(values) {
+            if let Some(entry) = unknowns.get_mut(*unknown) {
+                *entry = *value;
             }
         }
         unknowns
     }
 
-    /// Speeds for a unit of the independent one at a place, with homogeneous rows.
-    pub(super) fn unit(&self, place: usize) -> SVector<T, I> {
-        let mut motion = SVector::from_element(T::ZERO);
-        let own = self.rank + place;
-        motion[self.pivots.unknowns[own]] = T::of(1.0);
-        for (row, &unknown) in self.pivots.unknowns[..self.rank].iter().enumerate() {
-            motion[unknown] = -self.rows[row][own];
-        }
-        motion
-    }
-
     /// The unknown that is the independent one at a place.
     pub(super) fn independent_at(&self, place: usize) -> usize {
-        self.pivots.unknowns[self.rank + place]
+        self.pivots.unknowns.get(self.rank + place).copied().unwrap_or(0)
     }
 
     /// Number of independent unknowns.
     pub(super) fn independent(&self) -> usize {
-        I - self.rank
+        I.saturating_sub(self.rank)
     }
 }
 
@@ -181,22 +219,20 @@ pub(super) fn has_other_signs<T: Float, const M: usize, const I: usize>(
     two: &SMatrix<T, M, I>,
     pivots: &Pivots<T, M, I>,
 ) -> bool {
-    let square = |matrix: &SMatrix<T, M, I>| {
-        let columns: [usize; M] = core::array::from_fn(|k| pivots.unknowns.get(k).copied().unwrap_or(0));
-        signs(pivots.rows.map(|row| columns.map(|column| matrix[(row, column)])))
-    };
-    M <= I && square(one) != square(two)
+    signs(one, pivots) != signs(two, pivots)
 }
 
 /// For each pivot whether it is above zero.
-fn signs<T: Float, const M: usize>(mut matrix: [[T; M]; M]) -> [bool; M] {
+fn signs<T: Float, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>, pivots: &Pivots<T, M, I>) -> [bool; M] {
+    let mut rows = ordered(&by_rows(matrix), &pivots.rows, [T::ZERO; I]).map(|row| ordered(&row, &pivots.unknowns, T::ZERO));
     let mut signs = [true; M];
-    for k in 0..M {
-        let own = matrix[k];
-        signs[k] = own[k] > T::ZERO;
-        for row in &mut matrix[k + 1..] {
-            let factor = row[k] / own[k];
-            for (entry, own) in row[k..].iter_mut().zip(&own[k..]) {
+    for (k, sign) in signs.iter_mut().enumerate() {
+        let own = rows[k];
+        let pivot = own.get(k).copied().unwrap_or(T::ZERO);
+        *sign = pivot > T::ZERO;
+        for row in rows.iter_mut().skip(k + 1) {
+            let factor = row.get(k).copied().unwrap_or(T::ZERO) / pivot;
+            for (entry, own) in row.iter_mut().zip(&own).skip(k) {
                 *entry = *entry - factor * *own;
             }
         }
@@ -210,16 +246,17 @@ pub(super) fn weakest<T: Float, const M: usize, const I: usize>(
     elsewhere: &SMatrix<T, M, I>,
     lengths: &[T; I],
 ) -> (usize, T) {
-    let size = |row: usize| (0..I).fold(T::ZERO, |size, k| size.max((elsewhere[(row, k)] * lengths[k]).abs()));
-    match Partition::new(matrix, &SVector::from_element(T::ZERO), lengths, |_| true) {
-        Ok(parts) => {
-            let mut found = (0, T::of(1.0));
-            for (k, &row) in parts.pivots.rows.iter().enumerate() {
-                let left = parts.pivots.sizes[k] * lengths[parts.pivots.unknowns[k]] / size(row);
-                found = if left < found.1 { (row, left) } else { found };
-            }
-            found
-        }
-        Err(row) => (row, T::ZERO),
+    let parts = match Partition::new(matrix, &SVector::from_element(T::ZERO), lengths, |_| true) {
+        Ok(parts) => parts,
+        Err(row) => return (row, T::ZERO),
+    };
+    let Pivots { rows, unknowns, sizes } = parts.pivots;
+    let before = ordered(&by_rows(elsewhere), &rows, [T::ZERO; I]);
+    let own = ordered(lengths, &unknowns, T::of(1.0));
+    let mut found = (0, T::of(1.0));
+    for (((row, left), length), before) in rows.iter().zip(&sizes).zip(&own).zip(&before) {
+        let left = *left * *length / size(before, lengths);
+        found = if left < found.1 { (*row, left) } else { found };
     }
+    found
 }

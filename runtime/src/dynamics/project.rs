@@ -2,9 +2,10 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::accelerate::{accelerations, lengths};
+use super::accelerate::{accelerations, lengths, singular};
 use super::equations::{Constraints, Dynamics};
 use super::partition::{Partition, Pivots};
+use super::places::{largest, picked, put};
 use super::stopped::Stopped;
 use crate::number::Float;
 use crate::state::State;
@@ -15,11 +16,9 @@ const CORRECTIONS: usize = 50;
 /// Most halvings of a correction.
 const HALVINGS: usize = 12;
 
-/// A correction below this, relative to 1 rad and L, is the last one.
-const LAST: f64 = 1e-9;
 
-/// Moves the integrated coordinates of a state so that `equations` hold, and sets their speeds; independent ones stay. Returns J there, with an order
-/// of its elimination.
+/// Moves dependent coordinates of a state until `equations` hold, and sets their speeds; independent ones keep their values. Returns J
+/// there, with an order of its elimination.
 ///
 /// * `levels`: given, for each row whether it counts between positions, and whether between speeds.
 ///
@@ -30,7 +29,7 @@ pub(super) fn project<T, S, const N: usize, const I: usize, const M: usize, cons
     state: (&mut SVector<T, N>, &mut SVector<T, N>),
     equations: impl Fn(&SVector<T, N>) -> Constraints<T, K, I>,
     levels: impl Fn(usize) -> [bool; 2],
-) -> Result<(SMatrix<T, K, I>, Pivots<T, K, I>), (usize, T)>
+) -> Result<(SMatrix<T, K, I>, Pivots<T, K, I>), Open<T>>
 where
     T: Float,
     S: Dynamics<T, N, I, M, R>,
@@ -41,54 +40,81 @@ where
     let mut here = equations(q);
     let mut open = gap(&here, is_of_positions);
     for _ in 0..CORRECTIONS {
-        let parts = Partition::new(&here.jacobian, &-here.phi, &lengths, is_of_positions).map_err(|row| (row, here.phi[row]))?;
+        let side = here.phi.map(|phi| -phi);
+        let parts = Partition::new(&here.jacobian, &side, &lengths, is_of_positions).map_err(Open::Dependent)?;
         let correction = parts.unknowns(|_| T::ZERO);
-        let size = (0..I).fold(T::ZERO, |size, k| size.max((correction[k] / lengths[k]).abs()));
+        let size = largest(&correction, &lengths);
+        if !correction.iter().all(|correction| correction.is_finite()) {
+            break;
+        }
+        // Corrections are squared from one to the next.
+        let is_last = size < T::ROOT_EPSILON;
         let mut factor = T::of(1.0);
-        let start = *q;
+        let start = picked(q, &S::INTEGRATED);
         for halving in 0..=HALVINGS {
-            for (k, &place) in S::INTEGRATED.iter().enumerate() {
-                q[place] = start[place] + factor * correction[k];
-            }
+            put(q, &S::INTEGRATED, &core::array::from_fn(|k| start[k] + factor * correction[k]));
             here = equations(q);
             let left = gap(&here, is_of_positions);
-            if left.1 < open.1 || size < T::of(LAST) || halving == HALVINGS {
+            if left.1 < open.1 || is_last || halving == HALVINGS {
                 open = left;
                 break;
             }
             factor = factor * T::of(0.5);
         }
-        if size < T::of(LAST) {
+        if is_last {
             // Where the same rows count, the same pivots are good.
             let are_same = (0..K).all(|row| levels(row) == [true, true]);
             let known = if are_same { Partition::along(&here.jacobian, &here.nu, &parts.pivots) } else { None };
             let speeds = match known {
                 Some(speeds) => speeds,
-                None => Partition::new(&here.jacobian, &here.nu, &lengths, |row| levels(row)[1]).map_err(|row| (row, T::ZERO))?,
+                None => Partition::new(&here.jacobian, &here.nu, &lengths, |row| levels(row)[1]).map_err(Open::Dependent)?,
             };
-            let independent: [T; I] = core::array::from_fn(|k| qd[S::INTEGRATED[k]]);
-            let found = speeds.unknowns(|place| independent[speeds.independent_at(place)]);
-            for (k, &place) in S::INTEGRATED.iter().enumerate() {
-                qd[place] = found[k];
-            }
-            return Ok((here.jacobian, parts.pivots));
+            let before = picked(qd, &S::INTEGRATED);
+            let found = speeds.unknowns(|place| before.get(speeds.independent_at(place)).copied().unwrap_or(T::ZERO));
+            put(qd, &S::INTEGRATED, &found);
+            return Ok((here.jacobian, speeds.pivots));
         }
     }
-    Err(open)
+    Err(Open::Residual(open.0, open.1))
 }
 
-/// The row that is open furthest, and its residual.
-fn gap<T: Float, const K: usize, const I: usize>(here: &Constraints<T, K, I>, counts: impl Fn(usize) -> bool) -> (usize, T) {
-    let mut gap = (0, T::ZERO);
-    for row in (0..K).filter(|row| counts(*row)) {
-        let size = here.phi[row].abs();
-        let is_smaller = size <= gap.1;
-        // What is not a number is open.
-        if !is_smaller {
-            gap = (row, size);
+/// Why equations do not hold.
+pub(super) enum Open<T> {
+    /// A row stays open by its residual.
+    Residual(usize, T),
+    /// A row depends on the others.
+    Dependent(usize),
+}
+
+impl<T> Open<T> {
+    /// The row.
+    pub(super) fn row(&self) -> usize {
+        match *self {
+            Open::Residual(row, _) | Open::Dependent(row) => row,
         }
     }
+}
+
+/// The row that is open furthest, and its residual; the first one whose residual is not a number.
+fn gap<T: Float, const K: usize, const I: usize>(here: &Constraints<T, K, I>, counts: impl Fn(usize) -> bool) -> (usize, T) {
+    let mut gap = (0, T::ZERO);
+    for (row, phi) in here.phi.iter().enumerate().filter(|(row, _)| counts(*row)) {
+        let size = phi.abs();
+        if !size.is_finite() {
+            return (row, size);
+        }
+        gap = if size > gap.1 { (row, size) } else { gap };
+    }
     gap
+}
+
+/// Whether an equation counts between positions, and whether between speeds.
+pub(super) fn levels<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(row: usize) -> [bool; 2]
+where
+    T: Float,
+    S: Dynamics<T, N, I, M, R>,
+{
+    S::LEVELS.get(row).copied().unwrap_or([false; 2])
 }
 
 /// The state at t = 0, at the initial values of the freedoms.
@@ -102,8 +128,13 @@ where
     mechanism.validate().map_err(Stopped::ParameterOutOfRange)?;
     let zero = SVector::from_element(T::ZERO);
     let (mut q, mut qd) = (mechanism.start(), zero);
-    project(mechanism, (&mut q, &mut qd), |q| mechanism.initial(q, T::ZERO), |row| S::LEVELS[row])
-        .map_err(|(row, residual)| Stopped::NotAssembled { joint: S::JOINTS.get(row).copied().unwrap_or_default(), residual })?;
+    project(mechanism, (&mut q, &mut qd), |q| mechanism.initial(q, T::ZERO), levels::<T, S, N, I, M, R>)
+        .map_err(|open| match open {
+            Open::Dependent(row) => singular::<T, S, N, I, M, R>(T::ZERO, row),
+            Open::Residual(row, residual) => {
+                Stopped::NotAssembled { joint: S::JOINTS.get(row).copied().unwrap_or_default(), residual }
+            }
+        })?;
     let mut state = State::new(T::ZERO, q, qd, zero);
     refresh(mechanism, &mut state)?;
     Ok(state)
@@ -120,9 +151,7 @@ where
 {
     let found = accelerations(mechanism, (&state.q, &state.qd), state.t, &mut None)?;
     let mut qdd = state.qdd;
-    for (k, &place) in S::INTEGRATED.iter().enumerate() {
-        qdd[place] = found[k];
-    }
+    put(&mut qdd, &S::INTEGRATED, &found);
     let [q, qd, qdd] = mechanism.complete(&state.q, &state.qd, &qdd, state.t);
     let is_finite = |vector: &SVector<T, N>| vector.iter().all(|value| value.is_finite());
     if !(is_finite(&q) && is_finite(&qd) && is_finite(&qdd)) {

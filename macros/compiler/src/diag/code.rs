@@ -122,7 +122,7 @@ codes! {
     E0602: Equation::RowOfNothing Equation::OnGround;
     E0603: Equation::NoEquations Equation::EmptyBundle;
     E0604: Equation::GroundStart;
-    E0605: Equation::NotAffine Equation::RateOfSpeed System::Nonholonomic;
+    E0605: Equation::NotAffine Equation::RateOfSpeed Value::RateOfVelocity System::Nonholonomic;
     E0606: Equation::EquationInForce Equation::ForceInJoint;
     // Mobility.
     E0701: System::NoBodies;

@@ -176,6 +176,7 @@ pub enum ValueFact {
     DefaultOutOfBounds { value: String, bounds: String },
     NotFixed { place: &'static str },
     FunctionNeedsArgument,
+    RateOfVelocity,
     NegativeMass { what: &'static str, body: String, value: f64 },
     ImpossibleInertia { body: String },
     CenterWithoutMass { body: String },

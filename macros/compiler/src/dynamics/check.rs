@@ -10,7 +10,7 @@ use crate::numeric::{Numeric, at_defaults};
 use crate::quantity::Role;
 use crate::system::System;
 
-/// A pivot below this fraction of its row, or of the largest mass, counts as zero.
+/// A pivot below this part of its row, or of the mass that the motion has by itself, counts as zero.
 const NOTHING: f64 = 1e-9;
 
 /// Refuses freedoms that depend on others, freedoms that are missing, and motions without mass.
@@ -150,7 +150,6 @@ impl<'a> AtStart<'a> {
         };
         // Motions made orthogonal in the metric of the mass, one after the other.
         let mut heavy: Vec<(Vec<f64>, f64)> = Vec::new();
-        let largest = motions.iter().map(|motion| product(motion, motion)).fold(0.0, f64::max);
         for motion in motions {
             let mut rest = motion.clone();
             for (other, own) in &heavy {
@@ -158,7 +157,8 @@ impl<'a> AtStart<'a> {
                 rest.iter_mut().zip(other).for_each(|(value, other)| *value -= factor * other);
             }
             let own = product(&rest, &rest);
-            if own <= NOTHING * largest || largest == 0.0 {
+            // A light motion beside a heavy one has a mass all the same.
+            if own <= NOTHING * product(motion, motion) {
                 return self.massless(&rest, diag);
             }
             heavy.push((rest, own));

@@ -16,18 +16,20 @@ use std::collections::BTreeMap;
 pub struct Accelerations {
     /// u̇, by integrated speed.
     pub values: Vec<Expr>,
-    /// Pivots, each with the size of its row.
+    /// Pivots of J, each with the number that its size has to exceed.
     pub pivots: Vec<[Expr; 2]>,
+    /// Pivots of the mass matrix, each with the number that it has to exceed.
+    pub masses: Vec<[Expr; 2]>,
 }
 
-/// A pivot is trusted above this part of the sum of its row. Orientations are told from nearly equal components: they need more.
+/// A pivot is trusted above one part in so many of the sum of its row. Orientations follow from nearly equal components: they need more.
 const TRUSTED: i64 = 16;
 const TRUSTED_OF_ORIENTATIONS: i64 = 8;
 
 /// A pivot has at least this fraction of the largest entry in its row, so that sparse rows are preferred.
 const STEADY: f64 = 0.2;
 
-/// SparseRows and columns of pivots: those with the least fill, of the steady ones.
+/// Row and column of each pivot: those with the least fill, of the steady ones.
 ///
 /// * `rows`: given, the numbers of J where the mechanism is assembled, in comparable units.
 /// * `is_zero`: given, true for an entry that always vanishes.
@@ -78,9 +80,14 @@ struct SparseRows<'a> {
     sides: Vec<Expr>,
     /// Row and column of each pivot, and one over it.
     pivots: Vec<(usize, usize, Expr)>,
-    /// Parts of a row's sum that a pivot may be.
+    /// One part in so many of its row's sum is enough for a pivot.
     trusted: Expr,
+    /// For each row what it must not vanish beside: a small part of its sum before elimination.
+    least: Vec<Expr>,
 }
+
+/// A row of which less than one part in so many is left depends on the others.
+const LEFT: i64 = 1 << 30;
 
 /// Solves the equations of motion.
 ///
@@ -102,9 +109,15 @@ pub(super) fn accelerations(
         sides: rows.iter().map(|row| row.gamma).collect(),
         pivots: Vec::new(),
         trusted: arena.integer(if has_orientations { TRUSTED_OF_ORIENTATIONS } else { TRUSTED }),
+        least: Vec::new(),
         arena,
     };
-    let mut pivots: Vec<[Expr; 2]> = order.iter().map(|(row, column)| work.eliminate(*row, *column, lengths)).collect();
+    for row in 0..rows.len() {
+        let (sum, left) = (work.size(row, lengths), work.arena.integer(LEFT));
+        let least = work.arena.div(sum, left);
+        work.least.push(least);
+    }
+    let pivots: Vec<[Expr; 2]> = order.iter().map(|(row, column)| work.eliminate(*row, *column, lengths)).collect();
     let is_dependent = |column: &usize| order.iter().any(|(_, dependent)| dependent == column);
     let independent: Vec<usize> = (0..count).filter(|column| !is_dependent(column)).collect();
     let particular = work.solution(None, count);
@@ -138,25 +151,30 @@ pub(super) fn accelerations(
         arena.neg(work)
     });
     let right: Vec<Expr> = right.collect();
-    let (factors, reduced) = solved(arena, matrix, right);
-    pivots.extend(reduced);
+    let (factors, masses) = solved(arena, matrix, right);
     let mut values = particular;
     for (motion, factor) in motions.iter().zip(factors) {
         values.iter_mut().zip(motion).for_each(|(value, part)| add_product(arena, value, *part, factor));
     }
-    Accelerations { values, pivots }
+    Accelerations { values, pivots, masses }
 }
 
 impl SparseRows<'_> {
-    /// Eliminates a column from the rows that are left; returns the pivot and the size of its row.
-    fn eliminate(&mut self, row: usize, column: usize, lengths: &[Expr]) -> [Expr; 2] {
-        let (one, mut size) = (self.arena.integer(1), self.arena.integer(0));
-        let (own, side) = (self.entries[row].clone(), self.sides[row]);
-        for (at, entry) in &own {
-            let scaled = self.arena.mul(*entry, lengths[*at]);
+    /// Sum of the sizes of a row's entries.
+    fn size(&mut self, row: usize, lengths: &[Expr]) -> Expr {
+        let mut size = self.arena.integer(0);
+        for (at, entry) in self.entries[row].clone() {
+            let scaled = self.arena.mul(entry, lengths[at]);
             let scaled = self.arena.unary(Unary::Abs, scaled);
             size = self.arena.add(size, scaled);
         }
+        size
+    }
+
+    /// Eliminates a column from the rows that are left; returns the pivot and the number that its size has to exceed.
+    fn eliminate(&mut self, row: usize, column: usize, lengths: &[Expr]) -> [Expr; 2] {
+        let (one, size) = (self.arena.integer(1), self.size(row, lengths));
+        let (own, side) = (self.entries[row].clone(), self.sides[row]);
         let pivot = own[&column];
         let scaled = self.arena.mul(pivot, lengths[column]);
         let inverse = self.arena.div(one, pivot);
@@ -173,10 +191,11 @@ impl SparseRows<'_> {
             add_product(self.arena, &mut self.sides[other], factor, side);
         }
         self.pivots.push((row, column, inverse));
-        [scaled, self.arena.div(size, self.trusted)]
+        let steady = self.arena.div(size, self.trusted);
+        [scaled, self.arena.add(steady, self.least[row])]
     }
 
-    /// The unknowns for the right-hand sides and zero independent ones, or for none and a unit of one.
+    /// `None`: the unknowns for the right-hand sides, with independent ones zero; `Some(k)`: those without right-hand sides, u_k = 1.
     fn solution(&mut self, unit: Option<usize>, count: usize) -> Vec<Expr> {
         let (zero, one) = (self.arena.integer(0), self.arena.integer(1));
         let mut unknowns = vec![zero; count];

@@ -153,7 +153,7 @@ impl Embedding<'_> {
             let entry = self.of(*entry);
             match self.explicit.get(unknown).map(|explicit| explicit.motion.clone()) {
                 Some(mut motion) => {
-                    // They stand on the other side.
+                    // ν and γ are right-hand sides: their terms change sign.
                     [motion.nu, motion.gamma] = [motion.nu, motion.gamma].map(|part| self.arena.neg(part));
                     self.add(&mut sum, entry, &motion);
                 }

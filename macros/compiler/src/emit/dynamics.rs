@@ -104,16 +104,17 @@ impl Emitter<'_> {
         let (of_state, of_speeds) = (vector_type(n), vector_type(i));
         let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, routine);
         let (values, pivots) = results.split_at(i);
-        let is_steady = |pair: &[TokenStream]| {
-            let (pivot, size) = (&pair[0], &pair[1]);
-            quote!(::reuleaux::is_steady(#pivot, #size))
+        let masses = pivots.len() / 2 - code.masses;
+        let is_steady = |(number, pair): (usize, &[TokenStream])| {
+            let (pivot, least) = (&pair[0], &pair[1]);
+            if number < masses { quote!((#pivot).abs() > #least) } else { quote!(#pivot > #least) }
         };
-        let are_steady: Vec<TokenStream> = pivots.chunks(2).map(is_steady).collect();
+        let are_steady: Vec<TokenStream> = pivots.chunks(2).enumerate().map(is_steady).collect();
         quote! {
             fn accelerations(&self, #q: &#of_state, #qd: &#of_state, #t: T) -> ::core::option::Option<#of_speeds> {
                 #reads
                 #steps
-                let are_steady = true #(& #are_steady)*;
+                let are_steady = true #(& (#are_steady))*;
                 if !are_steady {
                     return ::core::option::Option::None;
                 }
@@ -211,7 +212,7 @@ impl Emitter<'_> {
             ) -> ::core::result::Result<::core::primitive::bool, #failure> {
                 integrator.advance_until(self, &mut state.0, t, |state| event(&#state(::core::clone::Clone::clone(state))))
             }
-            /// Takes a state over one step of `h` (s), always in the same time: for controllers.
+            /// Takes a state over one step of `h` (s), without an estimate of its error: for controllers.
             ///
             /// # Errors
             /// Why there is no state after it; the state stays as it is.

@@ -25,8 +25,10 @@ pub struct DynamicsCode {
     pub initial: Routine,
     /// J row by row, γ, the lower triangle of M row by row, f.
     pub balance: Routine,
-    /// u̇, then the pivots of its computation, each with the size that it is compared with.
+    /// u̇, then the pivots of its computation, each with the number that it has to exceed; those of masses last.
     pub accelerations: Option<Routine>,
+    /// Number of pivots of masses.
+    pub masses: usize,
     /// Value, rate and acceleration of every entry of the state.
     pub state: Routine,
     /// Kinetic energy, potential energy, power.
@@ -55,11 +57,12 @@ pub(super) fn code(model: &Model, system: &System, dynamics: &Dynamics) -> Dynam
         integrated: integrated.clone(),
         initial_rows: all.iter().map(level).collect(),
         rows: rows.len(),
+        masses: dynamics.accelerations.as_ref().map_or(0, |found| found.masses.len()),
         constraints: line(kinematics(rows)),
         initial: line(kinematics(&all)),
         balance: line(entries(rows).into_iter().chain(gamma).chain(mass.iter().chain(forces).copied()).collect()),
         accelerations: dynamics.accelerations.as_ref().map(|found| {
-            let pivots = found.pivots.iter().flatten();
+            let pivots = found.pivots.iter().chain(&found.masses).flatten();
             line(found.values.iter().chain(pivots).copied().collect())
         }),
         state: line(state.iter().flatten().copied().collect()),

@@ -29,6 +29,14 @@ impl Elaborator<'_> {
         };
         let value = self.value(argument, scope)?;
         let noun = value.noun();
+        let has_speeds = match &value {
+            Value::Scalar(scalar) => self.has_speeds(scalar.expr),
+            Value::Vector(vector) => vector.parts.iter().any(|part| self.has_speeds(*part)),
+            _ => false,
+        };
+        if has_speeds {
+            return self.refuse(argument.range, ValueFact::RateOfVelocity);
+        }
         if let Value::Scalar(Scalar { expr, measure }) = value {
             let expr = self.rate_of(expr);
             return Some(Value::Scalar(Scalar { expr, measure: measure.per(InferredDim::Known(Dim::TIME)) }));

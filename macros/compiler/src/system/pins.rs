@@ -24,7 +24,10 @@ pub(super) fn pins(model: &Model, arena: &mut Arena, coordinates: &[Coordinate],
     open.into_iter().enumerate().map(row).collect()
 }
 
-/// Unknowns without a pivot when Φ_q at the declared start is eliminated, the largest entry of all first.
+/// An entry below this part of its row as it was counts as zero.
+const NOTHING: f64 = 1e-9;
+
+/// Unknowns without a pivot when Φ_q at the declared start is eliminated, each row by its largest entry.
 fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], equations: &[Equation]) -> Vec<usize> {
     let functions = |number: u32, x: f64| match model.functions.get(number as usize) {
         Some(Function::Table(table)) => table.evaluate(x),
@@ -47,10 +50,11 @@ fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], equations: &[E
         rows.push(row);
     }
     let mut free: Vec<usize> = (0..coordinates.len()).collect();
-    while let Some(mut row) = rows.pop() {
+    let mut sizes: Vec<f64> = rows.iter().map(|row| row.iter().fold(0.0, |size: f64, entry| size.max(entry.abs()))).collect();
+    while let (Some(mut row), Some(size)) = (rows.pop(), sizes.pop()) {
         let Some(at) = (0..free.len()).max_by(|one, two| row[free[*one]].abs().total_cmp(&row[free[*two]].abs())) else { break };
         let pivot = free.remove(at);
-        if row[pivot] == 0.0 {
+        if row[pivot].abs() <= NOTHING * size {
             free.push(pivot);
             continue;
         }

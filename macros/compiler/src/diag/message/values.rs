@@ -155,6 +155,10 @@ impl Display for ValueFact {
                     "a function written here names its argument\nhelp: write `function name(x: Angle) -> Length = …;`, or give the path of a Rust function"
                 )
             }
+            ValueFact::RateOfVelocity => {
+                write!(f, "the rate of a velocity is an acceleration, and equations and forces contain none")?;
+                write!(f, "\nhelp: give the body a mass where its inertia is meant; accelerations are in the outputs of a state")
+            }
             ValueFact::NegativeMass { what, body, value } => {
                 write!(f, "the {what} of `{body}` is {value}, and cannot be negative\nhelp: write a positive number")
             }
