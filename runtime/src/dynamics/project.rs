@@ -16,7 +16,6 @@ const CORRECTIONS: usize = 50;
 /// Most halvings of a correction.
 const HALVINGS: usize = 12;
 
-
 /// Moves dependent coordinates of a state until `equations` hold, and sets their speeds; independent ones keep their values. Returns J
 /// there, with an order of its elimination.
 ///
@@ -128,13 +127,10 @@ where
     mechanism.validate().map_err(Stopped::ParameterOutOfRange)?;
     let zero = SVector::from_element(T::ZERO);
     let (mut q, mut qd) = (mechanism.start(), zero);
-    project(mechanism, (&mut q, &mut qd), |q| mechanism.initial(q, T::ZERO), levels::<T, S, N, I, M, R>)
-        .map_err(|open| match open {
-            Open::Dependent(row) => singular::<T, S, N, I, M, R>(T::ZERO, row),
-            Open::Residual(row, residual) => {
-                Stopped::NotAssembled { joint: S::JOINTS.get(row).copied().unwrap_or_default(), residual }
-            }
-        })?;
+    project(mechanism, (&mut q, &mut qd), |q| mechanism.initial(q, T::ZERO), levels::<T, S, N, I, M, R>).map_err(|open| match open {
+        Open::Dependent(row) => singular::<T, S, N, I, M, R>(T::ZERO, row),
+        Open::Residual(row, residual) => Stopped::NotAssembled { joint: S::JOINTS.get(row).copied().unwrap_or_default(), residual },
+    })?;
     let mut state = State::new(T::ZERO, q, qd, zero);
     refresh(mechanism, &mut state)?;
     Ok(state)

@@ -249,6 +249,7 @@ pub enum SystemFact {
         coordinates: Vec<String>,
         has_place: bool,
         example: String,
+        freedom: Option<String>,
     },
     DrivesMissing {
         name: String,
@@ -267,6 +268,7 @@ pub enum SystemFact {
     },
     DrivesContend {
         drives: Vec<String>,
+        declared_free: Vec<String>,
         freedoms: usize,
         joints: Vec<String>,
         coordinates: Vec<String>,

@@ -21,6 +21,7 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
         diag.refuse::<()>(name, SystemFact::PassiveSpin { body: name.to_string(), joints });
         return;
     }
+    let has_masses = model.bodies.iter().any(|body| body.mass.mass.is_some() || body.mass.inertia.is_some());
     let drives = drives(model);
     let solved = pattern.rows.iter().filter(|row| !row.is_empty()).count();
     let in_none = in_no_equation(pattern);
@@ -36,14 +37,14 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
         let has_place = !has_no_place(&first);
         let example = if has_place { drive_for(model, system, *first) } else { pin(model, body(first)) };
         let coordinates = in_none.iter().map(|unknown| system.name(model, *unknown)).collect();
-        diag.refuse::<()>(name, SystemFact::FreeCoordinates { body: name.to_string(), coordinates, has_place, example });
+        let freedom = has_masses.then(|| system.name(model, *first));
+        diag.refuse::<()>(name, SystemFact::FreeCoordinates { body: name.to_string(), coordinates, has_place, example, freedom });
         return;
     }
     let [first, second] = candidates(model, system, pattern, under);
     let chosen = chosen(pattern, &[first.as_slice(), &second].concat(), missing.min(MOST_CHOSEN));
     let shown = if missing == 1 { &first } else { &chosen };
     let forgotten = if missing > 1 { forgotten(model, system, pattern, under, &chosen) } else { Forgotten::default() };
-    let has_masses = model.bodies.iter().any(|body| body.mass.mass.is_some() || body.mass.inertia.is_some());
     let fact = SystemFact::DrivesMissing {
         name: model.name.to_string(),
         count: Box::new(Count { coordinates: system.coordinates.len(), joints: solved - drives, drives, missing }),

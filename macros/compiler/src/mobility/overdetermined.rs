@@ -90,8 +90,10 @@ fn nothing_to_drive(view: &Contenders, drive: usize, joints: &[usize]) -> System
 
 /// The joints leave fewer freedoms than there are drives for them.
 fn drives_contend(view: &Contenders, drives: &[usize], joints: &[usize]) -> SystemFact {
+    let free: Vec<usize> = drives.iter().copied().filter(|drive| view.model.joints[*drive].freedom.is_some()).collect();
     SystemFact::DrivesContend {
         drives: view.joints(drives),
+        declared_free: view.joints(&free),
         freedoms: view.group.part.unknowns.len() - view.of_joints(),
         joints: view.joints(joints),
         coordinates: view.coordinates(&view.group.part.unknowns),

@@ -8,6 +8,7 @@ mod components;
 mod definitions;
 mod dimensions;
 mod duplicates;
+mod freedoms;
 mod joints;
 mod limits;
 mod mobility;

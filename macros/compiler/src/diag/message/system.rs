@@ -45,8 +45,9 @@ impl Display for SystemFact {
                 let which = if *of == 1 { "the equation".to_owned() } else { format!("equation {row} of {of}") };
                 write!(
                     f,
-                    "{which} of `{joint}` relates velocities by factors that change, and no position follows from it\nhelp: relate positions \
-                     or angles instead, or write `#[equations_only]` to have its rows alone"
+                    "{which} of `{joint}` relates velocities by factors that change, and no position follows from it\nhelp: let its motion be \
+                     integrated: declare what can move as a freedom, such as `freedom spin = body.angular_velocity;`\nhelp: or relate \
+                     positions or angles instead, or write `#[equations_only]` to have its rows alone"
                 )
             }
             SystemFact::FollowsFrom { joint, is_drive, rows, of, others, free, moves, in_space } => {
@@ -106,12 +107,16 @@ impl Display for SystemFact {
                 let first = bodies.first().map_or("", String::as_str);
                 write!(f, "\nhelp: join one of them to ground, such as `joint name = revolute(ground.position, {first}.position);`")
             }
-            SystemFact::FreeCoordinates { body, coordinates, has_place, example } => {
+            SystemFact::FreeCoordinates { body, coordinates, has_place, example, freedom } => {
                 let nothing = if coordinates.len() == 1 { "it is in no equation" } else { "they are in no equation" };
                 write!(f, "nothing determines {}: {nothing}", list(coordinates))?;
                 match has_place {
                     true => write!(f, "\nhelp: join `{body}` to another body once more, or drive it, such as `{example}`"),
                     false => write!(f, "\nhelp: join `{body}` to ground or to another body, such as `{example}`"),
+                }?;
+                match freedom {
+                    Some(free) => write!(f, "\nhelp: if it follows from forces, write `freedom name = {free};`"),
+                    None => Ok(()),
                 }
             }
             SystemFact::DrivesMissing { name, count, forgotten, candidates, example, freedom } => {
@@ -162,7 +167,18 @@ impl Display for SystemFact {
                 }
                 write!(f, "\nhelp: {} left free: drive {} instead", are(free), one_of(free))
             }
-            SystemFact::DrivesContend { drives, freedoms, joints, coordinates, free } => {
+            SystemFact::DrivesContend { drives, declared_free, freedoms, joints, coordinates, free } if !declared_free.is_empty() => {
+                let (few, way) = (counted(*freedoms), if *freedoms == 1 { "way" } else { "ways" });
+                write!(f, "{} determine the same: the mechanism can move in {few} {way} there", list(drives))?;
+                match coordinates.as_slice() {
+                    [only] => write!(f, "\nnote: each determines `{only}`")?,
+                    _ if joints.is_empty() => write!(f, "\nnote: they determine {}", list(coordinates))?,
+                    _ => {}
+                }
+                write!(f, "\nhelp: a freedom is what nothing else determines: take {} away", list(declared_free))?;
+                if free.is_empty() { Ok(()) } else { write!(f, ", or declare {}", list(free)) }
+            }
+            SystemFact::DrivesContend { drives, freedoms, joints, coordinates, free, .. } => {
                 let (many, few) = (counted(drives.len()), counted(*freedoms));
                 let freedom = if *freedoms == 1 { "freedom" } else { "freedoms" };
                 write!(f, "{many} drives on {few} {freedom}: {}", list(drives))?;
