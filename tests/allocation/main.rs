@@ -105,3 +105,32 @@ fn lanes_need_none() {
         assert!(together.lane(0).is_ok() && together.lane(3).is_err());
     });
 }
+
+reuleaux::mechanism! {
+    /// Falls, and is looked at.
+    pub mechanism Swing {
+        gravity = (0m_s2, -9.81m_s2);
+        body upper { point end = (500mm, 0mm);  mass = 1kg;  center = (250mm, 0mm);  inertia = 0.025kgm2; }
+        body lower { mass = 0.8kg;  center = (200mm, 0mm);  inertia = 0.009kgm2; }
+        joint shoulder = revolute((0mm, 0mm), upper.position);
+        joint elbow = revolute(upper.end, lower.position);
+        freedom first = upper.angle;
+        freedom second = lower.angle;
+    }
+}
+
+#[test]
+fn motion_from_forces_needs_none() {
+    let swing = Swing::default();
+    let mut state = swing.initial_state().unwrap();
+    let mut integrator = reuleaux::Integrator::new(1e-9);
+    without_memory("initial_state", || assert!(swing.initial_state().is_ok()));
+    without_memory("advance", || assert!(swing.advance(&mut state, 0.5, &mut integrator).is_ok()));
+    without_memory("advance_until", || {
+        assert!(swing.advance_until(&mut state, 5.0, &mut integrator, |state| state.upper().angular_velocity) == Ok(true));
+    });
+    without_memory("step", || assert!(swing.step(&mut state, 0.001).is_ok()));
+    without_memory("energy and loads", || {
+        assert!(swing.energy(&state).kinetic > 0.0 && swing.loads(&state).shoulder().force.norm() > 0.0);
+    });
+}

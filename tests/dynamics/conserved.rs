@@ -46,6 +46,72 @@ fn an_event_that_does_not_come_leaves_the_state_at_the_end() {
     assert_eq!((found, state.t), (Ok(false), 1.0));
 }
 
+mechanism! {
+    /// A stone thrown up: between two steps of the integrator it comes and goes.
+    pub(crate) mechanism Stone {
+        gravity = (0, -9.81m_s2);
+        param push: Force = 0N;
+        body stone { mass = 2kg;  inertia = 1kgm2; }
+        joint upright = absolute_angle(stone, 0);
+        joint straight = absolute_x(stone.position, 0m);
+        force hand = { at stone.position: (0N, push); }
+        freedom height = stone.y at 3m_s;
+    }
+}
+
+#[test]
+fn an_event_within_a_step_is_not_missed() {
+    let mechanism = Stone::default();
+    let mut state = mechanism.initial_state().expect("a state");
+    let mut integrator = Integrator::new(1e-9);
+    let root = (9.0_f64 - 2.0 * 9.81 * 0.4).sqrt();
+    for wanted in [(3.0 - root) / 9.81, (3.0 + root) / 9.81] {
+        let found = mechanism.advance_until(&mut state, 5.0, &mut integrator, |state| state.stone().position.y - 0.4);
+        assert_eq!(found, Ok(true));
+        assert!((state.t - wanted).abs() < 1e-12, "{} for {wanted}", state.t);
+    }
+    let found = mechanism.advance_until(&mut state, 5.0, &mut integrator, |_| f64::NAN);
+    assert!(matches!(found, Err(Stopped::NotFinite { .. })));
+}
+
+/// A controller changes a parameter between two steps: the first stage has the new force.
+#[test]
+fn a_step_begins_with_the_parameters_at_hand() {
+    let mut mechanism = Stone::default();
+    let mut state = mechanism.initial_state().expect("a state");
+    mechanism.push = 2.0 * 9.81;
+    mechanism.step(&mut state, 0.1).expect("a step");
+    assert!((state.stone().velocity.y - 3.0).abs() < 1e-15 && (state.stone().position.y - 0.3).abs() < 1e-15);
+}
+
+#[test]
+fn a_pendulum_may_hang_at_rest() {
+    let mechanism = Pendulum { start: -core::f64::consts::FRAC_PI_2 };
+    let mut state = mechanism.initial_state().expect("a state");
+    let mut integrator = Integrator::new(1e-12);
+    mechanism.advance(&mut state, 100.0, &mut integrator).expect("a motion");
+    assert!(integrator.accepted < 2000 && (state.rod().angle - mechanism.start).abs() < 1e-12);
+}
+
+/// A slow heavy motion beside a light quick one.
+#[test]
+fn a_light_body_beside_a_heavy_one_has_a_mass() {
+    mechanism! {
+        mechanism Pair {
+            gravity = (0, -9.81m_s2);
+            body heavy { mass = 1500kg;  center = (3m, 0m); }
+            body light { mass = 10g;  center = (1cm, 0m); }
+            joint one = revolute((0m, 0m), heavy.position);
+            joint two = revolute((9m, 0m), light.position);
+            freedom a = heavy.angle;
+            freedom b = light.angle;
+        }
+    }
+    let state = Pair::default().initial_state().expect("a state");
+    assert!((state.heavy().angular_acceleration + 9.81 / 3.0).abs() < 1e-14);
+    assert!((state.light().angular_acceleration + 9.81 / 0.01).abs() < 1e-11);
+}
+
 #[test]
 fn energy_is_kept_over_a_hundred_thousand_steps() {
     let mechanism = Pendulum { start: -2.0 };
