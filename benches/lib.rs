@@ -11,6 +11,8 @@ pub mod linkage;
 mod sketch;
 pub mod workloads;
 
+use std::time::Instant;
+
 /// Steps of a period of one second.
 pub const STEPS: usize = 1000;
 
@@ -18,4 +20,24 @@ pub const STEPS: usize = 1000;
 #[must_use]
 pub fn times() -> Vec<f64> {
     (1..STEPS).map(|k| k as f64 / STEPS as f64).collect()
+}
+
+/// Measurements of each way, of which the median counts.
+const MEASUREMENTS: usize = 51;
+
+/// Nanoseconds of one call of each of the ways, which take turns; `calls` for one measurement.
+pub fn measured(ways: &mut [&mut dyn FnMut()], calls: usize) -> Vec<f64> {
+    let mut times = vec![Vec::new(); ways.len()];
+    for _ in 0..MEASUREMENTS {
+        for (way, times) in ways.iter_mut().zip(&mut times) {
+            let begin = Instant::now();
+            (0..calls).for_each(|_| way());
+            times.push(begin.elapsed().as_nanos() as f64 / calls as f64);
+        }
+    }
+    let median = |mut times: Vec<f64>| {
+        times.sort_by(f64::total_cmp);
+        times[MEASUREMENTS / 2]
+    };
+    times.into_iter().map(median).collect()
 }

@@ -9,6 +9,10 @@ use std::hint::black_box;
 
 use mechanisms::*;
 use reuleaux::Mechanism;
+use reuleaux_benches::measured;
+
+/// Turns for one measurement.
+const TURNS: usize = 4;
 
 /// Measures a mechanism: a warm step, and derivatives by one parameter and by all, in place and as new states.
 macro_rules! measure {
@@ -59,7 +63,8 @@ macro_rules! measure {
             }
         };
         let count = [$(stringify!($all)),*].len();
-        let found = measured(&mut [&mut step, &mut of_one, &mut of_all, &mut new_of_one, &mut new_of_all]);
+        let found = measured(&mut [&mut step, &mut of_one, &mut of_all, &mut new_of_one, &mut new_of_all], TURNS);
+        let found: Vec<f64> = found.into_iter().map(|turn| turn / f64::from(STEPS)).collect();
         let [step, one, all, new_one, new_all] = found[..] else { unreachable!("five ways") };
         let each = |all: f64| all / step / count as f64;
         println!(

@@ -2,8 +2,6 @@
 //!
 //! A crank-rocker, and W1 to W3 and the six-bar of the workloads with each of their lengths as a parameter.
 
-use std::time::Instant;
-
 use reuleaux::mechanism;
 
 mechanism! {
@@ -142,27 +140,6 @@ mechanism! {
 
 /// States of a turn.
 pub(crate) const STEPS: u32 = 1000;
-
-/// Turns for one measurement, and measurements, of which the median counts.
-const TURNS: usize = 4;
-const MEASUREMENTS: usize = 51;
-
-/// Nanoseconds for each state of a turn, for each of the ways; they take turns.
-pub(crate) fn measured(ways: &mut [&mut dyn FnMut()]) -> Vec<f64> {
-    let mut times = vec![Vec::new(); ways.len()];
-    for _ in 0..MEASUREMENTS {
-        for (way, times) in ways.iter_mut().zip(&mut times) {
-            let begin = Instant::now();
-            (0..TURNS).for_each(|_| way());
-            times.push(begin.elapsed().as_nanos() as f64 / (TURNS as f64 * f64::from(STEPS)));
-        }
-    }
-    let median = |mut times: Vec<f64>| {
-        times.sort_by(f64::total_cmp);
-        times[MEASUREMENTS / 2]
-    };
-    times.into_iter().map(median).collect()
-}
 
 /// Gives each mechanism to a macro: its name, its type, that of its states, an output, one parameter, all parameters.
 macro_rules! each {
