@@ -217,3 +217,106 @@ fn what_is_not_a_number_stops_a_motion() {
     let mut few = Integrator { most: 2, ..Integrator::new(1e-9) };
     assert!(matches!(mechanism.advance(&mut good.clone(), 10.0, &mut few), Err(Stopped::TooManySteps { .. })));
 }
+
+mechanism! {
+    /// A body on a spring in the plane, by its force or by its energy.
+    pub(crate) mechanism Sprung {
+        param by_force: Stiffness = 0N_m;
+        param by_energy: Stiffness = 0N_m;
+        gravity = (0, -9.81m_s2);
+        body rod { point Q = (0.2m, 0.1m);  mass = 2kg;  center = (0.3m, 0m);  inertia = 0.1kgm2; }
+        joint pin = revolute((0m, 0m), rod.position);
+        force spring = spring((1m, 0.5m), rod.Q, stiffness: by_force, rest: 0.3m);
+        energy stored = 0.5 * by_energy * (norm((1m, 0.5m) - rod.Q) - 0.3m)^2;
+        freedom swing = rod.angle from 20deg at 1rad_s;
+    }
+}
+
+mechanism! {
+    /// The same in space, on a ball.
+    pub(crate) mechanism SprungInSpace in space {
+        param by_force: Stiffness = 0N_m;
+        param by_energy: Stiffness = 0N_m;
+        gravity = (0m_s2, 0m_s2, -9.81m_s2);
+        ground { point P = (1m, 0.5m, 0.2m); }
+        body rod { point Q = (0.2m, 0.1m, -0.1m);  mass = 2kg;  center = (0.3m, 0m, 0.1m);  inertia = (0.1kgm2, 0.12kgm2, 0.15kgm2); }
+        joint pin = spherical((0m, 0m, 0m), rod.position);
+        force spring = spring(ground.P, rod.Q, stiffness: by_force, rest: 0.3m);
+        energy stored = 0.5 * by_energy * (norm(ground.P - rod.Q) - 0.3m)^2;
+        freedom spin = rod.angular_velocity from (1rad_s, 2rad_s, 3rad_s);
+    }
+}
+
+#[test]
+fn the_force_of_an_energy_is_its_slope() {
+    let [force, energy] = [(500.0, 0.0), (0.0, 500.0)].map(|(by_force, by_energy): (f64, f64)| Sprung { by_force, by_energy });
+    let [with_force, with_energy] = [&force, &energy].map(|mechanism| mechanism.initial_state().expect("a state"));
+    let off = with_force.rod().angular_acceleration - with_energy.rod().angular_acceleration;
+    assert!(off.abs() < 1e-13 * with_force.rod().angular_acceleration.abs());
+    let off = (force.loads(&with_force).pin().force - energy.loads(&with_energy).pin().force).norm();
+    // One acts at its point, the other one on the coordinates: the pin carries the same.
+    assert!(off < 1e-12 * force.loads(&with_force).pin().force.norm(), "{off:e}");
+
+    let [force, energy] = [(500.0, 0.0), (0.0, 500.0)].map(|(by_force, by_energy): (f64, f64)| SprungInSpace { by_force, by_energy });
+    let [with_force, with_energy] = [&force, &energy].map(|mechanism| mechanism.initial_state().expect("a state"));
+    let off = (with_force.rod().angular_acceleration - with_energy.rod().angular_acceleration).norm();
+    assert!(off < 1e-13 * with_force.rod().angular_acceleration.norm());
+    let off = (force.loads(&with_force).pin().force - energy.loads(&with_energy).pin().force).norm();
+    assert!(off < 1e-12 * force.loads(&with_force).pin().force.norm(), "{off:e}");
+}
+
+#[test]
+fn declared_energies_are_kept() {
+    let mechanism = SprungInSpace { by_force: 0.0, by_energy: 500.0 };
+    let mut state = mechanism.initial_state().expect("a state");
+    let start = total(mechanism.energy(&state));
+    mechanism.advance(&mut state, 3.0, &mut Integrator::new(1e-11)).expect("a motion");
+    let drift = total(mechanism.energy(&state)) - start;
+    assert!(drift.abs() < 1e-8, "{drift:e}");
+    assert!(mechanism.energy(&state).power.abs() < f64::MIN_POSITIVE);
+}
+
+mechanism! {
+    /// A pendulum of each shape of the plane, each 2 kg about its centre.
+    pub(crate) mechanism Shapes {
+        gravity = (0, -9.81m_s2);
+        body rod   { mass = 2kg;  center = (1m, 0m);  inertia = rod(0.6m); }
+        body disk  { mass = 2kg;  center = (1m, 0m);  inertia = disk(0.3m); }
+        body ring  { mass = 2kg;  center = (1m, 0m);  inertia = ring(0.3m); }
+        body block { mass = 2kg;  center = (1m, 0m);  inertia = block(0.3m, 0.4m); }
+        body ball  { mass = 2kg;  center = (1m, 0m);  inertia = ball(0.3m); }
+        joint a = revolute((0m, 0m), rod.position);
+        joint b = revolute((0m, 0m), disk.position);
+        joint c = revolute((0m, 0m), ring.position);
+        joint d = revolute((0m, 0m), block.position);
+        joint e = revolute((0m, 0m), ball.position);
+        freedom one = rod.angle;
+        freedom two = disk.angle;
+        freedom three = ring.angle;
+        freedom four = block.angle;
+        freedom five = ball.angle;
+    }
+}
+
+mechanism! {
+    /// A cylinder on a ball, released level.
+    pub(crate) mechanism Cylinder in space {
+        gravity = (0m_s2, 0m_s2, -9.81m_s2);
+        body cylinder { mass = 2kg;  center = (0m, 0m, 1m);  inertia = cylinder(0.3m, 0.8m);  start orientation = turn((0, 1, 0), 90deg); }
+        joint pin = spherical((0m, 0m, 0m), cylinder.position);
+        freedom spin = cylinder.angular_velocity;
+    }
+}
+
+#[test]
+fn bodies_of_simple_shape_have_their_inertia() {
+    let state = Shapes::default().initial_state().expect("a state");
+    let fallen = [state.rod(), state.disk(), state.ring(), state.block(), state.ball()].map(|body| body.angular_acceleration);
+    let inertia = [0.36 / 12.0, 0.09 / 2.0, 0.09, 0.25 / 12.0, 0.4 * 0.09];
+    for (found, inertia) in fallen.into_iter().zip(inertia) {
+        assert!((found + 9.81 / (1.0 + inertia)).abs() < 1e-13);
+    }
+    let state = Cylinder::default().initial_state().expect("a state");
+    let wanted = 9.81 / (1.0 + (3.0 * 0.09 + 0.64) / 12.0);
+    assert!((state.cylinder().angular_acceleration.norm() - wanted).abs() < 1e-13);
+}

@@ -72,7 +72,7 @@ pub struct Balance<T, const M: usize, const I: usize> {
 pub struct Energy<T> {
     /// Kinetic energy, in J.
     pub kinetic: T,
-    /// Potential energy of gravity, in J.
+    /// Potential energy of gravity and of each `energy` declared, in J.
     pub potential: T,
     /// Power of the forces declared with `force`, in W. That of gravity is in the potential energy, that of drives in the loads.
     pub power: T,

@@ -150,5 +150,6 @@ codes! {
     // Masses and forces.
     E1101: System::FreedomDepends System::FreedomsMissing;
     E1102: System::Massless;
-    E1103: Value::NegativeMass Value::ImpossibleInertia Value::CenterWithoutMass;
+    E1103: Value::NegativeMass Value::ImpossibleInertia Value::CenterWithoutMass Value::ShapeWithoutMass;
+    E1104: Value::EnergyOfVelocities;
 }

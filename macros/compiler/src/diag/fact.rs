@@ -177,9 +177,11 @@ pub enum ValueFact {
     NotFixed { place: &'static str },
     FunctionNeedsArgument,
     RateOfVelocity,
+    EnergyOfVelocities,
     NegativeMass { what: &'static str, body: String, value: f64 },
     ImpossibleInertia { body: String },
     CenterWithoutMass { body: String },
+    ShapeWithoutMass { name: String },
     ZeroAxis { name: String, in_space: bool },
 }
 

@@ -40,6 +40,16 @@ impl Dim {
     pub(crate) const LENGTH: Dim = Dim::new(1, 0, 0, 0);
     /// Radians.
     pub(crate) const ANGLE: Dim = Dim::new(0, 1, 0, 0);
+    /// Kilograms.
+    pub(crate) const MASS: Dim = Dim::new(0, 0, 0, 1);
+    /// kg m²
+    pub(crate) const INERTIA: Dim = Dim::new(2, 0, 0, 1);
+    /// m/s²
+    pub(crate) const ACCELERATION: Dim = Dim::new(1, 0, -2, 0);
+    /// Newtons.
+    pub(crate) const FORCE: Dim = Dim::new(1, 0, -2, 1);
+    /// Newton metres, joules.
+    pub(crate) const TORQUE: Dim = Dim::new(2, 0, -2, 1);
     /// Seconds.
     pub(crate) const TIME: Dim = Dim::new(0, 0, 1, 0);
 

@@ -10,32 +10,24 @@ use super::key::Key;
 use super::register::Register;
 use super::value::{FrameId, Value};
 use super::{Force, Mass};
-use crate::diag::{EquationFact, NameFact, Range, ValueFact};
+use crate::diag::{ArityFact, EquationFact, NameFact, Range, ValueFact};
 use crate::expr::Expr;
-use crate::quantity::{Ambient, Dim, is_inertia};
+use crate::model::Solid;
+use crate::quantity::{Ambient, Dim};
 use crate::syntax::ast::{self, ExpressionKind};
-
-/// kg
-const MASS: Dim = Dim::new(0, 0, 0, 1);
-/// kg m²
-const INERTIA: Dim = Dim::new(2, 0, 0, 1);
-/// m/s²
-const ACCELERATION: Dim = Dim::new(1, 0, -2, 0);
-/// N
-const FORCE: Dim = Dim::new(1, 0, -2, 1);
-/// N m
-const TORQUE: Dim = Dim::new(2, 0, -2, 1);
 
 impl Elaborator<'_> {
     /// Mass, centre and inertia of a body.
     pub(super) fn mass(&mut self, frame: &ast::Shared<ast::FrameItem>, scope: &Scope) -> Mass {
         let mut found = Mass::default();
-        for (number, written) in frame.masses.iter().enumerate() {
+        // The inertia of a shape needs the mass.
+        let (first, rest): (Vec<_>, Vec<_>) = frame.masses.iter().enumerate().partition(|(_, written)| written.what == "mass");
+        for (number, written) in first.into_iter().chain(rest) {
             let word = written.what.to_string();
             let value = match word.as_str() {
-                "mass" => self.scalar_of(&written.value, MASS, scope).map(|scalar| vec![scalar.expr]),
+                "mass" => self.scalar_of(&written.value, Dim::MASS, scope).map(|scalar| vec![scalar.expr]),
                 "center" => self.location(&written.value, scope).map(|vector| vector.parts.to_vec()),
-                _ => self.inertia(&written.value, scope),
+                _ => self.inertia(&written.value, found.mass, scope),
             };
             let Some(value) = value else { continue };
             if !value.iter().all(|part| self.is_fixed(*part)) {
@@ -54,48 +46,37 @@ impl Elaborator<'_> {
                 });
             }
         }
-        self.mass_is_possible(frame, &found);
+        if let Some((word, fact)) = found.flaw(&frame.name.to_string(), |list| self.numbers(&self.defaults, list)) {
+            let range = frame.masses.iter().find(|written| written.what == word).map(|written| written.value.range);
+            self.refuse::<()>(range.unwrap_or(Range::from(&frame.name)), fact);
+        }
         found
     }
 
-    /// Refuses a negative mass, a centre without a mass, and an inertia that no distribution of mass has.
-    fn mass_is_possible(&mut self, frame: &ast::Shared<ast::FrameItem>, found: &Mass) {
-        let body = frame.name.to_string();
-        let of = |this: &Self, list: &[Expr]| this.numbers(&this.defaults, list);
-        let place = |word: &str| frame.masses.iter().find(|written| written.what == word).map(|written| written.value.range);
-        if let (Some(range), None) = (place("center"), found.mass) {
-            self.refuse::<()>(range, ValueFact::CenterWithoutMass { body: body.clone() });
-        }
-        for (what, value) in [("mass", found.mass.map(|mass| vec![mass])), ("inertia", found.inertia.clone())] {
-            let (Some(range), Some(value)) = (place(what), value) else { continue };
-            let values = of(self, &value);
-            if let Some(value) = values.iter().take(3).find(|value| **value < 0.0) {
-                self.refuse::<()>(range, ValueFact::NegativeMass { what, body: body.clone(), value: *value });
-            } else if let [xx, yy, zz, xy, xz, yz] = values[..]
-                && !is_inertia([xx, yy, zz, xy, xz, yz])
-            {
-                self.refuse::<()>(range, ValueFact::ImpossibleInertia { body: body.clone() });
-            }
-        }
-    }
-
     /// One number in the plane; in space three, or six with the products of inertia.
-    fn inertia(&mut self, written: &ast::Expression, scope: &Scope) -> Option<Vec<Expr>> {
-        if self.names.ambient == Ambient::Plane {
-            return self.scalar_of(written, INERTIA, scope).map(|scalar| vec![scalar.expr]);
+    fn inertia(&mut self, written: &ast::Expression, mass: Option<Expr>, scope: &Scope) -> Option<Vec<Expr>> {
+        if let ExpressionKind::Call(path, arguments) = &written.kind
+            && let Some(shape) = path.name.as_ref().and_then(|name| Solid::named(&name.to_string(), self.names.ambient))
+        {
+            let name = path.last.to_string();
+            let Some(mass) = mass else { return self.refuse(written.range, ValueFact::ShapeWithoutMass { name }) };
+            if arguments.len() != shape.lengths() {
+                return self.refuse(written.range, ArityFact::FunctionArity { name, wanted: shape.lengths(), found: arguments.len() });
+            }
+            let lengths: Option<Vec<Expr>> =
+                arguments.iter().map(|length| self.scalar_of(length, Dim::LENGTH, scope).map(|scalar| scalar.expr)).collect();
+            return Some(shape.inertia(&mut self.arena, mass, &lengths?));
         }
-        let ExpressionKind::Tuple(items) = &written.kind else {
-            return self.refuse(written.range, ValueFact::NotThreeComponents { found: 1 });
-        };
-        if items.len() != 3 && items.len() != 6 {
+        if self.names.ambient == Ambient::Plane {
+            return self.scalar_of(written, Dim::INERTIA, scope).map(|scalar| vec![scalar.expr]);
+        }
+        let items = if let ExpressionKind::Tuple(items) = &written.kind { items.as_slice() } else { std::slice::from_ref(written) };
+        if ![3, 6].contains(&items.len()) {
             return self.refuse(written.range, ValueFact::NotThreeComponents { found: items.len() });
         }
-        let mut parts = Vec::new();
-        for item in items {
-            parts.push(self.scalar_of(item, INERTIA, scope)?.expr);
-        }
-        let zero = self.arena.integer(0);
-        parts.resize(6, zero);
+        let parts = items.iter().map(|item| self.scalar_of(item, Dim::INERTIA, scope).map(|scalar| scalar.expr));
+        let mut parts = parts.collect::<Option<Vec<Expr>>>()?;
+        parts.resize(6, self.arena.integer(0));
         Some(parts)
     }
 
@@ -103,9 +84,9 @@ impl Elaborator<'_> {
     pub(super) fn gravity(&mut self, register: &Register) -> Option<Vec<Expr>> {
         let gravity = register.gravity.as_ref()?;
         let vector = self.vector(&gravity.value, &Scope::mechanism())?;
-        if !vector.measure.fits(ACCELERATION) {
+        if !vector.measure.fits(Dim::ACCELERATION) {
             let found = vector.measure.settled();
-            return self.refuse(gravity.value.range, ValueFact::WrongDimension { wanted: ACCELERATION, found });
+            return self.refuse(gravity.value.range, ValueFact::WrongDimension { wanted: Dim::ACCELERATION, found });
         }
         Some(vector.parts.to_vec())
     }
@@ -123,6 +104,16 @@ impl Elaborator<'_> {
             forces.extend(found.into_iter().flatten());
         }
         forces
+    }
+
+    /// A potential energy: a function of positions, whose force is its derivative.
+    pub(super) fn energy(&mut self, value: &ast::Expression, scope: &Scope) -> Option<()> {
+        let energy = self.scalar_of(value, Dim::TORQUE, scope)?;
+        if self.has_speeds(energy.expr) {
+            return self.refuse(value.range, ValueFact::EnergyOfVelocities);
+        }
+        self.energies.push(energy.expr);
+        Some(())
     }
 
     /// `at point: force;` or `on body: torque;`
@@ -152,7 +143,7 @@ impl Elaborator<'_> {
     }
 
     fn applied_parts(&mut self, applied: &ast::Applied, scope: &Scope) -> Option<Vec<Expr>> {
-        let wanted = if applied.is_torque { TORQUE } else { FORCE };
+        let wanted = if applied.is_torque { Dim::TORQUE } else { Dim::FORCE };
         let range: Range = applied.value.range;
         if applied.is_torque && self.names.ambient == Ambient::Plane {
             return self.scalar_of(&applied.value, wanted, scope).map(|scalar| vec![scalar.expr]);

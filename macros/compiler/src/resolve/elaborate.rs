@@ -42,6 +42,8 @@ pub(crate) struct Elaborator<'a> {
     pub(super) defaults: Vec<f64>,
     /// Forces found so far, while a force is resolved.
     pub(super) applied: Option<Vec<Force>>,
+    /// Potential energies.
+    pub(super) energies: Vec<Expr>,
     /// What was found of joints in space.
     pub(super) space: Notes,
 }
@@ -129,6 +131,7 @@ impl Elaborator<'_> {
             calls: BTreeMap::new(),
             defaults: Vec::new(),
             applied: None,
+            energies: Vec::new(),
             space: Notes::default(),
         }
     }

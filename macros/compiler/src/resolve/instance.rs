@@ -28,6 +28,10 @@ impl Elaborator<'_> {
                 let scope = self.joint_scope(joint, context);
                 self.statements(statements, scope, name, &[])
             }
+            JointBody::Energy(value) => {
+                let scope = self.joint_scope(joint, context);
+                self.energy(value, &scope).map(|()| Vec::new())
+            }
             JointBody::Freedom(freedom) => {
                 let scope = self.joint_scope(joint, context);
                 self.freedom(freedom, &scope)

@@ -39,7 +39,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     work.fixed_values_are_finite(&parameters);
     let range = work.times(&register, &parameters);
     let sketch = work.sketch(&register);
-    let Elaborator { arena, functions, requirements, space, .. } = work;
+    let Elaborator { arena, functions, requirements, space, energies, .. } = work;
     let model = Model {
         arena,
         docs: tree.docs.clone(),
@@ -60,6 +60,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
         lengths,
         joints,
         forces,
+        energies,
         gravity,
         outputs: outputs.into_iter().flatten().collect(),
         methods,
@@ -217,6 +218,7 @@ impl Elaborator<'_> {
             ast::JointBody::Of { kind, .. } => Some(Value::Joint { kind: self.definition(kind)?.name.to_string(), arguments }),
             ast::JointBody::Equations(_) => Some(Value::Joint { kind: "equation".into(), arguments }),
             ast::JointBody::Freedom(_) => Some(Value::Joint { kind: "freedom".into(), arguments }),
+            ast::JointBody::Energy(_) => Some(Value::Joint { kind: "energy".into(), arguments }),
         }
     }
 

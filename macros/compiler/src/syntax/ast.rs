@@ -69,7 +69,7 @@ pub enum Item {
     Body(Shared<FrameItem>),
     /// `joint name = …;`, `drive name = …;` or `freedom name = …;`
     Joint(Shared<JointItem>),
-    /// `force name = …;`
+    /// `force name = …;` or `energy name = …;`
     Force(Shared<JointItem>),
     /// `gravity = (x, y);`
     Gravity(Shared<Gravity>),
@@ -303,6 +303,8 @@ pub enum JointBody {
     Equations(Vec<Statement>),
     /// `freedom name = value from start at rate;`
     Freedom(Box<FreedomItem>),
+    /// `energy name = value;`
+    Energy(Box<Expression>),
 }
 
 /// A quantity that follows from forces.

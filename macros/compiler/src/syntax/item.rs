@@ -148,7 +148,7 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
     let Some(keyword) = keyword(input) else {
         return expected(
             input,
-            "an item: `param`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` or `use`",
+            "an item: `param`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` or `use`",
         );
     };
     let word = keyword.to_string();
@@ -166,6 +166,7 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
         "freedom" => Item::Joint(Shared::new(freedom(input, docs)?)),
         // A force may depend on time.
         "force" => Item::Force(Shared::new(JointItem { is_drive: true, ..joint(input, docs)? })),
+        "energy" => Item::Force(Shared::new(energy(input, docs)?)),
         "gravity" => Item::Gravity(Shared::new(gravity(input)?)),
         "output" | "slice" => Item::Output(Shared::new(output(input, docs)?)),
         "range" => Item::Range(Shared::new(times(input)?)),
@@ -466,6 +467,14 @@ fn freedom(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
     }
     semicolon(input)?;
     let body = JointBody::Freedom(Box::new(FreedomItem { value, from, at }));
+    Ok(JointItem { docs, is_drive: true, is_redundant: false, name, indices, body })
+}
+
+/// `energy name = value;`
+fn energy(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
+    Ident::parse_any(input)?;
+    let (name, indices) = declared(input, "the name of the energy")?;
+    let body = JointBody::Energy(Box::new(value(input)?));
     Ok(JointItem { docs, is_drive: true, is_redundant: false, name, indices, body })
 }
 

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! f_k = Σ ∂v/∂u_k · F + ∂ω/∂u_k · T      F, T: M u̇ − Q of a body, about its origin
-//! V   = −Σ m g · r_C                      P = Σ F · v_P + T · ω of the forces declared
+//! V   = Σ V_i − Σ m g · r_C               P = Σ F · v_P + T · ω of the forces declared
 //! ```
 
 use super::dynamics;
@@ -15,7 +15,7 @@ use crate::quantity::{Ambient, Role};
 pub struct Balance {
     /// M u̇ − Q, by speed.
     pub forces: Vec<Expr>,
-    /// Potential energy of gravity.
+    /// Potential energy, of gravity and as declared.
     pub potential: Expr,
     /// Power of the forces declared.
     pub power: Expr,
@@ -58,9 +58,12 @@ impl Balance {
     }
 }
 
-/// −Σ m g · r_C
+/// Σ V_i − Σ m g · r_C
 fn potential(model: &Model, arena: &mut Arena) -> Expr {
     let mut sum = arena.integer(0);
+    for energy in &model.energies {
+        sum = arena.add(sum, *energy);
+    }
     let Some(gravity) = &model.gravity else { return sum };
     let zero = arena.integer(0);
     for (body, declared) in model.bodies.iter().enumerate() {

@@ -8,21 +8,40 @@
 //!
 //! In the axes of ground, three for each body in the plane and six in space, in the order of the speeds.
 
-use crate::expr::{Arena, Expr, Leaf, Triple, combination, cross, dot};
+use crate::expr::{Arena, Expr, Leaf, Triple, combination, cross, derivative, dot};
 use crate::model::{Body, DECLARED, Force, Model};
-use crate::quantity::Ambient;
+use crate::quantity::{Ambient, Role};
 
 /// f of every body; `None` if there is neither a mass nor a force.
 pub(super) fn unbalanced(model: &Model, arena: &mut Arena) -> Option<Vec<Expr>> {
     let has_mass = model.bodies.iter().any(|body| body.mass.mass.is_some() || body.mass.inertia.is_some());
-    if !has_mass && model.forces.is_empty() {
+    if !has_mass && model.forces.is_empty() && model.energies.is_empty() {
         return None;
     }
     let work = (0..model.bodies.len()).flat_map(|body| match model.ambient {
         Ambient::Plane => in_plane(model, arena, body).to_vec(),
         Ambient::Space => in_space(model, arena, body).to_vec(),
     });
-    Some(work.collect())
+    let mut work: Vec<Expr> = work.collect();
+    for energy in &model.energies {
+        add_slopes(model, arena, *energy, &mut work);
+    }
+    Some(work)
+}
+
+/// Adds ∂V/∂q of an energy: by the coordinates in the plane, by positions and turns of bodies in space.
+fn add_slopes(model: &Model, arena: &mut Arena, energy: Expr, work: &mut [Expr]) {
+    let each = if model.ambient == Ambient::Space { 6 } else { 3 };
+    for (at, sum) in work.iter_mut().enumerate() {
+        let (body, offset) = (at / each, at % each);
+        let by = match model.ambient {
+            Ambient::Plane => Leaf::Coordinate(number(model, body, offset)),
+            Ambient::Space if offset < 3 => Leaf::Coordinate(DECLARED + (Role::SPACE.len() * body + offset) as u32),
+            Ambient::Space => Leaf::Turn((3 * body + offset - 3) as u32),
+        };
+        let slope = derivative(arena, energy, by);
+        *sum = arena.add(*sum, slope);
+    }
 }
 
 /// Number of the coordinate, speed or acceleration of a body at an offset.

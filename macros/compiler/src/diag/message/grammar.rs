@@ -80,6 +80,7 @@ impl Display for GrammarFact {
                     "drive",
                     "freedom",
                     "force",
+                    "energy",
                     "gravity",
                     "output",
                     "range",

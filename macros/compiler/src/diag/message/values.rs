@@ -159,12 +159,19 @@ impl Display for ValueFact {
                 write!(f, "the rate of a velocity is an acceleration, and equations and forces contain none")?;
                 write!(f, "\nhelp: give the body a mass where its inertia is meant; accelerations are in the outputs of a state")
             }
+            ValueFact::EnergyOfVelocities => {
+                write!(f, "a potential energy is a function of positions, and this one contains velocities")?;
+                write!(f, "\nhelp: write a `force` for what depends on velocities: a damper, drag")
+            }
             ValueFact::NegativeMass { what, body, value } => {
                 write!(f, "the {what} of `{body}` is {value}, and cannot be negative\nhelp: write a positive number")
             }
             ValueFact::ImpossibleInertia { body } => {
                 write!(f, "no body has the inertia of `{body}`: about perpendicular axes, none is greater than the sum of the two others")?;
                 write!(f, "\nhelp: write I_xx, I_yy, I_zz about the centre of mass, and if they are not zero I_xy, I_xz, I_yz after them")
+            }
+            ValueFact::ShapeWithoutMass { name } => {
+                write!(f, "the inertia of `{name}(…)` needs the mass of the body\nhelp: write `mass = 1kg;` in the same body")
             }
             ValueFact::CenterWithoutMass { body } => {
                 write!(f, "`{body}` has a centre of mass but no mass\nhelp: write `mass = 1kg;`, or take `center` away")

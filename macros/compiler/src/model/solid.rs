@@ -1,0 +1,75 @@
+//! Inertia of uniform bodies of simple shape, about their centres.
+//!
+//! ```text
+//! rod(l)          m l²/12 across, along x       disk(r)          m r²/2 about z, half of it across
+//! ring(r)         m r² about z, half across     cylinder(r, l)   m r²/2 about z, m (3 r² + l²)/12 across
+//! block(a, b, c)  m (b² + c²)/12 about x, …     ball(r)          2/5 m r²
+//! ```
+
+use crate::expr::{Arena, Expr};
+use crate::quantity::Ambient;
+
+/// A uniform body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Solid {
+    /// For each axis its multiples of the squared lengths, as quotients.
+    moments: &'static [[(i64, i64); 3]],
+    lengths: usize,
+}
+
+/// Not there.
+const NO: (i64, i64) = (0, 1);
+
+/// Name, number of lengths, moments of inertia about z in the plane.
+type Planar = (&'static str, usize, &'static [[(i64, i64); 3]]);
+
+const PLANE: [Planar; 5] = [
+    ("rod", 1, &[[(1, 12), NO, NO]]),
+    ("disk", 1, &[[(1, 2), NO, NO]]),
+    ("ring", 1, &[[(1, 1), NO, NO]]),
+    ("block", 2, &[[(1, 12), (1, 12), NO]]),
+    ("ball", 1, &[[(2, 5), NO, NO]]),
+];
+
+/// The same in space, about x, y and z.
+const SPACE: [Planar; 6] = [
+    ("rod", 1, &[[NO, NO, NO], [(1, 12), NO, NO], [(1, 12), NO, NO]]),
+    ("disk", 1, &[[(1, 4), NO, NO], [(1, 4), NO, NO], [(1, 2), NO, NO]]),
+    ("ring", 1, &[[(1, 2), NO, NO], [(1, 2), NO, NO], [(1, 1), NO, NO]]),
+    ("cylinder", 2, &[[(1, 4), (1, 12), NO], [(1, 4), (1, 12), NO], [(1, 2), NO, NO]]),
+    ("block", 3, &[[NO, (1, 12), (1, 12)], [(1, 12), NO, (1, 12)], [(1, 12), (1, 12), NO]]),
+    ("ball", 1, &[[(2, 5), NO, NO], [(2, 5), NO, NO], [(2, 5), NO, NO]]),
+];
+
+impl Solid {
+    /// The shape of this name, in the plane or in space.
+    pub(crate) fn named(name: &str, ambient: Ambient) -> Option<Solid> {
+        let shapes: &[Planar] = if ambient == Ambient::Space { &SPACE } else { &PLANE };
+        shapes.iter().find(|(known, _, _)| *known == name).map(|(_, lengths, moments)| Solid { moments, lengths: *lengths })
+    }
+
+    /// Number of lengths that it takes.
+    pub(crate) fn lengths(self) -> usize {
+        self.lengths
+    }
+
+    /// One moment in the plane; in space three, and three products of inertia that are zero.
+    pub(crate) fn inertia(self, arena: &mut Arena, mass: Expr, lengths: &[Expr]) -> Vec<Expr> {
+        let moment = |arena: &mut Arena, parts: &[(i64, i64); 3]| {
+            let mut sum = arena.integer(0);
+            for ((over, under), length) in parts.iter().zip(lengths) {
+                let (over, under, square) = (arena.integer(*over), arena.integer(*under), arena.square(*length));
+                let part = arena.div(over, under);
+                let term = arena.mul(part, square);
+                sum = arena.add(sum, term);
+            }
+            arena.mul(mass, sum)
+        };
+        let mut inertia: Vec<Expr> = self.moments.iter().map(|parts| moment(arena, parts)).collect();
+        if inertia.len() == 3 {
+            let zero = arena.integer(0);
+            inertia.resize(6, zero);
+        }
+        inertia
+    }
+}
