@@ -4,7 +4,7 @@ use super::abridged::{Abridged, list};
 use crate::assembly::Assembly;
 use crate::diag::significant;
 use crate::expr::{Evaluator, Leaf, Values, show};
-use crate::model::{Function, Method, Model, Output, Parameter};
+use crate::model::{Function, Joint, Method, Model, Output, Parameter};
 use crate::picture::Picture;
 use crate::plan::{Code, Cost, Elimination, Plan, Solution, Summary};
 use crate::syntax::ast::Closing;
@@ -28,8 +28,10 @@ pub(super) fn lines(page: &str) -> TokenStream {
 /// The page of the generated struct: the picture, and tables of parameters, coordinates and equations.
 pub(super) fn mechanism(model: &Model, system: &System, assembly: &Assembly, motion: &Motion, plan: &Plan, picture: &Picture) -> String {
     let mut page = String::new();
-    let (n, m) = (system.coordinates.len(), system.equations.len());
-    let drives: usize = model.joints.iter().filter(|joint| joint.is_drive).map(|joint| joint.residuals.len()).sum();
+    let n = system.coordinates.len();
+    let m = system.equations.iter().filter(|equation| !equation.is_initial).count();
+    let is_drive = |joint: &&Joint| joint.is_drive && joint.freedom.is_none();
+    let drives: usize = model.joints.iter().filter(is_drive).map(|joint| joint.residuals.len()).sum();
     let checked = plan.checked.len();
     let mobility = n as i64 - (m - drives - checked) as i64;
     let redundant = match checked {
@@ -41,6 +43,17 @@ pub(super) fn mechanism(model: &Model, system: &System, assembly: &Assembly, mot
         page,
         "\n{n} coordinates, {m} equations, {drives} of them drives{redundant}: mobility {mobility} without drives, as counted."
     );
+    if let Some(dynamics) = &plan.dynamics {
+        let freedoms: Vec<String> =
+            model.joints.iter().filter(|joint| joint.freedom.is_some()).map(|joint| format!("`{}`", joint.name)).collect();
+        let [integrated, rows] = [dynamics.integrated.len(), dynamics.rows];
+        let _ = writeln!(
+            page,
+            "\nFreedoms, which follow from forces: {}. {integrated} coordinates are integrated, with {rows} equations between them and \
+             their rates; everything else follows explicitly.",
+            freedoms.join(", ")
+        );
+    }
     page.push_str(&assembled(model, assembly));
     page.push_str(&followed(motion));
     // HTML in a page of Markdown stands between blank lines.
@@ -217,7 +230,7 @@ fn equations(page: &mut String, model: &Model, system: &System) {
         _ => "table".to_owned(),
     };
     let mut table = Abridged::new(model);
-    for equation in &system.equations {
+    for equation in system.equations.iter().filter(|equation| !equation.is_initial) {
         let joint = &model.joints[equation.joint];
         let Some(phi) = equation.phi() else { continue };
         if !table.shows([&joint.name].into_iter()) {
