@@ -19,6 +19,7 @@ mod expansion;
 pub mod expr;
 pub mod geometry;
 pub mod library;
+mod linear;
 mod mobility;
 pub mod model;
 mod numeric;

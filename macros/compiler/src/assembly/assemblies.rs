@@ -8,8 +8,8 @@
 use super::curve::Curve;
 use super::degree::side;
 use super::reduced::Reduced;
+use crate::linear::dense::Factors;
 use crate::numeric::Numeric;
-use crate::numeric::dense::Factors;
 use crate::numeric::search::compare;
 use crate::numeric::turns::turns_to_zero;
 use crate::structure::Block;

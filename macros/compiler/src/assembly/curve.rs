@@ -13,7 +13,7 @@
 //! Reference: Allgower and Georg (1990), Numerical Continuation Methods, chapters 2 and 6.
 
 use super::reduced::{LinearizedBlock, Reduced};
-use crate::numeric::dense::solve;
+use crate::linear::dense::solve;
 
 /// First, longest and shortest step along a curve, in rad and characteristic lengths.
 const STEP: f64 = 0.15;

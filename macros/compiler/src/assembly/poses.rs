@@ -5,8 +5,8 @@
 
 use super::Assembly;
 use crate::expr::{Arena, Evaluator, Expr, Values, evaluate};
+use crate::linear::dense::solve;
 use crate::model::Model;
-use crate::numeric::dense::solve;
 use crate::numeric::least_squares;
 use crate::numeric::{Numeric, call};
 use crate::system::System;

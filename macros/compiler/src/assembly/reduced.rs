@@ -10,7 +10,7 @@
 //! steps on g, then by Newton's method. Not done here: choosing guesses and assemblies.
 
 use crate::expr::{Evaluator, Expr, Values, magnitudes};
-use crate::numeric::dense::{cholesky, solve};
+use crate::linear::dense::{cholesky, solve};
 use crate::numeric::least_squares::CLOSED;
 use crate::numeric::{Numeric, place};
 use crate::structure::Block;

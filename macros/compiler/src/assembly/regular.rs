@@ -12,8 +12,8 @@
 use super::assemblies::strays;
 use super::reduced::Reduced;
 use crate::expr::{Evaluator, Expr, Values};
+use crate::linear::dense::Factors;
 use crate::numeric::Numeric;
-use crate::numeric::dense::Factors;
 use crate::numeric::least_squares::{Problem, minimise, settle};
 use crate::structure::Block;
 

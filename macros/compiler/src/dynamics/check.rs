@@ -5,12 +5,13 @@ use super::Dynamics;
 use crate::assembly::Assembly;
 use crate::diag::{Diag, SystemFact};
 use crate::expr::{Expr, Values, evaluate};
-use crate::model::Model;
+use crate::linear::Echelon;
+use crate::model::{Joint, Model};
 use crate::numeric::{Numeric, at_defaults};
 use crate::quantity::Role;
 use crate::system::System;
 
-/// A pivot below this part of its row, or of the mass that the motion has by itself, counts as zero.
+/// A mass below this part of the one that the motion has by itself, and a speed below this, count as zero.
 const NOTHING: f64 = 1e-9;
 
 /// Refuses freedoms that depend on others, freedoms that are missing, and motions without mass.
@@ -21,11 +22,11 @@ pub(super) fn check(model: &Model, system: &System, assembly: &Assembly, dynamic
     at_defaults(model, system, |numeric| AtStart::new(numeric, assembly, dynamics).check(diag))
 }
 
-/// The equations of motion at the start, in coordinates that are comparable.
+/// Numbers of the equations of motion where the mechanism is assembled, with lengths in characteristic lengths.
 pub(super) struct AtStart<'a> {
     numeric: &'a Numeric<'a>,
     dynamics: &'a Dynamics,
-    /// Equations between speeds, those of freedoms last.
+    /// Joint and entries of each equation between speeds, those of freedoms last.
     rows: Vec<(usize, Vec<f64>)>,
     mass: Vec<f64>,
 }
@@ -50,70 +51,31 @@ impl<'a> AtStart<'a> {
         self.rows[..self.dynamics.rows.len()].iter().map(|(_, row)| row.clone()).collect()
     }
 
-    fn check(mut self, diag: &mut Diag) -> Option<()> {
+    fn check(self, diag: &mut Diag) -> Option<()> {
         if self.rows.iter().flat_map(|(_, row)| row).chain(&self.mass).any(|value| !value.is_finite()) {
             return Some(());
         }
-        let count = self.dynamics.integrated.len();
-        let joints = self.dynamics.rows.len();
-        let (mut order, mut rank) = ((0..count).collect::<Vec<usize>>(), 0);
-        // Motions that the joints leave, before freedoms take their share.
-        let mut motions = Vec::new();
-        for at in 0..self.rows.len() {
-            if at == joints {
-                motions = self.motions(&order, rank);
-            }
-            match self.eliminate(at, rank, &mut order) {
-                true => rank += 1,
-                false if at >= joints => return self.depends(at, diag),
-                // An equation of joints that holds here by the others is judged elsewhere.
-                false => {}
+        let (of_joints, of_freedoms) = self.rows.split_at(self.dynamics.rows.len());
+        let mut echelon = Echelon::new(self.dynamics.integrated.len());
+        for (_, row) in of_joints {
+            // An equation of joints that follows from others here is judged elsewhere.
+            echelon.takes(row.clone());
+        }
+        let motions = echelon.null_space();
+        for (joint, row) in of_freedoms {
+            if !echelon.takes(row.clone()) {
+                return self.depends(*joint, diag);
             }
         }
-        if rank < count {
-            return self.missing(&order[rank..], diag);
+        match echelon.free().as_slice() {
+            [] => self.has_mass(&motions, diag),
+            free => self.missing(free, diag),
         }
-        self.has_mass(&motions, diag)
     }
 
-    /// Eliminates a row by the earlier pivots, and later rows by it; false if nothing is left of it.
-    fn eliminate(&mut self, at: usize, rank: usize, order: &mut [usize]) -> bool {
-        let before = self.rows[at].1.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-        for (done, &column) in order[..rank].iter().enumerate() {
-            let pivot = self.rows[done].1.clone();
-            let factor = self.rows[at].1[column] / pivot[column];
-            self.rows[at].1.iter_mut().zip(pivot).for_each(|(value, pivot)| *value -= factor * pivot);
-        }
-        let row = &self.rows[at].1;
-        let Some(place) = (rank..order.len()).max_by(|one, two| row[order[*one]].abs().total_cmp(&row[order[*two]].abs())) else {
-            return false;
-        };
-        if row[order[place]].abs() <= NOTHING * before {
-            return false;
-        }
-        order.swap(rank, place);
-        self.rows.swap(rank, at);
-        true
-    }
-
-    /// A basis of the speeds at which the first `rank` rows vanish.
-    fn motions(&self, order: &[usize], rank: usize) -> Vec<Vec<f64>> {
-        let motion = |free: &usize| {
-            let mut motion = vec![0.0; order.len()];
-            motion[*free] = 1.0;
-            for done in (0..rank).rev() {
-                let row = &self.rows[done].1;
-                let sum: f64 = row.iter().zip(&motion).map(|(entry, value)| entry * value).sum();
-                motion[order[done]] -= sum / row[order[done]];
-            }
-            motion
-        };
-        order[rank..].iter().map(motion).collect()
-    }
-
-    fn depends(&self, at: usize, diag: &mut Diag) -> Option<()> {
-        let name = &self.numeric.model.joints[self.rows[at].0].name;
-        let of = self.numeric.model.joints[self.rows[at].0].residuals.len();
+    fn depends(&self, freedom: usize, diag: &mut Diag) -> Option<()> {
+        let Joint { name, residuals, .. } = &self.numeric.model.joints[freedom];
+        let of = residuals.len();
         diag.refuse(name, SystemFact::FreedomDepends { freedom: name.to_string(), of })
     }
 

@@ -1,4 +1,4 @@
-//! Embedded coordinates as functions of the others.
+//! Explicit coordinates as functions of the others.
 //!
 //! ```text
 //! q_e = h(q, t)      u_e = Σ E_er u_r + ν_e      u̇_e = Σ E_er u̇_r + γ_e

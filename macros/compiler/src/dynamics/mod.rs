@@ -1,8 +1,8 @@
 //! Equations of motion in as few coordinates as explicit rows leave.
 //!
 //! In: a [`System`] with forces. Out: a [`Dynamics`]: the coordinates to integrate, the equations between them, their mass matrix and
-//! forces, and every other coordinate as a function of them. Not done here: which of the coordinates are independent, which changes
-//! during the motion.
+//! forces, and every other coordinate as a function of them. Not done here: the choice of independent coordinates, which changes during
+//! the motion.
 //!
 //! ```text
 //! M u̇ + Jᵀ λ = −f       f: forces at u̇ = 0, with opposite sign
@@ -61,8 +61,7 @@ impl Dynamics {
             return None;
         }
         let numbers = check::AtStart::new(numeric, assembly, self).constraints();
-        let is_zero = |row: usize, column: usize| self.rows[row].jacobian[column] == self.zero;
-        let order = elimination::order(&numbers, is_zero)?;
+        let order = elimination::order(&self.arena, &numbers, |row, column| self.rows[row].jacobian[column])?;
         let scales: Vec<f64> = self.integrated.iter().map(|unknown| numeric.scale(*unknown)).collect();
         let lengths: Vec<Expr> = scales.into_iter().map(|scale| power_of_two(&mut self.arena, scale)).collect();
         let is_quaternion = |unknown: &usize| matches!(numeric.system.coordinates[*unknown].role, Role::Quaternion(_));
@@ -94,7 +93,7 @@ pub struct MotionRow {
     pub gamma: Expr,
 }
 
-/// The equations of motion, if it follows from forces; refuses freedoms that do not determine it, and motions without mass.
+/// The equations of motion of a mechanism with freedoms; refuses freedoms that do not determine the motion, and motions without mass.
 pub(crate) fn derive(
     model: &Model,
     system: &System,
@@ -115,22 +114,22 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
     let mut known = HashMap::new();
     let orientations: Vec<[Expr; 3]> = (0..system.frames.len()).flat_map(|body| system.orientation(&mut arena, body)).collect();
     let orientations: Vec<[Expr; 3]> = orientations.into_iter().map(|motion| motion.map(|expr| arena.plain(expr, &mut known))).collect();
-    let equations = [&system.equations, &system.of_speeds].map(|list| plain(&mut arena, &mut known, list));
+    let [of_positions, of_speeds] = [&system.equations, &system.of_speeds].map(|list| plain(&mut arena, &mut known, list));
     let forces: Vec<Expr> = balance.forces.iter().map(|force| arena.plain(*force, &mut known)).collect();
     let [potential, power] = [balance.potential, balance.power].map(|expr| arena.plain(expr, &mut known));
     let masses = masses(&mut arena, &forces);
     let kinetic = kinetic(&mut arena, &masses);
 
-    let initial: Vec<Equation> = equations[0].iter().filter(|equation| equation.is_initial).cloned().collect();
+    let initial: Vec<Equation> = of_positions.iter().filter(|equation| equation.is_initial).cloned().collect();
     // Checked equations follow from the others.
-    let solved = |row: &usize| !equations[0][*row].is_initial && !structure.checked.contains(row);
-    let solved: Vec<usize> = (0..equations[0].len()).filter(solved).collect();
-    let constraints: Vec<Equation> = solved.iter().map(|row| equations[0][*row].clone()).collect();
+    let solved = |row: &usize| !of_positions[*row].is_initial && !structure.checked.contains(row);
+    let solved: Vec<usize> = (0..of_positions.len()).filter(solved).collect();
+    let constraints: Vec<Equation> = solved.iter().map(|row| of_positions[*row].clone()).collect();
     let pivots = |row: &usize| system.pattern.rows[*row].iter().filter(|entry| entry.is_pivot).map(|entry| entry.unknown).collect();
     let pivots: Vec<Vec<usize>> = solved.iter().map(pivots).collect();
     let mut embedding = Embedding::new(&mut arena, system.coordinates.len());
     let left = embedding.eliminate(&constraints, &pivots);
-    let (of_freedoms, of_joints): (Vec<&Equation>, Vec<&Equation>) = equations[1].iter().partition(|equation| equation.is_initial);
+    let (of_freedoms, of_joints): (Vec<&Equation>, Vec<&Equation>) = of_speeds.iter().partition(|equation| equation.is_initial);
     let rows = left.into_iter().map(|row| &constraints[row]).chain(of_joints);
     let rows: Vec<MotionRow> = rows.map(|equation| embedding.row(equation)).collect();
     let initial = initial.iter().chain(of_freedoms).map(|equation| embedding.row(equation)).collect();

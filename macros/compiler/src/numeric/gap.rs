@@ -12,10 +12,10 @@
 //! Reference: Nocedal and Wright, Numerical Optimization, sections 10.3 and 17.1.
 
 use super::Numeric;
-use super::dense::cholesky;
 use super::least_squares::{Linearization, Problem, minimise};
 use crate::diag::Gap;
 use crate::expr::{Expr, Values, evaluate};
+use crate::linear::dense::cholesky;
 use crate::quantity::Dim;
 use crate::system::Equation;
 

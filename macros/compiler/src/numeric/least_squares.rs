@@ -2,8 +2,8 @@
 //!
 //! Reference: Moré (1978), The Levenberg-Marquardt algorithm: implementation and theory.
 
-use super::dense::cholesky;
 use crate::expr::{Evaluator, Values};
+use crate::linear::dense::cholesky;
 use std::cell::Cell;
 
 /// min ½ ‖Φ(q)‖²; rows that cannot be evaluated are left out.

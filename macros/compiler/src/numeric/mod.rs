@@ -8,10 +8,8 @@
 //! 3. `samples`: configurations along the motion.
 //! 4. `gap`: smallest gap of a joint when all others are closed.
 //! 5. `basis`: linear dependence of the rows of Φ_q at several configurations at once.
-//! 6. `dense`: factors of small matrices.
 
 pub(crate) mod basis;
-pub(crate) mod dense;
 pub(crate) mod gap;
 pub(crate) mod least_squares;
 mod resting;

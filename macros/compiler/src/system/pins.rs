@@ -3,6 +3,7 @@
 use super::rows::Row;
 use super::{Coordinate, Equation};
 use crate::expr::{Arena, Expr, Leaf, Values, evaluate};
+use crate::linear::Echelon;
 use crate::model::{Function, Model};
 use crate::quantity::{Dim, Role};
 
@@ -24,10 +25,7 @@ pub(super) fn pins(model: &Model, arena: &mut Arena, coordinates: &[Coordinate],
     open.into_iter().enumerate().map(row).collect()
 }
 
-/// An entry below this part of its row as it was counts as zero.
-const NOTHING: f64 = 1e-9;
-
-/// Unknowns without a pivot when Φ_q at the declared start is eliminated, each row by its largest entry.
+/// Unknowns that Φ_q leaves open at the declared start.
 fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], equations: &[Equation]) -> Vec<usize> {
     let functions = |number: u32, x: f64| match model.functions.get(number as usize) {
         Some(Function::Table(table)) => table.evaluate(x),
@@ -40,31 +38,14 @@ fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], equations: &[E
     let start = |coordinate: &Coordinate| coordinate.start.and_then(|start| evaluate(arena, &[start], &known).pop()).unwrap_or(0.0);
     let start: Vec<f64> = coordinates.iter().map(start).collect();
     let at_start = Values { coordinates: &start, ..known };
-    let mut rows: Vec<Vec<f64>> = Vec::new();
+    let mut echelon = Echelon::new(coordinates.len());
     for equation in equations {
         let mut row = vec![0.0; coordinates.len()];
         let entries: Vec<Expr> = equation.jacobian.iter().map(|(_, entry)| *entry).collect();
         for ((column, _), value) in equation.jacobian.iter().zip(evaluate(arena, &entries, &at_start)) {
             row[*column] = value;
         }
-        rows.push(row);
+        echelon.takes(row);
     }
-    let mut free: Vec<usize> = (0..coordinates.len()).collect();
-    let mut sizes: Vec<f64> = rows.iter().map(|row| row.iter().fold(0.0, |size: f64, entry| size.max(entry.abs()))).collect();
-    while let (Some(mut row), Some(size)) = (rows.pop(), sizes.pop()) {
-        let Some(at) = (0..free.len()).max_by(|one, two| row[free[*one]].abs().total_cmp(&row[free[*two]].abs())) else { break };
-        let pivot = free.remove(at);
-        if row[pivot].abs() <= NOTHING * size {
-            free.push(pivot);
-            continue;
-        }
-        let factor = 1.0 / row[pivot];
-        row.iter_mut().for_each(|entry| *entry *= factor);
-        for other in &mut rows {
-            let times = other[pivot];
-            other.iter_mut().zip(&row).for_each(|(entry, own)| *entry -= times * own);
-        }
-    }
-    free.sort_unstable();
-    free
+    echelon.free()
 }

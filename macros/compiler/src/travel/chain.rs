@@ -6,8 +6,8 @@
 use crate::assembly::order::Upstream;
 use crate::expr::{Evaluator, Expr};
 use crate::expr::{Values, evaluate};
+use crate::linear::dense::Factors;
 use crate::numeric::Numeric;
-use crate::numeric::dense::Factors;
 use crate::structure::Structure;
 use std::borrow::Cow;
 

@@ -16,7 +16,7 @@
 
 use super::chain::{Chain, PathPose, Stop};
 use super::walk::Event;
-use crate::numeric::dense::Factors;
+use crate::linear::dense::Factors;
 
 /// Largest number of steps along the curve.
 const MOST_STEPS: usize = 60;
