@@ -9,7 +9,6 @@
 
 use super::MotionRow;
 use crate::expr::{Arena, Expr, Unary};
-use crate::linear::{Echelon, PivotCandidate, in_order};
 use std::collections::BTreeMap;
 
 /// Accelerations, and by what their computation is judged.
@@ -27,22 +26,45 @@ pub struct Accelerations {
 const TRUSTED: i64 = 16;
 const TRUSTED_OF_ORIENTATIONS: i64 = 8;
 
-/// Row and column of each pivot; `None` if one of them vanishes.
+/// A pivot has at least this fraction of the largest entry in its row, so that it stays trusted for long.
+const STEADY: f64 = 0.2;
+
+/// Row and column of each pivot: among those that are large in their rows, as the runtime asks, those with the least fill-in.
 ///
 /// * `rows`: given, the numbers of J where the mechanism is assembled, in comparable units.
-/// * `of`: given, the expression of an entry.
-pub(super) fn order(arena: &Arena, rows: &[Vec<f64>], of: impl Fn(usize, usize) -> Expr) -> Option<Vec<(usize, usize)>> {
-    let columns = rows.first().map_or(0, Vec::len);
-    let places = (0..rows.len()).flat_map(|row| (0..columns).map(move |column| (row, column)));
-    let candidate = |place: (usize, usize)| {
-        let constant = arena.as_constant(of(place.0, place.1)).map(|value| value.to_f64());
-        let is_unit = constant.is_some_and(|value| value.abs() == 1.0);
-        (constant != Some(0.0)).then(|| PivotCandidate { place, values: vec![rows[place.0][place.1]], is_unit })
-    };
-    let candidates: Vec<PivotCandidate> = places.filter_map(candidate).collect();
-    let order: Vec<(usize, usize)> = in_order((rows.len(), columns), &candidates).into_iter().map(|pivot| pivot.place).collect();
-    let mut echelon = Echelon::new(columns);
-    rows.iter().all(|row| echelon.takes(row.clone())).then_some(order)
+/// * `is_zero`: given, true for an entry that always vanishes.
+pub(super) fn order(rows: &[Vec<f64>], is_zero: impl Fn(usize, usize) -> bool) -> Option<Vec<(usize, usize)>> {
+    let count = rows.first().map_or(0, Vec::len);
+    let mut numbers = rows.to_vec();
+    let mut filled: Vec<Vec<bool>> = (0..rows.len()).map(|row| (0..count).map(|column| !is_zero(row, column)).collect()).collect();
+    let (mut open, mut free): (Vec<usize>, Vec<usize>) = ((0..rows.len()).collect(), (0..count).collect());
+    let mut pivots = Vec::new();
+    while !open.is_empty() {
+        let in_column = |column: usize| open.iter().filter(|row| filled[**row][column]).count();
+        let candidates = open.iter().flat_map(|row| {
+            let largest = free.iter().map(|column| numbers[*row][*column].abs()).fold(0.0, f64::max);
+            let in_row = free.iter().filter(|column| filled[*row][**column]).count();
+            let steady = free.iter().filter(|column| numbers[*row][**column].abs() >= STEADY * largest && largest > 0.0);
+            steady.map(|column| ((in_row - 1) * (in_column(*column) - 1), *row, *column)).collect::<Vec<_>>()
+        });
+        let (_, row, column) = candidates.min()?;
+        open.retain(|other| *other != row);
+        free.retain(|other| *other != column);
+        for other in &open {
+            if !filled[*other][column] {
+                continue;
+            }
+            let factor = numbers[*other][column] / numbers[row][column];
+            for entry in &free {
+                if filled[row][*entry] {
+                    filled[*other][*entry] = true;
+                    numbers[*other][*entry] -= factor * numbers[row][*entry];
+                }
+            }
+        }
+        pivots.push((row, column));
+    }
+    Some(pivots)
 }
 
 /// Adds a product to a sum.

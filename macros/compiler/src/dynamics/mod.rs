@@ -61,7 +61,7 @@ impl Dynamics {
             return None;
         }
         let numbers = check::AtStart::new(numeric, assembly, self).constraints();
-        let order = elimination::order(&self.arena, &numbers, |row, column| self.rows[row].jacobian[column])?;
+        let order = elimination::order(&numbers, |row, column| self.rows[row].jacobian[column] == self.zero)?;
         let scales: Vec<f64> = self.integrated.iter().map(|unknown| numeric.scale(*unknown)).collect();
         let lengths: Vec<Expr> = scales.into_iter().map(|scale| power_of_two(&mut self.arena, scale)).collect();
         let is_quaternion = |unknown: &usize| matches!(numeric.system.coordinates[*unknown].role, Role::Quaternion(_));

@@ -3,6 +3,7 @@
 //! In: the pattern of the Jacobian, and its values at some poses. Out: an [`Elimination`]. The order is fixed in the compiler, so that the
 //! elimination can be written as straight-line code; the run time monitors its accuracy at every pose. Not done here: printing.
 
+mod order;
 #[cfg(test)]
 mod tests;
 
@@ -10,8 +11,8 @@ use super::routine::Cost;
 use super::stage::{Elimination, Iteration};
 use crate::assembly::Poses;
 use crate::expr::{Arena, Expr};
-use crate::linear::{PivotCandidate, in_order};
 use crate::system::System;
+use order::{PivotCandidate, in_order};
 use std::collections::BTreeSet;
 
 /// Blocks of up to this many unknowns are solved in closed form.
@@ -41,7 +42,7 @@ pub(super) fn elimination(arena: &Arena, system: &System, block: &Iteration, pos
 impl Elimination {
     /// Elimination in an order chosen for sparsity and for accuracy at the known poses.
     fn new(size: usize, entries: &[PivotCandidate]) -> Elimination {
-        let pivots = in_order((size, size), entries);
+        let pivots = in_order(size, entries);
         let (rows, columns): (Vec<usize>, Vec<usize>) = pivots.iter().map(|pivot| pivot.place).unzip();
         let pattern: Vec<(usize, usize)> = entries.iter().map(|entry| entry.place).collect();
         let factors = filled(&pattern, &rows, &columns);

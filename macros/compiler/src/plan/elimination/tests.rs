@@ -1,5 +1,5 @@
+use super::order::{Pivot, PivotCandidate, in_order};
 use super::{Elimination, filled};
-use crate::linear::order::{Pivot, PivotCandidate, in_order};
 use std::collections::BTreeSet;
 
 /// Entries with their values at one pose.
@@ -102,7 +102,7 @@ fn a_one_that_elimination_changes_is_one_no_longer() {
     let matrix: [&[f64]; 4] = [&[1.0, 2.0, 3.0, 4.0], &[2.0, 1.0, 3.0, 5.0], &[3.0, 3.0, 1.0, 6.0], &[2.0, 4.0, 5.0, 1.0]];
     let mut entries = entries(&matrix);
     entries.iter_mut().filter(|entry| entry.values == [1.0]).for_each(|entry| entry.is_unit = true);
-    let units = in_order((4, 4), &entries).iter().filter(|pivot| pivot.is_unit).count();
+    let units = in_order(4, &entries).iter().filter(|pivot| pivot.is_unit).count();
     assert!(units <= 1);
 }
 
@@ -110,7 +110,7 @@ fn a_one_that_elimination_changes_is_one_no_longer() {
 fn a_pivot_that_vanishes_in_one_pose_is_no_pivot() {
     let usual: [&[f64]; 4] = [&[2.0, 1.0, 0.0, 0.0], &[0.0, 2.0, 1.0, 0.0], &[0.0, 0.0, 2.0, 1.0], &[1.0, 0.0, 0.0, 2.0]];
     let special: [&[f64]; 4] = [&[0.0, 1.0, 0.0, 0.0], &[0.0, 1e-15, 1.0, 0.0], &[0.0, 0.0, 2.0, 1.0], &[1.0, 0.0, 0.0, 2.0]];
-    let pivots = in_order((4, 4), &in_poses(&[&usual, &special]));
+    let pivots = in_order(4, &in_poses(&[&usual, &special]));
     let is_bad = |pivot: &Pivot| pivot.place == (0, 0) || pivot.place == (1, 1);
     assert!(!pivots.iter().any(is_bad), "{pivots:?}");
 }
@@ -120,7 +120,7 @@ fn numbers_that_are_not_known_do_not_decide() {
     let known: [&[f64]; 4] = [&[2.0, 1.0, 0.0, 0.5], &[0.5, 2.0, 1.0, 0.0], &[0.0, 0.5, 2.0, 1.0], &[1.0, 0.0, 0.5, 2.0]];
     let mut with_unknown = entries(&known);
     with_unknown[2].values[0] = f64::NAN;
-    assert_eq!(in_order((4, 4), &with_unknown).len(), 4);
+    assert_eq!(in_order(4, &with_unknown).len(), 4);
 }
 
 #[test]

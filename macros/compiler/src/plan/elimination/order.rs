@@ -7,31 +7,31 @@ use std::collections::BTreeSet;
 
 /// An entry that is not always zero.
 #[derive(Clone, Debug)]
-pub(crate) struct PivotCandidate {
+pub(super) struct PivotCandidate {
     /// Row and column.
-    pub(crate) place: (usize, usize),
+    pub(super) place: (usize, usize),
     /// Its value at each pose, multiplied by the scale of the unknown; NaN if unknown.
-    pub(crate) values: Vec<f64>,
+    pub(super) values: Vec<f64>,
     /// True if it is the constant 1 or −1.
-    pub(crate) is_unit: bool,
+    pub(super) is_unit: bool,
 }
 
 /// One step of elimination.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Pivot {
+pub(super) struct Pivot {
     /// Row and column.
-    pub(crate) place: (usize, usize),
+    pub(super) place: (usize, usize),
     /// True if it is still 1 or −1 when it is used.
-    pub(crate) is_unit: bool,
+    pub(super) is_unit: bool,
 }
 
 /// Classes of growth: pivots in one class count as equally accurate. Growth above the last limit is bad, but better than no pivot.
 const GROWTHS: [f64; 3] = [8.0, 64.0, 1024.0];
 
-/// Chooses a pivot for each row, of a matrix that has no more rows than columns.
-pub(crate) fn in_order((rows, columns): (usize, usize), entries: &[PivotCandidate]) -> Vec<Pivot> {
-    let mut work = RemainingMatrix::new((rows, columns), entries);
-    (0..rows).map(|_| work.step()).collect()
+/// Chooses a pivot for each row and column.
+pub(super) fn in_order(size: usize, entries: &[PivotCandidate]) -> Vec<Pivot> {
+    let mut work = RemainingMatrix::new(size, entries);
+    (0..size).map(|_| work.step()).collect()
 }
 
 /// A candidate for the next pivot.
@@ -60,13 +60,13 @@ struct RemainingMatrix {
 }
 
 impl RemainingMatrix {
-    fn new((rows, columns): (usize, usize), entries: &[PivotCandidate]) -> RemainingMatrix {
+    fn new(size: usize, entries: &[PivotCandidate]) -> RemainingMatrix {
         let poses = entries.iter().map(|entry| entry.values.len()).max().unwrap_or(0);
         let mut work = RemainingMatrix {
-            rows: (0..rows).collect(),
-            columns: (0..columns).collect(),
-            entries: vec![vec![None; columns]; rows],
-            sizes: vec![vec![0.0; poses]; rows],
+            rows: (0..size).collect(),
+            columns: (0..size).collect(),
+            entries: vec![vec![None; size]; size],
+            sizes: vec![vec![0.0; poses]; size],
         };
         for entry in entries {
             let (row, column) = entry.place;
