@@ -99,7 +99,7 @@ pub use api::{
     sweep,
 };
 #[doc(hidden)]
-pub use api::{Named, Relation, between, declared_motion, finite, require, within};
+pub use api::{Named, Relation, between, finite, require, within};
 pub use dynamics::{Balance, Constraints, Dynamics, Energy, Integrator, Stopped};
 #[cfg(feature = "certify")]
 pub use enclosure::{Certificate, Doubt, Enclosure, ErrorBound};

@@ -320,3 +320,26 @@ fn bodies_of_simple_shape_have_their_inertia() {
     let wanted = 9.81 / (1.0 + (3.0 * 0.09 + 0.64) / 12.0);
     assert!((state.cylinder().angular_acceleration.norm() - wanted).abs() < 1e-13);
 }
+
+mechanism! {
+    /// A pendulum under a gravity that can be changed.
+    pub(crate) mechanism Elsewhere {
+        param g: Acceleration = 9.81m_s2;
+        gravity = (0, -g);
+        body rod { point O = (0m, 0m);  mass = 1kg;  center = (1m, 0m); }
+        joint pin = revolute((0m, 0m), rod.O);
+        freedom swing = rod.angle from -60deg;
+    }
+}
+
+#[test]
+fn loads_follow_changed_parameters() {
+    let (earth, moon) = (Elsewhere::default(), Elsewhere { g: 1.62, ..Elsewhere::default() });
+    let state = earth.initial_state().expect("a state");
+    for (mechanism, g) in [(&earth, 9.81), (&moon, 1.62)] {
+        // At rest the pin carries the part of the weight along the rod; the other part accelerates the mass.
+        let load = mechanism.loads(&state).pin().in_axes_of(&state.rod());
+        let wanted = -g * 60.0_f64.to_radians().sin();
+        assert!((load.force.x - wanted).abs() < 1e-14 * g && load.force.y.abs() < 1e-14 * g, "{load:?} {wanted}");
+    }
+}

@@ -1,6 +1,7 @@
 //! Multipliers of the driven mechanisms of the reference files at all their instants.
 
 use super::mechanisms::*;
+use reuleaux::mechanism;
 use reuleaux_tests::common::decimal::Decimal;
 use reuleaux_tests::common::reference::{file, list, number, text};
 
@@ -54,3 +55,45 @@ loads!(stewart_legs, "stewart_legs", StewartLegs);
 loads!(stewart_platform, "stewart_platform", StewartPlatform);
 loads!(ur5_arm, "ur5_arm", Ur5Arm);
 loads!(worm_gear, "worm_gear", WormGear);
+
+mechanism! {
+    /// A door with a torsion spring that is wound up over more than a turn.
+    mechanism Door in space {
+        param stiffness: Torque = 2Nm;
+        ground { axis z = (0, 0, 1) from (1, 0, 0); }
+        body leaf { axis z = (0, 0, 1) from (1, 0, 0);  point handle = (0.8m, 0m, 0m);  mass = 3kg;  center = (0.4m, 0m, 0m);  inertia = (1kgm2, 1kgm2, 1kgm2); }
+        joint hinge = revolute(ground.position, ground.z, leaf.position, leaf.z);
+        force spring = { on leaf: (0Nm, 0Nm, -stiffness * hinge.angle); };
+        drive motor = drive_rotation(hinge, 1rad_s * t);
+    }
+}
+
+#[test]
+fn forces_by_the_angle_of_a_joint_count_whole_turns() {
+    let door = Door::default();
+    for state in door.sweep((0..100).map(|step| 0.1 * f64::from(step))) {
+        let state = state.expect("a state");
+        assert!((door.loads(&state).motor().effort - 2.0 * state.t).abs() < 1e-13, "{}", state.t);
+    }
+}
+
+#[test]
+fn a_load_is_stated_on_either_body_and_along_the_axes_of_one() {
+    let door = Door::default();
+    for state in door.sweep((0..10).map(|step| 0.1 * f64::from(step))) {
+        let state = state.expect("a state");
+        let on_leaf = door.loads(&state).hinge();
+        // The centre of mass moves on a circle: the hinge pulls towards itself, along the leaf.
+        let along = on_leaf.in_axes_of(&state.leaf()).force;
+        assert!((along.x + 3.0 * 0.4).abs() < 1e-14 && along.y.abs() < 1e-14 && along.z.abs() < 1e-14, "{along}");
+        let on_ground = on_leaf.on_other();
+        assert!((on_ground.force + on_leaf.force).norm() + (on_ground.torque + on_leaf.torque).norm() < 1e-15);
+    }
+}
+
+#[test]
+fn loads_of_parameters_without_numbers_are_no_numbers() {
+    let state = Door::default().solve(0.5).expect("a state");
+    let loads = Door { stiffness: f64::NAN, ..Door::default() }.loads(&state);
+    assert!(loads.motor().effort.is_nan() && loads.motor().power.is_nan());
+}

@@ -165,7 +165,9 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     // The motion continues over its declared range, as far as it was followed.
     let dynamics = dynamics::derive(&model, &system, &structure, &assembly, diag)?;
     // What is integrated has equations of motion, everything else follows from it.
-    let plan = plan::schedule(&model, &system, &structure, &assembly, dynamics.as_ref());
+    let loads = dynamics::loads(&model, &system, &structure, &assembly);
+    // What joints and drives have to supply is known, if there are masses or forces.
+    let plan = plan::schedule(&model, &system, &structure, &assembly, dynamics.as_ref(), loads.as_ref());
     // Nothing is left to decide.
     let picture = picture::draw(&model, &system, &assembly);
     Some(Compiled { model, system, structure, assembly, motion, plan, picture })

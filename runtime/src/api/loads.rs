@@ -9,20 +9,20 @@ use core::ops::Range;
 use nalgebra::{SMatrix, SVector, Vector2, Vector3};
 
 use crate::number::Float;
-use crate::state::State;
+use crate::state::{PlanarBody, SpatialBody};
 
-/// Multipliers of a mechanism with `M` equations and `U` speeds.
+/// Multipliers of a mechanism with `M` equations, and `A` numbers of what its joints and drives do.
 ///
 /// Joints and drives act on the bodies with −Φ_uᵀ λ, by speed: a force for the velocity of a body's origin, a torque about the origin for
 /// its angular velocity.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Loads<T, const M: usize, const U: usize> {
-    /// λ, by equation; in N for an equation in m, in N m for one in rad.
+pub struct Loads<T, const M: usize, const A: usize> {
+    /// λ, by equation; in N for an equation in m, in N m for one in rad. Not a number where a number that it depends on is none.
     pub multipliers: SVector<T, M>,
     /// Whether a multiplier is determined: those that redundant equations share are not, and are the ones of least norm.
     pub is_unique: [bool; M],
-    jacobian: SMatrix<T, M, U>,
-    nu: SVector<T, M>,
+    /// Force and torque of each joint, power of each drive.
+    actions: SVector<T, A>,
 }
 
 /// What a joint in the plane does to a body, in ground.
@@ -47,6 +47,38 @@ pub struct SpatialLoad<T> {
     pub is_unique: bool,
 }
 
+impl<T: Float> PlanarLoad<T> {
+    /// What the joint does to the other body: as much in the opposite direction, about the same point.
+    #[must_use]
+    pub fn on_other(self) -> Self {
+        Self { force: self.force.map(|part| -part), torque: -self.torque, ..self }
+    }
+
+    /// The same load with its force along the axes of a body.
+    #[must_use]
+    pub fn in_axes_of(self, body: &PlanarBody<T>) -> Self {
+        let (sine, cosine) = body.angle.sin_cos();
+        let (x, y) = (self.force[0], self.force[1]);
+        Self { force: Vector2::new(cosine * x + sine * y, cosine * y - sine * x), ..self }
+    }
+}
+
+impl<T: Float> SpatialLoad<T> {
+    /// What the joint does to the other body: as much in the opposite direction, about the same point.
+    #[must_use]
+    pub fn on_other(self) -> Self {
+        Self { force: self.force.map(|part| -part), torque: self.torque.map(|part| -part), ..self }
+    }
+
+    /// The same load along the axes of a body.
+    #[must_use]
+    pub fn in_axes_of(self, body: &SpatialBody<T>) -> Self {
+        let along =
+            |vector: Vector3<T>| Vector3::from_fn(|axis, _| (0..3).fold(T::of(0.0), |sum, k| sum + body.rotation[(k, axis)] * vector[k]));
+        Self { force: along(self.force), torque: along(self.torque), ..self }
+    }
+}
+
 /// What a drive has to do.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DriveLoad<T> {
@@ -61,13 +93,22 @@ pub struct DriveLoad<T> {
 /// A column counts as dependent on others if eliminating them leaves less than this fraction of the largest entry.
 const DEPENDENT: f64 = 1e-11;
 
-impl<T: Float, const M: usize, const U: usize> Loads<T, M, U> {
-    /// The multipliers of Φ_uᵀ λ = −f.
+impl<T: Float, const M: usize, const A: usize> Loads<T, M, A> {
+    /// The multipliers of Φ_uᵀ λ = −f, and what they do.
     ///
-    /// * `jacobian`, `nu`: given, Φ_u and ν.
+    /// * `jacobian`: given, Φ_u.
     /// * `unbalanced`: given, f = M u̇ − Q.
+    /// * `actions`: given, what joints and drives do, from λ.
+    #[doc(hidden)]
     #[must_use]
-    pub fn of(jacobian: SMatrix<T, M, U>, nu: SVector<T, M>, unbalanced: &SVector<T, U>) -> Self {
+    pub fn of<const U: usize>(
+        jacobian: &SMatrix<T, M, U>,
+        unbalanced: &SVector<T, U>,
+        actions: impl Fn(&SVector<T, M>) -> SVector<T, A>,
+    ) -> Self {
+        if !jacobian.iter().chain(unbalanced.iter()).all(|value| value.is_finite()) {
+            return Self::unknown();
+        }
         let mut matrix = jacobian.transpose();
         let mut right = -*unbalanced;
         let (pivots, rank) = eliminate(&mut matrix, &mut right);
@@ -77,47 +118,52 @@ impl<T: Float, const M: usize, const U: usize> Loads<T, M, U> {
         }
         let mut is_unique = [true; M];
         least_norm(&matrix, &pivots, rank, &mut multipliers, &mut is_unique);
-        Self { multipliers, is_unique, jacobian, nu }
+        Self { multipliers, is_unique, actions: actions(&multipliers) }
     }
 
-    /// −Φ_uᵀ λ of some equations, for the `K` speeds from `first` on.
-    #[must_use]
-    pub fn on<const K: usize>(&self, equations: Range<usize>, first: usize) -> [T; K] {
-        core::array::from_fn(|k| {
-            let term = |row: usize| match self.jacobian.get((row, first + k)) {
-                Some(entry) => *entry * self.multipliers[row],
-                None => T::of(0.0),
-            };
-            equations.clone().filter(|row| *row < M).fold(T::of(0.0), |sum, row| sum - term(row))
-        })
-    }
-
-    /// What some equations do to the body in the plane whose speeds begin at `first`, about the point at the arm `arms[at..]`.
+    /// Loads that are determined.
     #[doc(hidden)]
     #[must_use]
-    pub fn planar<const A: usize>(&self, equations: Range<usize>, first: usize, arms: &SVector<T, A>, at: usize) -> PlanarLoad<T> {
-        let [x, y, about_origin] = self.on(equations.clone(), first);
-        let torque = about_origin - (arms[at] * y - arms[at + 1] * x);
+    pub fn unique(multipliers: SVector<T, M>, actions: SVector<T, A>) -> Self {
+        Self { multipliers, is_unique: [true; M], actions }
+    }
+
+    /// Loads where there are none: nothing is a number.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn unknown() -> Self {
+        let nothing = T::of(f64::NAN);
+        Self { multipliers: SVector::from_element(nothing), is_unique: [false; M], actions: SVector::from_element(nothing) }
+    }
+
+    /// What a joint with these equations does to a body in the plane.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn planar(&self, equations: Range<usize>, at: usize) -> PlanarLoad<T> {
+        let [x, y, torque] = self.actions_from(at);
         PlanarLoad { force: Vector2::new(x, y), torque, is_unique: self.are_unique(equations) }
     }
 
     /// The same in space.
     #[doc(hidden)]
     #[must_use]
-    pub fn spatial<const A: usize>(&self, equations: Range<usize>, first: usize, arms: &SVector<T, A>, at: usize) -> SpatialLoad<T> {
-        let [x, y, z, tx, ty, tz] = self.on(equations.clone(), first);
-        let [a, b, c] = [0, 1, 2].map(|k| arms[at + k]);
-        let torque = Vector3::new(tx - (b * z - c * y), ty - (c * x - a * z), tz - (a * y - b * x));
-        SpatialLoad { force: Vector3::new(x, y, z), torque, is_unique: self.are_unique(equations) }
+    pub fn spatial(&self, equations: Range<usize>, at: usize) -> SpatialLoad<T> {
+        let [x, y, z, about_x, about_y, about_z] = self.actions_from(at);
+        let (force, torque) = (Vector3::new(x, y, z), Vector3::new(about_x, about_y, about_z));
+        SpatialLoad { force, torque, is_unique: self.are_unique(equations) }
     }
 
     /// What a drive with these equations has to do.
     #[doc(hidden)]
     #[must_use]
-    pub fn drive(&self, equations: Range<usize>) -> DriveLoad<T> {
+    pub fn drive(&self, equations: Range<usize>, at: usize) -> DriveLoad<T> {
         let first = self.multipliers.get(equations.start).copied().unwrap_or(T::of(0.0));
-        let power = equations.clone().filter(|row| *row < M).fold(T::of(0.0), |sum, row| sum - self.multipliers[row] * self.nu[row]);
+        let [power] = self.actions_from(at);
         DriveLoad { effort: -first, power, is_unique: self.are_unique(equations) }
+    }
+
+    fn actions_from<const K: usize>(&self, at: usize) -> [T; K] {
+        core::array::from_fn(|k| self.actions.get(at + k).copied().unwrap_or(T::of(f64::NAN)))
     }
 
     fn are_unique(&self, equations: Range<usize>) -> bool {
@@ -210,37 +256,4 @@ fn least_norm<T: Float, const M: usize, const U: usize>(
 
 fn sum<T: Float>(terms: impl Iterator<Item = T>) -> T {
     terms.fold(T::of(0.0), |sum, term| sum + term)
-}
-
-/// Coordinates q, speeds u and their rates u̇ of the bodies of a state in space, as the declared equations read them.
-///
-/// * `bodies`: given, their number; their origins stand at the beginning of the state.
-/// * `orientations`: given, where their rotation matrices begin.
-#[doc(hidden)]
-#[must_use]
-#[allow(clippy::type_complexity)] // Three vectors.
-pub fn declared_motion<T: Float, const N: usize, const Q: usize, const U: usize>(
-    state: &State<T, N>,
-    bodies: usize,
-    orientations: usize,
-) -> (SVector<T, Q>, SVector<T, U>, SVector<T, U>) {
-    let mut q = SVector::from_element(T::of(0.0));
-    let (mut u, mut rates) = (SVector::from_element(T::of(0.0)), SVector::from_element(T::of(0.0)));
-    for body in 0..bodies {
-        let found = state.spatial_body(3 * body, orientations + 9 * body);
-        let turn = found.orientation();
-        let [i, j, k, w] = [0, 1, 2, 3].map(|part| turn.coords[part]);
-        let quaternion = [w, i, j, k];
-        for k in 0..3 {
-            q[7 * body + k] = found.position[k];
-            u[6 * body + k] = found.velocity[k];
-            u[6 * body + 3 + k] = found.angular_velocity[k];
-            rates[6 * body + k] = found.acceleration[k];
-            rates[6 * body + 3 + k] = found.angular_acceleration[k];
-        }
-        for (k, part) in quaternion.into_iter().enumerate() {
-            q[7 * body + 3 + k] = part;
-        }
-    }
-    (q, u, rates)
 }

@@ -16,7 +16,7 @@ mod sweep;
 pub use drawable::Drawable;
 pub use generated::{Matrix, Named, Relation, Vector, between, finite, require, within};
 pub use gradient::Gradient;
-pub use loads::{DriveLoad, Loads, PlanarLoad, SpatialLoad, declared_motion};
+pub use loads::{DriveLoad, Loads, PlanarLoad, SpatialLoad};
 pub use mechanism::Mechanism;
 pub use prepared::{Prepare, Prepared};
 pub use slice::{Slice, SliceState, Sliced};

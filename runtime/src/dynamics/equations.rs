@@ -4,6 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::names::Description;
 use crate::number::Float;
+use crate::state::State;
 
 /// Equations of motion of a mechanism with `N` entries of its state, of which `I` are integrated, `M` equations between them and `R`
 /// equations at t = 0. Emitted code implements it.
@@ -38,6 +39,14 @@ pub trait Dynamics<T: Float, const N: usize, const I: usize, const M: usize, con
 
     /// The whole state, from its integrated entries.
     fn complete(&self, q: &SVector<T, N>, qd: &SVector<T, N>, qdd: &SVector<T, N>, t: T) -> [SVector<T, N>; 3];
+
+    /// Hash of the parameters.
+    fn parameter_hash(&self) -> u64;
+
+    /// True if the accelerations of a state are those of its positions, speeds and these parameters.
+    fn is_current(&self, state: &State<T, N>) -> bool {
+        state.parameter_hash == self.parameter_hash()
+    }
 
     /// Energies and power in a state.
     fn energy(&self, q: &SVector<T, N>, qd: &SVector<T, N>, t: T) -> Energy<T>;

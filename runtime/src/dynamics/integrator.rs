@@ -212,7 +212,7 @@ impl<T: Float> Integrator<T> {
                 // A last step that was cut says nothing of the next one, unless it allows more.
                 self.step = if is_last { self.step.abs().max(h.abs() * factor(error, 6.0)) } else { grown };
                 if is_last {
-                    next.t = t;
+                    next.values.t = t;
                 }
                 return Ok(next);
             }

@@ -154,5 +154,6 @@ where
         return Err(Stopped::NotFinite { time: state.t });
     }
     (state.q, state.qd, state.qdd) = (q, qd, qdd);
+    state.parameter_hash = mechanism.parameter_hash();
     Ok(())
 }

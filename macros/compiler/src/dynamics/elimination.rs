@@ -74,7 +74,7 @@ fn add_product(arena: &mut Arena, sum: &mut Expr, one: Expr, two: Expr) {
 }
 
 /// Sparse rows under elimination.
-struct SparseRows<'a> {
+pub(super) struct SparseRows<'a> {
     arena: &'a mut Arena,
     entries: Vec<BTreeMap<usize, Expr>>,
     sides: Vec<Expr>,
@@ -103,20 +103,9 @@ pub(super) fn accelerations(
 ) -> Accelerations {
     let zero = arena.integer(0);
     let count = forces.len();
-    let entries = |row: &MotionRow| row.jacobian.iter().copied().enumerate().filter(|(_, entry)| *entry != zero).collect();
-    let mut work = SparseRows {
-        entries: rows.iter().map(entries).collect(),
-        sides: rows.iter().map(|row| row.gamma).collect(),
-        pivots: Vec::new(),
-        trusted: arena.integer(if has_orientations { TRUSTED_OF_ORIENTATIONS } else { TRUSTED }),
-        least: Vec::new(),
-        arena,
-    };
-    for row in 0..rows.len() {
-        let (sum, left) = (work.size(row, lengths), work.arena.integer(LEFT));
-        let least = work.arena.div(sum, left);
-        work.least.push(least);
-    }
+    let matrix: Vec<Vec<Expr>> = rows.iter().map(|row| row.jacobian.clone()).collect();
+    let trusted = if has_orientations { TRUSTED_OF_ORIENTATIONS } else { TRUSTED };
+    let mut work = SparseRows::new(arena, &matrix, rows.iter().map(|row| row.gamma).collect(), lengths, trusted);
     let pivots: Vec<[Expr; 2]> = order.iter().map(|(row, column)| work.eliminate(*row, *column, lengths)).collect();
     let is_dependent = |column: &usize| order.iter().any(|(_, dependent)| dependent == column);
     let independent: Vec<usize> = (0..count).filter(|column| !is_dependent(column)).collect();
@@ -159,7 +148,25 @@ pub(super) fn accelerations(
     Accelerations { values, pivots, masses }
 }
 
-impl SparseRows<'_> {
+impl<'a> SparseRows<'a> {
+    /// Rows of a matrix with their right-hand sides.
+    ///
+    /// * `lengths`: given, for each column the number that makes it comparable with the others, as an expression.
+    /// * `trusted`: given, a pivot has to exceed one part in so many of its row's sum.
+    pub(super) fn new(arena: &'a mut Arena, matrix: &[Vec<Expr>], sides: Vec<Expr>, lengths: &[Expr], trusted: i64) -> SparseRows<'a> {
+        let zero = arena.integer(0);
+        let entries = |row: &Vec<Expr>| row.iter().copied().enumerate().filter(|(_, entry)| *entry != zero).collect();
+        let entries = matrix.iter().map(entries).collect();
+        let trusted = arena.integer(trusted);
+        let mut work = SparseRows { arena, entries, sides, pivots: Vec::new(), trusted, least: Vec::new() };
+        for row in 0..matrix.len() {
+            let (sum, left) = (work.size(row, lengths), work.arena.integer(LEFT));
+            let least = work.arena.div(sum, left);
+            work.least.push(least);
+        }
+        work
+    }
+
     /// Sum of the sizes of a row's entries.
     fn size(&mut self, row: usize, lengths: &[Expr]) -> Expr {
         let mut size = self.arena.integer(0);
@@ -172,7 +179,7 @@ impl SparseRows<'_> {
     }
 
     /// Eliminates a column from the rows that are left; returns the pivot and the number that its size has to exceed.
-    fn eliminate(&mut self, row: usize, column: usize, lengths: &[Expr]) -> [Expr; 2] {
+    pub(super) fn eliminate(&mut self, row: usize, column: usize, lengths: &[Expr]) -> [Expr; 2] {
         let (one, size) = (self.arena.integer(1), self.size(row, lengths));
         let (own, side) = (self.entries[row].clone(), self.sides[row]);
         let pivot = own[&column];
@@ -196,7 +203,7 @@ impl SparseRows<'_> {
     }
 
     /// `None`: the unknowns for the right-hand sides, with independent ones zero; `Some(k)`: those without right-hand sides, u_k = 1.
-    fn solution(&mut self, unit: Option<usize>, count: usize) -> Vec<Expr> {
+    pub(super) fn solution(&mut self, unit: Option<usize>, count: usize) -> Vec<Expr> {
         let (zero, one) = (self.arena.integer(0), self.arena.integer(1));
         let mut unknowns = vec![zero; count];
         if let Some(unit) = unit {

@@ -12,6 +12,9 @@
 mod check;
 mod elimination;
 mod embedding;
+mod loads;
+#[cfg(test)]
+mod tests;
 
 use crate::assembly::Assembly;
 use crate::diag::Diag;
@@ -23,6 +26,8 @@ use crate::structure::Structure;
 use crate::system::{Balance, Equation, Level, System};
 pub use elimination::Accelerations;
 use embedding::Embedding;
+pub(crate) use loads::loads;
+pub use loads::{Loads, Multipliers};
 use std::collections::{BTreeMap, HashMap};
 
 /// Equations of motion.

@@ -2,121 +2,177 @@
 
 use super::expression::local;
 use super::functions::Emitter;
-use super::literal::{number, vector_type};
+use super::literal::{matrix_type, number, real, vector_type};
+use super::routine::{RoutinePrinter, fast_lines};
 use super::{allowed, docs, identifier, state_path};
-use crate::plan::Code;
+use crate::plan::LoadsCode;
 use crate::quantity::Ambient;
-use crate::system::Unbalanced;
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 impl Emitter<'_> {
     /// The method `loads`, and what it gives; nothing without masses and forces.
     pub(super) fn loads(&self) -> TokenStream {
-        let (Some(codes), Some(unbalanced)) = (&self.plan.unbalanced, self.unbalanced()) else { return quote!() };
-        if !self.model.task.is_determined() {
-            return quote!();
-        }
+        let Some(code) = &self.plan.loads else { return quote!() };
         let (name, visibility, state) = (&self.model.name, &self.model.visibility, state_path(&self.model.name));
         let loads = format_ident!("{}Loads", name, span = Span::call_site());
-        let (m, q, u) = (self.system.constraints().len(), self.declared_coordinates(), unbalanced.forces.len());
-        let width: usize = unbalanced.arms.iter().flatten().map(|(_, arm)| arm.len()).sum();
-        let functions = self.functions_of_loads(codes, (q, u, width));
-        let methods = self.methods_of_loads(unbalanced);
-        let coordinates = match self.model.ambient {
-            Ambient::Plane => quote!((&state.q, &state.qd, &state.qdd)),
-            Ambient::Space => {
-                let (bodies, first) = (number(self.model.bodies.len()), number(self.system.coordinates.len()));
-                quote!(&::reuleaux::declared_motion(&state.0, #bodies, #first))
+        let (general, closed) = (self.loads_in_general(code), self.loads_in_closed_form(code));
+        let methods = self.methods_of_loads();
+        let (m, width, allowed) = (number(code.multipliers), number(code.width), allowed());
+        let first = closed.is_some().then(|| {
+            quote! {
+                if let ::core::option::Option::Some((multipliers, actions)) = self.loads_in_closed_form(state) {
+                    return #loads { loads: ::reuleaux::Loads::unique(multipliers, actions) };
+                }
             }
-        };
-        let (m, u, width, allowed) = (number(m), number(u), number(width), allowed());
+        });
+        let refreshed = self.plan.dynamics.is_some().then(|| {
+            quote! {
+                // Accelerations of other parameters, or of what was written into the state, do not count.
+                let mut refreshed = ::core::clone::Clone::clone(state);
+                let state = if ::reuleaux::Dynamics::is_current(self, state) {
+                    state
+                } else if self.accelerate(&mut refreshed).is_ok() {
+                    &refreshed
+                } else {
+                    return #loads { loads: ::reuleaux::Loads::unknown() };
+                };
+            }
+        });
         let page = docs::line(&format!("Loads of [`{name}`]: multipliers, and what every joint and drive does to its bodies."));
         quote! {
             #allowed
             impl<T: ::reuleaux::Float> #name<T> {
-                #functions
+                #closed
+                #general
                 /// The loads in a state: Φ_uᵀ λ = Q − M u̇, solved for the multipliers λ.
                 ///
                 /// Joints act on their bodies with −Φ_uᵀ λ. Multipliers that redundant joints leave open are those of least norm.
                 #[must_use]
                 pub fn loads(&self, state: &#state<T>) -> #loads<T> {
-                    let (q, qd, qdd) = #coordinates;
-                    let (unbalanced, arms) = (self.unbalanced(q, qd, qdd, state.t), self.arms(q, state.t));
-                    #loads { loads: ::reuleaux::Loads::of(self.jacobian(q, state.t), self.nu(q, state.t), &unbalanced), arms }
+                    #refreshed
+                    #first
+                    let (jacobian, forces) = self.equations_of_loads(state);
+                    #loads { loads: ::reuleaux::Loads::of(&jacobian, &forces, |multipliers| self.actions(state, multipliers)) }
                 }
             }
             #page
             #[derive(Clone, Debug, PartialEq)]
             #[allow(dead_code)]
             #visibility struct #loads<T = ::core::primitive::f64> {
-                loads: ::reuleaux::Loads<T, #m, #u>,
-                arms: ::reuleaux::Vector<T, #width>,
+                loads: ::reuleaux::Loads<T, #m, #width>,
             }
             #allowed
             impl<T: ::reuleaux::Float> #loads<T> { #methods }
             impl<T> ::core::ops::Deref for #loads<T> {
-                type Target = ::reuleaux::Loads<T, #m, #u>;
+                type Target = ::reuleaux::Loads<T, #m, #width>;
                 fn deref(&self) -> &Self::Target { &self.loads }
             }
         }
     }
 
-    fn unbalanced(&self) -> Option<&Unbalanced> {
-        self.system.unbalanced.as_ref()
-    }
-
-    fn declared_coordinates(&self) -> usize {
-        self.system.declared.as_ref().map_or(self.system.coordinates.len(), |declared| declared.coordinates)
-    }
-
-    /// M u̇ − Q, and the arms of the joints' points.
-    fn functions_of_loads(&self, [forces, arms]: &[Code; 2], (q, u, width): (usize, usize, usize)) -> TokenStream {
-        let (of_q, of_u, of_arms) = (vector_type(q), vector_type(u), vector_type(width));
-        let (forces, arms) = (self.vector(forces, u), self.vector(arms, width));
-        let [q, qd, qdd, t] = ["q", "qd", "qdd", "t"].map(local);
+    /// Φ_u and f, and what joints and drives do with given multipliers.
+    fn loads_in_general(&self, code: &LoadsCode) -> TokenStream {
+        let (m, u) = (code.multipliers, code.equations.results.len() - code.pattern.len());
+        let state = state_path(&self.model.name);
+        let (of_matrix, of_forces, of_lambda, of_actions) = (matrix_type(m, u), vector_type(u), vector_type(m), vector_type(code.width));
+        let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, &code.equations);
+        let (entries, forces) = results.split_at(code.pattern.len());
+        let writes = code.pattern.iter().zip(entries).map(|((row, speed), value)| {
+            let (row, speed) = (number(*row), number(*speed));
+            quote!(jacobian[(#row, #speed)] = #value;)
+        });
+        let actions = fast_lines(self.model, &code.arena, &code.actions);
+        let (reads_of_actions, steps_of_actions, values) = (&actions.reads, &actions.steps, &actions.results);
+        let data: Vec<Ident> = (0..m).map(|number| local(&format!("d{number}"))).collect();
+        let (zero, motion) = (real(0.0), motion());
         quote! {
-            fn unbalanced(&self, #q: &#of_q, #qd: &#of_u, #qdd: &#of_u, #t: T) -> #of_u { #forces }
-            fn arms(&self, #q: &#of_q, #t: T) -> #of_arms { #arms }
+            fn equations_of_loads(&self, state: &#state<T>) -> (#of_matrix, #of_forces) {
+                #motion
+                #reads
+                #steps
+                let mut jacobian: #of_matrix = ::reuleaux::Matrix::from_element(#zero);
+                #(#writes)*
+                (jacobian, ::core::convert::From::from([#(#forces),*]))
+            }
+            fn actions(&self, state: &#state<T>, multipliers: &#of_lambda) -> #of_actions {
+                #motion
+                let [#(#data),*] = multipliers.data.0[0];
+                #reads_of_actions
+                #steps_of_actions
+                ::core::convert::From::from([#(#values),*])
+            }
         }
     }
 
+    /// λ and what joints and drives do; `None` where a pivot is too small.
+    fn loads_in_closed_form(&self, code: &LoadsCode) -> Option<TokenStream> {
+        let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, code.closed.as_ref()?);
+        let state = state_path(&self.model.name);
+        let (multipliers, rest) = results.split_at(code.multipliers);
+        let (actions, checks) = rest.split_at(code.width);
+        let are_steady = checks.chunks(2).map(|pair| {
+            let (size, least) = (&pair[0], &pair[1]);
+            quote!(#size > #least)
+        });
+        let (of_lambda, of_actions, motion) = (vector_type(code.multipliers), vector_type(code.width), motion());
+        Some(quote! {
+            fn loads_in_closed_form(&self, state: &#state<T>) -> ::core::option::Option<(#of_lambda, #of_actions)> {
+                #motion
+                #reads
+                #steps
+                let are_steady = true #(& (#are_steady))*;
+                if !are_steady {
+                    return ::core::option::Option::None;
+                }
+                let multipliers = ::core::convert::From::from([#(#multipliers),*]);
+                let actions = ::core::convert::From::from([#(#actions),*]);
+                ::core::option::Option::Some((multipliers, actions))
+            }
+        })
+    }
+
     /// One method for each joint and each drive.
-    fn methods_of_loads(&self, unbalanced: &Unbalanced) -> TokenStream {
-        let (mut first, mut arm) = (0, 0);
+    fn methods_of_loads(&self) -> TokenStream {
+        let Some(loads) = &self.system.loads else { return quote!() };
+        let (mut first, mut at) = (0, 0);
         let mut methods = TokenStream::new();
-        let equations = self.system.constraints();
         for (index, joint) in self.model.joints.iter().enumerate().filter(|(_, joint)| joint.freedom.is_none()) {
-            let count = equations.iter().filter(|equation| equation.joint == index).count();
-            let (from, to) = (number(first), number(first + count));
+            let count = loads.rows.iter().filter(|row| row.joint == index).count();
+            let (from, to, place) = (number(first), number(first + count), number(at));
             let name = identifier(&joint.name.local);
             first += count;
-            let place = &unbalanced.arms[index];
-            let at = number(arm);
-            arm += place.as_ref().map_or(0, |(_, arm)| arm.len());
             if joint.is_drive {
+                at += 1;
                 let page = docs::line(&format!("What the drive `{}` has to do.", joint.name));
                 methods.extend(quote! {
                     #page
                     #[must_use]
-                    pub fn #name(&self) -> ::reuleaux::DriveLoad<T> { self.loads.drive(#from..#to) }
+                    pub fn #name(&self) -> ::reuleaux::DriveLoad<T> { self.loads.drive(#from..#to, #place) }
                 });
-            } else if let Some((body, _)) = place {
+            } else if let Some((body, _)) = &loads.arms[index] {
                 let page = docs::line(&format!(
                     "What the joint `{}` does to `{}`: the force at its point, and the torque about it, in ground.",
                     joint.name, self.model.bodies[*body].name
                 ));
-                let (kind, method, speed) = match self.model.ambient {
-                    Ambient::Plane => (quote!(::reuleaux::PlanarLoad<T>), quote!(planar), number(3 * body)),
-                    Ambient::Space => (quote!(::reuleaux::SpatialLoad<T>), quote!(spatial), number(6 * body)),
+                let (kind, method, width) = match self.model.ambient {
+                    Ambient::Plane => (quote!(::reuleaux::PlanarLoad<T>), quote!(planar), 3),
+                    Ambient::Space => (quote!(::reuleaux::SpatialLoad<T>), quote!(spatial), 6),
                 };
+                at += width;
                 methods.extend(quote! {
                     #page
                     #[must_use]
-                    pub fn #name(&self) -> #kind { self.loads.#method(#from..#to, #speed, &self.arms, #at) }
+                    pub fn #name(&self) -> #kind { self.loads.#method(#from..#to, #place) }
                 });
             }
         }
         methods
     }
+}
+
+/// The vectors and the time that routines read.
+fn motion() -> TokenStream {
+    let [q, qd, qdd, t] = ["q", "qd", "qdd", "t"].map(local);
+    quote!(let (#q, #qd, #qdd, #t) = (&state.q, &state.qd, &state.qdd, state.t);)
 }

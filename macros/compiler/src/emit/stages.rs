@@ -100,15 +100,22 @@ impl Emitter<'_> {
         if self.plan.moving.is_none() && !can_rest || self.model.parameters.is_empty() {
             return quote!();
         }
-        let all = (0..self.model.parameters.len()).map(|number| named(&Words::new(self.model, self.system).parameter(number as u32)));
+        let hash = self.parameter_hash();
         quote! {
             fn parameter_hash(&self) -> ::core::primitive::u64
             where
                 T: ::reuleaux::Float,
             {
-                ::reuleaux::parameter_hash(&[#(#all),*])
+                #hash
             }
         }
+    }
+
+    /// The hash of all parameters.
+    pub(super) fn parameter_hash(&self) -> TokenStream {
+        let words = Words::new(self.model, self.system);
+        let all = (0..self.model.parameters.len()).map(|number| named(&words.parameter(number as u32)));
+        quote!(::reuleaux::parameter_hash::<T>(&[#(#all),*]))
     }
 
     /// A guess improved with all equations

@@ -9,6 +9,7 @@ mod joints;
 mod kernels;
 mod linear;
 mod lines;
+mod loads;
 mod outputs;
 mod rolled;
 mod routine;
@@ -27,6 +28,7 @@ mod words;
 pub use dynamics::DynamicsCode;
 pub use kernels::{Kernel, Kernels, Round};
 pub use lines::{Iterated, StageCode, StraightLine};
+pub use loads::LoadsCode;
 pub use outputs::Outputs;
 pub use rolled::{Code, Group, Target};
 pub use routine::{Cost, Routine, Step};
@@ -38,6 +40,7 @@ pub use stage::{Elimination, Iteration, Stage};
 pub(crate) use words::Words;
 
 use crate::assembly::{Assembly, Poses};
+use crate::dynamics::{Dynamics, Loads};
 use crate::expr::{Arena, Expr, Leaf};
 use crate::model::Model;
 use crate::quantity::Role;
@@ -77,8 +80,6 @@ pub struct Plan {
     pub gamma: Code,
     /// Row and column of each entry of Φ_q.
     pub pattern: Vec<(usize, usize)>,
-    /// Forces that joints and drives have to supply, by speed, and the arms of the joints' points, one result for each component.
-    pub unbalanced: Option<[Code; 2]>,
     /// Outputs of each method.
     pub outputs: Vec<Outputs>,
     /// Declared start values, by unknown; undeclared ones have no result.
@@ -91,6 +92,8 @@ pub struct Plan {
     pub orientations: Vec<f64>,
     /// Equations of motion, where freedoms are integrated.
     pub dynamics: Option<DynamicsCode>,
+    /// Loads, where there are masses or forces.
+    pub loads: Option<LoadsCode>,
     /// Numbers of the picture, if states are to be drawn at run time.
     pub scene: Option<SceneCode>,
 }
@@ -101,7 +104,8 @@ pub(crate) fn schedule(
     system: &System,
     structure: &Structure,
     assembly: &Assembly,
-    dynamics: Option<&crate::dynamics::Dynamics>,
+    dynamics: Option<&Dynamics>,
+    loads: Option<&Loads>,
 ) -> Plan {
     let mut arena = system.arena.clone();
     let solved = (model.task.is_solved()).then(|| {
@@ -127,14 +131,9 @@ pub(crate) fn schedule(
     let equations = |cells: Vec<Cell>| rolled::code(arena_of_equations, &tracer_of_equations, cells, &words_of_equations);
     let solving = solved.map(|(stages, outputs)| solving(&arena, &tracer, system, &words, &stages, &outputs));
     let sides = model.requirements.iter().flat_map(|requirement| [requirement.lhs, requirement.rhs]).collect();
-    let unbalanced = system.unbalanced.as_ref().map(|found| {
-        let cells = |results: Vec<Expr>| (0..).zip(results).map(|(row, result)| vec![(Target::Row(row), result)]).collect();
-        let arms = found.arms.iter().flatten().flat_map(|(_, arm)| arm.iter().copied()).collect();
-        [equations(cells(found.forces.clone())), equations(cells(arms))]
-    });
     Plan {
         dynamics: dynamics.map(|dynamics| dynamics::code(model, system, dynamics)),
-        unbalanced,
+        loads: loads::code(model, system, loads),
         linearized: joints.linearized(residual).iter().flatten().map(|(target, _)| *target).collect(),
         linearize: equations(joints.linearized(residual)),
         phi: equations(joints.rows(residual)),

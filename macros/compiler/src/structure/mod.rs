@@ -20,6 +20,7 @@ mod tearing;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use components::in_order as components_in_order;
 pub(crate) use dulmage_mendelsohn::{DmPart, contending, overdetermined, underdetermined};
 pub(crate) use matching::{Matching, maximum, maximum_in};
 pub use pattern::{Entry, Pattern};

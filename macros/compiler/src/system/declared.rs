@@ -7,7 +7,7 @@
 //! ```
 
 use super::rows::{Differentiation, Row};
-use super::{Equation, Level, Unbalanced};
+use super::{Equation, Level};
 use crate::expr::{Arena, Expr, Leaf, Seed, Substitution};
 use crate::model::{DECLARED, Model, declared_rates};
 use crate::quantity::Role;
@@ -24,8 +24,6 @@ pub struct DeclaredEquations {
     pub speeds: usize,
     /// One equation for each row, in the order declared.
     pub equations: Vec<Equation>,
-    /// What forces and masses leave to joints and drives.
-    pub unbalanced: Option<Unbalanced>,
 }
 
 /// Coordinates of a body, and speeds.
@@ -34,6 +32,15 @@ const EACH: [usize; 2] = [Role::SPACE.len(), 6];
 /// Differentiates every residual of a model in space.
 pub(super) fn declared(model: &Model) -> DeclaredEquations {
     let mut arena = model.arena.clone();
+    let mut equations = equations(model, &mut arena);
+    let (bodies, quantities) = (model.bodies.len(), model.space.quantities.len());
+    let (coordinates, speeds) = (EACH[0] * bodies + quantities, EACH[1] * bodies);
+    renumber(&mut arena, &mut equations, coordinates.max(speeds));
+    DeclaredEquations { arena, coordinates, speeds, equations }
+}
+
+/// The equations of a model in space by the speeds of its bodies, with marks.
+pub(super) fn equations(model: &Model, arena: &mut Arena) -> Vec<Equation> {
     let bodies = model.bodies.len();
     let by = |speed: usize| {
         let (body, at) = (speed / EACH[1], speed % EACH[1]);
@@ -43,15 +50,11 @@ pub(super) fn declared(model: &Model) -> DeclaredEquations {
     let mut derivatives = Differentiation::new((0..EACH[1] * bodies).map(by), seed, DECLARED);
     let mut equations = Vec::new();
     for row in Row::declared(model) {
-        let touched = touched(&arena, row.residual, bodies);
+        let touched = touched(arena, row.residual, bodies);
         let columns = touched.into_iter().flat_map(|body| EACH[1] * body..EACH[1] * (body + 1));
-        equations.push(derivatives.of(&mut arena, &row, columns));
+        equations.push(derivatives.of(arena, &row, columns));
     }
-    let quantities = model.space.quantities.len();
-    let coordinates = EACH[0] * bodies + quantities;
-    let mut unbalanced = super::unbalanced(model, &mut arena);
-    renumber(&mut arena, &mut equations, &mut unbalanced, (coordinates, EACH[1] * bodies));
-    DeclaredEquations { arena, coordinates, speeds: EACH[1] * bodies, equations, unbalanced }
+    equations
 }
 
 /// Bodies on whose coordinates an expression depends.
@@ -69,10 +72,10 @@ fn touched(arena: &Arena, phi: Expr, bodies: usize) -> Vec<usize> {
 }
 
 /// Numbers declared coordinates and speeds from 0, and removes marks.
-fn renumber(arena: &mut Arena, equations: &mut [Equation], unbalanced: &mut Option<Unbalanced>, (coordinates, speeds): (usize, usize)) {
+fn renumber(arena: &mut Arena, equations: &mut [Equation], count: usize) {
     let mut numbered = Substitution::new();
     let mut known = HashMap::new();
-    for number in 0..coordinates.max(speeds) as u32 {
+    for number in 0..count as u32 {
         for leaf in [Leaf::Coordinate, Leaf::Speed, Leaf::Acceleration] {
             let new = arena.leaf(leaf(number));
             numbered.replace(leaf(DECLARED + number), new);
@@ -89,8 +92,5 @@ fn renumber(arena: &mut Arena, equations: &mut [Equation], unbalanced: &mut Opti
         if let Level::Position { phi } = &mut equation.level {
             *phi = renewed(*phi);
         }
-    }
-    if let Some(Unbalanced { forces, arms }) = unbalanced {
-        forces.iter_mut().chain(arms.iter_mut().flatten().flat_map(|(_, arm)| arm)).for_each(|expr| *expr = renewed(*expr));
     }
 }

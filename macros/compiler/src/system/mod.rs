@@ -13,6 +13,7 @@ mod balance;
 mod declared;
 mod dynamics;
 mod forest;
+mod loads;
 mod magnitude;
 mod pattern;
 mod pins;
@@ -28,6 +29,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 pub use balance::Balance;
 pub use declared::DeclaredEquations;
+pub use loads::{LoadEquations, LoadRow};
 pub(crate) use magnitude::magnitude;
 use rows::{Differentiation, Row, coordinates_in};
 
@@ -57,19 +59,10 @@ pub struct System {
     pub declared: Option<Box<DeclaredEquations>>,
     /// In space: the frame of each body in the arena.
     pub frames: Vec<usize>,
-    /// Forces that joints and drives have to supply, if there are masses or forces; in space they belong to the declared equations.
-    pub unbalanced: Option<Unbalanced>,
+    /// What joints and drives have to supply, if there are masses or forces.
+    pub loads: Option<LoadEquations>,
     /// In space: the joint by which the orientation of each body follows, and the body that it follows from.
     pub reached: Vec<Option<(usize, Option<usize>)>>,
-}
-
-/// What forces and masses leave to joints and drives.
-#[derive(Clone, Debug)]
-pub struct Unbalanced {
-    /// M u̇ − Q, by speed.
-    pub forces: Vec<Expr>,
-    /// For each joint the body on which its load is stated, and the arm of its point there.
-    pub arms: Vec<Option<(usize, Vec<Expr>)>>,
 }
 
 /// One coordinate.
@@ -248,7 +241,7 @@ impl System {
 pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     has_bodies(model, diag)?;
     let mut arena = model.arena.clone();
-    let Choice { coordinates, mut rows, outputs, frames, reached, balance } = match model.ambient {
+    let Choice { coordinates, mut rows, outputs, frames, reached, balance, loads } = match model.ambient {
         Ambient::Plane => in_plane(model, &mut arena),
         Ambient::Space => forest::reduce(model, &mut arena),
     };
@@ -284,30 +277,12 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
         return None;
     }
     let pattern = pattern::pattern(model, &arena, coordinates.len(), &equations);
-    let (declared, unbalanced) = match model.ambient {
-        Ambient::Plane => (None, unbalanced(model, &mut arena)),
-        Ambient::Space => {
-            let mut declared = declared::declared(model);
-            let unbalanced = declared.unbalanced.take();
-            (Some(Box::new(declared)), unbalanced)
-        }
+    let (declared, loads) = match model.ambient {
+        Ambient::Plane => (None, LoadEquations::in_plane(model, &mut arena, equations.iter().chain(&of_speeds))),
+        Ambient::Space => (Some(Box::new(declared::declared(model))), loads),
     };
     let speeds = coordinates.iter().map(|coordinate| Speed { body: coordinate.body, role: speed_of(coordinate.role) }).collect();
-    Some(System {
-        arena,
-        coordinates,
-        speeds,
-        equations,
-        of_speeds,
-        balance,
-        pattern,
-        outputs,
-        lengths,
-        declared,
-        frames,
-        unbalanced,
-        reached,
-    })
+    Some(System { arena, coordinates, speeds, equations, of_speeds, balance, pattern, outputs, lengths, declared, frames, loads, reached })
 }
 
 /// What is solved for: unknowns, and the rows and outputs in them.
@@ -323,6 +298,8 @@ struct Choice {
     reached: Vec<Option<(usize, Option<usize>)>>,
     /// Forces by the rates of the unknowns, where they decide the motion.
     balance: Option<Balance>,
+    /// In space: the equations of the loads.
+    loads: Option<LoadEquations>,
 }
 
 /// In the plane the unknowns are the coordinates of the bodies.
@@ -334,6 +311,7 @@ fn in_plane(model: &Model, arena: &mut Arena) -> Choice {
         outputs: model.outputs.iter().map(|output| output.components.clone()).collect(),
         frames: Vec::new(),
         reached: Vec::new(),
+        loads: None,
     }
 }
 
@@ -349,17 +327,6 @@ fn speed_of(role: Role) -> SpeedRole {
         Role::Displacement => SpeedRole::Linear(Axis::X),
         Role::Angle | Role::Quaternion(_) => SpeedRole::Angular(Axis::Z),
     }
-}
-
-/// What forces and masses leave to joints and drives, and where joints state it.
-fn unbalanced(model: &Model, arena: &mut Arena) -> Option<Unbalanced> {
-    let forces = dynamics::unbalanced(model, arena)?;
-    let arms = model.joints.iter().map(|joint| {
-        let (body, local) = joint.place.as_ref()?;
-        Some((*body, dynamics::arm(model, arena, *body, local)))
-    });
-    let arms = arms.collect();
-    Some(Unbalanced { forces, arms })
 }
 
 fn coordinates(model: &Model) -> Vec<Coordinate> {

@@ -16,7 +16,7 @@ mod rewrite;
 mod start;
 
 use super::rows::Row;
-use super::{Balance, Choice, Coordinate};
+use super::{Balance, Choice, Coordinate, LoadEquations};
 use crate::expr::{Arena, Expr, Leaf, Triple};
 use crate::model::{DECLARED, Model, Place, Relationship, Triad};
 use crate::quantity::{Axis, Role};
@@ -69,12 +69,16 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena) -> Choice {
     forest.declared_rows();
     forest.rows.sort_by_key(|row| row.joint);
     let outputs = model.outputs.iter().map(|output| output.components.iter().map(|part| forest.rewrite(*part)).collect()).collect();
+    let balance = (model.task == Task::Motion).then(|| Balance::declared(model, forest.arena).map(|expr| forest.rewrite(expr)));
+    let is_loaded = model.task.is_determined();
+    let loads = is_loaded.then(|| LoadEquations::declared(model, forest.arena)).flatten();
+    let loads = loads.map(|loads| loads.map(|expr| forest.rewrite(expr)));
     forest.rows_of_further_angles();
     forest.rows.sort_by_key(|row| row.joint);
-    let balance = (model.task == Task::Motion).then(|| Balance::declared(model, forest.arena).map(|expr| forest.rewrite(expr)));
     let frames: Vec<usize> = forest.frames.iter().map(|frame| frame.unwrap_or(0)).collect();
     let balance = balance.map(|balance| balance.by_unknowns(forest.arena, &frames, forest.coordinates.len()));
-    Choice { coordinates: forest.coordinates, rows: forest.rows, outputs, frames, reached: forest.reached, balance }
+    let loads = loads.map(|loads| loads.by_state(forest.arena, &frames, forest.coordinates.len()));
+    Choice { coordinates: forest.coordinates, rows: forest.rows, outputs, frames, reached: forest.reached, balance, loads }
 }
 
 impl Forest<'_> {

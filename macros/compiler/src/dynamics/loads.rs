@@ -1,0 +1,366 @@
+//! Loads in closed form: the multipliers, eliminated in an order that is good where the mechanism is assembled, and what they do to bodies.
+//!
+//! ```text
+//! Φ_uᵀ λ = −f      one row for each speed, one column for each multiplier; those of freedoms vanish
+//! ```
+//!
+//! 1. Entries ±1 are pivots at every pose: most forces at joints follow from each other by sums.
+//! 2. The rest falls apart into blocks, each with the multipliers of one loop. Up to three are solved by cofactors, more by elimination.
+//!
+//! Determinants and pivots are compared with their terms while they are used: where one is too small, the runtime eliminates all rows with
+//! complete pivoting.
+
+use super::elimination::{SparseRows, order};
+use crate::assembly::Assembly;
+use crate::expr::{Arena, Expr, Unary, Values, evaluate};
+use crate::model::Model;
+use crate::numeric::{Numeric, at_defaults};
+use crate::quantity::{Ambient, Dim};
+use crate::structure::{Entry, Pattern, Structure, components_in_order, maximum};
+use crate::system::{LoadEquations, LoadRow, System};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Multipliers and what they do.
+#[derive(Clone, Debug)]
+pub struct Loads {
+    /// All expressions.
+    pub arena: Arena,
+    /// λ in closed form; `None` if equations are redundant.
+    pub closed: Option<Multipliers>,
+    /// What joints and drives do, from λ as data.
+    pub actions: Vec<Expr>,
+}
+
+/// Multipliers, and by what their computation is judged.
+#[derive(Clone, Debug)]
+pub struct Multipliers {
+    /// λ, without those of freedoms.
+    pub values: Vec<Expr>,
+    /// What joints and drives do.
+    pub actions: Vec<Expr>,
+    /// Determinants and pivots, each with the number that its size has to exceed.
+    pub checks: Vec<[Expr; 2]>,
+}
+
+/// A determinant below one part in so many of its terms is not trusted, nor a pivot below such a part of its row.
+const TRUSTED: i64 = 1 << 16;
+const TRUSTED_PIVOT: i64 = 1 << 10;
+
+/// Blocks of up to this many multipliers are solved by cofactors.
+const BY_COFACTORS: usize = 3;
+
+/// Loads, if there are masses or forces.
+pub(crate) fn loads(model: &Model, system: &System, structure: &Structure, assembly: &Assembly) -> Option<Loads> {
+    let equations = system.loads.as_ref().filter(|_| model.task.is_determined())?;
+    let mut arena = system.arena.clone();
+    let is_square = equations.rows.len() == equations.forces.len() && structure.checked.is_empty() && assembly.is_closed;
+    let closed = is_square.then(|| {
+        at_defaults(model, system, |numeric| {
+            let numbers = numbers(numeric, &mut arena, assembly, equations);
+            Elimination::new(&mut arena, equations, numbers, numeric.size).multipliers()
+        })
+    });
+    let closed = closed.flatten().map(|(mut values, checks)| {
+        let of_joints = equations.rows.iter().filter(|row| !row.is_of_freedom).count();
+        let actions = actions(model, &mut arena, equations, &values);
+        values.truncate(of_joints);
+        Multipliers { values, actions, checks }
+    });
+    let data: Vec<Expr> = (0..equations.rows.len() as u32).map(|number| arena.leaf(crate::expr::Leaf::Datum(number))).collect();
+    let actions = actions(model, &mut arena, equations, &data);
+    Some(Loads { arena, closed, actions })
+}
+
+/// What joints and drives do: for each joint the force at its point and the torque about it, for each drive its power.
+fn actions(model: &Model, arena: &mut Arena, equations: &LoadEquations, multipliers: &[Expr]) -> Vec<Expr> {
+    let mut actions = Vec::new();
+    for (index, joint) in model.joints.iter().enumerate().filter(|(_, joint)| joint.freedom.is_none()) {
+        let own: Vec<(&LoadRow, Expr)> =
+            equations.rows.iter().zip(multipliers.iter().copied()).filter(|(row, _)| row.joint == index).collect();
+        if joint.is_drive {
+            actions.push(less(arena, own.iter().map(|(row, multiplier)| (row.nu, *multiplier))));
+        } else if let Some((body, arm)) = &equations.arms[index] {
+            let columns: Vec<Vec<Expr>> = own.iter().map(|(row, _)| about_point(model.ambient, arena, row, *body, arm)).collect();
+            for k in 0..columns.first().map_or(0, Vec::len) {
+                actions.push(less(arena, columns.iter().zip(&own).map(|(column, (_, multiplier))| (column[k], *multiplier))));
+            }
+        }
+    }
+    actions
+}
+
+/// −Σ a λ
+fn less(arena: &mut Arena, terms: impl Iterator<Item = (Expr, Expr)>) -> Expr {
+    let mut sum = arena.integer(0);
+    for (one, two) in terms {
+        let product = arena.mul(one, two);
+        sum = arena.sub(sum, product);
+    }
+    sum
+}
+
+/// Entries of a row for a body, by the velocity of the joint's point and by the angular velocity.
+fn about_point(ambient: Ambient, arena: &mut Arena, row: &LoadRow, body: usize, arm: &[Expr]) -> Vec<Expr> {
+    let each = each(ambient);
+    let zero = arena.integer(0);
+    let entry = |k: usize| row.jacobian.iter().find(|(speed, _)| *speed == each * body + k).map_or(zero, |(_, entry)| *entry);
+    let mut across = |i: usize, j: usize, torque: usize| {
+        let (left, right) = (arena.mul(arm[i], entry(j)), arena.mul(arm[j], entry(i)));
+        let moment = arena.sub(left, right);
+        arena.sub(entry(torque), moment)
+    };
+    match ambient {
+        Ambient::Plane => vec![entry(0), entry(1), across(0, 1, 2)],
+        Ambient::Space => vec![entry(0), entry(1), entry(2), across(1, 2, 3), across(2, 0, 4), across(0, 1, 5)],
+    }
+}
+
+/// Number of speeds of a body.
+fn each(ambient: Ambient) -> usize {
+    if ambient == Ambient::Space { 6 } else { 3 }
+}
+
+/// Φ_uᵀ where the mechanism is assembled, by speed and multiplier.
+fn numbers(numeric: &Numeric, arena: &mut Arena, assembly: &Assembly, equations: &LoadEquations) -> BTreeMap<(usize, usize), f64> {
+    let system = numeric.system;
+    let orientations = (0..system.frames.len()).flat_map(|body| system.orientation(arena, body)).map(|[value, _, _]| value);
+    let orientations: Vec<Expr> = orientations.collect();
+    let at_start = Values { coordinates: &assembly.start, ..numeric.known };
+    let mut state = assembly.start.clone();
+    state.extend(evaluate(arena, &orientations, &at_start));
+    let places =
+        equations.rows.iter().enumerate().flat_map(|(row, equation)| equation.jacobian.iter().map(move |(speed, _)| (*speed, row)));
+    let entries: Vec<Expr> = equations.rows.iter().flat_map(|row| row.jacobian.iter().map(|(_, entry)| *entry)).collect();
+    places.zip(evaluate(arena, &entries, &Values { coordinates: &state, ..numeric.known })).collect()
+}
+
+/// The equations of the loads under elimination.
+struct Elimination<'a> {
+    arena: &'a mut Arena,
+    /// By speed: entries by multiplier.
+    entries: Vec<BTreeMap<usize, Expr>>,
+    /// −f
+    sides: Vec<Expr>,
+    numbers: Vec<BTreeMap<usize, f64>>,
+    /// Rows and columns without a pivot so far.
+    open: [BTreeSet<usize>; 2],
+    /// Row, column and sign of each pivot ±1.
+    pivots: Vec<(usize, usize, bool)>,
+    /// For each multiplier the power of the characteristic length that makes it comparable with forces.
+    lengths: Vec<f64>,
+    /// Sum of the sizes of each row where the mechanism is assembled.
+    sizes: Vec<f64>,
+    checks: Vec<[Expr; 2]>,
+}
+
+impl<'a> Elimination<'a> {
+    fn new(arena: &'a mut Arena, equations: &LoadEquations, numbers: BTreeMap<(usize, usize), f64>, size: f64) -> Elimination<'a> {
+        let count = equations.forces.len();
+        let (mut entries, mut values) = (vec![BTreeMap::new(); count], vec![BTreeMap::new(); count]);
+        for (column, row) in equations.rows.iter().enumerate() {
+            for (speed, entry) in &row.jacobian {
+                entries[*speed].insert(column, *entry);
+            }
+        }
+        for ((speed, column), value) in numbers {
+            values[speed].insert(column, value);
+        }
+        let length = |row: &LoadRow| match row.dim {
+            dim if dim == Dim::LENGTH => 1.0,
+            dim if dim == Dim::LENGTH.times(Dim::LENGTH) => 1.0 / size,
+            _ => size,
+        };
+        let lengths: Vec<f64> = equations.rows.iter().map(length).collect();
+        let size = |row: &BTreeMap<usize, f64>| row.iter().map(|(column, value)| (value * lengths[*column]).abs()).sum();
+        Elimination {
+            sizes: values.iter().map(size).collect(),
+            sides: equations.forces.iter().map(|force| arena.neg(*force)).collect(),
+            arena,
+            entries,
+            numbers: values,
+            open: [(0..count).collect(), (0..count).collect()],
+            pivots: Vec::new(),
+            lengths,
+            checks: Vec::new(),
+        }
+    }
+
+    /// λ, and the checks of its computation; `None` if the equations do not determine all of them.
+    fn multipliers(mut self) -> Option<(Vec<Expr>, Vec<[Expr; 2]>)> {
+        while let Some((row, column)) = self.next_unit() {
+            self.eliminate(row, column);
+        }
+        let zero = self.arena.integer(0);
+        let mut values = vec![zero; self.lengths.len()];
+        for (rows, columns) in self.blocks()? {
+            self.solve(&rows, &columns, &mut values)?;
+        }
+        for (row, column, is_negative) in self.pivots.clone().into_iter().rev() {
+            let rest = self.rest(row, &[column], &values);
+            values[column] = if is_negative { self.arena.neg(rest) } else { rest };
+        }
+        Some((values, self.checks))
+    }
+
+    /// The entry ±1 whose elimination fills in least.
+    fn next_unit(&self) -> Option<(usize, usize)> {
+        let [rows, columns] = &self.open;
+        let mut held = BTreeMap::<usize, usize>::new();
+        for row in rows {
+            self.entries[*row].keys().for_each(|column| *held.entry(*column).or_default() += 1);
+        }
+        let candidates = rows.iter().flat_map(|row| {
+            let in_row = self.entries[*row].keys().filter(|column| columns.contains(column)).count();
+            let units = self.entries[*row].iter().filter(|(column, entry)| columns.contains(column) && self.is_unit(**entry));
+            units.map(|(column, _)| ((in_row - 1) * (held[column] - 1), *row, *column)).collect::<Vec<_>>()
+        });
+        candidates.min().map(|(_, row, column)| (row, column))
+    }
+
+    fn is_unit(&self, entry: Expr) -> bool {
+        self.arena.as_constant(entry).is_some_and(|value| value.to_f64().abs() == 1.0)
+    }
+
+    /// Eliminates a column from the rows that are left by a pivot ±1.
+    fn eliminate(&mut self, row: usize, column: usize) {
+        let (own, own_numbers, side) = (self.entries[row].clone(), self.numbers[row].clone(), self.sides[row]);
+        let pivot = own_numbers.get(&column).copied().unwrap_or(1.0);
+        let is_negative = self.arena.as_constant(own[&column]).is_some_and(|value| value.to_f64() < 0.0);
+        self.open[0].remove(&row);
+        self.open[1].remove(&column);
+        self.pivots.push((row, column, is_negative));
+        for other in self.open[0].clone() {
+            let Some(entry) = self.entries[other].remove(&column) else { continue };
+            let number = self.numbers[other].remove(&column).unwrap_or(0.0);
+            let factor = if is_negative { entry } else { self.arena.neg(entry) };
+            for (at, entry) in own.iter().filter(|(at, _)| **at != column) {
+                let (zero, product) = (self.arena.integer(0), self.arena.mul(factor, *entry));
+                let sum = self.entries[other].get(at).copied().unwrap_or(zero);
+                let sum = self.arena.add(sum, product);
+                if sum == zero {
+                    self.entries[other].remove(at);
+                    self.numbers[other].remove(at);
+                } else {
+                    self.entries[other].insert(*at, sum);
+                    *self.numbers[other].entry(*at).or_insert(0.0) -= number / pivot * own_numbers.get(at).copied().unwrap_or(0.0);
+                }
+            }
+            let product = self.arena.mul(factor, side);
+            self.sides[other] = self.arena.add(self.sides[other], product);
+        }
+    }
+
+    /// Rows and columns of each block of what is left, in the order of solution.
+    fn blocks(&self) -> Option<Vec<(Vec<usize>, Vec<usize>)>> {
+        let rows: Vec<usize> = self.open[0].iter().copied().collect();
+        let entries = |row: &usize| self.entries[*row].keys().map(|column| Entry { unknown: *column, is_pivot: false }).collect();
+        let pattern = Pattern { unknowns: self.lengths.len(), rows: rows.iter().map(entries).collect() };
+        let matching = maximum(&pattern);
+        if !matching.free_equations().is_empty() {
+            return None;
+        }
+        let block = |group: Vec<usize>| {
+            let columns: Option<Vec<usize>> = group.iter().map(|row| matching.of_equation[*row]).collect();
+            Some((group.into_iter().map(|row| rows[row]).collect(), columns?))
+        };
+        components_in_order(&pattern, &matching).into_iter().map(block).collect()
+    }
+
+    /// The right-hand side of a row, less its terms with other multipliers than `own`.
+    fn rest(&mut self, row: usize, own: &[usize], values: &[Expr]) -> Expr {
+        let mut rest = self.sides[row];
+        for (column, entry) in self.entries[row].clone() {
+            if !own.contains(&column) {
+                let product = self.arena.mul(entry, values[column]);
+                rest = self.arena.sub(rest, product);
+            }
+        }
+        rest
+    }
+
+    /// Solves a block.
+    fn solve(&mut self, rows: &[usize], columns: &[usize], values: &mut [Expr]) -> Option<()> {
+        let zero = self.arena.integer(0);
+        let sides: Vec<Expr> = rows.iter().map(|row| self.rest(*row, columns, values)).collect();
+        let entry = |row: &usize, column: &usize| self.entries[*row].get(column).copied().unwrap_or(zero);
+        let matrix: Vec<Vec<Expr>> = rows.iter().map(|row| columns.iter().map(|column| entry(row, column)).collect()).collect();
+        let found = if let ([row], [column]) = (rows, columns) {
+            vec![self.by_pivot(*row, *column, matrix[0][0], sides[0])]
+        } else if rows.len() <= BY_COFACTORS {
+            self.by_cofactors(&matrix, &sides)
+        } else {
+            let number = |row: &usize, column: &usize| self.numbers[*row].get(column).copied().unwrap_or(0.0) * self.lengths[*column];
+            let numbers: Vec<Vec<f64>> = rows.iter().map(|row| columns.iter().map(|column| number(row, column)).collect()).collect();
+            let order = order(&numbers, |row, column| matrix[row][column] == zero)?;
+            let lengths: Vec<f64> = columns.iter().map(|column| self.lengths[*column]).collect();
+            let lengths: Vec<Expr> = lengths.into_iter().map(|length| super::power_of_two(self.arena, length)).collect();
+            let mut work = SparseRows::new(self.arena, &matrix, sides, &lengths, TRUSTED_PIVOT);
+            let checks: Vec<[Expr; 2]> = order.iter().map(|(row, column)| work.eliminate(*row, *column, &lengths)).collect();
+            let found = work.solution(None, columns.len());
+            self.checks.extend(checks.into_iter().map(|[pivot, least]| [self.arena.unary(Unary::Abs, pivot), least]));
+            found
+        };
+        columns.iter().zip(found).for_each(|(column, value)| values[*column] = value);
+        Some(())
+    }
+
+    /// b/a, a being compared with its row where the mechanism is assembled.
+    fn by_pivot(&mut self, row: usize, column: usize, pivot: Expr, side: Expr) -> Expr {
+        if self.arena.as_constant(pivot).is_none() {
+            let least = self.sizes[row] / self.lengths[column] / TRUSTED as f64;
+            let check = [self.arena.unary(Unary::Abs, pivot), super::power_of_two(self.arena, least)];
+            self.checks.push(check);
+        }
+        self.arena.div(side, pivot)
+    }
+
+    /// A⁻¹ b of two or three rows.
+    fn by_cofactors(&mut self, matrix: &[Vec<Expr>], sides: &[Expr]) -> Vec<Expr> {
+        let count = sides.len();
+        let cofactor = |arena: &mut Arena, row: usize, column: usize| {
+            let rest = |without: usize| (0..count).filter(move |k| *k != without).collect::<Vec<_>>();
+            let minor = determinant(arena, matrix, &rest(row), &rest(column));
+            if (row + column).is_multiple_of(2) { minor } else { [arena.neg(minor[0]), minor[1]] }
+        };
+        let zero = self.arena.integer(0);
+        let adjugate: Vec<Vec<[Expr; 2]>> =
+            (0..count).map(|column| (0..count).map(|row| cofactor(self.arena, row, column)).collect()).collect();
+        let [mut whole, mut terms] = [zero; 2];
+        for (column, entry) in matrix[0].iter().enumerate() {
+            let product = self.arena.mul(*entry, adjugate[column][0][0]);
+            whole = self.arena.add(whole, product);
+            let size = self.arena.unary(Unary::Abs, *entry);
+            let product = self.arena.mul(size, adjugate[column][0][1]);
+            terms = self.arena.add(terms, product);
+        }
+        if self.arena.as_constant(whole).is_none() {
+            let trusted = self.arena.integer(TRUSTED);
+            let (size, least) = (self.arena.unary(Unary::Abs, whole), self.arena.div(terms, trusted));
+            self.checks.push([size, least]);
+        }
+        let one = self.arena.integer(1);
+        let inverse = self.arena.div(one, whole);
+        let value = |row: &Vec<[Expr; 2]>| {
+            let mut sum = zero;
+            for (factor, side) in row.iter().zip(sides) {
+                let product = self.arena.mul(factor[0], *side);
+                sum = self.arena.add(sum, product);
+            }
+            self.arena.mul(sum, inverse)
+        };
+        adjugate.iter().map(value).collect()
+    }
+}
+
+/// Determinant of up to two rows, and the sum of the sizes of its terms.
+fn determinant(arena: &mut Arena, matrix: &[Vec<Expr>], rows: &[usize], columns: &[usize]) -> [Expr; 2] {
+    match (rows, columns) {
+        (&[row], &[column]) => [matrix[row][column], arena.unary(Unary::Abs, matrix[row][column])],
+        (&[a, b], &[c, d]) => {
+            let (left, right) = (arena.mul(matrix[a][c], matrix[b][d]), arena.mul(matrix[a][d], matrix[b][c]));
+            let sizes = [left, right].map(|product| arena.unary(Unary::Abs, product));
+            [arena.sub(left, right), arena.add(sizes[0], sizes[1])]
+        }
+        _ => [arena.integer(1); 2],
+    }
+}

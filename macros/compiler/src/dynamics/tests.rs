@@ -1,0 +1,109 @@
+//! Loads in closed form against a dense solution of the same equations.
+
+use crate::compile;
+use crate::expr::{Leaf, Substitution, Values, evaluate};
+use crate::linear::dense;
+use crate::numeric::at_defaults;
+
+/// A four-bar with masses.
+const FOUR_BAR: &str = "mechanism FourBar {
+    gravity = (0, -9.81m_s2);
+    ground { point D = (4m, 0m); }
+    body crank   { point B = (1m, 0m);    mass = 1kg;    center = (0.5m, 0.1m);   inertia = 0.1kgm2; }
+    body coupler { point C = (3.5m, 0m);  mass = 3.5kg;  center = (1.75m, -0.2m);  inertia = 4kgm2;  start angle = 60deg; }
+    body rocker  { point C = (3m, 0m);    mass = 3kg;    center = (1.5m, 0m);   inertia = 2kgm2;  start angle = 100deg; }
+    joint a = revolute(ground.position, crank.position);
+    joint b = revolute(crank.B, coupler.position);
+    joint c = revolute(coupler.C, rocker.C);
+    joint d = revolute(rocker.position, ground.D);
+    DRIVEN
+}";
+
+/// A plate on three legs with a driven crank each: the forces of all legs follow from each other.
+const PLATE: &str = "mechanism Plate {
+    gravity = (0, -9.81m_s2);
+    body plate { point A = (-1m, -0.6m);  point B = (1m, -0.6m);  point C = (0m, 1.2m);  mass = 2kg;  inertia = 1kgm2;  start angle = 5deg; }
+    body one   { point E = (1.5m, 0m);  mass = 1kg;  inertia = 0.3kgm2; }
+    body two   { point E = (1.5m, 0m);  mass = 1kg;  inertia = 0.3kgm2; }
+    body three { point E = (1.5m, 0m);  mass = 1kg;  inertia = 0.3kgm2; }
+    body leg_1 { point E = (1.6m, 0m);  mass = 0.5kg;  center = (0.8m, 0m);  inertia = 0.2kgm2;  start angle = 100deg; }
+    body leg_2 { point E = (1.6m, 0m);  mass = 0.5kg;  center = (0.8m, 0m);  inertia = 0.2kgm2;  start angle = -140deg; }
+    body leg_3 { point E = (1.6m, 0m);  mass = 0.5kg;  center = (0.8m, 0m);  inertia = 0.2kgm2;  start angle = -30deg; }
+    joint o1 = revolute((-3m, -2m), one.position);
+    joint o2 = revolute((3m, -2m), two.position);
+    joint o3 = revolute((0m, 3.5m), three.position);
+    joint k1 = revolute(one.E, leg_1.position);
+    joint k2 = revolute(two.E, leg_2.position);
+    joint k3 = revolute(three.E, leg_3.position);
+    joint p1 = revolute(leg_1.E, plate.A);
+    joint p2 = revolute(leg_2.E, plate.B);
+    joint p3 = revolute(leg_3.E, plate.C);
+    drive turn_1 = drive_angle(one, 20deg + 5deg * sin(1rad_s * t));
+    drive turn_2 = drive_angle(two, 120deg);
+    drive turn_3 = drive_angle(three, 200deg);
+}";
+
+/// Evaluates loads at the assembled pose, with rates and accelerations that no motion has.
+fn agrees(declaration: &str) {
+    let compiled = compile(declaration.parse().expect("tokens")).expect("a valid mechanism");
+    let (system, code) = (&compiled.system, compiled.plan.loads.as_ref().expect("loads"));
+    let closed = code.closed.as_ref().expect("a closed form");
+    let equations = system.loads.as_ref().expect("equations");
+    let width = system.coordinates.len();
+    let speeds: Vec<f64> = (0..width).map(|k| (1.3 * k as f64).sin()).collect();
+    let accelerations: Vec<f64> = (0..width).map(|k| 3.0 * (0.7 * k as f64).cos()).collect();
+    at_defaults(&compiled.model, system, |numeric| {
+        let state = Values { coordinates: &compiled.assembly.start, speeds: &speeds, accelerations: &accelerations, ..numeric.known };
+        let found = evaluate(&code.arena, &closed.results, &state);
+        let (multipliers, rest) = found.split_at(code.multipliers);
+        let (actions, checks) = rest.split_at(code.width);
+        assert!(checks.chunks(2).all(|pair| pair[0] > pair[1]), "{checks:?}");
+        // Freedoms do nothing: with any accelerations their multipliers take up what is left.
+        let count = equations.forces.len();
+        let mut matrix = vec![vec![0.0; count]; count];
+        for (column, row) in equations.rows.iter().enumerate() {
+            let entries: Vec<_> = row.jacobian.iter().map(|(_, entry)| *entry).collect();
+            for ((speed, _), value) in row.jacobian.iter().zip(evaluate(&system.arena, &entries, &state)) {
+                matrix[*speed][column] = value;
+            }
+        }
+        let right: Vec<f64> = evaluate(&system.arena, &equations.forces, &state).iter().map(|force| -force).collect();
+        let wanted = dense::solve(matrix, &right).expect("a regular pose");
+        let size = wanted.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
+        for (found, wanted) in multipliers.iter().zip(&wanted) {
+            assert!((found - wanted).abs() < 1e-12 * size, "{found} {wanted}");
+        }
+        // What joints do, from multipliers as data.
+        let (mut arena, mut given) = (code.arena.clone(), Substitution::new());
+        for (number, multiplier) in closed.results[..code.multipliers].iter().enumerate() {
+            given.replace(Leaf::Datum(number as u32), *multiplier);
+        }
+        let from_data: Vec<_> = code.actions.results.iter().map(|result| given.of(&mut arena, *result)).collect();
+        for (found, wanted) in actions.iter().zip(evaluate(&arena, &from_data, &state)) {
+            assert!((found - wanted).abs() < 1e-12 * size, "{found} {wanted}");
+        }
+    });
+}
+
+#[test]
+fn loads_of_a_driven_loop_agree_with_a_dense_solution() {
+    agrees(&FOUR_BAR.replace("DRIVEN", "drive motor = drive_angle(crank, 0.4rad + 1rad_s * t);"));
+}
+
+#[test]
+fn loads_of_a_free_loop_agree_with_a_dense_solution() {
+    agrees(&FOUR_BAR.replace("DRIVEN", "freedom swing = crank.angle from 0.4rad;"));
+}
+
+#[test]
+fn loads_of_a_large_block_agree_with_a_dense_solution() {
+    agrees(PLATE);
+}
+
+#[test]
+fn redundant_joints_leave_no_closed_form() {
+    let text = FOUR_BAR.replace("DRIVEN", "drive motor = drive_angle(crank, 0.4rad + 1rad_s * t);");
+    let text = text.replace("drive motor", "redundant joint e = revolute(ground.D, rocker.position); drive motor");
+    let compiled = compile(text.parse().expect("tokens")).expect("a valid mechanism");
+    assert!(compiled.plan.loads.expect("loads").closed.is_none());
+}

@@ -1,0 +1,133 @@
+//! The equations of the loads, by the speeds of the bodies.
+//!
+//! ```text
+//! Φ_uᵀ λ = −f      f = M u̇ − Q
+//! ```
+//!
+//! Leaves are the entries of a state: in space those of the rotation matrices, ω and ω̇ stand behind the unknowns.
+
+use super::{COSINES, Equation, declared, dynamics};
+use crate::expr::{Arena, Expr, Leaf, Mark, Node, combination};
+use crate::model::Model;
+use crate::quantity::Dim;
+use std::collections::HashMap;
+
+/// What forces and masses leave to joints and drives.
+#[derive(Clone, Debug)]
+pub struct LoadEquations {
+    /// f, by speed of the bodies.
+    pub forces: Vec<Expr>,
+    /// Equations of joints and drives in the order of λ, then those of freedoms.
+    pub rows: Vec<LoadRow>,
+    /// For each joint the body on which its load is stated, and the arm of its point there.
+    pub arms: Vec<Option<(usize, Vec<Expr>)>>,
+}
+
+/// An equation by the speeds of the bodies.
+#[derive(Clone, Debug)]
+pub struct LoadRow {
+    /// Index of its joint in the model.
+    pub joint: usize,
+    /// Dimension of Φ.
+    pub dim: Dim,
+    /// Entries of Φ_u that are not identically zero, by speed.
+    pub jacobian: Vec<(usize, Expr)>,
+    /// ν
+    pub nu: Expr,
+    /// True if it belongs to a freedom.
+    pub is_of_freedom: bool,
+}
+
+impl LoadEquations {
+    /// In the declared coordinates; `None` if there is neither a mass nor a force.
+    pub(super) fn declared(model: &Model, arena: &mut Arena) -> Option<LoadEquations> {
+        let forces = dynamics::unbalanced(model, arena)?;
+        let rows = rows(declared::equations(model, arena).iter());
+        Some(LoadEquations { forces, rows, arms: arms(model, arena) })
+    }
+
+    /// In the plane, where the declared coordinates are the unknowns.
+    pub(super) fn in_plane<'a>(model: &Model, arena: &mut Arena, equations: impl Iterator<Item = &'a Equation>) -> Option<LoadEquations> {
+        let forces = dynamics::unbalanced(model, arena)?;
+        let is_pin = |equation: &Equation| equation.row >= model.joints[equation.joint].residuals.len();
+        Some(LoadEquations { forces, rows: rows(equations.filter(|equation| !is_pin(equation))), arms: arms(model, arena) })
+    }
+
+    /// Every expression, as `of` writes it.
+    pub(super) fn map(mut self, mut of: impl FnMut(Expr) -> Expr) -> LoadEquations {
+        let rows = self.rows.iter_mut().flat_map(|row| row.jacobian.iter_mut().map(|(_, entry)| entry).chain([&mut row.nu]));
+        let arms = self.arms.iter_mut().flatten().flat_map(|(_, arm)| arm);
+        self.forces.iter_mut().chain(rows).chain(arms).for_each(|expr| *expr = of(*expr));
+        self
+    }
+
+    /// In space, with vectors of bodies by the entries of rotation matrices, ω and ω̇ as a state holds them behind its unknowns.
+    pub(super) fn by_state(self, arena: &mut Arena, frames: &[usize], unknowns: usize) -> LoadEquations {
+        let mut known = HashMap::new();
+        for (body, frame) in frames.iter().enumerate() {
+            let frame = arena.frame(*frame);
+            let [velocity, acceleration] = [frame.velocity, frame.acceleration];
+            for axis in 0..3 {
+                let number = (unknowns + COSINES * body + axis) as u32;
+                for (expr, leaf) in [(velocity[axis], Leaf::Speed(number)), (acceleration[axis], Leaf::Acceleration(number))] {
+                    if arena.as_constant(expr).is_none() {
+                        let leaf = arena.leaf(leaf);
+                        known.entry(expr).or_insert(leaf);
+                    }
+                }
+            }
+        }
+        self.map(|root| {
+            let whole = |node: &Node| matches!(node, Node::Marked { mark: Mark::Turned { .. }, .. });
+            for expr in arena.reachable_above(&[root], whole) {
+                if known.contains_key(&expr) {
+                    continue;
+                }
+                let node = *arena.node(expr);
+                let new = match node {
+                    Node::Marked { mark: Mark::Turned { vector, axis }, value } => {
+                        turned(arena, frames, unknowns, vector, usize::from(axis))
+                            .unwrap_or_else(|| arena.plain(value, &mut HashMap::new()))
+                    }
+                    Node::Marked { value, .. } => known[&value],
+                    _ => {
+                        let children: Vec<Expr> = node.children().map(|child| known[&child]).collect();
+                        arena.with_children(expr, &children)
+                    }
+                };
+                known.insert(expr, new);
+            }
+            known[&root]
+        })
+    }
+}
+
+/// A component of a vector fixed in a body, by the entries of its rotation matrix; `None` if the frame is no body's.
+fn turned(arena: &mut Arena, frames: &[usize], unknowns: usize, vector: u32, axis: usize) -> Option<Expr> {
+    let (frame, local) = arena.vector(vector);
+    let body = frames.iter().position(|own| *own == frame)?;
+    let columns =
+        [0, 1, 2].map(|column| [0, 1, 2].map(|row| arena.leaf(Leaf::Coordinate((unknowns + COSINES * body + 3 * row + column) as u32))));
+    Some(combination(arena, local, columns)[axis])
+}
+
+fn rows<'a>(equations: impl Iterator<Item = &'a Equation>) -> Vec<LoadRow> {
+    let row = |equation: &Equation| LoadRow {
+        joint: equation.joint,
+        dim: equation.dim,
+        jacobian: equation.jacobian.clone(),
+        nu: equation.nu,
+        is_of_freedom: equation.is_initial,
+    };
+    let mut rows: Vec<LoadRow> = equations.map(row).collect();
+    rows.sort_by_key(|row| (row.is_of_freedom, row.joint));
+    rows
+}
+
+fn arms(model: &Model, arena: &mut Arena) -> Vec<Option<(usize, Vec<Expr>)>> {
+    let arms = model.joints.iter().map(|joint| {
+        let (body, local) = joint.place.as_ref()?;
+        Some((*body, dynamics::arm(model, arena, *body, local)))
+    });
+    arms.collect()
+}
