@@ -334,7 +334,7 @@ mechanism! {
 
 #[test]
 fn loads_follow_changed_parameters() {
-    let (earth, moon) = (Elsewhere::default(), Elsewhere { g: 1.62, ..Elsewhere::default() });
+    let (earth, moon) = (Elsewhere::default(), Elsewhere { g: 1.62 });
     let state = earth.initial_state().expect("a state");
     for (mechanism, g) in [(&earth, 9.81), (&moon, 1.62)] {
         // At rest the pin carries the part of the weight along the rod; the other part accelerates the mass.

@@ -57,7 +57,7 @@ pub(crate) fn loads(model: &Model, system: &System, structure: &Structure, assem
     let closed = is_square.then(|| {
         at_defaults(model, system, |numeric| {
             let numbers = numbers(numeric, &mut arena, assembly, equations);
-            Elimination::new(&mut arena, equations, numbers, numeric.size).multipliers()
+            LoadMatrix::new(&mut arena, equations, numbers, numeric.size).multipliers()
         })
     });
     let closed = closed.flatten().map(|(mut values, checks)| {
@@ -135,7 +135,7 @@ fn numbers(numeric: &Numeric, arena: &mut Arena, assembly: &Assembly, equations:
 }
 
 /// The equations of the loads under elimination.
-struct Elimination<'a> {
+struct LoadMatrix<'a> {
     arena: &'a mut Arena,
     /// By speed: entries by multiplier.
     entries: Vec<BTreeMap<usize, Expr>>,
@@ -153,8 +153,8 @@ struct Elimination<'a> {
     checks: Vec<[Expr; 2]>,
 }
 
-impl<'a> Elimination<'a> {
-    fn new(arena: &'a mut Arena, equations: &LoadEquations, numbers: BTreeMap<(usize, usize), f64>, size: f64) -> Elimination<'a> {
+impl<'a> LoadMatrix<'a> {
+    fn new(arena: &'a mut Arena, equations: &LoadEquations, numbers: BTreeMap<(usize, usize), f64>, size: f64) -> LoadMatrix<'a> {
         let count = equations.forces.len();
         let (mut entries, mut values) = (vec![BTreeMap::new(); count], vec![BTreeMap::new(); count]);
         for (column, row) in equations.rows.iter().enumerate() {
@@ -172,7 +172,7 @@ impl<'a> Elimination<'a> {
         };
         let lengths: Vec<f64> = equations.rows.iter().map(length).collect();
         let size = |row: &BTreeMap<usize, f64>| row.iter().map(|(column, value)| (value * lengths[*column]).abs()).sum();
-        Elimination {
+        LoadMatrix {
             sizes: values.iter().map(size).collect(),
             sides: equations.forces.iter().map(|force| arena.neg(*force)).collect(),
             arena,
