@@ -66,3 +66,13 @@ pub fn ring(centre: &Vector3<f64>, axis: &Vector3<f64>, radius: f64) -> Vec<Plac
     let two = axis.cross(&one).normalize();
     steps(0.0, TAU, 72).map(|angle| seen(&(centre + (one * angle.cos() + two * angle.sin()) * radius))).collect()
 }
+
+/// Places and weights for an integral from `from` to `to` by Gauss and Legendre: exact for polynomials up to the ninth degree.
+pub fn gauss(from: f64, to: f64) -> [(f64, f64); 5] {
+    let (middle, half) = ((from + to) / 2.0, (to - from) / 2.0);
+    let (root, part) = (2.0 * (10.0_f64 / 7.0).sqrt(), 13.0 * 70.0_f64.sqrt());
+    let [inner, outer] = [5.0 - root, 5.0 + root].map(|square| square.sqrt() / 3.0);
+    let [heavy, light] = [322.0 + part, 322.0 - part].map(|weight| weight / 900.0);
+    [(-outer, light), (-inner, heavy), (0.0, 128.0 / 225.0), (inner, heavy), (outer, light)]
+        .map(|(at, weight)| (middle + half * at, half * weight))
+}
