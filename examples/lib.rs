@@ -5,8 +5,8 @@
 
 use std::f64::consts::TAU;
 
-use reuleaux::PlanarBody;
 use reuleaux::nalgebra::Vector3;
+use reuleaux::{PlanarBody, SpatialBody};
 
 mod drawing;
 
@@ -75,4 +75,15 @@ pub fn gauss(from: f64, to: f64) -> [(f64, f64); 5] {
     let [heavy, light] = [322.0 + part, 322.0 - part].map(|weight| weight / 900.0);
     [(-outer, light), (-inner, heavy), (0.0, 128.0 / 225.0), (inner, heavy), (outer, light)]
         .map(|(at, weight)| (middle + half * at, half * weight))
+}
+
+/// A bevel gear by its pitch cone: the circle at its back, `back` from the common apex in the frame of the body, and lines towards the apex.
+pub fn bevel(scene: &mut Scene, ink: Ink, body: &SpatialBody<f64>, back: Vector3<f64>, radius: f64, teeth: u32) {
+    let (height, axis) = (body.vector(back).value, back.abs().normalize());
+    scene.surface(ink, ring(&height, &body.vector(axis).value, radius));
+    let other = axis.cross(&Vector3::z());
+    for angle in steps(0.0, TAU * f64::from(teeth - 1) / f64::from(teeth), teeth - 1) {
+        let rim = body.point((other * angle.cos() + Vector3::z() * angle.sin()) * radius).value + height;
+        scene.line(ink, [seen(&rim), seen(&(rim * 0.7))]);
+    }
 }
