@@ -248,7 +248,7 @@ fn picture(cycle: &Cycle, load: f64, runs: &[(f64, [f64; 2], Vec<Look>)]) -> Res
     let m = Driven::default();
     let shown = m.solve(400_f64.to_radians() / m.speed)?;
     draw(&mut scene, &shown);
-    let over = |of: fn(&Look) -> f64| cycle.looks.iter().map(move |look| (look.angle.to_degrees(), of(look)));
+    let over = |of: fn(&Look) -> f64| cycle.looks.iter().skip(2).step_by(5).map(move |look| (look.angle.to_degrees(), of(look)));
     let speed = |run: usize| runs[run].2.iter().map(|look| (look.angle.to_degrees(), look.speed * 60.0 / TAU)).collect::<Vec<_>>();
     let closed = |look: &Look| (look.angle.to_degrees(), look.closed * 60.0 / TAU);
     let work = cycle.looks.iter().step_by(25).map(|look| (look.angle.to_degrees(), look.closed));
