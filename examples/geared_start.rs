@@ -5,8 +5,8 @@
 //!                 18 ┘──── 54 drum           i = (60/20) (54/18) = 9
 //! ```
 //!
-//! Seen from the motor, every inertia counts by the square of its ratio. With a motor whose torque falls in a line with its speed, and a load
-//! that does not change,
+//! Seen from the motor, every inertia counts by the square of its ratio. With a motor whose torque falls in a line with its speed, and a
+//! load that does not change,
 //!
 //! ```text
 //! J = J₁ + J₂/3² + J₃/9²          T = T₀ (1 − φ̇/ω₀) − T_L/9          φ̈ = T/J
@@ -16,7 +16,8 @@
 //!
 //! What two teeth do to each other is found by cutting the train at their mesh: N = (T₀ (1 − φ̇/ω₀) − J₁ φ̈) / r_b. The mesh is declared
 //! here as what involutes do: base circles that wind a taut line off and on, wherever their centres are. Its multiplier is N, the force
-//! acts along that line, 20° from the tangent, and the bearings carry it. (The library's `gear_pair` relates angles, and so transmits torques.)
+//! acts along that line, 20° from the tangent, and the bearings carry it. (The library's `gear_pair` relates angles alone: no bearing
+//! takes notice.)
 //!
 //! Source: R. G. Budynas and J. K. Nisbett, Shigley's Mechanical Engineering Design, gears (force analysis), and the law of gearing.
 

@@ -77,7 +77,7 @@ pub fn gauss(from: f64, to: f64) -> [(f64, f64); 5] {
         .map(|(at, weight)| (middle + half * at, half * weight))
 }
 
-/// A bevel gear by its pitch cone: the circle at its back, `back` from the common apex in the frame of the body, and lines towards the apex.
+/// A bevel gear by its pitch cone: the circle at its back, `back` (m) from the common apex in its frame, and lines towards the apex.
 pub fn bevel(scene: &mut Scene, ink: Ink, body: &SpatialBody<f64>, back: Vector3<f64>, radius: f64, teeth: u32) {
     let (height, axis) = (body.vector(back).value, back.abs().normalize());
     scene.surface(ink, ring(&height, &body.vector(axis).value, radius));
