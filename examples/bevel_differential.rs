@@ -23,7 +23,7 @@ use std::f64::consts::TAU;
 
 use reuleaux::nalgebra::Vector3;
 use reuleaux::{SpatialBody, mechanism};
-use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, ring, seen, steps};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, bevel, largest_difference, seen, steps};
 
 mechanism! {
     /// A differential whose cage turns steadily while the car drives into a bend, through it, and out.
@@ -142,21 +142,11 @@ fn picture(m: &Differential, bend: &[State]) -> Plate {
         )
 }
 
-/// Pitch cones: each gear by the circle at its back and lines to the common apex.
 fn draw(scene: &mut Scene, state: &State) {
-    let cone = |scene: &mut Scene, ink: Ink, body: SpatialBody<f64>, axis: Vector3<f64>, height: f64, radius: f64, teeth: u32| {
-        let back = body.vector(axis).value * height;
-        scene.surface(ink, ring(&back, &body.vector(axis).value, radius));
-        let other = axis.cross(&Vector3::z());
-        for angle in steps(0.0, TAU * f64::from(teeth - 1) / f64::from(teeth), teeth - 1) {
-            let rim = body.point((other * angle.cos() + Vector3::z() * angle.sin()) * radius).value + back;
-            scene.line(ink, [seen(&rim), seen(&(rim * 0.7))]);
-        }
-    };
     let (x, y) = (Vector3::x(), Vector3::y());
-    cone(scene, Ink::Second, state.left(), y, RADII[0], RADII[1], 16);
-    cone(scene, Ink::Input, state.planet(), x, RADII[1], RADII[0], 10);
-    cone(scene, Ink::Output, state.right(), y, -RADII[0], RADII[1], 16);
+    bevel(scene, Ink::Second, &state.left(), y * RADII[0], RADII[1], 16);
+    bevel(scene, Ink::Input, &state.planet(), x * RADII[1], RADII[0], 10);
+    bevel(scene, Ink::Output, &state.right(), -y * RADII[0], RADII[1], 16);
     let [left, right] = [1.0, -1.0].map(|side| [y * side * RADII[0], y * side * 0.09].map(|place| seen(&place)));
     scene.link(Ink::Second, &left).link(Ink::Output, &right);
     scene.name(left[1], "left", [0.0, 18.0]).name(right[1], "right", [0.0, -18.0]);

@@ -5,8 +5,8 @@
 
 use std::f64::consts::TAU;
 
-use reuleaux::PlanarBody;
 use reuleaux::nalgebra::Vector3;
+use reuleaux::{PlanarBody, SpatialBody};
 
 mod drawing;
 
@@ -65,4 +65,25 @@ pub fn ring(centre: &Vector3<f64>, axis: &Vector3<f64>, radius: f64) -> Vec<Plac
     let one = axis.cross(&other).normalize();
     let two = axis.cross(&one).normalize();
     steps(0.0, TAU, 72).map(|angle| seen(&(centre + (one * angle.cos() + two * angle.sin()) * radius))).collect()
+}
+
+/// Places and weights for an integral from `from` to `to` by Gauss and Legendre: exact for polynomials up to the ninth degree.
+pub fn gauss(from: f64, to: f64) -> [(f64, f64); 5] {
+    let (middle, half) = ((from + to) / 2.0, (to - from) / 2.0);
+    let (root, part) = (2.0 * (10.0_f64 / 7.0).sqrt(), 13.0 * 70.0_f64.sqrt());
+    let [inner, outer] = [5.0 - root, 5.0 + root].map(|square| square.sqrt() / 3.0);
+    let [heavy, light] = [322.0 + part, 322.0 - part].map(|weight| weight / 900.0);
+    [(-outer, light), (-inner, heavy), (0.0, 128.0 / 225.0), (inner, heavy), (outer, light)]
+        .map(|(at, weight)| (middle + half * at, half * weight))
+}
+
+/// A bevel gear by its pitch cone: the circle at its back, `back` (m) from the common apex in its frame, and lines towards the apex.
+pub fn bevel(scene: &mut Scene, ink: Ink, body: &SpatialBody<f64>, back: Vector3<f64>, radius: f64, teeth: u32) {
+    let (height, axis) = (body.vector(back).value, back.abs().normalize());
+    scene.surface(ink, ring(&height, &body.vector(axis).value, radius));
+    let other = axis.cross(&Vector3::z());
+    for angle in steps(0.0, TAU * f64::from(teeth - 1) / f64::from(teeth), teeth - 1) {
+        let rim = body.point((other * angle.cos() + Vector3::z() * angle.sin()) * radius).value + height;
+        scene.line(ink, [seen(&rim), seen(&(rim * 0.7))]);
+    }
 }

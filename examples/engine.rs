@@ -1,0 +1,287 @@
+//! A four-stroke engine: what its gas does to crank, pins and flywheel.
+//!
+//! ```text
+//!       A            rod
+//!      (o)───────────────────┐        ══════════════ cylinder
+//! crank /                 [  B  ]◀── p A              p: a table over two turns
+//!     (o)                             ══════════════
+//!  ════O════ flywheel J               OA = r, AB = l
+//! ```
+//!
+//! At constant speed the torque of the crank changes from one degree to the next; its mean is the work of the gas by 4π. Let run against
+//! that mean as its load, the engine goes faster and slower as its energy says,
+//!
+//! ```text
+//! ½ J(φ) φ̇² + V(φ) = ½ J(0) φ̇(0)² + ∫ (torque of the gas − load) dφ      J: flywheel, rod and piston; V: the rod's weight
+//! ```
+//!
+//! and its coefficient of fluctuation is (ω_max − ω_min) / ω = ΔE / (J ω²), if rod and piston are light against the flywheel. ΔE is the
+//! most that the torque at constant speed brings beyond its mean, from the lowest point of its integral to the highest.
+//!
+//! Source: R. L. Norton, Design of Machinery, chapters 11 (flywheel) and 13 (gas force, pin forces); the table is an ideal cycle's.
+
+use std::error::Error;
+use std::f64::consts::{PI, TAU};
+
+use reuleaux::nalgebra::Vector2;
+use reuleaux::{Integrator, mechanism};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, gauss, largest_difference, place, polar, rectangle};
+
+/// The engine with what makes it turn: a drive, or a freedom and a load.
+macro_rules! engine {
+    ($(#[$doc:meta])* $name:ident, $($motion:tt)*) => {
+        mechanism! {
+            $(#[$doc])*
+            pub mechanism $name {
+                param speed: AngularVelocity = 1500rpm;
+                param flywheel: Inertia = 0.4kgm2;
+                param load: Torque = 0Nm;
+
+                gravity = (0, -9.81m_s2);
+                let area = pi * (80mm)^2 / 4;
+                let pressure = table(crank.angle, [
+                    (0deg, 0.05bar), (30deg, -0.1bar), (90deg, -0.1bar), (150deg, -0.08bar), (180deg, -0.07bar), (210deg, -0.01bar),
+                    (240deg, 0.19bar), (270deg, 0.74bar), (300deg, 2.33bar), (320deg, 5.2bar), (330deg, 7.8bar), (340deg, 11.5bar),
+                    (350deg, 16.2bar), (360deg, 26.9bar), (370deg, 41.7bar), (380deg, 45.7bar), (390deg, 37.2bar), (400deg, 26.7bar),
+                    (410deg, 19bar), (420deg, 13.9bar), (430deg, 10.6bar), (450deg, 6.8bar), (480deg, 4.3bar), (500deg, 3.5bar),
+                    (520deg, 2.2bar), (540deg, 1.1bar), (560deg, 0.5bar), (590deg, 0.15bar), (630deg, 0.1bar), (690deg, 0.1bar),
+                    (720deg, 0.05bar)
+                ], periodic);
+
+                ground { axis bore = (1, 0); }
+                body crank  { point A = (45mm, 0mm);  mass = 8kg;  inertia = flywheel; }
+                body rod    { point B = (150mm, 0mm);  mass = 0.6kg;  center = (50mm, 0mm);  inertia = 0.002kgm2; }
+                body piston { mass = 0.5kg; }
+                joint main = revolute(ground.position, crank.position);
+                joint big_end = revolute(crank.A, rod.position);
+                joint small_end = revolute(rod.B, piston.position);
+                joint guide = translational(ground.bore, ground.position, piston.position);
+                force gas = { at piston.position: (-pressure * area, 0N); }
+                force brake = { on crank: -load; }
+                $($motion)*
+
+                output pressure = pressure;
+            }
+        }
+    };
+}
+
+engine! {
+    /// An engine that turns steadily.
+    Driven, drive motor = drive_angle(crank, speed * t);
+}
+engine! {
+    /// An engine that its gas keeps running.
+    Free, freedom turn = crank.angle from 0deg at speed;
+}
+
+/// Length of crank and rod (m).
+const R: f64 = 0.045;
+const L: f64 = 0.15;
+/// Mass of rod and piston (kg), the rod's inertia (kg m²), and the share of it at the piston's pin.
+const ROD: f64 = 0.6;
+const PISTON: f64 = 0.5;
+const INERTIA: f64 = 0.002;
+const SHARE: f64 = 1.0 / 3.0;
+const CRANK: f64 = 8.0;
+const GRAVITY: f64 = 9.81;
+
+/// Degrees of the crank from one look to the next: all angles of the table are multiples.
+const STEP: u32 = 2;
+
+/// Motion and forces in closed form at an angle, a speed and an acceleration of the crank.
+struct Exact {
+    /// J(φ) (kg m²).
+    inertia: f64,
+    /// Work of the gas per angle, −p A x′ (N m).
+    gas: f64,
+    /// What has to turn the crank beside the gas (N m).
+    torque: f64,
+    /// Forces on the piston, on the rod at A, and on the crank at O (N).
+    pins: [Vector2<f64>; 3],
+}
+
+/// By virtual work and by Newton's laws; `pressure` in Pa.
+fn exact(flywheel: f64, pressure: f64, angle: f64, [speed, rise]: [f64; 2]) -> Exact {
+    let (sin, cos) = angle.sin_cos();
+    let (across, along) = (-R * sin / L, (1.0 - (R * sin / L).powi(2)).sqrt());
+    // Derivatives by the crank's angle of the rod's angle, of A, of B and of the rod's centre.
+    let swing = -R * cos / (L * along);
+    let swing2 = (R * sin / L + across * swing * swing) / along;
+    let a = [place(-R * sin, R * cos), place(-R * cos, -R * sin)];
+    let b = [a[0].x - L * across * swing, a[1].x - L * (along * swing * swing + across * swing2)];
+    let g = [0, 1].map(|k| a[k] * (1.0 - SHARE) + place(b[k], 0.0) * SHARE);
+    let inertia = flywheel + PISTON * b[0] * b[0] + ROD * g[0].norm_squared() + INERTIA * swing * swing;
+    let growth = PISTON * b[0] * b[1] + ROD * g[0].dot(&g[1]) + INERTIA * swing * swing2;
+    let gas = -pressure * PI * 0.0016 * b[0];
+    let torque = inertia * rise + growth * speed * speed + ROD * GRAVITY * g[0].y - gas;
+
+    let rate = |k: [f64; 2]| k[0] * rise + k[1] * speed * speed;
+    let centre = place(rate([g[0].x, g[1].x]), rate([g[0].y, g[1].y]) + GRAVITY) * ROD;
+    let thrust = PISTON * rate(b) + pressure * PI * 0.0016;
+    let moment = INERTIA * rate([swing, swing2]) + place(along, across).perp(&centre) * L * SHARE;
+    let small_end = place(thrust, (across * thrust - moment / L) / along);
+    let big_end = centre + small_end;
+    Exact { inertia, gas, torque, pins: [small_end, big_end, big_end + place(0.0, CRANK * GRAVITY)] }
+}
+
+/// A look at an engine: the crank's angle (rad) and speed (rad/s), its torque (N m), the pressure (Pa), and the forces in the
+/// pins (N); in closed form the torque of a driven crank, or the speed of a free one.
+struct Look {
+    angle: f64,
+    speed: f64,
+    torque: f64,
+    pressure: f64,
+    pins: [f64; 3],
+    closed: f64,
+}
+
+/// A cycle at constant speed, and the work of gas and of crank (J) from its beginning to each step.
+struct Cycle {
+    looks: Vec<Look>,
+    gas: Vec<f64>,
+    crank: Vec<f64>,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let cycle = driven()?;
+    let (gas, crank) = (cycle.gas[cycle.gas.len() - 1], cycle.crank[cycle.crank.len() - 1]);
+    let load = gas / (2.0 * TAU);
+    assert!((crank / gas - 1.0).abs() < 1e-13, "the crank gives {crank} J of {gas} J");
+    println!("work of the gas {gas:.2} J a cycle, mean torque {load:.3} N m, ΔE {:.2} J\n", excess(&cycle, load));
+    println!("J kg m²   slowest rpm   fastest rpm   fluctuation   ΔE/(J ω²)");
+    let mut runs = Vec::new();
+    for flywheel in [0.1, 0.2, 0.4, 0.8, 1.6] {
+        let run = free(flywheel, load, &cycle)?;
+        print!("{flywheel:7.1}");
+        runs.push((flywheel, fluctuation(&run, excess(&cycle, load) / flywheel), run));
+    }
+    // What the formula leaves out, rod and piston, is the less the heavier the flywheel, by 1/J.
+    for pair in runs.windows(2) {
+        let [light, heavy] = [&pair[0].1, &pair[1].1].map(|[found, formula]| (found / formula - 1.0).abs());
+        assert!(heavy < 0.6 * light && heavy < 0.1, "{light} and {heavy} from the formula");
+    }
+    println!("{}", picture(&cycle, load, &runs)?.save("engine")?.display());
+    Ok(())
+}
+
+/// A cycle at constant speed, looked at where Gauss integrates.
+fn driven() -> Result<Cycle, Box<dyn Error>> {
+    let m = Driven::default();
+    let panels = (0..720 / STEP).map(|k| [k, k + 1].map(|k| f64::from(k * STEP).to_radians()));
+    let places: Vec<(f64, f64)> = panels.flat_map(|[from, to]| gauss(from, to)).collect();
+    let mut cycle = Cycle { looks: Vec::new(), gas: vec![0.0], crank: vec![0.0] };
+    let (mut gas, mut crank) = (0.0, 0.0);
+    for (k, state) in m.sweep(places.iter().map(|(angle, _)| angle / m.speed)).enumerate() {
+        let state = state?;
+        let (loads, pressure) = (m.loads(&state), m.pressure(&state).value);
+        let pins = [loads.small_end(), loads.big_end(), loads.main()].map(|load| load.force);
+        let exact = exact(m.flywheel, pressure, places[k].0, [m.speed, 0.0]);
+        assert_forces(&exact, loads.motor().effort, &pins);
+        gas += places[k].1 * exact.gas;
+        crank -= places[k].1 * loads.motor().effort;
+        if k % 5 == 4 {
+            cycle.gas.push(gas);
+            cycle.crank.push(crank);
+        }
+        let torque = -loads.motor().effort;
+        cycle.looks.push(Look {
+            angle: places[k].0,
+            speed: m.speed,
+            torque,
+            pressure,
+            pins: pins.map(|pin| pin.norm()),
+            closed: -exact.torque,
+        });
+    }
+    Ok(cycle)
+}
+
+/// Torque and pins are those of virtual work and of Newton's laws.
+fn assert_forces(exact: &Exact, torque: f64, pins: &[Vector2<f64>; 3]) {
+    let off = largest_difference(pins.iter().zip(&exact.pins).map(|(pin, exact)| ((pin - exact).norm(), 0.0)));
+    assert!(off < 1e-10 && (torque - exact.torque).abs() < 1e-10, "off by {off:e} N and {:e} N m", torque - exact.torque);
+}
+
+/// ΔE: from the lowest to the highest of the work that the crank gives beyond its mean (J).
+fn excess(cycle: &Cycle, load: f64) -> f64 {
+    let beyond = cycle.crank.iter().enumerate().map(|(k, work)| work - load * f64::from(k as u32 * STEP).to_radians());
+    let (low, high) = beyond.fold((0.0_f64, 0.0_f64), |(low, high), work| (low.min(work), high.max(work)));
+    high - low
+}
+
+/// A cycle against the load, stopped at every step of the crank.
+fn free(flywheel: f64, load: f64, cycle: &Cycle) -> Result<Vec<Look>, Box<dyn Error>> {
+    let m = Free { flywheel, load, ..Default::default() };
+    let (mut state, mut integrator) = (m.initial_state()?, Integrator::new(1e-11));
+    let start = 0.5 * exact(flywheel, 0.0, 0.0, [0.0; 2]).inertia * m.speed * m.speed;
+    let mut looks = Vec::new();
+    for (k, gas) in cycle.gas.iter().enumerate() {
+        let angle = f64::from(k as u32 * STEP).to_radians();
+        let until = state.t + 1.0;
+        assert!(k == 0 || m.advance_until(&mut state, until, &mut integrator, |state| state.crank().angle - angle)?);
+        let (crank, loads, pressure) = (state.crank(), m.loads(&state), m.pressure(&state).value);
+        let pins = [loads.small_end(), loads.big_end(), loads.main()].map(|load| load.force);
+        let exact = exact(flywheel, pressure, crank.angle, [crank.angular_velocity, crank.angular_acceleration]);
+        assert_forces(&exact, -load, &pins);
+        let kinetic = start + gas - load * angle - ROD * GRAVITY * (1.0 - SHARE) * R * angle.sin();
+        let closed = (2.0 * kinetic / exact.inertia).sqrt();
+        let off = crank.angular_velocity / closed - 1.0;
+        assert!(off.abs() < 1e-10, "the speed is off by {off:e} at {angle} rad");
+        let pins = pins.map(|pin| pin.norm());
+        looks.push(Look { angle, speed: crank.angular_velocity, torque: load, pressure, pins, closed });
+    }
+    Ok(looks)
+}
+
+/// The coefficient of fluctuation of a run, and the textbook's for ΔE/J.
+fn fluctuation(run: &[Look], share: f64) -> [f64; 2] {
+    let (low, high) = run.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), look| (low.min(look.speed), high.max(look.speed)));
+    let mean = (low + high) / 2.0;
+    let both = [(high - low) / mean, share / (mean * mean)];
+    println!("   {:11.1}   {:11.1}   {:11.5}   {:9.5}", low * 60.0 / TAU, high * 60.0 / TAU, both[0], both[1]);
+    both
+}
+
+fn picture(cycle: &Cycle, load: f64, runs: &[(f64, [f64; 2], Vec<Look>)]) -> Result<Plate, Box<dyn Error>> {
+    let mut scene = Scene::new();
+    let m = Driven::default();
+    let shown = m.solve(400_f64.to_radians() / m.speed)?;
+    draw(&mut scene, &shown);
+    let over = |of: fn(&Look) -> f64| cycle.looks.iter().skip(2).step_by(5).map(move |look| (look.angle.to_degrees(), of(look)));
+    let speed = |run: usize| runs[run].2.iter().map(|look| (look.angle.to_degrees(), look.speed * 60.0 / TAU)).collect::<Vec<_>>();
+    let closed = |look: &Look| (look.angle.to_degrees(), look.closed * 60.0 / TAU);
+    let work = cycle.looks.iter().step_by(25).map(|look| (look.angle.to_degrees(), look.closed));
+    let torque = Diagram::new("torque in N m")
+        .curve(Ink::Input, "at constant speed", over(|look| look.torque))
+        .curve(Ink::Output, "its mean, the load", [(0.0, load), (720.0, load)])
+        .circles("virtual work", work);
+    let speeds = Diagram::new("speed in rpm")
+        .curve(Ink::Input, "J = 0.2 kg m²", speed(1))
+        .curve(Ink::Coupler, "0.4 kg m²", speed(2))
+        .curve(Ink::Output, "0.8 kg m²", speed(3))
+        .circles("energy", runs[1..4].iter().flat_map(|run| run.2.iter().step_by(10)).map(closed));
+    let pins = Diagram::new("pin forces in kN").curve(Ink::Output, "small end", over(|look| look.pins[0] / 1e3)).curve(
+        Ink::Coupler,
+        "big end",
+        over(|look| look.pins[1] / 1e3),
+    );
+    Ok(Plate::new("Engine and flywheel", scene, Abscissa { name: "crank angle in °", range: 0.0..720.0, step: 90.0 })
+        .diagram(Diagram::new("gas in bar").curve(Ink::Second, "", over(|look| look.pressure / 1e5)))
+        .diagram(torque)
+        .diagram(pins)
+        .diagram(speeds))
+}
+
+fn draw(scene: &mut Scene, state: &DrivenState<f64>) {
+    let (crank, rod, piston) = (state.crank(), state.rod(), state.piston().position);
+    let [a, o] = [rod.position, crank.position];
+    scene.disc(Ink::Second, o, 0.062);
+    let [left, right] = [0.1, 0.235].map(|x| move |y: f64| place(x, y));
+    scene.wall(right(0.041), left(0.041)).wall(left(-0.041), right(-0.041)).wall(right(-0.041), right(0.041));
+    scene.surface(Ink::Output, rectangle(piston, 0.0, 0.05, 0.08));
+    scene.link(Ink::Coupler, &[a, piston]).link(Ink::Input, &[o, a]);
+    scene.pin(a).pin(piston).pivot(o);
+    scene.name(a, "A", [-2.0, 17.0]).name(piston, "B", [0.0, 18.0]).name(o, "O", [-17.0, 3.0]);
+    scene.name(o + polar(0.05, -0.9), "J", [0.0, 0.0]).name(place(0.219, 0.0), "p", [0.0, 0.0]);
+}

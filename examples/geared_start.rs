@@ -1,0 +1,210 @@
+//! A motor starts a gear train: how fast it gets there, and what its teeth and bearings carry meanwhile.
+//!
+//! ```text
+//!   motor 20 ──── 60 ┐ one shaft
+//!                 18 ┘──── 54 drum           i = (60/20) (54/18) = 9
+//! ```
+//!
+//! Seen from the motor, every inertia counts by the square of its ratio. With a motor whose torque falls in a line with its speed, and a
+//! load that does not change,
+//!
+//! ```text
+//! J = J₁ + J₂/3² + J₃/9²          T = T₀ (1 − φ̇/ω₀) − T_L/9          φ̈ = T/J
+//!
+//! φ̇ = ω₀ (1 − T_L/9T₀) (1 − e^(−t/τ)),  τ = J ω₀/T₀
+//! ```
+//!
+//! What two teeth do to each other is found by cutting the train at their mesh: N = (T₀ (1 − φ̇/ω₀) − J₁ φ̈) / r_b. The mesh is declared
+//! here as what involutes do: base circles that wind a taut line off and on, wherever their centres are. Its multiplier is N, the force
+//! acts along that line, 20° from the tangent, and the bearings carry it. (The library's `gear_pair` relates angles alone: no bearing
+//! takes notice.)
+//!
+//! Source: R. G. Budynas and J. K. Nisbett, Shigley's Mechanical Engineering Design, gears (force analysis), and the law of gearing.
+
+use std::error::Error;
+use std::f64::consts::TAU;
+
+use reuleaux::nalgebra::Vector2;
+use reuleaux::{Integrator, constraint, mechanism};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, gauss, gear, meshing, polar, steps};
+
+constraint! {
+    /// Two involute gears with base radii `a` and `b` about `A` and `B`; `side` is 1 where that of `A` drives to the left, −1 to the right.
+    ///
+    /// The taut line between the base circles is at α from the tangent, cos α = (a + b) / |AB|. Where the centres part, (a + b) inv α of it
+    /// wind off, inv α = tan α − α; `line` and `alpha` are where the line of centres and α begin.
+    pub constraint involute_mesh(A: Point, B: Point, a: Length, b: Length, line: Angle, alpha: Angle, side: Number) {
+        require a > 0: "a base circle has a radius";
+        require b > 0: "a base circle has a radius";
+        let slant = acos((a + b) / norm(B - A));
+        let centres = direction(B - A) - line;
+        let winding = (tan(slant) - tan(alpha)) * 1rad - (slant - alpha);
+        a * (A.body.angle - centres) + b * (B.body.angle - centres) == side * (a + b) * winding;
+    }
+}
+
+mechanism! {
+    /// A hoist that is switched on.
+    pub mechanism Hoist {
+        use crate::involute_mesh;
+
+        /// Torque of the motor at rest.
+        param stall: Torque = 6Nm;
+        /// Speed at which it has no torque left.
+        param idle: AngularVelocity = 1500rpm;
+        /// On the drum.
+        param load: Torque = 20Nm;
+        let module = 4mm;
+        let alpha = 20deg;
+        let base = module * cos(alpha);
+
+        ground {
+            point A = (0mm, 0mm);
+            point B = (module * 40, 0mm);
+            point C = (module * 40, module * 36);
+        }
+        body motor  { mass = 2kg;  inertia = 0.006kgm2; }
+        body middle { mass = 6kg;  inertia = 0.03kgm2; }
+        body drum   { mass = 20kg;  inertia = 0.9kgm2; }
+
+        joint a = revolute(ground.A, motor.position);
+        joint b = revolute(ground.B, middle.position);
+        joint c = revolute(ground.C, drum.position);
+        joint first = involute_mesh(motor.position, middle.position, 10 * base, 30 * base, 0deg, alpha, 1);
+        joint second = involute_mesh(middle.position, drum.position, 9 * base, 27 * base, 90deg, alpha, -1);
+        force current = { on motor: stall * (1 - motor.angular_velocity / idle); }
+        force rope = { on drum: -load; }
+        freedom start = motor.angle from 0deg;
+    }
+}
+
+type State = HoistState<f64>;
+
+/// Module (m) and pressure angle (rad).
+const MODULE: f64 = 0.004;
+const ALPHA: f64 = 20.0 / 360.0 * TAU;
+/// Inertias of motor, middle shaft and drum (kg m²), and how many turns of the motor are one of theirs.
+const INERTIAS: [f64; 3] = [0.006, 0.03, 0.9];
+const RATIOS: [f64; 3] = [1.0, 3.0, 9.0];
+
+/// A moment of the start in closed form: angle, speed and acceleration of the motor, and the forces (N) of the teeth on the driven gears.
+struct Exact {
+    motor: [f64; 3],
+    teeth: [Vector2<f64>; 2],
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let m = Hoist::default();
+    let start = run(&m)?;
+    for state in &start {
+        assert_motion(&m, state);
+        assert_forces(&m, state);
+    }
+    print(&m, &start);
+    println!("{}", picture(&m, &start).save("geared_start")?.display());
+    Ok(())
+}
+
+/// The start, with the work of motor and load against the kinetic energy.
+fn run(m: &Hoist) -> Result<Vec<State>, Box<dyn Error>> {
+    let (mut state, mut integrator) = (m.initial_state()?, Integrator::new(1e-11));
+    let (mut states, mut work) = (vec![state.clone()], 0.0);
+    let times: Vec<f64> = steps(0.0, 2.5, 100).collect();
+    for panel in times.windows(2) {
+        for (time, weight) in gauss(panel[0], panel[1]) {
+            m.advance(&mut state, time, &mut integrator)?;
+            work += weight * m.energy(&state).power;
+        }
+        m.advance(&mut state, panel[1], &mut integrator)?;
+        let off = m.energy(&state).kinetic - work;
+        assert!(off.abs() < 1e-10 * work, "the energy is {off:e} J off the work at {} s", state.t);
+        states.push(state.clone());
+    }
+    Ok(states)
+}
+
+fn exact(m: &Hoist, t: f64) -> Exact {
+    let inertia: f64 = INERTIAS.iter().zip(RATIOS).map(|(inertia, ratio)| inertia / (ratio * ratio)).sum();
+    let (fast, slow) = (m.idle * (1.0 - m.load / (9.0 * m.stall)), inertia * m.idle / m.stall);
+    let fade = (-t / slow).exp();
+    let motor = [fast * (t - slow * (1.0 - fade)), fast * (1.0 - fade), fast * fade / slow];
+    let (sin, cos) = ALPHA.sin_cos();
+    // Cut at a mesh: what the motor has left for the teeth, and what drum and load want of them; by base radii.
+    let first = (m.stall * (1.0 - motor[1] / m.idle) - INERTIAS[0] * motor[2]) / (10.0 * MODULE * cos);
+    let second = (m.load + INERTIAS[2] * motor[2] / RATIOS[2]) / (27.0 * MODULE * cos);
+    Exact { motor, teeth: [Vector2::new(sin, cos) * first, Vector2::new(cos, sin) * second] }
+}
+
+/// All shafts move as the closed form says, in their ratios.
+fn assert_motion(m: &Hoist, state: &State) {
+    let exact = exact(m, state.t).motor;
+    for (body, ratio) in [state.motor(), state.middle(), state.drum()].into_iter().zip([1.0, -3.0, 9.0]) {
+        let found = [body.angle, body.angular_velocity, body.angular_acceleration].map(|value| value * ratio);
+        let off = found.iter().zip(exact).map(|(found, exact)| (found - exact).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-8, "off by {off:e} at {} s", state.t);
+    }
+}
+
+/// Teeth and bearings carry what the parts of the train need.
+fn assert_forces(m: &Hoist, state: &State) {
+    let (loads, [first, second]) = (m.loads(state), exact(m, state.t).teeth);
+    let pairs = [
+        (loads.first().force, first),
+        (loads.second().force, second),
+        (loads.a().force, first),
+        (loads.b().force, second - first),
+        (loads.c().force, -second),
+    ];
+    let off = pairs.iter().map(|(found, exact)| (found - exact).norm()).fold(0.0, f64::max);
+    assert!(off < 1e-8 && first.norm() > 0.0 && second.norm() > 0.0, "off by {off:e} N at {} s", state.t);
+}
+
+fn print(m: &Hoist, start: &[State]) {
+    println!("time s   motor rpm   exactly   drum rpm   teeth N   teeth N   bearings N");
+    for state in start.iter().step_by(10) {
+        let (loads, rpm) = (m.loads(state), |speed: f64| speed * 60.0 / TAU);
+        let [first, second] = [loads.first(), loads.second()].map(|mesh| mesh.force.norm());
+        let [a, b, c] = [loads.a(), loads.b(), loads.c()].map(|bearing| bearing.force.norm());
+        let (motor, drum) = (rpm(state.motor().angular_velocity), rpm(state.drum().angular_velocity));
+        let closed = rpm(exact(m, state.t).motor[1]);
+        println!("{:6.2}   {motor:9.2}   {closed:7.2}   {drum:8.3}   {first:7.2}   {second:7.2}   {a:6.2} {b:6.2} {c:6.2}", state.t);
+    }
+}
+
+fn picture(m: &Hoist, start: &[State]) -> Plate {
+    let mut scene = Scene::new();
+    draw(&mut scene, m, &start[4]);
+    let over = |of: &dyn Fn(&State) -> f64| start.iter().map(|state| (state.t, of(state))).collect::<Vec<_>>();
+    let closed = |of: &dyn Fn(&Exact) -> f64| start.iter().step_by(5).map(|state| (state.t, of(&exact(m, state.t)))).collect::<Vec<_>>();
+    let speeds = Diagram::new("speed in rpm")
+        .curve(Ink::Input, "motor", over(&|state| state.motor().angular_velocity * 60.0 / TAU))
+        .curve(Ink::Coupler, "middle shaft", over(&|state| -state.middle().angular_velocity * 60.0 / TAU))
+        .curve(Ink::Output, "drum", over(&|state| state.drum().angular_velocity * 60.0 / TAU))
+        .circles("closed form", closed(&|exact| exact.motor[1] * 60.0 / TAU));
+    let teeth = Diagram::new("force in N")
+        .curve(Ink::Input, "teeth 20 : 60", over(&|state| m.loads(state).first().force.norm()))
+        .curve(Ink::Output, "teeth 18 : 54", over(&|state| m.loads(state).second().force.norm()))
+        .curve(Ink::Coupler, "bearing of the middle shaft", over(&|state| m.loads(state).b().force.norm()))
+        .circles("train cut at the mesh", closed(&|exact| exact.teeth[0].norm()))
+        .circles("", closed(&|exact| exact.teeth[1].norm()))
+        .circles("", closed(&|exact| (exact.teeth[1] - exact.teeth[0]).norm()));
+    Plate::new("Start of a hoist", scene, Abscissa { name: "time in s", range: 0.0..2.5, step: 0.5 }).diagram(speeds).diagram(teeth)
+}
+
+fn draw(scene: &mut Scene, m: &Hoist, state: &State) {
+    let (motor, middle, drum) = (state.motor(), state.middle(), state.drum());
+    let (first, second) = (meshing(0.0, 20.0, 60.0, 0.0), meshing(TAU / 4.0, 18.0, 54.0, 0.0));
+    scene.surface(Ink::Input, gear(motor.position, 20, MODULE, motor.angle));
+    scene.surface(Ink::Coupler, gear(middle.position, 60, MODULE, middle.angle + first));
+    scene.surface(Ink::Output, gear(drum.position, 54, MODULE, drum.angle + second));
+    scene.surface(Ink::Coupler, gear(middle.position, 18, MODULE, middle.angle));
+    scene.pivot(motor.position).pivot(middle.position).pivot(drum.position);
+    scene.name(motor.position, "motor, 20", [-2.0, -50.0]).name(middle.position, "60 and 18", [0.0, -56.0]);
+    scene.name(drum.position, "drum, 54", [0.0, 28.0]);
+    let teeth = [m.loads(state).first().force, m.loads(state).second().force];
+    let pitch = [motor.position + polar(10.0 * MODULE, 0.0), middle.position + polar(9.0 * MODULE, TAU / 4.0)];
+    for (from, force) in pitch.into_iter().zip(teeth) {
+        let (to, along) = (from + force * 4e-4, force.y.atan2(force.x));
+        scene.line(Ink::Trace, [from, to]).line(Ink::Trace, [to - polar(0.006, along + 0.4), to, to - polar(0.006, along - 0.4)]);
+    }
+}

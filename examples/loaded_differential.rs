@@ -1,0 +1,224 @@
+//! A differential shares torque equally, however unequal the loads of its wheels are: one wheel on asphalt, the other one on ice.
+//!
+//! ```text
+//!            ┌──[10]──┐
+//!   left ══[16]      [16]══ right        T on the cage, resistance b ω on each wheel
+//!   b_L      └────────┘ cage  b_R
+//! ```
+//!
+//! With ω the speeds of the wheels, that of the cage is (ω_L + ω_R)/2 and that of the planet on its pin i (ω_R − ω_L)/2, i = 16/10. By
+//! Lagrange's equations
+//!
+//! ```text
+//! (J_W + J_C/2) (ω̇_L + ω̇_R)    = T − b_L ω_L − b_R ω_R            J_W: a wheel; J_C: cage, and planet about the axle
+//! (J_W + i² J_P/2) (ω̇_R − ω̇_L) = b_L ω_L − b_R ω_R                J_P: planet about its pin
+//! ```
+//!
+//! They are linear, so that speeds are a matrix exponential. The torques on the side gears differ by what spins the planet,
+//! i² J_P/2 (ω̇_R − ω̇_L), and at last are T/2 each: then speeds are as 1/b, and the wheel on the ice runs off.
+//!
+//! Source: J. Y. Wong, Theory of Ground Vehicles, chapter 3, for the terms; the equations are those of Lagrange.
+
+use std::error::Error;
+use std::f64::consts::TAU;
+
+use reuleaux::nalgebra::{Matrix2, Vector2, Vector3};
+use reuleaux::{Integrator, SpatialBody, mechanism};
+use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, bevel, gauss, ring, seen, steps};
+
+mechanism! {
+    /// A differential between two wheels that are held back by their speeds.
+    pub mechanism Loaded in space {
+        param torque: Torque = 120Nm;
+        param left_drag: Torque / AngularVelocity = 1.2Nm / 1rad_s;
+        param right_drag: Torque / AngularVelocity = 0.4Nm / 1rad_s;
+
+        ground { axis y = (0, 1, 0) from (1, 0, 0); }
+        body cage   { axis y = (0, 1, 0) from (1, 0, 0);  axis pin = (1, 0, 0);  mass = 6kg;  inertia = (0.02kgm2, 0.03kgm2, 0.02kgm2); }
+        body left   { axis y = (0, 1, 0) from (1, 0, 0);  mass = 20kg;  inertia = (0.5kgm2, 0.9kgm2, 0.5kgm2); }
+        body right  { axis y = (0, 1, 0) from (1, 0, 0);  mass = 20kg;  inertia = (0.5kgm2, 0.9kgm2, 0.5kgm2); }
+        body planet { axis pin = (1, 0, 0);  mass = 2kg;  center = (32mm, 0mm, 0mm);  inertia = (0.02kgm2, 0.012kgm2, 0.012kgm2); }
+
+        joint bearing = revolute(ground.position, ground.y, cage.position, cage.y);
+        joint left_shaft = revolute(cage.position, cage.y, left.position, left.y);
+        joint right_shaft = revolute(cage.position, cage.y, right.position, right.y);
+        joint pin = revolute(cage.position, cage.pin, planet.position, planet.pin);
+        joint left_mesh = gear_pair(pin.angle, left_shaft.angle, 10, 16);
+        joint right_mesh = gear_pair(pin.angle, right_shaft.angle, 10, -16);
+        force engine = motor(ground.y, cage, torque);
+        force left_road = motor(ground.y, left, -left_drag * rate(bearing.angle + left_shaft.angle));
+        force right_road = motor(ground.y, right, -right_drag * rate(bearing.angle + right_shaft.angle));
+        freedom going = bearing.angle;
+        freedom parting = right_shaft.angle;
+    }
+}
+
+type State = LoadedState<f64>;
+
+/// Inertias (kg m²): wheel about its axle, cage with the planet about the axle, planet about its pin.
+const WHEEL: f64 = 0.9;
+const CAGE: f64 = 0.03 + 0.012 + 2.0 * 0.032 * 0.032;
+const PLANET: f64 = 0.02;
+/// Radii of the pitch circles of planet and side gears (m).
+const RADII: [f64; 2] = [0.02, 0.032];
+/// Turns of the planet on its pin for one of a wheel against the cage.
+const RATIO: f64 = 1.6;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let m = Loaded::default();
+    let start = run(&m)?;
+    for state in &start {
+        assert_motion(&m, state);
+        assert_shares(&m, state);
+    }
+    let rest = speeds(&m, 1e3);
+    assert!((rest - Vector2::new(m.torque / (2.0 * m.left_drag), m.torque / (2.0 * m.right_drag))).norm() < 1e-10);
+    print(&m, &start);
+    println!("{}", picture(&m, &start).save("loaded_differential")?.display());
+    Ok(())
+}
+
+/// From rest, with the work of engine and road against the kinetic energy.
+fn run(m: &Loaded) -> Result<Vec<State>, Box<dyn Error>> {
+    let (mut state, mut integrator) = (m.initial_state()?, Integrator::new(1e-11));
+    let (mut states, mut work) = (vec![state.clone()], 0.0);
+    let times: Vec<f64> = steps(0.0, 10.0, 100).collect();
+    for panel in times.windows(2) {
+        for (time, weight) in gauss(panel[0], panel[1]) {
+            m.advance(&mut state, time, &mut integrator)?;
+            work += weight * m.energy(&state).power;
+        }
+        m.advance(&mut state, panel[1], &mut integrator)?;
+        let off = m.energy(&state).kinetic / work - 1.0;
+        assert!(off.abs() < 1e-9, "the energy is {off:e} of the work off at {} s", state.t);
+        states.push(state.clone());
+    }
+    Ok(states)
+}
+
+/// Mass matrix and resistances of ω_L and ω_R.
+fn matrices(m: &Loaded) -> [Matrix2<f64>; 2] {
+    let (together, apart) = (CAGE / 4.0, RATIO * RATIO * PLANET / 4.0);
+    let mass = Matrix2::new(WHEEL + together + apart, together - apart, together - apart, WHEEL + together + apart);
+    [mass, Matrix2::from_diagonal(&Vector2::new(m.left_drag, m.right_drag))]
+}
+
+/// The acceleration of the wheels at their speeds.
+fn accelerations(m: &Loaded, speeds: Vector2<f64>) -> Vector2<f64> {
+    let [mass, drag] = matrices(m);
+    mass.try_inverse().unwrap_or_default() * (Vector2::repeat(m.torque / 2.0) - drag * speeds)
+}
+
+/// The speeds of the wheels: ω = (1 − e^(−M⁻¹ B t)) B⁻¹ T/2, the exponential by the two rates of decay.
+fn speeds(m: &Loaded, t: f64) -> Vector2<f64> {
+    let [mass, drag] = matrices(m);
+    let decay = mass.try_inverse().unwrap_or_default() * drag;
+    let (half, spread) = (decay.trace() / 2.0, (decay.trace().powi(2) / 4.0 - decay.determinant()).sqrt());
+    let [fast, slow] = [half + spread, half - spread].map(|rate| (-rate * t).exp());
+    // Sylvester's formula: e^A from its eigenvalues.
+    let fade = (decay - Matrix2::identity() * (half + spread)) * (slow / (-2.0 * spread))
+        + (decay - Matrix2::identity() * (half - spread)) * (fast / (2.0 * spread));
+    let rest = Vector2::new(m.torque / (2.0 * m.left_drag), m.torque / (2.0 * m.right_drag));
+    rest - fade * rest
+}
+
+/// Speeds and accelerations about y of left, right and cage, of the planet on its pin.
+fn found(state: &State) -> [[f64; 4]; 2] {
+    let spin = |of: fn(&SpatialBody<f64>) -> Vector3<f64>| {
+        let [left, right, cage] = [state.left(), state.right(), state.cage()].map(|body| of(&body).y);
+        [left, right, cage]
+    };
+    let pin = state.cage().vector(Vector3::x());
+    let against = state.planet().angular_velocity - state.cage().angular_velocity;
+    let rise = state.planet().angular_acceleration - state.cage().angular_acceleration;
+    let ([l, r, c], [dl, dr, dc]) = (spin(|body| body.angular_velocity), spin(|body| body.angular_acceleration));
+    [[l, r, c, against.dot(&pin.value)], [dl, dr, dc, rise.dot(&pin.value) + against.dot(&pin.rate)]]
+}
+
+/// The motion is that of Lagrange's equations.
+fn assert_motion(m: &Loaded, state: &State) {
+    let closed = speeds(m, state.t);
+    for (found, wheels) in found(state).into_iter().zip([closed, accelerations(m, closed)]) {
+        let [left, right] = [wheels.x, wheels.y];
+        let exact = [left, right, (left + right) / 2.0, RATIO * (right - left) / 2.0];
+        let off = found.iter().zip(exact).map(|(found, exact)| (found - exact).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-8, "off by {off:e} at {} s", state.t);
+    }
+}
+
+/// Torques (N m) of the meshes on the side gears: −λ times what the angle of the gear counts in its mesh, the last two equations.
+fn shares(m: &Loaded, state: &State) -> [f64; 2] {
+    let multipliers = m.loads(state).multipliers;
+    let last = multipliers.len() - 2;
+    [-16.0 * multipliers[last], 16.0 * multipliers[last + 1]]
+}
+
+/// Each wheel gets what moves it against its road; the shares differ by what spins the planet.
+fn assert_shares(m: &Loaded, state: &State) {
+    let [left, right] = shares(m, state);
+    let closed = speeds(m, state.t);
+    let (needed, rise) =
+        (accelerations(m, closed) * WHEEL + Vector2::new(m.left_drag * closed.x, m.right_drag * closed.y), accelerations(m, closed));
+    let planet = RATIO * RATIO * PLANET / 2.0 * (rise.y - rise.x);
+    let off = [left - needed.x, right - needed.y, left - right - planet].into_iter().map(f64::abs).fold(0.0, f64::max);
+    assert!(off < 1e-7, "off by {off:e} N m at {} s", state.t);
+}
+
+fn print(m: &Loaded, start: &[State]) {
+    println!("time s   left rpm   right rpm   cage rpm   left N m   right N m");
+    for state in start.iter().step_by(10) {
+        let [speeds, _] = found(state);
+        let ([left, right], rpm) = (shares(m, state), speeds.map(|speed| speed * 60.0 / TAU));
+        println!("{:6.1}   {:8.2}   {:9.2}   {:8.2}   {left:8.3}   {right:9.3}", state.t, rpm[0], rpm[1], rpm[2]);
+    }
+}
+
+fn picture(m: &Loaded, start: &[State]) -> Plate {
+    let mut scene = Scene::new();
+    // The planet is seen best where it stands uppermost.
+    let height = |state: &&State| state.cage().vector(Vector3::x()).value.z;
+    start.iter().max_by(|one, two| height(one).total_cmp(&height(two))).into_iter().for_each(|state| draw(&mut scene, state));
+    let rpm = |which: usize| start.iter().map(move |state| (state.t, found(state)[0][which] * 60.0 / TAU));
+    let share = |which: usize| start.iter().map(move |state| (state.t, shares(m, state)[which]));
+    let few = || start.iter().step_by(5).map(|state| state.t);
+    let wheels = few().flat_map(|t| [speeds(m, t).x, speeds(m, t).y].map(|speed| (t, speed * 60.0 / TAU)));
+    let needed = few().flat_map(|t| {
+        let rise = accelerations(m, speeds(m, t)) * WHEEL;
+        [(t, rise.x + m.left_drag * speeds(m, t).x), (t, rise.y + m.right_drag * speeds(m, t).y)]
+    });
+    Plate::new("Differential under load", scene, Abscissa { name: "time in s", range: 0.0..10.0, step: 2.0 })
+        .diagram(
+            Diagram::new("speed in rpm")
+                .curve(Ink::Second, "left, on asphalt", rpm(0))
+                .curve(Ink::Output, "right, on ice", rpm(1))
+                .curve(Ink::Ground, "cage", rpm(2))
+                .circles("matrix exponential", wheels),
+        )
+        .diagram(
+            Diagram::new("share in N m")
+                .curve(Ink::Second, "left", share(0))
+                .curve(Ink::Output, "right", share(1))
+                .curve(Ink::Ground, "half of the engine's torque", [(0.0, m.torque / 2.0), (10.0, m.torque / 2.0)])
+                .circles("wheel cut free", needed),
+        )
+}
+
+/// Bevel gears by their pitch cones; the wheels are drawn small.
+fn draw(scene: &mut Scene, state: &State) {
+    let (x, y) = (Vector3::x(), Vector3::y());
+    let wheel = |side: f64| {
+        let middle = y * side * 0.1;
+        [0.055, 0.045].map(|radius| ring(&middle, &y, radius))
+    };
+    let axle = |side: f64, to: f64| [y * side * RADII[0], y * side * to].map(|place| seen(&place));
+    let [tyre, rim] = wheel(1.0);
+    scene.surface(Ink::Second, tyre).surface(Ink::Second, rim).link(Ink::Second, &axle(1.0, 0.1));
+    bevel(scene, Ink::Second, &state.left(), y * RADII[0], RADII[1], 16);
+    bevel(scene, Ink::Input, &state.planet(), x * RADII[1], RADII[0], 10);
+    bevel(scene, Ink::Output, &state.right(), -y * RADII[0], RADII[1], 16);
+    scene.link(Ink::Output, &axle(-1.0, 0.1));
+    let [tyre, rim] = wheel(-1.0);
+    scene.surface(Ink::Output, tyre).surface(Ink::Output, rim);
+    let [left, right] = [1.0, -1.0].map(|side| seen(&(y * side * 0.1)));
+    scene.name(left, "left", [100.0, -40.0]).name(right, "right", [-102.0, 40.0]);
+}
