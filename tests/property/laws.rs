@@ -129,6 +129,17 @@ fn laws_are_symmetric_about_their_middle() {
 }
 
 #[test]
+fn where_two_motions_meet_only_one_of_them_counts() {
+    for (law, page) in pages().iter().enumerate() {
+        let [begin, end] = [0.0, 1.0].map(|u| laws(u)[law]);
+        assert_eq!([begin[0], begin[1], end[0], end[1]], [0.0, 0.0, 1.0, 0.0], "{}", page.name);
+        assert!(end[2].abs() < 1e-14, "{}: {}", page.name, end[2]);
+    }
+    // The second derivatives that jump are those of the rise at its beginning.
+    assert_eq!([laws(0.0)[0][2], laws(0.0)[5][2]], [PI * PI / 2.0, 6.0]);
+}
+
+#[test]
 fn peaks_are_as_documented() {
     for (law, page) in pages().iter().enumerate() {
         for order in [1, 2] {
