@@ -124,3 +124,26 @@ fn a_drive_carries_inertia_spring_and_damper() {
         assert!((loads.shake().power - wanted * v).abs() < 1e-12 * 40.0);
     }
 }
+
+#[test]
+fn drives_forces_and_energies_are_in_balance() {
+    let (four_bar, shaken) = (DrivenFourBar::default(), Shaken::default());
+    // d/dt of kinetic and potential energy, by the seventh-order rule of central differences.
+    let rate = |energy: &dyn Fn(f64) -> f64, t: f64| {
+        let h = 1e-3;
+        let pair = |k: f64| energy(t + k * h) - energy(t - k * h);
+        (672.0 * pair(1.0) - 168.0 * pair(2.0) + 32.0 * pair(3.0) - 3.0 * pair(4.0)) / (840.0 * h)
+    };
+    let of_four_bar = |t: f64| four_bar.energy(&four_bar.solve(t).expect("a state"));
+    let of_shaken = |t: f64| shaken.energy(&shaken.solve(t).expect("a state"));
+    for step in 1..20 {
+        let t = 0.031 * f64::from(step);
+        let state = four_bar.solve(t).expect("a state");
+        let wanted = rate(&|t| of_four_bar(t).kinetic + of_four_bar(t).potential, t);
+        let found = four_bar.loads(&state).motor().power;
+        assert!((found - wanted).abs() < 1e-8 * found.abs().max(10.0) && of_four_bar(t).power == 0.0, "{found} {wanted}");
+        let wanted = rate(&|t| of_shaken(t).kinetic + of_shaken(t).potential, t);
+        let found = shaken.loads(&shaken.solve(t).expect("a state")).shake().power + of_shaken(t).power;
+        assert!((found - wanted).abs() < 1e-9 * 40.0, "{found} {wanted}");
+    }
+}

@@ -78,6 +78,25 @@ fn forces_by_the_angle_of_a_joint_count_whole_turns() {
 }
 
 #[test]
+fn equations_between_angles_have_multipliers_by_name() {
+    let gear = WormGear::default();
+    let state = gear.solve(0.3).expect("a state");
+    let loads = gear.loads(&state);
+    let [mesh] = loads.j2();
+    assert!(mesh != 0.0 && loads.multipliers.iter().any(|multiplier| *multiplier == mesh));
+}
+
+#[test]
+fn a_driven_body_has_its_kinetic_energy() {
+    let door = Door::default();
+    let state = door.solve(0.5).expect("a state");
+    let [mass, arm, inertia, speed] = [3.0, 0.4, 1.0, 1.0];
+    let wanted = 0.5 * (mass * arm * arm + inertia) * speed * speed;
+    assert!((door.energy(&state).kinetic - wanted).abs() < 1e-15 && door.energy(&state).potential == 0.0);
+    assert!((door.energy(&state).power + 2.0 * 0.5 * speed).abs() < 1e-15);
+}
+
+#[test]
 fn a_load_is_stated_on_either_body_and_along_the_axes_of_one() {
     let door = Door::default();
     for state in door.sweep((0..10).map(|step| 0.1 * f64::from(step))) {

@@ -162,6 +162,13 @@ impl<T: Float, const M: usize, const A: usize> Loads<T, M, A> {
         DriveLoad { effort: -first, power, is_unique: self.are_unique(equations) }
     }
 
+    /// Multipliers from an equation on.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn multipliers_from<const K: usize>(&self, first: usize) -> [T; K] {
+        core::array::from_fn(|k| self.multipliers.get(first + k).copied().unwrap_or(T::of(f64::NAN)))
+    }
+
     fn actions_from<const K: usize>(&self, at: usize) -> [T; K] {
         core::array::from_fn(|k| self.actions.get(at + k).copied().unwrap_or(T::of(f64::NAN)))
     }

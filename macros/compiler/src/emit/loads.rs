@@ -39,6 +39,7 @@ impl Emitter<'_> {
                 };
             }
         });
+        let energy = self.plan.dynamics.is_none().then(|| self.energy(code));
         let page = docs::line(&format!("Loads of [`{name}`]: multipliers, and what every joint and drive does to its bodies."));
         quote! {
             #allowed
@@ -55,6 +56,7 @@ impl Emitter<'_> {
                     let (jacobian, forces) = self.equations_of_loads(state);
                     #loads { loads: ::reuleaux::Loads::of(&jacobian, &forces, |multipliers| self.actions(state, multipliers)) }
                 }
+                #energy
             }
             #page
             #[derive(Clone, Debug, PartialEq)]
@@ -101,6 +103,22 @@ impl Emitter<'_> {
                 #reads_of_actions
                 #steps_of_actions
                 ::core::convert::From::from([#(#values),*])
+            }
+        }
+    }
+
+    /// Energies of a driven mechanism.
+    fn energy(&self, code: &LoadsCode) -> TokenStream {
+        let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, &code.energies);
+        let (state, motion, [kinetic, potential, power]) = (state_path(&self.model.name), motion(), [0, 1, 2].map(|k| &results[k]));
+        quote! {
+            /// Kinetic energy, potential energy of gravity and of each `energy`, and the power of the forces declared.
+            #[must_use]
+            pub fn energy(&self, state: &#state<T>) -> ::reuleaux::Energy<T> {
+                #motion
+                #reads
+                #steps
+                ::reuleaux::Energy { kinetic: #kinetic, potential: #potential, power: #power }
             }
         }
     }
@@ -164,6 +182,15 @@ impl Emitter<'_> {
                     #page
                     #[must_use]
                     pub fn #name(&self) -> #kind { self.loads.#method(#from..#to, #place) }
+                });
+            } else {
+                // Equations between angles of other joints act nowhere in particular.
+                let page = docs::line(&format!("Multipliers of `{}`, by equation.", joint.name));
+                let count = number(count);
+                methods.extend(quote! {
+                    #page
+                    #[must_use]
+                    pub fn #name(&self) -> [T; #count] { self.loads.multipliers_from(#from) }
                 });
             }
         }

@@ -281,7 +281,11 @@ fn loads(tree: &Mechanism, state: &Ident, visibility: &TokenStream, body: &Token
         }
         _ => None,
     });
-    let function = quote!(pub fn loads(&self, _: &#state<T>) -> #loads<T> { #body });
+    let energy = (tree.task != Task::Motion).then(|| quote!(pub fn energy(&self, _: &#state<T>) -> ::reuleaux::Energy<T> { #body }));
+    let function = quote! {
+        pub fn loads(&self, _: &#state<T>) -> #loads<T> { #body }
+        #energy
+    };
     let of_loads = quote! {
         #[doc(hidden)]
         #[allow(dead_code)]

@@ -25,6 +25,8 @@ pub struct LoadsCode {
     pub actions: Routine,
     /// λ, what joints and drives do, and each number with the one that it has to exceed.
     pub closed: Option<Routine>,
+    /// Kinetic energy, potential energy, and power of the forces declared.
+    pub energies: Routine,
 }
 
 /// Plans the loads.
@@ -46,6 +48,7 @@ pub(super) fn code(model: &Model, system: &System, loads: Option<&Loads>) -> Opt
         equations: line(entries().map(|(_, entry)| entry).chain(equations.forces.iter().copied()).collect()),
         actions: line(loads.actions.clone()),
         closed,
+        energies: line(equations.energies.to_vec()),
         arena,
     })
 }

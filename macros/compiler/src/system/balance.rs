@@ -59,7 +59,7 @@ impl Balance {
 }
 
 /// Σ V_i − Σ m g · r_C
-fn potential(model: &Model, arena: &mut Arena) -> Expr {
+pub(super) fn potential(model: &Model, arena: &mut Arena) -> Expr {
     let mut sum = arena.integer(0);
     for energy in &model.energies {
         sum = arena.add(sum, *energy);
@@ -82,7 +82,7 @@ fn potential(model: &Model, arena: &mut Arena) -> Expr {
 }
 
 /// Σ F · v_P + T · ω
-fn power(model: &Model, arena: &mut Arena) -> Expr {
+pub(super) fn power(model: &Model, arena: &mut Arena) -> Expr {
     let mut sum = arena.integer(0);
     for Force { body, point, parts } in &model.forces {
         let arm = point.as_ref().map(|point| dynamics::arm(model, arena, *body, point));

@@ -147,6 +147,47 @@ fn in_space(model: &Model, arena: &mut Arena, body: usize) -> [Expr; 6] {
     [force[0], force[1], force[2], torque[0], torque[1], torque[2]]
 }
 
+/// ½ Σ m v_C² + ω · I ω
+pub(super) fn kinetic(model: &Model, arena: &mut Arena) -> Expr {
+    let mut twice = arena.integer(0);
+    for (body, declared) in model.bodies.iter().enumerate() {
+        let zero = arena.integer(0);
+        let each = if model.ambient == Ambient::Space { 3 } else { 2 };
+        let center = declared.mass.center.clone().unwrap_or_else(|| vec![zero; each]);
+        let c = arm(model, arena, body, &center);
+        let speed = |arena: &mut Arena, offset: usize| arena.leaf(Leaf::Speed(number(model, body, offset)));
+        let origin: Vec<Expr> = (0..each).map(|k| speed(arena, k)).collect();
+        let inertia = declared.mass.inertia.as_ref();
+        let (across, spinning) = match model.ambient {
+            Ambient::Plane => {
+                let turning = speed(arena, 2);
+                let back = arena.neg(c[1]);
+                let across = [back, c[0]].map(|part| arena.mul(turning, part)).to_vec();
+                let square = arena.square(turning);
+                (across, arena.mul(inertia.map_or(zero, |inertia| inertia[0]), square))
+            }
+            Ambient::Space => {
+                let turning = [3, 4, 5].map(|k| speed(arena, k));
+                let across = cross(arena, turning, [c[0], c[1], c[2]]).to_vec();
+                let spin = inertia_times(arena, declared, body, turning);
+                (across, dot(arena, turning, spin))
+            }
+        };
+        let mut square = zero;
+        for (origin, across) in origin.into_iter().zip(across) {
+            let part = arena.add(origin, across);
+            let part = arena.square(part);
+            square = arena.add(square, part);
+        }
+        let moving = arena.mul(declared.mass.mass.unwrap_or(zero), square);
+        for part in [moving, spinning] {
+            twice = arena.add(twice, part);
+        }
+    }
+    let two = arena.integer(2);
+    arena.div(twice, two)
+}
+
 /// A I' Aᵀ v
 fn inertia_times(arena: &mut Arena, declared: &Body, body: usize, v: Triple) -> Triple {
     let zero = arena.integer(0);

@@ -6,7 +6,7 @@
 //!
 //! Leaves are the entries of a state: in space those of the rotation matrices, ω and ω̇ stand behind the unknowns.
 
-use super::{COSINES, Equation, declared, dynamics};
+use super::{COSINES, Equation, balance, declared, dynamics};
 use crate::expr::{Arena, Expr, Leaf, Mark, Node, combination};
 use crate::model::Model;
 use crate::quantity::Dim;
@@ -21,6 +21,8 @@ pub struct LoadEquations {
     pub rows: Vec<LoadRow>,
     /// For each joint the body on which its load is stated, and the arm of its point there.
     pub arms: Vec<Option<(usize, Vec<Expr>)>>,
+    /// Kinetic energy, potential energy, and power of the forces declared.
+    pub energies: [Expr; 3],
 }
 
 /// An equation by the speeds of the bodies.
@@ -43,21 +45,22 @@ impl LoadEquations {
     pub(super) fn declared(model: &Model, arena: &mut Arena) -> Option<LoadEquations> {
         let forces = dynamics::unbalanced(model, arena)?;
         let rows = rows(declared::equations(model, arena).iter());
-        Some(LoadEquations { forces, rows, arms: arms(model, arena) })
+        Some(LoadEquations { forces, rows, arms: arms(model, arena), energies: energies(model, arena) })
     }
 
     /// In the plane, where the declared coordinates are the unknowns.
     pub(super) fn in_plane<'a>(model: &Model, arena: &mut Arena, equations: impl Iterator<Item = &'a Equation>) -> Option<LoadEquations> {
         let forces = dynamics::unbalanced(model, arena)?;
         let is_pin = |equation: &Equation| equation.row >= model.joints[equation.joint].residuals.len();
-        Some(LoadEquations { forces, rows: rows(equations.filter(|equation| !is_pin(equation))), arms: arms(model, arena) })
+        let rows = rows(equations.filter(|equation| !is_pin(equation)));
+        Some(LoadEquations { forces, rows, arms: arms(model, arena), energies: energies(model, arena) })
     }
 
     /// Every expression, as `of` writes it.
     pub(super) fn map(mut self, mut of: impl FnMut(Expr) -> Expr) -> LoadEquations {
         let rows = self.rows.iter_mut().flat_map(|row| row.jacobian.iter_mut().map(|(_, entry)| entry).chain([&mut row.nu]));
         let arms = self.arms.iter_mut().flatten().flat_map(|(_, arm)| arm);
-        self.forces.iter_mut().chain(rows).chain(arms).for_each(|expr| *expr = of(*expr));
+        self.forces.iter_mut().chain(rows).chain(arms).chain(&mut self.energies).for_each(|expr| *expr = of(*expr));
         self
     }
 
@@ -122,6 +125,10 @@ fn rows<'a>(equations: impl Iterator<Item = &'a Equation>) -> Vec<LoadRow> {
     let mut rows: Vec<LoadRow> = equations.map(row).collect();
     rows.sort_by_key(|row| (row.is_of_freedom, row.joint));
     rows
+}
+
+fn energies(model: &Model, arena: &mut Arena) -> [Expr; 3] {
+    [dynamics::kinetic(model, arena), balance::potential(model, arena), balance::power(model, arena)]
 }
 
 fn arms(model: &Model, arena: &mut Arena) -> Vec<Option<(usize, Vec<Expr>)>> {
