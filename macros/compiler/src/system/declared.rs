@@ -32,15 +32,15 @@ const EACH: [usize; 2] = [Role::SPACE.len(), 6];
 /// Differentiates every residual of a model in space.
 pub(super) fn declared(model: &Model) -> DeclaredEquations {
     let mut arena = model.arena.clone();
-    let mut equations = equations(model, &mut arena);
+    let mut equations = equations(model, &mut arena, Row::declared(model).collect::<Vec<_>>().iter());
     let (bodies, quantities) = (model.bodies.len(), model.space.quantities.len());
     let (coordinates, speeds) = (EACH[0] * bodies + quantities, EACH[1] * bodies);
     renumber(&mut arena, &mut equations, coordinates.max(speeds));
     DeclaredEquations { arena, coordinates, speeds, equations }
 }
 
-/// The equations of a model in space by the speeds of its bodies, with marks.
-pub(super) fn equations(model: &Model, arena: &mut Arena) -> Vec<Equation> {
+/// The equations of rows of a model in space by the speeds of its bodies, with marks.
+pub(super) fn equations<'a>(model: &Model, arena: &mut Arena, rows: impl Iterator<Item = &'a Row>) -> Vec<Equation> {
     let bodies = model.bodies.len();
     let by = |speed: usize| {
         let (body, at) = (speed / EACH[1], speed % EACH[1]);
@@ -49,10 +49,10 @@ pub(super) fn equations(model: &Model, arena: &mut Arena) -> Vec<Equation> {
     let seed = Seed::constant_speeds(declared_rates(EACH[0] * bodies)).numbered_from(DECLARED);
     let mut derivatives = Differentiation::new((0..EACH[1] * bodies).map(by), seed, DECLARED);
     let mut equations = Vec::new();
-    for row in Row::declared(model) {
+    for row in rows {
         let touched = touched(arena, row.residual, bodies);
         let columns = touched.into_iter().flat_map(|body| EACH[1] * body..EACH[1] * (body + 1));
-        equations.push(derivatives.of(arena, &row, columns));
+        equations.push(derivatives.of(arena, row, columns));
     }
     equations
 }

@@ -125,13 +125,8 @@ fn in_space(model: &Model, arena: &mut Arena, body: usize) -> [Expr; 6] {
         let a = arena.sub(a, gravity[k]);
         arena.mul(mass, a)
     });
-    let [spin, change] = [speed, turning].map(|vector| inertia_times(arena, declared, body, vector));
-    let gyroscopic = cross(arena, speed, spin);
-    let moment = cross(arena, c, force);
-    let mut torque: Triple = [0, 1, 2].map(|k| {
-        let sum = arena.add(change[k], gyroscopic[k]);
-        arena.add(sum, moment[k])
-    });
+    let (euler, moment) = (euler(arena, declared, body, speed, turning), cross(arena, c, force));
+    let mut torque: Triple = [0, 1, 2].map(|k| arena.add(euler[k], moment[k]));
     for Force { point, parts, .. } in model.forces.iter().filter(|force| force.body == body) {
         let parts = [parts[0], parts[1], parts[2]];
         let moment = match point {
@@ -169,8 +164,13 @@ pub(super) fn kinetic(model: &Model, arena: &mut Arena) -> Expr {
             Ambient::Space => {
                 let turning = [3, 4, 5].map(|k| speed(arena, k));
                 let across = cross(arena, turning, [c[0], c[1], c[2]]).to_vec();
-                let spin = inertia_times(arena, declared, body, turning);
-                (across, dot(arena, turning, spin))
+                let spinning = inertia.map_or(zero, |inertia| {
+                    let axes = axes(arena, body);
+                    let turning = axes.map(|axis| dot(arena, axis, turning));
+                    let spin = inertia_times(arena, inertia, turning);
+                    dot(arena, turning, spin)
+                });
+                (across, spinning)
             }
         };
         let mut square = zero;
@@ -188,19 +188,28 @@ pub(super) fn kinetic(model: &Model, arena: &mut Arena) -> Expr {
     arena.div(twice, two)
 }
 
-/// A I' Aᵀ v
-fn inertia_times(arena: &mut Arena, declared: &Body, body: usize, v: Triple) -> Triple {
+/// A (I' ω̇' + ω' × I' ω'), with ω' = Aᵀ ω and ω̇' = Aᵀ ω̇: in the axes of the body, where I' is constant.
+fn euler(arena: &mut Arena, declared: &Body, body: usize, speed: Triple, turning: Triple) -> Triple {
     let zero = arena.integer(0);
     let Some(inertia) = &declared.mass.inertia else { return [zero; 3] };
+    let axes = axes(arena, body);
+    let [speed, turning] = [speed, turning].map(|vector| axes.map(|axis| dot(arena, axis, vector)));
+    let [spin, change] = [speed, turning].map(|vector| inertia_times(arena, inertia, vector));
+    let gyroscopic = cross(arena, speed, spin);
+    let sum = [0, 1, 2].map(|k| arena.add(change[k], gyroscopic[k]));
+    combination(arena, sum, axes)
+}
+
+/// The axes of a body in ground.
+fn axes(arena: &mut Arena, body: usize) -> [Triple; 3] {
     let (zero, one) = (arena.integer(0), arena.integer(1));
-    let axes = [0, 1, 2].map(|axis| {
-        let unit = [0, 1, 2].map(|k| if k == axis { one } else { zero });
-        arena.turned(body, unit)
-    });
-    let local = axes.map(|axis| dot(arena, axis, v));
+    [0, 1, 2].map(|axis| arena.turned(body, [0, 1, 2].map(|k| if k == axis { one } else { zero })))
+}
+
+/// I' v, in the axes of a body.
+fn inertia_times(arena: &mut Arena, inertia: &[Expr], v: Triple) -> Triple {
     let [xx, yy, zz, xy, xz, yz] = [inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]];
-    let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]].map(|row| dot(arena, row, local));
-    combination(arena, rows, axes)
+    [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]].map(|row| dot(arena, row, v))
 }
 
 /// A vector fixed in a body, in ground: the arm of a joint's point.

@@ -6,10 +6,11 @@
 //!
 //! Leaves are the entries of a state: in space those of the rotation matrices, ω and ω̇ stand behind the unknowns.
 
+use super::rows::Row;
 use super::{COSINES, Equation, balance, declared, dynamics};
-use crate::expr::{Arena, Expr, Leaf, Mark, Node, combination};
-use crate::model::Model;
-use crate::quantity::Dim;
+use crate::expr::{Arena, Expr, Leaf, Mark, Node, Substitution, Triple, combination, derivative};
+use crate::model::{DECLARED, JointQuantity, Model};
+use crate::quantity::{Dim, Role};
 use std::collections::HashMap;
 
 /// What forces and masses leave to joints and drives.
@@ -42,9 +43,18 @@ pub struct LoadRow {
 
 impl LoadEquations {
     /// In the declared coordinates; `None` if there is neither a mass nor a force.
-    pub(super) fn declared(model: &Model, arena: &mut Arena) -> Option<LoadEquations> {
+    ///
+    /// * `is_aligned`: given, true for the angle of a joint that keeps its axes in one direction.
+    pub(super) fn declared(model: &Model, arena: &mut Arena, is_aligned: impl Fn(u32) -> bool) -> Option<LoadEquations> {
         let forces = dynamics::unbalanced(model, arena)?;
-        let rows = rows(declared::equations(model, arena).iter());
+        let mut angles = JointAngles::new(model, arena, is_aligned);
+        let declared = Row::declared(model).map(|row| Row { residual: angles.apart(arena, row.residual), ..row });
+        let declared: Vec<Row> = declared.collect();
+        let mut equations = declared::equations(model, arena, declared.iter());
+        for (row, equation) in declared.iter().zip(&mut equations) {
+            angles.add_slopes(arena, row, equation);
+        }
+        let rows = rows(equations.iter());
         Some(LoadEquations { forces, rows, arms: arms(model, arena), energies: energies(model, arena) })
     }
 
@@ -112,6 +122,84 @@ fn turned(arena: &mut Arena, frames: &[usize], unknowns: usize, vector: u32, axi
     let columns =
         [0, 1, 2].map(|column| [0, 1, 2].map(|row| arena.leaf(Leaf::Coordinate((unknowns + COSINES * body + 3 * row + column) as u32))));
     Some(combination(arena, local, columns)[axis])
+}
+
+/// Angles of joints as variables of their own: where the axes stay in one direction, an angle turns with the bodies about the axis.
+struct JointAngles {
+    known: Vec<JointAngle>,
+    replaced: HashMap<Expr, Expr>,
+    back: Substitution,
+}
+
+struct JointAngle {
+    /// As a variable.
+    leaf: Leaf,
+    /// As declared.
+    expr: Expr,
+    /// Bodies, with the directions about which their turns let it grow.
+    turns: Vec<(usize, Triple)>,
+}
+
+impl JointAngles {
+    fn new(model: &Model, arena: &mut Arena, is_aligned: impl Fn(u32) -> bool) -> JointAngles {
+        let (mut known, mut back) = (Vec::new(), Substitution::new());
+        for (number, (quantity, expr)) in (0..).zip(&model.space.quantities) {
+            let JointQuantity::Angle(one, two) = quantity else { continue };
+            if !is_aligned(number) {
+                continue;
+            }
+            let leaf = Leaf::Coordinate(DECLARED + (Role::SPACE.len() * model.bodies.len()) as u32 + number);
+            back.replace(leaf, *expr);
+            let mut turns = Vec::new();
+            for (triad, is_ahead) in [(two, true), (one, false)] {
+                let Some(body) = triad.body else { continue };
+                let axis = arena.turned(body, triad.axes[2]);
+                turns.push((body, if is_ahead { axis } else { axis.map(|part| arena.neg(part)) }));
+            }
+            known.push(JointAngle { leaf, expr: *expr, turns });
+        }
+        JointAngles { known, replaced: HashMap::new(), back }
+    }
+
+    /// An expression with the leaves of angles.
+    fn apart(&mut self, arena: &mut Arena, root: Expr) -> Expr {
+        let whole = |node: &Node| matches!(node, Node::Marked { .. });
+        for expr in arena.reachable_above(&[root], whole) {
+            if self.replaced.contains_key(&expr) {
+                continue;
+            }
+            let node = *arena.node(expr);
+            let leaf = self.known.iter().find(|angle| angle.expr == expr).map(|angle| angle.leaf);
+            let new = match (leaf, node) {
+                (Some(leaf), _) => arena.leaf(leaf),
+                (None, Node::Marked { .. }) => expr,
+                _ => {
+                    let children: Vec<Expr> = node.children().map(|child| self.replaced[&child]).collect();
+                    arena.with_children(expr, &children)
+                }
+            };
+            self.replaced.insert(expr, new);
+        }
+        self.replaced[&root]
+    }
+
+    /// Adds what an equation has by its angles, and writes the angles as before.
+    fn add_slopes(&mut self, arena: &mut Arena, row: &Row, equation: &mut Equation) {
+        let leaves = arena.leaves(row.residual);
+        for angle in self.known.iter().filter(|angle| leaves.contains(&angle.leaf)) {
+            let slope = derivative(arena, row.residual, angle.leaf);
+            for (speed, part) in angle.turns.iter().flat_map(|(body, axis)| (0..3).map(move |k| (6 * body + 3 + k, axis[k]))) {
+                let product = arena.mul(slope, part);
+                match equation.jacobian.iter_mut().find(|(known, _)| *known == speed) {
+                    Some((_, entry)) => *entry = arena.add(*entry, product),
+                    None => equation.jacobian.push((speed, product)),
+                }
+            }
+        }
+        equation.jacobian.retain(|(_, entry)| !arena.as_constant(*entry).is_some_and(|value| value.is_zero()));
+        equation.nu = self.back.of(arena, equation.nu);
+        equation.jacobian.iter_mut().for_each(|(_, entry)| *entry = self.back.of(arena, *entry));
+    }
 }
 
 fn rows<'a>(equations: impl Iterator<Item = &'a Equation>) -> Vec<LoadRow> {

@@ -71,7 +71,8 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena) -> Choice {
     let outputs = model.outputs.iter().map(|output| output.components.iter().map(|part| forest.rewrite(*part)).collect()).collect();
     let balance = (model.task == Task::Motion).then(|| Balance::declared(model, forest.arena).map(|expr| forest.rewrite(expr)));
     let is_loaded = model.task.is_determined();
-    let loads = is_loaded.then(|| LoadEquations::declared(model, forest.arena)).flatten();
+    let aligned = if is_loaded { forest.aligned() } else { BTreeSet::new() };
+    let loads = is_loaded.then(|| LoadEquations::declared(model, forest.arena, |number| aligned.contains(&number))).flatten();
     let loads = loads.map(|loads| loads.map(|expr| forest.rewrite(expr)));
     forest.rows_of_further_angles();
     forest.rows.sort_by_key(|row| row.joint);

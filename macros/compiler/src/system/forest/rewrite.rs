@@ -5,6 +5,7 @@ use super::Forest;
 use crate::expr::{Binary, Expr, Leaf, Mark, Node, dot};
 use crate::model::{DECLARED, JointQuantity, Place, Triad};
 use crate::quantity::{Dim, Role};
+use std::collections::BTreeSet;
 
 impl Forest<'_> {
     /// An angle of two triads by those that are known, if a chain of joints about one direction leads from one to the other.
@@ -33,6 +34,16 @@ impl Forest<'_> {
             }
         }
         None
+    }
+
+    /// Angles of joints that keep their axes in one direction, by number of the quantity.
+    pub(super) fn aligned(&mut self) -> BTreeSet<u32> {
+        let quantities = (0..).zip(&self.model.space.quantities);
+        let is_aligned = |this: &mut Self, quantity: &JointQuantity| match quantity {
+            JointQuantity::Angle(one, two) => this.by_known_angles(*one, *two).is_some(),
+            JointQuantity::Displacement(..) => false,
+        };
+        quantities.filter(|(_, (quantity, _))| is_aligned(self, quantity)).map(|(number, _)| number).collect()
     }
 
     /// Angle of the x axis of a triad in another one with the same z axis.
