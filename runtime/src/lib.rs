@@ -100,7 +100,9 @@ pub use api::{
 };
 #[doc(hidden)]
 pub use api::{Named, Relation, between, finite, require, within};
-pub use dynamics::{Balance, Constraints, Dynamics, Energy, Integrator, Stopped};
+#[doc(hidden)]
+pub use dynamics::motion;
+pub use dynamics::{Balance, Constraints, Dynamics, Energy, Integrator, MotionSweep, Stopped};
 #[cfg(feature = "certify")]
 pub use enclosure::{Certificate, Doubt, Enclosure, ErrorBound};
 pub use explain::Failure;

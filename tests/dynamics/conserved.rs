@@ -343,3 +343,57 @@ fn loads_follow_changed_parameters() {
         assert!((load.force.x - wanted).abs() < 1e-14 * g && load.force.y.abs() < 1e-14 * g, "{load:?} {wanted}");
     }
 }
+
+#[test]
+fn a_sweep_gives_states_between_steps_as_good_as_those_at_their_ends() {
+    let pendulum = Pendulum { start: -2.0, ..Pendulum::default() };
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        let times = (0..400).map(|k| 0.01 * f64::from(k));
+        // As many steps as there are times, with a far smaller tolerance.
+        let (mut exact, mut fine) = (pendulum.initial_state().expect("a state"), Integrator::new(1e-13));
+        let mut worst = 0.0_f64;
+        for state in pendulum.sweep(times, Integrator::new(tolerance)) {
+            let state = state.expect("a state");
+            pendulum.advance(&mut exact, state.t, &mut fine).expect("a motion");
+            let (found, wanted) = (state.rod(), exact.rod());
+            worst = worst.max((found.angle - wanted.angle).abs()).max((found.angular_velocity - wanted.angular_velocity).abs() / 5.0);
+            // Equations hold to rounding.
+            assert!((found.angular_acceleration + 9.81 * found.angle.cos()).abs() < 1e-13);
+        }
+        assert!(worst < 10.0 * tolerance && worst > 0.0, "{tolerance:e}: {worst:e}");
+    }
+}
+
+#[test]
+fn a_sweep_may_turn_back_begin_anywhere_and_end_before_the_motion_stops() {
+    let pendulum = Pendulum { start: -2.0, ..Pendulum::default() };
+    let integrator = Integrator::new(1e-11);
+    let there: Vec<_> = pendulum.sweep([0.0, 0.7, 1.9, 0.7, 0.05, 0.0, -0.3], integrator).map(|state| state.expect("a state")).collect();
+    assert!((there[1].rod().angle - there[3].rod().angle).abs() < 1e-9);
+    // The motion is symmetric about the instant of rest at t = 0.
+    let [before, after] = [-0.3, 0.3].map(|t| pendulum.sweep([t], integrator).next().expect("a time").expect("a state").rod().angle);
+    assert!((before - after).abs() < 1e-9 && (before - there[6].rod().angle).abs() < 1e-9);
+    let further = pendulum.sweep_from(&there[1], [1.9], integrator).next().expect("a time").expect("a state");
+    assert!((further.rod().angle - there[2].rod().angle).abs() < 1e-9);
+    // Not a time: an error, and nothing after it.
+    let mut broken = pendulum.sweep([0.1, f64::NAN, 0.2], integrator);
+    assert!(broken.next().is_some_and(|state| state.is_ok()));
+    assert!(matches!(broken.next(), Some(Err(Stopped::NotFinite { .. }))) && broken.next().is_none());
+}
+
+#[test]
+fn a_motion_can_be_watched_and_stopped() {
+    let pendulum = Pendulum { start: -2.0, ..Pendulum::default() };
+    let (mut state, mut integrator) = (pendulum.initial_state().expect("a state"), Integrator::new(1e-9));
+    let mut steps = 0;
+    assert_eq!(
+        pendulum.advance_while(&mut state, 1.0, &mut integrator, |_| {
+            steps += 1;
+            true
+        }),
+        Ok(true)
+    );
+    assert_eq!((steps, state.t), (integrator.accepted, 1.0));
+    assert_eq!(pendulum.advance_while(&mut state, 9.0, &mut integrator, |state| state.t < 2.0), Ok(false));
+    assert!(state.t >= 2.0 && state.t < 3.0);
+}

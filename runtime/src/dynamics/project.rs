@@ -117,9 +117,7 @@ where
 }
 
 /// The state at t = 0, at the initial values of the freedoms.
-pub(super) fn initial_state<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
-    mechanism: &S,
-) -> Result<State<T, N>, Stopped<T>>
+pub fn initial_state<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(mechanism: &S) -> Result<State<T, N>, Stopped<T>>
 where
     T: Float,
     S: Dynamics<T, N, I, M, R>,
@@ -137,7 +135,7 @@ where
 }
 
 /// Sets the accelerations of a state, and all its entries that follow from the integrated ones.
-pub(super) fn refresh<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+pub fn refresh<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     state: &mut State<T, N>,
 ) -> Result<(), Stopped<T>>

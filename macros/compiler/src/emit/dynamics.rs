@@ -178,14 +178,14 @@ impl Emitter<'_> {
             /// # Errors
             /// Why there is none.
             pub fn initial_state(&self) -> ::core::result::Result<#state<T>, #failure> {
-                ::reuleaux::Integrator::<T>::initial_state(self).map(#state)
+                ::reuleaux::motion::initial_state(self).map(#state)
             }
             /// Makes the accelerations of a state those of its positions and speeds, which have to fulfil the equations.
             ///
             /// # Errors
             /// Why there are none.
             pub fn accelerate(&self, state: &mut #state<T>) -> ::core::result::Result<(), #failure> {
-                ::reuleaux::Integrator::<T>::refresh(self, &mut state.0)
+                ::reuleaux::motion::refresh(self, &mut state.0)
             }
             /// Takes a state to time `t` (s), by steps whose error is within the tolerance of the integrator.
             ///
@@ -197,7 +197,43 @@ impl Emitter<'_> {
                 t: T,
                 integrator: &mut ::reuleaux::Integrator<T>,
             ) -> ::core::result::Result<(), #failure> {
-                integrator.advance(self, &mut state.0, t)
+                integrator.advance_while(self, &mut state.0, t, |_| true).map(|_| ())
+            }
+            /// Takes a state to time `t` (s) as long as `goes_on` says so of the state after each step: to report progress, or to stop. True
+            /// if the time is reached.
+            ///
+            /// # Errors
+            /// Why the motion stops; the state is the last one reached.
+            pub fn advance_while(
+                &self,
+                state: &mut #state<T>,
+                t: T,
+                integrator: &mut ::reuleaux::Integrator<T>,
+                mut goes_on: impl ::core::ops::FnMut(&#state<T>) -> ::core::primitive::bool,
+            ) -> ::core::result::Result<::core::primitive::bool, #failure> {
+                integrator.advance_while(self, &mut state.0, t, |state| goes_on(&#state(::core::clone::Clone::clone(state))))
+            }
+            /// States at the times (s) given, from the initial values on: steps are as long as the tolerance allows, and states between
+            /// their ends are interpolated and brought back to where the equations hold. After an error there are no more.
+            pub fn sweep<'a>(
+                &'a self,
+                times: impl ::core::iter::IntoIterator<Item = T> + 'a,
+                integrator: ::reuleaux::Integrator<T>,
+            ) -> impl ::core::iter::Iterator<Item = ::core::result::Result<#state<T>, #failure>> + 'a {
+                let start = ::reuleaux::motion::initial_state(self);
+                let times = ::core::iter::IntoIterator::into_iter(times);
+                ::core::iter::Iterator::map(::reuleaux::MotionSweep::new(self, start, times, integrator), |state| state.map(#state))
+            }
+            /// The same from a state on.
+            pub fn sweep_from<'a>(
+                &'a self,
+                state: &#state<T>,
+                times: impl ::core::iter::IntoIterator<Item = T> + 'a,
+                integrator: ::reuleaux::Integrator<T>,
+            ) -> impl ::core::iter::Iterator<Item = ::core::result::Result<#state<T>, #failure>> + 'a {
+                let start = ::core::result::Result::Ok(::core::clone::Clone::clone(&state.0));
+                let times = ::core::iter::IntoIterator::into_iter(times);
+                ::core::iter::Iterator::map(::reuleaux::MotionSweep::new(self, start, times, integrator), |state| state.map(#state))
             }
             /// Takes a state to the first instant before `t` (s) at which `event` changes its sign, or to `t`. True if there is such an
             /// instant; an event where the state begins does not count.
@@ -218,7 +254,7 @@ impl Emitter<'_> {
             /// # Errors
             /// Why there is no state after it; the state stays as it is.
             pub fn step(&self, state: &mut #state<T>, h: T) -> ::core::result::Result<(), #failure> {
-                ::reuleaux::Integrator::<T>::fixed_step(self, &mut state.0, h)
+                ::reuleaux::motion::fixed_step(self, &mut state.0, h)
             }
             /// Kinetic energy, potential energy of gravity and of each `energy`, and the power of the forces declared.
             #[must_use]

@@ -251,6 +251,24 @@ fn motion_from_forces(state: &Ident, body: &TokenStream) -> TokenStream {
             _: &mut ::reuleaux::Integrator<T>,
             _: impl ::core::ops::Fn(&#state<T>) -> T,
         ) -> #found { #body }
+        pub fn advance_while(
+            &self,
+            _: &mut #state<T>,
+            _: T,
+            _: &mut ::reuleaux::Integrator<T>,
+            _: impl ::core::ops::FnMut(&#state<T>) -> ::core::primitive::bool,
+        ) -> #found { #body }
+        pub fn sweep<'a>(
+            &'a self,
+            _: impl ::core::iter::IntoIterator<Item = T> + 'a,
+            _: ::reuleaux::Integrator<T>,
+        ) -> ::std::vec::IntoIter<#first> { #body }
+        pub fn sweep_from<'a>(
+            &'a self,
+            _: &#state<T>,
+            _: impl ::core::iter::IntoIterator<Item = T> + 'a,
+            _: ::reuleaux::Integrator<T>,
+        ) -> ::std::vec::IntoIter<#first> { #body }
         pub fn step(&self, _: &mut #state<T>, _: T) -> #nothing { #body }
         pub fn energy(&self, _: &#state<T>) -> ::reuleaux::Energy<T> { #body }
     }

@@ -1,0 +1,60 @@
+//! Rank over a step.
+
+use super::accelerate::{lengths, singular};
+use super::equations::Dynamics;
+use super::partition::{has_other_signs, weakest};
+use super::step::{Reached, integrated, stages};
+use super::stopped::Stopped;
+use crate::number::Float;
+use crate::state::State;
+
+/// Most steps of the search for an instant.
+const SEARCH: usize = 60;
+
+/// Below this part of its row an equation depends on the others.
+const LOST: f64 = 1e-4;
+
+/// Checks that the equations stay independent over a step.
+///
+/// # Errors
+/// When they do not, and a joint whose equations depend on the others there.
+pub(super) fn keeps_rank<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    from: &State<T, N>,
+    to: &State<T, N>,
+    (jacobian, pivots): &Reached<T, M, I>,
+) -> Result<(), Stopped<T>>
+where
+    T: Float,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let lengths = lengths(mechanism);
+    let start = mechanism.constraints(&from.q, from.t).jacobian;
+    if !has_other_signs(&start, jacobian, pivots) {
+        return Ok(());
+    }
+    // Either these pivots are bad somewhere on the way, or all are.
+    let (mut low, mut high, mut last) = (T::ZERO, to.t - from.t, start);
+    for _ in 0..SEARCH {
+        let h = (low + high) * T::of(0.5);
+        // Near the instant a projection may lead to another branch: these places are those integrated.
+        let there = stages(mechanism, from, h).map(|stages| {
+            let (q, _) = integrated::<T, S, N, I, M, R>(from, &stages, h);
+            mechanism.constraints(&q, from.t + h).jacobian
+        });
+        match there {
+            Ok(there) if !has_other_signs(&start, &there, pivots) => (low, last) = (h, there),
+            _ => high = h,
+        }
+        if (high - low).abs() <= T::EPSILON * (from.t.abs() + high.abs()) {
+            break;
+        }
+    }
+    // Where rank is lost rows may vanish: they are compared with what they are where the mechanism is assembled.
+    let assembled = mechanism.constraints(&mechanism.start(), from.t).jacobian;
+    let (row, left) = weakest(&last, &assembled, &lengths);
+    if left > T::of(LOST) {
+        return Ok(());
+    }
+    Err(singular::<T, S, N, I, M, R>(from.t + high, row))
+}

@@ -1,0 +1,92 @@
+//! States at given times.
+
+use super::dense::Dense;
+use super::equations::Dynamics;
+use super::integrator::Integrator;
+use super::stopped::Stopped;
+use crate::number::Float;
+use crate::state::State;
+
+/// States of a motion at given times: steps are as long as the tolerance allows, and states between their ends are interpolated.
+///
+/// After an error there are no more states.
+#[derive(Clone)]
+pub struct MotionSweep<'a, S, T, X, const N: usize, const I: usize, const M: usize, const R: usize> {
+    mechanism: &'a S,
+    times: X,
+    /// The end of the last step; `None` after an error.
+    state: Option<State<T, N>>,
+    /// Why there is no state to begin with.
+    stopped: Option<Stopped<T>>,
+    /// The last step.
+    step: Option<Dense<T, N, I>>,
+    integrator: Integrator<T>,
+}
+
+impl<'a, S, T, X, const N: usize, const I: usize, const M: usize, const R: usize> MotionSweep<'a, S, T, X, N, I, M, R>
+where
+    T: Float,
+    S: Dynamics<T, N, I, M, R>,
+{
+    /// Begins at a state.
+    #[doc(hidden)]
+    pub fn new(mechanism: &'a S, start: Result<State<T, N>, Stopped<T>>, times: X, integrator: Integrator<T>) -> Self {
+        let (state, stopped) = match start {
+            Ok(state) => (Some(state), None),
+            Err(stopped) => (None, Some(stopped)),
+        };
+        Self { mechanism, times, state, stopped, step: None, integrator }
+    }
+
+    /// The state at a time; afterwards `state` is the end of the step that holds it.
+    fn reach(&mut self, state: &mut State<T, N>, t: T) -> Result<State<T, N>, Stopped<T>> {
+        if !t.is_finite() {
+            return Err(Stopped::NotFinite { time: t });
+        }
+        if self.step.is_none() {
+            self.integrator.begin(self.mechanism, state, t)?;
+        }
+        for _ in 0..self.integrator.most {
+            if state.t == t {
+                return Ok(state.clone());
+            }
+            if let Some(step) = self.step.as_ref().filter(|step| step.contains(t)) {
+                return step.at(self.mechanism, t);
+            }
+            let (beyond, before) = (if t < state.t { T::of(f64::NEG_INFINITY) } else { T::of(f64::INFINITY) }, self.integrator);
+            let (next, rates) = match self.integrator.next(self.mechanism, state, beyond) {
+                Ok(found) => found,
+                // What stops the motion behind the time is no matter.
+                Err(_) => {
+                    self.integrator = before;
+                    self.integrator.next(self.mechanism, state, t)?
+                }
+            };
+            self.step = Some(Dense::new(self.mechanism, state, &next, &rates)?);
+            *state = next;
+        }
+        Err(Stopped::TooManySteps { time: state.t })
+    }
+}
+
+impl<S, T, X, const N: usize, const I: usize, const M: usize, const R: usize> Iterator for MotionSweep<'_, S, T, X, N, I, M, R>
+where
+    T: Float,
+    S: Dynamics<T, N, I, M, R>,
+    X: Iterator<Item = T>,
+{
+    type Item = Result<State<T, N>, Stopped<T>>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let t = self.times.next()?;
+        if let Some(stopped) = self.stopped.take() {
+            return Some(Err(stopped));
+        }
+        let mut state = self.state.take()?;
+        let found = self.reach(&mut state, t);
+        if found.is_ok() {
+            self.state = Some(state);
+        }
+        Some(found)
+    }
+}
