@@ -151,6 +151,20 @@ declared!(measured_cam {
     }
 });
 
+declared!(pendulum {
+    #[picture]
+    pub mechanism DoublePendulum {
+        gravity = (0, -9.81m_s2);
+        body upper { point E = (300mm, 0mm); mass = 1kg; inertia = 0.1kgm2; }
+        body lower { point E = (300mm, 0mm); mass = 1kg; inertia = 0.1kgm2; start angle = 20deg; }
+        freedom swing = upper.angle from 10deg;
+        joint o = revolute(ground.position, upper.position);
+        freedom bend = lower.angle from 20deg;
+        joint e = revolute(upper.E, lower.position);
+        output E = lower.E;
+    }
+});
+
 /// The picture on the page of a declaration.
 fn page(text: &str) -> String {
     let compiled = super::compiled(&("page".into(), text.parse().expect("tokens")));
@@ -169,6 +183,15 @@ fn at_the_start_the_page_has_the_same_picture() -> Result<(), Box<dyn Error>> {
     let (across, arm) = (across::AcrossCrank::default(), arm::Arm::default());
     assert_eq!(across.picture(&across.solve(0.0)?.0), page(across::TEXT));
     assert_eq!(arm.picture(&arm.solve(0.0)?.0), page(arm::TEXT));
+    Ok(())
+}
+
+#[test]
+fn freedoms_may_stand_anywhere() -> Result<(), Box<dyn Error>> {
+    let pendulum = pendulum::DoublePendulum::default();
+    let svg = pendulum.picture(&pendulum.initial_state()?.0);
+    assert_eq!(svg, page(pendulum::TEXT));
+    assert!(svg.contains("<title>e: revolute of upper and lower</title>"), "{svg}");
     Ok(())
 }
 
