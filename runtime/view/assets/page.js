@@ -97,11 +97,17 @@
     const isPlain = places >= 0 && places <= 7;
     const isLong = places < 0 && places > -4;
     const write = (value) => (isPlain || isLong ? value.toFixed(Math.max(places, 0)) : value.toExponential(digits - 1));
-    return (value) => (value == null ? "–" : write(value).replace("-", "−"));
+    return (value) => (value == null ? "–" : write(value).replaceAll("-", "−"));
+  }
+  function ticks(self, values) {
+    const size = Math.max(...values.map(Math.abs));
+    const isPlain = size === 0 || (size < 1e6 && size >= 1e-3);
+    const write = (value) => (isPlain || value === 0 ? String(value) : value.toExponential());
+    return values.map((value) => write(Number(value.toPrecision(8))).replaceAll("-", "−"));
   }
   const step = (end - start) / Math.max(last, 1);
   const spread = Math.max(Math.abs(start), Math.abs(end)) || 1;
-  const moment = format(data.values, Math.min(9, Math.max(3, 1 + Math.ceil(Math.log10(spread / (step || spread))))));
+  const moment = format(data.values, Math.min(9, Math.max(3, 2 + Math.ceil(Math.log10(spread / (step || spread))))));
   const unit = (name) => (name ? ` ${name}` : "");
   const axis = (name, of) => (of ? `${name} in ${of}` : name);
 
@@ -133,7 +139,7 @@
     section.append(figure);
     const thin = { stroke: () => inks.faint, width: 1 };
     const font = "12px system-ui, sans-serif";
-    const line = { stroke: () => inks.ink, grid: thin, ticks: { ...thin, size: 4 }, font, labelFont: font, labelSize: 18 };
+    const line = { stroke: () => inks.ink, grid: thin, ticks: { ...thin, size: 4 }, font, labelFont: font, labelSize: 18, values: ticks };
     const series = plot.series.map(({ name, values }) => {
       const write = format(values, 5);
       const value = (self, number) => write(number) + (number == null ? "" : unit(plot.unit));

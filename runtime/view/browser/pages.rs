@@ -125,7 +125,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     write(folder, "slider_crank", &slider_crank()?)?;
     write(folder, "stewart_platform", &stewart_platform()?)?;
     write(folder, "chain", &chain()?)?;
-    write(folder, "double_pendulum", &double_pendulum()?)
+    write(folder, "double_pendulum", &double_pendulum()?)?;
+    write(folder, "gaps", &gaps()?)?;
+    let m = FourBar::default();
+    write(folder, "one_state", &m.view([m.solve(0.3)?]).plot("rocker", "rad", |state| state.rocker().angle))
 }
 
 fn write<S>(folder: &Path, name: &str, view: &View<S>) -> Result<(), Box<dyn Error>> {
@@ -143,6 +146,15 @@ fn four_bar(states: u32) -> Result<View<FourBarState<f64>>, Box<dyn Error>> {
     let view = m.view(turn).title("Four-bar").trace("path of P", |state| m.P(state).value);
     let view = view.plot("rocker angle", "°", |state| state.rocker().angle.to_degrees());
     Ok(view.plot("rocker velocity", "rad/s", |state| state.rocker().angular_velocity))
+}
+
+/// Over another abscissa than time, with values that are missing, none, tiny and huge.
+fn gaps() -> Result<View<FourBarState<f64>>, Box<dyn Error>> {
+    let m = FourBar::default();
+    let turn: Vec<_> = m.sweep(steps(0.0, 4.0, 99)).collect::<Result<_, _>>()?;
+    let view = m.view(turn).title("Gaps & <limits>").over("crank", "°", |state| state.crank().angle.to_degrees()).lasting(3.0);
+    let view = view.plot("root", "", |state| (state.rocker().angle - 1.5).sqrt()).and("nothing", |_| f64::NAN);
+    Ok(view.plot("tiny", "m", |state| 1e-12 * state.rocker().angle).plot("huge", "Pa", |state| 2e11 * state.rocker().angle))
 }
 
 fn slider_crank() -> Result<View<SliderCrankState<f64>>, Box<dyn Error>> {

@@ -69,7 +69,7 @@ const followed = (page) =>
       return {
         cursor: cursor.left - over.left,
         moment: ((data.values[shown] - first) / (last - first)) * over.width,
-        shown: texts.map((text) => Number.parseFloat(text.replace("−", "-"))),
+        shown: texts.map((text) => Number.parseFloat(text.replaceAll("−", "-"))),
         values: data.plots[number].series.map(({ values }) => values[shown]),
       };
     });
@@ -175,6 +175,30 @@ await test("a motion begins again at its end", () =>
     assert.ok(now > 0 && now < 120, `at ${now}`);
   }));
 
+await test("values may be missing, tiny or huge, and the abscissa another one", () =>
+  opened("gaps.html", still, async (page) => {
+    const values = () => page.locator(".u-legend tr:not(:first-child) .u-value").allInnerTexts();
+    await page.locator("#moment").fill("0");
+    assert.deepEqual(await values(), ["–", "–", "1.0947e−12 m", "2.1894e+11 Pa"]);
+    await page.locator("#moment").fill("50");
+    assert.match((await values())[0], /^0\.\d{5}$/);
+    assert.equal(await page.locator("#readout").innerText(), "crank = 181.8 °");
+    assert.equal(await page.title(), "Gaps & <limits>");
+    await page.keyboard.press("Space");
+    await page.waitForTimeout(300);
+    assert.ok((await state(page)) > 50);
+    await picture(page, "gaps");
+  }));
+
+await test("one state is a page, too", () =>
+  opened("one_state.html", {}, async (page) => {
+    await page.keyboard.press("End");
+    await page.keyboard.press("Space");
+    assert.equal(await state(page), 0);
+    assert.equal(await page.locator("#marks").locator("circle").count(), 4);
+    await picture(page, "one_state");
+  }));
+
 await test("light and dark", async () => {
   const colours = (page) =>
     page.evaluate(() => [getComputedStyle(document.body).backgroundColor, getComputedStyle(document.querySelector(".l")).stroke]);
@@ -209,7 +233,7 @@ await test("on paper there are no controls, and one page is enough", () =>
     const display = (name) => getComputedStyle(document.querySelector(name)).display;
     const hidden = await page.evaluate(`[".controls", "#theme"].map(${display})`);
     assert.deepEqual(hidden, ["none", "none"]);
-    assert.equal(await page.locator(".shown").innerText(), "t = 1.201 s");
+    assert.equal(await page.locator(".shown").innerText(), "t = 1.2012 s");
     assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(255, 255, 255)");
     await page.emulateMedia({ media: null });
     await page.evaluate(() => {
@@ -237,7 +261,7 @@ await test("names are told to those who do not see", () =>
       assert.equal(await page.getByRole(role, { name, exact: true }).count(), 1, `${role} ${name}`);
     }
     await page.locator("#moment").fill("500");
-    assert.equal(await page.locator("#moment").getAttribute("aria-valuetext"), "t = 2.002 s");
+    assert.equal(await page.locator("#moment").getAttribute("aria-valuetext"), "t = 2.0020 s");
     assert.match(await page.locator("#about").textContent(), /^Four-bar: 3 bodies, 4 joints, 1 drive\.$/);
   }));
 

@@ -186,16 +186,24 @@ fn numbers_are_as_short_as_their_digits() {
 
 #[test]
 fn an_animation_moves_without_scripts() -> Result<(), Unviewable> {
-    let svg = view(240).animated_svg()?;
-    let tree = roxmltree::Document::parse(&svg).expect("XML");
-    let moving: Vec<_> = tree.descendants().filter(|node| node.tag_name().name() == "animate").collect();
-    assert!(moving.len() > 10 && !svg.contains("<script"));
-    for animate in moving {
-        let count = |name: &str| animate.attribute(name).map(|values| values.split(';').count());
-        assert!(count("keyTimes").is_none_or(|keys| Some(keys) == count("values")));
-        assert!(count("values").is_some_and(|values| values <= 63));
+    let passing = View::new("Scissors", turn(240), |angle| angle.powi(2), |angle| scissors(*angle));
+    for (view, groups) in [(view(240), 0), (passing, 2)] {
+        let svg = view.animated_svg()?;
+        let tree = roxmltree::Document::parse(&svg).expect("XML");
+        let moving: Vec<_> = tree.descendants().filter(|node| node.tag_name().name() == "animate").collect();
+        assert!(moving.len() > 10 && !svg.contains("<script"));
+        assert!(moving.iter().filter(|node| node.attribute("attributeName") == Some("visibility")).count() >= groups);
+        for animate in moving {
+            let values = animate.attribute("values").map_or(0, |values| values.split(';').count());
+            assert!((2..=63).contains(&values));
+            let Some(times) = animate.attribute("keyTimes") else { continue };
+            let times: Vec<f64> = times.split(';').map(|time| time.parse().expect("a number")).collect();
+            let is_discrete = animate.attribute("calcMode").is_some();
+            assert_eq!(times.len(), values);
+            assert!(times[0] == 0.0 && times.is_sorted() && (is_discrete || times.last() == Some(&1.0)), "{times:?}");
+        }
+        assert_eq!(svg, view.animated_svg()?);
     }
-    assert_eq!(svg, view(240).animated_svg()?);
     Ok(())
 }
 
