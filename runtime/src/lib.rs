@@ -43,6 +43,7 @@
 //!   ([`Mechanism::error_bound`], [`certify`](Mechanism::certify), [`polish`](Mechanism::polish)).
 //! - `page-picture` (default): a drawing of each mechanism on the page of its type. It costs time to compile and nothing at run time.
 //! - `picture`: the same drawing of any state at run time (`reuleaux::picture`), for mechanisms declared with `#[picture]`.
+//! - `view`: pictures that move, with plots, as pages and files (`reuleaux::view`). `view-png`: their frames as PNG.
 //! - `rayon`: sweeps of many mechanisms on all processors (`reuleaux::parallel`).
 //!
 //! The crate `reuleaux-wide` advances several mechanisms together in the lanes of SIMD registers.
@@ -143,6 +144,13 @@ pub mod picture {
     pub use crate::api::Drawable;
     pub use reuleaux_picture::{GROUND, Joint, Label, Picture, Pose, Scene, Undrawable, Vector, animation, frames};
 }
+
+/// Pictures that move: the states of a motion as one HTML page with plots, as an SVG that moves by itself, or as frames.
+///
+/// [`Drawable::view`](picture::Drawable::view) takes the states of any mechanism that is declared with `#[picture]`.
+#[cfg(feature = "view")]
+#[doc(inline)]
+pub use reuleaux_view as view;
 
 /// The standard library of constraints and motion laws, each with its manual page.
 ///

@@ -3,6 +3,7 @@
 use std::error::Error;
 
 use reuleaux::picture::{Drawable, Scene, Undrawable, animation, frames};
+use reuleaux::{Integrator, State};
 
 /// A mechanism and the text of its declaration.
 macro_rules! declared {
@@ -151,6 +152,20 @@ declared!(measured_cam {
     }
 });
 
+declared!(pendulum {
+    #[picture]
+    pub mechanism DoublePendulum {
+        gravity = (0, -9.81m_s2);
+        body upper { point E = (300mm, 0mm); mass = 1kg; inertia = 0.1kgm2; }
+        body lower { point E = (300mm, 0mm); mass = 1kg; inertia = 0.1kgm2; start angle = 20deg; }
+        freedom swing = upper.angle from 10deg;
+        joint o = revolute(ground.position, upper.position);
+        freedom bend = lower.angle from 20deg;
+        joint e = revolute(upper.E, lower.position);
+        output E = lower.E;
+    }
+});
+
 /// The picture on the page of a declaration.
 fn page(text: &str) -> String {
     let compiled = super::compiled(&("page".into(), text.parse().expect("tokens")));
@@ -169,6 +184,15 @@ fn at_the_start_the_page_has_the_same_picture() -> Result<(), Box<dyn Error>> {
     let (across, arm) = (across::AcrossCrank::default(), arm::Arm::default());
     assert_eq!(across.picture(&across.solve(0.0)?.0), page(across::TEXT));
     assert_eq!(arm.picture(&arm.solve(0.0)?.0), page(arm::TEXT));
+    Ok(())
+}
+
+#[test]
+fn freedoms_may_stand_anywhere() -> Result<(), Box<dyn Error>> {
+    let pendulum = pendulum::DoublePendulum::default();
+    let svg = pendulum.picture(&pendulum.initial_state()?.0);
+    assert_eq!(svg, page(pendulum::TEXT));
+    assert!(svg.contains("<title>e: revolute of upper and lower</title>"), "{svg}");
     Ok(())
 }
 
@@ -263,5 +287,37 @@ fn a_motion_in_space_is_seen_from_one_place() -> Result<(), Box<dyn Error>> {
     assert_ne!(drawn[3].svg(), drawn[0].svg());
     let shorter = across::AcrossCrank { crank_length: 0.07, ..across };
     assert_ne!(shorter.picture(&shorter.solve(0.0)?.0), across.picture(&states[0].0));
+    Ok(())
+}
+
+#[test]
+fn states_of_any_kind_make_a_view() -> Result<(), Box<dyn Error>> {
+    let pendulum = pendulum::DoublePendulum::default();
+    let (mut state, mut integrator) = (pendulum.initial_state()?, Integrator::new(1e-9));
+    let mut recorded = vec![state.clone()];
+    for step in 1..20 {
+        pendulum.advance(&mut state, 0.05 * f64::from(step), &mut integrator)?;
+        recorded.push(state.clone());
+    }
+    let swinging = pendulum.view(recorded).trace("E", |state| pendulum.E(state).value).plot("upper", "rad", |state| state.upper().angle);
+
+    let across = across::AcrossCrank::default();
+    let turn = across.sweep((0..20).map(|step| 0.05 * f64::from(step))).collect::<Result<Vec<_>, _>>()?;
+    let turning = across.view(turn).trace("slide", |state| across.stroke(state).value);
+
+    let engine = engine::Engine::<f32>::with_defaults();
+    let states = engine.sweep((0..20).map(|step| 0.05 * step as f32)).collect::<Result<Vec<_>, _>>()?;
+    let borrowed: Vec<&State<f32, 9>> = states.iter().map(|state| &state.0).collect();
+    let single = engine.view(borrowed).trace("bore", |state| state.point(6).value).plot("travel", "m", |state| state.q[6]);
+
+    for (page, svg) in [
+        (swinging.to_html()?, swinging.animated_svg()?),
+        (turning.to_html()?, turning.animated_svg()?),
+        (single.to_html()?, single.animated_svg()?),
+    ] {
+        assert!(page.contains("class=\"trace\"") && page.contains("\"columns\":[\""));
+        roxmltree::Document::parse(&svg)?;
+    }
+    assert!(swinging.to_html()?.contains("<title>DoublePendulum</title>"));
     Ok(())
 }

@@ -51,6 +51,8 @@ mod canvas;
 mod clearance;
 mod drawing;
 mod drives;
+mod element;
+mod film;
 mod gears;
 mod habits;
 mod labels;
@@ -67,6 +69,7 @@ mod undrawable;
 mod view;
 mod wheels;
 
+pub use film::{Film, Mark};
 pub use picture::{Label, Picture, animation, frames};
 pub use scene::{GROUND, Joint, Pose, Scene, Vector};
 pub use undrawable::Undrawable;

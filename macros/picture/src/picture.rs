@@ -5,9 +5,9 @@ use crate::drawing::Setting;
 use crate::habits::Habits;
 use crate::labels::{Placed, labels};
 use crate::placed::PlacedScene;
-use crate::plane::Rectangle;
-use crate::scene::Scene;
-use crate::space;
+use crate::plane::{Place, Rectangle, place};
+use crate::scene::{Scene, Vector};
+use crate::space::{self, Sight, vec3};
 use crate::svg::{self, Captions, Scale};
 use crate::undrawable::Undrawable;
 use crate::view::{Extent, View};
@@ -84,7 +84,7 @@ impl Picture {
 /// # Errors
 /// Why one of them cannot be drawn.
 pub fn frames(scenes: &[Scene]) -> Result<Vec<Picture>, Undrawable> {
-    let Some(reel) = Reel::of(scenes)? else { return Ok(Vec::new()) };
+    let Some(reel) = Reel::of(scenes, &[])? else { return Ok(Vec::new()) };
     Ok(reel.sheets.iter().map(|sheet| reel.picture(sheet)).collect())
 }
 
@@ -95,7 +95,7 @@ pub fn frames(scenes: &[Scene]) -> Result<Vec<Picture>, Undrawable> {
 /// # Errors
 /// Why one of them cannot be drawn.
 pub fn animation(scenes: &[Scene], period: f64) -> Result<String, Undrawable> {
-    let Some(reel) = Reel::of(scenes)? else { return Err(Undrawable::Empty) };
+    let Some(reel) = Reel::of(scenes, &[])? else { return Err(Undrawable::Empty) };
     let Reel { captions: [title, description], scale, frame, .. } = &reel;
     let period = if period > 0.0 && period.is_finite() { period } else { 1.0 };
     let sheets: Vec<(Canvas, Vec<Placed>)> = reel.sheets.iter().map(|sheet| (sheet.canvas.clone(), sheet.labels.clone())).collect();
@@ -104,31 +104,51 @@ pub fn animation(scenes: &[Scene], period: f64) -> Result<String, Undrawable> {
 
 /// Draws a scene as it stands.
 pub(crate) fn draw(scene: &Scene) -> Result<Picture, Undrawable> {
-    let reel = Reel::of(std::slice::from_ref(scene))?.ok_or(Undrawable::Empty)?;
+    let reel = Reel::of(std::slice::from_ref(scene), &[])?.ok_or(Undrawable::Empty)?;
     reel.sheets.first().map(|sheet| reel.picture(sheet)).ok_or(Undrawable::Empty)
 }
 
 /// Frames before they are written.
-struct Reel {
-    sheets: Vec<Sheet>,
-    scale: Scale,
-    frame: Rectangle,
+#[derive(Clone, Debug)]
+pub(crate) struct Reel {
+    pub(crate) sheets: Vec<Sheet>,
+    pub(crate) scale: Scale,
+    pub(crate) eye: Eye,
+    pub(crate) frame: Rectangle,
     /// A title and a description.
-    captions: [String; 2],
+    pub(crate) captions: [String; 2],
     names_all: bool,
 }
 
 /// One of them.
-struct Sheet {
-    canvas: Canvas,
-    labels: Vec<Placed>,
+#[derive(Clone, Debug)]
+pub(crate) struct Sheet {
+    pub(crate) canvas: Canvas,
+    pub(crate) labels: Vec<Placed>,
+}
+
+/// Where places are seen.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Eye {
+    Plane(View),
+    Space(Sight),
+}
+
+impl Eye {
+    /// From m to units of the picture.
+    pub(crate) fn at(&self, at: Vector) -> Place {
+        match self {
+            Eye::Plane(view) => view.at(place(at.x, at.y)),
+            Eye::Space(sight) => sight.at(sight.enlarge(vec3(at.x, at.y, at.z.unwrap_or(0.0)))),
+        }
+    }
 }
 
 impl Reel {
-    /// Draws scenes with one view; nothing if there is none.
-    fn of(scenes: &[Scene]) -> Result<Option<Reel>, Undrawable> {
+    /// Draws scenes with one view, in which these places (m) are seen too; nothing if there is no scene.
+    pub(crate) fn of(scenes: &[Scene], places: &[Vector]) -> Result<Option<Reel>, Undrawable> {
         if scenes.iter().any(Scene::is_in_space) {
-            return Reel::in_space(scenes);
+            return Reel::in_space(scenes, places);
         }
         let placed = scenes.iter().map(PlacedScene::of).collect::<Result<Vec<_>, _>>()?;
         let settings: Vec<Setting> = placed.iter().map(Setting::of).collect();
@@ -142,21 +162,27 @@ impl Reel {
             settings.iter().for_each(|setting| known.learn(setting.draw(view, &Habits::default()).habits));
         }
         let canvases = settings.iter().map(|setting| setting.draw(view, &known).canvas).collect();
-        let reel = Reel::from(scenes, canvases, |_, _| Scale::Bar(view));
+        let reel = Reel::from(scenes, canvases, Eye::Plane(view), places, |_, _| Scale::Bar(view));
         Ok(reel)
     }
 
     /// Mechanisms in space.
-    fn in_space(scenes: &[Scene]) -> Result<Option<Reel>, Undrawable> {
+    fn in_space(scenes: &[Scene], places: &[Vector]) -> Result<Option<Reel>, Undrawable> {
         let mut stage = space::stage(scenes)?;
         let canvases = std::mem::take(&mut stage.canvases);
-        Ok(Reel::from(scenes, canvases, |sheets, frame| {
+        Ok(Reel::from(scenes, canvases, Eye::Space(stage.sight), places, |sheets, frame| {
             Scale::Axes(stage.axes(sheets.iter().map(|sheet| (&sheet.canvas, sheet.labels.as_slice())), frame))
         }))
     }
 
     /// Finds places for the words.
-    fn from(scenes: &[Scene], canvases: Vec<Canvas>, scale: impl Fn(&[Sheet], Rectangle) -> Scale) -> Option<Reel> {
+    fn from(
+        scenes: &[Scene],
+        canvases: Vec<Canvas>,
+        eye: Eye,
+        places: &[Vector],
+        scale: impl Fn(&[Sheet], Rectangle) -> Scale,
+    ) -> Option<Reel> {
         let mut sheets: Vec<Sheet> = Vec::new();
         for (scene, mut canvas) in scenes.iter().zip(canvases) {
             let is_named = |text: &str| is_named(scene.bodies.len(), text);
@@ -167,10 +193,11 @@ impl Reel {
         }
         let frames = sheets.iter().map(|sheet| svg::frame(&sheet.canvas, &sheet.labels));
         let frame = frames.reduce(|all, next| all.with(next.low).with(next.high))?;
+        let frame = places.iter().map(|at| eye.at(*at)).filter(|at| at.is_finite()).fold(frame, Rectangle::with);
         let captions = scenes.first().map(captions).unwrap_or_default();
         let names_all = scenes.iter().all(|scene| scene.bodies.len() <= ALL_NAMED);
         let scale = scale(&sheets, frame);
-        Some(Reel { sheets, scale, frame, captions, names_all })
+        Some(Reel { sheets, scale, eye, frame, captions, names_all })
     }
 
     fn picture(&self, sheet: &Sheet) -> Picture {

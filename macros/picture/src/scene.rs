@@ -133,6 +133,12 @@ impl Scene {
         Scene { name: name.to_owned(), bodies: Vec::new(), points: Vec::new(), joints: Vec::new(), outputs: Vec::new() }
     }
 
+    /// The name of the mechanism.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
     /// Adds a body.
     pub fn body(&mut self, name: &str, pose: Pose) {
         self.bodies.push(Body { name: name.to_owned(), pose });

@@ -1,14 +1,11 @@
 //! From shapes to SVG: the same bytes on every run, no blank line, readable on light and dark pages.
 
-use crate::canvas::{Canvas, DrawnItem, Ink, Layer, Stroke, Subject};
+use crate::canvas::{Canvas, DrawnItem, Layer, Subject};
+use crate::element::{COLOURS, Element, number, pair, path};
 use crate::labels::{HEIGHT, Placed, SIZE, width};
 use crate::plane::{Place, Rectangle, place};
 use crate::view::View;
-use core::f64::consts::{PI, TAU};
 use std::fmt::Write;
-
-/// Colours of bodies, one after the other: of a lightness that stands out from white and from black alike.
-const COLOURS: [&str; 8] = ["#3f87c9", "#d06f24", "#3d9a50", "#a56cc1", "#1f9c99", "#cf5c68", "#94873a", "#7d7ad0"];
 
 /// Space around everything.
 const MARGIN: f64 = 8.0;
@@ -120,31 +117,46 @@ fn head(frame: Rectangle, words: &Captions, is_in_space: bool) -> String {
         number(size.y)
     );
     let _ = writeln!(page, "<title>{}</title>\n<desc>{}</desc>", escaped(words.title), escaped(words.description));
+    let _ = writeln!(page, "<style>{}</style>", style(is_in_space));
+    page
+}
+
+/// What the classes look like.
+pub(crate) fn style(is_in_space: bool) -> String {
     let colours: String = COLOURS.iter().enumerate().map(|(index, colour)| format!(".reuleaux .c{index}{{color:{colour}}}")).collect();
     let more = if is_in_space { IN_SPACE } else { "" };
-    let _ = writeln!(page, "<style>{STYLE}{colours}.reuleaux .g{{color:#888}}{more}</style>");
-    page
+    format!("{STYLE}{colours}.reuleaux .g{{color:#888}}{more}")
 }
 
 /// Shapes from below to above, and names.
 fn body(canvas: &Canvas, labels: &[Placed]) -> String {
     let mut page = String::new();
-    let mut items: Vec<&DrawnItem> = canvas.items.iter().collect();
-    if !canvas.is_in_space {
-        items.sort_by_key(|item| item.layer);
-    }
-    for same in items.chunk_by(|one, two| one.layer == two.layer && one.title == two.title) {
+    for same in in_order(canvas).chunk_by(|one, two| one.layer == two.layer && one.title == two.title) {
         group(&mut page, same);
     }
     for label in labels {
-        let class = if label.role == Subject::Body { " class=\"i\"" } else { "" };
+        let class = if is_italic(label) { " class=\"i\"" } else { "" };
         word(&mut page, class, label.frame.middle(), &label.text);
     }
     page
 }
 
+/// Shapes from below to above.
+pub(crate) fn in_order(canvas: &Canvas) -> Vec<&DrawnItem> {
+    let mut items: Vec<&DrawnItem> = canvas.items.iter().collect();
+    if !canvas.is_in_space {
+        items.sort_by_key(|item| item.layer);
+    }
+    items
+}
+
+/// What the pointer is told on a shape. Of a hinge on ground only what is on top needs to be told.
+pub(crate) fn told(item: &DrawnItem) -> &str {
+    if item.layer == Layer::Ground { "" } else { &item.title }
+}
+
 /// Captions and the scale below a frame, and the frame of the whole.
-fn foot(captions: &[String], scale: &Scale, mut frame: Rectangle) -> (String, Rectangle) {
+pub(crate) fn foot(captions: &[String], scale: &Scale, mut frame: Rectangle) -> (String, Rectangle) {
     let mut below = String::new();
     if let Scale::Axes(axes) = scale {
         let taken = axes_of_ground(&mut below, axes);
@@ -175,11 +187,11 @@ fn foot(captions: &[String], scale: &Scale, mut frame: Rectangle) -> (String, Re
 /// Shapes of one thing with its name.
 fn group(page: &mut String, items: &[&DrawnItem]) {
     let Some(first) = items.first() else { return };
-    // Of a hinge on ground only what is on top needs to be told.
-    let is_silent = first.layer == Layer::Ground || first.title.is_empty();
-    let title = if is_silent { String::new() } else { format!("<title>{}</title>", escaped(&first.title)) };
+    let told = told(first);
+    let title = if told.is_empty() { String::new() } else { format!("<title>{}</title>", escaped(told)) };
     if let [item] = items {
-        let (name, attributes) = element(item);
+        let element = Element::of(item);
+        let (name, attributes) = (element.tag, element.attributes());
         let _ = if title.is_empty() {
             writeln!(page, "<{name} {attributes}/>")
         } else {
@@ -189,65 +201,10 @@ fn group(page: &mut String, items: &[&DrawnItem]) {
     }
     let _ = write!(page, "<g>{title}");
     for item in items {
-        let (name, attributes) = element(item);
-        let _ = write!(page, "<{name} {attributes}/>");
+        let element = Element::of(item);
+        let _ = write!(page, "<{} {}/>", element.tag, element.attributes());
     }
     let _ = writeln!(page, "</g>");
-}
-
-fn element(item: &DrawnItem) -> (&'static str, String) {
-    let class = class(item.ink);
-    match &item.shape {
-        Stroke::Circle(middle, radius) => {
-            ("circle", format!("class=\"{class}\" cx=\"{}\" cy=\"{}\" r=\"{}\"", number(middle.x), number(middle.y), number(*radius)))
-        }
-        Stroke::Open(lines) => ("path", format!("class=\"{class}\" d=\"{}\"", lines.iter().map(|line| path(line)).collect::<String>())),
-        Stroke::Closed(corners) => ("path", format!("class=\"{class}\" d=\"{}Z\"", path(corners))),
-        Stroke::Arc(middle, radius, from, to) => {
-            let end = |angle: f64| *middle + crate::plane::polar(*radius, angle);
-            let (large, sweep) = (u8::from((to - from).abs() > PI && (to - from).abs() < TAU), u8::from(to > from));
-            let radius = number(*radius);
-            ("path", format!("class=\"{class}\" d=\"M{}A{radius} {radius} 0 {large} {sweep} {}\"", pair(end(*from)), pair(end(*to))))
-        }
-        Stroke::Ellipse(middle, major, minor) => {
-            let half = format!("A{} 0 1 ", radii(*major, *minor));
-            let (one, two) = (pair(*middle + *major), pair(*middle - *major));
-            ("path", format!("class=\"{class}\" d=\"M{one}{half}{two}{half}{one}Z\""))
-        }
-        Stroke::Tube([from, to], major, minor) => {
-            let half = format!("A{} 0 {} ", radii(*major, *minor), u8::from(major.cross(*to - *from) > 0.0));
-            let corners = [*from + *major, *to + *major, *to - *major, *from - *major].map(pair);
-            let [one, two, three, four] = corners;
-            ("path", format!("class=\"{class}\" d=\"M{one}L{two}{half}{three}L{four}{half}{one}Z\""))
-        }
-    }
-}
-
-/// The half axes of an ellipse, and how it is turned.
-fn radii(major: Place, minor: f64) -> String {
-    format!("{} {} {}", number(major.norm()), number(minor), number(major.angle() * 180.0 / PI))
-}
-
-fn class(ink: Ink) -> String {
-    let of = |body: usize| if body == usize::MAX { "g".to_owned() } else { format!("c{}", body % COLOURS.len()) };
-    match ink {
-        Ink::Thin => "t".into(),
-        Ink::Dashed => "d".into(),
-        Ink::Line => "l".into(),
-        Ink::Solid => "s".into(),
-        Ink::Paper => "p".into(),
-        Ink::Bar(body) => format!("b {}", of(body)),
-        Ink::Plate(body) => format!("q {}", of(body)),
-        Ink::Block(body) => format!("k {}", of(body)),
-        Ink::Wheel(body) => format!("w {}", of(body)),
-        Ink::Of(body) => format!("o {}", of(body)),
-        Ink::Axis => "a".into(),
-        Ink::Rod => "r".into(),
-        Ink::Halo => "h".into(),
-        Ink::Fork(body) => format!("f {}", of(body)),
-        Ink::Shine => "v".into(),
-        Ink::Glass => "e".into(),
-    }
 }
 
 /// What shows how large things are.
@@ -316,7 +273,18 @@ fn axes_of_ground(page: &mut String, axes: &Axes) -> Rectangle {
 
 /// A word with its middle at a place.
 fn word(page: &mut String, class: &str, middle: Place, text: &str) {
-    let _ = writeln!(page, "<text{class} x=\"{}\" y=\"{}\">{}</text>", number(middle.x), number(middle.y + SIZE * 0.33), escaped(text));
+    let base = baseline(middle);
+    let _ = writeln!(page, "<text{class} x=\"{}\" y=\"{}\">{}</text>", number(base.x), number(base.y), escaped(text));
+}
+
+/// Names of bodies are.
+pub(crate) fn is_italic(label: &Placed) -> bool {
+    label.role == Subject::Body
+}
+
+/// The middle of the line on which a word stands, from the middle of the word.
+pub(crate) fn baseline(middle: Place) -> Place {
+    middle + place(0.0, SIZE * 0.33)
 }
 
 /// The largest of 1, 2 and 5 times a power of ten that is not larger.
@@ -343,37 +311,6 @@ fn length(metres: f64) -> String {
     let (size, unit) = units.into_iter().find(|(size, _)| metres >= size * 0.999).unwrap_or((1e-9, "nm"));
     let value = metres / size;
     if value < 1e6 { format!("{} {unit}", value.round()) } else { format!("{value:.0e} {unit}") }
-}
-
-fn path(places: &[Place]) -> String {
-    places
-        .iter()
-        .enumerate()
-        .map(|(index, at)| {
-            format!(
-                "{}{}",
-                if index == 0 {
-                    "M"
-                } else if index == 1 {
-                    "L"
-                } else {
-                    " "
-                },
-                pair(*at)
-            )
-        })
-        .collect()
-}
-
-fn pair(at: Place) -> String {
-    format!("{} {}", number(at.x), number(at.y))
-}
-
-/// To a tenth of a unit, without needless digits.
-fn number(value: f64) -> String {
-    let rounded = (value * 10.0).round() / 10.0;
-    // Minus zero is zero.
-    format!("{}", if rounded == 0.0 { 0.0 } else { rounded })
 }
 
 fn escaped(text: &str) -> String {

@@ -6,7 +6,7 @@ use crate::habits::Habits;
 use crate::placed::PlacedScene;
 use crate::plane::{Place, Rectangle, hull, is_inside, place};
 use crate::wheels::Wheels;
-use crate::{GROUND, Pose, Scene, Undrawable, animation, frames};
+use crate::{Film, GROUND, Pose, Scene, Undrawable, animation, frames};
 
 fn placed(scene: &Scene) -> PlacedScene {
     PlacedScene::of(scene).expect("everything has a place")
@@ -312,4 +312,33 @@ fn no_scene_leads_to_a_panic() {
         assert_eq!(frames(&scenes).is_ok(), animation(&scenes, 1.0).is_ok());
     }
     assert!(drawn > 600, "only {drawn} scenes were drawn");
+}
+
+#[test]
+fn a_film_has_the_marks_of_its_frames() -> Result<(), Undrawable> {
+    let scenes = [0.3, 0.5, 2.0].map(engine);
+    let film = Film::of(&scenes, &[])?;
+    let count = |svg: &str| ["<path ", "<circle ", "<text "].map(|tag| svg.matches(tag).count()).iter().sum::<usize>();
+    for (number, frame) in frames(&scenes)?.iter().enumerate() {
+        let marks = film.marks(number);
+        assert_eq!(marks.len() + count(film.foot()), count(frame.svg()));
+        for mark in marks {
+            let geometry: String = mark.geometry.iter().map(|(name, value)| format!(" {name}=\"{value}\"")).collect();
+            assert!(frame.svg().contains(&geometry), "{mark:?}");
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn a_film_has_room_for_places() -> Result<(), Undrawable> {
+    let scenes = [0.3, 0.5].map(engine);
+    let near = Film::of(&scenes, &[])?;
+    let far = Film::of(&scenes, &[[1.0, -2.0].into()])?;
+    let [x, y] = far.at([1.0, -2.0]);
+    let [left, top, width, height] = far.frame();
+    assert!(left < x && x < left + width && top < y && y < top + height);
+    assert_eq!(near.at([1.0, -2.0]), [x, y], "the scale stays");
+    assert!(near.frame()[3] < height);
+    Ok(())
 }

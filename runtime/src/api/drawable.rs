@@ -1,8 +1,12 @@
 //! States as pictures.
 
 use reuleaux_picture::Scene;
+#[cfg(feature = "view")]
+use reuleaux_view::View;
 use std::string::String;
 
+#[cfg(feature = "view")]
+use crate::number::Float;
 use crate::state::State;
 
 /// A mechanism whose states can be drawn: `#[picture]` before its declaration implements this trait.
@@ -34,5 +38,44 @@ pub trait Drawable<T, const N: usize> {
     /// The drawing of a state as inline SVG: at the defaults that of the type's page. Where there is nothing to draw, a sentence says why.
     fn picture(&self, state: &State<T, N>) -> String {
         self.scene(state).svg()
+    }
+
+    /// States in the order of their times, as a picture that moves: a page with plots, or an SVG; see [`View`].
+    ///
+    /// ```
+    /// use reuleaux::mechanism;
+    /// use reuleaux::picture::Drawable;
+    ///
+    /// mechanism! {
+    ///     #[picture]
+    ///     mechanism Pendulum {
+    ///         body bob { point P = (1m, 0m); }
+    ///         joint pivot = revolute(ground.position, bob.position);
+    ///         drive swing = drive_angle(bob, -90deg + 1rad * sin(t * 2rad_s));
+    ///         output P = bob.P;
+    ///     }
+    /// }
+    ///
+    /// let pendulum = Pendulum::default();
+    /// let states = pendulum.sweep((0..60).map(|step| f64::from(step) * 0.05)).collect::<Result<Vec<_>, _>>()?;
+    /// let view = pendulum
+    ///     .view(states)
+    ///     .trace("path of P", |state| pendulum.P(state).value)
+    ///     .plot("angle", "°", |state| state.bob().angle.to_degrees());
+    /// assert!(view.to_html()?.contains("<title>Pendulum</title>"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// States are as `sweep` and `advance` give them, or references to a [`State`].
+    #[cfg(feature = "view")]
+    fn view<S>(&self, states: impl IntoIterator<Item = S>) -> View<S>
+    where
+        S: core::ops::Deref<Target = State<T, N>>,
+        T: Float,
+        Self: Sized,
+    {
+        let states: std::vec::Vec<S> = states.into_iter().collect();
+        let title: String = states.first().map(|state| self.scene(state).name().into()).unwrap_or_default();
+        View::new(&title, states, |state| state.t.to_f64(), |state| self.scene(state))
     }
 }

@@ -5,6 +5,7 @@ use super::functions::Emitter;
 use super::literal::{number, signed};
 use super::routine::{RoutinePrinter, lines};
 use crate::expr::Expr;
+use crate::model::Joint;
 use crate::model::sketch::{Instantiation, JointArgument, LocalVector};
 use crate::plan::SceneCode;
 use crate::quantity::{Axis, Dim, Role};
@@ -21,7 +22,7 @@ impl Emitter<'_> {
         let printed = code.numbers.results.iter().copied().zip(results).collect();
         let composer = SceneComposer { emitter: self, code, printed };
         let (scene, q, t, name) = (local("scene"), local("q"), local("t"), self.model.name.to_string().replace("r#", ""));
-        let has_drive = self.system.frames.is_empty() && self.model.joints.iter().any(|joint| joint.is_drive);
+        let has_drive = self.system.frames.is_empty() && self.model.joints.iter().any(Joint::is_driven);
         let nu = has_drive.then(|| {
             let nu = local("nu");
             quote!(let #nu = self.nu(#q, #t);)
@@ -121,12 +122,16 @@ impl SceneComposer<'_> {
     fn joints(&self) -> TokenStream {
         let Emitter { model, system, .. } = self.emitter;
         let scene = local("scene");
-        let joint = |(index, (joint, made)): (usize, (&crate::model::Joint, &Instantiation))| {
+        let joint = |(index, (joint, made)): (usize, (&Joint, &Instantiation))| {
             let (name, kind, arguments) = (joint.name.unraw(), &made.kind, self.arguments(made));
             let bodies = system.bodies_of(index).into_iter().map(|body| model.drawn_name(Some(body)));
             let rate = joint.is_drive.then(|| {
                 if let Some(rate) = model.sketch.rates.get(index) {
                     return rate.map_or_else(|| quote!(::core::primitive::f64::NAN), |rate| self.number(rate));
+                }
+                // The equations of a freedom are not those of a state.
+                if joint.freedom.is_some() {
+                    return quote!(::core::primitive::f64::NAN);
                 }
                 let (nu, row) = (local("nu"), number(system.first_of(index)));
                 quote!(#nu[#row].to_f64())

@@ -222,6 +222,13 @@ pub struct Joint {
     pub place: Option<(usize, Vec<Expr>)>,
 }
 
+impl Joint {
+    /// A drive, and no freedom.
+    pub(crate) fn is_driven(&self) -> bool {
+        self.is_drive && self.freedom.is_none()
+    }
+}
+
 /// Left minus right side of one scalar equation.
 #[derive(Clone, Copy, Debug)]
 pub struct Residual {

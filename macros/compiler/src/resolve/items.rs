@@ -48,9 +48,7 @@ impl Elaborator<'_> {
             this.of(*id, joint, |this, name, context| this.joint(*id, joint, name, context))
         };
         let mut joints = Vec::new();
-        // Freedoms come last: their equations hold at the start only.
-        let (freedoms, others): (Vec<_>, Vec<_>) = register.joints.iter().partition(|(_, joint)| joint.is_freedom());
-        for declared in others.into_iter().chain(freedoms) {
+        for declared in &register.joints {
             if let Some((joint, rows)) = joint(self, declared) {
                 if self.names.ambient == Ambient::Space {
                     self.note_relations(joints.len(), &rows);

@@ -35,6 +35,7 @@ pub(super) struct Register {
     pub(super) functions: Vec<ast::Shared<ast::FunctionItem>>,
     pub(super) bodies: Vec<(EntityId, ast::Shared<ast::FrameItem>)>,
     pub(super) marks: Vec<EntityId>,
+    /// Freedoms come last: their equations hold at the start only.
     pub(super) joints: Vec<(EntityId, ast::Shared<ast::JointItem>)>,
     pub(super) forces: Vec<(EntityId, ast::Shared<ast::JointItem>)>,
     pub(super) gravity: Option<ast::Shared<ast::Gravity>>,
@@ -64,6 +65,7 @@ impl Elaborator<'_> {
         }
         let context = Context { space: SpaceId::MECHANISM, bound: Rc::default() };
         self.items(items, &context, 0, &mut register);
+        register.joints.sort_by_key(|(_, joint)| joint.is_freedom());
         register
     }
 

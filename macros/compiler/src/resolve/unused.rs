@@ -54,6 +54,7 @@ impl Elaborator<'_> {
         }
         own.open.push(word);
         self.items(&component.items, &context, 0, &mut own);
+        own.joints.sort_by_key(|(_, joint)| joint.is_freedom());
         own.parameters.drain(..known);
         self.parameters(&own);
         self.lets_and_functions(&own);

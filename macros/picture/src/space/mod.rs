@@ -25,9 +25,12 @@ use crate::plane::{Place, Rectangle, place};
 use crate::scene::Scene;
 use crate::svg::Axes;
 use crate::undrawable::Undrawable;
+pub(crate) use vector::vec3;
+pub(crate) use view::Sight;
+
 use customs::Customs;
 use placed::Placed;
-use view::{Camera, Sight};
+use view::Camera;
 use wheels::Wheels;
 
 /// What is drawn fits into this, where nothing would become too small.
@@ -43,7 +46,7 @@ const SHORTEST: f64 = 70.0;
 pub(crate) struct Stage {
     /// One for each scene.
     pub(crate) canvases: Vec<Canvas>,
-    sight: Sight,
+    pub(crate) sight: Sight,
 }
 
 /// Draws scenes, all as they are seen from one place.

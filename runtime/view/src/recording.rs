@@ -1,0 +1,139 @@
+//! What is shown of a motion, without the states that it was taken from.
+
+use reuleaux_picture::{Film, Scene, Vector};
+
+use crate::template::Template;
+use crate::unviewable::Unviewable;
+
+/// Scenes with what is told about them; of each list one for each state.
+#[derive(Clone, Debug)]
+pub(crate) struct Recording {
+    pub(crate) title: String,
+    pub(crate) scenes: Vec<Scene>,
+    pub(crate) abscissa: Abscissa,
+    pub(crate) lasting: Option<f64>,
+    pub(crate) traces: Vec<Trace>,
+    pub(crate) plots: Vec<Plot>,
+}
+
+/// What the states are ordered by.
+#[derive(Clone, Debug)]
+pub(crate) struct Abscissa {
+    pub(crate) name: String,
+    pub(crate) unit: String,
+    pub(crate) values: Vec<f64>,
+    pub(crate) is_time: bool,
+}
+
+/// The way of a point in ground (m).
+#[derive(Clone, Debug)]
+pub(crate) struct Trace {
+    pub(crate) name: String,
+    pub(crate) places: Vec<Vector>,
+}
+
+/// Quantities of one unit.
+#[derive(Clone, Debug)]
+pub(crate) struct Plot {
+    pub(crate) unit: String,
+    pub(crate) series: Vec<(String, Vec<f64>)>,
+}
+
+/// How fast it is played.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pace {
+    /// How long all of it takes at speed 1, in s.
+    pub(crate) lasting: f64,
+    /// The speed at the beginning.
+    pub(crate) speed: f64,
+}
+
+/// A recording as it is drawn.
+pub(crate) struct Drawn {
+    pub(crate) film: Film,
+    pub(crate) template: Template,
+    /// For each trace its places in units of the picture.
+    pub(crate) traces: Vec<Vec<[f64; 2]>>,
+}
+
+/// What is not ordered by time takes so long, in s.
+const USUAL: f64 = 5.0;
+
+/// At the speed of the beginning all of it takes at least this long, in s,
+const SHORTEST: f64 = 2.0;
+
+/// and no longer than this, in s.
+const LONGEST: f64 = 30.0;
+
+impl Recording {
+    /// Draws all states.
+    pub(crate) fn drawn(&self) -> Result<Drawn, Unviewable> {
+        self.check()?;
+        let places: Vec<Vector> = self.traces.iter().flat_map(|trace| trace.places.iter().copied()).collect();
+        let film = Film::of(&self.scenes, &places)?;
+        let template = Template::of(&film);
+        let traces: Vec<Vec<[f64; 2]>> =
+            self.traces.iter().map(|trace| trace.places.iter().map(|place| film.at(*place)).collect()).collect();
+        for (trace, seen) in self.traces.iter().zip(&traces) {
+            if let Some(state) = seen.iter().position(|place: &[f64; 2]| !place.iter().all(|part| part.is_finite())) {
+                return Err(Unviewable::Trace { name: trace.name.clone(), state });
+            }
+        }
+        Ok(Drawn { film, template, traces })
+    }
+
+    /// States come one after the other.
+    fn check(&self) -> Result<(), Unviewable> {
+        let values = &self.abscissa.values;
+        let before = [f64::NEG_INFINITY].into_iter().chain(values.iter().copied());
+        match before.zip(values).position(|(before, now)| !(now.is_finite() && *now > before)) {
+            Some(state) => Err(Unviewable::Abscissa { name: self.abscissa.name.clone(), state }),
+            None => Ok(()),
+        }
+    }
+
+    pub(crate) fn pace(&self) -> Pace {
+        let span = self.abscissa.values.last().zip(self.abscissa.values.first()).map_or(0.0, |(last, first)| last - first);
+        let usual = if self.abscissa.is_time && span > 0.0 { span } else { USUAL };
+        match self.lasting {
+            Some(lasting) if self.abscissa.is_time => Pace { lasting: usual, speed: usual / lasting },
+            Some(lasting) => Pace { lasting, speed: 1.0 },
+            None => Pace { lasting: usual, speed: speed(usual) },
+        }
+    }
+
+    /// With no more states than `most`, as evenly chosen as they come; the first and the last stay.
+    pub(crate) fn thinned(&self, most: usize) -> Recording {
+        let count = self.scenes.len();
+        if count <= most || most < 2 {
+            return self.clone();
+        }
+        let chosen: Vec<usize> = (0..most).map(|number| (number * (count - 1) + (most - 1) / 2) / (most - 1)).collect();
+        Recording {
+            title: self.title.clone(),
+            scenes: pick(&chosen, &self.scenes),
+            abscissa: Abscissa { values: pick(&chosen, &self.abscissa.values), ..self.abscissa.clone() },
+            lasting: self.lasting,
+            traces: self.traces.clone(),
+            plots: Vec::new(),
+        }
+    }
+}
+
+fn pick<V: Clone>(chosen: &[usize], values: &[V]) -> Vec<V> {
+    chosen.iter().filter_map(|index| values.get(*index).cloned()).collect()
+}
+
+/// 1 where that can be watched; otherwise the next number among 1, 2 and 5 times powers of ten that can.
+fn speed(lasting: f64) -> f64 {
+    let series = |power: i32| [1.0, 2.0, 5.0].map(|step| step * 10_f64.powi(power));
+    let mut upwards = (0..12).flat_map(series);
+    let mut downwards = (-12..0).rev().flat_map(|power| series(power).into_iter().rev());
+    if lasting > LONGEST {
+        upwards.find(|speed| lasting / speed <= LONGEST).unwrap_or(1.0)
+    } else if lasting < SHORTEST {
+        downwards.find(|speed| lasting / speed >= SHORTEST).unwrap_or(1.0)
+    } else {
+        1.0
+    }
+}

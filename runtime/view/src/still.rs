@@ -1,0 +1,112 @@
+//! Single frames as SVG.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+use crate::recording::{Drawn, Recording};
+use crate::template::{Element, Template};
+use crate::tokens::decimal;
+
+/// Colours of traces and of curves in diagrams: of a lightness that stands out from white and from black alike.
+pub(crate) const COLOURS: [&str; 6] = ["#a56cc1", "#d06f24", "#1f9c99", "#cf5c68", "#3f87c9", "#94873a"];
+
+/// Where frames are written.
+pub(crate) struct Names<'a> {
+    folder: &'a Path,
+    digits: usize,
+    extension: &'a str,
+}
+
+impl Names<'_> {
+    /// Makes the folder.
+    pub(crate) fn new<'a>(folder: &'a Path, count: usize, extension: &'a str) -> io::Result<Names<'a>> {
+        fs::create_dir_all(folder)?;
+        Ok(Names { folder, digits: count.to_string().len().max(4), extension })
+    }
+
+    pub(crate) fn of(&self, frame: usize) -> PathBuf {
+        self.folder.join(format!("{frame:0digits$}.{}", self.extension, digits = self.digits))
+    }
+}
+
+/// A frame as a file of its own, on white, with colours that any program understands.
+pub(crate) fn svg(recording: &Recording, drawn: &Drawn, frame: usize) -> String {
+    let mut page = head(recording, drawn, "");
+    page += &traces(drawn);
+    for element in drawn.template.painted(frame) {
+        page += &mark(element, frame);
+    }
+    let resolved = page.replace("var(--main-color,#1c1c1c)", "#1c1c1c").replace("var(--main-background-color,#fff)", "#fff");
+    let resolved = resolved.replace("var(--ink)", "#1c1c1c").replace("var(--paper)", "#fff");
+    format!("{resolved}{}</svg>\n", drawn.film.foot())
+}
+
+/// Everything before traces and marks: size, title, style sheet, and the paper.
+pub(crate) fn head(recording: &Recording, drawn: &Drawn, style: &str) -> String {
+    let [left, top, width, height] = view_box(drawn);
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"reuleaux\" role=\"img\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"{left} {top} {width} {height}\">\n<title>{}</title>\n<desc>{}</desc>\n<style>{}{TRACE}{style}</style>\n\
+         <rect x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" fill=\"var(--paper)\"/>\n",
+        escaped(&recording.title),
+        escaped(drawn.film.description()),
+        drawn.film.style(),
+    )
+}
+
+/// How traces look.
+pub(crate) const TRACE: &str = ".reuleaux .trace{fill:none;stroke:currentColor;stroke-width:1.4}";
+
+/// What is seen, in units of the picture.
+pub(crate) fn view_box(drawn: &Drawn) -> [String; 4] {
+    drawn.film.frame().map(|part| decimal((part * 10.0).round() as i64))
+}
+
+/// The ways of points.
+pub(crate) fn traces(drawn: &Drawn) -> String {
+    let mut page = String::new();
+    for (places, colour) in drawn.traces.iter().zip(COLOURS.iter().cycle()) {
+        let _ = writeln!(page, "<path class=\"trace\" style=\"color:{colour}\" d=\"{}\"/>", way(places));
+    }
+    page
+}
+
+/// A line through places.
+fn way(places: &[[f64; 2]]) -> String {
+    let mut points: Vec<[i64; 2]> = places.iter().map(|place| tenths(*place)).collect();
+    points.dedup();
+    let pair = |[x, y]: &[i64; 2]| format!("{} {}", decimal(*x), decimal(*y));
+    format!("M{}", points.iter().map(pair).collect::<Vec<_>>().join("L"))
+}
+
+pub(crate) fn tenths(place: [f64; 2]) -> [i64; 2] {
+    place.map(|part| (part * 10.0).round() as i64)
+}
+
+/// An element as it is in one frame.
+pub(crate) fn mark(element: &Element, frame: usize) -> String {
+    let mut mark = opened(element, frame);
+    let _ = writeln!(mark, "{}</{}>", contents(element), element.tag);
+    mark
+}
+
+/// The beginning of an element.
+pub(crate) fn opened(element: &Element, frame: usize) -> String {
+    let class = if element.class.is_empty() { String::new() } else { format!(" class=\"{}\"", element.class) };
+    let mut mark = format!("<{}{class}", element.tag);
+    for attribute in &element.attributes {
+        let _ = write!(mark, " {}=\"{}\"", attribute.name, Template::attribute(attribute, frame));
+    }
+    mark + ">"
+}
+
+/// What the pointer is told, or a word.
+pub(crate) fn contents(element: &Element) -> String {
+    let title = if element.title.is_empty() { String::new() } else { format!("<title>{}</title>", escaped(&element.title)) };
+    title + &escaped(&element.text)
+}
+
+pub(crate) fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

@@ -1,0 +1,144 @@
+//! The door: states in, files out.
+
+use std::fs;
+use std::path::Path;
+
+use reuleaux_picture::{Scene, Vector};
+
+use crate::point::Point;
+use crate::recording::{Abscissa, Plot, Recording, Trace};
+use crate::unviewable::Unviewable;
+use crate::{animation, page, still};
+
+/// A motion that is to be shown: states, points that leave a trace, and quantities that are plotted.
+///
+/// `S` is a state. Mechanisms of `reuleaux` that are declared with `#[picture]` make a view by `mechanism.view(states)`.
+#[derive(Clone, Debug)]
+pub struct View<S> {
+    states: Vec<S>,
+    pub(crate) recording: Recording,
+}
+
+impl<S> View<S> {
+    /// States in the order of their times (s), each with what is drawn of it.
+    #[must_use]
+    pub fn new(title: &str, states: impl IntoIterator<Item = S>, time: impl Fn(&S) -> f64, scene: impl Fn(&S) -> Scene) -> View<S> {
+        let states: Vec<S> = states.into_iter().collect();
+        let abscissa = Abscissa { name: "t".into(), unit: "s".into(), values: states.iter().map(time).collect(), is_time: true };
+        let scenes = states.iter().map(scene).collect();
+        let recording = Recording { title: title.to_owned(), scenes, abscissa, lasting: None, traces: Vec::new(), plots: Vec::new() };
+        View { states, recording }
+    }
+
+    /// Gives it another title.
+    #[must_use]
+    pub fn title(mut self, title: &str) -> View<S> {
+        title.clone_into(&mut self.recording.title);
+        self
+    }
+
+    /// Draws the way of a point in ground (m), with two coordinates in the plane and three in space.
+    #[must_use]
+    pub fn trace<P: Point>(mut self, name: &str, of: impl Fn(&S) -> P) -> View<S> {
+        let places: Vec<Vector> = self.states.iter().map(|state| of(state).coordinates()).collect();
+        self.recording.traces.push(Trace { name: name.to_owned(), places });
+        self
+    }
+
+    /// Plots a quantity in a diagram of its own. Where it is not finite, its curve has a gap.
+    #[must_use]
+    pub fn plot<V: Into<f64>>(mut self, name: &str, unit: &str, of: impl Fn(&S) -> V) -> View<S> {
+        let series = vec![(name.to_owned(), self.values(of))];
+        self.recording.plots.push(Plot { unit: unit.to_owned(), series });
+        self
+    }
+
+    /// Plots a quantity of the same unit in the diagram that was added last; without one it gets a diagram without a unit.
+    #[must_use]
+    pub fn and<V: Into<f64>>(mut self, name: &str, of: impl Fn(&S) -> V) -> View<S> {
+        let series = (name.to_owned(), self.values(of));
+        match self.recording.plots.last_mut() {
+            Some(plot) => plot.series.push(series),
+            None => self.recording.plots.push(Plot { unit: String::new(), series: vec![series] }),
+        }
+        self
+    }
+
+    /// Orders states by another quantity than time, which increases from state to state: it is the abscissa of diagrams, and goes
+    /// evenly as the motion plays.
+    #[must_use]
+    pub fn over<V: Into<f64>>(mut self, name: &str, unit: &str, of: impl Fn(&S) -> V) -> View<S> {
+        let values = self.values(of);
+        self.recording.abscissa = Abscissa { name: name.to_owned(), unit: unit.to_owned(), values, is_time: false };
+        self
+    }
+
+    /// All states take this long (s) to play at first. Otherwise as long as the motion, or slowed down or speeded up by a round number to
+    /// between 2 s and 30 s.
+    #[must_use]
+    pub fn lasting(mut self, seconds: f64) -> View<S> {
+        self.recording.lasting = (seconds.is_finite() && seconds > 0.0).then_some(seconds);
+        self
+    }
+
+    /// One HTML page with everything in it, which needs nothing else: the drawing, which plays, and the plots. The same bytes on every
+    /// run.
+    ///
+    /// # Errors
+    /// Why the states cannot be shown.
+    pub fn to_html(&self) -> Result<String, Unviewable> {
+        page::html(&self.recording)
+    }
+
+    /// Writes [`to_html`](Self::to_html) to a file.
+    ///
+    /// # Errors
+    /// Why the states cannot be shown, or the file not written.
+    pub fn write(&self, path: impl AsRef<Path>) -> Result<(), Unviewable> {
+        Ok(fs::write(path, self.to_html()?)?)
+    }
+
+    /// The drawing as one SVG that plays by itself, over and over: without scripts, so that it moves in a README too.
+    ///
+    /// Of more than 61 states that many are taken, and what moves goes straight from one to the next. Readers who prefer reduced motion,
+    /// and programs that do not move SVG, see the first state.
+    ///
+    /// # Errors
+    /// Why the states cannot be shown.
+    pub fn animated_svg(&self) -> Result<String, Unviewable> {
+        animation::animated_svg(&self.recording)
+    }
+
+    /// Writes the drawing of every state into a folder, which is made if need be: `0000.svg`, `0001.svg`, …, all of one size.
+    ///
+    /// # Errors
+    /// Why the states cannot be shown, or a file not written.
+    pub fn svg_frames(&self, folder: impl AsRef<Path>) -> Result<(), Unviewable> {
+        let names = still::Names::new(folder.as_ref(), self.states.len(), "svg")?;
+        let drawn = self.recording.drawn()?;
+        for frame in 0..self.states.len() {
+            fs::write(names.of(frame), still::svg(&self.recording, &drawn, frame))?;
+        }
+        Ok(())
+    }
+
+    /// Writes the drawing of every state into a folder, which is made if need be: `0000.png`, `0001.png`, …, all so many pixels wide.
+    /// Words are drawn with a font of this machine.
+    ///
+    /// # Errors
+    /// Why the states cannot be shown, or a file not written.
+    #[cfg(feature = "png")]
+    pub fn png_frames(&self, folder: impl AsRef<Path>, width: u32) -> Result<(), Unviewable> {
+        let names = still::Names::new(folder.as_ref(), self.states.len(), "png")?;
+        let drawn = self.recording.drawn()?;
+        let painter = crate::pixels::Painter::new()?;
+        for frame in 0..self.states.len() {
+            fs::write(names.of(frame), painter.png(&still::svg(&self.recording, &drawn, frame), width)?)?;
+        }
+        Ok(())
+    }
+
+    fn values<V: Into<f64>>(&self, of: impl Fn(&S) -> V) -> Vec<f64> {
+        self.states.iter().map(|state| of(state).into()).collect()
+    }
+}
