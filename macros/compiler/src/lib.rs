@@ -22,6 +22,7 @@ pub mod library;
 mod linear;
 mod mobility;
 pub mod model;
+mod names;
 mod numeric;
 pub mod picture;
 pub mod plan;

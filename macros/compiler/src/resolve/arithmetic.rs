@@ -2,9 +2,9 @@
 
 use super::Components;
 use super::elaborate::{Elaborator, Scope};
-use super::value::{Scalar, Value, Vector};
 use crate::diag::{Range, ValueFact};
 use crate::expr::{Exact, Expr, Unary};
+use crate::names::{Scalar, Value, Vector};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Operator, Relation};
 

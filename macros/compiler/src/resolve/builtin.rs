@@ -3,12 +3,12 @@
 use super::Components;
 use super::Function as Numbered;
 use super::elaborate::{Elaborator, Scope};
-use super::key::Key;
-use super::value::{Fixed, FunctionValue, Scalar, Value, Vector};
 use crate::diag::{ArityFact, Fact, NameFact, Range, ValueFact};
 use crate::expr::spline::{Ends, Table};
 use crate::expr::{Expr, Unary};
 use crate::library;
+use crate::names::Key;
+use crate::names::{Fixed, FunctionValue, Scalar, Value, Vector};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, ExpressionKind};
 use proc_macro2::Ident;

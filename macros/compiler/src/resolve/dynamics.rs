@@ -6,13 +6,13 @@
 //! ```
 
 use super::elaborate::{Elaborator, Scope};
-use super::key::Key;
 use super::register::Register;
-use super::value::{FrameId, Value};
 use super::{Force, Mass};
 use crate::diag::{ArityFact, EquationFact, NameFact, Range, ValueFact};
 use crate::expr::Expr;
 use crate::model::Solid;
+use crate::names::Key;
+use crate::names::{FrameId, Value};
 use crate::quantity::{Ambient, Dim};
 use crate::syntax::ast::{self, ExpressionKind};
 

@@ -1,13 +1,13 @@
 //! Evaluates expressions of the syntax tree to values in the arena, and checks their dimensions.
 
-use super::key::Key;
-use super::names::{Context, Names, SpaceId};
 use super::space::Notes;
 use super::statement::FixedValue;
-use super::value::{Fixed, FrameId, Scalar, Value, Vector};
 use super::{Components, Force, Function as Numbered, Name, Requirement};
 use crate::diag::{ArrayFact, Diag, EquationFact, Fact, GrammarFact, Known, NameFact, Range, ValueFact, nearest, nearest_unit};
 use crate::expr::{Arena, Exact, Expr, Leaf};
+use crate::names::Key;
+use crate::names::{Context, Names, SpaceId};
+use crate::names::{Fixed, FrameId, Scalar, Value, Vector};
 use crate::quantity::{self, Ambient, Dim, InferredDim, Role};
 use crate::syntax::ast::{self, ExpressionKind};
 use proc_macro2::Ident;

@@ -7,9 +7,9 @@
 
 use super::elaborate::{Elaborator, Scope};
 use super::statement::ScalarEquation;
-use super::value::{Scalar, Value};
 use crate::diag::{EquationFact, ValueFact};
 use crate::expr::{Expr, Leaf};
+use crate::names::{Scalar, Value};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast;
 

@@ -1,9 +1,9 @@
 //! Arrays: whole numbers known at compile time, and names with indices.
 
 use super::elaborate::{Elaborator, Scope};
-use super::names::{GroupId, SpaceId};
-use super::value::Value;
 use crate::diag::{ArrayFact, Known, NameFact, Range};
+use crate::names::Value;
+use crate::names::{GroupId, SpaceId};
 use crate::quantity::Dim;
 use crate::syntax::ast::{self, ExpressionKind, IndexRange, Operator};
 use proc_macro2::Ident;

@@ -2,13 +2,13 @@
 
 use super::Name;
 use super::elaborate::{Elaborator, Instance, Scope, Timeless};
-use super::names::{Context, EntityId};
-use super::signature::{noun, places, too_few, too_many, unknown_argument};
 use super::statement::ScalarEquation;
-use super::value::{Fixed, FrameId, FunctionValue, Scalar, Value};
 use crate::diag::{ArityFact, ArrayFact, EquationFact, NameFact, Range, ValueFact};
 use crate::expr::Leaf;
 use crate::library;
+use crate::names::{Context, EntityId};
+use crate::names::{Fixed, FrameId, FunctionValue, Scalar, Value};
+use crate::names::{noun, places, too_few, too_many, unknown_argument};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Argument, Definition, Formal, FormalKind, JointBody};
 use proc_macro2::Ident;

@@ -8,11 +8,11 @@
 
 use super::elaborate::{Elaborator, Scope};
 use super::statement::ScalarEquation;
-use super::value::{Arguments, Fixed, FrameId, Scalar, Value, Vector};
 use crate::diag::{ArityFact, Range, ValueFact};
 use crate::expr::{Expr, Frame, Leaf, Mark, Node, Triple, cross, dot};
 use crate::geometry::{Components, Geometry, JointQuantity, Place, Relationship, Triad, rotation};
 use crate::model::DECLARED;
+use crate::names::{Arguments, Fixed, FrameId, Scalar, Value, Vector};
 use crate::quantity::{Dim, InferredDim, Role};
 use crate::syntax::ast::{self, Statement};
 use proc_macro2::Ident;

@@ -10,10 +10,10 @@
 use super::Components;
 use super::elaborate::{Elaborator, Scope};
 use super::statement::ScalarEquation;
-use super::value::{FrameId, Scalar, Value, Vector};
 use crate::diag::{ArityFact, EquationFact, ValueFact};
 use crate::expr::{Expr, Jets, Leaf, Seed, derivative};
 use crate::model::{DECLARED, declared_rates};
+use crate::names::{FrameId, Scalar, Value, Vector};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast;
 use proc_macro2::Ident;

@@ -2,13 +2,13 @@
 
 use super::bounds::in_words;
 use super::elaborate::{Elaborator, Scope};
-use super::key::Key;
-use super::names::{Context, Declared, Entity, EntityId, Names, PartArguments, Progress, is_generated};
 use super::register::{Register, is_one_of_many};
-use super::value::{FunctionValue, Scalar, Value};
 use super::{Layout, Method, Model, Name, Parameter};
 use crate::diag::nearest;
 use crate::diag::{Diag, NameFact, Range, ValueFact};
+use crate::names::Key;
+use crate::names::{Context, Declared, Entity, EntityId, Names, PartArguments, Progress, is_generated};
+use crate::names::{FunctionValue, Scalar, Value};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, Definition};
 use std::collections::{BTreeMap, BTreeSet};

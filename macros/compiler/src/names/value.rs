@@ -1,8 +1,8 @@
 //! Values of expressions while names are resolved.
 
-use super::Components;
-use super::names::{GroupId, SpaceId};
+use super::{GroupId, SpaceId};
 use crate::expr::Expr;
+use crate::geometry::Components;
 use crate::quantity::InferredDim;
 use crate::syntax::ast;
 use std::rc::Rc;

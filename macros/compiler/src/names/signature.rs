@@ -41,7 +41,7 @@ fn dimension_name(dimension: &Dimension) -> String {
     text
 }
 
-pub(super) fn noun(kind: &FormalKind) -> String {
+pub(crate) fn noun(kind: &FormalKind) -> String {
     match kind {
         FormalKind::Point => "a point".into(),
         FormalKind::Axis => "an axis".into(),
@@ -54,7 +54,7 @@ pub(super) fn noun(kind: &FormalKind) -> String {
 }
 
 /// Source range of the argument for each parameter.
-pub(super) fn places(definition: &Definition, given: &[Argument]) -> Vec<(String, Range)> {
+pub(crate) fn places(definition: &Definition, given: &[Argument]) -> Vec<(String, Range)> {
     let place = |(position, argument): (usize, &Argument)| {
         let name = argument.name.as_ref().or(definition.parameters.get(position).map(|formal| &formal.name))?;
         Some((name.to_string(), argument.value.range))
@@ -68,7 +68,7 @@ fn takes(definition: &Definition) -> [usize; 2] {
     [required, definition.parameters.len()]
 }
 
-pub(super) fn too_many(definition: &Definition, found: usize) -> ArityFact {
+pub(crate) fn too_many(definition: &Definition, found: usize) -> ArityFact {
     ArityFact::TooManyArguments {
         definition: definition.name.to_string(),
         signature: signature(definition),
@@ -77,12 +77,12 @@ pub(super) fn too_many(definition: &Definition, found: usize) -> ArityFact {
     }
 }
 
-pub(super) fn too_few(definition: &Definition, found: usize, missing: Vec<String>) -> ArityFact {
+pub(crate) fn too_few(definition: &Definition, found: usize, missing: Vec<String>) -> ArityFact {
     let (name, signature) = (definition.name.to_string(), signature(definition));
     ArityFact::MissingArguments { definition: name, signature, takes: takes(definition), found, missing }
 }
 
-pub(super) fn unknown_argument(definition: &Definition, name: &Ident) -> ArityFact {
+pub(crate) fn unknown_argument(definition: &Definition, name: &Ident) -> ArityFact {
     let names: Vec<String> = definition.parameters.iter().map(|formal| formal.name.to_string()).collect();
     let near = nearest(&name.to_string(), names.iter().map(String::as_str));
     ArityFact::UnknownArgument { definition: definition.name.to_string(), name: name.to_string(), signature: signature(definition), near }
