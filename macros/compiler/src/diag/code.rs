@@ -48,7 +48,7 @@ codes! {
     E0006: Grammar::TokensAfter;
     E0007: Grammar::UnknownItem;
     E0008: Grammar::UnknownBodyItem;
-    E0009: Grammar::PairWithoutParentheses Value::NotTwoComponents Value::NotThreeComponents;
+    E0009: Grammar::WithoutParentheses Value::NotTwoComponents Value::NotThreeComponents;
     E0010: Grammar::DoubleStar Grammar::MethodCall;
     E0011: Grammar::PathOfConstraint;
     E0012: Grammar::SpaceBeforeUnit;

@@ -1,6 +1,7 @@
 //! Errors in a declaration: facts with their numbers, in families. `message.rs` turns them into sentences, in one file per family.
 
-use crate::quantity::{Dim, Role};
+use super::{Kind, Wanted};
+use crate::quantity::{Ambient, Dim, Role};
 
 /// An error in a declaration.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,7 +55,7 @@ pub enum GrammarFact {
     UnknownItem { word: String },
     UnknownBodyItem { word: String },
     OneArgument,
-    PairWithoutParentheses { what: &'static str },
+    WithoutParentheses { what: &'static str, instead: String },
     PathOfConstraint { path: String, last: String },
     DoubleStar,
     MethodCall { name: String },
@@ -72,7 +73,7 @@ pub enum ArrayFact {
     WithoutIndex { name: String, variable: String },
     DuplicateInLoop { name: String, variable: String },
     ArrayWithoutIndex { name: String },
-    NoArray { found: &'static str, is_member: bool },
+    NoArray { found: Kind, is_member: bool },
     IndexOutOfRange { name: String, index: i64, ends: Option<(usize, usize)>, known: Known },
     NegativeIndex { index: i64 },
     MissingIndex { what: &'static str, missing: String, known: String },
@@ -136,17 +137,17 @@ pub enum ArityFact {
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum ValueFact {
     RangeWithoutEnd,
-    NotA { wanted: &'static str, found: &'static str },
-    WrongArgument { parameter: String, definition: String, wanted: String, found: String, instead: Option<String> },
+    NotA { wanted: Wanted, found: Kind, ambient: Ambient },
+    WrongArgument { parameter: String, definition: String, wanted: Wanted, found: Kind, ambient: Ambient, instead: Option<String> },
     WrongArgumentDimension { parameter: String, definition: String, wanted: Dim, found: Dim },
-    WrongDefault { wanted: String, found: &'static str },
+    WrongDefault { wanted: Wanted, found: Kind },
     WrongDimension { wanted: Dim, found: Dim },
     Unlike { action: &'static str, one: Dim, two: Dim },
     NotALength { found: Dim, instead: Option<String> },
     FunctionTakes { wanted: Dim, found: Dim },
     OrderOfBodies,
-    CannotCompare { one: &'static str, two: &'static str },
-    CannotEquate { one: &'static str, two: &'static str, in_space: bool },
+    CannotCompare { one: Kind, two: Kind },
+    CannotEquate { one: Kind, two: Kind, ambient: Ambient },
     NotTwoComponents { found: usize },
     NotThreeComponents { found: usize },
     OnlyInSpace { word: String },
@@ -156,7 +157,7 @@ pub enum ValueFact {
     VectorTimesVector,
     NumberByVector,
     PowerOfDimension { base: Dim },
-    NotAnOutput { found: &'static str },
+    NotAnOutput { found: Kind },
     NumberTooLong { number: String, limit: usize },
     NumberOutOfRange { number: String },
     NotFinite { place: &'static str },

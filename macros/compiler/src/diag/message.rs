@@ -8,6 +8,7 @@ mod arrays;
 mod assembly;
 mod equations;
 mod grammar;
+mod kinds;
 mod names;
 mod system;
 mod values;

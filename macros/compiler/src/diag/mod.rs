@@ -5,6 +5,7 @@
 
 mod code;
 mod fact;
+mod kind;
 mod message;
 mod remedy;
 mod shown;
@@ -16,6 +17,7 @@ pub use fact::{
     ArityFact, ArrayFact, AssemblyFact, Bound, Count, Demand, Driven, EquationFact, Fact, Forgotten, Gap, GrammarFact, Known, NameFact,
     SystemFact, ValueFact,
 };
+pub use kind::{Kind, Wanted};
 pub(crate) use message::{degrees, millimetres, significant};
 pub(crate) use remedy::quantity;
 pub(crate) use suggest::{nearest, nearest_unit};

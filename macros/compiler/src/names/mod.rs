@@ -10,7 +10,7 @@ mod signature;
 mod value;
 
 pub(crate) use key::Key;
-pub(crate) use signature::{noun, places, too_few, too_many, unknown_argument};
+pub(crate) use signature::{places, too_few, too_many, unknown_argument, wanted};
 pub(crate) use value::{Arguments, Fixed, FrameId, FunctionValue, Scalar, Value, Vector};
 
 use crate::expr::Expr;

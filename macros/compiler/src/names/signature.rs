@@ -1,7 +1,6 @@
 //! Signatures of definitions, for messages.
 
-use crate::diag::nearest;
-use crate::diag::{ArityFact, Range};
+use crate::diag::{ArityFact, Range, Wanted, nearest};
 use crate::syntax::ast::{Argument, Definition, Dimension, Formal, FormalKind};
 use proc_macro2::Ident;
 
@@ -41,15 +40,16 @@ fn dimension_name(dimension: &Dimension) -> String {
     text
 }
 
-pub(crate) fn noun(kind: &FormalKind) -> String {
+/// Kind of value that a parameter takes.
+pub(crate) fn wanted(kind: &FormalKind) -> Wanted {
     match kind {
-        FormalKind::Point => "a point".into(),
-        FormalKind::Axis => "an axis".into(),
-        FormalKind::Body => "a body".into(),
-        FormalKind::Quantity => "a number".into(),
-        FormalKind::Function(..) => "a function of one variable".into(),
-        FormalKind::Joint(kind) => format!("a `{kind}` joint"),
-        FormalKind::Scalar(dimension) => format!("a number ({})", dimension_name(dimension)),
+        FormalKind::Point => Wanted::Point,
+        FormalKind::Axis => Wanted::Axis,
+        FormalKind::Body => Wanted::Body,
+        FormalKind::Quantity => Wanted::Number,
+        FormalKind::Function(..) => Wanted::FunctionOfOne,
+        FormalKind::Joint(kind) => Wanted::JointOf(kind.to_string()),
+        FormalKind::Scalar(dimension) => Wanted::Quantity(dimension_name(dimension)),
     }
 }
 

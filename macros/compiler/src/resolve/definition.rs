@@ -9,7 +9,7 @@ use crate::diag::nearest;
 use crate::diag::{ArityFact, Diag, EquationFact, NameFact, ValueFact};
 use crate::expr::{Expr, Leaf};
 use crate::library;
-use crate::names::noun;
+use crate::names::wanted;
 use crate::names::{Fixed, FunctionValue, Scalar, Value};
 use crate::names::{Names, RESERVED};
 use crate::quantity::{Dim, InferredDim};
@@ -120,7 +120,7 @@ impl Elaborator<'_> {
             | (FormalKind::Body, Value::Body(_))
             | (FormalKind::Point, Value::Point(_))
             | (FormalKind::Axis, Value::Axis(_)) => Some(()),
-            (kind, other) => self.refuse(default.range, ValueFact::WrongDefault { wanted: noun(kind), found: other.noun() }),
+            (kind, other) => self.refuse(default.range, ValueFact::WrongDefault { wanted: wanted(kind), found: other.kind() }),
         }
     }
 

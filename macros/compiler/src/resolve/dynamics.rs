@@ -8,7 +8,7 @@
 use super::elaborate::{Elaborator, Scope};
 use super::register::Register;
 use super::{Force, Mass};
-use crate::diag::{ArityFact, EquationFact, NameFact, Range, ValueFact};
+use crate::diag::{ArityFact, EquationFact, NameFact, Range, ValueFact, Wanted};
 use crate::expr::Expr;
 use crate::model::Solid;
 use crate::names::Key;
@@ -136,8 +136,8 @@ impl Elaborator<'_> {
             (true, Value::Body(frame)) => Some((frame, None)),
             (false, Value::Point(point)) => Some((point.frame, Some(point.local.to_vec()))),
             (is_torque, other) => {
-                let wanted = if is_torque { "a body" } else { "a point" };
-                self.refuse(applied.target.range, ValueFact::NotA { wanted, found: other.noun() })
+                let wanted = if is_torque { Wanted::Body } else { Wanted::Point };
+                self.not_a(applied.target.range, wanted, other.kind())
             }
         }
     }

@@ -3,7 +3,9 @@
 use super::space::Notes;
 use super::statement::FixedValue;
 use super::{Components, Force, Function as Numbered, Name, Requirement};
-use crate::diag::{ArrayFact, Diag, EquationFact, Fact, GrammarFact, Known, NameFact, Range, ValueFact, nearest, nearest_unit};
+use crate::diag::{
+    ArrayFact, Diag, EquationFact, Fact, GrammarFact, Kind, Known, NameFact, Range, ValueFact, Wanted, nearest, nearest_unit,
+};
 use crate::expr::{Arena, Exact, Expr, Leaf};
 use crate::names::Key;
 use crate::names::{Context, Names, SpaceId};
@@ -210,7 +212,7 @@ impl Elaborator<'_> {
     pub(super) fn scalar(&mut self, expr: &ast::Expression, scope: &Scope) -> Option<Scalar> {
         match self.value(expr, scope)? {
             Value::Scalar(scalar) => Some(scalar),
-            other => self.refuse(expr.range, ValueFact::NotA { wanted: "a number", found: other.noun() }),
+            other => self.not_a(expr.range, Wanted::Number, other.kind()),
         }
     }
 
@@ -226,11 +228,22 @@ impl Elaborator<'_> {
     /// Evaluates a vector in ground; a point stands for its position and an axis for its direction.
     pub(super) fn vector(&mut self, expr: &ast::Expression, scope: &Scope) -> Option<Vector> {
         let value = self.value(expr, scope)?;
-        let noun = value.noun();
+        self.vector_of(expr.range, value, Wanted::VectorOrPoint)
+    }
+
+    /// Converts a value to a vector, where `wanted` is.
+    pub(super) fn vector_of(&mut self, range: Range, value: Value, wanted: Wanted) -> Option<Vector> {
+        let found = value.kind();
         match self.as_vector(value) {
             Some(vector) => Some(vector),
-            None => self.refuse(expr.range, ValueFact::NotA { wanted: "a vector or a point", found: noun }),
+            None => self.not_a(range, wanted, found),
         }
+    }
+
+    /// Refuses a value of another kind than `wanted`.
+    pub(super) fn not_a<T>(&mut self, range: Range, wanted: Wanted, found: Kind) -> Option<T> {
+        let ambient = self.names.ambient;
+        self.refuse(range, ValueFact::NotA { wanted, found, ambient })
     }
 
     /// Converts a value to a vector; a point becomes its position, an axis its direction.
@@ -440,5 +453,5 @@ fn unknown_field(value: &Value, name: String, ambient: Ambient) -> NameFact {
         Value::Vector(_) => axes.collect(),
         _ => Vec::new(),
     };
-    NameFact::UnknownField { owner: value.noun().to_owned(), name, near: None, known: Known::of(known.into_iter()) }
+    NameFact::UnknownField { owner: value.kind().to_string(), name, near: None, known: Known::of(known.into_iter()) }
 }

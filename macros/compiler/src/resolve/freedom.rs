@@ -7,7 +7,7 @@
 
 use super::elaborate::{Elaborator, Scope};
 use super::statement::ScalarEquation;
-use crate::diag::{EquationFact, ValueFact};
+use crate::diag::{EquationFact, Kind, ValueFact, Wanted};
 use crate::expr::{Expr, Leaf};
 use crate::names::{Scalar, Value};
 use crate::quantity::{Dim, InferredDim};
@@ -39,14 +39,11 @@ impl Elaborator<'_> {
     /// The numbers of a number, a vector or a joint that has one coordinate.
     fn quantities(&mut self, written: &ast::Expression, scope: &Scope) -> Option<Vec<Scalar>> {
         let value = self.value(written, scope)?;
-        let noun = value.noun();
         if let Value::Scalar(scalar) = value {
             return Some(vec![scalar]);
         }
-        match self.as_vector(value) {
-            Some(vector) => Some(vector.parts.iter().map(|expr| Scalar { expr: *expr, measure: vector.measure }).collect()),
-            None => self.refuse(written.range, ValueFact::NotA { wanted: "a number or a vector", found: noun }),
-        }
+        let vector = self.vector_of(written.range, value, Wanted::NumberOrVector)?;
+        Some(vector.parts.iter().map(|expr| Scalar { expr: *expr, measure: vector.measure }).collect())
     }
 
     /// Initial values, zero if none are written.
@@ -54,8 +51,8 @@ impl Elaborator<'_> {
         let Some(written) = written else { return Some(vec![self.arena.integer(0); of.len()]) };
         let found = self.quantities(written, scope)?;
         if found.len() != of.len() {
-            let noun = |count: usize| if count == 1 { "a number" } else { "a vector" };
-            return self.refuse(written.range, ValueFact::NotA { wanted: noun(of.len()), found: noun(found.len()) });
+            let (wanted, found) = if of.len() == 1 { (Wanted::Number, Kind::Vector) } else { (Wanted::Vector, Kind::Number) };
+            return self.not_a(written.range, wanted, found);
         }
         let values = found.into_iter().map(|value| {
             if value.measure.common(measure).is_none() {

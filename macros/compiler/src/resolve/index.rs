@@ -18,7 +18,7 @@ impl Elaborator<'_> {
         let (group, mut at) = match self.value_or_array(owner, scope)? {
             Value::Array { group, at } => (group, at),
             other => {
-                let fact = ArrayFact::NoArray { found: other.noun(), is_member: matches!(owner.kind, ExpressionKind::Index(..)) };
+                let fact = ArrayFact::NoArray { found: other.kind(), is_member: matches!(owner.kind, ExpressionKind::Index(..)) };
                 return self.refuse(index.range, fact);
             }
         };
@@ -163,7 +163,7 @@ impl Elaborator<'_> {
     }
 
     fn as_whole(&mut self, range: Range, value: &Value) -> Option<i64> {
-        let Value::Scalar(scalar) = value else { return self.refuse(range, ArrayFact::NotWhole { found: value.noun().to_owned() }) };
+        let Value::Scalar(scalar) = value else { return self.refuse(range, ArrayFact::NotWhole { found: value.kind().to_string() }) };
         let dim = scalar.measure.settled();
         if !scalar.measure.fits(Dim::NUMBER) {
             return self.refuse(range, ArrayFact::NotWhole { found: dim.to_string() });

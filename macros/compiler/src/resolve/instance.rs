@@ -3,12 +3,12 @@
 use super::Name;
 use super::elaborate::{Elaborator, Instance, Scope, Timeless};
 use super::statement::ScalarEquation;
-use crate::diag::{ArityFact, ArrayFact, EquationFact, NameFact, Range, ValueFact};
+use crate::diag::{ArityFact, ArrayFact, EquationFact, Kind, NameFact, Range, ValueFact};
 use crate::expr::Leaf;
 use crate::library;
 use crate::names::{Context, EntityId};
 use crate::names::{Fixed, FrameId, FunctionValue, Scalar, Value};
-use crate::names::{noun, places, too_few, too_many, unknown_argument};
+use crate::names::{places, too_few, too_many, unknown_argument, wanted};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Argument, Definition, Formal, FormalKind, JointBody};
 use proc_macro2::Ident;
@@ -213,16 +213,14 @@ impl Elaborator<'_> {
         };
         let value = self.measured(formal, value)?;
         let found = match &value {
-            Value::Joint { kind, .. } => format!("a `{kind}` joint"),
-            other => other.noun().to_owned(),
+            Value::Joint { kind, .. } => Kind::JointOf(kind.clone()),
+            other => other.kind(),
         };
         let instead = self.instead(&formal.kind, argument, &value);
-        let wrong = |this: &mut Self, wanted: String| {
-            let (parameter, definition) = (formal.name.to_string(), definition.name.to_string());
-            this.refuse(
-                argument.range,
-                ValueFact::WrongArgument { parameter, definition, wanted, found: found.clone(), instead: instead.clone() },
-            )
+        let wrong = |this: &mut Self| {
+            let (parameter, definition, ambient) = (formal.name.to_string(), definition.name.to_string(), this.names.ambient);
+            let wanted = wanted(&formal.kind);
+            this.refuse(argument.range, ValueFact::WrongArgument { parameter, definition, wanted, found, ambient, instead })
         };
         match (&formal.kind, value) {
             (FormalKind::Point, value @ Value::Point(_))
@@ -260,11 +258,11 @@ impl Elaborator<'_> {
             }
             (FormalKind::Joint(wanted), Value::Joint { kind, arguments }) => {
                 if wanted != &kind {
-                    return wrong(self, format!("a `{wanted}` joint"));
+                    return wrong(self);
                 }
                 Some(Value::Joint { kind, arguments })
             }
-            (kind, _) => wrong(self, noun(kind)),
+            _ => wrong(self),
         }
     }
 

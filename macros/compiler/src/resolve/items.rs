@@ -4,7 +4,7 @@ use super::elaborate::{Elaborator, Scope};
 use super::register::Register;
 use super::statement::ScalarEquation;
 use super::{Freedom, Joint, Layout, Method, Name, Of, Output, Residual};
-use crate::diag::{ArrayFact, EquationFact, NameFact, Range, ValueFact};
+use crate::diag::{ArrayFact, EquationFact, Kind, NameFact, Range, ValueFact};
 use crate::expr::{Expr, Leaf};
 use crate::names::{Context, EntityId, is_generated};
 use crate::names::{FrameId, Scalar, Value};
@@ -128,14 +128,14 @@ impl Elaborator<'_> {
 
     fn output(&mut self, output: &ast::OutputItem, name: &Name, context: &Context) -> Option<Output> {
         let value = self.value(&output.value, &Scope::of(context))?;
-        let noun = if matches!(value, Value::Body(FrameId::GROUND)) { "ground" } else { value.noun() };
+        let found = if matches!(value, Value::Body(FrameId::GROUND)) { Kind::Ground } else { value.kind() };
         let has_speeds = match &value {
             Value::Scalar(scalar) => self.has_speeds(scalar.expr),
             Value::Vector(vector) => vector.parts.iter().any(|part| self.has_speeds(*part)),
             _ => false,
         };
         if has_speeds {
-            return self.refuse(output.value.range, ValueFact::NotAnOutput { found: "a velocity" });
+            return self.refuse(output.value.range, ValueFact::NotAnOutput { found: Kind::Velocity });
         }
         let (components, measure) = match value {
             Value::Scalar(scalar) => (vec![scalar.expr], scalar.measure),
@@ -144,7 +144,7 @@ impl Elaborator<'_> {
             }
             other => match self.as_vector(other) {
                 Some(vector) => (vector.parts.to_vec(), vector.measure),
-                None => return self.refuse(output.value.range, ValueFact::NotAnOutput { found: noun }),
+                None => return self.refuse(output.value.range, ValueFact::NotAnOutput { found }),
             },
         };
         Some(Output { name: name.clone(), body: None, components, dim: measure.settled() })

@@ -97,7 +97,7 @@ impl Elaborator<'_> {
         match (left, right) {
             (Value::Body(one), Value::Body(two)) => self.body_requirement(requirement, [one, two], scope, places),
             (Value::Scalar(one), Value::Scalar(two)) => self.number_requirement(requirement, one, two, joint, place),
-            (left, right) => self.refuse(range(requirement), ValueFact::CannotCompare { one: left.noun(), two: right.noun() }),
+            (left, right) => self.refuse(range(requirement), ValueFact::CannotCompare { one: left.kind(), two: right.kind() }),
         }
     }
 

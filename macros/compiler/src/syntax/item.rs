@@ -11,7 +11,7 @@ use super::options::{Options, options};
 use super::repeated::{component, part, repeated_items, repeated_marks};
 use super::tokens::{
     Parsed, arrow, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, name, parentheses, path, report, semicolon,
-    skip_item, skip_to_block, visibility, wrong,
+    skip_item, skip_to_block, statement_text, visibility, wrong,
 };
 use crate::diag::{ArrayFact, Diag, GrammarFact, Range, ValueFact};
 use crate::quantity::Ambient;
@@ -406,9 +406,11 @@ fn mark(input: ParseStream) -> Parsed<Feature> {
     let is_axis = Ident::parse_any(input)? == "axis";
     let (name, indices) = declared(input, if is_axis { "the name of the axis" } else { "the name of the point" })?;
     equals(input)?;
+    let before = input.fork();
     let value = expression(input)?;
     if input.peek(Token![,]) && !matches!(value.kind, ExpressionKind::Tuple(..)) {
-        return wrong(value.range, GrammarFact::PairWithoutParentheses { what: if is_axis { "an axis" } else { "a point" } });
+        let (what, instead) = (if is_axis { "an axis" } else { "a point" }, format!("({})", statement_text(&before)?));
+        return wrong(value.range, GrammarFact::WithoutParentheses { what, instead });
     }
     let zero = if is_axis && keyword(input).is_some_and(|word| word == "from") {
         Ident::parse_any(input)?;

@@ -97,9 +97,15 @@ refused! {
     driven a_joint_of_the_plane_in_space: "joint c = «absolute_angle»(b, 0deg);" => "`absolute_angle` is for the plane; in space write an equation of `joint.angle`, or `absolute_orientation(a, b)`";
     driven a_start_angle_in_space: "body c { start «angle» = 30deg; }" => "a body in space does not start with `angle`\nnote: it starts with `x`, `y`, `z`, `position` or `orientation`, such as `start orientation = turn((0, 0, 1), 30deg);`";
     driven a_start_without_axis: "body c { start orientation = «30deg»; }" => "expected an orientation, such as `turn((0, 0, 1), 30deg)`, found a number";
-    driven a_turn_with_its_arguments_the_other_way_round: "body c { start orientation = turn(«30deg», (0, 0, 1)); }" => "expected an axis in space, found a number\nhelp: write `(1, 0, 0)` for the direction of x";
+    driven a_turn_with_its_arguments_the_other_way_round: "body c { start orientation = turn(«30deg», (0, 0, 1)); }" => "expected an axis, found a number\nhelp: write `(1, 0, 0)` for the direction of x";
     driven a_point_of_two_components: "body c { point P = «(1m, 0m)»; }" => "a vector in space has 3 components, found 2";
     driven an_axis_of_two_components: "body c { axis u = «(0, 1)»; }" => "a vector in space has 3 components, found 2";
+    driven coordinates_without_parentheses_in_space: "body c { point P = «5mm», -6mm, 7mm; }" => "the coordinates of a point stand in parentheses\nhelp: write `(5mm, -6mm, 7mm)`";
+    driven an_axis_that_is_a_number: "body c { } joint j = revolute(b.A, «3», c.position, (0, 0, 1));" => "`a` of `revolute` takes an axis, found a number\nhelp: write `(1, 0, 0)` for the direction of x";
+    driven a_point_that_is_a_number: "body c { } joint j = spherical(«5m», c.position);" => "`P` of `spherical` takes a point, found a number\nhelp: write `(x, y, z)` for a place in ground, `body.P` for a point of a body";
+    driven a_start_that_is_a_number: "body c { start position = «5m»; }" => "expected a vector or a point, found a number\nhelp: write all components, `(x, y, z)`";
+    driven the_sine_of_an_axis: "output o = sin(«b.z»);" => "expected a number, found an axis\nhelp: its components are `.x`, `.y` and `.z`, its length is `norm(…)`";
+    driven a_body_where_a_number_is_wanted: "output o = 2 * «b»;" => "expected a number or a vector, found a body\nhelp: its coordinates are `.x`, `.y` and `.z`, its place is `.position`; angles are those of joints, `joint.angle`";
     driven a_zero_direction_of_two_components: "body c { axis u = (0, 0, 1) from «(1, 0)»; }" => "a vector in space has 3 components, found 2";
     driven a_start_of_two_components: "body c { start position = «(0m, 1m)»; }" => "a vector in space has 3 components, found 2";
     driven angles_from_along_the_axis: "body c { axis u = (0, 0, 1) from «(0, 0, 2)»; }" => "angles about `u` are counted from a direction across it, and nothing of this one is across";

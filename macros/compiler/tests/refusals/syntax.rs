@@ -30,7 +30,7 @@ crate::refusals! {
     item equation_without_right_side: "joint a = { crank.x == «;» }" => "expected an expression, found `;`";
     item choice_without_else: "output b = if length < 1 { 1 }«;»" => "expected `else { value }`, found `;`";
     item choice_without_relation: "output b = if length «{» 1 } else { 2 };" => "expected a relation such as `<` or `!=`, found `{`";
-    item pair_without_parentheses: "body b { point P = «0mm», 0mm; }" => "a point has two coordinates in parentheses\nhelp: write `(x, y)`";
+    item pair_without_parentheses: "body b { point P = «0mm», 0mm; }" => "the coordinates of a point stand in parentheses\nhelp: write `(0mm, 0mm)`";
     item comma_after_a_point: "body b { point P = (0mm, 0mm)«,» point Q = (0mm, 1mm); }" => "expected an operator or `;`, found `,`";
     item empty_parentheses: "output b = «()»;" => "expected an expression, found `()`";
     item field_is_no_number: "output b = crank.«5»;" => "expected a name after `.`, found `5`";

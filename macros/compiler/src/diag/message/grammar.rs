@@ -1,7 +1,7 @@
 //! Messages about tokens that are not a valid declaration.
 
 use super::words::{did_you_mean, is_power, listed, shortened};
-use crate::diag::{GrammarFact, remedy};
+use crate::diag::GrammarFact;
 use std::fmt::{Display, Formatter, Result};
 
 impl Display for GrammarFact {
@@ -27,7 +27,9 @@ impl Display for GrammarFact {
                 }
             }
             GrammarFact::Unnamed { word, kind } => write!(f, "a {word} has a name of its own\nhelp: write `{word} name = {kind}(…);`"),
-            GrammarFact::NotANumber { found } => write!(f, "expected a number, found {found}{}", remedy::of_kind("a number", "text")),
+            GrammarFact::NotANumber { found } => {
+                write!(f, "expected a number, found {found}\nhelp: a quantity is a number with its unit right behind it, such as `120mm`")
+            }
             GrammarFact::PartsTooDeep { limit } => {
                 write!(f, "parts are nested more than {limit} deep\nhelp: declare the innermost parts in the mechanism, beside the others")
             }
@@ -108,7 +110,9 @@ impl Display for GrammarFact {
             GrammarFact::OneArgument => {
                 write!(f, "a function here has one argument\nhelp: what else it depends on is a `param` or a `let`, which it sees")
             }
-            GrammarFact::PairWithoutParentheses { what } => write!(f, "{what} has two coordinates in parentheses\nhelp: write `(x, y)`"),
+            GrammarFact::WithoutParentheses { what, instead } => {
+                write!(f, "the coordinates of {what} stand in parentheses\nhelp: write `{}`", shortened(instead))
+            }
             GrammarFact::PathOfConstraint { path, last } => {
                 write!(f, "a joint names its constraint by a single word\nhelp: write `use {path};` above, and `{last}(…)` here")
             }

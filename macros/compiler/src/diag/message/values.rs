@@ -8,13 +8,14 @@ use std::fmt::{Display, Formatter, Result};
 impl Display for ValueFact {
     fn fmt(&self, f: &mut Formatter) -> Result {
         match self {
-            ValueFact::NotA { wanted, found } => write!(f, "expected {wanted}, found {found}{}", remedy::of_kind(wanted, found)),
-            ValueFact::WrongArgument { parameter, definition, wanted, found, instead } => {
+            ValueFact::NotA { wanted, found, ambient } => {
+                write!(f, "expected {wanted}, found {found}{}", remedy::of_kind(wanted, found, *ambient))
+            }
+            ValueFact::WrongArgument { parameter, definition, wanted, found, ambient, instead } => {
                 write!(f, "`{parameter}` of `{definition}` takes {wanted}, found {found}")?;
                 match instead {
                     Some(instead) => write!(f, "\nhelp: write `{instead}`"),
-                    None if wanted.ends_with(" joint") && !found.ends_with(" joint") => write!(f, "\nhelp: write the name of the joint"),
-                    None => write!(f, "{}", remedy::of_kind(wanted, found)),
+                    None => write!(f, "{}", remedy::of_kind(wanted, found, *ambient)),
                 }
             }
             ValueFact::WrongArgumentDimension { parameter, definition, wanted, found } => {
@@ -47,8 +48,8 @@ impl Display for ValueFact {
             ValueFact::FunctionTakes { wanted, found } => write!(f, "expected a function of {wanted}, found a function of {found}"),
             ValueFact::OrderOfBodies => write!(f, "bodies have no order\nhelp: compare them with `==` or `!=`"),
             ValueFact::CannotCompare { one, two } => write!(f, "cannot compare {one} with {two}"),
-            ValueFact::CannotEquate { one, two, in_space } => {
-                write!(f, "cannot equate {one} with {two}{}", remedy::of_equation(one, two, *in_space))
+            ValueFact::CannotEquate { one, two, ambient } => {
+                write!(f, "cannot equate {one} with {two}{}", remedy::of_equation(one, two, *ambient))
             }
             ValueFact::NotThreeComponents { found } => write!(f, "a vector in space has 3 components, found {found}"),
             ValueFact::OnlyInSpace { word } => {
