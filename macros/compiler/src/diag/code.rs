@@ -16,7 +16,7 @@
 
 use super::fact::{
     ArityFact as Arity, ArrayFact as Array, AssemblyFact as Assembly, EquationFact as Equation, Fact, GrammarFact as Grammar,
-    NameFact as Name, SystemFact as System, ValueFact as Value,
+    MotionFact as Motion, NameFact as Name, SystemFact as System, ValueFact as Value,
 };
 
 macro_rules! codes {
@@ -40,7 +40,7 @@ macro_rules! codes {
 
 codes! {
     // Grammar.
-    E0001: Grammar::Syntax Grammar::Expected Grammar::Unnamed;
+    E0001: Grammar::Syntax Grammar::Expected Grammar::Unnamed Motion::EquationWithoutBraces Motion::RateBeforeStart;
     E0002: Grammar::NotANumber;
     E0003: Grammar::TooDeep Grammar::TooLong Grammar::LongChain Grammar::PartsTooDeep;
     E0004: Grammar::Keyword;
@@ -57,9 +57,9 @@ codes! {
     E0015: Grammar::ClosingWord Grammar::AllowedWord Grammar::AttributeTwice;
     // Names.
     E0101: Name::UnknownName;
-    E0102: Name::UnknownField;
+    E0102: Name::UnknownField Name::AngleOfBody;
     E0103: Name::UnknownFunction;
-    E0104: Name::UnknownConstraint Name::NotAConstraint Array::ComponentAsConstraint;
+    E0104: Name::UnknownConstraint Name::NotAConstraint Array::ComponentAsConstraint Motion::UnknownForce;
     E0105: Array::UnknownComponent;
     E0106: Name::UnknownUnit Name::UnitAlone;
     E0107: Name::UnknownDimension;
@@ -83,11 +83,12 @@ codes! {
     E0207: Grammar::OneArgument Value::FunctionNeedsArgument;
     E0208: Arity::DefaultBefore;
     // Kinds and dimensions.
-    E0301: Value::NotA Value::NotAnOutput;
+    E0301: Value::NotA Value::NotAnOutput Motion::TorqueWithoutAxis Motion::TorqueWithAxis Motion::ForceWithoutDirection
+        Motion::ForceAtNoPoint Motion::TorqueOnNoBody Motion::ValueForForce Motion::ValueForConstraint Motion::FreedomOfJoint;
     E0302: Value::WrongArgument Value::WrongDefault;
     E0303: Value::WrongArgumentDimension;
     E0304: Value::Unlike;
-    E0305: Value::WrongDimension Value::NotALength;
+    E0305: Value::WrongDimension Value::NotALength Motion::RateForStart Motion::StartForRate;
     E0306: Value::CannotEquate Value::CannotCompare Value::OrderOfBodies;
     E0307: Value::FunctionTakes;
     E0308: Value::VectorAndNumber;
@@ -123,7 +124,7 @@ codes! {
     E0603: Equation::NoEquations Equation::EmptyBundle;
     E0604: Equation::GroundStart;
     E0605: Equation::NotAffine Equation::RateOfSpeed Value::RateOfVelocity System::Nonholonomic;
-    E0606: Equation::EquationInForce Equation::ForceInJoint;
+    E0606: Equation::EquationInForce Equation::ForceInJoint Motion::ForceForConstraint Motion::ConstraintForForce;
     // Mobility.
     E0701: System::NoBodies;
     E0702: System::BodyIsFree;
@@ -148,8 +149,9 @@ codes! {
     E1001: Value::EmptyBounds Value::RangeWithoutEnd;
     E1002: Value::DefaultOutOfBounds;
     // Masses and forces.
-    E1101: System::FreedomDepends System::FreedomsMissing;
+    E1101: System::FreedomDepends System::FreedomsMissing Motion::FreedomIsHeld;
     E1102: System::Massless;
     E1103: Value::NegativeMass Value::ImpossibleInertia Value::CenterWithoutMass Value::ShapeWithoutMass;
     E1104: Value::EnergyOfVelocities;
+    E1105: Motion::SliceBesideFreedom Motion::RangeBesideFreedom;
 }

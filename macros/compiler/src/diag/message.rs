@@ -9,6 +9,7 @@ mod assembly;
 mod equations;
 mod grammar;
 mod kinds;
+mod motion;
 mod names;
 mod system;
 mod values;
@@ -47,6 +48,7 @@ impl fmt::Display for Fact {
             Fact::Equation(fact) => fact.fmt(f),
             Fact::System(fact) => fact.fmt(f),
             Fact::Assembly(fact) => fact.fmt(f),
+            Fact::Motion(fact) => fact.fmt(f),
             Fact::InInstance { place, fact } => {
                 let sentence = fact.to_string();
                 let (first, rest) = parted(&sentence);

@@ -29,6 +29,7 @@ const NAMED: &[(&str, [i16; 4])] = &[
     ("Torque", [2, 0, -2, 1]),
     ("Inertia", [2, 0, 0, 1]),
     ("Stiffness", [0, 0, -2, 1]),
+    ("Pressure", [-1, 0, -2, 1]),
 ];
 
 const UNITS: [&str; 4] = ["m", "rad", "s", "kg"];

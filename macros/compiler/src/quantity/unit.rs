@@ -57,9 +57,13 @@ const UNITS: &[Unit] = &[
     unit("N_mm", 1_000, 1, Dim::new(0, 0, -2, 1)),
     unit("kN_m", 1_000, 1, Dim::new(0, 0, -2, 1)),
     unit("Ns_m", 1, 1, Dim::new(0, 0, -1, 1)),
+    unit("Nm_rad", 1, 1, Dim::new(2, -1, -2, 1)),
+    unit("Nms", 1, 1, Dim::new(2, 0, -1, 1)),
+    unit("Nms_rad", 1, 1, Dim::new(2, -1, -1, 1)),
     unit("W", 1, 1, Dim::new(2, 0, -3, 1)),
     unit("kW", 1_000, 1, Dim::new(2, 0, -3, 1)),
     unit("Pa", 1, 1, Dim::new(-1, 0, -2, 1)),
+    unit("kPa", 1_000, 1, Dim::new(-1, 0, -2, 1)),
     unit("bar", 100_000, 1, Dim::new(-1, 0, -2, 1)),
     unit("MPa", 1_000_000, 1, Dim::new(-1, 0, -2, 1)),
 ];

@@ -1,10 +1,11 @@
 //! Joints that duplicate or contradict other joints.
 
 use super::elimination::{self, Dependent, Sum};
-use crate::diag::{Demand, Diag, SystemFact};
+use crate::diag::{Demand, Diag, MotionFact, SystemFact};
 use crate::expr::{Exact as Number, Expr, Leaf, Node, show};
 use crate::model::{Model, Said};
-use crate::quantity::Dim;
+use crate::quantity::{Dim, Role};
+use crate::structure::{maximum, underdetermined};
 use crate::system::System;
 use std::collections::BTreeSet;
 
@@ -40,6 +41,16 @@ impl<'a> ExactDependence<'a> {
             let joint_rows = |found: &&Dependent| system.equations[found.row].joint == joint;
             let of_joint: Vec<&Dependent> = dependent.iter().filter(joint_rows).collect();
             let contradiction = of_joint.iter().find(|found| found.left.is_constant() && !found.left.constant.is_zero());
+            if model.joints[joint].freedom.is_some() {
+                let fact = MotionFact::FreedomIsHeld {
+                    freedom: name.to_string(),
+                    of: model.joints[joint].residuals.len(),
+                    by: joints(model, system, joint, &of_joint),
+                    free: free_beside(model, system, joint),
+                };
+                diag.refuse::<()>(name, fact);
+                continue;
+            }
             let fact = match contradiction {
                 Some(found) => SystemFact::Contradicts {
                     joint: name.to_string(),
@@ -73,6 +84,23 @@ impl<'a> ExactDependence<'a> {
             }
         }
     }
+}
+
+/// Coordinates that can move where one freedom is left out, angles first.
+fn free_beside(model: &Model, system: &System, freedom: usize) -> Vec<String> {
+    let mut pattern = system.pattern.clone();
+    let of_freedom = pattern.rows.iter_mut().zip(&system.equations).filter(|(_, equation)| equation.joint == freedom);
+    of_freedom.for_each(|(row, _)| row.clear());
+    let unknowns = underdetermined(&pattern, &maximum(&pattern)).unknowns;
+    let (places, angles): (Vec<usize>, Vec<usize>) =
+        unknowns.into_iter().partition(|unknown| matches!(system.coordinates[*unknown].role, Role::Position(_) | Role::Displacement));
+    let name = |unknown: usize| match system.coordinates[unknown].role {
+        Role::Quaternion(_) => format!("{}.angular_velocity", model.bodies[system.coordinates[unknown].body].name),
+        _ => system.name(model, unknown),
+    };
+    let mut names: Vec<String> = angles.into_iter().chain(places).map(name).collect();
+    names.dedup();
+    names
 }
 
 /// Joints of the rows on which a joint's rows depend, the joint itself left out.

@@ -12,7 +12,7 @@ mod identity;
 mod pattern;
 mod rows;
 
-use crate::diag::{Diag, SystemFact};
+use crate::diag::{Diag, MotionFact, SystemFact};
 use crate::model::{Model, Said};
 use crate::numeric::basis::{Basis, Matrix};
 use crate::numeric::samples::Samples;
@@ -107,13 +107,12 @@ pub(crate) fn drives_have_something_to_drive(
             .collect();
         if !joints.is_empty() && joints.iter().all(|joint| !numeric.model.joints[*joint].is_drive) {
             let free = numeric.names(subsystem, &basis.free(subsystem.unknowns.len()));
-            let fact = SystemFact::NothingToDrive {
-                drive: declared.name.to_string(),
-                joints: names(joints),
-                equations: [0; 2],
-                coordinates: Vec::new(),
-                free,
-            };
+            let (name, by) = (declared.name.to_string(), names(joints));
+            if declared.freedom.is_some() {
+                let of = declared.residuals.len();
+                return diag.refuse(&declared.name, MotionFact::FreedomIsHeld { freedom: name, of, by, free });
+            }
+            let fact = SystemFact::NothingToDrive { drive: name, joints: by, equations: [0; 2], coordinates: Vec::new(), free };
             return diag.refuse(&declared.name, fact);
         }
     }

@@ -8,7 +8,7 @@
 use super::elaborate::{Elaborator, Scope};
 use super::register::Register;
 use super::{Force, Mass};
-use crate::diag::{ArityFact, EquationFact, NameFact, Range, ValueFact, Wanted};
+use crate::diag::{ArityFact, EquationFact, MotionFact, NameFact, Range, ValueFact};
 use crate::expr::Expr;
 use crate::model::Solid;
 use crate::names::Key;
@@ -122,7 +122,7 @@ impl Elaborator<'_> {
             return self.refuse(applied.target.range, EquationFact::ForceInJoint);
         }
         let (frame, point) = self.target(applied, scope)?;
-        let parts = self.applied_parts(applied, scope)?;
+        let parts = self.applied_parts(applied, frame, scope)?;
         // What pushes on ground moves nothing.
         if let Some(body) = frame.0.checked_sub(1) {
             self.applied.get_or_insert_default().push(Force { body, point, parts });
@@ -132,22 +132,35 @@ impl Elaborator<'_> {
 
     fn target(&mut self, applied: &ast::Applied, scope: &Scope) -> Option<(FrameId, Option<Vec<Expr>>)> {
         let value = self.value(&applied.target, scope)?;
+        let found = value.kind();
         match (applied.is_torque, value) {
             (true, Value::Body(frame)) => Some((frame, None)),
             (false, Value::Point(point)) => Some((point.frame, Some(point.local.to_vec()))),
-            (is_torque, other) => {
-                let wanted = if is_torque { Wanted::Body } else { Wanted::Point };
-                self.not_a(applied.target.range, wanted, other.kind())
+            (true, other) => {
+                let instead = match other {
+                    Value::Point(fixed) | Value::Axis(fixed) => Some(self.names.frames[fixed.frame.0].name.clone()),
+                    _ => None,
+                };
+                self.refuse(applied.target.range, MotionFact::TorqueOnNoBody { found, instead })
+            }
+            (false, other) => {
+                let instead = match other {
+                    Value::Body(frame) => Some(format!("{}.position", self.names.frames[frame.0].name)),
+                    _ => None,
+                };
+                self.refuse(applied.target.range, MotionFact::ForceAtNoPoint { found, instead })
             }
         }
     }
 
-    fn applied_parts(&mut self, applied: &ast::Applied, scope: &Scope) -> Option<Vec<Expr>> {
+    fn applied_parts(&mut self, applied: &ast::Applied, frame: FrameId, scope: &Scope) -> Option<Vec<Expr>> {
         let wanted = if applied.is_torque { Dim::TORQUE } else { Dim::FORCE };
         let range: Range = applied.value.range;
         if applied.is_torque && self.names.ambient == Ambient::Plane {
+            self.is_undirected(applied, scope)?;
             return self.scalar_of(&applied.value, wanted, scope).map(|scalar| vec![scalar.expr]);
         }
+        self.is_directed(applied, frame, scope)?;
         let vector = self.vector(&applied.value, scope)?;
         if !vector.measure.fits(wanted) {
             return self.refuse(range, ValueFact::WrongDimension { wanted, found: vector.measure.settled() });

@@ -415,14 +415,21 @@ impl Elaborator<'_> {
                 Some(Value::Point(Fixed { frame, local, measure: InferredDim::Known(Dim::LENGTH), zero: None }))
             }
             None if name == "angular_velocity" => Some(self.angular_velocity(frame)),
+            None if name == "angle" && self.names.find(self.names.frames[frame.0].space, &name).is_none() => {
+                let (body, joint) = (self.names.frames[frame.0].name.clone(), self.hinge_of(frame));
+                self.refuse(field, NameFact::AngleOfBody { body, joint })
+            }
             None => {
                 let space = self.names.frames[frame.0].space;
                 if let Some(group) = self.names.find(space, &name) {
                     return self.of_group(group, field);
                 }
                 let (axes, others): (Vec<Role>, Vec<Role>) = self.names.ambient.named().partition(|role| role.is_position());
-                let words: Vec<&str> = others.into_iter().chain(axes).map(Role::name).collect();
-                let known = || self.names.words(space).chain(["position"]).chain(words.iter().copied());
+                let own: Vec<&str> = self.names.words(space).collect();
+                // In space an axis may be called like a coordinate.
+                let words = others.into_iter().chain(axes).map(Role::name).filter(|word| !own.contains(word));
+                let words: Vec<&str> = words.chain(["angular_velocity"]).collect();
+                let known = || own.iter().copied().chain(["position"]).chain(words.iter().copied());
                 let (near, known) = (self.nearest(&name, known()), Known::of(known()));
                 let owner = format!("`{}`", self.names.frames[frame.0].name);
                 self.refuse(field, NameFact::UnknownField { owner, name, near, known })

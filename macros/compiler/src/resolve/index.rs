@@ -156,9 +156,9 @@ impl Elaborator<'_> {
         match result {
             Some(result) => Some(result),
             None if matches!(operator, Operator::Add | Operator::Sub | Operator::Mul) => {
-                self.refuse(range, ArrayFact::WholeTooLarge { found: format!("{one} {} {two}", symbol(operator)) })
+                self.refuse(range, ArrayFact::WholeTooLarge { found: format!("{one} {operator} {two}") })
             }
-            None => self.refuse(range, ArrayFact::NotWhole { found: format!("`{one} {} {two}`", symbol(operator)) }),
+            None => self.refuse(range, ArrayFact::NotWhole { found: format!("`{one} {operator} {two}`") }),
         }
     }
 
@@ -176,16 +176,5 @@ impl Elaborator<'_> {
             None if constant.is_some() => self.refuse(range, ArrayFact::NotWhole { found: "a fraction".into() }),
             None => self.refuse(range, ArrayFact::NotKnownWhole),
         }
-    }
-}
-
-fn symbol(operator: Operator) -> &'static str {
-    match operator {
-        Operator::Add => "+",
-        Operator::Sub => "-",
-        Operator::Mul => "*",
-        Operator::Div => "/",
-        Operator::Rem => "%",
-        Operator::Power => "^",
     }
 }

@@ -3,7 +3,7 @@
 use super::Name;
 use super::elaborate::{Elaborator, Instance, Scope, Timeless};
 use super::statement::ScalarEquation;
-use crate::diag::{ArityFact, ArrayFact, EquationFact, Kind, NameFact, Range, ValueFact};
+use crate::diag::{ArityFact, ArrayFact, EquationFact, Kind, MotionFact, NameFact, Range, ValueFact};
 use crate::expr::Leaf;
 use crate::library;
 use crate::names::{Context, EntityId};
@@ -32,9 +32,13 @@ impl Elaborator<'_> {
                 let scope = self.joint_scope(joint, context);
                 self.energy(value, &scope).map(|()| Vec::new())
             }
+            JointBody::Value(value) => {
+                let scope = self.joint_scope(joint, context);
+                self.value_alone(joint, value, &scope)
+            }
             JointBody::Freedom(freedom) => {
                 let scope = self.joint_scope(joint, context);
-                self.freedom(freedom, &scope)
+                self.freedom(&joint.name, freedom, &scope)
             }
             JointBody::Of { kind, arguments: given, .. } => {
                 let Value::Joint { arguments, .. } = self.entity(id, (&joint.name).into())? else { return None };
@@ -86,6 +90,7 @@ impl Elaborator<'_> {
     pub(super) fn bind_joint(&mut self, joint: &ast::JointItem, context: &Context) -> Option<Vec<(String, Value)>> {
         let JointBody::Of { kind, arguments } = &joint.body else { return Some(Vec::new()) };
         let definition = self.definition(kind)?;
+        self.is_of_its_word(joint, kind, &definition)?;
         let scope = self.joint_scope(joint, context);
         self.bind(&definition, kind, arguments, &scope)
     }
@@ -117,13 +122,13 @@ impl Elaborator<'_> {
             };
             return self.refuse(kind, fact);
         }
-        let known = self
-            .names
-            .definitions
-            .keys()
-            .map(String::as_str)
-            .chain(library::constraints(self.names.ambient))
-            .chain(library::forces(self.names.ambient));
+        let own = self.names.definitions.keys().map(String::as_str);
+        if self.applied.is_some() {
+            let laws: Vec<String> = own.chain(library::forces(self.names.ambient)).map(str::to_owned).collect();
+            let near = self.nearest(&word, laws.iter().map(String::as_str));
+            return self.refuse(kind, MotionFact::UnknownForce { name: word, near, laws });
+        }
+        let known = own.chain(library::constraints(self.names.ambient)).chain(library::forces(self.names.ambient));
         let near = self.nearest(&word, known);
         self.refuse(kind, NameFact::UnknownConstraint { name: word, near })
     }

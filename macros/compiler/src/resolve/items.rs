@@ -68,6 +68,7 @@ impl Elaborator<'_> {
             ast::JointBody::Equations(_) => "equation".to_owned(),
             ast::JointBody::Freedom(_) => "freedom".to_owned(),
             ast::JointBody::Energy(_) => "energy".to_owned(),
+            ast::JointBody::Value(_) => "value".to_owned(),
         };
         let freedom = match &joint.body {
             ast::JointBody::Freedom(freedom) => Some(Freedom { is_from_start: freedom.from.is_none() }),

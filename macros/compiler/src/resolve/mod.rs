@@ -18,6 +18,7 @@ mod index;
 mod instance;
 mod items;
 mod layout;
+mod meant;
 mod register;
 mod sketch;
 pub(crate) mod space;

@@ -31,6 +31,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     let lengths = work.marks(&register);
     let joints = work.joints(&register);
     let forces = work.forces(&register);
+    work.fits_freedoms(tree.task, &register);
     let gravity = work.gravity(&register);
     let outputs = work.outputs(&register);
     let methods = work.methods(&layout, &register, &outputs);
@@ -219,6 +220,8 @@ impl Elaborator<'_> {
             ast::JointBody::Equations(_) => Some(Value::Joint { kind: "equation".into(), arguments }),
             ast::JointBody::Freedom(_) => Some(Value::Joint { kind: "freedom".into(), arguments }),
             ast::JointBody::Energy(_) => Some(Value::Joint { kind: "energy".into(), arguments }),
+            // `joint_rows` refuses it.
+            ast::JointBody::Value(_) => None,
         }
     }
 

@@ -1,12 +1,12 @@
 //! Parses the items of a mechanism.
 
 use super::ast::{
-    Argument, Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, FreedomItem, FunctionItem, Gravity, Item,
-    JointBody, JointItem, Let, Limits, Marks, Mechanism, OutputItem, ParameterItem, Refused, Shared, Start, Task, TimeRange, Use,
+    Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, FunctionItem, Gravity, Item, JointItem, Let, Limits, Marks,
+    Mechanism, OutputItem, ParameterItem, Refused, Shared, Start, Task, TimeRange, Use,
 };
-use super::definition::statement;
 use super::dimension::{dimension, required_dimension};
 use super::expression::{expression, indices};
+use super::joint::{energy, freedom, joint};
 use super::options::{Options, options};
 use super::repeated::{component, part, repeated_items, repeated_marks};
 use super::tokens::{
@@ -323,7 +323,7 @@ pub(super) fn declared(input: ParseStream, what: &'static str) -> Parsed<(Ident,
 }
 
 /// `= expression;`
-fn value(input: ParseStream) -> Parsed<Expression> {
+pub(super) fn value(input: ParseStream) -> Parsed<Expression> {
     equals(input)?;
     let value = expression(input)?;
     semicolon(input)?;
@@ -428,105 +428,4 @@ fn start(input: ParseStream) -> Parsed<Start> {
     let what = name(input, "`x`, `y`, `angle` or `position`")?;
     let value = value(input)?;
     Ok(Start { what, value })
-}
-
-/// `joint name = …;`, `redundant joint name = …;` or `drive name = …;`
-fn joint(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
-    let mut word = Ident::parse_any(input)?;
-    let is_redundant = word == "redundant";
-    if is_redundant {
-        if keyword(input).is_none_or(|word| word != "joint") {
-            return expected(input, "`joint`: only a joint can be redundant");
-        }
-        word = Ident::parse_any(input)?;
-    }
-    let is_drive = word == "drive";
-    let (name, indices) = declared(input, if is_drive { "the name of the drive" } else { "the name of the joint" })?;
-    if input.peek(token::Paren) {
-        return wrong(&name, GrammarFact::Unnamed { word: if is_drive { "drive" } else { "joint" }, kind: name.to_string() });
-    }
-    equals(input)?;
-    let body = if input.peek(token::Brace) { equations(input)? } else { instance(input)? };
-    Ok(JointItem { docs, is_drive, is_redundant, name, indices, body })
-}
-
-/// `freedom name = value from start at rate;`
-fn freedom(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
-    Ident::parse_any(input)?;
-    let (name, indices) = declared(input, "the name of the freedom")?;
-    equals(input)?;
-    let value = expression(input)?;
-    let clause = |word: &str| -> Parsed<Option<Expression>> {
-        if keyword(input).is_none_or(|found| found != word) {
-            return Ok(None);
-        }
-        Ident::parse_any(input)?;
-        expression(input).map(Some)
-    };
-    let (from, at) = (clause("from")?, clause("at")?);
-    if !input.peek(Token![;]) && keyword(input).is_some() {
-        return expected(input, "`from` and the value at t = 0, `at` and the rate at t = 0, or `;`");
-    }
-    semicolon(input)?;
-    let body = JointBody::Freedom(Box::new(FreedomItem { value, from, at }));
-    Ok(JointItem { docs, is_drive: true, is_redundant: false, name, indices, body })
-}
-
-/// `energy name = value;`
-fn energy(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
-    Ident::parse_any(input)?;
-    let (name, indices) = declared(input, "the name of the energy")?;
-    let body = JointBody::Energy(Box::new(value(input)?));
-    Ok(JointItem { docs, is_drive: true, is_redundant: false, name, indices, body })
-}
-
-/// `{ lhs == rhs; … }`, with or without a semicolon after it.
-fn equations(input: ParseStream) -> Parsed<JointBody> {
-    let (content, _) = braces(input)?;
-    let mut statements = Vec::new();
-    while !content.is_empty() {
-        statements.push(statement(&content)?);
-    }
-    if input.peek(Token![;]) {
-        input.parse::<Token![;]>()?;
-    }
-    Ok(JointBody::Equations(statements))
-}
-
-/// `kind(arguments);`
-fn instance(input: ParseStream) -> Parsed<JointBody> {
-    if input.peek(Token![::]) || input.peek2(Token![::]) {
-        let path = path(input)?;
-        let text = path.tokens.to_string().replace(' ', "");
-        return wrong(path.range, GrammarFact::PathOfConstraint { path: text, last: path.last.to_string() });
-    }
-    let kind = name(input, "a constraint such as `revolute(…)`, or `{ lhs == rhs; }`")?;
-    if !input.peek(token::Paren) {
-        return expected(input, "`(` and the arguments");
-    }
-    let arguments = arguments(input)?;
-    semicolon(input)?;
-    Ok(JointBody::Of { kind, arguments })
-}
-
-/// `(value, name: value, …)`
-pub(super) fn arguments(input: ParseStream) -> Parsed<Vec<Argument>> {
-    let (content, _) = parentheses(input)?;
-    let mut arguments = Vec::new();
-    while !content.is_empty() {
-        arguments.push(argument(&content)?);
-        comma(&content, "`,` or `)`")?;
-    }
-    Ok(arguments)
-}
-
-/// `value` or `name: value`
-fn argument(input: ParseStream) -> Parsed<Argument> {
-    let is_named = input.peek(syn::Ident) && input.peek2(Token![:]) && !input.peek2(Token![::]);
-    if !is_named {
-        return Ok(Argument { name: None, value: expression(input)? });
-    }
-    let name = name(input, "the name of the argument")?;
-    input.parse::<Token![:]>()?;
-    Ok(Argument { name: Some(name), value: expression(input)? })
 }

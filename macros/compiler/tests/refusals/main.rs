@@ -8,6 +8,7 @@ mod components;
 mod definitions;
 mod dimensions;
 mod duplicates;
+mod forces;
 mod freedoms;
 mod joints;
 mod limits;

@@ -6,7 +6,7 @@ crate::refusals! {
     item unit_by_itself: "drive b = drive_angle(crank, 2 * 1rad/«ms» * t);" => "nothing is called `ms` here\nhelp: a unit belongs to a number, as in `1ms`; that of a rate is one word, as in `1rad_s`";
     item body_is_mistyped: "joint a = revolute(«crnk».A, ground.C);" => "nothing is called `crnk` here\nhelp: did you mean `crank`?";
     item point_is_mistyped: "body c { point Pin = (0mm, 0mm); } output b = c.«Pim»;" => "`c` has no `Pim`\nhelp: did you mean `Pin`?";
-    item point_is_unknown: "output b = crank.«Z»;" => "`crank` has no `Z`\nnote: it has `O`, `A`, `v`, `position`, `angle`, `x` and `y`";
+    item point_is_unknown: "output b = crank.«Z»;" => "`crank` has no `Z`\nnote: it has `O`, `A`, `v`, `position`, `angle`, `x`, `y` and `angular_velocity`";
     item point_without_its_body: "joint a = revolute(ground.C, «A»);" => "nothing is called `A` here\nhelp: did you mean `crank.A`?";
     item angle_is_mistyped: "output b = crank.«angel»;" => "`crank` has no `angel`\nhelp: did you mean `angle`?";
     item component_of_a_point: "output b = crank.A.«z»;" => "a point has no `z`\nnote: it has `x`, `y` and `body`";
@@ -19,7 +19,7 @@ crate::refusals! {
     item own_function_is_mistyped: "output b = «lif»(crank.angle);" => "no function is called `lif`\nhelp: did you mean `lift`?";
     item constraint_as_a_function: "output b = «revolute»(ground.O, crank.O);" => "`revolute` is a constraint, not a function\nhelp: write `joint name = revolute(…);`";
     item number_as_a_function: "output b = «length»(2);" => "expected a function, found a number\nhelp: a product is written with `*`";
-    item unit_is_mistyped: "param a: Length = «100furlong»;" => "no unit is called `furlong`\nnote: there are `m`, `cm`, `mm`, `um`, `km`, `in`, `ft`, `rad`, `mrad`, `deg`, `turn`, `s`, `ms`, `us`, `min`, `h`, `kg`, `g`, `rpm`, `rad_s`, `deg_s`, `rad_s2`, `deg_s2`, `m_s`, `mm_s`, `m_s2`, `mm_s2`, `mm2`, `m2`, `N`, `kN`, `Nm`, `kgm2`, `N_m`, `N_mm`, `kN_m`, `Ns_m`, `W`, `kW`, `Pa`, `bar` and `MPa`";
+    item unit_is_mistyped: "param a: Length = «100furlong»;" => "no unit is called `furlong`\nnote: there are `m`, `cm`, `mm`, `um`, `km`, `in`, `ft`, `rad`, `mrad`, `deg`, `turn`, `s`, `ms`, `us`, `min`, `h`, `kg`, `g`, `rpm`, `rad_s`, `deg_s`, `rad_s2`, `deg_s2`, `m_s`, `mm_s`, `m_s2`, `mm_s2`, `mm2`, `m2`, `N`, `kN`, `Nm`, `kgm2`, `N_m`, `N_mm`, `kN_m`, `Ns_m`, `Nm_rad`, `Nms`, `Nms_rad`, `W`, `kW`, `Pa`, `kPa`, `bar` and `MPa`";
     item unit_is_near: "param a: Length = «100mn»;" => "no unit is called `mn`\nhelp: did you mean `100mm`?";
     item unit_is_written_out: "param a: Length = «100milimeter»;" => "no unit is called `milimeter`\nhelp: did you mean `100mm`?";
     item unit_is_in_the_plural: "param a: Angle = «5degrees»;" => "no unit is called `degrees`\nhelp: did you mean `5deg`?";
@@ -28,7 +28,7 @@ crate::refusals! {
     item power_as_a_function: "output b = «powi»(length, 2);" => "no function is called `powi`\nhelp: a power is written `a^b`";
     item hertz_is_ambiguous: "param a: AngularVelocity = «2Hz»;" => "no unit is called `Hz`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`";
     item dimension_is_mistyped: "param a: «Lenght» = 100mm;" => "no dimension is called `Lenght`\nhelp: did you mean `Length`?";
-    item dimension_is_unknown: "param a: «Voltage» = 100;" => "no dimension is called `Voltage`\nnote: there are `Number`, `Length`, `Angle`, `Time`, `Mass`, `Area`, `Velocity`, `Acceleration`, `AngularVelocity`, `AngularAcceleration`, `Frequency`, `Force`, `Torque`, `Inertia` and `Stiffness`";
+    item dimension_is_unknown: "param a: «Voltage» = 100;" => "no dimension is called `Voltage`\nnote: there are `Number`, `Length`, `Angle`, `Time`, `Mass`, `Area`, `Velocity`, `Acceleration`, `AngularVelocity`, `AngularAcceleration`, `Frequency`, `Force`, `Torque`, `Inertia`, `Stiffness` and `Pressure`";
     item start_is_unknown: "body b { start «speed» = 1; }" => "a body does not start with `speed`\nnote: it starts with `x`, `y`, `position` or `angle`";
     item start_is_mistyped: "body b { start «angel» = 1; }" => "a body does not start with `angel`\nhelp: did you mean `angle`?\nnote: it starts with `x`, `y`, `position` or `angle`";
     item named_argument_is_mistyped: "joint a = gear_pair(crank, ram, 1, 2, «carier»: ground);" => "`gear_pair` has no parameter `carier`\nhelp: did you mean `carrier`?\nnote: `gear_pair(i: Body, j: Body, a: Quantity, b: Quantity, c: Quantity = …, carrier: Body = …)`";

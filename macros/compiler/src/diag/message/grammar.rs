@@ -4,6 +4,30 @@ use super::words::{did_you_mean, is_power, listed, shortened};
 use crate::diag::GrammarFact;
 use std::fmt::{Display, Formatter, Result};
 
+/// Items of a mechanism.
+const ITEMS: [&str; 17] = [
+    "param",
+    "let",
+    "ground",
+    "body",
+    "joint",
+    "drive",
+    "freedom",
+    "force",
+    "energy",
+    "gravity",
+    "output",
+    "range",
+    "part",
+    "for",
+    "component",
+    "function",
+    "use",
+];
+
+/// Items of a body.
+const BODY_ITEMS: [&str; 6] = ["point", "axis", "start", "mass", "center", "inertia"];
+
 impl Display for GrammarFact {
     fn fmt(&self, f: &mut Formatter) -> Result {
         match self {
@@ -73,39 +97,24 @@ impl Display for GrammarFact {
                 write!(f, "all of a mechanism is as public as the mechanism\nhelp: take `pub` away")
             }
             GrammarFact::UnknownItem { word } => {
-                let known = [
-                    "param",
-                    "let",
-                    "ground",
-                    "body",
-                    "joint",
-                    "drive",
-                    "freedom",
-                    "force",
-                    "energy",
-                    "gravity",
-                    "output",
-                    "range",
-                    "part",
-                    "for",
-                    "component",
-                    "function",
-                    "use",
-                ];
                 // Words as short as `for` resemble many others: they are tried last.
-                let (rare, often): (Vec<&str>, Vec<&str>) = known.iter().partition(|known| matches!(**known, "part" | "for" | "range"));
+                let (rare, often): (Vec<&str>, Vec<&str>) = ITEMS.iter().partition(|known| matches!(**known, "part" | "for" | "range"));
                 let near = crate::diag::nearest;
                 let near = near(word, often.into_iter()).or_else(|| near(word, rare.into_iter()));
                 write!(f, "`{word}` is no item of a mechanism{}", did_you_mean(&near))?;
-                write!(f, "\nnote: items are {}", listed(known.into_iter()))
+                write!(f, "\nnote: items are {}", listed(ITEMS.into_iter()))
             }
             GrammarFact::UnknownBodyItem { word } => {
-                let near = crate::diag::nearest(word, ["point", "axis", "start"].into_iter());
-                write!(
-                    f,
-                    "`{word}` is no item of a body{}\nnote: a body has `point`, `axis`, `start`, `mass`, `center` and `inertia`",
-                    did_you_mean(&near)
-                )
+                write!(f, "`{word}` is no item of a body")?;
+                if ITEMS.contains(&word.as_str()) {
+                    return write!(f, "\nhelp: it stands in the mechanism: move it out of the body");
+                }
+                let near = crate::diag::nearest(word, BODY_ITEMS.into_iter());
+                write!(f, "{}", did_you_mean(&near))?;
+                if near.is_none() && ["length", "width", "height", "size", "radius"].contains(&word.as_str()) {
+                    write!(f, "\nhelp: a body is as large as its points say, such as `point end = (300mm, 0mm);`")?;
+                }
+                write!(f, "\nnote: a body has {}", listed(BODY_ITEMS.into_iter()))
             }
             GrammarFact::OneArgument => {
                 write!(f, "a function here has one argument\nhelp: what else it depends on is a `param` or a `let`, which it sees")

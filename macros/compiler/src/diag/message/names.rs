@@ -26,6 +26,13 @@ impl Display for NameFact {
                 }
                 Ok(())
             }
+            NameFact::AngleOfBody { body, joint } => {
+                write!(f, "`{body}` has no `angle`: in space a body has an orientation, and a joint has an angle")?;
+                match joint {
+                    Some(joint) => write!(f, "\nhelp: write `{joint}.angle`"),
+                    None => write!(f, "\nhelp: write `joint.angle` with the name of a joint, or `joint_angle(a, b)` of two axes"),
+                }
+            }
             NameFact::UnknownFunction { name, is_constraint: true, .. } => {
                 write!(f, "`{name}` is a constraint, not a function\nhelp: write `joint name = {name}(…);`")
             }
