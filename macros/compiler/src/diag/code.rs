@@ -85,7 +85,7 @@ codes! {
     // Kinds and dimensions.
     E0301: Value::NotA Value::NotAnOutput Motion::TorqueWithoutAxis Motion::TorqueWithAxis Motion::ForceWithoutDirection
         Motion::ForceAtNoPoint Motion::TorqueOnNoBody Motion::ValueForForce Motion::ValueForConstraint Motion::FreedomOfJoint;
-    E0302: Value::WrongArgument Value::WrongDefault;
+    E0302: Value::WrongArgument Value::WrongDefault Motion::JointWithoutValue;
     E0303: Value::WrongArgumentDimension;
     E0304: Value::Unlike;
     E0305: Value::WrongDimension Value::NotALength Motion::RateForStart Motion::StartForRate;
@@ -106,7 +106,7 @@ codes! {
     E0409: Value::ListOutsideTable Value::TableNeedsList Value::TableNeedsPairs Value::TableTooShort;
     E0410: Value::TableNotIncreasing;
     E0411: Value::TableNotPeriodic Value::TableEnds;
-    E0412: Value::OnlyInSpace Value::OnlyInPlane;
+    E0412: Value::MeansSpace Value::OnlyInSpace Value::OnlyInPlane;
     // Loops, arrays and parts.
     E0501: Array::WithoutIndex Array::DuplicateInLoop;
     E0502: Array::ArrayWithoutIndex;
@@ -120,7 +120,7 @@ codes! {
     E0510: Array::UnlikeParts Array::UnlikeOutputs;
     // Equations.
     E0601: Equation::TimeInJoint Equation::TimeIn Equation::TimeInDefinition;
-    E0602: Equation::RowOfNothing Equation::OnGround;
+    E0602: Equation::RowOfNothing Equation::OnGround Equation::CrossProduct;
     E0603: Equation::NoEquations Equation::EmptyBundle;
     E0604: Equation::GroundStart;
     E0605: Equation::NotAffine Equation::RateOfSpeed Value::RateOfVelocity System::Nonholonomic;
@@ -137,7 +137,7 @@ codes! {
     E0709: System::PassiveSpin;
     // Redundancy.
     E0801: System::Repeats System::Follows System::FollowsFrom;
-    E0802: System::Contradicts System::CannotHold System::Collides;
+    E0802: System::Contradicts System::CannotHold System::Collides System::AxesContradict System::TwoAxes;
     E0803: System::NotRedundant;
     // Assembly.
     E0901: Assembly::StaysOpen Assembly::NeverCloses;

@@ -3,7 +3,7 @@
 mod motion;
 mod system;
 
-pub use motion::{MotionFact, Word};
+pub use motion::{JointValue, MotionFact, Word};
 pub use system::{Count, Demand, Forgotten, SystemFact};
 
 use super::{Kind, Wanted};
@@ -159,6 +159,7 @@ pub enum ValueFact {
     CannotEquate { one: Kind, two: Kind, ambient: Ambient },
     NotTwoComponents { found: usize },
     NotThreeComponents { found: usize },
+    MeansSpace { name: String },
     OnlyInSpace { word: String },
     OnlyInPlane { word: String },
     AlongItsAxis { name: String },
@@ -209,6 +210,7 @@ pub enum EquationFact {
     ForceInJoint,
     RateOfSpeed,
     NotAffine { joint: String, row: usize, of: usize },
+    CrossProduct { rows: Option<String>, parallel: Option<String> },
     OnGround { joint: String, kind: String },
     NoEquations { name: String },
     EmptyBundle { name: String },

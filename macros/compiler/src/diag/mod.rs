@@ -14,8 +14,8 @@ mod warning;
 
 pub use code::PAGES;
 pub use fact::{
-    ArityFact, ArrayFact, AssemblyFact, Bound, Count, Demand, Driven, EquationFact, Fact, Forgotten, Gap, GrammarFact, Known, MotionFact,
-    NameFact, SystemFact, ValueFact, Word,
+    ArityFact, ArrayFact, AssemblyFact, Bound, Count, Demand, Driven, EquationFact, Fact, Forgotten, Gap, GrammarFact, JointValue, Known,
+    MotionFact, NameFact, SystemFact, ValueFact, Word,
 };
 pub use kind::{Kind, Wanted};
 pub(crate) use message::{degrees, millimetres, significant};

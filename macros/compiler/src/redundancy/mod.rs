@@ -6,6 +6,7 @@
 //! with other lengths the linkage would not close. Not done here: counting equations and over-determined drives, both in `mobility`.
 
 mod contradiction;
+mod directions;
 mod elimination;
 mod exact;
 mod identity;
@@ -35,6 +36,7 @@ pub(crate) struct Redundancy<'a> {
 /// Finds the equations that are checked instead of solved. A mechanism of which only equations are wanted has none.
 pub(crate) fn find<'a>(model: &'a Model, system: &'a System, diag: &mut Diag) -> Option<Redundancy<'a>> {
     identity::rows_depend_on_positions(model, system, diag)?;
+    directions::axes_agree(model, system, diag)?;
     let exact = model.task.is_determined().then(|| ExactDependence::new(model, system));
     exact.iter().for_each(|exact| exact.no_row_follows_from_others(true, diag));
     if !diag.is_clean() {

@@ -48,6 +48,8 @@ pub(crate) struct Elaborator<'a> {
     pub(super) energies: Vec<Expr>,
     /// What was found of joints in space.
     pub(super) space: Notes,
+    /// True if rows that always depend on others will be refused, so that a better reason may be given before.
+    pub(super) judges_rows: bool,
 }
 
 /// A definition being instantiated.
@@ -135,6 +137,7 @@ impl Elaborator<'_> {
             applied: None,
             energies: Vec::new(),
             space: Notes::default(),
+            judges_rows: false,
         }
     }
 

@@ -26,6 +26,7 @@ impl Elaborator<'_> {
         match &joint.body {
             JointBody::Equations(statements) => {
                 let scope = self.joint_scope(joint, context);
+                self.has_no_cross_product(joint, statements, &scope)?;
                 self.statements(statements, scope, name, &[])
             }
             JointBody::Energy(value) => {
@@ -221,6 +222,7 @@ impl Elaborator<'_> {
             Value::Joint { kind, .. } => Kind::JointOf(kind.clone()),
             other => other.kind(),
         };
+        self.has_quantity(definition, formal, argument, &value)?;
         let instead = self.instead(&formal.kind, argument, &value);
         let wrong = |this: &mut Self| {
             let (parameter, definition, ambient) = (formal.name.to_string(), definition.name.to_string(), this.names.ambient);
@@ -284,11 +286,15 @@ impl Elaborator<'_> {
     }
 
     /// Suggests a replacement for an argument of the wrong kind.
-    fn instead(&self, wanted: &FormalKind, argument: &ast::Expression, found: &Value) -> Option<String> {
+    fn instead(&mut self, wanted: &FormalKind, argument: &ast::Expression, found: &Value) -> Option<String> {
         match (wanted, found, &argument.kind) {
             (FormalKind::Point, Value::Body(frame), ast::ExpressionKind::Path(path)) => {
                 Some(format!("{}.{}", path.last, self.names.a_point_of(*frame).unwrap_or("position")))
             }
+            (FormalKind::Scalar(written), Value::Body(frame), _) if written.dim() == Some(Dim::ANGLE) => match self.names.ambient {
+                Ambient::Plane => Some(format!("{argument}.angle")),
+                Ambient::Space => self.hinge_of(*frame),
+            },
             (FormalKind::Body, Value::Point(point), _) => Some(self.names.frames[point.frame.0].name.clone()),
             (FormalKind::Axis, Value::Body(_) | Value::Point(_), _) => {
                 Some(if self.names.ambient == Ambient::Space { "(1, 0, 0)" } else { "(1, 0)" }.to_owned())

@@ -4,11 +4,11 @@
 use super::elaborate::{Elaborator, Scope};
 use super::register::Register;
 use super::statement::ScalarEquation;
-use crate::diag::{MotionFact, Word};
+use crate::diag::{EquationFact, JointValue, MotionFact, Word};
 use crate::library;
-use crate::names::{Declared, FrameId, Progress, Value};
+use crate::names::{Declared, FrameId, Progress, Sort, Value};
 use crate::quantity::{Ambient, Dim};
-use crate::syntax::ast::{self, Definition, ExpressionKind, JointItem, Statement, Task};
+use crate::syntax::ast::{self, Definition, ExpressionKind, Formal, FormalKind, JointItem, Statement, Task};
 use proc_macro2::Ident;
 
 impl Elaborator<'_> {
@@ -106,6 +106,48 @@ impl Elaborator<'_> {
         self.refuse(applied.value.range, fact)
     }
 
+    /// Refuses `cross(a, b) == 0` in space: its three rows say what two say, wherever it holds.
+    pub(super) fn has_no_cross_product(&mut self, joint: &JointItem, statements: &[Statement], scope: &Scope) -> Option<()> {
+        if self.names.ambient == Ambient::Plane || joint.is_redundant || !self.judges_rows {
+            return Some(());
+        }
+        for statement in statements {
+            let Statement::Equation(lhs, rhs) = statement else { continue };
+            let (Some([one, two]), other) = (cross_product(lhs), rhs) else { continue };
+            if !is_zero(other) {
+                continue;
+            }
+            // Names bound by a `let` before it are not known here: then nothing is proposed about them.
+            let axes = [one, two].map(|factor| self.names_axis(factor, scope));
+            let [one, two] = [one.to_string(), two.to_string()];
+            let rows = match axes {
+                [true, _] => Some(format!("across({one}, {two}) == 0;")),
+                [false, true] => Some(format!("across({two}, {one}) == 0;")),
+                [false, false] => None,
+            };
+            let parallel = (axes == [true, true]).then(|| format!("joint {} = parallel_axes({one}, {two});", joint.name));
+            return self.refuse(lhs.range.to(rhs.range), EquationFact::CrossProduct { rows, parallel });
+        }
+        Some(())
+    }
+
+    /// True for the path of an axis, `body.axis`, and for a direction that is written out.
+    fn names_axis(&self, value: &ast::Expression, scope: &Scope) -> bool {
+        if let ExpressionKind::Tuple(items) = &value.kind {
+            return items.iter().all(|item| matches!(item.kind, ExpressionKind::Number { .. }));
+        }
+        let ExpressionKind::Field(owner, name) = &value.kind else { return false };
+        let ExpressionKind::Path(path) = &owner.kind else { return false };
+        let frame = match &path.name {
+            Some(name) if name == "ground" => Some(FrameId::GROUND),
+            Some(name) => (0..self.names.frames.len()).map(FrameId).find(|frame| name == &self.names.frames[frame.0].name),
+            None => None,
+        };
+        let is_bound = path.name.as_ref().is_some_and(|name| scope.value_of(name).is_some());
+        let group = frame.filter(|_| !is_bound).and_then(|frame| self.names.find(self.names.frames[frame.0].space, &name.to_string()));
+        group.is_some_and(|group| self.names.group(group).sort == Sort::Axis)
+    }
+
     /// Refuses a joint as a freedom, and offers the coordinates that it leaves.
     pub(super) fn is_no_joint(&mut self, name: &Ident, written: &ast::Expression, scope: &Scope) -> Option<()> {
         let Value::Joint { kind, arguments } = self.value(written, scope)? else { return Some(()) };
@@ -164,6 +206,29 @@ impl Elaborator<'_> {
         hinge.map(|(name, ..)| name)
     }
 
+    /// Refuses a joint where its angle or its displacement is wanted, and it has none.
+    pub(super) fn has_quantity(
+        &mut self,
+        definition: &Definition,
+        formal: &Formal,
+        argument: &ast::Expression,
+        value: &Value,
+    ) -> Option<()> {
+        let (FormalKind::Scalar(written), Value::Joint { kind, arguments }) = (&formal.kind, value) else { return Some(()) };
+        let (wanted, other, drive) = match written.dim() {
+            Some(Dim::ANGLE) => (JointValue::Angle, "displacement", "drive_translation"),
+            Some(Dim::LENGTH) => (JointValue::Displacement, "angle", "drive_rotation"),
+            _ => return Some(()),
+        };
+        if self.names.ambient == Ambient::Plane {
+            return Some(());
+        }
+        let has_other = self.quantity_of(kind, arguments, other).is_some();
+        let instead = (has_other && definition.name.to_string().starts_with("drive_")).then(|| format!("{drive}({argument}, …)"));
+        let fact = MotionFact::JointWithoutValue { definition: definition.name.to_string(), wanted, kind: kind.clone(), instead };
+        self.refuse(argument.range, fact)
+    }
+
     /// Refuses slices and a range of time beside freedoms: integration takes all bodies along, and ends where it is told to.
     pub(super) fn fits_freedoms(&mut self, task: Task, register: &Register) {
         let Some((_, freedom)) = register.joints.iter().find(|(_, joint)| joint.is_freedom() && task == Task::Motion) else { return };
@@ -175,5 +240,22 @@ impl Elaborator<'_> {
         if let Some(range) = &register.range {
             self.refuse::<()>(&range.keyword, MotionFact::RangeBesideFreedom { freedom });
         }
+    }
+}
+
+/// The two factors of `cross(a, b)`.
+fn cross_product(value: &ast::Expression) -> Option<[&ast::Expression; 2]> {
+    match &value.kind {
+        ExpressionKind::Call(path, arguments) if path.last == "cross" => arguments.iter().collect::<Vec<_>>().try_into().ok(),
+        _ => None,
+    }
+}
+
+/// True for a zero that is written out, as a number or as a vector.
+fn is_zero(value: &ast::Expression) -> bool {
+    match &value.kind {
+        ExpressionKind::Number { digits, .. } => digits.parse() == Ok(0.0),
+        ExpressionKind::Tuple(items) => items.iter().all(is_zero),
+        _ => false,
     }
 }

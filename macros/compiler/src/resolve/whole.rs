@@ -16,8 +16,10 @@ use std::rc::Rc;
 
 /// Resolves a whole mechanism; `definitions` are imported by its `use` items.
 pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definition)>, diag: &mut Diag) -> Option<Model> {
+    super::ambient::is_meant(tree, diag)?;
     let definitions = definitions.into_iter().map(|(name, definition)| (name, Rc::new(definition))).collect();
     let mut work = Elaborator::new(diag, Names::new(definitions, tree.ambient));
+    work.judges_rows = tree.task.is_determined() && tree.closing == ast::Closing::Deny;
     let register = work.register(&tree.items);
     if work.diag.is_exhausted() {
         return None;

@@ -14,6 +14,15 @@ pub enum Word {
     Force,
 }
 
+/// What a joint in space can measure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JointValue {
+    /// `joint.angle`
+    Angle,
+    /// `joint.displacement`
+    Displacement,
+}
+
 /// Forces, drives and freedoms.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
@@ -32,6 +41,7 @@ pub enum MotionFact {
     RateForStart { rate: String },
     StartForRate { start: String },
     RateBeforeStart { value: String, from: String, at: String },
+    JointWithoutValue { definition: String, wanted: JointValue, kind: String, instead: Option<String> },
     FreedomOfJoint { name: String, joint: String, offers: Vec<String> },
     FreedomIsHeld { freedom: String, of: usize, by: Vec<String>, free: Vec<String> },
     SliceBesideFreedom { output: String, freedom: String },

@@ -78,6 +78,20 @@ pub enum SystemFact {
         of: usize,
         others: Vec<String>,
     },
+    AxesContradict {
+        joint: String,
+        other: String,
+        bodies: [String; 2],
+        /// In rad.
+        angles: [f64; 2],
+    },
+    TwoAxes {
+        joint: String,
+        other: String,
+        bodies: [String; 2],
+        /// In rad.
+        angle: f64,
+    },
     Contradicts {
         joint: String,
         others: Vec<String>,

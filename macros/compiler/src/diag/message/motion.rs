@@ -1,7 +1,7 @@
 //! Messages about forces, drives and freedoms.
 
 use super::words::{are, did_you_mean, list, listed};
-use crate::diag::fact::{MotionFact, Word};
+use crate::diag::fact::{JointValue, MotionFact, Word};
 use crate::quantity::Ambient;
 use std::fmt::{Display, Formatter, Result};
 
@@ -89,6 +89,20 @@ impl Display for MotionFact {
             }
             MotionFact::RateBeforeStart { value, from, at } => {
                 write!(f, "the value at t = 0 stands before the rate\nhelp: write `{value} from {from} at {at}`")
+            }
+            MotionFact::JointWithoutValue { definition, wanted, kind, instead } => {
+                let (noun, kinds) = match wanted {
+                    JointValue::Angle => ("an angle", "`revolute`, `cylindrical` or `screw`"),
+                    JointValue::Displacement => ("a displacement", "`translational`, `cylindrical` or `screw`"),
+                };
+                write!(f, "`{definition}` takes {noun}, and a `{kind}` joint has none")?;
+                match (instead, wanted) {
+                    (Some(instead), _) => write!(f, "\nhelp: write `{instead}`, or take a {kinds} joint"),
+                    (None, JointValue::Angle) => {
+                        write!(f, "\nhelp: take a {kinds} joint, or `joint_angle(a, b)` of two axes for the joint")
+                    }
+                    (None, JointValue::Displacement) => write!(f, "\nhelp: take a {kinds} joint, or `along(a, Q - P)` for the joint"),
+                }
             }
             MotionFact::FreedomOfJoint { name, joint, offers } => {
                 write!(f, "a freedom is a number or a vector, and `{joint}` is a joint")?;

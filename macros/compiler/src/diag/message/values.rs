@@ -52,6 +52,10 @@ impl Display for ValueFact {
                 write!(f, "cannot equate {one} with {two}{}", remedy::of_equation(one, two, *ambient))
             }
             ValueFact::NotThreeComponents { found } => write!(f, "a vector in space has 3 components, found {found}"),
+            ValueFact::MeansSpace { name } => {
+                write!(f, "`{name}` has words and vectors of space, and a mechanism is in the plane where it does not say `in space`")?;
+                write!(f, "\nhelp: write `mechanism {name} in space {{ … }}`")
+            }
             ValueFact::OnlyInSpace { word } => {
                 write!(f, "`{word}` is for mechanisms in space: write `mechanism Name in space {{ … }}`, or leave it out in the plane")
             }
