@@ -6,7 +6,7 @@ mod system;
 pub use motion::{JointValue, MotionFact, Word};
 pub use system::{Count, Demand, Forgotten, SystemFact};
 
-use super::{Kind, Wanted};
+use super::{Home, Kind, Wanted};
 use crate::quantity::{Ambient, Dim, Role};
 
 /// An error in a declaration.
@@ -60,7 +60,7 @@ pub enum GrammarFact {
     AllowedWord { near: Option<String> },
     AttributeTwice { name: String },
     TokensAfter { what: &'static str, help: &'static str },
-    UnknownItem { word: String },
+    UnknownItem { word: String, name: Option<String>, home: Option<Home> },
     UnknownBodyItem { word: String },
     OneArgument,
     WithoutParentheses { what: &'static str, instead: String },
@@ -111,7 +111,7 @@ pub enum NameFact {
     UnknownField { owner: String, name: String, near: Option<String>, known: Known },
     AngleOfBody { body: String, joint: Option<String> },
     UnknownFunction { name: String, near: Option<String>, is_constraint: bool },
-    UnknownConstraint { name: String, near: Option<String> },
+    UnknownConstraint { name: String, near: Option<String>, home: Option<Home>, known: Known },
     UnknownUnit { number: String, name: String, near: Option<String> },
     UnknownDimension { name: String, near: Option<String> },
     UnknownStart { name: String, near: Option<String>, in_space: bool },

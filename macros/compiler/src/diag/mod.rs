@@ -5,6 +5,7 @@
 
 mod code;
 mod fact;
+mod home;
 mod kind;
 mod message;
 mod remedy;
@@ -17,6 +18,8 @@ pub use fact::{
     ArityFact, ArrayFact, AssemblyFact, Bound, Count, Demand, Driven, EquationFact, Fact, Forgotten, Gap, GrammarFact, JointValue, Known,
     MotionFact, NameFact, SystemFact, ValueFact, Word,
 };
+pub use home::Home;
+pub(crate) use home::home;
 pub use kind::{Kind, Wanted};
 pub(crate) use message::{degrees, millimetres, significant};
 pub(crate) use remedy::quantity;

@@ -6,7 +6,7 @@ use super::Name;
 use super::elaborate::{Elaborator, Scope};
 use super::statement::ScalarEquation;
 use crate::diag::nearest;
-use crate::diag::{ArityFact, Diag, EquationFact, NameFact, ValueFact};
+use crate::diag::{ArityFact, Diag, EquationFact, Known, NameFact, ValueFact};
 use crate::expr::{Expr, Leaf};
 use crate::library;
 use crate::names::wanted;
@@ -147,7 +147,15 @@ impl Elaborator<'_> {
                 let Some(definition) = known.or_else(|| library::find(&word, self.names.ambient)) else {
                     let own: Vec<String> = others.iter().map(|other| other.name.to_string()).collect();
                     let near = nearest(&word, own.iter().map(String::as_str).chain(library::constraints(self.names.ambient)));
-                    return self.refuse(name, NameFact::UnknownConstraint { name: word, near });
+                    return self.refuse(
+                        name,
+                        NameFact::UnknownConstraint {
+                            name: word,
+                            near,
+                            home: None,
+                            known: Known::of(library::constraints(self.names.ambient)),
+                        },
+                    );
                 };
                 let mut arguments = Vec::new();
                 for formal in &definition.parameters {

@@ -3,7 +3,7 @@
 use super::Name;
 use super::elaborate::{Elaborator, Instance, Scope, Timeless};
 use super::statement::ScalarEquation;
-use crate::diag::{ArityFact, ArrayFact, EquationFact, Kind, MotionFact, NameFact, Range, ValueFact};
+use crate::diag::{ArityFact, ArrayFact, EquationFact, Kind, Known, MotionFact, NameFact, Range, ValueFact, home};
 use crate::expr::Leaf;
 use crate::library;
 use crate::names::{Context, EntityId};
@@ -131,7 +131,9 @@ impl Elaborator<'_> {
         }
         let known = own.chain(library::constraints(self.names.ambient)).chain(library::forces(self.names.ambient));
         let near = self.nearest(&word, known);
-        self.refuse(kind, NameFact::UnknownConstraint { name: word, near })
+        let home = home(&word, self.names.ambient);
+        let known = Known::of(library::constraints(self.names.ambient));
+        self.refuse(kind, NameFact::UnknownConstraint { name: word, near, home, known })
     }
 
     /// Constraint with this name, imported or of the library; a library page is parsed once.

@@ -13,7 +13,7 @@ use super::tokens::{
     Parsed, arrow, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, name, parentheses, path, report, semicolon,
     skip_item, skip_to_block, statement_text, visibility, wrong,
 };
-use crate::diag::{ArrayFact, Diag, GrammarFact, Range, ValueFact};
+use crate::diag::{ArrayFact, Diag, GrammarFact, Home, Range, ValueFact, home};
 use crate::quantity::Ambient;
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
@@ -31,7 +31,7 @@ pub(super) fn mechanism(input: ParseStream, diag: &mut Diag) -> Option<Mechanism
     };
     let content = report(block(input, "`{` and the items of the mechanism"), diag);
     let Some(content) = content else { return Some(mechanism) };
-    mechanism.items = items(&content, ItemContext::TOP, diag);
+    mechanism.items = items(&content, ItemContext::top(mechanism.ambient), diag);
     if mechanism.task == Task::Kinematics && has_freedoms(&mechanism.items) {
         mechanism.task = Task::Motion;
     }
@@ -110,10 +110,15 @@ pub(super) struct ItemContext<'a> {
     pub(super) is_top: bool,
     /// The variable of the innermost loop.
     pub(super) variable: Option<&'a Ident>,
+    /// Where the bodies move.
+    pub(super) ambient: Ambient,
 }
 
 impl ItemContext<'_> {
-    const TOP: ItemContext<'static> = ItemContext { is_top: true, variable: None };
+    /// The mechanism itself.
+    fn top(ambient: Ambient) -> ItemContext<'static> {
+        ItemContext { is_top: true, variable: None, ambient }
+    }
 }
 
 /// Parses items. A rejected item leaves its name behind, and parsing goes on with the next item.
@@ -170,13 +175,27 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
         "gravity" => Item::Gravity(Shared::new(gravity(input)?)),
         "output" | "slice" => Item::Output(Shared::new(output(input, docs)?)),
         "range" => Item::Range(Shared::new(times(input)?)),
-        "component" => Item::Component(Shared::new(component(input, docs, diag)?)),
+        "component" => Item::Component(Shared::new(component(input, docs, place.ambient, diag)?)),
         "part" => Item::Part(Shared::new(part(input, docs)?)),
-        "for" => Item::For(Shared::new(repeated_items(input, diag)?)),
-        _ => return wrong(&keyword, GrammarFact::UnknownItem { word }),
+        "for" => Item::For(Shared::new(repeated_items(input, place.ambient, diag)?)),
+        _ => return unknown_item(input, &keyword, place.ambient),
     };
     has_indices(&item, place)?;
     Ok(item)
+}
+
+/// Refuses a word that begins no item. A word of the workshop before braces is a body, before `=` the kind of a joint.
+fn unknown_item<T>(input: ParseStream, keyword: &Ident, ambient: Ambient) -> Parsed<T> {
+    let word = keyword.to_string();
+    let rest = input.fork();
+    Ident::parse_any(&rest)?;
+    let name = rest.parse::<Ident>().ok().map(|name| name.to_string());
+    let is_frame = ["fixed", "frame", "base", "world"].contains(&word.as_str());
+    let home = match home(&word, ambient) {
+        Some(_) if rest.peek(token::Brace) => (!is_frame).then_some(Home::Body),
+        home => home,
+    };
+    wrong(keyword, GrammarFact::UnknownItem { word, name, home })
 }
 
 /// Checks that a name declared in a loop has an index; without it all its instances would have one name.
@@ -377,7 +396,7 @@ fn frame(input: ParseStream, docs: Docs, (name, indices): (Ident, Vec<Expression
             Ident::parse_any(&content)?;
             frame.masses.push(Start { what, value: value(&content)? });
         } else {
-            marks(&content, &mut frame.marks, ItemContext::TOP)?;
+            marks(&content, &mut frame.marks, ItemContext::top(Ambient::default()))?;
         }
     }
     Ok(frame)

@@ -10,6 +10,7 @@ mod dimensions;
 mod duplicates;
 mod forces;
 mod freedoms;
+mod homes;
 mod joints;
 mod limits;
 mod mobility;

@@ -45,7 +45,7 @@ crate::refusals! {
     item drive_without_a_name: "drive «drive_angle»(crank, 1rad_s * t);" => "a drive has a name of its own\nhelp: write `drive name = drive_angle(…);`";
     item let_that_changes: "let «mut» a = 3mm;" => "nothing here changes\nhelp: take `mut` away; what is to be set at run time is a `param`";
     item public_item: "«pub» param a: Length = 3mm;" => "all of a mechanism is as public as the mechanism\nhelp: take `pub` away";
-    item body_by_another_name: "«link» b { point P = (0mm, 0mm); }" => "`link` is no item of a mechanism\nhelp: did you mean `body`?\nnote: items are `param`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
+    item body_by_another_name: "«link» b { point P = (0mm, 0mm); }" => "`link` is no item of a mechanism\nhelp: write `body b { … }`";
     item function_as_in_rust: "«fn» f(x: Angle) -> Length = 1mm;" => "`fn` is no item of a mechanism\nhelp: did you mean `function`?\nnote: items are `param`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
     item power_as_a_method: "output b = length.«powi»(2);" => "there are no methods here\nhelp: a power is written `a^b`";
     item glob_use: "use crate::«*»;" => "expected the name of a constraint or `{ … }`, found `*`";

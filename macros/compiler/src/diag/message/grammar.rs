@@ -1,7 +1,7 @@
 //! Messages about tokens that are not a valid declaration.
 
 use super::words::{did_you_mean, is_power, listed, shortened};
-use crate::diag::GrammarFact;
+use crate::diag::{GrammarFact, Home};
 use std::fmt::{Display, Formatter, Result};
 
 /// Items of a mechanism.
@@ -93,10 +93,24 @@ impl Display for GrammarFact {
                 write!(f, "\nnote: a lint of Rust is allowed for the module in which the mechanism stands")
             }
             GrammarFact::TokensAfter { what, help } => write!(f, "nothing may follow {what}\nhelp: {help}"),
-            GrammarFact::UnknownItem { word } if word == "pub" => {
+            GrammarFact::UnknownItem { word, .. } if word == "pub" => {
                 write!(f, "all of a mechanism is as public as the mechanism\nhelp: take `pub` away")
             }
-            GrammarFact::UnknownItem { word } => {
+            GrammarFact::UnknownItem { word, name, home: Some(home) } => {
+                let name = name.as_deref().unwrap_or("name");
+                write!(f, "`{word}` is no item of a mechanism\nhelp: write ")?;
+                match home {
+                    Home::Body => write!(f, "`body {name} {{ … }}`"),
+                    Home::Joint(calls) => {
+                        let lines: Vec<String> = calls.iter().map(|call| format!("`joint {name} = {call};`")).collect();
+                        write!(f, "{}", lines.join(" or "))
+                    }
+                    Home::Drive(call) => write!(f, "`drive {name} = {call};`"),
+                    Home::Force(call) => write!(f, "`force {name} = {call};`"),
+                    Home::Equation => write!(f, "its equation, `joint {name} = {{ lhs == rhs; }}`"),
+                }
+            }
+            GrammarFact::UnknownItem { word, .. } => {
                 // Words as short as `for` resemble many others: they are tried last.
                 let (rare, often): (Vec<&str>, Vec<&str>) = ITEMS.iter().partition(|known| matches!(**known, "part" | "for" | "range"));
                 let near = crate::diag::nearest;

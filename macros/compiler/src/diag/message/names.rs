@@ -1,7 +1,7 @@
 //! Messages about names.
 
 use super::words::{did_you_mean, first_of, is_power, list, listed, shortened};
-use crate::diag::NameFact;
+use crate::diag::{Home, NameFact};
 use crate::quantity::{Dim, Role};
 use std::fmt::{Display, Formatter, Result};
 
@@ -43,12 +43,22 @@ impl Display for NameFact {
                 write!(f, "no function is called `{name}`\nhelp: declare it, such as `function {name}(x: Angle) -> Length = …;`")
             }
             NameFact::UnknownFunction { name, near, .. } => write!(f, "no function is called `{name}`{}", did_you_mean(near)),
-            NameFact::UnknownConstraint { name, near } => {
+            NameFact::UnknownConstraint { name, near, home, known } => {
                 write!(f, "no constraint is called `{name}`{}", did_you_mean(near))?;
-                if near.is_none() {
-                    write!(f, "\nhelp: bring in your own with `use path::to::{name};`")?;
+                match home.filter(|_| near.is_none()) {
+                    _ if near.is_some() => Ok(()),
+                    Some(Home::Joint([only])) => write!(f, "\nhelp: write `{only}`"),
+                    Some(Home::Joint(calls)) => write!(f, "\nhelp: write one of {}", listed(calls.iter().copied())),
+                    Some(Home::Drive(call) | Home::Force(call)) => write!(f, "\nhelp: write `{call}`"),
+                    Some(Home::Equation) => write!(f, "\nhelp: write its equation, `{{ lhs == rhs; }}`"),
+                    Some(Home::Body) => {
+                        write!(f, "\nhelp: declare `body {name} {{ … }}` and join it to others; `distance(P, Q, c)` is a rod without mass")
+                    }
+                    None => {
+                        write!(f, "\nnote: there are {}", first_of(&known.first, known.count))?;
+                        write!(f, "\nhelp: bring in your own with `use path::to::{name};`")
+                    }
                 }
-                Ok(())
             }
             NameFact::UnknownUnit { name, .. } if name == "Hz" => {
                 write!(f, "no unit is called `Hz`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`")

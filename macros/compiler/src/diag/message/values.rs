@@ -57,7 +57,18 @@ impl Display for ValueFact {
                 write!(f, "\nhelp: write `mechanism {name} in space {{ … }}`")
             }
             ValueFact::OnlyInSpace { word } => {
-                write!(f, "`{word}` is for mechanisms in space: write `mechanism Name in space {{ … }}`, or leave it out in the plane")
+                write!(f, "`{word}` is for mechanisms in space: write `mechanism Name in space {{ … }}`, or ")?;
+                match word.as_str() {
+                    "spherical" | "universal" => write!(f, "in the plane `revolute(P, Q)`"),
+                    "cylindrical" | "screw" => write!(f, "in the plane `translational(u, P, Q)`"),
+                    "drive_rotation" => write!(f, "in the plane `drive_angle(body, law)`"),
+                    "drive_translation" => write!(f, "in the plane `drive_along(guide, law)`"),
+                    "point_on_plane" => write!(f, "in the plane `point_on_line(P, u, Q)`"),
+                    "parallel_axes" => write!(f, "in the plane `parallel(i, j)`"),
+                    "along" | "across" => write!(f, "in the plane `dot(u, v)` and `cross(u, v)`"),
+                    "joint_angle" => write!(f, "in the plane a difference of angles, `b.angle - a.angle`"),
+                    _ => write!(f, "leave it out in the plane"),
+                }
             }
             ValueFact::OnlyInPlane { word } => {
                 let instead = match word.as_str() {
