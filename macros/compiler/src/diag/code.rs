@@ -85,7 +85,7 @@ codes! {
     // Kinds and dimensions.
     E0301: Value::NotA Value::NotAnOutput Motion::TorqueWithoutAxis Motion::TorqueWithAxis Motion::ForceWithoutDirection
         Motion::ForceAtNoPoint Motion::TorqueOnNoBody Motion::ValueForForce Motion::ValueForConstraint Motion::FreedomOfJoint;
-    E0302: Value::WrongArgument Value::WrongDefault Motion::JointWithoutValue;
+    E0302: Value::WrongArgument Value::WrongDefault Motion::JointWithoutValue Arity::OtherOrder;
     E0303: Value::WrongArgumentDimension;
     E0304: Value::Unlike;
     E0305: Value::WrongDimension Value::NotALength Motion::RateForStart Motion::StartForRate;

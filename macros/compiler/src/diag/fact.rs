@@ -138,6 +138,7 @@ pub enum ArityFact {
     DuplicateArgument { name: String, is_also_in_order: bool },
     PositionalAfterNamed { next: Option<String> },
     FunctionArity { name: String, wanted: usize, found: usize },
+    OtherOrder { name: String, instead: String, signature: String },
     DefaultBefore { name: String },
 }
 

@@ -126,6 +126,11 @@ impl Diag {
         None
     }
 
+    /// Takes back all errors but the first `kept`, where a single one is to say it better.
+    pub(crate) fn withdraw(&mut self, kept: usize) {
+        self.refusals.truncate(kept);
+    }
+
     /// Suppresses all further errors: a limit was exceeded, and the rest of the declaration is not checked.
     pub fn exhaust(&mut self) {
         self.is_exhausted = true;

@@ -10,7 +10,7 @@ mod signature;
 mod value;
 
 pub(crate) use key::Key;
-pub(crate) use signature::{places, too_few, too_many, unknown_argument, wanted};
+pub(crate) use signature::{places, signature, too_few, too_many, unknown_argument, wanted};
 pub(crate) use value::{Arguments, Fixed, FrameId, FunctionValue, Scalar, Value, Vector};
 
 use crate::expr::Expr;
@@ -296,11 +296,11 @@ impl Names {
         Some(format!("{}.{name}", owner.name))
     }
 
-    /// The first point of a frame.
-    pub(crate) fn a_point_of(&self, frame: FrameId) -> Option<&str> {
+    /// The points of a frame, in the order declared.
+    pub(crate) fn points_of(&self, frame: FrameId) -> impl Iterator<Item = &str> {
         let space = &self.spaces[self.frames[frame.0].space.0];
         let is_point = |group: &&NamedItems| group.sort == Sort::Point && group.ranks == 0;
-        space.order.iter().map(|group| &self.groups[group.0]).find(is_point).map(|group| group.word.as_str())
+        space.order.iter().map(|group| &self.groups[group.0]).filter(is_point).map(|group| group.word.as_str())
     }
 
     /// The first axis of a frame.

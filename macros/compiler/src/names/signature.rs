@@ -5,7 +5,7 @@ use crate::syntax::ast::{Argument, Definition, Dimension, Formal, FormalKind};
 use proc_macro2::Ident;
 
 /// `revolute(P: Point, Q: Point)`
-fn signature(definition: &Definition) -> String {
+pub(crate) fn signature(definition: &Definition) -> String {
     let parameter = |formal: &Formal| {
         let optional = if formal.default.is_some() { " = …" } else { "" };
         format!("{}: {}{optional}", formal.name, kind_name(&formal.kind))

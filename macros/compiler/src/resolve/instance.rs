@@ -158,6 +158,7 @@ impl Elaborator<'_> {
             .collect();
         let mut bound: Vec<(String, Value)> = Vec::new();
         let mut complete = true;
+        let before = self.diag.refusals().len();
         for (formal, slot) in definition.parameters.iter().zip(slots) {
             let value = match (slot, &formal.default) {
                 (Some(argument), _) => self.argument(definition, formal, argument, scope),
@@ -170,6 +171,9 @@ impl Elaborator<'_> {
             };
             complete &= value.is_some();
             bound.extend(value.map(|value| (formal.name.to_string(), value)));
+        }
+        if !complete {
+            self.are_in_order(definition, given, before, scope);
         }
         complete.then_some(bound)
     }
@@ -291,7 +295,7 @@ impl Elaborator<'_> {
     fn instead(&mut self, wanted: &FormalKind, argument: &ast::Expression, found: &Value) -> Option<String> {
         match (wanted, found, &argument.kind) {
             (FormalKind::Point, Value::Body(frame), ast::ExpressionKind::Path(path)) => {
-                Some(format!("{}.{}", path.last, self.names.a_point_of(*frame).unwrap_or("position")))
+                Some(format!("{}.{}", path.last, self.free_point_of(*frame)))
             }
             (FormalKind::Scalar(written), Value::Body(frame), _) if written.dim() == Some(Dim::ANGLE) => match self.names.ambient {
                 Ambient::Plane => Some(format!("{argument}.angle")),

@@ -20,6 +20,7 @@ mod instance;
 mod items;
 mod layout;
 mod meant;
+mod order;
 mod register;
 mod sketch;
 pub(crate) mod space;
