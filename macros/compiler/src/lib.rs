@@ -18,6 +18,7 @@ mod emit;
 mod expansion;
 pub mod expr;
 pub mod geometry;
+mod hints;
 pub mod library;
 mod linear;
 mod mobility;

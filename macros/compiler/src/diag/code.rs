@@ -28,7 +28,7 @@ macro_rules! codes {
                 match self {
                     $($(Fact::$family($family::$fact { .. }))|+ => stringify!($code),)*
                     // The instance in which an error occurs does not change its code.
-                    Fact::InInstance { fact, .. } | Fact::InDefinition { fact, .. } => fact.code(),
+                    Fact::InInstance { fact, .. } | Fact::InDefinition { fact, .. } | Fact::Doubtful { fact, .. } => fact.code(),
                 }
             }
         }

@@ -6,7 +6,7 @@ mod system;
 pub use motion::{JointValue, MotionFact, Word};
 pub use system::{Count, Demand, Forgotten, SystemFact};
 
-use super::{Home, Kind, Wanted};
+use super::{Doubt, Home, Kind, Wanted};
 use crate::quantity::{Ambient, Dim, Role};
 
 /// An error in a declaration.
@@ -23,6 +23,7 @@ pub enum Fact {
     Assembly(AssemblyFact),
     Motion(MotionFact),
     InInstance { place: String, fact: Box<Fact> },
+    Doubtful { fact: Box<Fact>, doubt: Box<Doubt> },
     InDefinition { definition: String, quantities: Vec<(String, Dim)>, fact: Box<Fact> },
 }
 

@@ -126,6 +126,16 @@ impl Diag {
         None
     }
 
+    /// Names the first doubt beside errors about lengths, of which it is likely the cause.
+    pub(crate) fn explain(&mut self, doubts: &[Warning]) {
+        let Some(Warning { doubt, .. }) = doubts.first() else { return };
+        for refusal in &mut self.refusals {
+            if matches!(refusal.fact, Fact::Assembly(_) | Fact::System(SystemFact::CannotHold { .. })) {
+                refusal.fact = Fact::Doubtful { fact: Box::new(refusal.fact.clone()), doubt: Box::new(doubt.clone()) };
+            }
+        }
+    }
+
     /// Takes back all errors but the first `kept`, where a single one is to say it better.
     pub(crate) fn withdraw(&mut self, kept: usize) {
         self.refusals.truncate(kept);

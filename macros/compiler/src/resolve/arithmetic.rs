@@ -37,6 +37,9 @@ impl Elaborator<'_> {
 
     /// Evaluates a point: a vector of lengths. If its coordinates are written out, the error marks the one that is not a length.
     pub(super) fn location(&mut self, written: &ast::Expression, scope: &Scope) -> Option<Vector> {
+        if let ast::ExpressionKind::Tuple(items) = &written.kind {
+            items.iter().for_each(|item| self.lengths.note(item));
+        }
         if let ast::ExpressionKind::Tuple(items) = &written.kind
             && let [x, y] = items.as_slice()
             && self.names.ambient == Ambient::Plane

@@ -7,6 +7,7 @@ use crate::diag::{
     ArrayFact, Diag, EquationFact, Fact, GrammarFact, Kind, Known, NameFact, Range, ValueFact, Wanted, nearest, nearest_unit,
 };
 use crate::expr::{Arena, Exact, Expr, Leaf};
+use crate::hints::Lengths;
 use crate::names::Key;
 use crate::names::{Context, Names, SpaceId};
 use crate::names::{Fixed, FrameId, Scalar, Value, Vector};
@@ -48,6 +49,8 @@ pub(crate) struct Elaborator<'a> {
     pub(super) energies: Vec<Expr>,
     /// What was found of joints in space.
     pub(super) space: Notes,
+    /// Lengths that are written without a unit, and the longest one with a unit.
+    pub(super) lengths: Lengths,
     /// True if rows that always depend on others will be refused, so that a better reason may be given before.
     pub(super) judges_rows: bool,
 }
@@ -137,6 +140,7 @@ impl Elaborator<'_> {
             applied: None,
             energies: Vec::new(),
             space: Notes::default(),
+            lengths: Lengths::default(),
             judges_rows: false,
         }
     }
@@ -222,6 +226,9 @@ impl Elaborator<'_> {
     /// Evaluates a number that must have the dimension `wanted`.
     pub(super) fn scalar_of(&mut self, expr: &ast::Expression, wanted: Dim, scope: &Scope) -> Option<Scalar> {
         let scalar = self.scalar(expr, scope)?;
+        if wanted == Dim::LENGTH {
+            self.lengths.note(expr);
+        }
         if !scalar.measure.fits(wanted) {
             return self.refuse(expr.range, ValueFact::WrongDimension { wanted, found: scalar.measure.settled() });
         }
@@ -298,6 +305,10 @@ impl Elaborator<'_> {
             }
         };
         match Exact::measured(digits, size) {
+            Some(value) if measure == InferredDim::Known(Dim::LENGTH) => {
+                self.lengths.longest = self.lengths.longest.max(value.to_f64().abs());
+                Some(Scalar { expr: self.arena.constant(value), measure })
+            }
             Some(value) => Some(Scalar { expr: self.arena.constant(value), measure }),
             None => self.refuse(range, ValueFact::NumberOutOfRange { number: format!("{digits}{unit}") }),
         }

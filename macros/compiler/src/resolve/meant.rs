@@ -5,6 +5,7 @@ use super::elaborate::{Elaborator, Scope};
 use super::register::Register;
 use super::statement::ScalarEquation;
 use crate::diag::{EquationFact, JointValue, MotionFact, Word};
+use crate::hints::{cross_product, is_zero};
 use crate::library;
 use crate::names::{Declared, FrameId, Progress, Sort, Value};
 use crate::quantity::{Ambient, Dim};
@@ -240,22 +241,5 @@ impl Elaborator<'_> {
         if let Some(range) = &register.range {
             self.refuse::<()>(&range.keyword, MotionFact::RangeBesideFreedom { freedom });
         }
-    }
-}
-
-/// The two factors of `cross(a, b)`.
-fn cross_product(value: &ast::Expression) -> Option<[&ast::Expression; 2]> {
-    match &value.kind {
-        ExpressionKind::Call(path, arguments) if path.last == "cross" => arguments.iter().collect::<Vec<_>>().try_into().ok(),
-        _ => None,
-    }
-}
-
-/// True for a zero that is written out, as a number or as a vector.
-fn is_zero(value: &ast::Expression) -> bool {
-    match &value.kind {
-        ExpressionKind::Number { digits, .. } => digits.parse() == Ok(0.0),
-        ExpressionKind::Tuple(items) => items.iter().all(is_zero),
-        _ => false,
     }
 }

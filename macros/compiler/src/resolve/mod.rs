@@ -5,7 +5,6 @@
 //!
 //! Items may be declared in any order: parameters, `let`s and points are resolved on first use.
 
-mod ambient;
 mod arithmetic;
 mod bounds;
 mod builtin;

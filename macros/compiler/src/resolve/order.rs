@@ -2,9 +2,10 @@
 
 use super::elaborate::{Elaborator, Scope};
 use crate::diag::{ArityFact, Fact, ValueFact};
+use crate::hints::point_of;
 use crate::names::{Entity, FrameId, Value, signature};
 use crate::quantity::{Dim, InferredDim};
-use crate::syntax::ast::{self, Argument, Definition, ExpressionKind, FormalKind, JointBody};
+use crate::syntax::ast::{Argument, Definition, FormalKind, JointBody};
 use std::collections::BTreeSet;
 
 impl Elaborator<'_> {
@@ -60,13 +61,6 @@ impl Elaborator<'_> {
         let free = points.iter().find(|point| !used.contains(**point));
         free.or(points.first()).map_or("position".to_owned(), |point| (*point).to_owned())
     }
-}
-
-/// The name of a point that is written `body.point`.
-fn point_of(value: &ast::Expression, body: &str) -> Option<String> {
-    let ExpressionKind::Field(owner, point) = &value.kind else { return None };
-    let ExpressionKind::Path(path) = &owner.kind else { return None };
-    (path.name.as_ref()? == body).then(|| point.to_string())
 }
 
 /// True if a fact is about the kind or the dimension of an argument.

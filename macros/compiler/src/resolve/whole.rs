@@ -6,6 +6,7 @@ use super::register::{Register, is_one_of_many};
 use super::{Layout, Method, Model, Name, Parameter};
 use crate::diag::nearest;
 use crate::diag::{Diag, NameFact, Range, ValueFact};
+use crate::hints;
 use crate::names::Key;
 use crate::names::{Context, Declared, Entity, EntityId, Names, PartArguments, Progress, is_generated};
 use crate::names::{FunctionValue, Scalar, Value};
@@ -16,7 +17,7 @@ use std::rc::Rc;
 
 /// Resolves a whole mechanism; `definitions` are imported by its `use` items.
 pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definition)>, diag: &mut Diag) -> Option<Model> {
-    super::ambient::is_meant(tree, diag)?;
+    hints::is_meant(tree, diag)?;
     let definitions = definitions.into_iter().map(|(name, definition)| (name, Rc::new(definition))).collect();
     let mut work = Elaborator::new(diag, Names::new(definitions, tree.ambient));
     work.judges_rows = tree.task.is_determined() && tree.closing == ast::Closing::Deny;
@@ -42,7 +43,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     work.fixed_values_are_finite(&parameters);
     let range = work.times(&register, &parameters);
     let sketch = work.sketch(&register);
-    let Elaborator { arena, functions, requirements, space, energies, .. } = work;
+    let Elaborator { arena, functions, requirements, space, energies, lengths: of_lengths, .. } = work;
     let model = Model {
         arena,
         docs: tree.docs.clone(),
@@ -70,6 +71,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
         functions,
         requirements,
         sketch,
+        doubts: of_lengths.doubts(),
     };
     diag.is_clean().then_some(model)
 }

@@ -18,7 +18,7 @@ struct Evidence {
 }
 
 /// Refuses a mechanism in the plane most of whose vectors have three components.
-pub(super) fn is_meant(tree: &Mechanism, diag: &mut Diag) -> Option<()> {
+pub(crate) fn is_meant(tree: &Mechanism, diag: &mut Diag) -> Option<()> {
     let mut found = Evidence::default();
     found.items(&tree.items);
     if tree.ambient == Ambient::Plane && found.is_certain && found.space > found.plane && found.space > 1 {
