@@ -40,7 +40,8 @@ macro_rules! codes {
 
 codes! {
     // Grammar.
-    E0001: Grammar::Syntax Grammar::Expected Grammar::Unnamed Motion::EquationWithoutBraces Motion::RateBeforeStart;
+    E0001: Grammar::Syntax Grammar::Expected Grammar::Unnamed Motion::EquationWithoutBraces Motion::RateBeforeStart
+        Motion::PlaceWithoutAt Motion::StartWithEquals Motion::FreedomWithoutName Grammar::OneEqualsSign;
     E0002: Grammar::NotANumber;
     E0003: Grammar::TooDeep Grammar::TooLong Grammar::LongChain Grammar::PartsTooDeep;
     E0004: Grammar::Keyword;
@@ -48,7 +49,7 @@ codes! {
     E0006: Grammar::TokensAfter;
     E0007: Grammar::UnknownItem;
     E0008: Grammar::UnknownBodyItem;
-    E0009: Grammar::WithoutParentheses Value::NotTwoComponents Value::NotThreeComponents;
+    E0009: Motion::InertiaOfNumbers Grammar::WithoutParentheses Value::NotTwoComponents Value::NotThreeComponents;
     E0010: Grammar::DoubleStar Grammar::MethodCall;
     E0011: Grammar::PathOfConstraint;
     E0012: Grammar::SpaceBeforeUnit;
@@ -61,7 +62,7 @@ codes! {
     E0103: Name::UnknownFunction;
     E0104: Name::UnknownConstraint Name::NotAConstraint Array::ComponentAsConstraint Motion::UnknownForce;
     E0105: Array::UnknownComponent;
-    E0106: Name::UnknownUnit Name::UnitAlone;
+    E0106: Name::UnknownUnit Name::UnitAlone Name::UnitInParts;
     E0107: Name::UnknownDimension;
     E0108: Name::UnknownKind;
     E0109: Name::UnknownStart;
@@ -83,7 +84,7 @@ codes! {
     E0207: Grammar::OneArgument Value::FunctionNeedsArgument;
     E0208: Arity::DefaultBefore;
     // Kinds and dimensions.
-    E0301: Value::NotA Value::NotAnOutput Motion::TorqueWithoutAxis Motion::TorqueWithAxis Motion::ForceWithoutDirection
+    E0301: Value::NotA Value::NotAnOutput Motion::TorqueWithoutAxis Motion::TorqueWithAxis Motion::ForceWithoutDirection Motion::GravityWithoutDirection
         Motion::ForceAtNoPoint Motion::TorqueOnNoBody Motion::ValueForForce Motion::ValueForConstraint Motion::FreedomOfJoint;
     E0302: Value::WrongArgument Value::WrongDefault Motion::JointWithoutValue Arity::OtherOrder;
     E0303: Value::WrongArgumentDimension;

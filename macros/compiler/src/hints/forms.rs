@@ -1,6 +1,38 @@
 //! Forms of expressions that are often written for others.
 
-use crate::syntax::ast::{Expression, ExpressionKind};
+use crate::syntax::ast::{Expression, ExpressionKind, Operator};
+use proc_macro2::Ident;
+
+/// Text of a unit that is written in parts, with its number: `500N / mm` as `500N_mm`, with the names that are taken for units.
+pub(crate) fn unit_in_parts(value: &Expression) -> Option<(String, Vec<&Ident>)> {
+    match &value.kind {
+        ExpressionKind::Number { digits, unit } if !unit.is_empty() => Some((format!("{digits}{unit}"), Vec::new())),
+        ExpressionKind::Binary(operator, lhs, rhs) => {
+            let between = match operator {
+                Operator::Mul => "",
+                Operator::Div => "_",
+                _ => return None,
+            };
+            let (before, mut names) = unit_in_parts(lhs)?;
+            let (name, exponent) = named_power(rhs)?;
+            names.push(name);
+            Some((format!("{before}{between}{name}{exponent}"), names))
+        }
+        _ => None,
+    }
+}
+
+/// `m`, or `m^2` with its exponent.
+fn named_power(value: &Expression) -> Option<(&Ident, &str)> {
+    match &value.kind {
+        ExpressionKind::Path(path) => Some((path.name.as_ref()?, "")),
+        ExpressionKind::Binary(Operator::Power, base, exponent) => match &exponent.kind {
+            ExpressionKind::Number { digits, unit } if unit.is_empty() => Some((named_power(base)?.0, digits)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
 
 /// The two factors of `cross(a, b)`.
 pub(crate) fn cross_product(value: &Expression) -> Option<[&Expression; 2]> {

@@ -8,5 +8,5 @@ mod forms;
 mod lengths;
 
 pub(crate) use ambient::is_meant;
-pub(crate) use forms::{cross_product, is_zero, point_of};
+pub(crate) use forms::{cross_product, is_zero, point_of, unit_in_parts};
 pub(crate) use lengths::Lengths;

@@ -52,6 +52,7 @@ const UNITS: &[Unit] = &[
     unit("N", 1, 1, Dim::new(1, 0, -2, 1)),
     unit("kN", 1_000, 1, Dim::new(1, 0, -2, 1)),
     unit("Nm", 1, 1, Dim::new(2, 0, -2, 1)),
+    unit("Nmm", 1, 1_000, Dim::new(2, 0, -2, 1)),
     unit("kgm2", 1, 1, Dim::new(2, 0, 0, 1)),
     unit("N_m", 1, 1, Dim::new(0, 0, -2, 1)),
     unit("N_mm", 1_000, 1, Dim::new(0, 0, -2, 1)),

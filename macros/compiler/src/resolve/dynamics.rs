@@ -72,7 +72,8 @@ impl Elaborator<'_> {
         }
         let items = if let ExpressionKind::Tuple(items) = &written.kind { items.as_slice() } else { std::slice::from_ref(written) };
         if ![3, 6].contains(&items.len()) {
-            return self.refuse(written.range, ValueFact::NotThreeComponents { found: items.len() });
+            let fact = MotionFact::InertiaOfNumbers { found: items.len(), first: items[0].to_string() };
+            return self.refuse(written.range, fact);
         }
         let parts = items.iter().map(|item| self.scalar_of(item, Dim::INERTIA, scope).map(|scalar| scalar.expr));
         let mut parts = parts.collect::<Option<Vec<Expr>>>()?;
@@ -83,6 +84,10 @@ impl Elaborator<'_> {
     /// Acceleration of free fall.
     pub(super) fn gravity(&mut self, register: &Register) -> Option<Vec<Expr>> {
         let gravity = register.gravity.as_ref()?;
+        if let Value::Scalar(_) = self.value(&gravity.value, &Scope::mechanism())? {
+            let (value, ambient) = (gravity.value.to_string(), self.names.ambient);
+            return self.refuse(gravity.value.range, MotionFact::GravityWithoutDirection { value, ambient });
+        }
         let vector = self.vector(&gravity.value, &Scope::mechanism())?;
         if !vector.measure.fits(Dim::ACCELERATION) {
             let found = vector.measure.settled();

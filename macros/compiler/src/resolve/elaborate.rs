@@ -206,6 +206,10 @@ impl Elaborator<'_> {
             ExpressionKind::Index(value, index) => self.indexed(value, index, scope),
             ExpressionKind::Call(path, arguments) => self.call(expr.range, path, arguments, scope),
             ExpressionKind::Negative(value) => self.negative(value, scope),
+            ExpressionKind::Binary(..) if self.unit_of_parts(expr, scope).is_some() => {
+                let instead = self.unit_of_parts(expr, scope)?;
+                self.refuse(expr.range, NameFact::UnitInParts { written: expr.to_string(), instead })
+            }
             ExpressionKind::Binary(operator, lhs, rhs) => self.binary(expr.range, *operator, lhs, rhs, scope),
             ExpressionKind::Tuple(items) => self.tuple(expr.range, items, scope).map(Value::Vector),
             ExpressionKind::List(_) => self.refuse(expr.range, ValueFact::ListOutsideTable),
@@ -396,8 +400,9 @@ impl Elaborator<'_> {
                 if let Some(value) = self.quantity_of(&kind, &arguments, &name) {
                     return Some(value);
                 }
-                let near = self.nearest(&name, arguments.iter().map(|(known, _)| known.as_str()));
-                let known = Known::of(arguments.iter().map(|(known, _)| known.as_str()));
+                let mut words: Vec<&str> = arguments.iter().map(|(known, _)| known.as_str()).collect();
+                words.extend(["angle", "displacement"].into_iter().filter(|word| self.quantity_of(&kind, &arguments, word).is_some()));
+                let (near, known) = (self.nearest(&name, words.iter().copied()), Known::of(words.iter().copied()));
                 return self.refuse(field, NameFact::UnknownField { owner: format!("a `{kind}` joint"), name, near, known });
             }
             _ if axis(&name, self.names.ambient).is_some() => {}

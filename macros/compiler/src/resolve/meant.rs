@@ -5,10 +5,10 @@ use super::elaborate::{Elaborator, Scope};
 use super::register::Register;
 use super::statement::ScalarEquation;
 use crate::diag::{EquationFact, JointValue, MotionFact, Word};
-use crate::hints::{cross_product, is_zero};
+use crate::hints::{cross_product, is_zero, unit_in_parts};
 use crate::library;
 use crate::names::{Declared, FrameId, Progress, Sort, Value};
-use crate::quantity::{Ambient, Dim};
+use crate::quantity::{self, Ambient, Dim};
 use crate::syntax::ast::{self, Definition, ExpressionKind, Formal, FormalKind, JointItem, Statement, Task};
 use proc_macro2::Ident;
 
@@ -147,6 +147,17 @@ impl Elaborator<'_> {
         let is_bound = path.name.as_ref().is_some_and(|name| scope.value_of(name).is_some());
         let group = frame.filter(|_| !is_bound).and_then(|frame| self.names.find(self.names.frames[frame.0].space, &name.to_string()));
         group.is_some_and(|group| self.names.group(group).sort == Sort::Axis)
+    }
+
+    /// A number with its unit, where the unit is written in parts that are no names: `500N_mm` for `500N / mm`.
+    pub(super) fn unit_of_parts(&self, written: &ast::Expression, scope: &Scope) -> Option<String> {
+        let (text, names) = unit_in_parts(written)?;
+        let is_known = |name: &&Ident| {
+            let declared = scope.space.and_then(|space| self.names.visible(space, &name.to_string()));
+            declared.is_some() || scope.value_of(name).is_some()
+        };
+        let unit = text.trim_start_matches(|letter: char| letter.is_ascii_digit() || letter == '.');
+        (!names.is_empty() && !names.iter().any(is_known) && quantity::unit(unit).is_some()).then_some(text)
     }
 
     /// Refuses a joint as a freedom, and offers the coordinates that it leaves.

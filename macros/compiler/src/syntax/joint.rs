@@ -48,9 +48,19 @@ pub(super) fn joint(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
 /// `freedom name = value from start at rate;`
 pub(super) fn freedom(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
     Ident::parse_any(input)?;
+    let before = input.fork();
     let (name, indices) = declared(input, "the name of the freedom")?;
+    if input.peek(Token![.]) {
+        let value = expression(&before)?;
+        return wrong(value.range, MotionFact::FreedomWithoutName { value: value.to_string() });
+    }
     equals(input)?;
     let value = expression(input)?;
+    if input.peek(Token![=]) && !input.peek(Token![==]) {
+        let sign = input.span();
+        input.parse::<Token![=]>()?;
+        return wrong(sign, MotionFact::StartWithEquals { value: value.to_string(), start: expression(input)?.to_string() });
+    }
     let clause = |word: &str| -> Parsed<Option<Expression>> {
         if keyword(input).is_none_or(|found| found != word) {
             return Ok(None);

@@ -12,7 +12,7 @@ crate::refusals! {
     item sine_of_a_length: "output b = sin(«length»);" => "expected an angle (rad), found a length (m)";
     item arc_sine_of_a_length: "output b = asin(«length»);" => "expected a pure number, found a length (m)";
     item root_of_a_length_is_no_length: "let a: Length = «sqrt(length)»;" => "expected a length (m), found a quantity in m^(1/2)";
-    item exponential_of_a_time: "output b = exp(«t»);" => "expected a pure number, found a time (s)";
+    item exponential_of_a_time: "output b = exp(«t»);" => "expected a pure number, found a time (s)\nhelp: divide it by a time, as in `t / 1s`";
     item minimum_of_unlike: "output b = «min(length, crank.angle)»;" => "cannot compare a length (m) with an angle (rad)\nhelp: an arc is a radius times an angle";
     item angular_velocity_is_no_frequency: "param f: Frequency = «60rpm»;" => "expected a frequency (1/s), found an angular velocity (rad/s)";
     item square_of_an_angle_is_no_angle: "param a: Angle = «2deg * 3deg»;" => "expected an angle (rad), found a quantity in rad²";

@@ -26,7 +26,7 @@ crate::refusals! {
     item comma_is_missing: "joint a = revolute(ground.C «crank».A);" => "expected `,` or `)`, found `crank`";
     item call_is_missing: "joint a = revolute«;»" => "expected `(` and the arguments, found `;`";
     item constraint_by_its_path: "joint a = «crate::rolling»(crank);" => "a joint names its constraint by a single word\nhelp: write `use crate::rolling;` above, and `rolling(…)` here";
-    item equation_with_a_single_equal_sign: "joint a = { crank.x «=» 0; }" => "expected `==` and the other side of the equation, found `=`";
+    item equation_with_a_single_equal_sign: "joint a = { crank.x «=» 0; }" => "an equation is written with `==`\nhelp: write `lhs == rhs;`";
     item equation_without_right_side: "joint a = { crank.x == «;» }" => "expected an expression, found `;`";
     item choice_without_else: "output b = if length < 1 { 1 }«;»" => "expected `else { value }`, found `;`";
     item choice_without_relation: "output b = if length «{» 1 } else { 2 };" => "expected a relation such as `<` or `!=`, found `{`";

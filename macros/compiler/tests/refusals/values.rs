@@ -91,3 +91,12 @@ fn bare_lengths_out_of_proportion_are_doubted() {
         assert_eq!(doubts(meant, ""), [""; 0], "{meant}");
     }
 }
+
+/// A declared name is no unit, whatever it is called.
+#[test]
+fn declared_names_are_no_units() {
+    let source = "mechanism M { let s = 2; let m = 3; body b { point A = (3m / s, 0mm); mass = 1kg; inertia = 1kgm2; }
+        joint o = revolute(ground.position, b.position); force f = { at b.A: (5N * m, 0N); } freedom q = b.angle; }";
+    let refused = reuleaux_compiler::compile(source.parse().expect("the source consists of tokens")).err();
+    assert!(refused.is_none(), "{refused:?}");
+}

@@ -27,6 +27,11 @@ pub enum JointValue {
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum MotionFact {
+    PlaceWithoutAt { place: String },
+    StartWithEquals { value: String, start: String },
+    FreedomWithoutName { value: String },
+    GravityWithoutDirection { value: String, ambient: Ambient },
+    InertiaOfNumbers { found: usize, first: String },
     TorqueWithoutAxis { torque: String, axis: Option<String> },
     TorqueWithAxis { body: String, torque: Option<String> },
     ForceWithoutDirection { force: String, ambient: Ambient },

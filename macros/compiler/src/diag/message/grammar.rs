@@ -130,6 +130,7 @@ impl Display for GrammarFact {
                 }
                 write!(f, "\nnote: a body has {}", listed(BODY_ITEMS.into_iter()))
             }
+            GrammarFact::OneEqualsSign => write!(f, "an equation is written with `==`\nhelp: write `lhs == rhs;`"),
             GrammarFact::OneArgument => {
                 write!(f, "a function here has one argument\nhelp: what else it depends on is a `param` or a `let`, which it sees")
             }

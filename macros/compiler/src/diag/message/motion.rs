@@ -18,6 +18,27 @@ impl Display for Word {
 impl Display for MotionFact {
     fn fmt(&self, f: &mut Formatter) -> Result {
         match self {
+            MotionFact::PlaceWithoutAt { place } => {
+                write!(f, "a force stands behind `at` and its point, a torque behind `on` and its body\nhelp: write `at {place}: …;`")
+            }
+            MotionFact::StartWithEquals { value, start } => {
+                write!(f, "a freedom has its value at t = 0 behind `from`\nhelp: write `{value} from {start}`")
+            }
+            MotionFact::FreedomWithoutName { value } => {
+                write!(f, "a freedom has a name of its own\nhelp: write `freedom name = {value};`")
+            }
+            MotionFact::GravityWithoutDirection { value, ambient } => {
+                let value = value.trim_start_matches('-');
+                write!(f, "gravity is a vector, the acceleration of free fall, found a number\nhelp: write ")?;
+                match ambient {
+                    Ambient::Plane => write!(f, "`gravity = (0, -{value});`"),
+                    Ambient::Space => write!(f, "`gravity = (0, 0, -{value});`"),
+                }
+            }
+            MotionFact::InertiaOfNumbers { found, first } => {
+                write!(f, "the inertia of a body in space is three numbers or six, found {found}")?;
+                write!(f, "\nhelp: write `({first}, {first}, {first})` for I_xx, I_yy, I_zz, or a shape such as `ball(30mm)`")
+            }
             MotionFact::TorqueWithoutAxis { torque, axis } => {
                 write!(f, "a torque in space is a vector along its axis, found a number")?;
                 match axis {

@@ -14,6 +14,9 @@ impl Display for NameFact {
                     "nothing is called `{name}` here\nhelp: a unit belongs to a number, as in `1{name}`; that of a rate is one word, as in `1rad_s`"
                 )
             }
+            NameFact::UnitInParts { written, instead } => {
+                write!(f, "a unit is one word, and `{written}` is several\nhelp: write `{instead}`")
+            }
             NameFact::OutputRead { name } => {
                 write!(f, "`{name}` is an output: it is read from Rust, not in the declaration")?;
                 write!(f, "\nhelp: name its value with `let {name} = …;` and give that out with `output {name} = {name};`")

@@ -20,7 +20,7 @@ impl Display for ValueFact {
             }
             ValueFact::WrongArgumentDimension { parameter, definition, wanted, found } => {
                 write!(f, "`{parameter}` of `{definition}` is {wanted}, found {found}")?;
-                if found.times(Dim::TIME) == *wanted {
+                if found.times(Dim::TIME) == *wanted && [Dim::ANGLE, Dim::LENGTH].contains(wanted) {
                     return write!(f, "\nhelp: multiply the rate by `t`");
                 }
                 // An argument given as a function of time often lacks only a factor with a unit.
@@ -31,7 +31,14 @@ impl Display for ValueFact {
                 }
             }
             ValueFact::WrongDefault { wanted, found } => write!(f, "the parameter takes {wanted}, its default is {found}"),
-            ValueFact::WrongDimension { wanted, found } => write!(f, "expected {wanted}, found {found}"),
+            ValueFact::WrongDimension { wanted, found } => {
+                let remedy = match *found {
+                    Dim::TIME if *wanted == Dim::NUMBER => "\nhelp: divide it by a time, as in `t / 1s`",
+                    found if found.is_of_time() => remedy::of_dimensions(*wanted, found),
+                    _ => "",
+                };
+                write!(f, "expected {wanted}, found {found}{remedy}")
+            }
             ValueFact::Unlike { action, one, two } => {
                 let joint = if *action == "equate" || *action == "compare" { "with" } else { "and" };
                 match *action {
