@@ -84,7 +84,8 @@ codes! {
     E0207: Grammar::OneArgument Value::FunctionNeedsArgument;
     E0208: Arity::DefaultBefore;
     // Kinds and dimensions.
-    E0301: Value::NotA Value::NotAnOutput Motion::TorqueWithoutAxis Motion::TorqueWithAxis Motion::ForceWithoutDirection Motion::GravityWithoutDirection
+    E0301: Value::NotA Value::NotAnOutput Motion::TorqueWithoutAxis Motion::TorqueWithAxis Motion::ForceWithoutDirection
+        Motion::GravityWithoutDirection
         Motion::ForceAtNoPoint Motion::TorqueOnNoBody Motion::ValueForForce Motion::ValueForConstraint Motion::FreedomOfJoint;
     E0302: Value::WrongArgument Value::WrongDefault Motion::JointWithoutValue Arity::OtherOrder;
     E0303: Value::WrongArgumentDimension;

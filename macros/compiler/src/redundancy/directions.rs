@@ -1,7 +1,7 @@
 //! Two joints in space that keep one axis each of the same two bodies on one direction.
 //!
-//! In: a model with the relations of its joints. Out: a refusal where the axes differ: with the same angle between them on both bodies nothing
-//! can turn, with another angle the joints contradict each other. Axes of one direction, joints that let
+//! In: a model with the relations of its joints. Out: a refusal where the axes differ: with the same angle between them on both bodies
+//! nothing can turn, with another angle the joints contradict each other. Axes of one direction, joints that let
 //! bodies slide, and redundant joints are left to the other tests.
 
 use crate::diag::{Diag, SystemFact};

@@ -107,8 +107,8 @@ fn free_beside(model: &Model, system: &System, freedom: usize) -> Vec<String> {
     names
 }
 
-/// What is left of a row where it is a number: 0 if the row follows from others, another number if it contradicts them. `None` if it depends
-/// on parameters or time, or is a sum of roots that may be zero.
+/// What is left of a row where it is a number: 0 if the row follows from others, another number if it contradicts them. `None` if it
+/// depends on parameters or time, or is a sum of roots that may be zero.
 fn remainder(system: &System, left: &Sum) -> Option<f64> {
     if left.is_constant() {
         return Some(left.constant.to_f64());

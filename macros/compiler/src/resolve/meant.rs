@@ -176,7 +176,7 @@ impl Elaborator<'_> {
         self.refuse(written.range, MotionFact::FreedomOfJoint { name: name.to_string(), joint, offers })
     }
 
-    /// What can be measured between the bodies of a joint that names no coordinate: how far they are along its axis, or how they are turned.
+    /// What can be measured between the bodies of a joint that names no coordinate: a distance along its axis, or an angle.
     fn coordinates_across(&self, joint: &str, arguments: &[(String, Value)]) -> Vec<String> {
         if let (Some((axis, _)), [(from, _), (to, _)]) = (
             arguments.iter().find(|(_, value)| matches!(value, Value::Axis(_))),
