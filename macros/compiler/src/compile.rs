@@ -150,6 +150,16 @@ fn rooms(tree: &ast::Mechanism, definitions: Known, diag: &mut Diag) -> Option<C
     }
     let model = resolve::resolve(tree, definitions, diag)?;
     // Every name is an id, every quantity has a dimension.
+    let doubts = model.doubts.clone();
+    let compiled = after_names(model, diag);
+    if compiled.is_none() {
+        diag.explain(&doubts);
+    }
+    compiled
+}
+
+/// Runs all rooms after names are resolved.
+fn after_names(model: Model, diag: &mut Diag) -> Option<Compiled> {
     let system = system::assemble(&model, diag)?;
     // Only unknowns and equations are left, with all their derivatives.
     connectivity::check(&model, &system, diag)?;

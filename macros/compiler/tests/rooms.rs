@@ -11,7 +11,7 @@ use syn::visit::{self, Visit};
 use syn::{Item, UseTree, Visibility};
 
 /// From the bottom up; `compile` enters them from the top.
-const ROOMS: [&str; 23] = [
+const ROOMS: [&str; 25] = [
     "linear",
     "expr",
     "geometry",
@@ -21,6 +21,8 @@ const ROOMS: [&str; 23] = [
     "syntax",
     "library",
     "model",
+    "names",
+    "hints",
     "resolve",
     "system",
     "numeric",

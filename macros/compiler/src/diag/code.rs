@@ -16,7 +16,7 @@
 
 use super::fact::{
     ArityFact as Arity, ArrayFact as Array, AssemblyFact as Assembly, EquationFact as Equation, Fact, GrammarFact as Grammar,
-    NameFact as Name, SystemFact as System, ValueFact as Value,
+    MotionFact as Motion, NameFact as Name, SystemFact as System, ValueFact as Value,
 };
 
 macro_rules! codes {
@@ -28,7 +28,7 @@ macro_rules! codes {
                 match self {
                     $($(Fact::$family($family::$fact { .. }))|+ => stringify!($code),)*
                     // The instance in which an error occurs does not change its code.
-                    Fact::InInstance { fact, .. } | Fact::InDefinition { fact, .. } => fact.code(),
+                    Fact::InInstance { fact, .. } | Fact::InDefinition { fact, .. } | Fact::Doubtful { fact, .. } => fact.code(),
                 }
             }
         }
@@ -40,7 +40,8 @@ macro_rules! codes {
 
 codes! {
     // Grammar.
-    E0001: Grammar::Syntax Grammar::Expected Grammar::Unnamed;
+    E0001: Grammar::Syntax Grammar::Expected Grammar::Unnamed Motion::EquationWithoutBraces Motion::RateBeforeStart
+        Motion::PlaceWithoutAt Motion::StartWithEquals Motion::FreedomWithoutName Grammar::OneEqualsSign;
     E0002: Grammar::NotANumber;
     E0003: Grammar::TooDeep Grammar::TooLong Grammar::LongChain Grammar::PartsTooDeep;
     E0004: Grammar::Keyword;
@@ -48,7 +49,7 @@ codes! {
     E0006: Grammar::TokensAfter;
     E0007: Grammar::UnknownItem;
     E0008: Grammar::UnknownBodyItem;
-    E0009: Grammar::PairWithoutParentheses Value::NotTwoComponents Value::NotThreeComponents;
+    E0009: Motion::InertiaOfNumbers Grammar::WithoutParentheses Value::NotTwoComponents Value::NotThreeComponents;
     E0010: Grammar::DoubleStar Grammar::MethodCall;
     E0011: Grammar::PathOfConstraint;
     E0012: Grammar::SpaceBeforeUnit;
@@ -57,11 +58,11 @@ codes! {
     E0015: Grammar::ClosingWord Grammar::AllowedWord Grammar::AttributeTwice;
     // Names.
     E0101: Name::UnknownName;
-    E0102: Name::UnknownField;
+    E0102: Name::UnknownField Name::AngleOfBody;
     E0103: Name::UnknownFunction;
-    E0104: Name::UnknownConstraint Name::NotAConstraint Array::ComponentAsConstraint;
+    E0104: Name::UnknownConstraint Name::NotAConstraint Array::ComponentAsConstraint Motion::UnknownForce;
     E0105: Array::UnknownComponent;
-    E0106: Name::UnknownUnit Name::UnitAlone;
+    E0106: Name::UnknownUnit Name::UnitAlone Name::UnitInParts;
     E0107: Name::UnknownDimension;
     E0108: Name::UnknownKind;
     E0109: Name::UnknownStart;
@@ -83,11 +84,13 @@ codes! {
     E0207: Grammar::OneArgument Value::FunctionNeedsArgument;
     E0208: Arity::DefaultBefore;
     // Kinds and dimensions.
-    E0301: Value::NotA Value::NotAnOutput;
-    E0302: Value::WrongArgument Value::WrongDefault;
+    E0301: Value::NotA Value::NotAnOutput Motion::TorqueWithoutAxis Motion::TorqueWithAxis Motion::ForceWithoutDirection
+        Motion::GravityWithoutDirection
+        Motion::ForceAtNoPoint Motion::TorqueOnNoBody Motion::ValueForForce Motion::ValueForConstraint Motion::FreedomOfJoint;
+    E0302: Value::WrongArgument Value::WrongDefault Motion::JointWithoutValue Arity::OtherOrder;
     E0303: Value::WrongArgumentDimension;
     E0304: Value::Unlike;
-    E0305: Value::WrongDimension Value::NotALength;
+    E0305: Value::WrongDimension Value::NotALength Motion::RateForStart Motion::StartForRate;
     E0306: Value::CannotEquate Value::CannotCompare Value::OrderOfBodies;
     E0307: Value::FunctionTakes;
     E0308: Value::VectorAndNumber;
@@ -105,7 +108,7 @@ codes! {
     E0409: Value::ListOutsideTable Value::TableNeedsList Value::TableNeedsPairs Value::TableTooShort;
     E0410: Value::TableNotIncreasing;
     E0411: Value::TableNotPeriodic Value::TableEnds;
-    E0412: Value::OnlyInSpace Value::OnlyInPlane;
+    E0412: Value::MeansSpace Value::OnlyInSpace Value::OnlyInPlane;
     // Loops, arrays and parts.
     E0501: Array::WithoutIndex Array::DuplicateInLoop;
     E0502: Array::ArrayWithoutIndex;
@@ -119,11 +122,11 @@ codes! {
     E0510: Array::UnlikeParts Array::UnlikeOutputs;
     // Equations.
     E0601: Equation::TimeInJoint Equation::TimeIn Equation::TimeInDefinition;
-    E0602: Equation::RowOfNothing Equation::OnGround;
+    E0602: Equation::RowOfNothing Equation::OnGround Equation::CrossProduct;
     E0603: Equation::NoEquations Equation::EmptyBundle;
     E0604: Equation::GroundStart;
     E0605: Equation::NotAffine Equation::RateOfSpeed Value::RateOfVelocity System::Nonholonomic;
-    E0606: Equation::EquationInForce Equation::ForceInJoint;
+    E0606: Equation::EquationInForce Equation::ForceInJoint Motion::ForceForConstraint Motion::ConstraintForForce;
     // Mobility.
     E0701: System::NoBodies;
     E0702: System::BodyIsFree;
@@ -136,7 +139,7 @@ codes! {
     E0709: System::PassiveSpin;
     // Redundancy.
     E0801: System::Repeats System::Follows System::FollowsFrom;
-    E0802: System::Contradicts System::CannotHold System::Collides;
+    E0802: System::Contradicts System::CannotHold System::Collides System::AxesContradict System::TwoAxes;
     E0803: System::NotRedundant;
     // Assembly.
     E0901: Assembly::StaysOpen Assembly::NeverCloses;
@@ -148,8 +151,9 @@ codes! {
     E1001: Value::EmptyBounds Value::RangeWithoutEnd;
     E1002: Value::DefaultOutOfBounds;
     // Masses and forces.
-    E1101: System::FreedomDepends System::FreedomsMissing;
+    E1101: System::FreedomDepends System::FreedomsMissing Motion::FreedomIsHeld;
     E1102: System::Massless;
     E1103: Value::NegativeMass Value::ImpossibleInertia Value::CenterWithoutMass Value::ShapeWithoutMass;
     E1104: Value::EnergyOfVelocities;
+    E1105: Motion::SliceBesideFreedom Motion::RangeBesideFreedom;
 }

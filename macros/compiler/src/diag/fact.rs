@@ -1,6 +1,13 @@
 //! Errors in a declaration: facts with their numbers, in families. `message.rs` turns them into sentences, in one file per family.
 
-use crate::quantity::{Dim, Role};
+mod motion;
+mod system;
+
+pub use motion::{JointValue, MotionFact, Word};
+pub use system::{Count, Demand, Forgotten, SystemFact};
+
+use super::{Doubt, Home, Kind, Wanted};
+use crate::quantity::{Ambient, Dim, Role};
 
 /// An error in a declaration.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,7 +21,9 @@ pub enum Fact {
     Equation(EquationFact),
     System(SystemFact),
     Assembly(AssemblyFact),
+    Motion(MotionFact),
     InInstance { place: String, fact: Box<Fact> },
+    Doubtful { fact: Box<Fact>, doubt: Box<Doubt> },
     InDefinition { definition: String, quantities: Vec<(String, Dim)>, fact: Box<Fact> },
 }
 
@@ -29,7 +38,8 @@ macro_rules! families {
 }
 
 families! {
-    Grammar: GrammarFact, Array: ArrayFact, Name: NameFact, Arity: ArityFact, Value: ValueFact, Equation: EquationFact, System: SystemFact, Assembly: AssemblyFact
+    Grammar: GrammarFact, Array: ArrayFact, Name: NameFact, Arity: ArityFact, Value: ValueFact, Equation: EquationFact, System: SystemFact, Assembly: AssemblyFact,
+    Motion: MotionFact
 }
 
 /// Tokens that are not a valid declaration.
@@ -38,7 +48,7 @@ families! {
 pub enum GrammarFact {
     Syntax { message: String },
     Expected { what: &'static str, found: String },
-    Unnamed { word: &'static str, kind: String },
+    Unnamed { word: Word, kind: String },
     NotANumber { found: &'static str },
     TooDeep { limit: u16 },
     PartsTooDeep { limit: usize },
@@ -51,10 +61,11 @@ pub enum GrammarFact {
     AllowedWord { near: Option<String> },
     AttributeTwice { name: String },
     TokensAfter { what: &'static str, help: &'static str },
-    UnknownItem { word: String },
+    UnknownItem { word: String, name: Option<String>, home: Option<Home> },
     UnknownBodyItem { word: String },
     OneArgument,
-    PairWithoutParentheses { what: &'static str },
+    OneEqualsSign,
+    WithoutParentheses { what: &'static str, instead: String },
     PathOfConstraint { path: String, last: String },
     DoubleStar,
     MethodCall { name: String },
@@ -72,7 +83,7 @@ pub enum ArrayFact {
     WithoutIndex { name: String, variable: String },
     DuplicateInLoop { name: String, variable: String },
     ArrayWithoutIndex { name: String },
-    NoArray { found: &'static str, is_member: bool },
+    NoArray { found: Kind, is_member: bool },
     IndexOutOfRange { name: String, index: i64, ends: Option<(usize, usize)>, known: Known },
     NegativeIndex { index: i64 },
     MissingIndex { what: &'static str, missing: String, known: String },
@@ -99,9 +110,11 @@ pub enum NameFact {
     UnknownName { name: String, near: Option<String> },
     OutputRead { name: String },
     UnitAlone { name: String },
+    UnitInParts { written: String, instead: String },
     UnknownField { owner: String, name: String, near: Option<String>, known: Known },
+    AngleOfBody { body: String, joint: Option<String> },
     UnknownFunction { name: String, near: Option<String>, is_constraint: bool },
-    UnknownConstraint { name: String, near: Option<String> },
+    UnknownConstraint { name: String, near: Option<String>, home: Option<Home>, known: Known },
     UnknownUnit { number: String, name: String, near: Option<String> },
     UnknownDimension { name: String, near: Option<String> },
     UnknownStart { name: String, near: Option<String>, in_space: bool },
@@ -128,6 +141,7 @@ pub enum ArityFact {
     DuplicateArgument { name: String, is_also_in_order: bool },
     PositionalAfterNamed { next: Option<String> },
     FunctionArity { name: String, wanted: usize, found: usize },
+    OtherOrder { name: String, instead: String, signature: String },
     DefaultBefore { name: String },
 }
 
@@ -136,19 +150,20 @@ pub enum ArityFact {
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum ValueFact {
     RangeWithoutEnd,
-    NotA { wanted: &'static str, found: &'static str },
-    WrongArgument { parameter: String, definition: String, wanted: String, found: String, instead: Option<String> },
+    NotA { wanted: Wanted, found: Kind, ambient: Ambient },
+    WrongArgument { parameter: String, definition: String, wanted: Wanted, found: Kind, ambient: Ambient, instead: Option<String> },
     WrongArgumentDimension { parameter: String, definition: String, wanted: Dim, found: Dim },
-    WrongDefault { wanted: String, found: &'static str },
+    WrongDefault { wanted: Wanted, found: Kind },
     WrongDimension { wanted: Dim, found: Dim },
     Unlike { action: &'static str, one: Dim, two: Dim },
     NotALength { found: Dim, instead: Option<String> },
     FunctionTakes { wanted: Dim, found: Dim },
     OrderOfBodies,
-    CannotCompare { one: &'static str, two: &'static str },
-    CannotEquate { one: &'static str, two: &'static str, in_space: bool },
+    CannotCompare { one: Kind, two: Kind },
+    CannotEquate { one: Kind, two: Kind, ambient: Ambient },
     NotTwoComponents { found: usize },
     NotThreeComponents { found: usize },
+    MeansSpace { name: String },
     OnlyInSpace { word: String },
     OnlyInPlane { word: String },
     AlongItsAxis { name: String },
@@ -156,7 +171,7 @@ pub enum ValueFact {
     VectorTimesVector,
     NumberByVector,
     PowerOfDimension { base: Dim },
-    NotAnOutput { found: &'static str },
+    NotAnOutput { found: Kind },
     NumberTooLong { number: String, limit: usize },
     NumberOutOfRange { number: String },
     NotFinite { place: &'static str },
@@ -199,131 +214,11 @@ pub enum EquationFact {
     ForceInJoint,
     RateOfSpeed,
     NotAffine { joint: String, row: usize, of: usize },
+    CrossProduct { rows: Option<String>, parallel: Option<String> },
     OnGround { joint: String, kind: String },
     NoEquations { name: String },
     EmptyBundle { name: String },
     GroundStart,
-}
-
-/// The mechanism as a whole: mobility and redundancy.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(missing_docs)] // The sentence of each fact is its documentation.
-pub enum SystemFact {
-    NoBodies {
-        name: String,
-    },
-    BodyIsFree {
-        body: String,
-        example: String,
-    },
-    PassiveSpin {
-        body: String,
-        joints: [String; 2],
-    },
-    FreedomDepends {
-        freedom: String,
-        of: usize,
-    },
-    FreedomsMissing {
-        name: String,
-        missing: usize,
-        declared: usize,
-        candidates: Vec<String>,
-    },
-    Massless {
-        bodies: Vec<String>,
-        has_any: bool,
-    },
-    Nonholonomic {
-        joint: String,
-        row: usize,
-        of: usize,
-    },
-    Repeats {
-        joint: String,
-        other: String,
-    },
-    NotOnGround {
-        bodies: Vec<String>,
-    },
-    FreeCoordinates {
-        body: String,
-        coordinates: Vec<String>,
-        has_place: bool,
-        example: String,
-        freedom: Option<String>,
-    },
-    DrivesMissing {
-        name: String,
-        count: Box<Count>,
-        forgotten: Box<Forgotten>,
-        candidates: Vec<String>,
-        example: String,
-        freedom: Option<String>,
-    },
-    NothingToDrive {
-        drive: String,
-        joints: Vec<String>,
-        equations: [usize; 2],
-        coordinates: Vec<String>,
-        free: Vec<String>,
-    },
-    DrivesContend {
-        drives: Vec<String>,
-        declared_free: Vec<String>,
-        freedoms: usize,
-        joints: Vec<String>,
-        coordinates: Vec<String>,
-        free: Vec<String>,
-    },
-    Follows {
-        joint: String,
-        is_drive: bool,
-        rows: Vec<usize>,
-        of: usize,
-        others: Vec<String>,
-    },
-    Contradicts {
-        joint: String,
-        others: Vec<String>,
-        demand: Option<Box<Demand>>,
-        off: String,
-    },
-    Collides {
-        joint: String,
-        others: Vec<String>,
-        off: String,
-    },
-    FollowsFrom {
-        joint: String,
-        is_drive: bool,
-        rows: usize,
-        of: usize,
-        others: Vec<String>,
-        free: Vec<String>,
-        moves: bool,
-        in_space: bool,
-    },
-    NotRedundant {
-        joint: String,
-        free: Vec<String>,
-    },
-    CannotHold {
-        joint: String,
-        bodies: Vec<String>,
-        length: Option<f64>,
-        angle: Option<f64>,
-        time: Option<f64>,
-        is_redundant: bool,
-    },
-    TooManyEquations {
-        joint: String,
-        others: Vec<String>,
-        equations: usize,
-        coordinates: Vec<String>,
-        free: Vec<String>,
-        for_free: usize,
-    },
 }
 
 /// The assembly at the declared defaults, and the motion from there.
@@ -374,41 +269,6 @@ pub struct Driven {
     pub coordinate: Option<Role>,
     /// Value of the coordinate in SI, if it is known.
     pub value: Option<(f64, Dim)>,
-}
-
-/// A sum of coordinates for which a joint and the other joints demand different values.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Demand {
-    /// `crank.angle`, or a sum such as `b.angle - a.angle`.
-    pub form: String,
-    /// Value that the joint demands, with its unit.
-    pub wanted: String,
-    /// Value that the other joints demand.
-    pub found: String,
-}
-
-/// Evidence that a joint was forgotten.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Forgotten {
-    /// Bodies joined to a single neighbour.
-    pub loose: Vec<String>,
-    /// A joint that would hold a body, as a line to type.
-    pub line: Option<String>,
-    /// Coordinates that this joint would hold.
-    pub holds: Vec<String>,
-}
-
-/// Numbers of coordinates, equations and drives.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Count {
-    /// Number of coordinates of all bodies.
-    pub coordinates: usize,
-    /// Number of equations of joints.
-    pub joints: usize,
-    /// Number of equations of drives.
-    pub drives: usize,
-    /// Number of equations that are missing.
-    pub missing: usize,
 }
 
 /// A gap that remains in the assembly.

@@ -8,6 +8,8 @@ mod arrays;
 mod assembly;
 mod equations;
 mod grammar;
+mod kinds;
+mod motion;
 mod names;
 mod system;
 mod values;
@@ -46,11 +48,13 @@ impl fmt::Display for Fact {
             Fact::Equation(fact) => fact.fmt(f),
             Fact::System(fact) => fact.fmt(f),
             Fact::Assembly(fact) => fact.fmt(f),
+            Fact::Motion(fact) => fact.fmt(f),
             Fact::InInstance { place, fact } => {
                 let sentence = fact.to_string();
                 let (first, rest) = parted(&sentence);
                 write!(f, "{first}\nnote: {place}{rest}")
             }
+            Fact::Doubtful { fact, doubt } => write!(f, "{fact}\nnote: {doubt}"),
             Fact::InDefinition { definition, quantities, fact } => {
                 write!(f, "in {definition}: {fact}")?;
                 let words: Vec<String> = quantities.iter().map(|(name, dim)| format!("`{name}` is {dim}")).collect();
@@ -62,9 +66,15 @@ impl fmt::Display for Fact {
 
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Doubt::FarStart { body, coordinate, found, declared, apart, drive, instead } = self else {
-            let Doubt::MotionEnds(fact) = self else { return Ok(()) };
-            return write!(f, "{fact}");
+        let (body, coordinate, found, declared, apart, drive, instead) = match self {
+            Doubt::FarStart { body, coordinate, found, declared, apart, drive, instead } => {
+                (body, coordinate, found, declared, apart, drive, instead)
+            }
+            Doubt::BareLength { number, longest } => {
+                write!(f, "`{number}` has no unit: it is {number} m, where no other length exceeds {longest}")?;
+                return write!(f, "\nhelp: write `{number}mm`, or `{number}m` if it is meant");
+            }
+            Doubt::MotionEnds(fact) => return write!(f, "{fact}"),
         };
         match drive {
             Some(drive) => write!(f, "`{drive}` puts `{body}` at {found} at t = 0, {apart} from its declared start at {declared}")?,

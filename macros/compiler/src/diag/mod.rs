@@ -5,6 +5,8 @@
 
 mod code;
 mod fact;
+mod home;
+mod kind;
 mod message;
 mod remedy;
 mod shown;
@@ -13,9 +15,12 @@ mod warning;
 
 pub use code::PAGES;
 pub use fact::{
-    ArityFact, ArrayFact, AssemblyFact, Bound, Count, Demand, Driven, EquationFact, Fact, Forgotten, Gap, GrammarFact, Known, NameFact,
-    SystemFact, ValueFact,
+    ArityFact, ArrayFact, AssemblyFact, Bound, Count, Demand, Driven, EquationFact, Fact, Forgotten, Gap, GrammarFact, JointValue, Known,
+    MotionFact, NameFact, SystemFact, ValueFact, Word,
 };
+pub use home::Home;
+pub(crate) use home::home;
+pub use kind::{Kind, Wanted};
 pub(crate) use message::{degrees, millimetres, significant};
 pub(crate) use remedy::quantity;
 pub(crate) use suggest::{nearest, nearest_unit};
@@ -119,6 +124,21 @@ impl Diag {
         }
         self.refusals.push(Refusal { fact, range: range.into() });
         None
+    }
+
+    /// Names the first doubt beside errors about lengths, of which it is likely the cause.
+    pub(crate) fn explain(&mut self, doubts: &[Warning]) {
+        let Some(Warning { doubt, .. }) = doubts.first() else { return };
+        for refusal in &mut self.refusals {
+            if matches!(refusal.fact, Fact::Assembly(_) | Fact::System(SystemFact::CannotHold { .. })) {
+                refusal.fact = Fact::Doubtful { fact: Box::new(refusal.fact.clone()), doubt: Box::new(doubt.clone()) };
+            }
+        }
+    }
+
+    /// Takes back all errors but the first `kept`, where a single one is to say it better.
+    pub(crate) fn withdraw(&mut self, kept: usize) {
+        self.refusals.truncate(kept);
     }
 
     /// Suppresses all further errors: a limit was exceeded, and the rest of the declaration is not checked.

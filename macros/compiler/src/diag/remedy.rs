@@ -1,41 +1,56 @@
 //! Suggested corrections, from what was found and what was expected.
 
-use crate::quantity::Dim;
+use super::{Kind, Wanted};
+use crate::quantity::{Ambient, Dim};
 
 /// For a value of the wrong kind; empty if there is no suggestion.
-pub(super) fn of_kind(wanted: &str, found: &str) -> &'static str {
+pub(super) fn of_kind(wanted: &Wanted, found: &Kind, ambient: Ambient) -> &'static str {
+    let is_plane = ambient == Ambient::Plane;
     match (wanted, found) {
-        ("a number", "a body") | ("a number or a vector", "a body") => {
+        (Wanted::Number | Wanted::NumberOrVector | Wanted::Quantity(_), Kind::Body) if is_plane => {
             "\nhelp: its coordinates are `.x`, `.y` and `.angle`, its place is `.position`"
         }
-        ("a number", "a point" | "a vector" | "an axis") => "\nhelp: its components are `.x` and `.y`, its length is `norm(…)`",
-        ("a number" | "a number or a vector", "a function") => "\nhelp: give it its argument, as in `f(x)`",
-        ("a number" | "a number or a vector", "a joint") => "\nhelp: what it was made with has values, as in `joint.P`",
-        ("a number", "a string" | "text") => "\nhelp: a quantity is a number with its unit right behind it, such as `120mm`",
-        ("a function", "a number") => "\nhelp: a product is written with `*`",
-        ("a vector or a point", "a number") => "\nhelp: write both components, `(x, y)`",
-        ("a vector or a point", "a body") => "\nhelp: its place is `.position`",
-        ("a point", "a number") => "\nhelp: write `(x, y)` for a place in ground, `body.P` for a point of a body",
-        ("an axis", "a number") => "\nhelp: write `(1, 0)` for the direction of x",
-        ("an axis in space", _) => "\nhelp: write `(1, 0, 0)` for the direction of x",
-        ("a function of one variable", _) => "\nhelp: declare one, such as `function name(x: Angle) -> Length = …;`",
+        (Wanted::Number | Wanted::NumberOrVector | Wanted::Quantity(_), Kind::Body) => {
+            "\nhelp: its coordinates are `.x`, `.y` and `.z`, its place is `.position`; angles are those of joints, `joint.angle`"
+        }
+        (Wanted::Number | Wanted::Quantity(_), Kind::Point | Kind::Vector | Kind::Axis) if is_plane => {
+            "\nhelp: its components are `.x` and `.y`, its length is `norm(…)`"
+        }
+        (Wanted::Number | Wanted::Quantity(_), Kind::Point | Kind::Vector | Kind::Axis) => {
+            "\nhelp: its components are `.x`, `.y` and `.z`, its length is `norm(…)`"
+        }
+        (Wanted::Number | Wanted::NumberOrVector | Wanted::Quantity(_), Kind::Function) => "\nhelp: give it its argument, as in `f(x)`",
+        (Wanted::Number | Wanted::NumberOrVector, Kind::Joint) => "\nhelp: what it was made with has values, as in `joint.P`",
+        (Wanted::Function, Kind::Number) => "\nhelp: a product is written with `*`",
+        (Wanted::VectorOrPoint | Wanted::Vector, Kind::Number) if is_plane => "\nhelp: write both components, `(x, y)`",
+        (Wanted::VectorOrPoint | Wanted::Vector, Kind::Number) => "\nhelp: write all components, `(x, y, z)`",
+        (Wanted::VectorOrPoint | Wanted::Point, Kind::Body) => "\nhelp: its place is `.position`",
+        (Wanted::Point, Kind::Number) if is_plane => "\nhelp: write `(x, y)` for a place in ground, `body.P` for a point of a body",
+        (Wanted::Point, Kind::Number) => "\nhelp: write `(x, y, z)` for a place in ground, `body.P` for a point of a body",
+        (Wanted::Axis, Kind::Number) if is_plane => "\nhelp: write `(1, 0)` for the direction of x",
+        (Wanted::Axis, _) if !is_plane => "\nhelp: write `(1, 0, 0)` for the direction of x",
+        (Wanted::FunctionOfOne, _) => "\nhelp: declare one, such as `function name(x: Angle) -> Length = …;`",
+        (Wanted::JointOf(_), Kind::JointOf(_)) => "",
+        (Wanted::JointOf(_), _) => "\nhelp: write the name of the joint",
         _ => "",
     }
 }
 
 /// For two values that cannot be equated.
-pub(super) fn of_equation(one: &str, two: &str, in_space: bool) -> &'static str {
+pub(super) fn of_equation(one: &Kind, two: &Kind, ambient: Ambient) -> &'static str {
+    let is_directed = |kind: &Kind| matches!(kind, Kind::Point | Kind::Vector | Kind::Axis);
+    let is_plane = ambient == Ambient::Plane;
     match (one, two) {
-        ("a number", "a point" | "a vector" | "an axis") | ("a point" | "a vector" | "an axis", "a number") if in_space => {
-            "\nhelp: write `.x`, `.y` or `.z` for one component, or `(x, y, z)` on the other side for all"
-        }
-        ("a body", "a body") if in_space => "\nhelp: `weld` holds two bodies together; the place of a body is `.position`",
-        ("a body", _) | (_, "a body") if in_space => "\nhelp: its place is `.position`; angles are those of joints, `joint.angle`",
-        ("a number", "a point" | "a vector" | "an axis") | ("a point" | "a vector" | "an axis", "a number") => {
+        (Kind::Number, other) | (other, Kind::Number) if is_directed(other) && is_plane => {
             "\nhelp: write `.x` or `.y` for one component, or `(x, y)` on the other side for both"
         }
-        ("a body", "a body") => "\nhelp: `weld` holds two bodies together; their numbers are `.x`, `.y` and `.angle`",
-        ("a body", _) | (_, "a body") => "\nhelp: its coordinates are `.x`, `.y` and `.angle`, its place is `.position`",
+        (Kind::Number, other) | (other, Kind::Number) if is_directed(other) => {
+            "\nhelp: write `.x`, `.y` or `.z` for one component, or `(x, y, z)` on the other side for all"
+        }
+        (Kind::Body, Kind::Body) if is_plane => "\nhelp: `weld` holds two bodies together; their numbers are `.x`, `.y` and `.angle`",
+        (Kind::Body, Kind::Body) => "\nhelp: `weld` holds two bodies together; the place of a body is `.position`",
+        (Kind::Body, _) | (_, Kind::Body) if is_plane => "\nhelp: its coordinates are `.x`, `.y` and `.angle`, its place is `.position`",
+        (Kind::Body, _) | (_, Kind::Body) => "\nhelp: its place is `.position`; angles are those of joints, `joint.angle`",
         _ => "",
     }
 }

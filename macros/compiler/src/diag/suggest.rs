@@ -6,7 +6,7 @@ use crate::quantity::{unit, units};
 const LONGEST: usize = 60;
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 31] = [
+const SYNONYMS: [(&str, &[&str]); 42] = [
     ("body", &["link", "bar", "rigid", "member"]),
     ("ground", &["frame", "base", "world", "fixed"]),
     ("param", &["parameter", "var", "variable", "input"]),
@@ -16,6 +16,17 @@ const SYNONYMS: [(&str, &[&str]); 31] = [
     ("drive", &["driver", "motor", "actuator", "motion"]),
     ("output", &["measure", "sensor", "result"]),
     ("start", &["initial", "guess", "init"]),
+    ("mass", &["weight"]),
+    ("angular_velocity", &["omega", "spin", "angular_speed", "rotation_rate"]),
+    ("angle", &["phi", "theta", "rotation"]),
+    ("position", &["pos", "origin", "center", "centre"]),
+    ("stiffness", &["k", "spring_constant"]),
+    ("rest", &["l0", "free_length", "length"]),
+    ("damping", &["c", "d"]),
+    ("center", &["centre", "com", "cog", "centroid", "center_of_mass", "centre_of_mass"]),
+    ("inertia", &["moment_of_inertia"]),
+    ("point", &["marker", "vertex", "location"]),
+    ("axis", &["direction", "vector"]),
     ("spherical", &["ball", "ball_joint", "globe"]),
     ("universal", &["hooke", "cardan", "u_joint"]),
     ("cylindrical", &["cylinder"]),

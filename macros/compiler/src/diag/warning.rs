@@ -36,6 +36,13 @@ pub enum Doubt {
         /// Suggested declaration.
         instead: String,
     },
+    /// A length without a unit is in metres, and out of proportion.
+    BareLength {
+        /// The number as written.
+        number: String,
+        /// The longest length with a unit.
+        longest: String,
+    },
     /// The motion ends before it has repeated itself as a whole.
     MotionEnds(Box<Fact>),
 }
@@ -45,6 +52,7 @@ impl Warning {
     pub(crate) fn to_tokens(&self) -> TokenStream {
         let name = match self.doubt {
             Doubt::FarStart { .. } => "far_start",
+            Doubt::BareLength { .. } => "bare_length",
             Doubt::MotionEnds(_) => "motion_ends",
         };
         let (name, words) = (Ident::new(name, self.range.first), self.doubt.to_string());

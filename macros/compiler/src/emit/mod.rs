@@ -70,7 +70,7 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
     let (solve_for, slices) = emitter.slices();
     // Where defaults only hold a place nothing is said of them.
     let warns = model.closing == Closing::Deny && !model.allows_far_start;
-    let warnings = assembly.warnings.iter().filter(|_| warns).chain(&motion.warning).map(Warning::to_tokens);
+    let warnings = assembly.warnings.iter().filter(|_| warns).chain(&motion.warning).chain(&model.doubts).map(Warning::to_tokens);
     let state = (model.task.is_determined() || !model.outputs.is_empty()).then(|| state(model, system));
     let (drawable, dynamics) = (emitter.drawable(), emitter.dynamics());
     let (name, allowed, loads) = (&model.name, allowed(), emitter.loads());

@@ -4,7 +4,7 @@
 //! finds the smallest over-constrained group around it. So joints are blamed only for conflicts among joints, and a drive for what it adds
 //! to them.
 
-use crate::diag::{Diag, SystemFact};
+use crate::diag::{Diag, Fact, MotionFact, SystemFact};
 use crate::model::{Model, Said};
 use crate::structure::{DmPart, Pattern, contending, maximum};
 use crate::system::System;
@@ -26,8 +26,9 @@ pub(super) fn nothing_is_demanded_twice(model: &Model, system: &System, pattern:
         let view = Contenders { model, system, group: &group, free: &free, missing: under.equations.len() };
         let (blamed, fact) = match drives.as_slice() {
             [] => joints_contend(&view, &joints),
-            [drive] => (*drive, nothing_to_drive(&view, *drive, &joints)),
-            _ => (drives[drives.len() - 1], drives_contend(&view, &drives, &joints)),
+            [freedom] if model.joints[*freedom].freedom.is_some() => (*freedom, freedom_is_held(&view, *freedom, &joints)),
+            [drive] => (*drive, nothing_to_drive(&view, *drive, &joints).into()),
+            _ => (drives[drives.len() - 1], drives_contend(&view, &drives, &joints).into()),
         };
         if said.is_new(&model.joints[blamed].name) {
             diag.refuse::<()>(&model.joints[blamed].name, fact);
@@ -63,7 +64,7 @@ impl Contenders<'_> {
 }
 
 /// Joints alone over-constrain: the mobility of the group is negative.
-fn joints_contend(view: &Contenders, joints: &[usize]) -> (usize, SystemFact) {
+fn joints_contend(view: &Contenders, joints: &[usize]) -> (usize, Fact) {
     let blamed = view.system.equations[view.group.first].joint;
     let others: Vec<usize> = joints.iter().copied().filter(|joint| *joint != blamed).collect();
     let fact = SystemFact::TooManyEquations {
@@ -74,7 +75,14 @@ fn joints_contend(view: &Contenders, joints: &[usize]) -> (usize, SystemFact) {
         free: view.coordinates(view.free),
         for_free: view.missing,
     };
-    (blamed, fact)
+    (blamed, fact.into())
+}
+
+/// The joints leave a freedom nothing that could move.
+fn freedom_is_held(view: &Contenders, freedom: usize, joints: &[usize]) -> Fact {
+    let declared = &view.model.joints[freedom];
+    let (by, free) = (view.joints(joints), view.coordinates(view.free));
+    MotionFact::FreedomIsHeld { freedom: declared.name.to_string(), of: declared.residuals.len(), by, free }.into()
 }
 
 /// The joints leave a drive no freedom.

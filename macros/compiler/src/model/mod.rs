@@ -16,7 +16,7 @@ pub(crate) use name::Said;
 pub use sketch::Sketch;
 pub use solid::Solid;
 
-use crate::diag::ValueFact;
+use crate::diag::{ValueFact, Warning};
 use crate::expr::{Arena, Expr};
 use crate::quantity::{Ambient, Dim, Role, is_inertia};
 use crate::syntax::ast::{Closing, Docs, Following, Relation, Task};
@@ -91,6 +91,8 @@ pub struct Model {
     pub requirements: Vec<Requirement>,
     /// Geometry for the picture.
     pub sketch: Sketch,
+    /// Numbers that may not be meant as they are written.
+    pub doubts: Vec<Warning>,
 }
 
 /// A field of the generated struct.

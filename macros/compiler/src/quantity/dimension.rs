@@ -29,6 +29,7 @@ const NAMED: &[(&str, [i16; 4])] = &[
     ("Torque", [2, 0, -2, 1]),
     ("Inertia", [2, 0, 0, 1]),
     ("Stiffness", [0, 0, -2, 1]),
+    ("Pressure", [-1, 0, -2, 1]),
 ];
 
 const UNITS: [&str; 4] = ["m", "rad", "s", "kg"];
@@ -176,7 +177,11 @@ impl fmt::Display for Dim {
             Some("Acceleration") => "an acceleration",
             Some("AngularVelocity") => "an angular velocity",
             Some("AngularAcceleration") => "an angular acceleration",
-            Some("Inertia") => "an inertia",
+            Some("Inertia") => return write!(formatter, "an inertia (kg m²)"),
+            Some("Force") => return write!(formatter, "a force (N)"),
+            Some("Torque") => return write!(formatter, "a torque (N m)"),
+            Some("Stiffness") => return write!(formatter, "a stiffness (N/m)"),
+            Some("Pressure") => return write!(formatter, "a pressure (Pa)"),
             Some(other) => return write!(formatter, "a {} ({})", other.to_lowercase(), self.unit()),
             None => return write!(formatter, "a quantity in {}", self.unit()),
         };

@@ -1,12 +1,16 @@
 //! Joints that duplicate or contradict other joints.
 
 use super::elimination::{self, Dependent, Sum};
-use crate::diag::{Demand, Diag, SystemFact};
-use crate::expr::{Exact as Number, Expr, Leaf, Node, show};
-use crate::model::{Model, Said};
-use crate::quantity::Dim;
-use crate::system::System;
+use crate::diag::{Demand, Diag, MotionFact, SystemFact, quantity as remedy_quantity};
+use crate::expr::{Exact as Number, Expr, Leaf, Node, Values, evaluate, show};
+use crate::model::{Model, Relationship, Said};
+use crate::quantity::{Dim, Role};
+use crate::structure::{maximum, underdetermined};
+use crate::system::{Equation, System};
 use std::collections::BTreeSet;
+
+/// A sum of roots below this may be zero.
+const ROOTS: f64 = 1e-9;
 
 /// Rows that depend on others at every configuration, by exact elimination.
 pub(crate) struct ExactDependence<'a> {
@@ -31,21 +35,32 @@ impl<'a> ExactDependence<'a> {
     pub(crate) fn no_row_follows_from_others(&self, only_entire_joints: bool, diag: &mut Diag) {
         let ExactDependence { model, system, dependent } = self;
         let mut said = Said::default();
-        for found in dependent.iter().filter(|found| found.left.is_constant()) {
+        for found in dependent.iter().filter(|found| remainder(system, &found.left).is_some()) {
             let joint = system.equations[found.row].joint;
             let name = &model.joints[joint].name;
             if !said.is_new(name) {
                 continue;
             }
-            let joint_rows = |found: &&Dependent| system.equations[found.row].joint == joint;
-            let of_joint: Vec<&Dependent> = dependent.iter().filter(joint_rows).collect();
-            let contradiction = of_joint.iter().find(|found| found.left.is_constant() && !found.left.constant.is_zero());
+            let own = dependent.iter().filter(|found| system.equations[found.row].joint == joint);
+            let own: Vec<(&Dependent, f64)> = own.filter_map(|found| Some((found, remainder(system, &found.left)?))).collect();
+            let contradiction = own.iter().find(|(_, left)| *left != 0.0).map(|(found, _)| *found);
+            let of_joint: Vec<&Dependent> = own.iter().map(|(found, _)| *found).collect();
+            if model.joints[joint].freedom.is_some() {
+                let fact = MotionFact::FreedomIsHeld {
+                    freedom: name.to_string(),
+                    of: model.joints[joint].residuals.len(),
+                    by: joints(model, system, joint, &of_joint),
+                    free: free_beside(model, system, joint),
+                };
+                diag.refuse::<()>(name, fact);
+                continue;
+            }
             let fact = match contradiction {
                 Some(found) => SystemFact::Contradicts {
                     joint: name.to_string(),
                     others: joints(model, system, joint, &[found]),
                     demand: demand(model, system, found).map(Box::new),
-                    off: quantity(found.left.constant.abs(), system.equations[found.row].dim),
+                    off: off(model, system, found, &own),
                 },
                 None if only_entire_joints && of_joint.len() < model.joints[joint].residuals.len() => continue,
                 None => SystemFact::Follows {
@@ -75,9 +90,63 @@ impl<'a> ExactDependence<'a> {
     }
 }
 
+/// Coordinates that can move where one freedom is left out, angles first.
+fn free_beside(model: &Model, system: &System, freedom: usize) -> Vec<String> {
+    let mut pattern = system.pattern.clone();
+    let of_freedom = pattern.rows.iter_mut().zip(&system.equations).filter(|(_, equation)| equation.joint == freedom);
+    of_freedom.for_each(|(row, _)| row.clear());
+    let unknowns = underdetermined(&pattern, &maximum(&pattern)).unknowns;
+    let (places, angles): (Vec<usize>, Vec<usize>) =
+        unknowns.into_iter().partition(|unknown| matches!(system.coordinates[*unknown].role, Role::Position(_) | Role::Displacement));
+    let name = |unknown: usize| match system.coordinates[unknown].role {
+        Role::Quaternion(_) => format!("{}.angular_velocity", model.bodies[system.coordinates[unknown].body].name),
+        _ => system.name(model, unknown),
+    };
+    let mut names: Vec<String> = angles.into_iter().chain(places).map(name).collect();
+    names.dedup();
+    names
+}
+
+/// What is left of a row where it is a number: 0 if the row follows from others, another number if it contradicts them. `None` if it
+/// depends on parameters or time, or is a sum of roots that may be zero.
+fn remainder(system: &System, left: &Sum) -> Option<f64> {
+    if left.is_constant() {
+        return Some(left.constant.to_f64());
+    }
+    let terms: Vec<Expr> = left.fixed.keys().copied().collect();
+    if terms.iter().any(|term| !system.arena.leaves(*term).is_empty()) {
+        return None;
+    }
+    let functions = |_: u32, _: f64| [f64::NAN; 3];
+    let known = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
+    let values = evaluate(&system.arena, &terms, &known);
+    let sum = values.iter().zip(left.fixed.values()).map(|(value, factor)| value * factor.to_f64()).sum::<f64>() + left.constant.to_f64();
+    (sum.is_finite() && sum.abs() > ROOTS).then_some(sum)
+}
+
+/// By how much a contradicting row is off; of two axes that are to have one direction, the angle between them.
+fn off(model: &Model, system: &System, found: &Dependent, own: &[(&Dependent, f64)]) -> String {
+    let Equation { joint, row, dim, .. } = system.equations[found.row];
+    let is_of_it = |row: usize, (at, first, relation): &(usize, usize, Relationship)| {
+        *at == joint && (*first..first + 2).contains(&row) && matches!(relation, Relationship::SameDirection(..))
+    };
+    if let Some(relation) = model.space.relations.iter().find(|relation| is_of_it(row, relation)) {
+        let of_axes = own.iter().filter(|(other, _)| is_of_it(system.equations[other.row].row, relation));
+        let sine = of_axes.map(|(_, left)| left * left).sum::<f64>().sqrt();
+        return format!("{}°", short(sine.min(1.0).asin().to_degrees()));
+    }
+    if found.left.is_constant() {
+        return quantity(found.left.constant.abs(), dim);
+    }
+    let left = remainder(system, &found.left).unwrap_or(0.0).abs();
+    remedy_quantity(short(left), dim)
+}
+
 /// Joints of the rows on which a joint's rows depend, the joint itself left out.
 fn joints(model: &Model, system: &System, own: usize, found: &[&Dependent]) -> Vec<String> {
-    let all: BTreeSet<usize> = found.iter().flat_map(|found| &found.others).map(|row| system.equations[*row].joint).collect();
+    let mut all: BTreeSet<usize> = found.iter().flat_map(|found| &found.others).map(|row| system.equations[*row].joint).collect();
+    // In space rows hold by the choice of the coordinates and are not eliminated.
+    all.extend(system.loop_of(own));
     all.into_iter().filter(|joint| *joint != own).map(|joint| model.joints[joint].name.to_string()).collect()
 }
 

@@ -6,13 +6,14 @@
 //! with other lengths the linkage would not close. Not done here: counting equations and over-determined drives, both in `mobility`.
 
 mod contradiction;
+mod directions;
 mod elimination;
 mod exact;
 mod identity;
 mod pattern;
 mod rows;
 
-use crate::diag::{Diag, SystemFact};
+use crate::diag::{Diag, MotionFact, SystemFact};
 use crate::model::{Model, Said};
 use crate::numeric::basis::{Basis, Matrix};
 use crate::numeric::samples::Samples;
@@ -35,6 +36,7 @@ pub(crate) struct Redundancy<'a> {
 /// Finds the equations that are checked instead of solved. A mechanism of which only equations are wanted has none.
 pub(crate) fn find<'a>(model: &'a Model, system: &'a System, diag: &mut Diag) -> Option<Redundancy<'a>> {
     identity::rows_depend_on_positions(model, system, diag)?;
+    directions::axes_agree(model, system, diag)?;
     let exact = model.task.is_determined().then(|| ExactDependence::new(model, system));
     exact.iter().for_each(|exact| exact.no_row_follows_from_others(true, diag));
     if !diag.is_clean() {
@@ -107,13 +109,12 @@ pub(crate) fn drives_have_something_to_drive(
             .collect();
         if !joints.is_empty() && joints.iter().all(|joint| !numeric.model.joints[*joint].is_drive) {
             let free = numeric.names(subsystem, &basis.free(subsystem.unknowns.len()));
-            let fact = SystemFact::NothingToDrive {
-                drive: declared.name.to_string(),
-                joints: names(joints),
-                equations: [0; 2],
-                coordinates: Vec::new(),
-                free,
-            };
+            let (name, by) = (declared.name.to_string(), names(joints));
+            if declared.freedom.is_some() {
+                let of = declared.residuals.len();
+                return diag.refuse(&declared.name, MotionFact::FreedomIsHeld { freedom: name, of, by, free });
+            }
+            let fact = SystemFact::NothingToDrive { drive: name, joints: by, equations: [0; 2], coordinates: Vec::new(), free };
             return diag.refuse(&declared.name, fact);
         }
     }

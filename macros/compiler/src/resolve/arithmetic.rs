@@ -2,9 +2,9 @@
 
 use super::Components;
 use super::elaborate::{Elaborator, Scope};
-use super::value::{Scalar, Value, Vector};
-use crate::diag::{Range, ValueFact};
+use crate::diag::{Range, ValueFact, Wanted};
 use crate::expr::{Exact, Expr, Unary};
+use crate::names::{Scalar, Value, Vector};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Operator, Relation};
 
@@ -14,11 +14,8 @@ impl Elaborator<'_> {
         if let Value::Scalar(scalar) = inner {
             return Some(Value::Scalar(Scalar { expr: self.arena.neg(scalar.expr), ..scalar }));
         }
-        let noun = inner.noun();
-        match self.as_vector(inner) {
-            Some(vector) => Some(Value::Vector(Vector { parts: vector.parts.map(|part| self.arena.neg(part)), ..vector })),
-            None => self.refuse(value.range, ValueFact::NotA { wanted: "a number or a vector", found: noun }),
-        }
+        let vector = self.vector_of(value.range, inner, Wanted::NumberOrVector)?;
+        Some(Value::Vector(Vector { parts: vector.parts.map(|part| self.arena.neg(part)), ..vector }))
     }
 
     pub(super) fn tuple(&mut self, range: Range, items: &[ast::Expression], scope: &Scope) -> Option<Vector> {
@@ -40,6 +37,9 @@ impl Elaborator<'_> {
 
     /// Evaluates a point: a vector of lengths. If its coordinates are written out, the error marks the one that is not a length.
     pub(super) fn location(&mut self, written: &ast::Expression, scope: &Scope) -> Option<Vector> {
+        if let ast::ExpressionKind::Tuple(items) = &written.kind {
+            items.iter().for_each(|item| self.lengths.note(item));
+        }
         if let ast::ExpressionKind::Tuple(items) = &written.kind
             && let [x, y] = items.as_slice()
             && self.names.ambient == Ambient::Plane
@@ -141,7 +141,7 @@ impl Elaborator<'_> {
             return self.combine_vectors(range, operator, right, left);
         }
         if !right.1.is_combinable() {
-            return self.refuse(right.0.range, ValueFact::NotA { wanted: "a number or a vector", found: right.1.noun() });
+            return self.not_a(right.0.range, Wanted::NumberOrVector, right.1.kind());
         }
         match (operator, &left.1) {
             (Operator::Div, Value::Scalar(_)) => return self.refuse(range, ValueFact::NumberByVector),
@@ -150,10 +150,7 @@ impl Elaborator<'_> {
             }
             _ => {}
         }
-        let noun = left.1.noun();
-        let Some(one) = self.as_vector(left.1) else {
-            return self.refuse(left.0.range, ValueFact::NotA { wanted: "a number or a vector", found: noun });
-        };
+        let one = self.vector_of(left.0.range, left.1, Wanted::NumberOrVector)?;
         if let Value::Scalar(factor) = right.1 {
             if matches!(operator, Operator::Add | Operator::Sub) {
                 return self.refuse(range, ValueFact::VectorAndNumber { in_space: self.names.ambient == Ambient::Space });
@@ -161,10 +158,7 @@ impl Elaborator<'_> {
             let factors = vec![factor; one.parts.len()];
             return self.combine_parts(range, operator, one, &factors, right.0.range).map(Value::Vector);
         }
-        let noun = right.1.noun();
-        let Some(two) = self.as_vector(right.1) else {
-            return self.refuse(right.0.range, ValueFact::NotA { wanted: "a number or a vector", found: noun });
-        };
+        let two = self.vector_of(right.0.range, right.1, Wanted::NumberOrVector)?;
         if !matches!(operator, Operator::Add | Operator::Sub) {
             return self.refuse(range, ValueFact::VectorTimesVector);
         }
@@ -269,7 +263,7 @@ impl Elaborator<'_> {
             };
             return Some(vec![Scalar { expr: self.arena.sub(one.expr, two.expr), measure }]);
         }
-        let nouns = (left.noun(), right.noun());
+        let kinds = [left.kind(), right.kind()];
         let points = match (&left, &right) {
             (Value::Point(to), Value::Point(from)) => Some((*from, *to)),
             _ => None,
@@ -281,16 +275,14 @@ impl Elaborator<'_> {
         {
             return Some(vector.parts.iter().map(|expr| Scalar { expr: *expr, measure: vector.measure }).collect());
         }
-        let (Some(one), Some(two)) = (self.as_vector(left), self.as_vector(right)) else {
-            return self
-                .refuse(range, ValueFact::CannotEquate { one: nouns.0, two: nouns.1, in_space: self.names.ambient == Ambient::Space });
-        };
+        let [one_kind, two_kind] = kinds;
+        let unlike = ValueFact::CannotEquate { one: one_kind, two: two_kind, ambient: self.names.ambient };
+        let (Some(one), Some(two)) = (self.as_vector(left), self.as_vector(right)) else { return self.refuse(range, unlike) };
         let Some(measure) = one.measure.common(two.measure) else {
             return self.refuse(range, ValueFact::Unlike { action: "equate", one: one.measure.settled(), two: two.measure.settled() });
         };
         if one.parts.len() != two.parts.len() {
-            return self
-                .refuse(range, ValueFact::CannotEquate { one: nouns.0, two: nouns.1, in_space: self.names.ambient == Ambient::Space });
+            return self.refuse(range, unlike);
         }
         let parts = one.parts.zip(two.parts, |one, two| self.arena.sub(one, two));
         if let Some((from, to)) = points {

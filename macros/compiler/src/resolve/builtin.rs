@@ -3,12 +3,12 @@
 use super::Components;
 use super::Function as Numbered;
 use super::elaborate::{Elaborator, Scope};
-use super::key::Key;
-use super::value::{Fixed, FunctionValue, Scalar, Value, Vector};
-use crate::diag::{ArityFact, Fact, NameFact, Range, ValueFact};
+use crate::diag::{ArityFact, Fact, NameFact, Range, ValueFact, Wanted};
 use crate::expr::spline::{Ends, Table};
 use crate::expr::{Expr, Unary};
 use crate::library;
+use crate::names::Key;
+use crate::names::{Fixed, FunctionValue, Scalar, Value, Vector};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, ExpressionKind};
 use proc_macro2::Ident;
@@ -74,7 +74,7 @@ impl Elaborator<'_> {
         let callee = ast::Expression { kind: ExpressionKind::Path(path.clone()), range: path.range, depth: 1 };
         match self.value(&callee, scope)? {
             Value::Function(function) => self.apply(range, path, &function, arguments, scope).map(Value::Scalar),
-            other => self.refuse(path.range, ValueFact::NotA { wanted: "a function", found: other.noun() }),
+            other => self.not_a(path.range, Wanted::Function, other.kind()),
         }
     }
 
@@ -164,11 +164,8 @@ impl Elaborator<'_> {
     fn product(&mut self, word: &str, arguments: &[ast::Expression], scope: &Scope) -> Option<Value> {
         let fixed = |this: &mut Self, argument: &ast::Expression| -> Option<(Vector, Option<Fixed>)> {
             let value = this.value(argument, scope)?;
-            let (noun, fixed) = (value.noun(), if let Value::Axis(axis) = &value { Some(*axis) } else { None });
-            match this.as_vector(value) {
-                Some(vector) => Some((vector, fixed)),
-                None => this.refuse(argument.range, ValueFact::NotA { wanted: "a vector or a point", found: noun }),
-            }
+            let fixed = if let Value::Axis(axis) = &value { Some(*axis) } else { None };
+            Some((this.vector_of(argument.range, value, Wanted::VectorOrPoint)?, fixed))
         };
         let (one, two) = (fixed(self, &arguments[0]), fixed(self, &arguments[1]));
         let ((one, first), (two, second)) = (one?, two?);
@@ -205,10 +202,7 @@ impl Elaborator<'_> {
             axis.measure = InferredDim::Known(Dim::NUMBER);
             return Some(Value::Axis(axis));
         }
-        let noun = value.noun();
-        let Some(Vector { parts, measure }) = self.as_vector(value) else {
-            return self.refuse(argument.range, ValueFact::NotA { wanted: "a vector or a point", found: noun });
-        };
+        let Vector { parts, measure } = self.vector_of(argument.range, value, Wanted::VectorOrPoint)?;
         Some(match word {
             "perp" => {
                 let [x, y] = parts.in_plane()?;

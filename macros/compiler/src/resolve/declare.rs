@@ -3,11 +3,11 @@
 use super::Name;
 use super::builtin::BUILTINS;
 use super::elaborate::{Elaborator, Scope};
-use super::key::Key;
-use super::names::{Context, Declared, Entity, EntityId, GroupId, NamedItems, Progress, RESERVED, Sort, SpaceId};
 use super::register::MOST;
-use super::value::Value;
 use crate::diag::{ArrayFact, Fact, NameFact, Range};
+use crate::names::Key;
+use crate::names::Value;
+use crate::names::{Context, Declared, Entity, EntityId, GroupId, NamedItems, Progress, RESERVED, Sort, SpaceId};
 use crate::syntax::ast;
 use proc_macro2::Ident;
 

@@ -4,14 +4,14 @@ use super::Components;
 use super::Function as Numbered;
 use super::Name;
 use super::elaborate::{Elaborator, Scope};
-use super::names::{Names, RESERVED};
-use super::signature::noun;
 use super::statement::ScalarEquation;
-use super::value::{Fixed, FunctionValue, Scalar, Value};
 use crate::diag::nearest;
-use crate::diag::{ArityFact, Diag, EquationFact, NameFact, ValueFact};
+use crate::diag::{ArityFact, Diag, EquationFact, Known, NameFact, ValueFact};
 use crate::expr::{Expr, Leaf};
 use crate::library;
+use crate::names::wanted;
+use crate::names::{Fixed, FunctionValue, Scalar, Value};
+use crate::names::{Names, RESERVED};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{Definition, Definitions, Dimension, FormalKind};
 use proc_macro2::Ident;
@@ -120,7 +120,7 @@ impl Elaborator<'_> {
             | (FormalKind::Body, Value::Body(_))
             | (FormalKind::Point, Value::Point(_))
             | (FormalKind::Axis, Value::Axis(_)) => Some(()),
-            (kind, other) => self.refuse(default.range, ValueFact::WrongDefault { wanted: noun(kind), found: other.noun() }),
+            (kind, other) => self.refuse(default.range, ValueFact::WrongDefault { wanted: wanted(kind), found: other.kind() }),
         }
     }
 
@@ -147,7 +147,15 @@ impl Elaborator<'_> {
                 let Some(definition) = known.or_else(|| library::find(&word, self.names.ambient)) else {
                     let own: Vec<String> = others.iter().map(|other| other.name.to_string()).collect();
                     let near = nearest(&word, own.iter().map(String::as_str).chain(library::constraints(self.names.ambient)));
-                    return self.refuse(name, NameFact::UnknownConstraint { name: word, near });
+                    return self.refuse(
+                        name,
+                        NameFact::UnknownConstraint {
+                            name: word,
+                            near,
+                            home: None,
+                            known: Known::of(library::constraints(self.names.ambient)),
+                        },
+                    );
                 };
                 let mut arguments = Vec::new();
                 for formal in &definition.parameters {

@@ -6,13 +6,13 @@
 //! ```
 
 use super::elaborate::{Elaborator, Scope};
-use super::key::Key;
 use super::register::Register;
-use super::value::{FrameId, Value};
 use super::{Force, Mass};
-use crate::diag::{ArityFact, EquationFact, NameFact, Range, ValueFact};
+use crate::diag::{ArityFact, EquationFact, MotionFact, NameFact, Range, ValueFact};
 use crate::expr::Expr;
 use crate::model::Solid;
+use crate::names::Key;
+use crate::names::{FrameId, Value};
 use crate::quantity::{Ambient, Dim};
 use crate::syntax::ast::{self, ExpressionKind};
 
@@ -72,7 +72,8 @@ impl Elaborator<'_> {
         }
         let items = if let ExpressionKind::Tuple(items) = &written.kind { items.as_slice() } else { std::slice::from_ref(written) };
         if ![3, 6].contains(&items.len()) {
-            return self.refuse(written.range, ValueFact::NotThreeComponents { found: items.len() });
+            let fact = MotionFact::InertiaOfNumbers { found: items.len(), first: items[0].to_string() };
+            return self.refuse(written.range, fact);
         }
         let parts = items.iter().map(|item| self.scalar_of(item, Dim::INERTIA, scope).map(|scalar| scalar.expr));
         let mut parts = parts.collect::<Option<Vec<Expr>>>()?;
@@ -83,6 +84,10 @@ impl Elaborator<'_> {
     /// Acceleration of free fall.
     pub(super) fn gravity(&mut self, register: &Register) -> Option<Vec<Expr>> {
         let gravity = register.gravity.as_ref()?;
+        if let Value::Scalar(_) = self.value(&gravity.value, &Scope::mechanism())? {
+            let (value, ambient) = (gravity.value.to_string(), self.names.ambient);
+            return self.refuse(gravity.value.range, MotionFact::GravityWithoutDirection { value, ambient });
+        }
         let vector = self.vector(&gravity.value, &Scope::mechanism())?;
         if !vector.measure.fits(Dim::ACCELERATION) {
             let found = vector.measure.settled();
@@ -122,7 +127,7 @@ impl Elaborator<'_> {
             return self.refuse(applied.target.range, EquationFact::ForceInJoint);
         }
         let (frame, point) = self.target(applied, scope)?;
-        let parts = self.applied_parts(applied, scope)?;
+        let parts = self.applied_parts(applied, frame, scope)?;
         // What pushes on ground moves nothing.
         if let Some(body) = frame.0.checked_sub(1) {
             self.applied.get_or_insert_default().push(Force { body, point, parts });
@@ -132,22 +137,35 @@ impl Elaborator<'_> {
 
     fn target(&mut self, applied: &ast::Applied, scope: &Scope) -> Option<(FrameId, Option<Vec<Expr>>)> {
         let value = self.value(&applied.target, scope)?;
+        let found = value.kind();
         match (applied.is_torque, value) {
             (true, Value::Body(frame)) => Some((frame, None)),
             (false, Value::Point(point)) => Some((point.frame, Some(point.local.to_vec()))),
-            (is_torque, other) => {
-                let wanted = if is_torque { "a body" } else { "a point" };
-                self.refuse(applied.target.range, ValueFact::NotA { wanted, found: other.noun() })
+            (true, other) => {
+                let instead = match other {
+                    Value::Point(fixed) | Value::Axis(fixed) => Some(self.names.frames[fixed.frame.0].name.clone()),
+                    _ => None,
+                };
+                self.refuse(applied.target.range, MotionFact::TorqueOnNoBody { found, instead })
+            }
+            (false, other) => {
+                let instead = match other {
+                    Value::Body(frame) => Some(format!("{}.position", self.names.frames[frame.0].name)),
+                    _ => None,
+                };
+                self.refuse(applied.target.range, MotionFact::ForceAtNoPoint { found, instead })
             }
         }
     }
 
-    fn applied_parts(&mut self, applied: &ast::Applied, scope: &Scope) -> Option<Vec<Expr>> {
+    fn applied_parts(&mut self, applied: &ast::Applied, frame: FrameId, scope: &Scope) -> Option<Vec<Expr>> {
         let wanted = if applied.is_torque { Dim::TORQUE } else { Dim::FORCE };
         let range: Range = applied.value.range;
         if applied.is_torque && self.names.ambient == Ambient::Plane {
+            self.is_undirected(applied, scope)?;
             return self.scalar_of(&applied.value, wanted, scope).map(|scalar| vec![scalar.expr]);
         }
+        self.is_directed(applied, frame, scope)?;
         let vector = self.vector(&applied.value, scope)?;
         if !vector.measure.fits(wanted) {
             return self.refuse(range, ValueFact::WrongDimension { wanted, found: vector.measure.settled() });

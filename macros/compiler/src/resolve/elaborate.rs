@@ -1,13 +1,16 @@
 //! Evaluates expressions of the syntax tree to values in the arena, and checks their dimensions.
 
-use super::key::Key;
-use super::names::{Context, Names, SpaceId};
 use super::space::Notes;
 use super::statement::FixedValue;
-use super::value::{Fixed, FrameId, Scalar, Value, Vector};
 use super::{Components, Force, Function as Numbered, Name, Requirement};
-use crate::diag::{ArrayFact, Diag, EquationFact, Fact, GrammarFact, Known, NameFact, Range, ValueFact, nearest, nearest_unit};
+use crate::diag::{
+    ArrayFact, Diag, EquationFact, Fact, GrammarFact, Kind, Known, NameFact, Range, ValueFact, Wanted, nearest, nearest_unit,
+};
 use crate::expr::{Arena, Exact, Expr, Leaf};
+use crate::hints::Lengths;
+use crate::names::Key;
+use crate::names::{Context, Names, SpaceId};
+use crate::names::{Fixed, FrameId, Scalar, Value, Vector};
 use crate::quantity::{self, Ambient, Dim, InferredDim, Role};
 use crate::syntax::ast::{self, ExpressionKind};
 use proc_macro2::Ident;
@@ -46,6 +49,10 @@ pub(crate) struct Elaborator<'a> {
     pub(super) energies: Vec<Expr>,
     /// What was found of joints in space.
     pub(super) space: Notes,
+    /// Lengths that are written without a unit, and the longest one with a unit.
+    pub(super) lengths: Lengths,
+    /// True if rows that always depend on others will be refused, so that a better reason may be given before.
+    pub(super) judges_rows: bool,
 }
 
 /// A definition being instantiated.
@@ -133,6 +140,8 @@ impl Elaborator<'_> {
             applied: None,
             energies: Vec::new(),
             space: Notes::default(),
+            lengths: Lengths::default(),
+            judges_rows: false,
         }
     }
 
@@ -197,6 +206,10 @@ impl Elaborator<'_> {
             ExpressionKind::Index(value, index) => self.indexed(value, index, scope),
             ExpressionKind::Call(path, arguments) => self.call(expr.range, path, arguments, scope),
             ExpressionKind::Negative(value) => self.negative(value, scope),
+            ExpressionKind::Binary(..) if self.unit_of_parts(expr, scope).is_some() => {
+                let instead = self.unit_of_parts(expr, scope)?;
+                self.refuse(expr.range, NameFact::UnitInParts { written: expr.to_string(), instead })
+            }
             ExpressionKind::Binary(operator, lhs, rhs) => self.binary(expr.range, *operator, lhs, rhs, scope),
             ExpressionKind::Tuple(items) => self.tuple(expr.range, items, scope).map(Value::Vector),
             ExpressionKind::List(_) => self.refuse(expr.range, ValueFact::ListOutsideTable),
@@ -210,13 +223,16 @@ impl Elaborator<'_> {
     pub(super) fn scalar(&mut self, expr: &ast::Expression, scope: &Scope) -> Option<Scalar> {
         match self.value(expr, scope)? {
             Value::Scalar(scalar) => Some(scalar),
-            other => self.refuse(expr.range, ValueFact::NotA { wanted: "a number", found: other.noun() }),
+            other => self.not_a(expr.range, Wanted::Number, other.kind()),
         }
     }
 
     /// Evaluates a number that must have the dimension `wanted`.
     pub(super) fn scalar_of(&mut self, expr: &ast::Expression, wanted: Dim, scope: &Scope) -> Option<Scalar> {
         let scalar = self.scalar(expr, scope)?;
+        if wanted == Dim::LENGTH {
+            self.lengths.note(expr);
+        }
         if !scalar.measure.fits(wanted) {
             return self.refuse(expr.range, ValueFact::WrongDimension { wanted, found: scalar.measure.settled() });
         }
@@ -226,11 +242,22 @@ impl Elaborator<'_> {
     /// Evaluates a vector in ground; a point stands for its position and an axis for its direction.
     pub(super) fn vector(&mut self, expr: &ast::Expression, scope: &Scope) -> Option<Vector> {
         let value = self.value(expr, scope)?;
-        let noun = value.noun();
+        self.vector_of(expr.range, value, Wanted::VectorOrPoint)
+    }
+
+    /// Converts a value to a vector, where `wanted` is.
+    pub(super) fn vector_of(&mut self, range: Range, value: Value, wanted: Wanted) -> Option<Vector> {
+        let found = value.kind();
         match self.as_vector(value) {
             Some(vector) => Some(vector),
-            None => self.refuse(expr.range, ValueFact::NotA { wanted: "a vector or a point", found: noun }),
+            None => self.not_a(range, wanted, found),
         }
+    }
+
+    /// Refuses a value of another kind than `wanted`.
+    pub(super) fn not_a<T>(&mut self, range: Range, wanted: Wanted, found: Kind) -> Option<T> {
+        let ambient = self.names.ambient;
+        self.refuse(range, ValueFact::NotA { wanted, found, ambient })
     }
 
     /// Converts a value to a vector; a point becomes its position, an axis its direction.
@@ -282,6 +309,10 @@ impl Elaborator<'_> {
             }
         };
         match Exact::measured(digits, size) {
+            Some(value) if measure == InferredDim::Known(Dim::LENGTH) => {
+                self.lengths.longest = self.lengths.longest.max(value.to_f64().abs());
+                Some(Scalar { expr: self.arena.constant(value), measure })
+            }
             Some(value) => Some(Scalar { expr: self.arena.constant(value), measure }),
             None => self.refuse(range, ValueFact::NumberOutOfRange { number: format!("{digits}{unit}") }),
         }
@@ -369,8 +400,9 @@ impl Elaborator<'_> {
                 if let Some(value) = self.quantity_of(&kind, &arguments, &name) {
                     return Some(value);
                 }
-                let near = self.nearest(&name, arguments.iter().map(|(known, _)| known.as_str()));
-                let known = Known::of(arguments.iter().map(|(known, _)| known.as_str()));
+                let mut words: Vec<&str> = arguments.iter().map(|(known, _)| known.as_str()).collect();
+                words.extend(["angle", "displacement"].into_iter().filter(|word| self.quantity_of(&kind, &arguments, word).is_some()));
+                let (near, known) = (self.nearest(&name, words.iter().copied()), Known::of(words.iter().copied()));
                 return self.refuse(field, NameFact::UnknownField { owner: format!("a `{kind}` joint"), name, near, known });
             }
             _ if axis(&name, self.names.ambient).is_some() => {}
@@ -402,14 +434,21 @@ impl Elaborator<'_> {
                 Some(Value::Point(Fixed { frame, local, measure: InferredDim::Known(Dim::LENGTH), zero: None }))
             }
             None if name == "angular_velocity" => Some(self.angular_velocity(frame)),
+            None if name == "angle" && self.names.find(self.names.frames[frame.0].space, &name).is_none() => {
+                let (body, joint) = (self.names.frames[frame.0].name.clone(), self.hinge_of(frame));
+                self.refuse(field, NameFact::AngleOfBody { body, joint })
+            }
             None => {
                 let space = self.names.frames[frame.0].space;
                 if let Some(group) = self.names.find(space, &name) {
                     return self.of_group(group, field);
                 }
                 let (axes, others): (Vec<Role>, Vec<Role>) = self.names.ambient.named().partition(|role| role.is_position());
-                let words: Vec<&str> = others.into_iter().chain(axes).map(Role::name).collect();
-                let known = || self.names.words(space).chain(["position"]).chain(words.iter().copied());
+                let own: Vec<&str> = self.names.words(space).collect();
+                // In space an axis may be called like a coordinate.
+                let words = others.into_iter().chain(axes).map(Role::name).filter(|word| !own.contains(word));
+                let words: Vec<&str> = words.chain(["angular_velocity"]).collect();
+                let known = || own.iter().copied().chain(["position"]).chain(words.iter().copied());
                 let (near, known) = (self.nearest(&name, known()), Known::of(known()));
                 let owner = format!("`{}`", self.names.frames[frame.0].name);
                 self.refuse(field, NameFact::UnknownField { owner, name, near, known })
@@ -440,5 +479,5 @@ fn unknown_field(value: &Value, name: String, ambient: Ambient) -> NameFact {
         Value::Vector(_) => axes.collect(),
         _ => Vec::new(),
     };
-    NameFact::UnknownField { owner: value.noun().to_owned(), name, near: None, known: Known::of(known.into_iter()) }
+    NameFact::UnknownField { owner: value.kind().to_string(), name, near: None, known: Known::of(known.into_iter()) }
 }

@@ -1,16 +1,16 @@
 //! Bodies and ground: coordinates, points and axes fixed in them, start values.
 
 use super::elaborate::{Elaborator, Scope};
-use super::key::Key;
-use super::names::{Context, EntityId, FrameScope};
 use super::register::Register;
 use super::statement::FixedValue;
-use super::value::{Fixed, FrameId, Value};
 use super::{Body, BodyCoordinate, Name, Requirement};
 use crate::diag::nearest;
 use crate::diag::{NameFact, Range, ValueFact};
 use crate::expr::{Expr, Leaf};
 use crate::model::DECLARED;
+use crate::names::Key;
+use crate::names::{Context, EntityId, FrameScope};
+use crate::names::{Fixed, FrameId, Value};
 use crate::quantity::{Ambient, Dim, InferredDim, Role};
 use crate::syntax::ast;
 use std::collections::BTreeSet;

@@ -7,22 +7,32 @@
 
 use super::elaborate::{Elaborator, Scope};
 use super::statement::ScalarEquation;
-use super::value::{Scalar, Value};
-use crate::diag::{EquationFact, ValueFact};
+use crate::diag::{EquationFact, Kind, MotionFact, ValueFact, Wanted};
 use crate::expr::{Expr, Leaf};
+use crate::names::{Scalar, Value};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast;
+use proc_macro2::Ident;
 
 impl Elaborator<'_> {
     /// The equations of a freedom, which hold at t = 0 only. Without `from` its value at the declared start is still to be subtracted.
-    pub(super) fn freedom(&mut self, freedom: &ast::FreedomItem, scope: &Scope) -> Option<Vec<ScalarEquation>> {
+    pub(super) fn freedom(&mut self, name: &Ident, freedom: &ast::FreedomItem, scope: &Scope) -> Option<Vec<ScalarEquation>> {
         let range = freedom.value.range;
+        self.is_no_joint(name, &freedom.value, scope)?;
         let parts = self.quantities(&freedom.value, scope)?;
         let measure = parts.first()?.measure;
         let is_of_speeds = parts.iter().any(|part| self.has_speeds(part.expr));
         let timeless = scope.clone().timeless("the initial value of a freedom");
-        let from = self.initial(freedom.from.as_ref(), &parts, measure, &timeless)?;
         let per_time = measure.per(InferredDim::Known(Dim::TIME));
+        if let Some(from) = freedom.from.as_ref().filter(|_| freedom.at.is_none()) {
+            let rate = from.to_string();
+            self.measures_another(from, [measure, per_time], MotionFact::RateForStart { rate }, &timeless)?;
+        }
+        if let Some(at) = freedom.at.as_ref().filter(|_| freedom.from.is_none()) {
+            let start = at.to_string();
+            self.measures_another(at, [per_time, measure], MotionFact::StartForRate { start }, &timeless)?;
+        }
+        let from = self.initial(freedom.from.as_ref(), &parts, measure, &timeless)?;
         let at = self.initial(freedom.at.as_ref(), &parts, per_time, &timeless)?;
         if let (true, Some(at)) = (is_of_speeds, &freedom.at) {
             return self.refuse(at.range, EquationFact::RateOfSpeed);
@@ -39,14 +49,24 @@ impl Elaborator<'_> {
     /// The numbers of a number, a vector or a joint that has one coordinate.
     fn quantities(&mut self, written: &ast::Expression, scope: &Scope) -> Option<Vec<Scalar>> {
         let value = self.value(written, scope)?;
-        let noun = value.noun();
         if let Value::Scalar(scalar) = value {
             return Some(vec![scalar]);
         }
-        match self.as_vector(value) {
-            Some(vector) => Some(vector.parts.iter().map(|expr| Scalar { expr: *expr, measure: vector.measure }).collect()),
-            None => self.refuse(written.range, ValueFact::NotA { wanted: "a number or a vector", found: noun }),
-        }
+        let vector = self.vector_of(written.range, value, Wanted::NumberOrVector)?;
+        Some(vector.parts.iter().map(|expr| Scalar { expr: *expr, measure: vector.measure }).collect())
+    }
+
+    /// Refuses an initial value or rate that measures what the other one does.
+    fn measures_another(
+        &mut self,
+        written: &ast::Expression,
+        [wanted, other]: [InferredDim; 2],
+        fact: MotionFact,
+        scope: &Scope,
+    ) -> Option<()> {
+        let found = self.quantities(written, scope)?.first()?.measure;
+        let fits = |measure: InferredDim| found.common(measure).is_some();
+        if fits(other) && !fits(wanted) { self.refuse(written.range, fact) } else { Some(()) }
     }
 
     /// Initial values, zero if none are written.
@@ -54,8 +74,8 @@ impl Elaborator<'_> {
         let Some(written) = written else { return Some(vec![self.arena.integer(0); of.len()]) };
         let found = self.quantities(written, scope)?;
         if found.len() != of.len() {
-            let noun = |count: usize| if count == 1 { "a number" } else { "a vector" };
-            return self.refuse(written.range, ValueFact::NotA { wanted: noun(of.len()), found: noun(found.len()) });
+            let (wanted, found) = if of.len() == 1 { (Wanted::Number, Kind::Vector) } else { (Wanted::Vector, Kind::Number) };
+            return self.not_a(written.range, wanted, found);
         }
         let values = found.into_iter().map(|value| {
             if value.measure.common(measure).is_none() {

@@ -1,9 +1,9 @@
 //! Arrays: whole numbers known at compile time, and names with indices.
 
 use super::elaborate::{Elaborator, Scope};
-use super::names::{GroupId, SpaceId};
-use super::value::Value;
 use crate::diag::{ArrayFact, Known, NameFact, Range};
+use crate::names::Value;
+use crate::names::{GroupId, SpaceId};
 use crate::quantity::Dim;
 use crate::syntax::ast::{self, ExpressionKind, IndexRange, Operator};
 use proc_macro2::Ident;
@@ -18,7 +18,7 @@ impl Elaborator<'_> {
         let (group, mut at) = match self.value_or_array(owner, scope)? {
             Value::Array { group, at } => (group, at),
             other => {
-                let fact = ArrayFact::NoArray { found: other.noun(), is_member: matches!(owner.kind, ExpressionKind::Index(..)) };
+                let fact = ArrayFact::NoArray { found: other.kind(), is_member: matches!(owner.kind, ExpressionKind::Index(..)) };
                 return self.refuse(index.range, fact);
             }
         };
@@ -156,14 +156,14 @@ impl Elaborator<'_> {
         match result {
             Some(result) => Some(result),
             None if matches!(operator, Operator::Add | Operator::Sub | Operator::Mul) => {
-                self.refuse(range, ArrayFact::WholeTooLarge { found: format!("{one} {} {two}", symbol(operator)) })
+                self.refuse(range, ArrayFact::WholeTooLarge { found: format!("{one} {operator} {two}") })
             }
-            None => self.refuse(range, ArrayFact::NotWhole { found: format!("`{one} {} {two}`", symbol(operator)) }),
+            None => self.refuse(range, ArrayFact::NotWhole { found: format!("`{one} {operator} {two}`") }),
         }
     }
 
     fn as_whole(&mut self, range: Range, value: &Value) -> Option<i64> {
-        let Value::Scalar(scalar) = value else { return self.refuse(range, ArrayFact::NotWhole { found: value.noun().to_owned() }) };
+        let Value::Scalar(scalar) = value else { return self.refuse(range, ArrayFact::NotWhole { found: value.kind().to_string() }) };
         let dim = scalar.measure.settled();
         if !scalar.measure.fits(Dim::NUMBER) {
             return self.refuse(range, ArrayFact::NotWhole { found: dim.to_string() });
@@ -176,16 +176,5 @@ impl Elaborator<'_> {
             None if constant.is_some() => self.refuse(range, ArrayFact::NotWhole { found: "a fraction".into() }),
             None => self.refuse(range, ArrayFact::NotKnownWhole),
         }
-    }
-}
-
-fn symbol(operator: Operator) -> &'static str {
-    match operator {
-        Operator::Add => "+",
-        Operator::Sub => "-",
-        Operator::Mul => "*",
-        Operator::Div => "/",
-        Operator::Rem => "%",
-        Operator::Power => "^",
     }
 }

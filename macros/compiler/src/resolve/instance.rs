@@ -2,13 +2,13 @@
 
 use super::Name;
 use super::elaborate::{Elaborator, Instance, Scope, Timeless};
-use super::names::{Context, EntityId};
-use super::signature::{noun, places, too_few, too_many, unknown_argument};
 use super::statement::ScalarEquation;
-use super::value::{Fixed, FrameId, FunctionValue, Scalar, Value};
-use crate::diag::{ArityFact, ArrayFact, EquationFact, NameFact, Range, ValueFact};
+use crate::diag::{ArityFact, ArrayFact, EquationFact, Kind, Known, MotionFact, NameFact, Range, ValueFact, home};
 use crate::expr::Leaf;
 use crate::library;
+use crate::names::{Context, EntityId};
+use crate::names::{Fixed, FrameId, FunctionValue, Scalar, Value};
+use crate::names::{places, too_few, too_many, unknown_argument, wanted};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Argument, Definition, Formal, FormalKind, JointBody};
 use proc_macro2::Ident;
@@ -26,15 +26,20 @@ impl Elaborator<'_> {
         match &joint.body {
             JointBody::Equations(statements) => {
                 let scope = self.joint_scope(joint, context);
+                self.has_no_cross_product(joint, statements, &scope)?;
                 self.statements(statements, scope, name, &[])
             }
             JointBody::Energy(value) => {
                 let scope = self.joint_scope(joint, context);
                 self.energy(value, &scope).map(|()| Vec::new())
             }
+            JointBody::Value(value) => {
+                let scope = self.joint_scope(joint, context);
+                self.value_alone(joint, value, &scope)
+            }
             JointBody::Freedom(freedom) => {
                 let scope = self.joint_scope(joint, context);
-                self.freedom(freedom, &scope)
+                self.freedom(&joint.name, freedom, &scope)
             }
             JointBody::Of { kind, arguments: given, .. } => {
                 let Value::Joint { arguments, .. } = self.entity(id, (&joint.name).into())? else { return None };
@@ -86,6 +91,7 @@ impl Elaborator<'_> {
     pub(super) fn bind_joint(&mut self, joint: &ast::JointItem, context: &Context) -> Option<Vec<(String, Value)>> {
         let JointBody::Of { kind, arguments } = &joint.body else { return Some(Vec::new()) };
         let definition = self.definition(kind)?;
+        self.is_of_its_word(joint, kind, &definition)?;
         let scope = self.joint_scope(joint, context);
         self.bind(&definition, kind, arguments, &scope)
     }
@@ -117,15 +123,17 @@ impl Elaborator<'_> {
             };
             return self.refuse(kind, fact);
         }
-        let known = self
-            .names
-            .definitions
-            .keys()
-            .map(String::as_str)
-            .chain(library::constraints(self.names.ambient))
-            .chain(library::forces(self.names.ambient));
+        let own = self.names.definitions.keys().map(String::as_str);
+        if self.applied.is_some() {
+            let laws: Vec<String> = own.chain(library::forces(self.names.ambient)).map(str::to_owned).collect();
+            let near = self.nearest(&word, laws.iter().map(String::as_str));
+            return self.refuse(kind, MotionFact::UnknownForce { name: word, near, laws });
+        }
+        let known = own.chain(library::constraints(self.names.ambient)).chain(library::forces(self.names.ambient));
         let near = self.nearest(&word, known);
-        self.refuse(kind, NameFact::UnknownConstraint { name: word, near })
+        let home = home(&word, self.names.ambient);
+        let known = Known::of(library::constraints(self.names.ambient));
+        self.refuse(kind, NameFact::UnknownConstraint { name: word, near, home, known })
     }
 
     /// Constraint with this name, imported or of the library; a library page is parsed once.
@@ -150,6 +158,7 @@ impl Elaborator<'_> {
             .collect();
         let mut bound: Vec<(String, Value)> = Vec::new();
         let mut complete = true;
+        let before = self.diag.refusals().len();
         for (formal, slot) in definition.parameters.iter().zip(slots) {
             let value = match (slot, &formal.default) {
                 (Some(argument), _) => self.argument(definition, formal, argument, scope),
@@ -162,6 +171,9 @@ impl Elaborator<'_> {
             };
             complete &= value.is_some();
             bound.extend(value.map(|value| (formal.name.to_string(), value)));
+        }
+        if !complete {
+            self.are_in_order(definition, given, before, scope);
         }
         complete.then_some(bound)
     }
@@ -213,16 +225,15 @@ impl Elaborator<'_> {
         };
         let value = self.measured(formal, value)?;
         let found = match &value {
-            Value::Joint { kind, .. } => format!("a `{kind}` joint"),
-            other => other.noun().to_owned(),
+            Value::Joint { kind, .. } => Kind::JointOf(kind.clone()),
+            other => other.kind(),
         };
+        self.has_quantity(definition, formal, argument, &value)?;
         let instead = self.instead(&formal.kind, argument, &value);
-        let wrong = |this: &mut Self, wanted: String| {
-            let (parameter, definition) = (formal.name.to_string(), definition.name.to_string());
-            this.refuse(
-                argument.range,
-                ValueFact::WrongArgument { parameter, definition, wanted, found: found.clone(), instead: instead.clone() },
-            )
+        let wrong = |this: &mut Self| {
+            let (parameter, definition, ambient) = (formal.name.to_string(), definition.name.to_string(), this.names.ambient);
+            let wanted = wanted(&formal.kind);
+            this.refuse(argument.range, ValueFact::WrongArgument { parameter, definition, wanted, found, ambient, instead })
         };
         match (&formal.kind, value) {
             (FormalKind::Point, value @ Value::Point(_))
@@ -260,11 +271,11 @@ impl Elaborator<'_> {
             }
             (FormalKind::Joint(wanted), Value::Joint { kind, arguments }) => {
                 if wanted != &kind {
-                    return wrong(self, format!("a `{wanted}` joint"));
+                    return wrong(self);
                 }
                 Some(Value::Joint { kind, arguments })
             }
-            (kind, _) => wrong(self, noun(kind)),
+            _ => wrong(self),
         }
     }
 
@@ -281,11 +292,15 @@ impl Elaborator<'_> {
     }
 
     /// Suggests a replacement for an argument of the wrong kind.
-    fn instead(&self, wanted: &FormalKind, argument: &ast::Expression, found: &Value) -> Option<String> {
+    fn instead(&mut self, wanted: &FormalKind, argument: &ast::Expression, found: &Value) -> Option<String> {
         match (wanted, found, &argument.kind) {
             (FormalKind::Point, Value::Body(frame), ast::ExpressionKind::Path(path)) => {
-                Some(format!("{}.{}", path.last, self.names.a_point_of(*frame).unwrap_or("position")))
+                Some(format!("{}.{}", path.last, self.free_point_of(*frame)))
             }
+            (FormalKind::Scalar(written), Value::Body(frame), _) if written.dim() == Some(Dim::ANGLE) => match self.names.ambient {
+                Ambient::Plane => Some(format!("{argument}.angle")),
+                Ambient::Space => self.hinge_of(*frame),
+            },
             (FormalKind::Body, Value::Point(point), _) => Some(self.names.frames[point.frame.0].name.clone()),
             (FormalKind::Axis, Value::Body(_) | Value::Point(_), _) => {
                 Some(if self.names.ambient == Ambient::Space { "(1, 0, 0)" } else { "(1, 0)" }.to_owned())

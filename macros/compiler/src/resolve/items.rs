@@ -1,13 +1,13 @@
 //! Items that no other item refers to by name; each is resolved once, in the order written.
 
 use super::elaborate::{Elaborator, Scope};
-use super::names::{Context, EntityId, is_generated};
 use super::register::Register;
 use super::statement::ScalarEquation;
-use super::value::{FrameId, Scalar, Value};
 use super::{Freedom, Joint, Layout, Method, Name, Of, Output, Residual};
-use crate::diag::{ArrayFact, EquationFact, NameFact, Range, ValueFact};
+use crate::diag::{ArrayFact, EquationFact, Kind, NameFact, Range, ValueFact};
 use crate::expr::{Expr, Leaf};
+use crate::names::{Context, EntityId, is_generated};
+use crate::names::{FrameId, Scalar, Value};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, JointItem};
 use proc_macro2::Ident;
@@ -66,6 +66,7 @@ impl Elaborator<'_> {
             ast::JointBody::Equations(_) => "equation".to_owned(),
             ast::JointBody::Freedom(_) => "freedom".to_owned(),
             ast::JointBody::Energy(_) => "energy".to_owned(),
+            ast::JointBody::Value(_) => "value".to_owned(),
         };
         let freedom = match &joint.body {
             ast::JointBody::Freedom(freedom) => Some(Freedom { is_from_start: freedom.from.is_none() }),
@@ -126,14 +127,14 @@ impl Elaborator<'_> {
 
     fn output(&mut self, output: &ast::OutputItem, name: &Name, context: &Context) -> Option<Output> {
         let value = self.value(&output.value, &Scope::of(context))?;
-        let noun = if matches!(value, Value::Body(FrameId::GROUND)) { "ground" } else { value.noun() };
+        let found = if matches!(value, Value::Body(FrameId::GROUND)) { Kind::Ground } else { value.kind() };
         let has_speeds = match &value {
             Value::Scalar(scalar) => self.has_speeds(scalar.expr),
             Value::Vector(vector) => vector.parts.iter().any(|part| self.has_speeds(*part)),
             _ => false,
         };
         if has_speeds {
-            return self.refuse(output.value.range, ValueFact::NotAnOutput { found: "a velocity" });
+            return self.refuse(output.value.range, ValueFact::NotAnOutput { found: Kind::Velocity });
         }
         let (components, measure) = match value {
             Value::Scalar(scalar) => (vec![scalar.expr], scalar.measure),
@@ -142,7 +143,7 @@ impl Elaborator<'_> {
             }
             other => match self.as_vector(other) {
                 Some(vector) => (vector.parts.to_vec(), vector.measure),
-                None => return self.refuse(output.value.range, ValueFact::NotAnOutput { found: noun }),
+                None => return self.refuse(output.value.range, ValueFact::NotAnOutput { found }),
             },
         };
         Some(Output { name: name.clone(), body: None, components, dim: measure.settled() })

@@ -1,11 +1,11 @@
 //! Gathers the composition of the mechanism and its components.
 
 use super::elaborate::Elaborator;
-use super::key::Key;
-use super::names::{EntityId, Sort};
 use super::register::Register;
 use super::{Component, Field, Layout, Of, Part};
 use crate::diag::ArrayFact;
+use crate::names::Key;
+use crate::names::{EntityId, Sort};
 use crate::syntax::ast::{self, Docs};
 use std::collections::BTreeMap;
 

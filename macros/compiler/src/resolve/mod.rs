@@ -17,21 +17,18 @@ mod freedom;
 mod index;
 mod instance;
 mod items;
-mod key;
 mod layout;
-mod names;
+mod meant;
+mod order;
 mod register;
-mod signature;
 mod sketch;
 pub(crate) mod space;
 mod speeds;
 mod statement;
 mod unused;
-pub(crate) mod value;
 mod whole;
 
 pub(crate) use definition::{check as check_definition, check_names};
-pub(crate) use names::is_generated;
 pub(crate) use register::is_of_generated_type;
 pub(crate) use whole::{Outline, outline, resolve};
 

@@ -8,11 +8,11 @@
 
 use super::elaborate::{Elaborator, Scope};
 use super::statement::ScalarEquation;
-use super::value::{Arguments, Fixed, FrameId, Scalar, Value, Vector};
-use crate::diag::{ArityFact, Range, ValueFact};
+use crate::diag::{ArityFact, Range, ValueFact, Wanted};
 use crate::expr::{Expr, Frame, Leaf, Mark, Node, Triple, cross, dot};
 use crate::geometry::{Components, Geometry, JointQuantity, Place, Relationship, Triad, rotation};
 use crate::model::DECLARED;
+use crate::names::{Arguments, Fixed, FrameId, Scalar, Value, Vector};
 use crate::quantity::{Dim, InferredDim, Role};
 use crate::syntax::ast::{self, Statement};
 use proc_macro2::Ident;
@@ -121,7 +121,7 @@ impl Elaborator<'_> {
         let values: Option<Vec<Value>> = arguments.iter().map(|argument| self.value(argument, scope)).collect();
         let values = values?;
         let Some(axis) = self.as_axis(values[0].clone()) else {
-            return self.refuse(arguments[0].range, ValueFact::NotA { wanted: "an axis in space", found: values[0].noun() });
+            return self.not_a(arguments[0].range, Wanted::Axis, values[0].kind());
         };
         let triad = self.triad(axis)?;
         match word.as_str() {
@@ -136,16 +136,13 @@ impl Elaborator<'_> {
             }
             "across" | "along" => {
                 let second = values[1].clone();
-                let noun = second.noun();
                 let other = self.as_axis(second.clone());
-                let Some(vector) = self.as_vector(second) else {
-                    return self.refuse(arguments[1].range, ValueFact::NotA { wanted: "a vector", found: noun });
-                };
+                let vector = self.vector_of(arguments[1].range, second, Wanted::Vector)?;
                 if word == "along" { self.along(triad, vector).map(Value::Scalar) } else { self.across(triad, vector, other) }
             }
             _ => {
                 let Some(other) = self.as_axis(values[1].clone()) else {
-                    return self.refuse(arguments[1].range, ValueFact::NotA { wanted: "an axis in space", found: values[1].noun() });
+                    return self.not_a(arguments[1].range, Wanted::Axis, values[1].kind());
                 };
                 let other = self.triad(other)?;
                 if word == "joint_angle" {
@@ -313,8 +310,7 @@ impl Elaborator<'_> {
     pub(super) fn orientation(&mut self, written: &ast::Expression, scope: &Scope) -> Option<[Expr; 4]> {
         match self.value(written, scope)? {
             Value::Orientation(quaternion) => Some(quaternion),
-            other => self
-                .refuse(written.range, ValueFact::NotA { wanted: "an orientation, such as `turn((0, 0, 1), 30deg)`", found: other.noun() }),
+            other => self.not_a(written.range, Wanted::Orientation, other.kind()),
         }
     }
 

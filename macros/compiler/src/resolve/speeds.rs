@@ -10,10 +10,10 @@
 use super::Components;
 use super::elaborate::{Elaborator, Scope};
 use super::statement::ScalarEquation;
-use super::value::{FrameId, Scalar, Value, Vector};
-use crate::diag::{ArityFact, EquationFact, ValueFact};
+use crate::diag::{ArityFact, EquationFact, ValueFact, Wanted};
 use crate::expr::{Expr, Jets, Leaf, Seed, derivative};
 use crate::model::{DECLARED, declared_rates};
+use crate::names::{FrameId, Scalar, Value, Vector};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast;
 use proc_macro2::Ident;
@@ -28,7 +28,6 @@ impl Elaborator<'_> {
             return self.refuse(name, ArityFact::FunctionArity { name: RATE.to_owned(), wanted: 1, found: arguments.len() });
         };
         let value = self.value(argument, scope)?;
-        let noun = value.noun();
         let has_speeds = match &value {
             Value::Scalar(scalar) => self.has_speeds(scalar.expr),
             Value::Vector(vector) => vector.parts.iter().any(|part| self.has_speeds(*part)),
@@ -41,9 +40,7 @@ impl Elaborator<'_> {
             let expr = self.rate_of(expr);
             return Some(Value::Scalar(Scalar { expr, measure: measure.per(InferredDim::Known(Dim::TIME)) }));
         }
-        let Some(Vector { parts, measure }) = self.as_vector(value) else {
-            return self.refuse(argument.range, ValueFact::NotA { wanted: "a number, a vector or a point", found: noun });
-        };
+        let Vector { parts, measure } = self.vector_of(argument.range, value, Wanted::NumberVectorOrPoint)?;
         let parts = parts.map(|part| self.rate_of(part));
         Some(Value::Vector(Vector { parts, measure: measure.per(InferredDim::Known(Dim::TIME)) }))
     }

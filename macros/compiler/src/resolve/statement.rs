@@ -1,11 +1,11 @@
 //! The statements of a definition or of an inline joint: equations, and conditions on parameters.
 
 use super::elaborate::{Elaborator, Instance, Scope};
-use super::key::Key;
-use super::value::{FrameId, Scalar, Value};
 use super::{Name, Parameter, Requirement};
 use crate::diag::{EquationFact, Fact, Range, ValueFact};
 use crate::expr::{Expr, Node, Unary, Values, evaluate};
+use crate::names::Key;
+use crate::names::{FrameId, Scalar, Value};
 use crate::syntax::ast::{self, ExpressionKind, Relation, Statement};
 use proc_macro2::Ident;
 use std::collections::BTreeSet;
@@ -97,7 +97,7 @@ impl Elaborator<'_> {
         match (left, right) {
             (Value::Body(one), Value::Body(two)) => self.body_requirement(requirement, [one, two], scope, places),
             (Value::Scalar(one), Value::Scalar(two)) => self.number_requirement(requirement, one, two, joint, place),
-            (left, right) => self.refuse(range(requirement), ValueFact::CannotCompare { one: left.noun(), two: right.noun() }),
+            (left, right) => self.refuse(range(requirement), ValueFact::CannotCompare { one: left.kind(), two: right.kind() }),
         }
     }
 

@@ -5,10 +5,10 @@
 
 use super::declare::Written;
 use super::elaborate::Elaborator;
-use super::key::Key;
 use super::layout::OpenPart;
-use super::names::{Context, Entity, Progress, Sort};
 use super::register::Register;
+use crate::names::Key;
+use crate::names::{Context, Entity, Progress, Sort};
 use crate::quantity::Dim;
 use crate::syntax::ast::{self, FormalKind, Item};
 use proc_macro2::Ident;

@@ -2,13 +2,14 @@
 
 use super::bounds::in_words;
 use super::elaborate::{Elaborator, Scope};
-use super::key::Key;
-use super::names::{Context, Declared, Entity, EntityId, Names, PartArguments, Progress, is_generated};
 use super::register::{Register, is_one_of_many};
-use super::value::{FunctionValue, Scalar, Value};
 use super::{Layout, Method, Model, Name, Parameter};
 use crate::diag::nearest;
 use crate::diag::{Diag, NameFact, Range, ValueFact};
+use crate::hints;
+use crate::names::Key;
+use crate::names::{Context, Declared, Entity, EntityId, Names, PartArguments, Progress, is_generated};
+use crate::names::{FunctionValue, Scalar, Value};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, Definition};
 use std::collections::{BTreeMap, BTreeSet};
@@ -16,8 +17,10 @@ use std::rc::Rc;
 
 /// Resolves a whole mechanism; `definitions` are imported by its `use` items.
 pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definition)>, diag: &mut Diag) -> Option<Model> {
+    hints::is_meant(tree, diag)?;
     let definitions = definitions.into_iter().map(|(name, definition)| (name, Rc::new(definition))).collect();
     let mut work = Elaborator::new(diag, Names::new(definitions, tree.ambient));
+    work.judges_rows = tree.task.is_determined() && tree.closing == ast::Closing::Deny;
     let register = work.register(&tree.items);
     if work.diag.is_exhausted() {
         return None;
@@ -31,6 +34,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     let lengths = work.marks(&register);
     let joints = work.joints(&register);
     let forces = work.forces(&register);
+    work.fits_freedoms(tree.task, &register);
     let gravity = work.gravity(&register);
     let outputs = work.outputs(&register);
     let methods = work.methods(&layout, &register, &outputs);
@@ -39,7 +43,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     work.fixed_values_are_finite(&parameters);
     let range = work.times(&register, &parameters);
     let sketch = work.sketch(&register);
-    let Elaborator { arena, functions, requirements, space, energies, .. } = work;
+    let Elaborator { arena, functions, requirements, space, energies, lengths: of_lengths, .. } = work;
     let model = Model {
         arena,
         docs: tree.docs.clone(),
@@ -67,6 +71,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
         functions,
         requirements,
         sketch,
+        doubts: of_lengths.doubts(),
     };
     diag.is_clean().then_some(model)
 }
@@ -219,6 +224,8 @@ impl Elaborator<'_> {
             ast::JointBody::Equations(_) => Some(Value::Joint { kind: "equation".into(), arguments }),
             ast::JointBody::Freedom(_) => Some(Value::Joint { kind: "freedom".into(), arguments }),
             ast::JointBody::Energy(_) => Some(Value::Joint { kind: "energy".into(), arguments }),
+            // `joint_rows` refuses it.
+            ast::JointBody::Value(_) => None,
         }
     }
 

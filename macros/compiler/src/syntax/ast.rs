@@ -7,6 +7,7 @@ mod expression;
 mod node;
 mod options;
 mod repeated;
+mod text;
 
 pub use definition::{Applied, Condition, Definition, Definitions, Export, Formal, FormalKind, Statement};
 pub use expression::{Expression, ExpressionKind, Operator, Relation};
@@ -305,6 +306,8 @@ pub enum JointBody {
     Freedom(Box<FreedomItem>),
     /// `energy name = value;`
     Energy(Box<Expression>),
+    /// A value alone, which no joint and no force is.
+    Value(Box<Expression>),
 }
 
 /// A quantity that follows from forces.

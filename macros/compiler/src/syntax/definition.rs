@@ -8,7 +8,7 @@ use super::tokens::{
     Parsed, arrow, attributes, block, comma, docs, equals, expected, keyword, name, parentheses, report, semicolon, skip_item, visibility,
     wrong,
 };
-use crate::diag::{Diag, GrammarFact};
+use crate::diag::{Diag, GrammarFact, MotionFact};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -231,6 +231,12 @@ pub(super) fn statement(input: ParseStream) -> Parsed<Statement> {
         return applied(input, word == "on").map(Statement::Apply);
     }
     let lhs = expression(input)?;
+    if input.peek(Token![:]) {
+        return wrong(lhs.range, MotionFact::PlaceWithoutAt { place: lhs.to_string() });
+    }
+    if input.peek(Token![=]) && !input.peek(Token![==]) {
+        return wrong(input.span(), GrammarFact::OneEqualsSign);
+    }
     if !input.peek(Token![==]) {
         return expected(input, "`==` and the other side of the equation");
     }

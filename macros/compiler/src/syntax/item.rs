@@ -1,19 +1,19 @@
 //! Parses the items of a mechanism.
 
 use super::ast::{
-    Argument, Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, FreedomItem, FunctionItem, Gravity, Item,
-    JointBody, JointItem, Let, Limits, Marks, Mechanism, OutputItem, ParameterItem, Refused, Shared, Start, Task, TimeRange, Use,
+    Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, FunctionItem, Gravity, Item, JointItem, Let, Limits, Marks,
+    Mechanism, OutputItem, ParameterItem, Refused, Shared, Start, Task, TimeRange, Use,
 };
-use super::definition::statement;
 use super::dimension::{dimension, required_dimension};
 use super::expression::{expression, indices};
+use super::joint::{energy, freedom, joint};
 use super::options::{Options, options};
 use super::repeated::{component, part, repeated_items, repeated_marks};
 use super::tokens::{
     Parsed, arrow, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, name, parentheses, path, report, semicolon,
-    skip_item, skip_to_block, visibility, wrong,
+    skip_item, skip_to_block, statement_text, visibility, wrong,
 };
-use crate::diag::{ArrayFact, Diag, GrammarFact, Range, ValueFact};
+use crate::diag::{ArrayFact, Diag, GrammarFact, Home, Range, ValueFact, home};
 use crate::quantity::Ambient;
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
@@ -31,7 +31,7 @@ pub(super) fn mechanism(input: ParseStream, diag: &mut Diag) -> Option<Mechanism
     };
     let content = report(block(input, "`{` and the items of the mechanism"), diag);
     let Some(content) = content else { return Some(mechanism) };
-    mechanism.items = items(&content, ItemContext::TOP, diag);
+    mechanism.items = items(&content, ItemContext::top(mechanism.ambient), diag);
     if mechanism.task == Task::Kinematics && has_freedoms(&mechanism.items) {
         mechanism.task = Task::Motion;
     }
@@ -110,10 +110,15 @@ pub(super) struct ItemContext<'a> {
     pub(super) is_top: bool,
     /// The variable of the innermost loop.
     pub(super) variable: Option<&'a Ident>,
+    /// Where the bodies move.
+    pub(super) ambient: Ambient,
 }
 
 impl ItemContext<'_> {
-    const TOP: ItemContext<'static> = ItemContext { is_top: true, variable: None };
+    /// The mechanism itself.
+    fn top(ambient: Ambient) -> ItemContext<'static> {
+        ItemContext { is_top: true, variable: None, ambient }
+    }
 }
 
 /// Parses items. A rejected item leaves its name behind, and parsing goes on with the next item.
@@ -170,13 +175,27 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
         "gravity" => Item::Gravity(Shared::new(gravity(input)?)),
         "output" | "slice" => Item::Output(Shared::new(output(input, docs)?)),
         "range" => Item::Range(Shared::new(times(input)?)),
-        "component" => Item::Component(Shared::new(component(input, docs, diag)?)),
+        "component" => Item::Component(Shared::new(component(input, docs, place.ambient, diag)?)),
         "part" => Item::Part(Shared::new(part(input, docs)?)),
-        "for" => Item::For(Shared::new(repeated_items(input, diag)?)),
-        _ => return wrong(&keyword, GrammarFact::UnknownItem { word }),
+        "for" => Item::For(Shared::new(repeated_items(input, place.ambient, diag)?)),
+        _ => return unknown_item(input, &keyword, place.ambient),
     };
     has_indices(&item, place)?;
     Ok(item)
+}
+
+/// Refuses a word that begins no item. A word of the workshop before braces is a body, before `=` the kind of a joint.
+fn unknown_item<T>(input: ParseStream, keyword: &Ident, ambient: Ambient) -> Parsed<T> {
+    let word = keyword.to_string();
+    let rest = input.fork();
+    Ident::parse_any(&rest)?;
+    let name = rest.parse::<Ident>().ok().map(|name| name.to_string());
+    let is_frame = ["fixed", "frame", "base", "world"].contains(&word.as_str());
+    let home = match home(&word, ambient) {
+        Some(_) if rest.peek(token::Brace) => (!is_frame).then_some(Home::Body),
+        home => home,
+    };
+    wrong(keyword, GrammarFact::UnknownItem { word, name, home })
 }
 
 /// Checks that a name declared in a loop has an index; without it all its instances would have one name.
@@ -323,7 +342,7 @@ pub(super) fn declared(input: ParseStream, what: &'static str) -> Parsed<(Ident,
 }
 
 /// `= expression;`
-fn value(input: ParseStream) -> Parsed<Expression> {
+pub(super) fn value(input: ParseStream) -> Parsed<Expression> {
     equals(input)?;
     let value = expression(input)?;
     semicolon(input)?;
@@ -377,7 +396,7 @@ fn frame(input: ParseStream, docs: Docs, (name, indices): (Ident, Vec<Expression
             Ident::parse_any(&content)?;
             frame.masses.push(Start { what, value: value(&content)? });
         } else {
-            marks(&content, &mut frame.marks, ItemContext::TOP)?;
+            marks(&content, &mut frame.marks, ItemContext::top(Ambient::default()))?;
         }
     }
     Ok(frame)
@@ -406,9 +425,11 @@ fn mark(input: ParseStream) -> Parsed<Feature> {
     let is_axis = Ident::parse_any(input)? == "axis";
     let (name, indices) = declared(input, if is_axis { "the name of the axis" } else { "the name of the point" })?;
     equals(input)?;
+    let before = input.fork();
     let value = expression(input)?;
     if input.peek(Token![,]) && !matches!(value.kind, ExpressionKind::Tuple(..)) {
-        return wrong(value.range, GrammarFact::PairWithoutParentheses { what: if is_axis { "an axis" } else { "a point" } });
+        let (what, instead) = (if is_axis { "an axis" } else { "a point" }, format!("({})", statement_text(&before)?));
+        return wrong(value.range, GrammarFact::WithoutParentheses { what, instead });
     }
     let zero = if is_axis && keyword(input).is_some_and(|word| word == "from") {
         Ident::parse_any(input)?;
@@ -426,105 +447,4 @@ fn start(input: ParseStream) -> Parsed<Start> {
     let what = name(input, "`x`, `y`, `angle` or `position`")?;
     let value = value(input)?;
     Ok(Start { what, value })
-}
-
-/// `joint name = …;`, `redundant joint name = …;` or `drive name = …;`
-fn joint(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
-    let mut word = Ident::parse_any(input)?;
-    let is_redundant = word == "redundant";
-    if is_redundant {
-        if keyword(input).is_none_or(|word| word != "joint") {
-            return expected(input, "`joint`: only a joint can be redundant");
-        }
-        word = Ident::parse_any(input)?;
-    }
-    let is_drive = word == "drive";
-    let (name, indices) = declared(input, if is_drive { "the name of the drive" } else { "the name of the joint" })?;
-    if input.peek(token::Paren) {
-        return wrong(&name, GrammarFact::Unnamed { word: if is_drive { "drive" } else { "joint" }, kind: name.to_string() });
-    }
-    equals(input)?;
-    let body = if input.peek(token::Brace) { equations(input)? } else { instance(input)? };
-    Ok(JointItem { docs, is_drive, is_redundant, name, indices, body })
-}
-
-/// `freedom name = value from start at rate;`
-fn freedom(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
-    Ident::parse_any(input)?;
-    let (name, indices) = declared(input, "the name of the freedom")?;
-    equals(input)?;
-    let value = expression(input)?;
-    let clause = |word: &str| -> Parsed<Option<Expression>> {
-        if keyword(input).is_none_or(|found| found != word) {
-            return Ok(None);
-        }
-        Ident::parse_any(input)?;
-        expression(input).map(Some)
-    };
-    let (from, at) = (clause("from")?, clause("at")?);
-    if !input.peek(Token![;]) && keyword(input).is_some() {
-        return expected(input, "`from` and the value at t = 0, `at` and the rate at t = 0, or `;`");
-    }
-    semicolon(input)?;
-    let body = JointBody::Freedom(Box::new(FreedomItem { value, from, at }));
-    Ok(JointItem { docs, is_drive: true, is_redundant: false, name, indices, body })
-}
-
-/// `energy name = value;`
-fn energy(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
-    Ident::parse_any(input)?;
-    let (name, indices) = declared(input, "the name of the energy")?;
-    let body = JointBody::Energy(Box::new(value(input)?));
-    Ok(JointItem { docs, is_drive: true, is_redundant: false, name, indices, body })
-}
-
-/// `{ lhs == rhs; … }`, with or without a semicolon after it.
-fn equations(input: ParseStream) -> Parsed<JointBody> {
-    let (content, _) = braces(input)?;
-    let mut statements = Vec::new();
-    while !content.is_empty() {
-        statements.push(statement(&content)?);
-    }
-    if input.peek(Token![;]) {
-        input.parse::<Token![;]>()?;
-    }
-    Ok(JointBody::Equations(statements))
-}
-
-/// `kind(arguments);`
-fn instance(input: ParseStream) -> Parsed<JointBody> {
-    if input.peek(Token![::]) || input.peek2(Token![::]) {
-        let path = path(input)?;
-        let text = path.tokens.to_string().replace(' ', "");
-        return wrong(path.range, GrammarFact::PathOfConstraint { path: text, last: path.last.to_string() });
-    }
-    let kind = name(input, "a constraint such as `revolute(…)`, or `{ lhs == rhs; }`")?;
-    if !input.peek(token::Paren) {
-        return expected(input, "`(` and the arguments");
-    }
-    let arguments = arguments(input)?;
-    semicolon(input)?;
-    Ok(JointBody::Of { kind, arguments })
-}
-
-/// `(value, name: value, …)`
-pub(super) fn arguments(input: ParseStream) -> Parsed<Vec<Argument>> {
-    let (content, _) = parentheses(input)?;
-    let mut arguments = Vec::new();
-    while !content.is_empty() {
-        arguments.push(argument(&content)?);
-        comma(&content, "`,` or `)`")?;
-    }
-    Ok(arguments)
-}
-
-/// `value` or `name: value`
-fn argument(input: ParseStream) -> Parsed<Argument> {
-    let is_named = input.peek(syn::Ident) && input.peek2(Token![:]) && !input.peek2(Token![::]);
-    if !is_named {
-        return Ok(Argument { name: None, value: expression(input)? });
-    }
-    let name = name(input, "the name of the argument")?;
-    input.parse::<Token![:]>()?;
-    Ok(Argument { name: Some(name), value: expression(input)? })
 }

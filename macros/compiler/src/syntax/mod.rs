@@ -10,6 +10,7 @@ mod definition;
 mod dimension;
 mod expression;
 mod item;
+mod joint;
 mod options;
 mod repeated;
 mod tokens;

@@ -3,9 +3,11 @@
 use super::ast::{ComponentItem, Definition, Docs, For, IndexRange, Item, Marks, PartItem};
 use super::definition::formals;
 use super::expression::expression;
-use super::item::{ItemContext, arguments, declared, items, marks};
+use super::item::{ItemContext, declared, items, marks};
+use super::joint::arguments;
 use super::tokens::{Parsed, block, docs, equals, expected, keyword, name, semicolon};
 use crate::diag::Diag;
+use crate::quantity::Ambient;
 use proc_macro2::Ident;
 use std::rc::Rc;
 use syn::ext::IdentExt;
@@ -13,12 +15,12 @@ use syn::parse::ParseStream;
 use syn::{Token, token};
 
 /// `component Name(parameters) { items }`
-pub(super) fn component(input: ParseStream, docs: Docs, diag: &mut Diag) -> Parsed<ComponentItem> {
+pub(super) fn component(input: ParseStream, docs: Docs, ambient: Ambient, diag: &mut Diag) -> Parsed<ComponentItem> {
     Ident::parse_any(input)?;
     let name = name(input, "the name of the component")?;
     let parameters = formals(input, "`(` and what the component takes, or `()`")?;
     let content = block(input, "`{` and the items of the component")?;
-    let items = items(&content, ItemContext { is_top: false, variable: None }, diag);
+    let items = items(&content, ItemContext { is_top: false, variable: None, ambient }, diag);
     Ok(ComponentItem { docs: docs.clone(), head: Definition { docs, name, parameters, ambient: None, statements: Vec::new() }, items })
 }
 
@@ -37,10 +39,10 @@ pub(super) fn part(input: ParseStream, docs: Docs) -> Parsed<PartItem> {
 }
 
 /// `for variable in from..to { items }`
-pub(super) fn repeated_items(input: ParseStream, diag: &mut Diag) -> Parsed<For<Vec<Item>>> {
+pub(super) fn repeated_items(input: ParseStream, ambient: Ambient, diag: &mut Diag) -> Parsed<For<Vec<Item>>> {
     let (variable, bounds) = head(input)?;
     let content = block(input, "`{` and the items of the loop")?;
-    let items = items(&content, ItemContext { is_top: false, variable: Some(&variable) }, diag);
+    let items = items(&content, ItemContext { is_top: false, variable: Some(&variable), ambient }, diag);
     Ok(For { variable, bounds, items })
 }
 
@@ -51,7 +53,7 @@ pub(super) fn repeated_marks(input: ParseStream) -> Parsed<For<Marks>> {
     let mut repeated = Marks::default();
     while !content.is_empty() {
         docs(&content)?;
-        marks(&content, &mut repeated, ItemContext { is_top: false, variable: Some(&variable) })?;
+        marks(&content, &mut repeated, ItemContext { is_top: false, variable: Some(&variable), ambient: Ambient::default() })?;
     }
     Ok(For { variable, bounds, items: repeated })
 }

@@ -22,6 +22,15 @@ pub(super) fn expected<T>(input: ParseStream, what: &'static str) -> Parsed<T> {
     wrong(input.span(), GrammarFact::Expected { what, found: next(input) })
 }
 
+/// Text up to the next semicolon, for messages.
+pub(super) fn statement_text(input: ParseStream) -> Parsed<String> {
+    let mut tokens = TokenStream::new();
+    while !input.is_empty() && !input.peek(Token![;]) {
+        tokens.extend([input.parse::<TokenTree>()?]);
+    }
+    Ok(tokens.to_string().replace(' ', "").replace(',', ", "))
+}
+
 /// Text of the next token for messages: in backticks, or `the end`.
 fn next(input: ParseStream) -> String {
     match input.cursor().token_tree() {

@@ -367,7 +367,7 @@ fn has_bodies(model: &Model, diag: &mut Diag) -> Option<()> {
     Some(())
 }
 
-/// Reports a joint if every equation of it is an equation of earlier joints.
+/// Reports a joint if every equation of it is an equation of earlier joints; `redundancy` reports a freedom.
 fn no_joint_repeats_another(model: &Model, arena: &mut Arena, diag: &mut Diag) {
     if !diag.is_clean() || !model.task.is_determined() {
         return;
@@ -378,6 +378,7 @@ fn no_joint_repeats_another(model: &Model, arena: &mut Arena, diag: &mut Diag) {
         let earlier: Option<Vec<usize>> = joint.residuals.iter().map(|residual| owners.get(&residual.expr).copied()).collect();
         if let Some(other) = earlier.and_then(|earlier| earlier.first().copied())
             && !joint.is_redundant
+            && joint.freedom.is_none()
             && said.is_new(&joint.name)
         {
             let other = model.joints[other].name.to_string();

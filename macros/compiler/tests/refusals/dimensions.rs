@@ -12,7 +12,7 @@ crate::refusals! {
     item sine_of_a_length: "output b = sin(«length»);" => "expected an angle (rad), found a length (m)";
     item arc_sine_of_a_length: "output b = asin(«length»);" => "expected a pure number, found a length (m)";
     item root_of_a_length_is_no_length: "let a: Length = «sqrt(length)»;" => "expected a length (m), found a quantity in m^(1/2)";
-    item exponential_of_a_time: "output b = exp(«t»);" => "expected a pure number, found a time (s)";
+    item exponential_of_a_time: "output b = exp(«t»);" => "expected a pure number, found a time (s)\nhelp: divide it by a time, as in `t / 1s`";
     item minimum_of_unlike: "output b = «min(length, crank.angle)»;" => "cannot compare a length (m) with an angle (rad)\nhelp: an arc is a radius times an angle";
     item angular_velocity_is_no_frequency: "param f: Frequency = «60rpm»;" => "expected a frequency (1/s), found an angular velocity (rad/s)";
     item square_of_an_angle_is_no_angle: "param a: Angle = «2deg * 3deg»;" => "expected an angle (rad), found a quantity in rad²";
@@ -36,7 +36,7 @@ crate::refusals! {
     item table_of_unlike: "output b = table(crank.angle, [(0deg, 0mm), («90mm», 5mm)]);" => "expected an angle (rad), found a length (m)";
     item column_of_unlike: "output b = table(crank.angle, [(0deg, 0mm), (90deg, «5deg»)]);" => "expected a length (m), found an angle (rad)";
     item gear_of_radius_and_teeth: "joint a = «gear_pair»(crank, ram, 20mm, 10deg);" => "in `gear_pair`: cannot add a quantity in rad² to a quantity in m·rad\nnote: here `a` is a length (m), `b` is an angle (rad), `c` is a pure number";
-    item body_for_a_point: "joint a = revolute(ground.O, «crank»);" => "`Q` of `revolute` takes a point, found a body\nhelp: write `crank.O`";
+    item body_for_a_point: "joint a = revolute(ground.O, «crank»);" => "`Q` of `revolute` takes a point, found a body\nhelp: write `crank.A`";
     item point_for_a_body: "drive a = drive_angle(«crank.A», speed * t);" => "`b` of `drive_angle` takes a body, found a point\nhelp: write `crank`";
     item number_for_a_point: "joint a = revolute(ground.O, «5mm»);" => "`Q` of `revolute` takes a point, found a number\nhelp: write `(x, y)` for a place in ground, `body.P` for a point of a body";
     item point_for_an_axis: "joint a = translational(«ground.O», ground.C, ram.B);" => "`u` of `translational` takes an axis, found a point\nhelp: write `(1, 0)`";

@@ -26,11 +26,11 @@ crate::refusals! {
     item comma_is_missing: "joint a = revolute(ground.C «crank».A);" => "expected `,` or `)`, found `crank`";
     item call_is_missing: "joint a = revolute«;»" => "expected `(` and the arguments, found `;`";
     item constraint_by_its_path: "joint a = «crate::rolling»(crank);" => "a joint names its constraint by a single word\nhelp: write `use crate::rolling;` above, and `rolling(…)` here";
-    item equation_with_a_single_equal_sign: "joint a = { crank.x «=» 0; }" => "expected `==` and the other side of the equation, found `=`";
+    item equation_with_a_single_equal_sign: "joint a = { crank.x «=» 0; }" => "an equation is written with `==`\nhelp: write `lhs == rhs;`";
     item equation_without_right_side: "joint a = { crank.x == «;» }" => "expected an expression, found `;`";
     item choice_without_else: "output b = if length < 1 { 1 }«;»" => "expected `else { value }`, found `;`";
     item choice_without_relation: "output b = if length «{» 1 } else { 2 };" => "expected a relation such as `<` or `!=`, found `{`";
-    item pair_without_parentheses: "body b { point P = «0mm», 0mm; }" => "a point has two coordinates in parentheses\nhelp: write `(x, y)`";
+    item pair_without_parentheses: "body b { point P = «0mm», 0mm; }" => "the coordinates of a point stand in parentheses\nhelp: write `(0mm, 0mm)`";
     item comma_after_a_point: "body b { point P = (0mm, 0mm)«,» point Q = (0mm, 1mm); }" => "expected an operator or `;`, found `,`";
     item empty_parentheses: "output b = «()»;" => "expected an expression, found `()`";
     item field_is_no_number: "output b = crank.«5»;" => "expected a name after `.`, found `5`";
@@ -45,7 +45,7 @@ crate::refusals! {
     item drive_without_a_name: "drive «drive_angle»(crank, 1rad_s * t);" => "a drive has a name of its own\nhelp: write `drive name = drive_angle(…);`";
     item let_that_changes: "let «mut» a = 3mm;" => "nothing here changes\nhelp: take `mut` away; what is to be set at run time is a `param`";
     item public_item: "«pub» param a: Length = 3mm;" => "all of a mechanism is as public as the mechanism\nhelp: take `pub` away";
-    item body_by_another_name: "«link» b { point P = (0mm, 0mm); }" => "`link` is no item of a mechanism\nhelp: did you mean `body`?\nnote: items are `param`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
+    item body_by_another_name: "«link» b { point P = (0mm, 0mm); }" => "`link` is no item of a mechanism\nhelp: write `body b { … }`";
     item function_as_in_rust: "«fn» f(x: Angle) -> Length = 1mm;" => "`fn` is no item of a mechanism\nhelp: did you mean `function`?\nnote: items are `param`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
     item power_as_a_method: "output b = length.«powi»(2);" => "there are no methods here\nhelp: a power is written `a^b`";
     item glob_use: "use crate::«*»;" => "expected the name of a constraint or `{ … }`, found `*`";

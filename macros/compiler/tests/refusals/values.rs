@@ -46,6 +46,7 @@ crate::refusals! {
     item table_of_a_parameter: "output b = table(crank.angle, [(0deg, 1mm), (90deg, «length»)]);" => "an entry of a table is a constant: numbers, units, `pi` and functions of them\nhelp: multiply the table by what changes";
     item table_with_unknown_ends: "output b = table(crank.angle, [(0deg, 1mm), (90deg, 2mm)], «cyclic»);" => "outside its range a table is `periodic`, `linear` or `hold`, not `cyclic`";
     item modified_trapezoidal_is_a_function: "output b = «modified_trapezoidal» + 1;" => "expected a number or a vector, found a function\nhelp: give it its argument, as in `f(x)`";
+    mechanism a_length_in_millimetres_without_unit: "mechanism M { ground { point C = (400mm, 0mm); } body crank { point A = (100mm, 0mm); } body coupler { point B = (350, 0); } body rocker { point B = (300mm, 0mm); start angle = 70deg; } joint o = revolute(ground.position, crank.position); joint a = revolute(crank.A, coupler.position); joint b = revolute(coupler.B, rocker.B); joint «c» = revolute(rocker.position, ground.C); drive d = drive_angle(crank, 60rpm * t); }" => "`c` stays open by 349400 mm when `o`, `a` and `b` are closed\nnote: `crank` (100 mm) + `ground` (400 mm) + `rocker` (300 mm) is 349200 mm short of `coupler` (350000 mm)\nhelp: change a length or a place: no value of `d` helps\nnote: `350` has no unit: it is 350 m, where no other length exceeds 400 mm\nhelp: write `350mm`, or `350m` if it is meant";
 }
 
 /// Of more digits than can be stored exactly, the significant ones are kept.
@@ -63,4 +64,39 @@ fn many_digits_are_read() {
         let refused = reuleaux_compiler::compile(source.parse().expect("the source consists of tokens"));
         assert!(refused.is_ok(), "{number}: {:?}", refused.err());
     }
+}
+
+/// Lengths without a unit are doubted where they are out of proportion, and only there.
+#[test]
+fn bare_lengths_out_of_proportion_are_doubted() {
+    let doubts = |length: &str, items: &str| -> Vec<String> {
+        let source = format!(
+            "mechanism M {{ {items} body b {{ point A = ({length}, 0mm); point B = (100mm, 0); }}
+                joint o = revolute(ground.position, b.position); drive d = drive_angle(b, 60rpm * t); }}"
+        );
+        let compiled = reuleaux_compiler::compile(source.parse().expect("the source consists of tokens")).expect("it is valid");
+        compiled.model.doubts.iter().map(|warning| warning.doubt.to_string()).collect()
+    };
+    let doubt = |number: &str| {
+        let words = "has no unit: it is # m, where no other length exceeds 100 mm\nhelp: write `#mm`, or `#m` if it is meant";
+        format!("`{number}` {}", words.replace('#', number))
+    };
+    assert_eq!(doubts("350", ""), [doubt("350")]);
+    assert_eq!(doubts("-350", "param l: Length = 20;"), [doubt("20"), doubt("350")]);
+    assert_eq!(
+        doubts("1mm", "for i in 0..2 { body c[i] { point P = (42, 0mm); } joint w[i] = weld(ground.position, c[i].P); }"),
+        [doubt("42")]
+    );
+    for meant in ["350mm", "350m", "0.35", "2", "4.9", "100mm * 350"] {
+        assert_eq!(doubts(meant, ""), [""; 0], "{meant}");
+    }
+}
+
+/// A declared name is no unit, whatever it is called.
+#[test]
+fn declared_names_are_no_units() {
+    let source = "mechanism M { let s = 2; let m = 3; body b { point A = (3m / s, 0mm); mass = 1kg; inertia = 1kgm2; }
+        joint o = revolute(ground.position, b.position); force f = { at b.A: (5N * m, 0N); } freedom q = b.angle; }";
+    let refused = reuleaux_compiler::compile(source.parse().expect("the source consists of tokens")).err();
+    assert!(refused.is_none(), "{refused:?}");
 }

@@ -35,6 +35,9 @@ impl Display for ArityFact {
                     _ => Ok(()),
                 }
             }
+            ArityFact::OtherOrder { name, instead, signature } => {
+                write!(f, "`{name}` takes these arguments in another order\nhelp: write `{instead}`\nnote: `{signature}`")
+            }
             ArityFact::DefaultBefore { name } => {
                 write!(f, "`{name}` needs a default, since the parameter before it has one\nhelp: put it before those with a default")
             }

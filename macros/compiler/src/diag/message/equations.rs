@@ -43,6 +43,14 @@ impl Display for EquationFact {
                 write!(f, "the value of this freedom is a velocity already")?;
                 write!(f, "\nhelp: write its value at t = 0 after `from`, and nothing after `at`")
             }
+            EquationFact::CrossProduct { rows, parallel } => {
+                write!(f, "a cross product in space has three rows, and where it vanishes two of them say it all")?;
+                match rows {
+                    Some(rows) => write!(f, "\nhelp: write `{rows}`, which has two rows")?,
+                    None => write!(f, "\nhelp: write `across(axis, v) == 0;` with an axis of a body, or `dot` with two axes across it")?,
+                }
+                parallel.as_ref().map_or(Ok(()), |parallel| write!(f, ", or `{parallel}`"))
+            }
             EquationFact::OnGround { joint, kind } => {
                 write!(f, "`{joint}` joins ground to ground, and ground does not move")?;
                 write!(f, "\nhelp: give `{kind}` at least one body, or a point or an axis of one")

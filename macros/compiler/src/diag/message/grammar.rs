@@ -1,8 +1,32 @@
 //! Messages about tokens that are not a valid declaration.
 
 use super::words::{did_you_mean, is_power, listed, shortened};
-use crate::diag::{GrammarFact, remedy};
+use crate::diag::{GrammarFact, Home};
 use std::fmt::{Display, Formatter, Result};
+
+/// Items of a mechanism.
+const ITEMS: [&str; 17] = [
+    "param",
+    "let",
+    "ground",
+    "body",
+    "joint",
+    "drive",
+    "freedom",
+    "force",
+    "energy",
+    "gravity",
+    "output",
+    "range",
+    "part",
+    "for",
+    "component",
+    "function",
+    "use",
+];
+
+/// Items of a body.
+const BODY_ITEMS: [&str; 6] = ["point", "axis", "start", "mass", "center", "inertia"];
 
 impl Display for GrammarFact {
     fn fmt(&self, f: &mut Formatter) -> Result {
@@ -27,7 +51,9 @@ impl Display for GrammarFact {
                 }
             }
             GrammarFact::Unnamed { word, kind } => write!(f, "a {word} has a name of its own\nhelp: write `{word} name = {kind}(…);`"),
-            GrammarFact::NotANumber { found } => write!(f, "expected a number, found {found}{}", remedy::of_kind("a number", "text")),
+            GrammarFact::NotANumber { found } => {
+                write!(f, "expected a number, found {found}\nhelp: a quantity is a number with its unit right behind it, such as `120mm`")
+            }
             GrammarFact::PartsTooDeep { limit } => {
                 write!(f, "parts are nested more than {limit} deep\nhelp: declare the innermost parts in the mechanism, beside the others")
             }
@@ -67,48 +93,50 @@ impl Display for GrammarFact {
                 write!(f, "\nnote: a lint of Rust is allowed for the module in which the mechanism stands")
             }
             GrammarFact::TokensAfter { what, help } => write!(f, "nothing may follow {what}\nhelp: {help}"),
-            GrammarFact::UnknownItem { word } if word == "pub" => {
+            GrammarFact::UnknownItem { word, .. } if word == "pub" => {
                 write!(f, "all of a mechanism is as public as the mechanism\nhelp: take `pub` away")
             }
-            GrammarFact::UnknownItem { word } => {
-                let known = [
-                    "param",
-                    "let",
-                    "ground",
-                    "body",
-                    "joint",
-                    "drive",
-                    "freedom",
-                    "force",
-                    "energy",
-                    "gravity",
-                    "output",
-                    "range",
-                    "part",
-                    "for",
-                    "component",
-                    "function",
-                    "use",
-                ];
+            GrammarFact::UnknownItem { word, name, home: Some(home) } => {
+                let name = name.as_deref().unwrap_or("name");
+                write!(f, "`{word}` is no item of a mechanism\nhelp: write ")?;
+                match home {
+                    Home::Body => write!(f, "`body {name} {{ … }}`"),
+                    Home::Joint(calls) => {
+                        let lines: Vec<String> = calls.iter().map(|call| format!("`joint {name} = {call};`")).collect();
+                        write!(f, "{}", lines.join(" or "))
+                    }
+                    Home::Drive(call) => write!(f, "`drive {name} = {call};`"),
+                    Home::Force(call) => write!(f, "`force {name} = {call};`"),
+                    Home::Equation => write!(f, "its equation, `joint {name} = {{ lhs == rhs; }}`"),
+                }
+            }
+            GrammarFact::UnknownItem { word, .. } => {
                 // Words as short as `for` resemble many others: they are tried last.
-                let (rare, often): (Vec<&str>, Vec<&str>) = known.iter().partition(|known| matches!(**known, "part" | "for" | "range"));
+                let (rare, often): (Vec<&str>, Vec<&str>) = ITEMS.iter().partition(|known| matches!(**known, "part" | "for" | "range"));
                 let near = crate::diag::nearest;
                 let near = near(word, often.into_iter()).or_else(|| near(word, rare.into_iter()));
                 write!(f, "`{word}` is no item of a mechanism{}", did_you_mean(&near))?;
-                write!(f, "\nnote: items are {}", listed(known.into_iter()))
+                write!(f, "\nnote: items are {}", listed(ITEMS.into_iter()))
             }
             GrammarFact::UnknownBodyItem { word } => {
-                let near = crate::diag::nearest(word, ["point", "axis", "start"].into_iter());
-                write!(
-                    f,
-                    "`{word}` is no item of a body{}\nnote: a body has `point`, `axis`, `start`, `mass`, `center` and `inertia`",
-                    did_you_mean(&near)
-                )
+                write!(f, "`{word}` is no item of a body")?;
+                if ITEMS.contains(&word.as_str()) {
+                    return write!(f, "\nhelp: it stands in the mechanism: move it out of the body");
+                }
+                let near = crate::diag::nearest(word, BODY_ITEMS.into_iter());
+                write!(f, "{}", did_you_mean(&near))?;
+                if near.is_none() && ["length", "width", "height", "size", "radius"].contains(&word.as_str()) {
+                    write!(f, "\nhelp: a body is as large as its points say, such as `point end = (300mm, 0mm);`")?;
+                }
+                write!(f, "\nnote: a body has {}", listed(BODY_ITEMS.into_iter()))
             }
+            GrammarFact::OneEqualsSign => write!(f, "an equation is written with `==`\nhelp: write `lhs == rhs;`"),
             GrammarFact::OneArgument => {
                 write!(f, "a function here has one argument\nhelp: what else it depends on is a `param` or a `let`, which it sees")
             }
-            GrammarFact::PairWithoutParentheses { what } => write!(f, "{what} has two coordinates in parentheses\nhelp: write `(x, y)`"),
+            GrammarFact::WithoutParentheses { what, instead } => {
+                write!(f, "the coordinates of {what} stand in parentheses\nhelp: write `{}`", shortened(instead))
+            }
             GrammarFact::PathOfConstraint { path, last } => {
                 write!(f, "a joint names its constraint by a single word\nhelp: write `use {path};` above, and `{last}(…)` here")
             }

@@ -1,7 +1,7 @@
 //! Messages about names.
 
 use super::words::{did_you_mean, first_of, is_power, list, listed, shortened};
-use crate::diag::NameFact;
+use crate::diag::{Home, NameFact};
 use crate::quantity::{Dim, Role};
 use std::fmt::{Display, Formatter, Result};
 
@@ -13,6 +13,9 @@ impl Display for NameFact {
                     f,
                     "nothing is called `{name}` here\nhelp: a unit belongs to a number, as in `1{name}`; that of a rate is one word, as in `1rad_s`"
                 )
+            }
+            NameFact::UnitInParts { written, instead } => {
+                write!(f, "a unit is one word, and `{written}` is several\nhelp: write `{instead}`")
             }
             NameFact::OutputRead { name } => {
                 write!(f, "`{name}` is an output: it is read from Rust, not in the declaration")?;
@@ -26,6 +29,13 @@ impl Display for NameFact {
                 }
                 Ok(())
             }
+            NameFact::AngleOfBody { body, joint } => {
+                write!(f, "`{body}` has no `angle`: in space a body has an orientation, and a joint has an angle")?;
+                match joint {
+                    Some(joint) => write!(f, "\nhelp: write `{joint}.angle`"),
+                    None => write!(f, "\nhelp: write `joint.angle` with the name of a joint, or `joint_angle(a, b)` of two axes"),
+                }
+            }
             NameFact::UnknownFunction { name, is_constraint: true, .. } => {
                 write!(f, "`{name}` is a constraint, not a function\nhelp: write `joint name = {name}(…);`")
             }
@@ -36,12 +46,22 @@ impl Display for NameFact {
                 write!(f, "no function is called `{name}`\nhelp: declare it, such as `function {name}(x: Angle) -> Length = …;`")
             }
             NameFact::UnknownFunction { name, near, .. } => write!(f, "no function is called `{name}`{}", did_you_mean(near)),
-            NameFact::UnknownConstraint { name, near } => {
+            NameFact::UnknownConstraint { name, near, home, known } => {
                 write!(f, "no constraint is called `{name}`{}", did_you_mean(near))?;
-                if near.is_none() {
-                    write!(f, "\nhelp: bring in your own with `use path::to::{name};`")?;
+                match home.filter(|_| near.is_none()) {
+                    _ if near.is_some() => Ok(()),
+                    Some(Home::Joint([only])) => write!(f, "\nhelp: write `{only}`"),
+                    Some(Home::Joint(calls)) => write!(f, "\nhelp: write one of {}", listed(calls.iter().copied())),
+                    Some(Home::Drive(call) | Home::Force(call)) => write!(f, "\nhelp: write `{call}`"),
+                    Some(Home::Equation) => write!(f, "\nhelp: write its equation, `{{ lhs == rhs; }}`"),
+                    Some(Home::Body) => {
+                        write!(f, "\nhelp: declare `body {name} {{ … }}` and join it to others; `distance(P, Q, c)` is a rod without mass")
+                    }
+                    None => {
+                        write!(f, "\nnote: there are {}", first_of(&known.first, known.count))?;
+                        write!(f, "\nhelp: bring in your own with `use path::to::{name};`")
+                    }
                 }
-                Ok(())
             }
             NameFact::UnknownUnit { name, .. } if name == "Hz" => {
                 write!(f, "no unit is called `Hz`\nhelp: for a speed of rotation write `rpm` or `rad_s`, for a frequency `1/0.5s`")

@@ -228,6 +228,19 @@ impl Display for SystemFact {
                 }?;
                 write!(f, "\nhelp: take one of them away")
             }
+            SystemFact::AxesContradict { joint, other, bodies: [one, two], angles } => {
+                let [on_one, on_two] = angles.map(|angle| rounded(angle.to_degrees()));
+                write!(f, "`{joint}` contradicts `{other}`: their axes are {on_one}° apart on `{one}` and {on_two}° on `{two}`")?;
+                write!(f, "\nhelp: give both joints the same axes, or take one of them away")
+            }
+            SystemFact::TwoAxes { joint, other, bodies: [one, two], angle } => {
+                write!(
+                    f,
+                    "`{other}` and `{joint}` hold `{one}` and `{two}` together: nothing turns about two axes {}° apart",
+                    rounded(angle.to_degrees())
+                )?;
+                write!(f, "\nhelp: take one of them away, or write `weld` for both")
+            }
             SystemFact::Collides { joint, others, off } => {
                 write!(
                     f,

@@ -8,18 +8,19 @@ use std::fmt::{Display, Formatter, Result};
 impl Display for ValueFact {
     fn fmt(&self, f: &mut Formatter) -> Result {
         match self {
-            ValueFact::NotA { wanted, found } => write!(f, "expected {wanted}, found {found}{}", remedy::of_kind(wanted, found)),
-            ValueFact::WrongArgument { parameter, definition, wanted, found, instead } => {
+            ValueFact::NotA { wanted, found, ambient } => {
+                write!(f, "expected {wanted}, found {found}{}", remedy::of_kind(wanted, found, *ambient))
+            }
+            ValueFact::WrongArgument { parameter, definition, wanted, found, ambient, instead } => {
                 write!(f, "`{parameter}` of `{definition}` takes {wanted}, found {found}")?;
                 match instead {
                     Some(instead) => write!(f, "\nhelp: write `{instead}`"),
-                    None if wanted.ends_with(" joint") && !found.ends_with(" joint") => write!(f, "\nhelp: write the name of the joint"),
-                    None => write!(f, "{}", remedy::of_kind(wanted, found)),
+                    None => write!(f, "{}", remedy::of_kind(wanted, found, *ambient)),
                 }
             }
             ValueFact::WrongArgumentDimension { parameter, definition, wanted, found } => {
                 write!(f, "`{parameter}` of `{definition}` is {wanted}, found {found}")?;
-                if found.times(Dim::TIME) == *wanted {
+                if found.times(Dim::TIME) == *wanted && [Dim::ANGLE, Dim::LENGTH].contains(wanted) {
                     return write!(f, "\nhelp: multiply the rate by `t`");
                 }
                 // An argument given as a function of time often lacks only a factor with a unit.
@@ -30,7 +31,14 @@ impl Display for ValueFact {
                 }
             }
             ValueFact::WrongDefault { wanted, found } => write!(f, "the parameter takes {wanted}, its default is {found}"),
-            ValueFact::WrongDimension { wanted, found } => write!(f, "expected {wanted}, found {found}"),
+            ValueFact::WrongDimension { wanted, found } => {
+                let remedy = match *found {
+                    Dim::TIME if *wanted == Dim::NUMBER => "\nhelp: divide it by a time, as in `t / 1s`",
+                    found if found.is_of_time() => remedy::of_dimensions(*wanted, found),
+                    _ => "",
+                };
+                write!(f, "expected {wanted}, found {found}{remedy}")
+            }
             ValueFact::Unlike { action, one, two } => {
                 let joint = if *action == "equate" || *action == "compare" { "with" } else { "and" };
                 match *action {
@@ -47,12 +55,27 @@ impl Display for ValueFact {
             ValueFact::FunctionTakes { wanted, found } => write!(f, "expected a function of {wanted}, found a function of {found}"),
             ValueFact::OrderOfBodies => write!(f, "bodies have no order\nhelp: compare them with `==` or `!=`"),
             ValueFact::CannotCompare { one, two } => write!(f, "cannot compare {one} with {two}"),
-            ValueFact::CannotEquate { one, two, in_space } => {
-                write!(f, "cannot equate {one} with {two}{}", remedy::of_equation(one, two, *in_space))
+            ValueFact::CannotEquate { one, two, ambient } => {
+                write!(f, "cannot equate {one} with {two}{}", remedy::of_equation(one, two, *ambient))
             }
             ValueFact::NotThreeComponents { found } => write!(f, "a vector in space has 3 components, found {found}"),
+            ValueFact::MeansSpace { name } => {
+                write!(f, "`{name}` has words and vectors of space, and a mechanism is in the plane where it does not say `in space`")?;
+                write!(f, "\nhelp: write `mechanism {name} in space {{ … }}`")
+            }
             ValueFact::OnlyInSpace { word } => {
-                write!(f, "`{word}` is for mechanisms in space: write `mechanism Name in space {{ … }}`, or leave it out in the plane")
+                write!(f, "`{word}` is for mechanisms in space: write `mechanism Name in space {{ … }}`, or ")?;
+                match word.as_str() {
+                    "spherical" | "universal" => write!(f, "in the plane `revolute(P, Q)`"),
+                    "cylindrical" | "screw" => write!(f, "in the plane `translational(u, P, Q)`"),
+                    "drive_rotation" => write!(f, "in the plane `drive_angle(body, law)`"),
+                    "drive_translation" => write!(f, "in the plane `drive_along(guide, law)`"),
+                    "point_on_plane" => write!(f, "in the plane `point_on_line(P, u, Q)`"),
+                    "parallel_axes" => write!(f, "in the plane `parallel(i, j)`"),
+                    "along" | "across" => write!(f, "in the plane `dot(u, v)` and `cross(u, v)`"),
+                    "joint_angle" => write!(f, "in the plane a difference of angles, `b.angle - a.angle`"),
+                    _ => write!(f, "leave it out in the plane"),
+                }
             }
             ValueFact::OnlyInPlane { word } => {
                 let instead = match word.as_str() {

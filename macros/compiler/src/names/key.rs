@@ -4,7 +4,7 @@ use crate::syntax::ast::{ItemId, Shared};
 
 /// Key of a part of the syntax tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Key {
+pub(crate) enum Key {
     /// An item as a whole.
     Item(ItemId),
     /// The name of an item.

@@ -1,8 +1,9 @@
 //! Values of expressions while names are resolved.
 
-use super::Components;
-use super::names::{GroupId, SpaceId};
+use super::{GroupId, SpaceId};
+use crate::diag::Kind;
 use crate::expr::Expr;
+use crate::geometry::Components;
 use crate::quantity::InferredDim;
 use crate::syntax::ast;
 use std::rc::Rc;
@@ -82,19 +83,19 @@ impl Value {
         matches!(self, Value::Scalar(_) | Value::Vector(_) | Value::Point(_) | Value::Axis(_))
     }
 
-    /// Noun for messages: `a point`.
-    pub(crate) fn noun(&self) -> &'static str {
+    /// Kind of the value, for messages.
+    pub(crate) fn kind(&self) -> Kind {
         match self {
-            Value::Scalar(_) => "a number",
-            Value::Vector(_) => "a vector",
-            Value::Point(_) => "a point",
-            Value::Axis(_) => "an axis",
-            Value::Body(_) => "a body",
-            Value::Orientation(_) => "an orientation",
-            Value::Function(_) => "a function",
-            Value::Joint { .. } => "a joint",
-            Value::Part(_) => "a part",
-            Value::Array { .. } => "an array",
+            Value::Scalar(_) => Kind::Number,
+            Value::Vector(_) => Kind::Vector,
+            Value::Point(_) => Kind::Point,
+            Value::Axis(_) => Kind::Axis,
+            Value::Body(_) => Kind::Body,
+            Value::Orientation(_) => Kind::Orientation,
+            Value::Function(_) => Kind::Function,
+            Value::Joint { .. } => Kind::Joint,
+            Value::Part(_) => Kind::Part,
+            Value::Array { .. } => Kind::Array,
         }
     }
 }

@@ -1,12 +1,11 @@
 //! Signatures of definitions, for messages.
 
-use crate::diag::nearest;
-use crate::diag::{ArityFact, Range};
+use crate::diag::{ArityFact, Range, Wanted, nearest};
 use crate::syntax::ast::{Argument, Definition, Dimension, Formal, FormalKind};
 use proc_macro2::Ident;
 
 /// `revolute(P: Point, Q: Point)`
-fn signature(definition: &Definition) -> String {
+pub(crate) fn signature(definition: &Definition) -> String {
     let parameter = |formal: &Formal| {
         let optional = if formal.default.is_some() { " = …" } else { "" };
         format!("{}: {}{optional}", formal.name, kind_name(&formal.kind))
@@ -41,20 +40,21 @@ fn dimension_name(dimension: &Dimension) -> String {
     text
 }
 
-pub(super) fn noun(kind: &FormalKind) -> String {
+/// Kind of value that a parameter takes.
+pub(crate) fn wanted(kind: &FormalKind) -> Wanted {
     match kind {
-        FormalKind::Point => "a point".into(),
-        FormalKind::Axis => "an axis".into(),
-        FormalKind::Body => "a body".into(),
-        FormalKind::Quantity => "a number".into(),
-        FormalKind::Function(..) => "a function of one variable".into(),
-        FormalKind::Joint(kind) => format!("a `{kind}` joint"),
-        FormalKind::Scalar(dimension) => format!("a number ({})", dimension_name(dimension)),
+        FormalKind::Point => Wanted::Point,
+        FormalKind::Axis => Wanted::Axis,
+        FormalKind::Body => Wanted::Body,
+        FormalKind::Quantity => Wanted::Number,
+        FormalKind::Function(..) => Wanted::FunctionOfOne,
+        FormalKind::Joint(kind) => Wanted::JointOf(kind.to_string()),
+        FormalKind::Scalar(dimension) => Wanted::Quantity(dimension_name(dimension)),
     }
 }
 
 /// Source range of the argument for each parameter.
-pub(super) fn places(definition: &Definition, given: &[Argument]) -> Vec<(String, Range)> {
+pub(crate) fn places(definition: &Definition, given: &[Argument]) -> Vec<(String, Range)> {
     let place = |(position, argument): (usize, &Argument)| {
         let name = argument.name.as_ref().or(definition.parameters.get(position).map(|formal| &formal.name))?;
         Some((name.to_string(), argument.value.range))
@@ -68,7 +68,7 @@ fn takes(definition: &Definition) -> [usize; 2] {
     [required, definition.parameters.len()]
 }
 
-pub(super) fn too_many(definition: &Definition, found: usize) -> ArityFact {
+pub(crate) fn too_many(definition: &Definition, found: usize) -> ArityFact {
     ArityFact::TooManyArguments {
         definition: definition.name.to_string(),
         signature: signature(definition),
@@ -77,12 +77,12 @@ pub(super) fn too_many(definition: &Definition, found: usize) -> ArityFact {
     }
 }
 
-pub(super) fn too_few(definition: &Definition, found: usize, missing: Vec<String>) -> ArityFact {
+pub(crate) fn too_few(definition: &Definition, found: usize, missing: Vec<String>) -> ArityFact {
     let (name, signature) = (definition.name.to_string(), signature(definition));
     ArityFact::MissingArguments { definition: name, signature, takes: takes(definition), found, missing }
 }
 
-pub(super) fn unknown_argument(definition: &Definition, name: &Ident) -> ArityFact {
+pub(crate) fn unknown_argument(definition: &Definition, name: &Ident) -> ArityFact {
     let names: Vec<String> = definition.parameters.iter().map(|formal| formal.name.to_string()).collect();
     let near = nearest(&name.to_string(), names.iter().map(String::as_str));
     ArityFact::UnknownArgument { definition: definition.name.to_string(), name: name.to_string(), signature: signature(definition), near }

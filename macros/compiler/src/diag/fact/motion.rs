@@ -1,0 +1,54 @@
+//! Facts about forces, drives and freedoms.
+
+use super::super::Kind;
+use crate::quantity::Ambient;
+
+/// A word with which an item of equations or forces is declared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Word {
+    /// `joint`
+    Joint,
+    /// `drive`
+    Drive,
+    /// `force`
+    Force,
+}
+
+/// What a joint in space can measure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JointValue {
+    /// `joint.angle`
+    Angle,
+    /// `joint.displacement`
+    Displacement,
+}
+
+/// Forces, drives and freedoms.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)] // The sentence of each fact is its documentation.
+pub enum MotionFact {
+    PlaceWithoutAt { place: String },
+    StartWithEquals { value: String, start: String },
+    FreedomWithoutName { value: String },
+    GravityWithoutDirection { value: String, ambient: Ambient },
+    InertiaOfNumbers { found: usize, first: String },
+    TorqueWithoutAxis { torque: String, axis: Option<String> },
+    TorqueWithAxis { body: String, torque: Option<String> },
+    ForceWithoutDirection { force: String, ambient: Ambient },
+    ForceAtNoPoint { found: Kind, instead: Option<String> },
+    TorqueOnNoBody { found: Kind, instead: Option<String> },
+    EquationWithoutBraces { word: Word, name: String, equation: String },
+    ValueForForce { value: String, instead: String, laws: Vec<String> },
+    ValueForConstraint { word: Word, value: String, instead: String },
+    UnknownForce { name: String, near: Option<String>, laws: Vec<String> },
+    ForceForConstraint { force: String, word: Word, name: String, instead: Option<String> },
+    ConstraintForForce { constraint: String, is_drive: bool, name: String },
+    RateForStart { rate: String },
+    StartForRate { start: String },
+    RateBeforeStart { value: String, from: String, at: String },
+    JointWithoutValue { definition: String, wanted: JointValue, kind: String, instead: Option<String> },
+    FreedomOfJoint { name: String, joint: String, offers: Vec<String> },
+    FreedomIsHeld { freedom: String, of: usize, by: Vec<String>, free: Vec<String> },
+    SliceBesideFreedom { output: String, freedom: String },
+    RangeBesideFreedom { freedom: String },
+}

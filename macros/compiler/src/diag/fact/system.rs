@@ -1,0 +1,171 @@
+//! Facts about the mechanism as a whole.
+
+/// The mechanism as a whole: mobility and redundancy.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)] // The sentence of each fact is its documentation.
+pub enum SystemFact {
+    NoBodies {
+        name: String,
+    },
+    BodyIsFree {
+        body: String,
+        example: String,
+    },
+    PassiveSpin {
+        body: String,
+        joints: [String; 2],
+    },
+    FreedomDepends {
+        freedom: String,
+        of: usize,
+    },
+    FreedomsMissing {
+        name: String,
+        missing: usize,
+        declared: usize,
+        candidates: Vec<String>,
+    },
+    Massless {
+        bodies: Vec<String>,
+        has_any: bool,
+    },
+    Nonholonomic {
+        joint: String,
+        row: usize,
+        of: usize,
+    },
+    Repeats {
+        joint: String,
+        other: String,
+    },
+    NotOnGround {
+        bodies: Vec<String>,
+    },
+    FreeCoordinates {
+        body: String,
+        coordinates: Vec<String>,
+        has_place: bool,
+        example: String,
+        freedom: Option<String>,
+    },
+    DrivesMissing {
+        name: String,
+        count: Box<Count>,
+        forgotten: Box<Forgotten>,
+        candidates: Vec<String>,
+        example: String,
+        freedom: Option<String>,
+    },
+    NothingToDrive {
+        drive: String,
+        joints: Vec<String>,
+        equations: [usize; 2],
+        coordinates: Vec<String>,
+        free: Vec<String>,
+    },
+    DrivesContend {
+        drives: Vec<String>,
+        declared_free: Vec<String>,
+        freedoms: usize,
+        joints: Vec<String>,
+        coordinates: Vec<String>,
+        free: Vec<String>,
+    },
+    Follows {
+        joint: String,
+        is_drive: bool,
+        rows: Vec<usize>,
+        of: usize,
+        others: Vec<String>,
+    },
+    AxesContradict {
+        joint: String,
+        other: String,
+        bodies: [String; 2],
+        /// In rad.
+        angles: [f64; 2],
+    },
+    TwoAxes {
+        joint: String,
+        other: String,
+        bodies: [String; 2],
+        /// In rad.
+        angle: f64,
+    },
+    Contradicts {
+        joint: String,
+        others: Vec<String>,
+        demand: Option<Box<Demand>>,
+        off: String,
+    },
+    Collides {
+        joint: String,
+        others: Vec<String>,
+        off: String,
+    },
+    FollowsFrom {
+        joint: String,
+        is_drive: bool,
+        rows: usize,
+        of: usize,
+        others: Vec<String>,
+        free: Vec<String>,
+        moves: bool,
+        in_space: bool,
+    },
+    NotRedundant {
+        joint: String,
+        free: Vec<String>,
+    },
+    CannotHold {
+        joint: String,
+        bodies: Vec<String>,
+        length: Option<f64>,
+        angle: Option<f64>,
+        time: Option<f64>,
+        is_redundant: bool,
+    },
+    TooManyEquations {
+        joint: String,
+        others: Vec<String>,
+        equations: usize,
+        coordinates: Vec<String>,
+        free: Vec<String>,
+        for_free: usize,
+    },
+}
+
+/// A sum of coordinates for which a joint and the other joints demand different values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Demand {
+    /// `crank.angle`, or a sum such as `b.angle - a.angle`.
+    pub form: String,
+    /// Value that the joint demands, with its unit.
+    pub wanted: String,
+    /// Value that the other joints demand.
+    pub found: String,
+}
+
+/// Evidence that a joint was forgotten.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Forgotten {
+    /// Bodies joined to a single neighbour.
+    pub loose: Vec<String>,
+    /// A joint that would hold a body, as a line to type.
+    pub line: Option<String>,
+    /// Coordinates that this joint would hold.
+    pub holds: Vec<String>,
+}
+
+/// Numbers of coordinates, equations and drives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Count {
+    /// Number of coordinates of all bodies.
+    pub coordinates: usize,
+    /// Number of equations of joints.
+    pub joints: usize,
+    /// Number of equations of drives.
+    pub drives: usize,
+    /// Number of equations that are missing.
+    pub missing: usize,
+}

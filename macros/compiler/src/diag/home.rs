@@ -1,0 +1,58 @@
+//! Words of other programs and of workshops, with what they are here.
+
+use crate::quantity::Ambient;
+
+/// What a word is called here, as a call to type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Home {
+    /// A joint of the library, or one of several.
+    Joint(&'static [&'static str]),
+    /// A drive of the library.
+    Drive(&'static str),
+    /// A force of the library.
+    Force(&'static str),
+    /// An equation of one's own.
+    Equation,
+    /// A body, and joints with others.
+    Body,
+}
+
+/// Words, and what they are in the plane and in space.
+const HOMES: [(&[&str], Home, Home); 14] = [
+    (
+        &["hinge", "pin", "pivot", "rotary", "rotational", "bearing"],
+        Home::Joint(&["revolute(P, Q)"]),
+        Home::Joint(&["revolute(P, a, Q, b)"]),
+    ),
+    (
+        &["prismatic", "slider", "slide", "sliding", "linear", "guide"],
+        Home::Joint(&["translational(u, P, Q)"]),
+        Home::Joint(&["translational(P, a, Q, b)"]),
+    ),
+    (&["slot", "groove", "track", "rail"], Home::Joint(&["point_on_line(P, u, Q)"]), Home::Joint(&["point_on_line(P, a, Q)"])),
+    (&["fixed", "fix", "weld", "rigid", "clamp"], Home::Joint(&["weld(P, Q)"]), Home::Joint(&["weld(P, a, Q, b)"])),
+    (&["gear", "gears", "spur", "mesh", "gear_pair"], Home::Joint(&["gear_pair(i, j, a, b)"]), Home::Joint(&["gear_pair(one, two, a, b)"])),
+    (
+        &["rack", "pinion", "rack_pinion"],
+        Home::Joint(&["rack_pinion(pinion, rack, u, origin, R)"]),
+        Home::Joint(&["rack_pinion(angle, P, a, Q, radius)"]),
+    ),
+    (&["cam", "follower"], Home::Joint(&["cam_knife(O, F, R)", "cam_roller(O, C, roller, R)", "cam_flat(O, F, n, h)"]), Home::Equation),
+    (&["pulley", "belt", "chain", "sprocket"], Home::Joint(&["belt(i, j, a, b)"]), Home::Joint(&["gear_pair(one, two, a, b)"])),
+    (&["ball", "ball_joint", "socket", "spherical", "globe"], Home::Joint(&["revolute(P, Q)"]), Home::Joint(&["spherical(P, Q)"])),
+    (&["universal", "cardan", "hooke", "u_joint"], Home::Joint(&["revolute(P, Q)"]), Home::Joint(&["universal(P, a, Q, b)"])),
+    (&["motor", "servo"], Home::Drive("drive_angle(b, C)"), Home::Drive("drive_rotation(angle, C)")),
+    (&["spring"], Home::Force("spring(P, Q, stiffness)"), Home::Force("spring(P, Q, stiffness)")),
+    (&["damper", "dashpot"], Home::Force("damper(P, Q, damping)"), Home::Force("damper(P, Q, damping)")),
+    (&["crank", "piston", "link", "bar", "rod", "rocker", "coupler", "lever", "wheel", "plate", "arm", "block"], Home::Body, Home::Body),
+];
+
+/// What a word is here; `None` for a word that is not in the table.
+pub(crate) fn home(word: &str, ambient: Ambient) -> Option<Home> {
+    let word = word.to_lowercase();
+    let (_, plane, space) = HOMES.iter().find(|(words, ..)| words.contains(&word.as_str()))?;
+    Some(if ambient == Ambient::Plane { *plane } else { *space })
+}
+
+#[cfg(test)]
+mod tests;

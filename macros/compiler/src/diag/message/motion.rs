@@ -1,0 +1,164 @@
+//! Messages about forces, drives and freedoms.
+
+use super::words::{are, did_you_mean, list, listed};
+use crate::diag::fact::{JointValue, MotionFact, Word};
+use crate::quantity::Ambient;
+use std::fmt::{Display, Formatter, Result};
+
+impl Display for Word {
+    fn fmt(&self, f: &mut Formatter) -> Result {
+        f.write_str(match self {
+            Word::Joint => "joint",
+            Word::Drive => "drive",
+            Word::Force => "force",
+        })
+    }
+}
+
+impl Display for MotionFact {
+    fn fmt(&self, f: &mut Formatter) -> Result {
+        match self {
+            MotionFact::PlaceWithoutAt { place } => {
+                write!(f, "a force stands behind `at` and its point, a torque behind `on` and its body\nhelp: write `at {place}: …;`")
+            }
+            MotionFact::StartWithEquals { value, start } => {
+                write!(f, "a freedom has its value at t = 0 behind `from`\nhelp: write `{value} from {start}`")
+            }
+            MotionFact::FreedomWithoutName { value } => {
+                write!(f, "a freedom has a name of its own\nhelp: write `freedom name = {value};`")
+            }
+            MotionFact::GravityWithoutDirection { value, ambient } => {
+                let value = value.trim_start_matches('-');
+                write!(f, "gravity is a vector, the acceleration of free fall, found a number\nhelp: write ")?;
+                match ambient {
+                    Ambient::Plane => write!(f, "`gravity = (0, -{value});`"),
+                    Ambient::Space => write!(f, "`gravity = (0, 0, -{value});`"),
+                }
+            }
+            MotionFact::InertiaOfNumbers { found, first } => {
+                write!(f, "the inertia of a body in space is three numbers or six, found {found}")?;
+                write!(f, "\nhelp: write `({first}, {first}, {first})` for I_xx, I_yy, I_zz, or a shape such as `ball(30mm)`")
+            }
+            MotionFact::TorqueWithoutAxis { torque, axis } => {
+                write!(f, "a torque in space is a vector along its axis, found a number")?;
+                match axis {
+                    Some(axis) => write!(f, "\nhelp: write `{torque} * unit({axis})`, or its components in ground, `(0Nm, 0Nm, 5Nm)`"),
+                    None => write!(f, "\nhelp: write its components in ground, such as `(0Nm, 0Nm, {torque})`"),
+                }
+            }
+            MotionFact::TorqueWithAxis { body, torque } => {
+                write!(f, "a torque in the plane is a number, positive to the left, found a vector")?;
+                let torque = torque.as_deref().unwrap_or("5Nm");
+                write!(f, "\nhelp: write `on {body}: {torque};`, or `at {body}.position: (5N, 0N);` for a force")
+            }
+            MotionFact::ForceWithoutDirection { force, ambient } => {
+                write!(f, "a force is a vector in ground, found a number\nhelp: write ")?;
+                match ambient {
+                    Ambient::Plane => write!(f, "`({force}, 0N)` for a force along x, `{force} * unit(v)` for one along a vector `v`"),
+                    Ambient::Space => write!(f, "`({force}, 0N, 0N)` for a force along x, `{force} * unit(v)` for one along a vector `v`"),
+                }
+            }
+            MotionFact::ForceAtNoPoint { found, instead } => {
+                write!(f, "a force acts at a point, found {found}")?;
+                instead.as_ref().map_or(Ok(()), |instead| write!(f, "\nhelp: write `at {instead}: …;`"))
+            }
+            MotionFact::TorqueOnNoBody { found, instead } => {
+                write!(f, "a torque acts on a body, found {found}")?;
+                instead.as_ref().map_or(Ok(()), |instead| write!(f, "\nhelp: write `on {instead}: …;`, or `at` for a force at a point"))
+            }
+            MotionFact::EquationWithoutBraces { word, name, equation } => {
+                write!(f, "equations stand in braces\nhelp: write `{word} {name} = {{ {equation}; }}`")
+            }
+            MotionFact::ValueForForce { value, instead, laws } => {
+                write!(f, "`{value}` is a value, and a force says where it acts\nhelp: write `{instead}`")?;
+                write!(
+                    f,
+                    "\nhelp: or call a law, such as `spring(P, Q, stiffness: 500N_m)`: there are {}",
+                    listed(laws.iter().map(String::as_str))
+                )
+            }
+            MotionFact::ValueForConstraint { word: Word::Drive, value, instead } => {
+                write!(f, "`{value}` is a value, and a drive says what it moves\nhelp: write `{instead}`")
+            }
+            MotionFact::ValueForConstraint { value, instead, .. } => {
+                write!(f, "`{value}` is a value, and a joint relates bodies\nhelp: write `{instead}`, or an equation, `{{ lhs == rhs; }}`")
+            }
+            MotionFact::UnknownForce { name, near, laws } => {
+                write!(f, "no force is called `{name}`{}", did_you_mean(near))?;
+                write!(f, "\nnote: there are {}", listed(laws.iter().map(String::as_str)))?;
+                if near.is_some() {
+                    return Ok(());
+                }
+                write!(f, "\nhelp: write out another one, such as `{{ at P: (0N, -5N); at Q: (0N, 5N); }}`")
+            }
+            MotionFact::ForceForConstraint { force, word, name, instead } => {
+                write!(f, "`{force}` is a force, and a {word} ")?;
+                write!(f, "{}", if *word == Word::Drive { "prescribes a motion" } else { "holds bodies together" })?;
+                write!(f, "\nhelp: write `force {name} = {force}(…);`")?;
+                instead.as_ref().map_or(Ok(()), |instead| write!(f, ", or `drive {name} = {instead};` for a given motion"))
+            }
+            MotionFact::ConstraintForForce { constraint, is_drive, name } => {
+                let word = if *is_drive { Word::Drive } else { Word::Joint };
+                write!(f, "`{constraint}` is a {word}, not a force\nhelp: write `{word} {name} = {constraint}(…);`")?;
+                write!(f, ", or say where a force acts, such as `{{ at P: (0N, -5N); }}`")
+            }
+            MotionFact::RateForStart { rate } => {
+                write!(f, "`{rate}` is a rate, and `from` gives the value at t = 0\nhelp: write `at {rate}`")
+            }
+            MotionFact::StartForRate { start } => {
+                write!(f, "`{start}` is a value, and `at` gives its rate at t = 0\nhelp: write `from {start}`")
+            }
+            MotionFact::RateBeforeStart { value, from, at } => {
+                write!(f, "the value at t = 0 stands before the rate\nhelp: write `{value} from {from} at {at}`")
+            }
+            MotionFact::JointWithoutValue { definition, wanted, kind, instead } => {
+                let (noun, kinds) = match wanted {
+                    JointValue::Angle => ("an angle", "`revolute`, `cylindrical` or `screw`"),
+                    JointValue::Displacement => ("a displacement", "`translational`, `cylindrical` or `screw`"),
+                };
+                write!(f, "`{definition}` takes {noun}, and a `{kind}` joint has none")?;
+                match (instead, wanted) {
+                    (Some(instead), _) => write!(f, "\nhelp: write `{instead}`, or take a {kinds} joint"),
+                    (None, JointValue::Angle) => {
+                        write!(f, "\nhelp: take a {kinds} joint, or `joint_angle(a, b)` of two axes for the joint")
+                    }
+                    (None, JointValue::Displacement) => write!(f, "\nhelp: take a {kinds} joint, or `along(a, Q - P)` for the joint"),
+                }
+            }
+            MotionFact::FreedomOfJoint { name, joint, offers } => {
+                write!(f, "a freedom is a number or a vector, and `{joint}` is a joint")?;
+                let lines: Vec<String> = offers.iter().map(|offer| format!("freedom {name} = {offer};")).collect();
+                match lines.as_slice() {
+                    [] => Ok(()),
+                    [only] => write!(f, "\nhelp: write `{only}`"),
+                    [one, two, ..] => write!(f, "\nhelp: write `{one}` or `{two}`"),
+                }
+            }
+            MotionFact::FreedomIsHeld { freedom, of, by, free } => {
+                if *of == 1 {
+                    write!(f, "`{freedom}` is not free: {} {} it", list(by), if by.len() == 1 { "holds" } else { "hold" })?;
+                } else {
+                    write!(
+                        f,
+                        "not all {of} numbers of `{freedom}` are free: {} {} some",
+                        list(by),
+                        if by.len() == 1 { "holds" } else { "hold" }
+                    )?;
+                }
+                if free.is_empty() {
+                    return write!(f, "\nhelp: take it away: nothing can move there");
+                }
+                write!(f, "\nhelp: declare what can still move, such as `freedom {freedom} = {};`", free[0])?;
+                if free.len() > 1 { write!(f, "; {} free", are(free)) } else { Ok(()) }
+            }
+            MotionFact::SliceBesideFreedom { output, freedom } => {
+                write!(f, "`{output}` cannot be solved for alone: the freedom `{freedom}` is integrated, and all bodies with it")?;
+                write!(f, "\nhelp: write `output` for `slice output`")
+            }
+            MotionFact::RangeBesideFreedom { freedom } => {
+                write!(f, "a range says how long drives are followed, and the freedom `{freedom}` follows from forces")?;
+                write!(f, "\nhelp: take the range away; `advance` integrates to any time")
+            }
+        }
+    }
+}

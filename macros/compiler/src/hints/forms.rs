@@ -1,0 +1,59 @@
+//! Forms of expressions that are often written for others.
+
+use crate::syntax::ast::{Expression, ExpressionKind, Operator};
+use proc_macro2::Ident;
+
+/// Text of a unit that is written in parts, with its number: `500N / mm` as `500N_mm`, with the names that are taken for units.
+pub(crate) fn unit_in_parts(value: &Expression) -> Option<(String, Vec<&Ident>)> {
+    match &value.kind {
+        ExpressionKind::Number { digits, unit } if !unit.is_empty() => Some((format!("{digits}{unit}"), Vec::new())),
+        ExpressionKind::Binary(operator, lhs, rhs) => {
+            let between = match operator {
+                Operator::Mul => "",
+                Operator::Div => "_",
+                _ => return None,
+            };
+            let (before, mut names) = unit_in_parts(lhs)?;
+            let (name, exponent) = named_power(rhs)?;
+            names.push(name);
+            Some((format!("{before}{between}{name}{exponent}"), names))
+        }
+        _ => None,
+    }
+}
+
+/// `m`, or `m^2` with its exponent.
+fn named_power(value: &Expression) -> Option<(&Ident, &str)> {
+    match &value.kind {
+        ExpressionKind::Path(path) => Some((path.name.as_ref()?, "")),
+        ExpressionKind::Binary(Operator::Power, base, exponent) => match &exponent.kind {
+            ExpressionKind::Number { digits, unit } if unit.is_empty() => Some((named_power(base)?.0, digits)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// The two factors of `cross(a, b)`.
+pub(crate) fn cross_product(value: &Expression) -> Option<[&Expression; 2]> {
+    match &value.kind {
+        ExpressionKind::Call(path, arguments) if path.last == "cross" => arguments.iter().collect::<Vec<_>>().try_into().ok(),
+        _ => None,
+    }
+}
+
+/// True for a zero that is written out, as a number or as a vector.
+pub(crate) fn is_zero(value: &Expression) -> bool {
+    match &value.kind {
+        ExpressionKind::Number { digits, .. } => digits.parse() == Ok(0.0),
+        ExpressionKind::Tuple(items) => items.iter().all(is_zero),
+        _ => false,
+    }
+}
+
+/// The name of a point that is written `body.point`.
+pub(crate) fn point_of(value: &Expression, body: &str) -> Option<String> {
+    let ExpressionKind::Field(owner, point) = &value.kind else { return None };
+    let ExpressionKind::Path(path) = &owner.kind else { return None };
+    (path.name.as_ref()? == body).then(|| point.to_string())
+}

@@ -1,0 +1,256 @@
+//! Checks that say what was probably meant, where another kind of thing was written: a value for a force, a force for a joint, a number
+//! for a torque in space.
+
+use super::elaborate::{Elaborator, Scope};
+use super::register::Register;
+use super::statement::ScalarEquation;
+use crate::diag::{EquationFact, JointValue, MotionFact, Word};
+use crate::hints::{cross_product, is_zero, unit_in_parts};
+use crate::library;
+use crate::names::{Declared, FrameId, Progress, Sort, Value};
+use crate::quantity::{self, Ambient, Dim};
+use crate::syntax::ast::{self, Definition, ExpressionKind, Formal, FormalKind, JointItem, Statement, Task};
+use proc_macro2::Ident;
+
+impl Elaborator<'_> {
+    /// Word with which an item is declared.
+    fn word_of(&self, joint: &JointItem) -> Word {
+        match (self.applied.is_some(), joint.is_drive) {
+            (true, _) => Word::Force,
+            (false, true) => Word::Drive,
+            (false, false) => Word::Joint,
+        }
+    }
+
+    /// Refuses a force that is declared as a joint or a drive, and the other way round.
+    pub(super) fn is_of_its_word(&mut self, joint: &JointItem, kind: &Ident, definition: &Definition) -> Option<()> {
+        let applies = definition.statements.iter().any(|statement| matches!(statement, Statement::Apply(_)));
+        let (word, name) = (self.word_of(joint), joint.name.to_string());
+        match (word, applies) {
+            (Word::Force, false) => {
+                let is_drive = kind.to_string().starts_with("drive_");
+                self.refuse(kind, MotionFact::ConstraintForForce { constraint: kind.to_string(), is_drive, name })
+            }
+            (Word::Joint | Word::Drive, true) => {
+                let instead = (word == Word::Drive).then(|| self.a_drive("law"));
+                self.refuse(kind, MotionFact::ForceForConstraint { force: kind.to_string(), word, name, instead })
+            }
+            _ => Some(()),
+        }
+    }
+
+    /// Refuses a value where a call or equations are wanted, with a line that uses it.
+    pub(super) fn value_alone(&mut self, joint: &JointItem, written: &ast::Expression, scope: &Scope) -> Option<Vec<ScalarEquation>> {
+        let (found, value, name) = (self.value(written, scope)?, written.to_string(), &joint.name);
+        let word = self.word_of(joint);
+        let dim = match &found {
+            Value::Scalar(scalar) => scalar.measure.settled(),
+            _ => Dim::NUMBER,
+        };
+        let is_torque = dim.agrees(Dim::TORQUE);
+        let fact = match word {
+            Word::Force => {
+                let body = self.names.frames.get(1).map_or("body", |frame| frame.name.as_str());
+                let instead = match (&found, is_torque, self.names.ambient) {
+                    (Value::Vector(_), ..) => format!("force {name} = {{ at {body}.position: {value}; }}"),
+                    (_, true, Ambient::Plane) => format!("force {name} = {{ on {body}: {value}; }}"),
+                    (_, true, Ambient::Space) => format!("force {name} = {{ on {body}: (0Nm, 0Nm, {value}); }}"),
+                    (_, _, Ambient::Plane) => format!("force {name} = {{ at {body}.position: (0N, {value}); }}"),
+                    (_, _, Ambient::Space) => format!("force {name} = {{ at {body}.position: (0N, 0N, {value}); }}"),
+                };
+                MotionFact::ValueForForce { value, instead, laws: library::forces(self.names.ambient).map(str::to_owned).collect() }
+            }
+            Word::Drive => {
+                let law = if dim.times(Dim::TIME) == Dim::ANGLE { format!("{value} * t") } else { value.clone() };
+                MotionFact::ValueForConstraint { word, value, instead: format!("drive {name} = {};", self.a_drive(&law)) }
+            }
+            Word::Joint => {
+                let call = if self.names.ambient == Ambient::Space { "revolute(P, a, Q, b)" } else { "revolute(P, Q)" };
+                MotionFact::ValueForConstraint { word, value, instead: format!("joint {name} = {call};") }
+            }
+        };
+        self.refuse(written.range, fact)
+    }
+
+    /// A drive of the first body, or of a joint in space, by a law.
+    fn a_drive(&self, law: &str) -> String {
+        match (self.names.ambient, self.names.frames.get(1)) {
+            (Ambient::Space, _) => format!("drive_rotation(joint, {law})"),
+            (Ambient::Plane, Some(frame)) => format!("drive_angle({}, {law})", frame.name),
+            (Ambient::Plane, None) => format!("drive_angle(body, {law})"),
+        }
+    }
+
+    /// Refuses a vector that is the torque on a body in the plane.
+    pub(super) fn is_undirected(&mut self, applied: &ast::Applied, scope: &Scope) -> Option<()> {
+        let torque = match &applied.value.kind {
+            // Of three components the last one turns in the plane.
+            ExpressionKind::Tuple(items) => (items.len() == 3).then(|| items[2].to_string()),
+            _ if matches!(self.value(&applied.value, scope)?, Value::Vector(_) | Value::Point(_) | Value::Axis(_)) => None,
+            _ => return Some(()),
+        };
+        self.refuse(applied.value.range, MotionFact::TorqueWithAxis { body: applied.target.to_string(), torque })
+    }
+
+    /// Refuses a number that is a force, or a torque in space.
+    pub(super) fn is_directed(&mut self, applied: &ast::Applied, frame: FrameId, scope: &Scope) -> Option<()> {
+        if !matches!(self.value(&applied.value, scope)?, Value::Scalar(_)) {
+            return Some(());
+        }
+        let (value, ambient) = (applied.value.to_string(), self.names.ambient);
+        let fact = if applied.is_torque {
+            let axis = self.names.an_axis_of(frame).map(|axis| format!("{}.{axis}", self.names.frames[frame.0].name));
+            MotionFact::TorqueWithoutAxis { torque: value, axis }
+        } else {
+            MotionFact::ForceWithoutDirection { force: value, ambient }
+        };
+        self.refuse(applied.value.range, fact)
+    }
+
+    /// Refuses `cross(a, b) == 0` in space: its three rows say what two say, wherever it holds.
+    pub(super) fn has_no_cross_product(&mut self, joint: &JointItem, statements: &[Statement], scope: &Scope) -> Option<()> {
+        if self.names.ambient == Ambient::Plane || joint.is_redundant || !self.judges_rows {
+            return Some(());
+        }
+        for statement in statements {
+            let Statement::Equation(lhs, rhs) = statement else { continue };
+            let (Some([one, two]), other) = (cross_product(lhs), rhs) else { continue };
+            if !is_zero(other) {
+                continue;
+            }
+            // Names bound by a `let` before it are not known here: then nothing is proposed about them.
+            let axes = [one, two].map(|factor| self.names_axis(factor, scope));
+            let [one, two] = [one.to_string(), two.to_string()];
+            let rows = match axes {
+                [true, _] => Some(format!("across({one}, {two}) == 0;")),
+                [false, true] => Some(format!("across({two}, {one}) == 0;")),
+                [false, false] => None,
+            };
+            let parallel = (axes == [true, true]).then(|| format!("joint {} = parallel_axes({one}, {two});", joint.name));
+            return self.refuse(lhs.range.to(rhs.range), EquationFact::CrossProduct { rows, parallel });
+        }
+        Some(())
+    }
+
+    /// True for the path of an axis, `body.axis`, and for a direction that is written out.
+    fn names_axis(&self, value: &ast::Expression, scope: &Scope) -> bool {
+        if let ExpressionKind::Tuple(items) = &value.kind {
+            return items.iter().all(|item| matches!(item.kind, ExpressionKind::Number { .. }));
+        }
+        let ExpressionKind::Field(owner, name) = &value.kind else { return false };
+        let ExpressionKind::Path(path) = &owner.kind else { return false };
+        let frame = match &path.name {
+            Some(name) if name == "ground" => Some(FrameId::GROUND),
+            Some(name) => (0..self.names.frames.len()).map(FrameId).find(|frame| name == &self.names.frames[frame.0].name),
+            None => None,
+        };
+        let is_bound = path.name.as_ref().is_some_and(|name| scope.value_of(name).is_some());
+        let group = frame.filter(|_| !is_bound).and_then(|frame| self.names.find(self.names.frames[frame.0].space, &name.to_string()));
+        group.is_some_and(|group| self.names.group(group).sort == Sort::Axis)
+    }
+
+    /// A number with its unit, where the unit is written in parts that are no names: `500N_mm` for `500N / mm`.
+    pub(super) fn unit_of_parts(&self, written: &ast::Expression, scope: &Scope) -> Option<String> {
+        let (text, names) = unit_in_parts(written)?;
+        let is_known = |name: &&Ident| {
+            let declared = scope.space.and_then(|space| self.names.visible(space, &name.to_string()));
+            declared.is_some() || scope.value_of(name).is_some()
+        };
+        let unit = text.trim_start_matches(|letter: char| letter.is_ascii_digit() || letter == '.');
+        (!names.is_empty() && !names.iter().any(is_known) && quantity::unit(unit).is_some()).then_some(text)
+    }
+
+    /// Refuses a joint as a freedom, and offers the coordinates that it leaves.
+    pub(super) fn is_no_joint(&mut self, name: &Ident, written: &ast::Expression, scope: &Scope) -> Option<()> {
+        let Value::Joint { kind, arguments } = self.value(written, scope)? else { return Some(()) };
+        let joint = written.to_string();
+        let mut offers = Vec::new();
+        for word in ["angle", "displacement"] {
+            if matches!(self.quantity_of(&kind, &arguments, word), Some(Value::Scalar(_))) {
+                offers.push(format!("{joint}.{word}"));
+            }
+        }
+        if offers.is_empty() {
+            offers = self.coordinates_across(&joint, &arguments);
+        }
+        self.refuse(written.range, MotionFact::FreedomOfJoint { name: name.to_string(), joint, offers })
+    }
+
+    /// What can be measured between the bodies of a joint that names no coordinate: a distance along its axis, or an angle.
+    fn coordinates_across(&self, joint: &str, arguments: &[(String, Value)]) -> Vec<String> {
+        if let (Some((axis, _)), [(from, _), (to, _)]) = (
+            arguments.iter().find(|(_, value)| matches!(value, Value::Axis(_))),
+            arguments.iter().filter(|(_, value)| matches!(value, Value::Point(_))).collect::<Vec<_>>().as_slice(),
+        ) {
+            return vec![format!("dot({joint}.{to} - {joint}.{from}, {joint}.{axis})")];
+        }
+        let frame = |value: &Value| match value {
+            Value::Point(fixed) | Value::Axis(fixed) => Some(fixed.frame),
+            Value::Body(frame) => Some(*frame),
+            _ => None,
+        };
+        let mut frames: Vec<FrameId> = arguments.iter().filter_map(|(_, value)| frame(value)).collect();
+        frames.retain(|frame| *frame != FrameId::GROUND);
+        frames.dedup();
+        let name = |frame: &FrameId| &self.names.frames[frame.0].name;
+        match (frames.as_slice(), self.names.ambient) {
+            ([.., one, two], Ambient::Plane) => vec![format!("{}.angle - {}.angle", name(two), name(one))],
+            ([only], Ambient::Plane) => vec![format!("{}.angle", name(only))],
+            ([.., last], Ambient::Space) => vec![format!("{}.angular_velocity", name(last))],
+            ([], _) => Vec::new(),
+        }
+    }
+
+    /// A joint of a body in space that has an angle.
+    pub(super) fn hinge_of(&mut self, frame: FrameId) -> Option<String> {
+        let is_of = |value: &Value| match value {
+            Value::Point(fixed) | Value::Axis(fixed) => fixed.frame == frame,
+            _ => false,
+        };
+        let joint = |declared: &Declared| match &declared.progress {
+            Progress::Done(Value::Joint { kind, arguments }) if arguments.iter().any(|(_, value)| is_of(value)) => {
+                Some((declared.name.to_string(), kind.clone(), arguments.clone()))
+            }
+            _ => None,
+        };
+        let joints: Vec<_> = self.names.declared.iter().filter_map(joint).collect();
+        let hinge = joints.into_iter().find(|(_, kind, arguments)| self.quantity_of(kind, arguments, "angle").is_some());
+        hinge.map(|(name, ..)| name)
+    }
+
+    /// Refuses a joint where its angle or its displacement is wanted, and it has none.
+    pub(super) fn has_quantity(
+        &mut self,
+        definition: &Definition,
+        formal: &Formal,
+        argument: &ast::Expression,
+        value: &Value,
+    ) -> Option<()> {
+        let (FormalKind::Scalar(written), Value::Joint { kind, arguments }) = (&formal.kind, value) else { return Some(()) };
+        let (wanted, other, drive) = match written.dim() {
+            Some(Dim::ANGLE) => (JointValue::Angle, "displacement", "drive_translation"),
+            Some(Dim::LENGTH) => (JointValue::Displacement, "angle", "drive_rotation"),
+            _ => return Some(()),
+        };
+        if self.names.ambient == Ambient::Plane {
+            return Some(());
+        }
+        let has_other = self.quantity_of(kind, arguments, other).is_some();
+        let instead = (has_other && definition.name.to_string().starts_with("drive_")).then(|| format!("{drive}({argument}, …)"));
+        let fact = MotionFact::JointWithoutValue { definition: definition.name.to_string(), wanted, kind: kind.clone(), instead };
+        self.refuse(argument.range, fact)
+    }
+
+    /// Refuses slices and a range of time beside freedoms: integration takes all bodies along, and ends where it is told to.
+    pub(super) fn fits_freedoms(&mut self, task: Task, register: &Register) {
+        let Some((_, freedom)) = register.joints.iter().find(|(_, joint)| joint.is_freedom() && task == Task::Motion) else { return };
+        let freedom = freedom.name.to_string();
+        for (_, output) in register.outputs.iter().filter(|(_, output)| output.is_slice) {
+            let fact = MotionFact::SliceBesideFreedom { output: output.name.to_string(), freedom: freedom.clone() };
+            self.once(output, |this| this.refuse::<()>(&output.name, fact));
+        }
+        if let Some(range) = &register.range {
+            self.refuse::<()>(&range.keyword, MotionFact::RangeBesideFreedom { freedom });
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! Parses joints, drives, freedoms, forces and energies.
+
+use super::ast::{Argument, Docs, Expression, FreedomItem, JointBody, JointItem};
+use super::definition::statement;
+use super::expression::expression;
+use super::item::{declared, value};
+use super::tokens::{Parsed, braces, comma, equals, expected, keyword, name, parentheses, path, semicolon, wrong};
+use crate::diag::{GrammarFact, MotionFact, Word};
+use proc_macro2::Ident;
+use syn::ext::IdentExt;
+use syn::parse::ParseStream;
+use syn::{Token, token};
+
+/// `joint name = …;`, `redundant joint name = …;` or `drive name = …;`
+pub(super) fn joint(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
+    let mut word = Ident::parse_any(input)?;
+    let is_redundant = word == "redundant";
+    if is_redundant {
+        if keyword(input).is_none_or(|word| word != "joint") {
+            return expected(input, "`joint`: only a joint can be redundant");
+        }
+        word = Ident::parse_any(input)?;
+    }
+    let is_drive = word == "drive";
+    let word = match word.to_string().as_str() {
+        "drive" => Word::Drive,
+        "force" => Word::Force,
+        _ => Word::Joint,
+    };
+    let what = match word {
+        Word::Joint => "the name of the joint",
+        Word::Drive => "the name of the drive",
+        Word::Force => "the name of the force",
+    };
+    let (name, indices) = declared(input, what)?;
+    if input.peek(token::Paren) {
+        return wrong(&name, GrammarFact::Unnamed { word, kind: name.to_string() });
+    }
+    equals(input)?;
+    let body = match () {
+        () if input.peek(token::Brace) => equations(input)?,
+        () if is_value(input, word) => bare(input, word, &name)?,
+        () => instance(input)?,
+    };
+    Ok(JointItem { docs, is_drive, is_redundant, name, indices, body })
+}
+
+/// `freedom name = value from start at rate;`
+pub(super) fn freedom(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
+    Ident::parse_any(input)?;
+    let before = input.fork();
+    let (name, indices) = declared(input, "the name of the freedom")?;
+    if input.peek(Token![.]) {
+        let value = expression(&before)?;
+        return wrong(value.range, MotionFact::FreedomWithoutName { value: value.to_string() });
+    }
+    equals(input)?;
+    let value = expression(input)?;
+    if input.peek(Token![=]) && !input.peek(Token![==]) {
+        let sign = input.span();
+        input.parse::<Token![=]>()?;
+        return wrong(sign, MotionFact::StartWithEquals { value: value.to_string(), start: expression(input)?.to_string() });
+    }
+    let clause = |word: &str| -> Parsed<Option<Expression>> {
+        if keyword(input).is_none_or(|found| found != word) {
+            return Ok(None);
+        }
+        Ident::parse_any(input)?;
+        expression(input).map(Some)
+    };
+    let (from, at) = (clause("from")?, clause("at")?);
+    if let (None, Some(at), Some(late)) = (&from, &at, clause("from")?) {
+        let (range, value) = (at.range.to(late.range), value.to_string());
+        return wrong(range, MotionFact::RateBeforeStart { value, from: late.to_string(), at: at.to_string() });
+    }
+    if !input.peek(Token![;]) && keyword(input).is_some() {
+        return expected(input, "`from` and the value at t = 0, `at` and the rate at t = 0, or `;`");
+    }
+    semicolon(input)?;
+    let body = JointBody::Freedom(Box::new(FreedomItem { value, from, at }));
+    Ok(JointItem { docs, is_drive: true, is_redundant: false, name, indices, body })
+}
+
+/// `energy name = value;`
+pub(super) fn energy(input: ParseStream, docs: Docs) -> Parsed<JointItem> {
+    Ident::parse_any(input)?;
+    let (name, indices) = declared(input, "the name of the energy")?;
+    let body = JointBody::Energy(Box::new(value(input)?));
+    Ok(JointItem { docs, is_drive: true, is_redundant: false, name, indices, body })
+}
+
+/// `{ lhs == rhs; … }`, with or without a semicolon after it.
+fn equations(input: ParseStream) -> Parsed<JointBody> {
+    let (content, _) = braces(input)?;
+    let mut statements = Vec::new();
+    while !content.is_empty() {
+        statements.push(statement(&content)?);
+    }
+    if input.peek(Token![;]) {
+        input.parse::<Token![;]>()?;
+    }
+    Ok(JointBody::Equations(statements))
+}
+
+/// True if an expression follows that is no call of a constraint or a force.
+fn is_value(input: ParseStream, word: Word) -> bool {
+    if input.peek2(Token![::]) || input.peek(Token![::]) {
+        return false;
+    }
+    if !input.peek(syn::Ident::peek_any) {
+        return !input.is_empty() && !input.peek(Token![;]) && !input.peek(token::Bracket);
+    }
+    let is_alone = input.peek2(Token![;]);
+    let is_operand = [input.peek2(Token![*]), input.peek2(Token![/]), input.peek2(Token![+]), input.peek2(Token![-])];
+    input.peek2(Token![.]) || input.peek2(Token![^]) || is_operand.contains(&true) || is_alone && word == Word::Force
+}
+
+/// `value;`, for a message about it, or an equation that lacks its braces.
+fn bare(input: ParseStream, word: Word, name: &Ident) -> Parsed<JointBody> {
+    let value = expression(input)?;
+    if input.peek(Token![==]) {
+        input.parse::<Token![==]>()?;
+        let other = expression(input)?;
+        let fact = MotionFact::EquationWithoutBraces { word, name: name.to_string(), equation: format!("{value} == {other}") };
+        return wrong(value.range.to(other.range), fact);
+    }
+    semicolon(input)?;
+    Ok(JointBody::Value(Box::new(value)))
+}
+
+/// `kind(arguments);`
+fn instance(input: ParseStream) -> Parsed<JointBody> {
+    if input.peek(Token![::]) || input.peek2(Token![::]) {
+        let path = path(input)?;
+        let text = path.tokens.to_string().replace(' ', "");
+        return wrong(path.range, GrammarFact::PathOfConstraint { path: text, last: path.last.to_string() });
+    }
+    let kind = name(input, "a constraint such as `revolute(…)`, or `{ lhs == rhs; }`")?;
+    if !input.peek(token::Paren) {
+        return expected(input, "`(` and the arguments");
+    }
+    let arguments = arguments(input)?;
+    semicolon(input)?;
+    Ok(JointBody::Of { kind, arguments })
+}
+
+/// `(value, name: value, …)`
+pub(super) fn arguments(input: ParseStream) -> Parsed<Vec<Argument>> {
+    let (content, _) = parentheses(input)?;
+    let mut arguments = Vec::new();
+    while !content.is_empty() {
+        arguments.push(argument(&content)?);
+        comma(&content, "`,` or `)`")?;
+    }
+    Ok(arguments)
+}
+
+/// `value` or `name: value`
+fn argument(input: ParseStream) -> Parsed<Argument> {
+    let is_named = input.peek(syn::Ident) && input.peek2(Token![:]) && !input.peek2(Token![::]);
+    if !is_named {
+        return Ok(Argument { name: None, value: expression(input)? });
+    }
+    let name = name(input, "the name of the argument")?;
+    input.parse::<Token![:]>()?;
+    Ok(Argument { name: Some(name), value: expression(input)? })
+}
