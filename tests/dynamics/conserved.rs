@@ -346,7 +346,7 @@ fn loads_follow_changed_parameters() {
 
 #[test]
 fn a_sweep_gives_states_between_steps_as_good_as_those_at_their_ends() {
-    let pendulum = Pendulum { start: -2.0, ..Pendulum::default() };
+    let pendulum = Pendulum::<f64> { start: -2.0 };
     for tolerance in [1e-6, 1e-9, 1e-12] {
         let times = (0..400).map(|k| 0.01 * f64::from(k));
         // As many steps as there are times, with a far smaller tolerance.
@@ -366,7 +366,7 @@ fn a_sweep_gives_states_between_steps_as_good_as_those_at_their_ends() {
 
 #[test]
 fn a_sweep_may_turn_back_begin_anywhere_and_end_before_the_motion_stops() {
-    let pendulum = Pendulum { start: -2.0, ..Pendulum::default() };
+    let pendulum = Pendulum::<f64> { start: -2.0 };
     let integrator = Integrator::new(1e-11);
     let there: Vec<_> = pendulum.sweep([0.0, 0.7, 1.9, 0.7, 0.05, 0.0, -0.3], integrator).map(|state| state.expect("a state")).collect();
     assert!((there[1].rod().angle - there[3].rod().angle).abs() < 1e-9);
@@ -383,7 +383,7 @@ fn a_sweep_may_turn_back_begin_anywhere_and_end_before_the_motion_stops() {
 
 #[test]
 fn a_motion_can_be_watched_and_stopped() {
-    let pendulum = Pendulum { start: -2.0, ..Pendulum::default() };
+    let pendulum = Pendulum::<f64> { start: -2.0 };
     let (mut state, mut integrator) = (pendulum.initial_state().expect("a state"), Integrator::new(1e-9));
     let mut steps = 0;
     assert_eq!(

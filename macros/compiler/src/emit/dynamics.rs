@@ -171,7 +171,7 @@ impl Emitter<'_> {
         let list: Vec<String> =
             self.model.joints.iter().filter(|joint| joint.freedom.is_some()).map(|joint| format!("`{}`", joint.name)).collect();
         let page = docs::line(&format!("The state at t = 0 with the initial values declared for the freedoms: {}.", list.join(", ")));
-        let failure = quote!(::reuleaux::Stopped<T>);
+        let (sweeps, failure) = (self.sweeps_of_motion(), quote!(::reuleaux::Stopped<T>));
         quote! {
             #page
             ///
@@ -213,6 +213,40 @@ impl Emitter<'_> {
             ) -> ::core::result::Result<::core::primitive::bool, #failure> {
                 integrator.advance_while(self, &mut state.0, t, |state| goes_on(&#state(::core::clone::Clone::clone(state))))
             }
+            #sweeps
+            /// Takes a state over one step of `h` (s), without an estimate of its error: for controllers.
+            ///
+            /// # Errors
+            /// Why there is no state after it; the state stays as it is.
+            pub fn step(&self, state: &mut #state<T>, h: T) -> ::core::result::Result<(), #failure> {
+                ::reuleaux::motion::fixed_step(self, &mut state.0, h)
+            }
+            /// Kinetic energy, potential energy of gravity and of each `energy`, and the power of the forces declared.
+            #[must_use]
+            pub fn energy(&self, state: &#state<T>) -> ::reuleaux::Energy<T> {
+                ::reuleaux::Dynamics::energy(self, &state.q, &state.qd, state.t)
+            }
+        }
+    }
+
+    /// States at many times, and at events.
+    fn sweeps_of_motion(&self) -> TokenStream {
+        let (state, failure) = (state_path(&self.model.name), quote!(::reuleaux::Stopped<T>));
+        quote! {
+            /// Takes a state to the first instant before `t` (s) at which `event` changes its sign, or to `t`. True if there is such an
+            /// instant; an event where the state begins does not count.
+            ///
+            /// # Errors
+            /// Why the motion stops; the state is the last one reached.
+            pub fn advance_until(
+                &self,
+                state: &mut #state<T>,
+                t: T,
+                integrator: &mut ::reuleaux::Integrator<T>,
+                event: impl ::core::ops::Fn(&#state<T>) -> T,
+            ) -> ::core::result::Result<::core::primitive::bool, #failure> {
+                integrator.advance_until(self, &mut state.0, t, |state| event(&#state(::core::clone::Clone::clone(state))))
+            }
             /// States at the times (s) given, from the initial values on: steps are as long as the tolerance allows, and states between
             /// their ends are interpolated and brought back to where the equations hold. After an error there are no more.
             pub fn sweep<'a>(
@@ -234,32 +268,6 @@ impl Emitter<'_> {
                 let start = ::core::result::Result::Ok(::core::clone::Clone::clone(&state.0));
                 let times = ::core::iter::IntoIterator::into_iter(times);
                 ::core::iter::Iterator::map(::reuleaux::MotionSweep::new(self, start, times, integrator), |state| state.map(#state))
-            }
-            /// Takes a state to the first instant before `t` (s) at which `event` changes its sign, or to `t`. True if there is such an
-            /// instant; an event where the state begins does not count.
-            ///
-            /// # Errors
-            /// Why the motion stops; the state is the last one reached.
-            pub fn advance_until(
-                &self,
-                state: &mut #state<T>,
-                t: T,
-                integrator: &mut ::reuleaux::Integrator<T>,
-                event: impl ::core::ops::Fn(&#state<T>) -> T,
-            ) -> ::core::result::Result<::core::primitive::bool, #failure> {
-                integrator.advance_until(self, &mut state.0, t, |state| event(&#state(::core::clone::Clone::clone(state))))
-            }
-            /// Takes a state over one step of `h` (s), without an estimate of its error: for controllers.
-            ///
-            /// # Errors
-            /// Why there is no state after it; the state stays as it is.
-            pub fn step(&self, state: &mut #state<T>, h: T) -> ::core::result::Result<(), #failure> {
-                ::reuleaux::motion::fixed_step(self, &mut state.0, h)
-            }
-            /// Kinetic energy, potential energy of gravity and of each `energy`, and the power of the forces declared.
-            #[must_use]
-            pub fn energy(&self, state: &#state<T>) -> ::reuleaux::Energy<T> {
-                ::reuleaux::Dynamics::energy(self, &state.q, &state.qd, state.t)
             }
         }
     }
