@@ -103,7 +103,7 @@ pub use api::{
 pub use api::{Named, Relation, between, finite, require, within};
 #[doc(hidden)]
 pub use dynamics::motion;
-pub use dynamics::{Balance, Constraints, Dynamics, Energy, Integrator, MotionSweep, Stopped};
+pub use dynamics::{Balance, Constraints, Dynamics, Energy, Explicit, Integrator, Method, MotionSweep, Stiff, Stopped};
 #[cfg(feature = "certify")]
 pub use enclosure::{Certificate, Doubt, Enclosure, ErrorBound};
 pub use explain::Failure;

@@ -6,3 +6,4 @@ mod conserved;
 mod plane;
 mod published;
 mod space;
+mod stiff;

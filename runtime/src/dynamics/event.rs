@@ -2,7 +2,7 @@
 
 use super::equations::Dynamics;
 use super::places::{picked, put};
-use super::step::{after, stages};
+use super::step::{Method, land};
 use super::stopped::Stopped;
 use crate::number::Float;
 use crate::state::State;
@@ -14,7 +14,7 @@ const SEARCH: usize = 60;
 const LOOKS: usize = 8;
 
 /// The first state between two others at which an event changes its sign; none if it does not.
-pub(super) fn first_event<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+pub(super) fn first_event<K: Method, T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     from: &State<T, N>,
     to: &State<T, N>,
@@ -35,7 +35,7 @@ where
         }
         let high = (part * whole, value);
         if is_other(low.1, high.1) {
-            let found = locate(mechanism, from, (low, high), event)?;
+            let found = locate::<K, T, S, N, I, M, R>(mechanism, from, (low, high), event)?;
             if found.is_some() {
                 return Ok(found);
             }
@@ -85,7 +85,7 @@ where
 }
 
 /// The state at which an event has the value zero, by steps from the same state; none if its values there do not differ in sign.
-fn locate<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+fn locate<K: Method, T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     from: &State<T, N>,
     (low, high): ((T, T), (T, T)),
@@ -96,8 +96,8 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let at = |h: T| {
-        let stages = stages(mechanism, from, h)?;
-        after(mechanism, from, &stages, h).map(|(state, _)| (h, event(&state), state))
+        let trial = K::trial(mechanism, from, h)?;
+        land(mechanism, from, &trial, h).map(|(state, _)| (h, event(&state), state))
     };
     let mut found = at(high.0)?;
     let mut high = (high.0, found.1);

@@ -1,20 +1,21 @@
 //! Integration in time.
 
+use core::marker::PhantomData;
+
 use super::accelerate::lengths;
 use super::equations::Dynamics;
 use super::event::first_event;
 use super::places::{largest, picked};
 use super::project::refresh;
 use super::rank::keeps_rank;
-use super::step::{Rates, after, error, stages};
+use super::step::{Explicit, Method, Rates, Stiff, error, land};
 use super::stopped::Stopped;
-use super::tableau::STAGES;
 use crate::number::Float;
 use crate::state::State;
 
 /// Steps of a motion: their tolerance, their size, and what they cost.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Integrator<T = f64> {
+pub struct Integrator<T = f64, K = Explicit> {
     /// Error aimed at, relative to the largest length, angle and speed; motions that amplify errors end with larger ones.
     pub tolerance: T,
     /// Longest step, in s; infinite unless set.
@@ -31,17 +32,32 @@ pub struct Integrator<T = f64> {
     pub rejected: usize,
     /// Number of times that accelerations were computed.
     pub evaluations: usize,
+    /// How steps are made.
+    #[doc(hidden)]
+    pub method: PhantomData<K>,
 }
 
 impl<T: Float> Integrator<T> {
-    /// Steps with this relative error, from 1e-4 to 1e-13.
+    /// Steps with this relative error, from 1e-4 to 1e-13: explicit, of order 8 (Dormand and Prince).
     #[must_use]
     pub fn new(tolerance: T) -> Self {
         let longest = T::of(f64::INFINITY);
         let (step, fastest) = (T::ZERO, T::ZERO);
-        Self { tolerance, longest, most: 1_000_000, step, fastest, accepted: 0, rejected: 0, evaluations: 0 }
+        Self { tolerance, longest, most: 1_000_000, step, fastest, accepted: 0, rejected: 0, evaluations: 0, method: PhantomData }
     }
+}
 
+impl<T: Float> Integrator<T, Stiff> {
+    /// Steps for stiff motions with this relative error, from 1e-2 to 1e-8: linearly implicit, of order 4, and L-stable (Hairer and Wanner's
+    /// RODAS). Springs and dampers whose oscillations have died out do not bound their length.
+    #[must_use]
+    pub fn stiff(tolerance: T) -> Self {
+        let Integrator { tolerance, longest, most, step, fastest, accepted, rejected, evaluations, .. } = Integrator::new(tolerance);
+        Self { tolerance, longest, most, step, fastest, accepted, rejected, evaluations, method: PhantomData }
+    }
+}
+
+impl<T: Float, K: Method> Integrator<T, K> {
     /// Takes a state to time `t`, forwards or backwards, as long as `goes_on` says so of the state after each step. True if the time is
     /// reached.
     ///
@@ -119,7 +135,7 @@ impl<T: Float> Integrator<T> {
                 return Ok(false);
             }
             let (next, _) = self.next(mechanism, state, t)?;
-            if let Some(found) = first_event(mechanism, state, &next, &event)? {
+            if let Some(found) = first_event::<K, T, S, N, I, M, R>(mechanism, state, &next, &event)? {
                 *state = found;
                 return Ok(true);
             }
@@ -128,14 +144,14 @@ impl<T: Float> Integrator<T> {
         if state.t == t { Ok(false) } else { Err(Stopped::TooManySteps { time: state.t }) }
     }
 
-    /// The state after the next accepted step, at `t` at the latest, and the rates in the stages of the step.
+    /// The state after the next accepted step, at `t` at the latest, and the rates in the stages of an explicit step.
     #[allow(clippy::type_complexity)] // A state and rates.
     pub(super) fn next<S, const N: usize, const I: usize, const M: usize, const R: usize>(
         &mut self,
         mechanism: &S,
         state: &State<T, N>,
         t: T,
-    ) -> Result<(State<T, N>, Rates<T, I>), Stopped<T>>
+    ) -> Result<(State<T, N>, Option<Rates<T, I>>), Stopped<T>>
     where
         S: Dynamics<T, N, I, M, R>,
     {
@@ -148,28 +164,28 @@ impl<T: Float> Integrator<T> {
             if h.abs() <= T::of(4.0) * T::EPSILON * state.t.abs() && !is_last || h.abs() < T::of(SHORTEST) {
                 return Err(Stopped::StepTooShort { time: state.t });
             }
-            self.evaluations += STAGES;
+            self.evaluations += K::evaluations(I);
             // A trial beyond what the joints allow is a step that is too long.
             let mut error_and_speed = (T::of(f64::INFINITY), self.fastest);
-            let tried = stages(mechanism, state, h).and_then(|stages| {
-                error_and_speed = error(mechanism, state, &stages, h, (self.tolerance, self.fastest));
+            let tried = K::trial(mechanism, state, h).and_then(|trial| {
+                error_and_speed = error(mechanism, state, &trial, h, (self.tolerance, self.fastest));
                 let is_accepted = error_and_speed.0 <= T::of(1.0);
-                if is_accepted { after(mechanism, state, &stages, h).map(|reached| Some((reached, stages))) } else { Ok(None) }
+                if is_accepted { land(mechanism, state, &trial, h).map(|reached| Some((reached, trial.rates))) } else { Ok(None) }
             });
             let (error, fastest) = error_and_speed;
-            if let Ok(Some(((mut next, reached), stages))) = tried {
-                keeps_rank(mechanism, state, &next, &reached)?;
+            if let Ok(Some(((mut next, reached), rates))) = tried {
+                keeps_rank::<K, T, S, N, I, M, R>(mechanism, state, &next, &reached)?;
                 (self.accepted, self.fastest) = (self.accepted + 1, fastest);
-                let grown = wanted * factor(error, 6.0);
+                let grown = wanted * factor::<T, K>(error, 6.0);
                 // A last step that was cut says nothing of the next one, unless it allows more.
-                self.step = if is_last { self.step.abs().max(h.abs() * factor(error, 6.0)) } else { grown };
+                self.step = if is_last { self.step.abs().max(h.abs() * factor::<T, K>(error, 6.0)) } else { grown };
                 if is_last {
                     next.values.t = t;
                 }
-                return Ok((next, stages));
+                return Ok((next, rates));
             }
             self.rejected += 1;
-            let shorter = if tried.is_err() { T::of(0.2) } else { factor(error, 1.0) };
+            let shorter = if tried.is_err() { T::of(0.2) } else { factor::<T, K>(error, 1.0) };
             self.step = h.abs() * shorter;
             if self.step <= T::of(4.0) * T::EPSILON * state.t.abs() || self.step < T::of(SHORTEST) {
                 return Err(tried.err().unwrap_or(Stopped::StepTooShort { time: state.t }));
@@ -181,12 +197,12 @@ impl<T: Float> Integrator<T> {
 /// Part of the way that the first step is at most.
 const FIRST: f64 = 0.01;
 
-/// Change of the step size for an error relative to the tolerance: its eighth root, with reserve.
-fn factor<T: Float>(error: T, most: f64) -> T {
+/// Change of the step size for an error relative to the tolerance: its eighth or fourth root, with reserve.
+fn factor<T: Float, K: Method>(error: T, most: f64) -> T {
     if !error.is_finite() {
         return T::of(0.2);
     }
-    let root = error.max(T::of(1e-12)).sqrt().sqrt().sqrt();
+    let root = (0..K::ROOTS).fold(error.max(T::of(1e-12)), |root, _| root.sqrt());
     least((T::of(0.9) / root).max(T::of(0.2)), T::of(most))
 }
 

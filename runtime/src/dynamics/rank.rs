@@ -3,7 +3,7 @@
 use super::accelerate::{lengths, singular};
 use super::equations::Dynamics;
 use super::partition::{has_other_signs, weakest};
-use super::step::{Reached, integrated, stages};
+use super::step::{Method, Reached};
 use super::stopped::Stopped;
 use crate::number::Float;
 use crate::state::State;
@@ -18,7 +18,7 @@ const LOST: f64 = 1e-4;
 ///
 /// # Errors
 /// When they do not, and a joint whose equations depend on the others there.
-pub(super) fn keeps_rank<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+pub(super) fn keeps_rank<K: Method, T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     from: &State<T, N>,
     to: &State<T, N>,
@@ -38,10 +38,7 @@ where
     for _ in 0..SEARCH {
         let h = (low + high) * T::of(0.5);
         // Near the instant a projection may lead to another branch: these places are those integrated.
-        let there = stages(mechanism, from, h).map(|stages| {
-            let (q, _) = integrated::<T, S, N, I, M, R>(from, &stages, h);
-            mechanism.constraints(&q, from.t + h).jacobian
-        });
+        let there = K::trial(mechanism, from, h).map(|trial| mechanism.constraints(&trial.end[0], from.t + h).jacobian);
         match there {
             Ok(there) if !has_other_signs(&start, &there, pivots) => (low, last) = (h, there),
             _ => high = h,

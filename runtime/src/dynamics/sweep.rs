@@ -3,6 +3,7 @@
 use super::dense::Dense;
 use super::equations::Dynamics;
 use super::integrator::Integrator;
+use super::step::{Explicit, Method};
 use super::stopped::Stopped;
 use crate::number::Float;
 use crate::state::State;
@@ -11,7 +12,7 @@ use crate::state::State;
 ///
 /// After an error there are no more states.
 #[derive(Clone)]
-pub struct MotionSweep<'a, S, T, X, const N: usize, const I: usize, const M: usize, const R: usize> {
+pub struct MotionSweep<'a, S, T, X, const N: usize, const I: usize, const M: usize, const R: usize, K = Explicit> {
     mechanism: &'a S,
     times: X,
     /// The end of the last step; `None` after an error.
@@ -20,17 +21,17 @@ pub struct MotionSweep<'a, S, T, X, const N: usize, const I: usize, const M: usi
     stopped: Option<Stopped<T>>,
     /// The last step.
     step: Option<Dense<T, N, I>>,
-    integrator: Integrator<T>,
+    integrator: Integrator<T, K>,
 }
 
-impl<'a, S, T, X, const N: usize, const I: usize, const M: usize, const R: usize> MotionSweep<'a, S, T, X, N, I, M, R>
+impl<'a, S, T, X, const N: usize, const I: usize, const M: usize, const R: usize, K: Method> MotionSweep<'a, S, T, X, N, I, M, R, K>
 where
     T: Float,
     S: Dynamics<T, N, I, M, R>,
 {
     /// Begins at a state.
     #[doc(hidden)]
-    pub fn new(mechanism: &'a S, start: Result<State<T, N>, Stopped<T>>, times: X, integrator: Integrator<T>) -> Self {
+    pub fn new(mechanism: &'a S, start: Result<State<T, N>, Stopped<T>>, times: X, integrator: Integrator<T, K>) -> Self {
         let (state, stopped) = match start {
             Ok(state) => (Some(state), None),
             Err(stopped) => (None, Some(stopped)),
@@ -53,7 +54,10 @@ where
             if let Some(step) = self.step.as_ref().filter(|step| step.contains(t)) {
                 return step.at(self.mechanism, t);
             }
-            let (beyond, before) = (if t < state.t { T::of(f64::NEG_INFINITY) } else { T::of(f64::INFINITY) }, self.integrator);
+            let whole = if t < state.t { T::of(f64::NEG_INFINITY) } else { T::of(f64::INFINITY) };
+            // Steps that do not know their stages end at the times.
+            let beyond = if K::IS_DENSE { whole } else { t };
+            let before = self.integrator;
             let (next, rates) = match self.integrator.next(self.mechanism, state, beyond) {
                 Ok(found) => found,
                 // What stops the motion behind the time is no matter.
@@ -62,14 +66,18 @@ where
                     self.integrator.next(self.mechanism, state, t)?
                 }
             };
-            self.step = Some(Dense::new(self.mechanism, state, &next, &rates)?);
+            self.step = match rates {
+                Some(rates) => Some(Dense::new(self.mechanism, state, &next, &rates)?),
+                None => None,
+            };
             *state = next;
         }
         Err(Stopped::TooManySteps { time: state.t })
     }
 }
 
-impl<S, T, X, const N: usize, const I: usize, const M: usize, const R: usize> Iterator for MotionSweep<'_, S, T, X, N, I, M, R>
+impl<S, T, X, const N: usize, const I: usize, const M: usize, const R: usize, K: Method> Iterator
+    for MotionSweep<'_, S, T, X, N, I, M, R, K>
 where
     T: Float,
     S: Dynamics<T, N, I, M, R>,

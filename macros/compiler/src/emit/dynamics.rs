@@ -195,7 +195,7 @@ impl Emitter<'_> {
                 &self,
                 state: &mut #state<T>,
                 t: T,
-                integrator: &mut ::reuleaux::Integrator<T>,
+                integrator: &mut ::reuleaux::Integrator<T, impl ::reuleaux::Method>,
             ) -> ::core::result::Result<(), #failure> {
                 integrator.advance_while(self, &mut state.0, t, |_| true).map(|_| ())
             }
@@ -208,7 +208,7 @@ impl Emitter<'_> {
                 &self,
                 state: &mut #state<T>,
                 t: T,
-                integrator: &mut ::reuleaux::Integrator<T>,
+                integrator: &mut ::reuleaux::Integrator<T, impl ::reuleaux::Method>,
                 mut goes_on: impl ::core::ops::FnMut(&#state<T>) -> ::core::primitive::bool,
             ) -> ::core::result::Result<::core::primitive::bool, #failure> {
                 integrator.advance_while(self, &mut state.0, t, |state| goes_on(&#state(::core::clone::Clone::clone(state))))
@@ -242,7 +242,7 @@ impl Emitter<'_> {
                 &self,
                 state: &mut #state<T>,
                 t: T,
-                integrator: &mut ::reuleaux::Integrator<T>,
+                integrator: &mut ::reuleaux::Integrator<T, impl ::reuleaux::Method>,
                 event: impl ::core::ops::Fn(&#state<T>) -> T,
             ) -> ::core::result::Result<::core::primitive::bool, #failure> {
                 integrator.advance_until(self, &mut state.0, t, |state| event(&#state(::core::clone::Clone::clone(state))))
@@ -252,7 +252,7 @@ impl Emitter<'_> {
             pub fn sweep<'a>(
                 &'a self,
                 times: impl ::core::iter::IntoIterator<Item = T> + 'a,
-                integrator: ::reuleaux::Integrator<T>,
+                integrator: ::reuleaux::Integrator<T, impl ::reuleaux::Method + 'a>,
             ) -> impl ::core::iter::Iterator<Item = ::core::result::Result<#state<T>, #failure>> + 'a {
                 let start = ::reuleaux::motion::initial_state(self);
                 let times = ::core::iter::IntoIterator::into_iter(times);
@@ -263,7 +263,7 @@ impl Emitter<'_> {
                 &'a self,
                 state: &#state<T>,
                 times: impl ::core::iter::IntoIterator<Item = T> + 'a,
-                integrator: ::reuleaux::Integrator<T>,
+                integrator: ::reuleaux::Integrator<T, impl ::reuleaux::Method + 'a>,
             ) -> impl ::core::iter::Iterator<Item = ::core::result::Result<#state<T>, #failure>> + 'a {
                 let start = ::core::result::Result::Ok(::core::clone::Clone::clone(&state.0));
                 let times = ::core::iter::IntoIterator::into_iter(times);

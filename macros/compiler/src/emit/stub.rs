@@ -244,31 +244,31 @@ fn motion_from_forces(state: &Ident, body: &TokenStream) -> TokenStream {
     quote! {
         pub fn initial_state(&self) -> #first { #body }
         pub fn accelerate(&self, _: &mut #state<T>) -> #nothing { #body }
-        pub fn advance(&self, _: &mut #state<T>, _: T, _: &mut ::reuleaux::Integrator<T>) -> #nothing { #body }
+        pub fn advance(&self, _: &mut #state<T>, _: T, _: &mut ::reuleaux::Integrator<T, impl ::reuleaux::Method>) -> #nothing { #body }
         pub fn advance_until(
             &self,
             _: &mut #state<T>,
             _: T,
-            _: &mut ::reuleaux::Integrator<T>,
+            _: &mut ::reuleaux::Integrator<T, impl ::reuleaux::Method>,
             _: impl ::core::ops::Fn(&#state<T>) -> T,
         ) -> #found { #body }
         pub fn advance_while(
             &self,
             _: &mut #state<T>,
             _: T,
-            _: &mut ::reuleaux::Integrator<T>,
+            _: &mut ::reuleaux::Integrator<T, impl ::reuleaux::Method>,
             _: impl ::core::ops::FnMut(&#state<T>) -> ::core::primitive::bool,
         ) -> #found { #body }
         pub fn sweep<'a>(
             &'a self,
             _: impl ::core::iter::IntoIterator<Item = T> + 'a,
-            _: ::reuleaux::Integrator<T>,
+            _: ::reuleaux::Integrator<T, impl ::reuleaux::Method>,
         ) -> ::std::vec::IntoIter<#first> { #body }
         pub fn sweep_from<'a>(
             &'a self,
             _: &#state<T>,
             _: impl ::core::iter::IntoIterator<Item = T> + 'a,
-            _: ::reuleaux::Integrator<T>,
+            _: ::reuleaux::Integrator<T, impl ::reuleaux::Method>,
         ) -> ::std::vec::IntoIter<#first> { #body }
         pub fn step(&self, _: &mut #state<T>, _: T) -> #nothing { #body }
         pub fn energy(&self, _: &#state<T>) -> ::reuleaux::Energy<T> { #body }

@@ -29,7 +29,9 @@ const NAMED: &[(&str, [i16; 4])] = &[
     ("Torque", [2, 0, -2, 1]),
     ("Inertia", [2, 0, 0, 1]),
     ("Stiffness", [0, 0, -2, 1]),
+    ("Damping", [0, 0, -1, 1]),
     ("Pressure", [-1, 0, -2, 1]),
+    ("Power", [2, 0, -3, 1]),
 ];
 
 const UNITS: [&str; 4] = ["m", "rad", "s", "kg"];
@@ -181,6 +183,8 @@ impl fmt::Display for Dim {
             Some("Force") => return write!(formatter, "a force (N)"),
             Some("Torque") => return write!(formatter, "a torque (N m)"),
             Some("Stiffness") => return write!(formatter, "a stiffness (N/m)"),
+            Some("Damping") => return write!(formatter, "a damping (N s/m)"),
+            Some("Power") => return write!(formatter, "a power (W)"),
             Some("Pressure") => return write!(formatter, "a pressure (Pa)"),
             Some(other) => return write!(formatter, "a {} ({})", other.to_lowercase(), self.unit()),
             None => return write!(formatter, "a quantity in {}", self.unit()),

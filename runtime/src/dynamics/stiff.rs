@@ -1,0 +1,228 @@
+//! Steps for stiff motions: the Rosenbrock method RODAS of order 4, stiffly accurate, with an error estimate of order 3.
+//!
+//! Coefficients: E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, 2nd edition, Springer 1996, IV.7. With U = (Q, V) for
+//! positions and speeds, each stage solves
+//!
+//! ```text
+//! Q/(γh) − V            = r_q      r: rates where the stage stands, and Σ c_ij U_j / h
+//! V/(γh) − A_q Q − A_u V = r_v
+//! ```
+//!
+//! so that one matrix of the size of the speeds, 1/(γh) − A_u − γh A_q, is factored a step. A_q and A_u are the derivatives of the
+//! accelerations, by differences.
+
+use super::accelerate::{accelerations, lengths};
+use super::equations::Dynamics;
+use super::partition::Pivots;
+use super::places::{picked, put};
+use super::step::Trial;
+use super::stopped::Stopped;
+use crate::number::Float;
+use crate::state::State;
+
+const STAGES: usize = 6;
+
+/// γ
+const GAMMA: f64 = 0.25;
+
+/// What the stages so far have given for one number.
+type Found<T> = [T; STAGES];
+
+/// Σ of weighted results.
+macro_rules! sum {
+    ($k:ident: $($stage:literal => $weight:literal),*) => { T::of(0.0) $(+ T::of($weight) * $k[$stage])* };
+}
+
+/// Σ a_ij U_j; the last stage begins where the fifth ends.
+#[inline(always)]
+fn place<T: Float>(stage: usize, k: &Found<T>) -> T {
+    match stage {
+        1 => sum!(k: 0 => 1.544),
+        2 => sum!(k: 0 => 0.9466785280815826, 1 => 0.2557011698983284),
+        3 => sum!(k: 0 => 3.314825187068521, 1 => 2.896124015972201, 2 => 0.9986419139977817),
+        4 => sum!(k: 0 => 1.221224509226641, 1 => 6.019134481288629, 2 => 12.53708332932087, 3 => -0.687886036105895),
+        5 => sum!(k: 0 => 1.221224509226641, 1 => 6.019134481288629, 2 => 12.53708332932087, 3 => -0.687886036105895, 4 => 1.0),
+        _ => T::of(0.0),
+    }
+}
+
+/// Σ c_ij U_j
+#[inline(always)]
+fn coupling<T: Float>(stage: usize, k: &Found<T>) -> T {
+    match stage {
+        1 => sum!(k: 0 => -5.6688),
+        2 => sum!(k: 0 => -2.430093356833875, 1 => -0.2063599157091915),
+        3 => sum!(k: 0 => -0.1073529058151375, 1 => -9.594562251023355, 2 => -20.47028614809616),
+        4 => sum!(k: 0 => 7.496443313967647, 1 => -10.24680431464352, 2 => -33.99990352819905, 3 => 11.7089089320616),
+        5 => {
+            sum!(k: 0 => 8.083246795921522, 1 => -7.981132988064893, 2 => -31.52159432874371, 3 => 16.31930543123136, 4 => -6.058818238834054)
+        }
+        _ => T::of(0.0),
+    }
+}
+
+/// Time of a stage, and its part of the derivative by time.
+#[inline(always)]
+fn times<T: Float>(stage: usize) -> [T; 2] {
+    match stage {
+        0 => [T::of(0.0), T::of(0.25)],
+        1 => [T::of(0.386), T::of(-0.1043)],
+        2 => [T::of(0.21), T::of(0.1035)],
+        3 => [T::of(0.63), T::of(-0.03620000000000023)],
+        _ => [T::of(1.0), T::of(0.0)],
+    }
+}
+
+/// How often a step computes accelerations of so many coordinates.
+pub(super) const fn evaluations(coordinates: usize) -> usize {
+    2 * coordinates + STAGES + 1
+}
+
+/// A step of order 4.
+pub(super) fn stiff<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    state: &State<T, N>,
+    h: T,
+) -> Result<Trial<T, N, I>, Stopped<T>>
+where
+    T: Float,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let [q, u, a] = [&state.q, &state.qd, &state.qdd].map(|vector| picked(vector, &S::INTEGRATED));
+    let mut motion = MotionAt { mechanism, vectors: [state.q, state.qd], pivots: None };
+    let [by_position, by_speed] = motion.slopes([&q, &u], &a, state.t, h)?;
+    let by_time = motion.slope_by_time([&q, &u], &a, state.t, h)?;
+    let part = T::of(GAMMA) * h;
+    let mut matrix = [[T::ZERO; I]; I];
+    for row in 0..I {
+        for column in 0..I {
+            let unit = if row == column { T::of(1.0) / part } else { T::ZERO };
+            matrix[row][column] = unit - by_speed[row][column] - part * by_position[row][column];
+        }
+    }
+    let factors = Factors::new(matrix);
+    // By positions and speeds, coordinate and stage.
+    let mut found = [[[T::ZERO; STAGES]; I]; 2];
+    let mut end = [q, u];
+    for stage in 0..STAGES {
+        let [node, of_time] = times::<T>(stage);
+        let at: [T; I] = core::array::from_fn(|k| q[k] + place(stage, &found[0][k]));
+        let moving: [T; I] = core::array::from_fn(|k| u[k] + place(stage, &found[1][k]));
+        let rates = if stage == 0 { a } else { motion.at([&at, &moving], state.t + node * h)? };
+        let right: [T; I] = core::array::from_fn(|k| moving[k] + coupling(stage, &found[0][k]) / h);
+        let mut side: [T; I] = core::array::from_fn(|k| {
+            let coupled = rates[k] + coupling(stage, &found[1][k]) / h + h * of_time * by_time[k];
+            (0..I).fold(coupled, |sum, column| sum + part * by_position[k][column] * right[column])
+        });
+        factors.solve(&mut side);
+        for k in 0..I {
+            found[0][k][stage] = part * (right[k] + side[k]);
+            found[1][k][stage] = side[k];
+        }
+        end = [at, moving];
+    }
+    // The last stage is the difference between the steps of order 4 and 3.
+    let last = found.map(|part| part.map(|stages| stages[STAGES - 1]));
+    let mut vectors = [state.q, state.qd];
+    for ((vector, end), last) in vectors.iter_mut().zip(&end).zip(&last) {
+        put(vector, &S::INTEGRATED, &core::array::from_fn(|k| end[k] + last[k]));
+    }
+    let errors = last.map(|part| part.map(|error| [error, T::ZERO]));
+    Ok(Trial { end: vectors, errors, rates: None })
+}
+
+/// Accelerations at other positions and speeds than those of a state.
+struct MotionAt<'a, T, S, const N: usize, const I: usize, const M: usize> {
+    mechanism: &'a S,
+    vectors: [nalgebra::SVector<T, N>; 2],
+    pivots: Option<Pivots<T, M, I>>,
+}
+
+/// Derivatives of each acceleration, by row.
+type Slopes<T, const I: usize> = [[T; I]; I];
+
+impl<T: Float, S, const N: usize, const I: usize, const M: usize> MotionAt<'_, T, S, N, I, M> {
+    fn at<const R: usize>(&mut self, motion: [&[T; I]; 2], t: T) -> Result<[T; I], Stopped<T>>
+    where
+        S: Dynamics<T, N, I, M, R>,
+    {
+        for (vector, values) in self.vectors.iter_mut().zip(motion) {
+            put(vector, &S::INTEGRATED, values);
+        }
+        let [q, qd] = &self.vectors;
+        accelerations(self.mechanism, (q, qd), t, &mut self.pivots)
+    }
+
+    /// Derivatives of the accelerations by positions and by speeds.
+    fn slopes<const R: usize>(&mut self, motion: [&[T; I]; 2], here: &[T; I], t: T, h: T) -> Result<[Slopes<T, I>; 2], Stopped<T>>
+    where
+        S: Dynamics<T, N, I, M, R>,
+    {
+        let lengths = lengths(self.mechanism);
+        let mut slopes = [[[T::ZERO; I]; I]; 2];
+        for (part, slopes) in slopes.iter_mut().enumerate() {
+            for column in 0..I {
+                let mut moved = motion.map(|values| *values);
+                let scale = if part == 0 { lengths[column] } else { lengths[column] / h.abs() };
+                let before = moved[part][column];
+                let after = before + T::ROOT_EPSILON * before.abs().max(scale);
+                moved[part][column] = after;
+                let there = self.at([&moved[0], &moved[1]], t)?;
+                for (row, (there, here)) in slopes.iter_mut().zip(there.iter().zip(here)) {
+                    row[column] = (*there - *here) / (after - before);
+                }
+            }
+        }
+        Ok(slopes)
+    }
+
+    fn slope_by_time<const R: usize>(&mut self, motion: [&[T; I]; 2], here: &[T; I], t: T, h: T) -> Result<[T; I], Stopped<T>>
+    where
+        S: Dynamics<T, N, I, M, R>,
+    {
+        let after = t + T::ROOT_EPSILON * t.abs().max(h.abs());
+        let there = self.at(motion, after)?;
+        Ok(core::array::from_fn(|k| (there[k] - here[k]) / (after - t)))
+    }
+}
+
+/// Factors of a matrix, with row pivoting.
+struct Factors<T, const I: usize> {
+    rows: [[T; I]; I],
+    order: [usize; I],
+}
+
+impl<T: Float, const I: usize> Factors<T, I> {
+    fn new(mut rows: [[T; I]; I]) -> Self {
+        let mut order: [usize; I] = core::array::from_fn(|k| k);
+        for k in 0..I {
+            let mut best = k;
+            for row in k..I {
+                best = if rows[row][k].abs() > rows[best][k].abs() { row } else { best };
+            }
+            rows.swap(k, best);
+            order.swap(k, best);
+            let own = rows[k];
+            for row in rows.iter_mut().skip(k + 1) {
+                let factor = row[k] / own[k];
+                row[k] = factor;
+                for (entry, own) in row.iter_mut().zip(&own).skip(k + 1) {
+                    *entry = *entry - factor * *own;
+                }
+            }
+        }
+        Self { rows, order }
+    }
+
+    fn solve(&self, side: &mut [T; I]) {
+        let given = *side;
+        for k in 0..I {
+            let before = given.get(self.order[k]).copied().unwrap_or(T::ZERO);
+            side[k] = (0..k).fold(before, |sum, column| sum - self.rows[k][column] * side[column]);
+        }
+        for k in (0..I).rev() {
+            let sum = (k + 1..I).fold(side[k], |sum, column| sum - self.rows[k][column] * side[column]);
+            side[k] = sum / self.rows[k][k];
+        }
+    }
+}

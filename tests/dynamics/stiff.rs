@@ -1,0 +1,100 @@
+//! Stiff motions.
+
+use reuleaux::{Integrator, mechanism};
+
+mechanism! {
+    /// A sledge on a spring with a damper that lets it creep only.
+    mechanism Sledge {
+        param stiffness: Stiffness = 1000N_m;
+        param damping: Damping = 100000Ns_m;
+        ground { point P = (0m, 0m);  axis line = (1, 0); }
+        body sledge { point Q = (0m, 0m);  mass = 0.1kg; }
+        joint rail = translational(ground.line, ground.P, sledge.Q);
+        force support = spring_damper(ground.P, sledge.Q, stiffness, rest: 500mm, damping: damping);
+        freedom slide = sledge.x from 600mm;
+    }
+}
+
+mechanism! {
+    /// A four-bar that falls against a stiff buffer of its crank.
+    mechanism Buffered {
+        gravity = (0, -9.81m_s2);
+        ground { point D = (4m, 0m); }
+        body crank   { point B = (1m, 0m);    mass = 1kg;    center = (0.5m, 0m);   inertia = 1/12 * 1kgm2; }
+        body coupler { point C = (3.5m, 0m);  mass = 3.5kg;  center = (1.75m, 0m);  inertia = 3.5^3 / 12 * 1kgm2;  start angle = 60deg; }
+        body rocker  { point C = (3m, 0m);    mass = 3kg;    center = (1.5m, 0m);   inertia = 27/12 * 1kgm2;  start angle = 100deg; }
+        joint a = revolute(ground.position, crank.position);
+        joint b = revolute(crank.B, coupler.position);
+        joint c = revolute(coupler.C, rocker.C);
+        joint d = revolute(rocker.position, ground.D);
+        force buffer = { on crank: -20000Nm / 1rad * (crank.angle - 0.2rad) - 3000Nm / 1rad_s * crank.angular_velocity; };
+        freedom swing = crank.angle from 0.3rad;
+    }
+}
+
+/// Exact elongation and speed of the sledge.
+fn creeping(sledge: &Sledge, t: f64) -> [f64; 2] {
+    let (m, c, k) = (0.1, sledge.damping, sledge.stiffness);
+    let root = (c * c - 4.0 * m * k).sqrt();
+    let fast = -(c + root) / (2.0 * m);
+    let slow = k / (m * fast);
+    let share = |rate: f64, other: f64| 0.1 * other / (other - rate);
+    let terms = [(slow, share(slow, fast)), (fast, share(fast, slow))].map(|(rate, size)| (size * (rate * t).exp(), rate));
+    [terms.iter().map(|(term, _)| term).sum(), terms.iter().map(|(term, rate)| term * rate).sum()]
+}
+
+#[test]
+fn a_creeping_sledge_takes_few_steps() {
+    let sledge = Sledge::default();
+    for tolerance in [1e-4, 1e-6, 1e-8] {
+        let (mut state, mut integrator) = (sledge.initial_state().expect("a state"), Integrator::stiff(tolerance));
+        for t in [0.001, 1.0, 100.0, 300.0] {
+            sledge.advance(&mut state, t, &mut integrator).expect("a motion");
+            let [x, v] = creeping(&sledge, t);
+            let body = state.sledge();
+            assert!((body.position.x - 0.5 - x).abs() < tolerance && (body.velocity.x - v).abs() < tolerance, "{tolerance:e} at {t}");
+        }
+        // The damper forgets a million times a second.
+        assert!(integrator.accepted < 600, "{}", integrator.accepted);
+    }
+}
+
+#[test]
+fn explicit_steps_are_shorter_than_the_fastest_decay() {
+    let (sledge, mut integrator) = (Sledge { damping: 1e3, ..Sledge::default() }, Integrator::new(1e-6));
+    let mut state = sledge.initial_state().expect("a state");
+    sledge.advance(&mut state, 1.0, &mut integrator).expect("a motion");
+    let (mut other, mut stiff) = (sledge.initial_state().expect("a state"), Integrator::stiff(1e-6));
+    sledge.advance(&mut other, 1.0, &mut stiff).expect("a motion");
+    assert!(integrator.accepted > 1000 && stiff.accepted < 200, "{} {}", integrator.accepted, stiff.accepted);
+    assert!((state.sledge().position.x - other.sledge().position.x).abs() < 1e-7);
+}
+
+#[test]
+fn both_methods_follow_the_same_motion_of_a_loop() {
+    let linkage = Buffered::default();
+    let exact: Vec<f64> =
+        linkage.sweep([0.05, 0.5, 2.0], Integrator::new(1e-12)).map(|state| state.expect("a state").crank().angle).collect();
+    for tolerance in [1e-3, 1e-5, 1e-7] {
+        let mut integrator = Integrator::stiff(tolerance);
+        let mut state = linkage.initial_state().expect("a state");
+        for (t, exact) in [0.05, 0.5, 2.0].into_iter().zip(&exact) {
+            linkage.advance(&mut state, t, &mut integrator).expect("a motion");
+            assert!((state.crank().angle - exact).abs() < tolerance, "{tolerance:e} at {t}: {:e}", state.crank().angle - exact);
+        }
+        let swept = linkage.sweep([0.05, 0.5, 2.0], Integrator::stiff(tolerance));
+        for (state, exact) in swept.zip(&exact) {
+            assert!((state.expect("a state").crank().angle - exact).abs() < tolerance);
+        }
+    }
+}
+
+#[test]
+fn events_are_located_in_stiff_steps() {
+    let sledge = Sledge::default();
+    let (mut state, mut integrator) = (sledge.initial_state().expect("a state"), Integrator::stiff(1e-8));
+    let is_there = sledge.advance_until(&mut state, 1e3, &mut integrator, |state| state.sledge().position.x - 0.55);
+    assert_eq!(is_there, Ok(true));
+    let [x, _] = creeping(&sledge, state.t);
+    assert!((state.sledge().position.x - 0.55).abs() < 1e-12 && (x - 0.05).abs() < 1e-8, "{x}");
+}
