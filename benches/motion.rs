@@ -1,6 +1,6 @@
 //! Motion that follows from forces: `cargo run --release -p reuleaux-benches --bin motion`.
 //!
-//! Out: accelerations of a four-bar from an ordinary declaration beside hand-written ones, and Andrews' mechanism at several tolerances:
+//! Out: accelerations and loads of a four-bar from an ordinary declaration beside hand-written ones, and Andrews' mechanism at several tolerances:
 //! its error, what it cost, and how long it took.
 
 use std::error::Error;
@@ -22,6 +22,22 @@ mechanism! {
         joint c = revolute(coupler.C, rocker.C);
         joint d = revolute(rocker.position, ground.D);
         freedom swing = crank.angle from 0.3rad;
+    }
+}
+
+mechanism! {
+    /// The same with a driven crank.
+    pub mechanism Driven {
+        gravity = (0, -9.81m_s2);
+        ground { point D = (4m, 0m); }
+        body crank   { point B = (1m, 0m);    mass = 1kg;    center = (0.5m, 0m);   inertia = 1/12 * 1kgm2; }
+        body coupler { point C = (3.5m, 0m);  mass = 3.5kg;  center = (1.75m, 0m);  inertia = 3.5^3 / 12 * 1kgm2;  start angle = 60deg; }
+        body rocker  { point C = (3m, 0m);    mass = 3kg;    center = (1.5m, 0m);   inertia = 27/12 * 1kgm2;  start angle = 100deg; }
+        joint a = revolute(ground.position, crank.position);
+        joint b = revolute(crank.B, coupler.position);
+        joint c = revolute(coupler.C, rocker.C);
+        joint d = revolute(rocker.position, ground.D);
+        drive motor = drive_angle(crank, 2rad_s * t);
     }
 }
 
@@ -80,8 +96,59 @@ fn by_hand(angle: [f64; 3], rate: [f64; 3]) -> [f64; 3] {
     [crank, u2 * crank + p2, u3 * crank + p3]
 }
 
+/// Forces on crank, coupler, coupler and rocker at the four pins in order, and the torque, as a person would write them: moments of rocker
+/// and coupler about their first pins give the force between them, and forces the rest.
+fn loads_by_hand(angle: [f64; 3], rate: [f64; 3], turning: [f64; 3]) -> [f64; 9] {
+    const L1: f64 = 1.0;
+    const L2: f64 = 3.5;
+    const L3: f64 = 3.0;
+    let [(s1, c1), (s2, c2), (s3, c3)] = angle.map(f64::sin_cos);
+    let inward = rate.map(|rate| rate * rate);
+    // Acceleration of a point at unit distance, and of the centres less gravity.
+    let unit = |s: f64, c: f64, k: usize| [-c * inward[k] - s * turning[k], -s * inward[k] + c * turning[k]];
+    let [u1, u2, u3] = [unit(s1, c1, 0), unit(s2, c2, 1), unit(s3, c3, 2)];
+    let inertial = |mass: f64, a: [f64; 2]| [mass * a[0], mass * (a[1] + 9.81)];
+    let p1 = inertial(L1, u1.map(|u| 0.5 * L1 * u));
+    let p2 = inertial(L2, [L1 * u1[0] + 0.5 * L2 * u2[0], L1 * u1[1] + 0.5 * L2 * u2[1]]);
+    let p3 = inertial(L3, u3.map(|u| 0.5 * L3 * u));
+    let about =
+        |length: f64, s: f64, c: f64, p: [f64; 2], turning: f64| 0.5 * length * (c * p[1] - s * p[0]) + length.powi(3) / 12.0 * turning;
+    let [of_coupler, of_rocker] = [about(L2, s2, c2, p2, turning[1]), about(L3, s3, c3, p3, turning[2])];
+    // Force on the rocker: L3 × F = of_rocker, −L2 × F = of_coupler.
+    let determinant = s2 * c3 - c2 * s3;
+    let (x, y) = (of_rocker / L3, -of_coupler / L2);
+    let [fx, fy] = [(x * c2 - y * c3) / determinant, (x * s2 - y * s3) / determinant];
+    let at_b = [p2[0] + fx, p2[1] + fy];
+    let at_a = [p1[0] + at_b[0], p1[1] + at_b[1]];
+    let torque = about(L1, s1, c1, p1, turning[0]) + L1 * (c1 * at_b[1] - s1 * at_b[0]);
+    [at_a[0], at_a[1], at_b[0], at_b[1], fx, fy, p3[0] - fx, p3[1] - fy, torque]
+}
+
+fn loads() -> Result<(), Box<dyn Error>> {
+    let mechanism = Driven::default();
+    let state = mechanism.solve(0.4)?;
+    let [angle, rate, turning] = [&state.q, &state.qd, &state.qdd].map(|vector| [vector[2], vector[5], vector[8]]);
+    let hand = loads_by_hand(angle, rate, turning);
+    let found = mechanism.loads(&state);
+    let pins = [found.a(), found.b(), found.c()].map(|load| load.force);
+    let found: Vec<f64> = pins.iter().flat_map(|force| [force.x, force.y]).chain([found.motor().effort]).collect();
+    for (found, hand) in found.iter().zip(hand[..6].iter().chain([&hand[8]])) {
+        assert!((found - hand).abs() < 1e-11, "{found} {hand}");
+    }
+    let mut own = || {
+        black_box(mechanism.loads(black_box(&state)));
+    };
+    let mut by_hand = || {
+        black_box(loads_by_hand(black_box(angle), black_box(rate), black_box(turning)));
+    };
+    let times = measured(&mut [&mut own, &mut by_hand], 10_000);
+    println!("loads of a four-bar: {:.0} ns, by hand {:.0} ns: {:.2}\n", times[0], times[1], times[0] / times[1]);
+    Ok(())
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
     accelerations()?;
+    loads()?;
     andrews()
 }
 
