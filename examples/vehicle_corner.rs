@@ -109,9 +109,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         errors.push(compare(&Corner { lift, ..still }, &linear)?);
     }
     assert!(errors.windows(2).all(|pair| pair[1] < 0.2 * pair[0]) && errors[3] < 2e-6, "{errors:?}");
-    let bumped = drive(&Corner { bump: 0.04, ..still })?;
-    let released = drive(&Corner { lift: 5e-3, ..still })?;
-    println!("{}", picture(&still, &linear, &bumped, &released).save("vehicle_corner")?.display());
+    let on_bump = Corner { bump: 0.04, ..still };
+    let (bumped, released) = (drive(&on_bump)?, drive(&Corner { lift: 5e-3, ..still })?);
+    println!("{}", picture(&on_bump, &linear, &bumped, &released).save("vehicle_corner")?.display());
     Ok(())
 }
 
