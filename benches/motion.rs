@@ -1,45 +1,38 @@
 //! Motion that follows from forces: `cargo run --release -p reuleaux-benches --bin motion`.
 //!
-//! Out: accelerations and loads of a four-bar from an ordinary declaration beside hand-written ones, and Andrews' mechanism at several tolerances:
-//! its error, what it cost, and how long it took.
+//! Out: accelerations and loads of a four-bar from ordinary declarations beside hand-written ones, and Andrews' mechanism at several
+//! tolerances: its error, what it cost, and how long it took.
 
 use std::error::Error;
+use std::f64::consts::PI;
 use std::hint::black_box;
 
 use reuleaux::{Dynamics, Integrator, mechanism};
 use reuleaux_benches::measured;
 
-mechanism! {
-    /// Ground 4, crank 1, coupler 3.5, rocker 3 m, of bars that weigh a kilogram a metre.
-    pub mechanism FourBar {
-        gravity = (0, -9.81m_s2);
-        ground { point D = (4m, 0m); }
-        body crank   { point B = (1m, 0m);    mass = 1kg;    center = (0.5m, 0m);   inertia = 1/12 * 1kgm2; }
-        body coupler { point C = (3.5m, 0m);  mass = 3.5kg;  center = (1.75m, 0m);  inertia = 3.5^3 / 12 * 1kgm2;  start angle = 60deg; }
-        body rocker  { point C = (3m, 0m);    mass = 3kg;    center = (1.5m, 0m);   inertia = 27/12 * 1kgm2;  start angle = 100deg; }
-        joint a = revolute(ground.position, crank.position);
-        joint b = revolute(crank.B, coupler.position);
-        joint c = revolute(coupler.C, rocker.C);
-        joint d = revolute(rocker.position, ground.D);
-        freedom swing = crank.angle from 0.3rad;
-    }
+/// Ground 4, crank 1, coupler 3.5, rocker 3 m, of bars that weigh a kilogram a metre.
+macro_rules! four_bar {
+    ($name:ident, $($rest:tt)*) => {
+        mechanism! {
+            /// The four-bar with a crank that is free, or driven.
+            pub mechanism $name {
+                gravity = (0, -9.81m_s2);
+                ground { point D = (4m, 0m); }
+                body crank   { point B = (1m, 0m);    mass = 1kg;    center = (0.5m, 0m);   inertia = 1/12 * 1kgm2; }
+                body coupler { point C = (3.5m, 0m);  mass = 3.5kg;  center = (1.75m, 0m);  inertia = 3.5^3 / 12 * 1kgm2;  start angle = 60deg; }
+                body rocker  { point C = (3m, 0m);    mass = 3kg;    center = (1.5m, 0m);   inertia = 27/12 * 1kgm2;  start angle = 100deg; }
+                joint a = revolute(ground.position, crank.position);
+                joint b = revolute(crank.B, coupler.position);
+                joint c = revolute(coupler.C, rocker.C);
+                joint d = revolute(rocker.position, ground.D);
+                $($rest)*
+            }
+        }
+    };
 }
 
-mechanism! {
-    /// The same with a driven crank.
-    pub mechanism Driven {
-        gravity = (0, -9.81m_s2);
-        ground { point D = (4m, 0m); }
-        body crank   { point B = (1m, 0m);    mass = 1kg;    center = (0.5m, 0m);   inertia = 1/12 * 1kgm2; }
-        body coupler { point C = (3.5m, 0m);  mass = 3.5kg;  center = (1.75m, 0m);  inertia = 3.5^3 / 12 * 1kgm2;  start angle = 60deg; }
-        body rocker  { point C = (3m, 0m);    mass = 3kg;    center = (1.5m, 0m);   inertia = 27/12 * 1kgm2;  start angle = 100deg; }
-        joint a = revolute(ground.position, crank.position);
-        joint b = revolute(crank.B, coupler.position);
-        joint c = revolute(coupler.C, rocker.C);
-        joint d = revolute(rocker.position, ground.D);
-        drive motor = drive_angle(crank, 2rad_s * t);
-    }
-}
+four_bar!(FourBar, freedom swing = crank.angle from 0.3rad;);
+four_bar!(Driven, drive motor = drive_angle(crank, 2rad_s * t););
 
 mechanism! {
     /// Andrews' squeezing mechanism.
@@ -124,24 +117,39 @@ fn loads_by_hand(angle: [f64; 3], rate: [f64; 3], turning: [f64; 3]) -> [f64; 9]
     [at_a[0], at_a[1], at_b[0], at_b[1], fx, fy, p3[0] - fx, p3[1] - fy, torque]
 }
 
+/// Poses of a turn.
+const POSES: usize = 256;
+
 fn loads() -> Result<(), Box<dyn Error>> {
     let mechanism = Driven::default();
-    let state = mechanism.solve(0.4)?;
-    let [angle, rate, turning] = [&state.q, &state.qd, &state.qdd].map(|vector| [vector[2], vector[5], vector[8]]);
-    let hand = loads_by_hand(angle, rate, turning);
-    let found = mechanism.loads(&state);
-    let pins = [found.a(), found.b(), found.c()].map(|load| load.force);
-    let found: Vec<f64> = pins.iter().flat_map(|force| [force.x, force.y]).chain([found.motor().effort]).collect();
-    for (found, hand) in found.iter().zip(hand[..6].iter().chain([&hand[8]])) {
-        assert!((found - hand).abs() < 1e-11, "{found} {hand}");
+    // A turn of the crank.
+    let states: Vec<_> = mechanism
+        .sweep((0..POSES).map(|k| PI * k as f64 / POSES as f64))
+        .collect::<Result<_, _>>()
+        .map_err(|failure| failure.to_string())?;
+    let motion = |state: &DrivenState<f64>| [&state.q, &state.qd, &state.qdd].map(|vector| [vector[2], vector[5], vector[8]]);
+    let motions: Vec<[[f64; 3]; 3]> = states.iter().map(motion).collect();
+    for (state, &[angle, rate, turning]) in states.iter().zip(&motions) {
+        let (hand, found) = (loads_by_hand(angle, rate, turning), mechanism.loads(state));
+        let pins = [found.a(), found.b(), found.c(), found.d()].map(|load| load.force);
+        let found: Vec<f64> = pins.iter().flat_map(|force| [force.x, force.y]).chain([found.motor().effort]).collect();
+        for (found, hand) in found.iter().zip(hand) {
+            assert!((found - hand).abs() < 1e-10, "{found} {hand}");
+        }
     }
     let mut own = || {
-        black_box(mechanism.loads(black_box(&state)));
+        for state in &states {
+            black_box(mechanism.loads(black_box(state)));
+        }
     };
     let mut by_hand = || {
-        black_box(loads_by_hand(black_box(angle), black_box(rate), black_box(turning)));
+        for &motion in &motions {
+            let [angle, rate, turning] = black_box(motion);
+            black_box(loads_by_hand(angle, rate, turning));
+        }
     };
-    let times = measured(&mut [&mut own, &mut by_hand], 10_000);
+    let times = measured(&mut [&mut own, &mut by_hand], 100);
+    let times: Vec<f64> = times.into_iter().map(|time| time / POSES as f64).collect();
     println!("loads of a four-bar: {:.0} ns, by hand {:.0} ns: {:.2}\n", times[0], times[1], times[0] / times[1]);
     Ok(())
 }

@@ -9,9 +9,9 @@
 
 use super::accelerate::{accelerations, singular};
 use super::equations::Dynamics;
+use super::explicit::Rates;
 use super::places::{picked, put};
 use super::project::{levels, project, refresh};
-use super::step::Rates;
 use super::stopped::Stopped;
 use super::tableau::{DENSE, STAGES, dense, dense_node, dense_stage};
 use crate::number::Float;

@@ -1,8 +1,9 @@
 //! Instants at which an event changes its sign.
 
 use super::equations::Dynamics;
+use super::method::Method;
 use super::places::{picked, put};
-use super::step::{Method, land};
+use super::step::land;
 use super::stopped::Stopped;
 use crate::number::Float;
 use crate::state::State;

@@ -9,8 +9,8 @@
 //! 2. `partition`: dependent and independent speeds, chosen by the pivots of an elimination of J with complete pivoting.
 //! 3. `accelerate`: accelerations, with a mass matrix of the size of the independent speeds.
 //! 4. `project`: positions and speeds that fulfil the equations.
-//! 5. `step`: one step of order 8 (`tableau`), followed by a projection, so that no joint drifts open; `rank`: whether the equations stay
-//!    independent on the way. `stiff`: a step of order 4 by linear equations.
+//! 5. `method`: how a step is tried, `explicit` with order 8 (`tableau`), or `stiff` with order 4 by linear equations.
+//!    `step`: its end, where a projection lets no joint drift open, and its error; `rank`: whether the equations stay independent on the way.
 //! 6. `integrator`: the sizes of steps; `event`: instants within a step.
 //! 7. `sweep`: states at given times, between the ends of steps by `dense`.
 
@@ -18,7 +18,9 @@ mod accelerate;
 mod dense;
 mod equations;
 mod event;
+mod explicit;
 mod integrator;
+mod method;
 mod partition;
 mod places;
 mod project;
@@ -30,8 +32,10 @@ mod sweep;
 mod tableau;
 
 pub use equations::{Balance, Constraints, Dynamics, Energy};
+pub use explicit::Explicit;
 pub use integrator::Integrator;
-pub use step::{Explicit, Method, Stiff};
+pub use method::Method;
+pub use stiff::Stiff;
 pub use stopped::Stopped;
 pub use sweep::MotionSweep;
 

@@ -2,8 +2,9 @@
 
 use super::accelerate::{lengths, singular};
 use super::equations::Dynamics;
+use super::method::Method;
 use super::partition::{has_other_signs, weakest};
-use super::step::{Method, Reached};
+use super::step::Reached;
 use super::stopped::Stopped;
 use crate::number::Float;
 use crate::state::State;

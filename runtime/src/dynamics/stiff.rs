@@ -13,9 +13,9 @@
 
 use super::accelerate::{accelerations, lengths};
 use super::equations::Dynamics;
+use super::method::{Method, Trial};
 use super::partition::Pivots;
 use super::places::{picked, put};
-use super::step::Trial;
 use super::stopped::Stopped;
 use crate::number::Float;
 use crate::state::State;
@@ -73,62 +73,70 @@ fn times<T: Float>(stage: usize) -> [T; 2] {
     }
 }
 
-/// How often a step computes accelerations of so many coordinates.
-pub(super) const fn evaluations(coordinates: usize) -> usize {
-    2 * coordinates + STAGES + 1
-}
+/// Steps by linear equations with the derivatives of the accelerations: order 4, for stiff motions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stiff;
 
-/// A step of order 4.
-pub(super) fn stiff<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
-    mechanism: &S,
-    state: &State<T, N>,
-    h: T,
-) -> Result<Trial<T, N, I>, Stopped<T>>
-where
-    T: Float,
-    S: Dynamics<T, N, I, M, R>,
-{
-    let [q, u, a] = [&state.q, &state.qd, &state.qdd].map(|vector| picked(vector, &S::INTEGRATED));
-    let mut motion = MotionAt { mechanism, vectors: [state.q, state.qd], pivots: None };
-    let [by_position, by_speed] = motion.slopes([&q, &u], &a, state.t, h)?;
-    let by_time = motion.slope_by_time([&q, &u], &a, state.t, h)?;
-    let part = T::of(GAMMA) * h;
-    let mut matrix = [[T::ZERO; I]; I];
-    for row in 0..I {
-        for column in 0..I {
-            let unit = if row == column { T::of(1.0) / part } else { T::ZERO };
-            matrix[row][column] = unit - by_speed[row][column] - part * by_position[row][column];
+impl Method for Stiff {
+    const ROOTS: usize = 2;
+    const IS_DENSE: bool = false;
+
+    fn evaluations(coordinates: usize) -> usize {
+        // Derivatives by positions, speeds and time, the stages but the first, and the end.
+        2 * coordinates + STAGES + 1
+    }
+
+    fn trial<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+        mechanism: &S,
+        state: &State<T, N>,
+        h: T,
+    ) -> Result<Trial<T, N, I>, Stopped<T>>
+    where
+        T: Float,
+        S: Dynamics<T, N, I, M, R>,
+    {
+        let [q, u, a] = [&state.q, &state.qd, &state.qdd].map(|vector| picked(vector, &S::INTEGRATED));
+        let mut motion = MotionAt { mechanism, vectors: [state.q, state.qd], pivots: None };
+        let [by_position, by_speed] = motion.slopes([&q, &u], &a, state.t, h)?;
+        let by_time = motion.slope_by_time([&q, &u], &a, state.t, h)?;
+        let part = T::of(GAMMA) * h;
+        let mut matrix = [[T::ZERO; I]; I];
+        for row in 0..I {
+            for column in 0..I {
+                let unit = if row == column { T::of(1.0) / part } else { T::ZERO };
+                matrix[row][column] = unit - by_speed[row][column] - part * by_position[row][column];
+            }
         }
-    }
-    let factors = Factors::new(matrix);
-    // By positions and speeds, coordinate and stage.
-    let mut found = [[[T::ZERO; STAGES]; I]; 2];
-    let mut end = [q, u];
-    for stage in 0..STAGES {
-        let [node, of_time] = times::<T>(stage);
-        let at: [T; I] = core::array::from_fn(|k| q[k] + place(stage, &found[0][k]));
-        let moving: [T; I] = core::array::from_fn(|k| u[k] + place(stage, &found[1][k]));
-        let rates = if stage == 0 { a } else { motion.at([&at, &moving], state.t + node * h)? };
-        let right: [T; I] = core::array::from_fn(|k| moving[k] + coupling(stage, &found[0][k]) / h);
-        let mut side: [T; I] = core::array::from_fn(|k| {
-            let coupled = rates[k] + coupling(stage, &found[1][k]) / h + h * of_time * by_time[k];
-            (0..I).fold(coupled, |sum, column| sum + part * by_position[k][column] * right[column])
-        });
-        factors.solve(&mut side);
-        for k in 0..I {
-            found[0][k][stage] = part * (right[k] + side[k]);
-            found[1][k][stage] = side[k];
+        let factors = Factors::new(matrix);
+        // By positions and speeds, coordinate and stage.
+        let mut found = [[[T::ZERO; STAGES]; I]; 2];
+        let mut end = [q, u];
+        for stage in 0..STAGES {
+            let [node, of_time] = times::<T>(stage);
+            let at: [T; I] = core::array::from_fn(|k| q[k] + place(stage, &found[0][k]));
+            let moving: [T; I] = core::array::from_fn(|k| u[k] + place(stage, &found[1][k]));
+            let rates = if stage == 0 { a } else { motion.at([&at, &moving], state.t + node * h)? };
+            let right: [T; I] = core::array::from_fn(|k| moving[k] + coupling(stage, &found[0][k]) / h);
+            let mut side: [T; I] = core::array::from_fn(|k| {
+                let coupled = rates[k] + coupling(stage, &found[1][k]) / h + h * of_time * by_time[k];
+                (0..I).fold(coupled, |sum, column| sum + part * by_position[k][column] * right[column])
+            });
+            factors.solve(&mut side);
+            for k in 0..I {
+                found[0][k][stage] = part * (right[k] + side[k]);
+                found[1][k][stage] = side[k];
+            }
+            end = [at, moving];
         }
-        end = [at, moving];
+        // The last stage is the difference between the steps of order 4 and 3.
+        let last = found.map(|part| part.map(|stages| stages[STAGES - 1]));
+        let mut vectors = [state.q, state.qd];
+        for ((vector, end), last) in vectors.iter_mut().zip(&end).zip(&last) {
+            put(vector, &S::INTEGRATED, &core::array::from_fn(|k| end[k] + last[k]));
+        }
+        let errors = last.map(|part| part.map(|error| [error, T::ZERO]));
+        Ok(Trial { end: vectors, errors, rates: None })
     }
-    // The last stage is the difference between the steps of order 4 and 3.
-    let last = found.map(|part| part.map(|stages| stages[STAGES - 1]));
-    let mut vectors = [state.q, state.qd];
-    for ((vector, end), last) in vectors.iter_mut().zip(&end).zip(&last) {
-        put(vector, &S::INTEGRATED, &core::array::from_fn(|k| end[k] + last[k]));
-    }
-    let errors = last.map(|part| part.map(|error| [error, T::ZERO]));
-    Ok(Trial { end: vectors, errors, rates: None })
 }
 
 /// Accelerations at other positions and speeds than those of a state.

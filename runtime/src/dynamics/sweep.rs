@@ -2,8 +2,9 @@
 
 use super::dense::Dense;
 use super::equations::Dynamics;
+use super::explicit::Explicit;
 use super::integrator::Integrator;
-use super::step::{Explicit, Method};
+use super::method::Method;
 use super::stopped::Stopped;
 use crate::number::Float;
 use crate::state::State;

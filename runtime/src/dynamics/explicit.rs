@@ -1,0 +1,79 @@
+//! Steps by rates in stages that follow from each other.
+
+use super::accelerate::accelerations;
+use super::equations::Dynamics;
+use super::method::{Method, Trial};
+use super::places::{picked, put};
+use super::stopped::Stopped;
+use super::tableau::{STAGES, errors, node, stage, step};
+use crate::number::Float;
+use crate::state::State;
+
+/// Steps by rates in stages that follow from each other: order 8.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Explicit;
+
+/// Rates of positions and of speeds, of each integrated coordinate in all stages.
+pub(super) type Rates<T, const I: usize> = [[[T; STAGES]; I]; 2];
+
+impl Method for Explicit {
+    const ROOTS: usize = 3;
+    const IS_DENSE: bool = true;
+
+    fn evaluations(_: usize) -> usize {
+        STAGES
+    }
+
+    fn trial<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+        mechanism: &S,
+        state: &State<T, N>,
+        h: T,
+    ) -> Result<Trial<T, N, I>, Stopped<T>>
+    where
+        T: Float,
+        S: Dynamics<T, N, I, M, R>,
+    {
+        let rates = stages(mechanism, state, h)?;
+        let mut end = [state.q, state.qd];
+        for (vector, rates) in end.iter_mut().zip(&rates) {
+            let before = picked(vector, &S::INTEGRATED);
+            put(vector, &S::INTEGRATED, &core::array::from_fn(|k| before[k] + h * step(&rates[k])));
+        }
+        let errors = core::array::from_fn(|part| core::array::from_fn(|k| errors(&rates[part][k]).map(|error| h * error)));
+        Ok(Trial { end, errors, rates: Some(rates) })
+    }
+}
+
+/// Rates in each stage of a step.
+fn stages<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    state: &State<T, N>,
+    h: T,
+) -> Result<Rates<T, I>, Stopped<T>>
+where
+    T: Float,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let [q, u, a] = [&state.q, &state.qd, &state.qdd].map(|vector| picked(vector, &S::INTEGRATED));
+    let mut rates = [[[T::ZERO; STAGES]; I]; 2];
+    let enter = |rates: &mut Rates<T, I>, stage: usize, found: [&[T; I]; 2]| {
+        for (of, found) in rates.iter_mut().zip(found) {
+            for (of, found) in of.iter_mut().zip(found) {
+                if let Some(rate) = of.get_mut(stage) {
+                    *rate = *found;
+                }
+            }
+        }
+    };
+    enter(&mut rates, 0, [&u, &a]);
+    let (mut there, mut moving, mut pivots) = (state.q, state.qd, None);
+    for number in 1..STAGES {
+        let at: [T; I] = core::array::from_fn(|k| q[k] + h * stage(number, &rates[0][k]));
+        let speeds: [T; I] = core::array::from_fn(|k| u[k] + h * stage(number, &rates[1][k]));
+        put(&mut there, &S::INTEGRATED, &at);
+        put(&mut moving, &S::INTEGRATED, &speeds);
+        let found = accelerations(mechanism, (&there, &moving), state.t + node::<T>(number) * h, &mut pivots)?;
+        enter(&mut rates, number, [&speeds, &found]);
+    }
+    Ok(rates)
+}
