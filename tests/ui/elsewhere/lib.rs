@@ -13,6 +13,14 @@ reuleaux::constraint! {
     /// The place of a point on its rail.
     pub constraint push(slide: Joint(rail), C: Length) { dot(unit(slide.u), slide.Q - slide.P) == C; }
 
+    /// A spring that stiffens as it is drawn out.
+    pub force stiffening_spring(P: Point, Q: Point, stiffness: Stiffness, cubic: Number) {
+        let x = norm(Q - P);
+        let pull = stiffness * x * (1 + cubic * (x / 1m)^2) * unit(Q - P);
+        at P: pull;
+        at Q: -pull;
+    }
+
     /// Several at once.
     pub bundle columns {
         constraint left_of(P: Point, Q: Point, d: Length) { Q.x - P.x == d; }

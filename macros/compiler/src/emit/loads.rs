@@ -29,13 +29,16 @@ impl Emitter<'_> {
         let refreshed = self.plan.dynamics.is_some().then(|| {
             quote! {
                 // Accelerations of other parameters, or of what was written into the state, do not count.
-                let mut refreshed = ::core::clone::Clone::clone(state);
+                let refreshed;
                 let state = if ::reuleaux::Dynamics::is_current(self, state) {
                     state
-                } else if self.accelerate(&mut refreshed).is_ok() {
-                    &refreshed
                 } else {
-                    return #loads { loads: ::reuleaux::Loads::unknown() };
+                    let mut fresh = ::core::clone::Clone::clone(state);
+                    if self.accelerate(&mut fresh).is_err() {
+                        return #loads { loads: ::reuleaux::Loads::unknown() };
+                    }
+                    refreshed = fresh;
+                    &refreshed
                 };
             }
         });

@@ -48,6 +48,7 @@ impl Elaborator<'_> {
     fn check(&mut self, definition: &Definition, others: &[Definition]) -> Option<()> {
         let scope = self.formals(definition, others)?;
         let place = Name::plain(&definition.name);
+        self.applied = definition.is_force.then(Vec::new);
         let rows = self.statements(&definition.statements, scope, &place, &[])?;
         let of = rows.len();
         for (row, ScalarEquation { residual, range }) in rows.into_iter().enumerate() {

@@ -114,13 +114,15 @@ fn bundle(input: ParseStream, docs: Docs, visibility: TokenStream, diag: &mut Di
     Ok(Export { docs, visibility, name, definitions, tokens, is_bundle: true, members })
 }
 
-/// `constraint name(parameters) { statements }`
+/// `constraint name(parameters) { statements }`, or the same with `force`
 fn definition(input: ParseStream) -> Parsed<Definition> {
     let docs = docs(input)?;
     visibility(input)?;
-    if keyword(input).is_none_or(|word| word != "constraint" && word != "force") {
-        return expected(input, "`constraint name(…) { … }`");
-    }
+    let is_force = match keyword(input) {
+        Some(word) if word == "constraint" => false,
+        Some(word) if word == "force" => true,
+        _ => return expected(input, "`constraint name(…) { … }`"),
+    };
     Ident::parse_any(input)?;
     let name = name(input, "the name of the constraint")?;
     let parameters = formals(input, "`(` and the parameters of the constraint")?;
@@ -130,7 +132,7 @@ fn definition(input: ParseStream) -> Parsed<Definition> {
     while !content.is_empty() {
         statements.push(statement(&content)?);
     }
-    Ok(Definition { docs, name, parameters, ambient, statements })
+    Ok(Definition { docs, name, parameters, ambient, is_force, statements })
 }
 
 /// `(name: kind, …)`

@@ -21,7 +21,11 @@ pub(super) fn component(input: ParseStream, docs: Docs, ambient: Ambient, diag: 
     let parameters = formals(input, "`(` and what the component takes, or `()`")?;
     let content = block(input, "`{` and the items of the component")?;
     let items = items(&content, ItemContext { is_top: false, variable: None, ambient }, diag);
-    Ok(ComponentItem { docs: docs.clone(), head: Definition { docs, name, parameters, ambient: None, statements: Vec::new() }, items })
+    Ok(ComponentItem {
+        docs: docs.clone(),
+        head: Definition { docs, name, parameters, ambient: None, is_force: false, statements: Vec::new() },
+        items,
+    })
 }
 
 /// `part name = Component(arguments);`

@@ -3,6 +3,9 @@
 crate::refusals! {
     constraint row_of_nothing: "constraint c(P: Point, a: Length) { «a == 2 * a»; }" => "the equation of `c` does not depend on the position of any body";
     constraint second_row_of_nothing: "constraint c(P: Point, a: Length) { P.x == a; «a == 1mm»; }" => "equation 2 of 2 of `c` does not depend on the position of any body";
+    constraint equation_in_a_force: "force f(P: Point) { «P.x == 1m»; }" => "a force has no equations\nhelp: write `at point: force;` or `on body: torque;`, and equations in a `joint`";
+    constraint force_in_a_constraint: "constraint c(P: Point) { at «P»: (1N, 0N); P.x == 1m; }" => "a joint has equations and no forces\nhelp: write `force name = …;` for what pushes or turns, `joint name = …;` for what holds";
+    constraint force_of_a_force: "force f(P: Point, k: Stiffness) { at P: «k * (1, 0)»; }" => "expected a force (N), found a stiffness (N/m)";
     constraint no_equations: "constraint «c»(P: Point) { let a = P.x; }" => "`c` has no equations\nhelp: write `lhs == rhs;`";
     constraint time_in_a_definition: "constraint c(P: Point) { P.x == 1mm / 1s * «t»; }" => "`t` is not known in a definition\nhelp: take the law as a parameter, such as `C: Length`, and let a `drive` pass it";
     constraint name_is_mistyped: "constraint c(P: Point, radius: Length) { P.x == «raduis»; }" => "nothing is called `raduis` here\nhelp: did you mean `radius`?";

@@ -41,6 +41,8 @@ pub struct Definition {
     pub parameters: Vec<Formal>,
     /// `in space` or `in plane`; `None` if it may be used in both.
     pub ambient: Option<Ambient>,
+    /// True for a force, false for a constraint.
+    pub is_force: bool,
     /// Statements.
     pub statements: Vec<Statement>,
 }
