@@ -152,6 +152,42 @@ pub mod picture {
 #[doc(inline)]
 pub use reuleaux_view as view;
 
+/// How to do common things: one page for each task, with complete programs.
+///
+/// | page | minutes | |
+/// | --- | ---: | --- |
+/// | [`tutorial`](guide::tutorial) | 20 | from a four-bar linkage to a press with its motor |
+/// | [`sweeps`](guide::sweeps) | 10 | follow a motion and read numbers from it |
+/// | [`dead_points`](guide::dead_points) | 10 | why a linkage locks, and how to choose its assembly |
+/// | [`loads_and_motion`](guide::loads_and_motion) | 15 | bearing forces, motors, motion that follows from forces |
+/// | [`optimising`](guide::optimising) | 15 | find dimensions, with exact derivatives |
+/// | [`parameter_sets`](guide::parameter_sets) | 10 | many mechanisms of one declaration |
+/// | [`cams`](guide::cams) | 10 | cams and motion laws |
+/// | [`own_joint`](guide::own_joint) | 10 | a constraint of your own |
+/// | [`coming_from`](guide::coming_from) | | words of Linkage, Simscape, Adams and others |
+///
+/// The modules are empty: the pages are all there is.
+pub mod guide {
+    #[doc = include_str!("guide/tutorial.md")]
+    pub mod tutorial {}
+    #[doc = include_str!("guide/sweeps.md")]
+    pub mod sweeps {}
+    #[doc = include_str!("guide/dead_points.md")]
+    pub mod dead_points {}
+    #[doc = include_str!("guide/loads_and_motion.md")]
+    pub mod loads_and_motion {}
+    #[doc = include_str!("guide/optimising.md")]
+    pub mod optimising {}
+    #[doc = include_str!("guide/parameter_sets.md")]
+    pub mod parameter_sets {}
+    #[doc = include_str!("guide/cams.md")]
+    pub mod cams {}
+    #[doc = include_str!("guide/own_joint.md")]
+    pub mod own_joint {}
+    #[doc = include_str!("guide/coming_from.md")]
+    pub mod coming_from {}
+}
+
 /// The standard library of constraints and motion laws, each with its manual page.
 ///
 /// The modules are empty: a constraint is used by its name inside [`mechanism!`].
