@@ -8,7 +8,7 @@ const LARGEST: f64 = 1e8;
 pub(crate) enum Meaning {
     /// A coordinate or a length, in tenths.
     Length,
-    /// How an ellipse is turned, in tenths of a degree: half a turn more or less says the same.
+    /// Rotation of an ellipse in tenths of a degree, modulo 180°.
     HalfTurn,
 }
 
