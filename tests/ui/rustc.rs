@@ -9,9 +9,9 @@ use serde_json::Value;
 pub(crate) struct Rustc {
     /// Name and file of each.
     libraries: Vec<(String, PathBuf)>,
-    /// The folder of all that these depend on.
+    /// Folder of their dependencies.
     dependencies: PathBuf,
-    /// For what is written.
+    /// Folder for output files.
     folder: PathBuf,
 }
 
