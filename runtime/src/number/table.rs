@@ -140,9 +140,9 @@ impl Table {
     /// distance from a knot, which is stored to the digits of a double, is taken before any multiplication.
     ///
     /// So `x` is used exactly as stored, also near a large knot and after up to 2²³ periods. Only rounding errors of the polynomial
-    /// remain: with u = 2⁻²⁴ and d the width of the interval, below 8 u (|c0| + d |c1| + d² |c2| + d³ |c3|) for the value, 8 u (|c1| + 2
-    /// d |c2| + 3 d² |c3|) for the first derivative, and 8 u (2 |c2| + 6 d |c3|) for the second. On a tangent d is the distance from the
-    /// end, and the errors of value and slope at the end are added.
+    /// remain: with u = 2⁻²⁴ and d the width of the interval, below 8 u (|c0| + d |c1| + d² |c2| + d³ |c3|) for the value,
+    /// 8 u (|c1| + 2 d |c2| + 3 d² |c3|) for the first derivative, and 8 u (2 |c2| + 6 d |c3|) for the second. On a tangent d is the
+    /// distance from the end, and the errors of value and slope at the end are added.
     #[must_use]
     pub fn evaluate_single(&self, x: f32) -> (f32, f32, f32) {
         let Single { knots, period, .. } = &self.single;
