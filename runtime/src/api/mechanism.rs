@@ -20,7 +20,7 @@ use crate::state::State;
 pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// The state at `t` (s) on the branch of the declared start: assembled at t = 0, then followed in time; the run time grows with
     /// `t`. Parameters that differ from the defaults are reached by continuation as well; if the branch ends before them,
-    /// [`Failure::end`] says where.
+    /// [`Failure::end`] gives this point.
     ///
     /// # Errors
     /// Any [`Cause`]. For many times in order, [`sweep`](Self::sweep) does not begin at zero again and again.
@@ -259,7 +259,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// The states at these times (s), such as `(0..=360).map(|i| f64::from(i) * 1e-3)`: the first as by [`solve`](Self::solve), each
     /// further one from the one before.
     ///
-    /// The iterator ends after the first failure. A change point on the way is passed on the branch that goes on smoothly. A state at
+    /// The iterator ends after the first failure. A change point on the way is passed on the smooth branch. A state at
     /// the change point itself is the limit of those around it: its equations hold to rounding, but no
     /// [certificate](Self::certify) is possible there, since there is another solution next to it.
     fn sweep<I: IntoIterator<Item = T>>(&self, times: I) -> Sweep<'_, Self, I::IntoIter, T, N>
