@@ -13,8 +13,8 @@ use crate::state::{PlanarBody, SpatialBody};
 
 /// Multipliers of a mechanism with `M` equations, and `A` numbers with the loads of its joints and drives.
 ///
-/// The generalised load of the joints and drives is −Φ_uᵀ λ: by the velocity of a body's origin a force, by its angular velocity a torque
-/// about the origin.
+/// The joints and drives load the bodies with −Φ_uᵀ λ: the entry for the velocity of a body's origin is a force, the entry for its
+/// angular velocity a torque about the origin.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loads<T, const M: usize, const A: usize> {
     /// λ, by equation; in N for an equation in m, in N m for one in rad. NaN if it depends on a NaN.
