@@ -1,8 +1,7 @@
-//! Andrews' squeezing mechanism: seven bodies driven by a constant torque, and how exactly the published state is met.
+//! Andrews' squeezing mechanism: seven bodies driven by a constant torque, compared with the published state.
 //!
-//! Its closed loops and its speed, up to 11,000 rpm after 30 ms, made it a test of programs for the dynamics of mechanisms. The declaration is
-//! that of its drawing: seven bodies, ten hinges, a spring and a motor. What is integrated are the seven angles; after each step the loops
-//! hold to rounding.
+//! Its closed loops and its speed, up to 11,000 rpm after 30 ms, made it a benchmark for multibody programs. The declaration follows its
+//! drawing: seven bodies, ten hinges, a spring and a motor. The seven angles are integrated; after each step the loops hold to rounding.
 //!
 //! Source: W. Schiehlen, Multibody Systems Handbook, 1990; E. Hairer and G. Wanner, Solving Ordinary Differential Equations II; F. Mazzia and
 //! C. Magherini, Test Set for Initial Value Problem Solvers, which prints the state at 0.03 s.
@@ -46,7 +45,7 @@ mechanism! {
 
 type State = AndrewsState<f64>;
 
-/// β, γ, δ and ε at 0.03 s as printed; they are right to about ten digits.
+/// β, γ, δ and ε at 0.03 s as printed, with about ten correct digits.
 const PUBLISHED: [f64; 4] = [15.810_771_196_299_04, 0.040_822_240_130_731_01, 0.524_409_965_880_530_4, 1.048_080_741_042_263];
 
 fn angles(state: &State) -> [f64; 4] {
@@ -65,7 +64,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("{tolerance:9.0e}   {:5}   {:11}   {off:21.1e}   {force:10.6}", integrator.accepted, integrator.evaluations);
         errors.push((tolerance, off));
     }
-    // Below 1e-9 the printed digits end.
+    // The printed digits end at 1e-9.
     assert!(errors.iter().all(|(tolerance, off)| *off < 10.0 * tolerance.max(1e-9)), "{errors:?}");
     let motion = motion(&mechanism)?;
     println!("{}", picture(&mechanism, &motion).save("andrews")?.display());

@@ -1,4 +1,4 @@
-//! Watt's beam engine, as a picture that moves: drawn by the library from the states of a turn.
+//! Watt's beam engine as an animated picture, drawn by the library from the states of one turn.
 //!
 //! ```text
 //!        A ─────────────(O)───────────── R
@@ -8,8 +8,8 @@
 //!                                    (o) C
 //! ```
 //!
-//! Watt guided the piston rod without a slide: beam and radius bar turn in opposite ways, and the middle of the link between them
-//! goes up and down almost in a line. Beam, radius bar and link are where two triangles put them; P leaves the line by less than
+//! Watt guided the piston rod without a slide: beam and radius bar rotate in opposite senses, and the middle of the link between them
+//! moves up and down almost in a line. Beam, radius bar and link are checked against two triangles; P deviates from the line by less than
 //! 3 mm, with a stroke of 240 mm.
 //!
 //! Source: F. Reuleaux, The Kinematics of Machinery, 1876, on Watt's parallel motion.
@@ -58,7 +58,7 @@ mechanism! {
 
 type State = BeamEngineState<f64>;
 
-/// Of one turn.
+/// Number of frames of one turn.
 const FRAMES: u32 = 30;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -91,7 +91,7 @@ fn assert_triangles(m: &BeamEngine, turn: &[State]) {
     assert!(across < 3e-3 && stroke > 0.24, "P leaves its line by {across} m, with a stroke of {stroke} m");
 }
 
-/// The largest number less the smallest one.
+/// Difference of the largest and the smallest number.
 fn extent(numbers: impl Iterator<Item = f64>) -> f64 {
     let (low, high) = numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), next| (low.min(next), high.max(next)));
     high - low

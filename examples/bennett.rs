@@ -1,22 +1,22 @@
-//! Bennett's linkage: four bars, four hinges, no two of them parallel, and still it moves.
+//! Bennett's linkage: four bars and four hinges, no two of them parallel, and yet it moves.
 //!
 //! ```text
 //!      b, β
-//!   ○────────○         opposite bars are alike: lengths a and b, and twists α and β, the angles between
+//!   ○────────○         opposite bars are equal: lengths a and b, and twists α and β, the angles between
 //!   │        │ a, α    the hinges at their ends
 //!   ○────────○
 //! ```
 //!
-//! In space four hinges leave a loop of four bars no freedom at all: 3 · 6 coordinates, and 4 · 5 equations. Bennett found in 1903 that
-//! there is one if a / sin α = b / sin β. Then three equations are too many in every position, which `redundant joint` says; they are
-//! checked, and with a bar that is a little too long the solver says by how much it does not fit. The angles θ and φ of the hinges at the
-//! ends of a bar with the twist β keep to
+//! In space four hinges leave a loop of four bars no freedom: 3 · 6 coordinates and 4 · 5 equations. Bennett found in 1903 that it has
+//! one if a / sin α = b / sin β. Then three equations are redundant in every position, as `redundant joint` declares; they are checked,
+//! and if a bar is slightly too long the solver reports the misfit. The angles θ and φ of the hinges at the ends of a bar with twist β
+//! satisfy
 //!
 //! ```text
 //! tan(θ/2) tan(φ/2) = sin((α + β)/2) / sin((α − β)/2)
 //! ```
 //!
-//! and those of opposite hinges add up to a turn.
+//! and the angles of opposite hinges add up to a full turn.
 //!
 //! Source: G. T. Bennett, A new mechanism, Engineering 76 (1903); J. M. McCarthy, Geometric Design of Linkages.
 
@@ -33,12 +33,12 @@ mechanism! {
         param length: Length = 100mm;
         param twist: Angle = 40deg;
         param other_twist: Angle = 70deg;
-        /// By which a bar is too long.
+        /// Excess length of a bar.
         param excess: Length = 0mm;
         param speed: AngularVelocity = 60rpm;
         let other = length * sin(other_twist) / sin(twist);
 
-        // The hinges of each bar: one at its origin along z, the other at its end. Angles count from along the bar.
+        // The hinges of each bar: one at its origin along z, the other at its end. Angles are measured from the bar.
         ground {
             axis z = (0, 0, 1) from (1, 0, 0);
             point end = (length, 0mm, 0mm);
@@ -80,7 +80,7 @@ type State = BennettState<f64>;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mechanism = Bennett::default();
-    // Not through the instant at which the linkage lies flat: there the rows that are solved are singular.
+    // The sweep avoids the instant at which the linkage is flat: there the solved rows are singular.
     let turn: Vec<State> = mechanism.sweep(steps(0.0, 1.0, 181)).collect::<Result<_, _>>()?;
 
     for (twist, other_twist) in [(40_f64, 70_f64), (30.0, 110.0), (55.0, 80.0)] {
@@ -98,26 +98,26 @@ fn product(m: &Bennett) -> f64 {
     ((m.other_twist + m.twist) / 2.0).sin() / ((m.twist - m.other_twist) / 2.0).sin()
 }
 
-/// Angle (rad) of the next hinge and its speed over that of the driven one.
+/// Angle (rad) of the next hinge, and the ratio of its speed to that of the driven hinge.
 fn next(m: &Bennett, angle: f64) -> [f64; 2] {
     let (sin, cos) = (angle / 2.0).sin_cos();
     let k = product(m);
     [2.0 * (k * cos).atan2(sin), -k / (sin * sin + k * k * cos * cos)]
 }
 
-/// Opposite hinges make up a turn, neighbours keep to Bennett's relation. Angles are compared but for whole turns.
+/// Angles of opposite hinges add up to a turn, neighbours satisfy Bennett's relation. Angles are compared modulo whole turns.
 fn assert_angles(m: &Bennett, turn: &[State]) {
     for state in turn {
         let [driven, after, opposite] = [m.driven(state), m.next(state), m.opposite(state)];
         let [angle, speed] = next(m, driven.value);
-        // Rounding counts more the nearer the linkage is to lying flat.
+        // Rounding errors grow towards the flat position.
         let flat = driven.value.sin().abs();
         let errors = [apart(after.value, angle), apart(opposite.value, -driven.value), after.rate / m.speed - speed];
         assert!(errors.iter().all(|error| error.abs() < 4e-14 / flat), "off by {errors:?} at t = {}", state.t);
     }
 }
 
-/// The difference of two angles, between −π and π.
+/// Difference of two angles, between −π and π.
 fn apart(one: f64, two: f64) -> f64 {
     (one - two).sin().atan2((one - two).cos())
 }
@@ -160,7 +160,7 @@ fn picture(m: &Bennett, turn: &[State]) -> Plate {
         )
 }
 
-/// Angles in degrees without jumps, the first one below zero.
+/// Angles in degrees without jumps, starting below zero.
 fn unwrapped(angles: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
     let mut last = -160.0;
     angles

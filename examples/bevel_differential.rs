@@ -1,20 +1,20 @@
-//! The differential of a car in a bend: bevel gears on a carrier that itself goes round.
+//! The differential of a car in a bend: bevel gears on a rotating carrier.
 //!
 //! ```text
-//!            ┌──[10]──┐         planet on a pin across the axle, in the cage that the engine turns
+//!            ┌──[10]──┐         planet on a pin across the axle, in the cage that the engine drives
 //!   left ══[16]      [16]══ right
 //!            └────────┘ cage
 //! ```
 //!
-//! The cage turns as the engine says; how much faster the outer wheel runs than the inner one is said by the road: while the car yaws by
-//! ψ, the wheels, a track b apart and of radius R, part by b ψ / R. So
+//! The engine determines the speed of the cage, the road the difference of the wheel speeds: while the car yaws by ψ, the wheels, of
+//! track b and radius R, rotate relative to each other by b ψ / R. So
 //!
 //! ```text
 //! (φ_left + φ_right) / 2 = φ_cage            φ_right − φ_left = b ψ / R            planet: (16/10) b ψ / 2R on its pin
 //! ```
 //!
-//! The angles of the joints on the cage are those against the cage: nothing else has to be said for a carrier that moves. The meshes are
-//! checked in space: where two pitch circles touch, both gears have one velocity.
+//! The angles of the joints on the cage are measured relative to the cage, so that a moving carrier needs no further declaration. The
+//! meshes are checked in space: where two pitch circles touch, both gears have the same velocity.
 //!
 //! Source: the law of gearing; module 4 mm.
 
@@ -26,12 +26,12 @@ use reuleaux::{SpatialBody, mechanism};
 use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, bevel, largest_difference, seen, steps};
 
 mechanism! {
-    /// A differential whose cage turns steadily while the car drives into a bend, through it, and out.
+    /// A differential with constant cage speed, while the car drives into a bend, through it, and out.
     pub mechanism Differential in space {
         param speed: AngularVelocity = 300rpm;
         param track: Length = 1.5m;
         param wheel_radius: Length = 300mm;
-        /// By which the car turns to the left.
+        /// Yaw angle of the car in the bend, to the left.
         param bend: Angle = 90deg;
         param duration: Time = 2s;
         let module = 4mm;
@@ -74,7 +74,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Angle by which the wheels have parted (rad) and its rate.
+/// Relative rotation of the wheels (rad) and its rate.
 fn parted(m: &Differential, t: f64) -> [f64; 2] {
     let (u, all) = (t / m.duration, m.track * m.bend / m.wheel_radius);
     [all * u.powi(3) * (10.0 - 15.0 * u + 6.0 * u * u), all * 30.0 * (u * (1.0 - u)).powi(2) / m.duration]
@@ -90,12 +90,12 @@ fn assert_turns(m: &Differential, bend: &[State]) {
     }
 }
 
-/// The velocity of a place (m) that moves with a body.
+/// Velocity of a point (m) fixed in a body.
 fn velocity(body: &SpatialBody<f64>, place: Vector3<f64>) -> Vector3<f64> {
     body.velocity + body.angular_velocity.cross(&(place - body.position))
 }
 
-/// Where their pitch circles touch, planet and side gears have one velocity.
+/// Where their pitch circles touch, planet and side gears have the same velocity.
 fn assert_meshes(state: &State) {
     for (side, gear) in [(1.0, state.left()), (-1.0, state.right())] {
         let touch = state.cage().point(Vector3::new(RADII[1], side * RADII[0], 0.0)).value;

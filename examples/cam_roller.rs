@@ -1,4 +1,4 @@
-//! A disc cam with a roller follower that rests above and below: rise, dwell, return, dwell.
+//! A disc cam with a roller follower that dwells above and below: rise, dwell, return, dwell.
 //!
 //! ```text
 //!       │ │ follower
@@ -8,9 +8,9 @@
 //!      ╲_____╱                        300° … 360°   dwell below
 //! ```
 //!
-//! The law is written over the cam's turn u and wrapped to one turn by the arc tangent of its own sine and cosine. The lift is
-//! checked against the same law in plain Rust, the peaks against the numbers of the tables: velocity 2 and acceleration 2π of
-//! the cycloid, 15/8 and 10/√3 of the polynomial.
+//! The law is a function of the cam's angle u, wrapped to one turn by the arc tangent of its own sine and cosine. The lift is checked
+//! against the same law in plain Rust, the peaks against tabulated values: velocity 2 and acceleration 2π of the cycloid, 15/8 and 10/√3
+//! of the polynomial.
 //!
 //! Source: R. L. Norton, Cam Design and Manufacturing Handbook, chapters 2, 3 and 7.
 
@@ -32,7 +32,7 @@ mechanism! {
         function turn(u: Angle) -> Angle = 5 * pi / 6 + atan2(sin(u - 5 * pi / 6), cos(u - 5 * pi / 6));
         function law(u: Angle) -> Length =
             lift * (cycloidal(turn(u) / 120deg) - polynomial_345((turn(u) - 180deg) / 120deg));
-        // Seen from the cam, the follower goes backwards from a quarter of a turn.
+        // Relative to the cam, the follower moves backwards, starting at a quarter of a turn.
         function outline(psi: Angle) -> Length = base + law(90deg - psi);
 
         ground {
@@ -66,7 +66,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The lift (m) at the cam's turn (rad), any number of turns.
+/// Lift (m) at the cam's angle (rad), over any number of turns.
 fn lift(m: &RollerCam, angle: f64) -> f64 {
     let degrees = angle.to_degrees().rem_euclid(360.0);
     m.lift
@@ -81,7 +81,7 @@ fn lift(m: &RollerCam, angle: f64) -> f64 {
         }
 }
 
-/// Three turns of the cam, the last as good as the first.
+/// Three turns of the cam; the last is as accurate as the first.
 fn assert_lift(m: &RollerCam) -> Result<(), Box<dyn Error>> {
     for state in m.sweep(steps(0.0, 3.0, 1000)) {
         let state = state?;
@@ -150,12 +150,12 @@ fn picture(m: &RollerCam, turn: &[State]) -> Plate {
         .diagram(Diagram::new("acceleration in m/s²").curve(Ink::Output, "", over(|m, state| m.travel(state).acceleration)))
 }
 
-/// The point of the pitch curve that meets the follower at the turn `angle` (rad), of the cam turned by `turned` (rad).
+/// Point of the pitch curve that meets the follower at the angle `angle` (rad), for a cam rotated by `turned` (rad).
 fn pitch(m: &RollerCam, angle: f64, turned: f64) -> Place {
     polar(m.base + m.roller + lift(m, angle), FRAC_PI_2 - angle + turned)
 }
 
-/// The cam's outline: the inner curve at the roller's radius beside the pitch curve.
+/// The cam's outline: the inner curve at the distance of the roller radius from the pitch curve.
 fn surface(m: &RollerCam, turned: f64) -> Vec<Place> {
     let small = 1e-4;
     let point = |angle: f64| {

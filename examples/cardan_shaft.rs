@@ -1,11 +1,11 @@
-//! A cardan shaft: one universal joint turns unevenly, a second one makes up for it, if it is put on the right way.
+//! A cardan shaft: one universal joint transmits the rotation unevenly, and a second one compensates if it is assembled correctly.
 //!
 //! ```text
 //!                         ╔═══ output
 //!                  β    ⟋  ψ₂
 //!               ⟋ middle
 //!  input ═══╗ ⟋
-//!           ψ₁                  both shafts along x, the middle one at the angle β
+//!           ψ₁                  both outer shafts along x, the middle one at the angle β
 //! ```
 //!
 //! With the angle φ₁ of the input, φ₂ of the middle shaft and φ₃ of the output
@@ -15,8 +15,8 @@
 //! tan (φ₂ + p) = cos β tan φ₃       p the angle between the two forks of the middle shaft
 //! ```
 //!
-//! so that the output turns with the input if the forks stand alike, p = 0, and twice as unevenly as the middle if they were put
-//! together a quarter of a turn off.
+//! so that the output rotates with the input if the forks are parallel, p = 0, and is twice as uneven as the middle shaft if they are
+//! offset by a quarter of a turn.
 //!
 //! Source: Dubbel, Taschenbuch für den Maschinenbau, on universal joints.
 
@@ -30,9 +30,9 @@ use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference
 mechanism! {
     /// Two parallel shafts and one between them.
     pub mechanism CardanShaft in space {
-        /// Of the middle shaft against the others.
+        /// Angle between the middle shaft and the others.
         param bend: Angle = 30deg;
-        /// Of the fork at the end of the middle shaft against that at its beginning.
+        /// Phase angle between the forks of the middle shaft.
         param phase: Angle = 0deg in 0deg..=90deg;
         param speed: AngularVelocity = 60rpm;
         let length = 400mm;
@@ -95,18 +95,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// How far the angle behind a universal joint is ahead (rad) whose tangent is `factor` times that of the angle before it.
+/// Lead (rad) of the angle behind a universal joint, whose tangent is `factor` times that of the angle before it.
 fn ahead(angle: f64, factor: f64) -> f64 {
     let (sin, cos) = angle.sin_cos();
     ((factor - 1.0) * sin * cos).atan2(cos * cos + factor * sin * sin)
 }
 
-/// The speed behind such a joint, over that before it.
+/// Ratio of the speeds behind and before such a joint.
 fn ratio(angle: f64, factor: f64) -> f64 {
     factor / (angle.cos().powi(2) + (factor * angle.sin()).powi(2))
 }
 
-/// Angles of the middle shaft and the output (rad), by the speeds over that of the input.
+/// Angles of the middle shaft and the output (rad), and their speeds relative to the input.
 fn exact(m: &CardanShaft, input: f64) -> [[f64; 2]; 2] {
     let cos = m.bend.cos();
     let middle = input + ahead(input, cos);
@@ -128,7 +128,7 @@ fn assert_angles(m: &CardanShaft) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// With the forks alike the output turns as the input does, without any acceleration.
+/// With parallel forks the output rotates exactly as the input, without acceleration.
 fn assert_cure(m: &CardanShaft, turn: &[State]) {
     let angle = largest_difference(turn.iter().map(|state| (m.delivered(state).value, m.driven(state).value)));
     let uneven = largest_difference(turn.iter().map(|state| (m.delivered(state).acceleration / m.speed.powi(2), 0.0)));

@@ -1,4 +1,4 @@
-//! Three wheels of a locomotive and the rod that couples them: one pin too many, which works if the wheels are alike.
+//! Three wheels of a locomotive and their coupling rod: one pin is redundant, and fits if the wheels are equal.
 //!
 //! ```text
 //!      ___       ___       ___
@@ -8,15 +8,15 @@
 //!   ───────────────────────────────
 //! ```
 //!
-//! Each wheel turns as it rolls, by −x/R. The first pin carries the rod, and another one keeps it level; the third has nothing left
-//! to do. It is declared as redundant, as the second is of which only one equation is needed: what is not needed is checked. So the
-//! rod goes round without turning, and of a wheel that is worn the solver says by how much the pin misses its hole:
+//! Each wheel rotates as it rolls, by −x/R. The first pin carries the rod, and a second one keeps it level; the third is redundant. It is
+//! declared as redundant, and so is the second, of which only one equation is needed: the other equations are checked. So the rod moves
+//! without rotating, and if a wheel is worn the solver reports by how much the pin misses its hole:
 //!
 //! ```text
 //! |Δ| = 2 r sin(|φ₂ − φ₁| / 2)          φ₂ − φ₁ = x/R₁ − x/R₂
 //! ```
 //!
-//! Real rods have play for that, and wheels that are coupled are turned on the lathe together.
+//! Real rods have play for that, and coupled wheels are turned on the lathe together.
 
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -52,7 +52,7 @@ mechanism! {
 
 type State = CoupledWheelsState<f64>;
 
-/// What a wheel loses in radius by wear, in m.
+/// Reduction of a wheel's radius by wear, in m.
 const WEAR: [f64; 3] = [0.2e-3, 0.5e-3, 1e-3];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -70,7 +70,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The rod stays level and its points go as fast as the pins: trochoids.
+/// The rod stays level, and its points move as fast as the pins: on trochoids.
 fn assert_level(m: &CoupledWheels, states: &[State]) {
     for state in states {
         let rod = state.rod();
@@ -81,13 +81,13 @@ fn assert_level(m: &CoupledWheels, states: &[State]) {
     assert!(error < 1e-14, "the rod's speed is {error:e} m/s beside that of a trochoid");
 }
 
-/// v |1 − (r/R) e^{i (φ + 90°)}|, the speed (m/s) of a pin whose wheel stands at φ.
+/// v |1 − (r/R) e^{i (φ + 90°)}|, the speed (m/s) of a pin with its wheel at the angle φ.
 fn speed(m: &CoupledWheels, state: &State) -> f64 {
     let share = polar(m.throw / m.radius[0], state.wheel()[0].angle);
     m.speed * (place(1.0, 0.0) + place(share.y, -share.x)).norm()
 }
 
-/// By how much (m) the middle pin misses its hole at times (s) of a turn, if its wheel has worn off by `wear` (m).
+/// Distance (m) by which the middle pin misses its hole at times (s) of a turn, with a wheel worn by `wear` (m).
 fn misses(whole: &CoupledWheels, wear: f64, turn: f64) -> Vec<(f64, f64)> {
     let mut worn = *whole;
     worn.radius[1] -= wear;
@@ -97,7 +97,7 @@ fn misses(whole: &CoupledWheels, wear: f64, turn: f64) -> Vec<(f64, f64)> {
         let [first, middle] = [whole.radius[0], worn.radius[1]].map(|radius| polar(whole.throw, -x / radius));
         let failure = worn.solve_from(t, &start).expect_err("the wheels turn differently");
         let Cause::DoesNotHold { row, residual } = failure.cause else { panic!("{failure}") };
-        // Of the two rows of the middle pin the one is named that is off by more roundings.
+        // Of the two rows of the middle pin, the failure names the one with the larger residual in roundings.
         let off = first - middle;
         assert_eq!((row.joint, failure.time), ("pin[1]", t));
         assert!((residual - off[row.index - 1]).abs() < 1e-14, "{failure}");

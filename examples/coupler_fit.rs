@@ -1,8 +1,8 @@
-//! Synthesis: which four-bar draws a given curve? Six lengths are fitted to twenty-four points of it, by the method of
-//! Broyden, Fletcher, Goldfarb and Shanno with little memory (crate `argmin`).
+//! Synthesis: which four-bar traces a given curve? Six lengths are fitted to twenty-four points of the curve, by the limited-memory
+//! method of Broyden, Fletcher, Goldfarb and Shanno (crate `argmin`).
 //!
-//! The curve is that of a four-bar whose lengths the search does not know; it must find them. Derivatives by the lengths come with a
-//! state, each for about the price of a step; differences would need twelve more sweeps for each gradient, which is tried as well.
+//! The curve is that of a four-bar with lengths unknown to the search, which must recover them. Derivatives by the lengths come with each
+//! state, each at about the cost of a step; differences, which are tried as well, need twelve more sweeps for each gradient.
 
 use std::cell::Cell;
 use std::error::Error;
@@ -15,7 +15,7 @@ use reuleaux::{Mechanism, mechanism};
 use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, carried, largest_difference, place, polar, steps};
 
 mechanism! {
-    /// A crank-rocker of any lengths, whose tip draws a curve.
+    /// A crank-rocker of any lengths, with a tip that traces a curve.
     pub mechanism Curve {
         param ground_length: Length = 400mm;
         param crank_length: Length = 100mm;
@@ -42,7 +42,7 @@ mechanism! {
 /// Lengths in the order of the declaration, in m.
 type Lengths = [f64; 6];
 
-/// What the search does not know.
+/// Lengths that the search must recover.
 const SOUGHT: Lengths = [0.42, 0.105, 0.34, 0.31, 0.19, 0.09];
 
 /// Points on the curve.
@@ -71,7 +71,7 @@ fn target() -> Vec<Place> {
     times().map(tip).collect()
 }
 
-/// Half of the sum of squares of what is between the tip and the points, in m².
+/// Half the sum of the squared distances between the tip and the points, in m².
 struct Fit {
     target: Vec<Place>,
     with_derivatives: bool,
@@ -138,7 +138,7 @@ impl Slope for &Fit {
     }
 }
 
-/// The lengths that are found, the sweeps that it took, and the seconds.
+/// The lengths found, the number of sweeps, and the time in seconds.
 fn fitted(with_derivatives: bool) -> Result<(Lengths, usize, f64), argmin::core::Error> {
     let fit = Fit { target: target(), with_derivatives, sweeps: Cell::new(0) };
     let Curve { ground_length, crank_length, coupler_length, rocker_length, along, across } = Curve::default();

@@ -1,16 +1,16 @@
-//! A double wishbone suspension: how a front wheel leans and steers as it rises and falls.
+//! A double wishbone suspension: camber and toe of a front wheel over its travel.
 //!
 //! ```text
 //!    ═══o────o C            the upright hangs on two ball joints, B and C, at the ends of the wishbones, and
-//!            ║ ┌┐           is kept from turning about them by the tie rod to T, whose other end S the steering
+//!            ║ ┌┐           is kept from rotating about them by the tie rod to T, whose other end S the steering
 //!            ╠═││ W         holds still
 //!    ══o─────o B└┘
 //! ```
 //!
-//! Every place follows in closed form from the angle of the lower wishbone: C is where the circle that it describes about the upper
-//! hinge meets the sphere about B, T is where three spheres meet, about B, C and S, and the upright is where B, C and T are.
+//! Every point follows in closed form from the angle of the lower wishbone: C is the intersection of its circle about the upper hinge
+//! with the sphere about B, T is the intersection of three spheres about B, C and S, and B, C and T determine the upright.
 //!
-//! Coordinates are those of the car as it stands: x forward, y to the left, z up. Camber is the angle by which the wheel leans outward at
+//! Coordinates are those of the stationary car: x forward, y to the left, z up. Camber is the angle by which the wheel leans outward at
 //! its top, toe the angle by which its front points inward.
 //!
 //! Source of the terms: W. F. Milliken and D. L. Milliken, Race Car Vehicle Dynamics, chapter 17.
@@ -22,9 +22,9 @@ use reuleaux::nalgebra::{Matrix3, Rotation3, Unit, Vector3};
 use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, ring, seen, steps};
 
 mechanism! {
-    /// The left front wheel of a car, moved up and down by a test bench.
+    /// The left front wheel of a car, moved up and down by a test rig.
     pub mechanism Wishbones in space {
-        /// By which the wheel moves up and down.
+        /// Amplitude of the wheel's vertical motion.
         param travel: Length = 80mm;
         /// Height of the inner end of the tie rod.
         param rack_height: Length = 206mm;
@@ -39,7 +39,7 @@ mechanism! {
             axis y = (0, 1, 0);
             axis z = (0, 0, 1);
         }
-        // All frames lie in that of the car as it stands.
+        // All frames are parallel to that of the stationary car.
         body lower {
             point hinge = (120mm, 400mm, 180mm);
             axis hinge_line = (-280, 0, 10);
@@ -78,7 +78,7 @@ mechanism! {
 
 type State = WishbonesState<f64>;
 
-/// Hard points of the car as it stands (m), as in the declaration.
+/// Hard points of the stationary car (m), as in the declaration.
 const LOWER: Vector3<f64> = Vector3::new(0.12, 0.4, 0.18);
 const UPPER: Vector3<f64> = Vector3::new(0.08, 0.45, 0.425);
 const B: Vector3<f64> = Vector3::new(0.005, 0.75, 0.17);
@@ -104,12 +104,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// `place` turned by `angle` (rad) about the line through `foot` along `axis`.
+/// `place` rotated by `angle` (rad) about the line through `foot` along `axis`.
 fn about(place: Vector3<f64>, foot: Vector3<f64>, axis: Vector3<f64>, angle: f64) -> Vector3<f64> {
     foot + Rotation3::from_axis_angle(&Unit::new_normalize(axis), angle) * (place - foot)
 }
 
-/// Where C is on its circle about the upper hinge if B is at `ball`: a cos φ + b sin φ = c, nearest to φ = 0.
+/// Position of C on its circle about the upper hinge if B is at `ball`: a cos φ + b sin φ = c, nearest to φ = 0.
 fn upper_ball(ball: Vector3<f64>) -> Vector3<f64> {
     let axis = Vector3::new(-180.0, 0.0, -15.0).normalize();
     let arm = C - UPPER;
@@ -123,14 +123,14 @@ fn upper_ball(ball: Vector3<f64>) -> Vector3<f64> {
     UPPER + along + out * angle.cos() + aside * angle.sin()
 }
 
-/// A frame on three places: the columns of its matrix.
+/// A frame determined by three points: the columns of its matrix.
 fn frame(places: [Vector3<f64>; 3]) -> Matrix3<f64> {
     let x = (places[1] - places[0]).normalize();
     let z = x.cross(&(places[2] - places[0])).normalize();
     Matrix3::from_columns(&[x, z.cross(&x), z])
 }
 
-/// Where T is: at its distances from B, C and the inner end of the tie rod, behind the plane of the three.
+/// Position of T: at its distances from B, C and the inner end of the tie rod, behind the plane of the three.
 fn tie_rod_end(m: &Wishbones, b: Vector3<f64>, c: Vector3<f64>) -> Vector3<f64> {
     let s = Vector3::new(-0.12, 0.42, m.rack_height);
     let rod = 0.01_f64.powi(2) + 0.315_f64.powi(2) + 0.006_f64.powi(2);
@@ -143,7 +143,7 @@ fn tie_rod_end(m: &Wishbones, b: Vector3<f64>, c: Vector3<f64>) -> Vector3<f64> 
     if sides[0].x < sides[1].x { sides[0] } else { sides[1] }
 }
 
-/// The places of B, C, T and W, and the direction of the spindle, at an angle of the lower wishbone (rad).
+/// Positions of B, C, T and W, and the direction of the spindle, at an angle of the lower wishbone (rad).
 fn exact(m: &Wishbones, angle: f64) -> [Vector3<f64>; 5] {
     let b = about(B, LOWER, Vector3::new(-280.0, 0.0, 10.0), angle);
     let c = upper_ball(b);

@@ -1,4 +1,4 @@
-//! A four-stroke engine: what its gas does to crank, pins and flywheel.
+//! A four-stroke engine: crank torque, pin forces and flywheel for a given gas pressure.
 //!
 //! ```text
 //!       A            rod
@@ -8,17 +8,17 @@
 //!  ════O════ flywheel J               OA = r, AB = l
 //! ```
 //!
-//! At constant speed the torque of the crank changes from one degree to the next; its mean is the work of the gas by 4π. Let run against
-//! that mean as its load, the engine goes faster and slower as its energy says,
+//! At constant speed the torque of the crank varies with the angle; its mean is the work of the gas over 4π. If the engine runs freely
+//! against this mean as its load, its speed varies according to the energy balance,
 //!
 //! ```text
 //! ½ J(φ) φ̇² + V(φ) = ½ J(0) φ̇(0)² + ∫ (torque of the gas − load) dφ      J: flywheel, rod and piston; V: the rod's weight
 //! ```
 //!
-//! and its coefficient of fluctuation is (ω_max − ω_min) / ω = ΔE / (J ω²), if rod and piston are light against the flywheel. ΔE is the
-//! most that the torque at constant speed brings beyond its mean, from the lowest point of its integral to the highest.
+//! Its coefficient of fluctuation is (ω_max − ω_min) / ω = ΔE / (J ω²), if rod and piston are light compared with the flywheel. ΔE is the
+//! largest excess work of the torque at constant speed over its mean, from the lowest point of its integral to the highest.
 //!
-//! Source: R. L. Norton, Design of Machinery, chapters 11 (flywheel) and 13 (gas force, pin forces); the table is an ideal cycle's.
+//! Source: R. L. Norton, Design of Machinery, chapters 11 (flywheel) and 13 (gas force, pin forces); the table is that of an ideal cycle.
 
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
@@ -27,7 +27,7 @@ use reuleaux::nalgebra::Vector2;
 use reuleaux::{Integrator, mechanism};
 use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, gauss, largest_difference, place, polar, rectangle};
 
-/// The engine with what makes it turn: a drive, or a freedom and a load.
+/// The engine with its cause of motion: a drive, or a freedom and a load.
 macro_rules! engine {
     ($(#[$doc:meta])* $name:ident, $($motion:tt)*) => {
         mechanism! {
@@ -67,18 +67,18 @@ macro_rules! engine {
 }
 
 engine! {
-    /// An engine that turns steadily.
+    /// An engine at constant speed.
     Driven, drive motor = drive_angle(crank, speed * t);
 }
 engine! {
-    /// An engine that its gas keeps running.
+    /// An engine driven by its gas.
     Free, freedom turn = crank.angle from 0deg at speed;
 }
 
 /// Length of crank and rod (m).
 const R: f64 = 0.045;
 const L: f64 = 0.15;
-/// Mass of rod and piston (kg), the rod's inertia (kg m²), and the share of it at the piston's pin.
+/// Mass of rod and piston (kg), inertia of the rod (kg m²), and the fraction of its length from A to its centre of mass.
 const ROD: f64 = 0.6;
 const PISTON: f64 = 0.5;
 const INERTIA: f64 = 0.002;
@@ -86,7 +86,7 @@ const SHARE: f64 = 1.0 / 3.0;
 const CRANK: f64 = 8.0;
 const GRAVITY: f64 = 9.81;
 
-/// Degrees of the crank from one look to the next: all angles of the table are multiples.
+/// Step of the crank in degrees; all angles in the table are multiples.
 const STEP: u32 = 2;
 
 /// Motion and forces in closed form at an angle, a speed and an acceleration of the crank.
@@ -95,17 +95,17 @@ struct Exact {
     inertia: f64,
     /// Work of the gas per angle, −p A x′ (N m).
     gas: f64,
-    /// What has to turn the crank beside the gas (N m).
+    /// Torque on the crank in addition to that of the gas (N m).
     torque: f64,
     /// Forces on the piston, on the rod at A, and on the crank at O (N).
     pins: [Vector2<f64>; 3],
 }
 
-/// By virtual work and by Newton's laws; `pressure` in Pa.
+/// Computed by virtual work and Newton's laws; `pressure` in Pa.
 fn exact(flywheel: f64, pressure: f64, angle: f64, [speed, rise]: [f64; 2]) -> Exact {
     let (sin, cos) = angle.sin_cos();
     let (across, along) = (-R * sin / L, (1.0 - (R * sin / L).powi(2)).sqrt());
-    // Derivatives by the crank's angle of the rod's angle, of A, of B and of the rod's centre.
+    // Derivatives by the crank angle of the rod's angle, of A, of B and of the rod's centre.
     let swing = -R * cos / (L * along);
     let swing2 = (R * sin / L + across * swing * swing) / along;
     let a = [place(-R * sin, R * cos), place(-R * cos, -R * sin)];
@@ -125,8 +125,8 @@ fn exact(flywheel: f64, pressure: f64, angle: f64, [speed, rise]: [f64; 2]) -> E
     Exact { inertia, gas, torque, pins: [small_end, big_end, big_end + place(0.0, CRANK * GRAVITY)] }
 }
 
-/// A look at an engine: the crank's angle (rad) and speed (rad/s), its torque (N m), the pressure (Pa), and the forces in the
-/// pins (N); in closed form the torque of a driven crank, or the speed of a free one.
+/// A sample of an engine: crank angle (rad) and speed (rad/s), torque (N m), pressure (Pa), pin forces (N); and in closed form the torque
+/// of a driven crank, or the speed of a free one.
 struct Look {
     angle: f64,
     speed: f64,
@@ -136,7 +136,7 @@ struct Look {
     closed: f64,
 }
 
-/// A cycle at constant speed, and the work of gas and of crank (J) from its beginning to each step.
+/// A cycle at constant speed, with the cumulative work of gas and crank (J) at each step.
 struct Cycle {
     looks: Vec<Look>,
     gas: Vec<f64>,
@@ -156,7 +156,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         print!("{flywheel:7.1}");
         runs.push((flywheel, fluctuation(&run, excess(&cycle, load) / flywheel), run));
     }
-    // What the formula leaves out, rod and piston, is the less the heavier the flywheel, by 1/J.
+    // The formula neglects rod and piston; its error decreases as 1/J.
     for pair in runs.windows(2) {
         let [light, heavy] = [&pair[0].1, &pair[1].1].map(|[found, formula]| (found / formula - 1.0).abs());
         assert!(heavy < 0.6 * light && heavy < 0.1, "{light} and {heavy} from the formula");
@@ -165,7 +165,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A cycle at constant speed, looked at where Gauss integrates.
+/// A cycle at constant speed, sampled at Gauss points.
 fn driven() -> Result<Cycle, Box<dyn Error>> {
     let m = Driven::default();
     let panels = (0..720 / STEP).map(|k| [k, k + 1].map(|k| f64::from(k * STEP).to_radians()));
@@ -197,20 +197,20 @@ fn driven() -> Result<Cycle, Box<dyn Error>> {
     Ok(cycle)
 }
 
-/// Torque and pins are those of virtual work and of Newton's laws.
+/// Torque and pin forces are those of virtual work and Newton's laws.
 fn assert_forces(exact: &Exact, torque: f64, pins: &[Vector2<f64>; 3]) {
     let off = largest_difference(pins.iter().zip(&exact.pins).map(|(pin, exact)| ((pin - exact).norm(), 0.0)));
     assert!(off < 1e-10 && (torque - exact.torque).abs() < 1e-10, "off by {off:e} N and {:e} N m", torque - exact.torque);
 }
 
-/// ΔE: from the lowest to the highest of the work that the crank gives beyond its mean (J).
+/// ΔE: difference of the extrema of the crank's cumulative work minus its mean (J).
 fn excess(cycle: &Cycle, load: f64) -> f64 {
     let beyond = cycle.crank.iter().enumerate().map(|(k, work)| work - load * f64::from(k as u32 * STEP).to_radians());
     let (low, high) = beyond.fold((0.0_f64, 0.0_f64), |(low, high), work| (low.min(work), high.max(work)));
     high - low
 }
 
-/// A cycle against the load, stopped at every step of the crank.
+/// A cycle against the load, sampled at every step of the crank.
 fn free(flywheel: f64, load: f64, cycle: &Cycle) -> Result<Vec<Look>, Box<dyn Error>> {
     let m = Free { flywheel, load, ..Default::default() };
     let (mut state, mut integrator) = (m.initial_state()?, Integrator::new(1e-11));
@@ -234,7 +234,7 @@ fn free(flywheel: f64, load: f64, cycle: &Cycle) -> Result<Vec<Look>, Box<dyn Er
     Ok(looks)
 }
 
-/// The coefficient of fluctuation of a run, and the textbook's for ΔE/J.
+/// Coefficient of fluctuation of a run, and the textbook value for ΔE/J.
 fn fluctuation(run: &[Look], share: f64) -> [f64; 2] {
     let (low, high) = run.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), look| (low.min(look.speed), high.max(look.speed)));
     let mean = (low + high) / 2.0;

@@ -1,4 +1,4 @@
-//! The crank-rocker four-bar: a turning crank makes a rocker swing.
+//! The crank-rocker four-bar: a rotating crank makes a rocker oscillate.
 //!
 //! ```text
 //!              coupler      B
@@ -9,11 +9,11 @@
 //!  ════O════════════════════C════
 //! ```
 //!
-//! By Grashof the crank turns fully: a + b < c + d with a the shortest and b the longest link. The rocker's angle ψ is
+//! By Grashof's criterion the crank rotates fully: a + b < c + d with a the shortest and b the longest link. The rocker's angle ψ is
 //! checked against Freudenstein's equation, k₁ cos ψ − k₂ cos φ + k₃ = cos(φ − ψ), solved for ψ in closed form.
 //!
-//! Source: R. L. Norton, Design of Machinery, the four-bar carried through the chapters on position, velocity and
-//! acceleration; F. Freudenstein, An analytical approach to the design of four-link mechanisms, 1954.
+//! Source: R. L. Norton, Design of Machinery, the running four-bar example of the chapters on position, velocity and acceleration; F.
+//! Freudenstein, An analytical approach to the design of four-link mechanisms, 1954.
 
 use std::error::Error;
 
@@ -27,7 +27,7 @@ mechanism! {
         param coupler_length: Length = 120mm;
         param rocker_length: Length = 80mm;
         param base: Length = 100mm;
-        /// Of the crank, at t = 0.
+        /// Angle of the crank at t = 0.
         param angle: Angle = 0deg;
         param speed: AngularVelocity = 60rpm;
         param acceleration: AngularAcceleration = 0;
@@ -83,7 +83,7 @@ fn assert_freudenstein(m: &CrankRocker, turn: &[State]) {
     assert!(error < 1e-13, "the rocker is {error:e} beside Freudenstein's equation");
 }
 
-/// Norton's open four-bar at 40° with 25 rad/s and 15 rad/s²: the numbers are his, to the last digit printed.
+/// Norton's open four-bar at 40° with 25 rad/s and 15 rad/s²: his results, to the last digit printed.
 fn assert_norton() -> Result<(), Box<dyn Error>> {
     let mechanism = CrankRocker { angle: 40_f64.to_radians(), speed: 25.0, acceleration: 15.0, ..Default::default() };
     let state = mechanism.solve(0.0)?;

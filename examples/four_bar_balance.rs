@@ -1,4 +1,4 @@
-//! One counterweight on the crank of a four-bar: how much of the shaking force it takes away, and what it does to torque and bearings.
+//! A counterweight on the crank of a four-bar: how much of the shaking force it removes, and its effect on torque and bearings.
 //!
 //! ```text
 //!          A        coupler       B
@@ -9,16 +9,16 @@
 //!   weight
 //! ```
 //!
-//! The shaking force of a linkage is the rate of its linear momentum. A weight that turns with the crank leaves least of its mean
-//! square if it balances **all that turns with the pin A and half of what swings with the pin B**, the coupler taken as two masses at
-//! its pins:
+//! The shaking force of a linkage is the rate of its linear momentum. A weight on the crank minimises its mean square if it balances
+//! **all mass that rotates with pin A and half of the mass that oscillates with pin B**, with the coupler replaced by two masses at its
+//! pins:
 //!
 //! ```text
 //! m r_W = m₁ c₁ + m₂ (1 − c₂/r₂) r₁ + ½ (m₃ c₃/r₃ + m₂ c₂/r₂) r₁
 //! ```
 //!
-//! The half is exact: on the average over a turn, the projection of B's acceleration on the crank is half of A's. At constant speed the
-//! weight keeps its kinetic energy, so that the torque changes by gravity alone.
+//! The half is exact: averaged over a turn, the projection of B's acceleration on the crank is half of A's. At constant speed the kinetic
+//! energy of the weight is constant, so that the torque changes by gravity only.
 //!
 //! Source: R. L. Norton, Design of Machinery, chapters 6, 7 and 12.
 
@@ -54,19 +54,19 @@ type State = BalancedState<f64>;
 
 /// Masses (kg), centres from the first pin (m) and lengths (m) of crank, coupler and rocker; from A, O and C.
 const LINKS: [[f64; 3]; 3] = [[0.5, 0.025, 0.05], [0.4, 0.08, 0.2], [0.3, 0.075, 0.15]];
-/// The pivot of the rocker (m), and the weight's distance from the axle (m).
+/// Distance of the rocker's pivot (m), and of the weight from the axle (m).
 const C: f64 = 0.2;
 const REACH: f64 = 0.06;
 const GRAVITY: f64 = 9.81;
 
-/// At a crank angle: the rate of momentum (N), the power (W) that changes kinetic and potential energy, and the forces in the pins (N).
+/// At a crank angle: the rate of momentum (N), the power (W) that changes kinetic and potential energy, and the pin forces (N).
 struct Exact {
     force: Vector2<f64>,
     power: f64,
     pins: [Vector2<f64>; 4],
 }
 
-/// A state of the crank's turn with its loads: shaking force, torque, and the forces in the pins O, A, B and C.
+/// A state with its loads: shaking force, torque, and the forces in the pins O, A, B and C.
 struct Loaded {
     state: State,
     shaking: Vector2<f64>,
@@ -87,7 +87,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What the weight should balance, mass times distance from the axle (kg m).
+/// Unbalance that the weight should balance: mass times distance from the axle (kg m).
 fn rule() -> f64 {
     let [[m1, c1, r1], [m2, c2, r2], [m3, c3, r3]] = LINKS;
     m1 * c1 + m2 * (1.0 - c2 / r2) * r1 + 0.5 * (m3 * c3 / r3 + m2 * c2 / r2) * r1
@@ -98,7 +98,7 @@ fn turn(m: &Balanced) -> Result<Vec<Loaded>, Box<dyn Error>> {
     let mass = LINKS.iter().map(|link| link[0]).sum::<f64>() + m.weight;
     let loaded = |state: State| {
         let loads = m.loads(&state);
-        // The ground pushes up the weight as well; what is left moves the links, and its opposite shakes the ground.
+        // Ground also carries the weight; the remaining force accelerates the links, and its reaction shakes ground.
         let shaking = loads.o().force + loads.c().force - Vector2::new(0.0, GRAVITY * mass);
         let pins = [loads.o(), loads.a(), loads.b(), loads.c()].map(|load| load.force);
         Loaded { shaking, torque: loads.motor().effort, pins, exact: exact(m, state.crank().angle), state }
@@ -106,14 +106,14 @@ fn turn(m: &Balanced) -> Result<Vec<Loaded>, Box<dyn Error>> {
     states.map(|state| Ok(loaded(state?))).collect()
 }
 
-/// The motion by vectors in the loop, and the forces by Newton's laws for one link after the other.
+/// The motion from the vector loop, and the forces from Newton's laws, link by link.
 fn exact(m: &Balanced, angle: f64) -> Exact {
     let [[m1, c1, r1], [m2, c2, r2], [m3, c3, r3]] = LINKS;
     let a = polar(r1, angle);
     let b = apex(a, place(C, 0.0), r2, r3);
     let along = [a / r1, (b - a) / r2, (b - place(C, 0.0)) / r3];
     let across = along.map(|e| place(-e.y, e.x));
-    // v_A + ω₂ × AB = ω₃ × CB, multiplied with the rod that does not count; then the same of accelerations.
+    // v_A + ω₂ × AB = ω₃ × CB, projected to eliminate one rate at a time; then the same for accelerations.
     let w1 = m.speed;
     let w2 = -w1 * r1 * across[0].dot(&along[2]) / (r2 * across[1].dot(&along[2]));
     let w3 = w1 * r1 * across[0].dot(&along[1]) / (r3 * across[2].dot(&along[1]));
@@ -130,7 +130,8 @@ fn exact(m: &Balanced, angle: f64) -> Exact {
     ];
     let spin = m2 * r2 * r2 / 12.0 * w2 * s2 + m3 * r3 * r3 / 12.0 * w3 * s3;
     let power = masses.iter().map(|(mass, [v, a])| mass * (v.dot(a) + GRAVITY * v.y)).sum::<f64>() + spin;
-    // What moves a mass and carries its weight; torques about C on the rocker and about A on the coupler give the force between them.
+    // Forces that accelerate each mass and carry its weight; moments about C on the rocker and about A on the coupler give the force at
+    // B.
     let needed = masses.map(|(mass, [_, a])| (a + place(0.0, GRAVITY)) * mass);
     let on_rocker = along[2].perp(&needed[3]) * c3 / r3 + m3 * r3 / 12.0 * s3;
     let on_coupler = -along[1].perp(&needed[2]) * c2 / r2 - m2 * r2 / 12.0 * s2;
@@ -140,7 +141,7 @@ fn exact(m: &Balanced, angle: f64) -> Exact {
     Exact { force: masses.iter().map(|(mass, [_, a])| a * *mass).sum(), power, pins }
 }
 
-/// The shaking force is the rate of momentum, the motor's power that of kinetic and potential energy; pins carry what each link needs.
+/// The shaking force equals the rate of momentum, the motor's power that of the energy, and pin forces balance each link.
 fn assert_momentum_and_power(m: &Balanced, turn: &[Loaded]) {
     let (force, power) = (largest(turn), turn.iter().map(|at| at.exact.power.abs()).fold(0.0, f64::max));
     let momentum = largest_difference(turn.iter().map(|at| ((at.shaking - at.exact.force).norm() / force, 0.0)));
@@ -150,8 +151,8 @@ fn assert_momentum_and_power(m: &Balanced, turn: &[Loaded]) {
     assert!(momentum.max(balance).max(pins) < 2e-14, "momentum is off by {momentum:e}, power by {balance:e}, pins by {pins:e}");
 }
 
-/// The rule is the projection of the shaking force on the crank, as least squares want it; the weight more than halves the force, and
-/// the torque changes by gravity on it alone.
+/// The rule equals the least-squares projection of the shaking force on the crank; the weight more than halves the force, and changes the
+/// torque by its own gravity only.
 fn assert_rule(m: &Balanced, before: &[Loaded], after: &[Loaded]) {
     let count = (before.len() - 1) as f64;
     let mean = |of: &dyn Fn(&Loaded) -> f64, turn: &[Loaded]| turn[1..].iter().map(of).sum::<f64>() / count;

@@ -1,14 +1,14 @@
-//! A two-stage gear train: nine turns of the motor are one turn of the turret.
+//! A two-stage gear train: nine turns of the motor give one turn of the turret.
 //!
 //! ```text
 //!   motor 20 ──── 60 ┐ one shaft
 //!                 18 ┘──── 54 turret         i = (60/20) (54/18) = 9
 //! ```
 //!
-//! A law with smooth ends moves the motor by `turns`; the turret stops after a ninth of it, however many turns these are:
+//! A law with smooth ends rotates the motor by `turns`; the turret stops after a ninth of that angle, for any number of turns, since
 //! angles are never wrapped. Each stage reverses the sense of rotation, so that two restore it.
 //!
-//! The ratio is checked after nine million turns, the meshes by the speeds of the two pitch circles where they touch.
+//! The ratio is checked after nine million turns, and the meshes by the speeds of both pitch circles at their contact.
 //! Source: the law of gearing; module 4 mm.
 
 use std::error::Error;
@@ -60,7 +60,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The turret turns by a ninth, to the last bit.
+/// The turret rotates by a ninth, to the last bit.
 fn assert_ratio() -> Result<(), Box<dyn Error>> {
     for turns in [1.0, 9.0, 9e6] {
         let mechanism = Positioner { turns: turns * TAU, ..Default::default() };
@@ -72,7 +72,7 @@ fn assert_ratio() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Where two pitch circles touch they have one velocity.
+/// Where two pitch circles touch, they have the same velocity.
 fn assert_rolling(motion: &[State]) {
     let speed = |teeth: f64, angular_velocity: f64| teeth * MODULE / 2.0 * angular_velocity;
     let rates = |s: &State| [s.motor(), s.middle(), s.turret()].map(|body| body.angular_velocity);

@@ -1,12 +1,12 @@
-//! A motor starts a gear train: how fast it gets there, and what its teeth and bearings carry meanwhile.
+//! A motor starts a gear train: speed over time, and loads of its teeth and bearings.
 //!
 //! ```text
 //!   motor 20 ──── 60 ┐ one shaft
 //!                 18 ┘──── 54 drum           i = (60/20) (54/18) = 9
 //! ```
 //!
-//! Seen from the motor, every inertia counts by the square of its ratio. With a motor whose torque falls in a line with its speed, and a
-//! load that does not change,
+//! Referred to the motor, every inertia is divided by the square of its ratio. With a motor torque that decreases linearly with speed,
+//! and a constant load,
 //!
 //! ```text
 //! J = J₁ + J₂/3² + J₃/9²          T = T₀ (1 − φ̇/ω₀) − T_L/9          φ̈ = T/J
@@ -14,10 +14,10 @@
 //! φ̇ = ω₀ (1 − T_L/9T₀) (1 − e^(−t/τ)),  τ = J ω₀/T₀
 //! ```
 //!
-//! What two teeth do to each other is found by cutting the train at their mesh: N = (T₀ (1 − φ̇/ω₀) − J₁ φ̈) / r_b. The mesh is declared
-//! here as what involutes do: base circles that wind a taut line off and on, wherever their centres are. Its multiplier is N, the force
-//! acts along that line, 20° from the tangent, and the bearings carry it. (The library's `gear_pair` relates angles alone: no bearing
-//! takes notice.)
+//! The tooth force follows by cutting the train at the mesh: N = (T₀ (1 − φ̇/ω₀) − J₁ φ̈) / r_b. The mesh is declared here by the
+//! geometry of involutes: a taut line unwinds from one base circle onto the other, whatever the distance of their centres. Its multiplier
+//! is N, the force acts along that line, at 20° to the tangent, and the bearings carry it. (The library's `gear_pair` relates angles only
+//! and does not load the bearings.)
 //!
 //! Source: R. G. Budynas and J. K. Nisbett, Shigley's Mechanical Engineering Design, gears (force analysis), and the law of gearing.
 
@@ -29,10 +29,12 @@ use reuleaux::{Integrator, constraint, mechanism};
 use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, gauss, gear, meshing, polar, steps};
 
 constraint! {
-    /// Two involute gears with base radii `a` and `b` about `A` and `B`; `side` is 1 where that of `A` drives to the left, −1 to the right.
+    /// Two involute gears with base radii `a` and `b` about `A` and `B`; `side` is 1 if that of `A` drives to the left, −1 if to the
+    /// right.
     ///
-    /// The taut line between the base circles is at α from the tangent, cos α = (a + b) / |AB|. Where the centres part, (a + b) inv α of it
-    /// wind off, inv α = tan α − α; `line` and `alpha` are where the line of centres and α begin.
+    /// The taut line between the base circles is at the angle α to the tangent, cos α = (a + b) / |AB|. If the centres move apart,
+    /// the length (a + b) inv α unwinds, inv α = tan α − α; `line` and `alpha` are the initial values of the angle of the line of
+    /// centres and of α.
     pub constraint involute_mesh(A: Point, B: Point, a: Length, b: Length, line: Angle, alpha: Angle, side: Number) {
         require a > 0: "a base circle has a radius";
         require b > 0: "a base circle has a radius";
@@ -50,9 +52,9 @@ mechanism! {
 
         /// Torque of the motor at rest.
         param stall: Torque = 6Nm;
-        /// Speed at which it has no torque left.
+        /// Speed at zero torque.
         param idle: AngularVelocity = 1500rpm;
-        /// On the drum.
+        /// Load torque on the drum.
         param load: Torque = 20Nm;
         let module = 4mm;
         let alpha = 20deg;
@@ -83,11 +85,11 @@ type State = HoistState<f64>;
 /// Module (m) and pressure angle (rad).
 const MODULE: f64 = 0.004;
 const ALPHA: f64 = 20.0 / 360.0 * TAU;
-/// Inertias of motor, middle shaft and drum (kg m²), and how many turns of the motor are one of theirs.
+/// Inertias of motor, middle shaft and drum (kg m²), and turns of the motor per turn of each.
 const INERTIAS: [f64; 3] = [0.006, 0.03, 0.9];
 const RATIOS: [f64; 3] = [1.0, 3.0, 9.0];
 
-/// A moment of the start in closed form: angle, speed and acceleration of the motor, and the forces (N) of the teeth on the driven gears.
+/// The start in closed form: angle, speed and acceleration of the motor, and the forces (N) of the teeth on the driven gears.
 struct Exact {
     motor: [f64; 3],
     teeth: [Vector2<f64>; 2],
@@ -105,7 +107,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The start, with the work of motor and load against the kinetic energy.
+/// The start, with the work of motor and load compared with the kinetic energy.
 fn run(m: &Hoist) -> Result<Vec<State>, Box<dyn Error>> {
     let (mut state, mut integrator) = (m.initial_state()?, Integrator::new(1e-11));
     let (mut states, mut work) = (vec![state.clone()], 0.0);
@@ -129,13 +131,13 @@ fn exact(m: &Hoist, t: f64) -> Exact {
     let fade = (-t / slow).exp();
     let motor = [fast * (t - slow * (1.0 - fade)), fast * (1.0 - fade), fast * fade / slow];
     let (sin, cos) = ALPHA.sin_cos();
-    // Cut at a mesh: what the motor has left for the teeth, and what drum and load want of them; by base radii.
+    // Cut at a mesh: motor torque available for the teeth, and torque that drum and load require, divided by the base radii.
     let first = (m.stall * (1.0 - motor[1] / m.idle) - INERTIAS[0] * motor[2]) / (10.0 * MODULE * cos);
     let second = (m.load + INERTIAS[2] * motor[2] / RATIOS[2]) / (27.0 * MODULE * cos);
     Exact { motor, teeth: [Vector2::new(sin, cos) * first, Vector2::new(cos, sin) * second] }
 }
 
-/// All shafts move as the closed form says, in their ratios.
+/// All shafts follow the closed form, in their ratios.
 fn assert_motion(m: &Hoist, state: &State) {
     let exact = exact(m, state.t).motor;
     for (body, ratio) in [state.motor(), state.middle(), state.drum()].into_iter().zip([1.0, -3.0, 9.0]) {
@@ -145,7 +147,7 @@ fn assert_motion(m: &Hoist, state: &State) {
     }
 }
 
-/// Teeth and bearings carry what the parts of the train need.
+/// The forces of teeth and bearings balance each part of the train.
 fn assert_forces(m: &Hoist, state: &State) {
     let (loads, [first, second]) = (m.loads(state), exact(m, state.t).teeth);
     let pairs = [

@@ -1,4 +1,4 @@
-//! Porter's governor: how high its sleeve stands at a speed, and how it gets there.
+//! Porter's governor: height of its sleeve at a given speed, and the transition to it.
 //!
 //! ```text
 //!            │ spindle
@@ -9,7 +9,7 @@
 //!           [=] sleeve
 //! ```
 //!
-//! Where balls and sleeve are at rest on the turning spindle, h = (1 + M/m) g / ω². A damper brings them there.
+//! If balls and sleeve are at rest on the rotating spindle, h = (1 + M/m) g / ω². A damper brings them to rest.
 //!
 //! Source: T. Bevan, The Theory of Machines, governors.
 
@@ -51,13 +51,13 @@ mechanism! {
 
 type State = GovernorState<f64>;
 
-/// Long enough to settle, in s.
+/// Settling time, in s.
 const SETTLED: f64 = 15.0;
 
 /// Speeds (rpm) that lift the sleeve.
 const SPEEDS: [f64; 6] = [90.0, 100.0, 110.0, 120.0, 140.0, 160.0];
 
-/// Height (m) of the hinge above the balls where they rest on the turning spindle.
+/// Height (m) of the hinge above the balls at rest on the rotating spindle.
 fn height(m: &Governor) -> f64 {
     (1.0 + m.load / m.ball) * 9.81 / (m.speed * m.speed)
 }
@@ -104,7 +104,7 @@ fn settling(m: &Governor) -> Result<Vec<(f64, f64)>, Box<dyn Error>> {
 
 fn picture(ends: &[(f64, f64, f64, State)]) -> Result<Plate, Box<dyn Error>> {
     let mut scene = Scene::new();
-    // Turned about the spindle into one plane, for comparison.
+    // Rotated about the spindle into one plane, for comparison.
     for (_, found, _, _) in &ends[1..] {
         scene.faint(|scene| draw(scene, *found));
     }

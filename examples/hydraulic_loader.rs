@@ -8,8 +8,8 @@
 //!   L ═════════
 //! ```
 //!
-//! A cylinder is a distance that follows a law of time: `drive_distance`. Both laws together dig, lift and dump. Every pin is
-//! checked against triangles: a cylinder and the boom, a cylinder and the bellcrank, a pair of links.
+//! A cylinder is a distance that follows a law of time: `drive_distance`. Both laws together dig, lift and dump. Every pin is checked
+//! against triangles: of a cylinder and the boom, of a cylinder and the bellcrank, and of pairs of links.
 //!
 //! Source of the lengths: a loader of common size. For one position the edge was also computed with 60 digits.
 
@@ -19,7 +19,7 @@ use reuleaux::mechanism;
 use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, carried, largest_difference, on, place, rectangle, steps};
 
 mechanism! {
-    /// Two cylinders, two freedoms.
+    /// A loader with two cylinders and two freedoms.
     pub mechanism Loader {
         /// Length of the lift cylinder with the bucket on the ground.
         param lift: Length = 0.95m;
@@ -87,7 +87,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The bucket's edge by triangles alone, for these lengths of the cylinders (m).
+/// Position of the bucket's edge by triangles alone, for these lengths of the cylinders (m).
 fn edge(m: &Loader, lift: f64, tilt: f64) -> Place {
     let [p, l, t] = [place(0.0, 0.0), place(0.1, -0.9), place(0.35, 0.25)];
     let arm = place(1.2, -0.15);
@@ -108,7 +108,7 @@ fn assert_triangles(m: &Loader, cycle: &[State]) {
     }
 }
 
-/// A longer link and other cylinder lengths: the edge's place to 16 digits.
+/// A longer link and other cylinder lengths: the edge's position to 16 digits.
 fn assert_reference() -> Result<(), Box<dyn Error>> {
     let (lift, tilt) = (1.55 + 0.3 * (-1.0_f64).sin(), 1.35 + 0.12 * 0.5_f64.sin());
     let mechanism = Loader { lift, tilt, link_length: 1.05, ..Default::default() };
@@ -173,7 +173,7 @@ fn draw(scene: &mut Scene, m: &Loader, state: &State) {
     }
 }
 
-/// The barrels, as long as the shortest length of each cylinder allows.
+/// The barrels, with the shortest length of each cylinder.
 fn cylinders(scene: &mut Scene, m: &Loader, state: &State) {
     let lengths = [(Ink::Input, m.L(state), m.M(state), 0.85), (Ink::Second, m.T(state), m.S(state), 0.70)];
     for (ink, foot, head, length) in lengths {

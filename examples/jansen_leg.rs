@@ -1,4 +1,4 @@
-//! Theo Jansen's leg: eleven bars that turn a crank into a step, the leg of his beach animals.
+//! Theo Jansen's leg: eleven bars that convert the rotation of a crank into steps, the leg of his beach animals.
 //!
 //! ```text
 //!          U
@@ -11,8 +11,8 @@
 //!      T
 //! ```
 //!
-//! The numbers are the ones Jansen found with a genetic algorithm and calls holy. Every pin is the apex of a triangle over two
-//! pins found before: five times two circles meet, without iteration. The foot is checked against that.
+//! The lengths are those that Jansen found with a genetic algorithm and calls holy numbers. Every pin is the apex of a triangle on two
+//! known pins: five intersections of two circles, without iteration. The foot is checked against these.
 //!
 //! Source: T. Jansen, The Great Pretender, 2007; lengths in mm here.
 
@@ -39,7 +39,7 @@ mechanism! {
         param l: Length = 7.8mm;
         param m: Length = 15mm;
 
-        // Where W lies beside the bar V U, and T beside F C.
+        // Position of W relative to the bar V U, and of T relative to F C.
         let upper_x = (b^2 + d^2 - e^2) / (2 * b);
         let lower_x = (g^2 + h^2 - i^2) / (2 * g);
 
@@ -91,7 +91,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The foot by five triangles, for this angle of the crank (rad).
+/// Position of the foot by five triangles, for this crank angle (rad).
 fn foot(n: &Leg, crank: f64) -> Place {
     let (v, x) = (place(-n.a, -n.l), polar(n.m, crank));
     let u = apex(v, x, n.b, n.j);
@@ -106,7 +106,7 @@ fn assert_triangles(leg: &Leg, turn: &[State]) {
     assert!(error < 1e-15, "the foot is {error:e} m off");
 }
 
-/// Length and height of a step, and how flat the foot goes: half of the turn it stays within a few mm of the ground.
+/// Length and height of a step, and its flatness: for half of the turn the foot stays within a few mm of the ground.
 fn print_step(leg: &Leg, turn: &[State]) {
     let places: Vec<Place> = turn.iter().map(|state| leg.foot(state).value).collect();
     let range = |of: fn(&Place) -> f64| {

@@ -1,7 +1,7 @@
-//! Drawing for the gallery. In: places in m as an example solves them. Out: `gallery/<name>.svg`, the same bytes on every run.
+//! Drawing for the gallery. In: points in m, as solved by an example. Out: `gallery/<name>.svg`, the same bytes on every run.
 //!
-//! A [`Plate`] is one picture: a [`Scene`], the mechanism at a few phases with equal scales, and below it [`Diagram`]s that
-//! share one abscissa. Each example draws its own mechanism with the few shapes of a textbook: links, pins, pivots, walls.
+//! A [`Plate`] is one picture: a [`Scene`], the mechanism at a few phases with equal scales, and below it [`Diagram`]s with a common
+//! abscissa. Each example draws its own mechanism with the few shapes of a textbook: links, pins, pivots, walls.
 
 use std::f64::consts::TAU;
 
@@ -12,9 +12,9 @@ mod drawing;
 
 pub use drawing::{Abscissa, Diagram, Ink, Place, Plate, Scene, gear, meshing, place, polar, rectangle};
 
-/// From how far to the right pictures of space are seen (rad).
+/// Angle of view to the right (rad) of pictures in space.
 const SIDE: f64 = 0.6;
-/// From how far above (rad).
+/// Angle of view above the horizon (rad).
 const HEIGHT: f64 = 0.42;
 
 /// `count` + 1 numbers from `first` to `last` (both included) at equal steps.
@@ -22,13 +22,13 @@ pub fn steps(first: f64, last: f64, count: u32) -> impl Iterator<Item = f64> + C
     (0..=count).map(move |i| first + (last - first) * f64::from(i) / f64::from(count))
 }
 
-/// The largest |a − b| of the pairs; not a number where one of them is not.
+/// Largest |a − b| of the pairs; NaN if any is NaN.
 pub fn largest_difference(pairs: impl IntoIterator<Item = (f64, f64)>) -> f64 {
     pairs.into_iter().map(|(a, b)| (a - b).abs()).fold(0.0, |largest: f64, d| if largest.is_nan() || d <= largest { largest } else { d })
 }
 
-/// The third corner of a triangle over `p` and `q`, at distance `to_p` (m) from `p` and `to_q` (m) from `q`, on the left of the
-/// way from `p` to `q`: a pair of links in closed form. Not a number where the links do not reach.
+/// Third corner of a triangle on `p` and `q`, at distance `to_p` (m) from `p` and `to_q` (m) from `q`, to the left of the line from `p`
+/// to `q`: a pair of links in closed form. NaN if the links do not reach.
 pub fn apex(p: Place, q: Place, to_p: f64, to_q: f64) -> Place {
     let base = (q - p).norm();
     let along = (base * base + to_p * to_p - to_q * to_q) / (2.0 * base);
@@ -37,29 +37,29 @@ pub fn apex(p: Place, q: Place, to_p: f64, to_q: f64) -> Place {
     p + unit * along + place(-unit.y, unit.x) * across
 }
 
-/// Where `local` (m, in the body's frame) lies in ground.
+/// Position in ground of `local` (m, in the body's frame).
 pub fn on(body: &PlanarBody<f64>, local: Place) -> Place {
     body.position + turned(local, polar(1.0, body.angle))
 }
 
-/// Where `local` lies if the body's origin is at `pivot` and its `arm` points to `seen`: all in m, `local` and `arm` in its frame.
+/// Position of `local` if the body's origin is at `pivot` and its `arm` points to `seen`: all in m, `local` and `arm` in its frame.
 pub fn carried(local: Place, pivot: Place, arm: Place, seen: Place) -> Place {
     let direction = turned(seen - pivot, place(arm.x, -arm.y)) / arm.norm_squared();
     pivot + turned(local, direction)
 }
 
-/// The product of two places as complex numbers: one is turned and stretched by the other.
+/// Product of two vectors as complex numbers: rotates and scales one by the other.
 fn turned(a: Place, b: Place) -> Place {
     place(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x)
 }
 
-/// Where a point in space (m) shows in the picture: seen from the right in front and from above, z upwards, without perspective.
+/// Projection of a point in space (m) into the picture: seen from the right in front and from above, z upwards, without perspective.
 pub fn seen(at: &Vector3<f64>) -> Place {
     let ((sin, cos), (rise, fall)) = (SIDE.sin_cos(), HEIGHT.sin_cos());
     place(cos * at.x + sin * at.y, rise * (cos * at.y - sin * at.x) + fall * at.z)
 }
 
-/// A circle of this radius (m) about `centre` in the plane normal to `axis`, as it shows in the picture.
+/// Projection of a circle of this radius (m) about `centre` in the plane normal to `axis`.
 pub fn ring(centre: &Vector3<f64>, axis: &Vector3<f64>, radius: f64) -> Vec<Place> {
     let other = if axis.x.abs() < 0.6 * axis.norm() { Vector3::x() } else { Vector3::y() };
     let one = axis.cross(&other).normalize();
@@ -67,7 +67,7 @@ pub fn ring(centre: &Vector3<f64>, axis: &Vector3<f64>, radius: f64) -> Vec<Plac
     steps(0.0, TAU, 72).map(|angle| seen(&(centre + (one * angle.cos() + two * angle.sin()) * radius))).collect()
 }
 
-/// Places and weights for an integral from `from` to `to` by Gauss and Legendre: exact for polynomials up to the ninth degree.
+/// Nodes and weights of Gauss-Legendre quadrature from `from` to `to`: exact for polynomials up to the ninth degree.
 pub fn gauss(from: f64, to: f64) -> [(f64, f64); 5] {
     let (middle, half) = ((from + to) / 2.0, (to - from) / 2.0);
     let (root, part) = (2.0 * (10.0_f64 / 7.0).sqrt(), 13.0 * 70.0_f64.sqrt());
@@ -77,7 +77,7 @@ pub fn gauss(from: f64, to: f64) -> [(f64, f64); 5] {
         .map(|(at, weight)| (middle + half * at, half * weight))
 }
 
-/// A bevel gear by its pitch cone: the circle at its back, `back` (m) from the common apex in its frame, and lines towards the apex.
+/// A bevel gear as its pitch cone: the circle at its back, `back` (m) from the common apex in its frame, and lines towards the apex.
 pub fn bevel(scene: &mut Scene, ink: Ink, body: &SpatialBody<f64>, back: Vector3<f64>, radius: f64, teeth: u32) {
     let (height, axis) = (body.vector(back).value, back.abs().normalize());
     scene.surface(ink, ring(&height, &body.vector(axis).value, radius));

@@ -1,4 +1,4 @@
-//! A differential shares torque equally, however unequal the loads of its wheels are: one wheel on asphalt, the other one on ice.
+//! A differential divides torque equally, however unequal the wheel loads are: one wheel on asphalt, the other on ice.
 //!
 //! ```text
 //!            ┌──[10]──┐
@@ -6,18 +6,19 @@
 //!   b_L      └────────┘ cage  b_R
 //! ```
 //!
-//! With ω the speeds of the wheels, that of the cage is (ω_L + ω_R)/2 and that of the planet on its pin i (ω_R − ω_L)/2, i = 16/10. By
-//! Lagrange's equations
+//! With wheel speeds ω, the cage has the speed (ω_L + ω_R)/2 and the planet on its pin i (ω_R − ω_L)/2, i = 16/10. By Lagrange's
+//! equations
 //!
 //! ```text
 //! (J_W + J_C/2) (ω̇_L + ω̇_R)    = T − b_L ω_L − b_R ω_R            J_W: a wheel; J_C: cage, and planet about the axle
 //! (J_W + i² J_P/2) (ω̇_R − ω̇_L) = b_L ω_L − b_R ω_R                J_P: planet about its pin
 //! ```
 //!
-//! They are linear, so that speeds are a matrix exponential. The torques on the side gears differ by what spins the planet,
-//! i² J_P/2 (ω̇_R − ω̇_L), and at last are T/2 each: then speeds are as 1/b, and the wheel on the ice runs off.
+//! The equations are linear, so that the speeds are a matrix exponential. The torques on the side gears differ by the torque that
+//! accelerates the planet, i² J_P/2 (ω̇_R − ω̇_L), and tend to T/2 each: then speeds are proportional to 1/b, and the wheel on ice runs
+//! away.
 //!
-//! Source: J. Y. Wong, Theory of Ground Vehicles, chapter 3, for the terms; the equations are those of Lagrange.
+//! Source of the terms: J. Y. Wong, Theory of Ground Vehicles, chapter 3; the equations are Lagrange's.
 
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -27,7 +28,7 @@ use reuleaux::{Integrator, SpatialBody, mechanism};
 use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, bevel, gauss, ring, seen, steps};
 
 mechanism! {
-    /// A differential between two wheels that are held back by their speeds.
+    /// A differential between two wheels with resistance proportional to speed.
     pub mechanism Loaded in space {
         param torque: Torque = 120Nm;
         param left_drag: Torque / AngularVelocity = 1.2Nm / 1rad_s;
@@ -61,7 +62,7 @@ const CAGE: f64 = 0.03 + 0.012 + 2.0 * 0.032 * 0.032;
 const PLANET: f64 = 0.02;
 /// Radii of the pitch circles of planet and side gears (m).
 const RADII: [f64; 2] = [0.02, 0.032];
-/// Turns of the planet on its pin for one of a wheel against the cage.
+/// Turns of the planet on its pin per turn of a wheel relative to the cage.
 const RATIO: f64 = 1.6;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -78,7 +79,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// From rest, with the work of engine and road against the kinetic energy.
+/// The motion from rest, with the work of engine and road compared with the kinetic energy.
 fn run(m: &Loaded) -> Result<Vec<State>, Box<dyn Error>> {
     let (mut state, mut integrator) = (m.initial_state()?, Integrator::new(1e-11));
     let (mut states, mut work) = (vec![state.clone()], 0.0);
@@ -103,13 +104,13 @@ fn matrices(m: &Loaded) -> [Matrix2<f64>; 2] {
     [mass, Matrix2::from_diagonal(&Vector2::new(m.left_drag, m.right_drag))]
 }
 
-/// The acceleration of the wheels at their speeds.
+/// Accelerations of the wheels at given speeds.
 fn accelerations(m: &Loaded, speeds: Vector2<f64>) -> Vector2<f64> {
     let [mass, drag] = matrices(m);
     mass.try_inverse().unwrap_or_default() * (Vector2::repeat(m.torque / 2.0) - drag * speeds)
 }
 
-/// The speeds of the wheels: ω = (1 − e^(−M⁻¹ B t)) B⁻¹ T/2, the exponential by the two rates of decay.
+/// Speeds of the wheels: ω = (1 − e^(−M⁻¹ B t)) B⁻¹ T/2, with the exponential from the two rates of decay.
 fn speeds(m: &Loaded, t: f64) -> Vector2<f64> {
     let [mass, drag] = matrices(m);
     let decay = mass.try_inverse().unwrap_or_default() * drag;
@@ -122,7 +123,7 @@ fn speeds(m: &Loaded, t: f64) -> Vector2<f64> {
     rest - fade * rest
 }
 
-/// Speeds and accelerations about y of left, right and cage, of the planet on its pin.
+/// Speeds and accelerations about y of left wheel, right wheel and cage, and of the planet on its pin.
 fn found(state: &State) -> [[f64; 4]; 2] {
     let spin = |of: fn(&SpatialBody<f64>) -> Vector3<f64>| {
         let [left, right, cage] = [state.left(), state.right(), state.cage()].map(|body| of(&body).y);
@@ -135,7 +136,7 @@ fn found(state: &State) -> [[f64; 4]; 2] {
     [[l, r, c, against.dot(&pin.value)], [dl, dr, dc, rise.dot(&pin.value) + against.dot(&pin.rate)]]
 }
 
-/// The motion is that of Lagrange's equations.
+/// The motion satisfies Lagrange's equations.
 fn assert_motion(m: &Loaded, state: &State) {
     let closed = speeds(m, state.t);
     for (found, wheels) in found(state).into_iter().zip([closed, accelerations(m, closed)]) {
@@ -146,14 +147,14 @@ fn assert_motion(m: &Loaded, state: &State) {
     }
 }
 
-/// Torques (N m) of the meshes on the side gears: −λ times what the angle of the gear counts in its mesh, the last two equations.
+/// Torques (N m) of the meshes on the side gears: −λ of the last two equations times the coefficients of the gears' angles in them.
 fn shares(m: &Loaded, state: &State) -> [f64; 2] {
     let multipliers = m.loads(state).multipliers;
     let last = multipliers.len() - 2;
     [-16.0 * multipliers[last], 16.0 * multipliers[last + 1]]
 }
 
-/// Each wheel gets what moves it against its road; the shares differ by what spins the planet.
+/// Each wheel receives the torque of its inertia and resistance; the two differ by the torque that accelerates the planet.
 fn assert_shares(m: &Loaded, state: &State) {
     let [left, right] = shares(m, state);
     let closed = speeds(m, state.t);
@@ -175,7 +176,7 @@ fn print(m: &Loaded, start: &[State]) {
 
 fn picture(m: &Loaded, start: &[State]) -> Plate {
     let mut scene = Scene::new();
-    // The planet is seen best where it stands uppermost.
+    // Shown at an instant at which the planet is on top.
     let height = |state: &&State| state.cage().vector(Vector3::x()).value.z;
     start.iter().max_by(|one, two| height(one).total_cmp(&height(two))).into_iter().for_each(|state| draw(&mut scene, state));
     let rpm = |which: usize| start.iter().map(move |state| (state.t, found(state)[0][which] * 60.0 / TAU));
@@ -203,7 +204,7 @@ fn picture(m: &Loaded, start: &[State]) -> Plate {
         )
 }
 
-/// Bevel gears by their pitch cones; the wheels are drawn small.
+/// Bevel gears as pitch cones; the wheels are drawn small.
 fn draw(scene: &mut Scene, state: &State) {
     let (x, y) = (Vector3::x(), Vector3::y());
     let wheel = |side: f64| {

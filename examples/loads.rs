@@ -1,4 +1,4 @@
-//! What a four-bar takes: motor torque, bearing forces, and a counterweight that halves the shaking force.
+//! Loads of a four-bar: motor torque, bearing forces, and counterweights that halve the shaking force.
 //!
 //! ```text
 //!              coupler      B
@@ -9,9 +9,10 @@
 //!  ════O════════════════════C════
 //! ```
 //!
-//! What the bearings on ground push, less the weight, is the shaking force. By Berkof and Lowen it vanishes if the coupler is taken as two masses
-//! at its pins and each of the other links is balanced with its share: 0.233 kg on the crank and 0.45 kg on the rocker. It is linear in both
-//! weights, so that half of them leave half of it. The work of the motor over a turn is zero, since nothing is lost.
+//! The sum of the bearing forces from ground, minus the weight, is the shaking force. By Berkof and Lowen it vanishes if the coupler is
+//! replaced by two masses at its pins and each of the other links is balanced with its share: 0.233 kg on the crank and 0.45 kg on the
+//! rocker. It is linear in both weights, so that half of them halve it. The work of the motor over a turn is zero, since there are no
+//! losses.
 //!
 //! Source: R. L. Norton, Design of Machinery, balancing; R. S. Berkof and G. G. Lowen, A new method for completely force balancing simple
 //! linkages, 1969.
@@ -26,9 +27,9 @@ mechanism! {
     /// A crank-rocker whose links have masses.
     pub mechanism Loaded {
         param speed: AngularVelocity = 300rpm;
-        /// On the crank, opposite to its pin.
+        /// Counterweight on the crank, opposite to its pin.
         param crank_weight: Mass = 0kg;
-        /// On the rocker, opposite to its pin.
+        /// Counterweight on the rocker, opposite to its pin.
         param rocker_weight: Mass = 0kg;
 
         gravity = (0, -9.81m_s2);
@@ -54,7 +55,7 @@ mechanism! {
 
 type State = LoadedState<f64>;
 
-/// Weights (kg) on crank and rocker that take the whole shaking force away.
+/// Weights (kg) on crank and rocker that cancel the shaking force.
 const WEIGHTS: [f64; 2] = [(0.1 * 20.0 + 0.125 * 40.0) / 30.0, (0.2 * 40.0 + 0.125 * 80.0) / 40.0];
 
 /// A turn of the crank: loads at each of these angles (°).
@@ -89,7 +90,7 @@ fn turn(share: f64) -> Result<Turn, Box<dyn Error>> {
     let mechanism = Loaded { crank_weight: share * WEIGHTS[0], rocker_weight: share * WEIGHTS[1], ..Default::default() };
     let mass = 0.1 + 0.25 + 0.2 + share * (WEIGHTS[0] + WEIGHTS[1]);
     let mut turn = Turn { shaking: Vec::new(), torque: Vec::new(), power: Vec::new() };
-    // The turn closes: its last angle is the first again and left out.
+    // The turn closes: its last angle equals the first and is omitted.
     for state in mechanism.sweep(steps(0.0, 0.2, 360).take(360)) {
         let state = state?;
         let (loads, angle) = (mechanism.loads(&state), state.crank().angle.to_degrees());

@@ -5,13 +5,13 @@
 //!     ( cam )                          law behind it: 32 + 4 cos ψ + 0.6 cos 2ψ mm
 //! ```
 //!
-//! Two followers ride on it. One reads a spline through the numbers, `table(…, periodic)`; the other a Rust function that
-//! returns value, first and second derivative, here the first harmonics of the same numbers. Both meet the lift within the
-//! reading. But the spline's acceleration follows every rounding of the dial, that of the harmonics does not.
+//! Two followers ride on it. One uses a spline through the numbers, `table(…, periodic)`; the other a Rust function that returns value,
+//! first and second derivative, here the first harmonics of the same numbers. Both reproduce the lift within the reading error. But the
+//! spline's acceleration follows every rounding of the dial, while that of the harmonics is smooth.
 //!
-//! The law behind the numbers is known here, and both are checked against it.
+//! The exact law is known here, and both followers are checked against it.
 //!
-//! Source: R. L. Norton, Cam Design and Manufacturing Handbook, for the flat follower; the readings are of this page.
+//! Source: R. L. Norton, Cam Design and Manufacturing Handbook, for the flat follower; the readings are invented.
 
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -25,10 +25,10 @@ const MEASURED: [f64; 24] = [
     28.60, 28.66, 28.84, 29.17, 29.70, 30.44, 31.40, 32.52, 33.70, 34.83, 35.76, 36.38,
 ];
 
-/// How many harmonics are more than noise.
+/// Number of harmonics above the noise.
 const HARMONICS: i32 = 3;
 
-/// The lift (m) at ψ (rad) and its first and second derivative: the first harmonics of the numbers.
+/// Lift (m) at ψ (rad) with its first and second derivative: the first harmonics of the numbers.
 pub fn smoothed<T: Real>(psi: T) -> (T, T, T) {
     psi.map(harmonics)
 }
@@ -48,7 +48,7 @@ fn harmonics(psi: f64) -> (f64, f64, f64) {
 }
 
 mechanism! {
-    /// One cam, two flat followers that read it differently.
+    /// One cam with two flat followers that use different laws.
     pub mechanism MeasuredCam {
         param speed: AngularVelocity = 600rpm;
 
@@ -93,19 +93,19 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The angle of the follower's normal in the cam (rad): it goes backwards.
+/// Angle of the follower's normal in the cam (rad), which decreases as the cam rotates.
 fn seen(state: &State) -> f64 {
     FRAC_PI_2 - state.cam().angle
 }
 
-/// Lift (m) and acceleration (m/s²) by the law behind the numbers.
+/// Lift (m) and acceleration (m/s²) by the exact law.
 fn law(m: &MeasuredCam, psi: f64) -> (f64, f64) {
     let lift = 32.0 + 4.0 * psi.cos() + 0.6 * (2.0 * psi).cos();
     let curvature = -4.0 * psi.cos() - 2.4 * (2.0 * psi).cos();
     (lift * 1e-3, curvature * 1e-3 * m.speed * m.speed)
 }
 
-/// The first follower moves as the Rust function says, with its own derivatives.
+/// The first follower moves according to the Rust function and its derivatives.
 fn assert_harmonics(m: &MeasuredCam, turn: &[State]) {
     for state in turn {
         let (solved, (value, slope, curvature)) = (m.smooth_lift(state), harmonics(seen(state)));
@@ -115,7 +115,7 @@ fn assert_harmonics(m: &MeasuredCam, turn: &[State]) {
     }
 }
 
-/// Both lifts keep within half a division of the dial; the harmonics' acceleration is much the better one.
+/// Both lifts stay within half a division of the dial; the harmonics' acceleration is far more accurate.
 fn print_errors(m: &MeasuredCam, turn: &[State]) {
     let lifts = |of: fn(&MeasuredCam, &State) -> f64| largest_difference(turn.iter().map(|state| (of(m, state), law(m, seen(state)).0)));
     let accelerations =
@@ -161,7 +161,7 @@ fn picture(m: &MeasuredCam, turn: &[State]) -> Plate {
     }
     scene.surface(Ink::Output, rectangle(place(0.0, lift.value + 0.014), 0.0, 0.0095, 0.028));
     scene.surface(Ink::Output, rectangle(place(0.0, lift.value + 0.001), 0.0, 0.028, 0.002));
-    // The face touches the cam at h' beside its middle.
+    // The contact point is offset by h' from the middle of the face.
     scene.pin(place(-harmonics(seen(shown)).1, lift.value)).pivot(place(0.0, 0.0));
 
     let over = |of: fn(&MeasuredCam, &State) -> f64| turn.iter().map(move |state| (state.cam().angle.to_degrees(), of(m, state)));
@@ -189,7 +189,7 @@ fn picture(m: &MeasuredCam, turn: &[State]) -> Plate {
         ))
 }
 
-/// The cam's outline, turned by `angle` (rad): what all tangents at the distances h(ψ) envelop.
+/// The cam's outline, rotated by `angle` (rad): the envelope of the tangents at the distances h(ψ).
 fn outline(angle: f64) -> Vec<Place> {
     let point = |psi: f64| {
         let (h, slope, _) = harmonics(psi);

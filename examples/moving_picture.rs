@@ -1,4 +1,4 @@
-//! A crank-rocker as a picture that moves: the textbook drawing with the curve of a coupler point, and diagrams beside it.
+//! A crank-rocker as an animated picture: the textbook drawing with the curve of a coupler point, and diagrams beside it.
 //!
 //! ```text
 //!              coupler      B
@@ -12,8 +12,8 @@
 //! `cargo run --example moving_picture` writes one HTML page, by default to the target directory, and the same motion as an SVG to
 //! the gallery; `cargo run --example moving_picture page.html` writes the page elsewhere.
 //!
-//! The rocker turns back where crank and coupler lie on a line. There it makes an angle with the base that the law of cosines tells
-//! from three sides: b + a or b − a, c and d. The diagrams show both.
+//! The rocker reverses where crank and coupler are in line. There its angle with the base follows by the law of cosines from three sides:
+//! b + a or b − a, c and d. The diagrams show both.
 //!
 //! Source: R. L. Norton, Design of Machinery, toggle positions of the four-bar.
 
@@ -56,7 +56,7 @@ mechanism! {
 
 type State = FourBarState<f64>;
 
-/// Of one turn.
+/// Number of states in one turn.
 const STATES: u32 = 240;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -81,12 +81,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Where the program is that runs.
+/// The folder of the running program.
 fn default_page() -> Result<PathBuf, std::io::Error> {
     Ok(env::current_exe()?.with_file_name("moving_picture.html"))
 }
 
-/// The rocker turns back where the law of cosines says, to what a step of the turn lets be seen.
+/// The rocker reverses at the angles of the law of cosines, within the resolution of a step.
 fn assert_toggles(m: &FourBar, turn: &[State]) {
     let angle = |reach: f64| {
         let (c, d) = (m.rocker_length, m.base);

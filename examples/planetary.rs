@@ -7,8 +7,8 @@
 //!        │  (sun 24)                │
 //! ```
 //!
-//! With two of the three shafts given Willis' equation gives the third: the gear is a gearbox with four ratios. With the ring
-//! at rest a pitch point of a planet draws a hypocycloid, and stands still where it touches the ring: planets roll.
+//! With two of the three shafts given, Willis' equation determines the third: the gear is a gearbox with four ratios. With the ring at
+//! rest, a pitch point of a planet traces a hypocycloid and has zero velocity where it touches the ring: planets roll.
 //!
 //! Source: R. Willis, Principles of Mechanism, 1841; H. W. Müller, Epicyclic Drive Trains.
 
@@ -19,7 +19,7 @@ use reuleaux::mechanism;
 use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, gear, largest_difference, meshing, polar, steps};
 
 mechanism! {
-    /// Sun and ring are driven, the carrier follows.
+    /// Sun and ring are driven; the carrier follows.
     pub mechanism Planetary {
         param sun_speed: AngularVelocity = 210rpm;
         param ring_speed: AngularVelocity = 0;
@@ -75,7 +75,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The four gears of the gearbox, each with its ratio as the tables of the books give it.
+/// The four gears of the gearbox, each with its ratio from textbook tables.
 fn print_ratios() -> Result<(), Box<dyn Error>> {
     let [sun, _, ring] = TEETH;
     let gears = [
@@ -94,7 +94,7 @@ fn print_ratios() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The place (m) of the planets' pitch point when the carrier stands at `angle` (rad), rolling in the ring.
+/// Position (m) of the planets' pitch point with the carrier at `angle` (rad), rolling in the ring.
 fn hypocycloid(angle: f64) -> Place {
     let [planet, ring] = [TEETH[1], TEETH[2]].map(|teeth| teeth * MODULE / 2.0);
     polar(ring - planet, angle) + polar(planet, -angle * (ring - planet) / planet)
@@ -105,7 +105,7 @@ fn assert_hypocycloid(m: &Planetary, turn: &[State]) {
     assert!(error < 1e-14, "the pitch point is {error:e} m beside the hypocycloid");
 }
 
-/// The point of a planet that touches the ring at rest has no velocity.
+/// The point of a planet that touches the ring at rest has zero velocity.
 fn assert_rolling(turn: &[State]) {
     let radius = TEETH[1] * MODULE / 2.0;
     for planet in turn.iter().flat_map(|state| [state.a(), state.b(), state.c()]) {
@@ -118,7 +118,7 @@ fn assert_rolling(turn: &[State]) {
 fn picture(m: &Planetary, turn: &[State]) -> Plate {
     let mut scene = Scene::new();
     draw(&mut scene, &turn[66]);
-    // Ten thirds of a turn close the curve: three turns of the carrier.
+    // Per turn of the carrier a planet makes 10/3 turns relative to it, so that three turns of the carrier close the curve.
     scene.line(Ink::Trace, steps(0.0, 3.0 * TAU, 400).map(hypocycloid));
     scene.pin(m.P(&turn[66]).value).name(m.P(&turn[66]).value, "P", [12.0, 0.0]);
 
@@ -139,7 +139,7 @@ fn draw(scene: &mut Scene, state: &State) {
     let [sun, planet, ring] = TEETH;
     let carrier = state.carrier();
     scene.disc(Ink::Ground, carrier.position, ring * MODULE / 2.0 + 3.0 * MODULE);
-    // Seen from the carrier each planet has its tooth at 0 where the train is assembled.
+    // Relative to the carrier, each planet has a tooth at 0 in the assembled configuration.
     let inner = meshing(0.0, planet, -ring, 0.0) + PI;
     scene.surface(Ink::Hole, gear(carrier.position, 60, -MODULE, state.ring().angle + inner));
     for (k, body) in [state.a(), state.b(), state.c()].into_iter().enumerate() {
@@ -155,7 +155,7 @@ fn draw(scene: &mut Scene, state: &State) {
     scene.pivot(carrier.position);
 }
 
-/// Where the sun has a tooth (rad) so that planet `a` has one in the direction of its own x axis.
+/// Angle of a tooth of the sun (rad) such that planet `a` has one in the direction of its own x axis.
 fn sun_tooth() -> f64 {
     PI / 24.0
 }

@@ -1,4 +1,4 @@
-//! The quick return of a shaper: a crank swings a slotted bar, which pushes the cutter slowly and pulls it back fast.
+//! The quick return of a shaper: a crank moves a slotted bar, which pushes the cutter slowly and pulls it back fast.
 //!
 //! ```text
 //!   T ═[cutter]══════════════
@@ -11,8 +11,8 @@
 //!         (o) O
 //! ```
 //!
-//! The bar turns back where crank and bar are perpendicular, at sin φ = −r/d. So the cutter advances during
-//! π + 2 asin(r/d) of the crank and returns during π − 2 asin(r/d): their quotient is the time ratio.
+//! The bar reverses where crank and bar are perpendicular, at sin φ = −r/d. So the cutter advances during π + 2 asin(r/d) of the crank
+//! and returns during π − 2 asin(r/d): the time ratio is their quotient.
 //!
 //! Source of the lengths: E. J. Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, quick-return mechanism.
 
@@ -23,7 +23,7 @@ use reuleaux::mechanism;
 use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, place, polar, rectangle, steps};
 
 mechanism! {
-    /// A shaper: the cutter works as it moves to the left.
+    /// A shaper that cuts to the left.
     pub mechanism Shaper {
         param speed: AngularVelocity = 60rpm;
         param crank_length: Length = 150mm;
@@ -86,7 +86,7 @@ fn assert_travel(m: &Shaper, turn: &[State]) {
     assert!(bar < 1e-14 && travel < 1e-15, "{bar:e} rad, {travel:e} m");
 }
 
-/// Bar and cutter stand still at sin φ = −r/d, and nowhere between: the time ratio is that of the geometry.
+/// Bar and cutter are at rest at sin φ = −r/d, and nowhere between: the time ratio follows from the geometry.
 fn assert_time_ratio(m: &Shaper) -> Result<(), Box<dyn Error>> {
     let lag = (m.crank_length / m.height).asin();
     for turning in [PI + lag, 2.0 * PI - lag] {

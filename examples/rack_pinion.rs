@@ -1,4 +1,4 @@
-//! A windscreen wiper: a crank pushes a rack to and fro, the rack turns the wiper's pinion.
+//! A windscreen wiper: a crank moves a rack to and fro, and the rack turns the wiper's pinion.
 //!
 //! ```text
 //!                         \ wiper
@@ -9,7 +9,7 @@
 //! ```
 //!
 //! The rack travels 2 r, so the wiper swings through 2 r/R. Its angle is checked against (l − x)/R with the slider-crank's
-//! x = r cos φ + √(l² − r² sin² φ); where they touch, pinion and rack have one velocity.
+//! x = r cos φ + √(l² − r² sin² φ); at their contact, pinion and rack have the same velocity.
 //!
 //! Source: E. J. Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, section 3.4, for the row.
 
@@ -20,7 +20,7 @@ use reuleaux::mechanism;
 use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, gear, largest_difference, place, steps};
 
 mechanism! {
-    /// A wiper that stands upright in the middle of the stroke.
+    /// A wiper that is upright in the middle of the stroke.
     pub mechanism Wiper {
         param speed: AngularVelocity = 60rpm;
         param crank_length: Length = 25mm;
@@ -140,14 +140,14 @@ fn draw(scene: &mut Scene, m: &Wiper, state: &State) {
     let module = 2.0 * m.radius / 20.0;
     scene.surface(Ink::Coupler, rack(b, module));
     scene.link(Ink::Output, &[d, w]);
-    // With the wiper upright the rack's pin is 80 mm before the pinion; a tooth of the rack stands there, a space of the pinion.
+    // With the wiper upright, the rack's pin is 80 mm before the pinion; there the rack has a tooth and the pinion a space.
     let below = -PI / 2.0 + PI / 20.0 - (0.08 - 0.02) / m.radius;
     scene.surface(Ink::Output, gear(d, 20, module, state.wiper().angle + below));
     scene.link(Ink::Second, &[a, b]).link(Ink::Input, &[o, a]);
     scene.pin(a).pin(b).pin(w).pivot(o).pin(d);
 }
 
-/// The outline of a rack with its pitch line through `pin`, its first tooth 20 mm after it.
+/// Outline of a rack with its pitch line through `pin` and its first tooth 20 mm behind it.
 fn rack(pin: Place, module: f64) -> Vec<Place> {
     let pitch = PI * module;
     let lean = 20_f64.to_radians().tan() * module;

@@ -1,4 +1,4 @@
-//! An industrial robot, forwards and backwards: a UR5 with its six hinges driven, and the same arm led round a circle by its tool.
+//! An industrial robot in forward and inverse kinematics: a UR5 with its six hinges driven, and the same arm with its tool on a circle.
 //!
 //! ```text
 //!        ○═══════○           six hinges in a row; frames and lengths after Denavit and Hartenberg:
@@ -7,15 +7,15 @@
 //!     ═══╩═══
 //! ```
 //!
-//! Forwards nothing is iterated. The tool is where the product of the six transformations puts it, and its velocity and acceleration
-//! are those of the sums over the hinges,
+//! The forward kinematics need no iteration. The position of the tool follows from the product of the six transformations, its velocity
+//! and acceleration from sums over the hinges,
 //!
 //! ```text
 //! ω = Σ θ̇ z          ω̇ = Σ (θ̈ z + θ̇ ω′ × z)          v = Σ θ̇ z × (p − o)
 //! ```
 //!
-//! Backwards the drives hold the tool: three for its place, and a joint that keeps its orientation. The six angles are found together;
-//! the product of the transformations leads back to the wanted place.
+//! In the inverse kinematics, drives prescribe the tool: three its position, and a joint its orientation. The six angles are solved
+//! together; the product of the transformations gives the wanted position again.
 //!
 //! Source of the lengths: Universal Robots, DH parameters of the UR5.
 
@@ -38,7 +38,7 @@ mechanism! {
         part arm[4] = Link(arm[3].link.position, arm[3].link.z, 0mm, 94.65mm, -90deg);
         part arm[5] = Link(arm[4].link.position, arm[4].link.z, 0mm, 82.3mm, 0deg);
 
-        /// A link and the hinge that it stands on: along the axis of the hinge by `d`, then out by `a`, with the next axis turned by `twist`.
+        /// A link on its hinge: offset `d` along the axis of the hinge, then `a` outwards, with the next axis rotated by `twist`.
         component Link(foot: Point, z: Axis, a: Length, d: Length, twist: Angle) {
             body link {
                 point foot = (-a, -d * sin(twist), -d * cos(twist));
@@ -61,7 +61,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same arm, led by its tool, which looks down all the while.
+    /// The same arm with its tool prescribed, pointing down throughout.
     pub mechanism LedRobot in space {
         let turn = 1turn * t / 4s;
 
@@ -70,7 +70,7 @@ mechanism! {
             axis down = (0, 0, -1) from (0, -1, 0);
         }
 
-        // Of the eight ways to reach a place the one with the elbow above.
+        // Of the eight solutions, the one with the elbow above.
         part arm[0] = Link(ground.position, ground.z, 0mm, 89.159mm, 90deg, 0mm, 0mm, 90mm);
         part arm[1] = Link(arm[0].link.position, arm[0].link.z, -425mm, 0mm, 0deg, 140mm, 50mm, 490mm);
         part arm[2] = Link(arm[1].link.position, arm[1].link.z, -392.25mm, 0mm, 0deg, 460mm, 170mm, 290mm);
@@ -78,7 +78,7 @@ mechanism! {
         part arm[4] = Link(arm[3].link.position, arm[3].link.z, 0mm, 94.65mm, -90deg, 580mm, 100mm, 290mm);
         part arm[5] = Link(arm[4].link.position, arm[4].link.z, 0mm, 82.3mm, 0deg, 580mm, 100mm, 210mm);
 
-        /// A link as above, and about where it begins.
+        /// A link as above, with the approximate position of its origin.
         component Link(foot: Point, z: Axis, a: Length, d: Length, twist: Angle, x: Length, y: Length, height: Length) {
             body link {
                 point foot = (-a, -d * sin(twist), -d * cos(twist));
@@ -158,7 +158,7 @@ fn twist(angles: &[Turn; 6]) -> [Vector3<f64>; 4] {
     [omega, velocity, alpha, acceleration]
 }
 
-/// The tool is where the angles of the hinges put it, and moves as they make it.
+/// Position and motion of the tool agree with the angles of the hinges.
 fn assert_forwards(angles: &[Turn; 6], tool: &SpatialBody<f64>) {
     let end = frames(angles)[5];
     let [omega, velocity, alpha, acceleration] = twist(angles);
@@ -173,7 +173,7 @@ fn assert_forwards(angles: &[Turn; 6], tool: &SpatialBody<f64>) {
     assert!(off.iter().zip([2e-15, 4e-15, 2e-14, 2e-14, 1e-13, 1e-13]).all(|(off, bound)| off < &bound), "off by {off:?}");
 }
 
-/// The wanted place of the tool (m), its velocity and its acceleration.
+/// Wanted position of the tool (m), its velocity and its acceleration.
 fn wanted(t: f64) -> [Vector3<f64>; 3] {
     let speed = TAU / 4.0;
     let ((sin, cos), (sin2, cos2)) = ((speed * t).sin_cos(), (2.0 * speed * t).sin_cos());
@@ -184,7 +184,7 @@ fn wanted(t: f64) -> [Vector3<f64>; 3] {
     ]
 }
 
-/// The angles that were found lead to the wanted place, looking down and at rest in orientation.
+/// The solved angles lead to the wanted position, with the tool pointing down and not rotating.
 fn assert_backwards(angles: &[Turn; 6], t: f64) {
     let end = frames(angles)[5];
     let [place, velocity, acceleration] = wanted(t);
@@ -240,7 +240,7 @@ fn draw(scene: &mut Scene, m: &LedRobot, state: &LedRobotState<f64>) {
     let frames = frames(&m.arm_angle(state));
     let (mut foot, mut axis) = (Vector3::zeros(), Vector3::z());
     let inks = [Ink::Ground, Ink::Input, Ink::Coupler, Ink::Second, Ink::Input, Ink::Output];
-    // The upper arm of the machine stands out by the length that its wrist comes back; drawn are the axes of the declaration.
+    // The offset of the machine's upper arm cancels that of its wrist; the drawing shows the axes of the declaration.
     for ((ink, frame), [_, d, _]) in inks.into_iter().zip(&frames).zip(LINKS) {
         let (shoulder, end) = (foot + axis * d, frame.translation.vector);
         scene.link(ink, &[seen(&foot), seen(&shoulder)]).link(ink, &[seen(&shoulder), seen(&end)]);

@@ -1,7 +1,7 @@
-//! A study of many parameters: two hundred engines, each with a longer rod, swept on all processors under a progress bar.
+//! A parameter study: two hundred engines, each with a longer rod, swept on all processors under a progress bar.
 //!
-//! A piston is accelerated most at its outer dead centre, by r ω² (1 + r/l) if the rod is longer than three cranks; each sweep must
-//! find that. The bar goes to standard error and only shows on a terminal.
+//! The acceleration of a piston is largest at its outer dead centre, r ω² (1 + r/l), if the rod is longer than three cranks; each sweep
+//! is checked against that. The bar is written to standard error and only shows on a terminal.
 
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -15,7 +15,7 @@ const CRANK: f64 = 0.05;
 const SPEED: f64 = 50.0 * TAU;
 
 mechanism! {
-    /// An engine whose rod is any length.
+    /// An engine with a rod of any length.
     pub mechanism Engine {
         param rod_length: Length = 200mm;
 
@@ -32,7 +32,7 @@ mechanism! {
     }
 }
 
-/// The coordinate x of the piston.
+/// Index of the piston's coordinate x.
 const TRAVEL: usize = 6;
 
 fn main() -> Result<(), Box<dyn Error + Send + Sync>> {

@@ -1,11 +1,11 @@
-//! A coin rolls: about a centre that rests, as Euler's disk does, and in curls.
+//! A rolling coin: about a centre at rest, like Euler's disk, and along curls.
 //!
 //! ```text
-//! centre at rest      Ω² = 4 g / (a sin α)      Ω: of the point of contact about the vertical, α: of the coin with the table
+//! centre at rest      Ω² = 4 g / (a sin α)      Ω: rate of the contact point about the vertical, α: angle of the coin to the table
 //! ```
 //!
-//! Contact is three equations between velocities: no place follows from them, and the coin gets anywhere on the table. Nothing slides, so
-//! that energy is kept.
+//! Contact is three equations between velocities: they determine no position, and the coin can reach any place on the table. There is no
+//! sliding, so that energy is conserved.
 //!
 //! Source: H. K. Moffatt, Euler's disk and its finite-time singularity, Nature 404, 2000; Ju. I. Neimark and N. A. Fufaev, Dynamics of
 //! Nonholonomic Systems.
@@ -21,9 +21,9 @@ mechanism! {
     /// A thin coin on a table.
     pub mechanism Coin in space {
         param radius: Length = 100mm;
-        /// Of the coin with the table.
+        /// Angle between coin and table.
         param lean: Angle = 25deg;
-        /// At the start, in ground.
+        /// Initial angular velocity, in ground.
         param spin_x: AngularVelocity = 0rad_s;
         param spin_y: AngularVelocity = 0rad_s;
         param spin_z: AngularVelocity = 0rad_s;
@@ -44,7 +44,7 @@ mechanism! {
 
 type State = CoinState<f64>;
 
-/// Of the point of contact about a centre at rest, in rad/s.
+/// Angular rate of the contact point about a centre at rest, in rad/s.
 fn whirl(m: &Coin) -> f64 {
     (4.0 * 9.81 / (m.radius * m.lean.sin())).sqrt()
 }
@@ -73,7 +73,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A coin that rolls along and falls aside.
+/// A coin that rolls along and topples.
 fn curl() -> Result<(Coin, Vec<State>), Box<dyn Error>> {
     let coin = Coin { lean: 70_f64.to_radians(), spin_x: -6.0, spin_z: -1.0, ..Coin::default() };
     let (mut state, mut integrator) = (coin.initial_state()?, Integrator::new(1e-10));

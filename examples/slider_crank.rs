@@ -1,4 +1,4 @@
-//! The offset slider-crank: an engine whose cylinder stands a little beside the crank's axis.
+//! The offset slider-crank: an engine whose cylinder axis is offset from the crank axis.
 //!
 //! ```text
 //!       A            rod
@@ -80,7 +80,7 @@ fn assert_piston(m: &Engine, turn: &[State]) {
     }
 }
 
-/// At the dead centres crank and rod lie in one line, stretched or folded: there the piston stands still, a stroke apart.
+/// At the dead centres crank and rod are in line, stretched or folded: there the piston is at rest, one stroke apart.
 fn assert_stroke(m: &Engine) -> Result<(), Box<dyn Error>> {
     let (r, l, e) = (m.crank_length, m.rod_length, m.offset);
     let (outer, inner) = ((e / (l + r)).asin(), std::f64::consts::PI + (e / (l - r)).asin());

@@ -1,8 +1,8 @@
-//! A slider-crank in space: the crank turns across the way of the slider, and a rod with a ball at one end and a cross at the other
-//! leads from one to the other.
+//! A slider-crank in space: the crank rotates in a plane across the direction of the slider, and a rod connects them by a ball joint at
+//! one end and a universal joint at the other.
 //!
 //! ```text
-//!     ╭─○ A  crank about an axis along x, at (b, c) beside the slider's way
+//!     ╭─○ A  crank about an axis along x, at (b, c) beside the slider's line
 //!     ╰o ╲
 //!         ╲  rod l
 //!   ───────[B]───── x
@@ -25,7 +25,7 @@ use reuleaux::nalgebra::Vector3;
 use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, ring, seen, steps};
 
 mechanism! {
-    /// A crank that turns across the way of its slider.
+    /// A crank whose axis is parallel to the line of its slider.
     pub mechanism SpatialSliderCrank in space {
         param speed: AngularVelocity = 60rpm;
         param crank_length: Length = 80mm;
@@ -81,7 +81,7 @@ fn travel(m: &SpatialSliderCrank, angle: f64) -> [f64; 3] {
     let ((sin, cos), r) = (angle.sin_cos(), m.crank_length);
     let (y, z) = (0.1 - r * sin, 0.12 + r * cos);
     let x = (m.rod_length.powi(2) - y * y - z * z).sqrt();
-    // x x' = −(y y' + z z'), and the derivative of that.
+    // x x' = −(y y' + z z'), and its derivative.
     let slope = (y * r * cos + z * r * sin) / x;
     let curvature = (-y * r * sin + z * r * cos - r * r - slope * slope) / x;
     [x, slope * m.speed, curvature * m.speed.powi(2)]
@@ -95,7 +95,7 @@ fn assert_travel(m: &SpatialSliderCrank, turn: &[State]) {
     }
 }
 
-/// The rod keeps its length, and the speeds of its ends along it agree; its cross stays at a right angle.
+/// The rod keeps its length, the speeds of its ends along it agree, and its universal joint keeps a right angle.
 fn assert_rod(m: &SpatialSliderCrank, turn: &[State]) {
     for state in turn {
         let (a, b) = (m.A(state), m.B(state));

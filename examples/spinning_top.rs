@@ -1,8 +1,8 @@
-//! A heavy top: it precesses as Euler's equations say, and nods between two closed forms.
+//! A heavy top: steady precession by Euler's equations, and nutation between two bounds in closed form.
 //!
 //! ```text
 //! steady precession     I₁ Ω² cos θ − I₃ ω₃ Ω + m g l = 0      θ from the vertical, ω₃ about its axis
-//! let go at θ₀          nods down to cos θ₁ = λ − √(λ² − 2 λ cos θ₀ + 1),   λ = I₃² ω₃² / (4 I₁ m g l)
+//! released at θ₀        nutates down to cos θ₁ = λ − √(λ² − 2 λ cos θ₀ + 1),   λ = I₃² ω₃² / (4 I₁ m g l)
 //! ```
 //!
 //! Source: H. Goldstein, Classical Mechanics, the heavy symmetrical top with one point fixed.
@@ -15,12 +15,12 @@ use reuleaux::{Integrator, mechanism};
 use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, ring, seen, steps};
 
 mechanism! {
-    /// A top that spins on its tip.
+    /// A top spinning on its tip.
     pub mechanism Top in space {
         param lean: Angle = 30deg;
-        /// About its own axis.
+        /// Spin about its own axis.
         param spin: AngularVelocity = 2400rpm;
-        /// About the vertical.
+        /// Precession about the vertical.
         param precession: AngularVelocity = 0rad_s;
 
         gravity = (0m_s2, 0m_s2, -9.81m_s2);
@@ -29,7 +29,7 @@ mechanism! {
             start orientation = turn((1, 0, 0), lean);
         }
         joint tip = spherical((0mm, 0mm, 0mm), top.position);
-        // The axis stands at (0, -sin, cos).
+        // The axis points along (0, -sin, cos).
         freedom turning = top.angular_velocity
             from (0rad_s, -(spin - precession * cos(lean)) * sin(lean), (spin - precession * cos(lean)) * cos(lean) + precession);
     }
@@ -37,7 +37,7 @@ mechanism! {
 
 type State = TopState<f64>;
 
-/// Time, lean and place of the top's centre.
+/// Time, inclination and position of the top's centre.
 type Moment = (f64, f64, Vector3<f64>);
 
 /// I₁ about the tip, I₃ and m g l.
@@ -75,31 +75,31 @@ fn steady(m: &Top) -> [f64; 2] {
     [-1.0, 1.0].map(|sign| (b + sign * root) / (2.0 * a))
 }
 
-/// The largest angle (rad) from the vertical, let go at rest but for its spin.
+/// Largest angle (rad) from the vertical after a release with spin only.
 fn bound(m: &Top) -> f64 {
     let [i1, i3, weight] = NUMBERS;
     let (lambda, start) = ((i3 * m.spin).powi(2) / (4.0 * i1 * weight), m.lean.cos());
     (lambda - (lambda * lambda - 2.0 * lambda * start + 1.0).sqrt()).acos()
 }
 
-/// The axis of the top: angle (rad) from the vertical, and about it from where it started.
+/// Axis of the top: angle (rad) from the vertical, and angle about the vertical since the start.
 fn axis(state: &State) -> [f64; 2] {
     let axis = state.top().rotation.column(2).into_owned();
     [axis.xy().norm().atan2(axis.z), axis.x.atan2(-axis.y)]
 }
 
-/// Where the axis turns back for the first time.
+/// First turning point of the axis.
 fn turning_point(m: &Top) -> Result<f64, Box<dyn Error>> {
     let mut state = m.initial_state()?;
     let mut integrator = Integrator::new(1e-11);
-    // Not the instant at which it is let go.
+    // The release itself does not count.
     m.advance(&mut state, 0.01, &mut integrator)?;
     let sinks = |state: &State| state.top().angular_velocity.cross(&state.top().rotation.column(2).into_owned()).z;
     assert!(m.advance_until(&mut state, 1.0, &mut integrator, sinks)?);
     Ok(axis(&state)[0])
 }
 
-/// Time, lean and place of the top's centre over a second.
+/// Time, inclination and position of the top's centre over one second.
 fn nodding(m: &Top) -> Result<Vec<Moment>, Box<dyn Error>> {
     let (mut state, mut integrator) = (m.initial_state()?, Integrator::new(1e-9));
     let mut curve = Vec::new();

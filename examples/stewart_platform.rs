@@ -1,4 +1,4 @@
-//! A Stewart platform: six legs whose lengths are driven hold a platform anywhere and at any tilt.
+//! A Stewart platform: six legs with driven lengths give a platform any position and tilt.
 //!
 //! ```text
 //!      p────p          platform
@@ -7,11 +7,11 @@
 //!   b────b────b        base
 //! ```
 //!
-//! The lengths that a wanted motion needs follow in closed form: |c + R p − b| for each leg. The mechanism is given these lengths as
-//! functions of time and nothing else, and has to find the motion again: six equations on six unknowns, forty assemblies. The platform
-//! moves round a circle, rises and falls, and rolls about an axis askew; place, orientation, velocities and accelerations are checked.
+//! The lengths for a wanted motion follow in closed form: |c + R p − b| for each leg. The mechanism is given these lengths as functions
+//! of time only, and must reproduce the motion: six equations in six unknowns, with forty assemblies. The platform moves on a circle,
+//! rises and falls, and rotates about a skew axis; position, orientation, velocities and accelerations are checked.
 //!
-//! Source: D. Stewart, A platform with six degrees of freedom, Proc. Inst. Mech. Eng. 180 (1965); lengths made up.
+//! Source: D. Stewart, A platform with six degrees of freedom, Proc. Inst. Mech. Eng. 180 (1965); the lengths are invented.
 
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -25,7 +25,7 @@ mechanism! {
     pub mechanism StewartPlatform in space {
         let base = 600mm;
         let top = 350mm;
-        // The wanted motion: place of the middle, and the angle about an axis.
+        // The wanted motion: position of the centre, and the angle about an axis.
         let phase = 1turn * t / 4s;
         let place = (60mm * sin(phase), 60mm * (1 - cos(phase)), 700mm + 50mm * sin(2 * phase));
         let roll = 15deg * sin(phase);
@@ -74,7 +74,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The wanted place (m) and angle (rad) at a time, with their first and second derivatives.
+/// Wanted position (m) and angle (rad) at a time, with their first and second derivatives.
 fn wanted(t: f64) -> [(Vector3<f64>, f64); 3] {
     let speed = TAU / 4.0;
     let ((sin, cos), (sin2, cos2)) = ((speed * t).sin_cos(), (2.0 * speed * t).sin_cos());
@@ -86,7 +86,7 @@ fn wanted(t: f64) -> [(Vector3<f64>, f64); 3] {
     ]
 }
 
-/// The platform does what was wanted.
+/// The platform performs the wanted motion.
 fn assert_motion(state: &State) {
     let platform = state.platform();
     let axis = Unit::new_normalize(Vector3::new(1.0, 2.0, 2.0));

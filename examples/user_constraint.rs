@@ -1,4 +1,4 @@
-//! A constraint of one's own: a planet on its ellipse, at the pace of Kepler's equation.
+//! A user-defined constraint: a planet on its ellipse, at the speed of Kepler's equation.
 //!
 //! ```text
 //!             ___P___                 |PF| + |PG| = 2 a          1 row, m
@@ -7,12 +7,12 @@
 //!          \__________/               E eccentric, ν true anomaly, the angle of the arm
 //! ```
 //!
-//! The library has neither an ellipse nor a clock that runs by Kepler. Both rows are defined with `constraint!`, checked where
-//! they are written, differentiated like those of the library, and exported as one bundle that `use` brings in. E is written
-//! as ν − 2 atan(β sin ν / (1 + β cos ν)), which is smooth over any number of turns.
+//! The library has neither an ellipse nor Kepler's equation. Both rows are defined with `constraint!`, checked where they are written,
+//! differentiated like those of the library, and exported as one bundle that `use` imports. E is written as
+//! ν − 2 atan(β sin ν / (1 + β cos ν)), which is smooth over any number of turns.
 //!
-//! Checked against all three laws: the orbit's equation in polar coordinates, the constant area per time, and Newton's law of
-//! gravitation, to which the third is equivalent: the acceleration points to the sun and is μ/r² with μ = (2π/T)² a³.
+//! Checked against all three laws: the orbit's equation in polar coordinates, the constant areal velocity, and Newton's law of
+//! gravitation, which is equivalent to the third law: the acceleration points to the sun and is μ/r² with μ = (2π/T)² a³.
 //!
 //! Source: J. Kepler, Astronomia nova, 1609, and Harmonice mundi, 1619.
 
@@ -23,7 +23,7 @@ use reuleaux::{constraint, mechanism};
 use reuleaux_examples::{Abscissa, Diagram, Ink, Plate, Scene, largest_difference, steps};
 
 constraint! {
-    /// What makes an orbit.
+    /// The constraints of an orbit.
     pub bundle orbit {
         /// `P` stays on the ellipse with foci `F` and `G` and major semi-axis `a`: the gardener's string.
         constraint on_ellipse(P: Point, F: Point, G: Point, a: Length) {
@@ -41,7 +41,7 @@ constraint! {
 }
 
 mechanism! {
-    /// An orrery for one planet; the sun stands in `F`.
+    /// An orrery for one planet, with the sun in `F`.
     pub mechanism Orrery {
         use crate::orbit;
 
@@ -86,7 +86,7 @@ fn distance(m: &Orrery, anomaly: f64) -> f64 {
     m.semi_axis * (1.0 - m.eccentricity.powi(2)) / (1.0 + m.eccentricity * anomaly.cos())
 }
 
-/// Twice the area swept per time (m²/s): 2 π a b / T.
+/// Twice the areal velocity (m²/s): 2 π a b / T.
 fn areal_velocity(m: &Orrery) -> f64 {
     TAU * m.semi_axis.powi(2) * (1.0 - m.eccentricity.powi(2)).sqrt() / m.period
 }
@@ -123,7 +123,7 @@ fn print(m: &Orrery, year: &[State]) {
 fn picture(m: &Orrery, year: &[State]) -> Plate {
     let mut scene = Scene::new();
     let [f, g] = [m.F(&year[0]), m.G(&year[0])].map(|point| point.value);
-    // Every other of twelve sectors of one second: they have the same area.
+    // Every second one of twelve sectors of one second each: they have the same area.
     for second in year.windows(21).step_by(40) {
         scene.surface(Ink::Second, second.iter().map(|state| m.P(state).value).chain([f]));
     }

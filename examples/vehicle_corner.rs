@@ -1,15 +1,15 @@
-//! The corner of a car: it bounces on its spring, and its wheel goes over a bump.
+//! The corner of a car: it bounces on its spring, and its wheel passes over a bump.
 //!
 //! ```text
 //!           ┌────o U─────o C
-//!   car ────┤    /        ║ ┌┐        the car goes up and down, its height is h;
+//!   car ────┤    /        ║ ┌┐        the car moves vertically, at the height h;
 //!           │   ▒ k, c    ╠═││        W stays on the road
 //!           └──o L──/────o B││
 //!                           └┘ W
 //! ```
 //!
-//! Everything follows from one number, the height h of the car above the road. By virtual work the spring, of length l and stiffness k,
-//! carries the weights G with the force F = Σ G (dy/dh) / (dl/dh), and near that rest
+//! Everything is a function of one coordinate, the height h of the car above the road. By virtual work the spring, of length l and
+//! stiffness k, carries the weights G with the force F = Σ G (dy/dh) / (dl/dh), and near this equilibrium
 //!
 //! ```text
 //! m_eff = Σ m (dr/dh)² + I (dφ/dh)²      k_eff = k (dl/dh)² − F d²l/dh² + Σ G d²y/dh²      c_eff = c (dl/dh)²
@@ -28,10 +28,10 @@ use reuleaux_examples::{Abscissa, Diagram, Ink, Place, Plate, Scene, apex, carri
 mechanism! {
     /// A quarter of a car on a double wishbone, seen from the front.
     pub mechanism Corner {
-        /// Length of the spring without load.
+        /// Free length of the spring.
         param rest: Length = 480mm;
         param damping: Mass / Time = 3000Ns_m;
-        /// By which the car is lifted before it is let go.
+        /// Height from which the car is released.
         param lift: Length = 0mm;
         /// Height of the bump.
         param bump: Length = 0mm;
@@ -72,15 +72,15 @@ const STIFFNESS: f64 = 40e3;
 const PARTS: [(f64, Place, f64); 3] =
     [(5.0, Place::new(0.18, 0.0), 0.06), (3.0, Place::new(0.13, 0.01), 0.02), (30.0, Place::new(0.08, 0.13), 0.9)];
 
-/// The corner in closed form at an angle of the lower arm (rad): height of the car, length of the spring, and centres and angles of
-/// the parts.
+/// The corner in closed form at an angle of the lower arm (rad): height of the car, length of the spring, centres and angles of the
+/// parts.
 struct Pose {
     height: f64,
     spring: f64,
     parts: [(Place, f64); 3],
 }
 
-/// The equilibrium: force of the spring (N), and of the small motion about it mass (kg), damping (N s/m) and stiffness (N/m).
+/// The equilibrium: spring force (N); and mass (kg), damping (N s/m) and stiffness (N/m) of small motions about it.
 struct Linear {
     force: f64,
     mass: f64,
@@ -115,7 +115,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Two triangles, seen from the car.
+/// Two triangles, in the frame of the car.
 fn pose(angle: f64) -> Pose {
     let (l, u, s) = (place(0.0, 0.18), place(0.06, 0.42), place(0.15, 0.62));
     let (arm, joint, ball) = (place(0.35, -0.01), place(0.255, 0.02), place(-0.035, 0.27));
@@ -131,7 +131,7 @@ fn pose(angle: f64) -> Pose {
     Pose { height: -carried(place(0.11, -0.17), b, ball, c).y, spring: (s - from(l, place(0.25, 0.0))).norm(), parts }
 }
 
-/// First and second derivative by the car's height of a quantity, where the lower arm is level: differences over five poses.
+/// First and second derivative of a quantity by the car's height, with the lower arm level: differences over five poses.
 fn slopes(of: &dyn Fn(&Pose) -> f64) -> [f64; 2] {
     let e = 1e-3;
     let by_angle = |of: &dyn Fn(&Pose) -> f64| {
@@ -142,7 +142,7 @@ fn slopes(of: &dyn Fn(&Pose) -> f64) -> [f64; 2] {
     [f1 / h1, (f2 * h1 - f1 * h2) / h1.powi(3)]
 }
 
-/// Virtual work about the rest of the car.
+/// Virtual work about the equilibrium of the car.
 fn linear(damping: f64) -> Linear {
     let spring = slopes(&|pose| pose.spring);
     let (mut mass, mut lifted) = (320.0, [320.0 * GRAVITY, 0.0]);
@@ -161,7 +161,7 @@ fn natural(linear: &Linear) -> f64 {
     (linear.stiffness / linear.mass).sqrt()
 }
 
-/// Lets the car go and waits for its next highest place: period and decrement are those of the small motion, all but the returned share.
+/// Releases the car and waits for its next maximum: period and decrement agree with those of the small motion; returns the largest error.
 fn compare(m: &Corner, linear: &Linear) -> Result<f64, Box<dyn Error>> {
     let (mut state, mut integrator) = (m.initial_state()?, Integrator::new(1e-13));
     for _ in 0..2 {
@@ -176,7 +176,7 @@ fn compare(m: &Corner, linear: &Linear) -> Result<f64, Box<dyn Error>> {
     Ok((found[1] / rate - 1.0).abs().max((damping / small - 1.0).abs()))
 }
 
-/// Two seconds of motion, with the work of road and damper against kinetic and potential energy.
+/// Two seconds of motion, with the work of road and damper compared with kinetic and potential energy.
 fn drive(m: &Corner) -> Result<Vec<State>, Box<dyn Error>> {
     let (mut state, mut integrator) = (m.initial_state()?, Integrator::new(1e-11));
     let total = |state: &State| m.energy(state).kinetic + m.energy(state).potential;

@@ -1,4 +1,4 @@
-//! A beach animal: six of Theo Jansen's legs on one crank, each declared once and used six times.
+//! A beach animal: six of Theo Jansen's legs on one crank, declared once and used six times.
 //!
 //! ```text
 //!        leg[i][0]        leg[i][1]
@@ -10,8 +10,8 @@
 //!           T               T
 //! ```
 //!
-//! A leg is a component: what it is hung up on comes in as arguments, its side turns its signs round, and its foot's length is a
-//! parameter of its own. The feet are checked against five triangles each (see `jansen_leg`), for a walker with one leg repaired.
+//! A leg is a component: the points that it hangs on are arguments, its side determines signs, and the length of its shin is a parameter
+//! of its own. The feet are checked against five triangles each (see `jansen_leg`), for a walker with one repaired leg.
 //!
 //! Source: T. Jansen, The Great Pretender, 2007; lengths in mm here.
 
@@ -37,7 +37,7 @@ mechanism! {
         let l: Length = 7.8mm;
         let m: Length = 15mm;
 
-        // Where W lies beside the bar V U.
+        // Position of W relative to the bar V U.
         let upper_x = (b^2 + d^2 - e^2) / (2 * b);
 
         ground {
@@ -105,7 +105,7 @@ type Feet = [[Place; 2]; 3];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut walker = Walker::default();
-    // One leg was repaired with what was at hand.
+    // One leg was repaired with a shorter shin.
     walker.leg[1][0].shin = 0.0485;
     let turn: Vec<State> = walker.sweep(steps(0.0, 1.0, 180)).collect::<Result<_, _>>()?;
 
@@ -118,7 +118,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The slice of the feet follows the same turn: the same motion from the same blocks.
+/// The slice of the feet gives the same motion, from the same blocks.
 fn assert_feet_alone(walker: &Walker, turn: &[State]) -> Result<(), Box<dyn Error>> {
     let alone = walker.solve_for_leg_foot();
     for (state, whole) in alone.sweep(turn.iter().map(|state| state.t)).zip(turn) {
@@ -130,7 +130,7 @@ fn assert_feet_alone(walker: &Walker, turn: &[State]) -> Result<(), Box<dyn Erro
     Ok(())
 }
 
-/// How the walker is solved: six legs of three loops, told by their shapes.
+/// The plan of the walker: six legs of three loops, listed by shape.
 fn print_plan() {
     let (plan, feet) = (Walker::<f64>::PLAN, WalkerForLegFoot::<f64>::PLAN);
     assert_eq!((plan.blocks().count(), feet.blocks().count()), (18, 18));
@@ -141,7 +141,7 @@ fn feet(walker: &Walker, state: &State) -> Feet {
     walker.leg_foot(state).map(|pair| pair.map(|foot| foot.value))
 }
 
-/// The foot of a leg to the left by five triangles, for this angle of its pin (rad) and this shin (m).
+/// Foot of a leg to the left by five triangles, for this angle of its pin (rad) and this shin (m).
 fn left_foot(pin: f64, shin: f64) -> Place {
     let (v, x) = (place(-0.038, -0.0078), polar(0.015, pin));
     let u = apex(v, x, 0.0415, 0.05);
@@ -151,7 +151,7 @@ fn left_foot(pin: f64, shin: f64) -> Place {
     apex(c, f, shin, 0.0657)
 }
 
-/// All feet by triangles. Seen in a mirror, a leg to the right is one to the left whose pin stands at π − φ.
+/// All feet by triangles. In a mirror, a leg to the right is a leg to the left with its pin at π − φ.
 fn triangles(walker: &Walker, crank: f64) -> Feet {
     let mut feet = [[place(0.0, 0.0); 2]; 3];
     for (i, pair) in feet.iter_mut().enumerate() {
@@ -171,7 +171,7 @@ fn assert_triangles(walker: &Walker, turn: &[State]) {
     assert!(error < 1e-15, "a foot is {error:e} m off");
 }
 
-/// A third of a turn later every leg stands where the next one stood.
+/// A third of a turn later, every leg is where the next one was.
 fn assert_in_step(walker: &Walker) -> Result<(), Box<dyn Error>> {
     let (now, later) = (walker.solve(0.1)?, walker.solve(0.1 + 1.0 / 3.0)?);
     for side in 0..2 {

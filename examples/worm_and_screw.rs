@@ -5,11 +5,11 @@
 //!     ┌─────╫─────┐
 //!     │  wheel 30 │  = nut on the screw, lead 6 mm
 //!     └─────╫─────┘
-//!   ═══(≈≈≈≈≈≈)═══  worm, one start, across below
+//!   ═══(≈≈≈≈≈≈)═══  worm, one start, below the wheel
 //! ```
 //!
-//! The worm turns about x, the wheel about z, and the screw, which is kept from turning, climbs in the wheel. Angles of joints in space
-//! are never wrapped either: a turn of the worm is a fifth of a millimetre, the first one as the last.
+//! The worm rotates about x, the wheel about z, and the screw, which cannot rotate, climbs in the wheel. Angles of joints in space are
+//! never wrapped: every turn of the worm is a fifth of a millimetre.
 //!
 //! ```text
 //! z = lead φ / (30 · 2π)
@@ -30,7 +30,7 @@ mechanism! {
         param turns: Angle = 3000turn;
         param duration: Time = 60s;
         param lead: Length = 6mm;
-        /// Distance of the two axes.
+        /// Distance between the two axes.
         param distance: Length = 60mm;
         let teeth = 30;
 
@@ -75,13 +75,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Share of the way of the law 10u³ − 15u⁴ + 6u⁵, by its derivatives.
+/// Fraction of the stroke by the law 10u³ − 15u⁴ + 6u⁵, with its derivatives.
 fn law(u: f64) -> [f64; 3] {
     let rest = 1.0 - u;
     [u.powi(3) * (10.0 - 15.0 * u + 6.0 * u * u), 30.0 * (u * rest).powi(2), 60.0 * u * rest * (1.0 - 2.0 * u)]
 }
 
-/// Height (m), speed and acceleration of the load after a share of the time.
+/// Height (m), speed and acceleration of the load after a fraction of the time.
 fn exact(m: &ScrewJack, share: f64) -> [f64; 3] {
     let way = m.lead * m.turns / (30.0 * TAU);
     let mut order = 0;
@@ -91,7 +91,7 @@ fn exact(m: &ScrewJack, share: f64) -> [f64; 3] {
     })
 }
 
-/// The load rises as the law says, and neither leaves its axis nor turns; worm and wheel keep their ratio.
+/// The load follows the law, neither leaves its axis nor rotates; worm and wheel keep their ratio.
 fn assert_height(m: &ScrewJack, motion: &[State]) {
     for (order, exact_at_most) in exact(m, 0.5).into_iter().enumerate() {
         let scale = if order == 2 { exact(m, 0.21)[2] } else { exact_at_most };
@@ -160,7 +160,7 @@ fn screw(scene: &mut Scene, m: &ScrewJack, state: &State) {
     scene.surface(Ink::Output, ring(&head, &Vector3::z(), 0.03));
 }
 
-/// A place on the thread of the worm.
+/// A point on the thread of the worm.
 fn worm(state: &State, angle: f64) -> Place {
     let local = Vector3::new(angle * 0.05 / (4.0 * TAU), 0.016 * angle.cos(), 0.016 * angle.sin());
     seen(&state.worm().point(local).value)

@@ -1,4 +1,4 @@
-//! What the tests share: reference numbers, declarations that the compiler and its interpreter both read, and the comparison of
+//! Shared parts of the tests: reference numbers, declarations that both the compiler and its interpreter read, and the comparison of
 //! doubles with decimal strings.
 
 pub mod common {
@@ -17,6 +17,6 @@ pub mod branches;
 pub mod laws;
 pub mod library;
 pub mod mechanisms;
-#[allow(non_snake_case)] // Parameters are called by points, which are capitals.
+#[allow(non_snake_case)] // Parameters are named after points, which are capitals.
 pub mod stress;
 pub mod units;

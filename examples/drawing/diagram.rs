@@ -19,14 +19,14 @@ pub(super) const BELOW: f64 = 42.0;
 /// Room for the legend.
 const ABOVE: f64 = 22.0;
 
-/// What all diagrams of a plate are drawn over.
+/// Common abscissa of the diagrams of a plate.
 #[derive(Clone, Debug)]
 pub struct Abscissa {
     /// Name and unit.
     pub name: &'static str,
-    /// From where to where.
+    /// Range.
     pub range: Range<f64>,
-    /// The distance of numbers.
+    /// Distance between numbers.
     pub step: f64,
 }
 
@@ -60,7 +60,7 @@ impl Diagram {
         self.with(Curve { ink, name, points: points.into_iter().collect(), is_dotted: false })
     }
 
-    /// Adds circles at these points: the answer from elsewhere that a curve should go through.
+    /// Adds circles at these points: independent results that a curve should go through.
     #[must_use]
     pub fn circles(self, name: &'static str, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
         self.with(Curve { ink: Ink::Ground, name, points: points.into_iter().collect(), is_dotted: true })
@@ -86,7 +86,7 @@ impl Diagram {
         self.legend(area)
     }
 
-    /// An axis on which all points have room.
+    /// An axis with room for all points.
     fn ordinate(&self) -> Axis {
         let values = || self.curves.iter().flat_map(|curve| &curve.points).map(|point| point.1);
         let (low, high) = values().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
@@ -169,7 +169,7 @@ impl ValueFormatter<f64> for Axis {
         value.to_string()
     }
 
-    /// With as many decimals as tell multiples of the step apart, and a true minus sign.
+    /// With enough decimals to distinguish multiples of the step, and a true minus sign.
     fn format_ext(&self, value: &f64) -> String {
         let decimals = (-(self.step.log10() + 1e-9).floor()).max(0.0) as usize;
         let value = if value.abs() < 1e-9 * self.step { 0.0 } else { *value };
@@ -177,7 +177,7 @@ impl ValueFormatter<f64> for Axis {
     }
 }
 
-/// The greatest of 1, 2 and 5 times a power of ten that is not above `size`.
+/// The greatest of 1, 2 and 5 times a power of ten that does not exceed `size`.
 pub(super) fn round_number(size: f64) -> f64 {
     let power = 10_f64.powf(size.log10().floor());
     power * [5.0, 2.0].into_iter().find(|factor| factor * power <= size * (1.0 + 1e-9)).unwrap_or(1.0)

@@ -16,7 +16,7 @@ pub fn gear(centre: Place, teeth: u32, module: f64, angle: f64) -> Vec<Place> {
     let pitch = module.abs() * z / 2.0;
     let (above, below, inside) = if module < 0.0 { (1.2, 1.0, PI / z) } else { (1.0, 1.2, 0.0) };
     let (base, tip, root) = (pitch * PRESSURE.cos(), pitch + above * module.abs(), pitch - below * module.abs());
-    // Half the angle that a tooth takes at this radius; the involute begins on the base circle.
+    // Half the angle of a tooth at this radius; the involute begins on the base circle.
     let half = |radius: f64| {
         let pressure = (base / radius.max(base)).acos();
         PI / (2.0 * z) + (PRESSURE.tan() - PRESSURE) - (pressure.tan() - pressure)
@@ -31,9 +31,9 @@ pub fn gear(centre: Place, teeth: u32, module: f64, angle: f64) -> Vec<Place> {
     (0..teeth).flat_map(tooth).map(|point| centre + point).collect()
 }
 
-/// Where a wheel must have a tooth (rad) so that it meshes with a pinion that has one at `tooth` (rad).
+/// Angle (rad) of a tooth of a wheel that meshes with a pinion with a tooth at `tooth` (rad).
 ///
-/// The wheel's centre lies in `direction` (rad) of the pinion's; a negative number of teeth is that of an internal gear.
+/// The wheel's centre lies in `direction` (rad) from the pinion's; an internal gear has a negative number of teeth.
 #[must_use]
 pub fn meshing(direction: f64, pinion: f64, wheel: f64, tooth: f64) -> f64 {
     direction + PI - (tooth - direction) * pinion / wheel + PI / wheel

@@ -1,34 +1,34 @@
-//! Colours, the same in every picture: a colour says what a link does. Shades of Okabe and Ito, who chose them so that
-//! readers with any colour vision can tell them apart.
+//! Colours, the same in every picture: each colour stands for a role of links. Shades of Okabe and Ito, which readers with any colour
+//! vision can distinguish.
 
 use plotters::style::{Color, RGBAColor, RGBColor, WHITE};
 
-/// The part that a link, a trace or a curve plays.
+/// Role of a link, a trace or a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ink {
-    /// What is driven: the crank, the motor's gear.
+    /// Driven links: the crank, the motor's gear.
     Input,
-    /// What transmits.
+    /// Transmitting links.
     Coupler,
-    /// What the mechanism is for.
+    /// Output links.
     Output,
-    /// A second output, or a second link between.
+    /// A second output, or a second transmitting link.
     Second,
     /// The path of a point.
     Trace,
-    /// What does not move.
+    /// Fixed parts.
     Ground,
-    /// A hole in what does not move.
+    /// A hole in a fixed part.
     Hole,
 }
 
 impl Ink {
-    /// Of lines.
+    /// Colour of lines.
     pub(super) fn line(self) -> RGBAColor {
         self.rgb().to_rgba()
     }
 
-    /// Of surfaces; what lies below shows a little.
+    /// Colour of surfaces, slightly translucent.
     pub(super) fn surface(self) -> RGBAColor {
         if self == Self::Hole {
             return WHITE.to_rgba();
@@ -38,7 +38,7 @@ impl Ink {
         RGBColor(light(red), light(green), light(blue)).mix(0.85)
     }
 
-    /// Of lines of a phase that is only hinted at.
+    /// Colour of lines of a faint phase.
     pub(super) fn faint(self) -> RGBAColor {
         self.rgb().mix(0.4)
     }

@@ -14,16 +14,16 @@ pub use outline::rectangle;
 pub use plate::Plate;
 pub use scene::Scene;
 
-/// A place in the plane, in m.
+/// A point in the plane, in m.
 pub type Place = reuleaux::nalgebra::Vector2<f64>;
 
-/// The place (`x`, `y`), in m.
+/// The point (`x`, `y`), in m.
 #[must_use]
 pub fn place(x: f64, y: f64) -> Place {
     Place::new(x, y)
 }
 
-/// The place at distance `radius` (m) from the origin in the direction `angle` (rad).
+/// The point at distance `radius` (m) from the origin in the direction `angle` (rad).
 #[must_use]
 pub fn polar(radius: f64, angle: f64) -> Place {
     place(radius * angle.cos(), radius * angle.sin())
@@ -42,7 +42,7 @@ fn stroke(size: f64) -> u32 {
     fine(size).unsigned_abs()
 }
 
-/// What drawing can fail with.
+/// Result of drawing.
 type Fallible = Result<(), Box<dyn std::error::Error>>;
 
 /// A part of the picture, in drawing units from its own corner.

@@ -4,14 +4,14 @@ use std::f64::consts::{PI, TAU};
 
 use super::{Place, place, polar};
 
-/// The corners of a rectangle about `centre` (m), turned by `angle` (rad), of these sides (m).
+/// Corners of a rectangle about `centre` (m), rotated by `angle` (rad), with these sides (m).
 #[must_use]
 pub fn rectangle(centre: Place, angle: f64, width: f64, height: f64) -> [Place; 4] {
     let (along, across) = (polar(width / 2.0, angle), polar(height / 2.0, angle + PI / 2.0));
     [centre - along - across, centre + along - across, centre + along + across, centre - along + across]
 }
 
-/// What a disc of this radius sweeps over the convex hull of the points: a link with round ends.
+/// Outline of the convex hull of the points, widened by a disc of this radius: a link with round ends.
 pub(super) fn rounded_hull(points: &[Place], radius: f64) -> Vec<Place> {
     let hull = hull(points);
     let direction = |i: usize| {
@@ -49,7 +49,7 @@ fn hull(points: &[Place]) -> Vec<Place> {
     [lower, upper].concat()
 }
 
-/// Lines across a wall from `from` to `to`, on its right-hand side, `step` apart and as long.
+/// Hatching of a wall from `from` to `to`, on its right-hand side, `step` apart and as long.
 pub(super) fn hatching(from: Place, to: Place, step: f64) -> Vec<[Place; 2]> {
     let length = (to - from).norm();
     let along = (to - from) / length;

@@ -13,11 +13,11 @@ use super::{Abscissa, Diagram, FINE, Fallible, Scene, fine};
 
 /// Width of a picture.
 const WIDTH: f64 = 720.0;
-/// Space around everything.
+/// Margin around the picture.
 const BORDER: f64 = 14.0;
 /// Height of the title.
 const TITLE: f64 = 26.0;
-/// The most a scene may take.
+/// Largest height of a scene.
 const SCENE: f64 = 380.0;
 /// Height of a diagram, without the numbers below the last one.
 const DIAGRAM: f64 = 150.0;

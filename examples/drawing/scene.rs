@@ -13,7 +13,7 @@ use super::{Area, Fallible, Ink, Place, fine, place, polar, stroke};
 const LINK: f64 = 6.0;
 /// The radius of a pin.
 const PIN: f64 = 3.2;
-/// What is left free around the mechanism: pivots and names stand there.
+/// Margin around the mechanism, for pivots and names.
 const MARGIN: f64 = 34.0;
 /// The distance of hatching lines.
 const HATCHING: f64 = 6.0;
@@ -52,7 +52,7 @@ impl Scene {
         Self::default()
     }
 
-    /// Hints at a further phase: what `draw` draws becomes thin lines.
+    /// Draws a further phase faintly, as thin lines.
     pub fn faint(&mut self, draw: impl FnOnce(&mut Self)) {
         self.is_faint = true;
         draw(self);
@@ -127,7 +127,7 @@ impl Scene {
         corners.fold([endless, -endless], |[low, high], corner| [low.inf(&corner), high.sup(&corner)])
     }
 
-    /// The scale (units of the picture per m) at which the scene fits, and the height it takes.
+    /// The scale (picture units per m) at which the scene fits, and its height.
     pub(super) fn fit(&self, width: f64, height: f64) -> (f64, f64) {
         let [low, high] = self.bounds();
         let (size, room) = (high - low, place(width - 2.0 * MARGIN, height - 2.0 * MARGIN));
@@ -143,7 +143,7 @@ impl Scene {
     }
 }
 
-/// A pen over an area: places in m become drawing units.
+/// A pen over an area, which converts m to drawing units.
 struct Pen<'a, 'b> {
     area: &'a Area<'b>,
     scale: f64,

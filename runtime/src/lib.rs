@@ -1,5 +1,5 @@
-//! The motion of a mechanism from its constraint equations: positions, velocities and accelerations at the rounding limit,
-//! or one error that says in the words of the declaration why there are none.
+//! Motion of mechanisms from their constraint equations: positions, velocities and accelerations at the rounding limit, or an error
+//! that states the reason in the words of the declaration.
 //!
 //! A mechanism declared with `mechanism!` is compiled to the functions of [`Equations`]; this crate runs Newton's method
 //! over them. It needs neither `std` nor an allocator, contains no `unsafe`, and does not panic on any input.
@@ -25,14 +25,14 @@
 //! | T | `T` | number type, [`Real`] to evaluate, [`SolverReal`] to follow in time and [`Float`] for everything | | |
 //! | L | `characteristic_length` | length that is worth a radian: scaled coordinates are x/L, y/L and φ | 1 | m |
 //!
-//! # What every call guarantees
+//! # Guarantees of every call
 //!
 //! - It does not panic, and except for `parallel` does not allocate, for any parameters, times, guesses and states: NaN, infinities,
 //!   subnormal numbers, states of other parameters or states that were never solved for.
 //! - It returns. A continuation of very many steps ends with [`Cause::TooManySteps`] after at most a million of them.
-//! - `Ok` is a state: its equations hold to rounding errors of their terms, for positions, velocities and accelerations. `Err` tells
-//!   why there is none; a state that could not be taken to its time is unchanged.
-//! - Fields of a state can be written to. The next step starts from what was written, and the state does not count as solved.
+//! - `Ok` is a state: its equations hold to rounding errors of their terms, for positions, velocities and accelerations. `Err` is the
+//!   reason why there is none; a state that cannot be taken to a time is unchanged.
+//! - Fields of a state can be modified. The next step starts from the modified values, and the state no longer counts as solved.
 //!
 //! `tests/abuse` calls every function with arbitrary arguments and checks the results with numbers of 32 digits.
 //!
@@ -41,17 +41,17 @@
 //! - `std` (default): nalgebra with the standard library, and nothing else.
 //! - `certify` (default): error bounds of states, proofs that they are solutions, and polished states
 //!   ([`Mechanism::error_bound`], [`certify`](Mechanism::certify), [`polish`](Mechanism::polish)).
-//! - `page-picture` (default): a drawing of each mechanism on the page of its type. It costs time to compile and nothing at run time.
+//! - `page-picture` (default): a drawing of each mechanism on the page of its type. It adds to compile time, not to run time.
 //! - `picture`: the same drawing of any state at run time (`reuleaux::picture`), for mechanisms declared with `#[picture]`.
-//! - `view`: pictures that move, with plots, as pages and files (`reuleaux::view`). `view-png`: their frames as PNG.
+//! - `view`: animated pictures with plots, as pages and files (`reuleaux::view`). `view-png`: their frames as PNG.
 //! - `rayon`: sweeps of many mechanisms on all processors (`reuleaux::parallel`).
 //!
 //! The crate `reuleaux-wide` advances several mechanisms together in the lanes of SIMD registers.
 //!
 //! # Layers
 //!
-//! [`Equations`] is what a mechanism provides, [`Mechanism`] what it can be asked for, [`State`] and [`Failure`] are the two answers.
-//! The modules are layers; each uses those above it in this table and none below.
+//! [`Equations`] is the interface that a mechanism implements, [`Mechanism`] the interface for its users; results are
+//! [`State`] or [`Failure`]. The modules are layers; each uses those above it in this table and none below.
 //!
 //! | layer | contents |
 //! | --- | --- |
@@ -121,7 +121,7 @@ pub use solve::parameter_hash;
 pub use solve::{Equations, Family, Solver, SolverReal, Stages, at_once, refined_guess_at_once, refined_guess_by_rows};
 pub use state::{Coordinates, Motion, PlanarBody, SpatialBody, State, Values};
 
-/// For crates in which a number has several lanes, such as `reuleaux-wide`: what is no part of the language.
+/// Interface for crates with SIMD number types, such as `reuleaux-wide`; not part of the public API.
 #[doc(hidden)]
 pub mod for_lanes {
     pub use crate::number::sin_cos::{LARGEST as SIN_COS_RANGE, within_range as sin_cos_in_range};
@@ -134,18 +134,18 @@ pub use reuleaux_macros::__resume;
 #[doc(inline)]
 pub use reuleaux_macros::{constraint, mechanism};
 
-/// Textbook drawings of states, as SVG: single ones by [`Drawable`](picture::Drawable), those of a motion by
+/// Textbook drawings of states, as SVG: single ones by [`Drawable`](picture::Drawable), frames of a motion by
 /// [`frames`](picture::frames()) and [`animation`](picture::animation).
 ///
-/// A mechanism is drawn at run time if `#[picture]` stands before its declaration. The drawing is the one on the page of its type; a
-/// profile that is a Rust function, which the compiler cannot call, is drawn here.
+/// A mechanism is drawn at run time if `#[picture]` stands before its declaration. The drawing equals that on the page of its type, but
+/// also shows profiles that are Rust functions, which the compiler cannot call.
 #[cfg(feature = "picture")]
 pub mod picture {
     pub use crate::api::Drawable;
     pub use reuleaux_picture::{GROUND, Joint, Label, Picture, Pose, Scene, Undrawable, Vector, animation, frames};
 }
 
-/// Pictures that move: the states of a motion as one HTML page with plots, as an SVG that moves by itself, or as frames.
+/// Animated pictures: the states of a motion as one HTML page with plots, as an animated SVG, or as frames.
 ///
 /// [`Drawable::view`](picture::Drawable::view) takes the states of any mechanism that is declared with `#[picture]`.
 #[cfg(feature = "view")]
@@ -195,7 +195,7 @@ pub mod library {
     reuleaux_macros::__library_pages!();
 }
 
-/// How accurate is it?
+/// Accuracy of states.
 ///
 #[cfg_attr(doc, doc = include_str!("accuracy/page.md"))]
 #[cfg_attr(doc, doc = include_str!("accuracy/references.md"))]
@@ -205,10 +205,10 @@ pub mod library {
 #[cfg(feature = "certify")]
 pub mod accuracy {}
 
-/// What the compiler refuses, and what to do about it: one page for each code.
+/// Index of compile errors: one page for each code, with the mistake and its remedy.
 ///
-/// A mistake in a declaration is a compile error under the word that is to blame. Its first line ends with a code; the page of
-/// that code tells what is behind it, with a model that is refused and one that is right:
+/// A mistake in a declaration is a compile error at the word at fault. Its first line ends with a code; the page of that code explains
+/// the mistake, with a model that is refused and a correct one:
 ///
 /// ```text
 /// error: `C` of `drive_angle` is an angle (rad), found an angular velocity (rad/s) [reuleaux::E0303]
@@ -225,15 +225,15 @@ pub mod accuracy {}
 /// | `E01…` | names |
 /// | `E02…` | arguments |
 /// | `E03…` | kinds of quantities, and their dimensions |
-/// | `E04…` | values that make no sense |
+/// | `E04…` | invalid values |
 /// | `E05…` | loops, arrays and parts |
 /// | `E06…` | equations, and the joints and drives made of them |
-/// | `E07…` | mobility: too little is held, or too much |
-/// | `E08…` | redundancy: what is demanded already |
+/// | `E07…` | mobility: underconstrained or overconstrained mechanisms |
+/// | `E08…` | redundancy: equations that follow from others |
 /// | `E09…` | closure: loops that do not close |
 /// | `E10…` | parameters |
 ///
-/// The modules are empty: the pages are all there is.
+/// The modules are empty; their documentation is the index.
 #[allow(non_snake_case)] // Codes are written as the compiler says them.
 pub mod errors {
     reuleaux_macros::__error_pages!();

@@ -1,4 +1,4 @@
-//! The runtime is built in layers: each uses those below it, and none above.
+//! The runtime consists of layers: each uses the layers below it only.
 
 use std::error::Error;
 use std::fs;
@@ -17,13 +17,13 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
     Ok(found)
 }
 
-/// The words after `crate::` in the code of a line; nothing for a list in braces, which would hide where an arrow goes.
+/// The paths after `crate::` in the code of a line; none for a list in braces, which would hide its targets.
 fn targets(line: &str) -> impl Iterator<Item = &str> {
     let code = line.split("//").next().unwrap_or_default();
     code.split("crate::").skip(1).map(|rest| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default())
 }
 
-/// So no circle of files spans two folders.
+/// Hence no cycle of files spans two folders.
 #[test]
 fn arrows_between_folders_go_down() -> Result<(), Box<dyn Error>> {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");

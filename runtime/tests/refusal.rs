@@ -1,4 +1,4 @@
-//! What is said when there is no state.
+//! Messages of failures.
 
 mod common;
 
@@ -28,7 +28,7 @@ fn dead_point_is_reported_not_divided_by() {
         let FourBar { ground, rocker, .. } = CRANK_ROCKER;
         let cosine = (reach.powi(2) - ground.powi(2) - rocker.powi(2)) / (2.0 * ground * rocker);
         let dead = ROCKER_DRIVEN.from - cosine.acos();
-        // So near to it that a rate would be a quarter off.
+        // Close to the dead point, where the relative error of a rate would reach a quarter.
         assert!((failure.time - dead).abs() <= 1e-14 && failure.time >= dead - 4e-15, "{} {dead}", failure.time);
         let last = failure.last.as_ref().unwrap();
         assert!((last.t - dead).abs() <= 1e-14);
@@ -100,7 +100,7 @@ fn a_sweep_ends_after_a_failure() {
     assert!(sweep.next().is_none() && sweep.next().is_none());
 }
 
-/// One slider on a line, x = f(t), with whatever f, at rest as far as it tells; if it turns, a wheel, φ = f(t), at this rate.
+/// A slider driven by x = f(t) or, with `TURNS`, a wheel driven by φ = f(t); ν is the given constant, and γ is zero.
 struct Slider<const TURNS: bool = false>(fn(f64) -> f64, f64);
 
 impl<const TURNS: bool> Stages<f64, 1> for Slider<TURNS> {
@@ -173,7 +173,7 @@ fn a_way_that_is_too_long_is_given_up() {
     assert!(failure.last.unwrap().t > 1e-6);
 }
 
-/// Two times the same equation.
+/// The same equation twice.
 struct Redundant;
 
 impl Stages<f64, 2> for Redundant {
@@ -227,7 +227,7 @@ fn redundant_rows_are_singular() {
     assert!(matches!(failure.cause, Cause::Singular { condition, .. } if condition.is_infinite()), "{failure}");
 }
 
-/// Nothing moves.
+/// A mechanism without coordinates.
 struct Empty;
 
 impl Stages<f64, 0> for Empty {

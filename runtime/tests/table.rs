@@ -44,7 +44,7 @@ fn outside_it_goes_on_so_in_single_precision() {
     assert_eq!(f32::NEG_INFINITY.table(&hold), (-1.0, 0.0, 0.0));
     assert_eq!(4.5_f32.table(&periodic), 0.5_f32.table(&periodic));
     assert_eq!((-7.75_f32).table(&periodic), 0.25_f32.table(&periodic));
-    // Four million periods on, where neighbouring numbers are half a period and more apart.
+    // After four million periods, where neighbouring numbers are at least half a period apart.
     assert_eq!(8_388_609_f32.table(&periodic), 1_f32.table(&periodic));
 }
 
@@ -54,7 +54,7 @@ fn knots_are_kept_to_the_digits_of_a_double() {
         let [[high, low]] = Single::knots(&[knot]);
         assert!((f64::from(high) + f64::from(low) - knot).abs() <= 1e-14 * knot.abs(), "{knot}");
     }
-    // What is too large for it has no rest either.
+    // A number too large for `f32` has no remainder either.
     assert_eq!(Single::knots(&[1e300]), [[f32::INFINITY, 0.0]]);
     assert_eq!(Single::period(&[0.25, 1.0, 2.75]), [2.5, 0.0]);
 }

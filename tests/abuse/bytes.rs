@@ -1,16 +1,16 @@
-//! Cases are bytes: whatever bytes there are, they are a case, and the same bytes are the same case.
+//! Test cases encoded as bytes: any bytes are a case, and the same bytes always give the same case.
 
 use reuleaux::Float;
 
-/// Bytes that are read one after the other; after the last one come zeros.
+/// A reader of bytes, which returns zeros after the last byte.
 #[derive(Clone, Debug)]
 pub(crate) struct Bytes<'a> {
     rest: &'a [u8],
-    /// Numbers are none, nearly nothing, or at most this.
+    /// Largest magnitude of finite numbers.
     largest: f64,
 }
 
-/// Numbers at which something ends: of `f64`, and those of them that `f32` has.
+/// Edge cases of `f64`, including those of `f32`.
 const EDGES: [f64; 32] = [
     0.0,
     -0.0,
@@ -47,42 +47,42 @@ const EDGES: [f64; 32] = [
 ];
 
 impl<'a> Bytes<'a> {
-    /// From the first one, with numbers up to `largest`, and those that are not finite.
+    /// Reads from the first byte on; finite numbers are limited to ±`largest`.
     #[must_use]
     pub(crate) fn new(bytes: &'a [u8], largest: f64) -> Self {
         Self { rest: bytes, largest }
     }
 
-    /// All were read.
+    /// True after the last byte.
     #[must_use]
     pub(crate) fn is_empty(&self) -> bool {
         self.rest.is_empty()
     }
 
-    /// The next one.
+    /// The next byte.
     pub(crate) fn next(&mut self) -> u8 {
         let (first, rest) = self.rest.split_first().unwrap_or((&0, &[]));
         self.rest = rest;
         *first
     }
 
-    /// A number below `end`.
+    /// A whole number below `end`.
     pub(crate) fn below(&mut self, end: usize) -> usize {
         usize::from(self.next()) % end
     }
 
-    /// Once in so many times.
+    /// True with probability 1/`times`.
     pub(crate) fn is_one_in(&mut self, times: usize) -> bool {
         self.below(times) == times - 1
     }
 
-    /// From −1 to 1.
+    /// A number from −1 to 1.
     pub(crate) fn share(&mut self) -> f64 {
         let [high, low] = [self.next(), self.next()];
         f64::from(i16::from_be_bytes([high, low])) / 32768.0
     }
 
-    /// A number near another one, or far from it, or no number at all.
+    /// A number near another one or far from it, or an edge case, possibly infinite or NaN.
     pub(crate) fn number<T: Float>(&mut self, near: T) -> T {
         let value = near.to_f64();
         let number = match self.below(8) {

@@ -1,4 +1,4 @@
-//! Calls in any order with any arguments: each returns an error or a state, and a state is one.
+//! Calls in any order with any arguments: each returns an error or a state that satisfies its equations.
 
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
@@ -11,28 +11,28 @@ use reuleaux_wide::{Lockstep, Wide};
 use super::bytes::Bytes;
 use super::judge::judge;
 
-/// Parameters that are larger leave nothing of others.
+/// Beside parameters larger than this, others would be lost to rounding.
 const LARGE: f64 = 1e6;
 
-/// Calls of one case.
+/// Number of calls per case.
 const CALLS: usize = 4;
 
-/// Of so many states one is enclosed and polished, which takes longer than to find it.
+/// One state in this number is enclosed and polished, which takes longer than solving.
 const PROOFS: usize = 16;
 
-/// What came of a case.
+/// Outcomes of a case.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Count {
-    /// States.
+    /// Number of states found.
     pub found: usize,
-    /// Failures.
+    /// Number of failures.
     pub refused: usize,
-    /// What was called, and what came of it.
+    /// Calls with their outcomes.
     pub outcomes: BTreeSet<String>,
 }
 
 impl Count {
-    /// A call and its outcome, without numbers.
+    /// Records a call and its outcome, without numbers.
     fn note<T: std::fmt::Debug, const N: usize>(&mut self, call: &str, failure: Option<&Failure<T, N>>) {
         let letters = |text: String| text.chars().take_while(|letter| letter.is_alphanumeric() || *letter == '_').collect::<String>();
         let outcome = failure.map_or_else(|| "Ok".to_owned(), |failure| letters(format!("{:?}", failure.cause)));
@@ -40,7 +40,7 @@ impl Count {
     }
 }
 
-/// The mechanism with parameters from some bytes.
+/// The mechanism with parameters read from the bytes.
 fn with_parameters<M: Family<T, Over<T> = M>, T: Float>(defaults: &M, bytes: &mut Bytes<'_>) -> M {
     let bytes = RefCell::new(bytes);
     let is_default = bytes.borrow_mut().below(3) == 0;
@@ -50,7 +50,7 @@ fn with_parameters<M: Family<T, Over<T> = M>, T: Float>(defaults: &M, bytes: &mu
     })
 }
 
-/// The same with 32 digits, and whether all parameters are of sizes that machines have.
+/// The mechanism in 32 digits, and true if all parameters are of moderate size.
 fn exactly<M: Family<T>, T: Float>(mechanism: &M) -> (M::Over<Twofold>, bool) {
     let is_moderate = Cell::new(true);
     let exact = M::gather([mechanism], |[value]: [T; 1]| {
@@ -60,7 +60,7 @@ fn exactly<M: Family<T>, T: Float>(mechanism: &M) -> (M::Over<Twofold>, bool) {
     (exact, is_moderate.get())
 }
 
-/// A time: mostly one that a machine sees.
+/// A time, mostly of moderate size.
 fn time<T: Float>(bytes: &mut Bytes<'_>) -> T {
     match bytes.below(6) {
         0 => T::of(0.0),
@@ -80,7 +80,7 @@ fn vector<T: Float, const N: usize>(near: &SVector<T, N>, bytes: &mut Bytes<'_>)
     })
 }
 
-/// A state that is one, or was one, or never was.
+/// A state: solved for these or other parameters, possibly modified afterwards, or not solved at all.
 fn state<M, T: Float, const N: usize>(mechanism: &M, defaults: &M, bytes: &mut Bytes<'_>) -> State<T, N>
 where
     M: Family<T, Over<T> = M> + Mechanism<T, N>,
@@ -115,10 +115,10 @@ where
     state
 }
 
-/// Calls everything that can be called with one mechanism.
+/// Calls every function of one mechanism.
 ///
 /// # Errors
-/// The first state that is none.
+/// The first state that does not satisfy its equations.
 pub(crate) fn calls<M, T, const ROWS: usize, const N: usize>(defaults: &M, bytes: &mut Bytes<'_>, count: &mut Count) -> Result<(), String>
 where
     T: Float,
@@ -138,7 +138,7 @@ where
                 if !count.found.is_multiple_of(PROOFS) {
                     return Ok(());
                 }
-                // A bound may be refused, and so may a proof; a state that was polished is still one.
+                // An error bound or a proof may be refused; a polished state must still satisfy its equations.
                 let (bound, proof) = (mechanism.error_bound(state), mechanism.certify(state));
                 if proof.is_ok() && bound.is_err() {
                     return Err(wrong(format!("{proof:?}, but {bound:?}")));
@@ -152,7 +152,7 @@ where
             }
             Err(failure) => {
                 count.refused += 1;
-                // A failure can be told.
+                // Every failure has a message.
                 let told = failure.to_string();
                 if told.contains('`') { Ok(()) } else { Err(format!("{}: {told}", what())) }
             }
@@ -197,10 +197,10 @@ where
     Ok(())
 }
 
-/// Takes several along, of which any may be bad.
+/// Advances several mechanisms together, any of which may have bad arguments.
 ///
 /// # Errors
-/// The first state that is none.
+/// The first state that does not satisfy its equations.
 pub(crate) fn lanes<M, W, const LANES: usize, const ROWS: usize, const N: usize>(
     defaults: &M,
     bytes: &mut Bytes<'_>,

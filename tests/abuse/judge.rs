@@ -1,22 +1,22 @@
-//! Whether a state is one: by Φ, Φ_q, ν and γ in numbers of 32 digits.
+//! Verification of a state: Φ, Φ_q, ν and γ in 32 digits.
 
 use reuleaux::nalgebra::SVector;
 use reuleaux::{CoordinateKind, Equations, Float, State};
 use reuleaux_tests::common::twofold::Twofold;
 
-/// A residual is rounding up to so many roundings of its terms.
+/// Residuals up to this many rounding errors of their terms are accepted.
 const POSITION: f64 = 256.0;
 
-/// The same of rates: Φ_q is taken a correction before the end.
+/// The same for rates: Φ_q is evaluated before the last correction.
 const RATES: f64 = 1e5;
 
-/// Why this is no state of a mechanism, if it is none.
+/// Verifies that a state satisfies the equations of a mechanism.
 ///
-/// * `iterated`: given, the coordinates that Newton's method has found.
-/// * `is_moderate`: given, that no parameter is so large that the others are lost beside it; else residuals are not judged.
+/// * `iterated`: given, the coordinates found by Newton's method.
+/// * `is_moderate`: given, false if a parameter is so large that others are lost to rounding; residuals are then not tested.
 ///
 /// # Errors
-/// What is wrong with it.
+/// The violated property.
 pub(crate) fn judge<T: Float, E: Equations<Twofold, M, N>, const M: usize, const N: usize>(
     exact: &E,
     is_moderate: bool,
@@ -33,13 +33,13 @@ pub(crate) fn judge<T: Float, E: Equations<Twofold, M, N>, const M: usize, const
     if !state.t.is_finite() || condition.is_nan() || condition * epsilon >= 1.0 {
         return Err(format!("t = {:?}, condition = {condition:?}", state.t));
     }
-    // An angle that is iterated has digits; one that is computed is what its law says, and no more is asked of such a time.
+    // An iterated angle must have significant digits; a computed angle follows its law, which may have lost them at a very large time.
     let is_lost = |i: &usize| E::COORDINATES[*i].kind == CoordinateKind::Angle && state.q[*i].to_f64().abs() * epsilon > 1.0;
     if let Some(i) = iterated.iter().copied().find(is_lost) {
         return Err(format!("no digit of {} is left in {:?}", E::COORDINATES[i], state.q[i]));
     }
     let is_moderate = is_moderate && !(0..N).any(|i| is_lost(&i));
-    // Of such angles and lengths as cannot be told from 0, sines and squares are not judged.
+    // Residuals are not tested if parameters are extreme or an angle has lost all digits.
     if !is_moderate {
         return Ok(());
     }
@@ -61,9 +61,9 @@ pub(crate) fn judge<T: Float, E: Equations<Twofold, M, N>, const M: usize, const
     let length = exact.characteristic_length().high.abs();
     let places = sizes(&state.q, [if length.is_finite() { length } else { 1.0 }, 1.0]);
     let (rates, accelerations) = (sizes(&state.qd, [0.0; 2]), sizes(&state.qdd, [0.0; 2]));
-    // What a turn of this speed makes of a place.
+    // Highest angular velocity, with which errors of positions enter those of rates.
     let speed = greatest(&state.qd, CoordinateKind::Angle);
-    // Equations that are not solved have what is off in others multiplied.
+    // Residuals of checked equations amplify the errors of the solved ones by the condition.
     let spread = if M > N { condition } else { 1.0 };
     for row in 0..M {
         let slopes: Vec<Twofold> = (0..N).map(|j| jacobian[(row, j)]).collect();
@@ -82,7 +82,7 @@ pub(crate) fn judge<T: Float, E: Equations<Twofold, M, N>, const M: usize, const
         ];
         for (name, residual, size) in of {
             let allowed = spread * epsilon * size + 64.0 * least * (1.0 + at_rest);
-            // Numbers too large for their squares are not judged.
+            // Numbers whose squares overflow are not tested.
             if residual.high.abs() > allowed || (residual.high.is_nan() && (size * size).is_finite()) {
                 let joint = E::ROWS[row];
                 return Err(format!("{name} of {joint} is {:e}, allowed {allowed:e}", residual.high));

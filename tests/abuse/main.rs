@@ -1,16 +1,16 @@
-//! Everything public under abuse: whatever is asked with whatever numbers, the answer is an error or a state, and a state fulfils its
-//! equations as far as doubles can, recomputed with 32 digits.
+//! The public interface under abuse: for any call with any numbers the result is an error or a state, and a state satisfies its equations
+//! to rounding in doubles, verified with 32 digits.
 //!
-//! A case is made of bytes, and all of it follows from them: which mechanism, over which numbers, which parameters, states, guesses and
-//! times, in which order. The usual run has the cases of `corpus.txt`, in which each call of each mechanism has each outcome that was
-//! ever seen, and some random ones, whose numbers are at most a hundred or no numbers. A long one, with any numbers, is
+//! Bytes determine a case entirely: mechanism, number type, parameters, states, guesses, times, and the order of calls. The usual run has
+//! the cases of `corpus.txt`, which cover every outcome ever seen of each call for each mechanism, and some random cases, with numbers up
+//! to a hundred or not finite. A long run, with any numbers, is
 //!
 //! ```text
 //! REULEAUX_FUZZ_CASES=100000 cargo test --release -p reuleaux-tests --test abuse -- --nocapture
 //! ```
 //!
-//! and `REULEAUX_FUZZ_SEED=17 REULEAUX_FUZZ_CASES=1` repeats the case 17. With `REULEAUX_FUZZ_KEEP=1`, cases with new outcomes are
-//! written to the corpus.
+//! and `REULEAUX_FUZZ_SEED=17 REULEAUX_FUZZ_CASES=1` repeats case 17. With `REULEAUX_FUZZ_KEEP=1`, cases with new outcomes are added to
+//! the corpus.
 
 mod bytes;
 mod calls;
@@ -25,16 +25,16 @@ use calls::{Count, calls, lanes};
 use mechanisms::{Bare, Coupled, Crank, Incline, Laws, Plate, Rod, Scene};
 use reuleaux_wide::{F32x8, F64x4};
 
-/// The first case of the usual run, and how many there are.
+/// First random case of the usual run, and the number of cases.
 const USUAL: [u64; 2] = [880, 120];
 
-/// The numbers of the usual run: what takes a million steps to refuse is left to long ones.
+/// Largest number in the usual run; larger ones may take a million steps to refuse and are left to long runs.
 const LARGEST: f64 = 100.0;
 
-/// What states of a hundred coordinates take without optimisation, several times.
+/// Stack for several copies of states of a hundred coordinates without optimisation.
 const STACK: usize = 8 << 20;
 
-/// Each mechanism, in doubles, in singles, and in lanes.
+/// Runs a mechanism by its number, in doubles, in singles, and in lanes.
 macro_rules! each {
     ($number:expr, $bytes:expr, $count:expr; $($name:ident: $rows:literal by $n:literal),* $(,)?) => {{
         let mut kind = $number;
@@ -51,7 +51,7 @@ macro_rules! each {
     }};
 }
 
-/// A case, with numbers up to `largest`.
+/// Runs a case, with numbers up to `largest`.
 fn case(bytes: &[u8], largest: f64, count: &mut Count) -> Result<(), String> {
     let bytes = &mut Bytes::new(bytes, largest);
     let number = bytes.below(40);
@@ -60,13 +60,13 @@ fn case(bytes: &[u8], largest: f64, count: &mut Count) -> Result<(), String> {
     Ok(())
 }
 
-/// Kept cases: the bytes of one in each line.
+/// Kept cases: the bytes of one case per line.
 const CORPUS: &str = include_str!("corpus.txt");
 
-/// Where it lies.
+/// Path of the corpus.
 const CORPUS_FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/abuse/corpus.txt");
 
-/// A kept case takes no longer, with optimisation.
+/// Longest time of a kept case, with optimisation.
 const PATIENCE: Duration = Duration::from_millis(5);
 
 /// The cases of the corpus.
@@ -76,7 +76,7 @@ fn kept() -> Vec<(String, Vec<u8>)> {
     CORPUS.lines().enumerate().map(case).collect()
 }
 
-/// Writes what random cases have that the corpus has not.
+/// Adds random cases with new outcomes to the corpus.
 fn keep(cases: &[(String, Vec<u8>)]) {
     let mut corpus = CORPUS.to_owned();
     let mut seen = BTreeSet::new();
@@ -96,13 +96,13 @@ fn keep(cases: &[(String, Vec<u8>)]) {
     std::fs::write(CORPUS_FILE, corpus).expect("the corpus can be written");
 }
 
-/// The bytes of a case.
+/// The bytes of a random case.
 fn random(seed: u64) -> Vec<u8> {
     let mut random = fastrand::Rng::with_seed(seed);
     (0..random.usize(8..200)).map(|_| random.u8(..)).collect()
 }
 
-/// On a thread with a small stack.
+/// Runs all cases on a thread with a small stack.
 fn all(cases: Vec<(String, Vec<u8>)>, largest: f64) -> Count {
     let worker = std::thread::Builder::new().stack_size(STACK).spawn(move || {
         let mut count = Count::default();

@@ -1,9 +1,9 @@
-//! Mechanisms of every kind that the solver treats differently.
+//! Mechanisms for every path through the solver.
 
 use reuleaux::mechanism;
 
 mechanism! {
-    /// Nothing is iterated.
+    /// A mechanism without iterated coordinates.
     pub mechanism Rod {
         param w: AngularVelocity = 1rad_s;
         param length: Length = 1m;
@@ -18,7 +18,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// The same without a length to set: what follows from the angle is never looked at by itself.
+    /// The same without a length as a parameter: coordinates that follow from the angle are not tested individually.
     pub mechanism Bare {
         param w: AngularVelocity = 1rad_s;
         body rod { point A = (1m, 0m); }
@@ -75,7 +75,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Squares of lengths, in one block of three.
+    /// Distance equations, which are squares of lengths, in one block of three.
     pub mechanism Plate {
         param side: Length = 200mm;
         param reach: Length = 400mm;
@@ -92,7 +92,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Laws that end, have poles, or go on without end.
+    /// Laws that end, have poles, or grow without bound.
     pub mechanism Laws {
         param time: Time = 1s;
         param height: Length = 1m;
@@ -112,7 +112,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Parts that rest beside one that moves.
+    /// Parts at rest beside a moving part.
     pub mechanism Scene {
         param held: Angle = 50deg;
         param speed: AngularVelocity = 60rpm;
@@ -132,7 +132,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// More equations than coordinates.
+    /// A mechanism with more equations than coordinates.
     pub mechanism Coupled {
         param middle: Length = 500mm;
         param speed: AngularVelocity = 2rad_s;

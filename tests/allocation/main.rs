@@ -1,4 +1,4 @@
-//! Solving takes no memory from the heap, whichever way it goes and however it ends.
+//! Solving allocates nothing on the heap, on any path and with any result.
 
 use allocation_counter::measure;
 use reuleaux::nalgebra::SVector;
@@ -8,7 +8,7 @@ use reuleaux_tests::mechanisms::{FourBarCrankRocker, HydraulicLoader, SliderCran
 use reuleaux_tests::stress::RockerDrivenFourBar;
 use reuleaux_wide::{F64x4, Lockstep};
 
-/// What is done here takes no memory.
+/// Asserts that `run` allocates nothing.
 fn without_memory(what: &str, run: impl FnOnce()) {
     let taken = measure(run);
     assert_eq!((taken.count_total, taken.bytes_total), (0, 0), "{what}");
@@ -107,7 +107,7 @@ fn lanes_need_none() {
 }
 
 reuleaux::mechanism! {
-    /// Falls, and is looked at.
+    /// A pendulum that falls, with events.
     pub mechanism Swing {
         gravity = (0m_s2, -9.81m_s2);
         body upper { point end = (500mm, 0mm);  mass = 1kg;  center = (250mm, 0mm);  inertia = 0.025kgm2; }

@@ -1,9 +1,9 @@
-//! The same numbers, to the last bit, however this is compiled: at every level of optimisation, with and without AVX2 and FMA, alone
-//! and in lanes. `.ci/run` runs it in several ways.
+//! States are bit-identical however this is compiled: at every level of optimisation, with and without AVX2 and FMA, alone and in lanes.
+//! `.ci/run` runs this test in several ways.
 //!
-//! The hashes are of our own output and prove nothing about it: what proves that the numbers are right stands beside each, the
-//! equations of the figure. A hash that changes says that some bit of some state has changed; whoever changes it says why.
-//! `REULEAUX_BITS=print` prints the new ones.
+//! The hashes come from our own output and prove nothing; the equations of the mechanism, tested beside each hash, prove that the numbers
+//! are right. A changed hash means that some bit of some state has changed; a commit that changes it gives the reason.
+//! `REULEAUX_BITS=print` prints the new hashes.
 
 use reuleaux::{Equations, Float, Real, State, mechanism};
 use reuleaux_wide::{F32x8, F64x4, Lockstep, Wide};
@@ -45,7 +45,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Every function of the language, one wheel each.
+    /// Every function of the language, with one wheel for each.
     mechanism Functions {
         let s = t / 1s;
         body a { point O = (0m, 0m); }
@@ -63,14 +63,14 @@ mechanism! {
     }
 }
 
-/// Steps of a sweep over one second.
+/// Number of steps of a sweep over one second.
 const STEPS: u32 = 200;
 
 fn times<T: Real>() -> impl Iterator<Item = T> {
     (0..=STEPS).map(|step| T::of(f64::from(step) / f64::from(STEPS)))
 }
 
-/// Fowler, Noll and Vo, over the bits of q, q̇ and q̈.
+/// Hash of Fowler, Noll and Vo over the bits of q, q̇ and q̈.
 struct Hash(u64);
 
 impl Hash {
@@ -86,7 +86,7 @@ impl Hash {
         }
     }
 
-    /// `known` is what came out before.
+    /// Compares the hash with the recorded one.
     fn must_be(&self, name: &str, known: u64) {
         if std::env::var_os("REULEAUX_BITS").is_some() {
             println!("{name}: {:#018x}", self.0);
@@ -96,7 +96,7 @@ impl Hash {
     }
 }
 
-/// All equations hold, of position, velocity and acceleration, and the angles are those that they should be.
+/// Asserts that all equations of position, velocity and acceleration hold, and that angles have their closed-form values.
 fn is_right<T: Float, E: Equations<T, N, N>, const N: usize>(equations: &E, state: &State<T, N>, angles: &[(usize, f64)], bound: f64) {
     let (phi, jacobian) = equations.linearize(&state.q, state.t);
     let rest = |lhs: T, rhs: T| (lhs - rhs).to_f64().abs();
@@ -112,7 +112,7 @@ fn is_right<T: Float, E: Equations<T, N, N>, const N: usize>(equations: &E, stat
     }
 }
 
-/// The angle of the rocker from the triangle of its pivot, the crank's pin and its own.
+/// Angle of the rocker from the triangle of its pivot, the crank pin and the rocker pin.
 fn rocker(t: f64, crank: f64) -> f64 {
     let turn = std::f64::consts::TAU * t;
     let (x, y) = (crank * turn.cos() - 0.4, crank * turn.sin());

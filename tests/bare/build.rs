@@ -1,11 +1,11 @@
-//! Gathers mechanisms that are declared elsewhere in the repository, each with a function that solves it.
+//! Collects mechanisms that are declared elsewhere in the repository, each with a function that solves it.
 
 use std::error::Error;
 use std::fmt::Write as _;
 use std::path::Path;
 use std::{env, fs};
 
-/// Files with a declaration, and what stands in it for a name and for a number.
+/// Files with a declaration, and replacements for macro variables in them.
 const FILES: [(&str, &[(&str, &str)]); 20] = [
     ("golden/four_bar.declaration", &[]),
     ("golden/lift.declaration", &[]),
@@ -29,11 +29,11 @@ const FILES: [(&str, &[(&str, &str)]); 20] = [
     ("../examples/walker.rs", &[]),
 ];
 
-/// Those with freedoms.
+/// Files of mechanisms with freedoms.
 const FREE: [&str; 2] = ["../examples/andrews.rs", "../examples/rolling_coin.rs"];
 
 fn main() -> Result<(), Box<dyn Error>> {
-    // Only who looks at their code needs them.
+    // Only the inspection of machine code needs the mechanisms.
     if env::var_os("CARGO_FEATURE_ALONE").is_none() {
         return Ok(fs::write(Path::new(&env::var("OUT_DIR")?).join("mechanisms.rs"), "")?);
     }
@@ -58,7 +58,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A module with the first mechanism of a file; `used` makes a function of its name and its declaration, called `run`.
+/// A module with the first mechanism of a file; `used` returns its function `run`, from its name and declaration.
 fn module(number: usize, text: &str, used: fn(&str, &str) -> String) -> Option<String> {
     let declaration = between(text, "mechanism! {").unwrap_or(text);
     let name = declaration.split("mechanism ").nth(1)?.split([' ', '{']).next()?;
@@ -74,10 +74,10 @@ fn module(number: usize, text: &str, used: fn(&str, &str) -> String) -> Option<S
     ))
 }
 
-/// Every way to a state, and what is made of it.
+/// Code that calls every function that finds a state, and evaluates the outputs.
 fn solve(name: &str, declaration: &str) -> String {
     let outputs = declaration.lines().filter_map(|line| {
-        // Those at the top: one deeper is an output of a part.
+        // Only outputs of the mechanism itself: deeper ones belong to parts.
         let output = line.trim_start_matches("pub ").trim_start().strip_prefix("output ")?;
         (indent(line) <= 8).then(|| output.split([' ', ':']).next())?
     });
@@ -94,7 +94,7 @@ fn solve(name: &str, declaration: &str) -> String {
     )
 }
 
-/// Every way along a motion that follows from forces.
+/// Code that integrates a motion in every way.
 fn integrate(name: &str, _: &str) -> String {
     format!(
         "fn run(mechanism: &{name}<T>, t: T, state: &mut {name}State<T>) -> bool {{
@@ -109,7 +109,7 @@ fn integrate(name: &str, _: &str) -> String {
     )
 }
 
-/// What stands between the opening brace at the end of `opening` and the one that closes it.
+/// The text between the opening brace at the end of `opening` and its closing brace.
 fn between<'a>(text: &'a str, opening: &str) -> Option<&'a str> {
     let inside = &text[text.find(opening)? + opening.len()..];
     let mut depth = 1;

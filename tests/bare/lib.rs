@@ -1,6 +1,6 @@
-//! Mechanisms of all kinds, solved in every way that the library has, without a standard library and without an allocator.
+//! Mechanisms of all kinds, solved in all ways of the library, without a standard library and without an allocator.
 //!
-//! The bin `look` compiles this as it would be for a small machine, and looks at what has become of it.
+//! The binary `look` compiles this crate as for a small machine, and inspects the machine code.
 
 #![no_std]
 #![allow(dead_code, unreachable_pub, missing_docs)]

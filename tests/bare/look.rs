@@ -1,8 +1,8 @@
-//! Looks at the machine code of the mechanisms beside this file, as it is for a small machine: whole-program optimised, for speed and for
-//! size. `cargo run -p reuleaux-bare --bin look [-- TARGET]`
+//! Inspects the machine code of the mechanisms beside this file, compiled as for a small machine: with whole-program optimisation, for
+//! speed and for size. `cargo run -p reuleaux-bare --bin look [-- TARGET]`
 //!
-//! In neither is there a way to a panic, and in `f32` there is nothing that computes with doubles. What is looked at is the assembly
-//! that rustc writes, of x86-64 or of an Arm without doubles, so that nothing is needed but Rust. It takes some minutes.
+//! Neither version may contain a path to a panic, and in `f32` no arithmetic with doubles. The inspected text is the assembly that rustc
+//! writes, for x86-64 or for an Arm without doubles, so that only Rust is needed. It takes some minutes.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -10,7 +10,7 @@ use std::path::Path;
 use std::process::Command;
 use std::{env, fs};
 
-/// What must not be there: by function, how often which.
+/// Forbidden instructions: for each function and name, the number of occurrences.
 type Found = BTreeMap<(String, String), usize>;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -41,13 +41,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     if failed.is_empty() { Ok(()) } else { Err(failed.join("; ").into()) }
 }
 
-/// The assembly of the library, with all that it uses.
+/// The assembly of the library, with everything that it uses.
 fn assembly(target: Option<&str>, features: &str, level: &str) -> Result<String, Box<dyn Error>> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/bare");
     fs::create_dir_all(&folder)?;
     let file = folder.join("bare.s");
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    // The profile of tests, made that of a release: so that macros are not built once more.
+    // The profile of tests with the settings of a release, so that macros are not rebuilt.
     cargo.args(["rustc", "--quiet", "--package", "reuleaux-bare", "--lib", "--crate-type", "staticlib", "--features", features]);
     let level = format!("opt-level={level}");
     let release = ["debug=false", "debug-assertions=false", "overflow-checks=false", "incremental=false"];
@@ -57,10 +57,10 @@ fn assembly(target: Option<&str>, features: &str, level: &str) -> Result<String,
     if let Some(target) = target {
         cargo.args(["--target", target]);
     }
-    // Cargo does not know of this file, and would not write it again.
+    // Cargo does not track the assembly file; a new `cfg` makes rustc write it again.
     let run = std::process::id();
     cargo.args(["--", &format!("--emit=asm={}", file.display()), "--cfg", &format!("run=\"{run}\""), "--allow", "unexpected_cfgs"]);
-    // What is built around this says how that is built.
+    // Flags of an outer build do not apply here.
     cargo.env_remove("RUSTFLAGS").env_remove("CARGO_ENCODED_RUSTFLAGS");
     if !cargo.status()?.success() {
         return Err(format!("it was not built with {features}").into());
@@ -68,7 +68,7 @@ fn assembly(target: Option<&str>, features: &str, level: &str) -> Result<String,
     Ok(fs::read_to_string(file)?)
 }
 
-/// What `is_bad` names in the instructions of each function.
+/// Counts the instructions of each function that `is_bad` names.
 fn look(assembly: &str, is_bad: fn(&str) -> Option<&str>) -> Found {
     let mut function = "";
     let mut found = Found::new();
@@ -86,18 +86,18 @@ fn look(assembly: &str, is_bad: fn(&str) -> Option<&str>) -> Found {
     found
 }
 
-/// What an instruction calls that panics.
+/// The panicking function that an instruction calls, if any.
 fn panics(instruction: &str) -> Option<&str> {
     let operand = instruction.split_whitespace().nth(1)?;
     ["9panicking", "rust_begin_unwind"].iter().any(|name| operand.contains(name)).then_some(operand)
 }
 
-/// What an instruction does with doubles: computes, compares or converts. They may be moved: eight bytes are eight bytes.
+/// The arithmetic, comparison or conversion of doubles in an instruction, if any. Moves of eight bytes are allowed.
 fn doubles(instruction: &str) -> Option<&str> {
     let mut words = instruction.split_whitespace();
     let (name, operand) = (words.next()?, words.next().unwrap_or(""));
     let of_arm = operand.strip_prefix("__aeabi_").filter(|routine| {
-        // Those that begin with c compare.
+        // Routines that begin with c are comparisons.
         let routine = routine.trim_start_matches('c');
         routine.starts_with('d') && !routine.starts_with("div") || routine.ends_with("2d")
     });
@@ -111,7 +111,7 @@ fn doubles(instruction: &str) -> Option<&str> {
     (is_x86 || is_arm).then_some(name)
 }
 
-/// There are products of numbers.
+/// True if the assembly contains multiplications.
 fn computes(assembly: &str) -> bool {
     ["mulss", "mulsd", "vmul.f32", "__aeabi_dmul"].iter().any(|name| assembly.contains(name))
 }

@@ -1,12 +1,12 @@
-//! Mechanisms whose loops do not come apart: blocks of two to twelve unknowns.
+//! Mechanisms with loops that cannot be solved separately: blocks of two to twelve unknowns.
 //!
 //! ```text
 //!      C       C       C
-//!   A══╧══B═A══╧══B═A══╧══B      plates pinned in a row, one rod more than needs be to hang each on, and two at the ends;
+//!   A══╧══B═A══╧══B═A══╧══B      plates pinned in a row: one rod for each plate, and one at either end;
 //!   │  │       │       │  │      the first rod stands on a crank
 //! ```
 //!
-//! Rods are distances, so that the first place and all angles of the plates are found together: plates + 2 unknowns.
+//! Rods are distances, so that the first position and all angles of the plates are solved together: plates + 2 unknowns.
 
 use crate::declared;
 
@@ -39,7 +39,7 @@ declared! {
         drive motor = drive_angle(crank, 0.4 + 1rad_s * t);
     }
 }
-/// Plates in a row: the first rod stands on the crank, one hangs on each plate, given with its place in ground, and one on the end.
+/// Plates in a row: the first rod stands on the crank, one hangs on each plate, given with its pivot in ground, and one on the end.
 macro_rules! plates {
     (
         $(#[$doc:meta])*
@@ -120,7 +120,7 @@ plates! {
     end: rod_12 = 1.641 at (8.8, -1.3)
 }
 declared! {
-    /// A plate on three bars, one of them standing on a crank: Stephenson's third linkage driven where it does not come apart.
+    /// A plate on three bars, one on a crank: Stephenson's third linkage, driven so that its loops cannot be solved separately.
     Triad (bar_1_length: Length = 1.3, bar_2_length: Length = 1.5, bar_3_length: Length = 1.5) {
         ground { point O = (-0.5, -1.5);  point G2 = (1.2, -1.1);  point G3 = (1.5, -1.3); }
         body crank { point O = (0, 0);  point T = (0.1, 0); }

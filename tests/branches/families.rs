@@ -1,5 +1,5 @@
-//! Mechanisms whose loops have many assemblies, several of them with the same sign of their determinant, with random geometries and
-//! laws: the declaration, and the same loop as distances.
+//! Mechanisms whose loops have many assemblies, several of them with the same sign of the determinant, with random dimensions and laws:
+//! as a declaration, and as a loop of distances.
 
 use fastrand::Rng;
 use reuleaux::nalgebra::SVector;
@@ -126,36 +126,36 @@ mechanism! {
     }
 }
 
-/// A mechanism and its loop.
+/// A mechanism and its loop of distances.
 #[derive(Clone, Debug)]
 pub struct Sample<M, const N: usize> {
     /// The mechanism.
     pub mechanism: M,
-    /// The same as distances.
+    /// The loop as distances.
     pub distances: Loop<2, 4>,
-    /// Where the loop is at t = 0.
+    /// Position of the loop at t = 0.
     pub start: Place<2>,
-    /// The same in the mechanism's coordinates.
+    /// The same position in the mechanism's coordinates.
     pub guess: SVector<f64, N>,
-    /// The bodies whose angles are those of `distances.arms`.
+    /// Bodies whose angles are those of `distances.arms`.
     pub bodies: Vec<String>,
-    /// The bodies whose origins are these.
+    /// Bodies with origins at the ends of these vectors.
     pub origins: Vec<(String, Way<2>)>,
 }
 
-/// Mechanisms of one shape.
+/// Mechanisms of one topology.
 pub trait Family<const N: usize>: Mechanism<f64, N> + Sized + Clone + std::fmt::Debug {
-    /// What they are called.
+    /// Name of the family.
     const TITLE: &'static str;
 
-    /// Any of them; None where the numbers that came up make none.
+    /// A random mechanism; None if the random numbers give none that closes.
     fn random(random: &mut Rng) -> Option<Sample<Self, N>>;
 }
 
 const ONE: Complex = complex(1.0, 0.0);
 const NONE: Complex = complex(0.0, 0.0);
 
-/// Lengths are those of a machine on a table, in m.
+/// Shortest length, in m; lengths are those of a small machine.
 const SHORTEST: f64 = 0.02;
 
 fn between(random: &mut Rng, least: f64, most: f64) -> f64 {
@@ -170,7 +170,7 @@ fn angle(random: &mut Rng) -> f64 {
     between(random, -PI, PI)
 }
 
-/// A swing about a value, or turns.
+/// Law of an angle that oscillates or increases steadily.
 fn turning(random: &mut Rng) -> Law {
     let constant = angle(random);
     match random.u8(0..3) {
@@ -183,7 +183,7 @@ fn turning(random: &mut Rng) -> Law {
     }
 }
 
-/// A length that is `now` at t = 0.
+/// Law of a length that is `now` at t = 0.
 fn stroke(random: &mut Rng, now: f64) -> Law {
     let amplitude = between(random, 0.05, 0.9) * now.min(0.3);
     let phase = if random.bool() { 0.0 } else { angle(random) };
@@ -195,14 +195,14 @@ fn led(random: &mut Rng, size: f64) -> Led {
     Led { pivot: point(random, size), arm: between(random, 0.03, 0.25), angle: turning(random) }
 }
 
-/// A body that is turned only: |z_k| is what it is.
+/// The condition that the arm z_k of a rotating body keeps its length.
 fn turned(index: usize, size: f64) -> Bar<2> {
     let mut factors = [NONE; 2];
     factors[index] = ONE;
     Bar { way: Way { factors, from: Led::default(), to: Led::default() }, length: Law::fixed(size) }
 }
 
-/// The plate of three points: z₀ its place, z₁ its turn times the greatest distance of a point.
+/// A plate with three points: z₀ is its position, z₁ its direction times the greatest distance of a point.
 struct Plate {
     points: [Complex; 3],
     size: f64,
@@ -218,7 +218,7 @@ impl Plate {
         Self { points, size, z: [point(random, 0.25), Complex::polar(size, turn)], turn }
     }
 
-    /// From a led point to one of the three.
+    /// Vector from a driven point to a point of the plate.
     fn way(&self, from: Led, index: usize) -> Way<2> {
         Way { factors: [ONE, self.points[index].times(1.0 / self.size)], from, to: Led::default() }
     }
@@ -231,7 +231,7 @@ impl Plate {
         Way { factors: [ONE, NONE], from: Led::default(), to: Led::default() }
     }
 
-    /// A plate whose points have these distances from led points.
+    /// A plate whose points have these distances from driven points.
     fn on(&self, lengths: [Law; 3], feet: [Led; 3]) -> Loop<2, 4> {
         let bar = |i: usize| Bar { way: self.way(feet[i], i), length: lengths[i] };
         let bars = [bar(0), bar(1), bar(2), turned(1, self.size)];
@@ -239,7 +239,7 @@ impl Plate {
     }
 }
 
-/// A vector of coordinates from the places of bodies.
+/// A vector of coordinates from the positions and angles of bodies.
 fn coordinates<M: Mechanism<f64, N>, const N: usize>(bodies: &[(String, Complex, f64)]) -> SVector<f64, N> {
     let mut q = SVector::zeros();
     for (body, origin, angle) in bodies {
@@ -253,7 +253,7 @@ fn coordinates<M: Mechanism<f64, N>, const N: usize>(bodies: &[(String, Complex,
 /// The index of a coordinate in q.
 ///
 /// # Panics
-/// Where there is none.
+/// If there is none.
 #[must_use]
 pub fn index<M: Mechanism<f64, N>, const N: usize>(body: &str, name: &str) -> usize {
     let is_meant = |coordinate: &reuleaux::Coordinate| coordinate.body == body && coordinate.name == name;
@@ -372,7 +372,7 @@ impl Family<18> for Fourth {
         let sizes = points.map(|[one, two]| one.abs().max(two.abs()));
         let turns = [0; 2].map(|_| angle(random));
         let z = [0, 1].map(|i| Complex::polar(sizes[i], turns[i]));
-        // From a point of the first triangle to one of the second.
+        // From a point of the first triangle to a point of the second.
         let ways = [0, 1].map(|j| {
             let part = |i: usize| points[i][j].times(1.0 / sizes[i]);
             Way { factors: [part(0).times(-1.0), part(1)], from: feet[0], to: feet[1] }

@@ -1,4 +1,4 @@
-//! Whether a step stays on its branch: random steps of random sizes against continuation with proof.
+//! Verification that steps stay on their branch: random steps of random sizes, compared with continuation with proof.
 
 pub mod families;
 pub mod track;
@@ -10,48 +10,48 @@ use reuleaux::nalgebra::SVector;
 use families::{Family, Sample, index};
 use track::{End, Place};
 
-/// What became of random steps.
+/// Results of random steps.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
-    /// Mechanisms.
+    /// Number of mechanisms.
     pub mechanisms: usize,
-    /// Those of which not even the start was found, from a guess that is exact.
+    /// Mechanisms whose start was not found, although the guess was exact.
     pub lost: usize,
-    /// Steps tried.
+    /// Number of steps tried.
     pub steps: usize,
-    /// Made, and right.
+    /// Successful steps with the right result.
     pub right: usize,
-    /// Not made, and there is no way.
+    /// Failed steps, where the branch ends.
     pub ended: usize,
-    /// Not judged: the branch passes nearer to a singular place than doubles tell.
+    /// Undecided steps: the branch passes closer to a singular position than doubles resolve.
     pub unclear: usize,
-    /// Made, and on another branch, or on another turn, or where there is none.
+    /// Successful steps to another branch or another turn, or beyond the end of the branch.
     pub jumps: Vec<String>,
-    /// Made, on the right branch, and off by more than rounding.
+    /// Successful steps on the right branch, with an error beyond rounding.
     pub off: Vec<String>,
-    /// Not made, though there is a way.
+    /// Failed steps, although the branch continues.
     pub refused: Vec<String>,
 }
 
 impl Tally {
-    /// No jump, no wrong digit, every start found, and no more than one step in `most` refused that there is a way for.
+    /// True if there is no jump, no wrong digit and no lost start, and at most one step in `most` failed although the branch continues.
     #[must_use]
     pub fn is_good(&self, most: usize) -> bool {
         self.jumps.is_empty() && self.off.is_empty() && self.lost == 0 && self.refused.len() * most <= self.steps
     }
 }
 
-/// Where a sample is, in the coordinates that are compared.
+/// Indices of the coordinates that are compared.
 struct Watched<M, const N: usize> {
     angles: Vec<usize>,
     origins: Vec<[usize; 2]>,
     family: std::marker::PhantomData<M>,
 }
 
-/// An error that rounding explains is no larger than this many ε by the size over the clearance.
+/// Largest rounding error, in ε times the size over the clearance.
 const ROUNDINGS: f64 = 1e4;
 
-/// A branch that comes so near to another is not judged: the size over this.
+/// Steps are not judged if another branch is closer than the size over this.
 const NARROW: f64 = 1e7;
 
 impl<M: Family<N>, const N: usize> Watched<M, N> {
@@ -62,7 +62,7 @@ impl<M: Family<N>, const N: usize> Watched<M, N> {
         Self { angles, origins, family: std::marker::PhantomData }
     }
 
-    /// The largest differences of positions (rad, m) and of rates.
+    /// Largest differences of positions (rad, m) and of rates.
     fn difference(&self, sample: &Sample<M, N>, state: &State<f64, N>, place: &Place<2>) -> [f64; 2] {
         let distances = &sample.distances;
         let rates = distances.rates(&place.z, place.t).unwrap_or_default();
@@ -85,7 +85,7 @@ impl<M: Family<N>, const N: usize> Watched<M, N> {
     }
 }
 
-/// Takes random steps with mechanisms of a family until there are this many.
+/// Takes random steps with mechanisms of a family until this number is reached.
 pub fn try_steps<M: Family<N>, const N: usize>(random: &mut Rng, steps: usize, tally: &mut Tally) {
     let limit = tally.steps + steps;
     while tally.steps < limit {
@@ -96,7 +96,7 @@ pub fn try_steps<M: Family<N>, const N: usize>(random: &mut Rng, steps: usize, t
     }
 }
 
-/// Steps with one mechanism.
+/// Number of steps with one mechanism.
 const STEPS: usize = 40;
 
 fn try_sample<M: Family<N>, const N: usize>(sample: &Sample<M, N>, seed: u64, random: &mut Rng, tally: &mut Tally) {
@@ -109,7 +109,7 @@ fn try_sample<M: Family<N>, const N: usize>(sample: &Sample<M, N>, seed: u64, ra
     };
     for _ in 0..STEPS {
         tally.steps += 1;
-        // Steps from a ten-thousandth of a period to half of one.
+        // Steps between a ten-thousandth of a period and half a period.
         let size = (1e-4_f64.ln() + random.f64() * (0.5_f64 / 1e-4).ln()).exp();
         let h = if random.bool() { size } else { -size };
         let t = state.t + h;
@@ -125,7 +125,7 @@ fn try_sample<M: Family<N>, const N: usize>(sample: &Sample<M, N>, seed: u64, ra
             (Err(_), End::There { clearance, .. }) if clearance * NARROW < 1.0 => tally.unclear += 1,
             (Err(failure), End::There { place: reached, clearance }) => {
                 tally.refused.push(format!("{}, clearance {clearance:.1e}: {failure}", label()));
-                // From there on.
+                // Continues from the proven position.
                 if let Some(found) = resumed(sample, &watched, &reached) {
                     (state, place) = (found, reached);
                 }
@@ -152,7 +152,7 @@ fn try_sample<M: Family<N>, const N: usize>(sample: &Sample<M, N>, seed: u64, ra
     }
 }
 
-/// A state at a place that is known.
+/// A solved state at a known position.
 fn resumed<M: Family<N>, const N: usize>(sample: &Sample<M, N>, watched: &Watched<M, N>, place: &Place<2>) -> Option<State<f64, N>> {
     let mut guess = sample.guess;
     for (&i, angle) in watched.angles.iter().zip(&place.angles) {

@@ -1,7 +1,7 @@
-//! Loops followed along their branch with proof, from distances alone.
+//! Continuation of loops along their branch with proof, from distances alone.
 //!
-//! A loop is written in complex numbers: its unknowns are turned arms and places z₁ … zₙ, its equations distances between points
-//! that are sums of them. Nothing here knows bodies, angles of q, or expressions of the compiler.
+//! A loop is written in complex numbers: its unknowns z₁ … zₙ are rotating arms and positions, its equations are distances between points
+//! that are sums of these. Nothing here uses bodies, angles of q, or expressions of the compiler.
 //!
 //! ```text
 //! Fⱼ(z, t) = |Σ e_jk z_k + b_j(t)|² − L_j(t)²,    j = 1 … 2n
@@ -14,8 +14,8 @@
 //! η ≥ ‖J⁻¹ F(z(t), t)‖      δ ≥ ‖J⁻¹ (F_z(z(t), t) − J)‖      ω ≥ ‖J⁻¹ (F_z(x, t) − F_z(y, t))‖ / ‖x − y‖
 //! ```
 //!
-//! there is, where (1 − δ)² > 2 ω η, for each such t exactly one solution within (1 − δ) / ω of z(t), and it depends on t
-//! continuously: the solution at the end of the step is on the branch. Steps are as long as this proof reaches.
+//! if (1 − δ)² > 2 ω η, there is exactly one solution within (1 − δ) / ω of z(t) for each such t, and it depends on t continuously: the
+//! solution at the end of the step is on the branch. Steps are as long as this proof permits.
 
 /// A complex number.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -51,7 +51,7 @@ impl Complex {
         self.y.atan2(self.x)
     }
 
-    /// The product with a real number.
+    /// Product with a real number.
     #[must_use]
     pub fn times(self, factor: f64) -> Self {
         complex(factor * self.x, factor * self.y)
@@ -103,43 +103,43 @@ pub struct Law {
 }
 
 impl Law {
-    /// A law that does not change.
+    /// A constant law.
     #[must_use]
     pub fn fixed(constant: f64) -> Self {
         Self { constant, ..Self::default() }
     }
 
-    /// Its value at t.
+    /// Value at t.
     #[must_use]
     pub fn value(&self, t: f64) -> f64 {
         self.constant + self.rate * t + self.amplitude * (self.frequency * t + self.phase).sin()
     }
 
-    /// Its rate at t.
+    /// Rate at t.
     #[must_use]
     pub fn rate(&self, t: f64) -> f64 {
         self.rate + self.amplitude * self.frequency * (self.frequency * t + self.phase).cos()
     }
 
-    /// A bound of its rate at times at most h from t.
+    /// Bound of the rate at times at most h from t.
     fn fastest(&self, t: f64, h: f64) -> f64 {
         (self.rate(t).abs() + h * self.most()).min(self.rate.abs() + (self.amplitude * self.frequency).abs())
     }
 
-    /// A bound of its second rate.
+    /// Bound of the second derivative.
     fn most(&self) -> f64 {
         self.amplitude.abs() * self.frequency * self.frequency
     }
 }
 
-/// A point that is led: a fixed pivot, and a driven arm about it.
+/// A driven point: the end of a driven arm on a fixed pivot.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Led {
     /// The pivot.
     pub pivot: Complex,
     /// Length of the arm.
     pub arm: f64,
-    /// Its angle.
+    /// Angle of the arm.
     pub angle: Law,
 }
 
@@ -150,7 +150,7 @@ impl Led {
         Self { pivot, ..Self::default() }
     }
 
-    /// Where it is.
+    /// Position at t.
     #[must_use]
     pub fn at(&self, t: f64) -> Complex {
         self.pivot + Complex::polar(self.arm, self.angle.value(t))
@@ -160,32 +160,32 @@ impl Led {
         Complex::polar(self.arm, self.angle.value(t)) * complex(0.0, self.angle.rate(t))
     }
 
-    /// A bound of its acceleration at times at most h from t.
+    /// Bound of the acceleration at times at most h from t.
     fn most(&self, t: f64, h: f64) -> f64 {
         self.arm.abs() * (self.angle.fastest(t, h).powi(2) + self.angle.most())
     }
 }
 
-/// Σ e_k z_k + `to` − `from`, the way from one point to another.
+/// Σ e_k z_k + `to` − `from`, the vector from one point to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Way<const UNKNOWNS: usize> {
     /// e
     pub factors: [Complex; UNKNOWNS],
-    /// A led point it starts from.
+    /// Driven point at the start.
     pub from: Led,
-    /// A led point it ends at.
+    /// Driven point at the end.
     pub to: Led,
 }
 
 impl<const UNKNOWNS: usize> Way<UNKNOWNS> {
-    /// The way at a time.
+    /// The vector at a time.
     #[must_use]
     pub fn at(&self, z: &[Complex; UNKNOWNS], t: f64) -> Complex {
         let led = self.to.at(t) - self.from.at(t);
         self.factors.iter().zip(z).fold(led, |sum, (factor, unknown)| sum + *factor * *unknown)
     }
 
-    /// How it changes at a time, the unknowns changing by `rates`.
+    /// Rate of the vector at a time, for given rates of the unknowns.
     #[must_use]
     pub fn rate(&self, rates: &[Complex; UNKNOWNS], t: f64) -> Complex {
         let led = self.to.rate(t) - self.from.rate(t);
@@ -198,10 +198,10 @@ impl<const UNKNOWNS: usize> Way<UNKNOWNS> {
     }
 }
 
-/// A way of given length.
+/// A vector of given length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bar<const UNKNOWNS: usize> {
-    /// The way.
+    /// The vector.
     pub way: Way<UNKNOWNS>,
     /// Its length.
     pub length: Law,
@@ -212,14 +212,14 @@ pub struct Bar<const UNKNOWNS: usize> {
 pub struct Loop<const UNKNOWNS: usize, const ROWS: usize> {
     /// The bars.
     pub bars: [Bar<UNKNOWNS>; ROWS],
-    /// What is watched for whole turns.
+    /// Vectors whose angles are tracked over whole turns.
     pub arms: Vec<Way<UNKNOWNS>>,
 }
 
-/// Where a loop is.
+/// Position of a loop.
 #[derive(Clone, Debug)]
 pub struct Place<const UNKNOWNS: usize> {
-    /// When.
+    /// Time.
     pub t: f64,
     /// The unknowns.
     pub z: [Complex; UNKNOWNS],
@@ -227,32 +227,32 @@ pub struct Place<const UNKNOWNS: usize> {
     pub angles: Vec<f64>,
 }
 
-/// How a way in time ends.
+/// End of a continuation in time.
 #[derive(Clone, Debug)]
 pub enum End<const UNKNOWNS: usize> {
-    /// At the time asked for.
+    /// The time asked for was reached.
     There {
-        /// Where the loop is then.
+        /// Position of the loop at that time.
         place: Place<UNKNOWNS>,
-        /// The least distance, on the way, within which no other solution can be and the loop is regular.
+        /// Least radius on the path within which the solution is unique and the loop is regular.
         clearance: f64,
     },
-    /// At a singular place, or nearer to one than doubles tell.
+    /// At a singular position, or closer to one than doubles resolve.
     Singular {
-        /// When.
+        /// Time.
         t: f64,
     },
-    /// Not in a reasonable number of steps.
+    /// The limit of steps was reached.
     Unknown,
 }
 
-/// The shortest step, in s: what ends here is singular to rounding.
+/// Shortest step, in s; a branch that needs shorter ones is singular to rounding.
 const SHORTEST: f64 = 1e-15;
 
-/// More steps than any way takes that does not end.
+/// Largest number of steps.
 const MOST_STEPS: usize = 100_000;
 
-/// What is left of the proof for rounding.
+/// Fraction of the bounds that is used; the remainder covers rounding.
 const MARGIN: f64 = 0.95;
 
 type Rows<const ROWS: usize> = [[f64; ROWS]; ROWS];
@@ -281,12 +281,12 @@ impl<const UNKNOWNS: usize, const ROWS: usize> Loop<UNKNOWNS, ROWS> {
         })
     }
 
-    /// J⁻¹ at a place; None where it is singular.
+    /// J⁻¹ at a position; None if it is singular.
     fn inverse(&self, z: &[Complex; UNKNOWNS], t: f64) -> Option<Rows<ROWS>> {
         inverse(self.jacobian(z, t))
     }
 
-    /// Newton's method to the end; None where it leads nowhere.
+    /// Newton's method to convergence; None if it diverges.
     #[must_use]
     pub fn solution(&self, near: &[Complex; UNKNOWNS], t: f64) -> Option<[Complex; UNKNOWNS]> {
         let mut z = *near;
@@ -297,7 +297,7 @@ impl<const UNKNOWNS: usize, const ROWS: usize> Loop<UNKNOWNS, ROWS> {
             if !length.is_finite() {
                 return None;
             }
-            // Rounding errors do not get smaller.
+            // At the rounding limit, corrections stop decreasing.
             if length >= 0.5 * last && length <= 1e-6 * norm(&z) {
                 return Some(z);
             }
@@ -309,7 +309,7 @@ impl<const UNKNOWNS: usize, const ROWS: usize> Loop<UNKNOWNS, ROWS> {
         None
     }
 
-    /// ż: J ż = −F_t; None where J is singular.
+    /// ż from J ż = −F_t; None if J is singular.
     #[must_use]
     pub fn rates(&self, z: &[Complex; UNKNOWNS], t: f64) -> Option<[Complex; UNKNOWNS]> {
         Some(self.rates_by(&self.inverse(z, t)?, z, t))
@@ -324,18 +324,18 @@ impl<const UNKNOWNS: usize, const ROWS: usize> Loop<UNKNOWNS, ROWS> {
         applied(inverse, &rates)
     }
 
-    /// The distance within which no other solution can be.
+    /// Radius within which the solution is unique.
     #[must_use]
     pub fn clearance(&self, z: &[Complex; UNKNOWNS], t: f64) -> f64 {
         self.inverse(z, t).map_or(0.0, |inverse| 1.0 / self.curvature(&inverse))
     }
 
-    /// ω: each row of F_z changes by 2 (Σ |e_k|)² at most.
+    /// ω: each row of F_z changes by at most 2 (Σ |e_k|)².
     fn curvature(&self, inverse: &Rows<ROWS>) -> f64 {
         bound(inverse, &std::array::from_fn(|j| 2.0 * self.bars[j].way.reach().powi(2)))
     }
 
-    /// Where the arms point, near where they pointed.
+    /// Angles of the arms, unwrapped to be near those before.
     fn turned(&self, before: &[f64], z: &[Complex; UNKNOWNS], t: f64) -> Vec<f64> {
         let near = |(arm, before): (&Way<UNKNOWNS>, &f64)| {
             let angle = arm.at(z, t).angle();
@@ -344,13 +344,13 @@ impl<const UNKNOWNS: usize, const ROWS: usize> Loop<UNKNOWNS, ROWS> {
         self.arms.iter().zip(before).map(near).collect()
     }
 
-    /// A place of which the unknowns are known.
+    /// A position with known unknowns.
     #[must_use]
     pub fn place(&self, z: [Complex; UNKNOWNS], t: f64) -> Place<UNKNOWNS> {
         Place { t, z, angles: self.arms.iter().map(|arm| arm.at(&z, t).angle()).collect() }
     }
 
-    /// Follows the branch from a place to a time.
+    /// Follows the branch from a position to a time.
     #[must_use]
     pub fn follow(&self, from: &Place<UNKNOWNS>, t: f64) -> End<UNKNOWNS> {
         let mut here = from.clone();
@@ -379,12 +379,12 @@ impl<const UNKNOWNS: usize, const ROWS: usize> Loop<UNKNOWNS, ROWS> {
         End::Unknown
     }
 
-    /// One step, if there is a proof for it.
+    /// One step, if it can be proven.
     fn step(&self, here: &Place<UNKNOWNS>, rates: &[Complex; UNKNOWNS], inverse: &Rows<ROWS>, t: f64) -> Option<Place<UNKNOWNS>> {
         let h = (t - here.t).abs();
         let (mut gaps, mut slopes) = ([0.0; ROWS], [0.0; ROWS]);
         for (j, Bar { way, length }) in self.bars.iter().enumerate() {
-            // F along z₀ + s ż, by what is left of it and of its rate at s = 0, and by a bound of its second rate.
+            // F along z₀ + s ż, from its value and its rate at s = 0 and a bound of its second derivative.
             let (place, rate) = (way.at(&here.z, here.t), way.rate(rates, here.t));
             let (now, change) = (length.value(here.t), length.rate(here.t));
             let left = (place.abs() - now) * (place.abs() + now);
@@ -408,7 +408,7 @@ impl<const UNKNOWNS: usize, const ROWS: usize> Loop<UNKNOWNS, ROWS> {
     }
 }
 
-/// The largest part of J⁻¹ times anything whose entries are at most these.
+/// Largest magnitude of J⁻¹ b over all b with entries up to these.
 fn bound<const ROWS: usize>(inverse: &Rows<ROWS>, most: &[f64; ROWS]) -> f64 {
     let part = |k: usize| (0..ROWS).map(|j| inverse[2 * k][j].hypot(inverse[2 * k + 1][j]) * most[j]).sum::<f64>();
     (0..ROWS / 2).map(part).fold(0.0, f64::max)
@@ -420,12 +420,12 @@ fn applied<const UNKNOWNS: usize, const ROWS: usize>(inverse: &Rows<ROWS>, vecto
     std::array::from_fn(|k| complex(entry(2 * k), entry(2 * k + 1)))
 }
 
-/// The largest magnitude.
+/// Largest magnitude.
 fn norm<const UNKNOWNS: usize>(z: &[Complex; UNKNOWNS]) -> f64 {
     z.iter().map(|part| part.square()).fold(0.0, f64::max).sqrt()
 }
 
-/// By elimination with the largest pivot of each column.
+/// Inverse by elimination with column pivoting.
 fn inverse<const ROWS: usize>(mut matrix: Rows<ROWS>) -> Option<Rows<ROWS>> {
     let mut inverse: Rows<ROWS> = std::array::from_fn(|i| std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 }));
     for column in 0..ROWS {

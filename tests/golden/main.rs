@@ -1,6 +1,6 @@
-//! What a declaration is compiled to, as formatted Rust that is reviewed like code.
+//! Golden expansions of declarations: formatted Rust that is reviewed as code.
 //!
-//! After a change that is meant, `REULEAUX_GOLDEN=write cargo test --test golden` writes the files anew.
+//! After an intended change, `REULEAUX_GOLDEN=write cargo test --test golden` rewrites the files.
 
 mod size;
 

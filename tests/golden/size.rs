@@ -1,11 +1,11 @@
-//! Generated code stays as short as a person would write it: so many lines, as `rustfmt` sets them by itself.
+//! Generated code stays about as short as hand-written code, counted in lines as formatted by `rustfmt`.
 
 use std::fs;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// The most lines that the mechanism of an example may be compiled to.
+/// Largest number of lines to which the mechanism of an example may be compiled.
 const MOST: [(&str, usize); 3] = [("four_bar", 800), ("jansen_leg", 1500), ("walker", 6500)];
 
 /// The tokens of the first `mechanism!` in an example.
@@ -19,7 +19,7 @@ fn declaration(example: &str) -> String {
     file.items.into_iter().find_map(declared).expect("an example declares a mechanism")
 }
 
-/// The code as `rustfmt` has it where nothing else is configured.
+/// The code as formatted by `rustfmt` with its default configuration.
 fn formatted(code: &str) -> String {
     let mut rustfmt = Command::new("rustfmt")
         .args(["--edition", "2024", "--config", "max_width=100"])

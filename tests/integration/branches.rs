@@ -1,4 +1,4 @@
-//! The assembly that was declared is kept, however far times and parameters are from where they began.
+//! The declared assembly is kept, however far times and parameters are from the start.
 
 use reuleaux::mechanism;
 use reuleaux_tests::branches::families::{Cylinders, Family, Fourth, Platform, Stephenson};
@@ -44,7 +44,7 @@ fn long_steps_come_to_the_same_turn() {
     let mut random = fastrand::Rng::with_seed(7);
     let mut state = mechanism.solve(0.0).expect("an assembly");
     for _ in 0..300 {
-        // Anything up to a hundred turns ahead or back, and exact numbers of turns, which look as if nothing had moved.
+        // Up to a hundred turns forwards or backwards, and exact numbers of turns, at which the crank seems not to have moved.
         let t = if random.bool() { random.f64() * 200.0 - 100.0 } else { f64::from(random.i32(-100..100)) };
         state = mechanism.solve_from(t, &state).expect("a Grashof crank turns for ever");
         let angle = rocker_angle(&mechanism, TAU * t);
@@ -75,7 +75,7 @@ fn other_lengths_keep_the_declared_assembly() {
         let reach = (mechanism.base - crank_length).abs();
         let closes =
             reach < 0.999 * (coupler_length + mechanism.rocker_length) && reach > 1.001 * (coupler_length - mechanism.rocker_length).abs();
-        // Where the base is shorter than the crank, the way there leads through a fold or round it.
+        // If the base is shorter than the crank, the path of parameters leads through a fold or around it.
         if !closes || mechanism.base < crank_length {
             continue;
         }
@@ -87,7 +87,7 @@ fn other_lengths_keep_the_declared_assembly() {
     assert!(solved > 500, "{solved} of the random linkages close");
 }
 
-/// So few steps on loops with several assemblies of each sign; `benches/branches.rs` takes many.
+/// A few steps on loops with several assemblies of each sign; `benches/branches.rs` takes many.
 fn no_step_leaves_its_branch<M: Family<N>, const N: usize>() {
     let mut tally = Tally::default();
     try_steps::<M, N>(&mut fastrand::Rng::with_seed(23), 160, &mut tally);

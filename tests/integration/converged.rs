@@ -1,4 +1,4 @@
-//! Near places where two assemblies meet Newton's method only halves the error for a while: what is handed out has converged all the same.
+//! Near positions where two assemblies meet, Newton's method at first only halves the error; returned states have converged all the same.
 
 use std::f64::consts::PI;
 
@@ -28,11 +28,11 @@ mechanism! {
     }
 }
 
-/// The arm's angle is π less 2 asin(d / 2), its rate 1 / √(1 − d²/4) /s, towards π.
+/// The arm's angle is π − 2 asin(d / 2), its rate 1 / √(1 − d²/4) per second, towards π.
 fn rocker_is_right(t: f64, rate: f64) {
     let d = 0.1 - t;
     let right = 1.0 / (1.0 - d * d / 4.0).sqrt();
-    // An angle near π has half a rounding of π, which is felt in the rate as a share of what is left to π.
+    // An angle near π is rounded to half an ulp of π; relative to its distance from π, this error enters the rate.
     let allowed = 1e-14 + 4.0 * f64::EPSILON * PI / d;
     assert!((rate.abs() - right).abs() <= allowed, "at {t}: {rate} instead of {right}, {allowed:.1e} allowed");
 }
@@ -60,7 +60,7 @@ fn an_arm_close_to_its_fold_has_its_rate() {
     }
 }
 
-/// Whatever the way to a place, its condition is the same.
+/// The condition of a state does not depend on the path to it.
 #[test]
 fn a_condition_is_that_of_its_place() {
     let rocker = Rocker::default();
@@ -95,7 +95,7 @@ fn a_stage_of_nanometres_is_right_to_its_own_size() {
 }
 
 mechanism! {
-    /// Two bars that are almost stretched.
+    /// Two bars that are nearly in line.
     mechanism Toggle {
         param one_length: Length = 1m;
         param other_length: Length = 1m;
@@ -112,7 +112,7 @@ mechanism! {
     }
 }
 
-/// The rate of the first bar by the law of cosines: sin θ by Heron's formula, in which only a + b − x cancels, and that is exact.
+/// Rate of the first bar by the law of cosines: sin θ by Heron's formula, in which only a + b − x cancels, and this difference is exact.
 fn rate_of_toggle([a, b, x]: [f64; 3]) -> f64 {
     let sum = a + b;
     let rest = (a - (sum - (sum - a))) + (b - (sum - a));
@@ -122,8 +122,8 @@ fn rate_of_toggle([a, b, x]: [f64; 3]) -> f64 {
     (x - a * cosine) / (a * x * sine)
 }
 
-/// A toggle closer and closer to stretched: down to a gap of 1e-14 its rate is found, and where it is handed out below that, it is not off
-/// by more than a quarter.
+/// A toggle ever closer to its stretched position: its rate is found down to a gap of 1e-14; below that, if a state is returned, the
+/// error of its rate is at most a quarter.
 #[test]
 fn a_toggle_has_its_rate_or_none() {
     let mut random = fastrand::Rng::with_seed(10);

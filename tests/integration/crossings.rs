@@ -1,4 +1,4 @@
-//! Positions where two branches of a mechanism cross: it could go on as either, and goes on as the one that is smooth.
+//! Change points, where two branches of a mechanism cross: it continues on the smooth branch.
 
 use std::f64::consts::{PI, TAU};
 
@@ -6,7 +6,7 @@ use reuleaux::nalgebra::SVector;
 use reuleaux::{Cause, Equations, Failure, Mechanism, Motion, State, mechanism};
 
 mechanism! {
-    /// A parallelogram; when its links are in line it could go on as an antiparallelogram.
+    /// A parallelogram; when its links are in line, the antiparallelogram crosses.
     mechanism Parallelogram {
         param start: Angle = 61deg;
         ground { point A = (0m, 0m);  point B = (2m, 0m); }
@@ -22,7 +22,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Crank and rod are equally long; when the piston passes the axle it could stay there.
+    /// A slider-crank with equal crank and rod; when the piston passes the axle, it could also stay there.
     mechanism Isosceles {
         ground { axis way = (1, 0); }
         body crank  { point A = (50mm, 0mm); }
@@ -36,7 +36,7 @@ mechanism! {
     }
 }
 
-/// In however many steps, and by `solve`, it goes on smoothly at the crossing and behind it.
+/// In any number of steps, and by `solve`, the motion is smooth at the crossing and beyond it.
 fn passes<M: Mechanism<f64, 9>>(mechanism: &M, crossing: f64, end: f64, is_right: impl Fn(&State<f64, 9>) -> bool) {
     for steps in (2..=60).chain([200, 400, 1000, 2000, 5000]) {
         for state in mechanism.sweep((0..=steps).map(|step| end * f64::from(step) / f64::from(steps))) {
@@ -57,7 +57,7 @@ fn passes<M: Mechanism<f64, 9>>(mechanism: &M, crossing: f64, end: f64, is_right
     }
 }
 
-/// Its rod does not turn, and the rocker goes with the crank.
+/// The rod does not rotate, and the rocker turns with the crank.
 #[test]
 fn a_parallelogram_stays_one() {
     passes(&Parallelogram::default(), 119.0 / 60.0, 4.0, |state| {
@@ -72,7 +72,7 @@ fn a_parallelogram_stays_one() {
     });
 }
 
-/// The piston goes through, at 2 a cos φ.
+/// The piston passes through, at 2 a cos φ.
 #[test]
 fn a_piston_passes_the_axle() {
     passes(&Isosceles::default(), 59.0 / 60.0, 2.0, |state| {
@@ -85,7 +85,7 @@ fn a_piston_passes_the_axle() {
     });
 }
 
-/// At the crossing itself accelerations keep ten digits.
+/// At the crossing itself, accelerations keep ten digits.
 #[test]
 fn the_crossing_itself_is_a_state() {
     let parallelogram = Parallelogram { start: 60f64.to_radians() };
@@ -102,7 +102,7 @@ fn the_crossing_itself_is_a_state() {
 }
 
 mechanism! {
-    /// Wheels in a row, each coupled to the next: as many parallelograms one after the other.
+    /// Wheels in a row, each coupled to the next by a parallelogram.
     mechanism Wheels {
         let rods = 5;
         for i in 0..=rods {
@@ -119,7 +119,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A scissor lift whose foot is pushed through under its other foot: all of its arms then stand upright, and two signs change at once.
+    /// A scissor lift whose foot passes below its other foot: all arms are upright at once, and two signs change together.
     mechanism Scissors {
         param arm: Length = 800mm;
         let stages = 3;
@@ -140,7 +140,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// One stage of it.
+    /// One stage of the lift.
     mechanism Scissor {
         ground { axis floor = (1, 0); }
         body rising  { point m = (400mm, 0mm);  point b = (800mm, 0mm);  start angle = 20deg; }
@@ -152,7 +152,7 @@ mechanism! {
     }
 }
 
-/// Around a crossing every equation holds to rounding, and so do those of velocities and accelerations as far as the condition allows.
+/// Around a crossing every equation of position holds to rounding, and those of velocity and acceleration as far as the condition allows.
 fn holds_around<M, const N: usize>(mechanism: &M, crossing: f64)
 where
     M: Mechanism<f64, N> + Equations<f64, N, N>,
@@ -177,7 +177,7 @@ fn equations_hold_around_crossings_of_several_blocks() {
     holds_around(&Isosceles::default(), 59.0 / 60.0);
 }
 
-/// However the steps fall, the arms turn evenly through the upright: the foot is at C, which becomes negative.
+/// With any steps, the arms turn uniformly through the upright position: the distance from the foot to C changes its sign.
 #[test]
 fn a_scissor_passes_the_upright_in_however_many_steps() {
     for steps in [7, 10, 100, 1000, 1001] {
@@ -190,7 +190,7 @@ fn a_scissor_passes_the_upright_in_however_many_steps() {
 }
 
 mechanism! {
-    /// Nearly a parallelogram: its rocker is longer or shorter by a little.
+    /// Nearly a parallelogram, with a rocker slightly longer or shorter.
     mechanism Nearly {
         param more: Length = 0mm;
         ground { point A = (0m, 0m);  point B = (2m, 0m); }
@@ -205,8 +205,8 @@ mechanism! {
     }
 }
 
-/// The angle of the rocker of `Nearly` by plane geometry: of the triangle of its pivot, its pin and the pin of the crank, on the side on
-/// which the rod crosses the line of the pivots.
+/// Angle of the rocker of `Nearly` by plane geometry: from the triangle of its pivot, its pin and the crank pin, on the side on which the
+/// rod crosses the line of the pivots.
 fn crossed(crank: f64, more: f64) -> f64 {
     let (x, y) = (0.5 * crank.cos() - 2.0, 0.5 * crank.sin());
     let (distance, rocker) = (x.hypot(y), 0.5 + more);
@@ -214,8 +214,8 @@ fn crossed(crank: f64, more: f64) -> f64 {
     y.atan2(x) - inner + TAU
 }
 
-/// Where branches come near to each other and do not meet, none is left: a crank that is longer stops, a shorter one turns the rocker
-/// back. Four roundings of a length are enough to tell.
+/// If two branches come close but do not meet, the motion stays on its branch: with a longer crank it ends, with a shorter crank the
+/// rocker turns back. A difference of four roundings of a length suffices.
 #[test]
 fn what_only_comes_near_is_no_crossing() {
     let (crossing, end) = (119.0 / 60.0, 4.0);
@@ -240,7 +240,7 @@ fn what_only_comes_near_is_no_crossing() {
                     Err(_) => assert!(more < 0.0, "{more:e}, {steps} steps: {last:?}"),
                 }
             }
-            // Nowhere in the opening, which is some √more long, is there a state.
+            // In the opening, of size about √more, there is no state.
             let opening = off.sqrt();
             for place in (-20..=20).map(|place| crossing + opening * f64::from(place) / 10.0) {
                 if let Ok(state) = nearly.solve(place) {
@@ -252,7 +252,7 @@ fn what_only_comes_near_is_no_crossing() {
     }
 }
 
-/// From wherever one comes, and even from the crossing itself, where every equation holds.
+/// From any guess, and even from the crossing itself, where every equation holds.
 #[test]
 fn a_guess_at_the_crossing_finds_no_state() {
     let parallelogram = Parallelogram { start: 60f64.to_radians() };
@@ -267,7 +267,7 @@ fn a_guess_at_the_crossing_finds_no_state() {
     }
 }
 
-/// In single precision, too: the rod does not turn, to what is left of seven digits.
+/// Also in single precision: the rod does not rotate, within the accuracy of seven digits.
 #[test]
 fn single_precision_passes_as_well() {
     let parallelogram = Parallelogram::<f32>::with_defaults();

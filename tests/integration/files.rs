@@ -1,5 +1,5 @@
-//! Every file of `reference/mechanisms` and `reference/stress`, also such as no declaration was written for: the model is written in
-//! the language with literals, compiled, and what the interpreter says is tried at the file's own states.
+//! Every file of `reference/mechanisms` and `reference/stress`, including those without a declaration of their own: the model is written
+//! in the language with literals and compiled, and the interpreter evaluates it at the file's states.
 
 use reuleaux_tests::common::declared::{Instant, Rows};
 use reuleaux_tests::common::interpreter::Interpreter;
@@ -11,14 +11,13 @@ fn nearest(value: &Value) -> Vec<f64> {
     list(value).iter().map(|entry| entry.as_str().unwrap().parse().unwrap()).collect()
 }
 
-/// How far the equations are from holding, relative to the sum of the sizes of their terms, which counts as 1 at least: of Φ, of
-/// Φ_q q̇ = ν and of Φ_q q̈ = γ.
+/// Residuals of Φ, of Φ_q q̇ = ν and of Φ_q q̈ = γ, relative to the sum of the magnitudes of their terms, at least 1.
 fn residuals(interpreter: &mut Interpreter, at: &Instant) -> [f64; 3] {
     let Rows { phi, jacobian, nu, gamma } = interpreter.rows(&[], at, &[]);
     let size = |row: &[f64], x: &[f64]| row.iter().zip(x).map(|(entry, x)| (entry * x).abs()).sum::<f64>();
     let mut largest = [0.0; 3];
     for (row, line) in jacobian.iter().enumerate() {
-        // A rounding of q moves Φ by the row times it; lengths on both sides are part of it.
+        // A rounding error of q moves Φ by the product with the row; the lengths in the row's terms are of this size as well.
         let lengths = 1.0 + size(line, &at.q);
         let product = |x: &[f64]| line.iter().zip(x).map(|(entry, x)| entry * x).sum::<f64>();
         let rates = 1.0 + size(line, &at.qd);
@@ -57,7 +56,7 @@ fn the_compiler_closes_all_mechanisms_from_the_files_guesses() {
     }
 }
 
-/// Only positions: near a singular position the rounding of the file's q alone moves the rates.
+/// Only positions: near a singular position, the rounding of the file's q alone changes the rates.
 #[test]
 fn literal_declarations_of_all_stress_models_hold_at_the_files_solutions() {
     for (family, file) in files("stress") {

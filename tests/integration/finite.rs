@@ -1,9 +1,9 @@
-//! Numbers that are finite where a mechanism begins and not where it is taken: whoever asks for a state gets none.
+//! Numbers that are finite at the start and not at the time asked for: no state is returned.
 
 use reuleaux::{Cause, Mechanism, mechanism};
 
 mechanism! {
-    /// What is computed: a slider whose way ends at two seconds, in a direction that is a parameter.
+    /// A computed coordinate: a slider whose law ends at two seconds, in a direction that is a parameter.
     mechanism Way {
         param height: Length = 1m;
         body slider {}
@@ -14,7 +14,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// What is iterated: a drive between two links, in the block of a loop, whose rate has no end at two seconds.
+    /// An iterated coordinate: a drive between two links in the block of a loop, with a rate that becomes infinite at two seconds.
     mechanism Loop {
         ground { point C = (4m, 0m); }
         body crank { point A = (1m, 0m); start angle = 60deg; }
@@ -29,7 +29,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A law that ends smoothly where its base is zero: value, rate and acceleration vanish there, and it is not defined after.
+    /// A law that ends smoothly at the zero of its base: value, rate and acceleration vanish there, and it is undefined afterwards.
     mechanism Power {
         body crank {}
         joint o = revolute(ground.position, crank.position);
@@ -48,7 +48,7 @@ mechanism! {
     }
 }
 
-/// It goes on to the moment before two seconds, and not to any after it.
+/// The motion continues up to two seconds, and to no later time.
 fn ends_at_two<M: Mechanism<f64, N>, const N: usize>(mechanism: &M) {
     for steps in [3, 7, 50, 64, 200] {
         for result in mechanism.sweep((0..=steps).map(|step| 4.0 * f64::from(step) / f64::from(steps))) {

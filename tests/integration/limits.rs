@@ -1,11 +1,11 @@
-//! Motions that end: at a dead point, whose time is found, and in a distance without end.
+//! Motions that end: at a dead point, whose time is found, or by growing without bound.
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
 use reuleaux::{Cause, mechanism};
 
 mechanism! {
-    /// A four-bar whose crank does not go round.
+    /// A four-bar whose crank cannot make a full turn.
     #[closure(start)]
     mechanism Rocking {
         param crank_length: Length = 200mm;
@@ -25,7 +25,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A slide on a rail in the slot of an arm that becomes parallel to the rail after a second.
+    /// A slide on a rail and in the slot of an arm that becomes parallel to the rail after one second.
     mechanism Runaway {
         param height: Length = 100mm;
         ground { axis way = (1, 0);  point above = (0mm, height); }

@@ -66,7 +66,7 @@ fn a_driven_four_bar_has_its_reference_reactions_torque_and_power() {
     for (state, wanted) in mechanism.sweep(times).zip(list(&reference["states"])) {
         let loads = mechanism.loads(&state.expect("a state"));
         let size = largest(wanted);
-        // The last joint is stated on the rocker there, and here as well: ground does not move.
+        // The load of the last joint is stated on the rocker in the file, and here too: ground does not move.
         let errors = [loads.a(), loads.b(), loads.c(), loads.d()]
             .into_iter()
             .zip(list(&wanted["reactions"]))
@@ -128,7 +128,7 @@ fn a_drive_carries_inertia_spring_and_damper() {
 #[test]
 fn drives_forces_and_energies_are_in_balance() {
     let (four_bar, shaken) = (DrivenFourBar::default(), Shaken::default());
-    // d/dt of kinetic and potential energy, by the seventh-order rule of central differences.
+    // d/dt of kinetic and potential energy, by central differences of seventh order.
     let rate = |energy: &dyn Fn(f64) -> f64, t: f64| {
         let h = 1e-3;
         let pair = |k: f64| energy(t + k * h) - energy(t - k * h);

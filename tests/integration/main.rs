@@ -1,4 +1,4 @@
-//! Reference numbers that were computed elsewhere, with 60 digits.
+//! Comparison with reference numbers computed elsewhere, with 60 digits.
 
 mod blocks;
 mod branches;

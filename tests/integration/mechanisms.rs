@@ -6,17 +6,17 @@ use reuleaux_tests::common::declared::{Declared, Instant, vector};
 use reuleaux_tests::common::reference::{Value, decimals, file, list, number, numbers, relative_error, worse};
 use reuleaux_tests::mechanisms::*;
 
-/// What is allowed of q, q̇ and q̈, relative to the largest entry of the vector.
+/// Largest errors of q, q̇ and q̈, relative to the largest entry of the vector.
 const ALLOWED: [f64; 3] = [1e-14, 2e-14, 2e-13];
 
-/// The errors of a state, relative to the largest entry, and those of the point of interest.
+/// Errors of a state and of its point of interest, relative to the largest entry.
 fn errors<M: Declared, const N: usize>(mechanism: &M, found: &State<f64, N>, reference: &Value) -> [f64; 3] {
     let vectors = [(&found.q, "q"), (&found.qd, "qd"), (&found.qdd, "qdd")];
     let [q, qd, qdd] = vectors.map(|(vector, key)| relative_error(vector.as_slice(), &decimals(&reference[key])));
     let [q_, qd_, qdd_] = [&found.q, &found.qd, &found.qdd].map(|vector| vector.as_slice().to_vec());
     let outputs = mechanism.outputs(&Instant { t: found.t, q: q_, qd: qd_, qdd: qdd_ });
     let point = &list(&reference["points"])[0];
-    // Relative to the largest entry of the whole vector, of whose entries a point's motion is made, and its own.
+    // Relative to the largest entry of the whole vector and of the point, whose motion is computed from the vector.
     let of_point = |order: usize, of: &str, key: &str| {
         let (all, point) = (decimals(&reference[of]), decimals(&point[key]));
         let largest = all.iter().chain(&point).map(|entry| entry.value.abs()).fold(0.0, f64::max);
@@ -25,7 +25,7 @@ fn errors<M: Declared, const N: usize>(mechanism: &M, found: &State<f64, N>, ref
     [worse(q, of_point(0, "q", "r")), worse(qd, of_point(1, "qd", "v")), worse(qdd, of_point(2, "qdd", "a"))]
 }
 
-/// Steps of a fine sweep, and the corrections that each of them may take on average.
+/// Number of steps of a fine sweep, and the largest average number of corrections per step.
 const STEPS: u32 = 1000;
 const MOST_CORRECTIONS: f64 = 1.05;
 
@@ -58,7 +58,7 @@ fn check<M: Declared + Default + Mechanism<f64, N>, const N: usize>(name: &str) 
         let found = mechanism.solve(number(&reference["t"])).unwrap_or_else(|failure| panic!("{failure}"));
         note("from the start", &found, reference);
     }
-    // A step forms Φ_q where it is predicted to go and once more after a correction: two times, and seldom more.
+    // A step factorises Φ_q at the prediction and once more after a correction: usually twice.
     let (begin, end) = (times[0], times[times.len() - 1]);
     let steps = (0..=STEPS).map(|step| begin + (end - begin) * f64::from(step) / f64::from(STEPS));
     let formed = mechanism.sweep(steps).skip(1).map(|state| state.unwrap_or_else(|failure| panic!("{failure}")).iterations);

@@ -1,4 +1,4 @@
-//! A plate on three cylinders has assemblies of the same sign of the determinant next to each other: none is taken for another.
+//! A plate on three cylinders has neighbouring assemblies with the same sign of the determinant: none is mistaken for another.
 
 use reuleaux::{Cause, mechanism};
 
@@ -35,7 +35,7 @@ fn a_plate_ends_at_its_dead_point_in_however_many_steps() {
 }
 
 mechanism! {
-    /// A plate whose branch ends soon after the start, and soon before it.
+    /// A plate whose branch ends shortly after the start and shortly before it.
     #[closure(off)]
     mechanism Cylinders {
         for i in 0..3 {
@@ -48,7 +48,7 @@ mechanism! {
     }
 }
 
-/// The ends are by a continuation with proofs of its own.
+/// The reference ends come from an independent continuation with proof.
 #[test]
 fn a_fold_microseconds_away_is_found_at_once() {
     let plate = Cylinders {
@@ -66,7 +66,8 @@ fn a_fold_microseconds_away_is_found_at_once() {
     for (t, end) in [(1e-5_f64, 6.089994854759e-6_f64), (-1e-5, -3.788481266168e-6)] {
         let failure = plate.solve_from(t, &start).unwrap_err();
         assert!(matches!(failure.cause, Cause::Singular { .. }), "{failure}");
-        // Between the ends, 1e-5 s apart, drives take up some 40 m/s² · (5e-6 s)² / 2: roundings of 2e-16 m move them by 1e-12 s.
+        // Between the ends, 1e-5 s apart, the drives move by about 40 m/s² · (5e-6 s)² / 2: roundings of 2e-16 m shift the ends by 1e-12
+        // s.
         assert!((failure.time - end).abs() < 1e-12, "{:e}", failure.time - end);
     }
 }

@@ -1,4 +1,4 @@
-//! What depends on parameters only is computed once for each set of them.
+//! Quantities that depend on parameters only are computed once for each set of parameters.
 
 use reuleaux::{SimdReal, mechanism};
 

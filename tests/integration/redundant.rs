@@ -1,4 +1,4 @@
-//! Joints that hold what is held already: solved as far as they are needed, and checked for the rest.
+//! Redundant joints: solved as far as needed, and checked for the remaining rows.
 
 use std::f64::consts::FRAC_PI_3;
 
@@ -28,7 +28,7 @@ reuleaux::mechanism! {
 }
 
 reuleaux::mechanism! {
-    /// A straight line after Scott Russell, and a wall along it that holds the head where it is anyway: at a place that is zero.
+    /// A Scott Russell straight-line linkage, and a wall along the line that also holds the head: a checked coordinate that is zero.
     pub mechanism Straight {
         param length: Length = 300mm;
         ground { axis way = (1, 0); }
@@ -45,7 +45,7 @@ reuleaux::mechanism! {
     }
 }
 
-/// The rod stays level, and all cranks turn alike.
+/// The rod stays level, and all cranks turn together.
 #[test]
 fn a_third_crank_turns_with_the_others() {
     let mechanism = Coupled::default();
@@ -62,7 +62,7 @@ fn a_third_crank_turns_with_the_others() {
         }
         assert!(rod.angle.abs() < 1e-14 && rod.angular_velocity.abs() < 1e-14 && rod.angular_acceleration.abs() < 1e-13);
         assert!((rod.position.x - 0.5 * angle.cos()).abs() < 1e-15);
-        // All rows hold, also the one that was not solved.
+        // All rows hold, including the checked one.
         assert!(mechanism.phi(&state.q, state.t).amax() < 1e-14);
     }
 }
@@ -78,7 +78,7 @@ fn the_plan_says_what_is_checked() {
     assert!(Coupled::<f64>::PLAN.to_string().contains("\ncheck    f (2 of 2)\n"));
 }
 
-/// With x of the rod's pin the third crank stands at arccos(x / r); of y is left what does not fit.
+/// With x of the rod's pin solved, the third crank is at arccos(x / r); the misfit appears in y.
 #[test]
 fn what_does_not_fit_is_named_with_its_row_and_by_how_much() {
     let mechanism = Coupled { middle: 0.501, ..Coupled::default() };
@@ -88,7 +88,7 @@ fn what_does_not_fit_is_named_with_its_row_and_by_how_much() {
     let off = |angle: f64| 0.5 * angle.sin() - (0.501_f64.powi(2) - (0.5 * angle.cos()).powi(2)).sqrt();
     assert!((residual - off(FRAC_PI_3 + 2.0 * failure.time)).abs() < 1e-15, "{residual}");
     assert_eq!(failure.to_string(), "`Coupled` does not fit at t = 0 s: joint `f` (revolute, row 2 of 2) is redundant and off by 1.15 mm");
-    // Away from the start as well, and in place.
+    // Also away from the start, and in place.
     let mut state = Coupled::default().solve(0.0).expect("it fits");
     let before = state.clone();
     let failure = mechanism.advance(&mut state, 0.01).expect_err("too long a crank");
@@ -98,7 +98,7 @@ fn what_does_not_fit_is_named_with_its_row_and_by_how_much() {
     assert!(matches!(mechanism.solve_near(0.0, &guess).expect_err("too long").cause, Cause::DoesNotHold { .. }));
 }
 
-/// A nanometre is seen; a rounding is none.
+/// A misfit of a nanometre is detected; a rounding error is not a misfit.
 #[test]
 fn the_bound_is_that_of_rounding_errors() {
     let nearly = Coupled { middle: 0.5 + 1e-12, ..Coupled::default() };
@@ -121,7 +121,7 @@ fn single_precision_has_its_own_roundings() {
     assert!(matches!(off.solve(0.1).expect_err("too long a crank").cause, Cause::DoesNotHold { .. }));
 }
 
-/// What is not upstream of an output is neither solved nor checked.
+/// Equations that are not upstream of an output are neither solved nor checked.
 #[test]
 fn a_slice_checks_what_is_upstream_of_it() {
     let mechanism = Coupled { middle: 0.6, ..Coupled::default() };
@@ -157,7 +157,7 @@ fn one_lane_that_does_not_fit_stays_alone() {
 }
 
 reuleaux::mechanism! {
-    /// A row of coupled cranks on one shaft, each with a third one: more than is looked at together.
+    /// A row of coupled cranks on one shaft, each with a third crank: too many to be solved together.
     pub mechanism Row {
         let sets = 12;
         ground { for i in 0..sets { point A[i] = (i * 3m, 0m);  point B[i] = (i * 3m + 2m, 0m);  point C[i] = (i * 3m + 1m, 0m); } }
@@ -182,7 +182,7 @@ reuleaux::mechanism! {
     }
 }
 
-/// Shared code checks each piece by itself.
+/// With shared code, each part is checked by itself.
 #[test]
 fn many_parts_are_checked_one_by_one() {
     assert_eq!(Row::<f64>::EQUATIONS - Row::<f64>::COORDINATES, 12);
@@ -204,7 +204,7 @@ fn many_parts_are_checked_one_by_one() {
 }
 
 reuleaux::mechanism! {
-    /// A table on two columns, one of which would do, beside a crank that turns: what is checked rests.
+    /// A table on two columns, one of which is redundant, beside a rotating crank: the checked equations are at rest.
     pub mechanism Table {
         param right: Length = 700mm;
         ground { point L = (0m, 0m);  point R = (1m, 0m); }
@@ -230,7 +230,7 @@ fn what_rests_is_checked_where_it_begins() {
 }
 
 reuleaux::mechanism! {
-    /// A slide on a jib that rests on two stays, with a guide too many: what moves is checked against what rests.
+    /// A slide on a jib on two stays, with a redundant guide: moving coordinates are checked against coordinates at rest.
     pub mechanism Jib {
         param offset: Length = 100mm;
         ground { point L = (0m, 0m);  point R = (2m, 0m); }
@@ -267,7 +267,7 @@ fn what_moves_is_checked_against_what_rests() {
     assert!(matches!(off.advance(&mut state, 1.0).expect_err("the guides are not alike").cause, Cause::DoesNotHold { .. }));
 }
 
-/// Generic code need not know of it.
+/// Generic code needs no special case.
 #[test]
 fn it_is_a_mechanism_like_any_other() {
     fn ends<M: Mechanism<f64, N>, const N: usize>(mechanism: &M) -> usize {
@@ -276,7 +276,7 @@ fn it_is_a_mechanism_like_any_other() {
     assert_eq!((ends(&Coupled::default()), ends(&Table::default())), (3, 3));
 }
 
-/// What is checked is near zero, and the coordinates it is made of have the rounding errors of lengths.
+/// The checked coordinate is near zero, and the coordinates that it is computed from have rounding errors of lengths.
 #[test]
 fn a_place_that_is_zero_is_held() {
     for length in [0.1, 0.3, 0.37, 1.0, 1.3, 7e-6, 3e5] {

@@ -1,9 +1,9 @@
-//! Mechanisms of many alike parts, whose code is shared, and what of them is not solved.
+//! Mechanisms of many similar parts, which share code, and parts of them that are not solved.
 
 use reuleaux::{Description, Mechanism, PlanStage, Stages, mechanism};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// A mechanism of four-bars that are all alike.
+/// A mechanism of identical four-bars.
 macro_rules! of_four_bars {
     ($(#[$doc:meta])* $name:ident { $($items:tt)* }) => {
         mechanism! {
@@ -25,7 +25,7 @@ macro_rules! of_four_bars {
 }
 
 mechanism! {
-    /// Forty parallelograms in a row: every crank turns like the first.
+    /// Forty parallelograms in a row: every crank turns with the first.
     pub mechanism Chain {
         let n = 40;
         ground { for i in 0..=n { point P[i] = (i * 1m, 0m); } }
@@ -103,7 +103,7 @@ fn a_slice_of_shared_code_gives_the_output() {
     }
 }
 
-/// Links of different lengths, so that shared code has tables; the first of a long row and the whole of a short one.
+/// Links of different lengths, so that shared code has tables; a long row and a short one.
 macro_rules! row {
     ($name:ident, $n:literal) => {
         mechanism! {
@@ -144,7 +144,7 @@ fn shared_code_with_tables_gives_what_straight_lines_give() {
 }
 
 of_four_bars! {
-    /// A hundred four-bars side by side, of which one is driven and the others are held.
+    /// A hundred four-bars side by side, one driven and the others held.
     Scene {
         param held: Angle = 50deg;
         ground { for i in 0..100 { point O[i] = (i * 1m, 0m); point C[i] = (i * 1m + 400mm, 0m); } }
@@ -156,20 +156,20 @@ of_four_bars! {
 
 #[test]
 fn what_rests_is_taken_from_the_state_before() {
-    // Without optimisation every copy of a state of a hundred four-bars has a place of its own.
+    // Without optimisation, every copy of a state of a hundred four-bars has its own stack slot.
     std::thread::Builder::new().stack_size(64 << 20).spawn(rests_are_taken).unwrap().join().unwrap();
 }
 
 fn rests_are_taken() {
     let scene = Scene { held: 0.9 };
     let mut state = scene.solve(0.0).unwrap();
-    // A mark that a solution would remove.
+    // A modified value, which solving would overwrite.
     let solved = state.q[5];
     let mark = solved + 1e-3;
     state.0.values_kept_as_solved().q[5] = mark;
     scene.advance(&mut state, 0.01).unwrap();
     assert_eq!(state.q[5], mark);
-    // Who writes to a state openly has it solved again.
+    // A value modified through the public interface is solved again.
     state.0.q[5] = mark;
     scene.advance(&mut state, 0.02).unwrap();
     assert!(f64::abs(state.q[5] - solved) < 1e-15);
@@ -195,7 +195,7 @@ fn what_moves_of_a_scene_moves_as_it_does_alone() {
 }
 
 of_four_bars! {
-    /// Sixteen four-bars whose drives move one after the other.
+    /// Sixteen four-bars that are driven one after the other.
     Relay {
         ground { for i in 0..16 { point O[i] = (i * 1m, 0m); point C[i] = (i * 1m + 400mm, 0m); } }
         for i in 0..16 {
@@ -210,7 +210,7 @@ fn a_block_whose_drive_rests_is_not_solved_again() {
     let relay = Relay::default();
     let mut state = relay.solve(3.0).unwrap();
     relay.advance(&mut state, 3.4).unwrap();
-    // Marks that a solution would remove: on what has moved before and on what is still to move.
+    // Modified values, which solving would overwrite: in a part that has stopped, and in a part that has not started yet.
     let rockers = [14, 86];
     let marks = rockers.map(|i| state.0.q[i] + 1e-3);
     for (i, mark) in rockers.into_iter().zip(marks) {
@@ -235,7 +235,7 @@ fn a_relay_moves_on() {
 }
 
 mechanism! {
-    /// Two wheels of which the sum and the difference of the angles are given: a constant Jacobian that is not triangular.
+    /// Two wheels with given sum and difference of their angles: a constant Jacobian that is not triangular.
     pub mechanism SumAndDifference {
         body one { point P = (10mm, 0mm); }
         body two { point P = (20mm, 0mm); }
@@ -258,7 +258,7 @@ fn a_constant_jacobian_is_solved_in_the_compiler() {
 }
 
 mechanism! {
-    /// A four-bar that nothing moves.
+    /// A four-bar at rest.
     pub mechanism Truss {
         param angle: Angle = 1rad;
         ground { point C = (400mm, 0mm); }
@@ -282,7 +282,7 @@ fn what_nothing_moves_has_no_rates() {
     assert_eq!(truss.tip(&state).rate.amax(), 0.0);
 }
 
-/// A mechanism and its slice have states of their own and names of one declaration.
+/// A mechanism and its slice have separate states, with names of one declaration.
 #[test]
 fn a_slice_says_what_it_holds() {
     fn names<E: Stages<f64, N>, const N: usize>(_: &E) -> Vec<String> {
@@ -299,7 +299,7 @@ fn a_slice_says_what_it_holds() {
 }
 
 mechanism! {
-    /// Slides on a rail that rests at an angle, each with a dyad of its own; the rail is the rocker of a parallelogram that is held.
+    /// Slides on an inclined rail at rest, each with its own dyad; the rail is the rocker of a parallelogram at rest.
     #[allow(far_start)]
     pub mechanism Rail {
         let n = 60;
@@ -326,7 +326,7 @@ mechanism! {
     }
 }
 
-/// Without optimisation a state of this size needs more than the stack of a test.
+/// Without optimisation a state of this size needs more stack than a test has.
 fn with_a_large_stack(run: fn()) {
     std::thread::Builder::new().stack_size(64 << 20).spawn(run).unwrap().join().unwrap();
 }
@@ -394,7 +394,7 @@ fn shared_code_finds_the_parameters_of_each_part() {
     assert!(curtain.phi(&state.q, 0.3).amax() <= 1e-14);
     for (i, strand) in state.strand().into_iter().enumerate() {
         let rod = strand.rocker().point([0.3, 0.0].into()).value - strand.coupler().position;
-        // Places of about 20 m round to 4e-15.
+        // Positions of about 20 m are rounded to 4e-15 m.
         assert!((rod.norm() - (0.35 + 0.001 * i as f64)).abs() <= 1e-14, "{i}");
     }
     let single = Curtain::<f32>::with_defaults().solve_for_end().solve(0.3).unwrap().output().value;
@@ -403,7 +403,7 @@ fn shared_code_finds_the_parameters_of_each_part() {
 }
 
 of_four_bars! {
-    /// A four-bar that is set from one place to another, beside one that is held and a wheel that turns.
+    /// A four-bar that moves from one position to another, beside one at rest and a rotating wheel.
     Switch {
         ground { point O = (0m, 0m); point C = (400mm, 0m); point P = (1m, 0m); point Q = (1400mm, 0m); }
         part set = FourBar(ground.O, ground.C);

@@ -1,7 +1,7 @@
-//! Ill-conditioned families, each solved from the guess of its file.
+//! Ill-conditioned families, each case solved from the guess in its file.
 //!
-//! A coordinate of q may be off by what the file says is attainable, one of q̇ and q̈ by that and four roundings of the largest entry.
-//! Where the branches cannot be told apart in doubles, a warning is asked for instead of digits.
+//! An entry of q may have the error that the file gives as attainable; an entry of q̇ or q̈ may have that error plus four roundings of
+//! the largest entry. If branches cannot be distinguished in doubles, a warning is required instead of digits.
 
 use reuleaux::{Cause, Mechanism, State};
 use reuleaux_tests::common::declared::{Declared, vector};
@@ -11,14 +11,14 @@ use reuleaux_tests::stress::*;
 /// 2⁻⁵³
 const ROUNDING: f64 = f64::EPSILON / 2.0;
 
-/// A condition at which half of the digits are lost.
+/// Condition at which half of the digits are lost.
 const ALARMING: f64 = 1e8;
 
 /// The families below.
 const FAMILIES: [&str; 8] =
     ["change_point", "collinear_dyad", "dead_point", "far_origin", "many_turns", "mixed_scales", "small_distance", "unit_ratio"];
 
-/// The largest shares of what is allowed that the entries of q, q̇ and q̈ take.
+/// Largest errors of the entries of q, q̇ and q̈, relative to those allowed.
 fn shares<const N: usize>(case: &Value, state: &State<f64, N>) -> [f64; 3] {
     [(&state.q, "q"), (&state.qd, "qd"), (&state.qdd, "qdd")].map(|(found, key)| {
         let (reference, attainable) = (decimals(&case[key]), numbers(&case["attainable"][key]));
@@ -33,12 +33,12 @@ fn shares<const N: usize>(case: &Value, state: &State<f64, N>) -> [f64; 3] {
     })
 }
 
-/// The branches can be told apart in doubles.
+/// True if the branches can be distinguished in doubles.
 fn is_resolvable(case: &Value) -> bool {
     case["branches_resolvable_in_double"] != Value::Bool(false)
 }
 
-/// Solves the cases of a family that this mechanism is made for.
+/// Solves the cases of a family to which this mechanism belongs.
 fn check<M: Declared + Mechanism<f64, N>, const N: usize>(family: &str, is_meant: impl Fn(&Value) -> bool) {
     let file = file(&format!("stress/{family}.json"));
     let cases: Vec<&Value> = list(&file["cases"]).iter().filter(|case| is_resolvable(case) && is_meant(case)).collect();

@@ -1,4 +1,4 @@
-//! Sweeps of many mechanisms at once.
+//! Parallel sweeps of many mechanisms.
 
 use std::sync::Mutex;
 
@@ -8,7 +8,7 @@ use reuleaux_tests::mechanisms::FourBarCrankRocker;
 
 type Ending = Result<State<f64, 9>, Box<Failure<f64, 9>>>;
 
-/// Mechanisms of many sizes, one that cannot be assembled among them.
+/// Mechanisms of many sizes, including one that cannot be assembled.
 fn cranks() -> Vec<FourBarCrankRocker> {
     let length = |step| if step == 17 { f64::NAN } else { 0.05 + 0.00125 * f64::from(step) };
     (0..40).map(|step| FourBarCrankRocker { crank_length: length(step), ..Default::default() }).collect()

@@ -1,15 +1,15 @@
-//! A four-bar over full turns: what is a circle closes.
+//! A four-bar over full turns: closed paths close.
 
 use std::f64::consts::TAU;
 
 use reuleaux_tests::mechanisms::{FourBarCrankRocker, FourBarCrankRockerState};
 
-/// Turns once a second, without ripple.
+/// A crank at one turn per second, without ripple.
 fn steady() -> FourBarCrankRocker {
     FourBarCrankRocker { speed: TAU, ripple: 0.0, ..Default::default() }
 }
 
-/// The largest differences of q (without `turns` turns of the crank), q̇ and q̈, relative to the largest entry.
+/// Largest differences of q (minus `turns` turns of the crank), q̇ and q̈, relative to the largest entry.
 fn differences(from: &FourBarCrankRockerState, to: &FourBarCrankRockerState, turns: f64) -> [f64; 3] {
     let mut q = to.q;
     q[2] -= turns * TAU;
@@ -23,9 +23,9 @@ fn steps_of_a_full_turn_close_on_themselves() {
     assert_eq!(states.len(), 101);
     let differences = differences(&states[0], &states[100], 1.0);
     println!("after a turn in 100 steps: {differences:?}");
-    // 2π + 0.5 is rounded by 4e-16 and 2π by 2e-16; the joints multiply that by about ten.
+    // 2π + 0.5 is rounded by 4e-16 and 2π by 2e-16; the joints amplify these errors by about ten.
     assert!(differences[0] <= 1e-14 && differences[1] <= 2e-14 && differences[2] <= 1e-13, "{differences:?}");
-    // The crank-rocker has moved meanwhile: its rocker swings by more than a radian.
+    // The crank-rocker has moved between: its rocker swings by more than a radian.
     let angles = states.iter().map(|state| state.rocker().angle);
     assert!(angles.clone().fold(f64::MIN, f64::max) - angles.fold(f64::MAX, f64::min) > 1.0);
 }

@@ -1,9 +1,9 @@
-//! Mechanisms that are only looked at here.
+//! Mechanisms used by these tests only.
 
 use reuleaux::mechanism;
 
 mechanism! {
-    /// A crank that swings; with more than 0.387 rad it comes to a dead point, where coupler and rocker are in line.
+    /// An oscillating crank; with an amplitude above 0.387 rad it reaches a dead point, where coupler and rocker are in line.
     pub mechanism Swing {
         param amplitude: Angle = 0.3 in ..=2rad;
         ground { point A = (0m, 0m);  point D = (1m, 0m); }
@@ -19,7 +19,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A Stephenson III six-bar that is driven at the far link, so that none of its loops can be solved before the other.
+    /// A Stephenson III six-bar driven at the far link, so that its loops must be solved together.
     pub mechanism Linkage {
         ground { point A = (0m, 0m);  point D = (4m, 0m);  point G = (6m, 1m); }
         body crank   { point A = (0m, 0m);  point B = (1m, 0m);  start angle = 60deg; }

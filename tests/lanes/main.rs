@@ -1,4 +1,4 @@
-//! Several mechanisms in the lanes of a register: each as it would be alone.
+//! Several mechanisms in the lanes of a register: each gives the same result as alone.
 
 mod declared;
 
@@ -13,7 +13,7 @@ fn differences<const N: usize>(found: &State<f64, N>, expected: &State<f64, N>) 
     pairs.map(|(found, expected)| (found - expected).amax() / expected.amax().max(1e-3))
 }
 
-/// Over `span` seconds, each lane ahead of the one before, in steps of a two hundredth.
+/// Over `span` seconds in steps of 1/200 s, with each lane ahead of the lane before.
 fn check<M, const N: usize>(mechanism: M, span: f64)
 where
     M: Family<f64> + Mechanism<f64, N> + Copy,
@@ -95,7 +95,7 @@ fn one_at_a_dead_point_ends_and_the_others_go_on() {
                         (core::mem::discriminant(&expected.cause), "Swing")
                     );
                     assert!((found.time - expected.time).abs() <= 1e-9, "{} and {}", found.time, expected.time);
-                    // What has ended does not change any more.
+                    // A lane that has ended no longer changes.
                     let stands = together.state().q.map(|entry| entry.to_array()[1]);
                     assert_eq!(*at_the_end.get_or_insert(stands), stands);
                 }

@@ -1,4 +1,4 @@
-//! Disc cams over written functions, tables and functions in Rust.
+//! Disc cams with profiles as written functions, tables and Rust functions.
 
 use reuleaux::Real;
 
@@ -11,7 +11,7 @@ pub fn oval<T: Real>(angle: T) -> (T, T, T) {
     (base + rise * cosine, -(two * rise * sine), -(two * two * rise * cosine))
 }
 
-/// An outline that exists for `f64` only, such as a measured one: e^(sin ψ) / 4 in m.
+/// A profile that exists for `f64` only, such as measured data: e^(sin ψ) / 4 in m.
 pub fn measured<T: Real>(angle: T) -> (T, T, T) {
     angle.map(|angle| {
         let (sine, cosine) = angle.sin_cos();

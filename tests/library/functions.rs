@@ -1,9 +1,9 @@
-//! Every function of the language in an equation and in an output, and a call of Rust without a name.
+//! Every function of the language in an equation and in an output, and a call of a Rust function by path.
 
 use crate::declared;
 
 declared! {
-    /// Equations that no mechanism has.
+    /// Artificial equations, for the functions only.
     #[equations_only]
     Functions (p: Number = 1, q: Number = 1, r: Length = 1) {
         let s = t / 1s;

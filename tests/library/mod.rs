@@ -1,5 +1,4 @@
-//! What the constraint types of the reference leave out: the library's other kinds, cams over functions of all sorts, and every
-//! function of the language.
+//! Constraints that the reference lacks: the library's other kinds, cams over functions of all sorts, and every function of the language.
 
 mod cams;
 mod functions;

@@ -1,9 +1,9 @@
-//! Gears, belts and drives on carriers that move.
+//! Gears, belts and drives on moving carriers.
 
 use crate::declared;
 
 declared! {
-    /// Two bodies that do not turn against each other, and two with an angle between them.
+    /// Two bodies without relative rotation, and two with an angle between them.
     #[equations_only]
     Angles (between: Angle = 1) {
         body a {}
@@ -47,7 +47,7 @@ declared! {
     }
 }
 declared! {
-    /// A slider that is driven along its guide.
+    /// A slider driven along its guide.
     #[equations_only]
     Pushed (px: Length = 1, py: Length = 1, u: Number = 1, v: Number = 1, stroke: Length = 1, speed: AngularVelocity = 1) {
         body guide { point P = (px, py);  axis along = (u, v); }

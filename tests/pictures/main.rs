@@ -1,7 +1,7 @@
-//! The pictures of mechanisms: well-formed, complete, the same every time, and no word on another one.
+//! Pictures of mechanisms: well-formed, complete, reproducible, and without overlapping labels.
 //!
-//! After a change that is meant, `REULEAUX_GOLDEN=write cargo test --test pictures` draws the picture of the README anew. With
-//! `REULEAUX_PICTURES` set to a folder, all pictures are written there to be looked at.
+//! After an intended change, `REULEAUX_GOLDEN=write cargo test --test pictures` redraws the picture of the README. If `REULEAUX_PICTURES`
+//! names a folder, all pictures are written there for inspection.
 
 mod run_time;
 mod textbook;
@@ -17,7 +17,7 @@ use reuleaux_tests::common::declared::Declared;
 /// A declaration with its name.
 type Declaration = (String, TokenStream);
 
-/// What stands between the braces of every `mechanism!` in some Rust.
+/// The text between the braces of every `mechanism!` in some Rust code.
 fn declarations(name: &str, rust: &str) -> Vec<Declaration> {
     fn search(tokens: TokenStream, name: &str, found: &mut Vec<Declaration>) {
         let trees: Vec<TokenTree> = tokens.into_iter().collect();
@@ -36,7 +36,7 @@ fn declarations(name: &str, rust: &str) -> Vec<Declaration> {
     }
     let mut found = Vec::new();
     search(rust.parse().expect("Rust consists of tokens"), name, &mut found);
-    // Constraints that come from outside, and what a macro puts in, are brought in by rustc only.
+    // Only rustc can resolve imported constraints and macro variables.
     found.retain(|(_, tokens)| !["use crate", "$"].iter().any(|from_outside| tokens.to_string().contains(from_outside)));
     found
 }
@@ -92,7 +92,7 @@ fn space() -> Vec<Declaration> {
     declarations("space", &fs::read_to_string(root().join("tests/space/mechanisms.rs")).expect("the mechanisms are there"))
 }
 
-/// What is true of every picture.
+/// Properties of every picture.
 fn is_sound(name: &str, compiled: &Compiled, svg: &str) {
     let tree = roxmltree::Document::parse(svg).unwrap_or_else(|error| panic!("{name}: {error}\n{svg}"));
     assert!(svg.lines().all(|line| !line.trim().is_empty()), "{name}: a blank line ends HTML in Markdown");

@@ -1,4 +1,4 @@
-//! Pictures that programs draw: at the start those of the pages, of a motion alike.
+//! Pictures drawn by programs: at the start equal to those of the pages, and consistent over a motion.
 
 use std::error::Error;
 
@@ -131,7 +131,7 @@ declared!(arm {
     }
 });
 
-/// The radius (m) of a cam by its angle, with its derivatives.
+/// Radius (m) of a cam by its angle, with its derivatives.
 fn measured<T: reuleaux::Real>(psi: T) -> (T, T, T) {
     let (sine, cosine) = psi.sin_cos();
     let lift = T::of(0.004);
@@ -227,7 +227,7 @@ fn a_state_without_numbers_is_a_sentence() -> Result<(), Box<dyn Error>> {
             state.q[coordinate] = wrong;
             let svg = engine.picture(&state);
             roxmltree::Document::parse(&svg)?;
-            // Angles may be as large as they like.
+            // Angles may be arbitrarily large.
             let has_place = coordinate % 3 == 2 && wrong.is_finite();
             assert_eq!(svg.contains("There is no picture: not every place is a number."), !has_place, "{wrong} in {coordinate}");
         }
@@ -235,7 +235,7 @@ fn a_state_without_numbers_is_a_sentence() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The lines that show ground, which have no titles.
+/// The lines that draw ground, which have no tooltips.
 fn ground(svg: &str) -> Vec<&str> {
     svg.lines().filter(|line| line.starts_with("<g><path class=\"p\"") || line.starts_with("<g><path class=\"l\"")).collect()
 }

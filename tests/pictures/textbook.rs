@@ -1,4 +1,4 @@
-//! Mechanisms that a textbook would draw, each kind of the library among them.
+//! Textbook mechanisms, with each kind of joint of the library.
 
 /// Name and declaration.
 pub(crate) const MECHANISMS: [(&str, &str); 14] = [

@@ -1,5 +1,5 @@
-//! Every way in which a mechanism can be solved, enclosed: large blocks, redundant joints, tables and functions in Rust, slices, `f32`,
-//! equations written by hand, long chains.
+//! Enclosures for every path of the solver: large blocks, redundant joints, tables and Rust functions, slices, `f32`, hand-written
+//! equations, long chains.
 
 use reuleaux::nalgebra::{SMatrix, SVector};
 use reuleaux::{Doubt, Enclosure, Equations, Family, Mechanism, Real, Stages, State};
@@ -43,7 +43,7 @@ fn solution<const N: usize>(mut a: SMatrix<Twofold, N, N>, mut b: SVector<Twofol
     b
 }
 
-/// Bounds are errors but for some 1e-20 of what is largest, at some instants of a motion.
+/// Asserts that bounds equal the true errors up to about 1e-20 of the largest entry, at some instants of a motion.
 fn is_bounded<M, const N: usize>(name: &str)
 where
     M: Default + Mechanism<f64, N> + Family<f64>,
@@ -135,7 +135,7 @@ fn a_measured_law_is_bounded_and_not_proven() {
         let state = cams.solve(f64::from(step) * 0.1).expect("cams always close");
         let bound = cams.error_bound(&state).expect("a bound");
         assert!(bound.q.amax() < 1e-15 && bound.qd.amax() < 1e-14 && bound.qdd.amax() < 1e-13, "{step}: {bound:?}");
-        // The angle is 1 · t, which is not a double for a proof: only what is taken from the drive itself is.
+        // The angle is 1 · t, which need not be a double; only a follower whose angle is taken from the drive itself is proven.
         match cams.certify(&state) {
             Ok(certificate) => assert!(certificate.radius < 1e-15),
             Err(doubt) => assert!(matches!(doubt, Doubt::Unproven(of) if of.body == "first"), "{doubt}"),
@@ -188,14 +188,14 @@ reuleaux::mechanism! {
 fn a_long_chain_does_as_its_first_link() {
     let chain = Chain::default();
     let mut state = chain.solve(0.3).expect("parallelograms close");
-    // Every link has the angle of the first: the enclosure may widen by little on the way.
+    // Every link has the angle of the first: the enclosure may grow only slightly along the chain.
     let certificate = chain.certify(&state).expect("a solution");
     let (first, last) = (certificate.within.q[2], certificate.within.q[2 + 3 * 80]);
     assert!(certificate.radius < 1e-12 && first < 1e-15 && last < 1e-12, "{} {first:e} {last:e}", certificate.radius);
     chain.polish(&mut state.0).expect("it can be polished");
     let angle = state.q[2];
     assert!((0..=80).all(|i| state.link()[i].angle == angle && state.link()[i].angular_velocity == state.link()[0].angular_velocity));
-    // A part of it alone.
+    // A slice of the mechanism.
     let tip = chain.solve_for_tip();
     let state = tip.solve(0.3).expect("parallelograms close");
     assert!(tip.certify(&state).expect("a solution").radius < 1e-12);
@@ -216,7 +216,7 @@ fn nothing_is_said_of_nonsense() {
         assert!(certified.is_err() || is_a_time, "at {bad}: {certified:?}");
         assert!(polished.is_ok() == certified.is_ok() && (polished.is_ok() || left.q == good.q), "at {bad}");
         for index in 0..9 {
-            // A coordinate that is computed from others is found wherever it is said to be.
+            // A computed coordinate may be enclosed with a radius as large as its error.
             let (certified, ..) = moved(&|state| state.q[index] = bad);
             assert!(certified.is_err() || certified.is_ok_and(|radius| radius >= 1e299 || bad == 1e-310), "{index} at {bad}");
         }

@@ -1,4 +1,5 @@
-//! Error bounds, certificates and polished states against reference numbers, and certificates asked of what is no solution.
+//! Error bounds, certificates and polished states compared with reference numbers, and certificates requested for states that are no
+//! solutions.
 
 mod kinds;
 mod polished;
@@ -12,14 +13,14 @@ use reuleaux_tests::common::reference::{Value, decimals, file, list, number, num
 use reuleaux_tests::mechanisms::*;
 use reuleaux_tests::stress::*;
 
-/// Of the largest entry, digits that the reference does not have.
+/// Accuracy of the reference, relative to the largest entry.
 const WRITTEN: f64 = 1e-22;
 
-/// Of the largest entry, what constants may be off that the compiler has made one of: 2 · 0.35 is compiled as the double next to 0.7,
-/// where the reference takes twice the double next to 0.35. Parameters are doubles in both.
+/// Effect of constant folding, relative to the largest entry: the compiler folds 2 · 0.35 to the double nearest to 0.7, the reference
+/// takes twice the double nearest to 0.35. Parameters are doubles in both.
 const CONSTANTS: f64 = f64::EPSILON / 2.0;
 
-/// Of the largest entry, an eighth of a rounding, which a bound may have beyond the error; and what counts as nothing.
+/// Allowed excess of a bound over the error, relative to the largest entry; and absolute size of zero.
 const ROUNDING: f64 = f64::EPSILON / 16.0;
 const NOTHING: f64 = 1e-20;
 
@@ -104,7 +105,7 @@ fn stress_families() {
     family_is_bounded::<InLineSliderCrank, _>("unit_ratio", |_| true);
 }
 
-/// Solves from guesses a hundred times as far off as those of the file; gives the number of cases, and of those that were solved.
+/// Solves from guesses a hundred times as far off as those of the file; returns the numbers of cases and of solved cases.
 fn far_guesses_are_judged<M, const N: usize>(family: &str, is_meant: impl Fn(&Value) -> bool) -> [usize; 2]
 where
     M: Declared + Mechanism<f64, N> + Family<f64>,

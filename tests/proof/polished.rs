@@ -7,7 +7,7 @@ use reuleaux_tests::common::reference::{Value, decimals, file, list, number, num
 use reuleaux_tests::common::twofold::Twofold;
 use reuleaux_tests::stress::*;
 
-/// Half of the last place, and what an enclosure is wide.
+/// Half a unit in the last place, plus the width of an enclosure.
 const NEAREST: f64 = f64::EPSILON / 2.0 * 1.001;
 
 fn states<M: Declared + Mechanism<f64, N>, const N: usize>(
@@ -34,7 +34,7 @@ where
         for (found, key) in [(&state.q, "q"), (&state.qd, "qd"), (&state.qdd, "qdd")] {
             let reference = decimals(&case[key]);
             for ((x, entry), attainable) in found.iter().zip(reference).zip(numbers(&case["attainable"][key])) {
-                // An entry that is nothing beside the others may be left with what an enclosure leaves open.
+                // An entry that is negligible beside the others may have an error as large as the enclosure.
                 let allowed = NEAREST * x.abs() + 1e-8 * attainable;
                 assert!(entry.error_of(*x) <= allowed, "{family}, {label}, {key}: {x} is off by {:e}", entry.error_of(*x));
             }
@@ -66,7 +66,7 @@ fn first_bar(dyad: &Dyad, t: f64) -> [Twofold; 3] {
     // sin² φ = (a + b + d)(a + b − d)(a − b + d)(b − a + d) / (2 a d)², which is small near a toggle, without cancellation.
     let area = (a + b + d) * (a + b - d) * (a - b + d) * (b - a + d);
     let sine = area.sqrt() / (two * a * d);
-    // cos φ differentiated by d once and twice
+    // First and second derivative of cos φ by d.
     let first = (one - (a * a - b * b) / (d * d)) / (two * a);
     let second = (a * a - b * b) / (d * d * d) / a;
     // −sin φ φ̇ = c′ v;  −cos φ φ̇² − sin φ φ̈ = c″ v²
@@ -75,7 +75,7 @@ fn first_bar(dyad: &Dyad, t: f64) -> [Twofold; 3] {
     [sine.atan2(cosine), rate, acceleration]
 }
 
-/// Where doubles lose ever more digits, a polished state has them all.
+/// A polished state has all digits, even where doubles lose more and more of them.
 #[test]
 fn dyads_near_their_toggle() {
     for (a, b, ratio) in [(1.0, 0.7, 1.0), (0.8, 0.55, -0.3), (1.3, 1.1, 0.8)] {

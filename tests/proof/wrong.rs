@@ -1,4 +1,4 @@
-//! Certificates asked of what is no solution: there is a true one within the radius, or there is no certificate.
+//! Certificates requested for states that are no solutions: either a true solution lies within the radius, or there is no certificate.
 
 use reuleaux::nalgebra::SVector;
 use reuleaux::{Doubt, Enclosure, Family, Mechanism, Stages, State};
@@ -8,20 +8,20 @@ use reuleaux_tests::common::reference::{decimals, file, list, number, numbers};
 use reuleaux_tests::mechanisms::*;
 use reuleaux_tests::stress::*;
 
-/// Whether a solution is within these distances of a position, but for the digits that it is not known to.
+/// True if a solution lies within these distances of a position, up to the accuracy of the reference.
 fn holds<const N: usize>(q: &SVector<f64, N>, within: &SVector<f64, N>, solution: &[Decimal]) -> bool {
     let size = solution.iter().map(|entry| entry.value.abs()).fold(0.0, f64::max);
     q.iter().zip(within).zip(solution).all(|((x, within), entry)| entry.error_of(*x) <= within + f64::EPSILON * size)
 }
 
-/// How many of these were certified, and how many were asked.
+/// Numbers of certified and of requested states.
 #[derive(Default)]
 struct Count {
     certified: usize,
     asked: usize,
 }
 
-/// Positions and times of the references, moved away from each other by chance.
+/// Reference positions and times with random offsets.
 fn none_is_certified_wrongly<M, const N: usize>(name: &str, count: &mut Count)
 where
     M: Declared + Default + Mechanism<f64, N> + Family<f64>,
@@ -36,7 +36,7 @@ where
         let doubles: Vec<f64> = solution.iter().map(|entry| entry.value).collect();
         for trial in 0..8 {
             let mut state: State<f64, N> = State::new(number(&reference["t"]), vector(&doubles), SVector::zeros(), SVector::zeros());
-            // Near, far, or at the time of the next state.
+            // Near, far, or with the time of the next state.
             let size = 10.0_f64.powf(random.f64() * 15.0 - 15.0);
             match trial {
                 0..=4 => state.q.iter_mut().for_each(|x| *x += size * (random.f64() - 0.5)),
@@ -49,12 +49,12 @@ where
             count.certified += 1;
             let within = &certificate.within.q;
             if trial < 6 && holds(&state.q, within, &solution) {
-                // Exactly one: the others that are known are elsewhere.
+                // Exactly one solution: the other known assemblies are outside.
                 let others = if index == 0 { &assemblies[..] } else { &[] };
                 assert!(!others.iter().any(|other| holds(&state.q, within, other)), "{name}: two solutions within {within}");
                 continue;
             }
-            // Another one, found by other means.
+            // Another solution, found independently.
             let found = mechanism.solve_near(state.t, &state.q).unwrap_or_else(|failure| panic!("{name}: none found: {failure}"));
             let bare: Vec<Decimal> = found.q.iter().map(|&value| Decimal { value, rest: 0.0 }).collect();
             assert!(holds(&state.q, &within.map(|within| within + 1e-12), &bare), "{name} at {}: {} ± {within}", state.t, state.q);
@@ -75,19 +75,19 @@ fn what_is_certified_is_there() {
     assert!(count.certified > count.asked / 4 && count.certified < count.asked);
 }
 
-/// States of a mechanism that closes, asked of one that does not by however little.
+/// States of a mechanism that closes, certified for one that just fails to close.
 #[test]
 fn nothing_is_certified_out_of_reach() {
     let mut random = fastrand::Rng::with_seed(5);
     for trial in 0..400 {
-        // 10⁻¹ to 10⁻¹² of the length beyond, or short of, what the dyad can reach; and the mirror image, folded.
+        // Beyond or within reach of the dyad by a fraction of 10⁻¹ to 10⁻¹² of its length; and the same in the folded position.
         let (a, b) = (0.5 + random.f64(), 0.2 + 0.2 * random.f64());
         let gap = 10.0_f64.powf(-1.0 - 11.0 * random.f64());
         let is_out = trial % 2 == 0;
         let beyond = if is_out { gap } else { -gap };
         let (d, folded) = if random.bool() { ((a + b) * (1.0 + beyond), false) } else { ((a - b) * (1.0 - beyond), true) };
         let dyad = Dyad { bar1_B_x: a, bar2_C_x: b, c0: d, c1: 1.0 };
-        // As near to a solution as one can come.
+        // The position nearest to a solution.
         let cosine = ((a * a - b * b + d * d) / (2.0 * a * d)).min(1.0);
         let (first, second) = (cosine.acos(), if folded { std::f64::consts::PI } else { 0.0 });
         let (sine, cosine) = first.sin_cos();
@@ -104,7 +104,7 @@ fn nothing_is_certified_out_of_reach() {
     }
 }
 
-/// A state of one set of parameters is none of another.
+/// A state of one parameter set is no solution for another.
 #[test]
 fn states_of_other_parameters_are_not_certified_as_they_are() {
     for (family, coordinate) in [("dead_point", 2), ("unit_ratio", 5)] {
@@ -119,7 +119,7 @@ fn states_of_other_parameters_are_not_certified_as_they_are() {
                 let Ok(state) = right.solve_near(t, &vector(&guess)) else { continue };
                 InLineSliderCrank { rod_B_x: right.rod_B_x * 1.001, ..right }.certify(&state).map(|found| found.within.q[coordinate])
             };
-            // The solution has moved by about as much, and the radius says so.
+            // The solution has moved by about this much, and the radius is as large.
             assert!(radius.is_err() || radius.is_ok_and(|radius| radius > 1e-5), "{family}: {radius:?}");
         }
     }

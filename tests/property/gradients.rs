@@ -51,7 +51,7 @@ fn varied<M: Family<f64>, T: reuleaux::Real>(
     (varied, count.get())
 }
 
-/// Parameters abreast: more than one pair, and not a number of pairs.
+/// Number of parameters differentiated at once: more than a pair, and odd.
 const ABREAST: usize = 3;
 
 /// Compares the derivatives by each parameter along a motion.
@@ -109,7 +109,7 @@ fn check<M, const N: usize>(
                         let sizes = rights.iter().map(|right| right[part].0.eps1.abs());
                         let (off, size) = (off.fold(0.0, f64::max), sizes.fold(0.0, f64::max));
                         let of = format!("{} of output {index} of {} by {which} at {}", name, M::NAME, state.t);
-                        // Where it is zero, rounding errors of the coordinates are left.
+                        // If the derivative is zero, rounding errors of the coordinates remain.
                         let rounding = ALLOWED * state.condition * right[part].amax();
                         assert!(off <= ALLOWED_OF_OUTPUTS * size + rounding, "{of}: off by {off:e} of {size:e}");
                         if size > rounding {
@@ -243,7 +243,7 @@ fn derivatives_of_outputs_are_their_differences() {
     }
 }
 
-/// Neither an unsolved state nor a dead point has derivatives.
+/// Unsolved states and dead points have no derivatives.
 #[test]
 fn a_state_of_others_is_refused() {
     let cam = Cam::default();

@@ -1,5 +1,5 @@
-//! The README says what is true: its program prints its output, its message is the compiler's, its tables and commands are
-//! complete. (Its Rust blocks are compiled as doctests of `reuleaux-macros`.)
+//! The README is correct: its program prints the output shown, its message is the compiler's, its tables and commands are complete. (Its
+//! Rust blocks are compiled as doctests of `reuleaux-macros`.)
 
 use std::process::Command;
 

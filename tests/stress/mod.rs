@@ -1,7 +1,7 @@
-//! The families of `reference/stress`: one declaration for all cases of a shape, its numbers as parameters.
+//! The families of `reference/stress`: one declaration for all cases of a topology, with its numbers as parameters.
 //!
-//! A parameter is called by its place in the model: `coupler_C_x` is the first coordinate of the coupler's point C, `c1` the
-//! coefficient of t in the law of the drive.
+//! A parameter is named by its place in the model: `coupler_C_x` is the first coordinate of the coupler's point C, `c1` the coefficient
+//! of t in the law of the drive.
 
 use crate::common::declared::Declared;
 use crate::common::reference::{Value, list, number, text};
@@ -57,7 +57,7 @@ declared! {
     }
 }
 declared! {
-    /// A small crank, a four-bar, and a large slider-crank behind it.
+    /// A small crank and four-bar that drive a large slider-crank.
     SmallAndLarge (
         ground_D_x: Length = 1.2, crank_B_x: Length = 0.1, coupler_C_x: Length = 1, rocker_C_x: Length = 0.9,
         rocker_F_x: Length = 10, rod_S_x: Length = 15, c0: Angle = 0.8, c1: AngularVelocity = 1
@@ -114,7 +114,7 @@ declared! {
 /// The mechanism with the numbers of a model.
 ///
 /// # Panics
-/// Where the model has other points or another law than the declaration.
+/// If the model has other points or another law than the declaration.
 pub fn of<D: Declared>(model: &Value) -> D {
     let coefficients = &model["drivers"][0]["f"]["coeffs"];
     assert_eq!(list(coefficients).len(), 2, "a linear law: {}", model["drivers"]);

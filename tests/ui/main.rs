@@ -3,8 +3,8 @@
 //! One mistake per file; `macros/compiler/tests/refusals` has many more, without rustc. The files are compiled by rustc itself, against
 //! the library that these tests were linked with. Two commands take longer:
 //!
-//! - `cargo test -p reuleaux-tests --test ui -- --ignored` compiles them once more, by cargo and in a project of their own (trybuild);
-//! - `TRYBUILD=overwrite cargo test -p reuleaux-tests --test ui -- --ignored` writes the expected output anew.
+//! - `cargo test -p reuleaux-tests --test ui -- --ignored` compiles them again, by cargo in a separate project (trybuild);
+//! - `TRYBUILD=overwrite cargo test -p reuleaux-tests --test ui -- --ignored` rewrites the expected output.
 
 mod rustc;
 
@@ -69,7 +69,7 @@ fn one_mistake_gives_one_error() {
         };
         let errors = expected.lines().filter(|line| line.starts_with("error")).count();
         if errors != 1 {
-            // A mistake that is told twice is told once too often.
+            // A mistake must not be reported twice.
             return Some(format!("{} has {errors} errors", case.display()));
         }
         (plain(&expected) != plain(&found)).then(|| format!("{}\nexpected:\n{expected}\nfound:\n{found}", case.display()))

@@ -9,9 +9,9 @@ use serde_json::Value;
 pub(crate) struct Rustc {
     /// Name and file of each.
     libraries: Vec<(String, PathBuf)>,
-    /// The folder of all that these depend on.
+    /// Folder of their dependencies.
     dependencies: PathBuf,
-    /// For what is written.
+    /// Folder for output files.
     folder: PathBuf,
 }
 
@@ -32,7 +32,7 @@ impl Rustc {
         Self { libraries, dependencies, folder }
     }
 
-    /// Compiles as `cargo check` does, and whatever that accepts to a program; the error is rustc's output.
+    /// Compiles like `cargo check`, and accepted files to a program as well; the error is rustc's output.
     pub(crate) fn compile(&self, case: &Path) -> Result<(), String> {
         said(&self.command(case, "metadata", "rmeta").output().expect("rustc runs"))?;
         said(&self.command(case, "link", std::env::consts::EXE_EXTENSION).output().expect("rustc runs"))

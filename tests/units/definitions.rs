@@ -1,20 +1,20 @@
-//! Formulas of the reference that the library writes in another way, defined by `constraint!` as a user would.
+//! Formulas of the reference that the library writes differently, defined by `constraint!` as a user would.
 
 use crate::pairs;
 
 reuleaux::constraint! {
-    /// A slider after Haug: axes not normalised, and parallel instead of at an angle.
+    /// A slider after Haug: unnormalised axes, required to be parallel.
     pub constraint slider(u: Axis, P: Point, v: Axis, Q: Point) {
         dot(perp(u), Q - P) == 0;
         dot(perp(u), v) == 0;
     }
 
-    /// A point on a line whose direction is not normalised.
+    /// A point on a line with an unnormalised direction.
     pub constraint pin_in_slot(u: Axis, P: Point, Q: Point) {
         dot(perp(u), Q - P) == 0;
     }
 
-    /// Two gears whose centres may move: the line of centres turns with the mean of the gears' angles.
+    /// Two gears with moving centres: the line of centres rotates with the mean of the gears' angles.
     pub constraint gear_pair_centers(P: Point, Q: Point, r: Length, s: Length, a: Angle, b: Angle) {
         let sum = r * (P.body.angle + a) + s * (Q.body.angle + b) - s * pi;
         let direction_of_centers = sum / (r + s);

@@ -1,6 +1,6 @@
 //! The constraint types of `unit_constraints.json`, one declaration for each, with all numbers as parameters.
 //!
-//! A parameter is called as in the file: `point_i_x` is the first entry of `point_i`, `c2` a coefficient of a law.
+//! A parameter is named as in the file: `point_i_x` is the first entry of `point_i`, `c2` a coefficient of a law.
 
 mod definitions;
 mod pairs;
@@ -20,7 +20,7 @@ pub fn rows_of<D: Declared>(constraint: &Value, at: &Instant) -> Rows {
     D::with(&mut |name| named(constraint, name)).rows(at)
 }
 
-/// The number that a parameter's name stands for.
+/// The number of a parameter, by its name.
 fn named(constraint: &Value, name: &str) -> f64 {
     if name == "signed_radius_j" {
         return if text(&constraint["mesh"]) == "external" { 1.0 } else { -1.0 } * number(&constraint["radius_j"]);
@@ -34,10 +34,10 @@ fn named(constraint: &Value, name: &str) -> f64 {
     if entry.is_null() { law(&constraint["f"], name) } else { number(entry) }
 }
 
-/// A coefficient of a law of time; 0 of a term that the law does not have.
+/// A coefficient of a law of time; 0 if the law has no such term.
 ///
 /// # Panics
-/// Where the law has terms that the declarations cannot write.
+/// If the law has terms that the declarations cannot express.
 #[must_use]
 pub fn law(law: &Value, name: &str) -> f64 {
     match text(&law["law"]) {

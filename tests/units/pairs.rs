@@ -18,7 +18,7 @@ macro_rules! pairs {
             macro_rules! joint {
                 ($d name:ident $d $i:ident $d $j:ident $d($d frames:tt)*) => {
                     $crate::declared! {
-                        /// The constraint alone.
+                        /// The constraint between one pair of frames.
                         #[equations_only]
                         $d name ($($parameter: $dim = 1),*) { $d($d frames)* $($joint)* }
                     }

@@ -55,10 +55,10 @@ declared! {
     }
 }
 
-/// The rows of an angle relation of as many bodies as the case has.
+/// The rows of an angle relation between as many bodies as the case has.
 ///
 /// # Panics
-/// For other numbers of bodies than two to four.
+/// If the number of bodies is not two to four.
 #[must_use]
 pub fn angle_relation(constraint: &Value, at: &Instant) -> Rows {
     match list(&constraint["coeffs"]).len() {

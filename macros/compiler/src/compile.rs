@@ -174,11 +174,11 @@ fn after_names(model: Model, diag: &mut Diag) -> Option<Compiled> {
     let motion = travel::follow(&model, &system, &structure, &assembly, diag)?;
     // The motion continues over its declared range, as far as it was followed.
     let dynamics = dynamics::derive(&model, &system, &structure, &assembly, diag)?;
-    // What is integrated has equations of motion, everything else follows from it.
+    // The equations of motion of an integrated mechanism are known; all other coordinates are functions of its freedoms.
     let loads = dynamics::loads(&model, &system, &structure, &assembly);
-    // What joints and drives have to supply is known, if there are masses or forces.
+    // Loads of joints and drives are known, if there are masses or forces.
     let plan = plan::schedule(&model, &system, &structure, &assembly, dynamics.as_ref(), loads.as_ref());
-    // Nothing is left to decide.
+    // All decisions about the generated code are made.
     let picture = picture::draw(&model, &system, &assembly);
     Some(Compiled { model, system, structure, assembly, motion, plan, picture })
 }

@@ -26,17 +26,17 @@ pub(crate) fn write(name: &str, tokens: &TokenStream) -> TokenStream {
     }
 }
 
-/// The tokens as text in which documentation is comments and items stand apart.
+/// The tokens as text, with doc attributes as comments and blank lines between items.
 fn printed(tokens: &TokenStream) -> String {
     let mut text = String::new();
     print(tokens.clone(), true, &mut text);
     text
 }
 
-/// `of_items`: given, the tokens are items, not what stands in one.
+/// Prints tokens. `of_items`: given, true if the tokens are items, false inside an item.
 fn print(tokens: TokenStream, of_items: bool, text: &mut String) {
     let mut tokens = tokens.into_iter().peekable();
-    // The word that says what kind of item this is.
+    // The keyword of the current item.
     let mut kind: Option<String> = None;
     while let Some(token) = tokens.next() {
         match token {
@@ -87,7 +87,7 @@ fn print(tokens: TokenStream, of_items: bool, text: &mut String) {
     }
 }
 
-/// The words with which items begin.
+/// Keywords that begin items.
 const ITEMS: [&str; 8] = ["impl", "mod", "fn", "const", "static", "type", "struct", "use"];
 
 /// The lines of `[doc = "…"]`.
@@ -100,7 +100,7 @@ fn documentation(attribute: &TokenTree) -> Option<Vec<String>> {
     Some(if text.is_empty() { vec![text] } else { text.lines().map(str::to_owned).collect() })
 }
 
-/// After a comment stands an item or a field, not a statement.
+/// True if the token after a comment begins an item or a field, not a statement.
 fn belongs_to_an_item(next: &TokenTree) -> bool {
     match next {
         TokenTree::Ident(word) => word == "pub" || ITEMS.contains(&word.to_string().as_str()),
@@ -129,7 +129,7 @@ fn save(path: &Path, code: &str) -> io::Result<()> {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder)?;
     }
-    // Without rustfmt the code is the same, in one long line.
+    // Without rustfmt the code is written unformatted, in one long line.
     let code = formatted(code).unwrap_or_else(|| code.as_bytes().to_vec());
     std::fs::write(path, code)
 }

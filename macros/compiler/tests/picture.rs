@@ -1,4 +1,4 @@
-//! What the compiler says of a mechanism to those who draw it.
+//! Captions and labels of pictures in the documentation.
 #![cfg(feature = "picture")]
 
 use reuleaux_compiler::{Compiled, compile};

@@ -71,7 +71,7 @@ fn circles_of_files_are_small_and_within_a_room() {
     }
 }
 
-/// Types of one name would have to be told apart by their rooms.
+/// Types with equal names could only be distinguished by their rooms.
 #[test]
 fn no_two_types_share_a_name() {
     let mut places: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
@@ -84,7 +84,7 @@ fn no_two_types_share_a_name() {
     assert!(places.is_empty(), "{places:#?}");
 }
 
-/// The longest function that a reader has to keep in mind at once. The tables of sentences are none: one line stands for itself there.
+/// Largest number of lines of a function. Tables of sentences are excluded: each line there stands by itself.
 const LONGEST_FUNCTION: usize = 70;
 
 #[test]
@@ -98,7 +98,7 @@ fn functions_are_short() {
     assert!(long.is_empty(), "{long:?}");
 }
 
-/// No room has more lines.
+/// Largest number of lines of a room.
 const LARGEST_ROOM: usize = 5000;
 
 /// `cargo test -p reuleaux-compiler --test rooms -- --nocapture` shows the table.
@@ -123,11 +123,11 @@ fn rooms_are_small() {
     println!("circles of files: {}, the largest of {}", circles.len(), circles.iter().map(Vec::len).max().unwrap_or(0));
 }
 
-/// What is counted in a file, tests left out.
+/// Types and functions of a file, tests excluded.
 #[derive(Default)]
 struct Counted {
     types: Vec<String>,
-    /// With how many lines each.
+    /// Functions with their numbers of lines.
     functions: Vec<(String, usize)>,
 }
 

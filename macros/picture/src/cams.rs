@@ -1,4 +1,4 @@
-//! Disc cams: the outline that their profile function describes, and what runs on it.
+//! Disc cams and their followers, with the cam outline computed from the profile function.
 
 use crate::canvas::{Ink, Layer, Near, Subject};
 use crate::drawing::Drawing;
@@ -7,7 +7,7 @@ use crate::plane::{Place, Rectangle, polar};
 use crate::scene::STEPS;
 use core::f64::consts::TAU;
 
-/// What touches the cam.
+/// Contact geometry of the follower.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Tip {
     Knife,
@@ -24,10 +24,10 @@ pub(crate) struct Cam {
     body: Option<usize>,
     pub(crate) middle: Place,
     pub(crate) outline: Vec<Place>,
-    /// The profile is a Rust function, of which nothing is known here.
+    /// True if the profile is a Rust function, whose values the compiler does not know.
     is_unknown: bool,
     pub(crate) follower: Option<usize>,
-    /// The follower's point.
+    /// The follower's reference point: knife edge, roller centre or a point of the face.
     pub(crate) at: Place,
     pub(crate) tip: Tip,
 }
@@ -36,7 +36,7 @@ pub(crate) fn cams(scene: &PlacedScene) -> Vec<Cam> {
     scene.joints.iter().enumerate().filter_map(|(number, joint)| cam(scene, number, joint)).collect()
 }
 
-/// What they cover.
+/// Bounding box of the cam outlines.
 pub(crate) fn frame(cams: &[Cam]) -> Rectangle {
     Rectangle::around(cams.iter().flat_map(|cam| cam.outline.iter().copied()))
 }
@@ -66,7 +66,7 @@ fn angle(step: usize) -> f64 {
     step as f64 * TAU / STEPS as f64
 }
 
-/// The outline of a cam that is turned by `turned` (rad), from the values of its law over a turn.
+/// Outline of a cam rotated by `turned` (rad), from its law sampled over one revolution.
 fn outline(values: &[f64], middle: Place, turned: f64, tip: Tip) -> Vec<Place> {
     let slope = |step: usize| {
         let (before, after) = (values[(step + STEPS - 1) % STEPS], values[(step + 1) % STEPS]);
@@ -77,13 +77,13 @@ fn outline(values: &[f64], middle: Place, turned: f64, tip: Tip) -> Vec<Place> {
         middle
             + match tip {
                 Tip::Knife => direction * value,
-                // The surface lies at the roller's radius inside the pitch curve, along its normal.
+                // The surface is offset from the pitch curve by the roller radius, along the inward normal.
                 Tip::Roller(radius) => {
                     let pitch = direction * (value + radius);
                     let tangent = direction * slope(step) + direction.perp() * (value + radius);
                     pitch + tangent.unit().perp() * radius
                 }
-                // The face is a tangent at the distance h; the place of contact lies h' beside its foot.
+                // The face is tangent to the cam at distance h from its centre; the contact point is offset by h' along the face.
                 Tip::Flat(_) => direction * value + direction.perp() * slope(step),
             }
     };

@@ -1,9 +1,9 @@
-//! What is drawn, in layers, and the words that still look for their place. Units are those of the picture, y goes down.
+//! Shapes in drawing order and labels that are not placed yet, in picture units with y downwards.
 
 use crate::plane::{Place, Rectangle, polar};
 use core::f64::consts::TAU;
 
-/// What lies above what, from below.
+/// Drawing layers, from bottom to top.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Layer {
     Wheel,
@@ -15,12 +15,12 @@ pub(crate) enum Layer {
     Arrow,
 }
 
-/// How something is drawn.
+/// Stroke and fill style of a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Ink {
     /// A thin line.
     Thin,
-    /// A short-dashed line: a condition without a shape of its own.
+    /// A short-dashed line, for a condition without a symbol of its own.
     Dashed,
     /// A line of ordinary width.
     Line,
@@ -40,15 +40,15 @@ pub(crate) enum Ink {
     Of(usize),
     /// A dash-dotted line: the axis of a joint.
     Axis,
-    /// A line of ordinary width in a wide one in the colour of the page, which sets it off from what is behind.
+    /// A line of ordinary width on a wider line in the page colour, which separates it from the shapes behind.
     Rod,
-    /// A wide line in the colour of the page: what is in front passes over it.
+    /// A wide line in the page colour, which interrupts the shapes behind a bar that passes in front of them.
     Halo,
     /// A part of this body that is a line, narrower than a bar.
     Fork(usize),
-    /// A face that the light falls on.
+    /// A highlight on the face turned to the light.
     Shine,
-    /// What is behind shows through faintly.
+    /// A translucent area, through which the shapes behind show faintly.
     Glass,
 }
 
@@ -60,25 +60,25 @@ pub(crate) enum Stroke {
     /// An area with these corners.
     Closed(Vec<Place>),
     Circle(Place, f64),
-    /// Part of a circle: middle, radius, where it begins and ends (rad, from x towards y).
+    /// Part of a circle: centre, radius, start and end angle (rad, from x towards y).
     Arc(Place, f64, f64, f64),
-    /// A circle seen at an angle: middle, half of its longer axis, half the length of its shorter one.
+    /// A circle seen at an angle: centre, semi-major axis as a vector, length of the semi-minor axis.
     Ellipse(Place, Place, f64),
-    /// A cylinder: the middles of its ends, and the ellipse that each of them is.
+    /// A cylinder: the centres of its ends, and the semi-axes of the ellipse that each end is seen as.
     Tube([Place; 2], Place, f64),
 }
 
-/// A shape with its looks and its name.
+/// A shape with its style and its tooltip.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct DrawnItem {
     pub(crate) layer: Layer,
     pub(crate) ink: Ink,
     pub(crate) shape: Stroke,
-    /// What the pointer is told that rests on it.
+    /// Tooltip.
     pub(crate) title: String,
 }
 
-/// What a word stands for.
+/// Kind of item that a label names; kinds are placed in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Subject {
     Drive,
@@ -87,10 +87,10 @@ pub(crate) enum Subject {
     Body,
 }
 
-/// Where a word may stand.
+/// Region in which a label may be placed.
 #[derive(Clone, Debug)]
 pub(crate) enum Near {
-    /// Beside a place, at least this far away.
+    /// Beside a point, at least this distance away.
     Point(Place, f64),
     /// Beside one of these segments.
     Segments(Vec<(Place, Place)>),
@@ -100,7 +100,7 @@ pub(crate) enum Near {
     Rim(Place, f64),
 }
 
-/// A word that looks for its place.
+/// A label that has no place yet.
 #[derive(Clone, Debug)]
 pub(crate) struct Wish {
     pub(crate) text: String,
@@ -108,19 +108,19 @@ pub(crate) struct Wish {
     pub(crate) near: Near,
 }
 
-/// Everything that was drawn so far.
+/// The drawing so far.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Canvas {
     pub(crate) items: Vec<DrawnItem>,
     pub(crate) wishes: Vec<Wish>,
-    /// What has no place in the picture is said below it.
+    /// Lines below the picture, for items that have no place in it.
     pub(crate) captions: Vec<String>,
-    /// In space what is nearer to the eye comes later; in the plane the layers say what lies above what.
+    /// In space items are drawn from back to front in their order; in the plane the layers decide.
     pub(crate) is_in_space: bool,
 }
 
 impl Canvas {
-    /// Draws a shape, once.
+    /// Adds a shape unless the same one is there already.
     pub(crate) fn draw(&mut self, layer: Layer, ink: Ink, title: &str, shape: Stroke) {
         let item = DrawnItem { layer, ink, shape, title: title.to_owned() };
         if !self.items.contains(&item) {
@@ -146,7 +146,7 @@ impl Canvas {
 }
 
 impl Stroke {
-    /// The segments of its outline.
+    /// Segments of the outline; curves are approximated by polylines.
     pub(crate) fn segments(&self) -> Vec<(Place, Place)> {
         let pairs = |places: &[Place]| places.windows(2).map(|pair| (pair[0], pair[1])).collect::<Vec<_>>();
         match self {
@@ -165,13 +165,13 @@ impl Stroke {
         }
     }
 
-    /// What it covers, its stroke left out.
+    /// Bounding box of the outline, without the width of the stroke.
     pub(crate) fn frame(&self) -> Rectangle {
         Rectangle::around(self.segments().into_iter().flat_map(|(a, b)| [a, b]))
     }
 }
 
-/// Places on an ellipse.
+/// Points on an ellipse.
 fn ellipse(middle: Place, major: Place, minor: f64) -> Vec<Place> {
     let minor = major.perp().unit() * minor;
     let at = |step: i32| {
@@ -181,7 +181,7 @@ fn ellipse(middle: Place, major: Place, minor: f64) -> Vec<Place> {
     (0..=16).map(at).collect()
 }
 
-/// Places on a circle.
+/// Points on a circle.
 fn arc(middle: Place, radius: f64, from: f64, to: f64) -> Vec<Place> {
     let steps = ((to - from).abs() / TAU * 24.0).ceil().max(1.0) as usize;
     (0..=steps).map(|step| middle + polar(radius, from + (to - from) * step as f64 / steps as f64)).collect()

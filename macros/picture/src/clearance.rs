@@ -1,9 +1,9 @@
-//! Whether parts lie on each other.
+//! Clearance of a drawing: the least distance between parts that a reader has to tell apart.
 
 use crate::placed::{PlacedScene, Sign};
 use crate::plane::{Place, Rectangle, farthest};
 
-/// The least distance of a hinge from another one, and from a link that it is not part of, as a part of the whole.
+/// Least distance of a hinge from another hinge and from a link of another body, relative to the size of the mechanism.
 pub(crate) fn clearance(scene: &PlacedScene) -> f64 {
     let size = Rectangle::around(scene.places()).size().norm();
     let near = 1e-6 * size;
@@ -27,7 +27,7 @@ pub(crate) fn clearance(scene: &PlacedScene) -> f64 {
     least.min(straightness(scene, near)) / size
 }
 
-/// The least distance of the end of a link from the line of another one at the same hinge: links in line look like one.
+/// Least distance of the end of a link from the line of another link at the same hinge; collinear links would look like one.
 fn straightness(scene: &PlacedScene, near: f64) -> f64 {
     let bars = scene.bodies.iter().filter_map(|body| farthest(&body.points));
     let bars: Vec<(Place, Place)> = bars.filter(|(one, two)| (*two - *one).norm() > near).collect();

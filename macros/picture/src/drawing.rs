@@ -1,7 +1,7 @@
-//! From a scene to shapes: each joint by its usual symbol, in the order in which they lie on each other.
+//! From a scene to shapes: each joint by its usual symbol, from the bottom layer to the top.
 //!
-//! Symbols are conventions (ISO 3952 and the textbooks), not properties of equations: here alone a constraint is asked for its
-//! name. One that has no symbol here is a dashed line between its points.
+//! Symbols are conventions (ISO 3952 and the textbooks), not properties of equations; only this crate asks for the name of a constraint.
+//! A constraint without a symbol is a dashed line between its points.
 
 use crate::cams::{self, Cam, Tip};
 use crate::canvas::{Canvas, Ink, Layer, Near, Subject};
@@ -13,15 +13,15 @@ use crate::plane::{Place, place};
 use crate::view::{Extent, View};
 use crate::wheels::Wheels;
 
-/// A guide that was drawn.
+/// A guide in the picture.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Track {
-    /// The point that is guided.
+    /// The guided point.
     pub(crate) held: Place,
-    /// Where the block was drawn.
+    /// Centre of the block.
     pub(crate) at: Place,
     pub(crate) along: Place,
-    /// Where ground lies.
+    /// Direction from the guide towards ground.
     pub(crate) side: Place,
 }
 
@@ -30,29 +30,29 @@ pub(crate) struct Track {
 pub(crate) struct Follower {
     pub(crate) body: Option<usize>,
     pub(crate) at: Place,
-    /// The middle of its cam.
+    /// Centre of the cam.
     pub(crate) cam: Place,
-    /// How far it reaches beyond its point.
+    /// Distance by which the follower extends beyond its reference point.
     pub(crate) size: f64,
 }
 
-/// A picture in the making.
+/// A drawing in progress.
 pub(crate) struct Drawing<'a> {
     pub(crate) scene: &'a PlacedScene,
     pub(crate) view: View,
     pub(crate) canvas: Canvas,
     pub(crate) pins: Pins,
-    /// By body.
+    /// Indexed by body.
     pub(crate) links: Vec<DrawnBody>,
     pub(crate) tracks: Vec<Track>,
     pub(crate) followers: Vec<Follower>,
-    /// Those of the whole motion.
+    /// Habits over the whole motion.
     pub(crate) known: &'a Habits,
-    /// Those of this scene.
+    /// Habits of this scene.
     pub(crate) habits: Habits,
 }
 
-/// A scene with what is made of it as a whole.
+/// A scene with its wheels and cams.
 #[derive(Clone, Debug)]
 pub(crate) struct Setting<'a> {
     scene: &'a PlacedScene,
@@ -60,7 +60,7 @@ pub(crate) struct Setting<'a> {
     cams: Vec<Cam>,
 }
 
-/// What was drawn.
+/// A finished canvas with the habits recorded while it was drawn.
 #[derive(Clone, Debug)]
 pub(crate) struct Drawn {
     pub(crate) canvas: Canvas,
@@ -72,12 +72,12 @@ impl Setting<'_> {
         Setting { scene, wheels: Wheels::of(scene), cams: cams::cams(scene) }
     }
 
-    /// How much there is to see.
+    /// Size of the scene, for the choice of a view.
     pub(crate) fn extent(&self) -> Extent {
         Extent::of(self.scene, &self.wheels, &self.cams)
     }
 
-    /// Draws the scene as it is seen in a view; `known` are the habits of the whole motion.
+    /// Draws the scene in `view`; `known` are the habits of the whole motion.
     pub(crate) fn draw(&self, view: View, known: &Habits) -> Drawn {
         let Setting { scene, wheels, cams } = self;
         let mut drawing = Drawing {
@@ -108,20 +108,20 @@ fn follower(view: &View, cam: &Cam) -> Follower {
     Follower { body: cam.follower, at: view.at(cam.at), cam: view.at(cam.middle), size }
 }
 
-/// The directions (rad) in which links leave a place, in this scene and in the whole motion.
+/// Directions (rad) in which links leave a place, in this scene and in the whole motion.
 pub(crate) fn directions(links: &[DrawnBody], known: &Habits, at: Place) -> Vec<f64> {
     links.iter().flat_map(|link| link.directions(at)).chain(known.at(at)).collect()
 }
 
 impl Drawing<'_> {
-    /// Bodies reach their points.
+    /// Gives bodies their points, in picture units.
     fn start(&mut self) {
         for (link, body) in self.links.iter_mut().zip(&self.scene.bodies) {
             body.points.iter().for_each(|at| link.reach(self.view.at(*at)));
         }
     }
 
-    /// `o: revolute of ground and crank`; of very many only the name.
+    /// `o: revolute of ground and crank`; the name alone in a mechanism of very many bodies.
     pub(crate) fn title(&self, joint: usize) -> String {
         let sign = &self.scene.joints[joint];
         if self.scene.bodies.len() > crate::picture::ALL_NAMED {
@@ -149,7 +149,7 @@ impl Drawing<'_> {
         format!("{}: {kind} of {names}", sign.name)
     }
 
-    /// Draws a joint. Drives that turn or push something wait until everything else is drawn.
+    /// Draws a joint. Arrows of drives are drawn after all other shapes.
     fn joint(&mut self, number: usize, is_drawn: bool) {
         let joint = &self.scene.joints[number];
         let (p, q, u) = (joint.point("P"), joint.point("Q"), joint.axis("u"));
@@ -161,7 +161,7 @@ impl Drawing<'_> {
             ("weld", Some(p), Some(q)) => self.weld(number, p, q),
             ("translational", Some(p), Some(q)) if u.is_some() => self.slide(number, u.unwrap_or_default(), p.1, q),
             ("point_on_line", Some(p), Some(q)) if u.is_some() => self.slot(number, u.unwrap_or_default(), p.1, q),
-            // The line is parallel to the one through P.
+            // The slot is parallel to the line through P and passes through Q.
             ("revolute_translational", Some(_), Some(q)) if u.is_some() => self.slot(number, u.unwrap_or_default(), q.1, q),
             ("distance", Some(p), Some(q)) => self.rod(number, p, q),
             ("absolute_distance", Some(p), _) => self.rod(number, p, joint.point("C").unwrap_or(p)),
@@ -174,14 +174,14 @@ impl Drawing<'_> {
         }
     }
 
-    /// Links below, hinges above, and the points that are asked for.
+    /// Draws links below, hinges above them, and the output points.
     fn finish(&mut self) {
         for (number, link) in self.links.iter_mut().enumerate() {
             let body = &self.scene.bodies[number];
             if link.points.is_empty() && !link.is_shown {
                 link.reach(self.view.at(body.origin));
             }
-            // A dot under a hinge would not be seen.
+            // A dot under a hinge would be hidden.
             if let ([at], [], false) = (link.points.as_slice(), link.bars.as_slice(), link.is_shown)
                 && self.pins.is_at(*at)
             {
@@ -209,7 +209,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// The axis and the guided point of a driven joint.
+    /// Direction of the axis and the guided point of a driven sliding joint.
     pub(crate) fn driven_slide(&self, joint: usize) -> Option<(Place, Place)> {
         let slide = self.scene.joints[joint]
             .arguments

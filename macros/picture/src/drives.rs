@@ -1,4 +1,4 @@
-//! Drives: a curved arrow about what turns, a straight one beside what is pushed.
+//! Drive arrows: curved ones about rotating bodies, straight ones beside translating bodies.
 
 use crate::canvas::{Ink, Layer, Near, Stroke, Subject};
 use crate::drawing::{Drawing, directions};
@@ -9,19 +9,19 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 /// The radius of a curved arrow about a hinge.
 const RADIUS: f64 = 23.0;
 
-/// How far a curved arrow goes.
+/// Angle of a curved arrow (rad).
 const SWEEP: f64 = 1.9;
 
 /// The length of a straight arrow.
 const ARROW: f64 = 34.0;
 
 impl Drawing<'_> {
-    /// The drive is drawn as an arrow.
+    /// True if the drive is drawn as an arrow.
     pub(crate) fn is_arrow(&self, joint: usize) -> bool {
         self.pushed(joint).is_some() || self.turned(joint).is_some()
     }
 
-    /// Draws all arrows; `wheel` gives the radius of a body's wheel, and whether it is a ring.
+    /// Draws all arrows; `wheel` returns the radius of a body's wheel and whether it is an internal gear.
     pub(crate) fn drives(&mut self, wheel: impl Fn(Option<usize>) -> Option<(f64, bool)>) {
         for joint in (0..self.scene.joints.len()).filter(|joint| self.scene.joints[*joint].is_drive) {
             if self.scene.joints[joint].kind == "drive_distance" {
@@ -35,7 +35,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// In which direction something is pushed, and where it is.
+    /// Direction of a driven translation and its point of action.
     fn pushed(&self, joint: usize) -> Option<(Place, Place)> {
         let drive = &self.scene.joints[joint];
         let at = drive.point("P").map(|(_, at)| self.view.at(at));
@@ -47,7 +47,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// Which body is turned, and about which place.
+    /// The driven body and its centre of rotation.
     fn turned(&self, joint: usize) -> Option<(Option<usize>, Place)> {
         let drive = &self.scene.joints[joint];
         if drive.points().next().is_some() {
@@ -65,7 +65,7 @@ impl Drawing<'_> {
 
     fn turn(&mut self, joint: usize, at: Place, wheel: Option<(f64, bool)>) {
         let (title, name, rate) = (self.title(joint), self.scene.joints[joint].name.clone(), self.scene.joints[joint].rate);
-        // On a wheel the arrow lies inside, on a small one and on a ring around it.
+        // On a large wheel the arrow lies inside the rim; on a small wheel and on an internal gear it lies outside.
         let radius = match wheel {
             Some((radius, true)) => radius + RIM + 8.0,
             Some((radius, false)) if radius < RADIUS + 7.0 => radius + 7.0,
@@ -84,7 +84,7 @@ impl Drawing<'_> {
         let (from, to) = (freest(&taken), SWEEP / 2.0 * (RADIUS / radius).min(1.0));
         let (first, last) = (from - to, from + to);
         self.canvas.draw(Layer::Arrow, Ink::Line, &title, Stroke::Arc(at, radius, first, last));
-        // The chord through the head meets the circle a little before its end.
+        // The arrow head is straight, so its tip lies slightly beyond the end of the arc.
         let lag = 4.0 / radius;
         if rate <= 0.0 {
             self.canvas.head(&title, at + polar(radius, last + lag), polar(1.0, last + FRAC_PI_2));
@@ -113,7 +113,7 @@ impl Drawing<'_> {
     }
 }
 
-/// The middle of the widest gap between directions (rad); upwards and a little to the right where all are free.
+/// Middle of the widest gap between directions (rad); upwards and slightly to the right if there are none.
 fn freest(taken: &[f64]) -> f64 {
     let candidates = (0..24).map(|step| -PI / 4.0 + TAU * f64::from(step) / 24.0);
     let room = |angle: f64| {

@@ -1,17 +1,17 @@
-//! From a shape to the element of SVG that shows it.
+//! SVG elements of shapes.
 
 use crate::canvas::{DrawnItem, Ink, Stroke};
 use crate::plane::{Place, polar};
 use core::f64::consts::{PI, TAU};
 
-/// Colours of bodies, one after the other: of a lightness that stands out from white and from black alike.
+/// Colours of bodies in turn, with a lightness that contrasts with both white and black.
 pub(crate) const COLOURS: [&str; 8] = ["#3f87c9", "#d06f24", "#3d9a50", "#a56cc1", "#1f9c99", "#cf5c68", "#94873a", "#7d7ad0"];
 
-/// An element without its contents.
+/// An SVG element without its contents.
 pub(crate) struct Element {
     pub(crate) tag: &'static str,
     pub(crate) class: String,
-    /// Where it is: attributes by name.
+    /// Geometry, as attributes by name.
     pub(crate) geometry: Vec<(&'static str, String)>,
 }
 
@@ -21,7 +21,7 @@ impl Element {
         Element { tag, class: class(item.ink), geometry }
     }
 
-    /// All of its attributes.
+    /// All attributes, as text.
     pub(crate) fn attributes(&self) -> String {
         let geometry: String = self.geometry.iter().map(|(name, value)| format!(" {name}=\"{value}\"")).collect();
         format!("class=\"{}\"{geometry}", self.class)
@@ -55,7 +55,7 @@ fn geometry(shape: &Stroke) -> (&'static str, Vec<(&'static str, String)>) {
     ("path", vec![("d", data)])
 }
 
-/// The half axes of an ellipse, and how it is turned.
+/// Semi-axes and rotation of an ellipse.
 fn radii(major: Place, minor: f64) -> String {
     format!("{} {} {}", number(major.norm()), number(minor), number(major.angle() * 180.0 / PI))
 }
@@ -82,7 +82,7 @@ fn class(ink: Ink) -> String {
     }
 }
 
-/// Lines through places.
+/// Path through points.
 pub(crate) fn path(places: &[Place]) -> String {
     let command = |index: usize| ["M", "L"].get(index).copied().unwrap_or(" ");
     places.iter().enumerate().map(|(index, at)| format!("{}{}", command(index), pair(*at))).collect()
@@ -92,9 +92,9 @@ pub(crate) fn pair(at: Place) -> String {
     format!("{} {}", number(at.x), number(at.y))
 }
 
-/// To a tenth of a unit, without needless digits.
+/// Rounded to a tenth of a unit, without trailing zeros.
 pub(crate) fn number(value: f64) -> String {
     let rounded = (value * 10.0).round() / 10.0;
-    // Minus zero is zero.
+    // Prints −0 as 0.
     format!("{}", if rounded == 0.0 { 0.0 } else { rounded })
 }

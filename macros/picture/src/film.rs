@@ -1,4 +1,4 @@
-//! The frames of a motion taken apart, for programs that show them by other means than one text for each.
+//! The frames of a motion as separate shapes, for programs that write them in formats of their own.
 
 use crate::element::{Element, number};
 use crate::picture::{Reel, Sheet};
@@ -7,7 +7,7 @@ use crate::scene::{Scene, Vector};
 use crate::svg;
 use crate::undrawable::Undrawable;
 
-/// The frames of a motion as shapes and words: what [`frames`](crate::frames()) writes, before it is written.
+/// The frames of a motion as shapes and labels: the content that [`frames`](crate::frames()) writes as SVG.
 ///
 /// ```
 /// use reuleaux_picture::{Film, GROUND, Pose, Scene};
@@ -28,39 +28,39 @@ use crate::undrawable::Undrawable;
 #[derive(Clone, Debug)]
 pub struct Film {
     reel: Reel,
-    /// What stands below every frame, as SVG.
+    /// SVG below every frame: captions and scale.
     foot: String,
-    /// What all of it covers.
+    /// Bounding box of all frames.
     frame: Rectangle,
 }
 
-/// A shape or a word.
+/// A shape or a label.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
     /// `path`, `circle` or `text`.
     pub tag: &'static str,
-    /// Its classes in the [style sheet](Film::style).
+    /// Classes in the [style sheet](Film::style).
     pub class: String,
-    /// Where it is: attributes by name. Numbers are in units of the picture, to a tenth.
+    /// Geometry, as attributes by name. Numbers are in picture units, rounded to a tenth.
     pub geometry: Vec<(&'static str, String)>,
-    /// What the pointer is told that rests on a shape; may be empty.
+    /// Tooltip of a shape; may be empty.
     pub title: String,
-    /// What a word says.
+    /// Text of a label; empty for a shape.
     pub text: String,
-    /// The least x and y of a box around it, in units of the picture. Marks whose boxes are apart do not hide each other.
+    /// Corner of the bounding box with the least x and y, in picture units. Marks with disjoint boxes do not hide each other.
     pub low: [f64; 2],
-    /// The largest x and y.
+    /// Corner with the largest x and y.
     pub high: [f64; 2],
 }
 
-/// Half of the widest line, and a little more.
+/// Half the width of the widest line, and a small allowance.
 const REACH: f64 = 6.5;
 
 impl Film {
-    /// Draws scenes with one view, in which `places` (m, in ground) are seen as well.
+    /// Draws scenes with one view, which also contains the points `places` (m, in ground).
     ///
     /// # Errors
-    /// Why one of them cannot be drawn, or [`Undrawable::Empty`] where there is none.
+    /// The reason why one of the scenes cannot be drawn, or [`Undrawable::Empty`] if there is none.
     pub fn of(scenes: &[Scene], places: &[Vector]) -> Result<Film, Undrawable> {
         let reel = Reel::of(scenes, places)?.ok_or(Undrawable::Empty)?;
         let captions = reel.sheets.first().map_or(&[][..], |sheet| &sheet.canvas.captions);
@@ -68,45 +68,45 @@ impl Film {
         Ok(Film { reel, foot, frame })
     }
 
-    /// How many frames there are.
+    /// Number of frames.
     #[must_use]
     pub fn count(&self) -> usize {
         self.reel.sheets.len()
     }
 
-    /// Shapes from below to above, and then words; nothing where there is no such frame.
+    /// The shapes of a frame from bottom to top, then its labels; empty if there is no such frame.
     #[must_use]
     pub fn marks(&self, frame: usize) -> Vec<Mark> {
         self.reel.sheets.get(frame).map(marks).unwrap_or_default()
     }
 
-    /// Where a place (m, in ground) is seen, in units of the picture.
+    /// Position in the picture, in picture units, of a point in ground (m).
     #[must_use]
     pub fn at(&self, place: impl Into<Vector>) -> [f64; 2] {
         let seen = self.reel.eye.at(place.into());
         [seen.x, seen.y]
     }
 
-    /// The least x and y of the picture, and its width and height: a view box.
+    /// Least x and y, width and height of the picture, as an SVG view box.
     #[must_use]
     pub fn frame(&self) -> [f64; 4] {
         let (low, size) = (self.frame.low, self.frame.size());
         [low.x, low.y, size.x, size.y]
     }
 
-    /// What stands below every frame, such as the scale, as SVG.
+    /// SVG below every frame: captions and scale.
     #[must_use]
     pub fn foot(&self) -> &str {
         &self.foot
     }
 
-    /// The style sheet, for marks inside an element of class `reuleaux`.
+    /// The style sheet for marks inside an element of class `reuleaux`.
     #[must_use]
     pub fn style(&self) -> String {
         svg::style(self.reel.sheets.iter().any(|sheet| sheet.canvas.is_in_space))
     }
 
-    /// How many bodies, joints and drives there are, as a sentence.
+    /// The numbers of bodies, joints and drives, as a sentence.
     #[must_use]
     pub fn description(&self) -> &str {
         &self.reel.captions[1]

@@ -1,4 +1,4 @@
-//! Wheels, racks and belts as they are drawn.
+//! Drawings of wheels, racks and belts.
 
 use crate::canvas::{Canvas, Ink, Layer, Near, Subject};
 use crate::drawing::Drawing;
@@ -6,7 +6,7 @@ use crate::habits::Guide;
 use crate::plane::{Place, polar};
 use crate::wheels::{Rack, Wheel, Wheels};
 
-/// How much wider than its pitch circle a ring is drawn.
+/// Width of the rim that an internal gear has outside its pitch circle.
 pub(crate) const RIM: f64 = 9.0;
 
 impl Drawing<'_> {
@@ -47,19 +47,19 @@ impl Drawing<'_> {
         }
         let Some(body) = wheel.body else { return };
         if !wheel.is_ring {
-            // A spoke shows how far it is turned.
+            // A spoke shows the angle of the wheel.
             let angle = self.scene.bodies[body].angle;
             let rim = at + self.view.along(polar(1.0, angle)) * radius;
             self.canvas.line(Layer::Wheel, Ink::Of(body), &name, &[at, rim]);
         }
-        // A body that is also a bar has its name there.
+        // If the body also has a bar, its name stands beside the bar.
         if !std::mem::replace(&mut self.links[body].is_shown, true) && !self.links[body].has_extent() {
             let near = if wheel.is_ring { Near::Point(at, radius + RIM + 3.0) } else { Near::Rim(at, radius) };
             self.canvas.wish(Subject::Body, &name, near);
         }
     }
 
-    /// A bar with teeth towards its pinion, and what holds it.
+    /// Draws a rack: a bar with teeth towards its pinion, and its guide or support.
     fn rack(&mut self, joint: usize, rack: &Rack) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
         let (contact, held) = (self.view.at(rack.contact), self.view.at(rack.held));
@@ -87,7 +87,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// Where the middle of a rack is along it from the contact, and half of its length: in a motion, so that all its contacts are on it.
+    /// Offset of the centre of a rack from the contact, along the rack, and half its length; in a motion the bar contains every contact.
     fn bar(&mut self, joint: usize, contact: f64, reach: f64, overhang: f64) -> (f64, f64) {
         let own = Guide::new(contact, 0.0);
         self.habits.slide(joint, own);
@@ -99,7 +99,7 @@ impl Drawing<'_> {
 }
 
 impl Canvas {
-    /// A thin arrow head at `tip` that points along `way`.
+    /// A thin arrow head with its tip at `tip`, pointing along `way`.
     pub(crate) fn head(&mut self, title: &str, tip: Place, way: Place) {
         let (back, side) = (tip - way * 8.0, way.perp() * 3.2);
         self.area(Layer::Arrow, Ink::Solid, title, &[tip, back + side, back - side]);

@@ -1,40 +1,40 @@
-//! What is drawn the same way throughout a motion, so that ground stands still and guides keep their lengths: where links leave places
-//! on ground, how far guides are used, and to which side they are pulled.
+//! Properties of a drawing that are shared by all frames of a motion, so that supports stand still and guides keep their lengths:
+//! directions of links at places on ground, ranges of guides, and the side to which each guide is loaded.
 
 use crate::plane::Place;
 use std::collections::BTreeMap;
 
-/// Places nearer to each other than this are one in the picture.
+/// Places nearer to each other than this coincide in the picture.
 const NEAR: f64 = 1.0;
 
-/// What happens in a motion.
+/// Ranges and directions over a motion.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Habits {
     /// Places on ground with the directions (rad) in which links leave them.
     reached: Vec<(Place, Vec<f64>)>,
-    /// By joint.
+    /// Indexed by joint.
     guides: BTreeMap<usize, Guide>,
 }
 
-/// A guide or a slot in use.
+/// Range and loading of a guide or a slot.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Guide {
-    /// The least coordinate along it of what it guides.
+    /// Least coordinate of the guided point along the guide.
     pub(crate) low: f64,
-    /// The largest one.
+    /// Largest coordinate.
     pub(crate) high: f64,
-    /// The sum of what pulls at it.
+    /// Sum of the lateral pulls of the links on the guided point.
     pull: f64,
     count: u32,
 }
 
 impl Guide {
-    /// What pulls at it on the mean.
+    /// Mean lateral pull.
     pub(crate) fn pull(&self) -> f64 {
         self.pull / f64::from(self.count)
     }
 
-    /// What it guides is at a coordinate along it, and is pulled to a side.
+    /// A guide used at one coordinate only, with a lateral pull.
     pub(crate) fn new(at: f64, pull: f64) -> Guide {
         Guide { low: at, high: at, pull, count: 1 }
     }
@@ -46,7 +46,7 @@ impl Guide {
 }
 
 impl Habits {
-    /// Links leave a place in these directions.
+    /// Records directions (rad) in which links leave a place.
     pub(crate) fn reach(&mut self, at: Place, directions: Vec<f64>) {
         match self.reached.iter_mut().find(|(known, _)| (*known - at).norm() < NEAR) {
             Some((_, known)) => known.extend(directions),
@@ -54,23 +54,23 @@ impl Habits {
         }
     }
 
-    /// A guide is used.
+    /// Records the use of a guide.
     pub(crate) fn slide(&mut self, joint: usize, guide: Guide) {
         self.guides.entry(joint).and_modify(|known| *known = known.and(guide)).or_insert(guide);
     }
 
-    /// Takes in those of another scene.
+    /// Merges the habits of another scene.
     pub(crate) fn learn(&mut self, other: Habits) {
         other.reached.into_iter().for_each(|(at, directions)| self.reach(at, directions));
         other.guides.into_iter().for_each(|(joint, guide)| self.slide(joint, guide));
     }
 
-    /// The directions in which links leave a place.
+    /// Directions in which links leave a place.
     pub(crate) fn at(&self, at: Place) -> impl Iterator<Item = f64> {
         self.reached.iter().filter(move |(known, _)| (*known - at).norm() < NEAR).flat_map(|(_, directions)| directions.iter().copied())
     }
 
-    /// How a guide is used, if that is known.
+    /// Range and loading of a guide, if recorded.
     pub(crate) fn guide(&self, joint: usize) -> Option<Guide> {
         self.guides.get(&joint).copied()
     }

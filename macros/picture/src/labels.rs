@@ -1,7 +1,7 @@
-//! Places for words: each takes the best place that is left near what it names.
+//! Label placement: each label takes the best free place near the item that it names.
 //!
-//! A greedy search as on maps (Christensen, Marks and Shieber, An empirical study of algorithms for point-feature label placement,
-//! ACM Transactions on Graphics 14, 1995): candidates around the object, each with a cost for what it would cover.
+//! A greedy search as in cartography (Christensen, Marks and Shieber, An empirical study of algorithms for point-feature label placement,
+//! ACM Transactions on Graphics 14, 1995): candidates around the object, each with a cost for the shapes that it would cover.
 
 use crate::canvas::{Canvas, DrawnItem, Ink, Layer, Near, Stroke, Subject, Wish};
 use crate::plane::{Place, Rectangle, is_inside, place, polar};
@@ -13,32 +13,32 @@ pub(crate) const HEIGHT: f64 = 13.0;
 /// The size of the letters.
 pub(crate) const SIZE: f64 = 12.0;
 
-/// A word that costs more to place is left out, and told by its shape only.
+/// A label whose best place costs more than this is omitted; the tooltip of the shape still gives the name.
 const DEAREST: f64 = 60.0;
 
-/// What it costs a word to stand on a plate that it does not name.
+/// Cost of a label on the plate of another body.
 const ON_PLATE: f64 = 1.2;
 
-/// What it costs the name of a body to stand nearer to another one.
+/// Cost of a body's name that is nearer to another body than to its own.
 const AMBIGUOUS: f64 = 4.0;
 
-/// What is taken off the cost of the place that a word had in the frame before.
+/// Bonus for the place that the label had in the frame before.
 const KEPT: f64 = 3.0;
 
-/// A word in its place.
+/// A placed label.
 #[derive(Clone, Debug)]
 pub(crate) struct Placed {
     pub(crate) text: String,
     pub(crate) role: Subject,
     pub(crate) frame: Rectangle,
-    /// Which of the places near what it names it has.
+    /// Index of the chosen place among the candidates.
     choice: usize,
 }
 
-/// Places as many words as there is room for; `before` are those of the frame before, from whose places they move when they must.
+/// Places as many labels as there is room for; `before` are the labels of the frame before, which keep their places if possible.
 pub(crate) fn labels(canvas: &Canvas, before: &[Placed]) -> Vec<Placed> {
     let mut wishes: Vec<&Wish> = canvas.wishes.iter().collect();
-    // What has the fewest places to choose from comes first.
+    // Labels with the fewest candidates come first.
     wishes.sort_by_key(|wish| wish.role);
     let obstacles: Vec<Obstacle> = canvas.items.iter().flat_map(obstacles).collect();
     let plate = |item: &DrawnItem| match (&item.shape, item.ink) {
@@ -69,7 +69,7 @@ pub(crate) fn labels(canvas: &Canvas, before: &[Placed]) -> Vec<Placed> {
     placed
 }
 
-/// The width of a text, estimated generously from its letters.
+/// Width of a text, estimated on the safe side from its letters.
 pub(crate) fn width(text: &str) -> f64 {
     let letter = |letter: char| match letter {
         'i' | 'j' | 'l' | 't' | 'f' | 'r' | '.' | ',' | ':' | ';' | '[' | ']' | '(' | ')' | ' ' | '|' => 0.36,
@@ -80,11 +80,11 @@ pub(crate) fn width(text: &str) -> f64 {
     SIZE * text.chars().map(letter).sum::<f64>() + 2.0
 }
 
-/// Something that words should not lie on.
+/// A segment that labels should not cover.
 struct Obstacle {
     a: Place,
     b: Place,
-    /// Half of its width, and some air.
+    /// Half the width of its stroke, and a gap.
     half: f64,
     cost: f64,
 }
@@ -103,7 +103,7 @@ fn obstacles(item: &DrawnItem) -> Vec<Obstacle> {
         Ink::Plate(_) => 2.5,
         _ => 1.0,
     };
-    // What is small is covered also where only its inside is.
+    // A small block is an obstacle inside as well, so its diagonals count.
     let diagonals = match (&item.shape, item.layer) {
         (Stroke::Closed(corners), Layer::Block) if corners.len() == 4 => vec![(corners[0], corners[2]), (corners[1], corners[3])],
         _ => Vec::new(),
@@ -115,23 +115,23 @@ fn obstacles(item: &DrawnItem) -> Vec<Obstacle> {
     found
 }
 
-/// What a word in this place would cover.
+/// Cost of the obstacles that a label in this place would cover; infinite over another label.
 fn covered(frame: Rectangle, obstacles: &[&Obstacle], others: &[Rectangle]) -> f64 {
     if others.iter().any(|other| other.overlaps(frame)) {
         return f64::INFINITY;
     }
-    // The box of a line of text is higher than most of its letters.
+    // The box of a line of text is taller than most letters.
     let inner = frame.grown(-1.0);
     obstacles.iter().filter(|obstacle| inner.grown(obstacle.half).is_crossed(obstacle.a, obstacle.b)).map(|obstacle| obstacle.cost).sum()
 }
 
-/// Names of bodies may stand on plates, others rather not.
+/// Cost of a label on a plate; names of bodies may stand there.
 fn on_plate(role: Subject, frame: Rectangle, plates: &[Vec<Place>]) -> f64 {
     let is_on = |plate: &Vec<Place>| is_inside(plate, frame.middle());
     if role != Subject::Body && plates.iter().any(is_on) { ON_PLATE } else { 0.0 }
 }
 
-/// A name is taken for that of the nearest body.
+/// Cost of a name that would be read as the name of a nearer body.
 fn ambiguity(wish: &Wish, frame: Rectangle, wishes: &[Wish]) -> f64 {
     let Some(own) = distance(&wish.near, frame.middle()).filter(|_| wish.role == Subject::Body) else { return 0.0 };
     let others = wishes.iter().filter(|other| other.role == Subject::Body && other.text != wish.text);
@@ -139,7 +139,7 @@ fn ambiguity(wish: &Wish, frame: Rectangle, wishes: &[Wish]) -> f64 {
     if nearest < own { AMBIGUOUS } else { 0.0 }
 }
 
-/// How far a place is from what is named, if that has an outline.
+/// Distance of a point from the labelled item, if the item has an outline.
 fn distance(near: &Near, at: Place) -> Option<f64> {
     match near {
         Near::Segments(segments) => Some(segments.iter().map(|(a, b)| at.to_segment(*a, *b)).fold(f64::INFINITY, f64::min)),
@@ -152,7 +152,7 @@ fn distance(near: &Near, at: Place) -> Option<f64> {
     }
 }
 
-/// Where a word of this size may stand, with what is against it.
+/// Places where a label of this size may stand, with their costs.
 fn candidates(near: &Near, size: Place) -> Vec<(Rectangle, f64)> {
     let at = |middle: Place, cost: f64| (Rectangle::centred(middle, size), cost);
     match near {
@@ -165,7 +165,7 @@ fn candidates(near: &Near, size: Place) -> Vec<(Rectangle, f64)> {
                     for normal in [normal, -normal] {
                         for (step, gap) in [7.0, 12.0, 20.0, 30.0].into_iter().enumerate() {
                             let beside = beside(normal, gap, size);
-                            // Above is read first.
+                            // A label above a segment is read more easily than one below.
                             let below = if normal.y > 0.0 { 0.3 } else { 0.0 };
                             found.push(at(*a + (*b - *a) * part + beside, rank as f64 * 0.35 + step as f64 * 2.0 + below));
                         }
@@ -200,12 +200,12 @@ fn candidates(near: &Near, size: Place) -> Vec<(Rectangle, f64)> {
     }
 }
 
-/// Around a place: beside it first, then further away.
+/// Places around a point, the nearest ring first.
 fn around(point: Place, gap: f64, size: Place) -> Vec<(Rectangle, f64)> {
     let mut found = Vec::new();
     for (ring, more) in [0.0, 5.0, 11.0, 19.0, 29.0, 41.0].into_iter().enumerate() {
         for step in 0..16 {
-            // To the upper right first, as on maps.
+            // The upper right comes first, as in cartography.
             let angle = -TAU / 8.0 + TAU * f64::from(step) / 16.0;
             let turned = f64::from(if step <= 8 { step } else { 16 - step });
             let middle = point + beside(polar(1.0, angle), gap + more, size);
@@ -215,7 +215,7 @@ fn around(point: Place, gap: f64, size: Place) -> Vec<(Rectangle, f64)> {
     found
 }
 
-/// From a place to the middle of a word at distance `gap` in a direction.
+/// Vector from a point to the centre of a label at distance `gap` in a direction.
 fn beside(direction: Place, gap: f64, size: Place) -> Place {
     let soft = |part: f64| (part * 1.6).clamp(-1.0, 1.0);
     direction * gap + place(soft(direction.x) * size.x / 2.0, soft(direction.y) * size.y / 2.0)

@@ -4,14 +4,14 @@
 //! generated types with this crate; with the feature `picture` of `reuleaux` programs draw any state of a mechanism.
 //!
 //! ```text
-//! Scene ─place─▶ PlacedScene (m) ─draw─▶ Canvas (shapes) ─labels─▶ words in their places ─svg─▶ text
+//! Scene ─place─▶ PlacedScene (m) ─draw─▶ Canvas (shapes) ─labels─▶ placed labels ─svg─▶ text
 //! ```
 //!
-//! A scene in which something has three components is one in space. It is drawn in axonometry: orthographic, z upwards, from the one of
-//! some directions from which points that are apart are seen apart and no axis of a joint is seen as a point. All frames of a motion are
-//! seen from one direction.
+//! A scene with a vector of three components is spatial. It is drawn in orthographic projection with z upwards. Of a fixed set of view
+//! directions it takes the one that keeps distinct points apart and shows no joint axis end on; all frames of a motion share one
+//! direction.
 //!
-//! A scene may also be put together by hand:
+//! A scene can also be built by hand:
 //!
 //! ```
 //! use reuleaux_picture::{GROUND, Pose, Scene};
@@ -41,7 +41,8 @@
 //! assert!(scene.svg().contains("<title>upper: revolute of ground and leaf</title>"));
 //! ```
 //!
-//! Nothing here panics, whatever the numbers: what cannot be drawn is an [`Undrawable`], or a sentence in place of the picture.
+//! Nothing here panics, whatever the numbers: a scene that cannot be drawn gives an [`Undrawable`], or a sentence in place of the
+//! picture.
 
 #![deny(missing_docs)]
 #![forbid(unsafe_code)]

@@ -1,22 +1,22 @@
-//! Bodies: a link between two hinges is a bar, one with more a plate, a body that is only a place a dot.
+//! Bodies: a link between two hinges is a bar, one with more hinges a plate, and a body with a single point a dot.
 
 use crate::canvas::{Canvas, Ink, Layer, Near, Subject};
 use crate::plane::{Place, farthest, hull};
 
-/// Points nearer to each other than this are one in the picture.
+/// Points nearer to each other than this coincide in the picture.
 const NEAR: f64 = 0.7;
 
-/// A plate that is thinner is a bar.
+/// A plate thinner than this is drawn as a bar.
 const THIN: f64 = 3.0;
 
 /// A body while the picture is drawn.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct DrawnBody {
-    /// Its points, in units of the picture.
+    /// Points, in picture units.
     pub(crate) points: Vec<Place>,
-    /// Guides that it carries beyond its points.
+    /// Guides fixed to the body that extend beyond its points.
     pub(crate) bars: Vec<(Place, Place)>,
-    /// Something else shows where it is: a block, a wheel, a cam.
+    /// True if another symbol shows the position of the body: a block, a wheel, a cam.
     pub(crate) is_shown: bool,
 }
 
@@ -27,19 +27,19 @@ impl DrawnBody {
         }
     }
 
-    /// The corners of its outline: one, the two ends of a bar, or those of a plate.
+    /// Corners of the outline: a single point, the two ends of a bar, or the corners of a plate.
     pub(crate) fn outline(&self) -> Vec<Place> {
         let Some((one, two)) = farthest(&self.points) else { return self.points.clone() };
         let is_thin = self.points.iter().all(|at| at.to_segment(one, two) < THIN);
         if is_thin { vec![one, two] } else { hull(&self.points) }
     }
 
-    /// It is more than a place.
+    /// True if the body is more than a point.
     pub(crate) fn has_extent(&self) -> bool {
         self.outline().len() > 1 || !self.bars.is_empty()
     }
 
-    /// The directions (rad) in which it leaves a place.
+    /// Directions (rad) in which the body leaves a place.
     pub(crate) fn directions(&self, from: Place) -> Vec<f64> {
         let of_bars = self.bars.iter().filter(|(one, _)| (*one - from).norm() < 2.0).map(|(one, two)| (*two - *one).angle());
         let of_bars: Vec<f64> = of_bars.collect();

@@ -1,4 +1,4 @@
-//! From scenes to pictures: one as it stands, or the frames of a motion, drawn alike.
+//! From scenes to pictures: a single picture, or the frames of a motion in one style.
 
 use crate::canvas::Canvas;
 use crate::drawing::Setting;
@@ -12,13 +12,13 @@ use crate::svg::{self, Captions, Scale};
 use crate::undrawable::Undrawable;
 use crate::view::{Extent, View};
 
-/// In mechanisms with more bodies only the first of an array is named.
+/// In mechanisms with more bodies only the first element of an array is named.
 pub(crate) const ALL_NAMED: usize = 20;
 
-/// In mechanisms with more bodies names would hide what they name.
+/// In mechanisms with more bodies nothing is named: labels would hide the bodies.
 const MOST_NAMED: usize = 60;
 
-/// A mechanism as it is drawn.
+/// A drawn mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
     svg: String,
@@ -27,44 +27,44 @@ pub struct Picture {
     is_in_space: bool,
 }
 
-/// A name in the picture.
+/// A label in the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// What it says.
+    /// The text.
     pub text: String,
-    /// The least x and y of the box that is kept free for it, in units of the picture.
+    /// Least x and y of the box that is kept free for the label, in picture units.
     pub low: [f64; 2],
-    /// The largest x and y.
+    /// Largest x and y of the box.
     pub high: [f64; 2],
 }
 
 impl Picture {
-    /// Inline SVG without a blank line, in the colours of the page around it.
+    /// Inline SVG without a blank line, in the colours of the surrounding page.
     #[must_use]
     pub fn svg(&self) -> &str {
         &self.svg
     }
 
-    /// The same as a file of its own, on white.
+    /// The picture as an SVG file of its own, on white.
     #[must_use]
     pub fn page(&self) -> String {
         on_white(&self.svg, self.is_in_space)
     }
 
-    /// The names in the picture, where they stand.
+    /// The labels with their places.
     #[must_use]
     pub fn labels(&self) -> &[Label] {
         &self.labels
     }
 
-    /// Whether everything is named that has room for a name; in a picture of many bodies the others show where the pointer rests.
+    /// True if every item with room for a label has one; in a picture of many bodies the other names appear as tooltips.
     #[must_use]
     pub fn names_all(&self) -> bool {
         self.names_all
     }
 }
 
-/// Draws the frames of a motion: all with one view and one size, ground where it is, and names that stay where they can.
+/// Draws the frames of a motion with one view and one size; ground stands still, and labels keep their places where possible.
 ///
 /// ```
 /// use reuleaux_picture::{GROUND, Pose, Scene, frames};
@@ -82,18 +82,18 @@ impl Picture {
 /// ```
 ///
 /// # Errors
-/// Why one of them cannot be drawn.
+/// The reason why one of the scenes cannot be drawn.
 pub fn frames(scenes: &[Scene]) -> Result<Vec<Picture>, Undrawable> {
     let Some(reel) = Reel::of(scenes, &[])? else { return Ok(Vec::new()) };
     Ok(reel.sheets.iter().map(|sheet| reel.picture(sheet)).collect())
 }
 
-/// The [frames](frames()) of a motion as one picture that moves, over and over, on white; `period` (s) is how long all of them take.
+/// The [frames](frames()) of a motion as one animated SVG on white, which repeats with `period` (s).
 ///
-/// Programs that do not move SVG show the first one.
+/// Programs that do not animate SVG show the first frame.
 ///
 /// # Errors
-/// Why one of them cannot be drawn.
+/// The reason why one of the scenes cannot be drawn.
 pub fn animation(scenes: &[Scene], period: f64) -> Result<String, Undrawable> {
     let Some(reel) = Reel::of(scenes, &[])? else { return Err(Undrawable::Empty) };
     let Reel { captions: [title, description], scale, frame, .. } = &reel;
@@ -102,32 +102,32 @@ pub fn animation(scenes: &[Scene], period: f64) -> Result<String, Undrawable> {
     Ok(on_white(&svg::animation(&sheets, scale, *frame, &Captions { title, description }, period), matches!(scale, Scale::Axes(_))))
 }
 
-/// Draws a scene as it stands.
+/// Draws a single scene.
 pub(crate) fn draw(scene: &Scene) -> Result<Picture, Undrawable> {
     let reel = Reel::of(std::slice::from_ref(scene), &[])?.ok_or(Undrawable::Empty)?;
     reel.sheets.first().map(|sheet| reel.picture(sheet)).ok_or(Undrawable::Empty)
 }
 
-/// Frames before they are written.
+/// Frames before they are written as SVG.
 #[derive(Clone, Debug)]
 pub(crate) struct Reel {
     pub(crate) sheets: Vec<Sheet>,
     pub(crate) scale: Scale,
     pub(crate) eye: Eye,
     pub(crate) frame: Rectangle,
-    /// A title and a description.
+    /// Title and description.
     pub(crate) captions: [String; 2],
     names_all: bool,
 }
 
-/// One of them.
+/// One frame.
 #[derive(Clone, Debug)]
 pub(crate) struct Sheet {
     pub(crate) canvas: Canvas,
     pub(crate) labels: Vec<Placed>,
 }
 
-/// Where places are seen.
+/// Projection into the picture.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Eye {
     Plane(View),
@@ -135,7 +135,7 @@ pub(crate) enum Eye {
 }
 
 impl Eye {
-    /// From m to units of the picture.
+    /// From m to picture units.
     pub(crate) fn at(&self, at: Vector) -> Place {
         match self {
             Eye::Plane(view) => view.at(place(at.x, at.y)),
@@ -145,7 +145,7 @@ impl Eye {
 }
 
 impl Reel {
-    /// Draws scenes with one view, in which these places (m) are seen too; nothing if there is no scene.
+    /// Draws scenes with one view, which also contains these points (m); `None` if there is no scene.
     pub(crate) fn of(scenes: &[Scene], places: &[Vector]) -> Result<Option<Reel>, Undrawable> {
         if scenes.iter().any(Scene::is_in_space) {
             return Reel::in_space(scenes, places);
@@ -166,7 +166,7 @@ impl Reel {
         Ok(reel)
     }
 
-    /// Mechanisms in space.
+    /// Draws spatial mechanisms.
     fn in_space(scenes: &[Scene], places: &[Vector]) -> Result<Option<Reel>, Undrawable> {
         let mut stage = space::stage(scenes)?;
         let canvases = std::mem::take(&mut stage.canvases);
@@ -175,7 +175,7 @@ impl Reel {
         }))
     }
 
-    /// Finds places for the words.
+    /// Places the labels.
     fn from(
         scenes: &[Scene],
         canvases: Vec<Canvas>,
@@ -217,7 +217,7 @@ impl Reel {
 }
 
 fn on_white(svg: &str, is_in_space: bool) -> String {
-    // In space the middle of the mechanism need not be that of the picture.
+    // In space the mechanism need not be centred in the picture.
     let (corner, size) = if is_in_space { ("-100%", "300%") } else { ("-50%", "200%") };
     let paper = format!("</style>\n<rect x=\"{corner}\" y=\"{corner}\" width=\"{size}\" height=\"{size}\" fill=\"#fff\"/>");
     svg.replacen("</style>", &paper, 1)
@@ -235,12 +235,12 @@ fn counted(number: usize, one: &str, many: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { many })
 }
 
-/// In a mechanism of so many bodies there is room for this name.
+/// True if this name is shown in a mechanism with so many bodies.
 fn is_named(bodies: usize, text: &str) -> bool {
     bodies <= ALL_NAMED || bodies <= MOST_NAMED && !is_repetition(text)
 }
 
-/// One of its indices is above 0.
+/// True if one of its indices is above 0.
 fn is_repetition(name: &str) -> bool {
     name.split('[').skip(1).any(|part| part.starts_with(|digit: char| ('1'..='9').contains(&digit)))
 }

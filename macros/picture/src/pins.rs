@@ -1,4 +1,4 @@
-//! Hinges, and what holds them to ground.
+//! Hinges and their supports on ground.
 
 use crate::canvas::{Canvas, Ink, Layer, Near, Stroke, Subject};
 use crate::plane::{Place, place, polar};
@@ -7,40 +7,40 @@ use core::f64::consts::{FRAC_PI_2, PI};
 /// The radius of a hinge.
 pub(crate) const RADIUS: f64 = 4.6;
 
-/// Hinges nearer to each other than this are one in the picture.
+/// Hinges nearer to each other than this coincide in the picture.
 const NEAR: f64 = 1.0;
 
-/// Of more joints at one place only these are named.
+/// Number of joints that are named at one place.
 const MOST_NAMES: usize = 4;
 
-/// How bodies are joined at a place.
+/// Kind of connection at a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Look {
-    /// They turn about it.
+    /// Bodies rotate relative to each other.
     Hinge,
-    /// They are one.
+    /// Bodies are rigidly connected.
     Weld,
 }
 
-/// A place where bodies are joined.
+/// A place where bodies are connected.
 #[derive(Clone, Debug)]
 pub(crate) struct Pin {
     pub(crate) at: Place,
     has_hinge: bool,
     has_weld: bool,
     pub(crate) is_on_ground: bool,
-    /// The joints by name, with what they are.
+    /// Names of the joints with their tooltips.
     names: Vec<(String, String)>,
 }
 
-/// All of them.
+/// All connections.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pins {
     pub(crate) pins: Vec<Pin>,
 }
 
 impl Pins {
-    /// Joins bodies at a place; `name` is shown there, `title` is told.
+    /// Connects bodies at a place, with the label `name` and the tooltip `title`.
     pub(crate) fn join(&mut self, at: Place, look: Look, is_on_ground: bool, name: &str, title: &str) {
         let pin = match self.pins.iter().position(|pin| (pin.at - at).norm() < NEAR) {
             Some(known) => &mut self.pins[known],
@@ -58,17 +58,17 @@ impl Pins {
         }
     }
 
-    /// A joint is at this place.
+    /// True if there is a joint at this place.
     pub(crate) fn is_at(&self, at: Place) -> bool {
         self.pins.iter().any(|pin| (pin.at - at).norm() < NEAR)
     }
 
-    /// Where ground lies (rad) below a hinge on it; `links` are the directions in which links leave the place.
+    /// Direction (rad) from a hinge on ground towards its support; `links` are the directions in which links leave the place.
     pub(crate) fn ground_of(&self, at: Place, links: &[f64]) -> Option<f64> {
         self.pins.iter().find(|pin| pin.is_on_ground && (pin.at - at).norm() < NEAR).map(|_| freest(links))
     }
 
-    /// Draws all of them; `links` are the directions in which links leave a place.
+    /// Draws all connections; `links` returns the directions in which links leave a place.
     pub(crate) fn draw(&self, canvas: &mut Canvas, links: impl Fn(Place) -> Vec<f64>) {
         for pin in &self.pins {
             let title =
@@ -78,7 +78,7 @@ impl Pins {
                 support(canvas, &title, pin.at, freest(&links(pin.at)));
             }
             if pin.has_weld {
-                // Around a hinge, if bodies that are one turn about it together.
+                // The weld surrounds a hinge if bodies that are rigidly connected rotate about it together.
                 let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| pin.at + place(x, y) * 5.6);
                 canvas.area(Layer::Pin, Ink::Solid, &title, &corners);
             }
@@ -93,7 +93,7 @@ impl Pins {
     }
 }
 
-/// Several names as one: those that differ in an index only are one name, and of many the first are said.
+/// Joins several names into one label: names that differ only in an index count once, and at most the first few are listed.
 pub(crate) fn together<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let mut kinds: Vec<(String, &str, bool)> = Vec::new();
     for name in names {
@@ -115,13 +115,13 @@ pub(crate) fn together<'a>(names: impl Iterator<Item = &'a str>) -> String {
     shown.join(", ")
 }
 
-/// Downwards, unless a link goes there; then to a side, or upwards.
+/// Downwards, unless a link goes there; otherwise to a side, or upwards.
 fn freest(links: &[f64]) -> f64 {
     let is_free = |angle: &f64| links.iter().all(|link| libm::cos(link - angle) < 0.75);
     [FRAC_PI_2, PI, 0.0, -FRAC_PI_2].into_iter().find(is_free).unwrap_or(FRAC_PI_2)
 }
 
-/// A pivot on ground: a triangle on hatched ground, which lies in the direction `angle` (rad).
+/// A pivot on ground: a triangle on hatched ground in the direction `angle` (rad).
 fn support(canvas: &mut Canvas, title: &str, at: Place, angle: f64) {
     let (down, right) = (polar(1.0, angle), polar(1.0, angle - FRAC_PI_2));
     let (left_foot, right_foot) = (at + down * 17.0 - right * 9.0, at + down * 17.0 + right * 9.0);

@@ -1,25 +1,25 @@
-//! The mechanism in one configuration: every point where it lies in ground, in m, with y upwards.
+//! The mechanism in one configuration, with every point in ground coordinates (m, y upwards).
 
 use crate::plane::{Place, place};
 use crate::scene::{Argument, Fixed, GROUND, Joint, Scene, Vector};
 use crate::undrawable::Undrawable;
 use std::collections::BTreeMap;
 
-/// With more bodies there is no picture.
+/// Scenes with more bodies are not drawn.
 const MOST_BODIES: usize = 200;
 
-/// With more joints and drives, or more points, there is no picture: each place would have to be held against every other.
+/// Scenes with more joints and drives, or with more points, are not drawn: the layout compares all pairs of places.
 const MOST_PLACES: usize = 1000;
 
-/// Places farther away (m) are nowhere, so that squares of distances are numbers; other numbers as large are as good as unknown.
+/// Largest coordinate (m) that is accepted, so that squares of distances stay finite; other numbers beyond it count as unknown.
 pub(crate) const FARTHEST: f64 = 1e100;
 
-/// Everything where it lies.
+/// A scene with all points in ground coordinates.
 #[derive(Clone, Debug)]
 pub(crate) struct PlacedScene {
     pub(crate) bodies: Vec<Figure>,
     pub(crate) joints: Vec<Sign>,
-    /// Outputs that are points of bodies: name, body, place.
+    /// Outputs that are points of bodies: name, body, position.
     pub(crate) outputs: Vec<(String, Option<usize>, Place)>,
 }
 
@@ -30,7 +30,7 @@ pub(crate) struct Figure {
     pub(crate) origin: Place,
     /// In rad.
     pub(crate) angle: f64,
-    /// Its declared points, and those that joints take hold of.
+    /// Declared points, and points at which joints act.
     pub(crate) points: Vec<Place>,
 }
 
@@ -41,33 +41,33 @@ pub(crate) struct Sign {
     pub(crate) kind: String,
     pub(crate) is_drive: bool,
     pub(crate) arguments: Vec<(String, PlacedArgument)>,
-    /// The bodies whose coordinates stand in its equations.
+    /// Bodies whose coordinates appear in the equations.
     pub(crate) bodies: Vec<usize>,
-    /// The rate of a drive's law, in SI.
+    /// Rate of the drive's law, in SI.
     pub(crate) rate: f64,
 }
 
-/// An argument where it lies; `None` is ground.
+/// An argument in ground coordinates; `None` is ground.
 #[derive(Clone, Debug)]
 pub(crate) enum PlacedArgument {
     Point(Option<usize>, Place),
-    /// With unit length.
+    /// A unit vector.
     Axis(Option<usize>, Place),
     Body(Option<usize>),
     /// A number in SI, and whether it is a length.
     Number(f64, bool),
-    /// Values over one turn, at equal steps.
+    /// Samples over one revolution, at equal steps.
     Function(Vec<f64>),
     Joint(Vec<(String, PlacedArgument)>),
 }
 
 impl Sign {
-    /// The body, and the place, of an argument that is a point.
+    /// Body and position of an argument that is a point.
     pub(crate) fn point(&self, name: &str) -> Option<(Option<usize>, Place)> {
         point(&self.arguments, name)
     }
 
-    /// The body, and the direction, of an argument that is an axis.
+    /// Body and direction of an argument that is an axis.
     pub(crate) fn axis(&self, name: &str) -> Option<(Option<usize>, Place)> {
         axis(&self.arguments, name)
     }
@@ -88,7 +88,7 @@ impl Sign {
         })
     }
 
-    /// The values of an argument that is a function, if all are known.
+    /// Samples of an argument that is a function, if all are known.
     pub(crate) fn function(&self, name: &str) -> Option<&[f64]> {
         self.arguments.iter().find_map(|(known, seen)| match seen {
             PlacedArgument::Function(values) if known == name && values.iter().all(|value| value.abs() <= FARTHEST) => {
@@ -118,7 +118,7 @@ pub(crate) fn axis(arguments: &[(String, PlacedArgument)], name: &str) -> Option
     })
 }
 
-/// There is not too much to be told apart.
+/// Checks that the scene is small enough for a legible picture.
 pub(crate) fn has_a_size_to_draw(scene: &Scene) -> Result<(), Undrawable> {
     let (bodies, joints, points) = (scene.bodies.len(), scene.joints.len(), scene.points.len());
     match () {
@@ -130,7 +130,7 @@ pub(crate) fn has_a_size_to_draw(scene: &Scene) -> Result<(), Undrawable> {
 }
 
 impl PlacedScene {
-    /// Puts everything where it lies.
+    /// Transforms all points to ground coordinates.
     pub(crate) fn of(scene: &Scene) -> Result<PlacedScene, Undrawable> {
         has_a_size_to_draw(scene)?;
         let frames = Frames::of(scene);
@@ -153,14 +153,14 @@ impl PlacedScene {
         if are_turned && scene.places().all(is_somewhere) { Ok(scene) } else { Err(Undrawable::Nowhere) }
     }
 
-    /// The length of the longest body (m); 1 if none has a length.
+    /// Length of the longest body (m); 1 if no body has a length.
     pub(crate) fn size(&self) -> f64 {
         let lengths = self.bodies.iter().filter_map(Figure::length);
         let size = lengths.fold(0.0, f64::max);
         if size > 0.0 { size } else { 1.0 }
     }
 
-    /// All places that are named.
+    /// Positions of all bodies, joints and outputs.
     pub(crate) fn places(&self) -> impl Iterator<Item = Place> {
         let of_bodies = self.bodies.iter().flat_map(|body| if body.points.is_empty() { vec![body.origin] } else { body.points.clone() });
         of_bodies
@@ -168,7 +168,7 @@ impl PlacedScene {
             .chain(self.outputs.iter().map(|output| output.2))
     }
 
-    /// Where a body turns: its hinge on `carrier`, on ground, or on any body; else the origin of its frame.
+    /// Centre of rotation of a body: its hinge on `carrier`, on ground, or on any body; otherwise the origin of its frame.
     pub(crate) fn centre(&self, body: Option<usize>, carrier: Option<usize>) -> Place {
         let hinges =
             self.joints.iter().filter(|joint| joint.kind == "revolute").filter_map(|joint| Some((joint.point("P")?, joint.point("Q")?)));
@@ -195,7 +195,7 @@ impl PlacedScene {
 }
 
 impl Figure {
-    /// The length of a body (m), if it has more than one point.
+    /// Length of a body (m), if it has more than one point.
     pub(crate) fn length(&self) -> Option<f64> {
         crate::plane::farthest(&self.points).map(|(one, two)| (two - one).norm())
     }
@@ -208,13 +208,13 @@ struct Frames<'a> {
 }
 
 impl Frames<'_> {
-    /// The bodies without points.
+    /// Frames of the bodies, still without points.
     fn of(scene: &Scene) -> Frames<'_> {
         let figure = |body: &crate::scene::Body| {
             let origin = place(body.pose.position.x, body.pose.position.y);
             Figure { name: body.name.clone(), origin, angle: body.pose.angle(), points: Vec::new() }
         };
-        // Of two bodies with one name the first is meant.
+        // If two bodies share a name, the first is used.
         let numbers = scene.bodies.iter().enumerate().rev().map(|(number, body)| (body.name.as_str(), number)).collect();
         Frames { bodies: scene.bodies.iter().map(figure).collect(), numbers }
     }

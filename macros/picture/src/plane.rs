@@ -1,8 +1,8 @@
-//! Places and directions in the plane, and what is made of them.
+//! Points and vectors in the plane, segments, rectangles and convex areas.
 
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// A place or a vector; in m before it is drawn, in units of the picture afterwards.
+/// A point or a vector: in m before the projection into the picture, in picture units afterwards.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Place {
     pub(crate) x: f64,
@@ -13,7 +13,7 @@ pub(crate) fn place(x: f64, y: f64) -> Place {
     Place { x, y }
 }
 
-/// At distance `radius` from the origin in the direction `angle` (rad).
+/// Point at distance `radius` from the origin in the direction `angle` (rad).
 pub(crate) fn polar(radius: f64, angle: f64) -> Place {
     place(radius * libm::cos(angle), radius * libm::sin(angle))
 }
@@ -31,18 +31,18 @@ impl Place {
         self.x * other.y - self.y * other.x
     }
 
-    /// Turned by a right angle from x towards y.
+    /// Rotated by a right angle from x towards y.
     pub(crate) fn perp(self) -> Place {
         place(-self.y, self.x)
     }
 
-    /// With unit length; along x where there is no direction.
+    /// Unit vector; along x if the vector vanishes.
     pub(crate) fn unit(self) -> Place {
         let norm = self.norm();
         if norm > 0.0 { self * (1.0 / norm) } else { place(1.0, 0.0) }
     }
 
-    /// Turned by `angle` (rad) from x towards y.
+    /// Rotated by `angle` (rad) from x towards y.
     pub(crate) fn turned(self, angle: f64) -> Place {
         let (sine, cosine) = libm::sincos(angle);
         place(cosine * self.x - sine * self.y, sine * self.x + cosine * self.y)
@@ -56,7 +56,7 @@ impl Place {
         self.x.is_finite() && self.y.is_finite()
     }
 
-    /// The distance from the segment between `a` and `b`.
+    /// Distance from the segment between `a` and `b`.
     pub(crate) fn to_segment(self, a: Place, b: Place) -> f64 {
         let way = b - a;
         let square = way.dot(way);
@@ -101,17 +101,17 @@ pub(crate) struct Rectangle {
 }
 
 impl Rectangle {
-    /// Around nothing.
+    /// The empty rectangle.
     pub(crate) fn empty() -> Rectangle {
         Rectangle { low: place(f64::INFINITY, f64::INFINITY), high: place(f64::NEG_INFINITY, f64::NEG_INFINITY) }
     }
 
-    /// Around places.
+    /// Bounding box of points.
     pub(crate) fn around(places: impl IntoIterator<Item = Place>) -> Rectangle {
         places.into_iter().fold(Rectangle::empty(), Rectangle::with)
     }
 
-    /// With its middle and its size.
+    /// Rectangle with this centre and size.
     pub(crate) fn centred(middle: Place, size: Place) -> Rectangle {
         Rectangle { low: middle - size * 0.5, high: middle + size * 0.5 }
     }
@@ -121,7 +121,7 @@ impl Rectangle {
         Rectangle { low, high: place(self.high.x.max(other.x), self.high.y.max(other.y)) }
     }
 
-    /// Larger by `margin` on every side.
+    /// Enlarged by `margin` on every side.
     pub(crate) fn grown(self, margin: f64) -> Rectangle {
         Rectangle { low: self.low - place(margin, margin), high: self.high + place(margin, margin) }
     }
@@ -138,7 +138,7 @@ impl Rectangle {
         self.low.x < other.high.x && other.low.x < self.high.x && self.low.y < other.high.y && other.low.y < self.high.y
     }
 
-    /// A segment has points in it (Liang and Barsky's clipping).
+    /// True if part of a segment lies inside (Liang and Barsky's clipping).
     pub(crate) fn is_crossed(self, a: Place, b: Place) -> bool {
         let way = b - a;
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
@@ -158,7 +158,7 @@ impl Rectangle {
     }
 }
 
-/// The corners of the convex hull in order (Andrew's monotone chain); two places for what lies on a line.
+/// Corners of the convex hull in order (Andrew's monotone chain); two points if all are collinear.
 pub(crate) fn hull(places: &[Place]) -> Vec<Place> {
     let mut sorted = places.to_vec();
     sorted.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
@@ -184,14 +184,14 @@ pub(crate) fn hull(places: &[Place]) -> Vec<Place> {
     lower
 }
 
-/// A place lies in a convex area with these corners in order.
+/// True if a point lies in the convex area with these corners in order.
 pub(crate) fn is_inside(corners: &[Place], at: Place) -> bool {
     let sides = corners.iter().zip(corners.iter().cycle().skip(1));
     let turns: Vec<f64> = sides.map(|(a, b)| (*b - *a).cross(at - *a)).collect();
     turns.iter().all(|turn| *turn > 0.0) || turns.iter().all(|turn| *turn < 0.0)
 }
 
-/// The two of these places that are farthest apart, in their order.
+/// The two points that are farthest apart, in the given order.
 pub(crate) fn farthest(places: &[Place]) -> Option<(Place, Place)> {
     let pairs = places.iter().enumerate().flat_map(|(index, one)| places[index + 1..].iter().map(move |two| (*one, *two)));
     pairs.max_by(|a, b| (a.1 - a.0).norm().total_cmp(&(b.1 - b.0).norm()))

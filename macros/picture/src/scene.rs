@@ -1,4 +1,4 @@
-//! What is to be drawn: a mechanism in one configuration. Lengths are in m, angles in rad.
+//! The input of a drawing: a mechanism in one configuration. Lengths are in m, angles in rad.
 
 use crate::clearance::clearance;
 use crate::picture::{self, Picture};
@@ -6,7 +6,7 @@ use crate::placed::PlacedScene;
 use crate::undrawable::Undrawable;
 use core::f64::consts::TAU;
 
-/// How many values of a function of one turn are looked at.
+/// Number of samples of a function of one revolution.
 pub(crate) const STEPS: usize = 90;
 
 /// The name of ground.
@@ -14,8 +14,8 @@ pub const GROUND: &str = "ground";
 
 /// A mechanism in one configuration.
 ///
-/// Bodies are referred to by their names, ground by [`GROUND`]; they may be added in any order. What is wrong with a scene shows when
-/// it is drawn.
+/// Bodies are referred to by their names, ground by [`GROUND`]; they may be added in any order. Mistakes in a scene are reported when it
+/// is drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     pub(crate) name: String,
@@ -25,55 +25,55 @@ pub struct Scene {
     pub(crate) outputs: Vec<(String, Fixed)>,
 }
 
-/// A body where it is.
+/// A body with its pose.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Body {
     pub(crate) name: String,
     pub(crate) pose: Pose,
 }
 
-/// Where the frame of a body is.
+/// Position and orientation of a body's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
     pub(crate) position: Vector,
     pub(crate) turn: Turn,
 }
 
-/// How the frame of a body is turned.
+/// Orientation of a body's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Turn {
-    /// From x towards y.
+    /// Angle from x towards y (rad).
     Plane(f64),
-    /// The rotation matrix by rows, from the frame to ground.
+    /// Rotation matrix by rows, from the frame to ground.
     Space([[f64; 3]; 3]),
 }
 
 impl Pose {
-    /// A frame with its origin at (`x`, `y`), turned by `angle` from x towards y.
+    /// A frame with its origin at (`x`, `y`), rotated by `angle` from x towards y.
     #[must_use]
     pub fn plane(x: f64, y: f64, angle: f64) -> Pose {
         Pose { position: Vector::from([x, y]), turn: Turn::Plane(angle) }
     }
 
-    /// A frame in space with its origin at `position`; `rotation` is the matrix, by rows, that takes components along its axes to those
-    /// along the axes of ground.
+    /// A frame in space with its origin at `position`; `rotation` is the matrix, by rows, that transforms components in the frame to
+    /// components in ground.
     #[must_use]
     pub fn space(position: [f64; 3], rotation: [[f64; 3]; 3]) -> Pose {
         Pose { position: Vector::from(position), turn: Turn::Space(rotation) }
     }
 
-    /// The angle in the plane.
+    /// Angle in the plane.
     pub(crate) fn angle(&self) -> f64 {
         if let Turn::Plane(angle) = self.turn { angle } else { f64::NAN }
     }
 }
 
-/// Components of a point or a direction along the axes of a frame: two in the plane, three in space.
+/// Components of a point or a vector in a frame: two in the plane, three in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vector {
     pub(crate) x: f64,
     pub(crate) y: f64,
-    /// In space.
+    /// Third component, in space only.
     pub(crate) z: Option<f64>,
 }
 
@@ -89,20 +89,20 @@ impl From<[f64; 3]> for Vector {
     }
 }
 
-/// A point or a direction in the frame of a body.
+/// A point or a vector fixed in a body.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Fixed {
     pub(crate) body: String,
     pub(crate) at: Vector,
 }
 
-/// A joint or a drive: its kind and what it is made of.
+/// A joint or a drive: its kind and its arguments.
 ///
-/// Kinds and arguments have the names of the constraints in `reuleaux::library`: a `revolute` joint has points `P` and `Q`. A kind that
-/// has no symbol is drawn as a dashed line between its points.
+/// Kinds and arguments have the names of the constraints in `reuleaux::library`: a `revolute` joint has points `P` and `Q`. A kind
+/// without a symbol is drawn as a dashed line between its points.
 ///
-/// In space gears and drives are made with the `angle` (axes `a` and `b`) or the `displacement` (points `P` and `Q`, axis `a`) of a joint:
-/// an argument that is a joint of that kind.
+/// Gears and drives in space take as an argument a joint of kind `angle` (axes `a` and `b`) or `displacement` (points `P` and `Q`, axis
+/// `a`).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     pub(crate) name: String,
@@ -121,19 +121,19 @@ pub(crate) enum Argument {
     Body(String),
     Length(f64),
     Number(f64),
-    /// Values over one turn, at equal steps.
+    /// Samples over one revolution, at equal steps.
     Function(Vec<f64>),
     Joint(Joint),
 }
 
 impl Scene {
-    /// A mechanism of this name without bodies.
+    /// An empty scene with the name of the mechanism.
     #[must_use]
     pub fn new(name: &str) -> Scene {
         Scene { name: name.to_owned(), bodies: Vec::new(), points: Vec::new(), joints: Vec::new(), outputs: Vec::new() }
     }
 
-    /// The name of the mechanism.
+    /// Name of the mechanism.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
@@ -144,23 +144,23 @@ impl Scene {
         self.bodies.push(Body { name: name.to_owned(), pose });
     }
 
-    /// Adds a point of a body, to which the body is drawn.
+    /// Adds a point of a body; the drawing of the body extends to it.
     pub fn point(&mut self, body: &str, at: impl Into<Vector>) {
         self.points.push(Fixed::new(body, at));
     }
 
-    /// Adds a joint; give it its arguments.
+    /// Adds a joint and returns it, so that its arguments can be set.
     pub fn joint(&mut self, name: &str, kind: &str) -> &mut Joint {
         self.add(Joint::new(name, kind))
     }
 
-    /// Adds a drive; `rate` is that of its law, in SI, whose sign says which way the arrow points.
+    /// Adds a drive; `rate` is the rate of its law in SI, and its sign gives the direction of the arrow.
     pub fn drive(&mut self, name: &str, kind: &str, rate: f64) -> &mut Joint {
-        // The rate of what has no derivative is not known.
+        // A law without a derivative has an unknown rate.
         self.add(Joint { is_drive: true, rate: if rate.is_finite() { rate } else { 0.0 }, ..Joint::new(name, kind) })
     }
 
-    /// Adds a point of a body that is to be marked.
+    /// Adds a point of a body that is marked as an output.
     pub fn output(&mut self, name: &str, body: &str, at: impl Into<Vector>) {
         self.outputs.push((name.to_owned(), Fixed::new(body, at)));
     }
@@ -174,12 +174,12 @@ impl Scene {
     /// Draws the scene.
     ///
     /// # Errors
-    /// Why there is no picture.
+    /// The reason why there is no picture.
     pub fn draw(&self) -> Result<Picture, Undrawable> {
         picture::draw(self)
     }
 
-    /// The picture as inline SVG; of a scene that cannot be drawn, a sentence that says why.
+    /// The picture as inline SVG, or a sentence with the reason why there is none.
     #[must_use]
     pub fn svg(&self) -> String {
         match self.draw() {
@@ -188,11 +188,11 @@ impl Scene {
         }
     }
 
-    /// How far apart things are that a reader has to tell apart, hinges from each other and from the links of others, as a part of the
-    /// size of the mechanism.
+    /// Least distance between parts that a reader has to tell apart (hinges from each other and from the links of other bodies), relative
+    /// to the size of the mechanism.
     ///
     /// # Errors
-    /// Why there is no picture.
+    /// The reason why there is no picture.
     pub fn clearance(&self) -> Result<f64, Undrawable> {
         if self.is_in_space() {
             return crate::space::clearance(self);
@@ -200,7 +200,7 @@ impl Scene {
         PlacedScene::of(self).map(|scene| clearance(&scene))
     }
 
-    /// Something in it has three components. In such a scene what has two lies in the plane z = 0.
+    /// True if any vector has three components. Vectors of two components then lie in the plane z = 0.
     pub(crate) fn is_in_space(&self) -> bool {
         fn is_spatial(arguments: &[(String, Argument)]) -> bool {
             arguments.iter().any(|(_, argument)| match argument {
@@ -232,44 +232,44 @@ impl Joint {
         self
     }
 
-    /// The bodies on which its equations depend, besides those of its arguments.
+    /// Bodies on which the equations depend, besides those of the arguments.
     pub fn of(&mut self, bodies: &[&str]) -> &mut Joint {
         self.bodies.extend(bodies.iter().map(|body| (*body).to_owned()));
         self
     }
 
-    /// An argument that is a point.
+    /// Adds a point as an argument.
     pub fn point(&mut self, name: &str, body: &str, at: impl Into<Vector>) -> &mut Joint {
         self.with(name, Argument::Point(Fixed::new(body, at)))
     }
 
-    /// An argument that is an axis, of any length.
+    /// Adds an axis of any length as an argument.
     pub fn axis(&mut self, name: &str, body: &str, along: impl Into<Vector>) -> &mut Joint {
         self.with(name, Argument::Axis(Fixed::new(body, along)))
     }
 
-    /// An argument that is a body.
+    /// Adds a body as an argument.
     pub fn body(&mut self, name: &str, body: &str) -> &mut Joint {
         self.with(name, Argument::Body(body.to_owned()))
     }
 
-    /// An argument that is a length.
+    /// Adds a length as an argument.
     pub fn length(&mut self, name: &str, value: f64) -> &mut Joint {
         self.with(name, Argument::Length(value))
     }
 
-    /// An argument that is another number, such as a number of teeth.
+    /// Adds any other number, such as a number of teeth, as an argument.
     pub fn number(&mut self, name: &str, value: f64) -> &mut Joint {
         self.with(name, Argument::Number(value))
     }
 
-    /// An argument that is a function of an angle, such as the profile of a cam.
+    /// Adds a function of an angle, such as the profile of a cam, as an argument.
     pub fn function(&mut self, name: &str, mut of: impl FnMut(f64) -> f64) -> &mut Joint {
         let values = (0..STEPS).map(|step| of(step as f64 * TAU / STEPS as f64)).collect();
         self.with(name, Argument::Function(values))
     }
 
-    /// An argument that is another joint, to which `made` gives its own arguments.
+    /// Adds another joint as an argument; `made` sets the arguments of that joint.
     pub fn joint(&mut self, name: &str, kind: &str, made: impl FnOnce(&mut Joint)) -> &mut Joint {
         let mut joint = Joint::new(name, kind);
         made(&mut joint);

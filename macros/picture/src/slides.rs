@@ -7,16 +7,16 @@ use crate::pins::{Look, RADIUS, ground};
 use crate::plane::{Place, place, polar};
 use core::f64::consts::PI;
 
-/// Half of a block, along its guide and across.
+/// Half the size of a block, along its guide and across.
 const BLOCK: Place = Place { x: 17.0, y: 10.0 };
 
-/// Half of the guide that is drawn on ground, beyond which it is only meant.
+/// Half the length of a guide on ground as drawn; the guide itself is unbounded.
 const GUIDE: f64 = 40.0;
 
-/// Half of a slot.
+/// Half the length of a slot.
 const SLOT: f64 = 30.0;
 
-/// How far from a cam its follower's guide is drawn.
+/// Distance of a follower's guide from its cam.
 const ABOVE_CAM: f64 = 44.0;
 
 impl Drawing<'_> {
@@ -37,7 +37,7 @@ impl Drawing<'_> {
         let corner = |x: f64, y: f64| at + along * (x * BLOCK.x) + side * (y * BLOCK.y);
         let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
         match j {
-            // A guide that stands on ground lets the bar through.
+            // A support on ground leaves room for the bar.
             None => {
                 for side in [side, -side] {
                     let edge = at + side * (BLOCK.y - 4.0);
@@ -61,7 +61,7 @@ impl Drawing<'_> {
         self.canvas.wish(Subject::Joint, &name, Near::Segments(vec![(first + rail - along * GUIDE, last + rail + along * GUIDE)]));
     }
 
-    /// A point of body `j` stays on a line in body `i`: a pin in a slot.
+    /// A point of body `j` moves along a line in body `i`: a pin in a slot.
     pub(crate) fn slot(&mut self, joint: usize, (i, along): (Option<usize>, Place), start: Place, (j, held): (Option<usize>, Place)) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
         let (along, start, at) = (self.view.along(along), self.view.at(start), self.view.at(held));
@@ -115,7 +115,7 @@ impl Drawing<'_> {
         self.canvas.wish(Subject::Drive, &name, Near::Segments(vec![(bottom + side, top + side), (bottom - side, top - side)]));
     }
 
-    /// The length by which a cylinder is drawn, its least one, and where its piston is as a part of it.
+    /// Length of the barrel (the least length of the cylinder over the motion), and position of the piston as a fraction of that length.
     fn stroke(&mut self, joint: usize, length: f64) -> (f64, f64) {
         let own = Guide::new(length, 0.0);
         self.habits.slide(joint, own);
@@ -125,7 +125,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// Bodies are one from here on.
+    /// Connects two bodies rigidly.
     pub(crate) fn weld(&mut self, joint: usize, (i, p): (Option<usize>, Place), (j, _): (Option<usize>, Place)) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
         let at = self.view.at(p);
@@ -135,7 +135,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// A condition that has no shape of its own: its points are joined by a dashed line.
+    /// A condition without a symbol: a dashed line between its points.
     pub(crate) fn condition(&mut self, joint: usize) {
         let (title, name) = (self.title(joint), self.scene.joints[joint].name.clone());
         let points: Vec<Place> = self.scene.joints[joint].points().map(|(_, at)| self.view.at(at)).collect();
@@ -151,11 +151,11 @@ impl Drawing<'_> {
         }
     }
 
-    /// On which side of a guide ground lies, and where what slides on it is at the ends of its way.
+    /// The side of a guide on which ground lies, and the extreme positions of the sliding body.
     fn guide(&mut self, joint: usize, (body, start): (Option<usize>, Place), at: Place, along: Place) -> (Place, [Place; 2]) {
         let normal = along.perp();
         let below = if normal.y < 0.0 { -normal } else { normal };
-        // Ground stands still, so that its origin can be that of the picture.
+        // Ground stands still, so coordinates along its guides count from the origin of the picture.
         let from = if body.is_none() { Place::default() } else { start };
         let here = (at - from).dot(along);
         let own = Guide::new(here, self.pull(at).dot(below));
@@ -165,7 +165,8 @@ impl Drawing<'_> {
         (side, [known.low, known.high].map(|end| at + along * (end - here)))
     }
 
-    /// The line from `start` to the ends of a way, and a little beyond, becomes part of a body where it is not yet.
+    /// Extends the body by the line from `start` to the ends of the travel, and `beyond` them, unless its outline covers that line
+    /// already.
     fn extend(&mut self, body: usize, start: Place, [first, last]: [Place; 2], along: Place, beyond: f64) {
         self.extend_to(body, start, first, along, beyond);
         if last != first {
@@ -179,7 +180,7 @@ impl Drawing<'_> {
         let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), next| (low.min(next), high.max(next)));
         let (from, side) = ((start - at).dot(along), along * beyond);
         if from.abs() < 1.0 {
-            // The guide begins in the middle of what slides on it.
+            // The guide is centred on the block.
             if high < beyond && -low < beyond {
                 link.bars.push((at - side, at + side));
             }
@@ -190,7 +191,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// The mean direction in which links and rods leave a place.
+    /// Mean direction in which links and rods leave a place.
     fn pull(&self, at: Place) -> Place {
         let ways = self.links.iter().flat_map(|link| link.directions(at)).map(|angle| polar(1.0, angle));
         let rods = self
@@ -207,7 +208,7 @@ impl Drawing<'_> {
         ways.chain(rods).fold(Place::default(), |sum, way| sum + way)
     }
 
-    /// Where the block of a follower is drawn: outside of its cam.
+    /// Position of a follower's block, outside the cam.
     fn beside_cam(&self, body: Option<usize>, held: Place, along: Place) -> Place {
         let own = self.followers.iter().find(|follower| follower.body == body && (follower.at - held).norm() < 60.0);
         let Some(follower) = own else { return held };
@@ -217,15 +218,15 @@ impl Drawing<'_> {
     }
 }
 
-/// The side of a guide on which ground lies: below, or away from the rest.
+/// The side of a guide on which ground lies: below, or away from the links.
 fn free_side(at: Place, normal: Place, below: Place, pull: f64) -> Place {
-    // What pulls at the block does not come through its ground.
+    // Ground lies opposite the links that pull on the block.
     if below.y > 0.35 {
         return if pull > 0.1 { -below } else { below };
     }
     if pull.abs() > 0.1 {
         return if pull > 0.0 { -below } else { below };
     }
-    // The middle of the picture is its origin.
+    // The picture is centred at its origin.
     if (-at).dot(normal) > 0.0 { -normal } else { normal }
 }

@@ -1,4 +1,4 @@
-//! From shapes to SVG: the same bytes on every run, no blank line, readable on light and dark pages.
+//! From shapes to SVG: the same bytes on every run, no blank line, legible on light and dark pages.
 
 use crate::canvas::{Canvas, DrawnItem, Layer, Subject};
 use crate::element::{COLOURS, Element, number, pair, path};
@@ -7,13 +7,13 @@ use crate::plane::{Place, Rectangle, place};
 use crate::view::View;
 use std::fmt::Write;
 
-/// Space around everything.
+/// Margin around the picture.
 const MARGIN: f64 = 8.0;
 
-/// The scale bar is shorter than this, and not much shorter.
+/// Largest length of the scale bar.
 const BAR: f64 = 110.0;
 
-/// Ink and paper are those of the page around, if it says what they are, as rustdoc does.
+/// Ink and paper take the colours of the surrounding page if it defines them, as rustdoc does.
 const STYLE: &str = ".reuleaux{--ink:var(--main-color,#1c1c1c);--paper:var(--main-background-color,#fff);max-width:100%;height:auto}\
 .reuleaux *{stroke-linejoin:round;stroke-linecap:round}\
 .reuleaux .t,.reuleaux .l,.reuleaux .d{fill:none;stroke:var(--ink);stroke-width:1}\
@@ -29,7 +29,7 @@ const STYLE: &str = ".reuleaux{--ink:var(--main-color,#1c1c1c);--paper:var(--mai
 .reuleaux text{font:12px \"Fira Sans\",\"DejaVu Sans\",Arial,sans-serif;fill:var(--ink);stroke:var(--paper);stroke-width:3;paint-order:stroke;text-anchor:middle}\
 .reuleaux .i{font-style:italic}";
 
-/// What there is in space only.
+/// Additional style rules of spatial pictures.
 const IN_SPACE: &str = ".reuleaux .a{fill:none;stroke:var(--ink);stroke-width:.8;stroke-opacity:.75;stroke-dasharray:9 3 1 3}\
 .reuleaux .r{fill:none;stroke:var(--ink);stroke-width:2.6}\
 .reuleaux .h{fill:none;stroke:var(--paper);stroke-width:12;stroke-linecap:butt}\
@@ -37,19 +37,19 @@ const IN_SPACE: &str = ".reuleaux .a{fill:none;stroke:var(--ink);stroke-width:.8
 .reuleaux .e{fill:var(--paper);fill-opacity:.6;stroke:none}\
 .reuleaux .v{fill:#fff;fill-opacity:.4;stroke:var(--ink);stroke-width:1.2}";
 
-/// What a picture says of itself to those who do not see it.
+/// Title and description of a picture, for screen readers.
 pub(crate) struct Captions<'a> {
     pub(crate) title: &'a str,
     pub(crate) description: &'a str,
 }
 
-/// What shapes and words cover.
+/// Bounding box of shapes and labels.
 pub(crate) fn frame(canvas: &Canvas, labels: &[Placed]) -> Rectangle {
     let parts = canvas.items.iter().map(|item| item.shape.frame().grown(4.0)).chain(labels.iter().map(|label| label.frame));
     parts.fold(Rectangle::empty(), |frame, part| frame.with(part.low).with(part.high))
 }
 
-/// The whole picture, with room for `frame`.
+/// The whole picture, with a view box for `frame`.
 pub(crate) fn svg(canvas: &Canvas, labels: &[Placed], scale: &Scale, frame: Rectangle, words: &Captions) -> String {
     let (foot, frame) = foot(&canvas.captions, scale, frame);
     let mut page = head(frame, words, canvas.is_in_space);
@@ -59,7 +59,7 @@ pub(crate) fn svg(canvas: &Canvas, labels: &[Placed], scale: &Scale, frame: Rect
     page
 }
 
-/// One picture of several frames, each for an equal part of `period` (s), with room for `frame`.
+/// One animated picture of several frames, each shown for an equal part of `period` (s), with a view box for `frame`.
 pub(crate) fn animation(frames: &[(Canvas, Vec<Placed>)], scale: &Scale, frame: Rectangle, words: &Captions, period: f64) -> String {
     let captions = frames.first().map_or(&[][..], |(canvas, _)| &canvas.captions);
     let (foot, frame) = foot(captions, scale, frame);
@@ -74,7 +74,7 @@ pub(crate) fn animation(frames: &[(Canvas, Vec<Placed>)], scale: &Scale, frame: 
     page
 }
 
-/// Opens a group that is seen for one part of a period. Where nothing moves only the first one is seen.
+/// Opens a group that is visible for one part of the period. Viewers without animation show the first group only.
 fn shown_in_turn(index: usize, count: usize, period: f64) -> String {
     let time = |index: usize| format!("{}", (index as f64 / count as f64 * 1e4).round() / 1e4);
     let (values, times) = match index {
@@ -94,7 +94,7 @@ fn shown_in_turn(index: usize, count: usize, period: f64) -> String {
     format!("<g visibility=\"{visibility}\">{animate}\n")
 }
 
-/// A sentence where there is no picture.
+/// A sentence in place of a picture.
 pub(crate) fn sentence(name: &str, sentence: &str) -> String {
     let frame = Rectangle::centred(Place::default(), place(width(sentence), HEIGHT)).grown(MARGIN);
     let mut page = head(frame, &Captions { title: name, description: sentence }, false);
@@ -102,7 +102,7 @@ pub(crate) fn sentence(name: &str, sentence: &str) -> String {
     page
 }
 
-/// Everything before the shapes.
+/// The opening of the SVG element, with title, description and style sheet.
 fn head(frame: Rectangle, words: &Captions, is_in_space: bool) -> String {
     let (corner, size) = (frame.low, frame.size());
     let mut page = String::new();
@@ -121,14 +121,14 @@ fn head(frame: Rectangle, words: &Captions, is_in_space: bool) -> String {
     page
 }
 
-/// What the classes look like.
+/// The style sheet.
 pub(crate) fn style(is_in_space: bool) -> String {
     let colours: String = COLOURS.iter().enumerate().map(|(index, colour)| format!(".reuleaux .c{index}{{color:{colour}}}")).collect();
     let more = if is_in_space { IN_SPACE } else { "" };
     format!("{STYLE}{colours}.reuleaux .g{{color:#888}}{more}")
 }
 
-/// Shapes from below to above, and names.
+/// Shapes from bottom to top, then labels.
 fn body(canvas: &Canvas, labels: &[Placed]) -> String {
     let mut page = String::new();
     for same in in_order(canvas).chunk_by(|one, two| one.layer == two.layer && one.title == two.title) {
@@ -141,7 +141,7 @@ fn body(canvas: &Canvas, labels: &[Placed]) -> String {
     page
 }
 
-/// Shapes from below to above.
+/// Shapes from bottom to top.
 pub(crate) fn in_order(canvas: &Canvas) -> Vec<&DrawnItem> {
     let mut items: Vec<&DrawnItem> = canvas.items.iter().collect();
     if !canvas.is_in_space {
@@ -150,12 +150,12 @@ pub(crate) fn in_order(canvas: &Canvas) -> Vec<&DrawnItem> {
     items
 }
 
-/// What the pointer is told on a shape. Of a hinge on ground only what is on top needs to be told.
+/// Tooltip of a shape. The support of a hinge needs none, as the hinge itself has one.
 pub(crate) fn told(item: &DrawnItem) -> &str {
     if item.layer == Layer::Ground { "" } else { &item.title }
 }
 
-/// Captions and the scale below a frame, and the frame of the whole.
+/// Captions and scale below a frame, with the frame of the whole picture.
 pub(crate) fn foot(captions: &[String], scale: &Scale, mut frame: Rectangle) -> (String, Rectangle) {
     let mut below = String::new();
     if let Scale::Axes(axes) = scale {
@@ -184,7 +184,7 @@ pub(crate) fn foot(captions: &[String], scale: &Scale, mut frame: Rectangle) -> 
     }
 }
 
-/// Shapes of one thing with its name.
+/// The shapes of one item, with its tooltip.
 fn group(page: &mut String, items: &[&DrawnItem]) {
     let Some(first) = items.first() else { return };
     let told = told(first);
@@ -207,12 +207,12 @@ fn group(page: &mut String, items: &[&DrawnItem]) {
     let _ = writeln!(page, "</g>");
 }
 
-/// What shows how large things are.
+/// Indication of the scale.
 #[derive(Clone, Debug)]
 pub(crate) enum Scale {
     /// A bar below the picture.
     Bar(View),
-    /// The axes of ground, which are as long as they say.
+    /// The axes of ground, with their length as a text.
     Axes(Axes),
 }
 
@@ -220,14 +220,14 @@ pub(crate) enum Scale {
 #[derive(Clone, Debug)]
 pub(crate) struct Axes {
     pub(crate) origin: Place,
-    /// From the origin to their ends.
+    /// Vectors from the origin to the ends.
     pub(crate) ways: [Place; 3],
-    /// What is said of their length, with the place where it is said.
+    /// Text of the length, with its position.
     pub(crate) length: (String, Place),
 }
 
 impl Axes {
-    /// Axes as long as a round length; `seen` are those of a metre.
+    /// Axes of a round length; `seen` are the projected unit vectors.
     pub(crate) fn new(seen: [Place; 3], scale: f64) -> Axes {
         let metres = round_length(AXIS / scale);
         let ways = seen.map(|way| way * (metres * scale));
@@ -237,7 +237,7 @@ impl Axes {
         Axes { origin: Place::default(), ways, length: (text, at) }
     }
 
-    /// What they cover with their letters.
+    /// Bounding box, with the letters.
     pub(crate) fn frame(&self) -> Rectangle {
         let ends = self.ways.iter().map(|way| self.origin + *way).chain([self.origin]);
         let (text, at) = &self.length;
@@ -246,10 +246,10 @@ impl Axes {
     }
 }
 
-/// The axes of ground are not longer, and not much shorter.
+/// Largest length of the axes.
 const AXIS: f64 = 52.0;
 
-/// Room for the letter of an axis beyond its end.
+/// Space for the letter beyond the end of an axis.
 const LETTER: f64 = 16.0;
 
 fn axes_of_ground(page: &mut String, axes: &Axes) -> Rectangle {
@@ -271,29 +271,29 @@ fn axes_of_ground(page: &mut String, axes: &Axes) -> Rectangle {
     axes.frame()
 }
 
-/// A word with its middle at a place.
+/// A text centred at a place.
 fn word(page: &mut String, class: &str, middle: Place, text: &str) {
     let base = baseline(middle);
     let _ = writeln!(page, "<text{class} x=\"{}\" y=\"{}\">{}</text>", number(base.x), number(base.y), escaped(text));
 }
 
-/// Names of bodies are.
+/// Names of bodies are in italics.
 pub(crate) fn is_italic(label: &Placed) -> bool {
     label.role == Subject::Body
 }
 
-/// The middle of the line on which a word stands, from the middle of the word.
+/// Midpoint of the baseline of a text, from the centre of the text.
 pub(crate) fn baseline(middle: Place) -> Place {
     middle + place(0.0, SIZE * 0.33)
 }
 
-/// The largest of 1, 2 and 5 times a power of ten that is not larger.
+/// Largest of 1, 2 and 5 times a power of ten that does not exceed `most`.
 fn round_length(most: f64) -> f64 {
     let power = libm::pow(10.0, libm::floor(libm::log10(most)));
     [5.0, 2.0, 1.0].into_iter().map(|step| step * power).find(|length| *length <= most).unwrap_or(power)
 }
 
-/// A bar with a round length, from its left end; gives the place where its words end.
+/// A scale bar of a round length that starts at `from`; returns the end of its text.
 fn scale_bar(page: &mut String, view: View, from: Place) -> Place {
     let metres = round_length(BAR / view.scale);
     let to = from + place(view.length(metres), 0.0);
@@ -305,7 +305,7 @@ fn scale_bar(page: &mut String, view: View, from: Place) -> Place {
     words + place(width(&text) / 2.0, 2.0)
 }
 
-/// A round length with a unit that suits it.
+/// A round length in a suitable unit.
 fn length(metres: f64) -> String {
     let units = [(1e3, "km"), (1.0, "m"), (1e-3, "mm"), (1e-6, "µm")];
     let (size, unit) = units.into_iter().find(|(size, _)| metres >= size * 0.999).unwrap_or((1e-9, "nm"));

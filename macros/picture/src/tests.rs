@@ -1,4 +1,4 @@
-//! What pictures say must be true: radii, contacts, outlines. And whatever a scene says, there is no panic.
+//! Geometry of pictures: radii, contacts, outlines. No scene causes a panic.
 
 use crate::cams::cams;
 use crate::drawing::Setting;
@@ -92,7 +92,7 @@ fn a_rack_moves_with_the_rim_that_it_touches() {
         let Place { x, y } = Wheels::of(&placed(&scene)).racks[0].1.contact;
         [x, y].map(|part| (part * 1e9).round() / 1e9)
     };
-    // Turning to the left, the top of a wheel goes to the left.
+    // Rotating to the left, the top of a wheel moves to the left.
     assert_eq!(contact(0.025), [0.0, 0.075]);
     assert_eq!(contact(-0.025), [0.0, 0.025]);
 }
@@ -152,7 +152,7 @@ fn ground_stands_still_throughout_a_motion() {
     for frame in &frames {
         assert_eq!((view(frame.svg()), ground(frame.svg())), (view(frames[0].svg()), ground(frames[0].svg())));
     }
-    // One by one the support gives way to the crank.
+    // In single frames the support moves out of the way of the crank.
     let alone: Vec<Habits> = scenes.iter().map(habits).collect();
     assert!(alone.iter().all(|habits| habits.at(Place::default()).count() <= 1));
 }
@@ -165,7 +165,7 @@ fn habits(scene: &Scene) -> Habits {
 
 #[test]
 fn a_guide_lies_on_one_side_throughout_a_motion() {
-    // The rod pulls the block up and down in turn, on the mean not at all.
+    // The rod pulls the block up and down in turn, with mean zero.
     let scenes: Vec<Scene> = (0..16).map(|step| engine(f64::from(step) * core::f64::consts::TAU / 16.0)).collect();
     let rail = |svg: &str| {
         let line = svg.lines().find(|line| line.starts_with("<g><path class=\"l\" d=\"M"))?;
@@ -201,7 +201,7 @@ fn a_segment_crosses_a_box_also_without_an_end_in_it() {
     assert!(!frame.is_crossed(place(-3.0, 0.0), place(0.0, 3.0)));
 }
 
-/// Numbers that follow from each other in no order (splitmix64).
+/// Pseudo-random numbers (splitmix64).
 pub(crate) struct Chance(pub(crate) u64);
 
 impl Chance {
@@ -252,7 +252,7 @@ const KINDS: [&str; 24] = [
 
 const BODIES: [&str; 4] = ["a", "b[1]", "part[2].c", GROUND];
 
-/// A scene of anything.
+/// A scene of random contents.
 fn anything(chance: &mut Chance, is_wild: bool) -> Scene {
     let mut scene = Scene::new("Anything");
     for name in &BODIES[..3] {

@@ -1,28 +1,28 @@
-//! Why there is no picture.
+//! Reasons why a scene cannot be drawn.
 
 use core::error::Error;
 use core::fmt::{self, Display, Formatter};
 
-/// Why a scene cannot be drawn.
+/// Reason why a scene cannot be drawn.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Undrawable {
-    /// It has this many bodies, more than could be told apart.
+    /// The scene has this many bodies, too many to tell apart.
     Bodies(usize),
-    /// It has this many joints and drives.
+    /// The scene has this many joints and drives, too many to tell apart.
     Joints(usize),
-    /// It has this many points.
+    /// The scene has this many points, too many to tell apart.
     Points(usize),
-    /// It has neither bodies nor points.
+    /// The scene has neither bodies nor points.
     Empty,
-    /// It refers to a body that it does not have.
+    /// The scene refers to a body that does not exist.
     UnknownBody(String),
-    /// Something has no place: a coordinate is not a number, or so large that sizes are none.
+    /// A coordinate is not a number, or too large.
     Nowhere,
 }
 
 impl Undrawable {
-    /// The reason as a whole sentence.
+    /// The reason as a sentence.
     #[must_use]
     pub fn sentence(&self) -> String {
         format!("There is no picture: {}.", self.reason())

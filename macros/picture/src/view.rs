@@ -1,27 +1,27 @@
-//! From metres, y upwards, to units of the picture, y downwards.
+//! From metres with y upwards to picture units with y downwards.
 
 use crate::cams::{self, Cam};
 use crate::placed::{Figure, PlacedScene};
 use crate::plane::{Place, Rectangle, place};
 use crate::wheels::Wheels;
 
-/// What is drawn fits into this, where nothing would become too small.
+/// Usual size of the drawing; exceeded only if the shortest link would become too short.
 const USUAL: Place = Place { x: 440.0, y: 300.0 };
 
-/// What is drawn never becomes larger.
+/// Largest size of the drawing.
 const LARGEST: Place = Place { x: 660.0, y: 460.0 };
 
-/// The shortest link should be this long.
+/// Wanted length of the shortest link.
 const SHORTEST: f64 = 42.0;
 
-/// How much there is to see, in m.
+/// Size of the contents, in m.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent {
-    /// What everything covers.
+    /// Bounding box of the contents.
     pub(crate) frame: Rectangle,
-    /// The shortest body, or what is to be seen like a link of that length.
+    /// Length of the shortest body, or of a wheel that should be as large as such a body.
     shortest: f64,
-    /// The longest body, where the frame is a single place.
+    /// Length of the longest body, used if the frame is a single point.
     size: f64,
 }
 
@@ -37,7 +37,7 @@ impl Extent {
         Extent { frame, shortest: lengths.fold(wheels.smallest(), f64::min), size: scene.size() }
     }
 
-    /// Of both.
+    /// Extent of both.
     pub(crate) fn and(self, other: Extent) -> Extent {
         let frame = self.frame.with(other.frame.low).with(other.frame.high);
         Extent { frame, shortest: self.shortest.min(other.shortest), size: self.size.max(other.size) }
@@ -48,16 +48,16 @@ impl Extent {
     }
 }
 
-/// A place and a scale.
+/// Centre and scale.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View {
     middle: Place,
-    /// Units of the picture for a metre.
+    /// Picture units per metre.
     pub(crate) scale: f64,
 }
 
 impl View {
-    /// So that all of an extent is seen.
+    /// A view that contains the extent.
     pub(crate) fn of(extent: &Extent) -> View {
         let size = extent.frame.size();
         let fit = |most: Place| (most.x / size.x).min(most.y / size.y);
@@ -72,7 +72,7 @@ impl View {
         place(seen.x, -seen.y)
     }
 
-    /// A direction.
+    /// A direction in the picture.
     pub(crate) fn along(&self, direction: Place) -> Place {
         place(direction.x, -direction.y)
     }

@@ -1,4 +1,4 @@
-//! Gears, racks and belts in m: pitch circles whose radii follow from the distance of their centres and the ratio.
+//! Gears, racks and belts in m: pitch circles whose radii follow from the centre distance and the ratio.
 
 use crate::placed::{PlacedScene, Sign};
 use crate::plane::{Place, Rectangle, place, polar};
@@ -6,11 +6,11 @@ use crate::plane::{Place, Rectangle, place, polar};
 /// A pitch circle, in m.
 #[derive(Clone, Debug)]
 pub(crate) struct Wheel {
-    /// None for a wheel that is fixed to ground.
+    /// `None` for a wheel that is fixed to ground.
     pub(crate) body: Option<usize>,
     pub(crate) middle: Place,
     pub(crate) radius: f64,
-    /// It lies around what it meshes with.
+    /// True for an internal gear.
     pub(crate) is_ring: bool,
 }
 
@@ -18,26 +18,26 @@ pub(crate) struct Wheel {
 #[derive(Clone, Debug)]
 pub(crate) struct Rack {
     pub(crate) body: Option<usize>,
-    /// Where it touches the pinion.
+    /// Contact point with the pinion.
     pub(crate) contact: Place,
     pub(crate) along: Place,
-    /// From the contact to the pinion's middle.
+    /// Unit vector from the contact towards the centre of the pinion.
     pub(crate) toward: Place,
-    /// The point of the rack that is guided.
+    /// Guided point of the rack.
     pub(crate) held: Place,
     pub(crate) reach: f64,
-    /// How far it goes on beyond a contact at its end.
+    /// Length of the rack beyond a contact at its end.
     pub(crate) overhang: f64,
 }
 
-/// All that turns on itself, in m.
+/// All gears, racks and belts of a scene, in m.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Wheels {
     pub(crate) wheels: Vec<Wheel>,
-    /// Where two mesh: the joint's number and the place.
+    /// Contact points of gears: number of the joint and position.
     pub(crate) meshes: Vec<(usize, Place)>,
     pub(crate) racks: Vec<(usize, Rack)>,
-    /// The straight parts of belts.
+    /// Straight parts of belts.
     pub(crate) belts: Vec<(usize, [(Place, Place); 2])>,
 }
 
@@ -52,32 +52,32 @@ impl Wheels {
                 _ => None,
             };
         }
-        // A planetary train takes its sun from the mesh with a planet.
+        // The radius of a planetary train's sun follows from its mesh with a planet.
         for (number, joint) in scene.joints.iter().enumerate().filter(|(_, joint)| joint.kind == "planetary") {
             let _ = found.planetary(scene, number, joint);
         }
         found
     }
 
-    /// What they cover.
+    /// Bounding box of the wheels and racks.
     pub(crate) fn frame(&self) -> Rectangle {
         let corners = |wheel: &Wheel| [wheel.middle - place(wheel.radius, wheel.radius), wheel.middle + place(wheel.radius, wheel.radius)];
         let rails = |(_, rack): &(usize, Rack)| [rack.contact - rack.along * rack.reach, rack.contact + rack.along * rack.reach];
         Rectangle::around(self.wheels.iter().flat_map(corners).chain(self.racks.iter().flat_map(rails)))
     }
 
-    /// What is to be seen as clearly as a link: part of the radius of the smallest wheel.
+    /// A fraction of the smallest radius, at which a wheel is as legible as a link of that length.
     pub(crate) fn smallest(&self) -> f64 {
         self.wheels.iter().map(|wheel| 0.6 * wheel.radius).fold(f64::INFINITY, f64::min)
     }
 
-    /// The largest wheel of a body: its radius, and whether it is a ring.
+    /// The largest wheel of a body: its radius, and whether it is an internal gear.
     pub(crate) fn largest(&self, body: Option<usize>) -> Option<(f64, bool)> {
         let own = self.wheels.iter().filter(|wheel| wheel.body == body);
         own.max_by(|a, b| a.radius.total_cmp(&b.radius)).map(|wheel| (wheel.radius, wheel.is_ring))
     }
 
-    /// Its equation is drawn.
+    /// True if the symbol of the joint is drawn by its wheels.
     pub(crate) fn shows(&self, joint: usize) -> bool {
         let numbers = self.meshes.iter().map(|mesh| mesh.0).chain(self.racks.iter().map(|rack| rack.0));
         numbers.chain(self.belts.iter().map(|belt| belt.0)).any(|number| number == joint)
@@ -99,7 +99,7 @@ impl Wheels {
         let (distance, is_external) = ((two - one).norm(), a * b > 0.0);
         let teeth = if is_external { a.abs() + b.abs() } else { (a.abs() - b.abs()).abs() };
         let size = a.abs().max(b.abs());
-        // Wheels on one axis have no pitch point; their own numbers may still be radii.
+        // Coaxial wheels have no pitch point; their numbers may still be radii.
         let unit = if distance > 0.0 && teeth > 1e-9 * size {
             distance / teeth
         } else if is_length {
@@ -126,7 +126,7 @@ impl Wheels {
         let unit = match known {
             Some(radius) => radius / z_sun.0.abs(),
             None if z_sun.1 => 1.0,
-            // A planet's pin lies halfway between sun and ring.
+            // The pin of a planet lies halfway between sun and ring.
             None => 2.0 * arm / (z_sun.0.abs() + z_ring.0.abs()),
         };
         if !(unit > 0.0 && unit.is_finite()) {
@@ -142,7 +142,7 @@ impl Wheels {
         let (pinion, (body, held)) = (joint.body("pinion")?, joint.point("rack")?);
         let ((carrier, along), (radius, _)) = (joint.axis("u")?, joint.number("R")?);
         let middle = scene.centre(pinion, carrier);
-        // Where the pinion's rim moves as the rack does.
+        // Point of the pinion's rim that moves with the rack.
         let contact = middle + along.perp() * radius;
         let overhang = 0.3 * radius.abs();
         let reach = ((held - contact).dot(along).abs() + overhang).max(1.3 * radius.abs());
@@ -163,7 +163,7 @@ impl Wheels {
         }
         self.wheel(i, one, r, false);
         self.wheel(j, two, s.abs(), false);
-        // The normal of a common tangent makes this angle with the line of centres.
+        // Angle between the normal of a common tangent and the line of centres.
         let (angle, line) = (libm::acos((r - s) / distance), (two - one).angle());
         let tangent = |side: f64| {
             let normal = polar(1.0, line + side * angle);

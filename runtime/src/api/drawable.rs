@@ -32,15 +32,16 @@ use crate::state::State;
 /// ```
 #[diagnostic::on_unimplemented(message = "`{Self}` cannot be drawn at run time", note = "write `#[picture]` before its declaration")]
 pub trait Drawable<T, const N: usize> {
-    /// The mechanism at a state, with these parameters. The state need not be a solved one.
+    /// The scene of a state with these parameters. The state need not be solved.
     fn scene(&self, state: &State<T, N>) -> Scene;
 
-    /// The drawing of a state as inline SVG: at the defaults that of the type's page. Where there is nothing to draw, a sentence says why.
+    /// The drawing of a state as inline SVG; at the defaults, the drawing on the type's page. If it cannot be drawn, a sentence with the
+    /// reason.
     fn picture(&self, state: &State<T, N>) -> String {
         self.scene(state).svg()
     }
 
-    /// States in the order of their times, as a picture that moves: a page with plots, or an SVG; see [`View`].
+    /// An animated picture of states in the order of their times: a page with plots, or an SVG; see [`View`].
     ///
     /// ```
     /// use reuleaux::mechanism;
@@ -66,7 +67,7 @@ pub trait Drawable<T, const N: usize> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// States are as `sweep` and `advance` give them, or references to a [`State`].
+    /// The states may be those of `sweep` and `advance`, or references to a [`State`].
     #[cfg(feature = "view")]
     fn view<S>(&self, states: impl IntoIterator<Item = S>) -> View<S>
     where

@@ -1,4 +1,4 @@
-//! What generated code is written with, so that it stays short: names for vectors, tables in one line an entry, checks of parameters.
+//! Items that shorten generated code: names for vectors, constructors for tables of one line per entry, and checks of parameters.
 
 use core::ops::{Bound, RangeBounds};
 
@@ -27,7 +27,7 @@ impl Coordinate {
         Self { body, name, kind: CoordinateKind::Angle }
     }
 
-    /// A coordinate of a body without unit.
+    /// A dimensionless coordinate of a body.
     #[must_use]
     pub const fn number(body: &'static str, name: &'static str) -> Self {
         Self { body, name, kind: CoordinateKind::Number }
@@ -35,7 +35,7 @@ impl Coordinate {
 }
 
 impl Row {
-    /// The row `index`, from 1, of the `of` rows of a joint, whose residual is in this unit.
+    /// Row `index`, counted from 1, of the `of` rows of a joint; the residual has this unit.
     #[must_use]
     pub const fn new(joint: &'static str, kind: &'static str, index: usize, of: usize, unit: &'static str) -> Self {
         Self { joint, kind, index, of, unit }
@@ -43,7 +43,7 @@ impl Row {
 }
 
 impl Operations {
-    /// So many sums and products, divisions and roots, sine-cosine pairs, and calls of other functions.
+    /// Numbers of sums and products, divisions and roots, sine-cosine pairs, and calls of other functions.
     #[must_use]
     pub const fn new(flops: usize, divisions: usize, sines: usize, calls: usize) -> Self {
         Self { flops, divisions, sines, calls }
@@ -63,7 +63,7 @@ pub type Named<T> = (&'static str, T, &'static str);
 /// Every parameter is finite: x − x is 0 for every finite x and NaN for all others, over any number type.
 ///
 /// # Errors
-/// The first that is not.
+/// The first parameter that is not finite.
 #[doc(hidden)]
 #[allow(clippy::eq_op)] // Only finite numbers leave nothing when subtracted from themselves.
 pub fn finite<T: Real>(parameters: &[Named<T>]) -> Result<(), ParameterOutOfRange<T>> {
@@ -73,7 +73,7 @@ pub fn finite<T: Real>(parameters: &[Named<T>]) -> Result<(), ParameterOutOfRang
 /// Every parameter lies within these bounds.
 ///
 /// # Errors
-/// The first that does not.
+/// The first parameter out of bounds.
 #[doc(hidden)]
 pub fn within<T: Real>(bounds: impl RangeBounds<f64>, why: &'static str, parameters: &[Named<T>]) -> Result<(), ParameterOutOfRange<T>> {
     let is_below = |value: T| match bounds.start_bound() {
@@ -96,7 +96,7 @@ fn first<T: Real>(parameters: &[Named<T>], is_refused: impl Fn(T) -> bool, why: 
     }
 }
 
-/// How two numbers have to compare.
+/// Relation between two numbers.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relation {
@@ -108,7 +108,7 @@ pub enum Relation {
     Different,
 }
 
-/// Two numbers compare as a joint demands; what cannot be compared does not.
+/// Checks a relation that a joint requires; numbers that cannot be compared violate it.
 ///
 /// # Errors
 /// The parameter to blame.

@@ -11,50 +11,50 @@ use nalgebra::{SMatrix, SVector, Vector2, Vector3};
 use crate::number::Float;
 use crate::state::{PlanarBody, SpatialBody};
 
-/// Multipliers of a mechanism with `M` equations, and `A` numbers of what its joints and drives do.
+/// Multipliers of a mechanism with `M` equations, and `A` numbers with the loads of its joints and drives.
 ///
-/// Joints and drives act on the bodies with −Φ_uᵀ λ, by speed: a force for the velocity of a body's origin, a torque about the origin for
-/// its angular velocity.
+/// The joints and drives load the bodies with −Φ_uᵀ λ: the entry for the velocity of a body's origin is a force, the entry for its
+/// angular velocity a torque about the origin.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loads<T, const M: usize, const A: usize> {
-    /// λ, by equation; in N for an equation in m, in N m for one in rad. Not a number where a number that it depends on is none.
+    /// λ, by equation; in N for an equation in m, in N m for one in rad. NaN if it depends on a NaN.
     pub multipliers: SVector<T, M>,
-    /// Whether a multiplier is determined: those that redundant equations share are not, and are the ones of least norm.
+    /// True for multipliers that are unique. Redundant equations share their load: of all solutions, these multipliers have least norm.
     pub is_unique: [bool; M],
     /// Force and torque of each joint, power of each drive.
     actions: SVector<T, A>,
 }
 
-/// What a joint in the plane does to a body, in ground.
+/// Load of a joint on a planar body, in ground coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarLoad<T> {
     /// Force at the joint's point, in N.
     pub force: Vector2<T>,
     /// Torque about the joint's point, in N m.
     pub torque: T,
-    /// Whether both are determined; with redundant joints they may not be.
+    /// True if both are unique; with redundant joints they may not be.
     pub is_unique: bool,
 }
 
-/// What a joint in space does to a body, in ground.
+/// Load of a joint on a body in space, in ground coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialLoad<T> {
     /// Force at the joint's point, in N.
     pub force: Vector3<T>,
     /// Torque about the joint's point, in N m.
     pub torque: Vector3<T>,
-    /// Whether both are determined; with redundant joints they may not be.
+    /// True if both are unique; with redundant joints they may not be.
     pub is_unique: bool,
 }
 
 impl<T: Float> PlanarLoad<T> {
-    /// What the joint does to the other body: as much in the opposite direction, about the same point.
+    /// The opposite load, which acts on the other body about the same point.
     #[must_use]
     pub fn on_other(self) -> Self {
         Self { force: self.force.map(|part| -part), torque: -self.torque, ..self }
     }
 
-    /// The same load with its force along the axes of a body.
+    /// The same load with the components of its force in the frame of a body.
     #[must_use]
     pub fn in_axes_of(self, body: &PlanarBody<T>) -> Self {
         let (sine, cosine) = body.angle.sin_cos();
@@ -64,13 +64,13 @@ impl<T: Float> PlanarLoad<T> {
 }
 
 impl<T: Float> SpatialLoad<T> {
-    /// What the joint does to the other body: as much in the opposite direction, about the same point.
+    /// The opposite load, which acts on the other body about the same point.
     #[must_use]
     pub fn on_other(self) -> Self {
         Self { force: self.force.map(|part| -part), torque: self.torque.map(|part| -part), ..self }
     }
 
-    /// The same load along the axes of a body.
+    /// The same load with its components in the frame of a body.
     #[must_use]
     pub fn in_axes_of(self, body: &SpatialBody<T>) -> Self {
         let along =
@@ -79,14 +79,14 @@ impl<T: Float> SpatialLoad<T> {
     }
 }
 
-/// What a drive has to do.
+/// Load that a drive must supply.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DriveLoad<T> {
     /// −λ of its first equation: the force (N) or torque (N m) that does work on the driven quantity.
     pub effort: T,
-    /// Power that it puts into the mechanism, in W.
+    /// Power supplied to the mechanism, in W.
     pub power: T,
-    /// Whether both are determined.
+    /// True if both are unique.
     pub is_unique: bool,
 }
 
@@ -94,11 +94,11 @@ pub struct DriveLoad<T> {
 const DEPENDENT: f64 = 1e-11;
 
 impl<T: Float, const M: usize, const A: usize> Loads<T, M, A> {
-    /// The multipliers of Φ_uᵀ λ = −f, and what they do.
+    /// The multipliers of Φ_uᵀ λ = −f, and the loads that follow from them.
     ///
     /// * `jacobian`: given, Φ_u.
     /// * `unbalanced`: given, f = M u̇ − Q.
-    /// * `actions`: given, what joints and drives do, from λ.
+    /// * `actions`: given, computes the loads of joints and drives from λ.
     #[doc(hidden)]
     #[must_use]
     pub fn of<const U: usize>(
@@ -121,14 +121,14 @@ impl<T: Float, const M: usize, const A: usize> Loads<T, M, A> {
         Self { multipliers, is_unique, actions: actions(&multipliers) }
     }
 
-    /// Loads that are determined.
+    /// Loads with unique multipliers.
     #[doc(hidden)]
     #[must_use]
     pub fn unique(multipliers: SVector<T, M>, actions: SVector<T, A>) -> Self {
         Self { multipliers, is_unique: [true; M], actions }
     }
 
-    /// Loads where there are none: nothing is a number.
+    /// Loads that are unknown: all numbers are NaN.
     #[doc(hidden)]
     #[must_use]
     pub fn unknown() -> Self {
@@ -136,7 +136,7 @@ impl<T: Float, const M: usize, const A: usize> Loads<T, M, A> {
         Self { multipliers: SVector::from_element(nothing), is_unique: [false; M], actions: SVector::from_element(nothing) }
     }
 
-    /// What a joint with these equations does to a body in the plane.
+    /// Load on a planar body of a joint with these equations.
     #[doc(hidden)]
     #[must_use]
     pub fn planar(&self, equations: Range<usize>, at: usize) -> PlanarLoad<T> {
@@ -153,7 +153,7 @@ impl<T: Float, const M: usize, const A: usize> Loads<T, M, A> {
         SpatialLoad { force, torque, is_unique: self.are_unique(equations) }
     }
 
-    /// What a drive with these equations has to do.
+    /// Effort and power of a drive with these equations.
     #[doc(hidden)]
     #[must_use]
     pub fn drive(&self, equations: Range<usize>, at: usize) -> DriveLoad<T> {
@@ -162,7 +162,7 @@ impl<T: Float, const M: usize, const A: usize> Loads<T, M, A> {
         DriveLoad { effort: -first, power, is_unique: self.are_unique(equations) }
     }
 
-    /// Multipliers from an equation on.
+    /// Multipliers of the equations from `first` on.
     #[doc(hidden)]
     #[must_use]
     pub fn multipliers_from<const K: usize>(&self, first: usize) -> [T; K] {
@@ -221,7 +221,7 @@ fn eliminate<T: Float, const M: usize, const U: usize>(matrix: &mut SMatrix<T, U
     (pivots, M.min(U))
 }
 
-/// Takes the part along the null space out of a solution, and marks the multipliers that it changes.
+/// Removes the component along the null space from a solution, and marks multipliers with an entry in the null space as not unique.
 fn least_norm<T: Float, const M: usize, const U: usize>(
     matrix: &SMatrix<T, U, M>,
     pivots: &[usize; M],
@@ -229,7 +229,7 @@ fn least_norm<T: Float, const M: usize, const U: usize>(
     multipliers: &mut SVector<T, M>,
     is_unique: &mut [bool; M],
 ) {
-    // Vectors of the null space, made orthogonal to each other.
+    // Vectors of the null space, orthogonalised.
     let mut basis = SMatrix::<T, M, M>::from_element(T::of(0.0));
     for (count, &free) in pivots[rank..].iter().enumerate() {
         let mut vector = SVector::<T, M>::from_element(T::of(0.0));

@@ -1,4 +1,4 @@
-//! What a mechanism can be asked for.
+//! The interface of a mechanism: solving, following, error bounds, derivatives.
 
 use nalgebra::SVector;
 
@@ -20,7 +20,7 @@ use crate::state::State;
 pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// The state at `t` (s) on the branch of the declared start: assembled at t = 0, then followed in time; the run time grows with
     /// `t`. Parameters that differ from the defaults are reached by continuation as well; if the branch ends before them,
-    /// [`Failure::end`] says where.
+    /// [`Failure::end`] gives this point.
     ///
     /// # Errors
     /// Any [`Cause`]. For many times in order, [`sweep`](Self::sweep) does not begin at zero again and again.
@@ -61,8 +61,8 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
         Ok(state)
     }
 
-    /// Takes a state of this mechanism to time `t` (s) in place: [`solve_from`](Self::solve_from) without a copy, for loops in
-    /// which every nanosecond counts. If that fails, the state is unchanged.
+    /// Takes a state of this mechanism to time `t` (s) in place: [`solve_from`](Self::solve_from) without a copy, for time-critical
+    /// loops. If that fails, the state is unchanged.
     ///
     /// # Errors
     /// Any [`Cause`].
@@ -78,9 +78,9 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// Bounds of the distance of a state from the solution next to it, for each coordinate and its rates. The bounds are sharp to
     /// about ten digits.
     ///
-    /// The solution meant is that of the declared equations with these parameters and this time, each number taken exactly as the
-    /// double that it is; where `T` is `f32`, the errors of computing with `f32` are all in the bound. It is enclosed by interval
-    /// arithmetic with centres of 32 digits ([`Enclosure`](crate::Enclosure)), anew in each call, which takes as long as some four hundred steps.
+    /// The solution meant is that of the declared equations with these parameters and this time, each number taken as the exact value of
+    /// its double; if `T` is `f32`, the bound covers all errors of computing with `f32`. The solution is enclosed by interval arithmetic
+    /// with centres of 32 digits ([`Enclosure`](crate::Enclosure)), which takes as long as some four hundred steps per call.
     ///
     /// ```
     /// use reuleaux::Mechanism;
@@ -123,9 +123,9 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
 
     /// Proves that there is exactly one solution within a radius of a state, and returns the radius.
     ///
-    /// The proof is Krawczyk's: an operator that maps a box around the state into itself, block by block, in
-    /// [interval arithmetic](crate::Enclosure) with all roundings counted. It holds for the declared equations, each number taken exactly as
-    /// the double that it is. Equations of redundant joints, which follow from the others, are checked and not proven.
+    /// The proof is Krawczyk's: an operator that maps a box around the state into itself, block by block, in [interval
+    /// arithmetic](crate::Enclosure) with all roundings counted. It holds for the declared equations, each number taken as the exact
+    /// value of its double. Equations of redundant joints, which follow from the others, are checked but not proven.
     ///
     /// # Errors
     /// Why there is no proof. A state without a solution within the radius is never certified.
@@ -140,11 +140,10 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
 
     /// Replaces a state by the rounded solution next to it: q, q̇ and q̈ as accurate as `T` allows, whatever the condition.
     ///
-    /// Residuals are evaluated with twice the digits, and the equations are those of [`error_bound`](Self::error_bound): time,
-    /// parameters and literals are the doubles that they are, exactly. It is worthwhile where the
-    /// [condition](crate::Values::condition) is above about a hundred and rates or accelerations are needed to the last digits. The
-    /// state
-    /// stays on its branch: no other solution is as near.
+    /// Residuals are evaluated with twice the digits. The equations are those of [`error_bound`](Self::error_bound): time, parameters and
+    /// literals have the exact values of their doubles. Polishing is worthwhile if the [condition](crate::Values::condition) exceeds
+    /// about a hundred and rates or accelerations are needed to the last digits. The state stays on its branch: no other solution is as
+    /// near.
     ///
     /// # Errors
     /// If this cannot be proven; the state is unchanged.
@@ -161,7 +160,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// them, such as outputs with their rates and accelerations, has exact derivatives too.
     ///
     /// * `state`: given, a state of this mechanism.
-    /// * `by`: given, selects the parameters; the derivatives are in this order.
+    /// * `by`: given, selects the parameters; derivatives are in this order.
     ///
     /// ```
     /// use reuleaux::{Mechanism, mechanism};
@@ -260,7 +259,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// The states at these times (s), such as `(0..=360).map(|i| f64::from(i) * 1e-3)`: the first as by [`solve`](Self::solve), each
     /// further one from the one before.
     ///
-    /// The iterator ends after the first failure. A change point on the way is passed on the branch that goes on smoothly. A state at
+    /// The iterator ends after the first failure. A change point on the way is passed on the smooth branch. A state at
     /// the change point itself is the limit of those around it: its equations hold to rounding, but no
     /// [certificate](Self::certify) is possible there, since there is another solution next to it.
     fn sweep<I: IntoIterator<Item = T>>(&self, times: I) -> Sweep<'_, Self, I::IntoIter, T, N>

@@ -22,12 +22,12 @@ pub struct Progress {
 
 /// Sweeps each mechanism over the same times (s) and collects the results of `each`, in the order of `mechanisms`.
 ///
-/// * `each`: given, called once for each mechanism with its sweep, on any thread. Only what it returns is kept, so that a sweep of a
-///   million times may leave one number.
-/// * `progress`: given, called after each sweep, on the thread that made it and so maybe from several at once; every `done` from 1
-///   to `of` is told once. Between two calls there is nothing that threads share, neither a lock nor a counter.
+/// * `each`: given, called once for each mechanism with its sweep, on any thread. Only its result is kept, so that a sweep of a million
+///   times may leave a single number.
+/// * `progress`: given, called after each sweep on the thread of that sweep, possibly several times at once; each value of `done` from 1
+///   to `of` occurs once. Between calls the threads share nothing, neither a lock nor a counter.
 ///
-/// With `indicatif` that is `|progress| bar.set_position(progress.done as u64)`. Without it:
+/// With `indicatif`, use `|progress| bar.set_position(progress.done as u64)`. Without it:
 ///
 /// ```
 /// use reuleaux::parallel::sweeps;

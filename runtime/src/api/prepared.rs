@@ -1,7 +1,7 @@
-//! A mechanism with everything computed that depends on its parameters only.
+//! A mechanism with all quantities precomputed that depend on its parameters only.
 //!
-//! In: what `mechanism!` generates, which is [`Prepare`]. Out: [`Prepared`], which is solved as the mechanism is. Not done here: what is worth
-//! keeping, which the compiler decides.
+//! In: [`Prepare`], which `mechanism!` implements. Out: [`Prepared`], which is solved like the mechanism itself. Not done here: selecting
+//! the quantities that are worth keeping, which the compiler does.
 
 use core::ops::Deref;
 
@@ -17,26 +17,26 @@ use crate::state::{Coordinates, State};
 
 /// A mechanism that can be [`Prepared`]; `mechanism!` implements it.
 ///
-/// `F` numbers depend on parameters only and are kept; 0 where computing them anew costs next to nothing.
+/// `F` numbers depend on parameters only and are kept; `F` is 0 if recomputing them costs next to nothing.
 pub trait Prepare<T: SolverReal, const N: usize, const F: usize>: Stages<T, N> + Copy {
     /// The state of the mechanism, with its bodies by name.
     type State: Deref<Target = State<T, N>>;
 
-    /// A state under the names of the mechanism.
+    /// A state with the names of the mechanism.
     fn named(state: State<T, N>) -> Self::State;
 
-    /// The numbers of a state, to be taken along.
+    /// The state without the names.
     fn unnamed(state: &mut Self::State) -> &mut State<T, N>;
 
-    /// What depends on parameters only.
+    /// The quantities that depend on parameters only.
     fn fixed(&self) -> [T; F] {
         [T::of(0.0); F]
     }
 
-    /// [`Stages::stages`], with what depends on parameters only given.
+    /// [`Stages::stages`], given the quantities that depend on parameters only.
     ///
     /// # Errors
-    /// Why there is no state near what the solver sets out from.
+    /// Why no state was found from the solver's start or prediction.
     #[inline(always)]
     fn stages_with(&self, fixed: &[T; F], t: T, solver: &mut Solver<'_, T, N>) -> Result<Coordinates<T, N>, StepError<T>> {
         let _ = fixed;
@@ -44,10 +44,10 @@ pub trait Prepare<T: SolverReal, const N: usize, const F: usize>: Stages<T, N> +
     }
 }
 
-/// A mechanism with everything computed that depends on its parameters only and is worth keeping, for loops that take a state along.
+/// A mechanism with all quantities precomputed that depend on its parameters only and are worth keeping, for loops with `advance`.
 ///
-/// It is made by the method `prepared` that every mechanism has, gives the states that the mechanism gives, and derefs to it. Whether
-/// anything is kept is the compiler's decision and changes no result.
+/// Every mechanism has a method `prepared` that creates it. It returns the same states as the mechanism, and derefs to it. The compiler
+/// decides which quantities are kept; this changes no result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Prepared<M, T, const N: usize, const F: usize> {
     mechanism: M,
@@ -71,7 +71,7 @@ where
     M: Prepare<T, N, F>,
     T: Float,
 {
-    /// The state at time `t` (s): assembled from the declared start at t = 0 and followed from there, so that the assembly is kept.
+    /// The state at time `t` (s): assembled at t = 0 from the declared start and followed from there, on the same branch.
     ///
     /// # Errors
     /// Why there is no such state, with the last valid one on the way.
@@ -95,8 +95,7 @@ where
         Mechanism::<T, N>::solve_from(self, t, from).map(M::named)
     }
 
-    /// Takes a state to time `t` (s) in place: [`solve_from`](Self::solve_from) without a copy. A state that cannot be taken there
-    /// stays as it is.
+    /// Takes a state to time `t` (s) in place: [`solve_from`](Self::solve_from) without a copy. If that fails, the state is unchanged.
     ///
     /// # Errors
     /// Why there is no such state, with the last valid one on the way.
@@ -141,7 +140,7 @@ where
     }
 }
 
-/// Where nothing is kept, everything is done as the mechanism does it.
+/// With nothing kept, every stage is that of the mechanism.
 impl<M, T, const N: usize, const F: usize> Stages<T, N> for Prepared<M, T, N, F>
 where
     M: Prepare<T, N, F>,

@@ -1,7 +1,7 @@
-//! Everything upstream of one output, solved alone.
+//! Slices: the part of a mechanism on which one output depends, solved alone.
 //!
-//! In: what `mechanism!` generates for a `slice output`, which is [`Sliced`]. Out: [`Slice`], a mechanism of its own, and its
-//! [`SliceState`]s. Not done here: which unknowns are upstream, which the compiler decides.
+//! In: [`Sliced`], which `mechanism!` implements for a `slice output`. Out: [`Slice`], a mechanism of its own, and its [`SliceState`]s.
+//! Not done here: selecting the unknowns upstream of the output, which the compiler does.
 
 use core::marker::PhantomData;
 use core::ops::{Deref, DerefMut};
@@ -19,8 +19,8 @@ use crate::state::{Coordinates, State};
 /// A mechanism of `WHOLE` coordinates that can be solved for one of its outputs alone; `mechanism!` implements it for each
 /// `slice output`.
 ///
-/// `OUTPUT` counts the slices of the mechanism. A state of the slice holds `N` numbers: the coordinates from which the next state is
-/// found, then the components of the output.
+/// `OUTPUT` numbers the slices of the mechanism. A state of the slice has `N` entries: the coordinates that are needed for the next step,
+/// and the components of the output.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no slice of this kind",
     note = "an output is solved alone where it is declared as `slice output name = …;`"
@@ -29,10 +29,10 @@ pub trait Sliced<T: SolverReal, const OUTPUT: usize, const N: usize, const WHOLE
     /// The output with its first and second derivative in time.
     type Value;
 
-    /// How a state is found: which coordinates are computed, which are iterated together, in which order.
+    /// Plan of the solution: computed coordinates, coordinates iterated together, and their order.
     const PLAN: Plan;
 
-    /// What a state holds, by indices in q; the components of the output count on from `WHOLE`.
+    /// Entries of a state by their indices in q; the components of the output have indices from `WHOLE` on.
     const HELD: [usize; N];
 
     /// The components of the output.
@@ -56,7 +56,7 @@ pub trait Sliced<T: SolverReal, const OUTPUT: usize, const N: usize, const WHOLE
     /// [`Stages::stages`] of the slice.
     ///
     /// # Errors
-    /// Why there is no state near what the solver sets out from.
+    /// Why no state was found from the solver's start or prediction.
     #[inline(always)]
     fn upstream(&self, t: T, solver: &mut Solver<'_, T, N>) -> Result<Coordinates<T, N>, StepError<T>> {
         let mut found = Coordinates::zero();
@@ -67,7 +67,7 @@ pub trait Sliced<T: SolverReal, const OUTPUT: usize, const N: usize, const WHOLE
     /// [`Stages::stages_in_place`] of the slice.
     ///
     /// # Errors
-    /// Why there is no state near what the solver sets out from.
+    /// Why no state was found from the solver's start or prediction.
     #[inline(always)]
     fn upstream_in_place(&self, t: T, solver: &mut Solver<'_, T, N>, found: &mut Coordinates<T, N>) -> Result<(), StepError<T>> {
         *found = self.upstream(t, solver)?;
@@ -75,9 +75,9 @@ pub trait Sliced<T: SolverReal, const OUTPUT: usize, const N: usize, const WHOLE
     }
 }
 
-/// A mechanism for one of its outputs alone: whatever is not upstream of that output is neither solved nor compiled.
+/// A mechanism reduced to one of its outputs: everything that is not upstream of the output is neither solved nor compiled.
 ///
-/// It is made by the method `solve_for_…` that a mechanism has for each `slice output`, and is a [`Mechanism`] of its own:
+/// A mechanism has a method `solve_for_…` for each `slice output`. It returns a slice, which is a [`Mechanism`] of its own:
 ///
 /// ```
 /// reuleaux::mechanism! {
@@ -111,10 +111,10 @@ pub struct Slice<M, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> 
     over: PhantomData<T>,
 }
 
-/// A state of a [`Slice`]: the output, and the numbers from which the next state is found.
+/// A state of a [`Slice`]: the output, and the coordinates that are needed for the next step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SliceState<M, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> {
-    /// Time, position, velocity and acceleration, as of any mechanism.
+    /// Time, positions, velocities and accelerations, as for any mechanism.
     pub state: State<T, N>,
     of: PhantomData<M>,
 }
@@ -132,7 +132,7 @@ where
     M: Sliced<T, OUTPUT, N, WHOLE>,
     T: SolverReal,
 {
-    /// How a state is found: which coordinates are computed, which are iterated together, in which order.
+    /// Plan of the solution: computed coordinates, coordinates iterated together, and their order.
     pub const PLAN: Plan = M::PLAN;
 }
 
@@ -141,7 +141,7 @@ where
     M: Sliced<T, OUTPUT, N, WHOLE>,
     T: Float,
 {
-    /// The state at time `t` (s): assembled from the declared start at t = 0 and followed from there, so that the assembly is kept.
+    /// The state at time `t` (s): assembled at t = 0 from the declared start and followed from there, on the same branch.
     ///
     /// # Errors
     /// Why there is no such state, with the last valid one on the way.
@@ -157,8 +157,7 @@ where
         Mechanism::<T, N>::solve_from(self, t, &from.state).map(SliceState::from)
     }
 
-    /// Takes a state to time `t` (s) in place: [`solve_from`](Self::solve_from) without a copy. A state that cannot be taken there
-    /// stays as it is.
+    /// Takes a state to time `t` (s) in place: [`solve_from`](Self::solve_from) without a copy. If that fails, the state is unchanged.
     ///
     /// # Errors
     /// Why there is no such state, with the last valid one on the way.
@@ -221,11 +220,11 @@ where
     M: Sliced<T, OUTPUT, N, WHOLE>,
     T: SolverReal,
 {
-    /// What a state holds.
+    /// Entries of a state.
     const NAMES: [Coordinate; N] = held(<M as Description<T, WHOLE>>::COORDINATES, M::COMPONENTS, &M::HELD);
 }
 
-/// The coordinates of these indices; those of the output follow those of the mechanism.
+/// The coordinates with these indices; the components of the output follow the coordinates of the mechanism.
 const fn held<const N: usize>(whole: &[Coordinate], components: &[Coordinate], held: &[usize; N]) -> [Coordinate; N] {
     let mut names = [Coordinate { body: "?", name: "?", kind: CoordinateKind::Length }; N];
     let mut place = 0;

@@ -18,13 +18,13 @@ const LARGEST_POWER: f64 = 300.0;
 /// Sine and cosine; both have slopes of at most 1.
 ///
 /// ```text
-/// x = n π/2 + y         |y| ≤ π/4 + 1e-3; y is off by at most 5u² + u²/2 of n π/2 and 3u² of itself, together below 16u² |x|
+/// x = n π/2 + y         |y| ≤ π/4 + 1e-3; error of y: 5u² + u²/2 of n π/2, and 3u² of y, together below 16u² |x|
 /// sin y = y (1 − z/(2·3) (1 − z/(4·5) (1 − …)))        z = y², up to y²⁷; the rest is below y²⁹/29! < 2e-34
 /// cos y = 1 − z/(1·2) (1 − z/(3·4) (1 − …))            up to y²⁸; the rest is below y³⁰/30! < 4e-36
 /// ```
 ///
-/// A bracket is off by at most 3u² and a third of what the one inside is, with 31u² for its product and quotient: 20u² in all. Doubled
-/// and doubled again, and with the rest, this is below 2⁻⁹⁹.
+/// The error of each bracket is at most 3u², plus 31u² for its product and quotient, plus a third of the error of the inner bracket: 20u²
+/// in all. Even four times that, plus the remainder, is below 2⁻⁹⁹.
 pub(super) fn sin_cos(x: Ball) -> (Ball, Ball) {
     let anything = Ball::around(Twofold::of(0.0), 1.0).with_doubts_of(x);
     if !(x.center.high.abs() <= LARGEST_ANGLE && x.radius <= 1.0) {
@@ -103,8 +103,8 @@ pub(super) fn atan2(y: Ball, x: Ball) -> Ball {
 /// eʸ = 1 + y/1 (1 + y/2 (1 + …))       up to y²⁵; the rest is below 1e-38
 /// ```
 ///
-/// A bracket is off by at most 5u² and half of what the one inside is, with 31u²: 60u², and 2⁻⁹⁹ is four times as much. A change of x by
-/// r ≤ 1 is a factor of at most 1 + r + r².
+/// The error of each bracket is at most 5u², plus 31u², plus half of the error of the inner bracket: 60u²; 2⁻⁹⁹ is four times as much. A
+/// change of x by r ≤ 1 is a factor of at most 1 + r + r².
 pub(super) fn exp(x: Ball) -> Ball {
     let (size, r) = (x.center.high.abs(), x.radius);
     if !(size <= LARGEST_POWER && r <= 1.0) {

@@ -1,11 +1,11 @@
-//! Balls hold what they should: values computed elsewhere with 120 digits, and whatever a change within the radius makes of them.
+//! Balls contain the exact values: references computed with 120 digits, and the values at points within the radius.
 
 use super::ball::Ball;
 use super::twofold::Twofold;
 use super::{Enclosure, functions};
 use crate::number::{Ends, Real, Single, Table};
 
-/// Functions at doubles, as a double and what is left over (mpmath 1.3.0, 400 bits).
+/// Values of functions at doubles, as a double and a remainder (mpmath 1.3.0, 400 bits).
 #[allow(clippy::approx_constant, clippy::excessive_precision)] // Multiples of π as doubles are where functions are hardest.
 const VALUES: &[(&str, f64, [f64; 2])] = &[
     ("sin", 0.0, [0.0, 0.0]),
@@ -89,7 +89,7 @@ fn value(name: &str, x: Ball) -> Ball {
     function(name)(Enclosure::at_rest(x)).value
 }
 
-/// How far a number is from the centre of a ball, less the radius.
+/// Distance of a number from the centre of a ball, minus the radius.
 fn outside(ball: Ball, number: Twofold) -> f64 {
     (ball.center - number).high.abs() - ball.radius
 }
@@ -108,7 +108,7 @@ fn functions_of_balls_hold_the_values_of_what_is_in_them() {
     for &(name, x, [high, low]) in VALUES {
         for radius in [1e-12, 1e-6, 1e-3, 0.3] {
             for share in [-1.0, -0.3, 0.9, 1.0] {
-                // A ball in which x is, near its edge or not.
+                // A ball that contains x, possibly near its edge.
                 let ball = Ball::around(Twofold::of(x) - Twofold::of(share * radius), radius * (1.0 + 1e-12));
                 assert!(outside(value(name, ball), Twofold { high, low }) <= 1e-30 * (1.0 + high.abs()), "{name} {x} in {ball:?}");
             }
@@ -116,7 +116,7 @@ fn functions_of_balls_hold_the_values_of_what_is_in_them() {
     }
 }
 
-/// Some numbers of a ball.
+/// Some numbers in a ball.
 fn samples(ball: Ball) -> impl Iterator<Item = Twofold> {
     [-1.0, -0.71, 0.0, 0.33, 1.0].into_iter().map(move |share| ball.center + Twofold::of(share * ball.radius))
 }
@@ -152,10 +152,10 @@ fn what_may_be_undefined_is_not_bounded() {
 }
 
 const KNOTS: [f64; 4] = [0.0, 1.0, 1.5, 3.0];
-/// (x − 1)³ and what it goes on as, with two continuous derivatives: −1 + 3x − 3x² + x³ everywhere.
+/// The polynomial (x − 1)³ = −1 + 3x − 3x² + x³ in every interval, hence with two continuous derivatives.
 const SPLINE: [[f64; 4]; 3] = [[-1.0, 3.0, -3.0, 1.0], [0.0, 0.0, 0.0, 1.0], [0.125, 0.75, 1.5, 1.0]];
 
-/// In `f32` nothing is enclosed.
+/// Tables are not enclosed in `f32`.
 const SINGLE: Single = Single { knots: &[], coefficients: &[], period: [0.0; 2] };
 
 #[test]
@@ -194,7 +194,7 @@ fn derivatives_are_those_of_the_values() {
     let at = |s: f64| Twofold::of(0.4) + Twofold::of(0.7) * Twofold::of(s) + Twofold::of(-0.3) * Twofold::of(s) * Twofold::of(s);
     let moving = Enclosure { value: Ball::exact(0.4), rate: Ball::exact(0.7), acceleration: Ball::exact(-0.6) };
     let of = |f: &dyn Fn(Enclosure) -> Enclosure, what: &str| {
-        // Differences of numbers of 32 digits, with errors of h².
+        // Differences of 32-digit numbers, with truncation errors of order h².
         let h = 1e-7;
         let [before, here, after] = [-h, 0.0, h].map(|s| f(Enclosure::at_rest(Ball::around(at(s), 0.0))).value.center);
         let first = (after - before).high / (2.0 * h);

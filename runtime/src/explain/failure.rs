@@ -7,16 +7,16 @@ use crate::names::{BranchEnd, Cause, Coordinate, Culprit, ParameterOutOfRange, R
 use crate::number::Float;
 use crate::state::State;
 
-/// Why there is no state, in the words of the declaration.
+/// A failure to find a state, in the words of the declaration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Failure<T, const N: usize> {
     /// The mechanism as declared.
     pub mechanism: &'static str,
-    /// What happened.
+    /// Cause of the failure.
     pub cause: Cause<T>,
-    /// When, in s.
+    /// Time of the failure, in s.
     pub time: T,
-    /// Where the branch ends between the declared defaults and these parameters, if it does.
+    /// End of the branch between the declared defaults and these parameters, if it ends there.
     pub end: Option<BranchEnd<T>>,
     /// The last valid state before the failure.
     pub last: Option<State<T, N>>,
@@ -44,7 +44,7 @@ impl<T: Float, const N: usize> fmt::Display for Failure<T, N> {
 }
 
 impl<T: Float> Cause<T> {
-    /// What happened to the mechanism of this name at time t.
+    /// Writes the cause for the mechanism of this name at time t.
     fn fmt(&self, f: &mut fmt::Formatter<'_>, name: &str, t: Plain) -> fmt::Result {
         match self {
             Cause::DoesNotClose { row, residual, gap } => {
@@ -93,11 +93,11 @@ impl<T: Float> Cause<T> {
     }
 }
 
-/// Above this condition steps are short for that reason.
+/// Above this condition, short steps are attributed to the condition.
 const CREEPING: f64 = 1e5;
 
-/// A number with all its digits; one that would have more than six before the point, or more than twelve zeros after it, with an
-/// exponent.
+/// A number with all its digits; in scientific notation if it has more than six digits before the point or more than twelve zeros after
+/// it.
 #[derive(Clone, Copy)]
 struct Plain(f64);
 
@@ -109,7 +109,7 @@ impl fmt::Display for Plain {
     }
 }
 
-/// A quantity in SI as one would write it: a length in mm or m, an angle in degrees, three digits.
+/// A quantity in common units with three digits: a length in mm or m, an angle in degrees.
 struct Measure(f64, &'static str);
 
 impl fmt::Display for Measure {

@@ -1,4 +1,4 @@
-//! Many right-hand sides at once: each step is done for all of them before the next one.
+//! Many right-hand sides at once: each step of the substitution is done for all of them before the next step.
 
 use super::elimination::substitute_rows;
 use super::permuted::{entry, put};
@@ -53,7 +53,7 @@ impl<T: Float, const N: usize> Abreast<T, N> for Factors<T, N> {
 }
 
 impl<T: Float, const N: usize> Factors<T, N> {
-    /// Of a regular matrix; what belongs to no pivot of another is zero.
+    /// For a regular matrix; with a lower rank, unknowns without a pivot are zero.
     fn solve_columns<const P: usize>(&self, b: &[[T; P]; N]) -> [[T; P]; N] {
         let rank = self.rank.min(N);
         let mut y = [[T::ZERO; P]; N];

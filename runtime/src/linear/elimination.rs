@@ -53,7 +53,7 @@ pub trait Elimination<T: Real, const K: usize, const ENTRIES: usize, const FACTO
 
     /// x of A x = b by the factors of A.
     ///
-    /// * `put`: given, how L y = b goes on: y_i from b_i and from Σ L(i, k) y_k, their difference.
+    /// * `put`: given, computes y_i of L y = b from b_i and Σ L(i, k) y_k: their difference, unless the caller changes it.
     fn substitute(lu: &[T; FACTORS], b: &[T; K], put: impl Fn(T, T) -> T) -> [T; K] {
         substitute(&Self::ORDER, &const { Places::of(&Self::ORDER) }, lu, b, put)
     }
@@ -105,21 +105,21 @@ where
     x
 }
 
-/// Where things are stored.
+/// Positions in the arrays.
 #[derive(Clone, Copy, Debug)]
 struct Places<const K: usize, const ENTRIES: usize> {
-    /// Of each entry of A among the factors.
+    /// Index of each entry of A among the factors.
     entries: [usize; ENTRIES],
-    /// Of the first entry of each row of the factors.
+    /// Index of the first entry of each row of the factors.
     rows: [usize; K],
-    /// Of the diagonal of each row.
+    /// Index of the diagonal entry of each row.
     pivots: [usize; K],
-    /// Of the first entry of the next row.
+    /// Index of the first entry of the next row.
     ends: [usize; K],
 }
 
 impl<const K: usize, const ENTRIES: usize> Places<K, ENTRIES> {
-    /// Looked up when the mechanism is compiled, which an order that has not all it needs would end.
+    /// Evaluated at compile time; an incomplete order is a compile error.
     const fn of<const FACTORS: usize>(order: &Order<K, ENTRIES, FACTORS>) -> Self {
         let mut places = Self { entries: [0; ENTRIES], rows: [0; K], pivots: [0; K], ends: [FACTORS; K] };
         let (mut row_of, mut column_of) = ([0; K], [0; K]);
@@ -145,7 +145,7 @@ impl<const K: usize, const ENTRIES: usize> Places<K, ENTRIES> {
 }
 
 impl<const K: usize, const ENTRIES: usize, const FACTORS: usize> Order<K, ENTRIES, FACTORS> {
-    /// The place of an entry among the factors, or of the first of its row.
+    /// Index of an entry among the factors, or of the first entry of its row.
     const fn find(&self, row: usize, column: usize, is_first: bool) -> usize {
         let mut place = 0;
         while self.factors[place].0 != row || (!is_first && self.factors[place].1 != column) {
@@ -175,7 +175,7 @@ const fn is_odd<const K: usize>(permutation: &[usize; K]) -> bool {
     odd
 }
 
-/// Row by row, each by the rows before it (Duff, Erisman, Reid: Direct Methods for Sparse Matrices, 5.7).
+/// Row by row, using the rows before it (Duff, Erisman, Reid: Direct Methods for Sparse Matrices, 5.7).
 fn eliminate<T: Real, const K: usize, const ENTRIES: usize, const FACTORS: usize>(
     order: &Order<K, ENTRIES, FACTORS>,
     places: &Places<K, ENTRIES>,
@@ -187,7 +187,7 @@ fn eliminate<T: Real, const K: usize, const ENTRIES: usize, const FACTORS: usize
     for (&entry, &place) in a.iter().zip(&places.entries) {
         found.lu[place] = entry;
     }
-    // |U| c by row, and the place of each column in the row at work.
+    // |U| c by row, and the index of each column in the current row.
     let (mut upper, mut at) = ([zero; K], [0; K]);
     for i in 0..K {
         for place in places.rows[i]..places.ends[i] {

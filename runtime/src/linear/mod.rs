@@ -1,7 +1,7 @@
 //! Systems on the stack: A x = b with A an N × N matrix.
 //!
-//! In: a matrix. Out: its factors, from which many right-hand sides are solved, its rank, the sign of
-//! its determinant, and an estimate of its condition. The caller decides what to do about a singular matrix.
+//! In: a matrix. Out: its factors, for any number of right-hand sides, its rank, the sign of its determinant, and an estimate of its
+//! condition. The caller decides how to treat a singular matrix.
 //!
 //! ```text
 //! P (R A C) Q = L U        R, C diagonal, powers of two (exact);  P, Q permutations, Q = 1 unless A is nearly singular

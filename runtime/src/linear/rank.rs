@@ -38,8 +38,8 @@ pub(crate) fn weakest<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, size:
     Some((*factors.rows.get(largest(&left))?, *factors.columns.get(largest(&right))?))
 }
 
-/// x of A x = b as far as A is regular: entries and pivots below ε to the power 1/4 of the others count as zero, and what they alone
-/// determine is zero in x.
+/// x of A x = b in the regular part of A: entries and pivots below the fourth root of ε, relative to the others, count as zero, and
+/// unknowns without another pivot are zero in x.
 ///
 /// * `matrix`: given, A, in units in which rows and columns are about 1.
 pub(crate) fn regular_part<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, b: &SVector<T, N>) -> Option<SVector<T, N>> {

@@ -56,7 +56,7 @@ where
     fn factor(matrix: &Entries<T, K, ENTRIES>) -> Result<Self, usize> {
         let Eliminated { lu, pivots, grown, sizes } = E::eliminate(&matrix.values, &matrix.columns);
         let (limit, smallest) = (largest_growth::<T>(), T::ROOT_EPSILON);
-        // Without a branch for each row; what is not finite is not at most anything, or shows in the growth.
+        // Without a branch for each row. Comparisons with NaN are false, and infinite entries are excluded by the bound on the row size.
         let is_good = |i: usize| {
             grown[i].at_most(limit * sizes[i]).and((smallest * sizes[i]).at_most(pivots[i])).and(sizes[i].at_most(T::of(f64::MAX)))
         };
@@ -101,7 +101,7 @@ where
         SVector::from_fn(|j, _| x[j] + correction[j])
     }
 
-    /// As dense factors estimate it, in unknowns by their own size.
+    /// Same estimate as for dense factors, in unknowns scaled by their own size.
     #[inline]
     fn error_amplification(&self, sizes: &SVector<T, K>, reciprocals: &SVector<T, K>) -> T {
         if !self.is_stable.all() {
@@ -110,12 +110,12 @@ where
         let zero = T::of(0.0);
         let mut b = [zero; K];
         for (&row, &size) in E::ORDER.rows.iter().zip(&self.sizes) {
-            // Always: but where code is compiled for size rustc does not see it.
+            // Always true; without this test rustc keeps a bounds check in code optimised for size.
             if row < K {
                 b[row] = size.max(sizes[row]);
             }
         }
-        // Each sign is the one that makes the sum longer.
+        // Each sign is chosen so that the sum grows.
         let z = E::substitute(&self.lu, &b, |size, known| T::select_less(zero, known, -(size + known), size - known));
         z.iter().zip(reciprocals.iter()).fold(T::of(0.0), |largest, (&entry, &share)| largest.max(entry.abs() * share))
     }
@@ -157,14 +157,14 @@ where
         T::Dense::<K>::factor(&Self::dense(&self.matrix))
     }
 
-    /// A solution by them.
+    /// A solution by the pivoted factors.
     #[cold]
     fn with_pivoting(&self, solve: impl Fn(&T::Dense<K>) -> SVector<T, K>) -> SVector<T, K> {
         self.pivoted().map_or(SVector::from_element(T::of(f64::NAN)), |factors| solve(&factors))
     }
 }
 
-/// Refuses the first row with an entry that is not finite in any lane; where it is in some, the others go on.
+/// Refuses the first row with an entry that is not finite in any lane; lanes with finite entries continue.
 #[cold]
 fn any_finite<T: SimdReal>(values: &[T], pattern: &[(usize, usize)]) -> Result<(), usize> {
     let is_bad = |value: &T| value.abs().at_most(T::of(f64::MAX)).not().all();

@@ -15,7 +15,7 @@ pub struct BranchEnd<T> {
     pub coordinate: Coordinate,
 }
 
-/// What happened.
+/// Cause of a failure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cause<T> {
     /// No position was found that fulfils the equations: from the given start no step reduces the residuals any further.
@@ -80,7 +80,7 @@ pub enum Cause<T> {
     },
 }
 
-/// What was not finite.
+/// Quantity that was not finite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Culprit {
     /// The time asked for.

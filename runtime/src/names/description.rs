@@ -38,6 +38,6 @@ pub struct ParameterOutOfRange<T> {
     pub value: T,
     /// The SI unit of the value; empty for a pure number.
     pub unit: &'static str,
-    /// What is wrong with it, or what it must be: `"it must not be zero"`.
+    /// The violated condition: `"it must not be zero"`.
     pub why: &'static str,
 }

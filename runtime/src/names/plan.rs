@@ -1,13 +1,13 @@
-//! How a mechanism is solved, as data that one can read.
+//! The plan by which a mechanism is solved, as readable data.
 
 use core::fmt;
 
 /// The stages of a solution, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Plan {
-    /// In the order in which they are done.
+    /// Stages in the order of execution.
     pub stages: &'static [PlanStage],
-    /// Operations of a whole state outside of the loops.
+    /// Operations of one state, without those in iterations.
     pub operations: Operations,
 }
 
@@ -16,19 +16,19 @@ pub struct Plan {
 pub enum PlanStage {
     /// This coordinate, `"crank.x"`, is computed from those before it.
     Computed(&'static str),
-    /// This equation, `"c (2 of 2)"`, follows from others: it is not solved, it must hold of itself.
+    /// This equation, `"c (2 of 2)"`, follows from others: it is checked, not solved.
     Checked(&'static str),
-    /// Coordinates that Newton's method finds together.
+    /// Coordinates that are iterated together by Newton's method.
     Iterated {
         /// Their names.
         unknowns: &'static [&'static str],
-        /// The equations that must vanish, `"b (2 of 2)"`.
+        /// The residual equations, `"b (2 of 2)"`.
         equations: &'static [&'static str],
         /// Operations of one Newton step, without the solution of its linear system.
         operations: Operations,
-        /// Operations of one factorisation of its Jacobian; None for the closed form that up to three unknowns have.
+        /// Operations of one factorisation of its Jacobian; None for the closed form of up to three unknowns.
         elimination: Option<Operations>,
-        /// Blocks with the same number do the same operations, each on its own bodies.
+        /// Blocks with the same number share their operations, each applied to its own bodies.
         shape: usize,
     },
 }
@@ -47,7 +47,7 @@ pub struct Operations {
 }
 
 impl Plan {
-    /// How many different shapes the iterated blocks have: what is compiled grows with this number.
+    /// Number of distinct shapes of iterated blocks; the size of the compiled code grows with it.
     #[must_use]
     pub fn shapes(&self) -> usize {
         let number = |stage: &PlanStage| if let PlanStage::Iterated { shape, .. } = stage { shape + 1 } else { 0 };

@@ -63,7 +63,7 @@ pub(crate) trait Problem<T: Float, const K: usize> {
     }
 }
 
-/// Limits a gap to what its residual allows; at a dead point the gradient in the denominator vanishes.
+/// Bounds a gap by its residual; at a dead point the gradient in the denominator vanishes.
 fn at_most<T: Float>(gap: T, residual: T, unit: &str, length: T) -> T {
     let residual = residual.abs();
     match unit {
@@ -105,7 +105,7 @@ pub struct Block<const K: usize> {
     pub unknowns: [usize; K],
     /// Indices in Φ.
     pub equations: [usize; K],
-    /// What the unknowns measure.
+    /// Quantity that each unknown measures.
     pub kinds: [CoordinateKind; K],
     /// Which unknowns occur in sines or cosines.
     pub needs_sin_cos: [bool; K],

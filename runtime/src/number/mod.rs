@@ -1,4 +1,4 @@
-//! Numbers: what equations are evaluated over, and what the solver compares.
+//! Number types: those over which equations are evaluated, and those that the solver compares.
 
 mod det_sign;
 mod float;

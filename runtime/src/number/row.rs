@@ -1,7 +1,7 @@
 //! Rows of numbers, entry by entry, two at a time where the processor adds and multiplies two at a time.
 //!
-//! LLVM finds pairs by itself in short code only. Of a mechanism over numbers with many derivatives, which is thousands of lines, it makes
-//! pairs in one place and takes them apart in the next.
+//! LLVM vectorises only short code by itself. In a mechanism over numbers with many derivatives, which is thousands of lines long, it
+//! forms pairs in one place and splits them in the next.
 
 use super::Float;
 
@@ -11,18 +11,18 @@ pub trait Pair<T>: Copy {
     fn of(first: T, second: T) -> Self;
     /// The two numbers.
     fn both(self) -> [T; 2];
-    /// By entry.
+    /// Entrywise sum.
     #[must_use]
     fn plus(self, other: Self) -> Self;
-    /// By entry.
+    /// Entrywise difference.
     #[must_use]
     fn minus(self, other: Self) -> Self;
-    /// By entry.
+    /// Entrywise product.
     #[must_use]
     fn times(self, other: Self) -> Self;
 }
 
-/// A row, each entry put together from those of two rows.
+/// A row computed entry by entry from two rows.
 #[inline(always)]
 fn zip<T: Float, const P: usize>(x: &[T; P], y: &[T; P], pairs: impl Fn(T::Pair, T::Pair) -> T::Pair, last: impl Fn(T, T) -> T) -> [T; P] {
     let mut row = [T::ZERO; P];
@@ -76,7 +76,7 @@ pub(crate) fn less<T: Float, const P: usize>(a: T, x: &[T; P], y: &[T; P]) -> [T
     zip(x, y, |x, y| x.minus(both.times(y)), |x, y| x - a * y)
 }
 
-/// Where no type of the processor is known.
+/// Fallback for processors without a type of register pairs.
 impl<T: Float> Pair<T> for [T; 2] {
     #[inline(always)]
     fn of(first: T, second: T) -> Self {

@@ -1,12 +1,13 @@
 //! Sine and cosine together without a branch, for the loops of the solver.
 //!
-//! x = n π/2 + y, |y| ≤ π/4, with π/2 in three parts (Cody and Waite, 1980); sin y and cos y by the polynomials of Sun's fdlibm,
-//! whose errors are below 2⁻⁵⁸; then the quarter turn n is put back. Nothing waits for a comparison, so that several angles run side by
-//! side. It is here twice: for lanes, which each have an angle, and for one angle, of which sine and cosine are two lanes.
+//! x = n π/2 + y, |y| ≤ π/4, with π/2 in three parts (Cody and Waite, 1980); sin y and cos y by the polynomials of Sun's fdlibm, with
+//! errors below 2⁻⁵⁸; then the rotation by n quarter turns. No instruction waits for a comparison, so that several angles are processed
+//! in parallel. There are two versions: one for registers with an angle in each lane, and one for a single angle, with sine and cosine in
+//! two lanes.
 
 use super::Real;
 
-/// Up to here n has 20 bits, so that n times the first two parts of π/2, which have 33, is exact.
+/// Up to here n has 20 bits, so that the products of n with the first two parts of π/2, of 33 bits each, are exact.
 pub const LARGEST: f64 = 1.0e6;
 
 /// The first 33 bits of π/2, the next 33, and the rest.
@@ -50,7 +51,7 @@ pub fn within_range<T: Real>(x: T) -> (T, T) {
     };
     let sine = y + (y * z) * tail(SINE);
     let cosine = (T::of(1.0) - T::of(0.5) * z) + zz * tail(COSINE);
-    // n modulo 4, between −2 and 2, and sine and cosine of as many quarter turns.
+    // n modulo 4, between −2 and 2, and the sine and cosine of n quarter turns.
     let m = n - T::of(4.0) * whole(n * T::of(0.25));
     let (a, b) = (m * (T::of(2.0) - m.abs()), T::of(1.0) - m.abs());
     (sine * b + cosine * a, cosine * b - sine * a)
@@ -72,14 +73,14 @@ pub(crate) fn sin_cos_of_each<const K: usize>(angles: [f64; K]) -> [(f64, f64); 
     turns
 }
 
-/// Cosine and sine of n quarter turns, twice each and one of them negative, as the sum of angles needs them.
+/// Cosine and sine of n quarter turns, each twice with the signs of the addition theorems.
 const QUARTERS: [[[f64; 2]; 2]; 4] =
     [[[1.0, 1.0], [0.0, 0.0]], [[0.0, 0.0], [1.0, -1.0]], [[-1.0, -1.0], [0.0, 0.0]], [[0.0, 0.0], [-1.0, 1.0]]];
 
 /// (sin x, cos x) for |x| < [`LARGEST`], each with a relative error of 2 ε at most, also where it is nearly zero.
 ///
-/// The polynomials of sine and cosine are side by side, and the quarter turns, which are known long before, are products with 1, 0
-/// and −1.
+/// The polynomials of sine and cosine are evaluated in parallel. The rotation by quarter turns, which is known long before, is a product
+/// with 1, 0 and −1.
 #[inline(always)]
 fn near(x: f64) -> (f64, f64) {
     let shifted = x * core::f64::consts::FRAC_2_PI + ROUNDER;
@@ -98,13 +99,13 @@ fn near(x: f64) -> (f64, f64) {
     (sine, cosine)
 }
 
-/// Twice the same, which LLVM makes one instruction of.
+/// Two entries of one form, which LLVM compiles to one instruction.
 #[inline(always)]
 fn both(entry: impl Fn(usize) -> f64) -> [f64; 2] {
     [entry(0), entry(1)]
 }
 
-/// Angles of many turns, and what is no number.
+/// Very large angles, infinity and NaN.
 #[cold]
 #[inline(never)]
 fn far(x: f64) -> (f64, f64) {

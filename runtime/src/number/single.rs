@@ -1,5 +1,5 @@
-//! Functions in single precision without a double: where a processor computes with `f32` alone, each product of doubles is a call
-//! of some hundred instructions. Those that are not here `libm` has without doubles. Sine and cosine have no branch either.
+//! Functions in single precision without a double: on a processor with `f32` arithmetic only, each product of doubles is a call of some
+//! hundred instructions. `libm` provides the other functions without doubles. Sine and cosine are free of branches too.
 //!
 //! ```text
 //! x = (n + f) π/2,  |f| ≤ 1/2           n and f from x · 2/π in whole numbers, modulo four quarter turns
@@ -48,7 +48,8 @@ pub(crate) fn sin_cos(x: f32) -> (f32, f32) {
     let sine = y + (y * z) * (SINE[0] + z * (SINE[1] + z * SINE[2]));
     let cosine = (1.0 - 0.5 * z) + (z * z) * (COSINE[0] + z * (COSINE[1] + z * COSINE[2]));
     let (sine, cosine) = if n & 1 == 0 { (sine, cosine) } else { (cosine, sine) };
-    // The third and the fourth quarter turn it the sine around, the second and the third the cosine; and x its sine.
+    // The third and fourth quarter turn change the sign of the sine, the second and third that of the cosine; the sign of x changes the
+    // sine.
     let nothing = if size < f32::INFINITY { 0 } else { NOTHING };
     let of_sine = (x.to_bits() & SIGN) ^ ((n & 2) << 30);
     let of_cosine = ((n + 1) & 2) << 30;
@@ -68,7 +69,7 @@ pub(crate) fn sin_cos_of_each<const K: usize>(angles: [f32; K]) -> [(f32, f32); 
 /// The sign of a number.
 const SIGN: u32 = 0x8000_0000;
 
-/// With these bits set no number is left.
+/// Setting these bits gives NaN.
 const NOTHING: u32 = 0x7FC0_0000;
 
 #[inline(always)]
@@ -76,11 +77,11 @@ fn signed(value: f32, sign: u32, nothing: u32) -> f32 {
     f32::from_bits((value.to_bits() ^ sign) | nothing)
 }
 
-/// n modulo 4 and f π/2 of a number that is not below 1/2 nor infinite; numbers without a meaning elsewhere.
+/// n modulo 4 and f π/2, for finite numbers not below 1/2; unspecified for others.
 #[inline(always)]
 fn reduced(x: f32) -> (u32, f32) {
     let bits = x.to_bits();
-    // x = mantissa · 2^(exponent − 30), and of 2/π only the bits count that make less than four quarter turns with it.
+    // x = mantissa · 2^(exponent − 30); only those bits of 2/π matter that give less than four quarter turns.
     let exponent = (bits >> 23).clamp(120, 254) - 120;
     let mantissa = u64::from(((bits & 0x007F_FFFF) | 0x0080_0000) << (exponent & 7));
     let word = (exponent >> 3) as usize;
@@ -115,10 +116,10 @@ pub(crate) fn asin(x: f32) -> f32 {
 mod tests {
     use super::{asin, sin_cos, tan};
 
-    /// Floats from 0 to infinity, so many bits apart; all of them are gone through by the bin `single` of the benches.
+    /// Step through the floats from 0 to infinity, in bit patterns; the binary `single` of the benches tests all of them.
     const STRIDE: usize = 4099;
 
-    /// In ε of the exact value, which is known to twice as many digits.
+    /// Error in ε of the exact value, which is known to twice as many digits.
     fn off(found: f32, exact: f64) -> f64 {
         if f64::from(found) == exact { 0.0 } else { ((f64::from(found) - exact) / exact).abs() / f64::from(f32::EPSILON) }
     }

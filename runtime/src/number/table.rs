@@ -12,14 +12,14 @@ pub struct Table {
     pub coefficients: &'static [[f64; 4]],
     /// The continuation outside the first and the last knot.
     pub ends: Ends,
-    /// The same for `f32`.
+    /// The numbers for evaluation in `f32`.
     pub single: Single,
 }
 
-/// The numbers of a [`Table`] for evaluation in `f32`, made when the program is compiled, so that it needs no double when it runs.
+/// The numbers of a [`Table`] for evaluation in `f32`, computed at compile time, so that no doubles are needed at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Single {
-    /// Each knot as a sum of two: the nearest `f32` and what is left.
+    /// Each knot as a sum of two: the nearest `f32` and the remainder.
     pub knots: &'static [[f32; 2]],
     /// The nearest `f32` of each coefficient.
     pub coefficients: &'static [[f32; 4]],
@@ -60,21 +60,21 @@ impl Single {
     }
 }
 
-/// The nearest `f32` and the rest.
+/// The nearest `f32` and the remainder.
 const fn halves(value: f64) -> [f32; 2] {
     let high = value as f32;
     let low = (value - high as f64) as f32;
     [high, if low.is_finite() { low } else { 0.0 }]
 }
 
-/// How a [`Table`] goes on outside its knots.
+/// Extrapolation of a [`Table`] outside its knots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ends {
-    /// It repeats with period last knot − first knot.
+    /// Periodic with period last knot − first knot.
     Periodic,
-    /// It goes on along the tangent; made from a natural spline, so the second derivative is continuous there too.
+    /// Linear along the end tangent; the spline is natural, so that the second derivative is continuous at the ends too.
     Linear,
-    /// It keeps the value of the nearer end, with both derivatives zero; made from a spline with horizontal ends.
+    /// Constant value of the nearer end, with both derivatives zero; the spline has horizontal end tangents.
     Hold,
 }
 
@@ -111,7 +111,7 @@ impl Table {
         }
     }
 
-    /// Third derivative at `x`: constant from knot to knot, and at a knot that of the interval behind it.
+    /// Third derivative at `x`: constant between knots; at a knot, that of the following interval.
     pub(crate) fn third_derivative(&self, x: f64) -> f64 {
         let (Some(&first), Some(&last)) = (self.knots.first(), self.knots.last()) else { return f64::NAN };
         let x = match self.ends {
@@ -136,13 +136,13 @@ impl Table {
 }
 
 impl Table {
-    /// Value, first and second derivative at `x` with no operation on doubles: the formulas of [`evaluate`](Self::evaluate), with
-    /// the distance from a knot taken before anything is multiplied, and from a knot that is kept to the digits of a double.
+    /// Value, first and second derivative at `x` without operations on doubles: the formulas of [`evaluate`](Self::evaluate), where the
+    /// distance from a knot, which is stored to the digits of a double, is taken before any multiplication.
     ///
-    /// So `x` counts as it is stored, also beside a large knot and after many periods, up to 2²³ of them. What is off is rounding of the
-    /// polynomial: with u = 2⁻²⁴ and d the width of the interval, the value by less than 8 u (|c0| + d |c1| + d² |c2| + d³ |c3|), the first
-    /// derivative by less than 8 u (|c1| + 2 d |c2| + 3 d² |c3|), the second by less than 8 u (2 |c2| + 6 d |c3|). On a tangent d
-    /// is the distance from the end, and what the value and the slope of the end are off by is added.
+    /// So `x` is used exactly as stored, also near a large knot and after up to 2²³ periods. Only rounding errors of the polynomial
+    /// remain: with u = 2⁻²⁴ and d the width of the interval, below 8 u (|c0| + d |c1| + d² |c2| + d³ |c3|) for the value,
+    /// 8 u (|c1| + 2 d |c2| + 3 d² |c3|) for the first derivative, and 8 u (2 |c2| + 6 d |c3|) for the second. On a tangent d is the
+    /// distance from the end, and the errors of value and slope at the end are added.
     #[must_use]
     pub fn evaluate_single(&self, x: f32) -> (f32, f32, f32) {
         let Single { knots, period, .. } = &self.single;
@@ -190,7 +190,7 @@ fn beyond(x: f32, knot: [f32; 2]) -> f32 {
     difference([x, 0.0], knot)
 }
 
-/// a − b; the large parts first, which are mostly near to each other and then subtracted exactly.
+/// a − b; the high parts first, which are mostly close to each other and subtract exactly.
 fn difference(a: [f32; 2], b: [f32; 2]) -> f32 {
     (a[0] - b[0]) + (a[1] - b[1])
 }

@@ -48,7 +48,7 @@ pub(crate) enum Ended<T, const N: usize> {
     TooManySteps { steps: usize, here: State<T, N> },
 }
 
-/// Takes a state to time `t` (s) on its branch, by as many steps as it takes. A state that cannot be taken there stays as it is.
+/// Takes a state to time `t` (s) on its branch, in any number of steps. If that fails, the state is unchanged.
 ///
 /// * `state`: given, a solved state of the same mechanism with the same parameters; returned, the state at `t`.
 ///

@@ -144,7 +144,7 @@ fn interpolated<T: Float, const N: usize>(near: &State<T, N>, far: &State<T, N>,
     let h = far.t - near.t;
     let s = (t - near.t) / h;
     let of = T::of;
-    // q = q₀ + h q̇₀ s + h² q̈₀ s² / 2 + s³ (c₃ + s (c₄ + s c₅)), the c from what is left at s = 1.
+    // q = q₀ + h q̇₀ s + h² q̈₀ s² / 2 + s³ (c₃ + s (c₄ + s c₅)), with the c from the remainders of q, q̇ and q̈ at s = 1.
     let coefficients = |i: usize| {
         let (first, second) = (h * near.qd[i], h * h * near.qdd[i]);
         let value = ((far.q[i] - near.q[i]) - first) - of(0.5) * second;

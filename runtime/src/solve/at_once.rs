@@ -81,8 +81,8 @@ const LARGEST_WHOLE: usize = 48;
 
 /// A guess of q, refined by Newton's method on all coordinates; the guess itself if that fails.
 ///
-/// Solved all at once, the equations share the error of the guess, and the assembly next to it is found. Solved block by block, the
-/// first blocks drag the later ones away from it.
+/// Solved together, the equations distribute the error of the guess, and the nearest assembly is found. Solved block by block, the first
+/// blocks would pull the later ones away from it.
 pub fn refined_guess_at_once<T: Float, E: Equations<T, N, N> + ?Sized, const N: usize>(
     equations: &E,
     t: T,

@@ -22,7 +22,7 @@ impl<T: Float> SolverReal for T {
     type Cold<'a, const N: usize> = ColdSolver<'a, T, N>;
 }
 
-/// How the blocks of a mechanism are solved from a cold start, and what was found so far.
+/// Cold start of the blocks of a mechanism, and its report so far.
 pub struct ColdSolver<'a, T: Float, const N: usize> {
     origin: Origin<'a, T, N>,
     /// L and 1/L.

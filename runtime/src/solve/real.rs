@@ -1,4 +1,4 @@
-//! Numbers that the solver runs on, and what each of them does where a warm step is not enough.
+//! Number types of the solver, each with its fallback if a warm step fails.
 
 use crate::linear::{FactorReal, Linear};
 use crate::names::Description;
@@ -8,12 +8,12 @@ use crate::number::SimdReal;
 /// A [`SimdReal`] over which a mechanism can be followed in time: `f64` and `f32`, registers of several lanes, and numbers that carry
 /// derivatives or error bounds.
 pub trait SolverReal: FactorReal {
-    /// How blocks are solved where a warm step is not enough.
+    /// Method for blocks that a warm step does not solve.
     #[doc(hidden)]
     type Cold<'a, const N: usize>: ColdStart<Self, N>;
 }
 
-/// A solution of all blocks, one after the other, that does not begin with a warm step.
+/// A solution of all blocks in order, without a warm step.
 #[doc(hidden)]
 pub trait ColdStart<T: SolverReal, const N: usize> {
     /// L in m, and 1/L.
@@ -21,7 +21,7 @@ pub trait ColdStart<T: SolverReal, const N: usize> {
 
     /// Solves a block.
     ///
-    /// * `sizes`: given, by equation: the magnitude of its terms, of which rounding errors are a fraction.
+    /// * `sizes`: given, by equation: the magnitude of its terms, to which rounding errors are proportional.
     /// * `evaluate`: given, residuals and their Jacobian at an iterate.
     ///
     /// # Errors
@@ -33,14 +33,14 @@ pub trait ColdStart<T: SolverReal, const N: usize> {
         evaluate: &Evaluate<'_, T, L, K>,
     ) -> Result<Solved<T, L, K>, StepError<T>>;
 
-    /// Records the residual of an equation that is verified and not solved.
+    /// Records the residual of an equation that is checked, not solved.
     ///
     /// * `row`: given, its index in Φ.
     /// * `size`: given, the magnitude of its terms.
     fn check(&self, row: usize, residual: T, size: T);
 }
 
-/// For numbers that have no cold start: registers of several lanes leave it to the scalar code. There is no such value.
+/// Cold start of numbers without one: registers of several lanes leave it to the scalar code. The type has no values.
 #[doc(hidden)]
 pub enum NoColdStart {}
 

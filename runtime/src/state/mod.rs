@@ -1,4 +1,4 @@
-//! A solved state, and the ways to look at it.
+//! Solved states, and access to their contents.
 
 use core::ops::{Deref, DerefMut};
 
@@ -19,8 +19,8 @@ pub(crate) use step::Step;
 
 /// Position, velocity and acceleration of a mechanism at one instant.
 ///
-/// Its fields are those of [`Values`]: `state.q`, `state.t` and so on. They may be written to: the next step then starts from what
-/// was written, and the state no longer counts as solved.
+/// Its fields are those of [`Values`]: `state.q`, `state.t` and so on. They can be modified: the next step then starts from the modified
+/// values, and the state no longer counts as solved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State<T, const N: usize> {
     pub(crate) values: Values<T, N>,
@@ -61,7 +61,7 @@ impl<T, const N: usize> Deref for State<T, N> {
 }
 
 impl<T, const N: usize> DerefMut for State<T, N> {
-    /// A state that was written to no longer counts as solved.
+    /// A modified state no longer counts as solved.
     #[inline(always)]
     fn deref_mut(&mut self) -> &mut Values<T, N> {
         self.parameter_hash = 0;
@@ -161,7 +161,7 @@ impl<T: Real, const N: usize> State<T, N> {
         Self { values, parameter_hash, extrapolation: Extrapolation::none() }
     }
 
-    /// The values, to be changed while the state still counts as solved: for tests of what a step leaves unchanged.
+    /// Mutable access to the values of a state that still counts as solved, to test which values a step leaves unchanged.
     #[doc(hidden)]
     pub fn values_kept_as_solved(&mut self) -> &mut Values<T, N> {
         &mut self.values

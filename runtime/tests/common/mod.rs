@@ -1,4 +1,4 @@
-//! Mechanisms written by hand, and what is known about them.
+//! Hand-written mechanisms with known properties.
 
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its part")]
 

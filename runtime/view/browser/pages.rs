@@ -1,6 +1,6 @@
-//! The pages that the browser test looks at, and how large they are.
+//! Pages for the browser test, with their sizes.
 //!
-//! In: a folder. Out: in it a page and an animated SVG of each mechanism, and the frames of the four-bar.
+//! In: a folder. Out: a page and an animated SVG of each mechanism in this folder, and the frames of the four-bar.
 
 use std::error::Error;
 use std::path::Path;
@@ -83,7 +83,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Four-bars one after the other: each turns the next one's first link.
+    /// Four-bars in a row: the rocker of each drives the next.
     #[picture]
     mechanism Chain {
         ground { for i in 0..11 { point G[i] = (i * 100mm, 0mm); } }
@@ -148,7 +148,7 @@ fn four_bar(states: u32) -> Result<View<FourBarState<f64>>, Box<dyn Error>> {
     Ok(view.plot("rocker velocity", "rad/s", |state| state.rocker().angular_velocity))
 }
 
-/// Over another abscissa than time, with values that are missing, none, tiny and huge.
+/// A view over an abscissa other than time, with missing, NaN, tiny and huge values.
 fn gaps() -> Result<View<FourBarState<f64>>, Box<dyn Error>> {
     let m = FourBar::default();
     let turn: Vec<_> = m.sweep(steps(0.0, 4.0, 99)).collect::<Result<_, _>>()?;

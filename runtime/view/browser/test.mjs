@@ -1,9 +1,9 @@
-// Looks at pages and animated SVGs in a headless Chromium.
+// Tests pages and animated SVGs in a headless Chromium.
 //
 //   node test.mjs FOLDER CHROMIUM [SCREENSHOTS]
 //
-// FOLDER is what pages.rs wrote. Checks that pages play, that cursors and values follow, that every state is drawn as the frame in its
-// file, that keys and pointers do what they say, in light, dark, narrow, printed, and with reduced motion; and measures frames a second.
+// FOLDER contains the output of pages.rs. Tests that pages play, that cursors and values follow, that every state is drawn like the frame in
+// its file, that keys and pointers work, in light, dark, narrow, printed, and with reduced motion; and measures frames per second.
 
 import assert from "node:assert/strict";
 import fs from "node:fs";
@@ -18,7 +18,7 @@ const QUIET = ["--no-first-run", "--disable-background-networking", "--disable-c
 const browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-gpu", ...QUIET] });
 let failures = 0;
 
-/// Opens a file; what it complains about or asks for besides itself is a failure.
+/// Opens a file; any console error and any request for another file is a failure.
 async function opened(name, options, look) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   const page = await context.newPage();
@@ -55,7 +55,7 @@ async function picture(page, name, options = {}) {
 const state = (page) => page.evaluate(() => Number(document.documentElement.dataset.state));
 const still = { reducedMotion: "reduce" };
 
-/// For each diagram where its cursor is, where the moment shown is, and the value shown of each curve; and what the data say.
+/// For each diagram the position of its cursor, of the moment shown, and the value shown of each curve; and the values in the data.
 const followed = (page) =>
   page.evaluate(() => {
     const data = JSON.parse(document.getElementById("data").textContent);
@@ -235,7 +235,7 @@ await test("on paper there are no controls, and one page is enough", () =>
     assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(255, 255, 255)");
     await page.emulateMedia({ media: null });
     await page.evaluate(() => {
-      // What the printer sees.
+      // State of the printed page.
       const told = () => {
         const [over, cursor] = [".u-over", ".u-cursor-x"].map((name) => document.querySelector(name).getBoundingClientRect());
         document.title = JSON.stringify([document.querySelector(".uplot").clientWidth, (cursor.left - over.left) / over.width]);

@@ -1,7 +1,7 @@
-//! A motion as one SVG that moves by itself: SMIL, which plays where scripts do not.
+//! A motion as one animated SVG: SMIL, which plays where scripts are not allowed.
 //!
-//! Frames that paint the same elements in the same order are one run. The elements of a run are written once and move; of several runs
-//! each is seen in its time.
+//! Consecutive frames that paint the same elements in the same order form a run. The elements of a run are written once and animated; if
+//! there are several runs, each is visible during its own frames.
 
 use std::fmt::Write;
 
@@ -11,27 +11,27 @@ use crate::template::{Attribute, Element};
 use crate::tokens;
 use crate::unviewable::Unviewable;
 
-/// No more states are written.
+/// Largest number of states that are written.
 const MOST: usize = 61;
 
-/// In the dark, and for readers who prefer reduced motion.
+/// Rules for dark pages and for readers who prefer reduced motion.
 const STYLE: &str = ".still{display:none}\
 @media(prefers-color-scheme:dark){.reuleaux{--ink:#e6e6e6;--paper:#16181d}}\
 @media(prefers-reduced-motion:reduce){.moving{display:none}.still{display:inline}}";
 
-/// Frames from `first` to the one before `end`, which are seen in a part of the period.
+/// Frames from `first` up to, but excluding, `end`, visible during one part of the period.
 struct Run {
     first: usize,
     end: usize,
 }
 
-/// When frames are seen.
+/// Times at which frames are shown.
 struct Clock {
-    /// For each frame the part of the period that has passed.
+    /// Elapsed fraction of the period at each frame.
     times: Vec<f64>,
-    /// They follow each other at equal times.
+    /// True if frames are equally spaced in time.
     is_even: bool,
-    /// In s.
+    /// Period, in s.
     period: String,
 }
 
@@ -52,7 +52,7 @@ pub(crate) fn animated_svg(recording: &Recording) -> Result<String, Unviewable> 
     Ok(page)
 }
 
-/// Frames of one order.
+/// Runs of frames with the same paint order.
 fn runs(order: &[usize]) -> Vec<Run> {
     let mut end = 0;
     let run = |same: &[usize]| {
@@ -75,14 +75,14 @@ impl Clock {
         Clock { times, is_even, period: crate::json::number(pace.lasting / pace.speed, 4) }
     }
 
-    /// To four digits.
+    /// Elapsed fraction of the period at a frame, to four digits.
     fn at(&self, frame: usize) -> String {
         let time = self.times.get(frame).copied().unwrap_or(1.0);
         format!("{}", (time * 1e4).round() / 1e4)
     }
 }
 
-/// The elements of a run.
+/// The elements of a run, visible during the run.
 fn shown(run: &Run, clock: &Clock, drawn: &Drawn, is_alone: bool) -> String {
     let painted = drawn.template.painted(run.first);
     if is_alone {
@@ -104,11 +104,11 @@ fn shown(run: &Run, clock: &Clock, drawn: &Drawn, is_alone: bool) -> String {
     group + "</g>\n"
 }
 
-/// An element with its motion.
+/// An element with its animated attributes.
 fn moving(element: &Element, run: &Run, clock: &Clock, drawn: &Drawn) -> String {
     let mut mark = still::opened(element, run.first);
     mark += &still::contents(element);
-    // Beyond its end it goes on towards the next one.
+    // At the end of a run an element moves on towards its position in the next frame.
     let frames = run.first..=run.end.min(drawn.template.order.len().saturating_sub(1));
     for attribute in element.attributes.iter().filter(|attribute| attribute.moves()) {
         mark += &animate(attribute, &frames.clone().collect::<Vec<_>>(), clock);
@@ -117,7 +117,7 @@ fn moving(element: &Element, run: &Run, clock: &Clock, drawn: &Drawn) -> String 
     mark
 }
 
-/// The values of an attribute at some frames; nothing where it rests.
+/// Animation of one attribute over some frames; empty if the attribute is constant.
 fn animate(attribute: &Attribute, frames: &[usize], clock: &Clock) -> String {
     let columns = attribute.steady();
     let value = |frame: &usize| {
@@ -131,7 +131,7 @@ fn animate(attribute: &Attribute, frames: &[usize], clock: &Clock) -> String {
     let mut times = String::new();
     if frames.len() < clock.times.len() || !clock.is_even {
         let mut keys: Vec<String> = frames.iter().map(|frame| clock.at(*frame)).collect();
-        // They have to go from 0 to 1.
+        // Key times must start at 0 and end at 1.
         if keys.first().is_some_and(|key| key != "0") {
             keys.insert(0, "0".into());
             values.insert(0, values.first().cloned().unwrap_or_default());

@@ -1,11 +1,11 @@
-//! Columns of whole numbers, one for each frame, as text: differences as variable-length quantities in base 64, the coding of source
-//! maps. A column that stays near itself takes one letter for each frame; equal columns are stored once.
+//! Integer columns with one entry for each frame, as text: differences as variable-length quantities in base 64, the encoding of source
+//! maps. A slowly varying column takes one letter for each frame; equal columns are stored once.
 
 use std::collections::BTreeMap;
 
 const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// Of the six bits of a digit, the one that says that more follow.
+/// Continuation bit of a six-bit digit.
 const MORE: u64 = 32;
 
 /// Columns by number.
@@ -16,7 +16,7 @@ pub(crate) struct Columns {
 }
 
 impl Columns {
-    /// The number of a column, which is added where it is new.
+    /// The number of a column; a new column is added.
     pub(crate) fn number(&mut self, column: &[i64]) -> usize {
         if let Some(number) = self.known.get(column) {
             return *number;
@@ -39,7 +39,7 @@ pub(crate) fn encode(column: &[i64]) -> String {
     text
 }
 
-/// The sign in the lowest bit, then digits of five bits, the lowest first.
+/// Zigzag encoding: the sign in the lowest bit, then digits of five bits, the lowest first.
 fn quantity(text: &mut String, value: i64) {
     let mut rest = (value.unsigned_abs() << 1) | u64::from(value < 0);
     loop {

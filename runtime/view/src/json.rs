@@ -1,12 +1,12 @@
-//! JSON that may stand inside a script element.
+//! JSON that can be embedded in a script element.
 
-/// A text.
+/// A string.
 pub(crate) fn text(text: &str) -> String {
     let mut quoted = String::from("\"");
     for letter in text.chars() {
         match letter {
             '"' | '\\' => quoted.extend(['\\', letter]),
-            // Not the end of a script, and nothing that breaks a line.
+            // Escapes characters that could end the script element, and line breaks.
             '<' | '>' | '&' | '\u{0}'..='\u{1f}' | '\u{2028}' | '\u{2029}' => quoted += &format!("\\u{:04x}", u32::from(letter)),
             _ => quoted.push(letter),
         }
@@ -15,7 +15,7 @@ pub(crate) fn text(text: &str) -> String {
     quoted
 }
 
-/// A number with so many significant digits; null where it is none.
+/// A number with the given significant digits; `null` if it is not finite.
 pub(crate) fn number(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return "null".to_owned();
@@ -31,12 +31,12 @@ pub(crate) fn number(value: f64, digits: usize) -> String {
     }
 }
 
-/// A list of values that are JSON already.
+/// A list of JSON values.
 pub(crate) fn list(values: impl IntoIterator<Item = String>) -> String {
     format!("[{}]", values.into_iter().collect::<Vec<_>>().join(","))
 }
 
-/// An object of values that are JSON already.
+/// An object of JSON values.
 pub(crate) fn object<'a>(fields: impl IntoIterator<Item = (&'a str, String)>) -> String {
     let fields: Vec<String> = fields.into_iter().map(|(name, value)| format!("\"{name}\":{value}")).collect();
     format!("{{{}}}", fields.join(","))

@@ -1,13 +1,14 @@
-//! Pictures of mechanisms that move: states in, one file out, the same bytes on every run and every machine.
+//! Animated pictures of mechanisms: states in, one file out, the same bytes on every run and every machine.
 //!
-//! * [`View::to_html`]: a page with the textbook drawing, which plays, and diagrams of any quantities beside it. Everything is in the page;
-//!   it asks for nothing from anywhere. Cursors stand at the moment shown, whose values can be read; the pointer drags through diagrams.
-//!   Keys: space, arrows, home and end, plus and minus. Light and dark; narrow and wide; on paper without controls.
-//! * [`View::animated_svg`]: the drawing alone, as one SVG that moves by itself without scripts, for a README.
+//! * [`View::to_html`]: a page with the animated textbook drawing and with diagrams of any quantities beside it. The page is
+//!   self-contained and loads nothing. Cursors in the diagrams mark the moment shown and its values; dragging in a diagram moves through
+//!   time. Keys: space, arrows, home and end, plus and minus. The layout follows dark mode and the width of the window; printed pages
+//!   omit the controls.
+//! * [`View::animated_svg`]: the drawing alone as one animated SVG without scripts, for a README.
 //! * [`View::svg_frames`], and `View::png_frames` with the feature `png`: a file for each state.
 //!
-//! Mechanisms of `reuleaux` make a view by `mechanism.view(states)`, a method of the trait `Drawable`; this crate knows scenes only, so that
-//! `reuleaux` can depend on it. States may come from a sweep, or be recorded as a motion is integrated.
+//! Mechanisms of `reuleaux` make a view by `mechanism.view(states)`, a method of the trait `Drawable`; this crate depends on scenes only,
+//! so that `reuleaux` can depend on it. States may come from a sweep, or be recorded during an integration.
 //!
 //! ```
 //! use reuleaux_picture::{GROUND, Pose, Scene};
@@ -31,24 +32,24 @@
 //! # Ok::<(), reuleaux_view::Unviewable>(())
 //! ```
 //!
-//! Only states that were computed are shown, each as it would be drawn alone, in one view for all. For smooth motion there should be 60
-//! of them for each second that it plays.
+//! Only the given states are shown, without interpolation, all in one view. A smooth animation needs 60 states for each second of playing
+//! time.
 //!
-//! # How a motion is written
+//! # File format
 //!
 //! ```text
 //! Scenes ─Film─▶ marks of each frame ─template─▶ elements and columns ─▶ page, animation, frames
 //! ```
 //!
-//! Marks of equal kind in different frames are one element: its texts stand once, and its numbers, in tenths of a unit of the picture,
-//! are columns. Columns are stored as differences in base 64, mostly one letter for each frame, and equal ones once. Elements that come
-//! and go, or pass in front of each other, are listed in the order in which they are painted. This holds in the plane and in space alike,
-//! and nothing in it knows a symbol.
+//! Marks of one kind in different frames are one element: its texts are stored once, and its numbers, in tenths of a picture unit, are
+//! columns. Columns are stored as differences in base 64, mostly one letter for each frame, and equal columns once. Each frame refers to
+//! a list of its elements in paint order, for elements that appear, vanish, or pass in front of each other. The format is the same in the
+//! plane and in space, and independent of symbols.
 //!
 //! # Sizes and times
 //!
-//! `runtime/view/browser/run` makes these pages, looks at them in a headless Chromium, and measures. Two cores of a shared machine without
-//! a graphics card, 1280 × 800 pixels:
+//! `runtime/view/browser/run` generates these pages, opens them in a headless Chromium, and measures. Two cores of a shared machine
+//! without a graphics card, 1280 × 800 pixels:
 //!
 //! | mechanism | states | plotted curves | page | animated SVG | frames a second | script and layout for each |
 //! | --- | --- | --- | --- | --- | --- | --- |
@@ -59,7 +60,7 @@
 //! | double pendulum | 361 | 4 | 109 kB | 19 kB | | |
 //!
 //! Of each page 51 kB are uPlot, by Leon Sorokin, which draws the diagrams; it is vendored with its licence (MIT) in `assets/uplot`.
-//! A page without diagrams is without it.
+//! Pages without diagrams omit it.
 
 #![deny(missing_docs)]
 #![forbid(unsafe_code)]

@@ -1,4 +1,4 @@
-//! The page: the first frame as it stands, the data of all frames, and the scripts that play them.
+//! The page: the first frame as SVG, the data of all frames, and the scripts that play them.
 
 use crate::columns::{Columns, encode};
 use crate::json;
@@ -54,7 +54,7 @@ fn drawing(recording: &Recording, drawn: &Drawn) -> String {
     )
 }
 
-/// Everything that changes.
+/// Everything that varies from frame to frame.
 fn data(recording: &Recording, drawn: &Drawn) -> String {
     let (template, mut columns) = (&drawn.template, Columns::default());
     let elements = json::list(template.elements.iter().map(|one| element(one, &mut columns)));
@@ -90,7 +90,7 @@ fn data(recording: &Recording, drawn: &Drawn) -> String {
     ])
 }
 
-/// An element: attributes that rest are texts, others lists of texts and of numbers of columns.
+/// An element: constant attributes as texts, varying attributes as lists of texts and column numbers.
 fn element(element: &Element, columns: &mut Columns) -> String {
     let attributes = element.attributes.iter().map(|attribute| {
         let mut parts: Vec<String> = Vec::new();

@@ -1,4 +1,4 @@
-//! Frames as PNG, by resvg.
+//! Frames as PNG, rendered by resvg.
 
 use std::sync::Arc;
 
@@ -7,7 +7,7 @@ use resvg::usvg::{Options, Tree, fontdb};
 
 use crate::unviewable::Unviewable;
 
-/// What draws, with the fonts of this machine.
+/// Renderer with the fonts of this machine.
 pub(crate) struct Painter {
     options: Options<'static>,
 }
@@ -26,7 +26,7 @@ impl Painter {
         Ok(Painter { options: Options { fontdb: Arc::new(fonts), ..Options::default() } })
     }
 
-    /// A picture so many pixels wide.
+    /// A picture of the given width in pixels.
     pub(crate) fn png(&self, svg: &str, width: u32) -> Result<Vec<u8>, Unviewable> {
         let tree = Tree::from_str(svg, &self.options).map_err(|reason| Unviewable::Pixels(reason.to_string()))?;
         let scale = width as f32 / tree.size().width();

@@ -1,11 +1,11 @@
-//! What can be traced.
+//! Types that can be traced as points.
 
 use nalgebra::{Scalar, Vector2, Vector3};
 use reuleaux_picture::Vector;
 
 /// A point in ground, in m: two coordinates in the plane, three in space.
 pub trait Point {
-    /// Its coordinates.
+    /// Coordinates of the point.
     fn coordinates(&self) -> Vector;
 }
 

@@ -1,11 +1,11 @@
-//! What is shown of a motion, without the states that it was taken from.
+//! The contents of a view, extracted from the states.
 
 use reuleaux_picture::{Film, Scene, Vector};
 
 use crate::template::Template;
 use crate::unviewable::Unviewable;
 
-/// Scenes with what is told about them; of each list one for each state.
+/// Scenes and plotted quantities, with one entry for each state.
 #[derive(Clone, Debug)]
 pub(crate) struct Recording {
     pub(crate) title: String,
@@ -16,7 +16,7 @@ pub(crate) struct Recording {
     pub(crate) plots: Vec<Plot>,
 }
 
-/// What the states are ordered by.
+/// The quantity that orders the states.
 #[derive(Clone, Debug)]
 pub(crate) struct Abscissa {
     pub(crate) name: String,
@@ -25,44 +25,44 @@ pub(crate) struct Abscissa {
     pub(crate) is_time: bool,
 }
 
-/// The way of a point in ground (m).
+/// Path of a point in ground (m).
 #[derive(Clone, Debug)]
 pub(crate) struct Trace {
     pub(crate) name: String,
     pub(crate) places: Vec<Vector>,
 }
 
-/// Quantities of one unit.
+/// Quantities of one unit, in one diagram.
 #[derive(Clone, Debug)]
 pub(crate) struct Plot {
     pub(crate) unit: String,
     pub(crate) series: Vec<(String, Vec<f64>)>,
 }
 
-/// How fast it is played.
+/// Playing speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pace {
-    /// How long all of it takes at speed 1, in s.
+    /// Playing time at speed 1, in s.
     pub(crate) lasting: f64,
-    /// The speed at the beginning.
+    /// Initial speed.
     pub(crate) speed: f64,
 }
 
-/// A recording as it is drawn.
+/// A drawn recording.
 pub(crate) struct Drawn {
     pub(crate) film: Film,
     pub(crate) template: Template,
-    /// For each trace its places in units of the picture.
+    /// For each trace its points, in picture units.
     pub(crate) traces: Vec<Vec<[f64; 2]>>,
 }
 
-/// What is not ordered by time takes so long, in s.
+/// Playing time (s) of states that are not ordered by time.
 const USUAL: f64 = 5.0;
 
-/// At the speed of the beginning all of it takes at least this long, in s,
+/// Least playing time at the initial speed, in s.
 const SHORTEST: f64 = 2.0;
 
-/// and no longer than this, in s.
+/// Largest playing time at the initial speed, in s.
 const LONGEST: f64 = 30.0;
 
 impl Recording {
@@ -82,7 +82,7 @@ impl Recording {
         Ok(Drawn { film, template, traces })
     }
 
-    /// States come one after the other.
+    /// Checks that the abscissa is finite and strictly increasing.
     fn check(&self) -> Result<(), Unviewable> {
         let values = &self.abscissa.values;
         let before = [f64::NEG_INFINITY].into_iter().chain(values.iter().copied());
@@ -102,7 +102,7 @@ impl Recording {
         }
     }
 
-    /// With no more states than `most`, as evenly chosen as they come; the first and the last stay.
+    /// A copy with at most `most` states, evenly chosen, including the first and the last.
     pub(crate) fn thinned(&self, most: usize) -> Recording {
         let count = self.scenes.len();
         if count <= most || most < 2 {
@@ -124,7 +124,7 @@ fn pick<V: Clone>(chosen: &[usize], values: &[V]) -> Vec<V> {
     chosen.iter().filter_map(|index| values.get(*index).cloned()).collect()
 }
 
-/// 1 where that can be watched; otherwise the next number among 1, 2 and 5 times powers of ten that can.
+/// Speed 1 if the playing time is acceptable; otherwise the nearest of 1, 2 and 5 times powers of ten that makes it so.
 fn speed(lasting: f64) -> f64 {
     let series = |power: i32| [1.0, 2.0, 5.0].map(|step| step * 10_f64.powi(power));
     let mut upwards = (0..12).flat_map(series);

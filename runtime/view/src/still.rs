@@ -8,10 +8,10 @@ use crate::recording::{Drawn, Recording};
 use crate::template::{Element, Template};
 use crate::tokens::decimal;
 
-/// Colours of traces and of curves in diagrams: of a lightness that stands out from white and from black alike.
+/// Colours of traces and of curves in diagrams, with a lightness that contrasts with both white and black.
 pub(crate) const COLOURS: [&str; 6] = ["#a56cc1", "#d06f24", "#1f9c99", "#cf5c68", "#3f87c9", "#94873a"];
 
-/// Where frames are written.
+/// File names of frames.
 pub(crate) struct Names<'a> {
     folder: &'a Path,
     digits: usize,
@@ -19,7 +19,7 @@ pub(crate) struct Names<'a> {
 }
 
 impl Names<'_> {
-    /// Makes the folder.
+    /// Creates the folder.
     pub(crate) fn new<'a>(folder: &'a Path, count: usize, extension: &'a str) -> io::Result<Names<'a>> {
         fs::create_dir_all(folder)?;
         Ok(Names { folder, digits: count.to_string().len().max(4), extension })
@@ -30,7 +30,7 @@ impl Names<'_> {
     }
 }
 
-/// A frame as a file of its own, on white, with colours that any program understands.
+/// A frame as a file of its own, on white, in colours that any program understands.
 pub(crate) fn svg(recording: &Recording, drawn: &Drawn, frame: usize) -> String {
     let mut page = head(recording, drawn, "");
     page += &traces(drawn);
@@ -42,7 +42,7 @@ pub(crate) fn svg(recording: &Recording, drawn: &Drawn, frame: usize) -> String 
     format!("{resolved}{}</svg>\n", drawn.film.foot())
 }
 
-/// Everything before traces and marks: size, title, style sheet, and the paper.
+/// The opening of the SVG element: size, title, style sheet, and the white background.
 pub(crate) fn head(recording: &Recording, drawn: &Drawn, style: &str) -> String {
     let [left, top, width, height] = view_box(drawn);
     format!(
@@ -55,15 +55,15 @@ pub(crate) fn head(recording: &Recording, drawn: &Drawn, style: &str) -> String 
     )
 }
 
-/// How traces look.
+/// Style of traces.
 pub(crate) const TRACE: &str = ".reuleaux .trace{fill:none;stroke:currentColor;stroke-width:1.4}";
 
-/// What is seen, in units of the picture.
+/// View box, in picture units.
 pub(crate) fn view_box(drawn: &Drawn) -> [String; 4] {
     drawn.film.frame().map(|part| decimal((part * 10.0).round() as i64))
 }
 
-/// The ways of points.
+/// Traced paths.
 pub(crate) fn traces(drawn: &Drawn) -> String {
     let mut page = String::new();
     for (places, colour) in drawn.traces.iter().zip(COLOURS.iter().cycle()) {
@@ -72,7 +72,7 @@ pub(crate) fn traces(drawn: &Drawn) -> String {
     page
 }
 
-/// A line through places.
+/// A polyline through points.
 fn way(places: &[[f64; 2]]) -> String {
     let mut points: Vec<[i64; 2]> = places.iter().map(|place| tenths(*place)).collect();
     points.dedup();
@@ -84,14 +84,14 @@ pub(crate) fn tenths(place: [f64; 2]) -> [i64; 2] {
     place.map(|part| (part * 10.0).round() as i64)
 }
 
-/// An element as it is in one frame.
+/// An element in one frame.
 pub(crate) fn mark(element: &Element, frame: usize) -> String {
     let mut mark = opened(element, frame);
     let _ = writeln!(mark, "{}</{}>", contents(element), element.tag);
     mark
 }
 
-/// The beginning of an element.
+/// The opening tag of an element.
 pub(crate) fn opened(element: &Element, frame: usize) -> String {
     let class = if element.class.is_empty() { String::new() } else { format!(" class=\"{}\"", element.class) };
     let mut mark = format!("<{}{class}", element.tag);
@@ -101,7 +101,7 @@ pub(crate) fn opened(element: &Element, frame: usize) -> String {
     mark + ">"
 }
 
-/// What the pointer is told, or a word.
+/// Tooltip of a shape, or text of a label.
 pub(crate) fn contents(element: &Element) -> String {
     let title = if element.title.is_empty() { String::new() } else { format!("<title>{}</title>", escaped(&element.title)) };
     title + &escaped(&element.text)

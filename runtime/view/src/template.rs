@@ -1,7 +1,7 @@
-//! What is the same in all frames, and what moves.
+//! Separation of a motion into constant elements and varying numbers.
 //!
-//! Marks of equal kind in different frames are one element, whose texts stand once and whose numbers are columns. Elements that come
-//! and go, or pass in front of each other, are listed in the order in which they are painted; frames share these lists.
+//! Marks of one kind in different frames are one element, whose texts are stored once and whose numbers are columns. Each frame refers to
+//! a list of its elements in paint order; frames of equal order share their list.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use reuleaux_picture::{Film, Mark};
 
 use crate::tokens::{self, Meaning, Skeleton};
 
-/// What tells elements apart.
+/// Properties by which marks of different frames are recognised as one element.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Kind {
     tag: &'static str,
@@ -19,7 +19,7 @@ struct Kind {
     attributes: Vec<(&'static str, Skeleton)>,
 }
 
-/// A mark as it moves.
+/// A mark over all frames.
 #[derive(Clone, Debug)]
 pub(crate) struct Element {
     pub(crate) tag: &'static str,
@@ -29,7 +29,7 @@ pub(crate) struct Element {
     pub(crate) attributes: Vec<Attribute>,
 }
 
-/// An attribute as it changes.
+/// An attribute over all frames.
 #[derive(Clone, Debug)]
 pub(crate) struct Attribute {
     pub(crate) name: &'static str,
@@ -42,25 +42,25 @@ pub(crate) struct Attribute {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Template {
     pub(crate) elements: Vec<Element>,
-    /// Lists of elements from below to above.
+    /// Lists of elements from bottom to top.
     pub(crate) orders: Vec<Vec<usize>>,
     /// For each frame the number of its list.
     pub(crate) order: Vec<usize>,
 }
 
-/// A template in the making.
+/// A template in progress.
 #[derive(Default)]
 struct Maker {
     template: Template,
     kinds: BTreeMap<Kind, Vec<usize>>,
     orders: BTreeMap<Vec<usize>, usize>,
-    /// For each element its last numbers.
+    /// For each element its latest numbers.
     last: Vec<Vec<i64>>,
-    /// The order of the frame before.
+    /// Paint order of the frame before.
     before: Vec<usize>,
 }
 
-/// A box around a mark: the least and the largest x and y.
+/// Bounding box of a mark: least and largest x and y.
 type Area = [[f64; 2]; 2];
 
 impl Template {
@@ -72,13 +72,13 @@ impl Template {
         maker.template
     }
 
-    /// An attribute of a frame.
+    /// An attribute in a frame.
     pub(crate) fn attribute(attribute: &Attribute, frame: usize) -> String {
         let numbers: Vec<i64> = attribute.columns.iter().filter_map(|column| column.get(frame).copied()).collect();
         tokens::join(&attribute.skeleton, &numbers)
     }
 
-    /// The elements of a frame from below to above.
+    /// The elements of a frame from bottom to top.
     pub(crate) fn painted(&self, frame: usize) -> impl Iterator<Item = &Element> {
         let order = self.order.get(frame).and_then(|order| self.orders.get(*order));
         order.into_iter().flatten().filter_map(|element| self.elements.get(*element))
@@ -100,7 +100,7 @@ impl Maker {
             self.last[element] = numbers;
             painted.push(element);
         }
-        // What is not there stays where it was.
+        // Hidden elements keep their numbers.
         for (element, last) in self.template.elements.iter_mut().zip(&self.last) {
             let columns = element.attributes.iter_mut().flat_map(|attribute| &mut attribute.columns);
             columns.zip(last).for_each(|(column, number)| column.push(*number));
@@ -117,14 +117,14 @@ impl Maker {
         self.template.order.push(order);
     }
 
-    /// Of the elements of a kind that are free in this frame the one that was nearest.
+    /// Among the unused elements of a kind, the one with the nearest numbers in the frame before.
     fn nearest(&self, kind: &Kind, numbers: &[i64], is_painted: &[bool]) -> Option<usize> {
         let free = self.kinds.get(kind)?.iter().copied().filter(|element| !is_painted.get(*element).copied().unwrap_or(true));
         let away = |element: &usize| self.last[*element].iter().zip(numbers).map(|(a, b)| a.abs_diff(*b)).sum::<u64>();
         free.min_by_key(away)
     }
 
-    /// A new element, which was in its first place before.
+    /// A new element, which has its first numbers in all frames before.
     fn element(&mut self, kind: Kind, numbers: &[i64], frame: usize) -> usize {
         let element = self.template.elements.len();
         let mut numbers = numbers.iter();
@@ -141,7 +141,7 @@ impl Maker {
     }
 }
 
-/// Painting in the order of `other` looks the same: it has the same elements, and those that lie on each other in the same order.
+/// True if painting in the order of `other` gives the same picture: it has the same elements, and overlapping ones in the same order.
 fn hides_alike(painted: &[usize], areas: &[Area], other: &[usize]) -> bool {
     let rank: BTreeMap<usize, usize> = other.iter().enumerate().map(|(rank, element)| (*element, rank)).collect();
     let Some(ranks) = painted.iter().map(|element| rank.get(element).copied()).collect::<Option<Vec<usize>>>() else { return false };
@@ -150,7 +150,7 @@ fn hides_alike(painted: &[usize], areas: &[Area], other: &[usize]) -> bool {
     ranks.len() == other.len() && (0..ranks.len()).all(is_alike)
 }
 
-/// What kind of mark it is, and where.
+/// Kind and numbers of a mark.
 fn taken_apart(mark: Mark) -> (Kind, Vec<i64>) {
     let mut numbers = Vec::new();
     let attributes = mark.geometry.into_iter().map(|(name, value)| {
@@ -167,7 +167,7 @@ impl Attribute {
         self.columns.iter().any(|column| column.iter().any(|value| Some(value) != column.first()))
     }
 
-    /// Its values from frame to frame, without the leaps that a half turn makes from its end to its beginning.
+    /// Values over the frames; angles of ellipses without jumps of half a turn, so that interpolation is continuous.
     pub(crate) fn steady(&self) -> Vec<Vec<i64>> {
         let unwrapped = |column: &Vec<i64>| {
             let mut before = column.first().copied().unwrap_or(0);

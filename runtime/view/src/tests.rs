@@ -1,4 +1,4 @@
-//! What is written is what was drawn: texts and columns make up every frame again.
+//! Every frame can be rebuilt from the written texts and columns.
 
 use std::fs;
 
@@ -28,7 +28,7 @@ fn engine(angle: f64) -> Scene {
     scene
 }
 
-/// Two bars in space that turn about one axis and pass each other.
+/// Two bars in space that rotate about one axis and pass each other.
 fn scissors(angle: f64) -> Scene {
     let mut scene = Scene::new("Scissors");
     let up = [0.0, 0.0, 1.0];
@@ -42,7 +42,7 @@ fn scissors(angle: f64) -> Scene {
     scene
 }
 
-/// One turn in so many states.
+/// Angles of one revolution in so many states.
 fn turn(states: u32) -> Vec<f64> {
     (0..states).map(|state| f64::from(state) * std::f64::consts::TAU / f64::from(states)).collect()
 }
@@ -53,7 +53,7 @@ fn view(states: u32) -> View<f64> {
     view.plot("height", "mm", |angle| 50.0 * angle.sin()).and("reach", |angle| 50.0 * angle.cos()).plot("angle", "rad", |angle| *angle)
 }
 
-/// The values of a column, as the page reads them.
+/// The values of a column, decoded like in the page.
 fn decoded(text: &str) -> Vec<i64> {
     let digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let (mut values, mut value, mut quantity, mut shift) = (Vec::new(), 0_i64, 0_i64, 0);
@@ -99,13 +99,13 @@ fn attributes_come_back_from_their_parts() {
     assert_eq!([-1, 0, 10, -25, 99].map(decimal), ["-0.1", "0", "1", "-2.5", "9.9"]);
 }
 
-/// What a mark is, as one text.
+/// A mark as one line of text.
 fn told(mark: &Mark) -> String {
     let geometry: Vec<String> = mark.geometry.iter().map(|(name, value)| format!("{name}={value}")).collect();
     [mark.tag, &mark.class, &mark.title, &mark.text, &geometry.join(" ")].join("|")
 }
 
-/// The marks of a frame as the template makes them, in its order.
+/// The marks of a frame rebuilt from the template, in its order.
 fn made(template: &Template, frame: usize) -> Vec<String> {
     let element = |element: &crate::template::Element| {
         let attribute = |attribute: &crate::template::Attribute| format!("{}={}", attribute.name, Template::attribute(attribute, frame));

@@ -1,25 +1,25 @@
-//! Where a mark is, as words and numbers: `M12.5 3L4 5` is `M`, `L`, spaces, and four numbers of tenths.
+//! Geometry of a mark as words and numbers: `M12.5 3L4 5` is `M`, `L`, spaces, and four numbers in tenths.
 
-/// Numbers are not larger, so that programs of 32 bits can read them.
+/// Largest magnitude of a number, so that programs can read it as a 32-bit integer.
 const LARGEST: f64 = 1e8;
 
-/// What a number says.
+/// Meaning of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Meaning {
     /// A coordinate or a length, in tenths.
     Length,
-    /// How an ellipse is turned, in tenths of a degree: half a turn more or less says the same.
+    /// Rotation of an ellipse in tenths of a degree, modulo 180°.
     HalfTurn,
 }
 
-/// An attribute taken apart. Texts stand before, between and after the numbers, so that there is one more of them.
+/// The text of an attribute without its numbers: one piece before, between and after them, hence one more piece than numbers.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Skeleton {
     pub(crate) texts: Vec<String>,
     pub(crate) meanings: Vec<Meaning>,
 }
 
-/// Takes an attribute apart; gives its numbers too. Flags of arcs stay words: they have nothing in between.
+/// Splits an attribute into its text and its numbers. Flags of arcs count as text, as nothing separates them.
 pub(crate) fn split(value: &str) -> (Skeleton, Vec<i64>) {
     let (mut skeleton, mut numbers) = (Skeleton::default(), Vec::new());
     let (mut text, mut command, mut argument) = (String::new(), ' ', 0_usize);
@@ -56,7 +56,7 @@ fn is_numeric(letter: char) -> bool {
     letter.is_ascii_digit() || letter == '.' || letter == '-'
 }
 
-/// Puts an attribute together again.
+/// Inserts numbers into the text of an attribute.
 pub(crate) fn join(skeleton: &Skeleton, numbers: &[i64]) -> String {
     let mut words = skeleton.texts.iter();
     let mut value = words.next().cloned().unwrap_or_default();
@@ -67,7 +67,7 @@ pub(crate) fn join(skeleton: &Skeleton, numbers: &[i64]) -> String {
     value
 }
 
-/// A number of tenths without needless digits.
+/// A number of tenths as a decimal, without a trailing zero.
 pub(crate) fn decimal(tenths: i64) -> String {
     let (sign, size) = (if tenths < 0 { "-" } else { "" }, tenths.unsigned_abs());
     match size % 10 {

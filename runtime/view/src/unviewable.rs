@@ -1,4 +1,4 @@
-//! Why there is no moving picture.
+//! Reasons why states cannot be shown.
 
 use core::error::Error;
 use core::fmt::{self, Display, Formatter};
@@ -6,29 +6,29 @@ use std::io;
 
 use reuleaux_picture::Undrawable;
 
-/// Why states cannot be shown.
+/// Reason why states cannot be shown.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Unviewable {
-    /// One of them cannot be drawn, or there is none.
+    /// A state cannot be drawn, or there is no state.
     Undrawable(Undrawable),
-    /// What states are ordered by does not increase.
+    /// The abscissa does not increase.
     Abscissa {
-        /// Its name.
+        /// Name of the abscissa.
         name: String,
-        /// The first state, counted from 0, at which it is not larger than before, or is not a number.
+        /// First state, counted from 0, at which the abscissa does not exceed the value before or is not a number.
         state: usize,
     },
-    /// A traced point is nowhere.
+    /// A traced point has no finite coordinates.
     Trace {
-        /// Its name.
+        /// Name of the trace.
         name: String,
-        /// The first state, counted from 0, at which it has no place.
+        /// First state, counted from 0, at which the coordinates are not finite.
         state: usize,
     },
-    /// There is no font on this machine to draw words with.
+    /// This machine has no font for the labels.
     NoFont,
-    /// A frame could not be turned into pixels.
+    /// A frame could not be rendered as pixels.
     Pixels(String),
     /// A file could not be written.
     File(io::Error),

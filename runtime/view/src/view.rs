@@ -1,4 +1,4 @@
-//! The door: states in, files out.
+//! The interface of the crate: states in, files out.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,7 @@ use crate::recording::{Abscissa, Plot, Recording, Trace};
 use crate::unviewable::Unviewable;
 use crate::{animation, page, still};
 
-/// A motion that is to be shown: states, points that leave a trace, and quantities that are plotted.
+/// A motion to be shown: states, traced points and plotted quantities.
 ///
 /// `S` is a state. Mechanisms of `reuleaux` that are declared with `#[picture]` make a view by `mechanism.view(states)`.
 #[derive(Clone, Debug)]
@@ -20,7 +20,7 @@ pub struct View<S> {
 }
 
 impl<S> View<S> {
-    /// States in the order of their times (s), each with what is drawn of it.
+    /// States in the order of their times (s), with a scene for each.
     #[must_use]
     pub fn new(title: &str, states: impl IntoIterator<Item = S>, time: impl Fn(&S) -> f64, scene: impl Fn(&S) -> Scene) -> View<S> {
         let states: Vec<S> = states.into_iter().collect();
@@ -30,14 +30,14 @@ impl<S> View<S> {
         View { states, recording }
     }
 
-    /// Gives it another title.
+    /// Changes the title.
     #[must_use]
     pub fn title(mut self, title: &str) -> View<S> {
         title.clone_into(&mut self.recording.title);
         self
     }
 
-    /// Draws the way of a point in ground (m), with two coordinates in the plane and three in space.
+    /// Draws the path of a point in ground (m), with two coordinates in the plane and three in space.
     #[must_use]
     pub fn trace<P: Point>(mut self, name: &str, of: impl Fn(&S) -> P) -> View<S> {
         let places: Vec<Vector> = self.states.iter().map(|state| of(state).coordinates()).collect();
@@ -45,7 +45,7 @@ impl<S> View<S> {
         self
     }
 
-    /// Plots a quantity in a diagram of its own. Where it is not finite, its curve has a gap.
+    /// Plots a quantity in a diagram of its own. The curve has gaps where the quantity is not finite.
     #[must_use]
     pub fn plot<V: Into<f64>>(mut self, name: &str, unit: &str, of: impl Fn(&S) -> V) -> View<S> {
         let series = vec![(name.to_owned(), self.values(of))];
@@ -53,7 +53,7 @@ impl<S> View<S> {
         self
     }
 
-    /// Plots a quantity of the same unit in the diagram that was added last; without one it gets a diagram without a unit.
+    /// Plots a quantity of the same unit in the last diagram; if there is none, in a new diagram without a unit.
     #[must_use]
     pub fn and<V: Into<f64>>(mut self, name: &str, of: impl Fn(&S) -> V) -> View<S> {
         let series = (name.to_owned(), self.values(of));
@@ -64,8 +64,8 @@ impl<S> View<S> {
         self
     }
 
-    /// Orders states by another quantity than time, which increases from state to state: it is the abscissa of diagrams, and goes
-    /// evenly as the motion plays.
+    /// Orders states by a quantity other than time, which must increase from state to state: it is the abscissa of diagrams and advances
+    /// uniformly while the motion plays.
     #[must_use]
     pub fn over<V: Into<f64>>(mut self, name: &str, unit: &str, of: impl Fn(&S) -> V) -> View<S> {
         let values = self.values(of);
@@ -73,19 +73,18 @@ impl<S> View<S> {
         self
     }
 
-    /// All states take this long (s) to play at first. Otherwise as long as the motion, or slowed down or speeded up by a round number to
-    /// between 2 s and 30 s.
+    /// Sets the initial playing time of all states (s). Without it the motion plays in real time, or slowed down or sped up by a round
+    /// factor so that it takes between 2 s and 30 s.
     #[must_use]
     pub fn lasting(mut self, seconds: f64) -> View<S> {
         self.recording.lasting = (seconds.is_finite() && seconds > 0.0).then_some(seconds);
         self
     }
 
-    /// One HTML page with everything in it, which needs nothing else: the drawing, which plays, and the plots. The same bytes on every
-    /// run.
+    /// One self-contained HTML page with the animated drawing and the plots. The same bytes on every run.
     ///
     /// # Errors
-    /// Why the states cannot be shown.
+    /// The reason why the states cannot be shown.
     pub fn to_html(&self) -> Result<String, Unviewable> {
         page::html(&self.recording)
     }
@@ -93,26 +92,26 @@ impl<S> View<S> {
     /// Writes [`to_html`](Self::to_html) to a file.
     ///
     /// # Errors
-    /// Why the states cannot be shown, or the file not written.
+    /// The reason why the states cannot be shown or the file cannot be written.
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), Unviewable> {
         Ok(fs::write(path, self.to_html()?)?)
     }
 
-    /// The drawing as one SVG that plays by itself, over and over: without scripts, so that it moves in a README too.
+    /// The drawing as one animated SVG that repeats, without scripts, so that it also plays in a README.
     ///
-    /// Of more than 61 states that many are taken, and what moves goes straight from one to the next. Readers who prefer reduced motion,
-    /// and programs that do not move SVG, see the first state.
+    /// More than 61 states are thinned out to 61, and shapes move linearly between them. Readers who prefer reduced motion, and programs
+    /// that do not animate SVG, see the first state.
     ///
     /// # Errors
-    /// Why the states cannot be shown.
+    /// The reason why the states cannot be shown.
     pub fn animated_svg(&self) -> Result<String, Unviewable> {
         animation::animated_svg(&self.recording)
     }
 
-    /// Writes the drawing of every state into a folder, which is made if need be: `0000.svg`, `0001.svg`, …, all of one size.
+    /// Writes the drawing of every state into a folder, which is created if necessary: `0000.svg`, `0001.svg`, …, all of one size.
     ///
     /// # Errors
-    /// Why the states cannot be shown, or a file not written.
+    /// The reason why the states cannot be shown or a file cannot be written.
     pub fn svg_frames(&self, folder: impl AsRef<Path>) -> Result<(), Unviewable> {
         let names = still::Names::new(folder.as_ref(), self.states.len(), "svg")?;
         let drawn = self.recording.drawn()?;
@@ -122,11 +121,11 @@ impl<S> View<S> {
         Ok(())
     }
 
-    /// Writes the drawing of every state into a folder, which is made if need be: `0000.png`, `0001.png`, …, all so many pixels wide.
-    /// Words are drawn with a font of this machine.
+    /// Writes the drawing of every state into a folder, which is created if necessary: `0000.png`, `0001.png`, …, all `width` pixels
+    /// wide. Labels use a font of this machine.
     ///
     /// # Errors
-    /// Why the states cannot be shown, or a file not written.
+    /// The reason why the states cannot be shown or a file cannot be written.
     #[cfg(feature = "png")]
     pub fn png_frames(&self, folder: impl AsRef<Path>, width: u32) -> Result<(), Unviewable> {
         let names = still::Names::new(folder.as_ref(), self.states.len(), "png")?;

@@ -1,4 +1,4 @@
-//! A state against the same solved with twice the digits.
+//! Errors of a state, from the same systems solved with twice the digits.
 
 use reuleaux::nalgebra::{SMatrix, SVector};
 use reuleaux::{CoordinateKind, Equations, Real, State};
@@ -7,19 +7,19 @@ use reuleaux_tests::common::twofold::Twofold;
 /// Errors in units of condition × ε × size.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Attained {
-    /// Of q, q̇ and q̈.
+    /// Errors of q, q̇ and q̈.
     pub(super) errors: [f64; 3],
 }
 
 impl Attained {
-    /// The worse of two, one by one.
+    /// The larger error of each kind.
     pub(super) fn or(&self, other: &Self) -> Self {
         Self { errors: std::array::from_fn(|order| self.errors[order].max(other.errors[order])) }
     }
 }
 
-/// Solves all three systems with twice the digits and compares: q by Newton's method, q̇ and q̈ by elimination at the state's own q
-/// and q̇, so that each error is that of its own system.
+/// Solves all three systems with twice the digits and compares: q by Newton's method, q̇ and q̈ by elimination at the state's own q and
+/// q̇, so that each error is that of its own system.
 pub(super) fn compare<W: Equations<Twofold, N, N>, const N: usize>(exact: &W, state: &State<f64, N>) -> Attained {
     let t = Twofold::of(state.t);
     let mut q = state.q.map(Twofold::of);

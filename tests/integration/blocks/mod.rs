@@ -1,5 +1,5 @@
-//! Blocks are as accurate where a pivot of a fixed order vanishes as anywhere: of two and three unknowns, which are solved in closed
-//! form, and of more, for which the compiler chose the order. In a block of one there is no other pivot than the dead point.
+//! Blocks stay accurate at poses where a pivot of a fixed order vanishes: blocks of two and three unknowns, solved in closed form, and
+//! larger blocks, in an order chosen by the compiler. In a block of one unknown the pivot vanishes at dead points only.
 
 mod attained;
 mod pivots;
@@ -11,20 +11,20 @@ use reuleaux_tests::blocks::*;
 use reuleaux_tests::common::declared::Declared;
 use reuleaux_tests::common::twofold::Twofold;
 
-/// Ways through the space of lengths and time, one after the other, that are tried for each mechanism.
+/// Largest number of paths through lengths and time that are tried for each mechanism.
 const WAYS: usize = 1000;
 
-/// Poses with a pivot that vanishes: how many must be found, and how many are enough.
+/// Number of poses with a vanishing pivot that must be found, and number after which the search ends.
 const NEEDED: usize = 2;
 const ENOUGH: usize = 4;
 
-/// Poses along each.
+/// Poses along each path.
 const POSES: usize = 8;
 
-/// Errors of q, q̇ and q̈ stay below this many times condition × ε × size.
+/// Largest errors of q, q̇ and q̈, as multiples of condition × ε × size.
 const LIMITS: [f64; 3] = [4.0, 8.0, 8.0];
 
-/// A mechanism somewhere on a way: with lengths and at a time.
+/// A mechanism with given lengths at a given time.
 #[derive(Clone, Debug)]
 struct Point {
     lengths: Vec<f64>,
@@ -38,7 +38,7 @@ impl Point {
     }
 }
 
-/// Follows ways on which pivots change sign, and compares the states where they vanish with those of twice the digits.
+/// Follows paths on which pivots change sign, and compares the states at the zeros with solutions in twice the digits.
 fn vanishing_pivots_do_no_harm<M, W, const N: usize>(make: impl Fn(&[f64]) -> M, exact: impl Fn(&[f64]) -> W, lengths: &[f64]) -> Vec<usize>
 where
     M: Declared + Mechanism<f64, N>,
@@ -61,12 +61,12 @@ where
         for pose in 1..=POSES {
             let ends = [pose - 1, pose].map(|pose| here.between(&there, pose as f64 / POSES as f64));
             let Some(next) = solve(&ends[1], &state) else {
-                // The loops do not close there: the next way sets out from the defaults again.
+                // The loops do not close there: the next path starts from the defaults again.
                 (last, state) = (Point { lengths: lengths.to_vec(), t: 0.0 }, start.clone());
                 break;
             };
             let after = pivots.at(&ends[1].lengths, ends[1].t, next.q.as_slice());
-            // The last pivot vanishes at dead points only, and those are another matter.
+            // The last pivot vanishes at dead points only, which are excluded here.
             for k in 0..met.len() - 1 {
                 if before[k] * after[k] >= 0.0 {
                     continue;
@@ -88,7 +88,7 @@ where
     met
 }
 
-/// Where pivot k vanishes between two poses, to the last digit.
+/// The pose between two others at which pivot k vanishes, to the last digit.
 fn vanishing<const N: usize>(
     pivots: &mut Pivots,
     solve: &impl Fn(&Point, &State<f64, N>) -> Option<State<f64, N>>,
@@ -108,7 +108,7 @@ fn vanishing<const N: usize>(
     }
     let point = ends[0].between(&ends[1], high);
     let state = solve(&point, &state)?;
-    // Where a pivot before it vanishes this one changes sign at infinity.
+    // At a zero of an earlier pivot this one has a pole.
     let value = pivots.at(&point.lengths, point.t, state.q.as_slice())[k];
     (value.abs() <= 1e-12 && state.condition < 1.0 / f64::ROOT_EPSILON.sqrt()).then_some((point, state))
 }

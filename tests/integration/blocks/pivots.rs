@@ -1,4 +1,4 @@
-//! The pivots of a block's fixed order, or of the order of its rows where it has none, by the interpreter.
+//! Pivots of a block in its fixed order, or in the order of its rows if there is none, by the interpreter.
 
 use reuleaux_compiler::compile;
 use reuleaux_compiler::expr::{Evaluator, Expr, Values};
@@ -13,7 +13,7 @@ pub(super) struct Pivots {
 }
 
 impl Pivots {
-    /// That of a declaration.
+    /// Pivots of a declaration's largest block.
     pub(super) fn of(text: &str) -> Self {
         let compiled = compile(text.parse().expect("tokens")).unwrap_or_else(|_| panic!("a mechanism: {text}"));
         let Solving::Straight(lines) = compiled.plan.solution.expect("a mechanism that is solved").solving else {
@@ -37,7 +37,7 @@ impl Pivots {
         self.rows.len()
     }
 
-    /// The pivots with these parameters, there and then.
+    /// Pivots at these parameters, time and coordinates.
     pub(super) fn at(&mut self, parameters: &[f64], time: f64, coordinates: &[f64]) -> Vec<f64> {
         let Self { pattern, rows, columns, entries } = self;
         let functions = |_: u32, _: f64| [f64::NAN; 3];

@@ -1,4 +1,4 @@
-//! Very many parts: what is written of them does not grow with their number.
+//! Large numbers of parts: the size of the generated code does not grow with them.
 
 use std::str::FromStr;
 
@@ -29,7 +29,7 @@ fn row(legs: usize) -> TokenStream {
     TokenStream::from_str(&source).expect("the source consists of tokens")
 }
 
-/// How often a word occurs.
+/// Number of occurrences of a word.
 fn count(tokens: TokenStream, word: &str) -> usize {
     let of_tree = |tree: proc_macro2::TokenTree| match tree {
         proc_macro2::TokenTree::Group(group) => count(group.stream(), word),

@@ -1,9 +1,9 @@
-//! Declared bounds, and what joints demand of parameters, hold at run time.
+//! Declared bounds, and conditions of joints on parameters, are checked at run time.
 
 use reuleaux::{Cause, ParameterOutOfRange, mechanism};
 
 mechanism! {
-    /// A slider-crank with bounds of every form, in its parts too.
+    /// A slider-crank with bounds of every form, also in its parts.
     pub mechanism Bounded {
         param radius: Length = 30mm in 5mm..=50mm;
         param rod_length: Length = 100mm in 60mm..;

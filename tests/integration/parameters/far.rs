@@ -1,10 +1,10 @@
-//! Far from the defaults the declared assembly is kept, or it is said where it ends.
+//! Far from the defaults the declared assembly is kept, or the end of its branch is reported.
 
 use reuleaux::{Cause, Stages, mechanism};
 use std::f64::consts::TAU;
 
 mechanism! {
-    /// A four-bar with the pin between coupler and rocker to the left of the way from the crank pin to the rocker's pivot.
+    /// A four-bar with the pin between coupler and rocker to the left of the line from the crank pin to the rocker's pivot.
     pub mechanism Left {
         param crank_length: Length = 100mm;
         param coupler_length: Length = 350mm;
@@ -46,18 +46,19 @@ mechanism! {
 /// Crank, coupler, rocker and base as declared.
 const DECLARED: [f64; 4] = [0.1, 0.35, 0.3, 0.4];
 
-/// By how much the triangle of coupler, rocker and the way between their pivots closes at a crank angle; below zero it does not.
+/// Margin by which the triangle of coupler, rocker and the line between their pivots closes at a crank angle; negative if it does not
+/// close.
 fn margin([crank, coupler, rocker, base]: [f64; 4], angle: f64) -> f64 {
     let way = (base - crank * angle.cos()).hypot(crank * angle.sin());
     (coupler + rocker - way).min(way - (coupler - rocker).abs())
 }
 
-/// Lengths at a share of the way from those declared.
+/// Lengths at a fraction of the line from the declared lengths.
 fn between(lengths: [f64; 4], share: f64) -> [f64; 4] {
     core::array::from_fn(|i| DECLARED[i] + share * (lengths[i] - DECLARED[i]))
 }
 
-/// The pin by the intersection of two circles, to the left of the way from the crank pin to the rocker's pivot or to its right.
+/// The pin as the intersection of two circles, to the left or right of the line from the crank pin to the rocker's pivot.
 fn pin([crank, coupler, rocker, base]: [f64; 4], angle: f64, side: f64) -> [f64; 2] {
     let (ax, ay) = (crank * angle.cos(), crank * angle.sin());
     let (x, y) = (base - ax, -ay);
@@ -67,7 +68,7 @@ fn pin([crank, coupler, rocker, base]: [f64; 4], angle: f64, side: f64) -> [f64;
     [ax + x * along - y * across, ay + y * along + x * across]
 }
 
-/// The share of the way where the loop first opens.
+/// Fraction of the line at which the loop first opens.
 fn opens(lengths: [f64; 4]) -> Option<f64> {
     let is_open = |share: f64| margin(between(lengths, share), 0.0) < 0.0;
     const STEPS: usize = 4000;
@@ -80,7 +81,7 @@ fn opens(lengths: [f64; 4]) -> Option<f64> {
     Some(closed)
 }
 
-/// Numbers of the outcomes that are possible.
+/// Number of cases by outcome.
 #[derive(Default, Debug)]
 struct Count {
     followed: usize,
@@ -99,7 +100,7 @@ macro_rules! follows {
             Ok(state) => {
                 let (found, expected) = (mechanism.pin(&state).value, pin(lengths, 0.0, side));
                 let off = (found.x - expected[0]).hypot(found.y - expected[1]);
-                // At a fold both assemblies are one, and rounding errors count by their roots.
+                // At a fold both assemblies coincide, and the effect of a rounding error is its square root.
                 assert!(closes > -1e-12, "{lengths:?} closed by {closes}");
                 assert!(off < 1e-12 / closes.abs().max(1e-12).sqrt(), "{lengths:?} is mirrored: {off}");
                 if end.is_none() { count.followed += 1 } else { count.found_beyond += 1 }
@@ -114,7 +115,7 @@ macro_rules! follows {
                 let last = failure.last.as_ref().expect("the last state before the end");
                 assert!(side * (last.q[8] - last.q[5]).sin() > 0.0 && last.condition > 1e3, "{failure} was left before");
                 match failure.cause {
-                    // One of two rows has at least the share 1/√2 of what is lacking.
+                    // One of two rows has at least 1/√2 of the gap.
                     Cause::DoesNotClose { gap, .. } => {
                         assert!(closes < 0.0 && gap > -0.7 * closes, "{failure}: it lacks {closes}");
                         count.open += 1;
@@ -141,7 +142,7 @@ fn lengths_of_a_third_to_three_times_keep_the_assembly_or_end_where_it_folds() {
 
 #[test]
 fn a_crank_that_turns_no_more_ends_where_coupler_and_rocker_are_in_line() {
-    // As declared the crank turns; with a shorter coupler it swings.
+    // With the declared lengths the crank rotates fully; with a shorter coupler it oscillates.
     let swinging = [0.1, 0.15, 0.3, 0.4];
     let [crank_length, coupler_length, rocker_length, base] = swinging;
     assert!(margin(swinging, 0.0) > 0.0 && margin(swinging, TAU / 2.0) < 0.0);
@@ -174,7 +175,7 @@ fn single_precision_ends_there_as_well() {
 
 #[test]
 fn each_way_there_leads_to_the_same_assembly() {
-    // In one step, or in many that each begin where the one before has ended.
+    // In one step, or in many steps that each start from the result of the one before.
     let mut random = fastrand::Rng::with_seed(5);
     for _ in 0..30 {
         let lengths = DECLARED.map(|length| length * 3f64.powf(2.0 * random.f64() - 1.0));
@@ -195,7 +196,7 @@ fn each_way_there_leads_to_the_same_assembly() {
 }
 
 mechanism! {
-    /// A cart on a rail that a rod holds at a distance from a post beside the rail.
+    /// A cart on a rail, held by a rod at a distance from a post beside the rail.
     pub mechanism Cart {
         param reach: Length = 100m;
         param aside: Length = 30m;

@@ -1,4 +1,4 @@
-//! What becomes of parameters that are far from their defaults, or where they make no sense.
+//! Parameters far from their defaults, and invalid parameters.
 
 mod bounds;
 mod far;

@@ -1,4 +1,4 @@
-//! From emitted code, with all numbers as parameters.
+//! Evaluated by emitted code, with all numbers as parameters.
 
 use reuleaux_tests::common::declared::{Instant, Rows};
 use reuleaux_tests::common::reference::Value;
@@ -19,7 +19,7 @@ macro_rules! is_the_reference {
                 check($kind, $rows);
             }
         )*
-        /// Every type of the file is checked above.
+        /// Every type in the file is tested above.
         #[test]
         fn no_type_is_left_out() {
             let file = reuleaux_tests::common::reference::file("unit_constraints.json");

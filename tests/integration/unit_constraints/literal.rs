@@ -1,4 +1,4 @@
-//! From the interpreter, with all numbers as literals, so that what can be folded is folded in exact arithmetic.
+//! Evaluated by the interpreter, with all numbers as literals, so that constants are folded in exact arithmetic.
 
 use reuleaux_tests::common::interpreter::Interpreter;
 use reuleaux_tests::common::reference::{Value, file, list, text};

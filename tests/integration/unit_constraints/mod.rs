@@ -1,7 +1,7 @@
-//! Φ, Φ_q, ν and γ of every constraint type at random states, which fulfil nothing.
+//! Φ, Φ_q, ν and γ of every type of constraint at random states, which do not satisfy it.
 //!
-//! The bound of an entry is the rounding error of one plain evaluation in doubles; 16 of them and eight roundings of the largest
-//! entry of the row are allowed.
+//! The bound of an entry is the rounding error of a plain evaluation in doubles; 16 times this bound, plus eight roundings of the largest
+//! entry of the row, is allowed.
 
 mod emitted;
 mod literal;
@@ -28,7 +28,7 @@ fn instant(case: &Value) -> Instant {
     Instant { t: case["t"].as_f64().unwrap_or(0.25), q: of("q"), qd: of("qd"), qdd: Vec::new() }
 }
 
-/// The largest share of its allowance that an entry takes, for the rows of the case that `rows` says, in its order.
+/// Largest error relative to the allowed one, for the rows of the case that `rows` lists, in its order.
 fn share(case: &Value, found: &Rows, rows: &[usize]) -> f64 {
     let mut largest = 0.0_f64;
     for (at, row) in rows.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Rows of the library that are a constant multiple of the reference's.
+//! Rows of the library that are constant multiples of the reference's rows.
 
 use reuleaux_tests::common::declared::Rows;
 use reuleaux_tests::common::reference::{Value, list, number};
@@ -6,12 +6,12 @@ use reuleaux_tests::units::{self, rows_of};
 
 use super::{all, cases, instant, share};
 
-/// The length of a constraint's axis.
+/// Length of a constraint's axis.
 fn length(constraint: &Value) -> f64 {
     number(&constraint["axis_i"][0]).hypot(number(&constraint["axis_i"][1]))
 }
 
-/// A row times a number.
+/// A row multiplied by a number.
 fn scaled(rows: &Rows, row: usize, factor: f64) -> Rows {
     let times = |value: &f64| vec![value * factor];
     let jacobian = rows.jacobian[row].iter().map(|entry| entry * factor).collect();

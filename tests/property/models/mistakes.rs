@@ -95,7 +95,7 @@ fn unknown_name(model: &mut Model, rng: &mut Rng) -> Vec<String> {
     vec![format!("`{}_`", whole.rsplit('.').next().unwrap_or(whole))]
 }
 
-/// Removes an item: what it held becomes loose, with everything carried by it.
+/// Removes an item, so that the bodies it held become loose, with everything they carry.
 fn dropped(model: &mut Model, rng: &mut Rng, sort: Sort) -> Vec<String> {
     let index = any(model, rng, sort);
     let Item { bodies, .. } = model.items.remove(index);

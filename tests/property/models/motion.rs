@@ -1,4 +1,4 @@
-//! Compares the reported motion with tiny steps of all equations at once: it continues, or ends where the compiler says.
+//! Compares the reported motion with tiny steps of all equations at once: it continues, or ends at the time that the compiler reports.
 
 use super::{compiled, elements};
 use fastrand::Rng;

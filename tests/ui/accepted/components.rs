@@ -1,4 +1,4 @@
-//! Parts beside a constraint that is brought in, and a component that nobody uses.
+//! Parts beside an imported constraint, and an unused component.
 
 mod joints {
     reuleaux::constraint! {

@@ -1,4 +1,4 @@
-//! A start that is far from the assembly is a warning, which `#[allow(far_start)]` takes away.
+//! A start far from the assembly causes a warning, which `#[allow(far_start)]` suppresses.
 #![deny(warnings)]
 
 reuleaux::mechanism! {

@@ -1,4 +1,4 @@
-//! A joint is of its definition's kind, whatever its name in a mechanism.
+//! The kind of a joint is the name of its definition, also if a `use` item renames it.
 
 reuleaux::mechanism! {
     pub mechanism Shuttle {

@@ -1,4 +1,4 @@
-//! A path in a definition that begins with `crate` means the crate of the definition.
+//! In a definition, a path beginning with `crate` refers to the crate of the definition.
 
 reuleaux::mechanism! {
     pub mechanism Lift {

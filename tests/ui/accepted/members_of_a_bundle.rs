@@ -1,5 +1,5 @@
 #![deny(warnings)]
-//! A bundle is used as a whole or member by member, from this crate and from another.
+//! A bundle can be used as a whole or member by member, from this crate and from another.
 
 mod own {
     reuleaux::constraint! {

@@ -1,4 +1,4 @@
-//! A mechanism called as the state or the failure of another one, and one in a function.
+//! Mechanisms named like the state or the failure of another one, and a mechanism in a function.
 
 #![deny(warnings)]
 

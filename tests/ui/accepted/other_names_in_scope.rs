@@ -1,4 +1,4 @@
-//! Generated code names everything by its whole path: nothing need be in scope, and what is may be called as one likes.
+//! Generated code refers to everything by its full path: nothing needs to be in scope, and items in scope may have any names.
 #![no_implicit_prelude]
 #![allow(non_camel_case_types, dead_code)]
 

@@ -1,4 +1,4 @@
-//! A word of Rust is a name if it is written raw; words that mean something only where Rust expects them are names as they are.
+//! A keyword of Rust is a name if it is written as a raw identifier; contextual keywords are names as they are.
 reuleaux::mechanism! {
     pub mechanism r#Box {
         param r#type: Length = 100mm;

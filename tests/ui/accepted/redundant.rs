@@ -1,4 +1,4 @@
-//! A joint that adds nothing is welcome where it is said to be redundant, also in loops and parts.
+//! A redundant joint is accepted if it is declared as redundant, also in loops and parts.
 
 reuleaux::mechanism! {
     /// A slide between two guides, with pins that hold it once more.

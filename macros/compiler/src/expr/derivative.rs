@@ -36,7 +36,7 @@ impl Derivatives {
         self.known[&root]
     }
 
-    /// True if frames say how they turn with the leaf.
+    /// True if the orientation of frames may depend on the leaf.
     fn turns(&self) -> bool {
         matches!(self.by, Leaf::Coordinate(_) | Leaf::Turn(_))
     }

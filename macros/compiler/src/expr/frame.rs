@@ -15,7 +15,7 @@ use std::collections::{BTreeSet, HashMap};
 /// Three components along the axes of ground or of a frame.
 pub type Triple = [Expr; 3];
 
-/// A frame that turns in space.
+/// A frame that rotates in space.
 #[derive(Clone, Debug)]
 pub struct Frame {
     /// The columns of A: the axes of the frame, by components in ground.
@@ -26,11 +26,11 @@ pub struct Frame {
     pub acceleration: Triple,
     /// ω̇ at constant speeds.
     pub acceleration_at_constant_speeds: Triple,
-    /// τ by coordinate, for those with which the frame turns.
+    /// τ by coordinate, for the coordinates on which the orientation of the frame depends.
     pub turns: Vec<(Leaf, Triple)>,
-    /// The frame against which it turns; `None` for ground.
+    /// Reference frame of its rotation; `None` for ground.
     pub against: Option<usize>,
-    /// The coordinates with which it turns against that frame.
+    /// Coordinates of its rotation relative to that frame.
     pub own: Vec<Leaf>,
 }
 
@@ -48,9 +48,9 @@ pub(super) struct Frames {
 struct FixedVector {
     frame: usize,
     local: Triple,
-    /// The frame that it moves with; `None` if it rests.
+    /// Frame in which the vector is fixed; `None` if it is constant.
     moving: Option<usize>,
-    /// In ground.
+    /// Components in ground.
     components: Triple,
 }
 
@@ -91,7 +91,8 @@ impl Arena {
         self.components(vector)
     }
 
-    /// The components of a vector, and the frame that it moves with: a vector along the axis of a joint does not turn with the joint.
+    /// Components of a vector, and the frame in which it is fixed: a vector along the axis of a joint is fixed in both bodies, so the
+    /// reference frame is taken.
     fn motion_of(&mut self, frame: usize, local: Triple) -> (Option<usize>, Triple) {
         let columns = self.frames.frames[frame].columns;
         let components = combination(self, local, columns);
@@ -119,7 +120,7 @@ impl Arena {
         })
     }
 
-    /// ∂v/∂q of one component, q being a coordinate or a turn.
+    /// ∂v/∂q of one component, where q is a coordinate or a turn.
     pub(super) fn turned_by(&mut self, vector: u32, axis: u8, by: Leaf) -> Expr {
         let Some(frame) = self.frames.vectors[vector as usize].moving else { return self.integer(0) };
         let turn = self.frames.frames[frame].turns.iter().find(|(leaf, _)| *leaf == by).map(|(_, turn)| *turn);

@@ -1,6 +1,6 @@
-//! Geometry of mechanisms: components of vectors, and what joints relate in space.
+//! Geometry of mechanisms: components of vectors, and relations that joints impose in space.
 //!
-//! In: nothing but expressions. Out: vectors by their components, triads, points and axes fixed in bodies, relations between them, and the
+//! In: expressions. Out: vectors by their components, triads, points and axes fixed in bodies, relations between them, and the rotation
 //! matrix of a quaternion. Not done here: names.
 
 mod components;
@@ -42,14 +42,14 @@ pub struct Place {
     pub local: Triple,
 }
 
-/// What some rows of a joint mean.
+/// Geometric meaning of some rows of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relationship {
-    /// Two points are one: three rows.
+    /// Two points coincide: three rows.
     Coincident(Place, Place),
-    /// Two axes have one direction: two rows.
+    /// Two axes are parallel and of equal sense: two rows.
     SameDirection(Triad, Triad),
-    /// All axes of two triads have one direction: three rows.
+    /// Two triads are parallel: three rows.
     SameOrientation(Triad, Triad),
     /// Two vectors are perpendicular: one row.
     Perpendicular(Place, Place),
@@ -78,16 +78,16 @@ pub enum JointQuantity {
     Displacement(Triad, Place, Place),
 }
 
-/// What joints in space relate.
+/// Relations and quantities of all joints in space.
 #[derive(Clone, Debug, Default)]
 pub struct Geometry {
-    /// Relations, with the joint and the first of its rows that they stand for.
+    /// Relations, each with its joint and the first of the joint's rows that state it.
     pub relations: Vec<(usize, usize, Relationship)>,
     /// Angles and displacements of joints, each with its expression, which is marked with its number here.
     pub quantities: Vec<(JointQuantity, Expr)>,
 }
 
-/// Columns of the matrix of a quaternion of any length, and 2 over the square of the length.
+/// Columns of the rotation matrix of a quaternion of any norm n > 0, and h = 2/n².
 pub(crate) fn rotation(arena: &mut Arena, [w, x, y, z]: [Expr; 4]) -> ([Triple; 3], Expr) {
     let squares = [w, x, y, z].map(|part| arena.square(part));
     let length = arena.sum(&squares);

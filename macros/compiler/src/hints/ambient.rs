@@ -1,23 +1,23 @@
-//! Whether a declaration means space although it does not say so.
+//! Detects declarations that are meant in space but lack the keyword.
 //!
-//! In: the tree. Out: one refusal instead of one for every vector. Counted are vectors that are written out and words of space; where most
-//! of them belong to the plane, the few others are mistakes of their own.
+//! In: the tree. Out: at most one refusal, instead of one for every vector. The test counts vector literals and names of spatial items;
+//! if most of them belong to the plane, the others are reported as mistakes of their own elsewhere.
 
 use crate::diag::{Diag, ValueFact};
 use crate::library;
 use crate::quantity::Ambient;
 use crate::syntax::ast::{Expression, ExpressionKind, FrameItem, Item, JointBody, Marks, Mechanism, Statement};
 
-/// Number of places that mean space, and of those that mean the plane.
+/// Number of occurrences that suggest space, and of those that suggest the plane.
 #[derive(Default)]
 struct Evidence {
     space: usize,
     plane: usize,
-    /// True if something was found that the plane has not, whatever names are imported.
+    /// True if an occurrence has no meaning in the plane, whatever names are imported.
     is_certain: bool,
 }
 
-/// Refuses a mechanism in the plane most of whose vectors have three components.
+/// Refuses a planar mechanism in which most vectors have three components.
 pub(crate) fn is_meant(tree: &Mechanism, diag: &mut Diag) -> Option<()> {
     let mut found = Evidence::default();
     found.items(&tree.items);

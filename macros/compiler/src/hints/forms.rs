@@ -1,9 +1,9 @@
-//! Forms of expressions that are often written for others.
+//! Expressions that are often written in place of others.
 
 use crate::syntax::ast::{Expression, ExpressionKind, Operator};
 use proc_macro2::Ident;
 
-/// Text of a unit that is written in parts, with its number: `500N / mm` as `500N_mm`, with the names that are taken for units.
+/// A unit written in parts, with its number, as a single unit: `500N / mm` as `500N_mm`; and the identifiers taken for units.
 pub(crate) fn unit_in_parts(value: &Expression) -> Option<(String, Vec<&Ident>)> {
     match &value.kind {
         ExpressionKind::Number { digits, unit } if !unit.is_empty() => Some((format!("{digits}{unit}"), Vec::new())),
@@ -42,7 +42,7 @@ pub(crate) fn cross_product(value: &Expression) -> Option<[&Expression; 2]> {
     }
 }
 
-/// True for a zero that is written out, as a number or as a vector.
+/// True for a literal zero, as a number or as a vector.
 pub(crate) fn is_zero(value: &Expression) -> bool {
     match &value.kind {
         ExpressionKind::Number { digits, .. } => digits.parse() == Ok(0.0),
@@ -51,7 +51,7 @@ pub(crate) fn is_zero(value: &Expression) -> bool {
     }
 }
 
-/// The name of a point that is written `body.point`.
+/// The name of a point written as `body.point`.
 pub(crate) fn point_of(value: &Expression, body: &str) -> Option<String> {
     let ExpressionKind::Field(owner, point) = &value.kind else { return None };
     let ExpressionKind::Path(path) = &owner.kind else { return None };

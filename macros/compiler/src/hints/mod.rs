@@ -1,7 +1,7 @@
-//! What a declaration probably means, read from the tree without resolving a name.
+//! Guesses at the intent of a declaration, from the tree alone, without resolving names.
 //!
-//! In: expressions and items as written. Out: whether they mean space, lengths that were hardly meant in metres, and forms that are often
-//! written for others. Not done here: saying so, which is up to `resolve`, that knows what names stand for.
+//! In: expressions and items as written. Out: whether they are meant in space, lengths that were probably not meant in metres, and forms
+//! that are often written in place of others. Not done here: reporting, which `resolve` does, as it knows the meaning of names.
 
 mod ambient;
 mod forms;

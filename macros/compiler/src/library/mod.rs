@@ -101,7 +101,7 @@ const PLANAR_FORCES: &[(&str, &str)] = force_pages_of!["plane": "motor", "torsio
 /// Forces in space.
 const SPATIAL_FORCES: &[(&str, &str)] = force_pages_of!["space": "motor", "torsion_spring", "torsion_spring_damper"];
 
-/// Constraints whose text is right in the plane and in space.
+/// Constraints with one text for the plane and for space.
 const BOTH: &[&str] = &["distance", "absolute_x", "absolute_y", "drive_distance", "drive_x", "drive_y"];
 
 /// Functions of one variable: name and text of the file.
@@ -113,7 +113,7 @@ pub fn constraints<'a>(ambient: Ambient) -> impl Iterator<Item = &'a str> {
     of(ambient).map(|(name, _)| name)
 }
 
-/// True for a constraint of the plane that is not one of space, or the other way round.
+/// True for a constraint that exists in the plane but not in space, or vice versa.
 pub(crate) fn is_elsewhere(name: &str, ambient: Ambient) -> bool {
     let has = |ambient: Ambient| constraints(ambient).any(|known| known == name);
     !has(ambient) && (has(Ambient::Plane) || has(Ambient::Space))
@@ -157,13 +157,13 @@ pub fn spatial_pages() -> impl Iterator<Item = (&'static str, &'static str)> {
     SPATIAL.iter().copied()
 }
 
-/// Name and text of every page of forces: of those in the plane and of both, or of those in space alone.
+/// Name and text of the pages of forces: planar and common ones, or those in space only.
 pub fn force_pages(ambient: Ambient) -> impl Iterator<Item = (&'static str, &'static str)> {
     let pages = forces_of(ambient);
     pages.filter(move |(name, _)| ambient == Ambient::Plane || !FORCES.iter().any(|(both, _)| both == name))
 }
 
-/// Name and text of every page of the plane and of both, constraints first.
+/// Name and text of the planar and common pages, constraints first.
 pub fn pages() -> impl Iterator<Item = (&'static str, &'static str)> {
     CONSTRAINTS.iter().chain(FUNCTIONS).copied()
 }

@@ -1,9 +1,9 @@
 //! Rows in echelon form.
 
-/// What is left of a row counts as nothing below this part of its largest entry.
+/// A row is dependent if elimination leaves less than this fraction of its largest entry.
 const NOTHING: f64 = 1e-9;
 
-/// Independent rows, each eliminated by those before it; its largest entry is its pivot.
+/// Independent rows, each reduced by the rows before it, with the largest remaining entry as pivot.
 pub(crate) struct Echelon {
     columns: usize,
     rows: Vec<Vec<f64>>,
@@ -16,7 +16,7 @@ impl Echelon {
         Echelon { columns, rows: Vec::new(), pivots: Vec::new() }
     }
 
-    /// Takes a row if it does not follow from those before it; true if it was taken.
+    /// Adds a row unless it depends on the rows before it; true if it was added.
     pub(crate) fn takes(&mut self, mut row: Vec<f64>) -> bool {
         let before = largest(&row, 0..self.columns).map_or(0.0, |column| row[column].abs());
         for (done, &pivot) in self.rows.iter().zip(&self.pivots) {
@@ -38,7 +38,7 @@ impl Echelon {
         (0..self.columns).filter(|column| !self.pivots.contains(column)).collect()
     }
 
-    /// For each free column the vector with a 1 there, and 0 in the other free ones, at which all rows vanish.
+    /// Basis of the null space: for each free column the vector with entry 1 there and 0 in the other free columns.
     pub(crate) fn null_space(&self) -> Vec<Vec<f64>> {
         let vector = |free: usize| {
             let mut vector = vec![0.0; self.columns];
@@ -66,7 +66,7 @@ mod tests {
     fn rows_that_follow_are_not_taken_and_the_null_space_is_orthogonal_to_all() {
         let rows = [[1.0, 2.0, 0.0, -1.0, 3.0], [0.5, 0.0, 4.0, 2.0, -1.0], [2.0, 2.0, 8.0, 3.0, 1.0], [0.0, 1.0, 1.0, 0.0, 2.0]];
         let mut echelon = Echelon::new(5);
-        // The third row is the first and twice the second.
+        // The third row is the first plus twice the second.
         assert_eq!(rows.map(|row| echelon.takes(row.to_vec())), [true, true, false, true]);
         let null_space = echelon.null_space();
         assert_eq!((null_space.len(), echelon.free().len()), (2, 2));

@@ -1,6 +1,6 @@
 //! Elimination of matrices of numbers.
 //!
-//! In: numbers. Out: factors, independent rows, null spaces. Not done here: anything that knows of mechanisms.
+//! In: matrices of numbers. Out: factors, independent rows, null spaces. Not done here: anything specific to mechanisms.
 //!
 //! 1. `dense`: factors of small square matrices.
 //! 2. `echelon`: independent rows and null space of a rectangular matrix, row by row.

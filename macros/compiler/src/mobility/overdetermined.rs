@@ -1,8 +1,8 @@
 //! More equations than unknowns: finds minimal groups of joints and drives that over-constrain.
 //!
-//! Joints come first, then drives, both in declaration order. An unmatched equation thus depends on equations before it, and [`contending`]
-//! finds the smallest over-constrained group around it. So joints are blamed only for conflicts among joints, and a drive for what it adds
-//! to them.
+//! Joints come first, then drives, both in declaration order. An unmatched equation thus depends on equations before it, and
+//! [`contending`] finds the smallest over-constrained group around it. So joints are blamed only for conflicts among joints, and a drive
+//! only if the joints alone are consistent.
 
 use crate::diag::{Diag, Fact, MotionFact, SystemFact};
 use crate::model::{Model, Said};
@@ -78,7 +78,7 @@ fn joints_contend(view: &Contenders, joints: &[usize]) -> (usize, Fact) {
     (blamed, fact.into())
 }
 
-/// The joints leave a freedom nothing that could move.
+/// The joints leave no motion for a freedom.
 fn freedom_is_held(view: &Contenders, freedom: usize, joints: &[usize]) -> Fact {
     let declared = &view.model.joints[freedom];
     let (by, free) = (view.joints(joints), view.coordinates(view.free));

@@ -1,7 +1,7 @@
 //! Suggests joints to type in, made of declared points.
 //!
-//! In: a model, and a body to be joined. Out: the line. Not done here: deciding whether that joint was meant; the bodies may have to be
-//! joined elsewhere, or by another kind of joint.
+//! In: a model, and a body to be joined. Out: the text of the declaration. Not done here: deciding whether that joint was meant; the
+//! bodies may have to be joined elsewhere, or by another kind of joint.
 
 use super::Model;
 use super::sketch::{JointArgument, LocalVector};

@@ -1,6 +1,6 @@
-//! What a mechanism is made of, with all names resolved: bodies, joints, outputs, parameters.
+//! The resolved mechanism: bodies, joints, outputs and parameters, with names replaced by ids.
 //!
-//! Nouns only: `resolve` makes them.
+//! Data types only: `resolve` builds them.
 
 pub(crate) mod example;
 mod layout;
@@ -22,11 +22,11 @@ use crate::quantity::{Ambient, Dim, Role, is_inertia};
 use crate::syntax::ast::{Closing, Docs, Following, Relation, Task};
 use proc_macro2::{Ident, TokenStream};
 
-/// Number of the first declared coordinate in space. The coordinates that are solved for count from 0: they are other ones.
+/// Number of the first declared coordinate in space. Coordinates of the solution are different ones, numbered from 0.
 pub(crate) const DECLARED: u32 = 1 << 24;
 
-/// The speed that is the rate of each declared coordinate in space. Orientations have none: vectors fixed in a body are differentiated
-/// as a whole.
+/// The speed equal to the rate of each declared coordinate in space. Components of orientations have no such speed: vectors fixed in a
+/// body are differentiated as a whole.
 pub(crate) fn declared_rates(coordinates: usize) -> Vec<Option<u32>> {
     let each = Role::SPACE.len();
     let rate = |number: usize| {
@@ -47,9 +47,9 @@ pub struct Model {
     pub visibility: TokenStream,
     /// Name of the generated struct.
     pub name: Ident,
-    /// Where the bodies move.
+    /// Motion in the plane or in space.
     pub ambient: Ambient,
-    /// What joints in space relate.
+    /// Relations between bodies that joints in space impose.
     pub space: Geometry,
     /// Task of the generated code.
     pub task: Task,
@@ -61,7 +61,7 @@ pub struct Model {
     pub has_stub: bool,
     /// Policy for following the motion from the start.
     pub following: Following,
-    /// The word of `#[picture]`, if states are to be drawn at run time.
+    /// The identifier of `#[picture]`, if states can be drawn at run time.
     pub pictured: Option<Ident>,
     /// Declared range of time, if any.
     pub range: Option<Times>,
@@ -77,7 +77,7 @@ pub struct Model {
     pub joints: Vec<Joint>,
     /// Forces and torques on bodies.
     pub forces: Vec<Force>,
-    /// Potential energies, whose forces are their derivatives.
+    /// Potential energies; their forces are minus their gradients.
     pub energies: Vec<Expr>,
     /// Acceleration of free fall, by components in ground.
     pub gravity: Option<Vec<Expr>>,
@@ -91,7 +91,7 @@ pub struct Model {
     pub requirements: Vec<Requirement>,
     /// Geometry for the picture.
     pub sketch: Sketch,
-    /// Numbers that may not be meant as they are written.
+    /// Warnings about numbers whose unit may be missing.
     pub doubts: Vec<Warning>,
 }
 
@@ -143,7 +143,7 @@ pub struct Body {
     pub mass: Mass,
 }
 
-/// Mass of a body and its distribution; what is not declared is zero.
+/// Mass of a body and its distribution; undeclared parts are zero.
 #[derive(Clone, Debug, Default)]
 pub struct Mass {
     /// Mass.
@@ -155,7 +155,8 @@ pub struct Mass {
 }
 
 impl Mass {
-    /// The word at fault and what is wrong: a centre without a mass, a negative number, an inertia that no distribution of mass has.
+    /// The clause at fault and the mistake in it: a centre without a mass, a negative number, an inertia of no possible mass
+    /// distribution.
     ///
     /// * `numbers`: given, the values of expressions of parameters at the defaults.
     pub(crate) fn flaw(&self, body: &str, numbers: impl Fn(&[Expr]) -> Vec<f64>) -> Option<(&'static str, ValueFact)> {
@@ -216,16 +217,16 @@ pub struct Joint {
     pub is_drive: bool,
     /// True if declared by `redundant joint`: equations that follow from others are checked instead of solved.
     pub is_redundant: bool,
-    /// For a freedom, where its equations begin; they hold at the start only.
+    /// For a freedom, its initial value; the residuals of a freedom hold at t = 0 only.
     pub freedom: Option<Freedom>,
     /// Left minus right side of each scalar equation.
     pub residuals: Vec<Residual>,
-    /// Body on which the load of the joint is stated, and the local components of the point there.
+    /// Body on which the load of the joint acts, and the local components of the point of application.
     pub place: Option<(usize, Vec<Expr>)>,
 }
 
 impl Joint {
-    /// A drive, and no freedom.
+    /// True for a drive, false for a freedom.
     pub(crate) fn is_driven(&self) -> bool {
         self.is_drive && self.freedom.is_none()
     }
@@ -266,7 +267,7 @@ pub struct Method {
     pub sizes: Vec<usize>,
     /// The outputs by number; the last index varies fastest.
     pub members: Vec<usize>,
-    /// It can be solved for alone: one of the outputs is declared as `slice output`.
+    /// True if one of the outputs is declared as `slice output` and can be solved for alone.
     pub is_slice: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Geometry for the picture that the equations do not contain: points in their bodies, and the arguments of joints.
+//! Geometry for the picture in addition to the equations: points in their bodies, and the arguments of joints.
 //!
 //! All its expressions are in a separate arena, so that drawing a mechanism does not change how it is solved.
 

@@ -1,4 +1,4 @@
-//! Inertia of uniform bodies of simple shape, about their centres.
+//! Moments of inertia of homogeneous bodies of simple shape, about their centres of mass.
 //!
 //! ```text
 //! rod(l)          m l²/12 across, along x       disk(r)          m r²/2 about z, half of it across
@@ -9,15 +9,15 @@
 use crate::expr::{Arena, Expr};
 use crate::quantity::Ambient;
 
-/// A uniform body.
+/// A homogeneous body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Solid {
-    /// For each axis its multiples of the squared lengths, as quotients.
+    /// For each axis the factors of m and of the square of each length, as quotients.
     moments: &'static [[(i64, i64); 3]],
     lengths: usize,
 }
 
-/// Not there.
+/// Zero factor.
 const NO: (i64, i64) = (0, 1);
 
 /// Name, number of lengths, moments of inertia about z in the plane.
@@ -48,12 +48,12 @@ impl Solid {
         shapes.iter().find(|(known, _, _)| *known == name).map(|(_, lengths, moments)| Solid { moments, lengths: *lengths })
     }
 
-    /// Number of lengths that it takes.
+    /// Number of lengths that define the shape.
     pub(crate) fn lengths(self) -> usize {
         self.lengths
     }
 
-    /// One moment in the plane; in space three, and three products of inertia that are zero.
+    /// One moment in the plane; in space three moments, and three products of inertia, which are zero.
     pub(crate) fn inertia(self, arena: &mut Arena, mass: Expr, lengths: &[Expr]) -> Vec<Expr> {
         let moment = |arena: &mut Arena, parts: &[(i64, i64); 3]| {
             let mut sum = arena.integer(0);

@@ -1,6 +1,6 @@
 //! All names of a mechanism, and the state of their resolution.
 //!
-//! What `resolve` works with: namespaces, values, keys of declarations, and signatures of definitions. Nothing here reads an expression.
+//! Namespaces, values, keys of declarations, and signatures of definitions, for `resolve`. Nothing here reads an expression.
 //!
 //! Names live in namespaces: that of the mechanism, one for each part, one for each body. A name with indices is an array, and each of
 //! its elements is a separate item.
@@ -222,7 +222,7 @@ pub(crate) struct Names {
     pub(crate) outputs: BTreeSet<(SpaceId, String)>,
     /// Names imported by `use` items.
     pub(crate) used: Vec<String>,
-    /// Where the bodies move.
+    /// Motion in the plane or in space.
     pub(crate) ambient: Ambient,
 }
 

@@ -1,6 +1,6 @@
-//! The assembled mechanism as a picture, for its page of documentation.
+//! Picture of the assembled mechanism for its documentation page.
 //!
-//! In: a [`Model`] with its sketch, the [`System`] and the [`Assembly`]. Out: a [`Picture`]: inline SVG, and a sentence about it.
+//! In: a [`Model`] with its sketch, the [`System`] and the [`Assembly`]. Out: a [`Picture`]: inline SVG, and a sentence on it.
 //! Not done here: drawing, which the crate `reuleaux-picture` does. Without the feature `picture` nothing is drawn.
 
 #[cfg(feature = "picture")]
@@ -12,7 +12,7 @@ use crate::assembly::Assembly;
 use crate::model::Model;
 use crate::system::System;
 
-/// A mechanism as it is drawn.
+/// A picture of the mechanism, or the reason why there is none.
 #[derive(Clone, Debug, Default)]
 pub struct Picture {
     #[cfg(feature = "picture")]
@@ -21,7 +21,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// What there is to say about the picture, or why there is none.
+    /// Caption of the picture, or the reason why there is none.
     #[must_use]
     pub fn words(&self) -> &str {
         &self.words
@@ -50,13 +50,13 @@ impl Picture {
     }
 }
 
-/// Nothing is drawn, and nothing said about it.
+/// Without the feature `picture`: no picture and no caption.
 #[cfg(not(feature = "picture"))]
 pub(crate) fn draw(_: &Model, _: &System, _: &Assembly) -> Picture {
     Picture::default()
 }
 
-/// Draws the mechanism where it is assembled.
+/// Draws the mechanism in its assembled configuration.
 #[cfg(feature = "picture")]
 pub(crate) fn draw(model: &Model, system: &System, assembly: &Assembly) -> Picture {
     use reuleaux_picture::Undrawable;
@@ -88,7 +88,7 @@ fn words(time: f64, names_all: bool) -> String {
     words
 }
 
-/// To three digits.
+/// Rounds to three significant digits.
 #[cfg(feature = "picture")]
 fn rounded(value: f64) -> f64 {
     format!("{value:.2e}").parse().unwrap_or(value)

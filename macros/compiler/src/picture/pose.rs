@@ -1,4 +1,4 @@
-//! Which configuration is drawn: the start, unless links of a plane mechanism lie on each other there and do not a little later.
+//! Choice of the configuration that is drawn: the start, or a pose near it if links of a planar mechanism overlap at the start.
 
 use super::scene::scene;
 use crate::assembly::{Assembly, Poses};
@@ -7,7 +7,7 @@ use crate::quantity::Ambient;
 use crate::system::System;
 use reuleaux_picture::{Scene, Undrawable};
 
-/// Hinges and links should be this far from each other, as a part of the picture.
+/// Wanted clearance of hinges and links, as a fraction of the size.
 const CLEAR: f64 = 0.035;
 
 /// Mechanisms with more bodies are drawn at their start.
@@ -16,16 +16,16 @@ const LARGEST: usize = 12;
 /// A time and a configuration.
 #[derive(Clone, Debug)]
 pub(super) struct Instant {
-    /// In s.
+    /// Time, in s.
     pub(super) time: f64,
-    /// One value for each unknown, in SI.
+    /// Values of all unknowns, in SI units.
     pub(super) q: Vec<f64>,
 }
 
 /// The configuration that is drawn, with its time.
 pub(super) fn pose(model: &Model, system: &System, assembly: &Assembly) -> Result<(f64, Scene), Undrawable> {
     let first = scene(model, system, &Instant { time: 0.0, q: assembly.start.clone() });
-    // In space it is looked at from where nothing lies on anything else.
+    // In space, the direction of view is chosen instead.
     if model.ambient == Ambient::Space {
         return Ok((0.0, first));
     }
@@ -38,7 +38,7 @@ pub(super) fn pose(model: &Model, system: &System, assembly: &Assembly) -> Resul
     for (time, q) in Poses::new(model, system, assembly).closed() {
         let scene = scene(model, system, &Instant { time, q: q.to_vec() });
         let Ok(clear) = scene.clearance() else { continue };
-        // What comes later is preferred a little to what was before.
+        // A pose before the start is preferred only if it is clearly better.
         let clear = clear.min(CLEAR * 1.5) * if time < 0.0 { 0.8 } else { 1.0 };
         if clear > best.2 {
             best = (time, scene, clear);

@@ -1,4 +1,4 @@
-//! From a model and a configuration to a [`Scene`]: the interpreter computes its numbers.
+//! From a model and a configuration to a [`Scene`]; the interpreter evaluates its numbers.
 
 use super::pose::Instant;
 use crate::expr::{Evaluator, Expr, Values, evaluate};
@@ -8,7 +8,7 @@ use crate::quantity::{Axis, Dim, Role};
 use crate::system::{COSINES, System};
 use reuleaux_picture::{Joint, Pose, Scene, Vector};
 
-/// The mechanism at an instant.
+/// The mechanism at one instant.
 pub(super) fn scene(model: &Model, system: &System, instant: &Instant) -> Scene {
     let functions = |number: u32, x: f64| match model.functions.get(number as usize) {
         Some(Function::Table(table)) => table.evaluate(x),
@@ -21,7 +21,7 @@ pub(super) fn scene(model: &Model, system: &System, instant: &Instant) -> Scene 
     Composer { model, system, known }.scene()
 }
 
-/// Composes a scene.
+/// Builds a scene.
 struct Composer<'a> {
     model: &'a Model,
     system: &'a System,
@@ -57,7 +57,7 @@ impl Composer<'_> {
         scene
     }
 
-    /// Where the frames of all bodies are in space.
+    /// Poses of all bodies in space.
     fn poses_in_space(&self) -> Vec<Pose> {
         let mut arena = self.system.arena.clone();
         let entries = self.system.frames.iter().enumerate().flat_map(|(body, _)| self.system.orientation(&mut arena, body));
@@ -72,7 +72,7 @@ impl Composer<'_> {
         places.zip(values.chunks(COSINES)).map(pose).collect()
     }
 
-    /// Gives a joint its arguments.
+    /// Adds the arguments of a joint.
     fn give(&self, joint: &mut Joint, made: &Instantiation) {
         for (name, argument) in &made.arguments {
             match argument {
@@ -95,7 +95,7 @@ impl Composer<'_> {
         }
     }
 
-    /// The rate of a drive's law; that of a Rust function is not known here.
+    /// Rate of a drive's law; NaN for a Rust function, which the compiler cannot call.
     fn rate(&self, joint: usize) -> f64 {
         if let Some(rate) = self.model.sketch.rates.get(joint) {
             return rate.map_or(f64::NAN, |rate| self.values(&[rate])[0]);
@@ -117,7 +117,7 @@ impl Composer<'_> {
     }
 }
 
-/// Where the frame of a body is in the plane.
+/// Pose of a body in the plane.
 fn pose(system: &System, body: usize, q: &[f64]) -> Pose {
     let [mut x, mut y, mut angle] = [0.0; 3];
     for (unknown, value) in system.coordinates.iter().zip(q).filter(|(unknown, _)| unknown.body == body) {
@@ -125,7 +125,7 @@ fn pose(system: &System, body: usize, q: &[f64]) -> Pose {
             Role::Position(Axis::X) => x = *value,
             Role::Position(Axis::Y) => y = *value,
             Role::Angle => angle = *value,
-            // These are coordinates of space.
+            // Coordinates that occur in space only.
             Role::Position(Axis::Z) | Role::Displacement | Role::Quaternion(_) => {}
         }
     }

@@ -3,7 +3,7 @@
 /// Rounding errors of an inertia at a bound.
 const ROUNDING: f64 = 1e-12;
 
-/// True if the second moments ∫ x xᵀ dm = ½ tr(I) − I are those of a distribution of mass: positive semidefinite.
+/// True if the inertia belongs to a possible mass distribution: the second moments ∫ x xᵀ dm = ½ tr(I) − I are positive semidefinite.
 pub(crate) fn is_inertia([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> bool {
     let half = 0.5 * (xx + yy + zz);
     let size = half.abs() * (1.0 + ROUNDING);

@@ -13,7 +13,7 @@ pub enum Axis {
     Z,
 }
 
-/// Where the bodies of a mechanism move.
+/// Motion of the bodies in the plane or in space.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Ambient {
     /// In the plane: x, y and one angle.

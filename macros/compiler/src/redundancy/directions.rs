@@ -1,7 +1,7 @@
-//! Two joints in space that keep one axis each of the same two bodies on one direction.
+//! Pairs of spatial joints between the same two bodies, each with a common axis direction.
 //!
-//! In: a model with the relations of its joints. Out: a refusal where the axes differ: with the same angle between them on both bodies
-//! nothing can turn, with another angle the joints contradict each other. Axes of one direction, joints that let
+//! In: a model with the relations of its joints. Out: a refusal if the two axis directions differ. If they enclose the same angle on both
+//! bodies, the bodies cannot rotate relative to each other; if not, the joints contradict each other. Parallel axes, joints that let
 //! bodies slide, and redundant joints are left to the other tests.
 
 use crate::diag::{Diag, SystemFact};
@@ -11,10 +11,10 @@ use crate::numeric::at_defaults;
 use crate::syntax::ast::Closing;
 use crate::system::System;
 
-/// Axes closer than this, in rad, have one direction.
+/// Axes with a smaller angle between them than this, in rad, are parallel.
 const APART: f64 = 1e-7;
 
-/// A joint that keeps an axis of one body on an axis of another; `None` is ground.
+/// A joint that keeps an axis of one body parallel to an axis of another; `None` is ground.
 struct Kept {
     joint: usize,
     bodies: [Option<usize>; 2],
@@ -22,7 +22,7 @@ struct Kept {
 }
 
 impl Kept {
-    /// By the relations of joints that are not declared as redundant, the body of the lower number first.
+    /// Such joints, except redundant ones; the body with the lower number comes first.
     fn of(model: &Model) -> Vec<Kept> {
         let kept = |(joint, _, relation): &(usize, usize, Relationship)| {
             let Relationship::SameDirection(one, two) = relation else { return None };
@@ -36,7 +36,7 @@ impl Kept {
     }
 }
 
-/// Refuses the later one of two such joints.
+/// Refuses the later joint of each pair with different axis directions.
 pub(super) fn axes_agree(model: &Model, system: &System, diag: &mut Diag) -> Option<()> {
     if model.closing != Closing::Deny || !model.task.is_determined() {
         return Some(());
@@ -61,12 +61,12 @@ pub(super) fn axes_agree(model: &Model, system: &System, diag: &mut Diag) -> Opt
     diag.is_clean().then_some(())
 }
 
-/// True if a joint keeps a point in place as well.
+/// True if the joint also keeps two points coincident.
 fn is_hinge(model: &Model, joint: usize) -> bool {
     model.space.relations.iter().any(|(other, _, relation)| *other == joint && matches!(relation, Relationship::Coincident(..)))
 }
 
-/// Angle between two lines of one body at the declared defaults, at most a right one.
+/// Angle between two lines of one body at the declared defaults, at most π/2, in rad.
 fn angle(model: &Model, system: &System, one: [Expr; 3], two: [Expr; 3]) -> f64 {
     let values = at_defaults(model, system, |numeric| evaluate(&model.arena, &[one, two].concat(), &numeric.known));
     let (one, two) = values.split_at(3);

@@ -90,7 +90,7 @@ impl<'a> ExactDependence<'a> {
     }
 }
 
-/// Coordinates that can move where one freedom is left out, angles first.
+/// Coordinates that can move if one freedom is left out, angles first.
 fn free_beside(model: &Model, system: &System, freedom: usize) -> Vec<String> {
     let mut pattern = system.pattern.clone();
     let of_freedom = pattern.rows.iter_mut().zip(&system.equations).filter(|(_, equation)| equation.joint == freedom);
@@ -107,8 +107,8 @@ fn free_beside(model: &Model, system: &System, freedom: usize) -> Vec<String> {
     names
 }
 
-/// What is left of a row where it is a number: 0 if the row follows from others, another number if it contradicts them. `None` if it
-/// depends on parameters or time, or is a sum of roots that may be zero.
+/// Constant remainder of a row: 0 if the row depends on others, another number if it contradicts them. `None` if the remainder depends on
+/// parameters or time, or is a sum of roots that may be zero.
 fn remainder(system: &System, left: &Sum) -> Option<f64> {
     if left.is_constant() {
         return Some(left.constant.to_f64());
@@ -124,7 +124,7 @@ fn remainder(system: &System, left: &Sum) -> Option<f64> {
     (sum.is_finite() && sum.abs() > ROOTS).then_some(sum)
 }
 
-/// By how much a contradicting row is off; of two axes that are to have one direction, the angle between them.
+/// Size of the contradiction; for two axes of one direction, the angle between them.
 fn off(model: &Model, system: &System, found: &Dependent, own: &[(&Dependent, f64)]) -> String {
     let Equation { joint, row, dim, .. } = system.equations[found.row];
     let is_of_it = |row: usize, (at, first, relation): &(usize, usize, Relationship)| {
@@ -145,7 +145,7 @@ fn off(model: &Model, system: &System, found: &Dependent, own: &[(&Dependent, f6
 /// Joints of the rows on which a joint's rows depend, the joint itself left out.
 fn joints(model: &Model, system: &System, own: usize, found: &[&Dependent]) -> Vec<String> {
     let mut all: BTreeSet<usize> = found.iter().flat_map(|found| &found.others).map(|row| system.equations[*row].joint).collect();
-    // In space rows hold by the choice of the coordinates and are not eliminated.
+    // Rows in space that hold by the choice of coordinates are not eliminated; their joints are those of the loop.
     all.extend(system.loop_of(own));
     all.into_iter().filter(|joint| *joint != own).map(|joint| model.joints[joint].name.to_string()).collect()
 }

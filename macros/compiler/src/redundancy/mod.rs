@@ -25,7 +25,7 @@ pub(crate) use exact::ExactDependence;
 use rows::Rows;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What depends on what in a system.
+/// Redundant rows of a system.
 pub(crate) struct Redundancy<'a> {
     /// The equations that are checked instead of solved.
     pub(crate) rows: BTreeSet<usize>,

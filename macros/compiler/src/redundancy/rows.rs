@@ -25,7 +25,7 @@ impl Numeric<'_> {
 
     pub(super) fn rows(&self, subsystem: &Subsystem) -> Rows {
         let mut all: Vec<usize> = (0..subsystem.equations.len()).collect();
-        // Rows that hold by the choice of the coordinates blame their joint: its other rows come last.
+        // Rows that hold by the choice of coordinates indicate a redundant joint: the other rows of that joint come last.
         let blamed: BTreeSet<usize> = match &self.system.declared {
             Some(_) => self.resting().iter().map(|row| self.system.equations[*row].joint).collect(),
             None => BTreeSet::new(),
@@ -43,7 +43,7 @@ impl Numeric<'_> {
         let roots: Vec<Expr> = equations.iter().flat_map(|equation| equation.jacobian.iter().map(|(_, entry)| *entry)).collect();
         let mut evaluator = Evaluator::new(&self.system.arena, &roots);
         let mut values = vec![f64::NAN; roots.len()];
-        // Roundings of a row that holds by construction are no directions.
+        // Rounding errors of a row that holds by construction must not count as a gradient.
         let resting = self.system.declared.is_some().then(|| self.resting());
         let matrix = |pose: &Pose| {
             evaluator.run(&Values { time: pose.time, coordinates: &pose.q, ..self.known }, &mut values);

@@ -11,7 +11,7 @@
 //! 5. `blame`: reports.
 //! 6. `corners`: the same with parameters at the ends of their bounds.
 //!
-//! Only what was seen is refused: nothing is reported if a step is possible neither on the path nor along the curve, if a Rust function is
+//! Only observed events are refused: nothing is reported if a step is possible neither on the path nor along the curve, if a Rust function is
 //! needed, or if it would take too many operations.
 
 mod blame;

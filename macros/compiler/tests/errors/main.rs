@@ -1,5 +1,5 @@
-//! The pages of the error index: each page's wrong model is refused for the page's reason, its right models are accepted, and the page
-//! shows the compiler's message.
+//! The pages of the error index: the wrong model of each page is refused with the code of the page, its right models are accepted, and
+//! the page shows the compiler's message.
 //!
 //! `REULEAUX_GOLDEN=write cargo test -p reuleaux-compiler --test errors` writes the message under each wrong model. The doc tests of
 //! `reuleaux` check that rustc refuses and accepts the models too.

@@ -110,7 +110,7 @@ fn constraint(tokens: TokenStream) -> bool {
     !has_error
 }
 
-/// Resumes a mechanism with mutated definitions, since what a definition hands over may be broken too.
+/// Resumes a mechanism with mutated definitions, since definitions from other macro calls may be broken too.
 fn resumed(mechanism: TokenStream, random: &mut Random) {
     let definition = mutate::mutilated(corpus::definition(random), random);
     let known = mutate::mutilated(quote!(rolling { constraint rolling(P: Point) { P.x == 0; } }), random);

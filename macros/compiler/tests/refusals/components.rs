@@ -84,7 +84,7 @@ crate::refusals! {
     item part_in_a_component_that_is_not_used: "component Arm(P: Point) { part hand = Hand(«limb»); } component Hand(P: Point) { body palm {} joint j = weld(P, palm.position); }" => "nothing is called `limb` here\nnote: in `Arm.hand`";
     item zero_in_a_component_that_is_not_used: "component Arm(P: Point) { body limb {} joint j = distance(P, limb.position, «0mm»); }" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together\nnote: in `Arm.j`";
     item index_in_an_array_with_a_gap: "joint j[0] = translational(ground.u, ground.O, ram.B); joint j[2] = translational(ground.u, ground.O, ram.B); drive d = drive_along(j[«1»], 1mm);" => "there is no `j[1]`\nnote: there are `j[0]` and `j[2]`";
-    // A mistake in every part is reported for the first.
+    // A mistake in every part is reported for the first part only.
     mechanism joint_doubled_in_a_component: "mechanism Row { component Leg() { body b {} joint o = revolute(ground.position, b.position); joint «p» = revolute(b.position, ground.position); drive d = drive_angle(b, 1rpm * t); } for i in 0..4 { part leg[i] = Leg(); } }" => "`leg[0].p` demands the same as `leg[0].o`\nhelp: take one of them away";
     mechanism joint_doubled_in_a_loop: "mechanism Row { for i in 0..4 { body b[i] {} joint o[i] = revolute(ground.position, b[i].position); joint «p»[i] = revolute(b[i].position, ground.position); drive d[i] = drive_angle(b[i], 1rpm * t); } }" => "`p[0]` demands the same as `o[0]`\nhelp: take one of them away";
     mechanism nothing_at_the_default_in_a_component: "mechanism Row { component Leg() { param r: Length = 0mm; body b {} joint o = distance(ground.position, b.position, «r»); } for i in 0..4 { part leg[i] = Leg(); } }" => "a distance of zero cannot be differentiated where it holds: use `revolute` to keep two points together\nnote: it is 0 at the declared defaults";
@@ -107,7 +107,7 @@ fn joints_of_one_name_in_two_components_are_both_told() {
     }
 }
 
-/// Two conditions of one joint that fail are two mistakes.
+/// Two violated conditions of one joint are two mistakes.
 #[test]
 fn two_numbers_of_a_joint_that_are_wrong_are_both_told() {
     let leg = "component Leg() { param a: Number = 0; body b {} body c {} joint g = gear_pair(b, c, a, 2 * a); }";

@@ -1,4 +1,4 @@
-//! Forces, drives and freedoms that are written as something else.
+//! Forces, drives and freedoms written as items of another kind.
 
 crate::refusals! {
     mechanism torque_in_space_that_is_a_number: "mechanism M in space { ground { axis z = (0, 0, 1); } body arm { axis z = (0, 0, 1); point P = (1m, 0m, 0m); mass = 1kg; inertia = (1kgm2, 1kgm2, 1kgm2); } joint hinge = revolute(ground.position, ground.z, arm.position, arm.z); force f = { on arm: «5Nm»; } freedom s = hinge.angle; }" => "a torque in space is a vector along its axis, found a number\nhelp: write `5Nm * unit(arm.z)`, or its components in ground, `(0Nm, 0Nm, 5Nm)`";

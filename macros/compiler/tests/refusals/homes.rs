@@ -1,4 +1,4 @@
-//! Words of workshops and of other programs lead to the names of the library.
+//! Names from workshops and from other programs, with the names of the library that replace them.
 
 crate::refusals! {
     mechanism prismatic_as_an_item: "mechanism M { ground { axis u = (1, 0); } body a { } «prismatic» h = prismatic(ground.position, a.position); }" => "`prismatic` is no item of a mechanism\nhelp: write `joint h = translational(u, P, Q);`";

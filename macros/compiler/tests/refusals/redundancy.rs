@@ -95,8 +95,8 @@ fn checked(source: &str) -> Vec<String> {
     compiled.structure.checked.iter().map(name).collect()
 }
 
-/// With the y equation of the pin solved, the third crank would be singular when upright; with the x equation, only where the parallelogram
-/// is.
+/// With the pin's y equation solved, the third crank would be singular in its upright position; with the x equation, only where the
+/// parallelogram is singular too.
 #[test]
 fn what_is_solved_is_what_is_least_often_singular() {
     let drive = "redundant joint f = revolute(rod.R, third.P); drive i = drive_angle(crank, 60deg + 1rad_s * t);";

@@ -1,6 +1,6 @@
-//! Space: words that belong to the plane and the other way round, components, axes, hinges that hold too often.
+//! Space: names that belong to the plane and vice versa, components, axes, hinges that over-constrain.
 
-/// A body on a hinge of ground; `$rest` adds one item.
+/// A body on a hinge to ground; `$rest` adds one item.
 macro_rules! hinge {
     ($rest:literal) => {
         concat!(
@@ -60,7 +60,7 @@ macro_rules! four_bar {
     };
 }
 
-/// Sarrus' linkage, which lifts a platform straight; `$rest` closes the second of its chains.
+/// Sarrus' linkage, which lifts a platform in a straight line; `$rest` closes the second of its chains.
 macro_rules! sarrus {
     ($rest:literal) => {
         concat!(

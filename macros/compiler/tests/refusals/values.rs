@@ -49,7 +49,7 @@ crate::refusals! {
     mechanism a_length_in_millimetres_without_unit: "mechanism M { ground { point C = (400mm, 0mm); } body crank { point A = (100mm, 0mm); } body coupler { point B = (350, 0); } body rocker { point B = (300mm, 0mm); start angle = 70deg; } joint o = revolute(ground.position, crank.position); joint a = revolute(crank.A, coupler.position); joint b = revolute(coupler.B, rocker.B); joint «c» = revolute(rocker.position, ground.C); drive d = drive_angle(crank, 60rpm * t); }" => "`c` stays open by 349400 mm when `o`, `a` and `b` are closed\nnote: `crank` (100 mm) + `ground` (400 mm) + `rocker` (300 mm) is 349200 mm short of `coupler` (350000 mm)\nhelp: change a length or a place: no value of `d` helps\nnote: `350` has no unit: it is 350 m, where no other length exceeds 400 mm\nhelp: write `350mm`, or `350m` if it is meant";
 }
 
-/// Of more digits than can be stored exactly, the significant ones are kept.
+/// Numbers with more digits than can be stored exactly keep their significant digits.
 #[test]
 fn many_digits_are_read() {
     for number in [
@@ -66,7 +66,7 @@ fn many_digits_are_read() {
     }
 }
 
-/// Lengths without a unit are doubted where they are out of proportion, and only there.
+/// Lengths without a unit cause a warning if they are out of proportion, and only then.
 #[test]
 fn bare_lengths_out_of_proportion_are_doubted() {
     let doubts = |length: &str, items: &str| -> Vec<String> {
@@ -92,7 +92,7 @@ fn bare_lengths_out_of_proportion_are_doubted() {
     }
 }
 
-/// A declared name is no unit, whatever it is called.
+/// A declared name is never read as a unit.
 #[test]
 fn declared_names_are_no_units() {
     let source = "mechanism M { let s = 2; let m = 3; body b { point A = (3m / s, 0mm); mass = 1kg; inertia = 1kgm2; }

@@ -1,20 +1,20 @@
-//! What is drawn the same way throughout a motion: how far guides are used, and where ground lies below joints on it.
+//! Properties of a drawing that are shared by all frames of a motion: ranges of guides, and directions of ground at joints on it.
 
 use super::placed::{Of, Placed};
 use super::vector::{UP, Vec3};
 use std::collections::BTreeMap;
 
-/// What happens in a motion.
+/// Ranges and directions over a motion.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Customs {
-    /// By joint, the least and the largest displacement.
+    /// Least and largest displacement of each joint.
     ways: BTreeMap<usize, (f64, f64)>,
-    /// By joint on ground, the sum of the directions in which its body leaves it.
+    /// For each joint on ground, the sum of the directions in which its body leaves the joint.
     leaves: BTreeMap<usize, Vec3>,
 }
 
 impl Customs {
-    /// Of scenes in units of the picture.
+    /// Collects them from scenes in picture units.
     pub(crate) fn of(scenes: &[Placed]) -> Customs {
         let mut customs = Customs::default();
         for scene in scenes {
@@ -35,12 +35,12 @@ impl Customs {
         customs
     }
 
-    /// The least and the largest displacement of a joint.
+    /// Least and largest displacement of a joint.
     pub(crate) fn way(&self, joint: usize) -> (f64, f64) {
         self.ways.get(&joint).copied().unwrap_or_default()
     }
 
-    /// Downwards, unless the body hangs there.
+    /// Direction of ground: downwards, unless the body hangs below the joint.
     pub(crate) fn down(&self, joint: usize) -> Vec3 {
         let leaves = self.leaves.get(&joint).copied().and_then(Vec3::direction).unwrap_or_default();
         if leaves.z < -0.6 { UP } else { -UP }

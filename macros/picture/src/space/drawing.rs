@@ -1,7 +1,6 @@
-//! From a scene in space to shapes, those farthest from the eye first.
+//! From a spatial scene to shapes, from back to front.
 //!
-//! Symbols have one size in the picture, whatever the size of the mechanism: places are in units of the picture before anything is
-//! drawn, still in space.
+//! Symbols have one size in the picture, whatever the size of the mechanism: the scene is scaled to picture units before the projection.
 
 use super::customs::Customs;
 use super::pen::Pen;
@@ -15,22 +14,22 @@ use crate::picture::ALL_NAMED;
 use crate::pins::together;
 use crate::plane::{Place, hull};
 
-/// Places nearer to each other than this are one in the picture.
+/// Places nearer to each other than this coincide in the picture.
 pub(crate) const NEAR: f64 = 1.0;
 
-/// Points nearer to a plane are in it.
+/// Points nearer to a plane than this lie in it.
 const FLAT: f64 = 4.0;
 
-/// Bars nearer to each other in depth meet rather than pass.
+/// Bars whose depths differ by less than this meet instead of passing each other.
 const PASSING: f64 = 5.0;
 
-/// Shapes at a depth.
+/// Shapes with a common depth.
 struct Piece {
     depth: f64,
     items: Vec<DrawnItem>,
 }
 
-/// A straight part of a body or of a rod.
+/// A straight segment of a body or of a rod.
 #[derive(Clone, Copy, Debug)]
 struct Bar {
     ends: [Vec3; 2],
@@ -38,33 +37,33 @@ struct Bar {
     body: Option<usize>,
 }
 
-/// A body while it is drawn.
+/// A body while the picture is drawn.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Shape {
-    /// Its points, and where the links to them end.
+    /// Points, each with the position where links to it end.
     pub(crate) ends: Vec<(Vec3, Vec3)>,
-    /// Parts besides the links between its points.
+    /// Segments besides the links between the points.
     pub(crate) bars: Vec<(Vec3, Vec3)>,
-    /// Something else shows where it is.
+    /// True if another symbol shows the position of the body.
     pub(crate) is_shown: bool,
 }
 
-/// A picture in the making.
+/// A drawing in progress.
 pub(crate) struct Drawing<'a> {
     pub(crate) scene: &'a Placed,
     pub(crate) sight: &'a Sight,
     pub(crate) customs: &'a Customs,
     pub(crate) wheels: &'a Wheels,
-    /// By body.
+    /// Indexed by body.
     pub(crate) shapes: Vec<Shape>,
     pub(crate) canvas: Canvas,
     pieces: Vec<Piece>,
     bars: Vec<Bar>,
-    /// Joints by place.
+    /// Names of joints by place.
     names: Vec<(Vec3, Vec<String>)>,
-    /// Sleeves and blocks, on which other joints may be: where, and how deep.
+    /// Sleeves and blocks, which may carry other joints: position and depth.
     pub(crate) tops: Vec<(Vec3, f64)>,
-    /// Arrows that turn: where, and on which side.
+    /// Curved arrows: position and side.
     pub(crate) arrows: Vec<(Vec3, Vec3)>,
 }
 
@@ -87,7 +86,7 @@ pub(crate) fn draw(scene: &Placed, sight: &Sight, customs: &Customs) -> Canvas {
     (0..scene.joints.len()).for_each(|joint| drawing.prepare(joint));
     wheels.show(&mut drawing);
     (0..scene.bodies.len()).for_each(|body| drawing.body(body));
-    // What is on a guide lies above it.
+    // Guides are drawn first: their depth decides that of joints on them.
     let is_guide = |joint: &usize| ["translational", "cylindrical", "screw", "planar"].contains(&scene.joints[*joint].kind.as_str());
     (0..scene.joints.len()).filter(is_guide).for_each(|joint| drawing.joint(joint));
     (0..scene.joints.len()).filter(|joint| !is_guide(joint)).for_each(|joint| drawing.joint(joint));
@@ -109,7 +108,7 @@ fn shape(points: &[Vec3]) -> Shape {
 }
 
 impl Shape {
-    /// From one of its points to the middle of its others, as far as it is across `axis`.
+    /// Direction from one point to the mean of the others, perpendicular to `axis`.
     pub(crate) fn away(&self, from: Vec3, axis: Vec3) -> Option<Vec3> {
         let others: Vec<Vec3> = self.ends.iter().map(|(at, _)| *at).filter(|at| (*at - from).norm() > NEAR).collect();
         let bars = self.bars.iter().filter(|(one, _)| (*one - from).norm() < NEAR).map(|(_, two)| *two);
@@ -121,7 +120,7 @@ impl Shape {
         if way.norm() > 2.0 { way.direction() } else { None }
     }
 
-    /// Links to a point end elsewhere.
+    /// Ends the links to point `at` at `end`.
     pub(crate) fn end_at(&mut self, at: Vec3, end: Vec3) {
         if let Some(own) = self.ends.iter_mut().find(|(known, _)| (*known - at).norm() < NEAR) {
             own.1 = end;
@@ -134,18 +133,18 @@ impl<'a> Drawing<'a> {
         Pen { sight: self.sight, title: title.to_owned(), items: Vec::new() }
     }
 
-    /// Adds what a pen has drawn.
+    /// Adds the shapes of a pen at a depth.
     pub(crate) fn put(&mut self, depth: f64, pen: Pen) {
         self.pieces.push(Piece { depth, items: pen.items });
     }
 
-    /// Adds what lies above the links that end at a place.
+    /// Adds the shapes of a pen in front of the links that end at a place.
     pub(crate) fn put_on(&mut self, at: Vec3, pen: Pen) {
         let depth = self.depth_on(at);
         self.put(depth, pen);
     }
 
-    /// A little nearer to the eye than the links that end at a place.
+    /// Depth slightly in front of the links that end at a place.
     pub(crate) fn depth_on(&self, at: Vec3) -> f64 {
         let halves = self.bars.iter().flat_map(|bar| [(bar.ends[0], bar.ends[1]), (bar.ends[1], bar.ends[0])]);
         let own = halves.filter(|(one, _)| (*one - at).norm() < 16.0).map(|(one, two)| self.sight.depth(one * 0.75 + two * 0.25));
@@ -153,13 +152,13 @@ impl<'a> Drawing<'a> {
         own.chain(tops).fold(self.sight.depth(at), f64::max) + 0.5
     }
 
-    /// A link goes from near a place in a direction.
+    /// True if a link leaves a place in this direction.
     pub(crate) fn is_taken(&self, at: Vec3, way: Vec3) -> bool {
         let ends = self.bars.iter().flat_map(|bar| [(bar.ends[0], bar.ends[1]), (bar.ends[1], bar.ends[0])]);
         ends.into_iter().any(|(one, two)| (one - at).norm() < 1.6 * SIZE && (two - one).unit().dot(way) > 0.9)
     }
 
-    /// A joint is at a place.
+    /// Records the name of a joint at a place.
     pub(crate) fn name(&mut self, at: Vec3, name: &str) {
         match self.names.iter_mut().find(|(known, _)| (*known - at).norm() < NEAR) {
             Some((_, names)) => names.push(name.to_owned()),
@@ -167,7 +166,7 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// `o: revolute of ground and crank`; of very many only the name.
+    /// `o: revolute of ground and crank`; the name alone in a mechanism of very many bodies.
     pub(crate) fn title(&self, joint: &Sign) -> String {
         if self.scene.bodies.len() > ALL_NAMED {
             return joint.name.clone();
@@ -181,7 +180,7 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// A straight part in two halves, each at a depth of its own.
+    /// Draws a straight segment in two halves, each with its own depth.
     pub(crate) fn bar(&mut self, title: &str, layer: Layer, ink: Ink, body: Option<usize>, one: Vec3, two: Vec3) {
         let middle = (one + two) * 0.5;
         for (from, to) in [(one, middle), (middle, two)] {
@@ -192,7 +191,7 @@ impl<'a> Drawing<'a> {
         self.bars.push(Bar { ends: [one, two], ink, body });
     }
 
-    /// Links, a plate, or a dot.
+    /// Draws a body as links, as a plate, or as a dot.
     fn body(&mut self, number: usize) {
         let (name, shape) = (self.scene.bodies[number].name.clone(), self.shapes[number].clone());
         let points: Vec<Vec3> = shape.ends.iter().map(|(at, _)| *at).collect();
@@ -240,7 +239,7 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// What passes in front of a bar is set off from it.
+    /// Interrupts bars where another body's bar passes in front of them.
     fn crossings(&mut self) {
         let bars = self.bars.clone();
         for (index, one) in bars.iter().enumerate() {
@@ -270,7 +269,7 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// Where two segments cross as they are seen, as parts of their lengths; not near their ends.
+    /// Crossing of two segments in the projection, as fractions of their lengths; `None` near their ends.
     fn crossing(&self, [a, b]: [Vec3; 2], [c, d]: [Vec3; 2]) -> Option<[f64; 2]> {
         let [a, b, c, d] = [a, b, c, d].map(|at| self.sight.at(at));
         let (v, w) = (b - a, d - c);
@@ -283,16 +282,16 @@ impl<'a> Drawing<'a> {
         (is_inside(s, v.norm()) && is_inside(t, w.norm())).then_some([s, t])
     }
 
-    /// Puts everything into its order.
+    /// Sorts all shapes by depth and places the names of joints.
     fn finish(mut self) -> Canvas {
         for (at, names) in std::mem::take(&mut self.names) {
-            // In the order declared.
+            // In the order of declaration.
             let mut names = names;
             names.sort_by_key(|name| self.scene.joints.iter().position(|joint| joint.name == *name));
             let names = together(names.iter().map(String::as_str));
             self.canvas.wish(Subject::Joint, &names, Near::Point(self.sight.at(at), 10.0));
         }
-        // Rounding shall not change the order of what is at one depth.
+        // Depths are rounded, so that rounding errors do not change the order of shapes at equal depth.
         self.pieces.sort_by_key(|piece| (piece.depth * 8.0).round() as i64);
         self.canvas.items = self.pieces.into_iter().flat_map(|piece| piece.items).collect();
         self.canvas
@@ -303,7 +302,7 @@ fn along([from, to]: [Vec3; 2], part: f64) -> Vec3 {
     from + (to - from) * part
 }
 
-/// The points, if they lie in a plane and not on a line.
+/// The points, if they are coplanar but not collinear.
 fn plate(points: &[Vec3]) -> Option<Vec<Vec3>> {
     let first = *points.first()?;
     let far = |away: &dyn Fn(Vec3) -> f64| points.iter().copied().max_by(|a, b| away(*a).total_cmp(&away(*b)));
@@ -314,7 +313,7 @@ fn plate(points: &[Vec3]) -> Option<Vec<Vec3>> {
     (side.norm() > 2.0 * FLAT && is_flat).then(|| points.to_vec())
 }
 
-/// The shortest links that connect all places.
+/// Minimum spanning tree of the places.
 fn tree(places: &[Vec3]) -> Vec<(Vec3, Vec3)> {
     let mut links = Vec::new();
     let mut reached: Vec<Vec3> = places.first().copied().into_iter().collect();

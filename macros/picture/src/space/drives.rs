@@ -1,4 +1,4 @@
-//! Drives in space: an arrow about the axis of what turns, a straight one beside what is pushed.
+//! Drive arrows in space: curved ones about axes of rotation, straight ones beside translating bodies.
 
 use super::drawing::Drawing;
 use super::pen::Pen;
@@ -10,17 +10,17 @@ use crate::canvas::{Ink, Layer, Near, Subject};
 /// The radius of a curved arrow.
 const RADIUS: f64 = 15.0;
 
-/// How far a curved arrow goes to either side (rad).
+/// Half the angle of a curved arrow (rad).
 const SWEEP: f64 = 2.25;
 
 /// The length of a straight arrow.
 const ARROW: f64 = 34.0;
 
-/// Where something turns or slides: a place, the axis, and how far the symbol of the joint reaches along it.
+/// Position of a joint, its axis, and the extent of its symbol along the axis.
 pub(crate) type Seat = (Vec3, Vec3, f64);
 
 impl Drawing<'_> {
-    /// The drive is drawn as an arrow.
+    /// True if the drive is drawn as an arrow.
     pub(crate) fn is_arrow(&self, number: usize) -> bool {
         self.pushed(number).is_some() || self.turned(number).is_some()
     }
@@ -37,7 +37,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// In which direction something is pushed, and the middle of the arrow.
+    /// Direction of a driven translation, and the centre of the arrow.
     fn pushed(&self, number: usize) -> Option<(Vec3, Vec3)> {
         let drive = &self.scene.joints[number];
         let free = |along: Vec3| {
@@ -54,7 +54,7 @@ impl Drawing<'_> {
                 let own = self.joint_between([p.body, q.body], a.at).and_then(|joint| self.seat(joint));
                 let (at, ..) = own.unwrap_or(((p.at + q.at) * 0.5, a.at, 0.0));
                 let side = a.at.cross(self.sight.camera.toward).direction()?;
-                // Above, or to the right of what stands upright.
+                // Above the guide, or to the right of a vertical guide.
                 let height = side.dot(self.sight.camera.up);
                 let side = if height < -0.05 || height.abs() <= 0.05 && side.dot(self.sight.camera.right) < 0.0 { -side } else { side };
                 Some((a.at, at + side * 16.0))
@@ -62,13 +62,13 @@ impl Drawing<'_> {
         }
     }
 
-    /// What is turned, and the joint that holds it.
+    /// Axis of a driven rotation, and the joint on it.
     fn turned(&self, number: usize) -> Option<(Seat, Option<usize>)> {
         let made = self.scene.joints[number].given.joints().iter().find(|made| made.kind == "angle")?;
         self.seat_of(made)
     }
 
-    /// Where an angle is one of a joint.
+    /// Axis of a joint angle, and the joint that has this angle.
     pub(crate) fn seat_of(&self, made: &Made) -> Option<(Seat, Option<usize>)> {
         let (a, b) = (made.given.axis("a")?, made.given.axis("b")?);
         let own =
@@ -81,12 +81,12 @@ impl Drawing<'_> {
         Some(((at, a.at, 0.0), None))
     }
 
-    /// The joint between two bodies about, or along, an axis.
+    /// The joint between two bodies with this axis.
     fn joint_between(&self, bodies: [Option<usize>; 2], axis: Vec3) -> Option<usize> {
         self.scene.joint_on(axis, |p, q| [p, q] == bodies || [q, p] == bodies)
     }
 
-    /// The first joint of a body about, or along, an axis.
+    /// The first joint of a body with this axis.
     fn joint_of(&self, body: Option<usize>, axis: Vec3) -> Option<usize> {
         body.and_then(|_| self.scene.joint_on(axis, |p, q| p == body || q == body))
     }
@@ -95,7 +95,7 @@ impl Drawing<'_> {
         let drive = &self.scene.joints[number];
         let (title, name, rate) = (self.title(drive), drive.name.clone(), drive.rate);
         let reach = self.wheels.reach(at, axis).max(reach);
-        // In front, unless ground or another arrow is there.
+        // In front of the joint, unless ground or another arrow is there.
         let down = holder.map_or(Vec3::default(), |joint| self.customs.down(joint));
         let side = [axis, -axis].into_iter().min_by(|one, two| self.against(at, *one, down).total_cmp(&self.against(at, *two, down)));
         let side = side.unwrap_or(axis);
@@ -132,7 +132,7 @@ impl Drawing<'_> {
         self.canvas.wish(Subject::Drive, &name, Near::Segments(segments));
     }
 
-    /// What is against an arrow on this side.
+    /// Cost of an arrow on this side of a joint.
     fn against(&self, at: Vec3, side: Vec3, down: Vec3) -> f64 {
         let is_on_ground = down.dot(side) > 0.75;
         let arrows = self.arrows.iter().filter(|(known, along)| (*known - at).norm() < 1.0 && along.dot(side) > 0.9).count();

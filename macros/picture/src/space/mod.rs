@@ -1,10 +1,10 @@
-//! Mechanisms in space: an axonometric drawing, from a direction that is chosen so that most is seen.
+//! Spatial mechanisms: an axonometric drawing, from a direction that is chosen for visibility.
 //!
 //! ```text
 //! Scene ─placed─▶ Placed (m) ─view─▶ Placed (units of the picture) ─drawing, symbols, wheels, drives─▶ Canvas
 //! ```
 //!
-//! What lies far from the eye is drawn first. Words and SVG are those of the plane.
+//! Shapes are drawn from back to front. Labels and SVG are handled as in the plane.
 
 mod customs;
 mod drawing;
@@ -33,23 +33,23 @@ use placed::Placed;
 use view::Camera;
 use wheels::Wheels;
 
-/// What is drawn fits into this, where nothing would become too small.
+/// Usual size of the drawing; exceeded only if the shortest link would become too short.
 const USUAL: Place = Place { x: 420.0, y: 330.0 };
 
-/// What is drawn never becomes larger.
+/// Largest size of the drawing.
 const LARGEST: Place = Place { x: 620.0, y: 500.0 };
 
-/// The shortest link should be this long.
+/// Wanted length of the shortest link.
 const SHORTEST: f64 = 70.0;
 
-/// What was drawn.
+/// Canvases in one projection.
 pub(crate) struct Stage {
     /// One for each scene.
     pub(crate) canvases: Vec<Canvas>,
     pub(crate) sight: Sight,
 }
 
-/// Draws scenes, all as they are seen from one place.
+/// Draws all scenes in one projection.
 pub(crate) fn stage(scenes: &[Scene]) -> Result<Stage, Undrawable> {
     let placed = scenes.iter().map(Placed::of).collect::<Result<Vec<_>, _>>()?;
     let camera = Camera::best(&placed);
@@ -60,14 +60,14 @@ pub(crate) fn stage(scenes: &[Scene]) -> Result<Stage, Undrawable> {
     Ok(Stage { canvases, sight })
 }
 
-/// The least distance of two points that are apart, as they are seen, as a part of the whole.
+/// Least projected distance of two distinct points, relative to the size of the mechanism.
 pub(crate) fn clearance(scene: &Scene) -> Result<f64, Undrawable> {
     let placed = Placed::of(scene)?;
     let camera = Camera::best(std::slice::from_ref(&placed));
     Ok(view::clearance(&placed, &camera))
 }
 
-/// So that all scenes are seen.
+/// Projection with room for all scenes.
 fn sight(scenes: &[Placed], camera: Camera) -> Result<Sight, Undrawable> {
     let mut frame = Rectangle::empty();
     let mut shortest = f64::INFINITY;
@@ -85,7 +85,7 @@ fn sight(scenes: &[Placed], camera: Camera) -> Result<Sight, Undrawable> {
     if !(frame.low.is_finite() && frame.high.is_finite() && size.is_finite()) {
         return Err(Undrawable::Nowhere);
     }
-    // What is shorter than this is no link but an offset.
+    // A shorter distance between points is an offset, not a link.
     let shortest = shortest.max(0.04 * size.norm());
     let fit = |most: Place| (most.x / size.x).min(most.y / size.y);
     let (least, most) = (fit(USUAL), fit(LARGEST));
@@ -95,7 +95,7 @@ fn sight(scenes: &[Placed], camera: Camera) -> Result<Sight, Undrawable> {
 }
 
 impl Stage {
-    /// The axes of ground in a corner that is free in all pictures, or below them.
+    /// The axes of ground in a corner that is free in all frames, or below the picture.
     pub(crate) fn axes<'a>(&self, sheets: impl Iterator<Item = (&'a Canvas, &'a [Word])> + Clone, frame: Rectangle) -> Axes {
         let camera = &self.sight.camera;
         let seen = [camera.right, camera.up];
@@ -111,7 +111,7 @@ impl Stage {
             })
         };
         let corners = [place(low.x, high.y), place(high.x, high.y), low, place(high.x, low.y)];
-        // A part of them may stand out from the frame.
+        // Candidates that extend beyond the frame.
         let more = corners.into_iter().zip([place(-1.0, 1.0), place(1.0, 1.0), place(-1.0, -1.0), place(1.0, -1.0)]);
         let candidates: Vec<Place> =
             [0.0, 12.0, 24.0, 38.0].into_iter().flat_map(|out| more.clone().map(move |(at, way)| at + way * out)).collect();

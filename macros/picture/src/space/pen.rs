@@ -1,4 +1,4 @@
-//! Shapes in space as they are seen: lines, areas, cylinders, boxes and balls.
+//! Projected shapes: lines, areas, cylinders, boxes and balls.
 
 use super::vector::Vec3;
 use super::view::Sight;
@@ -6,7 +6,7 @@ use crate::canvas::{DrawnItem, Ink, Layer, Stroke};
 use crate::plane::{Place, hull, place};
 use core::f64::consts::TAU;
 
-/// Draws the shapes of one thing.
+/// Draws the shapes of one item.
 pub(crate) struct Pen<'a> {
     pub(crate) sight: &'a Sight,
     pub(crate) title: String,
@@ -34,7 +34,7 @@ impl Pen<'_> {
         self.draw(layer, ink, Stroke::Closed(self.seen(corners)));
     }
 
-    /// An arrow head with its tip there.
+    /// An arrow head with its tip at `tip`.
     pub(crate) fn head(&mut self, tip: Vec3, along: Vec3) {
         let (tip, way) = (self.sight.at(tip), self.sight.at(along));
         if way.norm() > 1e-3 {
@@ -48,38 +48,38 @@ impl Pen<'_> {
         self.draw(Layer::Pin, ink, Stroke::Circle(self.sight.at(at), radius));
     }
 
-    /// Part of a circle on the screen.
+    /// Part of a circle in the plane of projection.
     pub(crate) fn arc(&mut self, ink: Ink, at: Vec3, radius: f64, from: f64, to: f64) {
         self.draw(Layer::Pin, ink, Stroke::Arc(self.sight.at(at), radius, from, to));
     }
 
-    /// The ellipse that a circle is seen as.
+    /// Projection of a circle: semi-major axis as a vector, length of the semi-minor axis.
     fn ellipse(&self, normal: Vec3, radius: f64) -> (Place, f64) {
         let axis = self.sight.at(normal);
         let major = if axis.norm() > 1e-6 { axis.unit().perp() } else { place(1.0, 0.0) };
         (major * radius, self.sight.depth(normal).abs() * radius)
     }
 
-    /// A circle.
+    /// A disc.
     pub(crate) fn disc(&mut self, layer: Layer, ink: Ink, at: Vec3, normal: Vec3, radius: f64) {
         let (major, minor) = self.ellipse(normal, radius);
         self.draw(layer, ink, Stroke::Ellipse(self.sight.at(at), major, minor));
     }
 
-    /// A cylinder between two places without the light on its end.
+    /// A cylinder between two points, without the highlight on its end.
     pub(crate) fn mantle(&mut self, layer: Layer, ink: Ink, from: Vec3, to: Vec3, radius: f64) {
         let (major, minor) = self.ellipse((to - from).unit(), radius);
         self.draw(layer, ink, Stroke::Tube([self.sight.at(from), self.sight.at(to)], major, minor));
     }
 
-    /// A cylinder between two places.
+    /// A cylinder between two points.
     pub(crate) fn tube(&mut self, layer: Layer, ink: Ink, from: Vec3, to: Vec3, radius: f64) {
         self.mantle(layer, ink, from, to, radius);
         let front = if self.sight.depth(to - from) >= 0.0 { to } else { from };
         self.disc(layer, Ink::Shine, front, (to - from).unit(), radius);
     }
 
-    /// A box, by its middle and half of its three edges.
+    /// A box, by its centre and its three half edges.
     pub(crate) fn block(&mut self, ink: Ink, middle: Vec3, halves: [Vec3; 3]) {
         let toward = halves.map(|half| if self.sight.depth(half) >= 0.0 { half } else { -half });
         let corner = |a: f64, b: f64, c: f64| middle + toward[0] * a + toward[1] * b + toward[2] * c;
@@ -87,7 +87,7 @@ impl Pen<'_> {
         let corners = (0..8_u32).map(|number| corner(sign(number), sign(number >> 1), sign(number >> 2)));
         let outline: Vec<Place> = corners.map(|at| self.sight.at(at)).collect();
         self.draw(Layer::Pin, ink, Stroke::Closed(hull(&outline)));
-        // The light falls from above.
+        // Light comes from above.
         let top = (0..3).max_by(|a, b| toward[*a].unit().z.total_cmp(&toward[*b].unit().z)).unwrap_or(2);
         let (one, two) = (toward[(top + 1) % 3], toward[(top + 2) % 3]);
         let face = [(1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (-1.0, 1.0)].map(|(a, b)| middle + toward[top] + one * a + two * b);
@@ -96,7 +96,7 @@ impl Pen<'_> {
         self.line(Layer::Pin, Ink::Thin, &[near, near - toward[top] * 2.0]);
     }
 
-    /// The half of a turn of a thread that is seen.
+    /// The visible half of one turn of a thread.
     pub(crate) fn half_turn(&self, at: Vec3, axis: Vec3, radius: f64, pitch: f64) -> Vec<Vec3> {
         let toward = self.sight.camera.toward.across(axis).direction().unwrap_or_else(|| axis.frame().0);
         let side = axis.cross(toward);
@@ -107,7 +107,7 @@ impl Pen<'_> {
         [-4, -2, 0, 2, 4].map(place).to_vec()
     }
 
-    /// Places on part of a circle in space: from `x` towards `y`, unit vectors at a right angle.
+    /// Points on part of a circle in space: from `x` towards `y`, two perpendicular unit vectors.
     pub(crate) fn on_circle(middle: Vec3, [x, y]: [Vec3; 2], radius: f64, from: f64, to: f64) -> Vec<Vec3> {
         let steps = ((to - from).abs() / TAU * 32.0).ceil().max(2.0) as usize;
         let at = |step: usize| {

@@ -1,4 +1,4 @@
-//! The mechanism in one configuration: every point where it lies in ground, in m or, as it is seen, in units of the picture.
+//! The mechanism in one configuration, with every point in ground coordinates: in m, or in picture units before the projection.
 
 use super::vector::{Vec3, vec3};
 use crate::placed::{FARTHEST, has_a_size_to_draw};
@@ -6,14 +6,14 @@ use crate::scene::{Argument, Fixed, GROUND, Joint, Scene, Turn, Vector};
 use crate::undrawable::Undrawable;
 use std::collections::BTreeMap;
 
-/// Everything where it lies.
+/// A scene with all points in ground coordinates.
 #[derive(Clone, Debug)]
 pub(crate) struct Placed {
     pub(crate) bodies: Vec<Solid>,
     pub(crate) joints: Vec<Sign>,
     /// Outputs that are points of bodies.
     pub(crate) outputs: Vec<(String, Vec3)>,
-    /// The length of a metre.
+    /// Picture units per metre; 1 while lengths are in m.
     pub(crate) scale: f64,
 }
 
@@ -23,7 +23,7 @@ pub(crate) struct Solid {
     pub(crate) name: String,
     pub(crate) origin: Vec3,
     rotation: [[f64; 3]; 3],
-    /// Its declared points, and those that joints take hold of.
+    /// Declared points, and points at which joints act.
     pub(crate) points: Vec<Vec3>,
 }
 
@@ -40,14 +40,14 @@ pub(crate) struct Sign {
     pub(crate) name: String,
     pub(crate) kind: String,
     pub(crate) is_drive: bool,
-    /// The rate of a drive's law, in SI.
+    /// Rate of the drive's law, in SI.
     pub(crate) rate: f64,
     pub(crate) given: Given,
-    /// The bodies that it depends on.
+    /// Bodies on which the equations depend.
     pub(crate) bodies: Vec<Option<usize>>,
 }
 
-/// What a joint is made with.
+/// Arguments of a joint.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Given {
     points: Vec<(String, Of)>,
@@ -95,14 +95,14 @@ impl Given {
 }
 
 impl Sign {
-    /// Where the joint is: its first point and the axis through it, with the bodies that it joins.
+    /// The points P and Q of a joint and its axis, each with its body.
     pub(crate) fn hinge(&self) -> Option<(Of, Of, Of)> {
         Some((self.given.point("P")?, self.given.point("Q")?, self.given.axis("a")?))
     }
 }
 
 impl Placed {
-    /// Puts everything where it lies.
+    /// Transforms all points to ground coordinates.
     pub(crate) fn of(scene: &Scene) -> Result<Placed, Undrawable> {
         has_a_size_to_draw(scene)?;
         let frames = Frames::of(scene);
@@ -114,7 +114,7 @@ impl Placed {
                 bodies[body].points.push(of.at);
             }
         }
-        // A link that is held at one place only reaches to the origin of its frame.
+        // A body with a single point is drawn from it to the origin of its frame.
         for body in &mut bodies {
             if let Some(first) = body.points.first()
                 && body.points.iter().all(|at| (*at - *first).norm() <= 1e-9 * (*first - body.origin).norm())
@@ -135,14 +135,14 @@ impl Placed {
         if is_placed { Ok(placed) } else { Err(Undrawable::Nowhere) }
     }
 
-    /// All places that are named.
+    /// Positions of all bodies, joints and outputs.
     pub(crate) fn places(&self) -> impl Iterator<Item = Vec3> {
         let of_bodies = self.bodies.iter().flat_map(|body| if body.points.is_empty() { vec![body.origin] } else { body.points.clone() });
         let of_joints = self.joints.iter().flat_map(|joint| joint.given.points()).map(|of| of.at);
         of_bodies.chain(of_joints).chain(self.outputs.iter().map(|output| output.1))
     }
 
-    /// The same with every place changed, where lengths are so many times as large.
+    /// A copy with every point mapped by `change`; `scale` is the length of a metre in the result.
     pub(crate) fn seen(&self, scale: f64, change: impl Fn(Vec3) -> Vec3) -> Placed {
         let mut seen = Placed { scale, ..self.clone() };
         for body in &mut seen.bodies {
@@ -154,7 +154,7 @@ impl Placed {
         seen
     }
 
-    /// The first joint about, or along, an axis between such bodies.
+    /// The first joint with this axis between bodies that satisfy `is_between`.
     pub(crate) fn joint_on(&self, axis: Vec3, is_between: impl Fn(Option<usize>, Option<usize>) -> bool) -> Option<usize> {
         self.joints.iter().position(|joint| {
             let own = joint.hinge().filter(|_| !joint.is_drive && joint.kind != "rack_pinion");
@@ -169,13 +169,13 @@ impl Placed {
 }
 
 impl Solid {
-    /// The axes of its frame in ground.
+    /// Axes of the body's frame, in ground coordinates.
     pub(crate) fn columns(&self) -> [Vec3; 3] {
         let [one, two, three] = self.rotation;
         [0, 1, 2].map(|k| vec3(one[k], two[k], three[k]))
     }
 
-    /// The two of its points that are farthest apart.
+    /// The two points that are farthest apart.
     pub(crate) fn bar(&self) -> Option<(Vec3, Vec3)> {
         let pairs = self.points.iter().enumerate().flat_map(|(index, one)| self.points[index + 1..].iter().map(move |two| (*one, *two)));
         pairs.max_by(|a, b| (a.1 - a.0).norm().total_cmp(&(b.1 - b.0).norm()))
@@ -204,7 +204,7 @@ impl Frames<'_> {
             };
             Solid { name: body.name.clone(), origin: components(body.pose.position), rotation, points: Vec::new() }
         };
-        // Of two bodies with one name the first is meant.
+        // If two bodies share a name, the first is used.
         let numbers = scene.bodies.iter().enumerate().rev().map(|(number, body)| (body.name.as_str(), number)).collect();
         Frames { bodies: scene.bodies.iter().map(solid).collect(), numbers }
     }
@@ -238,7 +238,7 @@ impl Frames<'_> {
         Ok(Sign { name, kind, is_drive: joint.is_drive, rate: joint.rate, given, bodies })
     }
 
-    /// Each body once.
+    /// Collects the bodies of a joint, each once.
     fn bodies_of(&self, joint: &Joint, found: &mut Vec<Option<usize>>) -> Result<(), Undrawable> {
         for (_, argument) in &joint.arguments {
             match argument {

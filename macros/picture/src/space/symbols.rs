@@ -1,4 +1,4 @@
-//! Joints by their usual symbols (ISO 3952), in space.
+//! Symbols of spatial joints (ISO 3952).
 
 use super::drawing::{Drawing, NEAR};
 use super::pen::Pen;
@@ -16,30 +16,30 @@ const RADIUS: f64 = 6.5;
 /// The radius of a ball.
 const BALL: f64 = 5.6;
 
-/// The radius of the forks of a universal joint.
+/// Radius of the forks of a universal joint.
 const FORK: f64 = 14.0;
 
-/// Half of the width of a sleeve.
+/// Half the width of a sleeve.
 const SLEEVE: f64 = 6.5;
 
-/// Half of the side of a plate.
+/// Half the side of a plate.
 const PLATE: f64 = 24.0;
 
-/// The height of a hinge above the ground that holds it.
+/// Height of a hinge above its support on ground.
 const HEIGHT: f64 = 22.0;
 
-/// How one body slides along another.
+/// Symbol of a sliding joint.
 #[derive(Clone, Copy, Debug)]
 enum Slide {
-    /// A guide of ground along which a body goes: the body, and where it is held.
+    /// A body on a guide of ground: the body and its position.
     Guide { mover: Option<usize>, at: Vec3 },
-    /// One body reaches into another.
+    /// One body telescopes into the other.
     Telescope { outer: Of, inner: Of },
     /// A sleeve on a bar.
     Sleeve { at: Vec3, outer: Option<usize>, inner: Option<usize> },
 }
 
-/// Ground is grey.
+/// Fill of a block in the colour of its body; ground is grey.
 fn block(body: Option<usize>) -> Ink {
     Ink::Block(body.unwrap_or(usize::MAX))
 }
@@ -49,7 +49,7 @@ fn fork(body: Option<usize>) -> Ink {
 }
 
 impl Drawing<'_> {
-    /// What a joint adds to its bodies.
+    /// Symbols that a joint adds to its bodies.
     pub(crate) fn prepare(&mut self, number: usize) {
         let joint = &self.scene.joints[number];
         let points: Vec<Of> = joint.given.points().collect();
@@ -107,7 +107,7 @@ impl Drawing<'_> {
                 if self.scene.joints[number].kind != "screw" && way.abs() > 2.6 * SIZE {
                     return Slide::Telescope { outer: p, inner: Of { body: inner, at: p.at + axis * way } };
                 }
-                // A spindle turns in a bearing, and is what the nut sits on.
+                // The body that turns in a bearing is the spindle; the other is the nut.
                 let is_turned = |body: Option<usize>| {
                     self.scene.joints.iter().any(|other| other.kind == "revolute" && other.given.points().any(|of| of.body == body))
                 };
@@ -120,7 +120,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// In which direction the shaft leaves a fork, at a right angle to the arm of the cross that it holds.
+    /// Direction in which the shaft leaves its fork, perpendicular to the arm of the cross in that fork.
     fn fork_way(&self, number: usize, of: Of, axis: Vec3, other: Vec3) -> Vec3 {
         let own = of.body.and_then(|body| self.shapes[body].away(of.at, axis));
         let ground = || {
@@ -130,7 +130,7 @@ impl Drawing<'_> {
         own.unwrap_or_else(|| if of.body.is_none() { ground() } else { axis.cross(other).unit() })
     }
 
-    /// Draws a joint; drives that turn or push something wait.
+    /// Draws a joint. Arrows of drives are drawn after all other shapes.
     pub(crate) fn joint(&mut self, number: usize) {
         let scene = self.scene;
         let joint = &scene.joints[number];
@@ -170,7 +170,7 @@ impl Drawing<'_> {
         }
         self.centre_line(&title, at - axis * (SIZE / 2.0 + 13.0), at + axis * (SIZE / 2.0 + 13.0));
         let mut pen = self.pen(&title);
-        // A barrel of the second body between two of the first, those behind first.
+        // A barrel of the second body between two of the first, from back to front.
         let mut parts =
             vec![(at - half, at - half * 0.5, p.body), (at - half * 0.5, at + half * 0.5, q.body), (at + half * 0.5, at + half, p.body)];
         if self.sight.depth(axis) < 0.0 {
@@ -188,7 +188,7 @@ impl Drawing<'_> {
         self.name(at, &joint.name);
     }
 
-    /// Where a hinge is drawn: beside a wheel that would hide it.
+    /// Position of a hinge, moved aside if a wheel would hide it.
     fn hinge_at(&self, at: Vec3, axis: Vec3) -> Vec3 {
         let reach = self.wheels.reach(at, axis);
         if reach > SIZE / 2.0 { at - axis * (reach + SIZE / 2.0 + 5.0) } else { at }
@@ -202,7 +202,7 @@ impl Drawing<'_> {
         self.put(depth, pen);
     }
 
-    /// What holds a cylinder to ground: a pedestal below it, or a foot at its end.
+    /// The support of a cylinder on ground: a pedestal below it, or a post at its end.
     fn bearing(&mut self, number: usize, title: &str, at: Vec3, axis: Vec3) {
         let down = self.customs.down(number);
         if axis.z.abs() > 0.75 {
@@ -227,9 +227,9 @@ impl Drawing<'_> {
         self.put(self.sight.depth((from + foot) * 0.5), pen);
     }
 
-    /// A hatched patch of ground, which lies in the direction `into`.
+    /// A hatched patch of ground, facing away from the direction `into`.
     fn patch(&mut self, title: &str, at: Vec3, into: Vec3, along: Vec3) {
-        // Ground is level where it can be.
+        // The patch is horizontal unless the direction is nearly horizontal.
         let into = if into.z.abs() > 0.5 { UP * into.z.signum() } else { into };
         let one = along.across(into).direction().unwrap_or_else(|| into.frame().0);
         let two = into.cross(one);
@@ -239,7 +239,7 @@ impl Drawing<'_> {
         pen.area(Layer::Ground, Ink::Paper, &corners);
         let stroke = |part: i32| {
             let b = f64::from(part) / 2.0;
-            // Strokes at a slant, cut off at the edges.
+            // Slanting strokes, clipped at the edges.
             let (from, to) = ((b - 1.0).max(-1.0), (b + 1.0).min(1.0));
             vec![corner(from, (from - b).clamp(-1.0, 1.0)), corner(to, (to - b).clamp(-1.0, 1.0))]
         };
@@ -278,7 +278,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// The ends of a spindle from its point to beyond its nut.
+    /// Ends of a spindle, from its own point to beyond the nut.
     fn spindle(&self, nut: Vec3, own: Vec3, axis: Vec3) -> [Vec3; 2] {
         let reach = (own - nut).dot(axis);
         [nut + axis * (reach.min(0.0) - 24.0), nut + axis * (reach.max(0.0) + 24.0)]
@@ -298,7 +298,7 @@ impl Drawing<'_> {
         self.tops.push((at, depth));
     }
 
-    /// A rod along which something slides; ground holds it at its ends.
+    /// A rod that guides a sliding body; posts on ground hold it at its ends.
     fn rail(&mut self, number: usize, title: &str, [low, high]: [Vec3; 2], axis: Vec3, is_thread: bool, body: Option<usize>) {
         if is_thread {
             let middle = (low + high) * 0.5;
@@ -355,7 +355,7 @@ impl Drawing<'_> {
         let joint = &self.scene.joints[number];
         let (title, name) = (self.title(joint), joint.name.clone());
         let (one, two) = axis.frame();
-        // The plate of the second body lies on the other one.
+        // The plate of the second body lies on that of the first.
         let at = q.at;
         for (body, offset, half) in [(p.body, -2.5, PLATE), (q.body, 2.5, PLATE * 0.6)] {
             self.plate(&title, body, at + axis * offset, [one * half, two * half]);
@@ -431,7 +431,7 @@ impl Drawing<'_> {
         self.name(at, &joint.name);
     }
 
-    /// The direction (rad) in which a link leaves the socket of a joint.
+    /// Direction (rad) in which a link leaves the socket of a joint.
     fn open_side(&self, at: Vec3, ball: Option<usize>, socket: Option<usize>) -> f64 {
         let away = |body: Option<usize>| body.and_then(|body| self.shapes[body].away(at, Vec3::default()));
         let way = away(ball).or_else(|| away(socket).map(|way| -way)).map(|way| self.sight.at(way));
@@ -474,7 +474,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// A condition that has no shape of its own: its points are joined by a dashed line.
+    /// A condition without a symbol: a dashed line between its points.
     fn condition(&mut self, joint: &Sign) {
         let title = self.title(joint);
         let points: Vec<Vec3> = joint.given.points().map(|of| of.at).collect();
@@ -498,7 +498,7 @@ impl Drawing<'_> {
         self.canvas.wish(role, name, Near::Segments(vec![(self.sight.at(from), self.sight.at(to))]));
     }
 
-    /// Where a joint is drawn, its axis, and how far its symbol reaches along it.
+    /// Position of a joint's symbol, its axis, and the extent of the symbol along the axis.
     pub(crate) fn seat(&self, number: usize) -> Option<(Vec3, Vec3, f64)> {
         let joint = &self.scene.joints[number];
         let (p, q, a) = joint.hinge()?;

@@ -1,4 +1,4 @@
-//! In space: what is seen from where, where wheels touch, what symbols consist of. And whatever a scene says, there is no panic.
+//! Spatial drawings: direction of view, contacts of wheels, symbols. No scene causes a panic.
 
 use super::placed::Placed;
 use super::vector::{UP, Vec3, vec3};
@@ -10,7 +10,7 @@ use core::f64::consts::PI;
 
 const EYE: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// Turned about z.
+/// Rotation about z.
 fn about_z(angle: f64) -> [[f64; 3]; 3] {
     let (sine, cosine) = libm::sincos(angle);
     [[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]]
@@ -27,7 +27,7 @@ fn hinge(scene: &mut Scene, name: &str, kind: &str, [p, q]: [(&str, [f64; 3]); 2
     scene.joint(name, kind).point("P", p.0, p.1).axis("a", p.0, axis).point("Q", q.0, q.1).axis("b", q.0, axis);
 }
 
-/// A crank and a link that hangs on it by a ball.
+/// A crank and a rod connected by a ball joint.
 fn crank(angle: f64) -> Scene {
     let mut scene = Scene::new("Crank");
     scene.body("crank", Pose::space([0.0; 3], about_z(angle)));
@@ -51,7 +51,7 @@ fn a_projection_keeps_right_angles_and_the_upright() {
     let up = camera.project(UP);
     assert!(up.x.abs() < 1e-15 && (up.y - libm::cos(0.5)).abs() < 1e-15);
     assert!(camera.project(camera.toward).norm() < 1e-15);
-    // Seen from x and y, z turns to the left.
+    // Right, up and the direction towards the eye form a right-handed frame.
     assert!((camera.right.cross(camera.up) - camera.toward).norm() < 1e-15);
 }
 
@@ -81,7 +81,7 @@ fn no_axis_of_a_joint_is_seen_as_a_point() {
     }
 }
 
-/// Two wheels on ground, with a ratio of 10 to 16.
+/// Two wheels on ground, with the given numbers of teeth.
 fn wheels(axes: [[f64; 3]; 2], places: [[f64; 3]; 2], teeth: [f64; 2]) -> Scene {
     let mut scene = Scene::new("Wheels");
     for ((name, axis), at) in ["one", "two"].into_iter().zip(axes).zip(places) {
@@ -109,7 +109,7 @@ fn spur_gears_touch_by_their_ratio() {
     let is_near = |found: &[f64], wanted: [f64; 2]| found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-12);
     assert!(is_near(&radii([10.0, 16.0]), [0.05, 0.08]));
     assert!(is_near(&radii([10.0, -36.0]), [0.05, 0.18]));
-    // Both in one plane.
+    // Both wheels lie in one plane.
     assert!(of_wheels(&wheels([up, up], places, [1.0, 1.0])).iter().all(|wheel| wheel.0.z.abs() < 1e-12));
 }
 
@@ -137,7 +137,7 @@ fn joints_have_their_symbols_and_names() {
     let shown: Vec<&str> = picture.labels().iter().map(|label| label.text.as_str()).collect();
     assert!(["crank", "rod", "axle", "ball", "motor"].iter().all(|name| shown.contains(name)), "{shown:?}");
     let line = |title: &str| svg.lines().find(|line| line.contains(title)).unwrap_or_else(|| panic!("{title} in {svg}")).to_owned();
-    // A hinge: barrels of ground, of the crank, and of ground again; and its axis.
+    // A hinge: barrels of ground, of the crank, and of ground again, with the axis.
     let axle = svg.lines().find(|line| line.contains("axle: revolute of ground and crank") && line.matches("<path").count() == 4);
     let axle = axle.expect("a hinge");
     assert_eq!((axle.matches("class=\"k g\"").count(), axle.matches("class=\"k c0\"").count()), (2, 1));
@@ -145,7 +145,7 @@ fn joints_have_their_symbols_and_names() {
     // A ball in a socket.
     let ball = line("ball: spherical of crank and rod");
     assert!(ball.contains("<circle class=\"k c1\"") && ball.contains("class=\"f c0\""), "{ball}");
-    // The axes of ground, which are as long as they say.
+    // The axes of ground, with their length.
     assert!(["x", "y", "z"].iter().all(|name| svg.contains(&format!(">{name}</text>"))) && svg.contains(">axes "));
 }
 
@@ -161,7 +161,7 @@ fn slides_screws_and_universal_joints_have_their_symbols() {
         let svg = with(kind, 0.2);
         assert!(svg.len() > plain.len() && svg.contains(&format!("<title>more: {kind} of ground and rod</title>")), "{svg}");
     }
-    // A condition on directions alone is said below.
+    // A condition on directions alone becomes a caption.
     let mut scene = crank(0.7);
     scene.joint("level", "parallel_axes").axis("a", GROUND, [0.0, 0.0, 1.0]).axis("b", "rod", [0.0, 0.0, 1.0]);
     assert!(scene.svg().contains(">level: parallel_axes of ground and rod</text>"));

@@ -1,8 +1,8 @@
-//! Places and directions in space.
+//! Points and vectors in space.
 
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// A place or a vector; in m before it is seen, in units of the picture afterwards.
+/// A point or a vector: in m before scaling, in picture units afterwards.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Vec3 {
     pub(crate) x: f64,
@@ -30,23 +30,23 @@ impl Vec3 {
         libm::hypot(libm::hypot(self.x, self.y), self.z)
     }
 
-    /// With unit length, if it has a direction.
+    /// Unit vector, unless the vector vanishes.
     pub(crate) fn direction(self) -> Option<Vec3> {
         let norm = self.norm();
         (norm > 0.0 && norm.is_finite()).then(|| self * (1.0 / norm))
     }
 
-    /// With unit length; upwards where there is no direction.
+    /// Unit vector; upwards if the vector vanishes.
     pub(crate) fn unit(self) -> Vec3 {
         self.direction().unwrap_or(UP)
     }
 
-    /// What is left without its part along a unit vector.
+    /// Component perpendicular to the unit vector `along`.
     pub(crate) fn across(self, along: Vec3) -> Vec3 {
         self - along * self.dot(along)
     }
 
-    /// Two unit vectors at right angles to this unit vector and to each other: the first one is horizontal.
+    /// Two unit vectors that complete this unit vector to an orthogonal frame; the first is horizontal.
     pub(crate) fn frame(self) -> (Vec3, Vec3) {
         let level = UP.cross(self);
         let one = if level.norm() > 1e-6 { level.unit() } else { vec3(1.0, 0.0, 0.0) };
@@ -57,7 +57,7 @@ impl Vec3 {
         self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
     }
 
-    /// The middle of some places.
+    /// Mean of points.
     pub(crate) fn middle(places: &[Vec3]) -> Vec3 {
         places.iter().fold(Vec3::default(), |sum, at| sum + *at) * (1.0 / places.len().max(1) as f64)
     }

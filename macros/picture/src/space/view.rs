@@ -1,20 +1,20 @@
-//! From where the mechanism is looked at, and what is seen from there.
+//! Choice of the direction of view, and the projection.
 //!
-//! The projection is orthographic, with z upwards. Of some directions the one is taken from which points that are apart are seen apart,
-//! no axis of a joint is seen as a point, no link shortened to nothing, and no plate as a line.
+//! The projection is orthographic, with z upwards. Among some directions the best keeps distinct points apart, shows no joint axis end
+//! on, shortens no link to nothing, and shows no plate edge on.
 
 use super::placed::Placed;
 use super::vector::{Vec3, vec3};
 use crate::plane::{Place, Rectangle, place};
 use core::f64::consts::PI;
 
-/// Points and links are held against each other up to this many.
+/// Largest number of points and links that are compared pairwise.
 const MOST: usize = 48;
 
-/// Of a motion so many frames are looked at.
+/// Number of frames of a motion that are examined.
 const FRAMES: usize = 6;
 
-/// Nearer to each other than this part of the whole, two points are hard to tell apart.
+/// Points nearer to each other than this fraction of the size are hard to tell apart.
 const APART: f64 = 0.07;
 
 /// A direction of view.
@@ -22,12 +22,12 @@ const APART: f64 = 0.07;
 pub(crate) struct Camera {
     pub(crate) right: Vec3,
     pub(crate) up: Vec3,
-    /// Towards the eye.
+    /// Unit vector towards the eye.
     pub(crate) toward: Vec3,
 }
 
 impl Camera {
-    /// From an azimuth, from x towards y, and a height above the horizon (rad).
+    /// Camera from azimuth (from x towards y) and elevation (rad).
     pub(crate) fn new(azimuth: f64, height: f64) -> Camera {
         let ((sine, cosine), (rise, level)) = (libm::sincos(azimuth), libm::sincos(height));
         let toward = vec3(level * cosine, level * sine, rise);
@@ -35,19 +35,19 @@ impl Camera {
         Camera { right, up: toward.cross(right), toward }
     }
 
-    /// To the right and upwards.
+    /// Projection: components to the right and upwards.
     pub(crate) fn project(&self, at: Vec3) -> Place {
         place(at.dot(self.right), at.dot(self.up))
     }
 
-    /// Of the candidates the one from which most is seen.
+    /// The candidate of least cost.
     pub(crate) fn best(scenes: &[Placed]) -> Camera {
         let step = scenes.len().div_ceil(FRAMES).max(1);
         let looks: Vec<Look> = scenes.iter().step_by(step).map(Look::of).collect();
         let mut best: Option<(f64, Camera)> = None;
         for (preference, camera) in candidates() {
             let cost = preference + looks.iter().map(|look| look.cost(&camera)).sum::<f64>() / looks.len().max(1) as f64;
-            // Rounding shall not choose.
+            // The margin keeps rounding errors from deciding between equal candidates.
             if best.is_none_or(|(least, _)| cost < least - 1e-6) {
                 best = Some((cost, camera));
             }
@@ -56,20 +56,20 @@ impl Camera {
     }
 }
 
-/// Directions of view, the usual one first, each with what is against it.
+/// Directions of view, the usual one first, each with its cost.
 fn candidates() -> impl Iterator<Item = (f64, Camera)> {
     let degrees = PI / 180.0;
     let azimuths = (0..4).flat_map(|quadrant| [-60, -52, -68, -44, -38, -30, -24].map(move |azimuth| (quadrant, azimuth)));
     azimuths.flat_map(move |(quadrant, azimuth)| {
         [26, 32, 20, 38].into_iter().enumerate().map(move |(rank, height)| {
-            // From the front is better than from the side, and from behind last.
+            // The front is preferred to a side, and a side to the back.
             let strange = [0.0, 0.08, 0.22, 0.16][quadrant as usize] + 0.002 * f64::from((azimuth + 60_i32).abs()) + 0.02 * rank as f64;
             (strange, Camera::new(f64::from(azimuth + 90 * quadrant) * degrees, f64::from(height) * degrees))
         })
     })
 }
 
-/// The least distance of two places as they are seen, as a part of the whole, where they are apart in space.
+/// Least projected distance of two points that are distinct in space, relative to the size of the scene.
 pub(crate) fn clearance(scene: &Placed, camera: &Camera) -> f64 {
     let look = Look::of(scene);
     let seen: Vec<Place> = look.places.iter().map(|at| camera.project(*at)).collect();
@@ -77,7 +77,7 @@ pub(crate) fn clearance(scene: &Placed, camera: &Camera) -> f64 {
     pairs.fold(f64::INFINITY, f64::min) / look.size
 }
 
-/// What has to be told apart in a scene.
+/// Parts of a scene that must be distinguishable.
 struct Look {
     size: f64,
     places: Vec<Vec3>,
@@ -111,14 +111,14 @@ impl Look {
         Look { size, places, bars, axes, normals: normals.take(MOST).collect() }
     }
 
-    /// What cannot be told apart from this direction.
+    /// Cost of the parts that cannot be told apart from this direction.
     fn cost(&self, camera: &Camera) -> f64 {
         let near = |distance: f64| (1.0 - distance / (APART * self.size)).max(0.0);
         let seen: Vec<Place> = self.places.iter().map(|at| camera.project(*at)).collect();
         let mut cost = 0.0;
         for (index, one) in seen.iter().enumerate() {
             for (other, two) in seen[..index].iter().enumerate() {
-                // What is near in space is no worse for being seen near.
+                // Points that are near in space may be near in the projection.
                 let apart = (self.places[index] - self.places[other]).norm();
                 cost += (near((*one - *two).norm()) - near(apart)).max(0.0);
             }
@@ -143,33 +143,33 @@ impl Look {
     }
 }
 
-/// The mechanism as it is seen: a view with its place and its scale.
+/// A camera with the centre and the scale of the picture.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sight {
     pub(crate) camera: Camera,
     middle: Vec3,
-    /// Units of the picture for a metre.
+    /// Picture units per metre.
     pub(crate) scale: f64,
 }
 
 impl Sight {
-    /// With the middle of the picture (m, to the right and upwards).
+    /// `middle` is the centre of the picture (m, to the right and upwards).
     pub(crate) fn new(camera: Camera, middle: Place, scale: f64) -> Sight {
         Sight { camera, middle: camera.right * middle.x + camera.up * middle.y, scale }
     }
 
-    /// In units of the picture, still in space.
+    /// From m to picture units, still in space.
     pub(crate) fn enlarge(&self, at: Vec3) -> Vec3 {
         (at - self.middle) * self.scale
     }
 
-    /// From units of the picture in space into the picture, y downwards.
+    /// Projection of a point in picture units into the picture, with y downwards.
     pub(crate) fn at(&self, at: Vec3) -> Place {
         let seen = self.camera.project(at);
         place(seen.x, -seen.y)
     }
 
-    /// How near to the eye.
+    /// Coordinate towards the eye.
     pub(crate) fn depth(&self, at: Vec3) -> f64 {
         at.dot(self.camera.toward)
     }

@@ -1,4 +1,4 @@
-//! Wheels in space: spur and bevel gears by their pitch surfaces, worms, racks.
+//! Wheels in space: spur and bevel gears as pitch surfaces, worms, racks.
 
 use super::drawing::Drawing;
 use super::pen::Pen;
@@ -8,17 +8,17 @@ use crate::canvas::{DrawnItem, Ink, Layer, Near, Stroke, Subject};
 use crate::plane::{Place, hull};
 use core::f64::consts::TAU;
 
-/// Half of the width of a spur gear.
+/// Half the width of a spur gear.
 const HALF: f64 = 4.0;
 
-/// From this ratio on crossed wheels are a worm and its wheel.
+/// From this ratio on, crossed wheels are drawn as a worm and its wheel.
 const WORM: f64 = 4.0;
 
-/// What a wheel looks like.
+/// Shape of a wheel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Look {
     Spur,
-    /// Its apex.
+    /// A cone with this apex.
     Bevel(Vec3),
     Worm,
 }
@@ -30,7 +30,7 @@ pub(crate) struct Wheel {
     axis: Vec3,
     pub(crate) radius: f64,
     look: Look,
-    /// Where its hinge is.
+    /// Position of the hinge.
     hinge: Vec3,
 }
 
@@ -39,12 +39,12 @@ struct Rack {
     body: Option<usize>,
     contact: Vec3,
     along: Vec3,
-    /// Towards the pinion.
+    /// Direction of the teeth, towards the pinion.
     teeth: Vec3,
     held: Vec3,
 }
 
-/// A joint of wheels, and where they touch.
+/// A joint between wheels, with the contact point.
 #[derive(Clone, Debug)]
 struct Mesh {
     joint: usize,
@@ -59,7 +59,7 @@ pub(crate) struct Wheels {
     meshes: Vec<Mesh>,
 }
 
-/// A wheel before its size is known.
+/// A wheel of unknown size.
 #[derive(Clone, Copy, Debug)]
 struct Seat {
     body: Option<usize>,
@@ -68,7 +68,7 @@ struct Seat {
 }
 
 impl Wheels {
-    /// Of a scene whose lengths are `scale` times those of the mechanism.
+    /// Finds the wheels of all gears and racks; lengths are in units of the scene.
     pub(crate) fn of(scene: &Placed) -> Wheels {
         let mut wheels = Wheels::default();
         for (number, joint) in scene.joints.iter().enumerate() {
@@ -112,7 +112,7 @@ impl Wheels {
             let way = if is_outer || p > q { way } else { -way };
             return Some(one.at + way * r);
         }
-        // The feet of the common perpendicular.
+        // Feet of the common perpendicular of the axes.
         let square = cross.dot(cross);
         let foot_of_one = one.at + one.axis * (between.cross(two.axis).dot(cross) / square);
         let foot_of_two = two.at + two.axis * (between.cross(one.axis).dot(cross) / square);
@@ -134,7 +134,7 @@ impl Wheels {
         Some(foot_of_one + (foot_of_two - foot_of_one) * parts[0])
     }
 
-    /// Cones that roll on each other about a common apex.
+    /// Two cones that roll on each other about a common apex.
     fn bevel(&mut self, seats: [Seat; 2], apex: Vec3, teeth: [f64; 2]) -> Option<Vec3> {
         let ways = seats.map(|seat| seat.at - apex);
         let sides = [ways[0].direction()?, ways[1].direction()?];
@@ -144,7 +144,7 @@ impl Wheels {
         if angles.iter().any(|angle| !(0.02..1.55).contains(angle)) {
             return None;
         }
-        // Wheels that mesh have one length of side.
+        // Meshing bevel wheels have the same cone distance.
         let near = |at: Vec3| (at - apex).norm() < 1e-3 * ways[0].norm();
         let known = self.wheels.iter().filter(|wheel| matches!(wheel.look, Look::Bevel(other) if near(other)));
         let known = known.map(|wheel| libm::hypot(wheel.radius, (wheel.at - apex).norm())).reduce(f64::min);
@@ -175,7 +175,7 @@ impl Wheels {
         Some(contact)
     }
 
-    /// One wheel for each body and hinge.
+    /// Adds a wheel, once for each body and hinge.
     fn add(&mut self, seat: Seat, at: Vec3, radius: f64, look: Look) {
         let Seat { body, axis, at: hinge } = seat;
         let is_known =
@@ -185,18 +185,18 @@ impl Wheels {
         }
     }
 
-    /// The joint is drawn by its wheels.
+    /// True if the joint is drawn by its wheels.
     pub(crate) fn shows(&self, joint: usize) -> bool {
         self.meshes.iter().any(|mesh| mesh.joint == joint)
     }
 
-    /// How far wheels reach along an axis from a place.
+    /// Extent of the wheels along an axis from a place.
     pub(crate) fn reach(&self, at: Vec3, axis: Vec3) -> f64 {
         let own = self.wheels.iter().filter(|wheel| wheel.axis.dot(axis).abs() > 0.99 && (wheel.at - at).norm() < 2.0);
         own.map(Wheel::half).fold(0.0, f64::max)
     }
 
-    /// Bodies with wheels are seen by them, and have shafts to their hinges.
+    /// Marks bodies with wheels as shown, and gives them shafts to their hinges.
     pub(crate) fn show(&self, drawing: &mut Drawing) {
         for wheel in &self.wheels {
             let Some(body) = wheel.body else { continue };
@@ -262,7 +262,7 @@ impl Wheel {
                     let item = DrawnItem { layer: Layer::Wheel, ink, shape: Stroke::Closed(outline.clone()), title: pen.title.clone() };
                     pen.items.push(item);
                 }
-                // Of the two ends the one is seen that faces the eye.
+                // The end that faces the eye is visible.
                 let front = if pen.sight.depth(self.at - apex) >= 0.0 { (self.at, self.radius) } else { small };
                 pen.disc(Layer::Wheel, Ink::Wheel(body), front.0, self.axis, front.1);
                 self.spoke(pen, scene, front.0, front.1);
@@ -277,12 +277,12 @@ impl Wheel {
         }
     }
 
-    /// Half of its width.
+    /// Half the width.
     fn half(&self) -> f64 {
         if self.look == Look::Worm { (self.radius * 3.0).clamp(18.0, 60.0) } else { HALF + 2.0 }
     }
 
-    /// A line that turns with the wheel.
+    /// A line that shows the angle of the wheel.
     fn spoke(&self, pen: &mut Pen, scene: &Placed, at: Vec3, radius: f64) {
         let Some(body) = self.body else { return };
         let fixed = scene.bodies[body].columns().map(|column| column.across(self.axis));
@@ -293,18 +293,18 @@ impl Wheel {
     }
 }
 
-/// The body that both angles are measured on.
+/// The reference body that both angles share.
 fn common(one: &Made, two: &Made) -> Option<Option<usize>> {
     let bodies = |made: &Made| Some([made.given.axis("a")?.body, made.given.axis("b")?.body]);
     let (one, two) = (bodies(one)?, bodies(two)?);
     one.into_iter().find(|body| two.contains(body))
 }
 
-/// The wheel of an angle, which is that of a body against the common one.
+/// The wheel of an angle: the body that rotates relative to the common one.
 fn seat(scene: &Placed, made: &Made, common: Option<usize>) -> Option<Seat> {
     let (a, b) = (made.given.axis("a")?, made.given.axis("b")?);
     let wheel: Of = if b.body == common { a } else { b };
-    // Turned from the second body's side an angle is the opposite one.
+    // Measured from the second body, the angle changes its sign.
     let axis = if b.body == common { -a.at } else { a.at };
     let bodies = [a.body, b.body];
     let joint = scene

@@ -9,14 +9,14 @@ use super::Gradient;
 use crate::linear::{Abreast, Elimination, Entries, Linear, Sparse};
 use crate::number::{DetSign, Float, row};
 
-/// The factors `F` of a matrix of numbers, with the derivatives of its entries. All parameters are right-hand sides of the same factors.
+/// Factors `F` of a matrix of numbers, with the derivatives of its entries. All parameters are right-hand sides of the same factors.
 #[derive(Clone, Copy, Debug)]
 pub struct GradientFactors<T: Float, F, S: Storage<T, P, K>, const P: usize, const K: usize> {
     factors: F,
     matrix: S::Matrix,
 }
 
-/// How matrices are stored.
+/// Storage format of a matrix.
 pub trait Storage<T: Float, const P: usize, const K: usize> {
     /// A matrix of numbers with derivatives.
     type Matrix: Copy + fmt::Debug;
@@ -24,7 +24,7 @@ pub trait Storage<T: Float, const P: usize, const K: usize> {
     /// A matrix of numbers.
     type Values;
 
-    /// The numbers.
+    /// The matrix without derivatives.
     fn values(matrix: &Self::Matrix) -> Self::Values;
 
     /// The dense matrix.
@@ -34,7 +34,7 @@ pub trait Storage<T: Float, const P: usize, const K: usize> {
     fn subtract(matrix: &Self::Matrix, x: &SVector<T, K>, from: &mut [[T; P]; K]);
 }
 
-/// Every entry.
+/// All entries of a matrix.
 #[derive(Clone, Copy, Debug)]
 pub struct Whole;
 

@@ -1,4 +1,4 @@
-//! Numbers with their derivatives, and what the solver asks of numbers.
+//! Numbers with their derivatives, and the operations on them that the solver requires.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -9,7 +9,7 @@ use crate::number::{DetSign, Float, Real, SimdReal, Table, row};
 pub struct Gradient<T, const P: usize> {
     /// The number.
     pub value: T,
-    /// Its derivative by each parameter, in the order in which these were asked for.
+    /// Its derivative by each parameter, in the order in which the parameters were selected.
     pub by: [T; P],
 }
 
@@ -21,13 +21,13 @@ impl<T: Float, const P: usize> Gradient<T, P> {
         Self { value, by: [T::of(0.0); P] }
     }
 
-    /// f(x) by its value and slope at x.
+    /// f(x) from its value and slope at x.
     #[inline(always)]
     pub(super) fn chain(self, value: T, slope: T) -> Self {
         Self { value, by: row::scaled(slope, &self.by) }
     }
 
-    /// f(a, b) by its value and its slopes.
+    /// f(a, b) from its value and its two slopes.
     #[inline(always)]
     fn chain_of_two(self, other: Self, value: T, [own, others]: [T; 2]) -> Self {
         Self { value, by: row::combined(own, others, &self.by, &other.by) }
@@ -133,7 +133,7 @@ impl<T: Float, const P: usize> Real for Gradient<T, P> {
 
     #[inline(always)]
     fn abs(self) -> Self {
-        // Without a branch, so that nothing is left where the result is not used.
+        // Without a branch, so that the optimiser can remove an unused result.
         let slope = T::select_less(self.value, T::ZERO, T::of(-1.0), T::of(1.0));
         self.chain(slope * self.value, slope)
     }
@@ -164,7 +164,7 @@ fn leg<T: Float>(x: T) -> T {
     ((T::of(1.0) - x) * (T::of(1.0) + x)).sqrt()
 }
 
-/// Comparisons look at the numbers and not at their derivatives.
+/// Comparisons use the values only, not their derivatives.
 impl<T: Float, const P: usize> SimdReal for Gradient<T, P> {
     type Mask = bool;
     type Signs = DetSign;

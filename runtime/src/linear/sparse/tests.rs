@@ -51,7 +51,7 @@ fn full_of(values: [f64; 16]) -> Result<Sparse<f64, Full, 4, 16, 16>, usize> {
     Linear::factor(&Entries { values, columns: [1.0; 4] })
 }
 
-/// That x is as good as the pivoted factorisation's, refined or not, and that the same is said about the matrix.
+/// Asserts that x is as accurate as by the pivoted factorisation, refined or not, and that both report the same about the matrix.
 fn agrees<E: Elimination<f64, 4, A, F>, const A: usize, const F: usize>(sparse: &Sparse<f64, E, 4, A, F>, b: [f64; 4]) {
     let matrix: SMatrix<f64, 4, 4> = Sparse::<f64, E, 4, A, F>::dense(&sparse.matrix);
     let pivoted = Factors::factor(&matrix).unwrap();
