@@ -196,7 +196,12 @@ impl<'a> Motion<'a> {
     pub fn bodies(&self) -> Vec<Numbers> {
         let all: Vec<usize> = (0..self.model.bodies.len()).collect();
         let pose = Pose::of(self.model, &self.coordinates, &all);
-        self.model.bodies.iter().zip(&pose.frames).map(|(body, frame)| numbers(body, frame.as_ref().expect("a frame"))).collect()
+        self.model
+            .bodies
+            .iter()
+            .zip(&pose.frames)
+            .map(|(body, frame)| precise(body, frame.as_ref().expect("a frame")).map(|entry| entry.high))
+            .collect()
     }
 
     /// Coordinates, rates and accelerations.
@@ -287,17 +292,42 @@ fn ends(cut: &Cut) -> [Option<usize>; 2] {
     }
 }
 
-/// ω and ω̇ are read from Ȧ Aᵀ and Ä Aᵀ.
-fn numbers(body: &Body, frame: &Frame) -> Numbers {
+/// What a body does, to all digits: ω and ω̇ are read from Ȧ Aᵀ and Ä Aᵀ.
+fn precise(body: &Body, frame: &Frame) -> [Twofold; 24] {
     let entry = |level: usize, i: usize, j: usize| frame.axes[j][i].0[level];
     let product =
         |level: usize, i: usize, j: usize| (0..3).map(|k| entry(level, i, k) * entry(0, j, k)).fold(Twofold::default(), |a, b| a + b);
-    let turning = |level: usize| [(2, 1), (0, 2), (1, 0)].map(|(i, j)| ((product(level, i, j) - product(level, j, i)) * 0.5.into()).high);
+    let turning = |level: usize| [(2, 1), (0, 2), (1, 0)].map(|(i, j)| (product(level, i, j) - product(level, j, i)) * 0.5.into());
     let center = frame.point(body.center);
-    let level = |k: usize| center.map(|jet| jet.0[k].high);
-    let rotation: [f64; 9] = std::array::from_fn(|k| entry(0, k / 3, k % 3).high);
-    let mut numbers = [0.0; 24];
+    let level = |k: usize| center.map(|jet| jet.0[k]);
+    let rotation: [Twofold; 9] = std::array::from_fn(|k| entry(0, k / 3, k % 3));
+    let mut numbers = [Twofold::default(); 24];
     let parts = [&rotation[..], &level(0), &level(1), &turning(1), &level(2), &turning(2)].concat();
     numbers.copy_from_slice(&parts);
     numbers
+}
+
+/// What all bodies do, and the rows of all cuts, with these coordinates.
+pub(super) struct Moved {
+    pub(super) bodies: Vec<[Twofold; 24]>,
+    /// Value, rate and acceleration of each row, three for each cut.
+    pub(super) rows: Vec<[Twofold; 3]>,
+}
+
+impl Moved {
+    /// With coordinates that meet their cuts where points are one; other cuts have no rows.
+    pub(super) fn with(model: &Model, coordinates: &[[Twofold; 3]]) -> Self {
+        let all: Vec<usize> = (0..model.bodies.len()).collect();
+        let coordinates: Vec<Jet> = coordinates.iter().copied().map(Jet).collect();
+        let pose = Pose::of(model, &coordinates, &all);
+        let bodies = model.bodies.iter().zip(&pose.frames).map(|(body, frame)| precise(body, frame.as_ref().expect("a frame"))).collect();
+        let mut rows = Vec::new();
+        for cut in &model.cuts {
+            if let Cut::Meet(a, b) = cut {
+                let (a, b) = (pose.point(*a), pose.point(*b));
+                rows.extend((0..3).map(|k| (a[k] - b[k]).0));
+            }
+        }
+        Self { bodies, rows }
+    }
 }

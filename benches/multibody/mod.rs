@@ -5,6 +5,7 @@
 //! not.
 
 pub mod exact;
+pub mod forces;
 
 use std::f64::consts::TAU;
 
