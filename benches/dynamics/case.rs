@@ -69,3 +69,11 @@ pub(crate) const LOADS: &str = "reuleaux, loads";
 pub(crate) const BOTH: &str = "reuleaux, the state and its loads";
 /// By hand.
 pub(crate) const HAND: &str = "by hand, accelerations and loads";
+/// By hand, where all is driven.
+pub(crate) const HAND_DRIVEN: &str = "by hand, motion and loads";
+/// Where all is driven.
+pub(crate) const STEP: &str = "reuleaux, a step and its loads";
+/// Loads by hand.
+pub(crate) const HAND_LOADS: &str = "by hand, loads";
+/// Accelerations by hand.
+pub(crate) const HAND_ACCELERATIONS: &str = "by hand, accelerations";

@@ -111,7 +111,7 @@ fn exact(loops: usize, angle: &[f64], rate: &[f64]) -> Vec<f64> {
     }
     model.cuts = (0..loops).map(|j| Cut::Meet((Some(2 * j + 1), [1.0, 0.0, 0.0]), (Some(2 * j + 2), [1.0, 0.0, 0.0]))).collect();
     let relative = |bars: &[f64]| (0..bars.len()).map(|k| if k % 2 == 0 { bars[k] } else { bars[k] - bars[k - 1] }).collect::<Vec<f64>>();
-    let found = reaction(&model, &relative(angle), &relative(rate));
+    let found = reaction(&model, &relative(angle), &relative(rate), &[]);
     let turning = found.bodies.iter().map(|numbers| numbers[23]);
     turning.chain([-found.cuts[0][0], -found.cuts[0][1]]).collect()
 }

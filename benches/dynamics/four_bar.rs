@@ -6,7 +6,7 @@ use reuleaux::{Dynamics, SimdReal, mechanism};
 use reuleaux_benches::multibody::forces::reaction;
 use reuleaux_benches::multibody::{Cut, Joint, Model};
 
-use crate::case::{ACCELERATIONS, BOTH, Case, Entry, HAND, LOADS, STATES};
+use crate::case::{ACCELERATIONS, BOTH, Case, Entry, HAND, HAND_DRIVEN, LOADS, STATES, STEP};
 
 macro_rules! four_bar {
     ($(#[$page:meta])* $name:ident, $($rest:tt)*) => {
@@ -67,7 +67,7 @@ pub(crate) fn cases() -> Vec<Case> {
     let inputs: Vec<Bars> = states.iter().map(|(_, state)| bars(state)).collect();
     let exact = (0..STATES).map(|k| {
         let [[a, b, c], [u, v, w]] = inputs[k];
-        let found = reaction(&model, &[a, b - a, c], &[u, v - u, w]);
+        let found = reaction(&model, &[a, b - a, c], &[u, v - u, w], &[]);
         let turning = found.bodies.iter().map(|numbers| numbers[23]);
         // The force on the rocker is against that on the coupler.
         (k, turning.chain([-found.cuts[0][0], -found.cuts[0][1]]).collect())
@@ -125,34 +125,133 @@ fn directions(angle: f64) -> [Vector2<f64>; 2] {
     [Vector2::new(cosine, sine), Vector2::new(-sine, cosine)]
 }
 
-/// The loop for a unit motion of the crank and for the motion at hand, one mass, and moments about the pins of coupler and rocker.
+/// Directions of the three bars, the same a quarter of a turn ahead, and one over the sine of the angle between coupler and rocker.
+#[derive(Clone, Copy)]
+struct Closed {
+    e: [Vector2<f64>; 3],
+    n: [Vector2<f64>; 3],
+    per: f64,
+}
+
+impl Closed {
+    /// Of coupler and rocker, so that their ends move alike: v = l2 u2 n2 − l3 u3 n3.
+    #[inline(always)]
+    fn solve(&self, v: Vector2<f64>) -> [f64; 2] {
+        [v.dot(&self.e[2]) * self.per / LENGTHS[1], v.dot(&self.e[1]) * self.per / LENGTHS[2]]
+    }
+
+    /// The forces at the pins and the torque on the crank, by moments about the pins of coupler and rocker; the acceleration of the coupler's
+    /// centre is less gravity.
+    #[inline(always)]
+    fn pins(&self, squares: [f64; 3], turning: [f64; 3], coupler: Vector2<f64>) -> ([Vector2<f64>; 4], f64) {
+        let ([l1, l2, l3], [e1, e2, e3], [n1, n2, n3]) = (LENGTHS, self.e, self.n);
+        let p2 = coupler * l2;
+        let p3 = (n3 * turning[2] - e3 * squares[2]) * (0.5 * l3 * l3) + Vector2::new(0.0, l3 * GRAVITY);
+        let of_rocker = (l3 * l3 / 3.0) * turning[2] + GRAVITY * (0.5 * l3) * e3.x;
+        let of_coupler = -(0.5 * n2.dot(&p2) + (l2 * l2 / 12.0) * turning[1]);
+        // n3 · F and n2 · F for the force F on the rocker.
+        let f = (e3 * of_coupler - e2 * of_rocker) * self.per;
+        let b = p2 + f;
+        let p1 = (n1 * turning[0] - e1 * squares[0]) * (0.5 * l1 * l1) + Vector2::new(0.0, l1 * GRAVITY);
+        let torque = (l1 * l1 * l1 / 3.0) * turning[0] + GRAVITY * (0.5 * l1 * l1) * e1.x + l1 * n1.dot(&b);
+        ([p1 + b, b, f, p3 - f], torque)
+    }
+}
+
+/// The loop for a unit motion of the crank and for the motion at hand, and one mass.
 #[inline(always)]
 fn released([angle, rate]: Bars) -> Found {
     let [l1, l2, l3] = LENGTHS;
     let [[e1, n1], [e2, n2], [e3, n3]] = angle.map(directions);
-    let [w1, w2, w3] = rate.map(|rate| rate * rate);
-    let per = 1.0 / n2.dot(&e3);
-    // Of the coupler and the rocker, so that their ends move alike: v = l2 u2 n2 − l3 u3 n3.
-    let solve = |v: Vector2<f64>| [v.dot(&e3) * per / l2, v.dot(&e2) * per / l3];
-    let [u2, u3] = solve(n1 * -l1);
-    let [p2, p3] = solve(e1 * (l1 * w1) + e2 * (l2 * w2) - e3 * (l3 * w3));
+    let closed = Closed { e: [e1, e2, e3], n: [n1, n2, n3], per: 1.0 / n2.dot(&e3) };
+    let squares = rate.map(|rate| rate * rate);
+    let [w1, w2, w3] = squares;
+    let [u2, u3] = closed.solve(n1 * -l1);
+    let [p2, p3] = closed.solve(e1 * (l1 * w1) + e2 * (l2 * w2) - e3 * (l3 * w3));
     let h = 0.5 * l2;
     let v = n1 * l1 + n2 * (h * u2);
-    let (m1, m2, m3) = (l1, l2, l3);
-    let (j1, j2, j3) = (m1 * l1 * l1 / 3.0, m2 * l2 * l2 / 12.0, m3 * l3 * l3 / 3.0);
+    let (j1, j2, j3) = (l1 * l1 * l1 / 3.0, l2 * l2 * l2 / 12.0, l3 * l3 * l3 / 3.0);
     let a = e1 * (-l1 * w1) + n2 * (h * p2) - e2 * (h * w2) + Vector2::new(0.0, GRAVITY);
-    let mass = j1 + m2 * v.norm_squared() + j2 * u2 * u2 + j3 * u3 * u3;
-    let moment = m2 * v.dot(&a) + j2 * u2 * p2 + j3 * u3 * p3 + GRAVITY * (m1 * l1 * 0.5 * e1.x + m3 * l3 * 0.5 * e3.x * u3);
-    let turning = -moment / mass;
+    let mass = j1 + l2 * v.norm_squared() + j2 * u2 * u2 + j3 * u3 * u3;
+    let weight = GRAVITY * (l1 * l1 * 0.5 * e1.x + l3 * l3 * 0.5 * e3.x * u3);
+    let turning = -(l2 * v.dot(&a) + j2 * u2 * p2 + j3 * u3 * p3 + weight) / mass;
     let turnings = [turning, u2 * turning + p2, u3 * turning + p3];
-    let (coupler, rocker) = (a + v * turning, turnings[2]);
-    let p2 = coupler * m2;
-    let p3 = (n3 * rocker - e3 * w3) * (0.5 * l3 * m3) + Vector2::new(0.0, m3 * GRAVITY);
-    let of_rocker = (j3 * rocker + GRAVITY * m3 * 0.5 * l3 * e3.x) / l3;
-    let of_coupler = -(0.5 * l2 * n2.dot(&p2) + j2 * turnings[1]) / l2;
-    // n3 · F = of_rocker, n2 · F = of_coupler.
-    let f = (e3 * of_coupler - e2 * of_rocker) * per;
-    let b = p2 + f;
-    let p1 = (n1 * turning - e1 * w1) * (0.5 * l1 * m1) + Vector2::new(0.0, m1 * GRAVITY);
-    (turnings, [p1 + b, b, f, p3 - f])
+    (turnings, closed.pins(squares, turnings, a + v * turning).0)
+}
+
+four_bar!(
+    /// The crank turns.
+    Driven,
+    drive motor = drive_angle(crank, 2rad_s * t);
+);
+
+const SPEED: f64 = 2.0;
+
+/// Angles, angular velocities and accelerations of coupler and rocker as sine and cosine of the angles, forces, and the torque.
+type Turned = ([Vector2<f64>; 2], [f64; 4], [Vector2<f64>; 4], f64);
+
+/// The loop in closed form, from the place of the crank pin, and forces as above.
+#[inline(always)]
+fn driven(t: f64) -> Turned {
+    let [l1, l2, l3] = LENGTHS;
+    let [e1, n1] = directions(SPEED * t);
+    let b = e1 * l1;
+    let d = Vector2::new(4.0, 0.0) - b;
+    let square = d.norm_squared();
+    let along = 0.5 + (l2 * l2 - l3 * l3) / (2.0 * square);
+    let across = (l2 * l2 / square - along * along).sqrt();
+    let reach = d * along + Vector2::new(-d.y, d.x) * across;
+    let (e2, e3) = (reach * (1.0 / l2), (reach - d) * (1.0 / l3));
+    let ahead = |e: Vector2<f64>| Vector2::new(-e.y, e.x);
+    let (n2, n3) = (ahead(e2), ahead(e3));
+    let closed = Closed { e: [e1, e2, e3], n: [n1, n2, n3], per: 1.0 / n2.dot(&e3) };
+    let [w2, w3] = closed.solve(n1 * (-l1 * SPEED));
+    let squares = [SPEED * SPEED, w2 * w2, w3 * w3];
+    let [a2, a3] = closed.solve(e1 * (l1 * squares[0]) + e2 * (l2 * squares[1]) - e3 * (l3 * squares[2]));
+    let h = 0.5 * l2;
+    let coupler = e1 * (-l1 * squares[0]) + n2 * (h * a2) - e2 * (h * squares[1]) + Vector2::new(0.0, GRAVITY);
+    let (pins, torque) = closed.pins(squares, [0.0, a2, a3], coupler);
+    ([e2, e3], [w2, w3, a2, a3], pins, torque)
+}
+
+/// The moment that is reached from the state of this number: to and fro by the 256th part of a turn.
+fn moment(number: usize) -> [f64; 2] {
+    [number, number + 1].map(|k| std::f64::consts::PI * k as f64 / STATES as f64)
+}
+
+/// D3: position, velocity, acceleration and all forces of the driven four-bar.
+pub(crate) fn turning() -> Case {
+    let mechanism = Driven::default();
+    let states = |k: usize| (mechanism.solve(moment(k)[0]).unwrap_or_else(|failure| panic!("{failure}")), moment(k));
+    let states: Vec<(DrivenState<f64>, [f64; 2])> = (0..STATES).map(states).collect();
+    let model = model();
+    let exact = (0..STATES).map(|k| {
+        let state = mechanism.solve(moment(k)[1]).unwrap_or_else(|failure| panic!("{failure}"));
+        let [[a, b, c], [u, v, w]] = [&state.q, &state.qd].map(|vector| [vector[2], vector[5], vector[8]]);
+        let found = reaction(&model, &[a, b - a, c], &[u, v - u, w], &[(0, 0.0)]);
+        let turning = [1, 2].map(|body: usize| found.bodies[body][23]);
+        (k, turning.into_iter().chain([-found.cuts[0][0], -found.cuts[0][1], found.efforts[0]]).collect())
+    });
+    Case {
+        name: "D3 four-bar".to_owned(),
+        exact: exact.collect(),
+        entries: vec![
+            Entry::new(
+                HAND_DRIVEN,
+                (0..STATES).map(|k| moment(k)[1]).collect(),
+                |t| driven(*t),
+                |_, (_, [_, _, a2, a3], pins, torque)| vec![*a2, *a3, pins[2].x, pins[2].y, *torque],
+            ),
+            Entry::new(
+                STEP,
+                states,
+                move |(state, [from, to])| {
+                    let t = if state.t == *to { *from } else { *to };
+                    mechanism.advance(state, t).unwrap_or_else(|failure| panic!("{failure}"));
+                    mechanism.loads(state)
+                },
+                |(state, _), loads| vec![state.qdd[5], state.qdd[8], loads.c().force.x, loads.c().force.y, loads.motor().effort],
+            ),
+        ],
+    }
 }

@@ -3,10 +3,12 @@
 //!
 //! Out: the table of `README.md` beside this folder. `… --bin dynamics count` counts instructions instead, for which it needs `valgrind`.
 
+mod arm;
 mod case;
 mod chain;
 mod four_bar;
 mod measure;
+mod slider_crank;
 
 use std::error::Error;
 
@@ -15,6 +17,8 @@ use case::Case;
 /// All problems.
 fn cases() -> Vec<Case> {
     let mut cases = four_bar::cases();
+    cases.extend([four_bar::turning(), slider_crank::case()]);
+    cases.extend(arm::cases());
     cases.extend(chain::cases());
     cases
 }

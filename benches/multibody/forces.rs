@@ -22,6 +22,8 @@ pub struct Reaction {
     pub accelerations: Vec<f64>,
     /// Forces on the first bodies of the cuts, in ground.
     pub cuts: Vec<[f64; 3]>,
+    /// What drives the driven coordinates, in N or N m.
+    pub efforts: Vec<f64>,
 }
 
 type Triple = [Twofold; 3];
@@ -44,13 +46,13 @@ fn spun(numbers: &[Twofold; 24], inertia: [f64; 3], v: Triple) -> Triple {
     [0, 1, 2].map(|i| dot(part(numbers, 3 * i), local))
 }
 
-/// What follows from gravity where the coordinates and their rates are these. Rows that nothing moves are left out, as are the rows
-/// across the plane of a planar mechanism.
+/// What follows from gravity where the coordinates and their rates are these, and some are driven with an acceleration. Rows that nothing
+/// moves are left out, as are the rows across the plane of a planar mechanism.
 ///
 /// # Panics
 /// If the mechanism is singular there.
 #[must_use]
-pub fn reaction(model: &Model, coordinates: &[f64], rates: &[f64]) -> Reaction {
+pub fn reaction(model: &Model, coordinates: &[f64], rates: &[f64], driven: &[(usize, f64)]) -> Reaction {
     let count = coordinates.len();
     let with = |rate: &dyn Fn(usize) -> Twofold, acceleration: &dyn Fn(usize) -> Twofold| {
         let jets: Vec<Triple> = (0..count).map(|k| [coordinates[k].into(), rate(k), acceleration(k)]).collect();
@@ -61,7 +63,8 @@ pub fn reaction(model: &Model, coordinates: &[f64], rates: &[f64]) -> Reaction {
     let bias = with(&|k| rates[k].into(), &|_| zero);
     let is_moved = |row: usize| units.iter().any(|unit| unit.rows[row][1].high.abs() > 1e-12);
     let rows: Vec<usize> = (0..bias.rows.len()).filter(|&row| is_moved(row)).collect();
-    let size = count + rows.len();
+    let held = count + rows.len();
+    let size = held + driven.len();
     let mut matrix = vec![vec![zero; size + 1]; size];
     for (index, body) in model.bodies.iter().enumerate() {
         let here = &bias.bodies[index];
@@ -86,6 +89,11 @@ pub fn reaction(model: &Model, coordinates: &[f64], rates: &[f64]) -> Reaction {
         }
         matrix[count + place][size] = -bias.rows[row][2];
     }
+    for (place, &(coordinate, acceleration)) in driven.iter().enumerate() {
+        matrix[held + place][coordinate] = one;
+        matrix[coordinate][held + place] = -one;
+        matrix[held + place][size] = acceleration.into();
+    }
     let found = solved(matrix);
     let moved = with(&|k| rates[k].into(), &|k| found[k]);
     let mut cuts = vec![[0.0; 3]; bias.rows.len() / 3];
@@ -96,6 +104,7 @@ pub fn reaction(model: &Model, coordinates: &[f64], rates: &[f64]) -> Reaction {
         bodies: moved.bodies.iter().map(|numbers| numbers.map(|entry| entry.high)).collect(),
         accelerations: found[..count].iter().map(|entry| entry.high).collect(),
         cuts,
+        efforts: found[held..].iter().map(|entry| entry.high).collect(),
     }
 }
 
