@@ -1,0 +1,79 @@
+//! What is measured: something that is computed in each of many states.
+
+use std::hint::black_box;
+
+/// States in which each contender computes.
+pub(crate) const STATES: usize = 256;
+
+/// A problem and everything that computes it.
+pub(crate) struct Case {
+    pub(crate) name: String,
+    /// Exact numbers in some states.
+    pub(crate) exact: Vec<(usize, Vec<f64>)>,
+    /// Contenders; ratios are to the first.
+    pub(crate) entries: Vec<Entry>,
+}
+
+/// A contender.
+pub(crate) struct Entry {
+    pub(crate) name: &'static str,
+    pub(crate) contender: Box<dyn Contender>,
+}
+
+impl Entry {
+    /// `compute` in each of these states; `seen` is what is compared, in the order of the exact numbers. Empty if nothing is.
+    pub(crate) fn new<I: 'static, O: 'static>(
+        name: &'static str,
+        states: Vec<I>,
+        compute: impl Fn(&mut I) -> O + 'static,
+        seen: impl Fn(&I, &O) -> Vec<f64> + 'static,
+    ) -> Self {
+        Self { name, contender: Box::new(Batch { states, compute, seen }) }
+    }
+}
+
+/// What can be repeated.
+pub(crate) trait Contender {
+    /// This many evaluations, in all states in turn.
+    fn evaluate(&mut self, count: usize);
+
+    /// What is compared in this state.
+    fn seen(&mut self, state: usize) -> Vec<f64>;
+}
+
+struct Batch<I, C, S> {
+    states: Vec<I>,
+    compute: C,
+    seen: S,
+}
+
+impl<I, O, C: Fn(&mut I) -> O, S: Fn(&I, &O) -> Vec<f64>> Contender for Batch<I, C, S> {
+    fn evaluate(&mut self, count: usize) {
+        let states = self.states.len();
+        for k in 0..count {
+            black_box((self.compute)(black_box(&mut self.states[k % states])));
+        }
+    }
+
+    fn seen(&mut self, state: usize) -> Vec<f64> {
+        let found = (self.compute)(&mut self.states[state]);
+        (self.seen)(&self.states[state], &found)
+    }
+}
+
+/// Generated from the declaration.
+pub(crate) const ACCELERATIONS: &str = "reuleaux, accelerations in closed form";
+/// The forces in all joints.
+pub(crate) const LOADS: &str = "reuleaux, loads";
+/// Both.
+pub(crate) const BOTH: &str = "reuleaux, the state and its loads";
+/// By hand.
+pub(crate) const HAND: &str = "by hand, accelerations and loads";
+/// By hand, where all is driven.
+pub(crate) const HAND_DRIVEN: &str = "by hand, motion and loads";
+/// Where all is driven.
+pub(crate) const STEP: &str = "reuleaux, a step and its loads";
+/// Loads by hand.
+pub(crate) const HAND_LOADS: &str = "by hand, loads";
+/// Accelerations by hand.
+pub(crate) const HAND_ACCELERATIONS: &str = "by hand, accelerations";

@@ -1,0 +1,39 @@
+//! Accelerations and loads that follow from forces, beside what one would write by hand:
+//! `cargo run --release -p reuleaux-benches --bin dynamics [rounds]`.
+//!
+//! Out: the table of `README.md` beside this folder. `… --bin dynamics count` counts instructions instead, for which it needs `valgrind`.
+
+mod arm;
+mod case;
+mod chain;
+mod four_bar;
+mod measure;
+mod slider_crank;
+
+use std::error::Error;
+
+use case::Case;
+
+/// All problems.
+fn cases() -> Vec<Case> {
+    let mut cases = four_bar::cases();
+    cases.extend([four_bar::turning(), slider_crank::case()]);
+    cases.extend(arm::cases());
+    cases.extend(chain::cases());
+    cases
+}
+
+/// How often all contenders have their turn, if nothing is said.
+const ROUNDS: usize = 60;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        [] => measure::print(cases(), ROUNDS),
+        ["count"] => measure::count(&cases())?,
+        ["steps", case, contender, count] => measure::evaluate(cases(), [case, contender], count.parse()?)?,
+        [rounds] => measure::print(cases(), rounds.parse()?),
+        _ => return Err("there is a number of rounds, and `count`".into()),
+    }
+    Ok(())
+}

@@ -1,0 +1,56 @@
+//! Times, errors and instructions of all contenders.
+
+use std::error::Error;
+
+use reuleaux_benches::{instructions_of, turns};
+
+use crate::case::{Case, Contender};
+
+/// Evaluations of one contender in one round.
+const EVALUATIONS: usize = 2048;
+
+/// Prints the table.
+pub(crate) fn print(cases: Vec<Case>, rounds: usize) {
+    println!("| | | time | ratio | error |\n| --- | --- | ---: | ---: | ---: |");
+    for mut case in cases {
+        let errors: Vec<Option<f64>> = case.entries.iter_mut().map(|entry| error(&mut *entry.contender, &case.exact)).collect();
+        let mut ways: Vec<Box<dyn FnMut() + '_>> = Vec::new();
+        for entry in &mut case.entries {
+            let contender = &mut entry.contender;
+            ways.push(Box::new(move || contender.evaluate(EVALUATIONS)));
+        }
+        let lines = turns(&mut ways, rounds);
+        drop(ways);
+        for ((entry, error), (time, ratio)) in case.entries.iter().zip(errors).zip(lines) {
+            let error = error.map_or(String::new(), |error| format!("{error:.0e}"));
+            println!("| {} | {} | {:.0} ns | {ratio:.2} | {error} |", case.name, entry.name, time / EVALUATIONS as f64);
+        }
+    }
+}
+
+/// The largest difference from the exact numbers; none if nothing was compared.
+fn error(contender: &mut dyn Contender, exact: &[(usize, Vec<f64>)]) -> Option<f64> {
+    let pairs = exact.iter().flat_map(|(state, exact)| contender.seen(*state).into_iter().zip(exact.iter()));
+    pairs.map(|(found, exact)| (found - exact).abs()).reduce(f64::max)
+}
+
+/// Instructions of an evaluation of each contender.
+pub(crate) fn count(cases: &[Case]) -> Result<(), Box<dyn Error>> {
+    println!("| | | instructions | ratio |\n| --- | --- | ---: | ---: |");
+    for case in cases {
+        let mut first = None;
+        for entry in &case.entries {
+            let count = instructions_of(&["steps", &case.name, entry.name])?;
+            println!("| {} | {} | {count:.0} | {:.2} |", case.name, entry.name, count / *first.get_or_insert(count));
+        }
+    }
+    Ok(())
+}
+
+/// What runs when instructions are counted.
+pub(crate) fn evaluate(cases: Vec<Case>, [name, contender]: [&str; 2], count: usize) -> Result<(), Box<dyn Error>> {
+    let case = cases.into_iter().find(|case| case.name == name).ok_or("no such problem")?;
+    let mut entry = case.entries.into_iter().find(|entry| entry.name == contender).ok_or("no such contender")?;
+    entry.contender.evaluate(count);
+    Ok(())
+}

@@ -1,0 +1,98 @@
+//! Times, errors and instructions of all contenders.
+
+use std::error::Error;
+
+use reuleaux_benches::multibody::Model;
+use reuleaux_benches::multibody::exact::{Motion, Numbers};
+use reuleaux_benches::{instructions_of, times, turns};
+
+use crate::Workload;
+use crate::follower::{Follower, numbers};
+
+/// Beyond this many bodies every twentieth step is compared only.
+const MANY: usize = 30;
+
+/// Largest absolute errors of pose, velocities and accelerations in all steps.
+type Errors = [f64; 3];
+
+/// Prints the table.
+pub(crate) fn print(workloads: &[Workload], rounds: usize) {
+    println!("| | | time | ratio | pose | velocities | accelerations |\n| --- | --- | ---: | ---: | ---: | ---: | ---: |");
+    for workload in workloads {
+        let mut entries = (workload.contenders)();
+        let exact = Exact::new(&workload.model);
+        let errors: Vec<Errors> = entries.iter_mut().map(|entry| exact.errors(&mut *entry.follower)).collect();
+        let times = times();
+        let mut ways: Vec<Box<dyn FnMut() + '_>> = Vec::new();
+        for entry in &mut entries {
+            let (follower, times) = (&mut entry.follower, &times);
+            ways.push(Box::new(move || follower.sweep(times)));
+        }
+        let lines = turns(&mut ways, rounds);
+        drop(ways);
+        for ((entry, [pose, velocity, acceleration]), (time, ratio)) in entries.iter().zip(&errors).zip(lines) {
+            let (name, time) = (&workload.model.name, time / times.len() as f64);
+            println!("| {name} | {} | {time:.0} ns | {ratio:.2} | {pose:.0e} | {velocity:.0e} | {acceleration:.0e} |", entry.name);
+        }
+    }
+}
+
+/// Instructions of a step of each contender.
+pub(crate) fn count(workloads: &[Workload]) -> Result<(), Box<dyn Error>> {
+    println!("| | | instructions | ratio |\n| --- | --- | ---: | ---: |");
+    for workload in workloads {
+        let mut first = None;
+        for entry in (workload.contenders)() {
+            let name = &workload.model.name;
+            let count = instructions_of(&["steps", name, entry.name])?;
+            let ratio = count / *first.get_or_insert(count);
+            println!("| {name} | {} | {count:.0} | {ratio:.2} |", entry.name);
+        }
+    }
+    Ok(())
+}
+
+/// What runs when instructions are counted.
+pub(crate) fn follow(workloads: &[Workload], [name, contender]: [&str; 2], steps: usize) -> Result<(), Box<dyn Error>> {
+    let workload = workloads.iter().find(|workload| workload.model.name == name).ok_or("no such workload")?;
+    let entries = (workload.contenders)();
+    let mut entry = entries.into_iter().find(|entry| entry.name == contender).ok_or("no such contender")?;
+    entry.follower.sweep(&times()[..steps]);
+    Ok(())
+}
+
+/// The exact motion, at some steps.
+struct Exact {
+    steps: Vec<(usize, Vec<Numbers>)>,
+}
+
+impl Exact {
+    fn new(model: &Model) -> Self {
+        let every = if model.bodies.len() > MANY { 20 } else { 1 };
+        let mut motion = Motion::new(model);
+        motion.follow(0.0);
+        let mut steps = Vec::new();
+        for (number, &t) in times().iter().enumerate().skip(every - 1).step_by(every) {
+            motion.follow(t);
+            steps.push((number, motion.bodies()));
+        }
+        Self { steps }
+    }
+
+    fn errors(&self, follower: &mut dyn Follower) -> Errors {
+        let mut errors = [0.0; 3];
+        let mut exact = self.steps.iter().peekable();
+        follower.restart();
+        for (number, &t) in times().iter().enumerate() {
+            follower.step(t);
+            let Some((_, bodies)) = exact.next_if(|(step, _)| *step == number) else { continue };
+            for (found, exact) in follower.bodies().iter().map(numbers).zip(bodies) {
+                for (k, (found, exact)) in found.iter().zip(exact).enumerate() {
+                    let error: &mut f64 = &mut errors[usize::from(k >= 12) + usize::from(k >= 18)];
+                    *error = error.max((found - exact).abs());
+                }
+            }
+        }
+        errors
+    }
+}
