@@ -2,6 +2,7 @@
 
 #[macro_use]
 mod compare;
+mod bricard;
 mod conserved;
 mod plane;
 mod published;
