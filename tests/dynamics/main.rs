@@ -4,6 +4,7 @@
 mod compare;
 mod bricard;
 mod conserved;
+mod kept;
 mod plane;
 mod published;
 mod space;
