@@ -80,12 +80,14 @@ type State = BennettState<f64>;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mechanism = Bennett::default();
-    // The sweep avoids the instant at which the linkage is flat: there the solved rows are singular.
     let turn: Vec<State> = mechanism.sweep(steps(0.0, 1.0, 181)).collect::<Result<_, _>>()?;
 
     for (twist, other_twist) in [(40_f64, 70_f64), (30.0, 110.0), (55.0, 80.0)] {
         let m = Bennett { twist: twist.to_radians(), other_twist: other_twist.to_radians(), ..mechanism };
-        assert_angles(&m, &m.sweep(steps(0.0, 1.0, 181)).collect::<Result<Vec<State>, _>>()?);
+        // Through the instants at which the linkage lies flat, too, where the rows that are solved are singular.
+        for count in [181, 180] {
+            assert_angles(&m, &m.sweep(steps(0.0, 1.0, count)).collect::<Result<Vec<State>, _>>()?);
+        }
     }
     assert!(matches!(Bennett { excess: 1e-3, ..mechanism }.solve(0.0).map_err(|failure| failure.cause), Err(Cause::DoesNotHold { .. })));
     print(&mechanism, &turn);
@@ -111,7 +113,7 @@ fn assert_angles(m: &Bennett, turn: &[State]) {
         let [driven, after, opposite] = [m.driven(state), m.next(state), m.opposite(state)];
         let [angle, speed] = next(m, driven.value);
         // Rounding errors grow towards the flat position.
-        let flat = driven.value.sin().abs();
+        let flat = driven.value.sin().abs().max(1e-3);
         let errors = [apart(after.value, angle), apart(opposite.value, -driven.value), after.rate / m.speed - speed];
         assert!(errors.iter().all(|error| error.abs() < 4e-14 / flat), "off by {errors:?} at t = {}", state.t);
     }

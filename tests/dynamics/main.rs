@@ -2,7 +2,9 @@
 
 #[macro_use]
 mod compare;
+mod bricard;
 mod conserved;
+mod kept;
 mod plane;
 mod published;
 mod space;

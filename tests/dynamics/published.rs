@@ -1,4 +1,4 @@
-//! Published problems: Andrews' squeezing mechanism, pendulums, the N-four-bar and Bricard's linkage.
+//! Published problems: Andrews' squeezing mechanism, pendulums and the N-four-bar.
 
 use crate::compare::{TOLERANCES, error, times};
 use reuleaux::{Integrator, Stopped, mechanism};

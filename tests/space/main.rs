@@ -1,6 +1,7 @@
 //! Mechanisms in space.
 
 mod declaration;
+mod limits;
 mod loads;
 mod mechanisms;
 mod objective;

@@ -29,6 +29,11 @@ pub trait Dynamics<T: Float, const N: usize, const I: usize, const M: usize, con
     /// The same for all equations that hold at t = 0.
     fn initial(&self, q: &SVector<T, N>, t: T) -> Constraints<T, R, I>;
 
+    /// The joint of a redundant equation that does not hold, and its residual.
+    fn misfit(&self, _q: &SVector<T, N>, _t: T) -> Option<(&'static str, T)> {
+        None
+    }
+
     /// J, γ, M and f.
     fn balance(&self, q: &SVector<T, N>, qd: &SVector<T, N>, t: T) -> Balance<T, M, I>;
 

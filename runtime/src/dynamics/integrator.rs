@@ -209,7 +209,7 @@ fn factor<T: Float, K: Method>(error: T, most: f64) -> T {
     least((T::of(0.9) / root).max(T::of(0.2)), T::of(most))
 }
 
-fn least<T: Float>(one: T, two: T) -> T {
+pub(super) fn least<T: Float>(one: T, two: T) -> T {
     if two < one { two } else { one }
 }
 

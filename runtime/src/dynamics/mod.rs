@@ -9,12 +9,14 @@
 //! 2. `partition`: dependent and independent speeds, chosen by the pivots of an elimination of J with complete pivoting.
 //! 3. `accelerate`: accelerations, with a mass matrix of the size of the independent speeds.
 //! 4. `project`: positions and speeds that fulfil the equations.
+//!    `checks`: whether redundant equations hold as well.
 //! 5. `method`: how a step is tried, `explicit` with order 8 (`tableau`), or `stiff` with order 4 by linear equations.
 //!    `step`: its end, where a projection lets no joint drift open, and its error; `rank`: whether the equations stay independent on the way.
 //! 6. `integrator`: the sizes of steps; `event`: instants within a step.
 //! 7. `sweep`: states at given times, between the ends of steps by `dense`.
 
 mod accelerate;
+mod checks;
 mod dense;
 mod equations;
 mod event;
@@ -42,6 +44,7 @@ pub use sweep::MotionSweep;
 /// What the methods of a mechanism with freedoms call.
 #[doc(hidden)]
 pub mod motion {
+    pub use super::checks::misfit;
     pub use super::project::{initial_state, refresh};
     pub use super::step::fixed_step;
 }

@@ -3,7 +3,9 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::accelerate::{accelerations, lengths, singular};
+use super::checks::holds;
 use super::equations::{Constraints, Dynamics};
+use super::integrator::least;
 use super::partition::{Partition, Pivots};
 use super::places::{largest, picked, put};
 use super::stopped::Stopped;
@@ -116,6 +118,48 @@ where
     S::LEVELS.get(row).copied().unwrap_or([false; 2])
 }
 
+/// A step on the way to the initial values is short enough if no coordinate moves farther, in rad or lengths.
+const FAR: f64 = 0.25;
+
+/// Parts of the way to the initial values: none is shorter than one by this.
+const SHORTEST: f64 = 1.0 / 4096.0;
+
+/// Moves a place from the declared start to the initial values. Where that is far, the residuals are taken away in parts, so that the
+/// assembly is the one to which the declared start leads; where they cannot be, at once.
+fn assemble<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    (q, qd): (&mut SVector<T, N>, &mut SVector<T, N>),
+) -> Result<(), Open<T>>
+where
+    T: Float,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let lengths = lengths(mechanism);
+    let (declared, open) = (*q, mechanism.initial(q, T::ZERO).phi);
+    let (mut done, mut part) = (T::ZERO, T::of(1.0));
+    while done < T::of(1.0) && part >= T::of(SHORTEST) {
+        let next = least(done + part, T::of(1.0));
+        let left = |q: &SVector<T, N>| {
+            let here = mechanism.initial(q, T::ZERO);
+            Constraints { phi: SVector::from_fn(|row, _| here.phi[row] - (T::of(1.0) - next) * open[row]), ..here }
+        };
+        let (mut place, mut speeds) = (*q, *qd);
+        let found = project(mechanism, (&mut place, &mut speeds), left, levels::<T, S, N, I, M, R>);
+        let [before, after] = [&*q, &place].map(|place| picked(place, &S::INTEGRATED));
+        let moved: [T; I] = core::array::from_fn(|k| after[k] - before[k]);
+        if found.is_ok() && largest(&moved, &lengths) <= T::of(FAR) {
+            (*q, *qd, done, part) = (place, speeds, next, part * T::of(2.0));
+        } else {
+            part = part * T::of(0.5);
+        }
+    }
+    if done == T::of(1.0) {
+        return Ok(());
+    }
+    *q = declared;
+    project(mechanism, (q, qd), |q| mechanism.initial(q, T::ZERO), levels::<T, S, N, I, M, R>).map(|_| ())
+}
+
 /// The state at t = 0, at the initial values of the freedoms.
 pub fn initial_state<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(mechanism: &S) -> Result<State<T, N>, Stopped<T>>
 where
@@ -125,10 +169,11 @@ where
     mechanism.validate().map_err(Stopped::ParameterOutOfRange)?;
     let zero = SVector::from_element(T::ZERO);
     let (mut q, mut qd) = (mechanism.start(), zero);
-    project(mechanism, (&mut q, &mut qd), |q| mechanism.initial(q, T::ZERO), levels::<T, S, N, I, M, R>).map_err(|open| match open {
+    assemble(mechanism, (&mut q, &mut qd)).map_err(|open| match open {
         Open::Dependent(row) => singular::<T, S, N, I, M, R>(T::ZERO, row),
         Open::Residual(row, residual) => Stopped::NotAssembled { joint: S::JOINTS.get(row).copied().unwrap_or_default(), residual },
     })?;
+    holds::<T, S, N, I, M, R>(mechanism, &q, T::ZERO)?;
     let mut state = State::new(T::ZERO, q, qd, zero);
     refresh(mechanism, &mut state)?;
     Ok(state)

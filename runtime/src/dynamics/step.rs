@@ -3,6 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::accelerate::{lengths, singular};
+use super::checks::holds;
 use super::equations::Dynamics;
 use super::explicit::Explicit;
 use super::method::{Method, Trial};
@@ -52,6 +53,7 @@ where
     }
     let reached = project(mechanism, (&mut q, &mut qd), |q| mechanism.constraints(q, t), levels::<T, S, N, I, M, R>)
         .map_err(|open| singular::<T, S, N, I, M, R>(t, open.row()))?;
+    holds::<T, S, N, I, M, R>(mechanism, &q, t)?;
     let mut next = State::new(t, q, qd, state.qdd);
     refresh(mechanism, &mut next)?;
     Ok((next, reached))

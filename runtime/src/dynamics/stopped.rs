@@ -14,6 +14,15 @@ pub enum Stopped<T> {
         /// Its residual, in its unit.
         residual: T,
     },
+    /// A redundant joint does not fit: with all other joints closed it stays open.
+    DoesNotHold {
+        /// Time in s.
+        time: T,
+        /// The joint.
+        joint: &'static str,
+        /// Its residual, in its unit.
+        residual: T,
+    },
     /// An equation depends on the others: the mechanism can go on in several ways, or its joints lock.
     Singular {
         /// Time in s.
@@ -54,6 +63,9 @@ impl<T: Display> Display for Stopped<T> {
         match self {
             Stopped::NotAssembled { joint, residual } => {
                 write!(f, "there is no initial state: `{joint}` stays open by {residual}; start nearer to it, or change the initial values")
+            }
+            Stopped::DoesNotHold { time, joint, residual } => {
+                write!(f, "at t = {time} s the redundant joint `{joint}` does not fit: it is off by {residual}")
             }
             Stopped::Singular { time, joint } => {
                 write!(f, "at t = {time} s the equations of `{joint}` depend on those of other joints: the motion is not determined")

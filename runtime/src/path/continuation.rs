@@ -3,8 +3,9 @@
 //!
 //! A step is accepted if in every block the predicted change is small, the solution is close to the prediction, Newton's method
 //! contracts well and the determinant keeps its sign (two assemblies that meet at a fold have opposite signs); if the prediction
-//! backwards from the new state meets the old one (this excludes another assembly of the same sign after the branch has ended); and
-//! if computed angles are close to their predictions. A rejected step is halved; after a success the step is doubled.
+//! backwards from the new state meets the old one (this excludes another assembly of the same sign after the branch has ended); if
+//! redundant equations hold; and if computed angles are close to their predictions. A rejected step is halved; after a success the
+//! step is doubled.
 
 use super::branch::is_same_branch;
 use super::cold::cold_state;
@@ -70,42 +71,52 @@ pub(crate) fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usiz
     // A state of slightly different parameters is first solved again at its own time; a state of these parameters does not change
     // by that.
     let seated = cold_state(equations, state.t, ColdSolver::from_prediction(equations, state, T::of(0.0)));
-    let mut here = seated.map_or_else(|_| state.clone(), |(seated, _)| seated);
+    let (mut here, fits) = seated.map_or_else(|_| (state.clone(), true), |(seated, off)| (seated, off.is_none()));
+    // Why there was no state at `t`, as far as a redundant equation is to blame.
+    let mut refused = None;
     let mut waypoint = here.clone();
     let mut step = t - state.t;
     let most = const { MOST_STEPS / (1 + 10 * N / MANY) };
     for _ in 0..most {
         let next = if step.abs() >= (t - here.t).abs() { t } else { here.t + step };
-        match cold_state(equations, next, ColdSolver::from_prediction(equations, &here, next - here.t)) {
-            Ok((there, _)) if !is_same_branch(equations, &here, &there) && halves(equations, &mut step, next, &here, t - state.t) => {}
-            Ok((there, off)) if next == t => match off {
-                Some(cause) => return Err(Ended::Refused(cause)),
-                None => {
-                    *state = there;
-                    return Ok(());
-                }
-            },
+        let failed = match cold_state(equations, next, ColdSolver::from_prediction(equations, &here, next - here.t)) {
+            // The solved equations have branches on which redundant ones do not hold.
+            Ok((_, Some(cause))) if fits => {
+                refused = refused.or((next == t).then_some(cause));
+                Ok(refused.unwrap_or(cause))
+            }
+            Ok((there, _)) if !is_same_branch(equations, &here, &there) && halves(equations, &mut step, next, &here, t - state.t) => {
+                continue;
+            }
+            Ok((_, Some(cause))) if next == t => return Err(Ended::Refused(cause)),
+            Ok((there, _)) if next == t => {
+                *state = there;
+                return Ok(());
+            }
             Ok((there, _)) => {
                 here = there;
                 step = step + step;
                 if here.condition <= greater(largest_condition(CLEAR), T::of(LEAST_CLEAR)) {
                     waypoint = here.clone();
                 }
+                continue;
             }
-            Err(error) => {
-                if !halves(equations, &mut step, next, &here, t - state.t) {
-                    if let Some(beyond) = crossing::cross(equations, &waypoint, &here, t) {
-                        if beyond.t == t {
-                            *state = beyond;
-                            return Ok(());
-                        }
-                        step = t - beyond.t;
-                        (here, waypoint) = (beyond.clone(), beyond);
-                        continue;
-                    }
-                    return Err(Ended::Lost { error, here, next });
-                }
+            Err(error) => Err(error),
+        };
+        if halves(equations, &mut step, next, &here, t - state.t) {
+            continue;
+        }
+        match (crossing::cross(equations, &waypoint, &here, t), failed) {
+            (Some(beyond), _) if beyond.t == t => {
+                *state = beyond;
+                return Ok(());
             }
+            (Some(beyond), _) => {
+                step = t - beyond.t;
+                (here, waypoint) = (beyond.clone(), beyond);
+            }
+            (None, Ok(cause)) => return Err(Ended::Refused(cause)),
+            (None, Err(error)) => return Err(Ended::Lost { error, here, next }),
         }
     }
     Err(Ended::TooManySteps { steps: most, here })

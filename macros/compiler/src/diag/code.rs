@@ -75,7 +75,7 @@ codes! {
     E0116: Array::OutsideOfComponent;
     E0117: Name::OutputRead;
     // Arguments.
-    E0201: Arity::MissingArguments;
+    E0201: Arity::MissingArguments Arity::MissingAxes;
     E0202: Arity::TooManyArguments;
     E0203: Arity::UnknownArgument Array::ParameterAsArgument;
     E0204: Arity::DuplicateArgument;
@@ -139,7 +139,7 @@ codes! {
     E0709: System::PassiveSpin;
     // Redundancy.
     E0801: System::Repeats System::Follows System::FollowsFrom;
-    E0802: System::Contradicts System::CannotHold System::Collides System::AxesContradict System::TwoAxes;
+    E0802: System::Contradicts System::CannotHold System::Collides System::AxesContradict System::TwoAxes System::Askew;
     E0803: System::NotRedundant;
     // Assembly.
     E0901: Assembly::StaysOpen Assembly::NeverCloses;

@@ -137,6 +137,7 @@ pub enum NameFact {
 pub enum ArityFact {
     TooManyArguments { definition: String, signature: String, takes: [usize; 2], found: usize },
     MissingArguments { definition: String, signature: String, takes: [usize; 2], found: usize, missing: Vec<String> },
+    MissingAxes { definition: String, signature: String, missing: Vec<String>, instead: String, without: Vec<String> },
     UnknownArgument { definition: String, name: String, signature: String, near: Option<String> },
     DuplicateArgument { name: String, is_also_in_order: bool },
     PositionalAfterNamed { next: Option<String> },

@@ -21,7 +21,7 @@ use crate::diag::Diag;
 use crate::expr::{Arena, Expr, Leaf, derivative};
 use crate::model::Model;
 use crate::numeric::{Numeric, at_defaults};
-use crate::quantity::Role;
+use crate::quantity::{Dim, Role};
 use crate::structure::Structure;
 use crate::system::{Balance, Equation, Level, System};
 pub use elimination::Accelerations;
@@ -41,6 +41,8 @@ pub struct Dynamics {
     pub rows: Vec<MotionRow>,
     /// Equations of the freedoms at t = 0.
     pub initial: Vec<MotionRow>,
+    /// Equations that are checked: the index of their joint, and Φ in rad or in characteristic lengths to this power.
+    pub checked: Vec<(usize, Expr, u8)>,
     /// Lower triangle of the mass matrix, row by row.
     pub mass: Vec<Expr>,
     /// M u̇ − Q at u̇ = 0, by integrated speed.
@@ -138,13 +140,39 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
     let rows = left.into_iter().map(|row| &constraints[row]).chain(of_joints);
     let rows: Vec<MotionRow> = rows.map(|equation| embedding.row(equation)).collect();
     let initial = initial.iter().chain(of_freedoms).map(|equation| embedding.row(equation)).collect();
+    let checked = structure.checked.iter().filter_map(|row| {
+        let Equation { joint, dim, .. } = of_positions[*row];
+        Some((joint, embedding.of(of_positions[*row].phi()?), power_of_length(dim)))
+    });
+    let checked = checked.collect();
     let mass = embedding.mass(&masses);
     let forces = embedding.forces(&forces);
     let mut state: Vec<[Expr; 3]> = (0..system.coordinates.len()).map(|unknown| embedding.motion(unknown)).collect();
     state.extend(orientations.into_iter().map(|motion| motion.map(|expr| embedding.of(expr))));
     let integrated = embedding.integrated();
     let zero = arena.integer(0);
-    Dynamics { arena, integrated, rows, initial, mass, forces, state, energies: [kinetic, potential, power], accelerations: None, zero }
+    Dynamics {
+        arena,
+        integrated,
+        rows,
+        initial,
+        checked,
+        mass,
+        forces,
+        state,
+        energies: [kinetic, potential, power],
+        accelerations: None,
+        zero,
+    }
+}
+
+/// As which power of a length a residual is judged.
+fn power_of_length(dim: Dim) -> u8 {
+    match dim {
+        Dim::ANGLE | Dim::NUMBER => 0,
+        Dim::LENGTH => 1,
+        _ => 2,
+    }
 }
 
 /// Equations without marks.

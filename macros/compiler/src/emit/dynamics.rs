@@ -63,6 +63,7 @@ impl Emitter<'_> {
         let forces = &results[triangle + places.len()..];
         let [number_m, number_i, number_r] = [m, i, r].map(number);
         let accelerations = code.accelerations.as_ref().map(|routine| self.accelerations(code, routine, (n, i)));
+        let checked = (!code.checked_rows.is_empty()).then(|| self.checks(code, n));
         let state = fast_lines(self.model, &code.arena, &code.state);
         let (reads_of_state, steps_of_state) = (&state.reads, &state.steps);
         let parts = [0, 1, 2].map(|part| {
@@ -85,6 +86,7 @@ impl Emitter<'_> {
                     forces: ::core::convert::From::from([#(#forces),*]),
                 }
             }
+            #checked
             #accelerations
             fn complete(&self, #q: &#of_state, #qd: &#of_state, #qdd: &#of_state, #t: T) -> [#of_state; 3] {
                 #reads_of_state
@@ -120,6 +122,24 @@ impl Emitter<'_> {
                     return ::core::option::Option::None;
                 }
                 ::core::option::Option::Some(::core::convert::From::from([#(#values),*]))
+            }
+        }
+    }
+
+    /// The checked equation that is off most.
+    fn checks(&self, code: &DynamicsCode, n: usize) -> TokenStream {
+        let [q, t] = ["q", "t"].map(local);
+        let of_state = vector_type(n);
+        let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, &code.checked);
+        let rows = code.checked_rows.iter().zip(&results).map(|((joint, power), phi)| {
+            let (name, power) = (self.model.joints[*joint].name.to_string(), number(usize::from(*power)));
+            quote!((#name, #phi, #power))
+        });
+        quote! {
+            fn misfit(&self, #q: &#of_state, #t: T) -> ::core::option::Option<(&'static ::core::primitive::str, T)> {
+                #reads
+                #steps
+                ::reuleaux::motion::misfit(self, &[#(#rows),*])
             }
         }
     }

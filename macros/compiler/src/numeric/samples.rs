@@ -10,6 +10,7 @@ use crate::expr::{Expr, Values, evaluate};
 use crate::quantity::Dim;
 use crate::structure::SMALL;
 use crate::structure::Subsystem;
+use crate::system::Equation;
 
 /// Distances of the poses from the start, as travel of the fastest drive, in rad or characteristic lengths: stepwise to either side, about
 /// half a turn.
@@ -148,8 +149,10 @@ impl Numeric<'_> {
         let begin = Pose { time: 0.0, q: start.to_vec() };
         let mut samples = Samples { poses: vec![begin.clone()], moves: false, holds: true };
         let zero = |expr: Expr| self.system.arena.as_constant(expr).is_some_and(|value| value.is_zero());
-        if subsystems.iter().flat_map(|subsystem| &subsystem.equations).all(|equation| zero(self.system.equations[*equation].nu)) {
-            self.push(subsystems, &mut samples, leaves_out);
+        // A freedom holds its value at t = 0 only: nothing leads it anywhere, and it is left out.
+        let rests = |equation: &Equation| equation.is_initial || zero(equation.nu);
+        if subsystems.iter().flat_map(|subsystem| &subsystem.equations).all(|equation| rests(&self.system.equations[*equation])) {
+            self.push(subsystems, &mut samples, |equation| leaves_out(equation) || self.system.equations[equation].is_initial);
             return samples;
         }
         let pace = self.pace(subsystems, start);

@@ -23,6 +23,10 @@ pub struct DynamicsCode {
     pub constraints: Routine,
     /// The same of all equations at t = 0.
     pub initial: Routine,
+    /// Joint of each equation that is checked, and the power of a length with which it is judged.
+    pub checked_rows: Vec<(usize, u8)>,
+    /// Their Φ.
+    pub checked: Routine,
     /// J row by row, γ, the lower triangle of M row by row, f.
     pub balance: Routine,
     /// u̇, then the pivots of its computation, each with the number that it has to exceed; those of masses last.
@@ -40,7 +44,7 @@ pub(super) fn code(model: &Model, system: &System, dynamics: &Dynamics) -> Dynam
     let words = Words::new(model, system);
     let arena = dynamics.arena.clone();
     let line = |results: Vec<Expr>| schedule::routine(&arena, results, &words);
-    let Dynamics { rows, initial, mass, forces, state, energies, integrated, .. } = dynamics;
+    let Dynamics { rows, initial, checked, mass, forces, state, energies, integrated, .. } = dynamics;
     let all: Vec<MotionRow> = rows.iter().chain(initial).cloned().collect();
     let level = |row: &MotionRow| {
         // A pin holds a position, and leaves its rate to the equations between speeds.
@@ -57,6 +61,8 @@ pub(super) fn code(model: &Model, system: &System, dynamics: &Dynamics) -> Dynam
         integrated: integrated.clone(),
         initial_rows: all.iter().map(level).collect(),
         rows: rows.len(),
+        checked_rows: checked.iter().map(|(joint, _, power)| (*joint, *power)).collect(),
+        checked: line(checked.iter().map(|(_, phi, _)| *phi).collect()),
         masses: dynamics.accelerations.as_ref().map_or(0, |found| found.masses.len()),
         constraints: line(kinematics(rows)),
         initial: line(kinematics(&all)),

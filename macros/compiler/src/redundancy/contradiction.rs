@@ -220,7 +220,9 @@ impl Numeric<'_> {
         let known = Values { time: pose.time, coordinates: &pose.q, ..self.known };
         let (mut length, mut angle): (Option<f64>, Option<f64>) = (None, None);
         for equation in self.system.of_joint(joint) {
-            let gap = if equation.dim == Dim::ANGLE { &mut angle } else { &mut length };
+            // Constant products of unit vectors are those of axes that are askew.
+            let is_angle = equation.dim == Dim::ANGLE || equation.dim == Dim::NUMBER && equation.jacobian.is_empty();
+            let gap = if is_angle { &mut angle } else { &mut length };
             if let Some(way) = self.way(equation, known, pose.q.clone()) {
                 *gap = Some(gap.unwrap_or(0.0).hypot(way));
             }
@@ -230,8 +232,13 @@ impl Numeric<'_> {
     }
 
     /// Distance by which one body must move until an equation holds, independent of any factor or power in the equation; in m, or in rad
-    /// for an equation of angles. `None` if the iteration diverges or no body can move.
+    /// for an equation of angles; the residual of a constant equation. `None` if the iteration diverges or no body can move.
     fn way(&self, equation: &Equation, known: Values, mut q: Vec<f64>) -> Option<f64> {
+        if equation.jacobian.is_empty() {
+            // Explicit unknowns have made a constant of it.
+            let values = evaluate(&self.system.arena, &equation.phi().into_iter().collect::<Vec<Expr>>(), &known);
+            return values.first().map(|off| off.abs());
+        }
         let measures = if equation.dim == Dim::ANGLE { Dim::ANGLE } else { Dim::LENGTH };
         let entries = equation.jacobian.iter().filter(|(unknown, _)| self.system.coordinates[*unknown].role.dim() == measures);
         let body = entries.clone().map(|(unknown, _)| self.system.coordinates[*unknown].body).next_back()?;

@@ -62,12 +62,12 @@ pub(super) fn axes_agree(model: &Model, system: &System, diag: &mut Diag) -> Opt
 }
 
 /// True if the joint also keeps two points coincident.
-fn is_hinge(model: &Model, joint: usize) -> bool {
+pub(super) fn is_hinge(model: &Model, joint: usize) -> bool {
     model.space.relations.iter().any(|(other, _, relation)| *other == joint && matches!(relation, Relationship::Coincident(..)))
 }
 
 /// Angle between two lines of one body at the declared defaults, at most π/2, in rad.
-fn angle(model: &Model, system: &System, one: [Expr; 3], two: [Expr; 3]) -> f64 {
+pub(super) fn angle(model: &Model, system: &System, one: [Expr; 3], two: [Expr; 3]) -> f64 {
     let values = at_defaults(model, system, |numeric| evaluate(&model.arena, &[one, two].concat(), &numeric.known));
     let (one, two) = values.split_at(3);
     let dot: f64 = one.iter().zip(two).map(|(one, two)| one * two).sum();

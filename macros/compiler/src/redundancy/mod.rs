@@ -5,6 +5,7 @@
 //! adds nothing or contradicts the rest. Parameters have their declared values: the third crank of a parallelogram is redundant, although
 //! with other lengths the linkage would not close. Not done here: counting equations and over-determined drives, both in `mobility`.
 
+mod askew;
 mod contradiction;
 mod directions;
 mod elimination;
@@ -37,6 +38,7 @@ pub(crate) struct Redundancy<'a> {
 pub(crate) fn find<'a>(model: &'a Model, system: &'a System, diag: &mut Diag) -> Option<Redundancy<'a>> {
     identity::rows_depend_on_positions(model, system, diag)?;
     directions::axes_agree(model, system, diag)?;
+    askew::hinges_are_parallel(model, system, diag)?;
     let exact = model.task.is_determined().then(|| ExactDependence::new(model, system));
     exact.iter().for_each(|exact| exact.no_row_follows_from_others(true, diag));
     if !diag.is_clean() {

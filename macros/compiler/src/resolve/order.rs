@@ -4,8 +4,9 @@ use super::elaborate::{Elaborator, Scope};
 use crate::diag::{ArityFact, Fact, ValueFact};
 use crate::hints::point_of;
 use crate::names::{Entity, FrameId, Value, signature};
-use crate::quantity::{Dim, InferredDim};
+use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{Argument, Definition, FormalKind, JointBody};
+use proc_macro2::Ident;
 use std::collections::BTreeSet;
 
 impl Elaborator<'_> {
@@ -29,6 +30,47 @@ impl Elaborator<'_> {
         let instead = format!("{name}({})", ordered.join(", "));
         self.diag.withdraw(before);
         self.refuse(first.value.range.to(last.value.range), ArityFact::OtherOrder { name, instead, signature: signature(definition) })
+    }
+
+    /// Refuses arguments that lack nothing but axes, as those of a joint of the plane do in space, and shows them with axes.
+    pub(super) fn has_its_axes(&mut self, definition: &Definition, kind: &Ident, given: &[Argument], scope: &Scope) -> Option<()> {
+        let needed = definition.parameters.iter().filter(|formal| formal.default.is_none());
+        let is_short = given.len() < needed.count() && given.iter().all(|argument| argument.name.is_none());
+        if self.names.ambient != Ambient::Space || !is_short {
+            return Some(());
+        }
+        let before = self.diag.refusals().len();
+        let values: Option<Vec<Value>> = given.iter().map(|argument| self.value(&argument.value, scope)).collect();
+        self.diag.withdraw(before);
+        let mut open = given.iter().zip(values.unwrap_or_default()).peekable();
+        let (mut written, mut missing, mut without) = (Vec::new(), Vec::new(), Vec::new());
+        let mut last: Option<(String, FrameId)> = None;
+        for formal in &definition.parameters {
+            match open.next_if(|(_, value)| self.fits(&formal.kind, value)) {
+                Some((argument, value)) => {
+                    written.push(argument.value.to_string());
+                    if let Value::Point(point) = value {
+                        last = written.last().and_then(|text| text.rsplit_once('.')).map(|(owner, _)| (owner.to_owned(), point.frame));
+                    }
+                }
+                None if matches!(formal.kind, FormalKind::Axis) => {
+                    let Some((owner, frame)) = &last else { return Some(()) };
+                    if self.names.an_axis_of(*frame).is_none() && !without.contains(owner) {
+                        without.push(owner.clone());
+                    }
+                    written.push(format!("{owner}.{}", self.names.an_axis_of(*frame).unwrap_or("z")));
+                    missing.push(formal.name.to_string());
+                }
+                None if formal.default.is_some() => {}
+                None => return Some(()),
+            }
+        }
+        if missing.is_empty() || open.next().is_some() {
+            return Some(());
+        }
+        let (definition, signature) = (definition.name.to_string(), signature(definition));
+        let instead = format!("{definition}({})", written.join(", "));
+        self.refuse(kind, ArityFact::MissingAxes { definition, signature, missing, instead, without })
     }
 
     /// True if a value can be an argument for a parameter of this kind.

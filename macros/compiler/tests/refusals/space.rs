@@ -60,6 +60,25 @@ macro_rules! four_bar {
     };
 }
 
+/// The same, with axes on coupler and rocker that are a little askew.
+macro_rules! tilted {
+    ($rest:literal) => {
+        concat!(
+            "mechanism FourBar in space {
+                ground { axis z = (0, 0, 1); point C = (400mm, 0mm, 0mm); }
+                body crank { axis z = (0, 0, 1); point A = (100mm, 0mm, 0mm); }
+                body coupler { axis z = (0, 0, 1); axis w = (0, 0.02, 1); point B = (350mm, 0mm, 0mm); }
+                body rocker { axis z = (0, 0, 1); axis w = (0, 0.02, 1); point B = (300mm, 0mm, 0mm); start orientation = turn((0, 0, 1), 70deg); }
+                joint o = revolute(ground.position, ground.z, crank.position, crank.z);
+                joint a = revolute(crank.A, crank.z, coupler.position, coupler.z);
+                joint c = revolute(ground.C, ground.z, rocker.position, rocker.z);
+                drive input = drive_rotation(o, 60rpm * t); ",
+            $rest,
+            "}"
+        )
+    };
+}
+
 /// Sarrus' linkage, which lifts a platform in a straight line; `$rest` closes the second of its chains.
 macro_rules! sarrus {
     ($rest:literal) => {
@@ -107,6 +126,7 @@ refused! {
     driven the_sine_of_an_axis: "output o = sin(«b.z»);" => "expected a number, found an axis\nhelp: its components are `.x`, `.y` and `.z`, its length is `norm(…)`";
     driven a_body_where_a_number_is_wanted: "output o = 2 * «b»;" => "expected a number or a vector, found a body\nhelp: its coordinates are `.x`, `.y` and `.z`, its place is `.position`; angles are those of joints, `joint.angle`";
     driven a_zero_direction_of_two_components: "body c { axis u = (0, 0, 1) from «(1, 0)»; }" => "a vector in space has 3 components, found 2";
+    driven a_redundant_joint_that_nothing_can_close: "body c { axis z = (0, 0, 1); axis w = (0, 0.02, 1); } joint q = revolute(b.A, b.z, c.position, c.z); drive n = drive_rotation(q, 60rpm * t); redundant joint «r» = parallel_axes(c.w, b.z);" => "`r` contradicts the other joints: with all of them closed it is 1.15° off\nhelp: a redundant joint must fit as well: change a measure, or take it away";
     driven a_start_of_two_components: "body c { start position = «(0m, 1m)»; }" => "a vector in space has 3 components, found 2";
     driven angles_from_along_the_axis: "body c { axis u = (0, 0, 1) from «(0, 0, 2)»; }" => "angles about `u` are counted from a direction across it, and nothing of this one is across";
     driven angles_from_nowhere: "body c { axis u = (0, 0, 1) from «(0, 0, 0)»; }" => "angles about `u` are counted from a direction across it, and nothing of this one is across";
@@ -121,6 +141,13 @@ refused! {
     plane a_drive_of_space_in_the_plane: "drive m = «drive_rotation»(a, 60rpm * t);" => "`drive_rotation` is for mechanisms in space: write `mechanism Name in space { … }`, or in the plane `drive_angle(body, law)`";
     four_bar four_parallel_hinges: "joint «b» = revolute(coupler.B, coupler.z, rocker.B, rocker.z);" => "3 of the 5 equations of `b` add nothing: they follow from `o`, `a` and `c` in every position tried\nhelp: in a loop a spherical and a cylindrical joint in place of two revolutes demand no more than is needed; or write `redundant joint` for `joint`: what is needed of it is solved, the rest is checked";
     four_bar parallel_hinges_that_do_not_meet: "redundant joint «b» = revolute(coupler.B, coupler.z, rocker.D, rocker.z);" => "`b` contradicts the other joints: with all of them closed it is 10 mm off\nnote: it joins `crank`, `coupler` and `rocker`\nhelp: a redundant joint must fit as well: change a measure, or take it away";
+    four_bar hinges_without_axes: "joint b = «revolute»(coupler.B, rocker.B);" => "`revolute` takes axes beside points: `a` and `b` are missing\nhelp: write `revolute(coupler.B, coupler.z, rocker.B, rocker.z)`\nnote: `revolute(P: Point, a: Axis, Q: Point, b: Axis)`";
+    four_bar a_plane_without_its_normal: "body plate { point P = (1m, 0m, 0m); } joint b = «planar»(plate.P, rocker.B);" => "`planar` takes axes beside points: `a` and `b` are missing\nhelp: write `planar(plate.P, plate.z, rocker.B, rocker.z)`, with `axis z = (0, 0, 1);` in `plate`\nnote: `planar(P: Point, a: Axis, Q: Point, b: Axis, offset: Length = …)`";
+    four_bar a_line_without_its_direction: "joint b = «point_on_line»(coupler.B, rocker.B);" => "`point_on_line` takes the axis beside points: `a` is missing\nhelp: write `point_on_line(coupler.B, coupler.z, rocker.B)`\nnote: `point_on_line(P: Point, a: Axis, Q: Point)`";
+    tilted four_parallel_hinges_but_for_one: "joint «b» = revolute(coupler.B, coupler.w, rocker.B, rocker.z);" => "the axes of `a` and `b` are 1.15° apart on `coupler`, those of `o` and `c` are parallel: such a loop of hinges locks\nhelp: parallel axes were probably meant: give `coupler` parallel axes for `a` and `b`";
+    tilted a_redundant_hinge_askew: "redundant joint «b» = revolute(coupler.B, coupler.w, rocker.B, rocker.z);" => "the axes of `a` and `b` are 1.15° apart on `coupler`, those of `o` and `c` are parallel: such a loop of hinges locks\nhelp: parallel axes were probably meant: give `coupler` parallel axes for `a` and `b`";
+    tilted a_hinge_askew_on_both_sides: "joint «b» = revolute(coupler.B, coupler.w, rocker.B, rocker.w);" => "the axis of `b` is 1.15° askew on `coupler` and `rocker`, those of `o`, `a` and `c` are parallel: such a loop of hinges locks\nhelp: parallel axes were probably meant: give `coupler` and `rocker` parallel axes for `b`";
+    tilted a_redundant_hinge_askew_on_both_sides: "redundant joint «b» = revolute(coupler.B, coupler.w, rocker.B, rocker.w);" => "the axis of `b` is 1.15° askew on `coupler` and `rocker`, those of `o`, `a` and `c` are parallel: such a loop of hinges locks\nhelp: parallel axes were probably meant: give `coupler` and `rocker` parallel axes for `b`";
     sarrus six_hinges_of_sarrus: "joint «f» = revolute(outer.Q, outer.y, platform.Q, platform.y);" => "1 of the 5 equations of `f` adds nothing: it follows from `a`, `b`, `c`, `d` and `e` in every position tried\nhelp: in a loop a spherical and a cylindrical joint in place of two revolutes demand no more than is needed; or write `redundant joint` for `joint`: what is needed of it is solved, the rest is checked";
 }
 

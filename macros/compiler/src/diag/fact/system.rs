@@ -85,6 +85,12 @@ pub enum SystemFact {
         /// In rad.
         angles: [f64; 2],
     },
+    Askew {
+        joints: Vec<String>,
+        bodies: Vec<String>,
+        angle: f64,
+        others: Vec<String>,
+    },
     TwoAxes {
         joint: String,
         other: String,

@@ -16,6 +16,15 @@ impl Display for ArityFact {
                 write!(f, "`{definition}` takes {}, found {found}: {missing_ones} {verb} missing", range_of(takes, "argument"))?;
                 write!(f, "\nnote: `{signature}`")
             }
+            ArityFact::MissingAxes { definition, signature, missing, instead, without } => {
+                let (verb, noun) = if missing.len() == 1 { ("is", "the axis") } else { ("are", "axes") };
+                let missing = listed(missing.iter().map(String::as_str));
+                write!(f, "`{definition}` takes {noun} beside points: {missing} {verb} missing\nhelp: write `{instead}`")?;
+                if !without.is_empty() {
+                    write!(f, ", with `axis z = (0, 0, 1);` in {}", listed(without.iter().map(String::as_str)))?;
+                }
+                write!(f, "\nnote: `{signature}`")
+            }
             ArityFact::UnknownArgument { definition, name, signature, near } => {
                 write!(f, "`{definition}` has no parameter `{name}`{}\nnote: `{signature}`", did_you_mean(near))
             }

@@ -233,6 +233,16 @@ impl Display for SystemFact {
                 write!(f, "`{joint}` contradicts `{other}`: their axes are {on_one}° apart on `{one}` and {on_two}° on `{two}`")?;
                 write!(f, "\nhelp: give both joints the same axes, or take one of them away")
             }
+            SystemFact::Askew { joints, bodies, angle, others } => {
+                let angle = rounded(angle.to_degrees());
+                match joints.as_slice() {
+                    [joint] => write!(f, "the axis of `{joint}` is {angle}° askew on {}", list(bodies))?,
+                    both => write!(f, "the axes of {} are {angle}° apart on {}", list(both), list(bodies))?,
+                }
+                let (those, need) = if others.len() == 1 { ("that", "is") } else { ("those", "are") };
+                write!(f, ", {those} of {} {need} parallel: such a loop of hinges locks", list(others))?;
+                write!(f, "\nhelp: parallel axes were probably meant: give {} parallel axes for {}", list(bodies), list(joints))
+            }
             SystemFact::TwoAxes { joint, other, bodies: [one, two], angle } => {
                 write!(
                     f,
