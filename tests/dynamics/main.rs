@@ -3,7 +3,9 @@
 #[macro_use]
 mod compare;
 mod conserved;
+mod masses;
 mod plane;
 mod published;
+mod shared_nodes;
 mod space;
 mod stiff;

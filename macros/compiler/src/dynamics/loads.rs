@@ -122,16 +122,22 @@ fn each(ambient: Ambient) -> usize {
 
 /// Φ_uᵀ where the mechanism is assembled, by speed and multiplier.
 fn numbers(numeric: &Numeric, arena: &mut Arena, assembly: &Assembly, equations: &LoadEquations) -> BTreeMap<(usize, usize), f64> {
+    let state = state_at_start(numeric, arena, assembly);
+    let places =
+        equations.rows.iter().enumerate().flat_map(|(row, equation)| equation.jacobian.iter().map(move |(speed, _)| (*speed, row)));
+    let entries: Vec<Expr> = equations.rows.iter().flat_map(|row| row.jacobian.iter().map(|(_, entry)| *entry)).collect();
+    places.zip(evaluate(arena, &entries, &Values { coordinates: &state, ..numeric.known })).collect()
+}
+
+/// The entries of a state where the mechanism is assembled: unknowns, and in space rotation matrices behind them.
+pub(super) fn state_at_start(numeric: &Numeric, arena: &mut Arena, assembly: &Assembly) -> Vec<f64> {
     let system = numeric.system;
     let orientations = (0..system.frames.len()).flat_map(|body| system.orientation(arena, body)).map(|[value, _, _]| value);
     let orientations: Vec<Expr> = orientations.collect();
     let at_start = Values { coordinates: &assembly.start, ..numeric.known };
     let mut state = assembly.start.clone();
     state.extend(evaluate(arena, &orientations, &at_start));
-    let places =
-        equations.rows.iter().enumerate().flat_map(|(row, equation)| equation.jacobian.iter().map(move |(speed, _)| (*speed, row)));
-    let entries: Vec<Expr> = equations.rows.iter().flat_map(|row| row.jacobian.iter().map(|(_, entry)| *entry)).collect();
-    places.zip(evaluate(arena, &entries, &Values { coordinates: &state, ..numeric.known })).collect()
+    state
 }
 
 /// The equations of the loads under elimination.

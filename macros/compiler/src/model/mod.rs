@@ -4,6 +4,7 @@
 
 pub(crate) mod example;
 mod layout;
+mod mass;
 mod name;
 pub mod sketch;
 mod solid;
@@ -11,14 +12,15 @@ mod solid;
 pub use crate::expr::spline::{Ends, Table};
 pub use crate::geometry::{Components, Geometry, JointQuantity, Place, Relationship, Triad};
 pub use layout::{Component, Field, Layout, Of, Part};
+pub use mass::Mass;
 pub use name::Name;
 pub(crate) use name::Said;
 pub use sketch::Sketch;
 pub use solid::Solid;
 
-use crate::diag::{ValueFact, Warning};
+use crate::diag::Warning;
 use crate::expr::{Arena, Expr};
-use crate::quantity::{Ambient, Dim, Role, is_inertia};
+use crate::quantity::{Ambient, Dim, Role};
 use crate::syntax::ast::{Closing, Docs, Following, Relation, Task};
 use proc_macro2::{Ident, TokenStream};
 
@@ -139,43 +141,8 @@ pub struct Body {
     pub first: usize,
     /// Coordinates, in their order in q.
     pub coordinates: Vec<BodyCoordinate>,
-    /// Mass and its distribution.
-    pub mass: Mass,
-}
-
-/// Mass of a body and its distribution; what is not declared is zero.
-#[derive(Clone, Debug, Default)]
-pub struct Mass {
-    /// Mass.
-    pub mass: Option<Expr>,
-    /// Centre of mass, by local components.
-    pub center: Option<Vec<Expr>>,
-    /// Inertia about the centre of mass: one number in the plane, in space I_xx, I_yy, I_zz, I_xy, I_xz, I_yz in the axes of the body.
-    pub inertia: Option<Vec<Expr>>,
-}
-
-impl Mass {
-    /// The word at fault and what is wrong: a centre without a mass, a negative number, an inertia that no distribution of mass has.
-    ///
-    /// * `numbers`: given, the values of expressions of parameters at the defaults.
-    pub(crate) fn flaw(&self, body: &str, numbers: impl Fn(&[Expr]) -> Vec<f64>) -> Option<(&'static str, ValueFact)> {
-        let body = body.to_owned();
-        if self.center.is_some() && self.mass.is_none() {
-            return Some(("center", ValueFact::CenterWithoutMass { body }));
-        }
-        for (what, value) in [("mass", self.mass.map(|mass| vec![mass])), ("inertia", self.inertia.clone())] {
-            let Some(values) = value.map(|value| numbers(&value)) else { continue };
-            if let Some(value) = values.iter().take(3).copied().find(|value| *value < 0.0) {
-                return Some((what, ValueFact::NegativeMass { what, body, value }));
-            }
-            if let [xx, yy, zz, xy, xz, yz] = values[..]
-                && !is_inertia([xx, yy, zz, xy, xz, yz])
-            {
-                return Some((what, ValueFact::ImpossibleInertia { body }));
-            }
-        }
-        None
-    }
+    /// Masses fixed in it, each with a centre of its own; none if nothing is declared.
+    pub masses: Vec<Mass>,
 }
 
 /// A force at a point of a body, or a torque on it.

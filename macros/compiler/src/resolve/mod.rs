@@ -18,6 +18,7 @@ mod index;
 mod instance;
 mod items;
 mod layout;
+mod masses;
 mod meant;
 mod order;
 mod register;

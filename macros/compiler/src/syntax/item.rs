@@ -2,7 +2,7 @@
 
 use super::ast::{
     Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, FunctionItem, Gravity, Item, JointItem, Let, Limits, Marks,
-    Mechanism, OutputItem, ParameterItem, Refused, Shared, Start, Task, TimeRange, Use,
+    MassItem, Mechanism, OutputItem, ParameterItem, Refused, Shared, Start, Task, TimeRange, Use,
 };
 use super::dimension::{dimension, required_dimension};
 use super::expression::{expression, indices};
@@ -394,12 +394,27 @@ fn frame(input: ParseStream, docs: Docs, (name, indices): (Ident, Vec<Expression
             frame.starts.push(start(&content)?);
         } else if let Some(what) = keyword(&content).filter(|word| ["mass", "center", "inertia"].iter().any(|known| word == known)) {
             Ident::parse_any(&content)?;
-            frame.masses.push(Start { what, value: value(&content)? });
+            equals(&content)?;
+            frame.masses.push(mass(&content, what)?);
         } else {
             marks(&content, &mut frame.marks, ItemContext::top(Ambient::default()))?;
         }
     }
     Ok(frame)
+}
+
+/// The value of a mass, a centre or an inertia.
+pub(super) fn mass(input: ParseStream, what: Ident) -> Parsed<MassItem> {
+    let value = expression(input)?;
+    let is_turned = what == "inertia" && keyword(input).is_some_and(|word| word == "along");
+    let along = if is_turned {
+        Ident::parse_any(input)?;
+        Some(expression(input)?)
+    } else {
+        None
+    };
+    semicolon(input)?;
+    Ok(MassItem { what, value, along })
 }
 
 /// A point, an axis, or a loop over them.

@@ -66,9 +66,10 @@ pub(super) fn potential(model: &Model, arena: &mut Arena) -> Expr {
     }
     let Some(gravity) = &model.gravity else { return sum };
     let zero = arena.integer(0);
-    for (body, declared) in model.bodies.iter().enumerate() {
-        let Some(mass) = declared.mass.mass else { continue };
-        let center = declared.mass.center.clone().unwrap_or_else(|| vec![zero; gravity.len()]);
+    let masses = model.bodies.iter().enumerate().flat_map(|(body, declared)| declared.masses.iter().map(move |mass| (body, mass)));
+    for (body, declared) in masses {
+        let Some(mass) = declared.mass else { continue };
+        let center = declared.center.clone().unwrap_or_else(|| vec![zero; gravity.len()]);
         let arm = dynamics::arm(model, arena, body, &center);
         for (axis, (along, g)) in arm.into_iter().zip(gravity).enumerate() {
             let origin = arena.leaf(Leaf::Coordinate(coordinate(model, body, axis)));

@@ -39,6 +39,8 @@ pub struct LoadRow {
     pub nu: Expr,
     /// True if it belongs to a freedom.
     pub is_of_freedom: bool,
+    /// True if it is declared as an equation of velocities, also where it is solved as one of positions.
+    pub is_of_velocities: bool,
 }
 
 impl LoadEquations {
@@ -54,7 +56,7 @@ impl LoadEquations {
         for (row, equation) in declared.iter().zip(&mut equations) {
             angles.add_slopes(arena, row, equation);
         }
-        let rows = rows(equations.iter());
+        let rows = rows(model, equations.iter());
         Some(LoadEquations { forces, rows, arms: arms(model, arena), energies: energies(model, arena) })
     }
 
@@ -62,7 +64,7 @@ impl LoadEquations {
     pub(super) fn in_plane<'a>(model: &Model, arena: &mut Arena, equations: impl Iterator<Item = &'a Equation>) -> Option<LoadEquations> {
         let forces = dynamics::unbalanced(model, arena)?;
         let is_pin = |equation: &Equation| equation.row >= model.joints[equation.joint].residuals.len();
-        let rows = rows(equations.filter(|equation| !is_pin(equation)));
+        let rows = rows(model, equations.filter(|equation| !is_pin(equation)));
         Some(LoadEquations { forces, rows, arms: arms(model, arena), energies: energies(model, arena) })
     }
 
@@ -202,13 +204,14 @@ impl JointAngles {
     }
 }
 
-fn rows<'a>(equations: impl Iterator<Item = &'a Equation>) -> Vec<LoadRow> {
+fn rows<'a>(model: &Model, equations: impl Iterator<Item = &'a Equation>) -> Vec<LoadRow> {
     let row = |equation: &Equation| LoadRow {
         joint: equation.joint,
         dim: equation.dim,
         jacobian: equation.jacobian.clone(),
         nu: equation.nu,
         is_of_freedom: equation.is_initial,
+        is_of_velocities: model.joints[equation.joint].residuals.get(equation.row).is_some_and(|residual| residual.is_velocity),
     };
     let mut rows: Vec<LoadRow> = equations.map(row).collect();
     rows.sort_by_key(|row| (row.is_of_freedom, row.joint));

@@ -29,6 +29,13 @@ pub enum SystemFact {
         bodies: Vec<String>,
         has_any: bool,
     },
+    ActsOnMassless {
+        joint: String,
+        without_mass: Vec<String>,
+        without_inertia: Vec<String>,
+        adds: bool,
+        freedom: String,
+    },
     Nonholonomic {
         joint: String,
         row: usize,
