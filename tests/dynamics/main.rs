@@ -3,6 +3,7 @@
 #[macro_use]
 mod compare;
 mod conserved;
+mod forces;
 mod masses;
 mod plane;
 mod published;

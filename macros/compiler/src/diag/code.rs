@@ -157,4 +157,5 @@ codes! {
     E1104: Value::EnergyOfVelocities;
     E1105: Motion::SliceBesideFreedom Motion::RangeBesideFreedom;
     E1106: System::ActsOnMassless;
+    E1107: System::SliceWithoutLoads;
 }

@@ -71,7 +71,8 @@ pub(crate) fn loads(model: &Model, system: &System, structure: &Structure, assem
     Some(Loads { arena, closed, actions })
 }
 
-/// What joints and drives do: for each joint the force at its point and the torque about it, for each drive its power.
+/// What joints, drives and forces do: for each joint the force at its point and the torque about it, for each drive its power, for each force
+/// its forces, its torques and its power.
 fn actions(model: &Model, arena: &mut Arena, equations: &LoadEquations, multipliers: &[Expr]) -> Vec<Expr> {
     let mut actions = Vec::new();
     for (index, joint) in model.joints.iter().enumerate().filter(|(_, joint)| joint.freedom.is_none()) {
@@ -86,6 +87,7 @@ fn actions(model: &Model, arena: &mut Arena, equations: &LoadEquations, multipli
             }
         }
     }
+    actions.extend(equations.pushes.iter().flatten());
     actions
 }
 

@@ -10,10 +10,10 @@
 use super::loads::state_at_start;
 use crate::assembly::Assembly;
 use crate::diag::{Diag, SystemFact};
-use crate::expr::{Arena, Expr, Leaf, Values, derivative, evaluate};
+use crate::expr::{Expr, Values, evaluate};
 use crate::library;
 use crate::linear::Echelon;
-use crate::model::{Joint, Model};
+use crate::model::{Body, Joint, Model};
 use crate::numeric::Numeric;
 use crate::quantity::Ambient;
 use crate::syntax::ast::Definition;
@@ -79,26 +79,31 @@ impl Resisted {
         let state = state_at_start(numeric, &mut arena, assembly);
         let still = vec![0.0; state.len()];
         let known = Values { coordinates: &state, speeds: &still, accelerations: &still, ..numeric.known };
-        let row = |arena: &Arena, entries: &[(usize, Expr)], scale_of_row: f64| {
-            let roots: Vec<Expr> = entries.iter().map(|(_, entry)| *entry).collect();
+        let row = |equation: &LoadRow| {
+            let roots: Vec<Expr> = equation.jacobian.iter().map(|(_, entry)| *entry).collect();
             let mut row = vec![0.0; speeds];
-            for ((speed, _), value) in entries.iter().zip(evaluate(arena, &roots, &known)) {
-                row[*speed] = value * scale(*speed) * scale_of_row;
+            for ((speed, _), value) in equation.jacobian.iter().zip(evaluate(&arena, &roots, &known)) {
+                row[*speed] = value * scale(*speed);
             }
             row
         };
-        let rows: Vec<Vec<f64>> = equations.rows.iter().map(|equation| row(&arena, &equation.jacobian, 1.0)).collect();
+        let rows: Vec<Vec<f64>> = equations.rows.iter().map(row).collect();
         let mut echelon = Echelon::new(speeds);
         let holds =
             |equation: &LoadRow| !equation.is_of_freedom && (!equation.is_of_velocities || numeric.model.joints[equation.joint].is_drive);
         for (_, row) in equations.rows.iter().zip(&rows).filter(|(equation, _)| holds(equation)) {
             echelon.takes(row.clone());
         }
-        for (speed, force) in equations.forces.iter().enumerate() {
-            let entries = masses(&mut arena, *force, numeric, each);
-            echelon.takes(row(&arena, &entries, scale(speed)));
+        for body in 0..numeric.model.bodies.len() {
+            for (at, own) in mass_matrix(numeric, &state, body).into_iter().enumerate() {
+                let mut row = vec![0.0; speeds];
+                for (k, entry) in own.into_iter().enumerate() {
+                    row[each[0] * body + k] = entry * scale(k) * scale(at);
+                }
+                echelon.takes(row);
+            }
         }
-        let of_body = |body: &crate::model::Body| {
+        let of_body = |body: &Body| {
             let masses: Vec<Expr> = body.masses.iter().filter_map(|mass| mass.mass).collect();
             evaluate(&arena, &masses, &known).into_iter().any(|mass| mass > 0.0)
         };
@@ -127,20 +132,49 @@ impl Resisted {
     }
 }
 
-/// ∂f/∂u̇, by speed of the bodies.
-fn masses(arena: &mut Arena, force: Expr, numeric: &Numeric, [each, of_translation]: [usize; 2]) -> Vec<(usize, Expr)> {
-    let unknowns = numeric.system.coordinates.len();
-    let speed = |number: usize| match numeric.model.ambient {
-        Ambient::Plane => number,
-        // Accelerations of origins are the first entries of a state; those of rotations stand behind the unknowns.
-        Ambient::Space if number < unknowns => each * (number / 3) + number % 3,
-        Ambient::Space => each * ((number - unknowns) / COSINES) + of_translation + (number - unknowns) % COSINES,
+/// M of a body about its origin, in ground: m, m c and the inertia about the origin.
+fn mass_matrix(numeric: &Numeric, state: &[f64], body: usize) -> Vec<Vec<f64>> {
+    let model = numeric.model;
+    let numbers = |list: Option<&[Expr]>, count: usize| {
+        list.map_or_else(|| vec![0.0; count], |list| evaluate(&numeric.system.arena, list, &numeric.known))
     };
-    let mut entries = Vec::new();
-    for leaf in arena.leaves(force) {
-        if let Leaf::Acceleration(number) = leaf {
-            entries.push((speed(number as usize), derivative(arena, force, leaf)));
+    let is_spatial = model.ambient == Ambient::Space;
+    let each = if is_spatial { 6 } else { 3 };
+    let mut whole = vec![vec![0.0; each]; each];
+    for declared in &model.bodies[body].masses {
+        let mass = numbers(declared.mass.as_ref().map(std::slice::from_ref), 1)[0];
+        let center = numbers(declared.center.as_deref(), each / 2 + each % 2);
+        let own = if is_spatial {
+            let first = numeric.system.coordinates.len() + COSINES * body;
+            let rotation: Vec<&[f64]> = state[first..first + COSINES].chunks(3).collect();
+            in_space(mass, &center, &numbers(declared.inertia.as_deref(), 6), &rotation)
+        } else {
+            let (sine, cosine) = (libm::sin(state[model.bodies[body].first + 2]), libm::cos(state[model.bodies[body].first + 2]));
+            let (x, y) = (cosine * center[0] - sine * center[1], sine * center[0] + cosine * center[1]);
+            let inertia = numbers(declared.inertia.as_deref(), 1)[0] + mass * (x * x + y * y);
+            vec![vec![mass, 0.0, -mass * y], vec![0.0, mass, mass * x], vec![-mass * y, mass * x, inertia]]
+        };
+        whole.iter_mut().flatten().zip(own.into_iter().flatten()).for_each(|(sum, part)| *sum += part);
+    }
+    whole
+}
+
+/// The rows of the matrix of one mass in space.
+fn in_space(mass: f64, center: &[f64], inertia: &[f64], rotation: &[&[f64]]) -> Vec<Vec<f64>> {
+    let [xx, yy, zz, xy, xz, yz] = [0, 1, 2, 3, 4, 5].map(|k| inertia[k]);
+    let local = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+    let c = [0, 1, 2].map(|row| (0..3).map(|k| rotation[row][k] * center[k]).sum::<f64>());
+    // ĉ v = c × v
+    let cross = [[0.0, -c[2], c[1]], [c[2], 0.0, -c[0]], [-c[1], c[0], 0.0]];
+    let mut rows = vec![vec![0.0; 6]; 6];
+    for i in 0..3 {
+        rows[i][i] = mass;
+        for j in 0..3 {
+            rows[3 + i][j] = mass * cross[i][j];
+            rows[i][3 + j] = -mass * cross[i][j];
+            let turned: f64 = (0..9).map(|k| rotation[i][k / 3] * local[k / 3][k % 3] * rotation[j][k % 3]).sum();
+            rows[3 + i][3 + j] = turned - mass * (0..3).map(|k| cross[i][k] * cross[k][j]).sum::<f64>();
         }
     }
-    entries
+    rows
 }

@@ -77,8 +77,10 @@ pub struct Model {
     pub lengths: Vec<Expr>,
     /// Joints and drives, in the order declared, and after them the freedoms.
     pub joints: Vec<Joint>,
-    /// Forces and torques on bodies.
+    /// Forces and torques on bodies, in the order of the declared forces.
     pub forces: Vec<Force>,
+    /// The forces declared.
+    pub declared_forces: Vec<DeclaredForce>,
     /// Potential energies, whose forces are their derivatives.
     pub energies: Vec<Expr>,
     /// Acceleration of free fall, by components in ground.
@@ -145,11 +147,22 @@ pub struct Body {
     pub masses: Vec<Mass>,
 }
 
+/// A force as declared: a list of forces at points and torques on bodies.
+#[derive(Clone, Debug)]
+pub struct DeclaredForce {
+    /// Name.
+    pub name: Name,
+    /// It can be computed alone: declared as `slice force`.
+    pub is_slice: bool,
+}
+
 /// A force at a point of a body, or a torque on it.
 #[derive(Clone, Debug)]
 pub struct Force {
-    /// Index of the body.
-    pub body: usize,
+    /// Index of the declared force that it belongs to.
+    pub of: usize,
+    /// Index of the body; `None` for ground.
+    pub body: Option<usize>,
     /// Local components of the point; `None` for a torque.
     pub point: Option<Vec<Expr>>,
     /// Components in ground; in the plane a torque has one.
@@ -187,6 +200,8 @@ pub struct Joint {
     pub freedom: Option<Freedom>,
     /// Left minus right side of each scalar equation.
     pub residuals: Vec<Residual>,
+    /// Its load can be computed alone: declared as `slice joint` or `slice drive`.
+    pub is_slice: bool,
     /// Body on which the load of the joint is stated, and the local components of the point there.
     pub place: Option<(usize, Vec<Expr>)>,
 }

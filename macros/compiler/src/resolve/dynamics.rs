@@ -5,9 +5,9 @@
 //! on b: T     a torque on a body: a number in the plane, a vector in space
 //! ```
 
-use super::Force;
 use super::elaborate::{Elaborator, Scope};
 use super::register::Register;
+use super::{DeclaredForce, Force};
 use crate::diag::{EquationFact, MotionFact, Range, ValueFact};
 use crate::expr::Expr;
 use crate::names::{FrameId, Value};
@@ -31,8 +31,8 @@ impl Elaborator<'_> {
     }
 
     /// Resolves all forces.
-    pub(super) fn forces(&mut self, register: &Register) -> Vec<Force> {
-        let mut forces = Vec::new();
+    pub(super) fn forces(&mut self, register: &Register) -> (Vec<DeclaredForce>, Vec<Force>) {
+        let (mut declared, mut forces) = (Vec::new(), Vec::new());
         for (id, force) in &register.forces {
             let found = self.of(*id, force, |this, name, context| {
                 this.applied = Some(Vec::new());
@@ -40,9 +40,13 @@ impl Elaborator<'_> {
                 let applied = this.applied.take();
                 rows.and(applied)
             });
-            forces.extend(found.into_iter().flatten());
+            let of = declared.len();
+            forces.extend(found.into_iter().flatten().map(|part| Force { of, ..part }));
+            if !matches!(force.body, ast::JointBody::Energy(_)) {
+                declared.push(DeclaredForce { name: self.names.declared[id.0].name.clone(), is_slice: force.is_slice });
+            }
         }
-        forces
+        (declared, forces)
     }
 
     /// A potential energy: a function of positions, whose force is its derivative.
@@ -62,10 +66,7 @@ impl Elaborator<'_> {
         }
         let (frame, point) = self.target(applied, scope)?;
         let parts = self.applied_parts(applied, frame, scope)?;
-        // What pushes on ground moves nothing.
-        if let Some(body) = frame.0.checked_sub(1) {
-            self.applied.get_or_insert_default().push(Force { body, point, parts });
-        }
+        self.applied.get_or_insert_default().push(Force { of: 0, body: frame.0.checked_sub(1), point, parts });
         Some(())
     }
 

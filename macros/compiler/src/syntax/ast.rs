@@ -285,6 +285,8 @@ pub struct JointItem {
     pub is_drive: bool,
     /// True for a redundant joint: equations that follow from others are checked instead of solved.
     pub is_redundant: bool,
+    /// True if its load can be computed alone.
+    pub is_slice: bool,
     /// Name.
     pub name: Ident,
     /// Indices, if it is an element of an array.

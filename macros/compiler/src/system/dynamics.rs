@@ -78,7 +78,7 @@ fn in_plane(model: &Model, arena: &mut Arena, body: usize) -> [Expr; 3] {
         let own = arena.add(spin, moment);
         [fx, fy, torque] = [(fx, force[0]), (fy, force[1]), (torque, own)].map(|(sum, part)| arena.add(sum, part));
     }
-    for force in model.forces.iter().filter(|force| force.body == body) {
+    for force in model.forces.iter().filter(|force| force.body == Some(body)) {
         match &force.point {
             None => torque = arena.sub(torque, force.parts[0]),
             Some(point) => {
@@ -135,7 +135,7 @@ fn in_space(model: &Model, arena: &mut Arena, body: usize) -> [Expr; 6] {
             (force[k], torque[k]) = (arena.add(force[k], own[k]), arena.add(torque[k], about));
         }
     }
-    for Force { point, parts, .. } in model.forces.iter().filter(|force| force.body == body) {
+    for Force { point, parts, .. } in model.forces.iter().filter(|force| force.body == Some(body)) {
         let parts = [parts[0], parts[1], parts[2]];
         let moment = match point {
             None => parts,

@@ -24,6 +24,8 @@ pub struct LoadEquations {
     pub arms: Vec<Option<(usize, Vec<Expr>)>>,
     /// Kinetic energy, potential energy, and power of the forces declared.
     pub energies: [Expr; 3],
+    /// For each force declared its force and torque vectors, and its power.
+    pub pushes: Vec<Vec<Expr>>,
 }
 
 /// An equation by the speeds of the bodies.
@@ -57,7 +59,13 @@ impl LoadEquations {
             angles.add_slopes(arena, row, equation);
         }
         let rows = rows(model, equations.iter());
-        Some(LoadEquations { forces, rows, arms: arms(model, arena), energies: energies(model, arena) })
+        Some(LoadEquations {
+            forces,
+            rows,
+            arms: arms(model, arena),
+            energies: energies(model, arena),
+            pushes: balance::pushes(model, arena),
+        })
     }
 
     /// In the plane, where the declared coordinates are the unknowns.
@@ -65,14 +73,21 @@ impl LoadEquations {
         let forces = dynamics::unbalanced(model, arena)?;
         let is_pin = |equation: &Equation| equation.row >= model.joints[equation.joint].residuals.len();
         let rows = rows(model, equations.filter(|equation| !is_pin(equation)));
-        Some(LoadEquations { forces, rows, arms: arms(model, arena), energies: energies(model, arena) })
+        Some(LoadEquations {
+            forces,
+            rows,
+            arms: arms(model, arena),
+            energies: energies(model, arena),
+            pushes: balance::pushes(model, arena),
+        })
     }
 
     /// Every expression, as `of` writes it.
     pub(super) fn map(mut self, mut of: impl FnMut(Expr) -> Expr) -> LoadEquations {
         let rows = self.rows.iter_mut().flat_map(|row| row.jacobian.iter_mut().map(|(_, entry)| entry).chain([&mut row.nu]));
         let arms = self.arms.iter_mut().flatten().flat_map(|(_, arm)| arm);
-        self.forces.iter_mut().chain(rows).chain(arms).chain(&mut self.energies).for_each(|expr| *expr = of(*expr));
+        let pushes = self.pushes.iter_mut().flatten();
+        self.forces.iter_mut().chain(rows).chain(arms).chain(&mut self.energies).chain(pushes).for_each(|expr| *expr = of(*expr));
         self
     }
 

@@ -27,6 +27,8 @@ crate::refusals! {
 
     mechanism force_with_nothing_in_it: "mechanism M { body arm { mass = 1kg; inertia = 1kgm2; } joint hinge = revolute(ground.position, arm.position); force «f» = {} freedom s = arm.angle; }" => "`f` pushes nothing and turns nothing\nhelp: write `at arm.position: (0N, -5N);` for a force at a point, `on arm: 2Nm;` for a torque";
     mechanism force_with_a_let_alone: "mechanism M in space { body arm { mass = 1kg; inertia = ball(1m); } joint hinge = spherical(ground.position, arm.position); force «f» = { let a = 5N; } freedom s = arm.angular_velocity; }" => "`f` pushes nothing and turns nothing\nhelp: write `at arm.position: (0N, 0N, -5N);` for a force at a point, `on arm: (0Nm, 0Nm, 2Nm);` for a torque";
+    mechanism load_alone_without_masses: "mechanism M { body arm { point P = (1m, 0m); } slice joint «hinge» = revolute(ground.position, arm.position); drive d = drive_angle(arm, 60rpm * t); }" => "`hinge` has no load that could be computed alone: no body has a mass, and no force acts\nhelp: write `mass = …;` in a body, or take `slice` away";
+    mechanism slice_of_a_freedom: "mechanism M { body arm { mass = 1kg; inertia = 1kgm2; } joint hinge = revolute(ground.position, arm.position); slice «freedom» s = arm.angle; }" => "expected `output`, `joint`, `drive` or `force` after `slice`, found `freedom`";
     constraint force_without_forces: "force «f»(P: Point, k: Stiffness) { let a = k * P.x; }" => "`f` pushes nothing and turns nothing\nhelp: write `at P: (0N, -5N);` for a force at a point, `on body: 2Nm;` for a torque";
 }
 

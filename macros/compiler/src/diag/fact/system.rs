@@ -29,6 +29,9 @@ pub enum SystemFact {
         bodies: Vec<String>,
         has_any: bool,
     },
+    SliceWithoutLoads {
+        name: String,
+    },
     ActsOnMassless {
         joint: String,
         without_mass: Vec<String>,

@@ -41,6 +41,10 @@ impl Display for SystemFact {
                 let place = if *has_any { "in a body that moves with it" } else { "in the bodies" };
                 write!(f, "\nhelp: write `mass = …;` and `inertia = …;` {place}, or `drive` for `freedom`")
             }
+            SystemFact::SliceWithoutLoads { name } => {
+                write!(f, "`{name}` has no load that could be computed alone: no body has a mass, and no force acts")?;
+                write!(f, "\nhelp: write `mass = …;` in a body, or take `slice` away")
+            }
             SystemFact::ActsOnMassless { joint, without_mass, without_inertia, adds, freedom } => {
                 acts_on_massless(f, joint, [without_mass, without_inertia], *adds, freedom)
             }
