@@ -31,7 +31,7 @@ fn forces_are_given_by_their_names() {
         let way = arm - Vector2::new(0.0, -0.2);
         let velocity = Vector2::new(-arm.y, arm.x) * body.angular_velocity;
         let along = way.normalize();
-        let pull = (700.0 * (way.norm() - 0.3) + 200.0 * along.dot(&velocity));
+        let pull = 700.0 * (way.norm() - 0.3) + 200.0 * along.dot(&velocity);
         let pull = along * pull;
         let closer = loads.closer();
         let [on_frame, on_door] = closer.forces;
