@@ -128,7 +128,8 @@ impl Elaborator<'_> {
             return self.scalar_of(written, Dim::INERTIA, scope).map(|scalar| vec![scalar.expr]);
         }
         let items = if let ExpressionKind::Tuple(items) = &written.kind { items.as_slice() } else { std::slice::from_ref(written) };
-        if ![3, 6].contains(&items.len()) && !(may_be_one && items.len() == 1) {
+        let is_complete = matches!(items.len(), 3 | 6) || may_be_one && items.len() == 1;
+        if !is_complete {
             let fact = MotionFact::InertiaOfNumbers { found: items.len(), first: items[0].to_string() };
             return self.refuse(written.range, fact);
         }
