@@ -96,8 +96,8 @@ mod state;
 #[cfg(feature = "rayon")]
 pub use api::parallel;
 pub use api::{
-    DriveLoad, Gradient, Loads, Matrix, Mechanism, PlanarLoad, Prepare, Prepared, Slice, SliceState, Sliced, SpatialLoad, Sweep, Vector,
-    sweep,
+    DriveLoad, Gradient, Loads, Matrix, Mechanism, PlanarForce, PlanarLoad, Prepare, Prepared, Slice, SliceState, Sliced, SpatialForce,
+    SpatialLoad, Sweep, Vector, sweep,
 };
 #[doc(hidden)]
 pub use api::{Named, Relation, between, finite, require, within};

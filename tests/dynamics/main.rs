@@ -4,8 +4,11 @@
 mod compare;
 mod bricard;
 mod conserved;
+mod forces;
 mod kept;
+mod masses;
 mod plane;
 mod published;
+mod shared_nodes;
 mod space;
 mod stiff;

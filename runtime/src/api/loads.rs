@@ -169,7 +169,7 @@ impl<T: Float, const M: usize, const A: usize> Loads<T, M, A> {
         core::array::from_fn(|k| self.multipliers.get(first + k).copied().unwrap_or(T::of(f64::NAN)))
     }
 
-    fn actions_from<const K: usize>(&self, at: usize) -> [T; K] {
+    pub(super) fn actions_from<const K: usize>(&self, at: usize) -> [T; K] {
         core::array::from_fn(|k| self.actions.get(at + k).copied().unwrap_or(T::of(f64::NAN)))
     }
 

@@ -2,6 +2,7 @@
 
 #[cfg(feature = "picture")]
 mod drawable;
+mod forces;
 mod generated;
 mod gradient;
 mod loads;
@@ -14,6 +15,7 @@ mod sweep;
 
 #[cfg(feature = "picture")]
 pub use drawable::Drawable;
+pub use forces::{PlanarForce, SpatialForce};
 pub use generated::{Matrix, Named, Relation, Vector, between, finite, require, within};
 pub use gradient::Gradient;
 pub use loads::{DriveLoad, Loads, PlanarLoad, SpatialLoad};

@@ -7,11 +7,27 @@
 ///
 /// To solve for a motion take three `revolute` joints and the sum of their angles as an equation. Degenerate case: none.
 ///
+/// `mass` and `inertia` are what the joint adds to each of the four nodes: a mass at the
+/// origin of the body, an inertia that is the same about every axis. Ground takes none.
+///
 /// Reference: OpenRadioss theory manual, gear type joints.
-constraint differential_joint_on_bearings(N0: Body, N1: Body, N2: Body, N3: Body, r1: Axis, r2: Axis, r3: Axis, alpha: Number) in space {
+constraint differential_joint_on_bearings(
+    N0: Body, N1: Body, N2: Body, N3: Body, r1: Axis, r2: Axis, r3: Axis, alpha: Number,
+    mass: Mass = 0kg, inertia: Inertia = 0kgm2,
+) in space {
     require r1.body == N0: "the axes of a differential are fixed in its carrier";
     require r2.body == N0: "the axes of a differential are fixed in its carrier";
     require r3.body == N0: "the axes of a differential are fixed in its carrier";
+    require mass >= 0: "a joint takes no mass away";
+    require inertia >= 0: "a joint takes no inertia away";
+    add mass at N0.position: mass;
+    add inertia on N0: inertia;
+    add mass at N1.position: mass;
+    add inertia on N1: inertia;
+    add mass at N2.position: mass;
+    add inertia on N2: inertia;
+    add mass at N3.position: mass;
+    add inertia on N3: inertia;
     let one = N1.angular_velocity - N0.angular_velocity;
     let two = N2.angular_velocity - N0.angular_velocity;
     let three = N3.angular_velocity - N0.angular_velocity;

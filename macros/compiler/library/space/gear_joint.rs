@@ -14,10 +14,21 @@
 ///
 /// Degenerate case: none; a rigid motion of all nodes satisfies every row.
 ///
+/// `mass` and `inertia` are what the joint adds to each of the three nodes: a mass at the
+/// origin of the body, an inertia that is the same about every axis. Ground takes none.
+///
 /// Reference: OpenRadioss theory manual, gear type joints.
-constraint gear_joint(N0: Body, N1: Body, N2: Body, r1: Axis, r2: Axis, alpha: Number) in space {
+constraint gear_joint(N0: Body, N1: Body, N2: Body, r1: Axis, r2: Axis, alpha: Number, mass: Mass = 0kg, inertia: Inertia = 0kgm2) in space {
     require r1.body == N0: "the axes of a gear joint are fixed in its carrier";
     require r2.body == N0: "the axes of a gear joint are fixed in its carrier";
+    require mass >= 0: "a joint takes no mass away";
+    require inertia >= 0: "a joint takes no inertia away";
+    add mass at N0.position: mass;
+    add inertia on N0: inertia;
+    add mass at N1.position: mass;
+    add inertia on N1: inertia;
+    add mass at N2.position: mass;
+    add inertia on N2: inertia;
     let one = N1.angular_velocity - N0.angular_velocity;
     let two = N2.angular_velocity - N0.angular_velocity;
     rate(N1.position) - rate(N0.position) - cross(N0.angular_velocity, N1.position - N0.position) == 0;

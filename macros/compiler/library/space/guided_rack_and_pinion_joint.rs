@@ -10,10 +10,24 @@
 /// The rows leave the pinion's axis free: add a bearing. To solve for a motion take `revolute`, `translational` and `rack_pinion`.
 /// Degenerate case: none.
 ///
+/// `mass` and `inertia` are what the joint adds to each of the three nodes: a mass at the
+/// origin of the body, an inertia that is the same about every axis. Ground takes none.
+///
 /// Reference: OpenRadioss theory manual, gear type joints.
-constraint guided_rack_and_pinion_joint(N0: Body, N1: Body, N2: Body, r1: Axis, r2: Axis, alpha: Length / Angle) in space {
+constraint guided_rack_and_pinion_joint(
+    N0: Body, N1: Body, N2: Body, r1: Axis, r2: Axis, alpha: Length / Angle,
+    mass: Mass = 0kg, inertia: Inertia = 0kgm2,
+) in space {
     require r1.body == N0: "the axes of a rack and pinion joint are fixed in its carrier";
     require r2.body == N0: "the axes of a rack and pinion joint are fixed in its carrier";
+    require mass >= 0: "a joint takes no mass away";
+    require inertia >= 0: "a joint takes no inertia away";
+    add mass at N0.position: mass;
+    add inertia on N0: inertia;
+    add mass at N1.position: mass;
+    add inertia on N1: inertia;
+    add mass at N2.position: mass;
+    add inertia on N2: inertia;
     let turn = N1.angular_velocity - N0.angular_velocity;
     let slide = rate(N2.position) - rate(N0.position) - cross(N0.angular_velocity, N2.position - N0.position);
     rate(N1.position) - rate(N0.position) - cross(N0.angular_velocity, N1.position - N0.position) == 0;

@@ -108,7 +108,7 @@ codes! {
     E0409: Value::ListOutsideTable Value::TableNeedsList Value::TableNeedsPairs Value::TableTooShort;
     E0410: Value::TableNotIncreasing;
     E0411: Value::TableNotPeriodic Value::TableEnds;
-    E0412: Value::MeansSpace Value::OnlyInSpace Value::OnlyInPlane;
+    E0412: Value::MeansSpace Value::OnlyInSpace Value::OnlyInPlane Motion::InertiaAlongInPlane;
     // Loops, arrays and parts.
     E0501: Array::WithoutIndex Array::DuplicateInLoop;
     E0502: Array::ArrayWithoutIndex;
@@ -123,7 +123,7 @@ codes! {
     // Equations.
     E0601: Equation::TimeInJoint Equation::TimeIn Equation::TimeInDefinition;
     E0602: Equation::RowOfNothing Equation::OnGround Equation::CrossProduct;
-    E0603: Equation::NoEquations Equation::EmptyBundle;
+    E0603: Equation::NoEquations Equation::NoForces Equation::EmptyBundle;
     E0604: Equation::GroundStart;
     E0605: Equation::NotAffine Equation::RateOfSpeed Value::RateOfVelocity System::Nonholonomic;
     E0606: Equation::EquationInForce Equation::ForceInJoint Motion::ForceForConstraint Motion::ConstraintForForce;
@@ -156,4 +156,6 @@ codes! {
     E1103: Value::NegativeMass Value::ImpossibleInertia Value::CenterWithoutMass Value::ShapeWithoutMass;
     E1104: Value::EnergyOfVelocities;
     E1105: Motion::SliceBesideFreedom Motion::RangeBesideFreedom;
+    E1106: System::ActsOnMassless;
+    E1107: System::SliceWithoutLoads;
 }

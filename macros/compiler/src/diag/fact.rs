@@ -218,6 +218,7 @@ pub enum EquationFact {
     CrossProduct { rows: Option<String>, parallel: Option<String> },
     OnGround { joint: String, kind: String },
     NoEquations { name: String },
+    NoForces { name: String, body: Option<String>, ambient: Ambient },
     EmptyBundle { name: String },
     GroundStart,
 }

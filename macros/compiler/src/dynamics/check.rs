@@ -1,7 +1,7 @@
 //! Checks of the equations of motion where the mechanism is assembled: freedoms are independent and complete, and every motion that they
 //! leave has a mass.
 
-use super::Dynamics;
+use super::{Dynamics, massless};
 use crate::assembly::Assembly;
 use crate::diag::{Diag, SystemFact};
 use crate::expr::{Expr, Values, evaluate};
@@ -14,12 +14,13 @@ use crate::system::System;
 /// A mass below this part of the one that the motion has by itself, and a speed below this, count as zero.
 const NOTHING: f64 = 1e-9;
 
-/// Refuses freedoms that depend on others, freedoms that are missing, and motions without mass.
+/// Refuses freedoms that depend on others, freedoms that are missing, equations of velocities on bodies without mass, and motions without
+/// mass.
 pub(super) fn check(model: &Model, system: &System, assembly: &Assembly, dynamics: &Dynamics, diag: &mut Diag) -> Option<()> {
     if !assembly.is_closed {
         return Some(());
     }
-    at_defaults(model, system, |numeric| AtStart::new(numeric, assembly, dynamics).check(diag))
+    at_defaults(model, system, |numeric| AtStart::new(numeric, assembly, dynamics).check(assembly, diag))
 }
 
 /// Numbers of the equations of motion where the mechanism is assembled, with lengths in characteristic lengths.
@@ -51,7 +52,7 @@ impl<'a> AtStart<'a> {
         self.rows[..self.dynamics.rows.len()].iter().map(|(_, row)| row.clone()).collect()
     }
 
-    fn check(self, diag: &mut Diag) -> Option<()> {
+    fn check(self, assembly: &Assembly, diag: &mut Diag) -> Option<()> {
         if self.rows.iter().flat_map(|(_, row)| row).chain(&self.mass).any(|value| !value.is_finite()) {
             return Some(());
         }
@@ -68,7 +69,10 @@ impl<'a> AtStart<'a> {
             }
         }
         match echelon.free().as_slice() {
-            [] => self.has_mass(&motions, diag),
+            [] => {
+                massless::check(self.numeric, assembly, diag)?;
+                self.has_mass(&motions, diag)
+            }
             free => self.missing(free, diag),
         }
     }
@@ -136,7 +140,7 @@ impl<'a> AtStart<'a> {
         bodies.sort_unstable();
         bodies.dedup();
         let names = bodies.iter().map(|body| model.bodies[*body].name.to_string()).collect();
-        let has_any = model.bodies.iter().any(|body| body.mass.mass.is_some() || body.mass.inertia.is_some());
+        let has_any = model.bodies.iter().any(|body| !body.masses.is_empty());
         let first = bodies.first().map_or(0, |body| *body);
         diag.refuse(&model.bodies[first].name, SystemFact::Massless { bodies: names, has_any })
     }

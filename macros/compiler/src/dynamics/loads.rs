@@ -71,7 +71,8 @@ pub(crate) fn loads(model: &Model, system: &System, structure: &Structure, assem
     Some(Loads { arena, closed, actions })
 }
 
-/// What joints and drives do: for each joint the force at its point and the torque about it, for each drive its power.
+/// What joints, drives and forces do: for each joint the force at its point and the torque about it, for each drive its power, for each force
+/// its forces, its torques and its power.
 fn actions(model: &Model, arena: &mut Arena, equations: &LoadEquations, multipliers: &[Expr]) -> Vec<Expr> {
     let mut actions = Vec::new();
     for (index, joint) in model.joints.iter().enumerate().filter(|(_, joint)| joint.freedom.is_none()) {
@@ -86,6 +87,7 @@ fn actions(model: &Model, arena: &mut Arena, equations: &LoadEquations, multipli
             }
         }
     }
+    actions.extend(equations.pushes.iter().flatten());
     actions
 }
 
@@ -122,16 +124,22 @@ fn each(ambient: Ambient) -> usize {
 
 /// Φ_uᵀ where the mechanism is assembled, by speed and multiplier.
 fn numbers(numeric: &Numeric, arena: &mut Arena, assembly: &Assembly, equations: &LoadEquations) -> BTreeMap<(usize, usize), f64> {
+    let state = state_at_start(numeric, arena, assembly);
+    let places =
+        equations.rows.iter().enumerate().flat_map(|(row, equation)| equation.jacobian.iter().map(move |(speed, _)| (*speed, row)));
+    let entries: Vec<Expr> = equations.rows.iter().flat_map(|row| row.jacobian.iter().map(|(_, entry)| *entry)).collect();
+    places.zip(evaluate(arena, &entries, &Values { coordinates: &state, ..numeric.known })).collect()
+}
+
+/// The entries of a state where the mechanism is assembled: unknowns, and in space rotation matrices behind them.
+pub(super) fn state_at_start(numeric: &Numeric, arena: &mut Arena, assembly: &Assembly) -> Vec<f64> {
     let system = numeric.system;
     let orientations = (0..system.frames.len()).flat_map(|body| system.orientation(arena, body)).map(|[value, _, _]| value);
     let orientations: Vec<Expr> = orientations.collect();
     let at_start = Values { coordinates: &assembly.start, ..numeric.known };
     let mut state = assembly.start.clone();
     state.extend(evaluate(arena, &orientations, &at_start));
-    let places =
-        equations.rows.iter().enumerate().flat_map(|(row, equation)| equation.jacobian.iter().map(move |(speed, _)| (*speed, row)));
-    let entries: Vec<Expr> = equations.rows.iter().flat_map(|row| row.jacobian.iter().map(|(_, entry)| *entry)).collect();
-    places.zip(evaluate(arena, &entries, &Values { coordinates: &state, ..numeric.known })).collect()
+    state
 }
 
 /// The equations of the loads under elimination.

@@ -13,6 +13,7 @@ mod check;
 mod elimination;
 mod embedding;
 mod loads;
+mod massless;
 #[cfg(test)]
 mod tests;
 

@@ -4,9 +4,8 @@ use super::expression::local;
 use super::functions::Emitter;
 use super::literal::{matrix_type, number, real, vector_type};
 use super::routine::{RoutinePrinter, fast_lines};
-use super::{allowed, docs, identifier, state_path};
+use super::{allowed, docs, state_path};
 use crate::plan::LoadsCode;
-use crate::quantity::Ambient;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -17,7 +16,8 @@ impl Emitter<'_> {
         let (name, visibility, state) = (&self.model.name, &self.model.visibility, state_path(&self.model.name));
         let loads = format_ident!("{}Loads", name, span = Span::call_site());
         let (general, closed) = (self.loads_in_general(code), self.loads_in_closed_form(code));
-        let methods = self.methods_of_loads();
+        let methods = self.methods_of_loads(code);
+        let alone: TokenStream = code.named.iter().filter(|load| load.is_slice).map(|load| self.load_alone(load, code)).collect();
         let (m, width, allowed) = (number(code.multipliers), number(code.width), allowed());
         let first = closed.is_some().then(|| {
             quote! {
@@ -26,22 +26,7 @@ impl Emitter<'_> {
                 }
             }
         });
-        let refreshed = self.plan.dynamics.is_some().then(|| {
-            quote! {
-                // Accelerations of other parameters, or of what was written into the state, do not count.
-                let refreshed;
-                let state = if ::reuleaux::Dynamics::is_current(self, state) {
-                    state
-                } else {
-                    let mut fresh = ::core::clone::Clone::clone(state);
-                    if self.accelerate(&mut fresh).is_err() {
-                        return #loads { loads: ::reuleaux::Loads::unknown() };
-                    }
-                    refreshed = fresh;
-                    &refreshed
-                };
-            }
-        });
+        let refreshed = self.refreshed(&quote!(#loads { loads: ::reuleaux::Loads::unknown() }));
         let energy = self.plan.dynamics.is_none().then(|| self.energy(code));
         let page = docs::line(&format!("Loads of [`{name}`]: multipliers, and what every joint and drive does to its bodies."));
         quote! {
@@ -60,6 +45,7 @@ impl Emitter<'_> {
                     #loads { loads: ::reuleaux::Loads::of(&jacobian, &forces, |multipliers| self.actions(state, multipliers)) }
                 }
                 #energy
+                #alone
             }
             #page
             #[derive(Clone, Debug, PartialEq)]
@@ -74,6 +60,26 @@ impl Emitter<'_> {
                 fn deref(&self) -> &Self::Target { &self.loads }
             }
         }
+    }
+
+    /// Where freedoms are integrated, a state whose accelerations are those of its parameters; `unknown` is returned where there is none.
+    pub(super) fn refreshed(&self, unknown: &TokenStream) -> Option<TokenStream> {
+        self.plan.dynamics.as_ref().map(|_| {
+            quote! {
+                // Accelerations of other parameters, or of what was written into the state, do not count.
+                let refreshed;
+                let state = if ::reuleaux::Dynamics::is_current(self, state) {
+                    state
+                } else {
+                    let mut fresh = ::core::clone::Clone::clone(state);
+                    if self.accelerate(&mut fresh).is_err() {
+                        return #unknown;
+                    }
+                    refreshed = fresh;
+                    &refreshed
+                };
+            }
+        })
     }
 
     /// Φ_u and f, and what joints and drives do with given multipliers.
@@ -152,57 +158,10 @@ impl Emitter<'_> {
             }
         })
     }
-
-    /// One method for each joint and each drive.
-    fn methods_of_loads(&self) -> TokenStream {
-        let Some(loads) = &self.system.loads else { return quote!() };
-        let (mut first, mut at) = (0, 0);
-        let mut methods = TokenStream::new();
-        for (index, joint) in self.model.joints.iter().enumerate().filter(|(_, joint)| joint.freedom.is_none()) {
-            let count = loads.rows.iter().filter(|row| row.joint == index).count();
-            let (from, to, place) = (number(first), number(first + count), number(at));
-            let name = identifier(&joint.name.local);
-            first += count;
-            if joint.is_drive {
-                at += 1;
-                let page = docs::line(&format!("What the drive `{}` has to do.", joint.name));
-                methods.extend(quote! {
-                    #page
-                    #[must_use]
-                    pub fn #name(&self) -> ::reuleaux::DriveLoad<T> { self.loads.drive(#from..#to, #place) }
-                });
-            } else if let Some((body, _)) = &loads.arms[index] {
-                let page = docs::line(&format!(
-                    "What the joint `{}` does to `{}`: the force at its point, and the torque about it, in ground.",
-                    joint.name, self.model.bodies[*body].name
-                ));
-                let (kind, method, width) = match self.model.ambient {
-                    Ambient::Plane => (quote!(::reuleaux::PlanarLoad<T>), quote!(planar), 3),
-                    Ambient::Space => (quote!(::reuleaux::SpatialLoad<T>), quote!(spatial), 6),
-                };
-                at += width;
-                methods.extend(quote! {
-                    #page
-                    #[must_use]
-                    pub fn #name(&self) -> #kind { self.loads.#method(#from..#to, #place) }
-                });
-            } else {
-                // Equations between angles of other joints act nowhere in particular.
-                let page = docs::line(&format!("Multipliers of `{}`, by equation.", joint.name));
-                let count = number(count);
-                methods.extend(quote! {
-                    #page
-                    #[must_use]
-                    pub fn #name(&self) -> [T; #count] { self.loads.multipliers_from(#from) }
-                });
-            }
-        }
-        methods
-    }
 }
 
 /// The vectors and the time that routines read.
-fn motion() -> TokenStream {
+pub(super) fn motion() -> TokenStream {
     let [q, qd, qdd, t] = ["q", "qd", "qdd", "t"].map(local);
     quote!(let (#q, #qd, #qdd, #t) = (&state.q, &state.qd, &state.qdd, state.t);)
 }

@@ -18,6 +18,7 @@ mod functions;
 mod kernels;
 mod literal;
 mod loads;
+mod named_loads;
 mod outputs;
 mod parameters;
 mod prepared;
@@ -28,6 +29,7 @@ mod slices;
 mod stages;
 mod state;
 mod stub;
+mod stub_loads;
 mod validate;
 
 pub(crate) use definition::{error_pages, export, library_pages, resume};

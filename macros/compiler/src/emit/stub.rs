@@ -7,6 +7,7 @@ use super::parameters::Parameters;
 use super::scene;
 use super::slices::{plain, slice_name};
 use super::state::Accessors;
+use super::stub_loads::{has_forces, loads};
 use crate::diag::nearest;
 use crate::diag::{Fact, NameFact};
 use crate::model::{Layout, Method, Of};
@@ -273,50 +274,6 @@ fn motion_from_forces(state: &Ident, body: &TokenStream) -> TokenStream {
         pub fn step(&self, _: &mut #state<T>, _: T) -> #nothing { #body }
         pub fn energy(&self, _: &#state<T>) -> ::reuleaux::Energy<T> { #body }
     }
-}
-
-/// True if masses or forces are declared, so that there are loads.
-fn has_forces(tree: &Mechanism) -> bool {
-    let has = |item: &Item| match item {
-        Item::Body(body) => !body.masses.is_empty(),
-        Item::Force(_) => true,
-        _ => false,
-    };
-    tree.task.is_determined() && tree.items.iter().any(has)
-}
-
-/// The loads, with the joints and drives of the mechanism itself.
-fn loads(tree: &Mechanism, state: &Ident, visibility: &TokenStream, body: &TokenStream) -> (TokenStream, TokenStream) {
-    let name = &tree.name;
-    let loads = format_ident!("{}Loads", name);
-    let of_joint = match tree.ambient {
-        Ambient::Plane => quote!(::reuleaux::PlanarLoad<T>),
-        Ambient::Space => quote!(::reuleaux::SpatialLoad<T>),
-    };
-    let joints = tree.items.iter().filter_map(|item| match item {
-        Item::Joint(joint) if joint.indices.is_empty() && !joint.is_freedom() => {
-            let (name, kind) = (&joint.name, if joint.is_drive { quote!(::reuleaux::DriveLoad<T>) } else { of_joint.clone() });
-            Some(quote!(pub fn #name(&self) -> #kind { #body }))
-        }
-        _ => None,
-    });
-    let energy = (tree.task != Task::Motion).then(|| quote!(pub fn energy(&self, _: &#state<T>) -> ::reuleaux::Energy<T> { #body }));
-    let function = quote! {
-        pub fn loads(&self, _: &#state<T>) -> #loads<T> { #body }
-        #energy
-    };
-    let of_loads = quote! {
-        #[doc(hidden)]
-        #[allow(dead_code)]
-        #visibility struct #loads<T = ::core::primitive::f64>(::reuleaux::Loads<T, 0, 0>);
-        #[allow(missing_docs, dead_code, clippy::all)]
-        impl<T: ::reuleaux::Real> #loads<T> { #(#joints)* }
-        impl<T> ::core::ops::Deref for #loads<T> {
-            type Target = ::reuleaux::Loads<T, 0, 0>;
-            fn deref(&self) -> &Self::Target { &self.0 }
-        }
-    };
-    (function, of_loads)
 }
 
 /// The motion of a body.

@@ -4,8 +4,10 @@
 //! matrix of a quaternion. Not done here: names.
 
 mod components;
+mod turn;
 
 pub use components::Components;
+pub(crate) use turn::{Turn, quaternion, turned_tensor};
 
 use crate::expr::{Arena, Expr, Triple, cross, dot, unit};
 

@@ -21,7 +21,7 @@ pub(super) fn nothing_is_free(model: &Model, system: &System, pattern: &Pattern,
         diag.refuse::<()>(name, SystemFact::PassiveSpin { body: name.to_string(), joints });
         return;
     }
-    let has_masses = model.bodies.iter().any(|body| body.mass.mass.is_some() || body.mass.inertia.is_some());
+    let has_masses = model.bodies.iter().any(|body| !body.masses.is_empty());
     let drives = drives(model);
     let solved = pattern.rows.iter().filter(|row| !row.is_empty()).count();
     let in_none = in_no_equation(pattern);

@@ -4,6 +4,7 @@
 
 pub(crate) mod example;
 mod layout;
+mod mass;
 mod name;
 pub mod sketch;
 mod solid;
@@ -11,14 +12,15 @@ mod solid;
 pub use crate::expr::spline::{Ends, Table};
 pub use crate::geometry::{Components, Geometry, JointQuantity, Place, Relationship, Triad};
 pub use layout::{Component, Field, Layout, Of, Part};
+pub use mass::Mass;
 pub use name::Name;
 pub(crate) use name::Said;
 pub use sketch::Sketch;
 pub use solid::Solid;
 
-use crate::diag::{ValueFact, Warning};
+use crate::diag::Warning;
 use crate::expr::{Arena, Expr};
-use crate::quantity::{Ambient, Dim, Role, is_inertia};
+use crate::quantity::{Ambient, Dim, Role};
 use crate::syntax::ast::{Closing, Docs, Following, Relation, Task};
 use proc_macro2::{Ident, TokenStream};
 
@@ -75,8 +77,10 @@ pub struct Model {
     pub lengths: Vec<Expr>,
     /// Joints and drives, in the order declared, and after them the freedoms.
     pub joints: Vec<Joint>,
-    /// Forces and torques on bodies.
+    /// Forces and torques on bodies, in the order of the declared forces.
     pub forces: Vec<Force>,
+    /// Declared forces.
+    pub declared_forces: Vec<DeclaredForce>,
     /// Potential energies; their forces are minus their gradients.
     pub energies: Vec<Expr>,
     /// Acceleration of free fall, by components in ground.
@@ -139,51 +143,26 @@ pub struct Body {
     pub first: usize,
     /// Coordinates, in their order in q.
     pub coordinates: Vec<BodyCoordinate>,
-    /// Mass and its distribution.
-    pub mass: Mass,
+    /// Masses fixed in it, each with a centre of its own; none if nothing is declared.
+    pub masses: Vec<Mass>,
 }
 
-/// Mass of a body and its distribution; undeclared parts are zero.
-#[derive(Clone, Debug, Default)]
-pub struct Mass {
-    /// Mass.
-    pub mass: Option<Expr>,
-    /// Centre of mass, by local components.
-    pub center: Option<Vec<Expr>>,
-    /// Inertia about the centre of mass: one number in the plane, in space I_xx, I_yy, I_zz, I_xy, I_xz, I_yz in the axes of the body.
-    pub inertia: Option<Vec<Expr>>,
-}
-
-impl Mass {
-    /// The clause at fault and the mistake in it: a centre without a mass, a negative number, an inertia of no possible mass
-    /// distribution.
-    ///
-    /// * `numbers`: given, the values of expressions of parameters at the defaults.
-    pub(crate) fn flaw(&self, body: &str, numbers: impl Fn(&[Expr]) -> Vec<f64>) -> Option<(&'static str, ValueFact)> {
-        let body = body.to_owned();
-        if self.center.is_some() && self.mass.is_none() {
-            return Some(("center", ValueFact::CenterWithoutMass { body }));
-        }
-        for (what, value) in [("mass", self.mass.map(|mass| vec![mass])), ("inertia", self.inertia.clone())] {
-            let Some(values) = value.map(|value| numbers(&value)) else { continue };
-            if let Some(value) = values.iter().take(3).copied().find(|value| *value < 0.0) {
-                return Some((what, ValueFact::NegativeMass { what, body, value }));
-            }
-            if let [xx, yy, zz, xy, xz, yz] = values[..]
-                && !is_inertia([xx, yy, zz, xy, xz, yz])
-            {
-                return Some((what, ValueFact::ImpossibleInertia { body }));
-            }
-        }
-        None
-    }
+/// A force as declared: a list of forces at points and torques on bodies.
+#[derive(Clone, Debug)]
+pub struct DeclaredForce {
+    /// Name.
+    pub name: Name,
+    /// It can be computed alone: declared as `slice force`.
+    pub is_slice: bool,
 }
 
 /// A force at a point of a body, or a torque on it.
 #[derive(Clone, Debug)]
 pub struct Force {
-    /// Index of the body.
-    pub body: usize,
+    /// Index of the declared force that it belongs to.
+    pub of: usize,
+    /// Index of the body; `None` for ground.
+    pub body: Option<usize>,
     /// Local components of the point; `None` for a torque.
     pub point: Option<Vec<Expr>>,
     /// Components in ground; in the plane a torque has one.
@@ -221,6 +200,8 @@ pub struct Joint {
     pub freedom: Option<Freedom>,
     /// Left minus right side of each scalar equation.
     pub residuals: Vec<Residual>,
+    /// Its load can be computed alone: declared as `slice joint` or `slice drive`.
+    pub is_slice: bool,
     /// Body on which the load of the joint acts, and the local components of the point of application.
     pub place: Option<(usize, Vec<Expr>)>,
 }

@@ -3,7 +3,7 @@
 use super::{GroupId, SpaceId};
 use crate::diag::Kind;
 use crate::expr::Expr;
-use crate::geometry::Components;
+use crate::geometry::{Components, Turn};
 use crate::quantity::InferredDim;
 use crate::syntax::ast;
 use std::rc::Rc;
@@ -61,8 +61,8 @@ pub(crate) enum Value {
     Point(Fixed),
     Axis(Fixed),
     Body(FrameId),
-    /// A rotation, as a unit quaternion with the real part first.
-    Orientation([Expr; 4]),
+    /// A product of turns, of which the last comes first.
+    Orientation(Rc<[Turn]>),
     Function(FunctionValue),
     Joint {
         kind: String,

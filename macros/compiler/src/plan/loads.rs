@@ -4,9 +4,12 @@ use super::routine::Routine;
 use super::schedule;
 use super::words::Words;
 use crate::dynamics::Loads;
-use crate::expr::{Arena, Expr};
-use crate::model::Model;
-use crate::system::System;
+use crate::expr::{Arena, Expr, Node, Unary};
+use crate::model::{Model, Name};
+use crate::quantity::Ambient;
+use crate::system::{LoadEquations, System};
+use std::collections::HashSet;
+use std::ops::Range;
 
 /// Code of the loads, each routine with its results in the order stated.
 #[derive(Clone, Debug)]
@@ -27,6 +30,39 @@ pub struct LoadsCode {
     pub closed: Option<Routine>,
     /// Kinetic energy, potential energy, and power of the forces declared.
     pub energies: Routine,
+    /// Joints, drives and forces, in this order.
+    pub named: Vec<NamedLoad>,
+}
+
+/// What is stated of a joint, a drive or a force.
+#[derive(Clone, Debug)]
+pub struct NamedLoad {
+    /// Name.
+    pub name: Name,
+    /// What is stated.
+    pub kind: LoadKind,
+    /// Its multipliers among all.
+    pub multipliers: Range<usize>,
+    /// Its numbers among the results of `actions`.
+    pub actions: Range<usize>,
+    /// It can be computed alone.
+    pub is_slice: bool,
+    /// For what can be computed alone: its multipliers and numbers, and each number with the one that it has to exceed; `None` where
+    /// multipliers are not in closed form.
+    pub alone: Option<Routine>,
+}
+
+/// What is stated.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LoadKind {
+    /// Effort and power.
+    Drive,
+    /// Force and torque on the body of this index.
+    Joint(usize),
+    /// Multipliers alone.
+    Equations,
+    /// Vectors in the order declared, each on a body or on ground: true for torques.
+    Force(Vec<(bool, Option<usize>)>),
 }
 
 /// Plans the loads.
@@ -41,6 +77,10 @@ pub(super) fn code(model: &Model, system: &System, loads: Option<&Loads>) -> Opt
         let results = found.values.iter().chain(&found.actions).chain(found.checks.iter().flatten());
         line(results.copied().collect())
     });
+    let mut named = named(model, equations);
+    for load in named.iter_mut().filter(|load| load.is_slice) {
+        load.alone = alone(loads, load).map(line);
+    }
     Some(LoadsCode {
         multipliers: rows().count(),
         width: loads.actions.len(),
@@ -49,6 +89,54 @@ pub(super) fn code(model: &Model, system: &System, loads: Option<&Loads>) -> Opt
         actions: line(loads.actions.clone()),
         closed,
         energies: line(equations.energies.to_vec()),
+        named,
         arena,
     })
+}
+
+/// Where joints, drives and forces stand among multipliers and actions.
+fn named(model: &Model, equations: &LoadEquations) -> Vec<NamedLoad> {
+    let (mut first, mut at, mut named) = (0, 0, Vec::new());
+    for (index, joint) in model.joints.iter().enumerate().filter(|(_, joint)| joint.freedom.is_none()) {
+        let count = equations.rows.iter().filter(|row| row.joint == index).count();
+        let (kind, width) = match (&equations.arms[index], model.ambient) {
+            _ if joint.is_drive => (LoadKind::Drive, 1),
+            (Some((body, _)), Ambient::Plane) => (LoadKind::Joint(*body), 3),
+            (Some((body, _)), Ambient::Space) => (LoadKind::Joint(*body), 6),
+            (None, _) => (LoadKind::Equations, 0),
+        };
+        let (multipliers, actions) = (first..first + count, at..at + width);
+        named.push(NamedLoad { name: joint.name.clone(), kind, multipliers, actions, is_slice: joint.is_slice, alone: None });
+        (first, at) = (first + count, at + width);
+    }
+    for (number, (force, push)) in model.declared_forces.iter().zip(&equations.pushes).enumerate() {
+        let own = model.forces.iter().filter(|part| part.of == number);
+        let kind = LoadKind::Force(own.map(|part| (part.point.is_none(), part.body)).collect());
+        let (name, is_slice) = (force.name.clone(), force.is_slice);
+        named.push(NamedLoad { name, kind, multipliers: first..first, actions: at..at + push.len(), is_slice, alone: None });
+        at += push.len();
+    }
+    named
+}
+
+/// The results of a load by itself: its multipliers, its actions, and the checks of what it is computed from.
+fn alone(loads: &Loads, load: &NamedLoad) -> Option<Vec<Expr>> {
+    if let LoadKind::Force(_) = load.kind {
+        return Some(loads.actions[load.actions.clone()].to_vec());
+    }
+    let (closed, arena) = (loads.closed.as_ref()?, &loads.arena);
+    let of_joint = matches!(load.kind, LoadKind::Joint(_));
+    let multipliers = if of_joint { &[] } else { &closed.values[load.multipliers.clone()] };
+    let mut results: Vec<Expr> = multipliers.iter().chain(&closed.actions[load.actions.clone()]).copied().collect();
+    let reached = |roots: &[Expr]| arena.reachable(roots).into_iter().collect::<HashSet<Expr>>();
+    let whole: Vec<Expr> = closed.values.iter().chain(&closed.actions).copied().collect();
+    let (own, all) = (reached(&results), reached(&whole));
+    let divisor = |size: Expr| match *arena.node(size) {
+        Node::Unary(Unary::Abs, divisor) => divisor,
+        _ => size,
+    };
+    // A divisor that no result contains in this form may belong to any of them.
+    let counts = |check: &&[Expr; 2]| own.contains(&divisor(check[0])) || !all.contains(&divisor(check[0]));
+    results.extend(closed.checks.iter().filter(counts).flatten());
+    Some(results)
 }

@@ -28,7 +28,7 @@ mod words;
 pub use dynamics::DynamicsCode;
 pub use kernels::{Kernel, Kernels, Round};
 pub use lines::{Iterated, StageCode, StraightLine};
-pub use loads::LoadsCode;
+pub use loads::{LoadKind, LoadsCode, NamedLoad};
 pub use outputs::Outputs;
 pub use rolled::{Code, Group, Target};
 pub use routine::{Cost, Routine, Step};

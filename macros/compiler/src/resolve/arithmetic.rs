@@ -83,7 +83,7 @@ impl Elaborator<'_> {
         let (left, right) = (left?, right?);
         match (left, right) {
             (Value::Orientation(one), Value::Orientation(two)) if operator == Operator::Mul => {
-                Some(Value::Orientation(self.composed(one, two)))
+                Some(Value::Orientation(one.iter().chain(two.iter()).copied().collect()))
             }
             (Value::Scalar(one), Value::Scalar(two)) => self.combine(range, operator, one, (two, rhs.range)).map(Value::Scalar),
             (left, right) => {

@@ -2,7 +2,7 @@
 
 use super::space::Notes;
 use super::statement::FixedValue;
-use super::{Components, Force, Function as Numbered, Name, Requirement};
+use super::{Components, Force, Function as Numbered, Mass, Name, Requirement};
 use crate::diag::{
     ArrayFact, Diag, EquationFact, Fact, GrammarFact, Kind, Known, NameFact, Range, ValueFact, Wanted, nearest, nearest_unit,
 };
@@ -45,6 +45,8 @@ pub(crate) struct Elaborator<'a> {
     pub(super) defaults: Vec<f64>,
     /// Forces found so far, while a force is resolved.
     pub(super) applied: Option<Vec<Force>>,
+    /// Masses that joints and forces add, with their bodies.
+    pub(super) added: Vec<(usize, Mass)>,
     /// Potential energies.
     pub(super) energies: Vec<Expr>,
     /// What was found of joints in space.
@@ -138,6 +140,7 @@ impl Elaborator<'_> {
             calls: BTreeMap::new(),
             defaults: Vec::new(),
             applied: None,
+            added: Vec::new(),
             energies: Vec::new(),
             space: Notes::default(),
             lengths: Lengths::default(),

@@ -7,6 +7,7 @@ use super::{Body, BodyCoordinate, Name, Requirement};
 use crate::diag::nearest;
 use crate::diag::{NameFact, Range, ValueFact};
 use crate::expr::{Expr, Leaf};
+use crate::geometry::quaternion;
 use crate::model::DECLARED;
 use crate::names::Key;
 use crate::names::{Context, EntityId, FrameScope};
@@ -132,7 +133,8 @@ impl Elaborator<'_> {
                     self.location(&start.value, &scope).map(|vector| (0..).zip(vector.parts.iter().copied()).collect())
                 }
                 None if word == "orientation" && ambient == Ambient::Space => {
-                    self.orientation(&start.value, &scope).map(|quaternion| (3..).zip(quaternion).collect())
+                    let turns = self.orientation(&start.value, &scope);
+                    turns.and_then(|turns| quaternion(&mut self.arena, &turns)).map(|quaternion| (3..).zip(quaternion).collect())
                 }
                 None => {
                     let near = nearest(&word, start_words(ambient));
@@ -152,8 +154,8 @@ impl Elaborator<'_> {
             }
         }
         let coordinates = ambient.coordinates().iter().zip(starts).map(|(role, start)| BodyCoordinate { role: *role, start }).collect();
-        let mass = self.mass(frame, &scope);
-        Body { name: name.clone(), first: 0, coordinates, mass }
+        let masses = self.mass(frame, &scope);
+        Body { name: name.clone(), first: 0, coordinates, masses }
     }
 }
 

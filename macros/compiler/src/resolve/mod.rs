@@ -18,6 +18,7 @@ mod index;
 mod instance;
 mod items;
 mod layout;
+mod masses;
 mod meant;
 mod order;
 mod register;
@@ -33,6 +34,6 @@ pub(crate) use register::is_of_generated_type;
 pub(crate) use whole::{Outline, outline, resolve};
 
 use crate::model::{
-    Body, BodyCoordinate, Bounds, Component, Components, Field, Force, Freedom, Function, Joint, Layout, Mass, Method, Model, Name, Of,
-    Output, Parameter, Part, Requirement, Residual, Times,
+    Body, BodyCoordinate, Bounds, Component, Components, DeclaredForce, Field, Force, Freedom, Function, Joint, Layout, Mass, Method,
+    Model, Name, Of, Output, Parameter, Part, Requirement, Residual, Times,
 };

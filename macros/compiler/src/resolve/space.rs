@@ -10,13 +10,14 @@ use super::elaborate::{Elaborator, Scope};
 use super::statement::ScalarEquation;
 use crate::diag::{ArityFact, Range, ValueFact, Wanted};
 use crate::expr::{Expr, Frame, Leaf, Mark, Node, Triple, cross, dot};
-use crate::geometry::{Components, Geometry, JointQuantity, Place, Relationship, Triad, rotation};
+use crate::geometry::{Components, Geometry, JointQuantity, Place, Relationship, Triad, Turn, rotation};
 use crate::model::DECLARED;
 use crate::names::{Arguments, Fixed, FrameId, Scalar, Value, Vector};
 use crate::quantity::{Dim, InferredDim, Role};
 use crate::syntax::ast::{self, Statement};
 use proc_macro2::Ident;
 use std::collections::HashMap;
+use std::rc::Rc;
 
 /// Built-in functions of space.
 pub(crate) const BUILTINS: &[&str] = &["across", "along", "joint_angle", "misalignment", "turn", "x_axis", "y_axis", "z_axis"];
@@ -132,7 +133,7 @@ impl Elaborator<'_> {
             }
             "turn" => {
                 let angle = self.scalar_of(&arguments[1], Dim::ANGLE, scope)?.expr;
-                Some(Value::Orientation(self.turn(triad.axes[2], angle)))
+                Some(Value::Orientation([Turn { axis: triad.axes[2], angle }].into()))
             }
             "across" | "along" => {
                 let second = values[1].clone();
@@ -307,34 +308,11 @@ impl Elaborator<'_> {
     }
 
     /// Evaluates an orientation.
-    pub(super) fn orientation(&mut self, written: &ast::Expression, scope: &Scope) -> Option<[Expr; 4]> {
+    pub(super) fn orientation(&mut self, written: &ast::Expression, scope: &Scope) -> Option<Rc<[Turn]>> {
         match self.value(written, scope)? {
-            Value::Orientation(quaternion) => Some(quaternion),
+            Value::Orientation(turns) => Some(turns),
             other => self.not_a(written.range, Wanted::Orientation, other.kind()),
         }
-    }
-
-    /// The quaternion of a turn about a unit vector.
-    fn turn(&mut self, axis: Triple, angle: Expr) -> [Expr; 4] {
-        let two = self.arena.integer(2);
-        let half = self.arena.div(angle, two);
-        let (sine, cosine) = (self.arena.sin(half), self.arena.cos(half));
-        let [x, y, z] = axis.map(|part| self.arena.mul(part, sine));
-        [cosine, x, y, z]
-    }
-
-    /// The product of two rotations: the second comes first.
-    pub(super) fn composed(&mut self, [aw, ax, ay, az]: [Expr; 4], [bw, bx, by, bz]: [Expr; 4]) -> [Expr; 4] {
-        let arena = &mut self.arena;
-        let (a, b) = ([ax, ay, az], [bx, by, bz]);
-        let (real, inner) = (arena.mul(aw, bw), dot(arena, a, b));
-        let turned = cross(arena, a, b);
-        let [x, y, z] = [0, 1, 2].map(|k| {
-            let (left, right) = (arena.mul(aw, b[k]), arena.mul(bw, a[k]));
-            let sum = arena.add(left, right);
-            arena.add(sum, turned[k])
-        });
-        [arena.sub(real, inner), x, y, z]
     }
 }
 

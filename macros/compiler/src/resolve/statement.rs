@@ -65,6 +65,7 @@ impl Elaborator<'_> {
                     }
                 }
                 Statement::Apply(applied) => complete &= self.apply_force(applied, &scope).is_some(),
+                Statement::Add(added) => complete &= self.add_mass(added, &scope).is_some(),
                 Statement::Require(requirement) => complete &= self.requirement(requirement, &scope, joint, places).is_some(),
             }
             // One error per instance is enough: the next one would mark the same token.
@@ -74,6 +75,11 @@ impl Elaborator<'_> {
         }
         if complete && rows.is_empty() && self.applied.is_none() {
             return self.refuse(joint, EquationFact::NoEquations { name: joint.word.to_string() });
+        }
+        let applies = statements.iter().any(|statement| matches!(statement, Statement::Apply(_)));
+        if complete && self.applied.is_some() && !applies {
+            let body = self.names.frames.get(1).filter(|_| !self.names.is_abstract()).map(|frame| frame.name.clone());
+            return self.refuse(joint, EquationFact::NoForces { name: joint.word.to_string(), body, ambient: self.names.ambient });
         }
         complete.then_some(rows)
     }

@@ -30,10 +30,11 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     let defaults: Vec<_> = parameters.iter().map(|parameter| parameter.default).collect();
     work.defaults = work.numbers(&[], &defaults);
     work.lets_and_functions(&register);
-    let bodies = work.bodies(&register);
+    let mut bodies = work.bodies(&register);
     let lengths = work.marks(&register);
     let joints = work.joints(&register);
-    let forces = work.forces(&register);
+    let (declared_forces, forces) = work.forces(&register);
+    work.gather_masses(&mut bodies);
     work.fits_freedoms(tree.task, &register);
     let gravity = work.gravity(&register);
     let outputs = work.outputs(&register);
@@ -64,6 +65,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
         lengths,
         joints,
         forces,
+        declared_forces,
         energies,
         gravity,
         outputs: outputs.into_iter().flatten().collect(),

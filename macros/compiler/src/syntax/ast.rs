@@ -9,7 +9,7 @@ mod options;
 mod repeated;
 mod text;
 
-pub use definition::{Applied, Condition, Definition, Definitions, Export, Formal, FormalKind, Statement};
+pub use definition::{Added, Applied, Condition, Definition, Definitions, Export, Formal, FormalKind, Statement};
 pub use expression::{Expression, ExpressionKind, Operator, Relation};
 pub use node::{ItemId, Shared};
 pub use options::{Closing, Following, Task};
@@ -229,7 +229,7 @@ pub struct FrameItem {
     /// Start values.
     pub starts: Vec<Start>,
     /// `mass`, `center` and `inertia`.
-    pub masses: Vec<Start>,
+    pub masses: Vec<MassItem>,
 }
 
 /// Points and axes fixed in a body.
@@ -265,6 +265,17 @@ pub struct Start {
     pub value: Expression,
 }
 
+/// `mass = …;`, `center = …;` or `inertia = … along …;`
+#[derive(Clone, Debug)]
+pub struct MassItem {
+    /// `mass`, `center` or `inertia`.
+    pub what: Ident,
+    /// Value.
+    pub value: Expression,
+    /// How the axes of an inertia are turned against those of the body.
+    pub along: Option<Expression>,
+}
+
 /// A joint, a drive or a freedom.
 #[derive(Clone, Debug)]
 pub struct JointItem {
@@ -274,6 +285,8 @@ pub struct JointItem {
     pub is_drive: bool,
     /// True for a redundant joint: equations that follow from others are checked instead of solved.
     pub is_redundant: bool,
+    /// True if its load can be computed alone.
+    pub is_slice: bool,
     /// Name.
     pub name: Ident,
     /// Indices, if it is an element of an array.

@@ -1,9 +1,9 @@
 //! Parses definitions of constraints and their statements.
 
-use super::ast::{Applied, Condition, Definition, Definitions, Docs, Export, Formal, FormalKind, Statement};
+use super::ast::{Added, Applied, Condition, Definition, Definitions, Docs, Export, Formal, FormalKind, Statement};
 use super::dimension::dimension;
 use super::expression::{expression, relation};
-use super::item::{ambient, binding};
+use super::item::{ambient, binding, mass};
 use super::tokens::{
     Parsed, arrow, attributes, block, comma, docs, equals, expected, keyword, name, parentheses, report, semicolon, skip_item, visibility,
     wrong,
@@ -211,7 +211,7 @@ fn joint_kind(input: ParseStream) -> Parsed<FormalKind> {
     Ok(FormalKind::Joint(kind))
 }
 
-/// `let name = value;`, `require lhs != rhs: "why";` or `lhs == rhs;`
+/// `let name = value;`, `require lhs != rhs: "why";`, `at point: force;`, `add mass at point: mass;` or `lhs == rhs;`
 pub(super) fn statement(input: ParseStream) -> Parsed<Statement> {
     docs(input)?;
     if input.peek(Token![let]) {
@@ -231,6 +231,9 @@ pub(super) fn statement(input: ParseStream) -> Parsed<Statement> {
         && !input.peek2(Token![==])
     {
         return applied(input, word == "on").map(Statement::Apply);
+    }
+    if keyword(input).is_some_and(|word| word == "add") && input.peek2(syn::Ident::peek_any) {
+        return added(input).map(Statement::Add);
     }
     let lhs = expression(input)?;
     if input.peek(Token![:]) {
@@ -259,6 +262,26 @@ fn applied(input: ParseStream, is_torque: bool) -> Parsed<Applied> {
     let value = expression(input)?;
     semicolon(input)?;
     Ok(Applied { is_torque, target, value })
+}
+
+/// `add mass at point: mass;` or `add inertia on body: inertia;`
+fn added(input: ParseStream) -> Parsed<Added> {
+    input.parse::<Ident>()?;
+    let Some(what) = keyword(input).filter(|word| word == "mass" || word == "inertia") else {
+        return expected(input, "`mass at point: …;` or `inertia on body: …;`");
+    };
+    Ident::parse_any(input)?;
+    let preposition = if what == "mass" { "at" } else { "on" };
+    if keyword(input).is_none_or(|word| word != preposition) {
+        return expected(input, if what == "mass" { "`at` and the point of the mass" } else { "`on` and the body" });
+    }
+    Ident::parse_any(input)?;
+    let target = expression(input)?;
+    if !input.peek(Token![:]) {
+        return expected(input, if what == "mass" { "`:` and the mass" } else { "`:` and the inertia" });
+    }
+    input.parse::<Token![:]>()?;
+    Ok(Added { target, item: mass(input, what)? })
 }
 
 /// `require lhs != rhs: "why";`

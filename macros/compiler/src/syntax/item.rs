@@ -2,7 +2,7 @@
 
 use super::ast::{
     Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, FunctionItem, Gravity, Item, JointItem, Let, Limits, Marks,
-    Mechanism, OutputItem, ParameterItem, Refused, Shared, Start, Task, TimeRange, Use,
+    MassItem, Mechanism, OutputItem, ParameterItem, Refused, Shared, Start, Task, TimeRange, Use,
 };
 use super::dimension::{dimension, required_dimension};
 use super::expression::{expression, indices};
@@ -142,7 +142,7 @@ pub(super) fn items(content: ParseStream, place: ItemContext, diag: &mut Diag) -
 fn promised(input: ParseStream) -> Option<Refused> {
     attributes(input).ok()?;
     let [mut keyword, mut name] = [Ident::parse_any(input).ok()?, self::name(input, "a name").ok()?];
-    if keyword == "slice" && name == "output" {
+    if keyword == "slice" && ["output", "joint", "drive", "force"].iter().any(|word| name == word) {
         (keyword, name) = (name, self::name(input, "a name").ok()?);
     }
     Some(Refused { keyword, name, indices: indices(input).unwrap_or_default() })
@@ -173,6 +173,13 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
         "force" => Item::Force(Shared::new(JointItem { is_drive: true, ..joint(input, docs)? })),
         "energy" => Item::Force(Shared::new(energy(input, docs)?)),
         "gravity" => Item::Gravity(Shared::new(gravity(input)?)),
+        "slice" if slices_load(input) => {
+            Ident::parse_any(input)?;
+            let is_force = self::keyword(input).is_some_and(|word| word == "force");
+            let item = JointItem { is_slice: true, ..joint(input, docs)? };
+            // A force may depend on time.
+            if is_force { Item::Force(Shared::new(JointItem { is_drive: true, ..item })) } else { Item::Joint(Shared::new(item)) }
+        }
         "output" | "slice" => Item::Output(Shared::new(output(input, docs)?)),
         "range" => Item::Range(Shared::new(times(input)?)),
         "component" => Item::Component(Shared::new(component(input, docs, place.ambient, diag)?)),
@@ -182,6 +189,13 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
     };
     has_indices(&item, place)?;
     Ok(item)
+}
+
+/// True if `slice` stands before a joint, a drive or a force.
+fn slices_load(input: ParseStream) -> bool {
+    let ahead = input.fork();
+    Ident::parse_any(&ahead).is_ok()
+        && keyword(&ahead).is_some_and(|word| ["joint", "drive", "force", "redundant"].iter().any(|known| word == known))
 }
 
 /// Refuses a word that begins no item. A word of the workshop before braces is a body, before `=` the kind of a joint.
@@ -327,7 +341,7 @@ fn output(input: ParseStream, docs: Docs) -> Parsed<OutputItem> {
     let is_slice = Ident::parse_any(input)? == "slice";
     if is_slice {
         if keyword(input).is_none_or(|word| word != "output") {
-            return expected(input, "`output`: only an output can be solved for alone");
+            return expected(input, "`output`, `joint`, `drive` or `force` after `slice`");
         }
         Ident::parse_any(input)?;
     }
@@ -394,12 +408,27 @@ fn frame(input: ParseStream, docs: Docs, (name, indices): (Ident, Vec<Expression
             frame.starts.push(start(&content)?);
         } else if let Some(what) = keyword(&content).filter(|word| ["mass", "center", "inertia"].iter().any(|known| word == known)) {
             Ident::parse_any(&content)?;
-            frame.masses.push(Start { what, value: value(&content)? });
+            equals(&content)?;
+            frame.masses.push(mass(&content, what)?);
         } else {
             marks(&content, &mut frame.marks, ItemContext::top(Ambient::default()))?;
         }
     }
     Ok(frame)
+}
+
+/// The value of a mass, a centre or an inertia.
+pub(super) fn mass(input: ParseStream, what: Ident) -> Parsed<MassItem> {
+    let value = expression(input)?;
+    let is_turned = what == "inertia" && keyword(input).is_some_and(|word| word == "along");
+    let along = if is_turned {
+        Ident::parse_any(input)?;
+        Some(expression(input)?)
+    } else {
+        None
+    };
+    semicolon(input)?;
+    Ok(MassItem { what, value, along })
 }
 
 /// A point, an axis, or a loop over them.

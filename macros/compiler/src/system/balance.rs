@@ -66,9 +66,10 @@ pub(super) fn potential(model: &Model, arena: &mut Arena) -> Expr {
     }
     let Some(gravity) = &model.gravity else { return sum };
     let zero = arena.integer(0);
-    for (body, declared) in model.bodies.iter().enumerate() {
-        let Some(mass) = declared.mass.mass else { continue };
-        let center = declared.mass.center.clone().unwrap_or_else(|| vec![zero; gravity.len()]);
+    let masses = model.bodies.iter().enumerate().flat_map(|(body, declared)| declared.masses.iter().map(move |mass| (body, mass)));
+    for (body, declared) in masses {
+        let Some(mass) = declared.mass else { continue };
+        let center = declared.center.clone().unwrap_or_else(|| vec![zero; gravity.len()]);
         let arm = dynamics::arm(model, arena, body, &center);
         for (axis, (along, g)) in arm.into_iter().zip(gravity).enumerate() {
             let origin = arena.leaf(Leaf::Coordinate(coordinate(model, body, axis)));
@@ -83,27 +84,40 @@ pub(super) fn potential(model: &Model, arena: &mut Arena) -> Expr {
 
 /// Σ F · v_P + T · ω
 pub(super) fn power(model: &Model, arena: &mut Arena) -> Expr {
-    let mut sum = arena.integer(0);
-    for Force { body, point, parts } in &model.forces {
-        let arm = point.as_ref().map(|point| dynamics::arm(model, arena, *body, point));
-        let speeds: Vec<Expr> = match (model.ambient, arm) {
-            (Ambient::Plane, None) => vec![speed(model, arena, *body, 2)],
-            (Ambient::Plane, Some(arm)) => {
-                let turning = speed(model, arena, *body, 2);
-                let across = [arena.neg(arm[1]), arm[0]].map(|part| arena.mul(part, turning));
-                along(model, arena, *body, &across)
-            }
-            (Ambient::Space, None) => (3..6).map(|k| speed(model, arena, *body, k)).collect(),
-            (Ambient::Space, Some(arm)) => {
-                let spin = [3, 4, 5].map(|k| speed(model, arena, *body, k));
-                let across = cross(arena, spin, [arm[0], arm[1], arm[2]]);
-                along(model, arena, *body, &across)
-            }
-        };
-        for (part, speed) in parts.iter().zip(speeds) {
-            let term = arena.mul(*part, speed);
-            sum = arena.add(sum, term);
+    model.forces.iter().fold(arena.integer(0), |sum, force| add_power(model, arena, sum, force))
+}
+
+/// The force and torque vectors of each declared force, and its power.
+pub(super) fn pushes(model: &Model, arena: &mut Arena) -> Vec<Vec<Expr>> {
+    let of_each = (0..model.declared_forces.len()).map(|number| {
+        let own = || model.forces.iter().filter(|force| force.of == number);
+        let power = own().fold(arena.integer(0), |sum, force| add_power(model, arena, sum, force));
+        own().flat_map(|force| force.parts.iter().copied()).chain([power]).collect()
+    });
+    of_each.collect()
+}
+
+/// Adds the power of a force, term by term; ground does not move.
+fn add_power(model: &Model, arena: &mut Arena, mut sum: Expr, force: &Force) -> Expr {
+    let Force { body: Some(body), point, parts, .. } = force else { return sum };
+    let arm = point.as_ref().map(|point| dynamics::arm(model, arena, *body, point));
+    let speeds: Vec<Expr> = match (model.ambient, arm) {
+        (Ambient::Plane, None) => vec![speed(model, arena, *body, 2)],
+        (Ambient::Plane, Some(arm)) => {
+            let turning = speed(model, arena, *body, 2);
+            let across = [arena.neg(arm[1]), arm[0]].map(|part| arena.mul(part, turning));
+            along(model, arena, *body, &across)
         }
+        (Ambient::Space, None) => (3..6).map(|k| speed(model, arena, *body, k)).collect(),
+        (Ambient::Space, Some(arm)) => {
+            let spin = [3, 4, 5].map(|k| speed(model, arena, *body, k));
+            let across = cross(arena, spin, [arm[0], arm[1], arm[2]]);
+            along(model, arena, *body, &across)
+        }
+    };
+    for (part, speed) in parts.iter().zip(speeds) {
+        let term = arena.mul(*part, speed);
+        sum = arena.add(sum, term);
     }
     sum
 }

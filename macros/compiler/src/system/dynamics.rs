@@ -9,12 +9,12 @@
 //! In the axes of ground, three for each body in the plane and six in space, in the order of the speeds.
 
 use crate::expr::{Arena, Expr, Leaf, Triple, combination, cross, derivative, dot};
-use crate::model::{Body, DECLARED, Force, Model};
+use crate::model::{DECLARED, Force, Mass, Model};
 use crate::quantity::{Ambient, Role};
 
 /// f of every body; `None` if there is neither a mass nor a force.
 pub(super) fn unbalanced(model: &Model, arena: &mut Arena) -> Option<Vec<Expr>> {
-    let has_mass = model.bodies.iter().any(|body| body.mass.mass.is_some() || body.mass.inertia.is_some());
+    let has_mass = model.bodies.iter().any(|body| !body.masses.is_empty());
     if !has_mass && model.forces.is_empty() && model.energies.is_empty() {
         return None;
     }
@@ -53,29 +53,32 @@ pub(super) fn number(model: &Model, body: usize, offset: usize) -> u32 {
 }
 
 fn in_plane(model: &Model, arena: &mut Arena, body: usize) -> [Expr; 3] {
-    let declared = &model.bodies[body];
     let zero = arena.integer(0);
-    let mass = declared.mass.mass.unwrap_or(zero);
-    let center = declared.mass.center.clone().unwrap_or_else(|| vec![zero; 2]);
-    let c = turned_in_plane(model, arena, body, &center);
     let speed = arena.leaf(Leaf::Speed(number(model, body, 2)));
     let [ax, ay, turning] = [0, 1, 2].map(|offset| arena.leaf(Leaf::Acceleration(number(model, body, offset))));
     let inward = arena.square(speed);
-    // a_C − g
     let gravity = model.gravity.clone().unwrap_or_else(|| vec![zero; 2]);
-    let across = [arena.neg(c[1]), c[0]];
-    let a = [(ax, 0), (ay, 1)].map(|(a, k)| {
-        let (along, centripetal) = (arena.mul(across[k], turning), arena.mul(c[k], inward));
-        let a = arena.add(a, along);
-        let a = arena.sub(a, centripetal);
-        arena.sub(a, gravity[k])
-    });
-    let [mut fx, mut fy] = a.map(|a| arena.mul(mass, a));
-    let inertia = declared.mass.inertia.as_ref().map_or(zero, |inertia| inertia[0]);
-    let spin = arena.mul(inertia, turning);
-    let moment = cross_in_plane(arena, c, [fx, fy]);
-    let mut torque = arena.add(spin, moment);
-    for force in model.forces.iter().filter(|force| force.body == body) {
+    let [mut fx, mut fy, mut torque] = [zero; 3];
+    for declared in &model.bodies[body].masses {
+        let mass = declared.mass.unwrap_or(zero);
+        let center = declared.center.clone().unwrap_or_else(|| vec![zero; 2]);
+        let c = turned_in_plane(model, arena, body, &center);
+        // a_C − g
+        let across = [arena.neg(c[1]), c[0]];
+        let a = [(ax, 0), (ay, 1)].map(|(a, k)| {
+            let (along, centripetal) = (arena.mul(across[k], turning), arena.mul(c[k], inward));
+            let a = arena.add(a, along);
+            let a = arena.sub(a, centripetal);
+            arena.sub(a, gravity[k])
+        });
+        let force = a.map(|a| arena.mul(mass, a));
+        let inertia = declared.inertia.as_ref().map_or(zero, |inertia| inertia[0]);
+        let spin = arena.mul(inertia, turning);
+        let moment = cross_in_plane(arena, c, force);
+        let own = arena.add(spin, moment);
+        [fx, fy, torque] = [(fx, force[0]), (fy, force[1]), (torque, own)].map(|(sum, part)| arena.add(sum, part));
+    }
+    for force in model.forces.iter().filter(|force| force.body == Some(body)) {
         match &force.point {
             None => torque = arena.sub(torque, force.parts[0]),
             Some(point) => {
@@ -106,7 +109,6 @@ fn cross_in_plane(arena: &mut Arena, a: [Expr; 2], b: [Expr; 2]) -> Expr {
 }
 
 fn in_space(model: &Model, arena: &mut Arena, body: usize) -> [Expr; 6] {
-    let declared = &model.bodies[body];
     let zero = arena.integer(0);
     let three = |list: &Option<Vec<Expr>>| list.as_ref().map_or([zero; 3], |list| [list[0], list[1], list[2]]);
     let leaves = |arena: &mut Arena, leaf: fn(u32) -> Leaf, first: usize| -> Triple {
@@ -114,20 +116,26 @@ fn in_space(model: &Model, arena: &mut Arena, body: usize) -> [Expr; 6] {
     };
     let speed = leaves(arena, Leaf::Speed, 3);
     let (a, turning) = (leaves(arena, Leaf::Acceleration, 0), leaves(arena, Leaf::Acceleration, 3));
-    let c = arena.turned(body, three(&declared.mass.center));
-    let swing = cross(arena, speed, c);
-    let (along, inward) = (cross(arena, turning, c), cross(arena, speed, swing));
     let gravity = three(&model.gravity);
-    let mass = declared.mass.mass.unwrap_or(zero);
-    let mut force: Triple = [0, 1, 2].map(|k| {
-        let sum = arena.add(along[k], inward[k]);
-        let a = arena.add(a[k], sum);
-        let a = arena.sub(a, gravity[k]);
-        arena.mul(mass, a)
-    });
-    let (euler, moment) = (euler(arena, declared, body, speed, turning), cross(arena, c, force));
-    let mut torque: Triple = [0, 1, 2].map(|k| arena.add(euler[k], moment[k]));
-    for Force { point, parts, .. } in model.forces.iter().filter(|force| force.body == body) {
+    let (mut force, mut torque) = ([zero; 3], [zero; 3]);
+    for declared in &model.bodies[body].masses {
+        let c = arena.turned(body, three(&declared.center));
+        let swing = cross(arena, speed, c);
+        let (along, inward) = (cross(arena, turning, c), cross(arena, speed, swing));
+        let mass = declared.mass.unwrap_or(zero);
+        let own: Triple = [0, 1, 2].map(|k| {
+            let sum = arena.add(along[k], inward[k]);
+            let a = arena.add(a[k], sum);
+            let a = arena.sub(a, gravity[k]);
+            arena.mul(mass, a)
+        });
+        let (euler, moment) = (euler(arena, declared, body, speed, turning), cross(arena, c, own));
+        for k in 0..3 {
+            let about = arena.add(euler[k], moment[k]);
+            (force[k], torque[k]) = (arena.add(force[k], own[k]), arena.add(torque[k], about));
+        }
+    }
+    for Force { point, parts, .. } in model.forces.iter().filter(|force| force.body == Some(body)) {
         let parts = [parts[0], parts[1], parts[2]];
         let moment = match point {
             None => parts,
@@ -145,14 +153,15 @@ fn in_space(model: &Model, arena: &mut Arena, body: usize) -> [Expr; 6] {
 /// ½ Σ m v_C² + ω · I ω
 pub(super) fn kinetic(model: &Model, arena: &mut Arena) -> Expr {
     let mut twice = arena.integer(0);
-    for (body, declared) in model.bodies.iter().enumerate() {
+    let masses = model.bodies.iter().enumerate().flat_map(|(body, declared)| declared.masses.iter().map(move |mass| (body, mass)));
+    for (body, declared) in masses {
         let zero = arena.integer(0);
         let each = if model.ambient == Ambient::Space { 3 } else { 2 };
-        let center = declared.mass.center.clone().unwrap_or_else(|| vec![zero; each]);
+        let center = declared.center.clone().unwrap_or_else(|| vec![zero; each]);
         let c = arm(model, arena, body, &center);
         let speed = |arena: &mut Arena, offset: usize| arena.leaf(Leaf::Speed(number(model, body, offset)));
         let origin: Vec<Expr> = (0..each).map(|k| speed(arena, k)).collect();
-        let inertia = declared.mass.inertia.as_ref();
+        let inertia = declared.inertia.as_ref();
         let (across, spinning) = match model.ambient {
             Ambient::Plane => {
                 let turning = speed(arena, 2);
@@ -179,7 +188,7 @@ pub(super) fn kinetic(model: &Model, arena: &mut Arena) -> Expr {
             let part = arena.square(part);
             square = arena.add(square, part);
         }
-        let moving = arena.mul(declared.mass.mass.unwrap_or(zero), square);
+        let moving = arena.mul(declared.mass.unwrap_or(zero), square);
         for part in [moving, spinning] {
             twice = arena.add(twice, part);
         }
@@ -189,9 +198,9 @@ pub(super) fn kinetic(model: &Model, arena: &mut Arena) -> Expr {
 }
 
 /// A (I' ω̇' + ω' × I' ω'), with ω' = Aᵀ ω and ω̇' = Aᵀ ω̇: in the axes of the body, where I' is constant.
-fn euler(arena: &mut Arena, declared: &Body, body: usize, speed: Triple, turning: Triple) -> Triple {
+fn euler(arena: &mut Arena, declared: &Mass, body: usize, speed: Triple, turning: Triple) -> Triple {
     let zero = arena.integer(0);
-    let Some(inertia) = &declared.mass.inertia else { return [zero; 3] };
+    let Some(inertia) = &declared.inertia else { return [zero; 3] };
     let axes = axes(arena, body);
     let [speed, turning] = [speed, turning].map(|vector| axes.map(|axis| dot(arena, axis, vector)));
     let [spin, change] = [speed, turning].map(|vector| inertia_times(arena, inertia, vector));

@@ -24,6 +24,8 @@ pub struct LoadEquations {
     pub arms: Vec<Option<(usize, Vec<Expr>)>>,
     /// Kinetic energy, potential energy, and power of the forces declared.
     pub energies: [Expr; 3],
+    /// For each force declared its force and torque vectors, and its power.
+    pub pushes: Vec<Vec<Expr>>,
 }
 
 /// An equation by the speeds of the bodies.
@@ -39,6 +41,8 @@ pub struct LoadRow {
     pub nu: Expr,
     /// True if it belongs to a freedom.
     pub is_of_freedom: bool,
+    /// True if it is declared as an equation of velocities, also where it is solved as one of positions.
+    pub is_of_velocities: bool,
 }
 
 impl LoadEquations {
@@ -54,23 +58,36 @@ impl LoadEquations {
         for (row, equation) in declared.iter().zip(&mut equations) {
             angles.add_slopes(arena, row, equation);
         }
-        let rows = rows(equations.iter());
-        Some(LoadEquations { forces, rows, arms: arms(model, arena), energies: energies(model, arena) })
+        let rows = rows(model, equations.iter());
+        Some(LoadEquations {
+            forces,
+            rows,
+            arms: arms(model, arena),
+            energies: energies(model, arena),
+            pushes: balance::pushes(model, arena),
+        })
     }
 
     /// In the plane, where the declared coordinates are the unknowns.
     pub(super) fn in_plane<'a>(model: &Model, arena: &mut Arena, equations: impl Iterator<Item = &'a Equation>) -> Option<LoadEquations> {
         let forces = dynamics::unbalanced(model, arena)?;
         let is_pin = |equation: &Equation| equation.row >= model.joints[equation.joint].residuals.len();
-        let rows = rows(equations.filter(|equation| !is_pin(equation)));
-        Some(LoadEquations { forces, rows, arms: arms(model, arena), energies: energies(model, arena) })
+        let rows = rows(model, equations.filter(|equation| !is_pin(equation)));
+        Some(LoadEquations {
+            forces,
+            rows,
+            arms: arms(model, arena),
+            energies: energies(model, arena),
+            pushes: balance::pushes(model, arena),
+        })
     }
 
     /// Every expression, as `of` writes it.
     pub(super) fn map(mut self, mut of: impl FnMut(Expr) -> Expr) -> LoadEquations {
         let rows = self.rows.iter_mut().flat_map(|row| row.jacobian.iter_mut().map(|(_, entry)| entry).chain([&mut row.nu]));
         let arms = self.arms.iter_mut().flatten().flat_map(|(_, arm)| arm);
-        self.forces.iter_mut().chain(rows).chain(arms).chain(&mut self.energies).for_each(|expr| *expr = of(*expr));
+        let pushes = self.pushes.iter_mut().flatten();
+        self.forces.iter_mut().chain(rows).chain(arms).chain(&mut self.energies).chain(pushes).for_each(|expr| *expr = of(*expr));
         self
     }
 
@@ -202,13 +219,14 @@ impl JointAngles {
     }
 }
 
-fn rows<'a>(equations: impl Iterator<Item = &'a Equation>) -> Vec<LoadRow> {
+fn rows<'a>(model: &Model, equations: impl Iterator<Item = &'a Equation>) -> Vec<LoadRow> {
     let row = |equation: &Equation| LoadRow {
         joint: equation.joint,
         dim: equation.dim,
         jacobian: equation.jacobian.clone(),
         nu: equation.nu,
         is_of_freedom: equation.is_initial,
+        is_of_velocities: model.joints[equation.joint].residuals.get(equation.row).is_some_and(|residual| residual.is_velocity),
     };
     let mut rows: Vec<LoadRow> = equations.map(row).collect();
     rows.sort_by_key(|row| (row.is_of_freedom, row.joint));

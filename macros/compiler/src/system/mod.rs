@@ -281,6 +281,7 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
         Ambient::Plane => (None, LoadEquations::in_plane(model, &mut arena, equations.iter().chain(&of_speeds))),
         Ambient::Space => (Some(Box::new(declared::declared(model))), loads),
     };
+    slices_have_loads(model, loads.is_some(), diag)?;
     let speeds = coordinates.iter().map(|coordinate| Speed { body: coordinate.body, role: speed_of(coordinate.role) }).collect();
     Some(System { arena, coordinates, speeds, equations, of_speeds, balance, pattern, outputs, lengths, declared, frames, loads, reached })
 }
@@ -365,6 +366,16 @@ fn has_bodies(model: &Model, diag: &mut Diag) -> Option<()> {
         return diag.refuse(&model.name, SystemFact::NoBodies { name: model.name.to_string() });
     }
     Some(())
+}
+
+/// Refuses loads that shall be computed alone where there are none.
+fn slices_have_loads(model: &Model, has_loads: bool, diag: &mut Diag) -> Option<()> {
+    let of_forces = model.declared_forces.iter().map(|force| (&force.name, force.is_slice));
+    let mut slices = model.joints.iter().map(|joint| (&joint.name, joint.is_slice)).chain(of_forces);
+    match slices.find(|(_, is_slice)| *is_slice && !has_loads) {
+        Some((name, _)) => diag.refuse(name, SystemFact::SliceWithoutLoads { name: name.to_string() }),
+        None => Some(()),
+    }
 }
 
 /// Reports a joint if every equation of it is an equation of earlier joints; `redundancy` reports a freedom.

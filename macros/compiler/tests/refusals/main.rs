@@ -13,6 +13,7 @@ mod freedoms;
 mod homes;
 mod joints;
 mod limits;
+mod masses;
 mod mobility;
 mod names;
 mod parameters;

@@ -40,7 +40,7 @@ crate::refusals! {
     item name_with_a_meaning: "param «pi»: Length = 1m;" => "`pi` has a meaning of its own in expressions\nhelp: choose another name";
     item name_of_a_builtin: "body «dot» {}" => "`dot` has a meaning of its own in expressions\nhelp: choose another name";
     item output_with_a_generated_name: "output «solve» = crank.x;" => "an output cannot be called `solve`: a generated function has that name\nhelp: choose another name";
-    item slice_of_a_body: "slice «body» wheel {}" => "expected `output`: only an output can be solved for alone, found `body`";
+    item slice_of_a_body: "slice «body» wheel {}" => "expected `output`, `joint`, `drive` or `force` after `slice`, found `body`";
     item output_with_the_name_of_a_slice: "slice output far = crank.x; output «solve_for_far» = crank.x;" => "an output cannot be called `solve_for_far`: a generated function has that name\nhelp: choose another name";
     item point_called_angle: "body b { point «angle» = (0mm, 0mm); }" => "`angle` has a meaning of its own in expressions\nhelp: choose another name";
     item uses_of_a_name_with_a_meaning_are_not_refused_as_well: "body «table» { point P = (0mm, 0mm); } joint a = revolute(table.P, crank.A); output b = table(crank.angle, [(0deg, 1mm), (90deg, 2mm)]);" => "`table` has a meaning of its own in expressions\nhelp: choose another name";

@@ -32,6 +32,7 @@ pub enum MotionFact {
     FreedomWithoutName { value: String },
     GravityWithoutDirection { value: String, ambient: Ambient },
     InertiaOfNumbers { found: usize, first: String },
+    InertiaAlongInPlane { inertia: String },
     TorqueWithoutAxis { torque: String, axis: Option<String> },
     TorqueWithAxis { body: String, torque: Option<String> },
     ForceWithoutDirection { force: String, ambient: Ambient },

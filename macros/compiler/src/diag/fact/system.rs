@@ -29,6 +29,16 @@ pub enum SystemFact {
         bodies: Vec<String>,
         has_any: bool,
     },
+    SliceWithoutLoads {
+        name: String,
+    },
+    ActsOnMassless {
+        joint: String,
+        without_mass: Vec<String>,
+        without_inertia: Vec<String>,
+        adds: bool,
+        freedom: String,
+    },
     Nonholonomic {
         joint: String,
         row: usize,

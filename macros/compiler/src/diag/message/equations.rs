@@ -2,6 +2,7 @@
 
 use super::words::equation;
 use crate::diag::EquationFact;
+use crate::quantity::Ambient;
 use std::fmt::{Display, Formatter, Result};
 
 impl Display for EquationFact {
@@ -56,6 +57,18 @@ impl Display for EquationFact {
                 write!(f, "\nhelp: give `{kind}` at least one body, or a point or an axis of one")
             }
             EquationFact::NoEquations { name } => write!(f, "`{name}` has no equations\nhelp: write `lhs == rhs;`"),
+            EquationFact::NoForces { name, body, ambient } => {
+                let (force, torque) = match ambient {
+                    Ambient::Plane => ("(0N, -5N)", "2Nm"),
+                    Ambient::Space => ("(0N, 0N, -5N)", "(0Nm, 0Nm, 2Nm)"),
+                };
+                let (point, body) = match body {
+                    Some(body) => (format!("{body}.position"), body.as_str()),
+                    None => ("P".to_owned(), "body"),
+                };
+                write!(f, "`{name}` pushes nothing and turns nothing")?;
+                write!(f, "\nhelp: write `at {point}: {force};` for a force at a point, `on {body}: {torque};` for a torque")
+            }
             EquationFact::EmptyBundle { name } => {
                 write!(f, "the bundle `{name}` has no constraints\nhelp: put `constraint name(…) {{ … }}` into it")
             }

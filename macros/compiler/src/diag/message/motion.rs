@@ -39,6 +39,9 @@ impl Display for MotionFact {
                 write!(f, "the inertia of a body in space is three numbers or six, found {found}")?;
                 write!(f, "\nhelp: write `({first}, {first}, {first})` for I_xx, I_yy, I_zz, or a shape such as `ball(30mm)`")
             }
+            MotionFact::InertiaAlongInPlane { inertia } => {
+                write!(f, "in the plane an inertia is one number, however the body is turned\nhelp: write `inertia = {inertia};`")
+            }
             MotionFact::TorqueWithoutAxis { torque, axis } => {
                 write!(f, "a torque in space is a vector along its axis, found a number")?;
                 match axis {

@@ -41,6 +41,13 @@ impl Display for SystemFact {
                 let place = if *has_any { "in a body that moves with it" } else { "in the bodies" };
                 write!(f, "\nhelp: write `mass = …;` and `inertia = …;` {place}, or `drive` for `freedom`")
             }
+            SystemFact::SliceWithoutLoads { name } => {
+                write!(f, "`{name}` has no load that could be computed alone: no body has a mass, and no force acts")?;
+                write!(f, "\nhelp: write `mass = …;` in a body, or take `slice` away")
+            }
+            SystemFact::ActsOnMassless { joint, without_mass, without_inertia, adds, freedom } => {
+                acts_on_massless(f, joint, [without_mass, without_inertia], *adds, freedom)
+            }
             SystemFact::Nonholonomic { joint, row, of } => {
                 let which = if *of == 1 { "the equation".to_owned() } else { format!("equation {row} of {of}") };
                 write!(
@@ -291,4 +298,29 @@ fn off(length: Option<f64>, angle: Option<f64>) -> String {
         (None, Some(angle)) => format!("{}° off", rounded(angle.to_degrees())),
         (None, None) => "off".to_owned(),
     }
+}
+
+/// A joint whose equations relate velocities of bodies, of which the first lack a mass and the second an inertia.
+fn acts_on_massless(f: &mut Formatter, joint: &str, lists: [&[String]; 2], adds: bool, freedom: &str) -> Result {
+    write!(f, "`{joint}` relates velocities of ")?;
+    let [without_mass, without_inertia] = lists;
+    match lists {
+        [one, []] => write!(f, "{}, whose translation no mass resists", list(one))?,
+        [[], two] => write!(f, "{}, whose rotation no inertia resists", list(two))?,
+        [one, two] if one == two => write!(f, "{}, whose translation no mass and whose rotation no inertia resists", list(one))?,
+        [one, two] => {
+            write!(f, "{}, whose translation no mass resists, and of {}, whose rotation no inertia resists", list(one), list(two))?;
+        }
+    }
+    write!(f, "\nnote: the motion follows from forces, since `{freedom}` is a freedom, and forces move only what has a mass")?;
+    for (what, bodies) in [("mass", without_mass), ("inertia", without_inertia)] {
+        if bodies.is_empty() {
+            continue;
+        }
+        write!(f, "\nhelp: write `{what} = …;` in {}", list(bodies))?;
+        if adds {
+            write!(f, ", or `{what}: …` in `{joint}`, which adds it to each of its bodies")?;
+        }
+    }
+    write!(f, "\nhelp: or relate positions or angles: these may hold what has no mass")
 }

@@ -1,9 +1,23 @@
-//! Rounds exact numbers to the nearest `f64`.
+//! Rounds exact numbers to the nearest `f64`, and takes the exact value of an `f64`.
 
 use super::Exact;
 use super::twofold::Twofold;
 
 impl Exact {
+    /// The exact value of an `f64`; `None` if it does not fit.
+    #[must_use]
+    pub fn binary(value: f64) -> Option<Exact> {
+        if value == 0.0 {
+            return Some(Exact::ZERO);
+        }
+        let exponent = libm::ilogb(value) - 52;
+        if !value.is_finite() || exponent.abs() > 118 {
+            return None;
+        }
+        let (whole, power) = (libm::scalbn(value, -exponent) as i128, 1_i128 << exponent.abs());
+        if exponent < 0 { Exact::ratio(whole, power) } else { Exact::ratio(whole.checked_mul(power)?, 1) }
+    }
+
     /// The nearest `f64`, ties to even.
     ///
     /// Without a power of π integer arithmetic proves the rounding. With one the number is computed to about 100 bits and then rounded.

@@ -1,6 +1,6 @@
 //! Definitions of constraints, and the statements in them.
 
-use super::{Dimension, Docs, Expression, Let, Relation};
+use super::{Dimension, Docs, Expression, Let, MassItem, Relation};
 use crate::quantity::Ambient;
 use proc_macro2::{Ident, TokenStream};
 
@@ -88,6 +88,8 @@ pub enum Statement {
     Require(Condition),
     /// `at point: force;` or `on body: torque;`
     Apply(Applied),
+    /// `add mass at point: mass;` or `add inertia on body: inertia;`
+    Add(Added),
 }
 
 /// A force at a point, or a torque on a body.
@@ -99,6 +101,15 @@ pub struct Applied {
     pub target: Expression,
     /// Force or torque.
     pub value: Expression,
+}
+
+/// Mass or inertia that a joint or a force adds to a body.
+#[derive(Clone, Debug)]
+pub struct Added {
+    /// Point of a mass, body of an inertia.
+    pub target: Expression,
+    /// What is added.
+    pub item: MassItem,
 }
 
 /// A condition on parameters, checked when they are known.

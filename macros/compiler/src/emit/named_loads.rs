@@ -1,0 +1,151 @@
+//! The loads of single joints, drives and forces: read from all loads, or computed alone.
+
+use super::functions::Emitter;
+use super::literal::number;
+use super::loads::motion;
+use super::routine::{RoutinePrinter, fast_lines};
+use super::{docs, identifier, state_path};
+use crate::plan::{LoadKind, LoadsCode, NamedLoad};
+use crate::quantity::Ambient;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote};
+
+/// How a load is read from multipliers and actions.
+struct Reading {
+    page: String,
+    kind: TokenStream,
+    call: TokenStream,
+}
+
+impl Emitter<'_> {
+    /// One method for each joint, each drive and each force.
+    pub(super) fn methods_of_loads(&self, code: &LoadsCode) -> TokenStream {
+        let method = |load: &NamedLoad| {
+            let Reading { page, kind, call } = self.reading(load, load.multipliers.start, load.actions.start);
+            let (page, name) = (docs::line(&page), identifier(&load.name.local));
+            quote! {
+                #page
+                #[must_use]
+                pub fn #name(&self) -> #kind { self.loads.#call }
+            }
+        };
+        code.named.iter().map(method).collect()
+    }
+
+    /// The function that computes one load.
+    pub(super) fn load_alone(&self, load: &NamedLoad, code: &LoadsCode) -> TokenStream {
+        let (own, state) = (identifier(&load.name.local), state_path(&self.model.name));
+        let name = Ident::new(&format!("load_of_{}", load.name.local), Span::call_site());
+        // A joint is read from its actions alone.
+        let read = match load.kind {
+            LoadKind::Joint(_) => &NamedLoad { multipliers: 0..0, ..load.clone() },
+            _ => load,
+        };
+        let Reading { page, kind, call } = self.reading(read, 0, 0);
+        let page = docs::line(&format!("{page} The same as `loads(state).{}()`, with what others need left out.", load.name.local));
+        let body = match &load.alone {
+            Some(routine) => {
+                let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, routine);
+                let (multipliers, rest) = results.split_at(read.multipliers.len());
+                let (actions, checks) = rest.split_at(load.actions.len());
+                let are_steady = checks.chunks(2).map(|pair| {
+                    let (size, least) = (&pair[0], &pair[1]);
+                    quote!(#size > #least)
+                });
+                let (m, width, motion) = (number(multipliers.len()), number(actions.len()), motion());
+                let refreshed = match load.kind {
+                    LoadKind::Force(_) => None,
+                    _ => self.refreshed(&quote!(::reuleaux::Loads::<T, #m, #width>::unknown().#call)),
+                };
+                let watch = (!checks.is_empty()).then(|| {
+                    quote! {
+                        let are_steady = true #(& (#are_steady))*;
+                        if !are_steady {
+                            return self.loads(state).#own();
+                        }
+                    }
+                });
+                quote! {
+                    #refreshed
+                    #motion
+                    #reads
+                    #steps
+                    #watch
+                    let multipliers = ::core::convert::From::from([#(#multipliers),*]);
+                    let actions = ::core::convert::From::from([#(#actions),*]);
+                    ::reuleaux::Loads::<T, #m, #width>::unique(multipliers, actions).#call
+                }
+            }
+            None => quote!(self.loads(state).#own()),
+        };
+        quote! {
+            #page
+            #[must_use]
+            pub fn #name(&self, state: &#state<T>) -> #kind { #body }
+        }
+    }
+
+    /// How a load is read where its multipliers and its actions begin at these places.
+    fn reading(&self, load: &NamedLoad, first: usize, at: usize) -> Reading {
+        let (name, path) = (
+            &load.name,
+            match self.model.ambient {
+                Ambient::Plane => "Planar",
+                Ambient::Space => "Spatial",
+            },
+        );
+        let count = load.multipliers.len();
+        let (from, to, place) = (number(first), number(first + count), number(at));
+        match &load.kind {
+            LoadKind::Drive => Reading {
+                page: format!("What the drive `{name}` has to do."),
+                kind: quote!(::reuleaux::DriveLoad<T>),
+                call: quote!(drive(#from..#to, #place)),
+            },
+            LoadKind::Joint(body) => {
+                let (kind, method) = (format_ident!("{path}Load"), format_ident!("{}", path.to_lowercase()));
+                Reading {
+                    page: format!(
+                        "What the joint `{name}` does to `{}`: the force at its point, and the torque about it, in ground.",
+                        self.model.bodies[*body].name
+                    ),
+                    kind: quote!(::reuleaux::#kind<T>),
+                    call: quote!(#method(#from..#to, #place)),
+                }
+            }
+            // Equations between angles of other joints act nowhere in particular.
+            LoadKind::Equations => {
+                let count = number(count);
+                Reading {
+                    page: format!("Multipliers of `{name}`, by equation."),
+                    kind: quote!([T; #count]),
+                    call: quote!(multipliers_from(#from)),
+                }
+            }
+            LoadKind::Force(parts) => self.reading_of_force(load, parts, at, path),
+        }
+    }
+
+    fn reading_of_force(&self, load: &NamedLoad, parts: &[(bool, Option<usize>)], mut at: usize, path: &str) -> Reading {
+        let (mut forces, mut torques) = (Vec::new(), Vec::new());
+        let mut words = Vec::new();
+        for (is_torque, body) in parts {
+            let body = body.map_or_else(|| "ground".to_owned(), |body| self.model.bodies[body].name.to_string());
+            let (list, what) = if *is_torque { (&mut torques, "torques") } else { (&mut forces, "forces") };
+            words.push(format!("`{what}[{}]` on `{body}`", list.len()));
+            list.push(number(at));
+            at += match (self.model.ambient, is_torque) {
+                (Ambient::Plane, true) => 1,
+                (Ambient::Plane, false) => 2,
+                (Ambient::Space, _) => 3,
+            };
+        }
+        let (kind, method) = (format_ident!("{path}Force"), format_ident!("{}_force", path.to_lowercase()));
+        let (of_forces, of_torques, power) = (number(forces.len()), number(torques.len()), number(at));
+        Reading {
+            page: format!("What the force `{}` does, in ground: {}.", load.name, words.join(", ")),
+            kind: quote!(::reuleaux::#kind<T, #of_forces, #of_torques>),
+            call: quote!(#method([#(#forces),*], [#(#torques),*], #power)),
+        }
+    }
+}

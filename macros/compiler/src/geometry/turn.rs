@@ -1,0 +1,75 @@
+//! Orientations as products of turns, of which the last comes first.
+//!
+//! ```text
+//! cos(θ/2) + sin(θ/2) (k_x i + k_y j + k_z k)                   quaternion of a turn by θ about the unit vector k
+//! R_ij = k_i k_j (1 − cos θ) + δ_ij cos θ − ε_ijl k_l sin θ     its matrix
+//! ```
+
+use crate::expr::{Arena, Expr, Triple, cross, dot};
+
+/// A turn about a unit vector.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Turn {
+    pub(crate) axis: Triple,
+    pub(crate) angle: Expr,
+}
+
+impl Turn {
+    fn quaternion(self, arena: &mut Arena) -> [Expr; 4] {
+        let two = arena.integer(2);
+        let half = arena.div(self.angle, two);
+        let (sine, cosine) = (arena.sin(half), arena.cos(half));
+        let [x, y, z] = self.axis.map(|part| arena.mul(part, sine));
+        [cosine, x, y, z]
+    }
+
+    /// The rows of the matrix.
+    fn matrix(self, arena: &mut Arena) -> [Triple; 3] {
+        let k = self.axis;
+        let (sine, cosine, one) = (arena.sin(self.angle), arena.cos(self.angle), arena.integer(1));
+        let rest = arena.sub(one, cosine);
+        let mut rows = [[one; 3]; 3];
+        for i in 0..3 {
+            // k_i² + cos θ (1 − k_i²)
+            let square = arena.square(k[i]);
+            let across = arena.sub(one, square);
+            let across = arena.mul(cosine, across);
+            rows[i][i] = arena.add(square, across);
+            let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+            let (both, turned) = (arena.mul(k[i], k[j]), arena.mul(sine, k[l]));
+            let both = arena.mul(both, rest);
+            rows[i][j] = arena.sub(both, turned);
+            rows[j][i] = arena.add(both, turned);
+        }
+        rows
+    }
+}
+
+/// The unit quaternion of an orientation, with the real part first; `None` if there are no turns.
+pub(crate) fn quaternion(arena: &mut Arena, turns: &[Turn]) -> Option<[Expr; 4]> {
+    let parts: Vec<[Expr; 4]> = turns.iter().map(|turn| turn.quaternion(arena)).collect();
+    parts.into_iter().reduce(|one, two| composed(arena, one, two))
+}
+
+/// The product of two rotations: the second comes first.
+fn composed(arena: &mut Arena, [aw, ax, ay, az]: [Expr; 4], [bw, bx, by, bz]: [Expr; 4]) -> [Expr; 4] {
+    let (a, b) = ([ax, ay, az], [bx, by, bz]);
+    let (real, inner) = (arena.mul(aw, bw), dot(arena, a, b));
+    let turned = cross(arena, a, b);
+    let [x, y, z] = [0, 1, 2].map(|k| {
+        let (left, right) = (arena.mul(aw, b[k]), arena.mul(bw, a[k]));
+        let sum = arena.add(left, right);
+        arena.add(sum, turned[k])
+    });
+    [arena.sub(real, inner), x, y, z]
+}
+
+/// R I Rᵀ of a symmetric tensor I_xx, I_yy, I_zz, I_xy, I_xz, I_yz.
+pub(crate) fn turned_tensor(arena: &mut Arena, turns: &[Turn], tensor: [Expr; 6]) -> [Expr; 6] {
+    turns.iter().rev().fold(tensor, |[xx, yy, zz, xy, xz, yz], turn| {
+        let rows = turn.matrix(arena);
+        let columns = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+        let once = rows.map(|row| columns.map(|column| dot(arena, row, column)));
+        [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|(i, j)| dot(arena, once[i], rows[j]))
+    })
+}

@@ -1,0 +1,74 @@
+//! Masses of bodies.
+
+use crate::diag::ValueFact;
+use crate::expr::{Arena, Expr};
+use crate::quantity::is_inertia;
+
+/// A mass fixed in a body and its distribution; what is not declared is zero.
+#[derive(Clone, Debug, Default)]
+pub struct Mass {
+    /// Mass.
+    pub mass: Option<Expr>,
+    /// Centre of mass, by local components.
+    pub center: Option<Vec<Expr>>,
+    /// Inertia about the centre of mass: one number in the plane, in space I_xx, I_yy, I_zz, I_xy, I_xz, I_yz in the axes of the body.
+    pub inertia: Option<Vec<Expr>>,
+}
+
+impl Mass {
+    /// The word at fault and what is wrong: a centre without a mass, a negative number, an inertia that no distribution of mass has.
+    ///
+    /// * `numbers`: given, the values of expressions of parameters at the defaults.
+    pub(crate) fn flaw(&self, body: &str, numbers: impl Fn(&[Expr]) -> Vec<f64>) -> Option<(&'static str, ValueFact)> {
+        let body = body.to_owned();
+        if self.center.is_some() && self.mass.is_none() {
+            return Some(("center", ValueFact::CenterWithoutMass { body }));
+        }
+        for (what, value) in [("mass", self.mass.map(|mass| vec![mass])), ("inertia", self.inertia.clone())] {
+            let Some(values) = value.map(|value| numbers(&value)) else { continue };
+            if let Some(value) = values.iter().take(3).copied().find(|value| *value < 0.0) {
+                return Some((what, ValueFact::NegativeMass { what, body, value }));
+            }
+            if let [xx, yy, zz, xy, xz, yz] = values[..]
+                && !is_inertia([xx, yy, zz, xy, xz, yz])
+            {
+                return Some((what, ValueFact::ImpossibleInertia { body }));
+            }
+        }
+        None
+    }
+
+    /// True if it is certain that nothing is there.
+    fn is_nothing(&self, arena: &Arena) -> bool {
+        self.mass.iter().chain(self.inertia.iter().flatten()).all(|part| is_zero(arena, *part))
+    }
+
+    /// Adds a mass to those of a body: to one with the same centre, or as one more.
+    pub(crate) fn join(mut self, arena: &mut Arena, masses: &mut Vec<Mass>) {
+        if self.is_nothing(arena) {
+            return;
+        }
+        if self.center.as_ref().is_some_and(|center| center.iter().all(|part| is_zero(arena, *part))) {
+            self.center = None;
+        }
+        // An inertia alone has no centre of its own.
+        let fits = |known: &&mut Mass| known.mass.is_none() || self.mass.is_none() || known.center == self.center;
+        let Some(known) = masses.iter_mut().find(fits) else { return masses.push(self) };
+        if known.mass.is_none() {
+            known.center = self.center;
+        }
+        known.mass = sum(arena, known.mass.map(|mass| vec![mass]), self.mass.map(|mass| vec![mass])).map(|sum| sum[0]);
+        known.inertia = sum(arena, known.inertia.take(), self.inertia);
+    }
+}
+
+fn sum(arena: &mut Arena, one: Option<Vec<Expr>>, two: Option<Vec<Expr>>) -> Option<Vec<Expr>> {
+    match (one, two) {
+        (Some(one), Some(two)) => Some(one.into_iter().zip(two).map(|(one, two)| arena.add(one, two)).collect()),
+        (one, two) => one.or(two),
+    }
+}
+
+fn is_zero(arena: &Arena, expr: Expr) -> bool {
+    arena.as_constant(expr).is_some_and(|value| value.is_zero())
+}

@@ -1,0 +1,161 @@
+//! What single forces do, and loads that are computed alone.
+
+use reuleaux::nalgebra::{Vector2, Vector3};
+use reuleaux::{Integrator, mechanism};
+
+mechanism! {
+    /// A door with a closer, a hand and a brake, opened by a motor.
+    pub(crate) mechanism Door {
+        param stiffness: Stiffness = 500N_m;
+        ground { point hinge = (0m, 0m);  point frame = (0m, -200mm); }
+        body door {
+            point hinge = (0m, 0m);  point arm = (300mm, 0mm);  point edge = (800mm, 0mm);
+            mass = 30kg;  center = (400mm, 0mm);  inertia = 1.6kgm2;
+        }
+        slice joint hinge = revolute(ground.hinge, door.hinge);
+        slice drive motor = drive_angle(door, 45deg * sin(90deg_s * t));
+        slice force closer = spring_damper(ground.frame, door.arm, stiffness: stiffness, rest: 300mm, damping: 200Ns_m);
+        force hand = { on door: -3Nms * door.angular_velocity;  at door.edge: (5N * cos(t * 1rad_s), 2N);  at ground.frame: (1N, 0N); }
+    }
+}
+
+/// The law of the closer by hand; powers add up to the power of all forces.
+#[test]
+fn forces_are_given_by_their_names() {
+    let door = Door::<f64> { stiffness: 700.0 };
+    for time in [0.2_f64, 1.3, 2.9] {
+        let state = door.solve(time).expect("a state");
+        let (loads, body) = (door.loads(&state), state.door());
+        let (sine, cosine) = body.angle.sin_cos();
+        let arm = Vector2::new(0.3 * cosine, 0.3 * sine);
+        let way = arm - Vector2::new(0.0, -0.2);
+        let velocity = Vector2::new(-arm.y, arm.x) * body.angular_velocity;
+        let along = way.normalize();
+        let pull = 700.0 * (way.norm() - 0.3) + 200.0 * along.dot(&velocity);
+        let pull = along * pull;
+        let closer = loads.closer();
+        let [on_frame, on_door] = closer.forces;
+        assert!((on_door + pull).norm() < 1e-12 * pull.norm() && (on_frame - pull).norm() < 1e-12 * pull.norm(), "{on_door} for {pull}");
+        assert!((closer.power + pull.dot(&velocity)).abs() < 1e-12 * pull.norm());
+        let hand = loads.hand();
+        assert_eq!(hand.torques, [-3.0 * body.angular_velocity]);
+        assert_eq!(hand.forces, [Vector2::new(5.0 * time.cos(), 2.0), Vector2::new(1.0, 0.0)]);
+        let edge = Vector2::new(-sine, cosine) * (0.8 * body.angular_velocity);
+        let wanted = -3.0 * body.angular_velocity.powi(2) + hand.forces[0].dot(&edge);
+        assert!((hand.power - wanted).abs() < 1e-12);
+        assert!((door.energy(&state).power - closer.power - hand.power).abs() < 1e-12 * closer.power.abs().max(1.0));
+    }
+}
+
+#[test]
+fn a_load_alone_is_the_one_among_all() {
+    let door = Door::<f64> { stiffness: 700.0 };
+    for time in [0.0, 0.2, 1.3, 2.9] {
+        let state = door.solve(time).expect("a state");
+        let loads = door.loads(&state);
+        assert_eq!(door.load_of_hinge(&state), loads.hinge());
+        assert_eq!(door.load_of_motor(&state), loads.motor());
+        assert_eq!(door.load_of_closer(&state), loads.closer());
+    }
+}
+
+mechanism! {
+    /// A falling four-bar with slices.
+    pub(crate) mechanism Falling {
+        param weight: Mass = 0.8kg;
+        gravity = (0, -9.81m_s2);
+        ground { point A = (0mm, 0mm);  point D = (350mm, 0mm); }
+        body crank   { point B = (100mm, 0mm);  mass = weight;  center = (50mm, 0mm);   inertia = 0.002kgm2; }
+        body coupler { point C = (300mm, 0mm);  mass = 1.5kg;  center = (150mm, 0mm);  inertia = 0.015kgm2; }
+        body rocker  { point C = (250mm, 0mm);  mass = 1.2kg;  center = (125mm, 0mm);  inertia = 0.009kgm2;  start angle = 100deg; }
+        slice joint a = revolute(ground.A, crank.position);
+        joint b = revolute(crank.B, coupler.position);
+        slice joint c = revolute(coupler.C, rocker.C);
+        joint d = revolute(rocker.position, ground.D);
+        slice force bearing = { on crank: -0.02Nms * crank.angular_velocity; }
+        freedom swing = crank.angle from 60deg;
+    }
+}
+
+#[test]
+fn a_load_alone_follows_motion_and_parameters() {
+    let mut linkage = Falling::<f64>::default();
+    let mut state = linkage.initial_state().expect("a state");
+    let mut integrator = Integrator::new(1e-9);
+    for frame in 1..=20 {
+        linkage.advance(&mut state, 0.05 * f64::from(frame), &mut integrator).expect("a motion");
+        let loads = linkage.loads(&state);
+        assert_eq!(linkage.load_of_a(&state), loads.a());
+        assert_eq!(linkage.load_of_c(&state), loads.c());
+        assert_eq!(linkage.load_of_bearing(&state), loads.bearing());
+    }
+    linkage.weight = 2.0;
+    assert_eq!(linkage.load_of_c(&state), linkage.loads(&state).c());
+}
+
+mechanism! {
+    /// A parallelogram with a third crank: what the joints of the coupler bear is not determined.
+    pub(crate) mechanism Coupled {
+        gravity = (0, -9.81m_s2);
+        ground { point A = (0m, 0m);  point B = (2m, 0m);  point C = (1m, 0m); }
+        body crank  { point P = (500mm, 0mm);  mass = 1kg; }
+        body rod    { point Q = (2m, 0m);  point R = (1m, 0m);  mass = 3kg;  center = (0.7m, 0m); }
+        body rocker { point P = (500mm, 0mm);  mass = 1kg; }
+        body third  { point P = (500mm, 0mm);  mass = 1kg; }
+        slice joint a = revolute(ground.A, crank.position);
+        joint b = revolute(ground.B, rocker.position);
+        joint c = revolute(crank.P, rod.position);
+        joint d = revolute(rod.Q, rocker.P);
+        joint e = revolute(ground.C, third.position);
+        redundant joint f = revolute(rod.R, third.P);
+        slice drive input = drive_angle(crank, 60deg + 10rpm * t);
+        slice force push = spring(ground.B, rod.R, stiffness: 5N_m);
+    }
+}
+
+#[test]
+fn a_load_alone_beside_redundant_joints_is_the_one_of_least_norm() {
+    let coupled = Coupled::<f64>::default();
+    let state = coupled.solve(0.4).expect("a state");
+    let loads = coupled.loads(&state);
+    assert_eq!(coupled.load_of_a(&state), loads.a());
+    assert_eq!(coupled.load_of_input(&state), loads.input());
+    assert_eq!(coupled.load_of_push(&state), loads.push());
+    assert!(!loads.a().is_unique && loads.input().is_unique);
+}
+
+mechanism! {
+    /// An arm in space with a torsion spring, a wind and gears, driven at its shoulder.
+    pub(crate) mechanism Windy in space {
+        gravity = (0m_s2, 0m_s2, -9.81m_s2);
+        ground { axis z = (0, 0, 1);  point far = (2m, 0m, 0m); }
+        body arm  { axis z = (0, 0, 1);  axis y = (0, 1, 0);  point end = (1m, 0m, 0m);  mass = 2kg;  inertia = rod(1m); }
+        body fan  { axis y = (0, 1, 0);  point tip = (0m, 0m, 0.2m);  mass = 0.5kg;  inertia = ball(100mm); }
+        slice joint shoulder = revolute(ground.position, ground.z, arm.position, arm.z);
+        slice joint hub = revolute(arm.end, arm.y, fan.position, fan.y);
+        slice joint mesh = gear_pair(shoulder.angle, hub.angle, 3, 1);
+        slice drive motor = drive_rotation(shoulder, 1rad_s * t + 0.5rad_s2 * t^2);
+        slice force wind = { at fan.tip: (3N, 1N, -2N) * (t / 1s);  on arm: (0Nm, 0Nm, 0.5Nm); }
+        slice force rope = damper(ground.far, arm.end, damping: 4Ns_m);
+    }
+}
+
+#[test]
+fn loads_in_space_are_computed_alone() {
+    let windy = Windy::<f64>::default();
+    for time in [0.1_f64, 0.9] {
+        let state = windy.solve(time).expect("a state");
+        let loads = windy.loads(&state);
+        assert_eq!(windy.load_of_shoulder(&state), loads.shoulder());
+        assert_eq!(windy.load_of_hub(&state), loads.hub());
+        assert_eq!(windy.load_of_mesh(&state), loads.mesh());
+        assert_eq!(windy.load_of_motor(&state), loads.motor());
+        assert_eq!(windy.load_of_rope(&state), loads.rope());
+        let wind = windy.load_of_wind(&state);
+        assert_eq!((wind.forces, wind.torques), ([Vector3::new(3.0, 1.0, -2.0) * time], [Vector3::new(0.0, 0.0, 0.5)]));
+        let tip = state.fan().point(Vector3::new(0.0, 0.0, 0.2)).rate;
+        let wanted = wind.forces[0].dot(&tip) + 0.5 * state.arm().angular_velocity.z;
+        assert!((wind.power - wanted).abs() < 1e-12, "{} for {wanted}", wind.power);
+        assert!((windy.energy(&state).power - wind.power - loads.rope().power).abs() < 1e-12);
+    }
+}
