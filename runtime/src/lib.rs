@@ -100,7 +100,7 @@ pub use api::{
     sweep,
 };
 #[doc(hidden)]
-pub use api::{Named, Relation, between, finite, require, within};
+pub use api::{Named, Relation, advance_with_inputs, between, finite, require, solve_with_inputs, sweep_with_inputs, within};
 #[doc(hidden)]
 pub use dynamics::motion;
 pub use dynamics::{Balance, Constraints, Dynamics, Energy, Explicit, Integrator, Method, MotionSweep, Stiff, Stopped};
@@ -117,7 +117,7 @@ pub use number::{DetSign, Ends, Float, Mask, Real, SimdReal, Single, Table};
 #[doc(hidden)]
 pub use path::step_in_part;
 #[doc(hidden)]
-pub use solve::parameter_hash;
+pub use solve::{Commanded, parameter_hash};
 pub use solve::{Equations, Family, Solver, SolverReal, Stages, at_once, refined_guess_at_once, refined_guess_by_rows};
 pub use state::{Coordinates, Motion, PlanarBody, SpatialBody, State, Values};
 

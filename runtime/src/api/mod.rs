@@ -4,6 +4,7 @@
 mod drawable;
 mod generated;
 mod gradient;
+mod inputs;
 mod loads;
 mod mechanism;
 #[cfg(feature = "rayon")]
@@ -16,6 +17,7 @@ mod sweep;
 pub use drawable::Drawable;
 pub use generated::{Matrix, Named, Relation, Vector, between, finite, require, within};
 pub use gradient::Gradient;
+pub use inputs::{advance_with_inputs, solve_with_inputs, sweep_with_inputs};
 pub use loads::{DriveLoad, Loads, PlanarLoad, SpatialLoad};
 pub use mechanism::Mechanism;
 pub use prepared::{Prepare, Prepared};

@@ -7,6 +7,7 @@ use crate::expr::{Evaluator, Leaf, Values, show};
 use crate::model::{Function, Joint, Method, Model, Output, Parameter};
 use crate::picture::Picture;
 use crate::plan::{Code, Cost, Elimination, Plan, Solution, Summary};
+use crate::quantity::Dim;
 use crate::syntax::ast::Closing;
 use crate::system::{COSINES, System};
 use crate::travel::Motion;
@@ -219,6 +220,10 @@ fn equations(page: &mut String, model: &Model, system: &System) {
         Leaf::Time => "t".to_owned(),
         Leaf::Datum(index) | Leaf::Turn(index) => format!("d{index}"),
         Leaf::Parameter(index) => model.parameters.get(index as usize).map_or(String::new(), |parameter| parameter.name.to_string()),
+        Leaf::Input { number, order } => {
+            let name = model.parameters.get(number as usize).map_or(String::new(), |parameter| parameter.name.input_path().to_owned());
+            format!("{name}{}", "\u{307}".repeat(usize::from(order)))
+        }
         Leaf::Coordinate(index) | Leaf::Speed(index) | Leaf::Acceleration(index) => {
             let Some(unknown) = system.coordinates.get(index as usize) else { return String::new() };
             let symbol = unknown.role.symbol();
@@ -261,6 +266,18 @@ pub(super) fn default_values(model: &Model, system: &System) -> Vec<f64> {
     Evaluator::new(&system.arena, &roots).run(&values, &mut defaults);
     // A default such as 1/0 is refused by `validate` when it is used.
     defaults.into_iter().map(|value| if value.is_finite() { value } else { f64::MAX }).collect()
+}
+
+/// What is known of an input.
+pub(super) fn input(parameter: &Parameter) -> String {
+    let unit = parameter.dim.unit();
+    let (unit, rate) = if unit.is_empty() {
+        (String::new(), "per s".to_owned())
+    } else {
+        (format!("in {unit}, "), format!("in {}", parameter.dim.per(Dim::TIME).unit()))
+    };
+    let bounds = parameter.bounds.as_ref().map_or(String::new(), |bounds| format!(", within {}", bounds.text));
+    format!("`{}` {unit}with its rate {rate} and its acceleration{bounds}.", parameter.name.input_path())
 }
 
 /// One line for a field.

@@ -17,7 +17,7 @@ pub use sketch::Sketch;
 pub use solid::Solid;
 
 use crate::diag::{ValueFact, Warning};
-use crate::expr::{Arena, Expr};
+use crate::expr::{Arena, Expr, Leaf};
 use crate::quantity::{Ambient, Dim, Role, is_inertia};
 use crate::syntax::ast::{Closing, Docs, Following, Relation, Task};
 use proc_macro2::{Ident, TokenStream};
@@ -93,6 +93,29 @@ pub struct Model {
     pub sketch: Sketch,
     /// Numbers that may not be meant as they are written.
     pub doubts: Vec<Warning>,
+}
+
+impl Model {
+    /// Inputs and their rates, by number and order, with the values at the start.
+    pub(crate) fn inputs(&self) -> impl Iterator<Item = (u32, u8, Expr)> {
+        let members = self.layout.parts.iter().flat_map(|part| {
+            let fields = &self.layout.components[part.component].fields;
+            fields.iter().zip(&part.members).filter(|(field, _)| field.of == Of::Input).flat_map(|(_, members)| members)
+        });
+        members.flat_map(move |first| {
+            (0..=Leaf::HIGHEST_RATE).map(move |order| (*first as u32, order, self.parameters[first + usize::from(order)].default))
+        })
+    }
+
+    /// True if states hold the inputs that they were solved for.
+    pub(crate) fn holds_inputs(&self) -> bool {
+        self.task.is_solved() && self.inputs().next().is_some()
+    }
+
+    /// True if the parameter of this number belongs to an input.
+    pub(crate) fn is_of_input(&self, parameter: usize) -> bool {
+        self.inputs().any(|(number, order, _)| number as usize + usize::from(order) == parameter)
+    }
 }
 
 /// A field of the generated struct.
