@@ -169,6 +169,11 @@ pub mod library {
 #[cfg(feature = "certify")]
 pub mod accuracy {}
 
+/// How is a mechanism used in a control loop?
+///
+#[cfg_attr(doc, doc = include_str!("control_loop.md"))]
+pub mod control_loop {}
+
 /// What the compiler refuses, and what to do about it: one page for each code.
 ///
 /// A mistake in a declaration is a compile error under the word that is to blame. Its first line ends with a code; the page of
@@ -196,6 +201,7 @@ pub mod accuracy {}
 /// | `E08…` | redundancy: what is demanded already |
 /// | `E09…` | closure: loops that do not close |
 /// | `E10…` | parameters |
+/// | `E11…` | masses and forces, freedoms, inputs |
 ///
 /// The modules are empty: the pages are all there is.
 #[allow(non_snake_case)] // Codes are written as the compiler says them.

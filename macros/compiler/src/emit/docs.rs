@@ -196,20 +196,30 @@ pub(super) fn equation_name(model: &Model, system: &System, equation: usize) -> 
 }
 
 fn parameters(page: &mut String, model: &Model, system: &System) {
-    if model.parameters.is_empty() {
+    let all: Vec<(&Parameter, f64)> = model.parameters.iter().zip(default_values(model, system)).collect();
+    let of_inputs = model.of_inputs();
+    let own = all.iter().enumerate().filter(|(number, _)| !of_inputs.contains(number)).map(|(_, row)| *row).collect();
+    let values: Vec<usize> = model.inputs().filter(|(_, order, _)| *order == 0).map(|(number, _, _)| number as usize).collect();
+    table_of(page, model, ["Parameters", "default"], own);
+    table_of(page, model, ["Inputs", "at the start"], values.into_iter().map(|number| all[number]).collect());
+}
+
+/// A table of numbers that are fields.
+fn table_of(page: &mut String, model: &Model, [title, value]: [&str; 2], rows: Vec<(&Parameter, f64)>) {
+    if rows.is_empty() {
         return;
     }
-    let is_bounded = model.parameters.iter().any(|parameter| parameter.bounds.is_some());
+    let is_bounded = rows.iter().any(|(parameter, _)| parameter.bounds.is_some());
     let (head, rule) = if is_bounded { (" in |", " --- |") } else { ("", "") };
-    let _ = writeln!(page, "\n# Parameters\n\n| | default | unit |{head}\n| --- | --- | --- |{rule}");
+    let _ = writeln!(page, "\n# {title}\n\n| | {value} | unit |{head}\n| --- | --- | --- |{rule}");
     let mut table = Abridged::new(model);
-    for (parameter, value) in model.parameters.iter().zip(default_values(model, system)) {
+    for (parameter, value) in rows {
         if !table.shows([&parameter.name].into_iter()) {
             continue;
         }
         let bounds = parameter.bounds.as_ref().map_or("", |bounds| &bounds.text);
         let last = if is_bounded { format!(" {bounds} |") } else { String::new() };
-        let _ = writeln!(page, "| `{}` | {value} | {} |{last}", parameter.name, parameter.dim.unit());
+        let _ = writeln!(page, "| `{}` | {value} | {} |{last}", parameter.name.input_path(), parameter.dim.unit());
     }
     table.rest(page, |more| format!("| {more} | | |"));
 }

@@ -21,6 +21,7 @@ use crate::expr::{Arena, Expr, Leaf};
 use crate::quantity::{Ambient, Dim, Role, is_inertia};
 use crate::syntax::ast::{Closing, Docs, Following, Relation, Task};
 use proc_macro2::{Ident, TokenStream};
+use std::collections::BTreeSet;
 
 /// Number of the first declared coordinate in space. The coordinates that are solved for count from 0: they are other ones.
 pub(crate) const DECLARED: u32 = 1 << 24;
@@ -98,11 +99,11 @@ pub struct Model {
 impl Model {
     /// Inputs and their rates, by number and order, with the values at the start.
     pub(crate) fn inputs(&self) -> impl Iterator<Item = (u32, u8, Expr)> {
-        let members = self.layout.parts.iter().flat_map(|part| {
-            let fields = &self.layout.components[part.component].fields;
-            fields.iter().zip(&part.members).filter(|(field, _)| field.of == Of::Input).flat_map(|(_, members)| members)
-        });
-        members.flat_map(move |first| {
+        let holds_inputs = |component: &Component| component.fields.iter().any(|field| field.of == Of::Input);
+        let component = self.layout.components.iter().position(holds_inputs);
+        let parts = component.into_iter().flat_map(|component| self.layout.parts.iter().filter(move |part| part.component == component));
+        let values = parts.flat_map(|part| part.members.iter().flatten());
+        values.flat_map(move |first| {
             (0..=Leaf::HIGHEST_RATE).map(move |order| (*first as u32, order, self.parameters[first + usize::from(order)].default))
         })
     }
@@ -112,9 +113,9 @@ impl Model {
         self.task.is_solved() && self.inputs().next().is_some()
     }
 
-    /// True if the parameter of this number belongs to an input.
-    pub(crate) fn is_of_input(&self, parameter: usize) -> bool {
-        self.inputs().any(|(number, order, _)| number as usize + usize::from(order) == parameter)
+    /// The numbers of the parameters that belong to inputs.
+    pub(crate) fn of_inputs(&self) -> BTreeSet<usize> {
+        self.inputs().map(|(number, order, _)| number as usize + usize::from(order)).collect()
     }
 }
 
