@@ -5,12 +5,10 @@
 //! The user's identifiers keep their spans, so that an editor finds its way back; locals of
 //! generated code are hygienic, and all else is named by its whole path, also `f64`: a user may have a type of that name.
 
-mod abridged;
 mod arrays;
 mod block;
 mod columns;
 mod definition;
-mod docs;
 mod dynamics;
 mod elimination;
 mod expression;
@@ -36,6 +34,7 @@ pub(crate) use stub::{fallback, stub};
 
 use crate::assembly::Assembly;
 use crate::diag::Warning;
+use crate::docs;
 use crate::model::{Function, Model};
 use crate::picture::Picture;
 use crate::plan::{Cost, Plan, Solution, Summary};

@@ -1,6 +1,9 @@
-//! What is written above generated items.
+//! What is written above generated items: pages, tables, lines.
+//!
+//! In: all that is known of a mechanism. Out: text, and tokens of doc attributes. Not done here: which items there are.
 
-use super::abridged::{Abridged, list};
+mod abridged;
+
 use crate::assembly::Assembly;
 use crate::diag::significant;
 use crate::expr::{Evaluator, Leaf, Values, show};
@@ -11,23 +14,24 @@ use crate::quantity::Dim;
 use crate::syntax::ast::Closing;
 use crate::system::{COSINES, System};
 use crate::travel::Motion;
+use abridged::{Abridged, list};
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::fmt::Write;
 
 /// One line of documentation.
-pub(super) fn line(line: &str) -> TokenStream {
+pub(crate) fn line(line: &str) -> TokenStream {
     let line = format!(" {line}");
     quote!(#[doc = #line])
 }
 
 /// Documentation line by line.
-pub(super) fn lines(page: &str) -> TokenStream {
+pub(crate) fn lines(page: &str) -> TokenStream {
     page.lines().map(|line| if line.is_empty() { quote!(#[doc = ""]) } else { self::line(line) }).collect()
 }
 
 /// The page of the generated struct: the picture, and tables of parameters, coordinates and equations.
-pub(super) fn mechanism(model: &Model, system: &System, assembly: &Assembly, motion: &Motion, plan: &Plan, picture: &Picture) -> String {
+pub(crate) fn mechanism(model: &Model, system: &System, assembly: &Assembly, motion: &Motion, plan: &Plan, picture: &Picture) -> String {
     let mut page = String::new();
     let n = system.coordinates.len();
     let m = system.equations.iter().filter(|equation| !equation.is_initial).count();
@@ -161,7 +165,7 @@ fn solution(page: &mut String, model: &Model, system: &System, solution: &Soluti
 }
 
 /// In space: computes an entry of a body's rotation matrix, which follows from the coordinates.
-pub(super) fn is_orientation(system: &System, stage: &Summary) -> bool {
+pub(crate) fn is_orientation(system: &System, stage: &Summary) -> bool {
     matches!(stage, Summary::Explicit { unknown, .. } if (system.coordinates.len()..system.width()).contains(unknown))
 }
 
@@ -176,7 +180,7 @@ fn eliminated(page: &mut String, elimination: &Elimination) -> std::fmt::Result 
 }
 
 /// `crank.angle`
-pub(super) fn coordinate_name(model: &Model, system: &System, unknown: usize) -> String {
+pub(crate) fn coordinate_name(model: &Model, system: &System, unknown: usize) -> String {
     match system.coordinates.get(unknown) {
         Some(_) => system.name(model, unknown),
         None if unknown < system.width() => {
@@ -189,7 +193,7 @@ pub(super) fn coordinate_name(model: &Model, system: &System, unknown: usize) ->
 }
 
 /// `b (2 of 2)`
-pub(super) fn equation_name(model: &Model, system: &System, equation: usize) -> String {
+pub(crate) fn equation_name(model: &Model, system: &System, equation: usize) -> String {
     let equation = &system.equations[equation];
     let joint = &model.joints[equation.joint];
     format!("{} ({} of {})", joint.name, equation.row + 1, joint.residuals.len())
@@ -268,7 +272,7 @@ fn equations(page: &mut String, model: &Model, system: &System) {
 }
 
 /// The defaults of the parameters, in SI.
-pub(super) fn default_values(model: &Model, system: &System) -> Vec<f64> {
+pub(crate) fn default_values(model: &Model, system: &System) -> Vec<f64> {
     let roots: Vec<_> = model.parameters.iter().map(|parameter| parameter.default).collect();
     let functions = |_: u32, _: f64| [f64::NAN; 3];
     let values = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
@@ -279,7 +283,7 @@ pub(super) fn default_values(model: &Model, system: &System) -> Vec<f64> {
 }
 
 /// What is known of an input.
-pub(super) fn input(parameter: &Parameter) -> String {
+pub(crate) fn input(parameter: &Parameter) -> String {
     let unit = parameter.dim.unit();
     let (unit, rate) = if unit.is_empty() {
         (String::new(), "per s".to_owned())
@@ -291,7 +295,7 @@ pub(super) fn input(parameter: &Parameter) -> String {
 }
 
 /// One line for a field.
-pub(super) fn parameter(parameter: &Parameter) -> String {
+pub(crate) fn parameter(parameter: &Parameter) -> String {
     let mut line = unit_line("A parameter of the mechanism", parameter.dim.unit());
     if let Some(bounds) = &parameter.bounds {
         let _ = write!(line, " It lies in {}.", bounds.text);
@@ -300,7 +304,7 @@ pub(super) fn parameter(parameter: &Parameter) -> String {
 }
 
 /// One line for an output.
-pub(super) fn output(method: &Method, first: &Output) -> String {
+pub(crate) fn output(method: &Method, first: &Output) -> String {
     if first.body.is_some() {
         return format!("The output `{}`: place of its frame's origin (m) and angle (rad), with their rates.", method.name);
     }
@@ -312,7 +316,7 @@ fn unit_line(what: &str, unit: String) -> String {
 }
 
 /// A routine's first line and its cost.
-pub(super) fn routine(what: &str, code: &Code) -> TokenStream {
+pub(crate) fn routine(what: &str, code: &Code) -> TokenStream {
     let Cost { flops, divisions, sines, calls } = code.cost();
     lines(&format!(
         "{what}\n\n{flops} sums and products, {divisions} divisions and roots, {sines} sine-cosine pairs, {calls} other functions."
