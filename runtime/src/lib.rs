@@ -100,7 +100,7 @@ pub use api::{
     SpatialLoad, Sweep, Vector, sweep,
 };
 #[doc(hidden)]
-pub use api::{Named, Relation, between, finite, require, within};
+pub use api::{Named, Relation, advance_with_inputs, between, finite, require, solve_with_inputs, sweep_with_inputs, within};
 #[doc(hidden)]
 pub use dynamics::motion;
 pub use dynamics::{Balance, Constraints, Dynamics, Energy, Explicit, Integrator, Method, MotionSweep, Stiff, Stopped};
@@ -117,7 +117,7 @@ pub use number::{DetSign, Ends, Float, Mask, Real, SimdReal, Single, Table};
 #[doc(hidden)]
 pub use path::step_in_part;
 #[doc(hidden)]
-pub use solve::parameter_hash;
+pub use solve::{Commanded, parameter_hash};
 pub use solve::{Equations, Family, Solver, SolverReal, Stages, at_once, refined_guess_at_once, refined_guess_by_rows};
 pub use state::{Coordinates, Motion, PlanarBody, SpatialBody, State, Values};
 
@@ -162,6 +162,7 @@ pub use reuleaux_view as view;
 /// | [`loads_and_motion`](guide::loads_and_motion) | 15 | bearing forces, motors, motion that follows from forces |
 /// | [`optimising`](guide::optimising) | 15 | find dimensions, with exact derivatives |
 /// | [`parameter_sets`](guide::parameter_sets) | 10 | many mechanisms of one declaration |
+/// | [`control_loop`](guide::control_loop) | 10 | measurements and commands as inputs, a thousand times a second |
 /// | [`cams`](guide::cams) | 10 | cams and motion laws |
 /// | [`own_joint`](guide::own_joint) | 10 | a constraint of your own |
 /// | [`coming_from`](guide::coming_from) | | words of Linkage, Simscape, Adams and others |
@@ -180,6 +181,8 @@ pub mod guide {
     pub mod optimising {}
     #[doc = include_str!("guide/parameter_sets.md")]
     pub mod parameter_sets {}
+    #[doc = include_str!("guide/control_loop.md")]
+    pub mod control_loop {}
     #[doc = include_str!("guide/cams.md")]
     pub mod cams {}
     #[doc = include_str!("guide/own_joint.md")]
@@ -232,6 +235,7 @@ pub mod accuracy {}
 /// | `E08…` | redundancy: equations that follow from others |
 /// | `E09…` | closure: loops that do not close |
 /// | `E10…` | parameters |
+/// | `E11…` | masses and forces, freedoms, inputs |
 ///
 /// The modules are empty; their documentation is the index.
 #[allow(non_snake_case)] // Codes are written as the compiler says them.

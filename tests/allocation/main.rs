@@ -119,6 +119,35 @@ reuleaux::mechanism! {
     }
 }
 
+reuleaux::mechanism! {
+    /// Is measured.
+    pub mechanism Measured {
+        input theta: Angle = 40deg;
+        ground { point C = (400mm, 0mm); }
+        body crank   { point A = (100mm, 0mm); }
+        body coupler { point B = (350mm, 0mm); }
+        body rocker  { point B = (300mm, 0mm);  start angle = 70deg; }
+        joint o = revolute(ground.position, crank.position);
+        joint a = revolute(crank.A, coupler.position);
+        joint b = revolute(coupler.B, rocker.B);
+        joint c = revolute(rocker.position, ground.C);
+        drive motor = drive_angle(crank, theta);
+    }
+}
+
+#[test]
+fn inputs_need_none() {
+    let mechanism = Measured::default();
+    let at = |angle: f64| MeasuredInputs { theta: reuleaux::Motion::at(angle) };
+    let mut state = mechanism.solve(0.0, at(0.5)).unwrap();
+    without_memory("steps and jumps of inputs", || {
+        for (step, angle) in [0.501, 0.502, 3.0, -9.0].into_iter().enumerate() {
+            assert!(mechanism.advance(&mut state, 1e-3 * step as f64, at(angle)).is_ok());
+        }
+        assert!(mechanism.advance(&mut state, 1.0, at(f64::NAN)).is_err());
+    });
+}
+
 #[test]
 fn motion_from_forces_needs_none() {
     let swing = Swing::default();

@@ -29,6 +29,9 @@ const FILES: [(&str, &[(&str, &str)]); 20] = [
     ("../examples/walker.rs", &[]),
 ];
 
+/// Files of mechanisms with inputs.
+const MEASURED: [&str; 1] = ["../examples/control_loop.rs"];
+
 /// Files of mechanisms with freedoms.
 const FREE: [&str; 2] = ["../examples/andrews.rs", "../examples/rolling_coin.rs"];
 
@@ -47,6 +50,12 @@ fn main() -> Result<(), Box<dyn Error>> {
             text = text.replace(from, to);
         }
         writeln!(all, "// {file}\n{}", module(number, &text, solve).ok_or_else(|| format!("no mechanism in {file}"))?)?;
+    }
+    for (number, file) in (FILES.len() + FREE.len()..).zip(MEASURED) {
+        let path = folder.join(file);
+        println!("cargo::rerun-if-changed={}", path.display());
+        let text = fs::read_to_string(&path)?;
+        writeln!(all, "// {file}\n{}", module(number, &text, command).ok_or_else(|| format!("no mechanism in {file}"))?)?;
     }
     for (number, file) in (FILES.len()..).zip(FREE) {
         let path = folder.join(file);
@@ -91,6 +100,22 @@ fn solve(name: &str, declaration: &str) -> String {
             let swept = mechanism.sweep([t, t + t]).filter_map(Result::ok).map(|found| *state = found).count();
             is_there & after & anew & (swept > 1)
         }}"
+    )
+}
+
+/// Code that computes a state with inputs in every way.
+fn command(name: &str, declaration: &str) -> String {
+    let names = declaration.lines().filter_map(|line| line.trim().strip_prefix("input ")?.split(':').next());
+    let inputs: String = names.map(|input| format!("{input}: reuleaux::Motion::moving(t, t),")).collect();
+    format!(
+        "fn run(mechanism: &{name}<T>, t: T, state: &mut {name}State<T>) -> bool {{
+             let inputs = {name}Inputs {{ {inputs} }};
+             let is_there = mechanism.advance(state, t, inputs).is_ok();
+             let after = mechanism.solve_from(t, state, inputs).is_ok();
+             let anew = mechanism.solve(t, inputs).map(|found| *state = found).is_ok();
+             let swept = mechanism.sweep([(t, inputs), (t + t, inputs)]).filter_map(Result::ok).map(|found| *state = found).count();
+             is_there & after & anew & (swept > 1)
+         }}"
     )
 }
 

@@ -13,6 +13,7 @@ pub mod assembly;
 mod compile;
 mod connectivity;
 pub mod diag;
+mod docs;
 pub mod dynamics;
 mod emit;
 mod expansion;

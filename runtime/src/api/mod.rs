@@ -5,6 +5,7 @@ mod drawable;
 mod forces;
 mod generated;
 mod gradient;
+mod inputs;
 mod loads;
 mod mechanism;
 #[cfg(feature = "rayon")]
@@ -18,6 +19,7 @@ pub use drawable::Drawable;
 pub use forces::{PlanarForce, SpatialForce};
 pub use generated::{Matrix, Named, Relation, Vector, between, finite, require, within};
 pub use gradient::Gradient;
+pub use inputs::{advance_with_inputs, solve_with_inputs, sweep_with_inputs};
 pub use loads::{DriveLoad, Loads, PlanarLoad, SpatialLoad};
 pub use mechanism::Mechanism;
 pub use prepared::{Prepare, Prepared};

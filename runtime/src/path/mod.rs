@@ -3,6 +3,7 @@
 mod assembly;
 mod branch;
 mod cold;
+mod commanded;
 mod continuation;
 mod crossing;
 mod step;
@@ -10,6 +11,7 @@ mod step;
 pub(crate) use assembly::{Unassembled, assemble, assemble_near};
 pub(crate) use branch::jump;
 pub(crate) use cold::{cold_state, inspect};
+pub(crate) use commanded::lead;
 pub(crate) use continuation::{Ended, advance_by_steps};
 pub(crate) use step::step;
 pub use step::{step_in_part, step_lanes};

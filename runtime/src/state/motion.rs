@@ -15,6 +15,77 @@ pub struct Motion<V> {
     pub acceleration: V,
 }
 
+impl<T: Real> Motion<T> {
+    /// A quantity at rest.
+    #[must_use]
+    pub fn at(value: T) -> Self {
+        Self::moving(value, T::of(0.0))
+    }
+
+    /// A quantity that changes at a constant rate (per s).
+    #[must_use]
+    pub fn moving(value: T, rate: T) -> Self {
+        Self::new(value, rate, T::of(0.0))
+    }
+
+    /// A quantity with its first and second derivative by time.
+    #[must_use]
+    pub const fn new(value: T, rate: T, acceleration: T) -> Self {
+        Self { value, rate, acceleration }
+    }
+
+    /// On a smooth way: the polynomial of fifth degree that has the value, the rate and the acceleration of `from` at its begin and those
+    /// of `to` at its end, after the share `share` of its duration `h` (s). Where `h` is 0 the way is from rest to rest in a second.
+    ///
+    /// ```text
+    /// x = x₀ + h ẋ₀ s + h² ẍ₀ s² / 2 + s³ (c₃ + s (c₄ + s c₅))
+    /// ```
+    #[doc(hidden)]
+    #[must_use]
+    pub fn between(from: &Self, to: &Self, h: T, share: T) -> Self {
+        let (of, s, zero) = (T::of, share, T::of(0.0));
+        let per = if h == zero { of(1.0) } else { h };
+        let (first, second) = (h * from.rate, h * h * from.acceleration);
+        let value = ((to.value - from.value) - first) - of(0.5) * second;
+        let rate = h * (to.rate - from.rate) - second;
+        let acceleration = h * h * (to.acceleration - from.acceleration);
+        let c3 = of(10.0) * value - of(4.0) * rate + of(0.5) * acceleration;
+        let c4 = of(7.0) * rate - of(15.0) * value - acceleration;
+        let c5 = of(6.0) * value - of(3.0) * rate + of(0.5) * acceleration;
+        Self {
+            value: from.value + s * (first + s * (of(0.5) * second + s * (c3 + s * (c4 + s * c5)))),
+            rate: (first + s * (second + s * (of(3.0) * c3 + s * (of(4.0) * c4 + s * of(5.0) * c5)))) / per,
+            acceleration: (second + s * (of(6.0) * c3 + s * (of(12.0) * c4 + s * of(20.0) * c5))) / (per * per),
+        }
+    }
+}
+
+impl<T: Float> Motion<T> {
+    /// The same angle with as many whole turns as bring it nearest to `other` (rad): for an encoder that begins anew after each turn.
+    ///
+    /// ```
+    /// use core::f64::consts::TAU;
+    /// use reuleaux::Motion;
+    ///
+    /// let read = Motion::moving(0.1, 5.0);            // just after the encoder began anew
+    /// let angle = read.nearest_turn(TAU - 0.05);      // where the crank was before
+    /// assert!((angle.value - (TAU + 0.1)).abs() < 1e-15 && angle.rate == 5.0);
+    /// ```
+    #[must_use]
+    pub fn nearest_turn(self, other: T) -> Self {
+        let turn = T::of(core::f64::consts::TAU);
+        let turns = libm::rint(((other - self.value) / turn).to_f64());
+        Self { value: self.value + T::of(turns) * turn, ..self }
+    }
+}
+
+impl<T: Real> From<T> for Motion<T> {
+    /// A quantity at rest.
+    fn from(value: T) -> Self {
+        Self::at(value)
+    }
+}
+
 /// The motion of a planar body: of its frame's origin and of its angle, in ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarBody<T> {

@@ -158,7 +158,12 @@ fn vanishes(arena: &Arena, sum: Expr) -> bool {
     [0.618_033_988_75, 0.754_877_666_25].into_iter().all(|seed| {
         let count = |of: fn(Leaf) -> Option<u32>| arena.leaves(sum).into_iter().filter_map(of).max().map_or(0, |most| most as usize + 1);
         let coordinates = numbers(seed, count(|leaf| if let Leaf::Coordinate(index) = leaf { Some(index) } else { None }));
-        let parameters = numbers(seed * seed, count(|leaf| if let Leaf::Parameter(index) = leaf { Some(index) } else { None }));
+        let parameter = |leaf: Leaf| match leaf {
+            Leaf::Parameter(index) => Some(index),
+            Leaf::Input { number, order } => Some(number + u32::from(order)),
+            _ => None,
+        };
+        let parameters = numbers(seed * seed, count(parameter));
         let (coordinates, parameters, functions) = (&coordinates, &parameters, &|_: u32, _: f64| [f64::NAN; 3]);
         let at = Values { time: seed, parameters, coordinates, speeds: &[], accelerations: &[], functions };
         evaluate(arena, &[sum], &at)[0].abs() < 1e-12

@@ -69,7 +69,7 @@ codes! {
     E0110: Name::Duplicate Name::DuplicateMark;
     E0111: Name::DuplicateStart;
     E0112: Name::DuplicateGround Name::DuplicateRange;
-    E0113: Name::Reserved Name::Generated Array::GeneratedType Grammar::NumberType;
+    E0113: Name::Reserved Name::Generated Array::GeneratedType Array::FieldOfInputs Grammar::NumberType;
     E0114: Name::Cycle;
     E0115: Name::Recursion Array::ComponentRecursion;
     E0116: Array::OutsideOfComponent;
@@ -121,7 +121,7 @@ codes! {
     E0509: Array::LongRange Array::WholeTooLarge Array::TooManyItems Value::TooLarge;
     E0510: Array::UnlikeParts Array::UnlikeOutputs;
     // Equations.
-    E0601: Equation::TimeInJoint Equation::TimeIn Equation::TimeInDefinition;
+    E0601: Equation::TimeInJoint Equation::TimeIn Equation::TimeInDefinition Equation::InputIn Equation::InputInJoint;
     E0602: Equation::RowOfNothing Equation::OnGround Equation::CrossProduct;
     E0603: Equation::NoEquations Equation::NoForces Equation::EmptyBundle;
     E0604: Equation::GroundStart;
@@ -158,4 +158,5 @@ codes! {
     E1105: Motion::SliceBesideFreedom Motion::RangeBesideFreedom;
     E1106: System::ActsOnMassless;
     E1107: System::SliceWithoutLoads;
+    E1108: Motion::InputBesideFreedom Motion::SliceBesideInput;
 }

@@ -101,6 +101,7 @@ pub enum ArrayFact {
     UnlikeParts { name: String, component: String },
     UnlikeOutputs { name: String },
     GeneratedType { name: String },
+    FieldOfInputs { name: String },
 }
 
 /// Names: unknown, taken, or in a cycle.
@@ -206,6 +207,8 @@ pub enum ValueFact {
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum EquationFact {
     TimeIn { place: &'static str },
+    InputIn { place: &'static str, input: String },
+    InputInJoint { joint: String, input: String },
     TimeInDefinition,
     TimeInJoint { joint: String },
     RequirementFails { why: String, instead: Option<String> },

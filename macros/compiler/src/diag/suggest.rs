@@ -6,10 +6,11 @@ use crate::quantity::{unit, units};
 const LONGEST: usize = 60;
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 42] = [
+const SYNONYMS: [(&str, &[&str]); 43] = [
     ("body", &["link", "bar", "rigid", "member"]),
     ("ground", &["frame", "base", "world", "fixed"]),
-    ("param", &["parameter", "var", "variable", "input"]),
+    ("param", &["parameter", "var", "variable"]),
+    ("input", &["command", "setpoint", "signal"]),
     ("let", &["const", "static", "def"]),
     ("function", &["fn", "func", "law"]),
     ("joint", &["constraint", "connect", "pair"]),

@@ -118,14 +118,18 @@ impl Printer<'_> {
     }
 }
 
-/// `self.leg[3].length`, or a local name.
+/// `self.leg[3].length`, `state.1.theta.value`, or a local name.
 pub(super) fn named(name: &str) -> TokenStream {
-    match name.strip_prefix("self.") {
-        Some(path) => {
+    match (name.strip_prefix("self."), name.strip_prefix("state.1.")) {
+        (Some(path), _) => {
             let place = place(path);
             quote!(self.#place)
         }
-        None => {
+        (_, Some(path)) => {
+            let place = place(path);
+            quote!(state.1.#place)
+        }
+        _ => {
             let local = local(name);
             quote!(#local)
         }

@@ -198,7 +198,7 @@ fn name(shelf: &StateLayout, kernel: usize) -> Ident {
 
 /// A block whose inputs rest where they were is left where it was.
 fn rest(kernel: &Kernel, unknowns: &[Index], ranks: &BTreeMap<usize, TokenStream>) -> TokenStream {
-    let is_timed = kernel.shape.arena.all().any(|expr| *kernel.shape.arena.node(expr) == Node::Leaf(Leaf::Time));
+    let is_timed = kernel.shape.arena.all().any(|expr| matches!(kernel.shape.arena.node(expr), Node::Leaf(leaf) if leaf.is_of_time()));
     if is_timed || !matches!(kernel.lines.parts.as_slice(), [StageCode::Block(_)]) {
         return quote!();
     }
@@ -229,7 +229,7 @@ fn reads(kernel: &Kernel, unknowns: &[Index], ranks: &BTreeMap<usize, TokenStrea
             Leaf::Coordinate(slot) => (slot as usize, 0, "q"),
             Leaf::Speed(slot) => (slot as usize, 1, "qd"),
             Leaf::Acceleration(slot) => (slot as usize, 2, "qdd"),
-            Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_) | Leaf::Turn(_) => continue,
+            Leaf::Time | Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_) | Leaf::Turn(_) => continue,
         };
         if !kernel.found.contains(&slot) {
             let (name, vector, place) = (local(&kernel.lines.unknowns[slot][order]), local(vector), &unknowns[slot].place);

@@ -5,16 +5,15 @@
 //! The user's identifiers keep their spans, so that an editor finds its way back; locals of
 //! generated code are hygienic, and all else is named by its whole path, also `f64`: a user may have a type of that name.
 
-mod abridged;
 mod arrays;
 mod block;
 mod columns;
 mod definition;
-mod docs;
 mod dynamics;
 mod elimination;
 mod expression;
 mod functions;
+mod inputs;
 mod kernels;
 mod literal;
 mod loads;
@@ -37,6 +36,7 @@ pub(crate) use stub::{fallback, stub};
 
 use crate::assembly::Assembly;
 use crate::diag::Warning;
+use crate::docs;
 use crate::model::{Function, Model};
 use crate::picture::Picture;
 use crate::plan::{Cost, Plan, Solution, Summary};
@@ -68,7 +68,8 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
     let equations = [emitter.phi(), emitter.jacobian(), emitter.linearize(), emitter.nu(), emitter.gamma()];
     let (start, length, validate) = (start(assembly, plan), emitter.characteristic_length(), emitter.validate());
     let (outputs, traits, stages) = (emitter.outputs(), emitter.traits(), emitter.stages());
-    let solve = (model.task.is_solved()).then(|| solve(model, system, plan));
+    let solve =
+        (model.task.is_solved()).then(|| if model.holds_inputs() { inputs::solve(model, system) } else { solve(model, system, plan) });
     let (solve_for, slices) = emitter.slices();
     // Where defaults only hold a place nothing is said of them.
     let warns = model.closing == Closing::Deny && !model.allows_far_start;
@@ -368,14 +369,21 @@ fn state(model: &Model, system: &System) -> TokenStream {
         quote!(#page #[allow(dead_code)] pub type #failure_name<T = ::core::primitive::f64> = ::reuleaux::Failure<T, #n>;)
     });
     // The names of a stub come by a glob, too, and have to give way.
-    let names = if model.has_stub { quote!({ #own_name, #failure_name }) } else { quote!(*) };
+    let inputs_name = model.holds_inputs().then(|| inputs::type_name(name));
+    let names = if model.has_stub { quote!({ #own_name, #failure_name, #inputs_name }) } else { quote!(*) };
     let allowed = allowed();
+    let inputs = model.holds_inputs().then(|| {
+        let (kind, page) = (inputs::type_name(name), docs::line("The inputs that it was solved for."));
+        quote!(, #page pub #kind<T>)
+    });
+    let of_inputs = model.holds_inputs().then(|| Parameters::new(&model.layout, name).inputs(model));
     quote! {
         #[allow(non_snake_case)]
         mod #module {
+            #of_inputs
             #first_line
             #[derive(Clone, Debug, PartialEq)]
-            pub struct #own_name<T = ::core::primitive::f64>(pub ::reuleaux::State<T, #n>);
+            pub struct #own_name<T = ::core::primitive::f64>(pub ::reuleaux::State<T, #n> #inputs);
             #failure
         }
         #[allow(unused_imports, unreachable_pub)]

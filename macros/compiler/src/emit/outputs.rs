@@ -5,7 +5,7 @@ use super::columns::Columns;
 use super::expression::local;
 use super::functions::Emitter;
 use super::literal::number;
-use super::routine::{RoutinePrinter, lines_at};
+use super::routine::{RoutinePrinter, lines_at, lines_of_state};
 use super::slices::plain;
 use super::{docs, docs_or, state_path};
 use crate::model::Method;
@@ -62,7 +62,7 @@ impl Emitter<'_> {
     fn each(&self, method: &Method, routines: &[Routine]) -> TokenStream {
         let vectors = vectors();
         let one = |routine: &Routine| {
-            let RoutinePrinter { reads, steps, results } = self.lines(routine);
+            let RoutinePrinter { reads, steps, results } = lines_of_state(self.model, &self.plan.arena, routine);
             let motion = motion(&results);
             quote!(#reads #steps #motion)
         };

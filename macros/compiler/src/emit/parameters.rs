@@ -39,7 +39,7 @@ impl<'a> Parameters<'a> {
     /// The fields of the struct of a component, each with its number in the layout.
     fn fields(&self, component: usize) -> impl Iterator<Item = (usize, &'a Field)> {
         let is_field = |field: &Field| match field.of {
-            Of::Parameter => true,
+            Of::Parameter | Of::Input => true,
             Of::Part(inner) => self.has_any[inner],
             Of::Body | Of::Output => false,
         };
@@ -54,6 +54,7 @@ impl<'a> Parameters<'a> {
                     let structure = self.structure(inner);
                     quote!(#structure<T>)
                 }
+                Of::Input => quote!(::reuleaux::Motion<T>),
                 _ => quote!(T),
             };
             (&field.name, array_type(element, &field.sizes))
@@ -75,6 +76,11 @@ impl<'a> Parameters<'a> {
             let first = part.and_then(|part| part.members[number].first()).copied();
             let known = match (field.of, first.and_then(|first| model.parameters.get(first))) {
                 (Of::Parameter, Some(parameter)) => docs::parameter(parameter),
+                (Of::Input, Some(parameter)) => docs::input(parameter),
+                (Of::Part(inner), _) if self.is_of_inputs(inner) => {
+                    "The inputs that `phi`, `nu`, `gamma` and the functions of traits read; those that solve take theirs as an argument."
+                        .to_owned()
+                }
                 _ => format!("The parameters of `{name}`."),
             };
             let docs = docs_or(&field.docs, &known);
@@ -93,25 +99,58 @@ impl<'a> Parameters<'a> {
             let fields = self.documented(model, component);
             let defaults = self.component_defaults(component, &name, &values);
             let (allowed, gathering) = (allowed(), self.gathering(component, &name));
+            let between = self.is_of_inputs(component).then(|| self.between(component));
+            // States hold inputs, so that the struct stands beside theirs.
+            let is_apart = model.holds_inputs() && self.is_of_inputs(component);
+            let structure = (!is_apart).then(|| {
+                quote! {
+                    #docs
+                    #[derive(Clone, Copy, Debug, PartialEq)]
+                    #visibility struct #name<T = ::core::primitive::f64> { #fields }
+                }
+            });
             quote! {
-                #docs
-                #[derive(Clone, Copy, Debug, PartialEq)]
-                #visibility struct #name<T = ::core::primitive::f64> { #fields }
+                #structure
                 #defaults
                 #allowed
-                impl<T: ::reuleaux::Real> #name<T> { #gathering }
+                impl<T: ::reuleaux::Real> #name<T> { #gathering #between }
             }
         };
         self.structures().map(structure).collect()
     }
 
+    /// The struct of inputs, for the module of the state.
+    pub(super) fn inputs(&self, model: &Model) -> TokenStream {
+        let of_inputs = self.structures().filter(|(component, _)| self.is_of_inputs(*component)).map(|(component, name)| {
+            let (page, fields) = (docs::line(&self.page(&self.layout.components[component])), self.documented(model, component));
+            quote! {
+                #page
+                #[derive(Clone, Copy, Debug, PartialEq)]
+                pub struct #name<T = ::core::primitive::f64> { #fields }
+            }
+        });
+        of_inputs.collect()
+    }
+
+    /// True for the struct of inputs.
+    fn is_of_inputs(&self, component: usize) -> bool {
+        self.layout.components[component].fields.iter().any(|field| field.of == Of::Input)
+    }
+
     fn page(&self, component: &Component) -> String {
+        if component.fields.iter().any(|field| field.of == Of::Input) {
+            return format!("The inputs of a `{}`, each with its rate and its acceleration.", self.mechanism);
+        }
         let name = component.name.as_ref().map(Ident::to_string).unwrap_or_default();
         format!("The parameters of a `{name}` in [`{}`].", self.mechanism)
     }
 
     /// A component whose parts all have the same defaults has them itself.
     fn component_defaults(&self, component: usize, name: &Ident, values: &[f64]) -> TokenStream {
+        // Inputs are all given: what is left out would be forgotten.
+        if self.is_of_inputs(component) {
+            return quote!();
+        }
         let Some(literal) = self.common(component, values) else { return quote!() };
         let allowed = allowed();
         quote! {
@@ -153,6 +192,10 @@ impl<'a> Parameters<'a> {
                     let structure = self.structure(inner);
                     self.literal(&self.layout.parts[*member], &quote!(#structure), values)
                 }
+                Of::Input => {
+                    let [value, rate, acceleration] = [0, 1, 2].map(|order| real(values.get(member + order).copied().unwrap_or_default()));
+                    quote!(::reuleaux::Motion { value: #value, rate: #rate, acceleration: #acceleration })
+                }
                 _ => real(values.get(*member).copied().unwrap_or_default()),
             };
             let (name, value) = (&field.name, array_from(part.members[number].iter().map(element).collect(), &field.sizes));
@@ -176,6 +219,11 @@ impl Parameters<'_> {
                     let structure = self.structure(inner);
                     let combine = if component == 0 { quote!(&#combine) } else { quote!(#combine) };
                     quote!(#structure::gathered(#each.map(|#one| &#place), #combine))
+                }
+                Of::Input => {
+                    let part = |part: TokenStream| quote!(#part: #combine(#each.map(|#one| #place.#part)));
+                    let parts = [quote!(value), quote!(rate), quote!(acceleration)].map(part);
+                    quote!(::reuleaux::Motion { #(#parts),* })
                 }
                 _ => quote!(#combine(#each.map(|#one| #place))),
             };
@@ -202,6 +250,25 @@ impl Parameters<'_> {
     }
 }
 
+impl Parameters<'_> {
+    /// Inputs on their way from some to others, for the runtime.
+    fn between(&self, component: usize) -> TokenStream {
+        let (from, to, h, share) = (local("from"), local("to"), local("h"), local("share"));
+        let field = |(_, field): (usize, &Field)| {
+            let (name, rounds) = (&field.name, (0..field.sizes.len()).map(|rank| local(&format!("i{rank}"))).collect::<Vec<_>>());
+            let place = quote!(#name #([#rounds])*);
+            let element = quote!(::reuleaux::Motion::between(&#from.#place, &#to.#place, #h, #share));
+            let value = rounds.iter().rev().fold(element, |inner, round| quote!(::core::array::from_fn(|#round| #inner)));
+            quote!(#name: #value,)
+        };
+        let fields: TokenStream = self.fields(component).map(field).collect();
+        quote! {
+            #[doc(hidden)]
+            fn between(#from: &Self, #to: &Self, #h: T, #share: T) -> Self { Self { #fields } }
+        }
+    }
+}
+
 /// Which components hold something of a kind, themselves or in their parts.
 pub(super) fn holders(layout: &Layout, what: Of) -> Vec<bool> {
     let mut found = vec![false; layout.components.len()];
@@ -211,6 +278,7 @@ pub(super) fn holders(layout: &Layout, what: Of) -> Vec<bool> {
         for (component, declared) in layout.components.iter().enumerate() {
             found[component] |= declared.fields.iter().any(|field| match field.of {
                 Of::Part(inner) => before[inner],
+                Of::Input => what == Of::Parameter,
                 of => of == what,
             });
         }

@@ -20,6 +20,18 @@ impl Emitter<'_> {
             "A [`{mechanism}`] with everything computed that depends on its parameters only, made by [`{mechanism}::prepared`]."
         ));
         let (visibility, allowed) = (&self.model.visibility, allowed());
+        if self.model.holds_inputs() {
+            let types = quote! {
+                #allowed
+                impl<T: ::reuleaux::SolverReal> ::reuleaux::Prepare<T, #n, #count> for #mechanism<T> {
+                    type State = #state<T>;
+                    fn named(state: ::reuleaux::State<T, #n>) -> Self::State { #state(state, Self::with_defaults().inputs) }
+                    fn unnamed(state: &mut Self::State) -> &mut ::reuleaux::State<T, #n> { &mut state.0 }
+                    #kept
+                }
+            };
+            return (body, types);
+        }
         let types = quote! {
             #page
             #[allow(dead_code)]

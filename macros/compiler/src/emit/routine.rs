@@ -3,10 +3,11 @@
 use super::expression::{Printer, local};
 use super::literal::number;
 use crate::expr::{Arena, Leaf};
-use crate::model::{Function, Model};
+use crate::model::{Function, Model, Name};
 use crate::plan::{Routine, Step};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
+use std::borrow::Cow;
 
 /// The statements of a routine, and an expression for each result.
 pub(super) struct RoutinePrinter {
@@ -23,14 +24,34 @@ pub(super) fn lines(model: &Model, arena: &Arena, routine: &Routine) -> RoutineP
     routine_with(model, arena, routine, reads(routine, number, TOGETHER), "sin_cos")
 }
 
-/// The same with sines and cosines that are fast, but not the same bits everywhere.
-pub(super) fn fast_lines(model: &Model, arena: &Arena, routine: &Routine) -> RoutinePrinter {
-    routine_with(model, arena, routine, reads(routine, number, TOGETHER), "fast_sin_cos")
+/// The same in a function of a state, whose inputs are those of the state.
+pub(super) fn lines_of_state(model: &Model, arena: &Arena, routine: &Routine) -> RoutinePrinter {
+    routine_with(model, arena, &of_state(model, routine), reads(routine, number, TOGETHER), "sin_cos")
 }
 
-/// The same where the unknown of a number stands elsewhere.
+/// The same with sines and cosines that are fast, but not the same bits everywhere.
+pub(super) fn fast_lines(model: &Model, arena: &Arena, routine: &Routine) -> RoutinePrinter {
+    routine_with(model, arena, &of_state(model, routine), reads(routine, number, TOGETHER), "fast_sin_cos")
+}
+
+/// The same in a function of a state where the unknown of a number stands elsewhere.
 pub(super) fn lines_at(model: &Model, arena: &Arena, routine: &Routine, place: impl Fn(usize) -> TokenStream) -> RoutinePrinter {
-    routine_with(model, arena, routine, reads(routine, place, 1), "sin_cos")
+    routine_with(model, arena, &of_state(model, routine), reads(routine, place, 1), "sin_cos")
+}
+
+/// A routine that reads the inputs of the state `state`, if states hold them.
+fn of_state<'a>(model: &Model, routine: &'a Routine) -> Cow<'a, Routine> {
+    let own = format!("self.{}.", Name::INPUTS);
+    if !model.holds_inputs() || !routine.names.values().any(|name| name.starts_with(&own)) {
+        return Cow::Borrowed(routine);
+    }
+    let mut routine = routine.clone();
+    for name in routine.names.values_mut() {
+        if let Some(input) = name.strip_prefix(&own) {
+            *name = format!("state.1.{input}");
+        }
+    }
+    Cow::Owned(routine)
 }
 
 fn routine_with(model: &Model, arena: &Arena, routine: &Routine, reads: TokenStream, turn: &'static str) -> RoutinePrinter {
@@ -58,7 +79,7 @@ fn reads(routine: &Routine, place: impl Fn(usize) -> TokenStream, together: usiz
             Leaf::Coordinate(index) => (0, index),
             Leaf::Speed(index) => (1, index),
             Leaf::Acceleration(index) => (2, index),
-            Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_) | Leaf::Turn(_) => continue,
+            Leaf::Time | Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_) | Leaf::Turn(_) => continue,
         };
         of_vectors[vector].1.push((index, local(&routine.names[expr])));
     }

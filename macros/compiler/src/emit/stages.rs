@@ -114,7 +114,10 @@ impl Emitter<'_> {
     /// The hash of all parameters.
     pub(super) fn parameter_hash(&self) -> TokenStream {
         let words = Words::new(self.model, self.system);
-        let all = (0..self.model.parameters.len()).map(|number| named(&words.parameter(number as u32)));
+        // What depends on inputs of a state moves.
+        let moving = if self.model.holds_inputs() { self.model.of_inputs() } else { BTreeSet::new() };
+        let is_meant = |number: &usize| !moving.contains(number);
+        let all = (0..self.model.parameters.len()).filter(is_meant).map(|number| named(&words.parameter(number as u32)));
         quote!(::reuleaux::parameter_hash::<T>(&[#(#all),*]))
     }
 

@@ -2,6 +2,7 @@
 //! mistake gives one error.
 
 use super::arrays::array_type;
+use super::inputs::type_name;
 use super::literal::{matrix_type, number, vector_type};
 use super::parameters::Parameters;
 use super::scene;
@@ -57,7 +58,10 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
     let n = 3 * promised.bodies;
     let (structure, equations) = (structure(tree, &promised.layout, visibility), equations(name, n, body));
     let accessors = accessors(tree, &promised.layout, visibility, n, body);
+    let inputs = has_inputs(tree).then(|| type_name(name));
     let (solutions, stages) = (tree.task.is_solved()).then(|| solutions(name, &state, visibility, n, body)).unzip();
+    let solutions = inputs.as_ref().map_or(solutions, |inputs| Some(solutions_with_inputs(&state, inputs, n, body)));
+    let inputs = inputs.map(|inputs| quote!(, pub #inputs<T>));
     let has_outputs = !promised.methods.is_empty() || !refused(tree, "output").is_empty();
     let (solve_for, slices) = (tree.task.is_solved()).then(|| slices(tree, &promised, visibility, body)).unzip();
     let outputs = outputs(tree, &promised, &state, body);
@@ -68,7 +72,7 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
         quote! {
             #[derive(Clone, Debug, PartialEq)]
             #[doc(hidden)]
-            #visibility struct #state<T = ::core::primitive::f64>(pub ::reuleaux::State<T, #n>);
+            #visibility struct #state<T = ::core::primitive::f64>(pub ::reuleaux::State<T, #n> #inputs);
             #[doc(hidden)]
             #[allow(dead_code)]
             #visibility type #failure<T = ::core::primitive::f64> = ::reuleaux::Failure<T, #n>;
@@ -236,6 +240,37 @@ fn solutions(name: &Ident, state: &Ident, visibility: &TokenStream, n: usize, bo
         }
     };
     (functions, traits)
+}
+
+/// True if states hold inputs.
+fn has_inputs(tree: &Mechanism) -> bool {
+    fn has(items: &[Item]) -> bool {
+        items.iter().any(|item| match item {
+            Item::Input(_) => true,
+            Item::For(repeated) => has(&repeated.items),
+            _ => false,
+        })
+    }
+    tree.task.is_solved() && has(&tree.items)
+}
+
+/// The functions that solve a mechanism with inputs.
+fn solutions_with_inputs(state: &Ident, inputs: &Ident, n: usize, body: &TokenStream) -> TokenStream {
+    let (vector, n) = (vector_type(n), number(n));
+    let result = quote!(::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>>);
+    quote! {
+        pub fn with_inputs_of(&self, _: &#state<T>) -> Self { #body }
+        pub fn solve(&self, _: T, _: #inputs<T>) -> #result { #body }
+        pub fn solve_near(&self, _: T, _: &#vector, _: #inputs<T>) -> #result { #body }
+        pub fn solve_from(&self, _: T, _: &#state<T>, _: #inputs<T>) -> #result { #body }
+        pub fn advance(
+            &self,
+            _: &mut #state<T>,
+            _: T,
+            _: #inputs<T>,
+        ) -> ::core::result::Result<(), ::reuleaux::Failure<T, #n>> { #body }
+        pub fn sweep<I: ::core::iter::IntoIterator<Item = (T, #inputs<T>)>>(&self, _: I) -> ::core::iter::Empty<#result> { #body }
+    }
 }
 
 /// What a mechanism with freedoms can be asked for.

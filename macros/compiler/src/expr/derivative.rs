@@ -1,6 +1,6 @@
 //! Partial derivatives of an expression by a leaf.
 //!
-//! All other leaves are held fixed, including the rates of the leaf. At a kink (`abs` and `sign` at 0, the border of a `select`) the
+//! All other leaves are held fixed, including the rates of the leaf. Inputs are functions of time: by time they have their rates. At a kink (`abs` and `sign` at 0, the border of a `select`) the
 //! derivative is that of the branch that is evaluated there.
 
 use std::collections::HashMap;
@@ -48,6 +48,7 @@ impl Derivatives {
         let d = |operand: Expr| self.known[&operand];
         match node {
             Node::Leaf(leaf) if leaf == self.by => arena.integer(1),
+            Node::Leaf(leaf @ Leaf::Input { .. }) if self.by == Leaf::Time => leaf.rate_of_input().map_or(zero, |rate| arena.leaf(rate)),
             Node::Marked { mark: Mark::Turned { vector, axis }, .. } if self.turns() => arena.turned_by(vector, axis, self.by),
             Node::Marked { value, .. } => d(value),
             // Without this line, unused nodes would be built only to be multiplied by 0.

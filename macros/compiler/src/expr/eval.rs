@@ -28,6 +28,7 @@ impl Values<'_> {
             // Expressions with data are printed, not evaluated.
             Leaf::Datum(_) | Leaf::Turn(_) => return f64::NAN,
             Leaf::Parameter(i) => (self.parameters, i),
+            Leaf::Input { number, order } => (self.parameters, number + u32::from(order)),
             Leaf::Coordinate(i) => (self.coordinates, i),
             Leaf::Speed(i) => (self.speeds, i),
             Leaf::Acceleration(i) => (self.accelerations, i),

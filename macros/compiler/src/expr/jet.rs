@@ -112,6 +112,11 @@ impl Jets {
         let seed = &self.seed;
         match leaf {
             Leaf::Time if seed.time_runs => [expr, arena.integer(1), zero],
+            Leaf::Input { .. } if seed.time_runs => {
+                let first = leaf.rate_of_input();
+                let second = first.and_then(Leaf::rate_of_input);
+                [expr, first.map_or(zero, |rate| arena.leaf(rate)), second.map_or(zero, |rate| arena.leaf(rate))]
+            }
             Leaf::Parameter(i) if seed.parameter == Some(i) => [expr, arena.integer(1), zero],
             Leaf::Speed(i) if seed.speeds_change => [expr, arena.leaf(Leaf::Acceleration(i)), zero],
             Leaf::Coordinate(i) => match i.checked_sub(seed.first).and_then(|i| *seed.coordinates.get(i as usize)?) {
@@ -121,7 +126,13 @@ impl Jets {
                     [expr, first, if seed.speeds_change { arena.leaf(Leaf::Acceleration(i)) } else { zero }]
                 }
             },
-            Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_) | Leaf::Turn(_) | Leaf::Speed(_) | Leaf::Acceleration(_) => [expr, zero, zero],
+            Leaf::Time
+            | Leaf::Parameter(_)
+            | Leaf::Input { .. }
+            | Leaf::Datum(_)
+            | Leaf::Turn(_)
+            | Leaf::Speed(_)
+            | Leaf::Acceleration(_) => [expr, zero, zero],
         }
     }
 }

@@ -21,6 +21,14 @@ pub enum Leaf {
     Time,
     /// A parameter, constant in time.
     Parameter(u32),
+    /// An input or one of its derivatives by time, given from outside for each state: by the number of the parameter that is its value
+    /// at the start, and the order of the derivative, up to 2.
+    Input {
+        /// Number of the parameter that holds the value; those of the rate and of the acceleration follow.
+        number: u32,
+        /// Order of the derivative.
+        order: u8,
+    },
     /// A coordinate q.
     Coordinate(u32),
     /// A speed u; coordinates change by q̇ = N(q) u.
@@ -32,6 +40,26 @@ pub enum Leaf {
     /// An infinitesimal turn of a body in space about an axis of ground, three for each body. Expressions are differentiated by it and
     /// never contain it.
     Turn(u32),
+}
+
+impl Leaf {
+    /// The derivatives of an input by time that are known are those up to this order.
+    pub const HIGHEST_RATE: u8 = 2;
+
+    /// The derivative by time of an input or of one of its rates; `None` for other leaves, and beyond the acceleration.
+    #[must_use]
+    pub const fn rate_of_input(self) -> Option<Leaf> {
+        match self {
+            Leaf::Input { number, order } if order < Leaf::HIGHEST_RATE => Some(Leaf::Input { number, order: order + 1 }),
+            _ => None,
+        }
+    }
+
+    /// True for the time and for inputs, which change with it.
+    #[must_use]
+    pub const fn is_of_time(self) -> bool {
+        matches!(self, Leaf::Time | Leaf::Input { .. })
+    }
 }
 
 /// Meaning of an expression, which has its own rule of differentiation or stands for an unknown of its own.

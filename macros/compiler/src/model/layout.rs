@@ -43,6 +43,8 @@ pub struct Field {
 pub enum Of {
     /// A parameter.
     Parameter,
+    /// An input, by the number of the parameter that is its value at the start; its rate and its acceleration follow.
+    Input,
     /// A body.
     Body,
     /// A part of the component of this number.

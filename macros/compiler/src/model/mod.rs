@@ -19,10 +19,11 @@ pub use sketch::Sketch;
 pub use solid::Solid;
 
 use crate::diag::Warning;
-use crate::expr::{Arena, Expr};
+use crate::expr::{Arena, Expr, Leaf};
 use crate::quantity::{Ambient, Dim, Role};
 use crate::syntax::ast::{Closing, Docs, Following, Relation, Task};
 use proc_macro2::{Ident, TokenStream};
+use std::collections::BTreeSet;
 
 /// Number of the first declared coordinate in space. Coordinates of the solution are different ones, numbered from 0.
 pub(crate) const DECLARED: u32 = 1 << 24;
@@ -97,6 +98,29 @@ pub struct Model {
     pub sketch: Sketch,
     /// Warnings about numbers whose unit may be missing.
     pub doubts: Vec<Warning>,
+}
+
+impl Model {
+    /// Inputs and their rates, by number and order, with the values at the start.
+    pub(crate) fn inputs(&self) -> impl Iterator<Item = (u32, u8, Expr)> {
+        let holds_inputs = |component: &Component| component.fields.iter().any(|field| field.of == Of::Input);
+        let component = self.layout.components.iter().position(holds_inputs);
+        let parts = component.into_iter().flat_map(|component| self.layout.parts.iter().filter(move |part| part.component == component));
+        let values = parts.flat_map(|part| part.members.iter().flatten());
+        values.flat_map(move |first| {
+            (0..=Leaf::HIGHEST_RATE).map(move |order| (*first as u32, order, self.parameters[first + usize::from(order)].default))
+        })
+    }
+
+    /// True if states hold the inputs that they were solved for.
+    pub(crate) fn holds_inputs(&self) -> bool {
+        self.task.is_solved() && self.inputs().next().is_some()
+    }
+
+    /// The numbers of the parameters that belong to inputs.
+    pub(crate) fn of_inputs(&self) -> BTreeSet<usize> {
+        self.inputs().map(|(number, order, _)| number as usize + usize::from(order)).collect()
+    }
 }
 
 /// A field of the generated struct.

@@ -40,6 +40,20 @@ impl Name {
         self.indices.iter().fold(self.word.to_string(), |name, index| format!("{name}[{index}]"))
     }
 
+    /// The field of the generated struct that holds a parameter or, below [`Name::INPUTS`], a part of an input.
+    pub(crate) fn of_input(word: &Ident, input: &Name) -> Name {
+        Name::within(&format!("{}.{}.", Name::INPUTS, input.own()), word, input.declaration, &[])
+    }
+
+    /// The field of the generated struct that holds the inputs.
+    pub(crate) const INPUTS: &str = "inputs";
+
+    /// The name of an input, from that of one of its parts: `inputs.theta.value` is of `theta`.
+    pub(crate) fn input_path(&self) -> &str {
+        let path = self.path.strip_prefix(Name::INPUTS).and_then(|path| path.strip_prefix('.'));
+        path.and_then(|path| path.rsplit_once('.')).map_or(&self.path, |(input, _)| input)
+    }
+
     /// A name in a namespace whose paths begin with `prefix`.
     pub(crate) fn within(prefix: &str, word: &Ident, declaration: usize, indices: &[usize]) -> Name {
         let mut name = Name { declaration, indices: indices.to_vec(), ..Name::plain(word) };

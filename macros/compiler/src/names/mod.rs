@@ -42,6 +42,7 @@ const GENERATED: &[&str] = &[
     "validate",
     "characteristic_length",
     "with_defaults",
+    "with_inputs_of",
     "clone",
     "default",
 ];
@@ -121,6 +122,7 @@ pub(crate) struct Declared {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sort {
     Parameter,
+    Input,
     Let,
     Function,
     Body,
@@ -140,6 +142,7 @@ impl Sort {
     pub(crate) fn noun(self) -> &'static str {
         match self {
             Sort::Parameter => "a parameter",
+            Sort::Input => "an input",
             Sort::Let => "a `let`",
             Sort::Function => "a function",
             Sort::Body => "a body",
@@ -157,12 +160,12 @@ impl Sort {
 
     /// True if such an item can be called.
     pub(crate) fn may_be_function(self) -> bool {
-        matches!(self, Sort::Parameter | Sort::Let | Sort::Function | Sort::Argument)
+        matches!(self, Sort::Parameter | Sort::Input | Sort::Let | Sort::Function | Sort::Argument)
     }
 
-    /// True if components see such items of the mechanism around them: they do not move.
+    /// True if components see such items of the mechanism around them: no body belongs to them.
     pub(crate) fn is_seen_from_components(self) -> bool {
-        matches!(self, Sort::Parameter | Sort::Let | Sort::Function)
+        matches!(self, Sort::Parameter | Sort::Input | Sort::Let | Sort::Function)
     }
 }
 

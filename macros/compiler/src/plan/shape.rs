@@ -83,6 +83,7 @@ pub(super) struct Piece {
 enum Operation {
     Datum,
     Time,
+    Input(u32, u8),
     Parameter(u32),
     Coordinate(u32),
     Speed(u32),
@@ -267,6 +268,7 @@ impl Trace {
         match leaf {
             Leaf::Time => Operation::Time,
             Leaf::Datum(_) | Leaf::Turn(_) => Operation::Datum,
+            Leaf::Input { number, order } => Operation::Input(number, order),
             Leaf::Parameter(index) => Operation::Parameter(slot(&mut self.parameters, index)),
             Leaf::Coordinate(index) => Operation::Coordinate(slot(&mut self.unknowns, index)),
             Leaf::Speed(index) => Operation::Speed(slot(&mut self.unknowns, index)),
@@ -298,6 +300,7 @@ impl Copy {
         let at = |place: u32| self.places[place as usize];
         let node = match mark {
             Operation::Time | Operation::Datum => Node::Leaf(Leaf::Time),
+            Operation::Input(number, order) => Node::Leaf(Leaf::Input { number, order }),
             Operation::Parameter(slot) => Node::Leaf(Leaf::Parameter(slot)),
             Operation::Coordinate(slot) => Node::Leaf(Leaf::Coordinate(slot)),
             Operation::Speed(slot) => Node::Leaf(Leaf::Speed(slot)),

@@ -89,7 +89,7 @@ fn timed(arena: &Arena, stages: &[Stage]) -> BTreeSet<usize> {
 fn leaves(arena: &Arena, stage: &Stage) -> BTreeSet<usize> {
     let leaf = |leaf: &Leaf| match leaf {
         Leaf::Coordinate(index) | Leaf::Speed(index) | Leaf::Acceleration(index) => Some(*index as usize),
-        Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_) | Leaf::Turn(_) => None,
+        Leaf::Time | Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_) | Leaf::Turn(_) => None,
     };
     stage.results().iter().flat_map(|result| arena.leaves(*result)).filter_map(|found| leaf(&found)).collect()
 }

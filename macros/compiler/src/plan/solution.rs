@@ -90,7 +90,7 @@ fn size(arena: &Arena, stages: &[Stage]) -> usize {
 /// finite unknowns are finite as well. Everything else must be tested: results that depend on parameters, which the user may set to any
 /// value, on time, or on functions with poles or a limited domain.
 fn unsure(arena: &Arena, stages: &[Stage]) -> Vec<usize> {
-    let is_given = |node: &Node| matches!(node, Node::Leaf(Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_)));
+    let is_given = |node: &Node| matches!(node, Node::Leaf(Leaf::Time | Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_)));
     let has = |roots: &[Expr], is_risk: &dyn Fn(&Node) -> bool| arena.reachable(roots).iter().any(|expr| is_risk(arena.node(*expr)));
     let is_unsure = |stage: &&Stage| match stage {
         Stage::Explicit { motion, .. } => has(motion, &|node| is_given(node) || has_poles(arena, node)),

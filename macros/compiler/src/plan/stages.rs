@@ -127,7 +127,7 @@ impl StageBuilder<'_> {
     fn depends_on_no_more(&self, derivatives: &[Expr], value: Expr) -> bool {
         let number = |leaf: Leaf| match leaf {
             Leaf::Coordinate(number) | Leaf::Speed(number) | Leaf::Acceleration(number) => Some(number),
-            Leaf::Time | Leaf::Parameter(_) | Leaf::Datum(_) | Leaf::Turn(_) => None,
+            Leaf::Time | Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_) | Leaf::Turn(_) => None,
         };
         let numbers = |root: Expr| self.arena.leaves(root).into_iter().filter_map(number).collect::<BTreeSet<u32>>();
         let own = numbers(value);

@@ -15,6 +15,8 @@ pub(crate) struct Words {
     speeds: Vec<String>,
     /// Prefixed with `self.` if they are fields.
     parameters: Vec<String>,
+    /// Names of all fields, by number of the parameter, by which inputs are named.
+    fields: Vec<String>,
 }
 
 impl Words {
@@ -30,11 +32,7 @@ impl Words {
             coordinates.extend(model.bodies.iter().flat_map(|body| (0..COSINES).map(move |k| cosine(body, k))));
             set_apart(&mut coordinates);
         }
-        Words {
-            coordinates,
-            speeds: Vec::new(),
-            parameters: model.parameters.iter().map(|parameter| format!("self.{}", parameter.name)).collect(),
-        }
+        Words { coordinates, speeds: Vec::new(), parameters: fields(model), fields: fields(model) }
     }
 
     /// Names of declared coordinates and speeds in space.
@@ -52,8 +50,7 @@ impl Words {
         let mut names: Vec<String> = coordinates.into_iter().chain(model.bodies.iter().flat_map(speeds)).collect();
         set_apart(&mut names);
         let speeds = names.split_off(names.len() - 6 * model.bodies.len());
-        let parameters = model.parameters.iter().map(|parameter| format!("self.{}", parameter.name)).collect();
-        Words { coordinates: names, speeds, parameters }
+        Words { coordinates: names, speeds, parameters: fields(model), fields: fields(model) }
     }
 
     /// With additional names for the components of an output.
@@ -82,7 +79,8 @@ impl Words {
             Column::Same(number) => self.parameters[*number as usize].clone(),
             _ => format!("p{slot}"),
         };
-        Words { coordinates, speeds: Vec::new(), parameters: shape.parameters.iter().enumerate().map(parameter).collect() }
+        let parameters = shape.parameters.iter().enumerate().map(parameter).collect();
+        Words { coordinates, speeds: Vec::new(), parameters, fields: self.fields.clone() }
     }
 
     /// Names of all leaves but parameters, which no step may use.
@@ -105,11 +103,17 @@ impl Words {
             Leaf::Time => "t".to_owned(),
             Leaf::Datum(index) | Leaf::Turn(index) => format!("d{index}"),
             Leaf::Parameter(index) => self.parameters.get(index as usize).cloned().unwrap_or_default(),
+            Leaf::Input { number, order } => self.fields.get(number as usize + usize::from(order)).cloned().unwrap_or_default(),
             Leaf::Coordinate(index) => coordinate(index),
             Leaf::Speed(index) => self.speeds.get(index as usize).cloned().unwrap_or_else(|| coordinate(index) + "_rate"),
             Leaf::Acceleration(index) => coordinate(index) + "_acceleration",
         }
     }
+}
+
+/// The parameters as fields.
+fn fields(model: &Model) -> Vec<String> {
+    model.parameters.iter().map(|parameter| format!("self.{}", parameter.name)).collect()
 }
 
 /// Makes equal names different.

@@ -214,6 +214,9 @@ fn left(model: &Model, system: &System, sum: &Sum) -> String {
     }
     let name = |leaf: Leaf| match leaf {
         Leaf::Parameter(index) => model.parameters.get(index as usize).map_or(String::new(), |parameter| parameter.name.to_string()),
+        Leaf::Input { number, .. } => {
+            model.parameters.get(number as usize).map_or(String::new(), |parameter| parameter.name.input_path().to_owned())
+        }
         _ => "t".to_owned(),
     };
     show(&arena, total, &name, &|_| "f".to_owned())

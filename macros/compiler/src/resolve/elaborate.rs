@@ -9,7 +9,7 @@ use crate::diag::{
 use crate::expr::{Arena, Exact, Expr, Leaf};
 use crate::hints::Lengths;
 use crate::names::Key;
-use crate::names::{Context, Names, SpaceId};
+use crate::names::{Context, GroupId, Names, Sort, SpaceId};
 use crate::names::{Fixed, FrameId, Scalar, Value, Vector};
 use crate::quantity::{self, Ambient, Dim, InferredDim, Role};
 use crate::syntax::ast::{self, ExpressionKind};
@@ -43,6 +43,8 @@ pub(crate) struct Elaborator<'a> {
     pub(super) calls: BTreeMap<(ast::ItemId, Expr), (ast::Shared<ast::FunctionItem>, Scalar)>,
     /// Defaults of the parameters, once they are known.
     pub(super) defaults: Vec<f64>,
+    /// Names of inputs, by the numbers of their values among the parameters.
+    pub(super) inputs: BTreeMap<u32, String>,
     /// Forces found so far, while a force is resolved.
     pub(super) applied: Option<Vec<Force>>,
     /// Masses that joints and forces add, with their bodies.
@@ -139,6 +141,7 @@ impl Elaborator<'_> {
             is_unused: false,
             calls: BTreeMap::new(),
             defaults: Vec::new(),
+            inputs: BTreeMap::new(),
             applied: None,
             added: Vec::new(),
             energies: Vec::new(),
@@ -343,6 +346,7 @@ impl Elaborator<'_> {
                 return self.time(path.range, scope);
             }
             if let Some(group) = self.names.visible(space, &name.to_string()) {
+                self.input_may_stand(group, path.range, scope)?;
                 return self.visible(path.range, group, space);
             }
         } else if name == "t" {
@@ -368,6 +372,26 @@ impl Elaborator<'_> {
             None => {}
         }
         Some(Value::Scalar(Scalar { expr: self.arena.leaf(Leaf::Time), measure: InferredDim::Known(Dim::TIME) }))
+    }
+
+    /// Refuses an input where `t` is refused.
+    fn input_may_stand(&mut self, group: GroupId, range: Range, scope: &Scope) -> Option<()> {
+        let (word, is_input) = (self.names.group(group).word.clone(), self.names.group(group).sort == Sort::Input);
+        match &scope.timeless {
+            Some(Timeless::Place(place)) if is_input => self.refuse(range, EquationFact::InputIn { place, input: word }),
+            Some(Timeless::Joint(joint)) if is_input => {
+                self.refuse(range, EquationFact::InputInJoint { joint: joint.clone(), input: word })
+            }
+            _ => Some(()),
+        }
+    }
+
+    /// Name of the input that an expression contains, if any.
+    pub(super) fn input_in(&self, expr: Expr) -> Option<String> {
+        self.arena.leaves(expr).into_iter().find_map(|leaf| match leaf {
+            Leaf::Input { number, .. } => self.inputs.get(&number).cloned(),
+            _ => None,
+        })
     }
 
     /// Known name nearest to a mistyped one; `None` after too many errors.

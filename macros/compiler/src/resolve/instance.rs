@@ -103,7 +103,7 @@ impl Elaborator<'_> {
         let Value::Joint { arguments: bound, .. } = self.entity(id, (&joint.name).into())? else { return None };
         let is_time_dependent = |name: &String| {
             let value = bound.iter().find(|(known, _)| known == name).map(|(_, value)| value);
-            matches!(value, Some(Value::Scalar(scalar)) if self.arena.leaves(scalar.expr).contains(&Leaf::Time))
+            matches!(value, Some(Value::Scalar(scalar)) if self.arena.leaves(scalar.expr).into_iter().any(Leaf::is_of_time))
         };
         places(&definition, arguments).into_iter().find(|(name, _)| is_time_dependent(name)).map(|(_, range)| range)
     }

@@ -111,9 +111,16 @@ impl Elaborator<'_> {
         let is_of_nothing = |row: &ScalarEquation| !leaves(row).iter().any(may_move);
         if let Some(row) = rows.iter().position(is_of_nothing) {
             self.say::<()>(rows[row].range, EquationFact::RowOfNothing { joint: name, row: row + 1, of, at_defaults: false });
-        } else if let Some(row) = rows.iter().find(|row| !joint.is_drive && leaves(row).contains(&Leaf::Time)) {
+        } else if let Some(row) = rows.iter().find(|row| !joint.is_drive && leaves(row).into_iter().any(Leaf::is_of_time)) {
+            let input = self.input_in(row.residual.expr);
             let range = self.time_dependent_argument(id, joint).unwrap_or(row.range);
-            self.say::<()>(range, EquationFact::TimeInJoint { joint: name });
+            self.say::<()>(
+                range,
+                match input {
+                    Some(input) => EquationFact::InputInJoint { joint: name, input },
+                    None => EquationFact::TimeInJoint { joint: name },
+                },
+            );
         }
     }
 
@@ -193,7 +200,7 @@ impl Elaborator<'_> {
                     let prefix = format!("{prefix}{}_", field.name.to_string().trim_start_matches("r#"));
                     self.methods_of(layout, register, &members, &sizes, &prefix, methods);
                 }
-                Of::Parameter | Of::Body => {}
+                Of::Parameter | Of::Input | Of::Body => {}
             }
         }
     }

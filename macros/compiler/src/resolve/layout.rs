@@ -2,11 +2,12 @@
 
 use super::elaborate::Elaborator;
 use super::register::Register;
-use super::{Component, Field, Layout, Of, Part};
+use super::{Component, Field, Layout, Name, Of, Part};
 use crate::diag::ArrayFact;
 use crate::names::Key;
 use crate::names::{EntityId, Sort};
 use crate::syntax::ast::{self, Docs};
+use proc_macro2::Ident;
 use std::collections::BTreeMap;
 
 /// The mechanism or a part while its items are registered.
@@ -59,7 +60,34 @@ impl Elaborator<'_> {
             }
             layout.parts.push(part);
         }
+        self.add_inputs(register, &mut layout);
         layout
+    }
+
+    /// Adds the struct of inputs, a field of the mechanism.
+    fn add_inputs(&mut self, register: &Register, layout: &mut Layout) {
+        let Some((first, _)) = register.inputs.first() else { return };
+        let span = self.names.declared[first.0].name.word.span();
+        let items = register.inputs.iter().map(|(id, number)| (Of::Input, *id, *number)).collect();
+        let gathered = self.gathered(&OpenPart { items, ..OpenPart::default() }, &[]);
+        let sizes: Vec<Vec<usize>> = gathered.iter().map(|field| self.sizes(field)).collect();
+        let members = gathered.iter().map(|field| field.members.values().copied().collect()).collect();
+        let fields = gathered.iter().zip(&sizes).map(|(field, sizes)| self.field_of(register, field, sizes)).collect();
+        let name = Ident::new("Inputs", span);
+        if let Some(component) = self.names.components.get(&name.to_string()).cloned() {
+            self.refuse::<()>(&component.head.name, ArrayFact::GeneratedType { name: name.to_string() });
+        }
+        let field = Ident::new(Name::INPUTS, span);
+        let taken = layout.components[0].fields.iter().find(|other| other.of != Of::Output && other.name == field);
+        if let Some(taken) = taken.map(|other| other.name.clone()) {
+            self.refuse::<()>(&taken, ArrayFact::FieldOfInputs { name: taken.to_string() });
+        }
+        let component = layout.components.len();
+        layout.components.push(Component { name: Some(name), docs: Docs::default(), fields });
+        layout.components[0].fields.push(Field { name: field, docs: Docs::default(), of: Of::Part(component), sizes: Vec::new() });
+        let part = layout.parts.len();
+        layout.parts[0].members.push(vec![part]);
+        layout.parts.push(Part { component, first: 0, members });
     }
 
     /// The elements of each name, in the order in which the names were first declared.
@@ -94,6 +122,7 @@ impl Elaborator<'_> {
                 let (missing, known) = (format!("{stem}{}", group(&wanted)), format!("{stem}{}", group(indices)));
                 let sort = match field.of {
                     Of::Parameter => Sort::Parameter,
+                    Of::Input => Sort::Input,
                     Of::Body => Sort::Body,
                     Of::Part(_) => Sort::Part,
                     Of::Output => Sort::Output,
@@ -119,7 +148,7 @@ impl Elaborator<'_> {
     fn field_of(&self, register: &Register, field: &Gathered, sizes: &[usize]) -> Field {
         let number = field.members.values().next().copied().unwrap_or(0);
         let docs = match field.of {
-            Of::Parameter => &register.parameters[number].1.docs,
+            Of::Parameter | Of::Input => &register.parameters[number].1.docs,
             Of::Body => &register.bodies[number].1.docs,
             Of::Output => &register.outputs[number].1.docs,
             Of::Part(_) => &register.parts[number - 1].docs,

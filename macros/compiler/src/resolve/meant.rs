@@ -1,6 +1,7 @@
 //! Checks that say what was probably meant, where another kind of thing was written: a value for a force, a force for a joint, a number
 //! for a torque in space.
 
+use super::Joint;
 use super::elaborate::{Elaborator, Scope};
 use super::register::Register;
 use super::statement::ScalarEquation;
@@ -239,6 +240,22 @@ impl Elaborator<'_> {
         let instead = (has_other && definition.name.to_string().starts_with("drive_")).then(|| format!("{drive}({argument}, …)"));
         let fact = MotionFact::JointWithoutValue { definition: definition.name.to_string(), wanted, kind: kind.clone(), instead };
         self.refuse(argument.range, fact)
+    }
+
+    /// Refuses slices beside inputs, and drives by inputs beside freedoms.
+    pub(super) fn fits_inputs(&mut self, task: Task, register: &Register, joints: &[Joint]) {
+        let Some(input) = self.inputs.values().next().cloned() else { return };
+        for (_, output) in register.outputs.iter().filter(|(_, output)| output.is_slice && task.is_solved()) {
+            let fact = MotionFact::SliceBesideInput { output: output.name.to_string(), input: input.clone() };
+            self.once(output, |this| this.refuse::<()>(&output.name, fact));
+        }
+        let freedom = joints.iter().find(|joint| joint.freedom.is_some() && task == Task::Motion);
+        let Some(freedom) = freedom.map(|joint| joint.name.to_string()) else { return };
+        for joint in joints {
+            let Some(input) = joint.residuals.iter().find_map(|residual| self.input_in(residual.expr)) else { continue };
+            let fact = MotionFact::InputBesideFreedom { drive: joint.name.to_string(), input, freedom: freedom.clone() };
+            self.refuse::<()>(&joint.name, fact);
+        }
     }
 
     /// Refuses slices and a range of time beside freedoms: integration takes all bodies along, and ends where it is told to.

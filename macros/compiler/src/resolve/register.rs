@@ -3,12 +3,12 @@
 //! Bodies, parameters, joints and outputs are numbered in the order of expansion, those of one part consecutively. Only whole numbers
 //! are evaluated here.
 
-use super::Of;
 use super::declare::Written;
 use super::declare::{duplicate, is_reserved};
 use super::elaborate::{Elaborator, Scope};
 use super::frames::start_words;
 use super::layout::OpenPart;
+use super::{Name, Of};
 use crate::diag::{ArrayFact, EquationFact, GrammarFact, NameFact};
 use crate::expr::Leaf;
 use crate::names::Key;
@@ -23,13 +23,19 @@ use std::rc::Rc;
 /// Largest number of items, with loops unrolled and parts expanded, plus the number of loop iterations.
 pub(super) const MOST: usize = 100_000;
 
+/// Fields of an input in the generated struct.
+pub(super) const INPUT_PARTS: [&str; 3] = ["value", "rate", "acceleration"];
+
 /// Deepest nesting of parts.
 const DEEPEST: usize = 20;
 
 /// Declared items, in the order of expansion.
 #[derive(Default)]
 pub(super) struct Register {
+    /// Parameters, and value, rate and acceleration of each input.
     pub(super) parameters: Vec<(EntityId, ast::Shared<ast::ParameterItem>)>,
+    /// Inputs, each with the number of its value among the parameters.
+    pub(super) inputs: Vec<(EntityId, usize)>,
     /// `let`s and arguments of parts, used or not, so that errors in all of them are found.
     pub(super) lets: Vec<EntityId>,
     pub(super) functions: Vec<ast::Shared<ast::FunctionItem>>,
@@ -109,6 +115,7 @@ impl Elaborator<'_> {
                 register.places[place].items.push((Of::Parameter, id, register.parameters.len()));
                 register.parameters.push((id, parameter.clone()));
             }
+            Item::Input(input) => self.input(input, context, register),
             Item::Let(binding) => {
                 let written = Written { key: Key::Name(binding.id()), name: &binding.name, indices: &binding.indices };
                 let id = self.declare(written, Entity::Let(binding.clone()), Progress::Untouched, Sort::Let, context);
@@ -130,6 +137,30 @@ impl Elaborator<'_> {
                 }
             }
             _ => {}
+        }
+    }
+
+    /// Registers an input: a name whose value, rate and acceleration are fields of the generated struct of inputs.
+    fn input(&mut self, input: &ast::Shared<ast::ParameterItem>, context: &Context, register: &mut Register) {
+        if context.space != SpaceId::MECHANISM {
+            self.once(input, |this| this.refuse::<()>(&input.name, GrammarFact::OnlyAtTheTop { word: "input".into() }));
+            return;
+        }
+        let first = register.parameters.len();
+        let leaf = self.arena.leaf(Leaf::Input { number: first as u32, order: 0 });
+        let dim = self.once(input, |this| this.dimension(&input.dimension));
+        let value = dim.map(|dim| Value::Scalar(Scalar { expr: leaf, measure: InferredDim::Known(dim) }));
+        let progress = value.map_or(Progress::Failed, Progress::Done);
+        let written = Written { key: Key::Name(input.id()), name: &input.name, indices: &input.indices };
+        let Some(id) = self.declare(written, Entity::Known, progress, Sort::Input, context) else { return };
+        let name = self.names.declared[id.0].name.clone();
+        self.inputs.insert(first as u32, name.path.clone());
+        register.inputs.push((id, first));
+        for part in INPUT_PARTS {
+            let name = Name::of_input(&Ident::new(part, input.name.span()), &name);
+            let declared = Declared { entity: Entity::Known, progress: Progress::Failed, name, context: context.clone() };
+            let part = self.insert(declared);
+            register.parameters.push((part, input.clone()));
         }
     }
 

@@ -100,7 +100,7 @@ impl Elaborator<'_> {
 
     /// It contains neither coordinates nor speeds.
     fn follows_from_time(&self, expr: Expr) -> bool {
-        self.arena.leaves(expr).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_) | Leaf::Time))
+        self.arena.leaves(expr).iter().all(|leaf| matches!(leaf, Leaf::Parameter(_) | Leaf::Time | Leaf::Input { .. }))
     }
 
     /// Value of a function at t. Functions of one variable do not depend on time, so that t can stand for the variable.

@@ -2,7 +2,7 @@
 
 use super::bounds::in_words;
 use super::elaborate::{Elaborator, Scope};
-use super::register::{Register, is_one_of_many};
+use super::register::{INPUT_PARTS, Register, is_one_of_many};
 use super::{Layout, Method, Model, Name, Parameter};
 use crate::diag::nearest;
 use crate::diag::{Diag, NameFact, Range, ValueFact};
@@ -36,6 +36,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     let (declared_forces, forces) = work.forces(&register);
     work.gather_masses(&mut bodies);
     work.fits_freedoms(tree.task, &register);
+    work.fits_inputs(tree.task, &register, &joints);
     let gravity = work.gravity(&register);
     let outputs = work.outputs(&register);
     let methods = work.methods(&layout, &register, &outputs);
@@ -103,10 +104,18 @@ pub(crate) fn outline(tree: &ast::Mechanism) -> Outline {
 impl Elaborator<'_> {
     /// The fields of the generated structs.
     pub(super) fn parameters(&mut self, register: &Register) -> Vec<Parameter> {
-        let parameter = |this: &mut Self, (id, written): &(EntityId, ast::Shared<ast::ParameterItem>)| {
-            this.of(*id, written, |this, name, context| this.parameter(written, name, context))
+        let parameter = |this: &mut Self, number: usize, (id, written): &(EntityId, ast::Shared<ast::ParameterItem>)| {
+            let order = this.inputs.range(..=number as u32).next_back().map_or(0, |(first, _)| number - *first as usize);
+            this.of(*id, written, |this, name, context| {
+                let declared = this.parameter(written, name, context)?;
+                if !(1..INPUT_PARTS.len()).contains(&order) {
+                    return Some(declared);
+                }
+                let dim = (0..order).fold(declared.dim, |dim, _| dim.per(Dim::TIME));
+                Some(Parameter { dim, default: this.arena.integer(0), bounds: None, ..declared })
+            })
         };
-        register.parameters.iter().filter_map(|declared| parameter(self, declared)).collect()
+        register.parameters.iter().enumerate().filter_map(|(number, declared)| parameter(self, number, declared)).collect()
     }
 
     /// Resolves a declared item, unless its declaration was rejected before.

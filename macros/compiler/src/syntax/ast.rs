@@ -60,6 +60,8 @@ pub enum Item {
     Use(Vec<Use>),
     /// `param name: Dimension = default;`
     Parameter(Shared<ParameterItem>),
+    /// `input name: Dimension = default;`
+    Input(Shared<ParameterItem>),
     /// `let name: Dimension = value;`
     Let(Shared<Let>),
     /// `function name(argument: Dimension) -> Dimension = value;`
@@ -139,7 +141,7 @@ pub struct Path {
     pub range: Range,
 }
 
-/// A parameter of a mechanism.
+/// A parameter or an input of a mechanism.
 #[derive(Clone, Debug)]
 pub struct ParameterItem {
     /// Doc attributes of the field.
@@ -150,7 +152,7 @@ pub struct ParameterItem {
     pub indices: Vec<Expression>,
     /// Dimension.
     pub dimension: Dimension,
-    /// Default.
+    /// Default; of an input, its value at the start.
     pub default: Expression,
     /// Range after `in`, if any.
     pub limits: Option<Limits>,

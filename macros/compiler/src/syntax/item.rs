@@ -153,7 +153,7 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
     let Some(keyword) = keyword(input) else {
         return expected(
             input,
-            "an item: `param`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` or `use`",
+            "an item: `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` or `use`",
         );
     };
     let word = keyword.to_string();
@@ -164,6 +164,7 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
         "use" => Item::Use(uses(input)?),
         "let" => Item::Let(Shared::new(binding(input)?)),
         "param" => Item::Parameter(Shared::new(parameter(input, docs)?)),
+        "input" => Item::Input(Shared::new(input_item(input, docs)?)),
         "function" => Item::Function(Shared::new(function(input)?)),
         "ground" => Item::Ground(Shared::new(ground(input, docs)?)),
         "body" => Item::Body(Shared::new(body(input, docs)?)),
@@ -215,7 +216,7 @@ fn unknown_item<T>(input: ParseStream, keyword: &Ident, ambient: Ambient) -> Par
 /// Checks that a name declared in a loop has an index; without it all its instances would have one name.
 fn has_indices(item: &Item, place: ItemContext) -> Parsed<()> {
     let (name, indices) = match item {
-        Item::Parameter(item) => (&item.name, &item.indices),
+        Item::Parameter(item) | Item::Input(item) => (&item.name, &item.indices),
         Item::Let(item) => (&item.name, &item.indices),
         Item::Body(item) => (&item.name, &item.indices),
         Item::Joint(item) | Item::Force(item) => (&item.name, &item.indices),
@@ -288,6 +289,22 @@ fn parameter(input: ParseStream, docs: Docs) -> Parsed<ParameterItem> {
     }
     equals(input)?;
     let default = expression(input)?;
+    let limits = if input.peek(Token![in]) { Some(limits(input)?) } else { None };
+    semicolon(input)?;
+    Ok(ParameterItem { docs, name, indices, dimension, default, limits })
+}
+
+/// `input name: Dimension = start;`; without a start it begins at 0.
+fn input_item(input: ParseStream, docs: Docs) -> Parsed<ParameterItem> {
+    Ident::parse_any(input)?;
+    let (name, indices) = declared(input, "the name of the input")?;
+    let dimension = required_dimension(input)?;
+    let default = if input.peek(Token![=]) {
+        equals(input)?;
+        expression(input)?
+    } else {
+        Expression { kind: ExpressionKind::Number { digits: "0".into(), unit: String::new() }, range: Range::from(&name), depth: 1 }
+    };
     let limits = if input.peek(Token![in]) { Some(limits(input)?) } else { None };
     semicolon(input)?;
     Ok(ParameterItem { docs, name, indices, dimension, default, limits })

@@ -282,8 +282,8 @@ pub(super) fn is_item(input: ParseStream) -> bool {
         "ground" => input.peek2(token::Brace),
         "use" => true,
         "gravity" => input.peek2(Token![=]),
-        "force" | "energy" | "freedom" | "param" | "let" | "function" | "body" | "joint" | "redundant" | "drive" | "output" | "slice"
-        | "range" | "component" | "part" | "for" => input.peek2(syn::Ident),
+        "force" | "energy" | "freedom" | "param" | "input" | "let" | "function" | "body" | "joint" | "redundant" | "drive" | "output"
+        | "slice" | "range" | "component" | "part" | "for" => input.peek2(syn::Ident),
         _ => false,
     }
 }

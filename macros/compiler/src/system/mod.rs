@@ -351,6 +351,9 @@ fn lengths(arena: &mut Arena, model: &Model, coordinates: &[Coordinate], equatio
     let mut at_start = Substitution::new();
     let zero = arena.integer(0);
     at_start.replace(Leaf::Time, zero);
+    for (number, order, default) in model.inputs() {
+        at_start.replace(Leaf::Input { number, order }, default);
+    }
     let mut lengths = Vec::new();
     for equation in equations {
         let Some(phi) = equation.phi().filter(|_| [Dim::LENGTH, Dim::LENGTH.times(Dim::LENGTH)].contains(&equation.dim)) else { continue };

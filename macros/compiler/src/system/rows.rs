@@ -131,6 +131,9 @@ pub(super) fn begin_at_start(model: &Model, arena: &mut Arena, coordinates: &[Co
     let mut at_start = Substitution::new();
     let zero = arena.integer(0);
     at_start.replace(Leaf::Time, zero);
+    for (number, order, default) in model.inputs() {
+        at_start.replace(Leaf::Input { number, order }, default);
+    }
     for (number, coordinate) in coordinates.iter().enumerate() {
         at_start.replace(Leaf::Coordinate(number as u32), coordinate.start.unwrap_or(zero));
     }

@@ -11,6 +11,7 @@ mod duplicates;
 mod forces;
 mod freedoms;
 mod homes;
+mod inputs;
 mod joints;
 mod limits;
 mod masses;

@@ -10,8 +10,8 @@ crate::refusals! {
     item keyword_that_is_used_as_a_name: "body «async» { point B = (1m, 0m); } joint weld = weld(async.position, async.B); output end = async.B;" => "`async` is a word of Rust and cannot be a name\nhelp: write `async_`";
     item keyword_since_2024: "body «gen» { point B = (1m, 0m); }" => "`gen` is a word of Rust and cannot be a name\nhelp: write `gen_`";
     item underscore_that_is_used_as_a_name: "body «_» { point B = (1m, 0m); } joint weld = weld(_.position, crank.O);" => "expected the name of the body, found `_`";
-    item item_is_unknown: "«parm» a: Length = 10mm;" => "`parm` is no item of a mechanism\nhelp: did you mean `param`?\nnote: items are `param`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
-    item item_is_no_word: "«5» a: Length = 10mm;" => "expected an item: `param`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` or `use`, found `5`";
+    item item_is_unknown: "«parm» a: Length = 10mm;" => "`parm` is no item of a mechanism\nhelp: did you mean `param`?\nnote: items are `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
+    item item_is_no_word: "«5» a: Length = 10mm;" => "expected an item: `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` or `use`, found `5`";
     item item_of_a_body_is_unknown: "body b { «pointt» P = (0mm, 0mm); }" => "`pointt` is no item of a body\nhelp: did you mean `point`?\nnote: a body has `point`, `axis`, `start`, `mass`, `center` and `inertia`";
     item body_without_braces: "body b«;»" => "expected `{` and the points of the body, found `;`";
     item equal_sign_is_missing: "output b «crank»;" => "expected `=`, found `crank`";
@@ -46,7 +46,7 @@ crate::refusals! {
     item let_that_changes: "let «mut» a = 3mm;" => "nothing here changes\nhelp: take `mut` away; what is to be set at run time is a `param`";
     item public_item: "«pub» param a: Length = 3mm;" => "all of a mechanism is as public as the mechanism\nhelp: take `pub` away";
     item body_by_another_name: "«link» b { point P = (0mm, 0mm); }" => "`link` is no item of a mechanism\nhelp: write `body b { … }`";
-    item function_as_in_rust: "«fn» f(x: Angle) -> Length = 1mm;" => "`fn` is no item of a mechanism\nhelp: did you mean `function`?\nnote: items are `param`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
+    item function_as_in_rust: "«fn» f(x: Angle) -> Length = 1mm;" => "`fn` is no item of a mechanism\nhelp: did you mean `function`?\nnote: items are `param`, `input`, `let`, `ground`, `body`, `joint`, `drive`, `freedom`, `force`, `energy`, `gravity`, `output`, `range`, `part`, `for`, `component`, `function` and `use`";
     item power_as_a_method: "output b = length.«powi»(2);" => "there are no methods here\nhelp: a power is written `a^b`";
     item glob_use: "use crate::«*»;" => "expected the name of a constraint or `{ … }`, found `*`";
     mechanism keyword_is_misspelled: "pub «mechansim» Crank { body crank {} }" => "expected `mechanism Name { … }`, found `mechansim`";

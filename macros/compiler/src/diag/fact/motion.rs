@@ -52,4 +52,6 @@ pub enum MotionFact {
     FreedomIsHeld { freedom: String, of: usize, by: Vec<String>, free: Vec<String> },
     SliceBesideFreedom { output: String, freedom: String },
     RangeBesideFreedom { freedom: String },
+    InputBesideFreedom { drive: String, input: String, freedom: String },
+    SliceBesideInput { output: String, input: String },
 }

@@ -91,6 +91,9 @@ impl Display for ArrayFact {
             ArrayFact::UnlikeOutputs { name } => {
                 write!(f, "the outputs `{name}` measure different things\nhelp: give outputs of another kind another name")
             }
+            ArrayFact::FieldOfInputs { name } => {
+                write!(f, "the inputs of a mechanism are its field `{name}`\nhelp: choose another name")
+            }
             ArrayFact::GeneratedType { name } => {
                 write!(f, "a component cannot be called `{name}`: a generated type would have that name\nhelp: choose another name")
             }

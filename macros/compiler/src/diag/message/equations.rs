@@ -9,6 +9,15 @@ impl Display for EquationFact {
     fn fmt(&self, f: &mut Formatter) -> Result {
         match self {
             EquationFact::TimeIn { place } => write!(f, "{place} does not change with time: `t` cannot be used in it"),
+            EquationFact::InputIn { place, input } => {
+                write!(f, "{place} does not change with time: the input `{input}` cannot be used in it")
+            }
+            EquationFact::InputInJoint { joint, input } => {
+                write!(
+                    f,
+                    "a joint does not change with time, the input `{input}` is for drives\nhelp: write `drive {joint} = …;` for `joint {joint} = …;`"
+                )
+            }
             EquationFact::TimeInDefinition => {
                 write!(
                     f,

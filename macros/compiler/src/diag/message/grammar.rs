@@ -5,8 +5,9 @@ use crate::diag::{GrammarFact, Home};
 use std::fmt::{Display, Formatter, Result};
 
 /// Items of a mechanism.
-const ITEMS: [&str; 17] = [
+const ITEMS: [&str; 18] = [
     "param",
+    "input",
     "let",
     "ground",
     "body",

@@ -158,6 +158,15 @@ impl Display for MotionFact {
                 write!(f, "`{output}` cannot be solved for alone: the freedom `{freedom}` is integrated, and all bodies with it")?;
                 write!(f, "\nhelp: write `output` for `slice output`")
             }
+            MotionFact::InputBesideFreedom { drive, input, freedom } => {
+                write!(f, "`{drive}` is driven by the input `{input}`, and the freedom `{freedom}` is integrated")?;
+                write!(f, "\nnote: between two steps of a controller the input is not known, and integration needs it there")?;
+                write!(f, "\nhelp: drive by a law of `t`, or let the input be a force")
+            }
+            MotionFact::SliceBesideInput { output, input } => {
+                write!(f, "`{output}` cannot be solved for alone: what the input `{input}` was is kept in whole states")?;
+                write!(f, "\nhelp: write `output` for `slice output`")
+            }
             MotionFact::RangeBesideFreedom { freedom } => {
                 write!(f, "a range says how long drives are followed, and the freedom `{freedom}` follows from forces")?;
                 write!(f, "\nhelp: take the range away; `advance` integrates to any time")

@@ -1,32 +1,37 @@
-//! What is written above generated items.
+//! What is written above generated items: pages, tables, lines.
+//!
+//! In: all that is known of a mechanism. Out: text, and tokens of doc attributes. Not done here: which items there are.
 
-use super::abridged::{Abridged, list};
+mod abridged;
+
 use crate::assembly::Assembly;
 use crate::diag::significant;
 use crate::expr::{Evaluator, Leaf, Values, show};
 use crate::model::{Function, Joint, Method, Model, Output, Parameter};
 use crate::picture::Picture;
 use crate::plan::{Code, Cost, Elimination, Plan, Solution, Summary};
+use crate::quantity::Dim;
 use crate::syntax::ast::Closing;
 use crate::system::{COSINES, System};
 use crate::travel::Motion;
+use abridged::{Abridged, list};
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::fmt::Write;
 
 /// One line of documentation.
-pub(super) fn line(line: &str) -> TokenStream {
+pub(crate) fn line(line: &str) -> TokenStream {
     let line = format!(" {line}");
     quote!(#[doc = #line])
 }
 
 /// Documentation line by line.
-pub(super) fn lines(page: &str) -> TokenStream {
+pub(crate) fn lines(page: &str) -> TokenStream {
     page.lines().map(|line| if line.is_empty() { quote!(#[doc = ""]) } else { self::line(line) }).collect()
 }
 
 /// The page of the generated struct: the picture, and tables of parameters, coordinates and equations.
-pub(super) fn mechanism(model: &Model, system: &System, assembly: &Assembly, motion: &Motion, plan: &Plan, picture: &Picture) -> String {
+pub(crate) fn mechanism(model: &Model, system: &System, assembly: &Assembly, motion: &Motion, plan: &Plan, picture: &Picture) -> String {
     let mut page = String::new();
     let n = system.coordinates.len();
     let m = system.equations.iter().filter(|equation| !equation.is_initial).count();
@@ -160,7 +165,7 @@ fn solution(page: &mut String, model: &Model, system: &System, solution: &Soluti
 }
 
 /// In space: computes an entry of a body's rotation matrix, which follows from the coordinates.
-pub(super) fn is_orientation(system: &System, stage: &Summary) -> bool {
+pub(crate) fn is_orientation(system: &System, stage: &Summary) -> bool {
     matches!(stage, Summary::Explicit { unknown, .. } if (system.coordinates.len()..system.width()).contains(unknown))
 }
 
@@ -175,7 +180,7 @@ fn eliminated(page: &mut String, elimination: &Elimination) -> std::fmt::Result 
 }
 
 /// `crank.angle`
-pub(super) fn coordinate_name(model: &Model, system: &System, unknown: usize) -> String {
+pub(crate) fn coordinate_name(model: &Model, system: &System, unknown: usize) -> String {
     match system.coordinates.get(unknown) {
         Some(_) => system.name(model, unknown),
         None if unknown < system.width() => {
@@ -188,27 +193,37 @@ pub(super) fn coordinate_name(model: &Model, system: &System, unknown: usize) ->
 }
 
 /// `b (2 of 2)`
-pub(super) fn equation_name(model: &Model, system: &System, equation: usize) -> String {
+pub(crate) fn equation_name(model: &Model, system: &System, equation: usize) -> String {
     let equation = &system.equations[equation];
     let joint = &model.joints[equation.joint];
     format!("{} ({} of {})", joint.name, equation.row + 1, joint.residuals.len())
 }
 
 fn parameters(page: &mut String, model: &Model, system: &System) {
-    if model.parameters.is_empty() {
+    let all: Vec<(&Parameter, f64)> = model.parameters.iter().zip(default_values(model, system)).collect();
+    let of_inputs = model.of_inputs();
+    let own = all.iter().enumerate().filter(|(number, _)| !of_inputs.contains(number)).map(|(_, row)| *row).collect();
+    let values: Vec<usize> = model.inputs().filter(|(_, order, _)| *order == 0).map(|(number, _, _)| number as usize).collect();
+    table_of(page, model, ["Parameters", "default"], own);
+    table_of(page, model, ["Inputs", "at the start"], values.into_iter().map(|number| all[number]).collect());
+}
+
+/// A table of numbers that are fields.
+fn table_of(page: &mut String, model: &Model, [title, value]: [&str; 2], rows: Vec<(&Parameter, f64)>) {
+    if rows.is_empty() {
         return;
     }
-    let is_bounded = model.parameters.iter().any(|parameter| parameter.bounds.is_some());
+    let is_bounded = rows.iter().any(|(parameter, _)| parameter.bounds.is_some());
     let (head, rule) = if is_bounded { (" in |", " --- |") } else { ("", "") };
-    let _ = writeln!(page, "\n# Parameters\n\n| | default | unit |{head}\n| --- | --- | --- |{rule}");
+    let _ = writeln!(page, "\n# {title}\n\n| | {value} | unit |{head}\n| --- | --- | --- |{rule}");
     let mut table = Abridged::new(model);
-    for (parameter, value) in model.parameters.iter().zip(default_values(model, system)) {
+    for (parameter, value) in rows {
         if !table.shows([&parameter.name].into_iter()) {
             continue;
         }
         let bounds = parameter.bounds.as_ref().map_or("", |bounds| &bounds.text);
         let last = if is_bounded { format!(" {bounds} |") } else { String::new() };
-        let _ = writeln!(page, "| `{}` | {value} | {} |{last}", parameter.name, parameter.dim.unit());
+        let _ = writeln!(page, "| `{}` | {value} | {} |{last}", parameter.name.input_path(), parameter.dim.unit());
     }
     table.rest(page, |more| format!("| {more} | | |"));
 }
@@ -219,6 +234,10 @@ fn equations(page: &mut String, model: &Model, system: &System) {
         Leaf::Time => "t".to_owned(),
         Leaf::Datum(index) | Leaf::Turn(index) => format!("d{index}"),
         Leaf::Parameter(index) => model.parameters.get(index as usize).map_or(String::new(), |parameter| parameter.name.to_string()),
+        Leaf::Input { number, order } => {
+            let name = model.parameters.get(number as usize).map_or(String::new(), |parameter| parameter.name.input_path().to_owned());
+            format!("{name}{}", "\u{307}".repeat(usize::from(order)))
+        }
         Leaf::Coordinate(index) | Leaf::Speed(index) | Leaf::Acceleration(index) => {
             let Some(unknown) = system.coordinates.get(index as usize) else { return String::new() };
             let symbol = unknown.role.symbol();
@@ -253,7 +272,7 @@ fn equations(page: &mut String, model: &Model, system: &System) {
 }
 
 /// The defaults of the parameters, in SI.
-pub(super) fn default_values(model: &Model, system: &System) -> Vec<f64> {
+pub(crate) fn default_values(model: &Model, system: &System) -> Vec<f64> {
     let roots: Vec<_> = model.parameters.iter().map(|parameter| parameter.default).collect();
     let functions = |_: u32, _: f64| [f64::NAN; 3];
     let values = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
@@ -263,8 +282,20 @@ pub(super) fn default_values(model: &Model, system: &System) -> Vec<f64> {
     defaults.into_iter().map(|value| if value.is_finite() { value } else { f64::MAX }).collect()
 }
 
+/// What is known of an input.
+pub(crate) fn input(parameter: &Parameter) -> String {
+    let unit = parameter.dim.unit();
+    let (unit, rate) = if unit.is_empty() {
+        (String::new(), "per s".to_owned())
+    } else {
+        (format!("in {unit}, "), format!("in {}", parameter.dim.per(Dim::TIME).unit()))
+    };
+    let bounds = parameter.bounds.as_ref().map_or(String::new(), |bounds| format!(", within {}", bounds.text));
+    format!("`{}` {unit}with its rate {rate} and its acceleration{bounds}.", parameter.name.input_path())
+}
+
 /// One line for a field.
-pub(super) fn parameter(parameter: &Parameter) -> String {
+pub(crate) fn parameter(parameter: &Parameter) -> String {
     let mut line = unit_line("A parameter of the mechanism", parameter.dim.unit());
     if let Some(bounds) = &parameter.bounds {
         let _ = write!(line, " It lies in {}.", bounds.text);
@@ -273,7 +304,7 @@ pub(super) fn parameter(parameter: &Parameter) -> String {
 }
 
 /// One line for an output.
-pub(super) fn output(method: &Method, first: &Output) -> String {
+pub(crate) fn output(method: &Method, first: &Output) -> String {
     if first.body.is_some() {
         return format!("The output `{}`: place of its frame's origin (m) and angle (rad), with their rates.", method.name);
     }
@@ -285,7 +316,7 @@ fn unit_line(what: &str, unit: String) -> String {
 }
 
 /// A routine's first line and its cost.
-pub(super) fn routine(what: &str, code: &Code) -> TokenStream {
+pub(crate) fn routine(what: &str, code: &Code) -> TokenStream {
     let Cost { flops, divisions, sines, calls } = code.cost();
     lines(&format!(
         "{what}\n\n{flops} sums and products, {divisions} divisions and roots, {sines} sine-cosine pairs, {calls} other functions."
