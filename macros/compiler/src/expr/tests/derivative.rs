@@ -72,7 +72,7 @@ fn shifted(point: &Point, leaf: Leaf, step: f64) -> Point {
     let mut point = point.clone();
     match leaf {
         Leaf::Time => point.time += step,
-        Leaf::Datum(_) | Leaf::Turn(_) => unreachable!("a point has neither data nor turns"),
+        Leaf::Datum(_) | Leaf::Turn(_) | Leaf::Input { .. } => unreachable!("a point has neither data nor turns nor inputs"),
         Leaf::Parameter(i) => point.parameters[i as usize] += step,
         Leaf::Coordinate(i) => point.coordinates[i as usize] += step,
         Leaf::Speed(i) => point.speeds[i as usize] += step,

@@ -121,7 +121,7 @@ fn total_derivative(arena: &mut Arena, root: Expr) -> Expr {
             Leaf::Time => arena.integer(1),
             Leaf::Coordinate(i) => arena.leaf(Leaf::Speed(i)),
             Leaf::Speed(i) => arena.leaf(Leaf::Acceleration(i)),
-            Leaf::Parameter(_) | Leaf::Datum(_) | Leaf::Turn(_) | Leaf::Acceleration(_) => arena.integer(0),
+            Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_) | Leaf::Turn(_) | Leaf::Acceleration(_) => arena.integer(0),
         };
         let term = arena.mul(partial, rate);
         sum = arena.add(sum, term);

@@ -6,6 +6,7 @@ fn shown(arena: &Arena, root: Expr) -> String {
         Leaf::Time => "t".to_string(),
         Leaf::Parameter(i) => format!("p{i}"),
         Leaf::Datum(i) | Leaf::Turn(i) => format!("d{i}"),
+        Leaf::Input { number, order } => format!("i{number}_{order}"),
         Leaf::Coordinate(i) => ["x", "y", "z"][i as usize % 3].to_string(),
         Leaf::Speed(i) => ["ẋ", "ẏ", "ż"][i as usize % 3].to_string(),
         Leaf::Acceleration(i) => ["ẍ", "ÿ", "z̈"][i as usize % 3].to_string(),
