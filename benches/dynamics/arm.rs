@@ -332,10 +332,11 @@ fn released(angle: &[f64; 6], rate: &[f64; 6]) -> [f64; 6] {
     let mut inverse = [0.0; 6];
     for k in 0..6 {
         inverse[k] = 1.0 / h[k][k];
+        let column = h.map(|row| row[k]);
         for i in k + 1..6 {
-            let factor = h[i][k] * inverse[k];
-            for j in k + 1..=i {
-                h[i][j] -= factor * h[j][k];
+            let factor = column[i] * inverse[k];
+            for (entry, other) in h[i][k + 1..=i].iter_mut().zip(&column[k + 1..=i]) {
+                *entry -= factor * other;
             }
             right[i] -= factor * right[k];
         }
@@ -419,7 +420,6 @@ fn forward() -> Case {
             speed_d: u[3],
             speed_e: u[4],
             speed_f: u[5],
-            ..Free::default()
         };
         (mechanism, mechanism.initial_state().unwrap_or_else(|stopped| panic!("{stopped}")))
     };

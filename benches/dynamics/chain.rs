@@ -40,7 +40,7 @@ macro_rules! chain {
                 let at = |k: usize| {
                     let (sine, cosine) = (std::f64::consts::TAU * k as f64 / STATES as f64).sin_cos();
                     let start = std::f64::consts::FRAC_PI_2 + 0.4 * sine;
-                    let mechanism = $name { start, speed: 0.4 * std::f64::consts::TAU * cosine, ..$name::default() };
+                    let mechanism = $name { start, speed: 0.4 * std::f64::consts::TAU * cosine };
                     (mechanism, mechanism.initial_state().unwrap_or_else(|stopped| panic!("{stopped}")))
                 };
                 let states: Vec<($name, $state<f64>)> = (0..STATES).map(at).collect();
@@ -131,13 +131,13 @@ fn released<const BARS: usize, const CRANKS: usize>(angle: &[f64; BARS], rate: &
     unit[0] = 1.0;
     let mut mass = 1.0 / 3.0;
     let mut moment = 0.5 * GRAVITY * e[0].x;
-    for j in 1..CRANKS {
+    for (j, per) in per.iter_mut().enumerate().skip(1) {
         let (a, h, v) = (2 * j - 2, 2 * j - 1, 2 * j);
-        per[j] = 1.0 / n[h].dot(&e[v]);
+        *per = 1.0 / n[h].dot(&e[v]);
         let from = n[a] * -unit[a];
-        (unit[h], unit[v]) = (from.dot(&e[v]) * per[j], from.dot(&e[h]) * per[j]);
+        (unit[h], unit[v]) = (from.dot(&e[v]) * *per, from.dot(&e[h]) * *per);
         let from = e[a] * square[a] + e[h] * square[h] - e[v] * square[v] - n[a] * bias[a];
-        (bias[h], bias[v]) = (from.dot(&e[v]) * per[j], from.dot(&e[h]) * per[j]);
+        (bias[h], bias[v]) = (from.dot(&e[v]) * *per, from.dot(&e[h]) * *per);
         let center = n[a] * unit[a] + n[h] * (0.5 * unit[h]);
         let pull = n[a] * bias[a] - e[a] * square[a] + (n[h] * bias[h] - e[h] * square[h]) * 0.5 + Vector2::new(0.0, GRAVITY);
         mass += center.norm_squared() + unit[h] * unit[h] * (1.0 / 12.0) + unit[v] * unit[v] * (1.0 / 3.0);

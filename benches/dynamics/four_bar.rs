@@ -112,7 +112,7 @@ pub(crate) fn cases() -> Vec<Case> {
 fn states() -> Vec<(FourBar, FourBarState<f64>)> {
     let at = |k: usize| {
         let (sine, cosine) = (std::f64::consts::TAU * k as f64 / STATES as f64).sin_cos();
-        let mechanism = FourBar { start: 0.3 + 1.2 * sine, speed: 1.2 * std::f64::consts::TAU * cosine, ..FourBar::default() };
+        let mechanism = FourBar { start: 0.3 + 1.2 * sine, speed: 1.2 * std::f64::consts::TAU * cosine };
         (mechanism, mechanism.initial_state().unwrap_or_else(|stopped| panic!("{stopped}")))
     };
     (0..STATES).map(at).collect()

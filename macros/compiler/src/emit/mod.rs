@@ -370,7 +370,8 @@ fn state(model: &Model, system: &System) -> TokenStream {
     });
     // The names of a stub come by a glob, too, and have to give way.
     let inputs_name = model.holds_inputs().then(|| inputs::type_name(name));
-    let names = if model.has_stub { quote!({ #own_name, #failure_name, #inputs_name }) } else { quote!(*) };
+    let others = failure_name.iter().chain(&inputs_name);
+    let names = if model.has_stub { quote!({ #own_name #(, #others)* }) } else { quote!(*) };
     let allowed = allowed();
     let inputs = model.holds_inputs().then(|| {
         let (kind, page) = (inputs::type_name(name), docs::line("The inputs that it was solved for."));
