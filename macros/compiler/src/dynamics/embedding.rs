@@ -4,7 +4,7 @@
 //! q_e = h(q, t)      u_e = Σ E_er u_r + ν_e      u̇_e = Σ E_er u̇_r + γ_e
 //! ```
 
-use super::{Masses, MotionRow};
+use super::{Masses, MotionRow, squares};
 use crate::expr::{Arena, Expr, Leaf, Substitution};
 use crate::system::Equation;
 use std::collections::{BTreeMap, BTreeSet};
@@ -236,7 +236,8 @@ impl Embedding<'_> {
         }
         let lower = |row: usize| integrated[..=row].iter().map(move |column| (row, *column)).collect::<Vec<_>>();
         let places = (0..integrated.len()).flat_map(lower);
-        places.map(|(row, column)| both.get(&(integrated[row], column)).copied().unwrap_or(zero)).collect()
+        let entry = |(row, column): (usize, usize)| both.get(&(integrated[row], column)).copied().unwrap_or(zero);
+        places.map(|place| squares::folded(self.arena, entry(place))).collect()
     }
 
     /// Eᵀ f at u̇ = 0

@@ -15,6 +15,7 @@ mod elimination;
 mod embedding;
 mod loads;
 mod order;
+mod squares;
 #[cfg(test)]
 mod tests;
 
