@@ -1,13 +1,16 @@
 //! Accelerations in closed form: the equations of motion, eliminated in an order that is good where the mechanism is assembled.
 //!
 //! ```text
-//! J u̇ = γ              solved for dependent accelerations, pivot by pivot
+//! J u̇ = γ              solved for dependent accelerations, block by block
 //! u̇ = N a + p          (Nᵀ M N) a = −Nᵀ (f + M p), by L D Lᵀ
 //! ```
 //!
-//! The pivots are compared with their rows while they are used: where one becomes too small, the runtime eliminates in another order.
+//! The determinants of the blocks are compared with their rows while they are used: where one becomes too small, the runtime eliminates in
+//! another order.
 
 use super::MotionRow;
+use super::cofactors::Cofactors;
+use super::order::PivotBlock;
 use crate::expr::{Arena, Expr, Unary};
 use std::collections::BTreeMap;
 
@@ -16,55 +19,20 @@ use std::collections::BTreeMap;
 pub struct Accelerations {
     /// u̇, by integrated speed.
     pub values: Vec<Expr>,
-    /// Pivots of J, each with the number that its size has to exceed.
+    /// Pivots and determinants of J, each with the number that its size has to exceed.
     pub pivots: Vec<[Expr; 2]>,
     /// Pivots of the mass matrix, each with the number that it has to exceed.
     pub masses: Vec<[Expr; 2]>,
 }
 
-/// A pivot is trusted above one part in so many of the sum of its row. Orientations follow from nearly equal components: they need more.
+/// One part in so many is trusted. Orientations follow from nearly equal components: they need more.
 const TRUSTED: i64 = 16;
 const TRUSTED_OF_ORIENTATIONS: i64 = 8;
 
-/// A pivot has at least this fraction of the largest entry in its row, so that it stays trusted for long.
-const STEADY: f64 = 0.2;
-
-/// Row and column of each pivot: among those that are large in their rows, as the runtime asks, those with the least fill-in.
-///
-/// * `rows`: given, the numbers of J where the mechanism is assembled, in comparable units.
-/// * `is_zero`: given, true for an entry that always vanishes.
-pub(super) fn order(rows: &[Vec<f64>], is_zero: impl Fn(usize, usize) -> bool) -> Option<Vec<(usize, usize)>> {
-    let count = rows.first().map_or(0, Vec::len);
-    let mut numbers = rows.to_vec();
-    let mut filled: Vec<Vec<bool>> = (0..rows.len()).map(|row| (0..count).map(|column| !is_zero(row, column)).collect()).collect();
-    let (mut open, mut free): (Vec<usize>, Vec<usize>) = ((0..rows.len()).collect(), (0..count).collect());
-    let mut pivots = Vec::new();
-    while !open.is_empty() {
-        let in_column = |column: usize| open.iter().filter(|row| filled[**row][column]).count();
-        let candidates = open.iter().flat_map(|row| {
-            let largest = free.iter().map(|column| numbers[*row][*column].abs()).fold(0.0, f64::max);
-            let in_row = free.iter().filter(|column| filled[*row][**column]).count();
-            let steady = free.iter().filter(|column| numbers[*row][**column].abs() >= STEADY * largest && largest > 0.0);
-            steady.map(|column| ((in_row - 1) * (in_column(*column) - 1), *row, *column)).collect::<Vec<_>>()
-        });
-        let (_, row, column) = candidates.min()?;
-        open.retain(|other| *other != row);
-        free.retain(|other| *other != column);
-        for other in &open {
-            if !filled[*other][column] {
-                continue;
-            }
-            let factor = numbers[*other][column] / numbers[row][column];
-            for entry in &free {
-                if filled[row][*entry] {
-                    filled[*other][*entry] = true;
-                    numbers[*other][*entry] -= factor * numbers[row][*entry];
-                }
-            }
-        }
-        pivots.push((row, column));
-    }
-    Some(pivots)
+/// A pivot of J is trusted above one part in so many of the sum of its row, a determinant above such a part of the product of its rows'
+/// sums.
+pub(super) fn trusted(has_orientations: bool) -> i64 {
+    if has_orientations { TRUSTED_OF_ORIENTATIONS } else { TRUSTED }
 }
 
 /// Adds a product to a sum.
@@ -78,12 +46,11 @@ pub(super) struct SparseRows<'a> {
     arena: &'a mut Arena,
     entries: Vec<BTreeMap<usize, Expr>>,
     sides: Vec<Expr>,
-    /// Row and column of each pivot, and one over it.
-    pivots: Vec<(usize, usize, Expr)>,
-    /// One part in so many of its row's sum is enough for a pivot.
-    trusted: Expr,
-    /// For each row what it must not vanish beside: a small part of its sum before elimination.
-    least: Vec<Expr>,
+    pivots: Vec<(PivotBlock, Cofactors)>,
+    /// One part in so many of its row's sum is enough for a pivot, and of the product of its rows' sums for a determinant.
+    trusted: i64,
+    /// Sum of the sizes of each row's entries before elimination.
+    before: Vec<Expr>,
 }
 
 /// A row of which less than one part in so many is left depends on the others.
@@ -91,23 +58,22 @@ const LEFT: i64 = 1 << 30;
 
 /// Solves the equations of motion.
 ///
-/// * `order`: given, rows and columns of the pivots of J.
+/// * `order`: given, blocks of rows of J and of the columns that they are solved for.
 /// * `lengths`: given, for each speed the number that makes it comparable with the others, as an expression.
-/// * `has_orientations`: given, true if quaternions are integrated.
+/// * `trusted`: given, as [`trusted`] says.
 pub(super) fn accelerations(
     arena: &mut Arena,
     (rows, mass, forces): (&[MotionRow], &[Expr], &[Expr]),
-    order: &[(usize, usize)],
+    order: &[PivotBlock],
     lengths: &[Expr],
-    has_orientations: bool,
+    trusted: i64,
 ) -> Accelerations {
     let zero = arena.integer(0);
     let count = forces.len();
     let matrix: Vec<Vec<Expr>> = rows.iter().map(|row| row.jacobian.clone()).collect();
-    let trusted = if has_orientations { TRUSTED_OF_ORIENTATIONS } else { TRUSTED };
     let mut work = SparseRows::new(arena, &matrix, rows.iter().map(|row| row.gamma).collect(), lengths, trusted);
-    let pivots: Vec<[Expr; 2]> = order.iter().map(|(row, column)| work.eliminate(*row, *column, lengths)).collect();
-    let is_dependent = |column: &usize| order.iter().any(|(_, dependent)| dependent == column);
+    let pivots: Vec<[Expr; 2]> = order.iter().map(|block| work.eliminate(block, lengths)).collect();
+    let is_dependent = |column: &usize| order.iter().any(|block| block.columns.contains(column));
     let independent: Vec<usize> = (0..count).filter(|column| !is_dependent(column)).collect();
     let particular = work.solution(None, count);
     let motions: Vec<Vec<Expr>> = independent.iter().map(|column| work.solution(Some(*column), count)).collect();
@@ -157,13 +123,8 @@ impl<'a> SparseRows<'a> {
         let zero = arena.integer(0);
         let entries = |row: &Vec<Expr>| row.iter().copied().enumerate().filter(|(_, entry)| *entry != zero).collect();
         let entries = matrix.iter().map(entries).collect();
-        let trusted = arena.integer(trusted);
-        let mut work = SparseRows { arena, entries, sides, pivots: Vec::new(), trusted, least: Vec::new() };
-        for row in 0..matrix.len() {
-            let (sum, left) = (work.size(row, lengths), work.arena.integer(LEFT));
-            let least = work.arena.div(sum, left);
-            work.least.push(least);
-        }
+        let mut work = SparseRows { arena, entries, sides, pivots: Vec::new(), trusted, before: Vec::new() };
+        work.before = (0..matrix.len()).map(|row| work.size(row, lengths)).collect();
         work
     }
 
@@ -178,28 +139,62 @@ impl<'a> SparseRows<'a> {
         size
     }
 
-    /// Eliminates a column from the rows that are left; returns the pivot and the number that its size has to exceed.
-    pub(super) fn eliminate(&mut self, row: usize, column: usize, lengths: &[Expr]) -> [Expr; 2] {
-        let (one, size) = (self.arena.integer(1), self.size(row, lengths));
-        let (own, side) = (self.entries[row].clone(), self.sides[row]);
-        let pivot = own[&column];
-        let scaled = self.arena.mul(pivot, lengths[column]);
-        let inverse = self.arena.div(one, pivot);
-        let done: Vec<usize> = self.pivots.iter().map(|(row, _, _)| *row).chain([row]).collect();
-        for other in (0..self.entries.len()).filter(|other| !done.contains(other)) {
-            let Some(entry) = self.entries[other].remove(&column) else { continue };
-            let factor = self.arena.mul(entry, inverse);
-            let factor = self.arena.neg(factor);
-            for (at, entry) in own.iter().filter(|(at, _)| **at != column) {
-                let zero = self.arena.integer(0);
-                let sum = self.entries[other].entry(*at).or_insert(zero);
-                add_product(self.arena, sum, factor, *entry);
+    /// The sum of a row's sizes, and what it must not vanish beside: a small part of the sum before elimination.
+    fn judged(&mut self, row: usize, lengths: &[Expr]) -> Expr {
+        let (size, before) = (self.size(row, lengths), self.before[row]);
+        if size == before {
+            return size;
+        }
+        let left = self.arena.integer(LEFT / self.trusted);
+        let least = self.arena.div(before, left);
+        self.arena.add(size, least)
+    }
+
+    /// Eliminates the columns of a block from the rows that are left; returns its determinant and the number that the size of this has to
+    /// exceed.
+    pub(super) fn eliminate(&mut self, block: &PivotBlock, lengths: &[Expr]) -> [Expr; 2] {
+        let PivotBlock { rows, columns } = block;
+        let zero = self.arena.integer(0);
+        let entry = |row: &usize, column: &usize| self.entries[*row].get(column).copied().unwrap_or(zero);
+        let matrix: Vec<Vec<Expr>> = rows.iter().map(|row| columns.iter().map(|column| entry(row, column)).collect()).collect();
+        let cofactors = Cofactors::new(self.arena, &matrix);
+        let (mut scaled, mut least) = (cofactors.determinant, self.arena.integer(1));
+        for (row, column) in rows.iter().zip(columns) {
+            scaled = self.arena.mul(scaled, lengths[*column]);
+            let size = self.judged(*row, lengths);
+            least = self.arena.mul(least, size);
+        }
+        let trusted = self.arena.integer(self.trusted);
+        least = self.arena.div(least, trusted);
+        self.pivots.push((block.clone(), cofactors));
+        for other in 0..self.entries.len() {
+            if !self.pivots.iter().any(|(done, _)| done.rows.contains(&other)) {
+                self.reduce(other);
             }
+        }
+        [scaled, least]
+    }
+
+    /// Subtracts multiples of the rows of the last block from a row, so that the columns of the block vanish from it.
+    fn reduce(&mut self, other: usize) {
+        let Some((PivotBlock { rows, columns }, cofactors)) = self.pivots.last() else { return };
+        let zero = self.arena.integer(0);
+        let entries: Vec<Option<Expr>> = columns.iter().map(|column| self.entries[other].remove(column)).collect();
+        if entries.iter().all(Option::is_none) {
+            return;
+        }
+        let entries: Vec<Expr> = entries.into_iter().map(|entry| entry.unwrap_or(zero)).collect();
+        let factors = cofactors.solve_transposed(self.arena, &entries);
+        for (row, factor) in rows.iter().zip(factors) {
+            let factor = self.arena.neg(factor);
+            let own: Vec<(usize, Expr)> = self.entries[*row].iter().map(|(at, entry)| (*at, *entry)).collect();
+            for (at, entry) in own.into_iter().filter(|(at, _)| !columns.contains(at)) {
+                let sum = self.entries[other].entry(at).or_insert(zero);
+                add_product(self.arena, sum, factor, entry);
+            }
+            let side = self.sides[*row];
             add_product(self.arena, &mut self.sides[other], factor, side);
         }
-        self.pivots.push((row, column, inverse));
-        let steady = self.arena.div(size, self.trusted);
-        [scaled, self.arena.add(steady, self.least[row])]
     }
 
     /// `None`: the unknowns for the right-hand sides, with independent ones zero; `Some(k)`: those without right-hand sides, u_k = 1.
@@ -209,15 +204,18 @@ impl<'a> SparseRows<'a> {
         if let Some(unit) = unit {
             unknowns[unit] = one;
         }
-        for (row, column, inverse) in self.pivots.clone().into_iter().rev() {
-            let mut sum = if unit.is_none() { self.sides[row] } else { zero };
-            for (at, entry) in self.entries[row].clone() {
-                if at != column {
-                    let entry = self.arena.neg(entry);
-                    add_product(self.arena, &mut sum, entry, unknowns[at]);
+        for (PivotBlock { rows, columns }, cofactors) in self.pivots.iter().rev() {
+            let mut sides = Vec::new();
+            for row in rows {
+                let mut sum = if unit.is_none() { self.sides[*row] } else { zero };
+                for (at, entry) in self.entries[*row].iter().filter(|(at, _)| !columns.contains(at)) {
+                    let entry = self.arena.neg(*entry);
+                    add_product(self.arena, &mut sum, entry, unknowns[*at]);
                 }
+                sides.push(sum);
             }
-            unknowns[column] = self.arena.mul(sum, inverse);
+            let found = cofactors.solve(self.arena, &sides);
+            columns.iter().zip(found).for_each(|(column, value)| unknowns[*column] = value);
         }
         unknowns
     }

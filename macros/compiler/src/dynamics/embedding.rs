@@ -4,10 +4,10 @@
 //! q_e = h(q, t)      u_e = Σ E_er u_r + ν_e      u̇_e = Σ E_er u̇_r + γ_e
 //! ```
 
-use super::{Masses, MotionRow};
+use super::{Masses, MotionRow, squares};
 use crate::expr::{Arena, Expr, Leaf, Substitution};
 use crate::system::Equation;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Coordinates written in those that are integrated.
 pub(super) struct Embedding<'a> {
@@ -38,7 +38,8 @@ impl Embedding<'_> {
         Embedding { arena, explicit: BTreeMap::new(), coordinates, substitution: Substitution::new() }
     }
 
-    /// Solves rows for coordinates that stand alone in them, those first that offer the fewest; returns the rows that are left.
+    /// Solves rows for coordinates that stand alone in them, those first that offer the fewest, and of these those that depend on the fewest
+    /// speeds, so that bodies are reached on the shortest way from ground; returns the rows that are left.
     ///
     /// * `pivots`: given, for each row the coordinates with a factor that is never zero.
     pub(super) fn eliminate(&mut self, rows: &[Equation], pivots: &[Vec<usize>]) -> Vec<usize> {
@@ -46,15 +47,27 @@ impl Embedding<'_> {
         loop {
             let offers = |row: &usize| {
                 let offers: Vec<usize> = pivots[*row].iter().copied().filter(|pivot| self.stands_alone(&rows[*row], *pivot)).collect();
-                (!offers.is_empty()).then_some((offers.len(), *row, offers))
+                (!offers.is_empty()).then(|| (offers.len(), self.speeds(&rows[*row]), *row, offers))
             };
-            let Some((_, row, offers)) = left.iter().filter_map(offers).min() else { return left };
+            let Some((_, _, row, offers)) = left.iter().filter_map(offers).min() else { return left };
             // Bodies are reached outwards: of two new ones the later follows the earlier.
             if let Some(pivot) = offers.into_iter().max() {
                 self.solve(&rows[row], pivot);
             }
             left.retain(|other| *other != row);
         }
+    }
+
+    /// How many speeds of coordinates that are not explicit a row depends on.
+    fn speeds(&self, row: &Equation) -> usize {
+        let mut speeds = BTreeSet::new();
+        for (unknown, _) in &row.jacobian {
+            match self.explicit.get(unknown) {
+                Some(explicit) => speeds.extend(explicit.motion.factors.keys().copied()),
+                None => _ = speeds.insert(*unknown),
+            }
+        }
+        speeds.len()
     }
 
     /// True if a coordinate is not explicit, and no explicit coordinate of the row depends on it.
@@ -223,7 +236,8 @@ impl Embedding<'_> {
         }
         let lower = |row: usize| integrated[..=row].iter().map(move |column| (row, *column)).collect::<Vec<_>>();
         let places = (0..integrated.len()).flat_map(lower);
-        places.map(|(row, column)| both.get(&(integrated[row], column)).copied().unwrap_or(zero)).collect()
+        let entry = |(row, column): (usize, usize)| both.get(&(integrated[row], column)).copied().unwrap_or(zero);
+        places.map(|place| squares::folded(self.arena, entry(place))).collect()
     }
 
     /// Eᵀ f at u̇ = 0

@@ -10,7 +10,9 @@
 //! Determinants and pivots are compared with their terms while they are used: where one is too small, the runtime eliminates all rows with
 //! complete pivoting.
 
-use super::elimination::{SparseRows, order};
+use super::cofactors::{BY_COFACTORS, Cofactors};
+use super::elimination::SparseRows;
+use super::order::OpenRows;
 use crate::assembly::Assembly;
 use crate::expr::{Arena, Expr, Unary, Values, evaluate};
 use crate::model::Model;
@@ -45,9 +47,6 @@ pub struct Multipliers {
 /// A determinant below one part in so many of its terms is not trusted, nor a pivot below such a part of its row.
 const TRUSTED: i64 = 1 << 16;
 const TRUSTED_PIVOT: i64 = 1 << 10;
-
-/// Blocks of up to this many multipliers are solved by cofactors.
-const BY_COFACTORS: usize = 3;
 
 /// Loads, if there are masses or forces.
 pub(crate) fn loads(model: &Model, system: &System, structure: &Structure, assembly: &Assembly) -> Option<Loads> {
@@ -299,11 +298,12 @@ impl<'a> LoadMatrix<'a> {
         } else {
             let number = |row: &usize, column: &usize| self.numbers[*row].get(column).copied().unwrap_or(0.0) * self.lengths[*column];
             let numbers: Vec<Vec<f64>> = rows.iter().map(|row| columns.iter().map(|column| number(row, column)).collect()).collect();
-            let order = order(&numbers, |row, column| matrix[row][column] == zero)?;
+            let joints: Vec<usize> = (0..rows.len()).collect();
+            let order = OpenRows::new(&numbers, |row, column| matrix[row][column] == zero, (&joints, &[]), TRUSTED_PIVOT).order()?;
             let lengths: Vec<f64> = columns.iter().map(|column| self.lengths[*column]).collect();
             let lengths: Vec<Expr> = lengths.into_iter().map(|length| super::power_of_two(self.arena, length)).collect();
             let mut work = SparseRows::new(self.arena, &matrix, sides, &lengths, TRUSTED_PIVOT);
-            let checks: Vec<[Expr; 2]> = order.iter().map(|(row, column)| work.eliminate(*row, *column, &lengths)).collect();
+            let checks: Vec<[Expr; 2]> = order.iter().map(|block| work.eliminate(block, &lengths)).collect();
             let found = work.solution(None, columns.len());
             self.checks.extend(checks.into_iter().map(|[pivot, least]| [self.arena.unary(Unary::Abs, pivot), least]));
             found
@@ -324,51 +324,13 @@ impl<'a> LoadMatrix<'a> {
 
     /// A⁻¹ b of two or three rows.
     fn by_cofactors(&mut self, matrix: &[Vec<Expr>], sides: &[Expr]) -> Vec<Expr> {
-        let count = sides.len();
-        let cofactor = |arena: &mut Arena, row: usize, column: usize| {
-            let rest = |without: usize| (0..count).filter(move |k| *k != without).collect::<Vec<_>>();
-            let minor = determinant(arena, matrix, &rest(row), &rest(column));
-            if (row + column).is_multiple_of(2) { minor } else { [arena.neg(minor[0]), minor[1]] }
-        };
-        let zero = self.arena.integer(0);
-        let adjugate: Vec<Vec<[Expr; 2]>> =
-            (0..count).map(|column| (0..count).map(|row| cofactor(self.arena, row, column)).collect()).collect();
-        let [mut whole, mut terms] = [zero; 2];
-        for (column, entry) in matrix[0].iter().enumerate() {
-            let product = self.arena.mul(*entry, adjugate[column][0][0]);
-            whole = self.arena.add(whole, product);
-            let size = self.arena.unary(Unary::Abs, *entry);
-            let product = self.arena.mul(size, adjugate[column][0][1]);
-            terms = self.arena.add(terms, product);
-        }
-        if self.arena.as_constant(whole).is_none() {
+        let cofactors = Cofactors::new(self.arena, matrix);
+        let Cofactors { determinant, terms, .. } = cofactors;
+        if self.arena.as_constant(determinant).is_none() {
             let trusted = self.arena.integer(TRUSTED);
-            let (size, least) = (self.arena.unary(Unary::Abs, whole), self.arena.div(terms, trusted));
+            let (size, least) = (self.arena.unary(Unary::Abs, determinant), self.arena.div(terms, trusted));
             self.checks.push([size, least]);
         }
-        let one = self.arena.integer(1);
-        let inverse = self.arena.div(one, whole);
-        let value = |row: &Vec<[Expr; 2]>| {
-            let mut sum = zero;
-            for (factor, side) in row.iter().zip(sides) {
-                let product = self.arena.mul(factor[0], *side);
-                sum = self.arena.add(sum, product);
-            }
-            self.arena.mul(sum, inverse)
-        };
-        adjugate.iter().map(value).collect()
-    }
-}
-
-/// Determinant of up to two rows, and the sum of the sizes of its terms.
-fn determinant(arena: &mut Arena, matrix: &[Vec<Expr>], rows: &[usize], columns: &[usize]) -> [Expr; 2] {
-    match (rows, columns) {
-        (&[row], &[column]) => [matrix[row][column], arena.unary(Unary::Abs, matrix[row][column])],
-        (&[a, b], &[c, d]) => {
-            let (left, right) = (arena.mul(matrix[a][c], matrix[b][d]), arena.mul(matrix[a][d], matrix[b][c]));
-            let sizes = [left, right].map(|product| arena.unary(Unary::Abs, product));
-            [arena.sub(left, right), arena.add(sizes[0], sizes[1])]
-        }
-        _ => [arena.integer(1); 2],
+        cofactors.solve(self.arena, sides)
     }
 }

@@ -10,10 +10,13 @@
 //! ```
 
 mod check;
+mod cofactors;
 mod elimination;
 mod embedding;
 mod loads;
 mod massless;
+mod order;
+mod squares;
 #[cfg(test)]
 mod tests;
 
@@ -29,6 +32,7 @@ pub use elimination::Accelerations;
 use embedding::Embedding;
 pub(crate) use loads::loads;
 pub use loads::{Loads, Multipliers};
+use order::OpenRows;
 use std::collections::{BTreeMap, HashMap};
 
 /// Equations of motion.
@@ -69,13 +73,25 @@ impl Dynamics {
             return None;
         }
         let numbers = check::AtStart::new(numeric, assembly, self).constraints();
-        let order = elimination::order(&numbers, |row, column| self.rows[row].jacobian[column] == self.zero)?;
+        let is_quaternion = |unknown: &usize| matches!(numeric.system.coordinates[*unknown].role, Role::Quaternion(_));
+        let trusted = elimination::trusted(self.integrated.iter().any(is_quaternion));
+        let joints: Vec<usize> = self.rows.iter().map(|row| row.of.0).collect();
+        let freedoms = self.freedoms();
+        let is_zero = |row: usize, column: usize| self.rows[row].jacobian[column] == self.zero;
+        let order = OpenRows::new(&numbers, is_zero, (&joints, &freedoms), trusted).order()?;
         let scales: Vec<f64> = self.integrated.iter().map(|unknown| numeric.scale(*unknown)).collect();
         let lengths: Vec<Expr> = scales.into_iter().map(|scale| power_of_two(&mut self.arena, scale)).collect();
-        let is_quaternion = |unknown: &usize| matches!(numeric.system.coordinates[*unknown].role, Role::Quaternion(_));
-        let has_orientations = self.integrated.iter().any(is_quaternion);
         let equations = (self.rows.as_slice(), self.mass.as_slice(), self.forces.as_slice());
-        Some(elimination::accelerations(&mut self.arena, equations, &order, &lengths, has_orientations))
+        Some(elimination::accelerations(&mut self.arena, equations, &order, &lengths, trusted))
+    }
+
+    /// Integrated speeds that are freedoms by themselves.
+    fn freedoms(&self) -> Vec<usize> {
+        let alone = |row: &MotionRow| {
+            let mut entries = (0..row.jacobian.len()).filter(|column| row.jacobian[*column] != self.zero);
+            entries.next().filter(|_| entries.next().is_none())
+        };
+        self.initial.iter().filter_map(alone).collect()
     }
 }
 

@@ -1,5 +1,8 @@
 //! Loads in closed form against a dense solution of the same equations.
 
+mod accelerations;
+mod squares;
+
 use crate::compile;
 use crate::expr::{Leaf, Substitution, Values, evaluate};
 use crate::linear::dense;

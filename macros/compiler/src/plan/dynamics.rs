@@ -29,7 +29,7 @@ pub struct DynamicsCode {
     pub checked: Routine,
     /// J row by row, γ, the lower triangle of M row by row, f.
     pub balance: Routine,
-    /// u̇, then the pivots of its computation, each with the number that it has to exceed; those of masses last.
+    /// u̇, then the pivots and determinants of its computation, each with the number that it has to exceed; those of masses last.
     pub accelerations: Option<Routine>,
     /// Number of pivots of masses.
     pub masses: usize,

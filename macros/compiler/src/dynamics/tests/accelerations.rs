@@ -1,0 +1,141 @@
+//! Accelerations in closed form against a dense solution in the coordinates of all bodies.
+
+use crate::compile;
+use crate::expr::{Values, evaluate};
+use crate::linear::dense;
+use crate::numeric::at_defaults;
+use std::f64::consts::TAU;
+
+/// Ground, crank, coupler and rocker.
+type Lengths = [f64; 4];
+
+const SWINGING: Lengths = [4.0, 1.0, 3.5, 3.0];
+const PARALLEL: Lengths = [4.0, 3.0, 4.0, 3.0];
+
+/// A four-bar with a free crank, assembled with these angles of crank, coupler and rocker.
+fn declaration([ground, crank, coupler, rocker]: Lengths, [start, of_coupler, of_rocker]: [f64; 3]) -> String {
+    format!(
+        "mechanism FourBar {{
+            gravity = (0, -9.81m_s2);
+            ground {{ point D = ({ground}m, 0m); }}
+            body crank   {{ point B = ({crank}m, 0m);    mass = 1kg;    center = ({crank}m / 2, 0.1m);     inertia = 0.1kgm2; }}
+            body coupler {{ point C = ({coupler}m, 0m);  mass = 3.5kg;  center = ({coupler}m / 2, -0.2m);  inertia = 4kgm2;  start angle = {of_coupler}rad; }}
+            body rocker  {{ point C = ({rocker}m, 0m);   mass = 3kg;    center = ({rocker}m / 2, 0m);      inertia = 2kgm2;  start angle = {of_rocker}rad; }}
+            joint a = revolute(ground.position, crank.position);
+            joint b = revolute(crank.B, coupler.position);
+            joint c = revolute(coupler.C, rocker.C);
+            joint d = revolute(rocker.position, ground.D);
+            freedom swing = crank.angle from {start}rad;
+        }}"
+    )
+}
+
+/// Positions and speeds of crank, coupler and rocker, three each, for an angle and a speed of the crank: the coupler's end is where circles
+/// about the ends of crank and ground meet.
+fn pose([ground, crank, coupler, rocker]: Lengths, [angle, speed]: [f64; 2]) -> [Vec<f64>; 2] {
+    let (sine, cosine) = angle.sin_cos();
+    let b = [crank * cosine, crank * sine];
+    let d = [ground - b[0], -b[1]];
+    let square = d[0] * d[0] + d[1] * d[1];
+    let along = 0.5 + (coupler * coupler - rocker * rocker) / (2.0 * square);
+    let across = (coupler * coupler / square - along * along).sqrt();
+    let c = [b[0] + along * d[0] - across * d[1], b[1] + along * d[1] + across * d[0]];
+    let of_coupler = (c[1] - b[1]).atan2(c[0] - b[0]);
+    let of_rocker = c[1].atan2(c[0] - ground);
+    let transmission = (of_rocker - of_coupler).sin();
+    let rate_of_coupler = speed * crank * (angle - of_rocker).sin() / (coupler * transmission);
+    let rate_of_rocker = speed * crank * (angle - of_coupler).sin() / (rocker * transmission);
+    let coordinates = vec![0.0, 0.0, angle, b[0], b[1], of_coupler, ground, 0.0, of_rocker];
+    let speeds = vec![0.0, 0.0, speed, -speed * b[1], speed * b[0], rate_of_coupler, 0.0, 0.0, rate_of_rocker];
+    [coordinates, speeds]
+}
+
+/// Counts the poses in which a pivot is not trusted; in the others accelerations are compared with those of Lagrange's equations of the first
+/// kind.
+fn untrusted(lengths: Lengths, start: f64, motions: impl Iterator<Item = [f64; 2]>) -> usize {
+    let assembled = &pose(lengths, [start, 0.0])[0];
+    let text = declaration(lengths, [start, assembled[5], assembled[8]]);
+    let compiled = compile(text.parse().expect("tokens")).expect("a valid mechanism");
+    let code = compiled.plan.dynamics.as_ref().expect("equations of motion");
+    let routine = code.accelerations.as_ref().expect("accelerations in closed form");
+    let (mut count, mut worst) = (0, 0.0_f64);
+    for motion in motions {
+        let [coordinates, speeds] = pose(lengths, motion);
+        let wanted = dense_accelerations(&compiled, &coordinates, &speeds);
+        let found = at_defaults(&compiled.model, &compiled.system, |numeric| {
+            evaluate(&code.arena, &routine.results, &Values { coordinates: &coordinates, speeds: &speeds, ..numeric.known })
+        });
+        let (values, pivots) = found.split_at(code.integrated.len());
+        if pivots.chunks(2).any(|pair| pair[0].abs() <= pair[1]) {
+            count += 1;
+            continue;
+        }
+        let size = wanted.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
+        for (unknown, value) in code.integrated.iter().zip(values) {
+            worst = worst.max((value - wanted[*unknown]).abs() / size);
+        }
+    }
+    assert!(worst < 1e-11, "{worst:e}");
+    count
+}
+
+/// u̇ of M u̇ + Φ_uᵀ λ = −f, Φ_u u̇ = γ in all speeds of bodies.
+fn dense_accelerations(compiled: &crate::Compiled, coordinates: &[f64], speeds: &[f64]) -> Vec<f64> {
+    let system = &compiled.system;
+    let forces = &system.balance.as_ref().expect("forces").forces;
+    let rows: Vec<_> = system.equations.iter().filter(|row| !row.is_initial).collect();
+    let (width, size) = (speeds.len(), speeds.len() + rows.len());
+    at_defaults(&compiled.model, system, |numeric| {
+        let forces_at =
+            |accelerations: &[f64]| evaluate(&system.arena, forces, &Values { coordinates, speeds, accelerations, ..numeric.known });
+        let still = vec![0.0; width];
+        let rest = forces_at(&still);
+        let (mut matrix, mut right) = (vec![vec![0.0; size]; size], rest.iter().map(|force| -force).collect::<Vec<f64>>());
+        for column in 0..width {
+            let mut unit = still.clone();
+            unit[column] = 1.0;
+            forces_at(&unit).iter().zip(&rest).enumerate().for_each(|(row, (force, rest))| matrix[row][column] = force - rest);
+        }
+        for (number, row) in rows.iter().enumerate() {
+            let roots: Vec<_> = row.jacobian.iter().map(|(_, entry)| *entry).chain([row.gamma]).collect();
+            let values = evaluate(&system.arena, &roots, &Values { coordinates, speeds, accelerations: &still, ..numeric.known });
+            for ((speed, _), value) in row.jacobian.iter().zip(&values) {
+                matrix[width + number][*speed] = *value;
+                matrix[*speed][width + number] = *value;
+            }
+            right.extend(values.last());
+        }
+        dense::solve(matrix, &right).expect("a regular pose")
+    })
+}
+
+#[test]
+fn a_swinging_four_bar_has_accelerations_in_closed_form_in_all_poses() {
+    // Among them the one with crank and coupler in line, in which the rocker stands still: 4.5, 4 and 3 m are the sides of a triangle.
+    let in_line = ((4.5_f64.powi(2) + 4.0_f64.powi(2) - 3.0_f64.powi(2)) / (2.0 * 4.5 * 4.0)).acos();
+    let swing = (0..256).map(|k| {
+        let (sine, cosine) = (TAU * f64::from(k) / 256.0).sin_cos();
+        [0.3 + 1.2 * sine, 1.2 * TAU * cosine]
+    });
+    let near = [-1e-3, 0.0, 1e-3].map(|off| [in_line + off, 2.0]);
+    assert_eq!(untrusted(SWINGING, 0.3, swing.chain(near)), 0);
+}
+
+#[test]
+fn a_crank_that_turns_has_accelerations_in_closed_form_throughout() {
+    assert_eq!(untrusted(SWINGING, 0.3, (0..256).map(|k| [TAU * f64::from(k) / 256.0, 1.0])), 0);
+}
+
+#[test]
+fn a_horizontal_coupler_does_no_harm() {
+    // The coupler of a parallelogram stays horizontal.
+    assert_eq!(untrusted(PARALLEL, 1.2, (0..64).map(|k| [0.5 + 0.03 * f64::from(k), 1.0])), 0);
+}
+
+#[test]
+fn bars_in_line_are_not_trusted() {
+    // A crank of 1 m across the ground leaves between the pins of coupler and rocker, 3.5 and 3 m long, almost their sum.
+    let ground = (6.499_999_f64.powi(2) - 1.0).sqrt();
+    let motions = [[0.3, 1.0], [TAU / 4.0, 1.0]];
+    assert_eq!(untrusted([ground, 1.0, 3.5, 3.0], 0.3, motions.into_iter()), 1);
+}
