@@ -6,10 +6,12 @@
 //! its elements is a separate item.
 
 mod key;
+mod scope;
 mod signature;
 mod value;
 
 pub(crate) use key::Key;
+pub(crate) use scope::{Instance, Scope, Timeless};
 pub(crate) use signature::{places, signature, too_few, too_many, unknown_argument, wanted};
 pub(crate) use value::{Arguments, Fixed, FrameId, FunctionValue, Scalar, Value, Vector};
 

@@ -1,10 +1,10 @@
 //! Arithmetic of numbers and vectors: sums, products, powers, choices, and the residuals of equations.
 
 use super::Components;
-use super::elaborate::{Elaborator, Scope};
+use super::elaborate::Elaborator;
 use crate::diag::{Range, ValueFact, Wanted};
 use crate::expr::{Exact, Expr, Unary};
-use crate::names::{Scalar, Value, Vector};
+use crate::names::{Scalar, Scope, Value, Vector};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Operator, Relation};
 

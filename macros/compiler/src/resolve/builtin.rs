@@ -2,13 +2,12 @@
 
 use super::Components;
 use super::Function as Numbered;
-use super::elaborate::{Elaborator, Scope};
+use super::elaborate::Elaborator;
 use crate::diag::{ArityFact, Fact, NameFact, Range, ValueFact, Wanted};
 use crate::expr::spline::{Ends, Table};
 use crate::expr::{Expr, Unary};
 use crate::library;
-use crate::names::Key;
-use crate::names::{Fixed, FunctionValue, Scalar, Value, Vector};
+use crate::names::{Fixed, FunctionValue, Key, Scalar, Scope, Value, Vector};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, ExpressionKind};
 use proc_macro2::Ident;

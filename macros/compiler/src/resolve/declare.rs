@@ -2,12 +2,10 @@
 
 use super::Name;
 use super::builtin::BUILTINS;
-use super::elaborate::{Elaborator, Scope};
+use super::elaborate::Elaborator;
 use super::register::MOST;
 use crate::diag::{ArrayFact, Fact, NameFact, Range};
-use crate::names::Key;
-use crate::names::Value;
-use crate::names::{Context, Declared, Entity, EntityId, GroupId, NamedItems, Progress, RESERVED, Sort, SpaceId};
+use crate::names::{Context, Declared, Entity, EntityId, GroupId, Key, NamedItems, Progress, RESERVED, Scope, Sort, SpaceId, Value};
 use crate::syntax::ast;
 use proc_macro2::Ident;
 

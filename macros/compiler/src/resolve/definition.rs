@@ -3,15 +3,13 @@
 use super::Components;
 use super::Function as Numbered;
 use super::Name;
-use super::elaborate::{Elaborator, Scope};
+use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
 use crate::diag::nearest;
 use crate::diag::{ArityFact, Diag, EquationFact, Known, NameFact, ValueFact};
 use crate::expr::{Expr, Leaf};
 use crate::library;
-use crate::names::wanted;
-use crate::names::{Fixed, FunctionValue, Scalar, Value};
-use crate::names::{Names, RESERVED};
+use crate::names::{Fixed, FunctionValue, Names, RESERVED, Scalar, Scope, Value, wanted};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{Definition, Definitions, Dimension, FormalKind};
 use proc_macro2::Ident;

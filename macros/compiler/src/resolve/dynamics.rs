@@ -5,12 +5,12 @@
 //! on b: T     a torque on a body: a number in the plane, a vector in space
 //! ```
 
-use super::elaborate::{Elaborator, Scope};
+use super::elaborate::Elaborator;
 use super::register::Register;
 use super::{DeclaredForce, Force};
 use crate::diag::{EquationFact, MotionFact, Range, ValueFact};
 use crate::expr::Expr;
-use crate::names::{FrameId, Value};
+use crate::names::{FrameId, Scope, Value};
 use crate::quantity::{Ambient, Dim};
 use crate::syntax::ast;
 

@@ -8,9 +8,7 @@ use crate::diag::{
 };
 use crate::expr::{Arena, Exact, Expr, Leaf};
 use crate::hints::Lengths;
-use crate::names::Key;
-use crate::names::{Context, GroupId, Names, Sort, SpaceId};
-use crate::names::{Fixed, FrameId, Scalar, Value, Vector};
+use crate::names::{Fixed, FrameId, GroupId, Instance, Key, Names, Scalar, Scope, Sort, SpaceId, Timeless, Value, Vector};
 use crate::quantity::{self, Ambient, Dim, InferredDim, Role};
 use crate::syntax::ast::{self, ExpressionKind};
 use proc_macro2::Ident;
@@ -59,17 +57,6 @@ pub(crate) struct Elaborator<'a> {
     pub(super) judges_rows: bool,
 }
 
-/// A definition being instantiated.
-#[derive(Clone)]
-pub(super) struct Instance {
-    /// Source range for errors: the kind of the joint.
-    pub(super) place: Range,
-    /// The definition, or one of its equations, for messages.
-    pub(super) definition: String,
-    /// Dimensions of the arguments for which the definition allows any.
-    pub(super) quantities: Vec<(String, Dim)>,
-}
-
 /// Largest nesting of values: a longer chain of names that are used before they are declared could exhaust the stack.
 const DEEPEST: u16 = 400;
 
@@ -78,49 +65,6 @@ const SUGGESTIONS: usize = 100;
 
 /// Largest number of operations: a mechanism with more does not compile in reasonable time.
 const LARGEST: usize = 200_000;
-
-/// Names visible to an expression.
-#[derive(Clone, Default)]
-pub(super) struct Scope {
-    /// Names bound here, innermost last.
-    pub(super) bound: Vec<(String, Value)>,
-    /// Namespace whose names are visible, besides those of the mechanism.
-    pub(super) space: Option<SpaceId>,
-    /// Where `t` is not allowed, if it is not allowed here.
-    pub(super) timeless: Option<Timeless>,
-}
-
-/// A place where `t` is not allowed.
-#[derive(Clone)]
-pub(super) enum Timeless {
-    /// A start value, a point and the like.
-    Place(&'static str),
-    /// The joint of this name.
-    Joint(String),
-}
-
-impl Scope {
-    /// Scope with all names of the mechanism.
-    pub(super) fn mechanism() -> Scope {
-        Scope { space: Some(SpaceId::MECHANISM), ..Scope::default() }
-    }
-
-    /// Scope of an item.
-    pub(super) fn of(context: &Context) -> Scope {
-        Scope { space: Some(context.space), bound: context.bound.to_vec(), ..Scope::default() }
-    }
-
-    /// The same scope without `t`.
-    pub(super) fn timeless(mut self, place: &'static str) -> Scope {
-        self.timeless = Some(Timeless::Place(place));
-        self
-    }
-
-    /// Value of a name bound in this scope.
-    pub(super) fn value_of(&self, name: &Ident) -> Option<&Value> {
-        self.bound.iter().rev().find(|(known, _)| name == known).map(|(_, value)| value)
-    }
-}
 
 impl Elaborator<'_> {
     /// Creates an elaborator without expressions.

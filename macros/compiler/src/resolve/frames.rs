@@ -1,6 +1,6 @@
 //! Bodies and ground: coordinates, points and axes fixed in them, start values.
 
-use super::elaborate::{Elaborator, Scope};
+use super::elaborate::Elaborator;
 use super::register::Register;
 use super::statement::FixedValue;
 use super::{Body, BodyCoordinate, Name, Requirement};
@@ -9,9 +9,7 @@ use crate::diag::{NameFact, Range, ValueFact};
 use crate::expr::{Expr, Leaf};
 use crate::geometry::quaternion;
 use crate::model::DECLARED;
-use crate::names::Key;
-use crate::names::{Context, EntityId, FrameScope};
-use crate::names::{Fixed, FrameId, Value};
+use crate::names::{Context, EntityId, Fixed, FrameId, FrameScope, Key, Scope, Value};
 use crate::quantity::{Ambient, Dim, InferredDim, Role};
 use crate::syntax::ast;
 use std::collections::BTreeSet;

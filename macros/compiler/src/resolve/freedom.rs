@@ -5,11 +5,11 @@
 //! freedom w = e from e₀            of speeds:      e − e₀
 //! ```
 
-use super::elaborate::{Elaborator, Scope};
+use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
 use crate::diag::{EquationFact, Kind, MotionFact, ValueFact, Wanted};
 use crate::expr::{Expr, Leaf};
-use crate::names::{Scalar, Value};
+use crate::names::{Scalar, Scope, Value};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast;
 use proc_macro2::Ident;

@@ -1,9 +1,8 @@
 //! Arrays: whole numbers known at compile time, and names with indices.
 
-use super::elaborate::{Elaborator, Scope};
+use super::elaborate::Elaborator;
 use crate::diag::{ArrayFact, Known, NameFact, Range};
-use crate::names::Value;
-use crate::names::{GroupId, SpaceId};
+use crate::names::{GroupId, Scope, SpaceId, Value};
 use crate::quantity::Dim;
 use crate::syntax::ast::{self, ExpressionKind, IndexRange, Operator};
 use proc_macro2::Ident;

@@ -1,14 +1,15 @@
 //! Joints: definitions with parameters bound to arguments, or equations written inline.
 
 use super::Name;
-use super::elaborate::{Elaborator, Instance, Scope, Timeless};
+use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
 use crate::diag::{ArityFact, ArrayFact, EquationFact, Kind, Known, MotionFact, NameFact, Range, ValueFact, home};
 use crate::expr::Leaf;
 use crate::library;
-use crate::names::{Context, EntityId};
-use crate::names::{Fixed, FrameId, FunctionValue, Scalar, Value};
-use crate::names::{places, too_few, too_many, unknown_argument, wanted};
+use crate::names::{
+    Context, EntityId, Fixed, FrameId, FunctionValue, Instance, Scalar, Scope, Timeless, Value, places, too_few, too_many,
+    unknown_argument, wanted,
+};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Argument, Definition, Formal, FormalKind, JointBody};
 use proc_macro2::Ident;

@@ -1,13 +1,12 @@
 //! Items that no other item refers to by name; each is resolved once, in the order written.
 
-use super::elaborate::{Elaborator, Scope};
+use super::elaborate::Elaborator;
 use super::register::Register;
 use super::statement::ScalarEquation;
 use super::{Freedom, Joint, Layout, Method, Name, Of, Output, Residual};
 use crate::diag::{ArrayFact, EquationFact, Kind, NameFact, Range, ValueFact};
 use crate::expr::{Expr, Leaf};
-use crate::names::{Context, EntityId, is_generated};
-use crate::names::{FrameId, Scalar, Value};
+use crate::names::{Context, EntityId, FrameId, Scalar, Scope, Value, is_generated};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, JointItem};
 use proc_macro2::Ident;

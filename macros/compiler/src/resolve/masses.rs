@@ -6,13 +6,13 @@
 //! add inertia on b: J;               in space a number is J about every axis
 //! ```
 
-use super::elaborate::{Elaborator, Scope};
+use super::elaborate::Elaborator;
 use super::{Body, Mass};
 use crate::diag::{ArityFact, MotionFact, NameFact, Range, ValueFact, Wanted};
 use crate::expr::{Exact, Expr};
 use crate::geometry::turned_tensor;
 use crate::model::Solid;
-use crate::names::{Key, Value};
+use crate::names::{Key, Scope, Value};
 use crate::quantity::{Ambient, Dim};
 use crate::syntax::ast::{self, ExpressionKind, MassItem};
 

@@ -2,13 +2,13 @@
 //! for a torque in space.
 
 use super::Joint;
-use super::elaborate::{Elaborator, Scope};
+use super::elaborate::Elaborator;
 use super::register::Register;
 use super::statement::ScalarEquation;
 use crate::diag::{EquationFact, JointValue, MotionFact, Word};
 use crate::hints::{cross_product, is_zero, unit_in_parts};
 use crate::library;
-use crate::names::{Declared, FrameId, Progress, Sort, Value};
+use crate::names::{Declared, FrameId, Progress, Scope, Sort, Value};
 use crate::quantity::{self, Ambient, Dim};
 use crate::syntax::ast::{self, Definition, ExpressionKind, Formal, FormalKind, JointItem, Statement, Task};
 use proc_macro2::Ident;

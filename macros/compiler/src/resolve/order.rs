@@ -1,9 +1,9 @@
 //! Arguments in another order than the parameters, and points that no joint has yet.
 
-use super::elaborate::{Elaborator, Scope};
+use super::elaborate::Elaborator;
 use crate::diag::{ArityFact, Fact, ValueFact};
 use crate::hints::point_of;
-use crate::names::{Entity, FrameId, Value, signature};
+use crate::names::{Entity, FrameId, Scope, Value, signature};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{Argument, Definition, FormalKind, JointBody};
 use proc_macro2::Ident;

@@ -5,15 +5,13 @@
 
 use super::declare::Written;
 use super::declare::{duplicate, is_reserved};
-use super::elaborate::{Elaborator, Scope};
+use super::elaborate::Elaborator;
 use super::frames::start_words;
 use super::layout::OpenPart;
 use super::{Name, Of};
 use crate::diag::{ArrayFact, EquationFact, GrammarFact, NameFact};
 use crate::expr::Leaf;
-use crate::names::Key;
-use crate::names::{Context, Declared, Entity, EntityId, PartArguments, Progress, Sort, SpaceId};
-use crate::names::{FrameId, Scalar, Value};
+use crate::names::{Context, Declared, Entity, EntityId, FrameId, Key, PartArguments, Progress, Scalar, Scope, Sort, SpaceId, Value};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Item, Marks};
 use proc_macro2::Ident;

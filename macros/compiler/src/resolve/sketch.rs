@@ -1,13 +1,12 @@
 //! Collects the geometry for the picture.
 
-use super::elaborate::{Elaborator, Scope};
+use super::elaborate::Elaborator;
 use super::register::Register;
 use crate::diag::Range;
 use crate::expr::{Derivatives, Expr, Leaf};
 use crate::geometry::{Components, JointQuantity, Place, Triad};
 use crate::model::sketch::{Instantiation, JointArgument, LocalVector, MOST_DRAWN, NamedPoint, Sketch};
-use crate::names::{Entity, EntityId};
-use crate::names::{Fixed, FrameId, FunctionValue, Scalar, Value};
+use crate::names::{Entity, EntityId, Fixed, FrameId, FunctionValue, Scalar, Scope, Value};
 use crate::quantity::{Ambient, InferredDim};
 
 impl Elaborator<'_> {

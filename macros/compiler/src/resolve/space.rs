@@ -6,13 +6,13 @@
 //! displacement       z_i · (r_Q − r_P)
 //! ```
 
-use super::elaborate::{Elaborator, Scope};
+use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
 use crate::diag::{ArityFact, Range, ValueFact, Wanted};
 use crate::expr::{Expr, Frame, Leaf, Mark, Node, Triple, cross, dot};
 use crate::geometry::{Components, Geometry, JointQuantity, Place, Relationship, Triad, Turn, rotation};
 use crate::model::DECLARED;
-use crate::names::{Arguments, Fixed, FrameId, Scalar, Value, Vector};
+use crate::names::{Arguments, Fixed, FrameId, Scalar, Scope, Value, Vector};
 use crate::quantity::{Dim, InferredDim, Role};
 use crate::syntax::ast::{self, Statement};
 use proc_macro2::Ident;

@@ -8,12 +8,12 @@
 //! An equation that contains speeds is a row of velocities a(q, t) · u = b(q, t): it has to be affine in them.
 
 use super::Components;
-use super::elaborate::{Elaborator, Scope};
+use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
 use crate::diag::{ArityFact, EquationFact, ValueFact, Wanted};
 use crate::expr::{Expr, Jets, Leaf, Seed, derivative};
 use crate::model::{DECLARED, declared_rates};
-use crate::names::{FrameId, Scalar, Value, Vector};
+use crate::names::{FrameId, Scalar, Scope, Value, Vector};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast;
 use proc_macro2::Ident;

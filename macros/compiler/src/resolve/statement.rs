@@ -1,11 +1,10 @@
 //! The statements of a definition or of an inline joint: equations, and conditions on parameters.
 
-use super::elaborate::{Elaborator, Instance, Scope};
+use super::elaborate::Elaborator;
 use super::{Name, Parameter, Requirement};
 use crate::diag::{EquationFact, Fact, Range, ValueFact};
 use crate::expr::{Expr, Node, Unary, Values, evaluate};
-use crate::names::Key;
-use crate::names::{FrameId, Scalar, Value};
+use crate::names::{FrameId, Instance, Key, Scalar, Scope, Value};
 use crate::syntax::ast::{self, ExpressionKind, Relation, Statement};
 use proc_macro2::Ident;
 use std::collections::BTreeSet;
@@ -103,7 +102,7 @@ impl Elaborator<'_> {
         match (left, right) {
             (Value::Body(one), Value::Body(two)) => self.body_requirement(requirement, [one, two], scope, places),
             (Value::Scalar(one), Value::Scalar(two)) => self.number_requirement(requirement, one, two, joint, place),
-            (left, right) => self.refuse(range(requirement), ValueFact::CannotCompare { one: left.kind(), two: right.kind() }),
+            (left, right) => self.refuse(requirement.range(), ValueFact::CannotCompare { one: left.kind(), two: right.kind() }),
         }
     }
 
@@ -120,7 +119,7 @@ impl Elaborator<'_> {
         let (holds, sides) = match relation {
             Relation::Equal => (one == two, [(lhs, two), (rhs, one)]),
             Relation::Different => (one != two, [(rhs, one), (lhs, two)]),
-            _ => return self.refuse(range(requirement), ValueFact::OrderOfBodies),
+            _ => return self.refuse(requirement.range(), ValueFact::OrderOfBodies),
         };
         if holds || self.names.is_abstract() {
             return Some(());
@@ -128,7 +127,7 @@ impl Elaborator<'_> {
         let blamed = sides.into_iter().find(|(side, _)| place(side, places).is_some());
         let instead = blamed.and_then(|(side, other)| self.of_a_body(scope.value_of(argument_of(side)?)?, *relation, other));
         let place = blamed.and_then(|(side, _)| place(side, places));
-        self.refuse_at(place, range(requirement), EquationFact::RequirementFails { why: why.clone(), instead })
+        self.refuse_at(place, requirement.range(), EquationFact::RequirementFails { why: why.clone(), instead })
     }
 
     /// Suggests another point or axis, if its body must, or must not, be `other`.
@@ -154,7 +153,7 @@ impl Elaborator<'_> {
     ) -> Option<()> {
         let Some(measure) = one.measure.common(two.measure) else {
             let (one, two) = (one.measure.settled(), two.measure.settled());
-            return self.refuse(range(requirement), ValueFact::Unlike { action: "compare", one, two });
+            return self.refuse(requirement.range(), ValueFact::Unlike { action: "compare", one, two });
         };
         let (lhs, rhs) = (one.expr, two.expr);
         if self.names.is_abstract() || !self.is_fixed(lhs) || !self.is_fixed(rhs) {
@@ -164,11 +163,11 @@ impl Elaborator<'_> {
         let why = requirement.why.clone();
         if self.arena.leaves(lhs).is_empty() && self.arena.leaves(rhs).is_empty() {
             let values = self.numbers(&[], &[lhs, rhs]);
-            let holds = holds(requirement.relation, values[0], values[1]);
+            let holds = requirement.relation.holds(values[0], values[1]);
             return if holds {
                 Some(())
             } else {
-                self.refuse_at(place, range(requirement), EquationFact::RequirementFails { why, instead: None })
+                self.refuse_at(place, requirement.range(), EquationFact::RequirementFails { why, instead: None })
             };
         }
         // The compared quantity has its name in the definition.
@@ -178,7 +177,7 @@ impl Elaborator<'_> {
         };
         self.requirements.push(Requirement { lhs, relation: requirement.relation, rhs, dim: measure.settled(), joint: compared, why });
         let blamed = place.or(self.blame.as_ref().map(|blame| blame.place));
-        self.requirement_places.push((blamed.unwrap_or(range(requirement)), joint.clone()));
+        self.requirement_places.push((blamed.unwrap_or(requirement.range()), joint.clone()));
         Some(())
     }
 
@@ -202,7 +201,7 @@ impl Elaborator<'_> {
             let values = self.numbers(&defaults, &[lhs, rhs]);
             // Each condition of a declaration is reported once, however many parts there are.
             let (place, joint) = &self.requirement_places[index];
-            if !holds(relation, values[0], values[1]) && said.insert((joint.declaration, compared.replacen(&joint.path, "", 1))) {
+            if !relation.holds(values[0], values[1]) && said.insert((joint.declaration, compared.replacen(&joint.path, "", 1))) {
                 self.diag.refuse::<()>(*place, EquationFact::RequirementFailsAtDefaults { why, value: values[0] });
             }
         }
@@ -267,24 +266,4 @@ fn argument_of(side: &ast::Expression) -> Option<&Ident> {
 fn place(side: &ast::Expression, places: &[(String, Range)]) -> Option<Range> {
     let name = argument_of(side)?;
     places.iter().find(|(known, _)| name == known).map(|(_, range)| *range)
-}
-
-/// Source range of a condition, from its first token to its last.
-fn range(requirement: &ast::Condition) -> Range {
-    requirement.lhs.range.to(requirement.rhs.range)
-}
-
-/// Evaluates a comparison. An undecidable one counts as true: Rust functions are not run in the compiler.
-fn holds(relation: Relation, lhs: f64, rhs: f64) -> bool {
-    if lhs.is_nan() || rhs.is_nan() {
-        return true;
-    }
-    match relation {
-        Relation::Less => lhs < rhs,
-        Relation::LessOrEqual => lhs <= rhs,
-        Relation::Greater => lhs > rhs,
-        Relation::GreaterOrEqual => lhs >= rhs,
-        Relation::Equal => lhs == rhs,
-        Relation::Different => lhs != rhs,
-    }
 }

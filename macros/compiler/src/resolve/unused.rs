@@ -7,11 +7,8 @@ use super::declare::Written;
 use super::elaborate::Elaborator;
 use super::layout::OpenPart;
 use super::register::Register;
-use crate::names::Key;
-use crate::names::{Context, Entity, Progress, Sort};
-use crate::quantity::Dim;
-use crate::syntax::ast::{self, FormalKind, Item};
-use proc_macro2::Ident;
+use crate::names::{Context, Entity, Key, Progress, Sort};
+use crate::syntax::ast;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
@@ -19,8 +16,8 @@ impl Elaborator<'_> {
     /// Checks the components that have no parts.
     pub(super) fn unused_components(&mut self, register: &Register) {
         let mut seen: BTreeSet<ast::ItemId> = places(register).collect();
-        for component in outermost_first(self.names.components.values().cloned().collect()) {
-            if !seen.contains(&component.id()) && !self.refused.contains(&Key::from(&component)) && !counts(&component) {
+        for component in ast::outermost_first(self.names.components.values().cloned().collect()) {
+            if !seen.contains(&component.id()) && !self.refused.contains(&Key::from(&component)) && !component.counts() {
                 self.is_unused = true;
                 let (functions, requirements) = (self.functions.len(), self.requirements.len());
                 seen.extend(self.unused(&component, register));
@@ -68,43 +65,4 @@ impl Elaborator<'_> {
 
 fn places(register: &Register) -> impl Iterator<Item = ast::ItemId> {
     register.places.iter().filter_map(|place| place.component.as_ref()).map(ast::Shared::id)
-}
-
-/// Sorts components: those with parts before the components of the parts.
-fn outermost_first(components: Vec<ast::Shared<ast::ComponentItem>>) -> Vec<ast::Shared<ast::ComponentItem>> {
-    let (mut visited, mut order) = (vec![false; components.len()], Vec::new());
-    for at in 0..components.len() {
-        let mut pending = vec![(at, false)];
-        while let Some((at, is_done)) = pending.pop() {
-            if is_done {
-                order.push(at);
-            } else if !std::mem::replace(&mut visited[at], true) {
-                pending.push((at, true));
-                let inner = |kind: &&Ident| components.binary_search_by(|known| known.head.name.cmp(kind)).ok();
-                pending.extend(kinds_of_parts(&components[at]).iter().filter_map(inner).map(|inner| (inner, false)));
-            }
-        }
-    }
-    order.into_iter().rev().map(|at| components[at].clone()).collect()
-}
-
-/// Names of the components of the parts in a component.
-fn kinds_of_parts(component: &ast::ComponentItem) -> Vec<&Ident> {
-    let (mut kinds, mut pending): (Vec<&Ident>, Vec<&Item>) = (Vec::new(), component.items.iter().collect());
-    while let Some(item) = pending.pop() {
-        match item {
-            Item::For(repeated) => pending.extend(&repeated.items),
-            Item::Part(part) => kinds.push(&part.kind),
-            _ => {}
-        }
-    }
-    kinds
-}
-
-/// True if an argument may be a number of items.
-fn counts(component: &ast::ComponentItem) -> bool {
-    component.head.parameters.iter().any(|formal| match &formal.kind {
-        FormalKind::Scalar(written) => written.dim() == Some(Dim::NUMBER),
-        kind => matches!(kind, FormalKind::Quantity),
-    })
 }

@@ -1,15 +1,15 @@
 //! Resolves the items of a mechanism: registered by name first, then resolved once each, on first use.
 
 use super::bounds::in_words;
-use super::elaborate::{Elaborator, Scope};
+use super::elaborate::Elaborator;
 use super::register::{INPUT_PARTS, Register, is_one_of_many};
 use super::{Layout, Method, Model, Name, Parameter};
 use crate::diag::nearest;
 use crate::diag::{Diag, NameFact, Range, ValueFact};
 use crate::hints;
-use crate::names::Key;
-use crate::names::{Context, Declared, Entity, EntityId, Names, PartArguments, Progress, is_generated};
-use crate::names::{FunctionValue, Scalar, Value};
+use crate::names::{
+    Context, Declared, Entity, EntityId, FunctionValue, Key, Names, PartArguments, Progress, Scalar, Scope, Value, is_generated,
+};
 use crate::quantity::{Dim, InferredDim};
 use crate::syntax::ast::{self, Definition};
 use std::collections::{BTreeMap, BTreeSet};

@@ -13,6 +13,7 @@ pub use definition::{Added, Applied, Condition, Definition, Definitions, Export,
 pub use expression::{Expression, ExpressionKind, Operator, Relation};
 pub use node::{ItemId, Shared};
 pub use options::{Closing, Following, Task};
+pub(crate) use repeated::outermost_first;
 pub use repeated::{ComponentItem, For, IndexRange, PartItem};
 
 use crate::diag::Range;

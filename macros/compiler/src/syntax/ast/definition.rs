@@ -1,6 +1,7 @@
 //! Definitions of constraints, and the statements in them.
 
 use super::{Dimension, Docs, Expression, Let, MassItem, Relation};
+use crate::diag::Range;
 use crate::quantity::Ambient;
 use proc_macro2::{Ident, TokenStream};
 
@@ -123,4 +124,11 @@ pub struct Condition {
     pub rhs: Expression,
     /// Advice to the user if the condition fails.
     pub why: String,
+}
+
+impl Condition {
+    /// Source range from the first token to the last.
+    pub(crate) fn range(&self) -> Range {
+        self.lhs.range.to(self.rhs.range)
+    }
 }

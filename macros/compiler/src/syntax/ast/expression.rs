@@ -89,3 +89,20 @@ pub enum Relation {
     /// `!=`
     Different,
 }
+
+impl Relation {
+    /// Evaluates the comparison. An undecidable one counts as true: Rust functions are not run in the compiler.
+    pub(crate) fn holds(self, lhs: f64, rhs: f64) -> bool {
+        if lhs.is_nan() || rhs.is_nan() {
+            return true;
+        }
+        match self {
+            Relation::Less => lhs < rhs,
+            Relation::LessOrEqual => lhs <= rhs,
+            Relation::Greater => lhs > rhs,
+            Relation::GreaterOrEqual => lhs >= rhs,
+            Relation::Equal => lhs == rhs,
+            Relation::Different => lhs != rhs,
+        }
+    }
+}

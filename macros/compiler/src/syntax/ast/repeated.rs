@@ -1,6 +1,7 @@
 //! Items that are declared once and expanded several times: components, their parts, and loops.
 
-use super::{Argument, Definition, Docs, Expression, Item};
+use super::{Argument, Definition, Docs, Expression, FormalKind, Item, Shared};
+use crate::quantity::Dim;
 use proc_macro2::Ident;
 use std::rc::Rc;
 
@@ -13,6 +14,47 @@ pub struct ComponentItem {
     pub head: Definition,
     /// Items between the braces, in the order written.
     pub items: Vec<Item>,
+}
+
+impl ComponentItem {
+    /// Names of the components of the parts in the component.
+    fn kinds_of_parts(&self) -> Vec<&Ident> {
+        let (mut kinds, mut pending): (Vec<&Ident>, Vec<&Item>) = (Vec::new(), self.items.iter().collect());
+        while let Some(item) = pending.pop() {
+            match item {
+                Item::For(repeated) => pending.extend(&repeated.items),
+                Item::Part(part) => kinds.push(&part.kind),
+                _ => {}
+            }
+        }
+        kinds
+    }
+
+    /// True if an argument of the component may be a number of items.
+    pub(crate) fn counts(&self) -> bool {
+        self.head.parameters.iter().any(|formal| match &formal.kind {
+            FormalKind::Scalar(written) => written.dim() == Some(Dim::NUMBER),
+            kind => matches!(kind, FormalKind::Quantity),
+        })
+    }
+}
+
+/// Sorts components: those with parts before the components of the parts.
+pub(crate) fn outermost_first(components: Vec<Shared<ComponentItem>>) -> Vec<Shared<ComponentItem>> {
+    let (mut visited, mut order) = (vec![false; components.len()], Vec::new());
+    for at in 0..components.len() {
+        let mut pending = vec![(at, false)];
+        while let Some((at, is_done)) = pending.pop() {
+            if is_done {
+                order.push(at);
+            } else if !std::mem::replace(&mut visited[at], true) {
+                pending.push((at, true));
+                let inner = |kind: &&Ident| components.binary_search_by(|known| known.head.name.cmp(kind)).ok();
+                pending.extend(components[at].kinds_of_parts().iter().filter_map(inner).map(|inner| (inner, false)));
+            }
+        }
+    }
+    order.into_iter().rev().map(|at| components[at].clone()).collect()
 }
 
 /// `part name = Component(arguments);`

@@ -1,0 +1,60 @@
+//! Where an expression stands: the names that it sees, and the definition that it belongs to.
+
+use super::{Context, SpaceId, Value};
+use crate::diag::Range;
+use crate::quantity::Dim;
+use proc_macro2::Ident;
+
+/// Names visible to an expression.
+#[derive(Clone, Default)]
+pub(crate) struct Scope {
+    /// Names bound here, innermost last.
+    pub(crate) bound: Vec<(String, Value)>,
+    /// Namespace whose names are visible, besides those of the mechanism.
+    pub(crate) space: Option<SpaceId>,
+    /// Where `t` is not allowed, if it is not allowed here.
+    pub(crate) timeless: Option<Timeless>,
+}
+
+/// A place where `t` is not allowed.
+#[derive(Clone)]
+pub(crate) enum Timeless {
+    /// A start value, a point and the like.
+    Place(&'static str),
+    /// The joint of this name.
+    Joint(String),
+}
+
+impl Scope {
+    /// Scope with all names of the mechanism.
+    pub(crate) fn mechanism() -> Scope {
+        Scope { space: Some(SpaceId::MECHANISM), ..Scope::default() }
+    }
+
+    /// Scope of an item.
+    pub(crate) fn of(context: &Context) -> Scope {
+        Scope { space: Some(context.space), bound: context.bound.to_vec(), ..Scope::default() }
+    }
+
+    /// The same scope without `t`.
+    pub(crate) fn timeless(mut self, place: &'static str) -> Scope {
+        self.timeless = Some(Timeless::Place(place));
+        self
+    }
+
+    /// Value of a name bound in this scope.
+    pub(crate) fn value_of(&self, name: &Ident) -> Option<&Value> {
+        self.bound.iter().rev().find(|(known, _)| name == known).map(|(_, value)| value)
+    }
+}
+
+/// A definition being instantiated.
+#[derive(Clone)]
+pub(crate) struct Instance {
+    /// Source range for errors: the kind of the joint.
+    pub(crate) place: Range,
+    /// The definition, or one of its equations, for messages.
+    pub(crate) definition: String,
+    /// Dimensions of the arguments for which the definition allows any.
+    pub(crate) quantities: Vec<(String, Dim)>,
+}
