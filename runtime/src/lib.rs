@@ -1,7 +1,46 @@
-//! Motion of mechanisms from their constraint equations: positions, velocities and accelerations at the rounding limit, or an error
-//! that states the reason in the words of the declaration.
+//! A constraint compiler for mechanisms: bodies, joints and drives are declared in Rust source, and each mechanism becomes functions for its
+//! positions, velocities and accelerations at the rounding limit, or an error that states the reason in the words of the declaration.
 //!
-//! A mechanism declared with `mechanism!` is compiled to the functions of [`Equations`]; this crate runs Newton's method
+//! ```
+//! use reuleaux::mechanism;
+//!
+//! mechanism! {
+//!     /// A Grashof crank-rocker turned at constant speed.
+//!     pub mechanism CrankRocker {
+//!         param speed: AngularVelocity = 60rpm;
+//!         param crank_length: Length = 100mm;
+//!
+//!         ground { point O = (0mm, 0mm);  point C = (400mm, 0mm); }
+//!         body crank   { point O = (0mm, 0mm);  point A = (crank_length, 0mm); }
+//!         body coupler { point A = (0mm, 0mm);  point B = (350mm, 0mm);  point P = (175mm, 80mm); }
+//!         body rocker  { point C = (0mm, 0mm);  point B = (300mm, 0mm);  start angle = 70deg; }
+//!
+//!         joint o = revolute(ground.O, crank.O);
+//!         joint a = revolute(crank.A, coupler.A);
+//!         joint b = revolute(coupler.B, rocker.B);
+//!         joint c = revolute(rocker.C, ground.C);
+//!         drive input = drive_angle(crank, speed * t);
+//!
+//!         output tip = coupler.P;
+//!     }
+//! }
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let mechanism = CrankRocker { crank_length: 0.12, ..Default::default() };
+//! for state in mechanism.sweep((0..=6).map(|sixth| f64::from(sixth) / 6.0)) {
+//!     let tip = mechanism.tip(&state?);
+//!     println!("{} m   {} m/s   {} m/s²", tip.value, tip.rate, tip.acceleration);
+//! }
+//! # Ok(())
+//! # }
+//! ```
+//!
+#![cfg_attr(doc, doc = include_str!("guide/crank_rocker.svg"))]
+//!
+//! The language has its reference at [`mechanism!`], the joints, drives and forces their pages in [`library`], common tasks theirs in
+//! [`guide`], and every compile error its own in [`errors`].
+//!
+//! A mechanism is compiled to the functions of [`Equations`]; this crate runs Newton's method
 //! over them. It needs neither `std` nor an allocator, contains no `unsafe`, and does not panic on any input.
 //!
 //! ```text
