@@ -1,11 +1,11 @@
-//! What single forces do.
+//! Actions of single forces.
 
 use nalgebra::{Vector2, Vector3};
 
 use super::loads::Loads;
 use crate::number::Float;
 
-/// What a force in the plane does, in ground: its vectors in the order in which they are declared, those on ground among them.
+/// Action of a force in the plane, in the axes of ground: its vectors in the order in which they are declared, those on ground among them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarForce<T, const P: usize, const B: usize> {
     /// Forces at its points, in N.
@@ -16,7 +16,7 @@ pub struct PlanarForce<T, const P: usize, const B: usize> {
     pub power: T,
 }
 
-/// What a force in space does, in ground: its vectors in the order in which they are declared, those on ground among them.
+/// Action of a force in space, in the axes of ground: its vectors in the order in which they are declared, those on ground among them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialForce<T, const P: usize, const B: usize> {
     /// Forces at its points, in N.

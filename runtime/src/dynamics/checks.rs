@@ -21,7 +21,7 @@ pub fn misfit<T: Float, S: Description<T, N>, const N: usize>(
     let mut worst = (T::ROOT_EPSILON, None);
     for (joint, residual, power) in rows {
         let size = (0..*power).fold(residual.abs(), |size, _| size / length);
-        // What is not a number does not hold, either.
+        // A NaN does not hold, either.
         let holds = size <= worst.0;
         if !holds {
             worst = (size, Some((*joint, *residual)));

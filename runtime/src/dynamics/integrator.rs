@@ -16,7 +16,7 @@ use super::stopped::Stopped;
 use crate::number::Float;
 use crate::state::State;
 
-/// Steps of a motion: their tolerance, their size, and what they cost.
+/// Steps of a motion: their tolerance, size, and counts of evaluations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Integrator<T = f64, K = Explicit> {
     /// Error aimed at, relative to the largest length, angle and speed; motions that amplify errors end with larger ones.
@@ -168,7 +168,7 @@ impl<T: Float, K: Method> Integrator<T, K> {
                 return Err(Stopped::StepTooShort { time: state.t });
             }
             self.evaluations += K::evaluations(I);
-            // A trial beyond what the joints allow is a step that is too long.
+            // A trial state that the joints do not allow means that the step is too long.
             let mut error_and_speed = (T::of(f64::INFINITY), self.fastest);
             let tried = K::trial(mechanism, state, h).and_then(|trial| {
                 error_and_speed = error(mechanism, state, &trial, h, (self.tolerance, self.fastest));

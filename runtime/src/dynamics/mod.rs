@@ -5,7 +5,7 @@
 //! J u̇ = γ
 //! ```
 //!
-//! 1. `equations`: what a mechanism provides.
+//! 1. `equations`: functions that a mechanism provides.
 //! 2. `partition`: dependent and independent speeds, chosen by the pivots of an elimination of J with complete pivoting.
 //! 3. `accelerate`: accelerations, with a mass matrix of the size of the independent speeds.
 //! 4. `project`: positions and speeds that fulfil the equations.
@@ -41,7 +41,7 @@ pub use stiff::Stiff;
 pub use stopped::Stopped;
 pub use sweep::MotionSweep;
 
-/// What the methods of a mechanism with freedoms call.
+/// Functions behind the methods of a mechanism with freedoms.
 #[doc(hidden)]
 pub mod motion {
     pub use super::checks::misfit;

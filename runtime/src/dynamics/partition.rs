@@ -240,7 +240,7 @@ fn signs<T: Float, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>, pi
     signs
 }
 
-/// The row that depends most on the others, and what is left of it as a part of the row as it was elsewhere.
+/// The row that depends most on the others, and its remainder relative to the row at a regular state.
 pub(super) fn weakest<T: Float, const M: usize, const I: usize>(
     matrix: &SMatrix<T, M, I>,
     elsewhere: &SMatrix<T, M, I>,

@@ -48,7 +48,7 @@ where
             break;
         }
     }
-    // Where rank is lost rows may vanish: they are compared with what they are where the mechanism is assembled.
+    // Where rank is lost rows may vanish: they are compared with the rows at the assembled configuration.
     let assembled = mechanism.constraints(&mechanism.start(), from.t).jacobian;
     let (row, left) = weakest(&last, &assembled, &lengths);
     if left > T::of(LOST) {

@@ -25,7 +25,7 @@ const STAGES: usize = 6;
 /// γ
 const GAMMA: f64 = 0.25;
 
-/// What the stages so far have given for one number.
+/// Sum of the stages so far for one number.
 type Found<T> = [T; STAGES];
 
 /// Σ of weighted results.

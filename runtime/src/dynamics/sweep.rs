@@ -61,7 +61,7 @@ where
             let before = self.integrator;
             let (next, rates) = match self.integrator.next(self.mechanism, state, beyond) {
                 Ok(found) => found,
-                // What stops the motion behind the time is no matter.
+                // A stop of the motion after this time does not matter.
                 Err(_) => {
                     self.integrator = before;
                     self.integrator.next(self.mechanism, state, t)?

@@ -7,7 +7,7 @@
 /// The axes belong to the carrier `N0`. The rows hold no place: add the joints that do, or take `differential_joint_on_bearings`.
 /// Degenerate case: none.
 ///
-/// `mass` and `inertia` are what the joint adds to each of the four nodes: a mass at the
+/// The joint adds `mass` and `inertia` to each of the four nodes: a mass at the
 /// origin of the body, an inertia that is the same about every axis. Ground takes none.
 ///
 /// Reference: OpenRadioss theory manual, gear type joints.

@@ -7,7 +7,7 @@
 ///
 /// To solve for a motion take three `revolute` joints and the sum of their angles as an equation. Degenerate case: none.
 ///
-/// `mass` and `inertia` are what the joint adds to each of the four nodes: a mass at the
+/// The joint adds `mass` and `inertia` to each of the four nodes: a mass at the
 /// origin of the body, an inertia that is the same about every axis. Ground takes none.
 ///
 /// Reference: OpenRadioss theory manual, gear type joints.

@@ -14,7 +14,7 @@
 ///
 /// Degenerate case: none; a rigid motion of all nodes satisfies every row.
 ///
-/// `mass` and `inertia` are what the joint adds to each of the three nodes: a mass at the
+/// The joint adds `mass` and `inertia` to each of the three nodes: a mass at the
 /// origin of the body, an inertia that is the same about every axis. Ground takes none.
 ///
 /// Reference: OpenRadioss theory manual, gear type joints.

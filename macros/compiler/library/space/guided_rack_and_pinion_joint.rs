@@ -10,7 +10,7 @@
 /// The rows leave the pinion's axis free: add a bearing. To solve for a motion take `revolute`, `translational` and `rack_pinion`.
 /// Degenerate case: none.
 ///
-/// `mass` and `inertia` are what the joint adds to each of the three nodes: a mass at the
+/// The joint adds `mass` and `inertia` to each of the three nodes: a mass at the
 /// origin of the body, an inertia that is the same about every axis. Ground takes none.
 ///
 /// Reference: OpenRadioss theory manual, gear type joints.

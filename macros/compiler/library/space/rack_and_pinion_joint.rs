@@ -9,7 +9,7 @@
 /// `r1` and `r2` are axes of the carrier `N0`; s and t are the directions across them. The rows hold neither place: add the joints that do,
 /// or take `guided_rack_and_pinion_joint`. To solve for a motion take `rack_pinion` of a joint's angle. Degenerate case: none.
 ///
-/// `mass` and `inertia` are what the joint adds to each of the three nodes: a mass at the
+/// The joint adds `mass` and `inertia` to each of the three nodes: a mass at the
 /// origin of the body, an inertia that is the same about every axis. Ground takes none.
 ///
 /// Reference: OpenRadioss theory manual, gear type joints.

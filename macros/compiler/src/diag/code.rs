@@ -8,7 +8,7 @@
 //!
 //! 1. Add its family and name to the line below whose page explains it, or to a new line under the next free number of its family.
 //! 2. For a new line write `errors/<code>.md`: the error in one line, some sentences of mechanics, a rejected model in a `compile_fail`
-//!    block, an accepted one in a plain block, and what to do.
+//!    block, an accepted one in a plain block, and the remedy.
 //! 3. `REULEAUX_GOLDEN=write cargo test -p reuleaux-compiler --test errors` writes the compiler's message under the rejected model, and
 //!    checks the page.
 //!

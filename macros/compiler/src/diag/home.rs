@@ -1,8 +1,8 @@
-//! Words of other programs and of workshops, with what they are here.
+//! Words of other programs and of workshops, with their equivalents here.
 
 use crate::quantity::Ambient;
 
-/// What a word is called here, as a call to type.
+/// Equivalent of a word, as a call to type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Home {
     /// A joint of the library, or one of several.
@@ -17,7 +17,7 @@ pub enum Home {
     Body,
 }
 
-/// Words, and what they are in the plane and in space.
+/// Words with their equivalents in the plane and in space.
 const HOMES: [(&[&str], Home, Home); 14] = [
     (
         &["hinge", "pin", "pivot", "rotary", "rotational", "bearing"],
@@ -47,7 +47,7 @@ const HOMES: [(&[&str], Home, Home); 14] = [
     (&["crank", "piston", "link", "bar", "rod", "rocker", "coupler", "lever", "wheel", "plate", "arm", "block"], Home::Body, Home::Body),
 ];
 
-/// What a word is here; `None` for a word that is not in the table.
+/// Equivalent of a word; `None` for a word that is not in the table.
 pub(crate) fn home(word: &str, ambient: Ambient) -> Option<Home> {
     let word = word.to_lowercase();
     let (_, plane, space) = HOMES.iter().find(|(words, ..)| words.contains(&word.as_str()))?;

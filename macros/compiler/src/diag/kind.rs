@@ -38,9 +38,9 @@ pub enum Wanted {
     Number,
     /// A number of the named dimension.
     Quantity(String),
-    /// What sums and products are made of.
+    /// An operand of sums and products.
     NumberOrVector,
-    /// What has a rate.
+    /// A value that has a rate.
     NumberVectorOrPoint,
     /// A vector.
     Vector,
@@ -52,7 +52,7 @@ pub enum Wanted {
     Axis,
     /// A body.
     Body,
-    /// What is called with an argument.
+    /// A function, called with an argument.
     Function,
     /// A function that is passed as an argument.
     FunctionOfOne,

@@ -1,4 +1,4 @@
-//! Suggested corrections, from what was found and what was expected.
+//! Suggested corrections, from the found and the expected kind.
 
 use super::{Kind, Wanted};
 use crate::quantity::{Ambient, Dim};

@@ -1,4 +1,4 @@
-//! What is written above generated items: pages, tables, lines.
+//! Documentation of generated items: pages, tables, lines.
 //!
 //! In: all that is known of a mechanism. Out: text, and tokens of doc attributes. Not done here: which items there are.
 
@@ -95,7 +95,7 @@ pub(crate) fn mechanism(model: &Model, system: &System, assembly: &Assembly, mot
     page
 }
 
-/// What a mechanism accepts that others would be refused for.
+/// Mistakes that the mechanism accepts by its attributes.
 fn assembled(model: &Model, assembly: &Assembly) -> String {
     let doubts = assembly.warnings.iter().map(|warning| warning.doubt.to_string());
     let far: String = doubts.map(|doubt| format!("\nNote: {}.\n", doubt.lines().next().unwrap_or_default())).collect();
@@ -110,7 +110,7 @@ fn assembled(model: &Model, assembly: &Assembly) -> String {
     assembled + &far
 }
 
-/// What was found where the motion was followed from the start.
+/// Findings along the motion from the start.
 fn followed(found: &Motion) -> String {
     let [from, to] = found.reached;
     let mut lines = String::new();
@@ -124,7 +124,7 @@ fn followed(found: &Motion) -> String {
     lines
 }
 
-/// What is found in which order.
+/// Order of the solution.
 fn solution(page: &mut String, model: &Model, system: &System, solution: &Solution) {
     let blocks: Vec<&Vec<usize>> = solution
         .stages
@@ -169,7 +169,7 @@ pub(crate) fn is_orientation(system: &System, stage: &Summary) -> bool {
     matches!(stage, Summary::Explicit { unknown, .. } if (system.coordinates.len()..system.width()).contains(unknown))
 }
 
-/// What becomes of a large block's Jacobian.
+/// Treatment of the Jacobian of a large block.
 fn eliminated(page: &mut String, elimination: &Elimination) -> std::fmt::Result {
     let (entries, factors) = (elimination.pattern.len(), elimination.factors.len());
     let Cost { flops, divisions, .. } = elimination.cost;
@@ -187,7 +187,7 @@ pub(crate) fn coordinate_name(model: &Model, system: &System, unknown: usize) ->
             let body = &model.bodies[(unknown - system.coordinates.len()) / COSINES];
             format!("{}.orientation", body.name)
         }
-        // What a slice is for comes after all unknowns.
+        // The output of a slice comes after all unknowns.
         None => format!("component {} of the output", unknown - system.width() + 1),
     }
 }
@@ -282,7 +282,7 @@ pub(crate) fn default_values(model: &Model, system: &System) -> Vec<f64> {
     defaults.into_iter().map(|value| if value.is_finite() { value } else { f64::MAX }).collect()
 }
 
-/// What is known of an input.
+/// Description of an input.
 pub(crate) fn input(parameter: &Parameter) -> String {
     let unit = parameter.dim.unit();
     let (unit, rate) = if unit.is_empty() {

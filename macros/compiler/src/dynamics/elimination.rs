@@ -14,7 +14,7 @@ use super::order::PivotBlock;
 use crate::expr::{Arena, Expr, Unary};
 use std::collections::BTreeMap;
 
-/// Accelerations, and by what their computation is judged.
+/// Accelerations, and the checks of their computation.
 #[derive(Clone, Debug)]
 pub struct Accelerations {
     /// u̇, by integrated speed.
@@ -139,7 +139,7 @@ impl<'a> SparseRows<'a> {
         size
     }
 
-    /// The sum of a row's sizes, and what it must not vanish beside: a small part of the sum before elimination.
+    /// The sum of a row's sizes, and a small part of the sum before elimination, beside which it must not vanish.
     fn judged(&mut self, row: usize, lengths: &[Expr]) -> Expr {
         let (size, before) = (self.size(row, lengths), self.before[row]);
         if size == before {

@@ -1,4 +1,4 @@
-//! Loads in closed form: the multipliers, eliminated in an order that is good where the mechanism is assembled, and what they do to bodies.
+//! Loads in closed form: the multipliers, eliminated in an order that is good at the assembled configuration, and the loads on bodies.
 //!
 //! ```text
 //! Φ_uᵀ λ = −f      one row for each speed, one column for each multiplier; those of freedoms vanish
@@ -22,23 +22,23 @@ use crate::structure::{Entry, Pattern, Structure, components_in_order, maximum};
 use crate::system::{LoadEquations, LoadRow, System};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Multipliers and what they do.
+/// Multipliers and the loads from them.
 #[derive(Clone, Debug)]
 pub struct Loads {
     /// All expressions.
     pub arena: Arena,
     /// λ in closed form; `None` if equations are redundant.
     pub closed: Option<Multipliers>,
-    /// What joints and drives do, from λ as data.
+    /// Forces and torques of joints and powers of drives, from λ as data.
     pub actions: Vec<Expr>,
 }
 
-/// Multipliers, and by what their computation is judged.
+/// Multipliers, and the checks of their computation.
 #[derive(Clone, Debug)]
 pub struct Multipliers {
     /// λ, without those of freedoms.
     pub values: Vec<Expr>,
-    /// What joints and drives do.
+    /// Forces and torques of joints and powers of drives.
     pub actions: Vec<Expr>,
     /// Determinants and pivots, each with the number that its size has to exceed.
     pub checks: Vec<[Expr; 2]>,
@@ -70,7 +70,7 @@ pub(crate) fn loads(model: &Model, system: &System, structure: &Structure, assem
     Some(Loads { arena, closed, actions })
 }
 
-/// What joints, drives and forces do: for each joint the force at its point and the torque about it, for each drive its power, for each force
+/// Loads of joints, drives and forces: for each joint the force at its point and the torque about it, for each drive its power, for each force
 /// its forces, its torques and its power.
 fn actions(model: &Model, arena: &mut Arena, equations: &LoadEquations, multipliers: &[Expr]) -> Vec<Expr> {
     let mut actions = Vec::new();
@@ -257,7 +257,7 @@ impl<'a> LoadMatrix<'a> {
         }
     }
 
-    /// Rows and columns of each block of what is left, in the order of solution.
+    /// Rows and columns of each remaining block, in the order of solution.
     fn blocks(&self) -> Option<Vec<(Vec<usize>, Vec<usize>)>> {
         let rows: Vec<usize> = self.open[0].iter().copied().collect();
         let entries = |row: &usize| self.entries[*row].keys().map(|column| Entry { unknown: *column, is_pivot: false }).collect();

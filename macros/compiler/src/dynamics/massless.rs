@@ -1,4 +1,4 @@
-//! Equations of velocities, such as multi-point constraints, act on what has a mass.
+//! Equations of velocities, such as multi-point constraints, must act on bodies with mass.
 //!
 //! ```text
 //! J z = 0, M z = 0      z: a motion that equations of positions and drives leave, and that nothing resists

@@ -17,7 +17,7 @@ pub(super) struct PivotBlock {
     pub(super) columns: Vec<usize>,
 }
 
-/// What decides between blocks, the least first.
+/// Rank of a block; the least comes first.
 ///
 /// 1. Single pivots are taken last, unless they are alone in their rows.
 /// 2. Columns of freedoms stay independent where possible: declared freedoms are those that determine the motion well.
@@ -46,7 +46,7 @@ impl<'a> OpenRows<'a> {
     /// * `is_zero`: given, true for an entry that always vanishes.
     /// * `joints`: given, for each row the number of its joint.
     /// * `freedoms`: given, columns that are better not solved for.
-    /// * `trusted`: given, what determinants are compared with at run time.
+    /// * `trusted`: given, the bound of determinants at run time.
     pub(super) fn new(
         numbers: &[Vec<f64>],
         is_zero: impl Fn(usize, usize) -> bool,
@@ -98,7 +98,7 @@ impl<'a> OpenRows<'a> {
             choices(&held, rows.len()).into_iter().map(|columns| (self.determinant(rows, &columns).abs(), columns)).collect();
         let largest = choices.iter().map(|(size, _)| *size).fold(0.0, f64::max);
         let sum = |row: &usize| held.iter().map(|column| self.numbers[*row][*column].abs()).sum::<f64>();
-        // Twice what is trusted: less would soon fall below.
+        // Twice the bound: a smaller determinant would soon fall below it.
         let least = if rows.len() == 1 { 0.0 } else { 2.0 * rows.iter().map(sum).product::<f64>() / self.trusted };
         let is_steady = |size: f64| size >= STEADY * largest && size > least;
         let rank = |columns: &[usize]| {

@@ -61,7 +61,7 @@ fn agrees(declaration: &str) {
         let (multipliers, rest) = found.split_at(code.multipliers);
         let (actions, checks) = rest.split_at(code.width);
         assert!(checks.chunks(2).all(|pair| pair[0] > pair[1]), "{checks:?}");
-        // Freedoms do nothing: with any accelerations their multipliers take up what is left.
+        // Freedoms exert no force: with any accelerations their multipliers balance the rest.
         let count = equations.forces.len();
         let mut matrix = vec![vec![0.0; count]; count];
         for (column, row) in equations.rows.iter().enumerate() {
@@ -76,7 +76,7 @@ fn agrees(declaration: &str) {
         for (found, wanted) in multipliers.iter().zip(&wanted) {
             assert!((found - wanted).abs() < 1e-12 * size, "{found} {wanted}");
         }
-        // What joints do, from multipliers as data.
+        // Loads of joints, from multipliers as data.
         let (mut arena, mut given) = (code.arena.clone(), Substitution::new());
         for (number, multiplier) in closed.results[..code.multipliers].iter().enumerate() {
             given.replace(Leaf::Datum(number as u32), *multiplier);

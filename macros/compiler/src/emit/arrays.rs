@@ -33,7 +33,7 @@ pub(super) fn array_of(element: TokenStream, sizes: &[usize]) -> TokenStream {
     }
 }
 
-/// An array of what stands at some places; `element` is given the place.
+/// An array with an element for each place; `element` is given the place.
 pub(super) fn array_at(places: &[usize], sizes: &[usize], element: impl Fn(TokenStream) -> TokenStream) -> TokenStream {
     if let ([], [place]) = (sizes, places) {
         let place = Literal::usize_unsuffixed(*place);

@@ -11,7 +11,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use std::collections::BTreeMap;
 
-/// StraightLine with what their numbers stand for.
+/// Straight-line code with the meaning of its numbers.
 pub(super) struct BlockPrinter<'a> {
     pub(super) model: &'a Model,
     pub(super) arena: &'a Arena,
@@ -22,11 +22,11 @@ pub(super) struct BlockPrinter<'a> {
     pub(super) equations: &'a [TokenStream],
     /// Unknowns whose sine and cosine are wanted afterwards.
     pub(super) kept: &'a [usize],
-    /// What unknowns and equations are called in the declaration; without it statements are not commented.
+    /// Names of unknowns and equations in the declaration; without them statements have no comments.
     pub(super) origins: Option<&'a Origins>,
 }
 
-/// What unknowns and equations are called in the declaration.
+/// Names of unknowns and equations in the declaration.
 pub(super) struct Origins {
     /// By unknown, `crank.angle`.
     pub(super) coordinates: Vec<String>,

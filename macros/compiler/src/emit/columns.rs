@@ -1,4 +1,4 @@
-//! What stands for what in each piece of a shape: as a progression where it is one, else in a table.
+//! Numbers that vary between the pieces of one shape: a progression if they form one, else a table.
 
 use super::expression::{local, named};
 use super::literal::{number, signed};

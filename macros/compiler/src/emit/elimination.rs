@@ -121,7 +121,7 @@ impl EliminationPrinter<'_> {
         quote!(#of_upper let #grown = #(#multipliers)+* + #row; let #size = #of_matrix;)
     }
 
-    /// Its magnitude times what counts as 1 in the unknown of its column: of an angle, 1.
+    /// Its magnitude times the scale of the unknown of its column; the scale of an angle is 1.
     fn weighed(&self, name: &Ident, column: usize) -> TokenStream {
         let unknown = self.order.columns[column];
         let index = Literal::usize_unsuffixed(unknown);
@@ -199,7 +199,7 @@ fn upper((i, j): (usize, usize)) -> Ident {
     local(&format!("u_{i}_{j}"))
 }
 
-/// What is stored of an entry: on the diagonal, the reciprocal of the pivot.
+/// Stored form of an entry: on the diagonal, the reciprocal of the pivot.
 fn factor((i, j): (usize, usize)) -> Ident {
     match i.cmp(&j) {
         std::cmp::Ordering::Less => upper((i, j)),

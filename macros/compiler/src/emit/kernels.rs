@@ -140,7 +140,7 @@ impl Emitter<'_> {
 }
 
 impl Emitter<'_> {
-    /// What a kernel finds, by the names of its first piece.
+    /// Results of a kernel, by the names of its first piece.
     fn kernel_page(&self, kernel: &Kernel) -> TokenStream {
         let coordinate = |slot: &usize| docs::coordinate_name(self.model, self.system, kernel.shape.unknowns[*slot].at(0) as usize);
         let equation = |column: &Column<u32>| docs::equation_name(self.model, self.system, column.at(0) as usize);
@@ -219,7 +219,7 @@ fn rest(kernel: &Kernel, unknowns: &[Index], ranks: &BTreeMap<usize, TokenStream
     }
 }
 
-/// What is known of unknowns that other kernels found.
+/// Values of unknowns from other kernels.
 fn reads(kernel: &Kernel, unknowns: &[Index], ranks: &BTreeMap<usize, TokenStream>) -> TokenStream {
     let (found, turns) = (local("found"), local("turns"));
     let mut tokens = TokenStream::new();
@@ -243,7 +243,7 @@ fn reads(kernel: &Kernel, unknowns: &[Index], ranks: &BTreeMap<usize, TokenStrea
     tokens
 }
 
-/// What the kernel found.
+/// Results of the kernel.
 fn writes(kernel: &Kernel, printer: &BlockPrinter, ranks: &BTreeMap<usize, TokenStream>) -> TokenStream {
     let (found, turns) = (local("found"), local("turns"));
     let mut tokens = TokenStream::new();

@@ -10,7 +10,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 impl Emitter<'_> {
-    /// The method `loads`, and what it gives; nothing without masses and forces.
+    /// The method `loads` and its type; nothing without masses and forces.
     pub(super) fn loads(&self) -> TokenStream {
         let Some(code) = &self.plan.loads else { return quote!() };
         let (name, visibility, state) = (&self.model.name, &self.model.visibility, state_path(&self.model.name));
@@ -66,7 +66,7 @@ impl Emitter<'_> {
     pub(super) fn refreshed(&self, unknown: &TokenStream) -> Option<TokenStream> {
         self.plan.dynamics.as_ref().map(|_| {
             quote! {
-                // Accelerations of other parameters, or of what was written into the state, do not count.
+                // Accelerations that belong to other parameters, or to other values of the state, do not count.
                 let refreshed;
                 let state = if ::reuleaux::Dynamics::is_current(self, state) {
                     state
@@ -82,7 +82,7 @@ impl Emitter<'_> {
         })
     }
 
-    /// Φ_u and f, and what joints and drives do with given multipliers.
+    /// Φ_u and f, and the loads of joints and drives for given multipliers.
     fn loads_in_general(&self, code: &LoadsCode) -> TokenStream {
         let (m, u) = (code.multipliers, code.equations.results.len() - code.pattern.len());
         let state = state_path(&self.model.name);
@@ -132,7 +132,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// λ and what joints and drives do; `None` where a pivot is too small.
+    /// λ and the loads of joints and drives; `None` if a pivot is too small.
     fn loads_in_closed_form(&self, code: &LoadsCode) -> Option<TokenStream> {
         let RoutinePrinter { reads, steps, results } = fast_lines(self.model, &code.arena, code.closed.as_ref()?);
         let state = state_path(&self.model.name);

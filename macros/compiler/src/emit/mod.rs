@@ -106,7 +106,7 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
     }
 }
 
-/// What generated code need not be blamed for.
+/// Lints that do not apply to generated code.
 pub(super) fn allowed() -> TokenStream {
     quote!(#[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case, unused)])
 }
@@ -125,7 +125,7 @@ fn structure(model: &Model, page: &str) -> TokenStream {
     }
 }
 
-/// The user's documentation, and below it what is known of the item.
+/// The user's documentation, followed by the generated description of the item.
 fn docs_or(docs: &Docs, known: &str) -> TokenStream {
     let (tokens, known) = (&docs.tokens, docs::line(known));
     if docs.text.is_empty() { known } else { quote!(#tokens #[doc = ""] #known) }
@@ -307,7 +307,7 @@ fn solve(model: &Model, system: &System, plan: &Plan) -> TokenStream {
     let (name, state, n) = (&model.name, state_path(&model.name), system.width());
     let (vector, n) = (vector_type(n), number(n));
     let result = quote!(::core::result::Result<#state<T>, ::reuleaux::Failure<T, #n>>);
-    // A sweep prepares what there is to prepare.
+    // A sweep prepares the numbers that depend on parameters only.
     let prepared = if prepared::fixed_names(plan).is_empty() { quote!(*self) } else { quote!(self.prepared()) };
     let allowed = allowed();
     quote! {

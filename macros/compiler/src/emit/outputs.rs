@@ -104,7 +104,7 @@ fn alone(method: &Method) -> TokenStream {
     quote!(#[doc(alias = #solve_for)])
 }
 
-/// What the lines read.
+/// Variables that the lines read.
 fn vectors() -> TokenStream {
     let (q, qd, qdd, t) = (local("q"), local("qd"), local("qdd"), local("t"));
     quote!(let (#q, #qd, #qdd, #t) = (&state.q, &state.qd, &state.qdd, state.t);)

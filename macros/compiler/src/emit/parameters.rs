@@ -147,7 +147,7 @@ impl<'a> Parameters<'a> {
 
     /// A component whose parts all have the same defaults has them itself.
     fn component_defaults(&self, component: usize, name: &Ident, values: &[f64]) -> TokenStream {
-        // Inputs are all given: what is left out would be forgotten.
+        // All inputs must be given: an omitted one would be forgotten.
         if self.is_of_inputs(component) {
             return quote!();
         }
@@ -272,7 +272,7 @@ impl Parameters<'_> {
 /// Which components hold something of a kind, themselves or in their parts.
 pub(super) fn holders(layout: &Layout, what: Of) -> Vec<bool> {
     let mut found = vec![false; layout.components.len()];
-    // Parts stand after what they are parts of, but a component may be used before another that it contains.
+    // A part stands after the mechanism or part that contains it, but a component may be used before another that it contains.
     for _ in 0..layout.components.len() {
         let before = found.clone();
         for (component, declared) in layout.components.iter().enumerate() {

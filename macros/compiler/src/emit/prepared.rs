@@ -54,7 +54,7 @@ impl Emitter<'_> {
         (body, types)
     }
 
-    /// The body of `stages`, and what computes and takes the numbers that depend on parameters only, if any are kept.
+    /// The body of `stages`, and the functions that compute and read the numbers that depend on parameters only, if any are kept.
     fn kept(&self, body: TokenStream, n: &TokenStream, count: &TokenStream) -> (TokenStream, TokenStream) {
         let Some(lines) = straight(self.plan).filter(|lines| !lines.fixed_names.is_empty()) else { return (body, quote!()) };
         let printer =
@@ -80,7 +80,7 @@ impl Emitter<'_> {
     }
 }
 
-/// The names of what depends on parameters only and is kept.
+/// Names of the kept numbers, which depend on parameters only.
 pub(super) fn fixed_names(plan: &Plan) -> &[String] {
     straight(plan).map_or(&[], |lines| &lines.fixed_names)
 }

@@ -1,4 +1,4 @@
-//! What can be solved alone: the slice upstream of an output, and what moves of a mechanism that rests in part.
+//! Systems that can be solved alone: the slice upstream of an output, and the moving part of a mechanism that rests in part.
 
 use super::arrays::{array_at, array_type};
 use super::expression::local;
@@ -13,7 +13,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 impl Emitter<'_> {
-    /// The methods `solve_for_…`, and what they give
+    /// The methods `solve_for_…` and their types
     pub(super) fn slices(&self) -> (TokenStream, TokenStream) {
         let slices = self.model.methods.iter().filter(|method| method.is_slice).zip(&self.plan.slices).enumerate();
         slices.map(|(number, (method, slice))| (self.solve_for(method), self.slice(number, method, slice))).unzip()
@@ -85,7 +85,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// Names, start and size of what moves: those of the mechanism, as far as they belong to it.
+    /// Names, start and size of the moving part: those of the mechanism, as far as they belong to it.
     fn description(&self, name: &Ident, shelf: &StateLayout) -> TokenStream {
         let (mechanism, whole) = (&self.model.name, number(self.system.width()));
         let of_mechanism = quote!(<#mechanism<T> as ::reuleaux::Description<T, #whole>>);
@@ -108,7 +108,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// A step in which only what moves is solved, and the type that it is solved by; nothing where all of it moves.
+    /// A step that solves the moving part only, and the type of that part; nothing if everything moves.
     pub(super) fn moving(&self) -> (TokenStream, TokenStream) {
         let Some(slice) = &self.plan.moving else { return (quote!(), quote!()) };
         let (mechanism, n) = (&self.model.name, slice.held.len());

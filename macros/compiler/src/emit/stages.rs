@@ -45,7 +45,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// What the runtime has to know of single unknowns
+    /// Properties of single unknowns for the runtime
     pub(super) fn lists(&self, solution: &Solution, shelf: &StateLayout) -> TokenStream {
         let (angles, iterated) = (self.computed_angles(solution, shelf), iterated(solution, shelf));
         let unsure = unsure(solution, shelf);
@@ -94,7 +94,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// What tells sets of parameters apart, where something may be left as it was in the state before
+    /// The hash that distinguishes sets of parameters, if constant unknowns are kept from the state before
     fn mark(&self, solution: &Solution) -> TokenStream {
         let can_rest = matches!(&solution.solving, Solving::Shared(kernels) if kernels.can_rest);
         if self.plan.moving.is_none() && !can_rest || self.model.parameters.is_empty() {
@@ -114,7 +114,7 @@ impl Emitter<'_> {
     /// The hash of all parameters.
     pub(super) fn parameter_hash(&self) -> TokenStream {
         let words = Words::new(self.model, self.system);
-        // What depends on inputs of a state moves.
+        // Unknowns that depend on inputs of a state move.
         let moving = if self.model.holds_inputs() { self.model.of_inputs() } else { BTreeSet::new() };
         let is_meant = |number: &usize| !moving.contains(number);
         let all = (0..self.model.parameters.len()).filter(is_meant).map(|number| named(&words.parameter(number as u32)));
@@ -179,7 +179,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// What `n` unknowns and all equations are called in the declaration.
+    /// Names of `n` unknowns and of all equations in the declaration.
     fn origins(&self, n: usize) -> Origins {
         let joint = |equation: &Equation| {
             let joint = &self.model.joints[equation.joint];
@@ -204,7 +204,7 @@ impl Emitter<'_> {
     }
 }
 
-/// Where the results of stages go: given back, or written to an argument where they are many; its name, it, and what is given back.
+/// Destination of the results of stages: returned, or written to an argument if they are many; name of the argument, argument, and return type.
 pub(super) fn results(solving: &Solving, n: usize) -> (TokenStream, TokenStream, TokenStream) {
     let (found, n) = (local("found"), number(n));
     match solving {
@@ -274,7 +274,7 @@ impl StateLayout {
     }
 }
 
-/// What an unknown measures.
+/// Kind of quantity of an unknown.
 fn kind(is_length: bool) -> TokenStream {
     if is_length { quote!(::reuleaux::CoordinateKind::Length) } else { quote!(::reuleaux::CoordinateKind::Angle) }
 }
@@ -283,7 +283,7 @@ fn kind(is_length: bool) -> TokenStream {
 pub(super) struct Index {
     /// Its index in q.
     pub(super) place: TokenStream,
-    /// What it measures.
+    /// Kind of its quantity.
     pub(super) kind: TokenStream,
     /// It is no angle.
     pub(super) is_length: bool,

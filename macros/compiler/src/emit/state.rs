@@ -15,7 +15,7 @@ pub(super) struct Accessors<'a> {
     visibility: &'a TokenStream,
     /// Which components have bodies, themselves or in their parts.
     has_any: Vec<bool>,
-    /// What stands in every accessor instead, in a stub.
+    /// Body of every accessor in a stub.
     body: Option<&'a TokenStream>,
     /// In space: where the orientations begin in a state.
     orientations: Option<usize>,

@@ -1,4 +1,4 @@
-//! What is emitted in place of a refused mechanism: the same items without content, so that one
+//! Code in place of a refused mechanism: the same items without content, so that one
 //! mistake gives one error.
 
 use super::arrays::array_type;
@@ -273,7 +273,7 @@ fn solutions_with_inputs(state: &Ident, inputs: &Ident, n: usize, body: &TokenSt
     }
 }
 
-/// What a mechanism with freedoms can be asked for.
+/// Methods of a mechanism with freedoms.
 fn motion_from_forces(state: &Ident, body: &TokenStream) -> TokenStream {
     let done = |value: TokenStream| quote!(::core::result::Result<#value, ::reuleaux::Stopped<T>>);
     let (first, nothing, found) = (done(quote!(#state<T>)), done(quote!(())), done(quote!(::core::primitive::bool)));
@@ -331,7 +331,7 @@ fn motion(tree: &Mechanism, promised: &Outline, method: &Method) -> TokenStream 
     array_type(motion, &method.sizes)
 }
 
-/// The slices upstream of outputs: the methods, and what they give.
+/// The slices upstream of outputs: the methods and their types.
 fn slices(tree: &Mechanism, promised: &Outline, visibility: &TokenStream, body: &TokenStream) -> (TokenStream, TokenStream) {
     let (mechanism, n) = (&tree.name, number(3 * promised.bodies));
     let slice = |(order, method): (usize, &Method)| {
@@ -375,7 +375,7 @@ fn outputs(tree: &Mechanism, promised: &Outline, state: &Ident, body: &TokenStre
     promised.methods.iter().map(method).chain(refused).collect()
 }
 
-/// What an output may be.
+/// Kind of an output.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum OutputKind {
     Number,
@@ -383,7 +383,7 @@ enum OutputKind {
     Body,
 }
 
-/// A guess at what an output is, from how it is written.
+/// Guesses the kind of an output from its expression.
 fn kind(expr: &Expression, tree: &Mechanism, lets: usize) -> OutputKind {
     let vector_if = |is_vector: bool| if is_vector { OutputKind::Vector } else { OutputKind::Number };
     match &expr.kind {

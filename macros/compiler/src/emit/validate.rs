@@ -1,4 +1,4 @@
-//! The generated check of parameters: each is finite, lies within its bounds, and meets what the joints demand.
+//! The generated check of parameters: each is finite, lies within its bounds, and meets the conditions of the joints.
 
 use super::expression::place;
 use super::functions::Emitter;
@@ -90,7 +90,7 @@ fn named(parameter: &Parameter) -> TokenStream {
     quote!((#path, self.#place, #unit))
 }
 
-/// What to name where a requirement is not met.
+/// Name in the message if a requirement is not met.
 struct Culprit {
     name: String,
     value: TokenStream,

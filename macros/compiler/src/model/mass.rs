@@ -4,7 +4,7 @@ use crate::diag::ValueFact;
 use crate::expr::{Arena, Expr};
 use crate::quantity::is_inertia;
 
-/// A mass fixed in a body and its distribution; what is not declared is zero.
+/// A mass fixed in a body and its distribution; undeclared parts are zero.
 #[derive(Clone, Debug, Default)]
 pub struct Mass {
     /// Mass.
@@ -16,7 +16,7 @@ pub struct Mass {
 }
 
 impl Mass {
-    /// The word at fault and what is wrong: a centre without a mass, a negative number, an inertia that no distribution of mass has.
+    /// The clause at fault and the mistake in it: a centre without a mass, a negative number, an inertia that no distribution of mass has.
     ///
     /// * `numbers`: given, the values of expressions of parameters at the defaults.
     pub(crate) fn flaw(&self, body: &str, numbers: impl Fn(&[Expr]) -> Vec<f64>) -> Option<(&'static str, ValueFact)> {

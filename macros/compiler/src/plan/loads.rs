@@ -24,9 +24,9 @@ pub struct LoadsCode {
     pub pattern: Vec<(usize, usize)>,
     /// Entries of Φ_u, then f.
     pub equations: Routine,
-    /// What joints and drives do, from multipliers as data.
+    /// Forces and torques of joints and powers of drives, from multipliers as data.
     pub actions: Routine,
-    /// λ, what joints and drives do, and each number with the one that it has to exceed.
+    /// λ, the loads of joints and drives, and each checked number with its lower bound.
     pub closed: Option<Routine>,
     /// Kinetic energy, potential energy, and power of the forces declared.
     pub energies: Routine,
@@ -34,12 +34,12 @@ pub struct LoadsCode {
     pub named: Vec<NamedLoad>,
 }
 
-/// What is stated of a joint, a drive or a force.
+/// The load of a joint, a drive or a force.
 #[derive(Clone, Debug)]
 pub struct NamedLoad {
     /// Name.
     pub name: Name,
-    /// What is stated.
+    /// Kind of the load.
     pub kind: LoadKind,
     /// Its multipliers among all.
     pub multipliers: Range<usize>,
@@ -47,12 +47,12 @@ pub struct NamedLoad {
     pub actions: Range<usize>,
     /// It can be computed alone.
     pub is_slice: bool,
-    /// For what can be computed alone: its multipliers and numbers, and each number with the one that it has to exceed; `None` where
+    /// For a load that can be computed alone: its multipliers and numbers, and each checked number with its lower bound; `None` where
     /// multipliers are not in closed form.
     pub alone: Option<Routine>,
 }
 
-/// What is stated.
+/// Kind of a load.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LoadKind {
     /// Effort and power.
@@ -119,7 +119,7 @@ fn named(model: &Model, equations: &LoadEquations) -> Vec<NamedLoad> {
     named
 }
 
-/// The results of a load by itself: its multipliers, its actions, and the checks of what it is computed from.
+/// The results of a load by itself: its multipliers, its actions, and the checks of its divisors.
 fn alone(loads: &Loads, load: &NamedLoad) -> Option<Vec<Expr>> {
     if let LoadKind::Force(_) = load.kind {
         return Some(loads.actions[load.actions.clone()].to_vec());

@@ -202,7 +202,7 @@ fn solving(
         slice::upstream(&PlanContext { words: &words, is_angle: &is_angle, ..frame }, stages, output, system.width())
     };
     let slices = outputs.iter().map(slice).collect();
-    // Where a part rests, single steps are made by what moves.
+    // If a part rests, single steps solve the moving part.
     let moving = slice::moving(&frame, stages);
     (solution::solution(&frame, stages, moving.is_none()), slices, moving)
 }

@@ -19,7 +19,7 @@ pub(super) fn orientations(arena: &mut Arena, system: &System) -> Vec<Stage> {
     stages
 }
 
-/// Replaces marked expressions by what they stand for: from here on nothing is differentiated.
+/// Replaces marked expressions by their values: from here on nothing is differentiated.
 pub(super) fn without_marks(arena: &mut Arena, stages: &mut [Stage], outputs: &mut [OutputMotion]) {
     if !arena.is_spatial() {
         return;

@@ -49,7 +49,7 @@ pub(crate) struct Elaborator<'a> {
     pub(super) added: Vec<(usize, Mass)>,
     /// Potential energies.
     pub(super) energies: Vec<Expr>,
-    /// What was found of joints in space.
+    /// Relations of joints in space.
     pub(super) space: Notes,
     /// Lengths that are written without a unit, and the longest one with a unit.
     pub(super) lengths: Lengths,

@@ -56,7 +56,7 @@ impl Elaborator<'_> {
         Some(vector.parts.iter().map(|expr| Scalar { expr: *expr, measure: vector.measure }).collect())
     }
 
-    /// Refuses an initial value or rate that measures what the other one does.
+    /// Refuses an initial value with the dimension of a rate, and a rate with that of a value.
     fn measures_another(
         &mut self,
         written: &ast::Expression,

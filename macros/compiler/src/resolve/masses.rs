@@ -1,4 +1,4 @@
-//! Masses of bodies, and what joints and forces add to them.
+//! Masses of bodies, declared or added by joints and forces.
 //!
 //! ```text
 //! inertia = (a, b, c) along R;       R diag(a, b, c) Rᵀ in the axes of the body
@@ -91,7 +91,7 @@ impl Elaborator<'_> {
         Some(())
     }
 
-    /// Adds to the bodies what joints and forces add.
+    /// Adds the masses of joints and forces to their bodies.
     pub(super) fn gather_masses(&mut self, bodies: &mut [Body]) {
         for (body, mass) in std::mem::take(&mut self.added) {
             if let Some(body) = bodies.get_mut(body) {

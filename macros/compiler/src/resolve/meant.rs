@@ -1,4 +1,4 @@
-//! Checks that say what was probably meant, where another kind of thing was written: a value for a force, a force for a joint, a number
+//! Checks for a probable intent where another kind of item was written: a value for a force, a force for a joint, a number
 //! for a torque in space.
 
 use super::Joint;
@@ -108,7 +108,7 @@ impl Elaborator<'_> {
         self.refuse(applied.value.range, fact)
     }
 
-    /// Refuses `cross(a, b) == 0` in space: its three rows say what two say, wherever it holds.
+    /// Refuses `cross(a, b) == 0` in space: where it holds, its three rows are equivalent to two.
     pub(super) fn has_no_cross_product(&mut self, joint: &JointItem, statements: &[Statement], scope: &Scope) -> Option<()> {
         if self.names.ambient == Ambient::Plane || joint.is_redundant || !self.judges_rows {
             return Some(());
@@ -177,7 +177,7 @@ impl Elaborator<'_> {
         self.refuse(written.range, MotionFact::FreedomOfJoint { name: name.to_string(), joint, offers })
     }
 
-    /// What can be measured between the bodies of a joint that names no coordinate: a distance along its axis, or an angle.
+    /// The quantity between the bodies of a joint that names no coordinate: a distance along its axis, or an angle.
     fn coordinates_across(&self, joint: &str, arguments: &[(String, Value)]) -> Vec<String> {
         if let (Some((axis, _)), [(from, _), (to, _)]) = (
             arguments.iter().find(|(_, value)| matches!(value, Value::Axis(_))),

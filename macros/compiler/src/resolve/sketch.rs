@@ -81,7 +81,7 @@ impl Elaborator<'_> {
         })
     }
 
-    /// Of the angle or the displacement of a joint in space, what it is measured between.
+    /// The points and axes between which the angle or the displacement of a joint in space is measured.
     fn quantity_in_sketch(&self, expr: Expr) -> Option<Instantiation> {
         let axis = |triad: Triad| JointArgument::Axis(LocalVector { body: triad.body, local: Components::space(triad.axes[2]) });
         let point = |place: Place| JointArgument::Point(LocalVector { body: place.body, local: Components::space(place.local) });

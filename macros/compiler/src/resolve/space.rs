@@ -1,4 +1,4 @@
-//! Space: orientations, axes with the directions across them, and what joints relate.
+//! Space: orientations, axes with the directions across them, and the relations of joints.
 //!
 //! ```text
 //! triad of an axis   z = a/|a|,  x = (b − (b·z) z)/|…| for the declared direction b,  y = z × x
@@ -22,7 +22,7 @@ use std::rc::Rc;
 /// Built-in functions of space.
 pub(crate) const BUILTINS: &[&str] = &["across", "along", "joint_angle", "misalignment", "turn", "x_axis", "y_axis", "z_axis"];
 
-/// What is known of expressions while a mechanism is resolved.
+/// Properties of expressions while a mechanism is resolved.
 #[derive(Default)]
 pub(super) struct Notes {
     geometry: Geometry,

@@ -1,4 +1,4 @@
-//! What forces and masses do by the speeds of the unknowns, where they decide the motion.
+//! Balance of forces and inertia in the speeds of the unknowns, if motion follows from forces.
 //!
 //! ```text
 //! f_k = Σ ∂v/∂u_k · F + ∂ω/∂u_k · T      F, T: M u̇ − Q of a body, about its origin

@@ -13,7 +13,7 @@ use crate::model::{DECLARED, JointQuantity, Model};
 use crate::quantity::{Dim, Role};
 use std::collections::HashMap;
 
-/// What forces and masses leave to joints and drives.
+/// Forces that joints and drives have to supply: M u̇ − Q.
 #[derive(Clone, Debug)]
 pub struct LoadEquations {
     /// f, by speed of the bodies.
@@ -200,7 +200,7 @@ impl JointAngles {
         self.replaced[&root]
     }
 
-    /// Adds what an equation has by its angles, and writes the angles as before.
+    /// Adds the derivatives of an equation by its angles, and restores the angles.
     fn add_slopes(&mut self, arena: &mut Arena, row: &Row, equation: &mut Equation) {
         let leaves = arena.leaves(row.residual);
         for angle in self.known.iter().filter(|angle| leaves.contains(&angle.leaf)) {

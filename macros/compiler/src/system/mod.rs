@@ -59,7 +59,7 @@ pub struct System {
     pub declared: Option<Box<DeclaredEquations>>,
     /// In space: the frame of each body in the arena.
     pub frames: Vec<usize>,
-    /// What joints and drives have to supply, if there are masses or forces.
+    /// Forces that joints and drives have to supply, if there are masses or forces.
     pub loads: Option<LoadEquations>,
     /// In space: the joint by which the orientation of each body follows, and the body that it follows from.
     pub reached: Vec<Option<(usize, Option<usize>)>>,
@@ -168,7 +168,7 @@ impl System {
         let bodies: BTreeSet<usize> = own.flat_map(|equation| equation.jacobian.iter().map(|(speed, _)| speed / 6)).collect();
         let mut joints = BTreeSet::new();
         for mut body in bodies {
-            // What the ways of two bodies share is not in the loop.
+            // Joints on the ways of both bodies are not in the loop.
             while let Some((joint, from)) = self.reached[body] {
                 if !joints.insert(joint) {
                     joints.remove(&joint);
@@ -286,7 +286,7 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     Some(System { arena, coordinates, speeds, equations, of_speeds, balance, pattern, outputs, lengths, declared, frames, loads, reached })
 }
 
-/// What is solved for: unknowns, and the rows and outputs in them.
+/// The solved form: unknowns, and rows and outputs in terms of them.
 struct Choice {
     coordinates: Vec<Coordinate>,
     /// In the order of joints.

@@ -14,7 +14,7 @@ pub enum Word {
     Force,
 }
 
-/// What a joint in space can measure.
+/// A quantity between the bodies of a joint in space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum JointValue {
     /// `joint.angle`

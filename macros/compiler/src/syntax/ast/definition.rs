@@ -109,7 +109,7 @@ pub struct Applied {
 pub struct Added {
     /// Point of a mass, body of an inertia.
     pub target: Expression,
-    /// What is added.
+    /// The mass or inertia that is added.
     pub item: MassItem,
 }
 

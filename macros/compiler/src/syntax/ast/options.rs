@@ -18,7 +18,7 @@ pub enum Task {
     /// Positions, velocities and accelerations are solved for.
     #[default]
     Kinematics,
-    /// Freedoms follow from forces: what they do not determine is solved for, and they are integrated.
+    /// Freedoms follow from forces: they are integrated, and the other coordinates are solved for.
     Motion,
     /// `#[equations_only]`: no `solve` is generated, and the system need not be square.
     EquationsOnly,

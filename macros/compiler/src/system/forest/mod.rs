@@ -1,4 +1,4 @@
-//! What is solved for in space: positions, angles and displacements of joints, and quaternions only where no joint says more.
+//! Unknowns in space: positions, angles and displacements of joints, and quaternions only of bodies whose joints define no angle.
 //!
 //! ```text
 //! axes of one direction      A_j = A_i T_i R_z(θ) T_jᵀ                 one angle for two rows

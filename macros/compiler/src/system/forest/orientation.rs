@@ -133,7 +133,7 @@ impl Forest<'_> {
         for (number, axis) in by {
             let (speed, second) = (self.arena.leaf(Leaf::Speed(*number)), self.arena.leaf(Leaf::Acceleration(*number)));
             let rates = axis.map(|part| self.arena.mul(part, speed));
-            // ω × z θ̇: the axis turns with what came before.
+            // ω × z θ̇: the axis turns with the joints before it.
             let swing = cross(self.arena, velocity, rates);
             for k in 0..3 {
                 let along = self.arena.mul(axis[k], second);
