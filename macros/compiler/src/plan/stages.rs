@@ -10,11 +10,11 @@
 
 use super::linear;
 use super::stage::{Iteration, Stage};
-use crate::expr::{Arena, Expr, Jets, Leaf, Seed, Substitution, derivative};
+use crate::expr::{Arena, Expr, Jets, Leaf, Node, Seed, Substitution, derivative};
 use crate::quantity::Dim;
 use crate::structure::{Block, Explicit, Structure};
 use crate::system::{OutputMotion, System, magnitude};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// Stages of a mechanism whose unknowns all belong to blocks, and outputs with constants substituted.
 pub(super) fn stages(
@@ -29,6 +29,8 @@ pub(super) fn stages(
         jets: Jets::along(Seed::motion(system.rates())),
         constants: Substitution::new(),
         plain: HashMap::new(),
+        found: BTreeSet::new(),
+        computed: HashSet::new(),
     };
     let mut stages: Vec<Stage> = structure.blocks.iter().flat_map(|block| work.block(block)).collect();
     let orientations = super::space::orientations(work.arena, system);
@@ -46,6 +48,10 @@ struct StageBuilder<'a> {
     constants: Substitution,
     /// Expressions without marks.
     plain: HashMap<Expr, Expr>,
+    /// Coordinates of earlier stages.
+    found: BTreeSet<u32>,
+    /// What earlier stages in space compute. Only looked up, never iterated.
+    computed: HashSet<Expr>,
 }
 
 impl StageBuilder<'_> {
@@ -60,9 +66,13 @@ impl StageBuilder<'_> {
                         stages.push(self.computed(*unknown, *equation, value));
                     }
                 }
-                None => stages.push(Stage::Block(system)),
+                None => {
+                    self.note_computed(&[&system.residuals[..], &system.rates, &system.accelerations].concat());
+                    stages.push(Stage::Block(system));
+                }
             }
         }
+        self.found.extend(block.iterated.iter().map(|unknown| *unknown as u32));
         for explicit in &block.explicit {
             if let Some(value) = self.explicit(explicit) {
                 stages.push(self.computed(explicit.unknown, explicit.equation, value));
@@ -98,18 +108,37 @@ impl StageBuilder<'_> {
     fn computed(&mut self, unknown: usize, equation: usize, value: Expr) -> Stage {
         let motion = self.motion(value).map(|expr| self.constants.of(self.arena, expr));
         self.note_constants(unknown, &motion);
+        self.note_computed(&motion);
+        self.found.insert(unknown as u32);
         Stage::Explicit { unknown, equation, motion }
     }
 
+    /// Notes what a stage in space computes.
+    fn note_computed(&mut self, roots: &[Expr]) {
+        if self.arena.is_spatial() {
+            let new = self.arena.reachable_until(roots, |expr| self.computed.contains(&expr));
+            self.computed.extend(new);
+        }
+    }
+
     /// Value, rate and acceleration. A component of a vector fixed in a frame may depend on fewer coordinates than the vector: it is
-    /// differentiated as written where the vector's rate would need a coordinate that is found later.
+    /// differentiated as written where the vector's rate would need a coordinate that is found later, and where that is shorter.
     fn motion(&mut self, value: Expr) -> [Expr; 3] {
         let motion = self.jets.of(self.arena, value);
         if !self.arena.is_spatial() || self.depends_on_no_more(&motion[1..], value) {
             return motion;
         }
         let plain = self.arena.plain(value, &mut self.plain);
-        self.jets.of(self.arena, plain)
+        let plain = self.jets.of(self.arena, plain);
+        let [motion, plain] = [motion, plain].map(|motion| motion.map(|expr| self.constants.of(self.arena, expr)));
+        let is_possible = self.numbers(&motion).is_subset(&self.numbers(&[value]).union(&self.found).copied().collect());
+        if is_possible && self.operations(&motion) < self.operations(&plain) { motion } else { plain }
+    }
+
+    /// Operations that earlier stages do not share.
+    fn operations(&self, roots: &[Expr]) -> usize {
+        let is_operation = |expr: &Expr| !matches!(self.arena.node(*expr), Node::Constant(_) | Node::Leaf(_) | Node::Marked { .. });
+        self.arena.reachable_until(roots, |expr| self.computed.contains(&expr)).into_iter().filter(is_operation).count()
     }
 
     /// The derivative by an unknown, with the same care.
@@ -125,13 +154,16 @@ impl StageBuilder<'_> {
 
     /// True if some derivatives of a value depend on no coordinates, nor on their rates, on which the value does not depend.
     fn depends_on_no_more(&self, derivatives: &[Expr], value: Expr) -> bool {
+        self.numbers(derivatives).is_subset(&self.numbers(&[value]))
+    }
+
+    /// The coordinates on which expressions depend, by themselves or by their rates.
+    fn numbers(&self, roots: &[Expr]) -> BTreeSet<u32> {
         let number = |leaf: Leaf| match leaf {
             Leaf::Coordinate(number) | Leaf::Speed(number) | Leaf::Acceleration(number) => Some(number),
             Leaf::Time | Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_) | Leaf::Turn(_) => None,
         };
-        let numbers = |root: Expr| self.arena.leaves(root).into_iter().filter_map(number).collect::<BTreeSet<u32>>();
-        let own = numbers(value);
-        derivatives.iter().all(|derivative| numbers(*derivative).is_subset(&own))
+        roots.iter().flat_map(|root| self.arena.leaves(*root)).filter_map(number).collect()
     }
 
     /// A stage with constants substituted.
