@@ -5,6 +5,7 @@ mod derivative;
 mod eval;
 mod exact;
 mod formula;
+mod gather;
 mod jet;
 pub(crate) mod random;
 mod show;
