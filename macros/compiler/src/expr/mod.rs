@@ -21,6 +21,7 @@ mod frame;
 mod gather;
 mod jet;
 mod node;
+mod precise;
 mod show;
 mod simplify;
 pub mod spline;

@@ -7,6 +7,7 @@ mod exact;
 mod formula;
 mod gather;
 mod jet;
+mod precise;
 pub(crate) mod random;
 mod show;
 mod simplify;
