@@ -1,5 +1,6 @@
 //! Mechanisms in space.
 
+mod arms;
 mod declaration;
 mod limits;
 mod loads;

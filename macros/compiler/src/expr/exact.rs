@@ -7,6 +7,8 @@ mod decimal;
 mod rounding;
 mod twofold;
 
+pub(super) use twofold::Twofold;
+
 /// A rational number times an integer power of π.
 ///
 /// Always reduced: one value, one representation. Numerator and denominator stay below 2¹²⁰, so

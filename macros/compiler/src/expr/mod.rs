@@ -10,15 +10,18 @@
 //! - Children have smaller indices than their parents, so that every pass is a loop over
 //!   ascending ids, and a deep expression cannot overflow the stack.
 //! - Constants are exact. An operation whose exact result does not fit stays an operation.
-//! - Rewriting never loses accuracy: no expanding, no reassociation of sums, no cancelling of factors.
+//! - Rules of simplification never lose accuracy: no expanding, no reassociation of sums, no cancelling of factors. Only gathering
+//!   vectors of one frame, which is asked for by name, reassociates sums.
 
 mod arena;
 mod derivative;
 mod eval;
 mod exact;
 mod frame;
+mod gather;
 mod jet;
 mod node;
+mod precise;
 mod show;
 mod simplify;
 pub mod spline;

@@ -31,7 +31,9 @@ impl Triad {
             arena.sub(toward[k], part)
         });
         let x = unit(arena, across);
-        Triad { body, axes: [x, cross(arena, z, x), z] }
+        let axes = [x, cross(arena, z, x), z];
+        // What is at a right angle to an axis of the frame has no part along it, not even a rounding error.
+        Triad { body, axes: axes.map(|axis| axis.map(|part| arena.snapped(part))) }
     }
 }
 
@@ -115,3 +117,6 @@ pub(crate) fn rotation(arena: &mut Arena, [w, x, y, z]: [Expr; 4]) -> ([Triple; 
     let (zy, yz) = (mixed(y, z, x, true), mixed(y, z, x, false));
     ([[xx, yx, zx], [xy, yy, zy], [xz, yz, zz]], factor)
 }
+
+#[cfg(test)]
+mod tests;

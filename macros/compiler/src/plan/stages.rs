@@ -238,7 +238,10 @@ impl StageBuilder<'_> {
         let mut seconds = Vec::new();
         for equation in &block.residuals {
             let residual = inside.of(self.arena, self.system.equations[*equation].phi()?);
-            let [residual, first, second] = self.motion(residual).map(|expr| self.constants.of(self.arena, expr));
+            let gathered = self.arena.gathered(residual);
+            let [own, first, second] = self.motion(residual).map(|expr| self.constants.of(self.arena, expr));
+            // The rates share the arms of a body with the positions that follow; in the rows that are iterated a body has one arm.
+            let residual = if gathered == residual { own } else { self.constants.of(self.arena, gathered) };
             let row = block.iterated.iter().map(|unknown| self.slope_by(residual, *unknown)).collect();
             found.jacobian.push(row);
             let first = still.of(self.arena, first);

@@ -24,15 +24,20 @@ impl Exact {
     #[must_use]
     pub fn to_f64(self) -> f64 {
         let (numerator, denominator) = (self.numerator.unsigned_abs(), self.denominator.unsigned_abs());
-        let magnitude = if self.pi == 0 {
-            nearest(numerator, denominator)
-        } else {
-            let ratio = Twofold::from_integer(numerator).div(Twofold::from_integer(denominator));
-            let power = Twofold::PI.power(self.pi.unsigned_abs());
-            let value = if self.pi > 0 { ratio.mul(power) } else { ratio.div(power) };
-            value.round()
-        };
+        if self.pi != 0 {
+            return self.twofold().round();
+        }
+        let magnitude = nearest(numerator, denominator);
         if self.numerator < 0 { -magnitude } else { magnitude }
+    }
+
+    /// The number to about 100 bits.
+    pub(in crate::expr) fn twofold(self) -> Twofold {
+        let [above, below] = [self.numerator, self.denominator].map(|part| Twofold::from_integer(part.unsigned_abs()));
+        let ratio = above.div(below);
+        let power = Twofold::PI.power(self.pi.unsigned_abs());
+        let value = if self.pi < 0 { ratio.div(power) } else { ratio.mul(power) };
+        if self.numerator < 0 { value.neg() } else { value }
     }
 }
 
