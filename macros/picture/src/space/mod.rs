@@ -1,16 +1,18 @@
 //! Spatial mechanisms: an axonometric drawing, from a direction that is chosen for visibility.
 //!
 //! ```text
-//! Scene ─placed─▶ Placed (m) ─view─▶ Placed (units of the picture) ─drawing, symbols, wheels, drives─▶ Canvas
+//! Scene ─placed─▶ Placed (m) ─view─▶ Placed (units of the picture) ─drawing, symbols, slides, balls, wheels, drives─▶ Canvas
 //! ```
 //!
 //! Shapes are drawn from back to front. Labels and SVG are handled as in the plane.
 
+mod balls;
 mod customs;
 mod drawing;
 mod drives;
 mod pen;
 mod placed;
+mod slides;
 mod symbols;
 mod vector;
 mod view;

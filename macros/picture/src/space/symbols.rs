@@ -3,9 +3,10 @@
 use super::drawing::{Drawing, NEAR};
 use super::pen::Pen;
 use super::placed::{Of, Sign};
+use super::slides::Slide;
 use super::vector::{UP, Vec3, vec3};
 use crate::canvas::{Ink, Layer, Near, Subject};
-use core::f64::consts::{FRAC_PI_2, PI};
+use core::f64::consts::PI;
 
 /// The length of a hinge.
 pub(crate) const SIZE: f64 = 28.0;
@@ -13,38 +14,21 @@ pub(crate) const SIZE: f64 = 28.0;
 /// The radius of a hinge.
 const RADIUS: f64 = 6.5;
 
-/// The radius of a ball.
-const BALL: f64 = 5.6;
-
 /// Radius of the forks of a universal joint.
 const FORK: f64 = 14.0;
 
-/// Half the width of a sleeve.
-const SLEEVE: f64 = 6.5;
-
 /// Half the side of a plate.
-const PLATE: f64 = 24.0;
+pub(super) const PLATE: f64 = 24.0;
 
 /// Height of a hinge above its support on ground.
 const HEIGHT: f64 = 22.0;
 
-/// Symbol of a sliding joint.
-#[derive(Clone, Copy, Debug)]
-enum Slide {
-    /// A body on a guide of ground: the body and its position.
-    Guide { mover: Option<usize>, at: Vec3 },
-    /// One body telescopes into the other.
-    Telescope { outer: Of, inner: Of },
-    /// A sleeve on a bar.
-    Sleeve { at: Vec3, outer: Option<usize>, inner: Option<usize> },
-}
-
 /// Fill of a block in the colour of its body; ground is grey.
-fn block(body: Option<usize>) -> Ink {
+pub(super) fn block(body: Option<usize>) -> Ink {
     Ink::Block(body.unwrap_or(usize::MAX))
 }
 
-fn fork(body: Option<usize>) -> Ink {
+pub(super) fn fork(body: Option<usize>) -> Ink {
     Ink::Fork(body.unwrap_or(usize::MAX))
 }
 
@@ -95,28 +79,6 @@ impl Drawing<'_> {
                 }
             }
             _ => {}
-        }
-    }
-
-    fn slide(&self, number: usize, p: Of, q: Of, axis: Vec3) -> Slide {
-        let way = (q.at - p.at).dot(axis);
-        match (p.body, q.body) {
-            (None, mover) => Slide::Guide { mover, at: p.at + axis * way },
-            (mover, None) => Slide::Guide { mover, at: q.at - axis * way },
-            (outer, inner) => {
-                if self.scene.joints[number].kind != "screw" && way.abs() > 2.6 * SIZE {
-                    return Slide::Telescope { outer: p, inner: Of { body: inner, at: p.at + axis * way } };
-                }
-                // The body that turns in a bearing is the spindle; the other is the nut.
-                let is_turned = |body: Option<usize>| {
-                    self.scene.joints.iter().any(|other| other.kind == "revolute" && other.given.points().any(|of| of.body == body))
-                };
-                if self.scene.joints[number].kind == "screw" && is_turned(inner) && !is_turned(outer) {
-                    Slide::Sleeve { at: p.at, outer, inner }
-                } else {
-                    Slide::Sleeve { at: p.at + axis * way, outer: inner, inner: outer }
-                }
-            }
         }
     }
 
@@ -219,7 +181,7 @@ impl Drawing<'_> {
     }
 
     /// A short post to ground.
-    fn foot(&mut self, title: &str, from: Vec3, along: Vec3, length: f64) {
+    pub(super) fn foot(&mut self, title: &str, from: Vec3, along: Vec3, length: f64) {
         let foot = from + along * length;
         self.patch(title, foot, along, along.frame().0);
         let mut pen = self.pen(title);
@@ -245,86 +207,6 @@ impl Drawing<'_> {
         };
         pen.lines(Layer::Ground, Ink::Thin, &(-3..=3).map(stroke).collect::<Vec<_>>());
         self.put(self.sight.depth(at) - if self.sight.depth(into) < 0.0 { 6.0 } else { 0.0 }, pen);
-    }
-
-    fn sliding(&mut self, number: usize, p: Of, q: Of, axis: Vec3) {
-        let joint = &self.scene.joints[number];
-        let (title, name, kind) = (self.title(joint), joint.name.clone(), joint.kind.clone());
-        let here = (q.at - p.at).dot(axis);
-        let is_round = kind != "translational";
-        match self.slide(number, p, q, axis) {
-            Slide::Guide { mover, at } => {
-                let (low, high) = self.customs.way(number);
-                let (low, high) = if p.body.is_none() { (low - here, high - here) } else { (here - high, here - low) };
-                let ends = [at + axis * (low - 34.0), at + axis * (high + 34.0)];
-                self.rail(number, &title, ends, axis, kind == "screw", None);
-                self.sleeve(&title, mover, at, axis, SIZE / 2.0, is_round);
-                self.name(at, &name);
-            }
-            Slide::Telescope { outer, inner } => {
-                let way = inner.at - outer.at;
-                let (from, to) = (outer.at + way * 0.14, outer.at + way * 0.56);
-                self.sleeve(&title, outer.body, (from + to) * 0.5, way.unit(), (to - from).norm() / 2.0, is_round);
-                self.wish_beside(&name, from, to, Subject::Joint);
-            }
-            Slide::Sleeve { at, outer, inner } => {
-                if kind == "screw" {
-                    let ends = self.spindle(at, if inner == p.body { p.at } else { q.at }, axis);
-                    self.rail(number, &title, ends, axis, true, inner);
-                }
-                self.sleeve(&title, outer, at, axis, SIZE / 2.0, kind == "cylindrical");
-                self.name(at, &name);
-            }
-        }
-    }
-
-    /// Ends of a spindle, from its own point to beyond the nut.
-    fn spindle(&self, nut: Vec3, own: Vec3, axis: Vec3) -> [Vec3; 2] {
-        let reach = (own - nut).dot(axis);
-        [nut + axis * (reach.min(0.0) - 24.0), nut + axis * (reach.max(0.0) + 24.0)]
-    }
-
-    /// A box or a cylinder along an axis.
-    fn sleeve(&mut self, title: &str, body: Option<usize>, at: Vec3, axis: Vec3, half: f64, is_round: bool) {
-        let mut pen = self.pen(title);
-        if is_round {
-            pen.tube(Layer::Block, block(body), at - axis * half, at + axis * half, SLEEVE);
-        } else {
-            let (one, two) = axis.frame();
-            pen.block(block(body), at, [axis * half, one * SLEEVE, two * SLEEVE]);
-        }
-        let depth = self.depth_on(at).max(self.depth_on(at + axis * half)).max(self.depth_on(at - axis * half));
-        self.put(depth, pen);
-        self.tops.push((at, depth));
-    }
-
-    /// A rod that guides a sliding body; posts on ground hold it at its ends.
-    fn rail(&mut self, number: usize, title: &str, [low, high]: [Vec3; 2], axis: Vec3, is_thread: bool, body: Option<usize>) {
-        if is_thread {
-            let middle = (low + high) * 0.5;
-            for (from, to) in [(low, middle), (middle, high)] {
-                let mut pen = self.pen(title);
-                pen.tube(Layer::Rod, block(body), from, to, 4.0);
-                let count = ((to - from).norm() / 5.0).floor().clamp(0.0, 60.0) as usize;
-                let turn = |number: usize| pen.half_turn(from + axis * (2.5 + 5.0 * number as f64), axis, 4.0, 5.0);
-                let turns: Vec<_> = (0..count).map(turn).collect();
-                pen.lines(Layer::Rod, Ink::Thin, &turns);
-                self.put(self.sight.depth((from + to) * 0.5) + 0.2, pen);
-            }
-        } else {
-            self.bar(title, Layer::Rod, Ink::Rod, body, low, high);
-        }
-        if body.is_none() {
-            let down = self.customs.down(number);
-            if axis.z.abs() > 0.75 {
-                let (end, along) = if axis.dot(down) > 0.0 { (high, axis) } else { (low, -axis) };
-                self.foot(title, end, along, 4.0);
-            } else {
-                for end in [low, high] {
-                    self.foot(title, end, down.across(axis).unit(), 12.0);
-                }
-            }
-        }
     }
 
     fn universal(&mut self, number: usize, p: Of, q: Of, [a, b]: [Vec3; 2]) {
@@ -367,40 +249,13 @@ impl Drawing<'_> {
         self.name(at, &name);
     }
 
-    fn plate(&mut self, title: &str, body: Option<usize>, at: Vec3, [one, two]: [Vec3; 2]) {
+    pub(super) fn plate(&mut self, title: &str, body: Option<usize>, at: Vec3, [one, two]: [Vec3; 2]) {
         let mut pen = self.pen(title);
         let corners = [at + one + two, at + one - two, at - one - two, at - one + two];
         pen.area(Layer::DrawnBody, Ink::Paper, &corners);
         pen.area(Layer::DrawnBody, Ink::Wheel(body.unwrap_or(usize::MAX)), &corners);
         let depth = self.depth_on(at) - 0.4 + self.sight.depth((one.cross(two)).unit()).signum() * 0.01;
         self.put(depth, pen);
-    }
-
-    fn on_plane(&mut self, number: usize, body: Option<usize>, q: Of, axis: Vec3) {
-        let joint = &self.scene.joints[number];
-        let (title, name) = (self.title(joint), joint.name.clone());
-        let (one, two) = axis.frame();
-        self.plate(&title, body, q.at - axis * BALL, [one * PLATE, two * PLATE]);
-        if body.is_none() {
-            self.foot(&title, q.at - axis * BALL, -axis, 12.0);
-        }
-        let mut pen = self.pen(&title);
-        pen.ball(block(q.body), q.at, BALL);
-        self.put_on(q.at, pen);
-        self.name(q.at, &name);
-    }
-
-    fn on_line(&mut self, number: usize, p: Of, q: Of, axis: Vec3) {
-        let joint = &self.scene.joints[number];
-        let (title, name) = (self.title(joint), joint.name.clone());
-        let here = (q.at - p.at).dot(axis);
-        let (low, high) = self.customs.way(number);
-        let (low, high) = (low.min(0.0) - here, high.max(0.0) - here);
-        self.rail(number, &title, [q.at + axis * (low - 24.0), q.at + axis * (high + 24.0)], axis, false, p.body);
-        let mut pen = self.pen(&title);
-        pen.ball(block(q.body), q.at, BALL + 1.0);
-        self.put_on(q.at, pen);
-        self.name(q.at, &name);
     }
 
     fn weld(&mut self, number: usize, p: Of) {
@@ -413,65 +268,6 @@ impl Drawing<'_> {
         pen.block(Ink::Solid, p.at, [vec3(5.5, 0.0, 0.0), vec3(0.0, 5.5, 0.0), vec3(0.0, 0.0, 5.5)]);
         self.put_on(p.at, pen);
         self.name(p.at, &joint.name);
-    }
-
-    /// A ball of the second body in a socket of the first.
-    fn spherical(&mut self, number: usize, p: Of, q: Of) {
-        let joint = &self.scene.joints[number];
-        let (title, at) = (self.title(joint), p.at);
-        if p.body.is_none() || q.body.is_none() {
-            self.foot(&title, at + self.customs.down(number) * (BALL + 2.0), self.customs.down(number), 12.0);
-        }
-        let (socket, ball) = if p.body.is_none() || q.body.is_some() { (p.body, q.body) } else { (q.body, p.body) };
-        let open = self.open_side(at, ball, socket);
-        let mut pen = self.pen(&title);
-        pen.ball(block(ball), at, BALL);
-        pen.arc(fork(socket), at, BALL + 3.4, open + 1.0, open + 2.0 * PI - 1.0);
-        self.put_on(at, pen);
-        self.name(at, &joint.name);
-    }
-
-    /// Direction (rad) in which a link leaves the socket of a joint.
-    fn open_side(&self, at: Vec3, ball: Option<usize>, socket: Option<usize>) -> f64 {
-        let away = |body: Option<usize>| body.and_then(|body| self.shapes[body].away(at, Vec3::default()));
-        let way = away(ball).or_else(|| away(socket).map(|way| -way)).map(|way| self.sight.at(way));
-        way.filter(|way| way.norm() > 1e-3).map_or(-FRAC_PI_2, |way| (way.angle() * 1e4).round() / 1e4)
-    }
-
-    /// A thin rod with a ball at either end.
-    fn rod(&mut self, number: usize, p: Of, q: Of) {
-        let joint = &self.scene.joints[number];
-        let (title, name) = (self.title(joint), joint.name.clone());
-        self.bar(&title, Layer::Rod, Ink::Rod, None, p.at, q.at);
-        self.balls(number, &title, p, q);
-        self.wish_beside(&name, p.at, q.at, Subject::Joint);
-    }
-
-    /// A cylinder with its rod, and a ball at either end.
-    fn actuator(&mut self, number: usize, p: Of, q: Of) {
-        let joint = &self.scene.joints[number];
-        let (title, name) = (self.title(joint), joint.name.clone());
-        let way = q.at - p.at;
-        self.bar(&title, Layer::Rod, Ink::Rod, None, p.at, q.at);
-        let mut pen = self.pen(&title);
-        let (from, to) = (p.at + way * 0.14, p.at + way * 0.56);
-        pen.tube(Layer::Block, Ink::Paper, from, to, 5.5);
-        let quarters = [0.25, 0.75].map(|part| self.sight.depth(p.at + way * part));
-        let depth = quarters[0].max(quarters[1]) + 0.5;
-        self.put(depth, pen);
-        self.balls(number, &title, p, q);
-        self.wish_beside(&name, from, to, Subject::Drive);
-    }
-
-    fn balls(&mut self, number: usize, title: &str, p: Of, q: Of) {
-        for of in [p, q] {
-            if of.body.is_none() {
-                self.foot(title, of.at, self.customs.down(number), 12.0);
-            }
-            let mut pen = self.pen(title);
-            pen.ball(Ink::Paper, of.at, 4.2);
-            self.put_on(of.at, pen);
-        }
     }
 
     /// A condition without a symbol: a dashed line between its points.
