@@ -4,8 +4,9 @@ use std::f64::consts::TAU;
 
 use reuleaux::nalgebra::Vector3;
 use reuleaux::{Dynamics, SimdReal, mechanism};
+use reuleaux_benches::multibody::Model;
+use reuleaux_benches::multibody::arm::{self, A, CENTERS, D, DRIVES, INERTIAS, MASSES, TWIST};
 use reuleaux_benches::multibody::forces::reaction;
-use reuleaux_benches::multibody::{Joint, Model};
 
 use crate::case::{ACCELERATIONS, Case, Entry, HAND_ACCELERATIONS, HAND_LOADS, LOADS, STATES};
 
@@ -81,30 +82,6 @@ arm!(
 );
 
 const GRAVITY: f64 = 9.81;
-/// Denavit and Hartenberg's d and a in m, the twist in quarter turns.
-const D: [f64; 6] = [0.089159, 0.0, 0.0, 0.10915, 0.09465, 0.0823];
-const A: [f64; 6] = [0.0, -0.425, -0.39225, 0.0, 0.0, 0.0];
-const TWIST: [i8; 6] = [1, 0, 0, 1, -1, 0];
-const MASSES: [f64; 6] = [3.7, 8.393, 2.275, 1.219, 1.219, 0.1879];
-const CENTERS: [[f64; 3]; 6] = [
-    [0.0, -0.02561, 0.00193],
-    [0.2125, 0.0, 0.11336],
-    [0.11993, 0.0, 0.0265],
-    [0.0, -0.0018, 0.01634],
-    [0.0, 0.0018, 0.01634],
-    [0.0, 0.0, -0.001159],
-];
-const INERTIAS: [[f64; 3]; 6] = [
-    [0.0084, 0.0064, 0.0084],
-    [0.0078, 0.21, 0.21],
-    [0.0016, 0.0462, 0.0462],
-    [0.0016, 0.0016, 0.0009],
-    [0.0016, 0.0016, 0.0009],
-    [0.0001, 0.0001, 0.0001],
-];
-/// Offset, amplitude, frequency and phase of the drives.
-const DRIVES: [[f64; 4]; 6] =
-    [[0.3, 0.8, 1.0, 0.0], [-1.2, 0.5, 1.0, 0.4], [1.1, 0.6, 2.0, 1.0], [-0.7, 0.7, 1.0, 1.5], [0.9, 0.9, 2.0, 2.2], [0.2, 1.1, 1.0, 0.9]];
 
 type Vector = Vector3<f64>;
 /// Angles, rates and accelerations.
@@ -350,17 +327,10 @@ fn released(angle: &[f64; 6], rate: &[f64; 6]) -> [f64; 6] {
     right
 }
 
-fn model() -> Model {
-    let mut model = Model::new("arm");
+fn released_model() -> Model {
+    let mut model = arm::model("arm");
+    model.drives.clear();
     model.gravity = [0.0, 0.0, -GRAVITY];
-    let (mut place, mut twist) = ([0.0; 3], 0.0);
-    for k in 0..6_usize {
-        let link = model.hang(&format!("link {}", k + 1), k.checked_sub(1), &[Joint::Turn(2)], &[0.0]);
-        let straight = 1.0 - f64::abs(twist);
-        (link.place, link.turned) = (place, [[1.0, 0.0, 0.0], [0.0, straight, -twist], [0.0, twist, straight]]);
-        (link.center, link.mass, link.inertia) = (CENTERS[k], MASSES[k], INERTIAS[k]);
-        (place, twist) = ([A[k], 0.0, D[k]], f64::from(TWIST[k]));
-    }
     model
 }
 
@@ -369,7 +339,7 @@ pub(crate) fn cases() -> [Case; 2] {
 }
 
 fn inverse() -> Case {
-    let model = model();
+    let model = released_model();
     let mechanism = Driven::default();
     let exact = |k: usize| {
         let [angle, rate, acceleration] = motion(k);
@@ -400,7 +370,7 @@ fn inverse() -> Case {
 }
 
 fn forward() -> Case {
-    let model = model();
+    let model = released_model();
     let exact = |k: usize| {
         let [angle, rate, _] = motion(k);
         (k, reaction(&model, &angle, &rate, &[]).accelerations)

@@ -60,7 +60,13 @@ impl Crank {
     #[inline]
     #[must_use]
     pub fn pin(&self, t: f64) -> Point {
-        let [angle, rate, acceleration] = self.angle(t);
+        self.pin_at(self.angle(t))
+    }
+
+    /// The pin at this angle, with rate and acceleration.
+    #[inline]
+    #[must_use]
+    pub fn pin_at(&self, [angle, rate, acceleration]: [f64; 3]) -> Point {
         let (sine, cosine) = libm::sincos(angle);
         let (along, across) = (Vector2::new(cosine, sine) * self.length, Vector2::new(-sine, cosine) * self.length);
         Point { p: Vector2::from(self.pivot) + along, v: across * rate, a: across * acceleration - along * (rate * rate) }
@@ -83,6 +89,58 @@ pub fn dyad(a: &Point, ra: f64, b: &Point, rb: f64, side: f64) -> Point {
     let (ua, wb) = (v - a.v, v - b.v);
     let acceleration = solve(u.dot(&a.a) - ua.dot(&ua), w.dot(&b.a) - wb.dot(&wb));
     Point { p, v, a: acceleration }
+}
+
+/// A link between two points: its angle in rad, counted on over whole turns, with its rate and acceleration.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Bar {
+    /// φ, φ̇ and φ̈
+    pub angle: [f64; 3],
+}
+
+impl Bar {
+    /// The link from a to b, which was at another angle before.
+    #[inline]
+    pub fn follow(&mut self, a: &Point, b: &Point) {
+        let across = |d: &Vector2<f64>, e: &Vector2<f64>| d.x * e.y - d.y * e.x;
+        let d = b.p - a.p;
+        let share = 1.0 / d.dot(&d);
+        let angle = libm::atan2(d.y, d.x);
+        let turns = libm::rint((self.angle[0] - angle) * (1.0 / TAU));
+        let rate = across(&d, &(b.v - a.v)) * share;
+        self.angle = [angle + TAU * turns, rate, across(&d, &(b.a - a.a)) * share];
+    }
+}
+
+/// Every body, and the tracked point that the function returns.
+pub struct Whole<B, F> {
+    start: B,
+    bars: B,
+    point: F,
+    last: Point,
+}
+
+impl<B: Copy, F: Fn(f64, &mut B) -> Point> Whole<B, F> {
+    /// The contender that computes this; `bars` are at angles of the first turn.
+    pub fn new(mut bars: B, point: F) -> Self {
+        let last = point(0.0, &mut bars);
+        Self { start: bars, bars, point, last }
+    }
+}
+
+impl<B: Copy, F: Fn(f64, &mut B) -> Point> Contender for Whole<B, F> {
+    fn restart(&mut self) {
+        self.bars = self.start;
+    }
+
+    #[inline]
+    fn step(&mut self, t: f64) {
+        self.last = (self.point)(t, &mut self.bars);
+    }
+
+    fn seen(&self) -> Seen {
+        Seen::of(&self.last)
+    }
 }
 
 /// The tracked point as a function of time.

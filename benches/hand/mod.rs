@@ -7,4 +7,4 @@ mod dyads;
 
 pub use absolute::{Absolute, Dynamic, Static};
 pub use angles::{Angles, Loops, Pair, Term};
-pub use dyads::{Closed, Crank, Law, Point, dyad, fixed};
+pub use dyads::{Bar, Closed, Crank, Law, Point, Whole, dyad, fixed};

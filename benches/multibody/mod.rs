@@ -4,6 +4,7 @@
 //! mechanism ([`exact`]) and what other people's programs are given are made from this; our declarations and what is written by hand are
 //! not.
 
+pub mod arm;
 pub mod exact;
 pub mod forces;
 

@@ -11,9 +11,10 @@ type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
 
 /// Contenders with the beginning of their names, in the order of the legend. Peers in C appear as compiled for the same target as
 /// the Rust ones, without `-march=native`.
-const INKS: [(&str, &str, RGBColor); 11] = [
+const INKS: [(&str, &str, RGBColor); 12] = [
     (name::GENERATED, name::GENERATED, RGBColor(213, 40, 0)),
     (name::CLOSED, "dyads in closed form, Rust", RGBColor(0, 0, 0)),
+    (name::CLOSED_WHOLE, name::CLOSED_WHOLE, RGBColor(90, 90, 90)),
     (name::ANGLES, name::ANGLES, RGBColor(0, 114, 178)),
     (name::ABSOLUTE_PREDICTED, name::ABSOLUTE_PREDICTED, RGBColor(0, 140, 102)),
     (name::ABSOLUTE, name::ABSOLUTE, RGBColor(120, 190, 60)),
@@ -22,7 +23,7 @@ const INKS: [(&str, &str, RGBColor); 11] = [
     ("SymPy C, KLU, predictor, -O3", "SymPy C, KLU, predictor", RGBColor(120, 80, 20)),
     ("CasADi fast_newton, predictor, -O3", "CasADi fast_newton, predictor", RGBColor(100, 70, 200)),
     ("pylinkage, numba", "pylinkage, numba", RGBColor(80, 170, 220)),
-    ("Exudyn", "Exudyn", RGBColor(130, 130, 130)),
+    ("Exudyn", "Exudyn", RGBColor(170, 170, 170)),
 ];
 const GRID: RGBColor = RGBColor(222, 222, 222);
 const COLUMNS: usize = 3;

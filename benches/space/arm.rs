@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use reuleaux::nalgebra::Vector3;
 use reuleaux::{SpatialBody, mechanism};
-use reuleaux_benches::multibody::{Joint, Law, Model};
+use reuleaux_benches::multibody::arm::{self, A, CENTERS, D, DRIVES};
 
 use crate::Workload;
 use crate::follower::{Entry, HAND, HAND_FAST, Hand, Point, Runtime, Standard, Trigonometry, Turning, declared};
@@ -50,35 +50,8 @@ mechanism! {
     }
 }
 
-/// Denavit and Hartenberg's d and a in m, the twist in quarter turns, and the mass centres.
-const D: [f64; 6] = [0.089159, 0.0, 0.0, 0.10915, 0.09465, 0.0823];
-const A: [f64; 6] = [0.0, -0.425, -0.39225, 0.0, 0.0, 0.0];
-const TWIST: [f64; 6] = [1.0, 0.0, 0.0, 1.0, -1.0, 0.0];
-const CENTERS: [[f64; 3]; 6] = [
-    [0.0, -0.02561, 0.00193],
-    [0.2125, 0.0, 0.11336],
-    [0.11993, 0.0, 0.0265],
-    [0.0, -0.0018, 0.01634],
-    [0.0, 0.0018, 0.01634],
-    [0.0, 0.0, -0.001159],
-];
-/// Offset, amplitude, frequency and phase of the drives.
-const DRIVES: [[f64; 4]; 6] =
-    [[0.3, 0.8, 1.0, 0.0], [-1.2, 0.5, 1.0, 0.4], [1.1, 0.6, 2.0, 1.0], [-0.7, 0.7, 1.0, 1.5], [0.9, 0.9, 2.0, 2.2], [0.2, 1.1, 1.0, 0.9]];
-
 pub(crate) fn workload() -> Workload {
-    let mut model = Model::new("S3 arm");
-    let (mut place, mut twist) = ([0.0; 3], 0.0);
-    for k in 0..6 {
-        let [offset, amplitude, frequency, phase] = DRIVES[k];
-        let link = model.hang(&format!("link {}", k + 1), k.checked_sub(1), &[Joint::Turn(2)], &[offset]);
-        let straight = 1.0 - f64::abs(twist);
-        (link.place, link.turned) = (place, [[1.0, 0.0, 0.0], [0.0, straight, -twist], [0.0, twist, straight]]);
-        link.center = CENTERS[k];
-        (place, twist) = ([A[k], 0.0, D[k]], TWIST[k]);
-        model.drives.push((k, Law::Harmonic(offset, amplitude, TAU * frequency, phase)));
-    }
-    Workload { model, contenders }
+    Workload { model: arm::model("S3 arm"), contenders }
 }
 
 fn contenders() -> Vec<Entry> {

@@ -4,7 +4,7 @@ use reuleaux::mechanism;
 
 use super::{TOLERANCES, Workload, declared, generated, name, sketch};
 use crate::contender::Entry;
-use crate::hand::{Angles, Closed, Crank, Law, Pair, Point, dyad, fixed};
+use crate::hand::{Angles, Bar, Closed, Crank, Law, Pair, Point, Whole, dyad, fixed};
 use crate::linkage::{Link, Linkage};
 
 mechanism! {
@@ -49,7 +49,16 @@ fn contenders(linkage: &Linkage) -> Vec<Entry> {
     let closed = move |t| dyad(&CRANK.pin(t), 3.5, &rocker_pivot, 3.0, 1.0);
     let pair = Pair::meeting(linkage.points[2], linkage.points[1], linkage.points[3]);
     let follow = move |pair: &mut Pair, pin: &Point, h, tolerance| pair.close((pin, 3.5), (&rocker_pivot, 3.0), h, tolerance);
-    let mut entries = vec![Entry::new(name::CLOSED, Closed::new(closed))];
+    let whole = move |t, [crank, coupler, rocker]: &mut [Bar; 3]| {
+        crank.angle = CRANK.angle(t);
+        let pin = CRANK.pin_at(crank.angle);
+        let end = dyad(&pin, 3.5, &rocker_pivot, 3.0, 1.0);
+        coupler.follow(&pin, &end);
+        rocker.follow(&rocker_pivot, &end);
+        end
+    };
+    let mut entries =
+        vec![Entry::new(name::CLOSED, Closed::new(closed)), Entry::new(name::CLOSED_WHOLE, Whole::new([Bar::default(); 3], whole))];
     entries.extend(Entry::each(name::ANGLES, &TOLERANCES, |tolerance| Angles::new(CRANK, pair, tolerance, follow)));
     entries.extend(declared!(FourBar, FourBarState, pin, solve_for_pin, Static));
     entries.extend(sketch(linkage));

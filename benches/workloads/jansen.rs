@@ -4,7 +4,7 @@ use reuleaux::mechanism;
 
 use super::{TOLERANCES, Workload, declared, generated, name, sketch};
 use crate::contender::Entry;
-use crate::hand::{Angles, Closed, Crank, Law, Pair, Point, dyad, fixed};
+use crate::hand::{Angles, Bar, Closed, Crank, Law, Pair, Point, Whole, dyad, fixed};
 use crate::linkage::{Link, Linkage};
 
 mechanism! {
@@ -89,7 +89,20 @@ fn contenders(linkage: &Linkage) -> Vec<Entry> {
         let f = knee.close((&w, 3.94), (&c, 3.67), h, tolerance);
         dyad(&f, 6.57, &c, 4.90, -1.0)
     };
-    let mut entries = vec![Entry::new(name::CLOSED, Closed::new(closed))];
+    let whole = move |t, [crank, bars @ ..]: &mut [Bar; 7]| {
+        crank.angle = CRANK.angle(t);
+        let x = CRANK.pin_at(crank.angle);
+        let u = dyad(&x, 5.0, &v, 4.15, -1.0);
+        let w = dyad(&v, 4.01, &u, 5.58, 1.0);
+        let c = dyad(&x, 6.19, &v, 3.93, 1.0);
+        let f = dyad(&w, 3.94, &c, 3.67, -1.0);
+        for (bar, [from, to]) in bars.iter_mut().zip([[&x, &u], [&v, &u], [&x, &c], [&v, &c], [&w, &f], [&f, &c]]) {
+            bar.follow(from, to);
+        }
+        dyad(&f, 6.57, &c, 4.90, -1.0)
+    };
+    let mut entries =
+        vec![Entry::new(name::CLOSED, Closed::new(closed)), Entry::new(name::CLOSED_WHOLE, Whole::new([Bar::default(); 7], whole))];
     entries.extend(Entry::each(name::ANGLES, &TOLERANCES, |tolerance| Angles::new(CRANK, pairs, tolerance, follow)));
     entries.extend(declared!(Jansen, JansenState, toe, solve_for_toe, Static));
     entries.extend(sketch(linkage));

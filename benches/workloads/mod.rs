@@ -37,6 +37,8 @@ pub mod name {
     pub const ALONE: &str = "reuleaux, the output alone";
     /// By hand, nothing iterated.
     pub const CLOSED: &str = "dyads in closed form";
+    /// By hand, nothing iterated, with the angles of all bodies.
+    pub const CLOSED_WHOLE: &str = "dyads in closed form, all bodies";
     /// By hand, iterated.
     pub const ANGLES: &str = "Newton on the loop angles";
     /// All coordinates.

@@ -5,7 +5,7 @@ use reuleaux::nalgebra::Vector2;
 
 use super::{TOLERANCES, Workload, declared, generated, name, sketch};
 use crate::contender::Entry;
-use crate::hand::{Angles, Closed, Crank, Law, Point};
+use crate::hand::{Angles, Bar, Closed, Crank, Law, Point, Whole};
 use crate::linkage::{Link, Linkage};
 
 mechanism! {
@@ -44,13 +44,17 @@ pub(crate) fn workload() -> Workload {
     Workload { linkage, generated, plan, contenders }
 }
 
-/// The slider where the rod reaches y = 0.
 fn closed(t: f64) -> Point {
-    let pin = CRANK.pin(t);
+    pushed(&CRANK.pin(t))
+}
+
+/// The slider where the rod reaches y = 0.
+#[inline]
+fn pushed(pin: &Point) -> Point {
     let root = (ROD * ROD - pin.p.y * pin.p.y).sqrt();
     let rate = -pin.p.y * pin.v.y / root;
     let second = -(pin.v.y * pin.v.y + pin.p.y * pin.a.y + rate * rate) / root;
-    slider(&pin, [root, rate, second])
+    slider(pin, [root, rate, second])
 }
 
 /// The rod's angle with its derivatives, from sine θ = −y/3, and the slider at its end.
@@ -75,7 +79,15 @@ fn slider(pin: &Point, [right, rate, second]: [f64; 3]) -> Point {
 }
 
 fn contenders(linkage: &Linkage) -> Vec<Entry> {
-    let mut entries = vec![Entry::new(name::CLOSED, Closed::new(closed))];
+    let whole = |t, [crank, rod]: &mut [Bar; 2]| {
+        crank.angle = CRANK.angle(t);
+        let pin = CRANK.pin_at(crank.angle);
+        let end = pushed(&pin);
+        rod.follow(&pin, &end);
+        end
+    };
+    let mut entries =
+        vec![Entry::new(name::CLOSED, Closed::new(closed)), Entry::new(name::CLOSED_WHOLE, Whole::new([Bar::default(); 2], whole))];
     entries.extend(Entry::each(name::ANGLES, &TOLERANCES, |tolerance| Angles::new(CRANK, [0.0; 3], tolerance, follow)));
     entries.extend(declared!(SliderCrank, SliderCrankState, pin, solve_for_pin, Static));
     entries.extend(sketch(linkage));

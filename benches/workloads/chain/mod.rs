@@ -3,7 +3,7 @@
 
 use super::{TOLERANCES, Workload, name};
 use crate::contender::Entry;
-use crate::hand::{Angles, Closed, Crank, Law, Pair, Point, dyad, fixed};
+use crate::hand::{Angles, Bar, Closed, Crank, Law, Pair, Point, Whole, dyad, fixed};
 use crate::linkage::{Link, Linkage};
 
 /// A chain as a mechanism.
@@ -108,7 +108,18 @@ fn by_hand<const COUNT: usize>(linkage: &Linkage) -> Vec<Entry> {
     let follow = move |pairs: &mut [Pair; COUNT], pin: &Point, h, tolerance| {
         pairs.iter_mut().zip(1..).fold(*pin, |tip, (pair, index)| pair.close((&tip, 1.0), (&pivot(index), 1.0), h, tolerance))
     };
-    let mut entries = vec![Entry::new(name::CLOSED, Closed::new(closed))];
+    // The first crank, then a coupler and a crank for each loop.
+    let bars = (Bar::default(), [[Bar::default(); 2]; COUNT]);
+    let whole = move |t, (first, rest): &mut (Bar, [[Bar; 2]; COUNT])| {
+        first.angle = CRANK.angle(t);
+        rest.iter_mut().zip(1..).fold(CRANK.pin_at(first.angle), |tip, ([coupler, crank], index)| {
+            let (pivot, next) = (pivot(index), dyad(&tip, 1.0, &pivot(index), 1.0, 1.0));
+            coupler.follow(&tip, &next);
+            crank.follow(&pivot, &next);
+            next
+        })
+    };
+    let mut entries = vec![Entry::new(name::CLOSED, Closed::new(closed)), Entry::new(name::CLOSED_WHOLE, Whole::new(bars, whole))];
     entries.extend(Entry::each(name::ANGLES, &TOLERANCES, |tolerance| Angles::new(CRANK, pairs, tolerance, follow)));
     entries
 }

@@ -59,13 +59,7 @@ impl LoadEquations {
             angles.add_slopes(arena, row, equation);
         }
         let rows = rows(model, equations.iter());
-        Some(LoadEquations {
-            forces,
-            rows,
-            arms: arms(model, arena),
-            energies: energies(model, arena),
-            pushes: balance::pushes(model, arena),
-        })
+        Some(LoadEquations::new(model, arena, forces, rows))
     }
 
     /// In the plane, where the declared coordinates are the unknowns.
@@ -73,13 +67,11 @@ impl LoadEquations {
         let forces = dynamics::unbalanced(model, arena)?;
         let is_pin = |equation: &Equation| equation.row >= model.joints[equation.joint].residuals.len();
         let rows = rows(model, equations.filter(|equation| !is_pin(equation)));
-        Some(LoadEquations {
-            forces,
-            rows,
-            arms: arms(model, arena),
-            energies: energies(model, arena),
-            pushes: balance::pushes(model, arena),
-        })
+        Some(LoadEquations::new(model, arena, forces, rows))
+    }
+
+    fn new(model: &Model, arena: &mut Arena, forces: Vec<Expr>, rows: Vec<LoadRow>) -> LoadEquations {
+        LoadEquations { forces, rows, arms: arms(model, arena), energies: energies(model, arena), pushes: balance::pushes(model, arena) }
     }
 
     /// Every expression, as `of` writes it.
