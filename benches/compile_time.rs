@@ -1,4 +1,4 @@
-//! What a mechanism costs its users at compile time: `cargo run -p reuleaux-benches --bin compile_time [runs]`.
+//! Compile times of mechanisms: `cargo run -p reuleaux-benches --bin compile_time [runs]`.
 //!
 //! In: nothing. Out: a table for `README.md` beside this file: seconds of `cargo check` and `cargo build --release` for crates
 //! without a mechanism, with many, and with one long one, dependencies built, without incremental compilation; each the median of
@@ -16,7 +16,7 @@ use std::time::Instant;
 /// How many times each command is run, if nothing is said.
 const RUNS: usize = 3;
 
-/// What a four-bar may add to `cargo check`, in s.
+/// The most that a four-bar may add to `cargo check`, in s.
 const LIMIT: f64 = 1.0;
 
 /// How many times as long the longest chain may take to compile as the shortest.
@@ -28,7 +28,7 @@ const LONG: [usize; 3] = [2, 100, 500];
 /// What takes longer than this, in s, is run once only.
 const PATIENCE: f64 = 60.0;
 
-/// What is measured: heading, profile and command. By default macros are not optimised, which a user may change.
+/// Builds that are measured: heading, profile and command. By default macros are not optimised, which a user may change.
 const COLUMNS: [(&str, &str, &[&str]); 3] = [
     ("`check`", "", &["check"]),
     ("`check`, compiler optimised", "[profile.dev.build-override]\nopt-level = 3\n", &["check"]),

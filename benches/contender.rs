@@ -1,4 +1,4 @@
-//! What is measured: something that follows a linkage from one time to the next.
+//! Contenders: they follow a linkage from one time to the next.
 
 use reuleaux::nalgebra::Vector2;
 use reuleaux::{Mechanism, Motion, State};
@@ -6,7 +6,7 @@ use std::hint::black_box;
 
 use crate::hand::Point;
 
-/// What a contender knows of the tracked point.
+/// The tracked point as a contender has it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen {
     /// Where it is, in m.
@@ -46,7 +46,7 @@ pub trait Contender {
 
 /// A contender with the words for it.
 pub struct Entry {
-    /// What it does.
+    /// Its method.
     pub name: &'static str,
     /// The residual at which it stops iterating, if it was told one.
     pub tolerance: Option<f64>,

@@ -3,7 +3,7 @@
 //!
 //! In: `instructions.json` beside this file. Out: a table; with `--write` the file. It fails where a step takes over 2 % more
 //! instructions than written there. Each workload runs twice under callgrind, the second time for twice as many steps, so that
-//! what comes before the steps cancels. Counts depend on the compiler's version, not on how busy the machine is.
+//! everything before the steps cancels. Counts depend on the compiler's version, not on how busy the machine is.
 
 use std::collections::BTreeMap;
 use std::error::Error;

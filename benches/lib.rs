@@ -67,7 +67,7 @@ pub fn turns(ways: &mut [Box<dyn FnMut() + '_>], rounds: usize) -> Vec<(f64, f64
 const COUNTED: usize = 300;
 
 /// Instructions of one step of this program, run under callgrind with these arguments and a number of steps; once for twice as many, so
-/// that what comes before the steps cancels.
+/// that everything before the steps cancels.
 ///
 /// # Errors
 /// Without `valgrind`, and if the program fails.

@@ -1,4 +1,4 @@
-//! A linkage as data: points, rigid links between them, a crank. What the reference, the sketch solver and the peers read; the
+//! A linkage as data: points, rigid links between them, a crank. The reference, the sketch solver and the peers read it; the
 //! declarations in `workloads/` say the same in the language of `mechanism!`.
 
 use crate::hand::{Crank, dyad, fixed};
@@ -6,7 +6,7 @@ use crate::hand::{Crank, dyad, fixed};
 /// A linkage whose crank turns or swings. Lengths in m, time in s.
 #[derive(Clone, Debug)]
 pub struct Linkage {
-    /// What it is called in tables.
+    /// Its name in tables.
     pub name: &'static str,
     /// Where its points are at t = 0, exactly or nearly: first those of the ground.
     pub points: Vec<[f64; 2]>,
@@ -95,7 +95,7 @@ impl Apex {
 }
 
 impl Linkage {
-    /// All distances that stay what they are.
+    /// All constant distances.
     #[must_use]
     pub fn bars(&self) -> Vec<Bar> {
         self.links.iter().flat_map(Link::bars).collect()

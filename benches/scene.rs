@@ -13,7 +13,7 @@ use reuleaux::Mechanism;
 const STEPS: u32 = 1000;
 const ROUNDS: usize = 60;
 
-/// What a scene may take, in times of the one that moves.
+/// The longest time that a scene may take, in times of the one that moves.
 const LIMIT: f64 = 2.0;
 
 macro_rules! four_bars {

@@ -131,7 +131,7 @@ fn speed(a: f64) -> f64 {
 }
 
 /// The time (s) from a = 0 to a = π: over the angle θ with a = π (1 − cos θ) / 2, where the speed has no roots, by the midpoint rule, which is
-/// exact for what is periodic, to all digits.
+/// exact for periodic functions, to all digits.
 fn half_period() -> f64 {
     let count = 64_u32;
     let points = (0..count).map(|k| PI * (f64::from(k) + 0.5) / f64::from(count));
@@ -170,7 +170,7 @@ fn assert_angles(m: &Bricard, state: &State) {
     assert!((a.rate * a.rate - speed(a.value).powi(2)).abs() < 1e-11, "{} for {} at {} s", a.rate, speed(a.value), state.t);
 }
 
-/// What the bearings carry together moves all rods; what each carries is not determined.
+/// The loads of all bearings together move the rods; the load of each is not determined.
 fn assert_bearings(m: &Bricard, state: &State) {
     let loads = m.loads(state);
     assert!(!loads.one().is_unique && !loads.six().is_unique);

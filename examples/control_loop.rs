@@ -13,7 +13,7 @@
 //! |v|˙ = c + |P′| θ̈      c = v · a / |v| at θ̈ = 0,      |P′| = |v| / θ̇
 //! ```
 //!
-//! and the controller asks for the θ̈ that holds the speed. What the mechanism says of the tip is checked in each cycle against the closed
+//! and the controller asks for the θ̈ that holds the speed. The tip as the mechanism computes it is checked in each cycle against the closed
 //! form at the angle that it was told, and against that at the true angle, which only the plant knows.
 
 use std::error::Error;
@@ -43,7 +43,7 @@ mechanism! {
 const CYCLE: f64 = 1e-3;
 /// Speed of the tip that is wanted (m/s).
 const WANTED: f64 = 0.5;
-/// Inertia of the crank and what it carries (kg m²).
+/// Inertia of the crank with its load (kg m²).
 const INERTIA: f64 = 0.02;
 
 /// The crank with its motor and an unknown load.
@@ -86,7 +86,7 @@ impl Observer {
     }
 }
 
-/// What is kept of a cycle.
+/// The record of a cycle.
 struct Cycle {
     time: f64,
     crank: f64,

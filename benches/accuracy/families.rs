@@ -1,4 +1,4 @@
-//! All states of the references: errors over what is attainable, bounds over errors, certificates, polished states.
+//! All states of the references: errors over attainable ones, bounds over errors, certificates, polished states.
 
 use std::fmt::Write as _;
 
@@ -23,7 +23,7 @@ struct Row {
     name: String,
     states: usize,
     condition: f64,
-    /// Errors of q, q̇ and q̈ over what is attainable.
+    /// Errors of q, q̇ and q̈ over attainable ones.
     shares: [f64; 3],
     /// The same of polished states, the worst of the three.
     polished: f64,
@@ -70,7 +70,7 @@ pub(crate) fn table() -> String {
     table
 }
 
-/// Errors that are none: what is exactly zero is a sum of terms that have 32 digits at most.
+/// Errors that are none: a number that is exactly zero is a sum of terms with 32 digits at most.
 const LEAST: f64 = 1e-24;
 
 fn is_on(case: &Value, model: &str) -> bool {
@@ -83,7 +83,7 @@ impl Row {
         Self { name, states: 0, condition: 1.0, shares: [0.0; 3], polished: 0.0, bounds: (f64::INFINITY, 0.0), certified: 0, refused: 0 }
     }
 
-    /// Takes in a state, of which the reference and what is attainable are known by entry.
+    /// Takes in a state, of which the reference and the attainable error are known by entry.
     ///
     /// * `constants`: given, what the constants of the mechanism may be off, relative to the largest entry: where the compiler has made
     ///   one of several, it is rounded once, and those of the reference are products of doubles.
@@ -124,7 +124,7 @@ impl Row {
     }
 }
 
-/// The largest error over what is attainable.
+/// The largest error over the attainable one.
 fn share<const N: usize>(found: &SVector<f64, N>, exact: &[Decimal], attainable: &[f64]) -> f64 {
     let shares = found.iter().zip(exact).zip(attainable).map(|((x, exact), attainable)| {
         let error = exact.error_of(*x);

@@ -2,7 +2,7 @@
 //! `cargo run --release -p reuleaux-benches --bin accuracy`
 //!
 //! In: `shared/reference`, or the copies in `tests`. Out: the tables and the picture of the page `reuleaux::accuracy`, beside its text.
-//! It fails where an error is beyond its bound, a bound beyond a thousand errors and what is attainable, or a certificate without a
+//! It fails where an error is beyond its bound, a bound beyond a thousand errors and the attainable one, or a certificate without a
 //! solution.
 
 mod diagram;

@@ -11,7 +11,7 @@ use reuleaux_tests::stress::Dyad;
 const STEPS: usize = 1000;
 const ROUNDS: usize = 15;
 
-/// What was measured of one mechanism.
+/// Measurements of one mechanism.
 pub(crate) struct Panel {
     pub(crate) name: String,
     pub(crate) marks: Vec<Mark>,

@@ -81,7 +81,7 @@ macro_rules! chain {
                         Entry::new(
                             BOTH,
                             states,
-                            |(mechanism, state)| { mechanism.accelerate(state).unwrap_or_else(|stopped| panic!("{stopped}")); mechanism.loads(state) },
+                            |(mechanism, state)| mechanism.accelerate_with_loads(state).unwrap_or_else(|stopped| panic!("{stopped}")),
                             move |(_, state), loads| with(state, loads.right_0().force.into()),
                         ),
                     ],

@@ -98,10 +98,7 @@ pub(crate) fn cases() -> Vec<Case> {
             Entry::new(
                 BOTH,
                 states,
-                |(mechanism, state)| {
-                    mechanism.accelerate(state).unwrap_or_else(|stopped| panic!("{stopped}"));
-                    mechanism.loads(state)
-                },
+                |(mechanism, state)| mechanism.accelerate_with_loads(state).unwrap_or_else(|stopped| panic!("{stopped}")),
                 move |(_, state), loads| with(state, loads.c().force.into()),
             ),
         ],

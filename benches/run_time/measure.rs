@@ -9,7 +9,7 @@ use reuleaux_benches::{exact, times};
 /// How long one contender may take in one round; a slower one goes through the beginning of the period only.
 const TURN: Duration = Duration::from_millis(5);
 
-/// What was measured of one contender.
+/// Measurements of one contender.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
     /// The contender.

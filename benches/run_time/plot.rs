@@ -71,7 +71,7 @@ fn panel(area: &Area<'_>, workload: &str, lines: &[Line]) -> Fallible {
         .y_desc("time per step")
         .label_style(("sans-serif", 12))
         .draw()?;
-    // What is drawn last lies on top.
+    // The last one drawn lies on top.
     for (contender, _, ink) in INKS.iter().rev() {
         let own: Vec<&Line> = lines.iter().filter(|line| line.name == *contender).collect();
         let at = |error: f64, line: &Line| (error.log10().clamp(f64::from(ERROR.0), f64::from(ERROR.1)), line.time.log10());

@@ -1,4 +1,4 @@
-//! What was measured, as a table in Markdown: a row for each contender, a column for each workload.
+//! Measurements as a table in Markdown: a row for each contender, a column for each workload.
 
 use std::fmt::Write as _;
 

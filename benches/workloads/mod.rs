@@ -76,7 +76,7 @@ macro_rules! generated {
 }
 pub(crate) use generated;
 
-/// The generated one that solves only what is upstream of the tracked point, whose components are the last its state holds.
+/// The generated one that solves only the unknowns upstream of the tracked point, whose components are the last in its state.
 macro_rules! alone {
     ($mechanism:ident, $solve_for:ident) => {
         $crate::contender::Entry::new(

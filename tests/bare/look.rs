@@ -47,10 +47,10 @@ fn assembly(target: Option<&str>, features: &str, level: &str) -> Result<String,
     fs::create_dir_all(&folder)?;
     let file = folder.join("bare.s");
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    // The profile of tests with the settings of a release, so that macros are not rebuilt.
+    // The profile of tests with the settings of a release, so that macros are not rebuilt; they have little to do.
     cargo.args(["rustc", "--quiet", "--package", "reuleaux-bare", "--lib", "--crate-type", "staticlib", "--features", features]);
     let level = format!("opt-level={level}");
-    let release = ["debug=false", "debug-assertions=false", "overflow-checks=false", "incremental=false"];
+    let release = ["debug-assertions=false", "overflow-checks=false", "incremental=false", "package.reuleaux-compiler.opt-level=0"];
     for setting in ["lto=\"fat\"", "panic=\"abort\"", "codegen-units=1", &level].into_iter().chain(release) {
         cargo.args(["--config", &format!("profile.dev.{setting}")]);
     }

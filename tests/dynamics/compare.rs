@@ -51,6 +51,10 @@ macro_rules! motion {
                 let mut integrator = reuleaux::Integrator::new(tolerance);
                 for (time, wanted) in times(&reference).into_iter().zip(reuleaux_tests::common::reference::list(&reference["states"])) {
                     mechanism.advance(&mut state, time, &mut integrator).unwrap_or_else(|stopped| panic!("{stopped}"));
+                    let [mut at_once, mut apart] = [state.clone(), state.clone()];
+                    let loads = mechanism.accelerate_with_loads(&mut at_once).unwrap_or_else(|stopped| panic!("{stopped}"));
+                    mechanism.accelerate(&mut apart).unwrap_or_else(|stopped| panic!("{stopped}"));
+                    assert_eq!((loads, at_once), (mechanism.loads(&apart), apart.clone()));
                     let (kappa, sensitivity) = amplification(wanted);
                     for (name, found) in $found(&mechanism, &state) {
                         let level = if matches!(name, "qdd" | "wdot" | "lambda") { kappa } else { 1.0 };

@@ -94,7 +94,7 @@ fn a_load_alone_follows_motion_and_parameters() {
 }
 
 mechanism! {
-    /// A parallelogram with a third crank: what the joints of the coupler bear is not determined.
+    /// A parallelogram with a third crank: the loads of the joints on the coupler are not determined.
     pub(crate) mechanism Coupled {
         gravity = (0, -9.81m_s2);
         ground { point A = (0m, 0m);  point B = (2m, 0m);  point C = (1m, 0m); }

@@ -33,7 +33,7 @@ macro_rules! keeps {
     }};
 }
 
-/// Energy, momentum but for what the weight gives it, and angular momentum about the centre of mass; each with its size.
+/// Energy, momentum less the impulse of the weight, and angular momentum about the centre of mass; each with its size.
 fn of_free_body(mechanism: &FreeBody, state: &FreeBodyState) -> Vec<[f64; 2]> {
     let body = state.body();
     let inertia = Matrix3::from_diagonal(&Vector3::new(0.02, 0.035, 0.05));

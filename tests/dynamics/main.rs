@@ -5,6 +5,7 @@ mod compare;
 mod bricard;
 mod conserved;
 mod forces;
+mod integrated;
 mod kept;
 mod masses;
 mod plane;

@@ -354,7 +354,7 @@ constraint! {
 }
 
 mechanism! {
-    /// A rod with what a joint and a force of one's own add to it, at two points.
+    /// A rod with the masses that a joint and a force of one's own add to it, at two points.
     pub(crate) mechanism Bobs {
         use crate::masses::{heavy_spring, weighted_hinge};
         gravity = (0, -9.81m_s2);

@@ -178,7 +178,7 @@ fn skew(v: Vector3<f64>) -> Matrix3<f64> {
     v.cross_matrix()
 }
 
-/// Mass, centre and inertia in the axes of each body, with what the joint adds as a second mass.
+/// Mass, centre and inertia in the axes of each body, with the joint's mass as a second one.
 fn masses(body: usize) -> Vec<(f64, Vector3<f64>, Matrix3<f64>)> {
     let six = |[xx, yy, zz, xy, xz, yz]: [f64; 6]| Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
     let turned = || {

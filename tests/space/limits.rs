@@ -1,6 +1,6 @@
-//! Near what is singular, far away, after many turns: digits are those which rounding leaves, or there is a verdict.
+//! Near singular poses, far away, after many turns: all digits that rounding leaves are right, or there is a verdict.
 //!
-//! Closed forms are evaluated with twice the digits. What is attainable is found there as well: by how much the answer changes when each
+//! Closed forms are evaluated with twice the digits. The attainable error is found there as well: the change of the answer when each
 //! number that goes in is off by one rounding.
 
 use reuleaux::nalgebra::{Matrix6, Rotation3, SVector, Vector3};
@@ -10,15 +10,15 @@ use reuleaux_tests::common::twofold::Twofold;
 /// 2⁻⁵³
 const ROUNDING: f64 = f64::EPSILON / 2.0;
 
-/// Errors are at most this many times what is attainable.
+/// Errors are at most this many times the attainable one.
 const SHARE: f64 = 64.0;
 
 fn two(value: f64) -> Twofold {
     Twofold::of(value)
 }
 
-/// What numbers are, and what is attainable: one rounding of the answer, and what one rounding of each input, of the size given with it,
-/// makes of it.
+/// Exact numbers and their attainable errors: one rounding of the number, and the changes that one rounding of each input causes. Each input
+/// has a size, of which the rounding is a share.
 fn attainable<const K: usize>(inputs: &[(f64, f64)], exact: impl Fn(&[Twofold]) -> [Twofold; K]) -> [(Twofold, f64); K] {
     let given: Vec<Twofold> = inputs.iter().map(|(value, _)| two(*value)).collect();
     let answer = exact(&given);
@@ -33,7 +33,7 @@ fn attainable<const K: usize>(inputs: &[(f64, f64)], exact: impl Fn(&[Twofold]) 
     limits
 }
 
-/// The largest error, in units of what is attainable.
+/// The largest error, in units of the attainable one.
 fn share<const K: usize>(found: [f64; K], limits: [(Twofold, f64); K]) -> f64 {
     let errors = found.into_iter().zip(limits).map(|(found, (exact, limit))| (two(found) - exact).high.abs() / limit);
     errors.fold(0.0, |worst: f64, error| if error.is_nan() || error > worst { error } else { worst })

@@ -26,9 +26,24 @@ where
     T: Float,
     S: Dynamics<T, N, I, M, R>,
 {
-    if let Some(found) = mechanism.accelerations(q, qd, t) {
-        return Ok(found.data.0[0]);
+    match mechanism.accelerations(q, qd, t) {
+        Some(found) => Ok(found.data.0[0]),
+        None => eliminated(mechanism, (q, qd), t, pivots),
     }
+}
+
+/// The same where they are not known in closed form.
+#[inline(never)]
+pub(super) fn eliminated<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    (q, qd): (&SVector<T, N>, &SVector<T, N>),
+    t: T,
+    pivots: &mut Option<Pivots<T, M, I>>,
+) -> Result<[T; I], Stopped<T>>
+where
+    T: Float,
+    S: Dynamics<T, N, I, M, R>,
+{
     let Balance { jacobian, gamma, mass, forces } = mechanism.balance(q, qd, t);
     let lengths = lengths(mechanism);
     let parts = match pivots.as_ref().and_then(|pivots| Partition::along(&jacobian, &gamma, pivots)) {

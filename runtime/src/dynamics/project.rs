@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::accelerate::{accelerations, lengths, singular};
+use super::accelerate::{eliminated, lengths, singular};
 use super::checks::holds;
 use super::equations::{Constraints, Dynamics};
 use super::integrator::least;
@@ -188,7 +188,23 @@ where
     T: Float,
     S: Dynamics<T, N, I, M, R>,
 {
-    let found = accelerations(mechanism, (&state.q, &state.qd), state.t, &mut None)?;
+    refresh_inlined(mechanism, state)
+}
+
+/// The same, compiled into its caller, which shares sines and determinants with it.
+#[inline(always)]
+pub fn refresh_inlined<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    state: &mut State<T, N>,
+) -> Result<(), Stopped<T>>
+where
+    T: Float,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let found = match mechanism.accelerations(&state.q, &state.qd, state.t) {
+        Some(found) => found.data.0[0],
+        None => eliminated(mechanism, (&state.q, &state.qd), state.t, &mut None)?,
+    };
     let mut qdd = state.qdd;
     put(&mut qdd, &S::INTEGRATED, &found);
     let [q, qd, qdd] = mechanism.complete(&state.q, &state.qd, &qdd, state.t);

@@ -96,21 +96,30 @@ fn vanishing<const N: usize>(
     start: &State<f64, N>,
     k: usize,
 ) -> Option<(Point, State<f64, N>)> {
-    let (mut low, mut high) = (0.0, 1.0);
     let mut state = start.clone();
-    let sign = pivots.at(&ends[0].lengths, ends[0].t, start.q.as_slice())[k] > 0.0;
-    for _ in 0..60 {
-        let share = 0.5 * (low + high);
+    let mut pivot = |point: &Point, q: &[f64]| pivots.at(&point.lengths, point.t, q)[k];
+    let before = pivot(&ends[0], start.q.as_slice());
+    let mut sides = [(0.0, before), (1.0, -before)];
+    let mut last = None;
+    for step in 0..60 {
+        let [(low, at_low), (high, at_high)] = sides;
+        // Every third step halves the interval, the others follow the chord; an end that stays counts half (the method of Illinois).
+        let share = if step % 3 == 2 { 0.5 } else { at_low / (at_low - at_high) };
+        let share = low + share * (high - low);
         let point = ends[0].between(&ends[1], share);
         state = solve(&point, &state)?;
-        let value = pivots.at(&point.lengths, point.t, state.q.as_slice())[k];
-        *(if (value > 0.0) == sign { &mut low } else { &mut high }) = share;
+        let value = pivot(&point, state.q.as_slice());
+        if value.abs() <= 1e-14 || high - low <= f64::EPSILON {
+            // At a zero of an earlier pivot this one has a pole.
+            return (value.abs() <= 1e-12 && state.condition < 1.0 / f64::ROOT_EPSILON.sqrt()).then_some((point, state));
+        }
+        let side = usize::from((value > 0.0) != (at_low > 0.0));
+        sides[side] = (share, value);
+        if last.replace(side) == Some(side) {
+            sides[1 - side].1 *= 0.5;
+        }
     }
-    let point = ends[0].between(&ends[1], high);
-    let state = solve(&point, &state)?;
-    // At a zero of an earlier pivot this one has a pole.
-    let value = pivots.at(&point.lengths, point.t, state.q.as_slice())[k];
-    (value.abs() <= 1e-12 && state.condition < 1.0 / f64::ROOT_EPSILON.sqrt()).then_some((point, state))
+    None
 }
 
 macro_rules! meets_vanishing_pivots {

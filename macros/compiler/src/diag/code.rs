@@ -55,7 +55,7 @@ codes! {
     E0012: Grammar::SpaceBeforeUnit;
     E0013: Grammar::ExponentTooLarge;
     E0014: Grammar::OnlyAtTheTop Grammar::StartInLoop;
-    E0015: Grammar::ClosingWord Grammar::AllowedWord Grammar::AttributeTwice;
+    E0015: Grammar::ClosingWord Grammar::AllowedWord Grammar::AttributeTwice Grammar::SecondTask;
     // Names.
     E0101: Name::UnknownName;
     E0102: Name::UnknownField Name::AngleOfBody;

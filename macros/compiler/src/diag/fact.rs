@@ -60,6 +60,7 @@ pub enum GrammarFact {
     ClosingWord { near: Option<String> },
     AllowedWord { near: Option<String> },
     AttributeTwice { name: String },
+    SecondTask { name: String },
     TokensAfter { what: &'static str, help: &'static str },
     UnknownItem { word: String, name: Option<String>, home: Option<Home> },
     UnknownBodyItem { word: String },

@@ -7,12 +7,12 @@ mod abridged;
 use crate::assembly::Assembly;
 use crate::diag::significant;
 use crate::expr::{Evaluator, Leaf, Values, show};
-use crate::model::{Function, Joint, Method, Model, Output, Parameter};
+use crate::model::{Function, Method, Model, Output, Parameter};
 use crate::picture::Picture;
 use crate::plan::{Code, Cost, Elimination, Plan, Solution, Summary};
 use crate::quantity::Dim;
 use crate::syntax::ast::Closing;
-use crate::system::{COSINES, System};
+use crate::system::{COSINES, Equation, System};
 use crate::travel::Motion;
 use abridged::{Abridged, list};
 use proc_macro2::TokenStream;
@@ -30,33 +30,50 @@ pub(crate) fn lines(page: &str) -> TokenStream {
     page.lines().map(|line| if line.is_empty() { quote!(#[doc = ""]) } else { self::line(line) }).collect()
 }
 
+/// Numbers of equations that hold at all times, and of those of drives.
+fn counted(model: &Model, equations: &[Equation]) -> [usize; 2] {
+    let own = || equations.iter().filter(|equation| !equation.is_initial);
+    [own().count(), own().filter(|equation| model.joints[equation.joint].is_drive).count()]
+}
+
 /// The page of the generated struct: the picture, and tables of parameters, coordinates and equations.
 pub(crate) fn mechanism(model: &Model, system: &System, assembly: &Assembly, motion: &Motion, plan: &Plan, picture: &Picture) -> String {
     let mut page = String::new();
     let n = system.coordinates.len();
-    let m = system.equations.iter().filter(|equation| !equation.is_initial).count();
-    let is_drive = |joint: &&Joint| joint.is_drive && joint.freedom.is_none();
-    let drives: usize = model.joints.iter().filter(is_drive).map(|joint| joint.residuals.len()).sum();
     let checked = plan.checked.len();
-    let mobility = n as i64 - (m - drives - checked) as i64;
     let redundant = match checked {
         0 => String::new(),
         1 => ", 1 follows from others and is checked".to_owned(),
         many => format!(", {many} follow from others and are checked"),
     };
-    let _ = writeln!(
-        page,
-        "\n{n} coordinates, {m} equations, {drives} of them drives{redundant}: mobility {mobility} without drives, as counted."
-    );
+    let ([m, driven], [k, driven_speeds]) = (counted(model, &system.equations), counted(model, &system.of_speeds));
+    let positions = (n + driven + checked) as i64 - m as i64;
+    let _ = match k {
+        0 => writeln!(
+            page,
+            "\n{n} coordinates, {m} equations, {driven} of them drives{redundant}: mobility {positions} without drives, as counted."
+        ),
+        _ => {
+            let (drives, speeds) = (driven + driven_speeds, positions + driven_speeds as i64 - k as i64);
+            writeln!(
+                page,
+                "\n{n} coordinates, {m} equations of positions and {k} of velocities, {drives} of them drives{redundant}: position freedoms \
+                 {positions}, velocity freedoms {speeds} without drives, as counted."
+            )
+        }
+    };
     if let Some(dynamics) = &plan.dynamics {
         let freedoms: Vec<String> =
             model.joints.iter().filter(|joint| joint.freedom.is_some()).map(|joint| format!("`{}`", joint.name)).collect();
         let [integrated, rows] = [dynamics.integrated.len(), dynamics.rows];
+        let freedoms = match freedoms.as_slice() {
+            [] => "Drives determine the motion".to_owned(),
+            freedoms => format!("Freedoms, which follow from forces: {}", freedoms.join(", ")),
+        };
         let _ = writeln!(
             page,
-            "\nFreedoms, which follow from forces: {}. {integrated} coordinates are integrated, with {rows} equations between them and \
-             their rates; everything else follows explicitly.",
-            freedoms.join(", ")
+            "\n{freedoms}. {integrated} coordinates are integrated, with {rows} equations between them and their rates; everything else \
+             follows explicitly.",
         );
     }
     page.push_str(&assembled(model, assembly));

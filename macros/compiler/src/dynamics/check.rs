@@ -69,6 +69,7 @@ impl<'a> AtStart<'a> {
             }
         }
         match echelon.free().as_slice() {
+            [] if of_freedoms.is_empty() => Some(()),
             [] => {
                 massless::check(self.numeric, assembly, diag)?;
                 self.has_mass(&motions, diag)

@@ -88,6 +88,7 @@ impl Emitter<'_> {
             }
             #checked
             #accelerations
+            #[inline(always)]
             fn complete(&self, #q: &#of_state, #qd: &#of_state, #qdd: &#of_state, #t: T) -> [#of_state; 3] {
                 #reads_of_state
                 #steps_of_state
@@ -114,6 +115,7 @@ impl Emitter<'_> {
         };
         let are_steady: Vec<TokenStream> = pivots.chunks(2).enumerate().map(is_steady).collect();
         quote! {
+            #[inline(always)]
             fn accelerations(&self, #q: &#of_state, #qd: &#of_state, #t: T) -> ::core::option::Option<#of_speeds> {
                 #reads
                 #steps
@@ -190,7 +192,10 @@ impl Emitter<'_> {
         let state = state_path(&self.model.name);
         let list: Vec<String> =
             self.model.joints.iter().filter(|joint| joint.freedom.is_some()).map(|joint| format!("`{}`", joint.name)).collect();
-        let page = docs::line(&format!("The state at t = 0 with the initial values declared for the freedoms: {}.", list.join(", ")));
+        let page = match list.as_slice() {
+            [] => docs::line("The state at t = 0, with the declared start of coordinates that only velocities are said of."),
+            list => docs::line(&format!("The state at t = 0 with the initial values declared for the freedoms: {}.", list.join(", "))),
+        };
         let (sweeps, failure) = (self.sweeps_of_motion(), quote!(::reuleaux::Stopped<T>));
         quote! {
             #page

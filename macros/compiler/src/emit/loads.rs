@@ -27,6 +27,7 @@ impl Emitter<'_> {
             }
         });
         let refreshed = self.refreshed(&quote!(#loads { loads: ::reuleaux::Loads::unknown() }));
+        let with_motion = self.plan.dynamics.is_some().then(|| accelerate_with_loads(&state, &loads, first.as_ref()));
         let energy = self.plan.dynamics.is_none().then(|| self.energy(code));
         let page = docs::line(&format!("Loads of [`{name}`]: multipliers, and what every joint and drive does to its bodies."));
         quote! {
@@ -44,6 +45,7 @@ impl Emitter<'_> {
                     let (jacobian, forces) = self.equations_of_loads(state);
                     #loads { loads: ::reuleaux::Loads::of(&jacobian, &forces, |multipliers| self.actions(state, multipliers)) }
                 }
+                #with_motion
                 #energy
                 #alone
             }
@@ -144,6 +146,7 @@ impl Emitter<'_> {
         });
         let (of_lambda, of_actions, motion) = (vector_type(code.multipliers), vector_type(code.width), motion());
         Some(quote! {
+            #[inline(always)]
             fn loads_in_closed_form(&self, state: &#state<T>) -> ::core::option::Option<(#of_lambda, #of_actions)> {
                 #motion
                 #reads
@@ -157,6 +160,25 @@ impl Emitter<'_> {
                 ::core::option::Option::Some((multipliers, actions))
             }
         })
+    }
+}
+
+/// Accelerations and loads of a state in one method; `first` returns the loads that are known in closed form.
+fn accelerate_with_loads(state: &TokenStream, loads: &Ident, first: Option<&TokenStream>) -> TokenStream {
+    quote! {
+        /// `accelerate` and `loads` in one call, which computes sines and determinants once: the right-hand side of the equations of motion
+        /// with all multipliers.
+        ///
+        /// # Errors
+        /// Why there are no accelerations.
+        pub fn accelerate_with_loads(&self, state: &mut #state<T>) -> ::core::result::Result<#loads<T>, ::reuleaux::Stopped<T>> {
+            ::reuleaux::motion::refresh_inlined(self, &mut state.0)?;
+            let found = || {
+                #first
+                self.loads(state)
+            };
+            ::core::result::Result::Ok(found())
+        }
     }
 }
 

@@ -133,7 +133,7 @@ impl Emitter<'_> {
             }
         };
         let part = quote! {
-            /// What moves of a mechanism that rests in part, with what it needs to know of the rest.
+            /// The moving part of a mechanism that rests in part, with the numbers that it takes from the rest.
             #[derive(Clone, Copy)]
             #[doc(hidden)]
             struct #name<T>(#mechanism<T>, [T; #count]);

@@ -1,6 +1,6 @@
 //! Expressions of constants, computed to about 100 bits.
 //!
-//! What cancels in exact arithmetic cancels here too, where an evaluation in `f64` leaves a rounding error.
+//! Terms that cancel in exact arithmetic cancel here too, where an evaluation in `f64` leaves a rounding error.
 
 use super::exact::Twofold;
 use super::{Arena, Binary, Expr, Node, Unary};

@@ -32,7 +32,7 @@ impl Triad {
         });
         let x = unit(arena, across);
         let axes = [x, cross(arena, z, x), z];
-        // What is at a right angle to an axis of the frame has no part along it, not even a rounding error.
+        // A vector at a right angle to an axis of the frame has no part along it, not even a rounding error.
         Triad { body, axes: axes.map(|axis| axis.map(|part| arena.snapped(part))) }
     }
 }

@@ -50,7 +50,7 @@ struct StageBuilder<'a> {
     plain: HashMap<Expr, Expr>,
     /// Coordinates of earlier stages.
     found: BTreeSet<u32>,
-    /// What earlier stages in space compute. Only looked up, never iterated.
+    /// Expressions that earlier stages in space compute. Only looked up, never iterated.
     computed: HashSet<Expr>,
 }
 
@@ -113,7 +113,7 @@ impl StageBuilder<'_> {
         Stage::Explicit { unknown, equation, motion }
     }
 
-    /// Notes what a stage in space computes.
+    /// Notes the expressions that a stage in space computes.
     fn note_computed(&mut self, roots: &[Expr]) {
         if self.arena.is_spatial() {
             let new = self.arena.reachable_until(roots, |expr| self.computed.contains(&expr));

@@ -249,8 +249,10 @@ impl Elaborator<'_> {
             let fact = MotionFact::SliceBesideInput { output: output.name.to_string(), input: input.clone() };
             self.once(output, |this| this.refuse::<()>(&output.name, fact));
         }
-        let freedom = joints.iter().find(|joint| joint.freedom.is_some() && task == Task::Motion);
-        let Some(freedom) = freedom.map(|joint| joint.name.to_string()) else { return };
+        if task != Task::Motion {
+            return;
+        }
+        let freedom = joints.iter().find(|joint| joint.freedom.is_some()).map(|joint| joint.name.to_string());
         for joint in joints {
             let Some(input) = joint.residuals.iter().find_map(|residual| self.input_in(residual.expr)) else { continue };
             let fact = MotionFact::InputBesideFreedom { drive: joint.name.to_string(), input, freedom: freedom.clone() };
@@ -260,8 +262,10 @@ impl Elaborator<'_> {
 
     /// Refuses slices and a range of time beside freedoms: integration takes all bodies along, and ends where it is told to.
     pub(super) fn fits_freedoms(&mut self, task: Task, register: &Register) {
-        let Some((_, freedom)) = register.joints.iter().find(|(_, joint)| joint.is_freedom() && task == Task::Motion) else { return };
-        let freedom = freedom.name.to_string();
+        if task != Task::Motion {
+            return;
+        }
+        let freedom = register.joints.iter().find(|(_, joint)| joint.is_freedom()).map(|(_, freedom)| freedom.name.to_string());
         for (_, output) in register.outputs.iter().filter(|(_, output)| output.is_slice) {
             let fact = MotionFact::SliceBesideFreedom { output: output.name.to_string(), freedom: freedom.clone() };
             self.once(output, |this| this.refuse::<()>(&output.name, fact));

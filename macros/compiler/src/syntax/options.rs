@@ -1,4 +1,4 @@
-//! Parses attributes before a mechanism: doc comments, `#[equations_only]`, `#[closure(…)]`, `#[allow(far_start)]`,
+//! Parses attributes before a mechanism: doc comments, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`,
 //! `#[picture]`.
 
 use super::ast::{Closing, Docs, Following, Task};
@@ -22,24 +22,32 @@ pub(super) struct Options {
 /// Doc comments and options, in any order.
 pub(super) fn options(input: ParseStream) -> Parsed<(Docs, Options)> {
     let (docs, attributes) = attributes(input)?;
-    let (mut equations_only, mut closing, mut far_start, mut pictured) = (None, None, None, None);
+    let (mut task, mut closing, mut far_start, mut pictured) = (None, None, None, None);
     for attribute in attributes {
         let name = attribute.name.to_string();
         let again = match name.as_str() {
-            "equations_only" => equations_only.replace(()).is_some(),
+            "equations_only" => task.replace(Task::EquationsOnly).is_some(),
+            "integrated" => task.replace(Task::Motion).is_some(),
             "closure" => closing.replace(self::closing(&attribute)?).is_some(),
             "allow" => far_start.replace(allowed(&attribute)?).is_some(),
             "picture" => pictured.replace(attribute.name.clone()).is_some(),
             _ => return wrong(&attribute.name, GrammarFact::UnknownAttribute { name }),
         };
         if again {
-            return wrong(&attribute.name, GrammarFact::AttributeTwice { name });
+            return wrong(
+                &attribute.name,
+                if is_task(&name) { GrammarFact::SecondTask { name } } else { GrammarFact::AttributeTwice { name } },
+            );
         }
     }
-    let task = if equations_only.is_some() { Task::EquationsOnly } else { Task::Kinematics };
     let allows_far_start = far_start.is_some();
     let (closing, following) = closing.unwrap_or_default();
-    Ok((docs, Options { task, closing, following, allows_far_start, pictured }))
+    Ok((docs, Options { task: task.unwrap_or_default(), closing, following, allows_far_start, pictured }))
+}
+
+/// True for the attributes that say what is generated.
+fn is_task(name: &str) -> bool {
+    matches!(name, "equations_only" | "integrated")
 }
 
 /// `#[allow(far_start)]`

@@ -50,8 +50,8 @@ pub enum MotionFact {
     JointWithoutValue { definition: String, wanted: JointValue, kind: String, instead: Option<String> },
     FreedomOfJoint { name: String, joint: String, offers: Vec<String> },
     FreedomIsHeld { freedom: String, of: usize, by: Vec<String>, free: Vec<String> },
-    SliceBesideFreedom { output: String, freedom: String },
-    RangeBesideFreedom { freedom: String },
-    InputBesideFreedom { drive: String, input: String, freedom: String },
+    SliceBesideFreedom { output: String, freedom: Option<String> },
+    RangeBesideFreedom { freedom: Option<String> },
+    InputBesideFreedom { drive: String, input: String, freedom: Option<String> },
     SliceBesideInput { output: String, input: String },
 }

@@ -82,10 +82,14 @@ impl Display for GrammarFact {
             GrammarFact::UnknownAttribute { name } => {
                 write!(
                     f,
-                    "`#[{name}]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[closure(…)]`, `#[allow(far_start)]` and `#[picture]` before `mechanism`"
+                    "`#[{name}]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]` and `#[picture]` before `mechanism`"
                 )
             }
             GrammarFact::AttributeTwice { name } => write!(f, "`#[{name}]` stands here twice\nhelp: take one of them away"),
+            GrammarFact::SecondTask { name } => {
+                write!(f, "`#[{name}]` stands after another attribute that says what is generated")?;
+                write!(f, "\nhelp: keep one of `#[equations_only]` and `#[integrated]`")
+            }
             GrammarFact::ClosingWord { near } => {
                 write!(f, "`#[closure(…)]` takes one of `deny`, `start`, `allow` and `off`{}", did_you_mean(near))
             }

@@ -155,11 +155,11 @@ impl Display for MotionFact {
                 if free.len() > 1 { write!(f, "; {} free", are(free)) } else { Ok(()) }
             }
             MotionFact::SliceBesideFreedom { output, freedom } => {
-                write!(f, "`{output}` cannot be solved for alone: the freedom `{freedom}` is integrated, and all bodies with it")?;
+                write!(f, "`{output}` cannot be solved for alone: {}, and all bodies with it", integrated(freedom))?;
                 write!(f, "\nhelp: write `output` for `slice output`")
             }
             MotionFact::InputBesideFreedom { drive, input, freedom } => {
-                write!(f, "`{drive}` is driven by the input `{input}`, and the freedom `{freedom}` is integrated")?;
+                write!(f, "`{drive}` is driven by the input `{input}`, and {}", integrated(freedom))?;
                 write!(f, "\nnote: between two steps of a controller the input is not known, and integration needs it there")?;
                 write!(f, "\nhelp: drive by a law of `t`, or let the input be a force")
             }
@@ -168,9 +168,16 @@ impl Display for MotionFact {
                 write!(f, "\nhelp: write `output` for `slice output`")
             }
             MotionFact::RangeBesideFreedom { freedom } => {
-                write!(f, "a range says how long drives are followed, and the freedom `{freedom}` follows from forces")?;
+                write!(f, "a range says how long drives are followed, and {}", integrated(freedom))?;
                 write!(f, "\nhelp: take the range away; `advance` integrates to any time")
             }
         }
     }
+}
+
+/// A freedom, or the whole mechanism.
+fn integrated(freedom: &Option<String>) -> String {
+    freedom
+        .as_ref()
+        .map_or_else(|| "the mechanism is `#[integrated]`".to_owned(), |freedom| format!("the freedom `{freedom}` is integrated"))
 }

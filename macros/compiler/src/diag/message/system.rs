@@ -27,7 +27,11 @@ impl Display for SystemFact {
                 write!(f, "\nhelp: take the freedom away, or the drive that moves the same bodies; declare what can still move")
             }
             SystemFact::FreedomsMissing { name, missing, declared, candidates } => {
-                let found = if *declared == 1 { "1 freedom is".to_owned() } else { format!("{} are", plural(*declared, "freedom")) };
+                let found = match declared {
+                    0 => "no freedom is".to_owned(),
+                    1 => "1 freedom is".to_owned(),
+                    many => format!("{} are", plural(*many, "freedom")),
+                };
                 write!(f, "`{name}` can move in {} independent ways, but {found} declared", missing + declared)?;
                 write!(
                     f,
@@ -52,9 +56,10 @@ impl Display for SystemFact {
                 let which = if *of == 1 { "the equation".to_owned() } else { format!("equation {row} of {of}") };
                 write!(
                     f,
-                    "{which} of `{joint}` relates velocities by factors that change, and no position follows from it\nhelp: let its motion be \
-                     integrated: declare what can move as a freedom, such as `freedom spin = body.angular_velocity;`\nhelp: or relate \
-                     positions or angles instead, or write `#[equations_only]` to have its rows alone"
+                    "{which} of `{joint}` relates velocities by factors that change, and no position follows from it\nhelp: where drives \
+                     determine the motion, write `#[integrated]` before `mechanism`\nhelp: where forces do, declare a freedom, such as \
+                     `freedom spin = body.angular_velocity;`\nhelp: or relate positions or angles instead, or write `#[equations_only]` to \
+                     have its rows alone"
                 )
             }
             SystemFact::FollowsFrom { joint, is_drive, rows, of, others, free, moves, in_space } => {

@@ -18,7 +18,7 @@ pub enum Task {
     /// Positions, velocities and accelerations are solved for.
     #[default]
     Kinematics,
-    /// Freedoms follow from forces: they are integrated, and the other coordinates are solved for.
+    /// Freedoms that follow from forces, or `#[integrated]`: a part of the coordinates is integrated, and the others are solved for.
     Motion,
     /// `#[equations_only]`: no `solve` is generated, and the system need not be square.
     EquationsOnly,

@@ -1,0 +1,150 @@
+//! Motion that drives determine, although rows of velocities leave positions to the past.
+
+use core::f64::consts::{PI, TAU};
+use reuleaux::{Integrator, mechanism};
+
+mechanism! {
+    /// A skate on ice, pushed along its edge and turned.
+    #[integrated]
+    pub mechanism Skate {
+        param push: Velocity = 2m_s;
+        param turn: AngularVelocity = 0.5rad_s;
+        body blade { axis edge = (1, 0);  mass = 3kg;  inertia = 0.2kgm2; }
+        joint ice = { cross(blade.edge, rate(blade.position)) == 0m_s; }
+        drive along = { dot(blade.edge, rate(blade.position)) == push; }
+        drive about = drive_angle(blade, turn * t);
+    }
+}
+
+#[test]
+fn a_skate_goes_round_in_a_circle() {
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        let skate = Skate { push: 3.0, turn: 0.75, ..Default::default() };
+        let mut state = skate.initial_state().unwrap();
+        let mut integrator = Integrator::new(tolerance);
+        for step in 1..=40 {
+            let t = f64::from(step) * 0.3;
+            skate.advance(&mut state, t, &mut integrator).unwrap();
+            let (sine, cosine) = (0.75 * t).sin_cos();
+            let (blade, radius) = (state.blade(), 3.0 / 0.75);
+            let bound = 10.0 * tolerance + 1e-14;
+            assert!((blade.position.x - radius * sine).abs() < bound, "{tolerance:e} at {t}: {}", blade.position);
+            assert!((blade.position.y - radius * (1.0 - cosine)).abs() < bound, "{tolerance:e} at {t}: {}", blade.position);
+            assert_eq!(blade.angle, 0.75 * t);
+            assert!((blade.velocity.x - 3.0 * cosine).abs() < 1e-14 && (blade.velocity.y - 3.0 * sine).abs() < 1e-14);
+            assert!((blade.acceleration.x + 2.25 * sine).abs() < 1e-14 && (blade.acceleration.y - 2.25 * cosine).abs() < 1e-14);
+            // The ice holds the skate on its circle: m v ω towards the centre; the drives do nothing.
+            let loads = skate.loads(&state);
+            let towards = 3.0 * 3.0 * 0.75;
+            assert!((loads.multipliers[0].abs() - towards).abs() < 1e-13, "{}", loads.multipliers);
+            assert!(loads.along().effort.abs() < 1e-13 && loads.about().effort.abs() < 1e-13);
+        }
+    }
+}
+
+mechanism! {
+    /// Without mass there are no loads, and nothing else is missing.
+    #[integrated]
+    pub mechanism Spiral {
+        body blade { axis edge = (1, 0);  start x = 1m;  start angle = 90deg; }
+        joint ice = { cross(blade.edge, rate(blade.position)) == 0m_s; }
+        drive along = { dot(blade.edge, rate(blade.position)) == 1m_s * t / 1s; }
+        drive about = { blade.angular_velocity == 1rad_s; }
+    }
+}
+
+#[test]
+fn a_start_is_where_it_is_declared() {
+    let mut state = Spiral::default().initial_state().unwrap();
+    let blade = state.blade();
+    assert_eq!((blade.position.x, blade.position.y, blade.angle), (1.0, 0.0, PI / 2.0));
+    let t = 2.0_f64;
+    Spiral::default().advance(&mut state, t, &mut Integrator::new(1e-11)).unwrap();
+    // ∫ t (−sin t, cos t) dt
+    let (x, y) = (1.0 + t * t.cos() - t.sin(), t * t.sin() + t.cos() - 1.0);
+    let place = state.blade().position;
+    assert!((place.x - x).abs() < 1e-10 && (place.y - y).abs() < 1e-10, "{place} ({x}, {y})");
+}
+
+mechanism! {
+    /// A disk is led round a circle: upright, rolling, its heading and its spin driven.
+    #[integrated]
+    pub mechanism Led in space {
+        ground { axis up = (0, 0, 1) from (1, 0, 0); }
+        body disk { axis axle = (0, 1, 0) from (0, 0, 1);  start position = (0mm, 0mm, 300mm); }
+        joint contact = rolling_disk(ground.up, disk.position, disk.axle, 300mm);
+        joint upright = perpendicular_axes(ground.up, disk.axle);
+        drive spin = { dot(disk.angular_velocity, z_axis(disk.axle)) == 4rad_s; }
+        drive heading = { dot(disk.angular_velocity, z_axis(ground.up)) == 1rad_s; }
+    }
+}
+
+#[test]
+fn a_disk_rolls_on_a_circle_of_its_speed_over_its_turning() {
+    let mut state = Led::default().initial_state().unwrap();
+    let mut integrator = Integrator::new(1e-11);
+    for eighth in 1..=8 {
+        let t = f64::from(eighth) * TAU / 8.0;
+        Led::default().advance(&mut state, t, &mut integrator).unwrap();
+        // v = ω × r at the centre: 0.3 m × 4 rad/s along x at the start.
+        let (radius, place) = (1.2, state.disk().position);
+        assert!((place.x - radius * t.sin()).abs() < 1e-9, "{place}");
+        assert!((place.y - radius * (1.0 - t.cos())).abs() < 1e-9, "{place}");
+        assert!((place.z - 0.3).abs() < 1e-13, "{place}");
+    }
+}
+
+/// Two gears on a carrier that turns, with bevel axes, as equations of velocities and as equations of angles.
+macro_rules! geared {
+    ($(#[$attribute:meta])* $name:ident, $($mesh:tt)*) => {
+        mechanism! {
+            /// Bevel gears on a carrier.
+            $(#[$attribute])*
+            pub(crate) mechanism $name in space {
+                ground { axis z = (0, 0, 1) from (1, 0, 0); }
+                body carrier {
+                    axis z = (0, 0, 1) from (1, 0, 0);
+                    axis one = (1, 0, 0) from (0, 0, 1);  axis two = (0, 1, 0) from (0, 0, 1);
+                }
+                body first { axis x = (1, 0, 0) from (0, 0, 1); }
+                body second { axis x = (0, 1, 0) from (0, 0, 1); }
+                joint turntable = revolute(ground.position, ground.z, carrier.position, carrier.z);
+                $($mesh)*
+                drive swivel = drive_rotation(turntable, 0.4rad * sin(2rad_s * t));
+                output on_first = joint_angle(carrier.one, first.x);
+                output on_second = joint_angle(carrier.two, second.x);
+            }
+        }
+    };
+}
+geared!(
+    #[integrated]
+    BySpeeds,
+    joint mesh = gear_joint(carrier, first, second, carrier.one, carrier.two, 2);
+    drive shaft = { dot(first.angular_velocity - carrier.angular_velocity, z_axis(carrier.one)) == 1rad_s * cos(1rad_s * t); }
+);
+geared!(
+    ByAngles,
+    joint first_bearing = revolute(carrier.position, carrier.one, first.position, first.x);
+    joint second_bearing = revolute(carrier.position, carrier.two, second.position, second.x);
+    joint mesh = gear_pair(first_bearing, second_bearing, 2, 1);
+    drive shaft = drive_rotation(first_bearing, 1rad * sin(1rad_s * t));
+);
+
+#[test]
+fn gears_on_a_carrier_are_where_equations_of_angles_put_them() {
+    let (speeds, angles) = (BySpeeds::default(), ByAngles::default());
+    let mut state = speeds.initial_state().unwrap();
+    let mut integrator = Integrator::new(1e-11);
+    for step in 1..=20 {
+        let t = f64::from(step) * 0.25;
+        speeds.advance(&mut state, t, &mut integrator).unwrap();
+        let wanted = angles.solve(t).unwrap();
+        for (found, wanted) in [(speeds.on_first(&state), angles.on_first(&wanted)), (speeds.on_second(&state), angles.on_second(&wanted))]
+        {
+            assert!((found.value - wanted.value).abs() < 1e-9, "{t}: {found:?} {wanted:?}");
+            assert!((found.rate - wanted.rate).abs() < 1e-9, "{t}: {found:?} {wanted:?}");
+            assert!((found.acceleration - wanted.acceleration).abs() < 1e-8, "{t}: {found:?} {wanted:?}");
+        }
+    }
+}
