@@ -138,7 +138,7 @@ codes! {
     E0708: System::DrivesContend;
     E0709: System::PassiveSpin;
     // Redundancy.
-    E0801: System::Repeats System::Follows System::FollowsFrom;
+    E0801: System::Repeats System::Follows System::FollowsFrom System::VelocityDepends;
     E0802: System::Contradicts System::CannotHold System::Collides System::AxesContradict System::TwoAxes System::Askew;
     E0803: System::NotRedundant;
     // Assembly.

@@ -58,9 +58,16 @@ impl<'a> AtStart<'a> {
         }
         let (of_joints, of_freedoms) = self.rows.split_at(self.dynamics.rows.len());
         let mut echelon = Echelon::new(self.dynamics.integrated.len());
-        for (_, row) in of_joints {
-            // An equation of joints that follows from others here is judged elsewhere.
-            echelon.takes(row.clone());
+        let is_of_velocities = |number: &usize| self.dynamics.rows[*number].phi.is_none();
+        let (of_velocities, of_positions): (Vec<usize>, Vec<usize>) = (0..of_joints.len()).partition(is_of_velocities);
+        for number in of_positions {
+            // One that follows from others here is judged elsewhere.
+            echelon.takes(of_joints[number].1.clone());
+        }
+        for number in of_velocities {
+            if !echelon.takes(of_joints[number].1.clone()) {
+                return self.repeats(self.dynamics.rows[number].of, diag);
+            }
         }
         let motions = echelon.null_space();
         for (joint, row) in of_freedoms {
@@ -82,6 +89,12 @@ impl<'a> AtStart<'a> {
         let Joint { name, residuals, .. } = &self.numeric.model.joints[freedom];
         let of = residuals.len();
         diag.refuse(name, SystemFact::FreedomDepends { freedom: name.to_string(), of })
+    }
+
+    fn repeats(&self, (joint, row): (usize, usize), diag: &mut Diag) -> Option<()> {
+        let Joint { name, residuals, is_drive, .. } = &self.numeric.model.joints[joint];
+        let (of, is_drive) = (residuals.len(), *is_drive);
+        diag.refuse(name, SystemFact::VelocityDepends { joint: name.to_string(), row: row + 1, of, is_drive })
     }
 
     fn missing(&self, free: &[usize], diag: &mut Diag) -> Option<()> {

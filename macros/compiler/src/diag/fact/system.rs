@@ -15,6 +15,12 @@ pub enum SystemFact {
         body: String,
         joints: [String; 2],
     },
+    VelocityDepends {
+        joint: String,
+        row: usize,
+        of: usize,
+        is_drive: bool,
+    },
     FreedomDepends {
         freedom: String,
         of: usize,

@@ -20,6 +20,12 @@ impl Display for SystemFact {
                     "\nhelp: write `distance(…)` of the two points that it joins instead of the body, or make one of the joints `universal`"
                 )
             }
+            SystemFact::VelocityDepends { joint, row, of, is_drive } => {
+                let which = if *of == 1 { format!("`{joint}`") } else { format!("equation {row} of {of} of `{joint}`") };
+                let kind = if *is_drive { "drive" } else { "joint" };
+                write!(f, "{which} relates velocities that other joints and drives determine already where the mechanism is assembled")?;
+                write!(f, "\nhelp: take this {kind} away, or another one that determines the same")
+            }
             SystemFact::FreedomDepends { freedom, of } => {
                 let which =
                     if *of == 1 { format!("`{freedom}` is not free") } else { format!("not all {of} numbers of `{freedom}` are free") };
@@ -27,18 +33,7 @@ impl Display for SystemFact {
                 write!(f, "\nhelp: take the freedom away, or the drive that moves the same bodies; declare what can still move")
             }
             SystemFact::FreedomsMissing { name, missing, declared, candidates } => {
-                let found = match declared {
-                    0 => "no freedom is".to_owned(),
-                    1 => "1 freedom is".to_owned(),
-                    many => format!("{} are", plural(*many, "freedom")),
-                };
-                write!(f, "`{name}` can move in {} independent ways, but {found} declared", missing + declared)?;
-                write!(
-                    f,
-                    "\nhelp: declare what else can move, such as `freedom name = {};`",
-                    candidates.first().map_or("", String::as_str)
-                )?;
-                if candidates.len() > 1 { write!(f, "; {} are free", list(candidates)) } else { Ok(()) }
+                freedoms_missing(f, name, [*missing, *declared], candidates)
             }
             SystemFact::Massless { bodies, has_any } => {
                 write!(f, "no mass or inertia resists a motion of {}: its acceleration does not follow from forces", list(bodies))?;
@@ -328,4 +323,18 @@ fn acts_on_massless(f: &mut Formatter, joint: &str, lists: [&[String]; 2], adds:
         }
     }
     write!(f, "\nhelp: or relate positions or angles: these may hold what has no mass")
+}
+
+fn freedoms_missing(f: &mut Formatter, name: &str, [missing, declared]: [usize; 2], candidates: &[String]) -> Result {
+    let example = candidates.first().map_or("", String::as_str);
+    if declared == 0 {
+        let (ways, it) = if missing == 1 { ("one way".to_owned(), "it") } else { (format!("{missing} independent ways"), "them") };
+        write!(f, "`{name}` can move in {ways} that no drive determines")?;
+        write!(f, "\nhelp: drive {it}, or declare {it} as a freedom if it follows from forces, such as `freedom name = {example};`")?;
+    } else {
+        let found = if declared == 1 { "1 freedom is".to_owned() } else { format!("{} are", plural(declared, "freedom")) };
+        write!(f, "`{name}` can move in {} independent ways, but {found} declared", missing + declared)?;
+        write!(f, "\nhelp: declare what else can move, such as `freedom name = {example};`")?;
+    }
+    if candidates.len() > 1 { write!(f, "; {} are free", list(candidates)) } else { Ok(()) }
 }
