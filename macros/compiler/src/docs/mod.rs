@@ -36,11 +36,9 @@ fn counted(model: &Model, equations: &[Equation]) -> [usize; 2] {
     [own().count(), own().filter(|equation| model.joints[equation.joint].is_drive).count()]
 }
 
-/// The page of the generated struct: the picture, and tables of parameters, coordinates and equations.
-pub(crate) fn mechanism(model: &Model, system: &System, assembly: &Assembly, motion: &Motion, plan: &Plan, picture: &Picture) -> String {
-    let mut page = String::new();
+/// Coordinates, equations and mobility.
+fn counts(page: &mut String, model: &Model, system: &System, checked: usize) {
     let n = system.coordinates.len();
-    let checked = plan.checked.len();
     let redundant = match checked {
         0 => String::new(),
         1 => ", 1 follows from others and is checked".to_owned(),
@@ -62,6 +60,12 @@ pub(crate) fn mechanism(model: &Model, system: &System, assembly: &Assembly, mot
             )
         }
     };
+}
+
+/// The page of the generated struct: the picture, and tables of parameters, coordinates and equations.
+pub(crate) fn mechanism(model: &Model, system: &System, assembly: &Assembly, motion: &Motion, plan: &Plan, picture: &Picture) -> String {
+    let mut page = String::new();
+    counts(&mut page, model, system, plan.checked.len());
     if let Some(dynamics) = &plan.dynamics {
         let freedoms: Vec<String> =
             model.joints.iter().filter(|joint| joint.freedom.is_some()).map(|joint| format!("`{}`", joint.name)).collect();
