@@ -17,14 +17,19 @@ impl Echelon {
     }
 
     /// Adds a row unless it depends on the rows before it; true if it was added.
-    pub(crate) fn takes(&mut self, mut row: Vec<f64>) -> bool {
+    pub(crate) fn takes(&mut self, row: Vec<f64>) -> bool {
+        self.takes_above(NOTHING, row)
+    }
+
+    /// The same for a row of which the rows before leave more than a share.
+    pub(crate) fn takes_above(&mut self, share: f64, mut row: Vec<f64>) -> bool {
         let before = largest(&row, 0..self.columns).map_or(0.0, |column| row[column].abs());
         for (done, &pivot) in self.rows.iter().zip(&self.pivots) {
             let factor = row[pivot] / done[pivot];
             row.iter_mut().zip(done).for_each(|(entry, done)| *entry -= factor * done);
         }
         match largest(&row, self.free().into_iter()) {
-            Some(pivot) if row[pivot].abs() > NOTHING * before => {
+            Some(pivot) if row[pivot].abs() > share * before => {
                 self.rows.push(row);
                 self.pivots.push(pivot);
                 true

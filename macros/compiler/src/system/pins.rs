@@ -7,6 +7,10 @@ use crate::linear::Echelon;
 use crate::model::{Function, Model};
 use crate::quantity::{Dim, Role};
 
+/// Coordinates are pinned of which the equations leave more than this share, and then those of which they leave anything.
+const CLEARLY: f64 = 0.1;
+const HARDLY: f64 = 1e-9;
+
 /// Rows that hold the coordinates which the equations leave open at the start; they belong to the last freedom.
 pub(super) fn pins(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], equations: &[Equation]) -> Vec<Row> {
     let (open, joint) = (open(model, arena, coordinates, equations), model.joints.len() - 1);
@@ -47,5 +51,17 @@ fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], equations: &[E
         }
         echelon.takes(row);
     }
-    echelon.free()
+    // Coordinates with a declared start come first, then those of bodies that are declared first.
+    let mut order: Vec<usize> = (0..coordinates.len()).collect();
+    order.sort_by_key(|unknown| coordinates[*unknown].start.is_none());
+    let mut pinned = Vec::new();
+    for share in [CLEARLY, HARDLY] {
+        for unknown in &order {
+            let mut row = vec![0.0; coordinates.len()];
+            row[*unknown] = 1.0;
+            pinned.extend(echelon.takes_above(share, row).then_some(*unknown));
+        }
+    }
+    pinned.sort_unstable();
+    pinned
 }
