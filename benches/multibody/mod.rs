@@ -103,10 +103,10 @@ pub const STRAIGHT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0
 
 /// The matrix of a turn by `angle` (rad) about axis 0, 1 or 2.
 #[must_use]
-pub fn turn(axis: usize, angle: f64) -> [[f64; 3]; 3] {
+pub fn turn<T: Real>(axis: usize, angle: T) -> [[T; 3]; 3] {
     let (sine, cosine) = angle.sin_cos();
     let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
-    let mut matrix = STRAIGHT;
+    let mut matrix = STRAIGHT.map(|row| row.map(T::of));
     (matrix[next][next], matrix[last][last]) = (cosine, cosine);
     (matrix[next][last], matrix[last][next]) = (-sine, sine);
     matrix
@@ -114,20 +114,25 @@ pub fn turn(axis: usize, angle: f64) -> [[f64; 3]; 3] {
 
 /// a b
 #[must_use]
-pub fn product(a: [[f64; 3]; 3], b: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
-    std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| a[i][k] * b[k][j]).sum()))
+pub fn product<T: Real>(a: [[T; 3]; 3], b: [[T; 3]; 3]) -> [[T; 3]; 3] {
+    let columns = transposed(b);
+    a.map(|row| columns.map(|column| dot(row, column)))
 }
 
 /// The transpose.
 #[must_use]
-pub fn transposed(a: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+pub fn transposed<T: Real>(a: [[T; 3]; 3]) -> [[T; 3]; 3] {
     std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
 }
 
 /// a v
 #[must_use]
-pub fn applied(a: [[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
-    a.map(|row| (0..3).map(|k| row[k] * v[k]).sum())
+pub fn applied<T: Real>(a: [[T; 3]; 3], v: [T; 3]) -> [T; 3] {
+    a.map(|row| dot(row, v))
+}
+
+fn dot<T: Real>(a: [T; 3], b: [T; 3]) -> T {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 impl Model {

@@ -197,6 +197,12 @@ impl Point {
     }
 }
 
+/// A body that does not move, as ground.
+pub(crate) fn resting() -> SpatialBody<f64> {
+    let still = Turning { axes: [Vector3::x(), Vector3::y(), Vector3::z()], omega: Vector3::zeros(), alpha: Vector3::zeros() };
+    still.body(&Point { p: Vector3::zeros(), v: Vector3::zeros(), a: Vector3::zeros() })
+}
+
 impl Turning {
     /// The body with this mass centre.
     #[inline(always)]

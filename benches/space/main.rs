@@ -5,6 +5,7 @@
 //! `valgrind`.
 
 mod arm;
+mod chain;
 mod follower;
 mod measure;
 mod rocker;
@@ -24,7 +25,9 @@ pub(crate) struct Workload {
 }
 
 fn workloads() -> Vec<Workload> {
-    vec![slider_crank::workload(), rocker::workload(), arm::workload()]
+    let mut workloads = vec![slider_crank::workload(), rocker::workload(), arm::workload()];
+    workloads.extend(chain::workloads());
+    workloads
 }
 
 /// How often all contenders have their turn, if nothing is said.

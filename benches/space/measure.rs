@@ -15,13 +15,20 @@ const MANY: usize = 30;
 /// Largest absolute errors of pose, velocities and accelerations in all steps.
 type Errors = [f64; 3];
 
-/// Prints the table.
+/// Errors that nothing measured here may exceed: of pose (m, entries of matrices), velocities (m/s, rad/s), accelerations (m/s², rad/s²).
+const BOUNDS: Errors = [1e-14, 1e-13, 1e-12];
+
+/// Prints the table, and fails if an error is too large.
 pub(crate) fn print(workloads: &[Workload], rounds: usize) {
     println!("| | | time | ratio | pose | velocities | accelerations |\n| --- | --- | ---: | ---: | ---: | ---: | ---: |");
     for workload in workloads {
         let mut entries = (workload.contenders)();
         let exact = Exact::new(&workload.model);
         let errors: Vec<Errors> = entries.iter_mut().map(|entry| exact.errors(&mut *entry.follower)).collect();
+        for (entry, errors) in entries.iter().zip(&errors) {
+            let is_exact = errors.iter().zip(BOUNDS).all(|(error, bound)| *error < bound);
+            assert!(is_exact, "{}, {}: {errors:?}", workload.model.name, entry.name);
+        }
         let times = times();
         let mut ways: Vec<Box<dyn FnMut() + '_>> = Vec::new();
         for entry in &mut entries {

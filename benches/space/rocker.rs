@@ -51,7 +51,7 @@ pub(crate) fn workload() -> Workload {
 }
 
 fn contenders() -> Vec<Entry> {
-    let [fast, plain] = [Loop::new(), Loop::new()];
+    let [fast, plain] = [(); 2].map(|()| Axle::new([2.2, 0.3, 0.5], product(turn(0, 0.5), turn(1, 0.3))));
     vec![
         Entry::new(HAND_FAST, Hand::new((), move |(), t| closed::<Runtime>(&fast, t))),
         Entry::new(HAND, Hand::new((), move |(), t| closed::<Standard>(&plain, t))),
@@ -59,16 +59,23 @@ fn contenders() -> Vec<Entry> {
     ]
 }
 
-/// The rocker's axle: its place and frame.
-struct Loop {
-    place: Vector3<f64>,
-    axes: [Vector3<f64>; 3],
+/// An axle: its place and frame.
+pub(crate) struct Axle {
+    pub(crate) place: Vector3<f64>,
+    pub(crate) axes: [Vector3<f64>; 3],
 }
 
-impl Loop {
-    fn new() -> Self {
-        let rows = product(turn(0, 0.5), turn(1, 0.3));
-        Self { place: Vector3::new(2.2, 0.3, 0.5), axes: [0, 1, 2].map(|j| Vector3::new(rows[0][j], rows[1][j], rows[2][j])) }
+impl Axle {
+    /// With this place and the rows of its matrix.
+    pub(crate) fn new(place: [f64; 3], rows: [[f64; 3]; 3]) -> Self {
+        Self { place: place.into(), axes: [0, 1, 2].map(|j| Vector3::new(rows[0][j], rows[1][j], rows[2][j])) }
+    }
+
+    /// The point at the end of an arm that turns about the axle: its direction, the same a quarter of a turn ahead, and its length.
+    #[inline(always)]
+    pub(crate) fn end(&self, [out, ahead]: [Vector3<f64>; 2], length: f64, [rate, turning]: [f64; 2]) -> Point {
+        let (out, ahead) = (out * length, ahead * length);
+        Point { p: self.place + out, v: ahead * rate, a: ahead * turning - out * (rate * rate) }
     }
 }
 
@@ -76,7 +83,7 @@ const ROCKER: f64 = 1.4;
 const COUPLER: f64 = 2.2;
 
 #[inline(always)]
-fn closed<T: Trigonometry>(of: &Loop, t: f64) -> [SpatialBody<f64>; 3] {
+fn closed<T: Trigonometry>(of: &Axle, t: f64) -> [SpatialBody<f64>; 3] {
     let (sine, cosine) = T::of(TAU * t);
     let square = TAU * TAU;
     let crank = Turning {
@@ -89,57 +96,53 @@ fn closed<T: Trigonometry>(of: &Loop, t: f64) -> [SpatialBody<f64>; 3] {
         Point { p: Vector3::new(x, y, 0.0), v: Vector3::new(-TAU * y, TAU * x, 0.0), a: Vector3::new(-square * x, -square * y, 0.0) }
     };
     let pin = at(0.5);
-    let rocker = rocked(of, &pin);
-    let end = Point { p: of.place, v: Vector3::zeros(), a: Vector3::zeros() };
-    let along = |length: f64| {
-        let [x, y] = [rocker.axes[0] * length, rocker.axes[1] * length];
-        let (rate, turning) = (rocker.omega.dot(&of.axes[2]), rocker.alpha.dot(&of.axes[2]));
-        Point { p: end.p + x, v: y * rate, a: y * turning - x * (rate * rate) }
-    };
-    let coupler = coupled(&rocker, &pin, &along(ROCKER));
-    [crank.body(&at(0.25)), rocker.body(&along(0.5)), coupler.0.body(&coupler.1)]
+    let (rocker, speeds) = rocked(of, &pin, ROCKER, COUPLER);
+    let along = |length: f64| of.end([rocker.axes[0], rocker.axes[1]], length, speeds);
+    let (coupler, center) = coupled(&rocker, &pin, &along(ROCKER), COUPLER, 1.0);
+    [crank.body(&at(0.25)), rocker.body(&along(0.5)), coupler.body(&center)]
 }
 
-/// Where the end of the rocker is at the coupler's length from the pin: p cos ψ + q sin ψ = k.
+/// Where the end of an arm is at the coupler's length from the pin: p cos ψ + q sin ψ = k; with its rate and acceleration.
 #[inline(always)]
-fn rocked(of: &Loop, pin: &Point) -> Turning {
+pub(crate) fn rocked(of: &Axle, pin: &Point, arm: f64, coupler: f64) -> (Turning, [f64; 2]) {
     let d = pin.p - of.place;
     let [p, q] = [d.dot(&of.axes[0]), d.dot(&of.axes[1])];
-    let k = (d.norm_squared() + (ROCKER * ROCKER - COUPLER * COUPLER)) * (0.5 / ROCKER);
+    let k = (d.norm_squared() + (arm * arm - coupler * coupler)) * (0.5 / arm);
     let size = p * p + q * q;
     let root = (size - k * k).sqrt();
-    let per = 1.0 / size;
+    let both = 1.0 / (size * root);
+    let (per, lever) = (root * both, size * both * (1.0 / arm));
     let (cosine, sine) = ((p * k - q * root) * per, (q * k + p * root) * per);
     let x = of.axes[0] * cosine + of.axes[1] * sine;
     let y = of.axes[1] * cosine - of.axes[0] * sine;
-    // b·(ẏ − Ȧ) = 0 for the coupler b, and its derivative.
-    let b = x * ROCKER - d;
-    let lever = 1.0 / (ROCKER * b.dot(&y));
+    // b·(ẏ − Ȧ) = 0 for the coupler b, and its derivative; b·x = arm − k and b·y = root.
+    let b = x * arm - d;
     let rate = b.dot(&pin.v) * lever;
-    let b_rate = y * (ROCKER * rate) - pin.v;
-    let turning = (b.dot(&pin.a) - b_rate.norm_squared() + b.dot(&x) * (ROCKER * rate * rate)) * lever;
-    Turning { axes: [x, y, of.axes[2]], omega: of.axes[2] * rate, alpha: of.axes[2] * turning }
+    let b_rate = y * (arm * rate) - pin.v;
+    let turning = (b.dot(&pin.a) - b_rate.norm_squared() + (arm - k) * (arm * rate * rate)) * lever;
+    (Turning { axes: [x, y, of.axes[2]], omega: of.axes[2] * rate, alpha: of.axes[2] * turning }, [rate, turning])
 }
 
-/// The coupler and its mass centre: its axis leads from the pin to the rocker, its z axis is across that and the rocker's y axis.
+/// A coupler and its mass centre: its axis leads from the pin to the rocker, its z axis is across that and the rocker's y axis, on the side
+/// of their product or on the other.
 #[inline(always)]
-fn coupled(rocker: &Turning, pin: &Point, end: &Point) -> (Turning, Point) {
-    let per = 1.0 / COUPLER;
+pub(crate) fn coupled(rocker: &Turning, pin: &Point, end: &Point, length: f64, side: f64) -> (Turning, Point) {
+    let per = 1.0 / length;
     let (x, x1, x2) = ((end.p - pin.p) * per, (end.v - pin.v) * per, (end.a - pin.a) * per);
     let y_rocker = rocker.axes[1];
     let z = x.cross(&y_rocker);
-    let z = z * (1.0 / z.norm_squared().sqrt());
+    let share = side / z.norm_squared().sqrt();
+    let z = z * share;
     let y = z.cross(&x);
-    // The angular velocity against the rocker has no part along e, at right angles to both axes of the cross.
+    // The angular velocity against the rocker has no part along e, at right angles to both axes of the cross; x·e is one over the share.
     let e = y_rocker.cross(&z);
     let across = x.cross(&x1);
-    let share = 1.0 / x.dot(&e);
-    let spin = (rocker.omega.dot(&e) - across.dot(&e)) * share;
+    let spin = (rocker.omega - across).dot(&e) * share;
     let omega = across + x * spin;
     let against = omega - rocker.omega;
     let of_rate = against.dot(&y_rocker) * rocker.omega.dot(&z) - against.dot(&z) * omega.dot(&y_rocker);
     let turning = x.cross(&x2) + x1 * spin;
-    let spin_rate = (rocker.alpha.dot(&e) - turning.dot(&e) - of_rate) * share;
+    let spin_rate = ((rocker.alpha - turning).dot(&e) - of_rate) * share;
     let center = Point { p: (end.p + pin.p) * 0.5, v: (end.v + pin.v) * 0.5, a: (end.a + pin.a) * 0.5 };
     (Turning { axes: [x, y, z], omega, alpha: turning + x * spin_rate }, center)
 }
