@@ -10,6 +10,7 @@ mod follower;
 mod measure;
 mod rocker;
 mod slider_crank;
+mod stewart;
 mod wishbone;
 
 use std::error::Error;
@@ -26,7 +27,7 @@ pub(crate) struct Workload {
 }
 
 fn workloads() -> Vec<Workload> {
-    let mut workloads = vec![slider_crank::workload(), rocker::workload(), arm::workload(), wishbone::workload()];
+    let mut workloads = vec![slider_crank::workload(), rocker::workload(), stewart::workload(), arm::workload(), wishbone::workload()];
     workloads.extend(chain::workloads());
     workloads
 }
