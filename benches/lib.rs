@@ -8,6 +8,7 @@ pub mod exact;
 pub mod hand;
 pub mod linkage;
 pub mod multibody;
+pub mod released;
 #[cfg(feature = "ezpz")]
 mod sketch;
 pub mod workloads;

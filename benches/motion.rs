@@ -1,12 +1,14 @@
-//! A motion that follows from forces: `cargo run --release -p reuleaux-benches --bin motion`.
+//! Motions that follow from forces: `cargo run --release -p reuleaux-benches --bin motion`.
 //!
-//! Out: Andrews' mechanism at several tolerances: its error, its evaluations and its time.
+//! Out: Andrews' mechanism at several tolerances: its error, its evaluations and its time; the same of Bricard's linkage and of a heavy top,
+//! beside equations of motion written by hand, which the same integrator follows.
 
 use std::error::Error;
 use std::hint::black_box;
 
 use reuleaux::{Integrator, mechanism};
 use reuleaux_benches::measured;
+use reuleaux_benches::released::{bricard, follow, top};
 
 mechanism! {
     /// Andrews' squeezing mechanism.
@@ -42,6 +44,14 @@ mechanism! {
 const EXACT: [f64; 4] = [15.810_771_195_153_71, 0.040_822_240_119_645_82, 0.524_409_965_879_954, 1.048_080_741_041_938];
 
 fn main() -> Result<(), Box<dyn Error>> {
+    andrews()?;
+    println!("\n| | | tolerance | error | steps | evaluations | ms | ratio |\n| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |");
+    beside(of_bricard()?);
+    beside(of_top()?);
+    Ok(())
+}
+
+fn andrews() -> Result<(), Box<dyn Error>> {
     let mechanism = Andrews::default();
     let start = mechanism.initial_state()?;
     println!("| tolerance | error | steps | evaluations | ms |\n| ---: | ---: | ---: | ---: | ---: |");
@@ -58,4 +68,60 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("| {tolerance:e} | {error:.0e} | {} | {} | {time:.2} |", integrator.accepted, integrator.evaluations);
     }
     Ok(())
+}
+
+/// A motion to its end with an integrator, and its error there.
+type Way = Box<dyn Fn(&mut Integrator) -> f64>;
+
+/// A motion by hand and from its declaration.
+type Ways = (&'static str, [Way; 2]);
+
+fn of_bricard() -> Result<Ways, Box<dyn Error>> {
+    let mechanism = bricard::Bricard::default();
+    let start = mechanism.initial_state()?;
+    let by_hand: Way = Box::new(|integrator| {
+        let mut state = bricard::ByHand::start();
+        follow(&bricard::ByHand, &mut state, bricard::DURATION, integrator);
+        (state.q[0] - bricard::ANGLE).abs()
+    });
+    let declared: Way = Box::new(move |integrator| {
+        let mut state = start.clone();
+        mechanism.advance(&mut state, bricard::DURATION, integrator).unwrap_or_else(|stopped| panic!("{stopped}"));
+        (mechanism.a(&state).value - bricard::ANGLE).abs()
+    });
+    Ok(("D5 Bricard's linkage", [by_hand, declared]))
+}
+
+fn of_top() -> Result<Ways, Box<dyn Error>> {
+    let mechanism = top::Top::default();
+    let start = mechanism.initial_state()?;
+    let off = |q: [f64; 4]| top::center(q).iter().zip(top::CENTER).map(|(found, exact)| (found - exact).abs()).fold(0.0, f64::max);
+    let by_hand: Way = Box::new(move |integrator| {
+        let mut state = top::ByHand::start();
+        follow(&top::ByHand, &mut state, top::DURATION, integrator);
+        off(state.q.into())
+    });
+    let declared: Way = Box::new(move |integrator| {
+        let mut state = start.clone();
+        mechanism.advance(&mut state, top::DURATION, integrator).unwrap_or_else(|stopped| panic!("{stopped}"));
+        off([3, 4, 5, 6].map(|k: usize| state.q[k]))
+    });
+    Ok(("D6 heavy top", [by_hand, declared]))
+}
+
+fn beside((name, ways): Ways) {
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        let run = |way: &Way| {
+            black_box(way(&mut Integrator::new(black_box(tolerance))));
+        };
+        let [mut by_hand, mut declared] = ways.each_ref().map(|way| move || run(way));
+        let times = measured(&mut [&mut by_hand, &mut declared], 1);
+        for ((who, way), time) in ["by hand", "reuleaux"].into_iter().zip(&ways).zip(&times) {
+            let mut integrator = Integrator::new(tolerance);
+            let error = way(&mut integrator);
+            assert!(error < tolerance, "{name}, {who}, {tolerance:e}: off by {error:e}");
+            let (steps, evaluations, ms, ratio) = (integrator.accepted, integrator.evaluations, time / 1e6, time / times[0]);
+            println!("| {name} | {who} | {tolerance:e} | {error:.0e} | {steps} | {evaluations} | {ms:.3} | {ratio:.2} |");
+        }
+    }
 }

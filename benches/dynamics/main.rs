@@ -6,6 +6,7 @@
 mod arm;
 mod case;
 mod chain;
+mod falling;
 mod four_bar;
 mod measure;
 mod slider_crank;
@@ -20,6 +21,7 @@ fn cases() -> Vec<Case> {
     cases.extend([four_bar::turning(), slider_crank::case()]);
     cases.extend(arm::cases());
     cases.extend(chain::cases());
+    cases.extend(falling::cases());
     cases
 }
 

@@ -109,7 +109,11 @@ pub fn reaction(model: &Model, coordinates: &[f64], rates: &[f64], driven: &[(us
 }
 
 /// Elimination with partial pivoting; the right side is the last column.
-fn solved(mut matrix: Vec<Vec<Twofold>>) -> Vec<Twofold> {
+///
+/// # Panics
+/// If there are no rows.
+#[must_use]
+pub fn solved(mut matrix: Vec<Vec<Twofold>>) -> Vec<Twofold> {
     let size = matrix.len();
     for k in 0..size {
         let pivot = (k..size).max_by(|&a, &b| matrix[a][k].high.abs().total_cmp(&matrix[b][k].high.abs())).expect("a row");

@@ -1,0 +1,28 @@
+//! Mechanisms that are let go, each as a declaration, and beside it what one would write by hand and integrate in the same way.
+
+pub mod bricard;
+pub mod top;
+
+use reuleaux::nalgebra::SVector;
+use reuleaux::{Constraints, Dynamics, Integrator, State};
+
+/// Goes to `t` (s).
+///
+/// # Panics
+/// If the motion stops before.
+pub fn follow<S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    mechanism: &S,
+    state: &mut State<f64, N>,
+    t: f64,
+    integrator: &mut Integrator,
+) where
+    S: Dynamics<f64, N, I, M, R>,
+{
+    let reached = integrator.advance_while(mechanism, state, t, |_| true);
+    assert!(matches!(reached, Ok(true)), "{reached:?}");
+}
+
+/// No equations.
+fn free<const I: usize>() -> Constraints<f64, 0, I> {
+    Constraints { phi: SVector::zeros(), jacobian: reuleaux::nalgebra::SMatrix::zeros(), nu: SVector::zeros() }
+}
