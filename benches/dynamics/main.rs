@@ -8,8 +8,10 @@ mod case;
 mod chain;
 mod falling;
 mod four_bar;
+mod gears;
 mod measure;
 mod slider_crank;
+mod spatial;
 
 use std::error::Error;
 
@@ -21,7 +23,9 @@ fn cases() -> Vec<Case> {
     cases.extend([four_bar::turning(), slider_crank::case()]);
     cases.extend(arm::cases());
     cases.extend(chain::cases());
+    cases.push(spatial::case());
     cases.extend(falling::cases());
+    cases.extend(gears::cases());
     cases
 }
 
