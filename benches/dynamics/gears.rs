@@ -65,7 +65,7 @@ const INERTIAS: [f64; 3] = [0.3, 0.05, 0.1];
 const TORQUE: Vector = Vector::new(0.3, -0.2, 0.5);
 const FALL: Vector = Vector::new(0.0, 0.0, -9.81);
 
-/// What accelerations follow from.
+/// A state.
 #[derive(Clone, Copy)]
 struct Input {
     /// From the carrier to the nodes.
@@ -119,7 +119,7 @@ fn by_hand(input: &Input) -> Found {
     (moved, [turning, one, two], [(moved[1] - FALL) * m1, (moved[2] - FALL) * m2], [one * j1 - TORQUE, two * j2])
 }
 
-/// Rows by velocities and angular velocities of carrier and nodes, and what they demand of accelerations.
+/// Rows by velocities and angular velocities of carrier and nodes, and their γ.
 fn rows(input: &Input) -> (SMatrix<f64, 11, 18>, SVector<f64, 11>) {
     let (mut rows, mut gamma) = (SMatrix::<f64, 11, 18>::zeros(), SVector::<f64, 11>::zeros());
     let omega = input.spins[0];
@@ -200,7 +200,7 @@ fn exact(input: &Input) -> Vec<f64> {
     compared(std::array::from_fn(|k| Vector::new(found[3 * k].high, found[3 * k + 1].high, found[3 * k + 2].high)))
 }
 
-/// Accelerations and angular accelerations of all, from which everything else follows by products.
+/// Accelerations and angular accelerations of all nodes.
 fn compared(found: [Vector; 6]) -> Vec<f64> {
     found.iter().flat_map(|vector| [vector.x, vector.y, vector.z]).collect()
 }
@@ -215,7 +215,7 @@ fn input(bodies: &[SpatialBody<f64>; 3]) -> Input {
     }
 }
 
-/// A declaration in the states of its motion in a second, beside what is written by hand.
+/// A declaration in the states of its motion in a second, beside hand-written ones.
 macro_rules! declared {
     ($mechanism:ident, $state:ident, $name:literal) => {{
         let mechanism = $mechanism::default();
@@ -234,10 +234,7 @@ macro_rules! declared {
         case.entries.push(Entry::new(
             BOTH,
             states,
-            move |state| {
-                mechanism.accelerate(state).unwrap_or_else(|stopped| panic!("{stopped}"));
-                mechanism.loads(state)
-            },
+            move |state| mechanism.accelerate_with_loads(state).unwrap_or_else(|stopped| panic!("{stopped}")),
             move |state, _| {
                 let bodies = bodies(state);
                 let [[a, b, c], [d, e, f]] =
@@ -253,7 +250,7 @@ pub(crate) fn cases() -> [Case; 2] {
     [declared!(Gears, GearsState, "D7 gear joint"), declared!(Hinged, HingedState, "D7 as hinges and a gear pair")]
 }
 
-/// What is written by hand, in these states.
+/// Hand-written contenders in these states.
 fn by_hands(name: &str, inputs: Vec<Input>) -> Case {
     Case {
         name: name.to_owned(),

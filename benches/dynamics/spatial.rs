@@ -88,7 +88,7 @@ fn released(angle: f64, speed: f64) -> Found {
     let sliding = vx * turning + bias_x;
     let (pin_y, pin_z) = (-z * turning - y * square, y * turning - z * square);
     let (t_u, t_y, t_z) = (w_u * turning + t_u, b * turning + t_y, w_z * turning + t_z);
-    // What moves the rod, in ground and along its y and z axes.
+    // The force that moves the rod, in ground and along its y and z axes.
     let moved = Vector3::new(0.5 * rod * sliding, 0.5 * rod * pin_y, rod * (0.5 * pin_z + GRAVITY));
     let inwards = sa * moved.y - ca * moved.z;
     let (p_y, p_z) = (ca * moved.y + sa * moved.z, n * moved.x - ux * inwards);
@@ -168,10 +168,7 @@ pub(crate) fn case() -> Case {
             Entry::new(
                 BOTH,
                 states,
-                |(mechanism, state)| {
-                    mechanism.accelerate(state).unwrap_or_else(|stopped| panic!("{stopped}"));
-                    mechanism.loads(state)
-                },
+                |(mechanism, state)| mechanism.accelerate_with_loads(state).unwrap_or_else(|stopped| panic!("{stopped}")),
                 move |states, loads| seen(states, loads.ball().force),
             ),
         ],

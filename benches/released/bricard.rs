@@ -61,9 +61,9 @@ const INERTIA: [f64; 2] = [1.0 / 600.0, 1.01 / 12.0];
 #[derive(Clone, Copy, Debug)]
 pub struct ByHand;
 
-/// What is known of the linkage for a motion with ȧ = 1.
+/// The linkage in a motion with ȧ = 1.
 struct Unit {
-    /// b, or rather its cosine and sine; its first and second derivatives by a.
+    /// Cosine and sine of b, first and second derivative of b by a.
     b: [f64; 4],
     /// 2 T / ȧ², half its derivative, and the derivative of the potential energy over g, all by a.
     balance: [f64; 3],
@@ -71,7 +71,7 @@ struct Unit {
     height: f64,
 }
 
-/// A hinge turns all that comes after it: which axis of the frame before, by cosine and sine.
+/// A turn about an axis of the frame, by cosine and sine.
 #[inline(always)]
 fn turned(axes: &mut [Vector3<f64>; 3], axis: usize, cosine: f64, sine: f64) {
     let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);

@@ -1,4 +1,4 @@
-//! Mechanisms that are let go, each as a declaration, and beside it what one would write by hand and integrate in the same way.
+//! Released mechanisms, each as a declaration and as hand-written equations for the same integrator.
 
 pub mod bricard;
 pub mod top;

@@ -160,7 +160,7 @@ fn model(loops: usize) -> Model {
     model
 }
 
-/// What is known of the chain before it moves, and all its bodies.
+/// The axles of a chain and all its bodies.
 struct Row<F> {
     axles: Vec<Axle>,
     step: F,

@@ -172,7 +172,7 @@ struct Memory {
     joint: [Vector3<f64>; 3],
 }
 
-/// What does not move.
+/// Dimensions of the suspension.
 struct Corner {
     arms: [Arm; 2],
     /// Squares of distances: of C and T from B, of T from C and from S.
@@ -225,7 +225,7 @@ impl Tangent {
         Self { edges, per_upper, columns, height, lever, upper, joint: moved, per_height: 1.0 / rise }
     }
 
-    /// What changes the rows of the four edges and the wheel's height by these numbers.
+    /// The change of the unknowns that changes the rows of the four edges and the wheel's height by these numbers.
     #[inline(always)]
     fn solve(&self, [first, second, third, fourth]: [f64; 4], rise: f64, upper_ball: &Ball) -> Change {
         let upper = first * self.per_upper;
