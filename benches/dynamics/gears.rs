@@ -119,6 +119,9 @@ fn by_hand(input: &Input) -> Found {
     (moved, [turning, one, two], [(moved[1] - FALL) * m1, (moved[2] - FALL) * m2], [one * j1 - TORQUE, two * j2])
 }
 
+/// A node, a factor and an axis.
+type Term = (usize, f64, Vector);
+
 /// Rows by velocities and angular velocities of carrier and nodes, and their γ.
 fn rows(input: &Input) -> (SMatrix<f64, 11, 18>, SVector<f64, 11>) {
     let (mut rows, mut gamma) = (SMatrix::<f64, 11, 18>::zeros(), SVector::<f64, 11>::zeros());
@@ -131,7 +134,7 @@ fn rows(input: &Input) -> (SMatrix<f64, 11, 18>, SVector<f64, 11>) {
         gamma.fixed_rows_mut::<3>(first).copy_from(&omega.cross(&(input.velocities[own] - input.velocities[0])));
     }
     let [x, y, z] = input.axes;
-    let terms: [(usize, [(usize, f64, Vector); 2]); 5] = [
+    let terms: [(usize, [Term; 2]); 5] = [
         (6, [(1, RATIO, z), (2, 1.0, y)]),
         (7, [(1, 1.0, x), (2, 0.0, x)]),
         (8, [(1, 1.0, y), (2, 0.0, x)]),

@@ -165,6 +165,7 @@ struct Factors([[f64; 6]; 6]);
 
 impl Factors {
     /// Of how the halves of the squares of the lengths grow.
+    #[allow(clippy::needless_range_loop)] // Two rows of one matrix.
     #[inline(always)]
     fn new(legs: &Legs) -> Self {
         let mut matrix: [[f64; 6]; 6] = std::array::from_fn(|row| {
