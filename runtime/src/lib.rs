@@ -77,12 +77,14 @@
 //!
 //! # Features
 //!
-//! - `std` (default): nalgebra with the standard library, and nothing else.
+//! - `std` (default): tables of motions in files ([`csv`]), and nalgebra with the standard library.
 //! - `certify` (default): error bounds of states, proofs that they are solutions, and polished states
 //!   ([`Mechanism::error_bound`], [`certify`](Mechanism::certify), [`polish`](Mechanism::polish)).
 //! - `page-picture` (default): a drawing of each mechanism on the page of its type. It adds to compile time, not to run time.
 //! - `picture`: the same drawing of any state at run time (`reuleaux::picture`), for mechanisms declared with `#[picture]`.
 //! - `view`: animated pictures with plots, as pages and files (`reuleaux::view`). `view-png`: their frames as PNG.
+//! - `serde`: parameters, inputs and states of mechanisms declared with `#[serde]` can be read and written, and so can [`Motion`]; [`Plan`]
+//!   and [`Failure`] can be written.
 //! - `rayon`: sweeps of many mechanisms on all processors (`reuleaux::parallel`).
 //!
 //! The crate `reuleaux-wide` advances several mechanisms together in the lanes of SIMD registers.
@@ -112,7 +114,7 @@
 // A failure carries the last valid state by value: there is no allocator to put it elsewhere.
 #![allow(clippy::result_large_err)]
 
-#[cfg(any(feature = "picture", feature = "rayon"))]
+#[cfg(feature = "std")]
 extern crate std;
 
 // Emitted code names its types by `::reuleaux`; this lets examples and macros inside the crate do so too.
@@ -132,14 +134,18 @@ mod path;
 mod solve;
 mod state;
 
+#[cfg(feature = "std")]
+pub use api::csv;
 #[cfg(feature = "rayon")]
 pub use api::parallel;
 pub use api::{
-    DriveLoad, Gradient, Loads, Matrix, Mechanism, PlanarForce, PlanarLoad, Prepare, Prepared, Slice, SliceState, Sliced, SpatialForce,
-    SpatialLoad, Sweep, Vector, sweep,
+    DriveLoad, Gradient, Loads, Matrix, Mechanism, OutputName, OutputNames, Outputs, PlanarForce, PlanarLoad, Prepare, Prepared, Slice,
+    SliceState, Sliced, SpatialForce, SpatialLoad, Sweep, Vector, sweep,
 };
 #[doc(hidden)]
-pub use api::{Named, Relation, advance_with_inputs, between, finite, require, solve_with_inputs, sweep_with_inputs, within};
+pub use api::{
+    Named, Output, Relation, advance_with_inputs, between, finite, listed, require, solve_with_inputs, sweep_with_inputs, within,
+};
 #[doc(hidden)]
 pub use dynamics::motion;
 pub use dynamics::{Balance, Constraints, Dynamics, Energy, Explicit, Integrator, Method, MotionSweep, Stiff, Stopped};
@@ -168,10 +174,16 @@ pub mod for_lanes {
     pub use crate::solve::{ColdStart, NoColdStart};
 }
 
+#[cfg(feature = "serde")]
+#[doc(hidden)]
+pub use api::serial;
 #[doc(hidden)]
 pub use reuleaux_macros::__resume;
 #[doc(inline)]
 pub use reuleaux_macros::{constraint, mechanism};
+#[cfg(feature = "serde")]
+#[doc(hidden)]
+pub use serde;
 
 /// Textbook drawings of states, as SVG: single ones by [`Drawable`](picture::Drawable), frames of a motion by
 /// [`frames`](picture::frames()) and [`animation`](picture::animation).
@@ -201,6 +213,7 @@ pub use reuleaux_view as view;
 /// | [`loads_and_motion`](guide::loads_and_motion) | 15 | bearing forces, motors, motion that follows from forces |
 /// | [`optimising`](guide::optimising) | 15 | find dimensions, with exact derivatives |
 /// | [`parameter_sets`](guide::parameter_sets) | 10 | many mechanisms of one declaration |
+/// | [`files`](guide::files) | 10 | parameters from a file, motions as a table |
 /// | [`control_loop`](guide::control_loop) | 10 | measurements and commands as inputs, a thousand times a second |
 /// | [`cams`](guide::cams) | 10 | cams and motion laws |
 /// | [`own_joint`](guide::own_joint) | 10 | a constraint of your own |
@@ -220,6 +233,9 @@ pub mod guide {
     pub mod optimising {}
     #[doc = include_str!("guide/parameter_sets.md")]
     pub mod parameter_sets {}
+    #[cfg_attr(all(feature = "serde", feature = "std"), doc = include_str!("guide/files.md"))]
+    #[cfg_attr(not(all(feature = "serde", feature = "std")), doc = "Needs the features `serde` and `std`.")]
+    pub mod files {}
     #[doc = include_str!("guide/control_loop.md")]
     pub mod control_loop {}
     #[doc = include_str!("guide/cams.md")]

@@ -6,6 +6,7 @@ use crate::diag::{Diag, Refusal};
 use crate::dynamics;
 use crate::emit;
 use crate::expansion;
+use crate::export;
 use crate::mobility;
 use crate::model::Model;
 use crate::picture::{self, Picture};
@@ -68,7 +69,7 @@ pub fn constraint(tokens: TokenStream) -> TokenStream {
     let mut diag = Diag::default();
     let Some(definitions) = syntax::parse_definitions(tokens, &mut diag) else { return diag.to_tokens() };
     check(&definitions, &mut diag);
-    let (errors, exports) = (diag.to_tokens(), emit::export(&definitions, !diag.is_clean()));
+    let (errors, exports) = (diag.to_tokens(), export::export(&definitions, !diag.is_clean()));
     quote!(#errors #exports)
 }
 
@@ -106,13 +107,13 @@ pub fn resume(tokens: TokenStream) -> TokenStream {
 /// The manual pages of the library, as modules.
 #[must_use]
 pub fn library_pages() -> TokenStream {
-    emit::library_pages()
+    export::library_pages()
 }
 
 /// The pages of the error index, as modules.
 #[must_use]
 pub fn error_pages() -> TokenStream {
-    emit::error_pages()
+    export::error_pages()
 }
 
 /// Requests the next missing definition; compiles the mechanism if none is missing.
@@ -120,7 +121,7 @@ fn continued(tree: &ast::Mechanism, tokens: TokenStream, known: TokenStream, mut
     if let Some(missing) = missing(tree, &known)
         && diag.is_clean()
     {
-        return emit::resume(missing, &known, &tokens);
+        return export::resume(missing, &known, &tokens);
     }
     let definitions = definitions(known, &mut diag);
     match rooms(tree, definitions, &mut diag) {

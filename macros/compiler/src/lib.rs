@@ -17,6 +17,7 @@ mod docs;
 pub mod dynamics;
 mod emit;
 mod expansion;
+mod export;
 pub mod expr;
 pub mod geometry;
 mod hints;

@@ -1,5 +1,7 @@
 //! The interface of a mechanism: states, sweeps, derivatives.
 
+#[cfg(feature = "std")]
+pub mod csv;
 #[cfg(feature = "picture")]
 mod drawable;
 mod forces;
@@ -8,9 +10,12 @@ mod gradient;
 mod inputs;
 mod loads;
 mod mechanism;
+mod outputs;
 #[cfg(feature = "rayon")]
 pub mod parallel;
 mod prepared;
+#[cfg(feature = "serde")]
+pub mod serial;
 mod slice;
 mod sweep;
 
@@ -22,6 +27,7 @@ pub use gradient::Gradient;
 pub use inputs::{advance_with_inputs, solve_with_inputs, sweep_with_inputs};
 pub use loads::{DriveLoad, Loads, PlanarLoad, SpatialLoad};
 pub use mechanism::Mechanism;
+pub use outputs::{Output, OutputName, OutputNames, Outputs, listed};
 pub use prepared::{Prepare, Prepared};
 pub use slice::{Slice, SliceState, Sliced};
 pub use sweep::{Sweep, sweep};

@@ -4,8 +4,9 @@ use core::fmt::{self, Display, Formatter};
 
 use crate::names::ParameterOutOfRange;
 
-/// Why there is no initial state, or why a motion stops.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Why there is no initial state, or why a motion stops. `{:?}` is the sentence, as `{}` is.
+#[derive(Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Stopped<T> {
     /// Joints, drives and the initial values of the freedoms cannot hold together.
     NotAssembled {
@@ -92,4 +93,10 @@ impl<T: Display> Display for Stopped<T> {
     }
 }
 
-impl<T: Display + fmt::Debug> core::error::Error for Stopped<T> {}
+impl<T: Display> fmt::Debug for Stopped<T> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        Display::fmt(self, f)
+    }
+}
+
+impl<T: Display> core::error::Error for Stopped<T> {}

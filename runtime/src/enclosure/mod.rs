@@ -47,8 +47,8 @@ pub struct Certificate<T, const N: usize> {
     pub within: ErrorBound<T, N>,
 }
 
-/// Why nothing could be proven about a state.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Why nothing could be proven about a state. `{:?}` is the sentence, as `{}` is.
+#[derive(Clone, Copy, PartialEq)]
 pub enum Doubt {
     /// The parameter of this name is out of range.
     ParameterOutOfRange(&'static str),
@@ -191,6 +191,12 @@ where
     rounded(&mut state.qd, |of| of.rate);
     rounded(&mut state.qdd, |of| of.acceleration);
     Ok(())
+}
+
+impl fmt::Debug for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
 }
 
 impl fmt::Display for Doubt {

@@ -8,7 +8,27 @@ use crate::number::Float;
 use crate::state::State;
 
 /// A failure to find a state, in the words of the declaration.
-#[derive(Clone, Debug, PartialEq)]
+///
+/// `{:?}` is the sentence, as `{}` is, so that a program whose `main` returns a failure ends with it; `{:#?}` shows the fields.
+///
+/// ```
+/// reuleaux::mechanism! {
+///     mechanism Swing {
+///         param length: Length = 1m in 10mm..;
+///         body bob { point P = (length, 0m); }
+///         joint pivot = revolute(ground.position, bob.position);
+///         drive swing = drive_angle(bob, 1rad * sin(t * 2rad_s));
+///     }
+/// }
+///
+/// fn main() -> Result<(), SwingFailure> {
+///     let failure = Swing { length: 0.0 }.solve(0.0).unwrap_err();
+///     assert_eq!(format!("{failure:?}"), "`Swing` cannot be solved with `length` = 0 m: it must lie in 10 mm ..");
+///     Swing::default().solve(1.0)?;
+///     Ok(())
+/// }
+/// ```
+#[derive(Clone, PartialEq)]
 pub struct Failure<T, const N: usize> {
     /// The mechanism as declared.
     pub mechanism: &'static str,
@@ -40,6 +60,17 @@ impl<T: Float, const N: usize> fmt::Display for Failure<T, N> {
             "; on the way from its defaults to these parameters the branch ends at {:.4} %, where {row} does not determine {coordinate}",
             100.0 * lambda.to_f64()
         )
+    }
+}
+
+impl<T: Float, const N: usize> fmt::Debug for Failure<T, N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !f.alternate() {
+            return fmt::Display::fmt(self, f);
+        }
+        let Self { mechanism, cause, time, end, last } = self;
+        let mut fields = f.debug_struct("Failure");
+        fields.field("mechanism", mechanism).field("cause", cause).field("time", time).field("end", end).field("last", last).finish()
     }
 }
 

@@ -5,6 +5,7 @@ use super::{Coordinate, ParameterOutOfRange, Row};
 /// Where the branch of the declared start ends while parameters are changed from the declared defaults: beyond, its loops do not
 /// close, or close only as the mirror image.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct BranchEnd<T> {
     /// λ on the line of parameters: 0 at the defaults, 1 at these parameters. [`Stages::interpolated`](crate::Stages::interpolated)
     /// returns the mechanism there.
@@ -17,6 +18,7 @@ pub struct BranchEnd<T> {
 
 /// Cause of a failure.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Cause<T> {
     /// No position was found that fulfils the equations: from the given start no step reduces the residuals any further.
     DoesNotClose {
@@ -82,6 +84,7 @@ pub enum Cause<T> {
 
 /// Quantity that was not finite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Culprit {
     /// The time asked for.
     Time,

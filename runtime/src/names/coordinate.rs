@@ -2,6 +2,7 @@
 
 /// One entry of q.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Coordinate {
     /// The body as declared.
     pub body: &'static str,
@@ -13,6 +14,7 @@ pub struct Coordinate {
 
 /// The quantity that a coordinate measures, which determines its scale.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum CoordinateKind {
     /// Metres.
     Length,
@@ -24,6 +26,7 @@ pub enum CoordinateKind {
 
 /// One entry of Φ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Row {
     /// The joint or drive as declared.
     pub joint: &'static str,

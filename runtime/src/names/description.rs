@@ -31,6 +31,7 @@ pub trait Description<T: Real, const N: usize> {
 
 /// A parameter for which a mechanism is not defined.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ParameterOutOfRange<T> {
     /// The parameter as declared.
     pub name: &'static str,

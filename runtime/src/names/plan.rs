@@ -4,6 +4,7 @@ use core::fmt;
 
 /// The stages of a solution, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Plan {
     /// Stages in the order of execution.
     pub stages: &'static [PlanStage],
@@ -13,6 +14,7 @@ pub struct Plan {
 
 /// One stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum PlanStage {
     /// This coordinate, `"crank.x"`, is computed from those before it.
     Computed(&'static str),
@@ -35,6 +37,7 @@ pub enum PlanStage {
 
 /// Operation counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Operations {
     /// Additions, subtractions and multiplications.
     pub flops: usize,

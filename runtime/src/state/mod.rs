@@ -10,6 +10,8 @@ mod coordinates;
 mod extrapolation;
 mod lanes;
 mod motion;
+#[cfg(feature = "serde")]
+mod serial;
 mod step;
 
 pub use coordinates::Coordinates;

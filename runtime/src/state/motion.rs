@@ -1,11 +1,12 @@
 //! Points and bodies in motion, as a state shows them.
 
-use nalgebra::{Matrix3, Quaternion, Unit, UnitQuaternion, Vector2, Vector3};
+use nalgebra::{Matrix3, Quaternion, SVector, Unit, UnitQuaternion, Vector2, Vector3};
 
 use crate::number::{Float, Real};
 
 /// A quantity with its first and second derivative by time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Motion<V> {
     /// The quantity.
     pub value: V,
@@ -60,6 +61,15 @@ impl<T: Real> Motion<T> {
     }
 }
 
+impl<T: Real, const D: usize> Motion<SVector<T, D>> {
+    /// A vector at rest.
+    #[must_use]
+    pub fn fixed(value: SVector<T, D>) -> Self {
+        let zero = SVector::from_element(T::of(0.0));
+        Self { value, rate: zero, acceleration: zero }
+    }
+}
+
 impl<T: Float> Motion<T> {
     /// The same angle with as many whole turns as bring it nearest to `other` (rad): for an encoder that begins anew after each turn.
     ///
@@ -88,6 +98,8 @@ impl<T: Real> From<T> for Motion<T> {
 
 /// The motion of a planar body: of its frame's origin and of its angle, in ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")))]
 pub struct PlanarBody<T> {
     /// (x, y) in m.
     pub position: Vector2<T>,
@@ -113,21 +125,39 @@ impl<T: Real> PlanarBody<T> {
     /// ```
     #[must_use]
     pub fn point(&self, local: Vector2<T>) -> Motion<Vector2<T>> {
+        let arm = self.vector(local);
+        let sum = |a: &Vector2<T>, b: Vector2<T>| Vector2::new(a[0] + b[0], a[1] + b[1]);
+        Motion {
+            value: sum(&self.position, arm.value),
+            rate: sum(&self.velocity, arm.rate),
+            acceleration: sum(&self.acceleration, arm.acceleration),
+        }
+    }
+
+    /// The motion of a vector fixed in this body, from its local components v'.
+    ///
+    /// ```text
+    /// v = A v',   v̇ = B v' φ̇,   v̈ = B v' φ̈ − A v' φ̇²
+    /// ```
+    #[must_use]
+    pub fn vector(&self, local: Vector2<T>) -> Motion<Vector2<T>> {
         let (sine, cosine) = self.angle.sin_cos();
         let turned = [cosine * local[0] - sine * local[1], sine * local[0] + cosine * local[1]];
         let across = [-turned[1], turned[0]];
         let square = self.angular_velocity * self.angular_velocity;
         let vector = |entry: &dyn Fn(usize) -> T| Vector2::new(entry(0), entry(1));
         Motion {
-            value: vector(&|i| self.position[i] + turned[i]),
-            rate: vector(&|i| self.velocity[i] + across[i] * self.angular_velocity),
-            acceleration: vector(&|i| self.acceleration[i] + (across[i] * self.angular_acceleration - turned[i] * square)),
+            value: vector(&|i| turned[i]),
+            rate: vector(&|i| across[i] * self.angular_velocity),
+            acceleration: vector(&|i| across[i] * self.angular_acceleration - turned[i] * square),
         }
     }
 }
 
 /// The motion of a body in space: of its frame's origin and of its orientation, in ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")))]
 pub struct SpatialBody<T> {
     /// (x, y, z) in m.
     pub position: Vector3<T>,

@@ -6,8 +6,7 @@ use std::io;
 
 use reuleaux_picture::Undrawable;
 
-/// Reason why states cannot be shown.
-#[derive(Debug)]
+/// Reason why states cannot be shown. `{:?}` is the sentence, as `{}` is.
 #[non_exhaustive]
 pub enum Unviewable {
     /// A state cannot be drawn, or there is no state.
@@ -44,6 +43,12 @@ impl Display for Unviewable {
             Unviewable::Pixels(reason) => write!(f, "a frame has no pixels: {reason}"),
             Unviewable::File(reason) => reason.fmt(f),
         }
+    }
+}
+
+impl fmt::Debug for Unviewable {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        Display::fmt(self, f)
     }
 }
 

@@ -332,6 +332,28 @@ pub(crate) fn output(method: &Method, first: &Output) -> String {
     unit_line(&format!("The output `{}` with its first and second derivative in time", method.name), first.dim.unit())
 }
 
+/// The components of an output by name, each with the units of value, rate and acceleration.
+pub(crate) fn components(system: &System, output: &Output) -> Vec<(String, [String; 3])> {
+    let alike = |axes: &[&str]| -> Vec<(String, Dim)> { axes.iter().map(|axis| (format!(".{axis}"), output.dim)).collect() };
+    let of_length = |axis: &str| (format!(".{axis}"), Dim::LENGTH);
+    let parts = match output.components.len() {
+        0 if !system.frames.is_empty() => {
+            let cosines = (0..COSINES).map(|k| (format!(".a{}{}", k / 3 + 1, k % 3 + 1), Dim::NUMBER));
+            ["x", "y", "z"].map(of_length).into_iter().chain(cosines).collect()
+        }
+        0 => vec![of_length("x"), of_length("y"), (".angle".to_owned(), Dim::ANGLE)],
+        1 => vec![(String::new(), output.dim)],
+        2 => alike(&["x", "y"]),
+        _ => alike(&["x", "y", "z"]),
+    };
+    let name = output.name.unraw();
+    let part = |(suffix, dim): (String, Dim)| {
+        let rate = dim.per(Dim::TIME);
+        (format!("{name}{suffix}"), [dim, rate, rate.per(Dim::TIME)].map(Dim::unit))
+    };
+    parts.into_iter().map(part).collect()
+}
+
 fn unit_line(what: &str, unit: String) -> String {
     if unit.is_empty() { format!("{what}; a pure number.") } else { format!("{what}, in {unit}.") }
 }

@@ -8,22 +8,24 @@
 mod arrays;
 mod block;
 mod columns;
-mod definition;
 mod dynamics;
 mod elimination;
 mod expression;
 mod functions;
 mod inputs;
 mod kernels;
+mod listing;
 mod literal;
 mod loads;
 mod named_loads;
 mod outputs;
 mod parameters;
+mod points;
 mod prepared;
 mod rolled;
 mod routine;
 mod scene;
+mod serial;
 mod slices;
 mod stages;
 mod state;
@@ -31,7 +33,6 @@ mod stub;
 mod stub_loads;
 mod validate;
 
-pub(crate) use definition::{error_pages, export, library_pages, resume};
 pub(crate) use stub::{fallback, stub};
 
 use crate::assembly::Assembly;
@@ -75,7 +76,7 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
     let warns = model.closing == Closing::Deny && !model.allows_far_start;
     let warnings = assembly.warnings.iter().filter(|_| warns).chain(&motion.warning).chain(&model.doubts).map(Warning::to_tokens);
     let state = (model.task.is_determined() || !model.outputs.is_empty()).then(|| state(model, system));
-    let (drawable, dynamics) = (emitter.drawable(), emitter.dynamics());
+    let (drawable, listing, points, dynamics) = (emitter.drawable(), emitter.listing(), emitter.points(), emitter.dynamics());
     let (name, allowed, loads) = (&model.name, allowed(), emitter.loads());
     quote! {
         #default
@@ -100,6 +101,8 @@ pub(crate) fn emit(model: &Model, system: &System, assembly: &Assembly, motion: 
         #dynamics
         #slices
         #drawable
+        #listing
+        #points
         #components
         #structure
         #(#warnings)*
@@ -113,14 +116,17 @@ pub(super) fn allowed() -> TokenStream {
 
 fn structure(model: &Model, page: &str) -> TokenStream {
     let Model { docs, visibility, name, .. } = model;
-    let docs = &docs.tokens;
+    let (docs, passed, word) = (&docs.tokens, &docs.passed, model.requests.serde.as_ref());
+    let (serial, skipped) = (serial::derived(word, Some(name)), serial::skipped(word));
     let fields = Parameters::new(&model.layout, name).documented(model, 0);
-    let marker = model.parameters.is_empty().then(|| quote!(#[doc(hidden)] pub _real: ::core::marker::PhantomData<T>));
+    let marker = model.parameters.is_empty().then(|| quote!(#[doc(hidden)] #skipped pub _real: ::core::marker::PhantomData<T>));
     quote! {
         #docs
         #[doc = ""]
         #[doc = #page]
         #[derive(Clone, Copy, Debug, PartialEq)]
+        #serial
+        #passed
         #visibility struct #name<T = ::core::primitive::f64> { #fields #marker }
     }
 }
@@ -372,7 +378,7 @@ fn state(model: &Model, system: &System) -> TokenStream {
     let inputs_name = model.holds_inputs().then(|| inputs::type_name(name));
     let others = failure_name.iter().chain(&inputs_name);
     let names = if model.has_stub { quote!({ #own_name #(, #others)* }) } else { quote!(*) };
-    let allowed = allowed();
+    let (allowed, serial) = (allowed(), serial::derived(model.requests.serde.as_ref(), None));
     let inputs = model.holds_inputs().then(|| {
         let (kind, page) = (inputs::type_name(name), docs::line("The inputs that it was solved for."));
         quote!(, #page pub #kind<T>)
@@ -384,6 +390,7 @@ fn state(model: &Model, system: &System) -> TokenStream {
             #of_inputs
             #first_line
             #[derive(Clone, Debug, PartialEq)]
+            #serial
             pub struct #own_name<T = ::core::primitive::f64>(pub ::reuleaux::State<T, #n> #inputs);
             #failure
         }

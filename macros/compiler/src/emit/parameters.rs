@@ -3,7 +3,7 @@
 use super::arrays::{array_from, array_type};
 use super::expression::local;
 use super::literal::real;
-use super::{allowed, docs, docs_or};
+use super::{allowed, docs, docs_or, serial};
 use crate::model::{Component, Field, Layout, Model, Of, Part};
 use crate::resolve::is_of_generated_type;
 use crate::system::System;
@@ -84,7 +84,8 @@ impl<'a> Parameters<'a> {
                 _ => format!("The parameters of `{name}`."),
             };
             let docs = docs_or(&field.docs, &known);
-            quote!(#docs pub #name: #kind,)
+            let (passed, listed) = (&field.docs.passed, serial::listed(model.requests.serde.as_ref(), &field.sizes));
+            quote!(#docs #listed #passed pub #name: #kind,)
         });
         quote!(#(#fields)*)
     }
@@ -103,9 +104,13 @@ impl<'a> Parameters<'a> {
             // States hold inputs, so that the struct stands beside theirs.
             let is_apart = model.holds_inputs() && self.is_of_inputs(component);
             let structure = (!is_apart).then(|| {
+                let (passed, serial) =
+                    (&declared.docs.passed, serial::derived(model.requests.serde.as_ref(), Some(&name).filter(|_| !defaults.is_empty())));
                 quote! {
                     #docs
                     #[derive(Clone, Copy, Debug, PartialEq)]
+                    #serial
+                    #passed
                     #visibility struct #name<T = ::core::primitive::f64> { #fields }
                 }
             });
@@ -123,9 +128,11 @@ impl<'a> Parameters<'a> {
     pub(super) fn inputs(&self, model: &Model) -> TokenStream {
         let of_inputs = self.structures().filter(|(component, _)| self.is_of_inputs(*component)).map(|(component, name)| {
             let (page, fields) = (docs::line(&self.page(&self.layout.components[component])), self.documented(model, component));
+            let serial = serial::derived(model.requests.serde.as_ref(), None);
             quote! {
                 #page
                 #[derive(Clone, Copy, Debug, PartialEq)]
+                #serial
                 pub struct #name<T = ::core::primitive::f64> { #fields }
             }
         });

@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 impl Emitter<'_> {
     /// The trait `Drawable`, if the mechanism is declared with `#[picture]`
     pub(super) fn drawable(&self) -> Option<TokenStream> {
-        let (word, code) = (self.model.pictured.as_ref()?, self.plan.scene.as_ref()?);
+        let (word, code) = (self.model.requests.picture.as_ref()?, self.plan.scene.as_ref()?);
         let RoutinePrinter { reads, steps, results } = self.sketched(&code.numbers);
         let printed = code.numbers.results.iter().copied().zip(results).collect();
         let composer = SceneComposer { emitter: self, code, printed };

@@ -5,7 +5,9 @@ use super::arrays::array_type;
 use super::inputs::type_name;
 use super::literal::{matrix_type, number, vector_type};
 use super::parameters::Parameters;
+use super::points;
 use super::scene;
+use super::serial;
 use super::slices::{plain, slice_name};
 use super::state::Accessors;
 use super::stub_loads::{has_forces, loads};
@@ -16,7 +18,7 @@ use crate::names::is_generated;
 use crate::quantity::Ambient;
 use crate::resolve::{Outline, outline};
 use crate::syntax::ast::{Expression, ExpressionKind, Item, Marks, Mechanism, Operator, Task, Use};
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 use std::collections::BTreeSet;
 
@@ -68,8 +70,12 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
     let (n, vector) = (number(n), vector_type(n));
     let motion = (tree.task == Task::Motion).then(|| motion_from_forces(&state, body));
     let (loads, of_loads) = has_forces(tree).then(|| loads(tree, &state, visibility, body)).unzip();
+    let points = tree.requests.points.as_ref().map(|_| points(tree, &state, body));
+    let listing = tree.requests.outputs.as_ref().map(|_| listing(name, &state, &n, body));
     let state = (tree.task.is_determined() || has_outputs).then(|| {
+        let serial = serial::promised(tree.requests.serde.as_ref(), &state, body);
         quote! {
+            #serial
             #[derive(Clone, Debug, PartialEq)]
             #[doc(hidden)]
             #visibility struct #state<T = ::core::primitive::f64>(pub ::reuleaux::State<T, #n> #inputs);
@@ -81,9 +87,11 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
                 fn deref(&self) -> &Self::Target { &self.0 }
             }
             #accessors
+            #listing
+            #points
         }
     });
-    let drawable = tree.pictured.as_ref().map(|word| scene::implementation(word, name, 3 * promised.bodies, body));
+    let drawable = tree.requests.picture.as_ref().map(|word| scene::implementation(word, name, 3 * promised.bodies, body));
     quote! {
         #structure
         #state
@@ -105,6 +113,31 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
             #loads
             #outputs
             #solve_for
+        }
+    }
+}
+
+/// The points and axes of bodies that are declared one by one.
+fn points(tree: &Mechanism, state: &Ident, body: &TokenStream) -> TokenStream {
+    let vector = if tree.ambient == Ambient::Space { quote!(Vector3) } else { quote!(Vector2) };
+    let frames = tree.items.iter().filter_map(|item| if let Item::Body(frame) | Item::Ground(frame) = item { Some(frame) } else { None });
+    let mut names = BTreeSet::new();
+    for frame in frames.filter(|frame| frame.indices.is_empty()) {
+        let single = frame.marks.single.iter().filter(|mark| mark.indices.is_empty());
+        names.extend(single.map(|mark| format!("{}_{}", frame.name, mark.name).replace("r#", "")));
+    }
+    let names = names.iter().map(|name| Ident::new(name, Span::call_site()));
+    let methods = quote!(#(pub fn #names(&self) -> ::reuleaux::Motion<::reuleaux::nalgebra::#vector<T>> { #body })*);
+    points::structure(&tree.name, &tree.visibility, &quote!(#state), &methods)
+}
+
+/// The list of outputs.
+fn listing(name: &Ident, state: &Ident, n: &TokenStream, body: &TokenStream) -> TokenStream {
+    quote! {
+        impl<T: ::reuleaux::Real> ::reuleaux::Outputs<T, #n, 0> for #name<T> {
+            type State = #state<T>;
+            const OUTPUTS: ::reuleaux::OutputNames<0> = ::reuleaux::OutputNames([]);
+            fn outputs(&self, _: &#state<T>) -> [::reuleaux::Motion<T>; 0] { #body }
         }
     }
 }
@@ -150,7 +183,9 @@ fn structure(tree: &Mechanism, layout: &Layout, visibility: &TokenStream) -> Tok
     let marker = fields.is_empty().then(|| quote!(#[doc(hidden)] pub _real: ::core::marker::PhantomData<T>));
     let structure = |name: &Ident, fields: &[(&Ident, TokenStream)], marker: Option<TokenStream>| {
         let fields = fields.iter().map(|(field, kind)| quote!(pub #field: #kind,));
+        let serial = serial::promised(tree.requests.serde.as_ref(), name, &quote!(loop {}));
         quote! {
+            #serial
             #[derive(Clone, Copy, Debug, PartialEq)]
             #[doc(hidden)]
             #[allow(missing_docs)]

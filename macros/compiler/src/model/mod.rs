@@ -21,7 +21,7 @@ pub use solid::Solid;
 use crate::diag::Warning;
 use crate::expr::{Arena, Expr, Leaf};
 use crate::quantity::{Ambient, Dim, Role};
-use crate::syntax::ast::{Closing, Docs, Following, Relation, Task};
+use crate::syntax::ast::{Closing, Docs, Following, Relation, Requests, Task};
 use proc_macro2::{Ident, TokenStream};
 use std::collections::BTreeSet;
 
@@ -64,8 +64,8 @@ pub struct Model {
     pub has_stub: bool,
     /// Policy for following the motion from the start.
     pub following: Following,
-    /// The identifier of `#[picture]`, if states can be drawn at run time.
-    pub pictured: Option<Ident>,
+    /// Code that is generated on request.
+    pub requests: Requests,
     /// Declared range of time, if any.
     pub range: Option<Times>,
     /// Composition of the mechanism and its components.

@@ -16,6 +16,8 @@ pub struct Sketch {
     pub arena: Arena,
     /// The declared points of bodies and of ground.
     pub points: Vec<NamedPoint>,
+    /// The declared axes of bodies and of ground.
+    pub axes: Vec<NamedPoint>,
     /// For each joint or drive, in the order declared, its arguments.
     pub joints: Vec<Instantiation>,
     /// The outputs that are points of bodies.
@@ -24,12 +26,12 @@ pub struct Sketch {
     pub rates: Vec<Option<Expr>>,
 }
 
-/// A point with a name.
+/// A point or an axis with a name.
 #[derive(Clone, Debug)]
 pub struct NamedPoint {
     /// Name; for a point of a body without the name of the body.
     pub name: String,
-    /// Position.
+    /// Position or direction.
     pub at: LocalVector,
 }
 

@@ -96,6 +96,8 @@ pub struct Plan {
     pub loads: Option<LoadsCode>,
     /// Numbers of the picture, if states are to be drawn at run time.
     pub scene: Option<SceneCode>,
+    /// Local coordinates of each declared point and axis, for `#[points]`.
+    pub marks: Option<Vec<Routine>>,
 }
 
 /// Schedules all generated code.
@@ -145,7 +147,8 @@ pub(crate) fn schedule(
         start: line(system.coordinates.iter().filter_map(|unknown| unknown.start).collect()),
         lengths: line(distinct(&arena, &system.lengths)),
         requirements: line(sides),
-        scene: model.pictured.is_some().then(|| scene::scene(&model.sketch, &words)),
+        scene: model.requests.picture.is_some().then(|| scene::scene(&model.sketch, &words)),
+        marks: model.requests.points.is_some().then(|| scene::marks(&model.sketch, &words)),
         checked: structure.checked.clone(),
         solution: solving.as_ref().map(|(solution, _, _)| solution.clone()),
         slices: solving.as_ref().map_or(Vec::new(), |(_, slices, _)| slices.clone()),

@@ -25,3 +25,9 @@ pub(super) fn scene(sketch: &Sketch, words: &Words) -> SceneCode {
     let function = |value: Expr| (value, schedule::routine(&sketch.arena, vec![value], words));
     SceneCode { numbers: schedule::routine(&sketch.arena, numbers, words), functions: functions.into_iter().map(function).collect() }
 }
+
+/// Plans the computation of each point and axis of a sketch alone.
+pub(super) fn marks(sketch: &Sketch, words: &Words) -> Vec<Routine> {
+    let marks = sketch.points.iter().chain(&sketch.axes);
+    marks.map(|mark| schedule::routine(&sketch.arena, mark.at.local.iter().copied().collect(), words)).collect()
+}

@@ -16,7 +16,7 @@ impl Elaborator<'_> {
             return Sketch::default();
         }
         let arena = self.arena.clone();
-        let points = register.marks.iter().filter_map(|mark| self.sketched_point(*mark)).collect();
+        let points = register.marks.iter().filter_map(|mark| self.sketched_mark(*mark, false)).collect();
         let joints: Vec<Instantiation> = register.joints.iter().map(|(id, _)| self.sketched_joint(*id)).collect();
         let outputs = register.outputs.iter().filter_map(|(id, output)| {
             let value = self.of(*id, output, |this, _, context| this.value(&output.value, &Scope::of(context)))?;
@@ -25,7 +25,8 @@ impl Elaborator<'_> {
         });
         let outputs = outputs.collect();
         let rates = self.rates(&joints, register);
-        Sketch { arena: std::mem::replace(&mut self.arena, arena), points, joints, outputs, rates }
+        let axes = register.marks.iter().filter_map(|mark| self.sketched_mark(*mark, true)).collect();
+        Sketch { arena: std::mem::replace(&mut self.arena, arena), points, axes, joints, outputs, rates }
     }
 
     /// The rates of the laws of drives in space, whose equations contain the quantities of joints.
@@ -46,12 +47,12 @@ impl Elaborator<'_> {
         laws.into_iter().map(|law| law.map(|law| by_time.of(&mut self.arena, law))).collect()
     }
 
-    fn sketched_point(&mut self, mark: EntityId) -> Option<NamedPoint> {
+    fn sketched_mark(&mut self, mark: EntityId, is_axis: bool) -> Option<NamedPoint> {
         let declared = &self.names.declared[mark.0];
         let Entity::Mark(..) = declared.entity else { return None };
         let (name, range) = (declared.name.own(), Range::from(&declared.name));
-        let Some(Value::Point(point)) = self.entity(mark, range) else { return None };
-        Some(NamedPoint { name, at: local(point) })
+        let ((Value::Point(at), false) | (Value::Axis(at), true)) = (self.entity(mark, range)?, is_axis) else { return None };
+        Some(NamedPoint { name, at: local(at) })
     }
 
     fn sketched_joint(&mut self, joint: EntityId) -> Instantiation {

@@ -58,7 +58,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
         allows_far_start: tree.allows_far_start,
         has_stub: tree.items.iter().any(|item| matches!(item, ast::Item::Use(_))),
         following: tree.following,
-        pictured: tree.pictured.clone(),
+        requests: tree.requests.clone(),
         range,
         layout,
         parameters,

@@ -12,7 +12,7 @@ mod text;
 pub use definition::{Added, Applied, Condition, Definition, Definitions, Export, Formal, FormalKind, Statement};
 pub use expression::{Expression, ExpressionKind, Operator, Relation};
 pub use node::{ItemId, Shared};
-pub use options::{Closing, Following, Task};
+pub use options::{Closing, Following, Requests, Task};
 pub(crate) use repeated::outermost_first;
 pub use repeated::{ComponentItem, For, IndexRange, PartItem};
 
@@ -33,8 +33,8 @@ pub struct Mechanism {
     pub allows_far_start: bool,
     /// Policy for following the motion from the start.
     pub following: Following,
-    /// `#[picture]`: states can be drawn at run time.
-    pub pictured: Option<Ident>,
+    /// `#[picture]`, `#[serde]`: code that is generated on request.
+    pub requests: Requests,
     /// Visibility, such as `pub`.
     pub visibility: TokenStream,
     /// Name of the generated struct.
@@ -45,13 +45,15 @@ pub struct Mechanism {
     pub items: Vec<Item>,
 }
 
-/// Doc attributes as tokens, and their text.
+/// Doc attributes as tokens, and their text; and attributes for Rust.
 #[derive(Clone, Debug, Default)]
 pub struct Docs {
     /// The attributes, as written.
     pub tokens: TokenStream,
     /// Their text, one line per attribute.
     pub text: Vec<String>,
+    /// Other attributes of the generated struct or field, as written.
+    pub passed: TokenStream,
 }
 
 /// One item of a mechanism.

@@ -2,12 +2,12 @@
 
 use super::ast::{
     Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, FunctionItem, Gravity, Item, JointItem, Let, Limits, Marks,
-    MassItem, Mechanism, OutputItem, ParameterItem, Refused, Shared, Start, Task, TimeRange, Use,
+    MassItem, Mechanism, OutputItem, ParameterItem, Refused, Requests, Shared, Start, Task, TimeRange, Use,
 };
 use super::dimension::{dimension, required_dimension};
 use super::expression::{expression, indices};
 use super::joint::{energy, freedom, joint};
-use super::options::{Options, options};
+use super::options::{Options, options, passing};
 use super::repeated::{component, part, repeated_items, repeated_marks};
 use super::tokens::{
     Parsed, arrow, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, name, parentheses, path, report, semicolon,
@@ -67,8 +67,8 @@ fn head(input: ParseStream) -> Parsed<Mechanism> {
         return wrong(&name, GrammarFact::NumberType);
     }
     let ambient = ambient(input)?.unwrap_or_default();
-    let Options { task, closing, following, allows_far_start, pictured } = options;
-    Ok(Mechanism { docs, task, closing, following, allows_far_start, pictured, visibility, name, ambient, items: Vec::new() })
+    let Options { task, closing, following, allows_far_start, requests } = options;
+    Ok(Mechanism { docs, task, closing, following, allows_far_start, requests, visibility, name, ambient, items: Vec::new() })
 }
 
 /// `in space` or `in plane`, if written.
@@ -95,7 +95,7 @@ fn salvaged(name: Ident) -> Mechanism {
         closing: Closing::default(),
         allows_far_start: false,
         following: Following::default(),
-        pictured: None,
+        requests: Requests::default(),
         visibility: quote::quote!(pub),
         name,
         ambient: Ambient::default(),
@@ -149,7 +149,7 @@ fn promised(input: ParseStream) -> Option<Refused> {
 }
 
 fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item> {
-    let docs = docs(input)?;
+    let (docs, others) = attributes(input)?;
     let Some(keyword) = keyword(input) else {
         return expected(
             input,
@@ -157,6 +157,7 @@ fn item(input: ParseStream, place: ItemContext, diag: &mut Diag) -> Parsed<Item>
         );
     };
     let word = keyword.to_string();
+    let docs = passing(docs, others, &word)?;
     if !place.is_top && matches!(word.as_str(), "gravity" | "use" | "function" | "ground" | "component" | "range") {
         return wrong(&keyword, GrammarFact::OnlyAtTheTop { word });
     }

@@ -1,11 +1,11 @@
-//! Parses attributes before a mechanism: doc comments, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`,
-//! `#[picture]`.
+//! Parses attributes: before a mechanism doc comments, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`,
+//! `#[picture]`, `#[serde]`, `#[outputs]`, `#[points]`, and those that are passed to the generated struct; before a parameter, a part and a
+//! component those that are passed.
 
-use super::ast::{Closing, Docs, Following, Task};
+use super::ast::{Closing, Docs, Following, Requests, Task};
 use super::tokens::{Attribute, Parsed, attributes, wrong};
 use crate::diag::GrammarFact;
 use crate::diag::nearest;
-use proc_macro2::Ident;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 
@@ -15,14 +15,14 @@ pub(super) struct Options {
     pub(super) closing: Closing,
     pub(super) allows_far_start: bool,
     pub(super) following: Following,
-    /// `#[picture]`
-    pub(super) pictured: Option<Ident>,
+    pub(super) requests: Requests,
 }
 
 /// Doc comments and options, in any order.
 pub(super) fn options(input: ParseStream) -> Parsed<(Docs, Options)> {
-    let (docs, attributes) = attributes(input)?;
-    let (mut task, mut closing, mut far_start, mut pictured) = (None, None, None, None);
+    let (mut docs, attributes) = attributes(input)?;
+    let (mut task, mut closing, mut far_start) = (None, None, None);
+    let mut requests = Requests::default();
     for attribute in attributes {
         let name = attribute.name.to_string();
         let again = match name.as_str() {
@@ -30,7 +30,14 @@ pub(super) fn options(input: ParseStream) -> Parsed<(Docs, Options)> {
             "integrated" => task.replace(Task::Motion).is_some(),
             "closure" => closing.replace(self::closing(&attribute)?).is_some(),
             "allow" => far_start.replace(allowed(&attribute)?).is_some(),
-            "picture" => pictured.replace(attribute.name.clone()).is_some(),
+            "picture" => requests.picture.replace(attribute.name.clone()).is_some(),
+            "outputs" => requests.outputs.replace(attribute.name.clone()).is_some(),
+            "points" => requests.points.replace(attribute.name.clone()).is_some(),
+            "serde" if attribute.rest.is_empty() => requests.serde.replace(attribute.name.clone()).is_some(),
+            _ if OF_STRUCTS.contains(&name.as_str()) => {
+                docs.passed.extend(attribute.tokens);
+                false
+            }
             _ => return wrong(&attribute.name, GrammarFact::UnknownAttribute { name }),
         };
         if again {
@@ -42,12 +49,36 @@ pub(super) fn options(input: ParseStream) -> Parsed<(Docs, Options)> {
     }
     let allows_far_start = far_start.is_some();
     let (closing, following) = closing.unwrap_or_default();
-    Ok((docs, Options { task: task.unwrap_or_default(), closing, following, allows_far_start, pictured }))
+    Ok((docs, Options { task: task.unwrap_or_default(), closing, following, allows_far_start, requests }))
 }
 
 /// True for the attributes that say what is generated.
 fn is_task(name: &str) -> bool {
     matches!(name, "equations_only" | "integrated")
+}
+
+/// Attributes of generated structs, for derived traits.
+const OF_STRUCTS: [&str; 3] = ["derive", "serde", "cfg_attr"];
+
+/// Attributes that mean something before a mechanism only, or would remove a field that other code reads.
+const NOT_OF_FIELDS: [&str; 8] = ["equations_only", "integrated", "closure", "picture", "outputs", "points", "cfg", "derive"];
+
+/// The attributes of an item that begins with `keyword`: a field may have any attribute of Rust, a component those of structs, and other
+/// items have doc comments only.
+pub(super) fn passing(mut docs: Docs, others: Vec<Attribute>, keyword: &str) -> Parsed<Docs> {
+    for attribute in others {
+        let name = attribute.name.to_string();
+        let is_passed = match keyword {
+            "param" | "input" | "part" => !NOT_OF_FIELDS.contains(&name.as_str()),
+            "component" => OF_STRUCTS.contains(&name.as_str()) && !attribute.rest.is_empty(),
+            _ => false,
+        };
+        if !is_passed {
+            return wrong(&attribute.name, GrammarFact::UnknownAttribute { name });
+        }
+        docs.passed.extend(attribute.tokens);
+    }
+    Ok(docs)
 }
 
 /// `#[allow(far_start)]`

@@ -4,7 +4,7 @@ use super::ast::{Dimension, Docs, Path};
 use super::dimension::dimension;
 use crate::diag::{Diag, Fact, GrammarFact, Range, Refusal, ValueFact};
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
-use quote::ToTokens;
+use quote::{ToTokens, quote};
 use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
 use syn::{LitStr, Token, token};
@@ -214,6 +214,8 @@ pub(super) struct Attribute {
     pub(super) name: Ident,
     /// Tokens after the name.
     pub(super) rest: TokenStream,
+    /// As written.
+    pub(super) tokens: TokenStream,
 }
 
 /// Parses doc comments and all other attributes.
@@ -232,7 +234,7 @@ pub(super) fn attributes(input: ParseStream) -> Parsed<(Docs, Vec<Attribute>)> {
             group.to_tokens(&mut docs.tokens);
             docs.text.extend(text);
         } else {
-            others.push(Attribute { name, rest });
+            others.push(Attribute { name, rest, tokens: quote!(#pound #group) });
         }
     }
     Ok((docs, others))

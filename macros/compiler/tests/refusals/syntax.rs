@@ -37,7 +37,10 @@ crate::refusals! {
     item function_of_two: "function f(a: Angle«,» b: Angle) -> Length = 1mm;" => "a function here has one argument\nhelp: what else it depends on is a `param` or a `let`, which it sees";
     item function_without_result: "function f(a: Angle) «=» 1mm;" => "expected `->` and the dimension of the value, found `=`";
     item exponent_of_a_dimension: "param a: Length^«99» = 1;" => "the exponent of a dimension is at most 6";
-    item attribute_is_unknown: "#[«inline»] output b = crank.x;" => "`#[inline]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]` and `#[picture]` before `mechanism`";
+    item attribute_is_unknown: "#[«inline»] output b = crank.x;" => "`#[inline]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`";
+    item attribute_removes_a_field: "#[«cfg»(all())] param a: Length = 3mm;" => "`#[cfg]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`";
+    item option_of_a_mechanism_at_a_parameter: "#[«points»] param a: Length = 3mm;" => "`#[points]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`";
+    item serde_at_a_body: "#[«serde»(rename = \"c\")] body b { }" => "`#[serde]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`";
     item two_equal_signs: "let a «=»= 3mm;" => "expected `=`, found `==`\nhelp: a name gets its value with `=`; `==` stands between the sides of an equation";
     item number_without_its_first_digit: "param a: Length = «.»5m;" => "expected an expression, found `.`\nhelp: a number begins with a digit, such as `0.5`";
     item joint_without_a_name: "joint «revolute»(ground.C, crank.A);" => "a joint has a name of its own\nhelp: write `joint name = revolute(…);`";
@@ -53,7 +56,8 @@ crate::refusals! {
     mechanism mechanism_without_a_name: "pub mechanism «{» body crank {} }" => "expected the name of the mechanism, found `{`";
     mechanism mechanism_without_items: "pub mechanism Crank«;»" => "expected `{` and the items of the mechanism, found `;`";
     mechanism nothing_follows: "#[equations_only] mechanism Crank { body crank {} joint a = { crank.x == 0; } } «mechanism» Rocker {}" => "nothing may follow the mechanism\nhelp: write one `mechanism!` for each mechanism";
-    mechanism option_is_unknown: "#[«equation_only»] mechanism Crank { body crank {} }" => "`#[equation_only]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]` and `#[picture]` before `mechanism`";
+    mechanism option_is_unknown: "#[«equation_only»] mechanism Crank { body crank {} }" => "`#[equation_only]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`";
+    mechanism option_twice: "#[serde] #[serde(default)] #[«serde»] mechanism Crank { body crank {} }" => "`#[serde]` stands here twice\nhelp: take one of them away";
 }
 
 /// Deeper than realistic, but not deep enough to exhaust the stack.

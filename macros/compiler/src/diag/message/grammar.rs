@@ -82,7 +82,7 @@ impl Display for GrammarFact {
             GrammarFact::UnknownAttribute { name } => {
                 write!(
                     f,
-                    "`#[{name}]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]` and `#[picture]` before `mechanism`"
+                    "`#[{name}]` is not known here\nhelp: doc comments may stand before any item, `#[equations_only]`, `#[integrated]`, `#[closure(…)]`, `#[allow(far_start)]`, `#[picture]`, `#[serde]`, `#[outputs]` and `#[points]` before `mechanism`"
                 )
             }
             GrammarFact::AttributeTwice { name } => write!(f, "`#[{name}]` stands here twice\nhelp: take one of them away"),

@@ -1,5 +1,20 @@
 //! Attributes before a mechanism.
 
+use proc_macro2::Ident;
+
+/// Code that is generated on request.
+#[derive(Clone, Debug, Default)]
+pub struct Requests {
+    /// The identifier of `#[picture]`, if states can be drawn at run time.
+    pub picture: Option<Ident>,
+    /// The identifier of `#[serde]`, if parameters and states can be serialised.
+    pub serde: Option<Ident>,
+    /// The identifier of `#[outputs]`, if all outputs are listed as well.
+    pub outputs: Option<Ident>,
+    /// The identifier of `#[points]`, if the motions of declared points and axes are wanted.
+    pub points: Option<Ident>,
+}
+
 /// Policy for a mechanism that does not assemble at its declared defaults, or whose assembly is ambiguous.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Closing {

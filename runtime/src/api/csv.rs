@@ -1,0 +1,269 @@
+//! Motions as tables of comma-separated values.
+//!
+//! The first line has the names and units of the columns, each further line a state. Numbers have as many digits as give them back to the
+//! last bit.
+//!
+//! ```
+//! use reuleaux::{csv, mechanism};
+//!
+//! mechanism! {
+//!     #[outputs]
+//!     mechanism Crank {
+//!         body crank { point A = (0.5m, 0m); }
+//!         joint pivot = revolute(ground.position, crank.position);
+//!         drive motor = drive_angle(crank, 2rad_s * t);
+//!         output pin = crank.A;
+//!     }
+//! }
+//!
+//! let crank = Crank::default();
+//! let mut table = Vec::new();
+//! csv::write_outputs(&mut table, &crank, crank.sweep([0.0, 0.1]))?;
+//! let table = String::from_utf8(table)?;
+//! let mut lines = table.lines();
+//! assert_eq!(
+//!     lines.next(),
+//!     Some("t (s),pin.x (m),pin.x rate (m/s),pin.x acceleration (m/s²),pin.y (m),pin.y rate (m/s),pin.y acceleration (m/s²)")
+//! );
+//! assert_eq!(lines.next(), Some("0.0,0.5,-0.0,-2.0,0.0,1.0,0.0"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+use core::error::Error;
+use core::fmt::{self, Debug, Display, Formatter};
+use core::ops::Deref;
+use std::io::{self, Write};
+
+use super::outputs::{OutputName, OutputNames, Outputs};
+use crate::names::{Coordinate, CoordinateKind, Description};
+use crate::number::Float;
+use crate::state::{Motion, State};
+
+/// Why a table ends before the last state. `{:?}` is the sentence, as `{}` is.
+pub enum Unwritten<E> {
+    /// There is no further state. The lines of those before it are written.
+    Failure(E),
+    /// A line could not be written.
+    Io(io::Error),
+}
+
+/// Writes a motion: time, the coordinates, and the outputs, with rates and accelerations.
+///
+/// * `to`: given, a file, a `Vec<u8>` or the like; files should be buffered.
+/// * `mechanism`: given, declared with `#[outputs]`.
+/// * `states`: given, what a `sweep` gives; other states as `states.map(Ok::<_, Infallible>)`.
+///
+/// # Errors
+/// The failure with which the motion ends, or that of `to`.
+pub fn write<W, M, T, E, const N: usize, const K: usize>(
+    to: W,
+    mechanism: &M,
+    states: impl IntoIterator<Item = Result<M::State, E>>,
+) -> Result<(), Unwritten<E>>
+where
+    W: Write,
+    M: Outputs<T, N, K> + Description<T, N>,
+    T: Float,
+{
+    let names = |table: &mut Table<W>| {
+        coordinate_names(table, M::COORDINATES)?;
+        output_names(table, &M::OUTPUTS)
+    };
+    let numbers = |table: &mut Table<W>, state: &M::State| {
+        coordinates(table, state, M::COORDINATES)?;
+        outputs(table, mechanism.outputs(state))
+    };
+    tabulate(to, states, names, numbers)
+}
+
+/// Writes a motion as [`write`](self::write()) does, without the coordinates.
+///
+/// # Errors
+/// The failure with which the motion ends, or that of `to`.
+pub fn write_outputs<W, M, T, E, const N: usize, const K: usize>(
+    to: W,
+    mechanism: &M,
+    states: impl IntoIterator<Item = Result<M::State, E>>,
+) -> Result<(), Unwritten<E>>
+where
+    W: Write,
+    M: Outputs<T, N, K>,
+    T: Float,
+{
+    let names = |table: &mut Table<W>| output_names(table, &M::OUTPUTS);
+    tabulate(to, states, names, |table, state| outputs(table, mechanism.outputs(state)))
+}
+
+/// Writes a motion as [`write`](self::write()) does, without the outputs: for any mechanism.
+///
+/// # Errors
+/// The failure with which the motion ends, or that of `to`.
+pub fn write_coordinates<W, M, T, S, E, const N: usize>(
+    to: W,
+    _mechanism: &M,
+    states: impl IntoIterator<Item = Result<S, E>>,
+) -> Result<(), Unwritten<E>>
+where
+    W: Write,
+    M: Description<T, N>,
+    S: Deref<Target = State<T, N>>,
+    T: Float,
+{
+    let names = |table: &mut Table<W>| coordinate_names(table, M::COORDINATES);
+    tabulate(to, states, names, |table, state: &S| coordinates(table, state, M::COORDINATES))
+}
+
+/// Writes a table: a line of names, and a line of numbers for each state.
+fn tabulate<W, T, S, E, const N: usize>(
+    to: W,
+    states: impl IntoIterator<Item = Result<S, E>>,
+    names: impl FnOnce(&mut Table<W>) -> io::Result<()>,
+    numbers: impl Fn(&mut Table<W>, &S) -> io::Result<()>,
+) -> Result<(), Unwritten<E>>
+where
+    W: Write,
+    S: Deref<Target = State<T, N>>,
+    T: Float,
+{
+    let mut table = Table { to, separator: "" };
+    table.name(format_args!("t"), "s")?;
+    names(&mut table)?;
+    table.end()?;
+    for state in states {
+        let state = state.map_err(Unwritten::Failure)?;
+        table.number(state.t)?;
+        numbers(&mut table, &state)?;
+        table.end()?;
+    }
+    Ok(table.to.flush()?)
+}
+
+/// A table that is being written.
+struct Table<W> {
+    to: W,
+    /// What stands before the next cell of the line.
+    separator: &'static str,
+}
+
+impl<W: Write> Table<W> {
+    /// A name with its unit. Neither has a comma or a quotation mark.
+    fn name(&mut self, name: fmt::Arguments<'_>, unit: &str) -> io::Result<()> {
+        self.cell(format_args!("{name} ({unit})"))
+    }
+
+    /// A number in the fewest digits that give it back.
+    fn number<T: Debug>(&mut self, number: T) -> io::Result<()> {
+        self.cell(format_args!("{number:?}"))
+    }
+
+    fn cell(&mut self, text: fmt::Arguments<'_>) -> io::Result<()> {
+        let separator = core::mem::replace(&mut self.separator, ",");
+        write!(self.to, "{separator}{text}")
+    }
+
+    fn end(&mut self) -> io::Result<()> {
+        self.separator = "";
+        self.to.write_all(b"\n")
+    }
+}
+
+/// Value, rate and acceleration.
+const ORDERS: [&str; 3] = ["", " rate", " acceleration"];
+
+/// The columns of a coordinate.
+enum Column {
+    /// A coordinate with its rate and its acceleration.
+    Moving([&'static str; 3]),
+    /// A direction cosine; the first three stand beside components of the angular velocity and of the angular acceleration.
+    Cosine(Option<&'static str>),
+}
+
+impl Column {
+    fn of(coordinate: &Coordinate) -> Column {
+        match (coordinate.kind, coordinate.name) {
+            (CoordinateKind::Length, _) => Column::Moving(["m", "m/s", "m/s²"]),
+            (CoordinateKind::Angle, _) => Column::Moving(["rad", "rad/s", "rad/s²"]),
+            (CoordinateKind::Number, "a11") => Column::Cosine(Some("x")),
+            (CoordinateKind::Number, "a12") => Column::Cosine(Some("y")),
+            (CoordinateKind::Number, "a13") => Column::Cosine(Some("z")),
+            (CoordinateKind::Number, name) if name.starts_with('a') => Column::Cosine(None),
+            (CoordinateKind::Number, _) => Column::Moving(["1", "1/s", "1/s²"]),
+        }
+    }
+}
+
+fn coordinate_names<W: Write>(table: &mut Table<W>, coordinates: &[Coordinate]) -> io::Result<()> {
+    for coordinate in coordinates {
+        let Coordinate { body, name, .. } = coordinate;
+        match Column::of(coordinate) {
+            Column::Moving(units) => {
+                for (order, unit) in ORDERS.iter().zip(units) {
+                    table.name(format_args!("{body}.{name}{order}"), unit)?;
+                }
+            }
+            Column::Cosine(axis) => {
+                table.name(format_args!("{body}.{name}"), "1")?;
+                if let Some(axis) = axis {
+                    table.name(format_args!("{body}.angular_velocity.{axis}"), "rad/s")?;
+                    table.name(format_args!("{body}.angular_acceleration.{axis}"), "rad/s²")?;
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+fn coordinates<W: Write, T: Float, const N: usize>(
+    table: &mut Table<W>,
+    state: &State<T, N>,
+    coordinates: &[Coordinate],
+) -> io::Result<()> {
+    for (index, coordinate) in coordinates.iter().enumerate() {
+        let Motion { value, rate, acceleration } = state.coordinate(index);
+        table.number(value)?;
+        if !matches!(Column::of(coordinate), Column::Cosine(None)) {
+            table.number(rate)?;
+            table.number(acceleration)?;
+        }
+    }
+    Ok(())
+}
+
+fn output_names<W: Write, const K: usize>(table: &mut Table<W>, names: &OutputNames<K>) -> io::Result<()> {
+    for OutputName { name, units } in &names.0 {
+        for (order, unit) in ORDERS.iter().zip(units) {
+            table.name(format_args!("{name}{order}"), if unit.is_empty() { "1" } else { unit })?;
+        }
+    }
+    Ok(())
+}
+
+fn outputs<W: Write, T: Float, const K: usize>(table: &mut Table<W>, outputs: [Motion<T>; K]) -> io::Result<()> {
+    for Motion { value, rate, acceleration } in outputs {
+        [value, rate, acceleration].into_iter().try_for_each(|number| table.number(number))?;
+    }
+    Ok(())
+}
+
+impl<E: Display> Display for Unwritten<E> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Unwritten::Failure(reason) => write!(f, "the table ends early: {reason}"),
+            Unwritten::Io(reason) => write!(f, "the table cannot be written: {reason}"),
+        }
+    }
+}
+
+impl<E: Display> Debug for Unwritten<E> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        Display::fmt(self, f)
+    }
+}
+
+impl<E: Display> Error for Unwritten<E> {}
+
+impl<E> From<io::Error> for Unwritten<E> {
+    fn from(reason: io::Error) -> Self {
+        Unwritten::Io(reason)
+    }
+}
