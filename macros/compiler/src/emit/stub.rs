@@ -70,7 +70,7 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
     let (n, vector) = (number(n), vector_type(n));
     let motion = (tree.task == Task::Motion).then(|| motion_from_forces(&state, body));
     let (loads, of_loads) = has_forces(tree).then(|| loads(tree, &state, visibility, body)).unzip();
-    let points = tree.requests.points.as_ref().map(|_| points(tree, &state, body));
+    let points = tree.requests.points.as_ref().map(|_| points(tree, visibility, &state, body));
     let listing = tree.requests.outputs.as_ref().map(|_| listing(name, &state, &n, body));
     let state = (tree.task.is_determined() || has_outputs).then(|| {
         let serial = serial::promised(tree.requests.serde.as_ref(), &state, body);
@@ -118,7 +118,7 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
 }
 
 /// The points and axes of bodies that are declared one by one.
-fn points(tree: &Mechanism, state: &Ident, body: &TokenStream) -> TokenStream {
+fn points(tree: &Mechanism, visibility: &TokenStream, state: &Ident, body: &TokenStream) -> TokenStream {
     let vector = if tree.ambient == Ambient::Space { quote!(Vector3) } else { quote!(Vector2) };
     let frames = tree.items.iter().filter_map(|item| if let Item::Body(frame) | Item::Ground(frame) = item { Some(frame) } else { None });
     let mut names = BTreeSet::new();
@@ -128,7 +128,7 @@ fn points(tree: &Mechanism, state: &Ident, body: &TokenStream) -> TokenStream {
     }
     let names = names.iter().map(|name| Ident::new(name, Span::call_site()));
     let methods = quote!(#(pub fn #names(&self) -> ::reuleaux::Motion<::reuleaux::nalgebra::#vector<T>> { #body })*);
-    points::structure(&tree.name, &tree.visibility, &quote!(#state), &methods)
+    points::structure(&tree.name, visibility, &quote!(#state), &methods)
 }
 
 /// The list of outputs.
