@@ -25,7 +25,7 @@
 //!     lines.next(),
 //!     Some("t (s),pin.x (m),pin.x rate (m/s),pin.x acceleration (m/s²),pin.y (m),pin.y rate (m/s),pin.y acceleration (m/s²)")
 //! );
-//! assert_eq!(lines.next(), Some("0.0,0.5,-0.0,-2.0,0.0,1.0,0.0"));
+//! assert_eq!(lines.next(), Some("0.0,0.5,0.0,-2.0,0.0,1.0,0.0"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
