@@ -3,7 +3,7 @@
 use crate::declared;
 
 declared! {
-    /// Six motion laws from 0 s to 1 s, of a body that stands still.
+    /// The motion laws from 0 s to 1 s, of a body that stands still.
     Laws (still: Length = 1) {
         body clock { point P = (0, 0); }
         drive there = drive_x(clock.P, still);
@@ -17,6 +17,12 @@ declared! {
         polynomial_4567 = [polynomial_4567(u)];
         modified_trapezoidal = [modified_trapezoidal(u)];
         smooth_step = [smooth_step(u)];
+        double_harmonic = [double_harmonic(u)];
+        double_harmonic_end = [double_harmonic_end(u)];
+        half_cycloidal_start = [half_cycloidal_start(u)];
+        half_cycloidal_end = [half_cycloidal_end(u)];
+        linear = [linear(u)];
+        modified_sine = [modified_sine(u)];
     }
 }
 declared! {
