@@ -85,7 +85,8 @@
 //! - `view`: animated pictures with plots, as pages and files (`reuleaux::view`). `view-png`: their frames as PNG.
 //! - `rayon`: sweeps of many mechanisms on all processors (`reuleaux::parallel`).
 //!
-//! The crate `reuleaux-wide` advances several mechanisms together in the lanes of SIMD registers.
+//! The crate `reuleaux-wide` advances several mechanisms together in the lanes of SIMD registers, `reuleaux-cam` computes cams from the motion of
+//! their followers.
 //!
 //! # Layers
 //!
@@ -202,7 +203,7 @@ pub use reuleaux_view as view;
 /// | [`optimising`](guide::optimising) | 15 | find dimensions, with exact derivatives |
 /// | [`parameter_sets`](guide::parameter_sets) | 10 | many mechanisms of one declaration |
 /// | [`control_loop`](guide::control_loop) | 10 | measurements and commands as inputs, a thousand times a second |
-/// | [`cams`](guide::cams) | 10 | cams and motion laws |
+/// | [`cams`](guide::cams) | 15 | motion by segments, cams and motion laws |
 /// | [`own_joint`](guide::own_joint) | 10 | a constraint of your own |
 /// | [`coming_from`](guide::coming_from) | | words of Linkage, Simscape, Adams and others |
 ///

@@ -45,7 +45,7 @@ struct Segment<'a> {
     /// Height that is added, negative for a fall, with the range of its number; `None` for a dwell.
     height: Option<(Expr, Range)>,
     law: Option<&'a ast::Path>,
-    /// Value of the law, as a function of x counted from the beginning of the segment, times the height.
+    /// Velocities at the declared defaults.
     slopes: Slopes,
 }
 
@@ -227,15 +227,15 @@ fn velocities_agree(work: &mut impl Valuer, program: &Program) -> Option<()> {
     let largest = largest_velocity(work, program);
     let times = work.at_defaults(&program.times);
     let count = program.segments.len();
-    let before = |index: usize| match index {
-        0 if !program.is_periodic => (0.0, None),
-        0 => (program.segments[count - 1].slopes[1], Some(&program.segments[count - 1])),
-        _ => (program.segments[index - 1].slopes[1], Some(&program.segments[index - 1])),
-    };
-    let rests = if program.is_periodic { 0 } else { 1 };
-    for (index, at) in times.iter().enumerate().take(count + rests) {
-        let (ends, one) = before(index);
-        let (begins, two) = program.segments.get(index).map_or((0.0, None), |segment| (segment.slopes[0], Some(segment)));
+    // Where a periodic program begins, its last segment ends; any other begins and ends at rest.
+    let meetings = if program.is_periodic { count } else { count + 1 };
+    for (index, at) in times.iter().enumerate().take(meetings) {
+        let one = match index {
+            0 if program.is_periodic => program.segments.last(),
+            _ => index.checked_sub(1).and_then(|before| program.segments.get(before)),
+        };
+        let two = program.segments.get(index);
+        let (ends, begins) = (one.map_or(0.0, |segment| segment.slopes[1]), two.map_or(0.0, |segment| segment.slopes[0]));
         let (Some(blamed), true) = (two.or(one), (ends - begins).abs() > SLOPE * largest) else { continue };
         let fact = ValueFact::SegmentsJolt {
             at: *at,
