@@ -195,6 +195,7 @@ fn where_two_motions_meet_only_one_of_them_counts() {
 /// Peak velocity and acceleration as printed in handbooks: Norton, Cam Design and Manufacturing Handbook, table 3-2, and Rothbart, Cam
 /// Design Handbook, appendix B.
 #[test]
+#[allow(clippy::approx_constant)] // The digits are those in print.
 fn peaks_are_those_of_handbooks() {
     let printed = [
         ("harmonic", [1.571, 4.935]),
