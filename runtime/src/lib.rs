@@ -87,7 +87,8 @@
 //!   and [`Failure`] can be written.
 //! - `rayon`: sweeps of many mechanisms on all processors (`reuleaux::parallel`).
 //!
-//! The crate `reuleaux-wide` advances several mechanisms together in the lanes of SIMD registers.
+//! The crate `reuleaux-wide` advances several mechanisms together in the lanes of SIMD registers, `reuleaux-cam` computes cams from the motion of
+//! their followers.
 //!
 //! # Layers
 //!
@@ -215,7 +216,7 @@ pub use reuleaux_view as view;
 /// | [`parameter_sets`](guide::parameter_sets) | 10 | many mechanisms of one declaration |
 /// | [`files`](guide::files) | 10 | parameters from a file, motions as a table |
 /// | [`control_loop`](guide::control_loop) | 10 | measurements and commands as inputs, a thousand times a second |
-/// | [`cams`](guide::cams) | 10 | cams and motion laws |
+/// | [`cams`](guide::cams) | 15 | motion by segments, cams and motion laws |
 /// | [`own_joint`](guide::own_joint) | 10 | a constraint of your own |
 /// | [`coming_from`](guide::coming_from) | | words of Linkage, Simscape, Adams and others |
 ///

@@ -8,4 +8,5 @@ mod invariance;
 mod laws;
 mod models;
 mod random;
+mod segments;
 mod tables;

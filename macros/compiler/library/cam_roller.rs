@@ -9,7 +9,9 @@
 /// coordinates about `O`, on which a cutter of the roller's size moves when the cam is made: R is the
 /// base circle's radius plus the follower's rise, the numbers a cam is designed from. The cam's
 /// surface is the inner curve at distance ρ from the pitch curve; for R a constant it is the circle of
-/// radius R. ψ goes backwards as the cam turns; `R` must repeat after a full turn.
+/// radius R, for any other it is not the curve R(ψ), since ρ is added along the radius and not along the
+/// normal. Where the surface itself is given, the guide, `reuleaux::guide::cams`, has the equations of the
+/// contact. ψ goes backwards as the cam turns; `R` must repeat after a full turn.
 ///
 /// A law over the cam's own angle θ, which counts from the moment the follower stands on the cam's x axis, is written with
 /// θ = −ψ; where the follower stands in another direction δ, with θ = δ − ψ. For a follower above the cam:

@@ -29,6 +29,7 @@ mod names;
 mod numeric;
 pub mod picture;
 pub mod plan;
+mod profile;
 pub mod quantity;
 mod redundancy;
 mod resolve;

@@ -23,6 +23,7 @@ const ROOMS: [&str; 27] = [
     "model",
     "names",
     "hints",
+    "profile",
     "resolve",
     "system",
     "numeric",

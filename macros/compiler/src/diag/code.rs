@@ -80,7 +80,7 @@ codes! {
     E0203: Arity::UnknownArgument Array::ParameterAsArgument;
     E0204: Arity::DuplicateArgument;
     E0205: Arity::PositionalAfterNamed;
-    E0206: Arity::FunctionArity Value::TableArity;
+    E0206: Arity::FunctionArity Value::TableArity Value::SegmentsArity;
     E0207: Grammar::OneArgument Value::FunctionNeedsArgument;
     E0208: Arity::DefaultBefore;
     // Kinds and dimensions.
@@ -105,10 +105,16 @@ codes! {
     E0406: Value::NotConstant;
     E0407: Value::NotFixed;
     E0408: Value::EqualityInChoice;
-    E0409: Value::ListOutsideTable Value::TableNeedsList Value::TableNeedsPairs Value::TableTooShort;
+    E0409: Value::ListOutsideTable Value::TableNeedsList Value::TableNeedsPairs Value::TableTooShort Value::SegmentsNeedList
+        Value::NotASegment;
     E0410: Value::TableNotIncreasing;
-    E0411: Value::TableNotPeriodic Value::TableEnds;
+    E0411: Value::TableNotPeriodic Value::TableEnds Value::SegmentsEnds;
     E0412: Value::MeansSpace Value::OnlyInSpace Value::OnlyInPlane Motion::InertiaAlongInPlane;
+    E0413: Value::SegmentWithoutDuration;
+    E0414: Value::SegmentsMissTurn;
+    E0415: Value::SegmentsDoNotReturn;
+    E0416: Value::SegmentsJolt;
+    E0417: Value::LawFromTo Value::NotALaw;
     // Loops, arrays and parts.
     E0501: Array::WithoutIndex Array::DuplicateInLoop;
     E0502: Array::ArrayWithoutIndex;

@@ -105,8 +105,21 @@ const SPATIAL_FORCES: &[(&str, &str)] = force_pages_of!["space": "motor", "torsi
 const BOTH: &[&str] = &["distance", "absolute_x", "absolute_y", "drive_distance", "drive_x", "drive_y"];
 
 /// Functions of one variable: name and text of the file.
-const FUNCTIONS: &[(&str, &str)] =
-    pages!["harmonic", "cycloidal", "polynomial_345", "polynomial_4567", "modified_trapezoidal", "smooth_step", "wrap",];
+const FUNCTIONS: &[(&str, &str)] = pages![
+    "harmonic",
+    "double_harmonic",
+    "double_harmonic_end",
+    "cycloidal",
+    "half_cycloidal_start",
+    "half_cycloidal_end",
+    "linear",
+    "polynomial_345",
+    "polynomial_4567",
+    "modified_trapezoidal",
+    "modified_sine",
+    "smooth_step",
+    "wrap",
+];
 
 /// The names of all constraints of the library that can be used in the plane, or in space.
 pub fn constraints<'a>(ambient: Ambient) -> impl Iterator<Item = &'a str> {

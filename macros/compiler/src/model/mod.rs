@@ -286,7 +286,7 @@ pub enum Function {
 }
 
 /// A condition on parameters.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Requirement {
     /// Left side.
     pub lhs: Expr,

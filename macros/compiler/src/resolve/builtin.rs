@@ -1,13 +1,14 @@
 //! Built-in functions, and functions of one variable declared by users.
 
-use super::Components;
 use super::Function as Numbered;
 use super::elaborate::Elaborator;
+use super::{Components, Name, Requirement};
 use crate::diag::{ArityFact, Fact, NameFact, Range, ValueFact, Wanted};
-use crate::expr::spline::{Ends, Table};
-use crate::expr::{Expr, Unary};
+use crate::expr::spline::Table;
+use crate::expr::{Arena, Expr, Unary};
 use crate::library;
 use crate::names::{Fixed, FunctionValue, Key, Scalar, Scope, Value, Vector};
+use crate::profile::{SEGMENTS, Valuer, segments, table};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, ExpressionKind};
 use proc_macro2::Ident;
@@ -50,6 +51,9 @@ impl Elaborator<'_> {
         if BUILTINS.contains(&name.to_string().as_str()) {
             return self.builtin(range, name, arguments, scope);
         }
+        if !is_bound && name == SEGMENTS {
+            return segments(self, name, arguments, scope).map(Value::Scalar);
+        }
         if !is_bound && name == super::speeds::RATE {
             return self.rate(name, arguments, scope);
         }
@@ -80,14 +84,15 @@ impl Elaborator<'_> {
     fn similar_function(&self, name: &Ident, scope: &Scope) -> Option<String> {
         let bound = scope.bound.iter().filter(|(_, value)| matches!(value, Value::Function(_))).map(|(known, _)| known.as_str());
         let declared = scope.space.is_some().then(|| self.names.functions());
-        let known = bound.chain(BUILTINS.iter().copied()).chain(library::functions()).chain(declared.into_iter().flatten());
+        let known =
+            bound.chain(BUILTINS.iter().copied()).chain([SEGMENTS]).chain(library::functions()).chain(declared.into_iter().flatten());
         self.nearest(&name.to_string(), known)
     }
 
     fn builtin(&mut self, range: Range, name: &Ident, arguments: &[ast::Expression], scope: &Scope) -> Option<Value> {
         let word = name.to_string();
         if word == "table" {
-            return self.table(name, arguments, scope).map(Value::Scalar);
+            return table(self, name, arguments, scope).map(Value::Scalar);
         }
         let wanted = match word.as_str() {
             "atan2" | "min" | "max" | "dot" | "cross" => 2,
@@ -309,85 +314,42 @@ impl Elaborator<'_> {
     pub(super) fn library_function(&mut self, name: &Ident) -> Option<FunctionValue> {
         library::function(&name.to_string()).map(FunctionValue::Written)
     }
+}
 
-    /// `table(x, [(x0, y0), …], periodic)`
-    fn table(&mut self, name: &Ident, arguments: &[ast::Expression], scope: &Scope) -> Option<Scalar> {
-        let (x, points, ends) = match arguments {
-            [x, points] => (x, points, Ends::Linear),
-            [x, points, ends] => (x, points, self.ends(ends)?),
-            _ => return self.refuse(name, ValueFact::TableArity { found: arguments.len() }),
-        };
-        let ExpressionKind::List(items) = &points.kind else {
-            return self.refuse(points.range, ValueFact::TableNeedsList);
-        };
-        let argument = self.scalar(x, scope)?;
-        let mut to = InferredDim::Any;
-        let pairs = self.table_pairs(items, argument.measure, &mut to, scope)?;
-        let (Some(first), Some(last), Some(end)) = (pairs.first(), pairs.last(), items.last().filter(|_| pairs.len() > 1)) else {
-            return self.refuse(points.range, ValueFact::TableTooShort { found: pairs.len() });
-        };
-        if ends == Ends::Periodic && first.1 != last.1 {
-            return self.refuse(end.range, ValueFact::TableNotPeriodic { first: first.1, last: last.1, dim: to.settled() });
-        }
-        let table = Numbered::Table(Table::through(&pairs, ends));
-        let same = |known: &Numbered| matches!((known, &table), (Numbered::Table(one), Numbered::Table(two)) if one == two);
+impl Valuer for Elaborator<'_> {
+    fn arena(&mut self) -> &mut Arena {
+        &mut self.arena
+    }
+
+    fn number(&mut self, expr: &ast::Expression, scope: &Scope) -> Option<Scalar> {
+        self.scalar(expr, scope)
+    }
+
+    fn reject<T>(&mut self, range: Range, fact: impl Into<Fact>) -> Option<T> {
+        self.refuse(range, fact)
+    }
+
+    fn may_be_fixed(&self, expr: Expr) -> bool {
+        self.names.is_abstract() || self.is_fixed(expr)
+    }
+
+    fn at_defaults(&self, roots: &[Expr]) -> Vec<f64> {
+        self.numbers(&self.defaults, roots)
+    }
+
+    fn table_number(&mut self, table: Table) -> u32 {
+        let same = |known: &Numbered| matches!(known, Numbered::Table(known) if *known == table);
         let number = self.functions.iter().position(same).unwrap_or_else(|| {
-            self.functions.push(table.clone());
+            self.functions.push(Numbered::Table(table.clone()));
             self.functions.len() - 1
         });
-        Some(Scalar { expr: self.arena.call(number as u32, 0, argument.expr), measure: to })
+        number as u32
     }
 
-    /// Reads the pairs of a table; their first numbers must increase.
-    fn table_pairs(
-        &mut self,
-        items: &[ast::Expression],
-        mut from: InferredDim,
-        to: &mut InferredDim,
-        scope: &Scope,
-    ) -> Option<Vec<(f64, f64)>> {
-        let mut pairs: Vec<(f64, f64)> = Vec::new();
-        for item in items {
-            let ExpressionKind::Tuple(pair) = &item.kind else {
-                return self.refuse(item.range, ValueFact::TableNeedsPairs);
-            };
-            let [at, value] = pair.as_slice() else {
-                return self.refuse(item.range, ValueFact::TableNeedsPairs);
-            };
-            let (x, y) = (self.table_entry(at, &mut from, scope)?, self.table_entry(value, to, scope)?);
-            if let Some((before, _)) = pairs.last().filter(|last| last.0 >= x) {
-                return self.refuse(at.range, ValueFact::TableNotIncreasing { before: *before, found: x, dim: from.settled() });
-            }
-            pairs.push((x, y));
-        }
-        Some(pairs)
-    }
-
-    fn ends(&mut self, expr: &ast::Expression) -> Option<Ends> {
-        let word = match &expr.kind {
-            ExpressionKind::Path(path) => path.tokens.to_string(),
-            _ => String::new(),
-        };
-        match word.as_str() {
-            "periodic" => Some(Ends::Periodic),
-            "linear" => Some(Ends::Linear),
-            "hold" => Some(Ends::Hold),
-            "" => self.refuse(expr.range, ValueFact::TableEnds { found: "this".to_owned() }),
-            _ => self.refuse(expr.range, ValueFact::TableEnds { found: format!("`{word}`") }),
-        }
-    }
-
-    /// Evaluates one constant of a table; all entries of a column have the same dimension.
-    fn table_entry(&mut self, entry: &ast::Expression, column: &mut InferredDim, scope: &Scope) -> Option<f64> {
-        let scalar = self.scalar(entry, scope)?;
-        let Some(common) = column.common(scalar.measure) else {
-            return self.refuse(entry.range, ValueFact::WrongDimension { wanted: column.settled(), found: scalar.measure.settled() });
-        };
-        *column = common;
-        match self.arena.as_constant(scalar.expr) {
-            Some(value) => Some(value.to_f64()),
-            None => self
-                .refuse(entry.range, ValueFact::NotConstant { place: "an entry of a table", help: "multiply the table by what changes" }),
+    fn require(&mut self, range: Range, requirement: Requirement) {
+        if !self.names.is_abstract() && !self.requirements.contains(&requirement) {
+            self.requirement_places.push((range, Name::plain(&Ident::new(SEGMENTS, range.first))));
+            self.requirements.push(requirement);
         }
     }
 }

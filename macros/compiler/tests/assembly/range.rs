@@ -133,7 +133,18 @@ fn a_law_that_swings_is_followed_for_its_period() {
 
 #[test]
 fn a_law_that_comes_to_rest_is_followed_until_then() {
-    for law in ["harmonic", "cycloidal", "polynomial_345", "polynomial_4567", "smooth_step", "modified_trapezoidal"] {
+    let laws = [
+        "harmonic",
+        "double_harmonic",
+        "cycloidal",
+        "half_cycloidal_end",
+        "polynomial_345",
+        "polynomial_4567",
+        "smooth_step",
+        "modified_trapezoidal",
+        "modified_sine",
+    ];
+    for law in laws {
         let rising = |degrees: f64| {
             let drive = format!("drive input = drive_angle(crank, {degrees}deg * {law}((t - 1s) / 0.5s))");
             slider_crank([100.0, 90.0, 0.0], 0.0, "").replace("drive input = drive_angle(crank, (0) * 1deg + 2rad_s * t)", &drive)

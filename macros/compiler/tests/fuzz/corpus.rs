@@ -46,6 +46,7 @@ const CAM: &str = "
         joint slide = translational(ground.u, ground.O, follower.C);
         joint contact = cam_roller(cam.O, follower.C, 5mm, rise);
         drive turn = drive_angle(cam, 2 * pi * smooth_step(t / 1s) + law(0.5));
+        output program = segments(cam.angle, 0mm, [rise(2mm, 90deg, cycloidal), dwell(180deg), fall(2mm, 90deg, law)], periodic);
         output height = follower.y;
         output speed_ratio = measured(cam.angle) / lift;
     }";

@@ -1,8 +1,10 @@
 //! Messages about kinds, dimensions and values.
 
+use super::significant;
 use super::words::shortened;
 use crate::diag::{ValueFact, remedy};
 use crate::quantity::Dim;
+use std::f64::consts::TAU;
 use std::fmt::{Display, Formatter, Result};
 
 impl Display for ValueFact {
@@ -135,7 +137,9 @@ impl Display for ValueFact {
             ValueFact::EqualityInChoice => {
                 write!(f, "equality of measured numbers is an accident\nhelp: compare with `<`, `<=`, `>` or `>=`")
             }
-            ValueFact::ListOutsideTable => write!(f, "a list can only be an argument of `table`\nhelp: a vector is written `(x, y)`"),
+            ValueFact::ListOutsideTable => {
+                write!(f, "a list can only be an argument of `table` or `segments`\nhelp: a vector is written `(x, y)`")
+            }
             ValueFact::TableArity { found } => {
                 write!(f, "`table` takes 2 or 3 arguments, found {found}\nnote: `table(x, [(x0, y0), (x1, y1), …], periodic)`")
             }
@@ -151,6 +155,40 @@ impl Display for ValueFact {
                 write!(f, "a periodic table ends with the value it begins with: it begins with {first} and ends with {last}")
             }
             ValueFact::TableEnds { found } => write!(f, "outside its range a table is `periodic`, `linear` or `hold`, not {found}"),
+            ValueFact::SegmentsArity { found } => {
+                write!(f, "`segments` takes 3 or 4 arguments, found {found}")?;
+                write!(f, "\nnote: `segments(x, y0, [rise(height, duration, law), dwell(duration), …], periodic)`")
+            }
+            ValueFact::SegmentsNeedList => write!(f, "expected a list of segments, such as `[rise(5mm, 90deg, cycloidal), dwell(30deg)]`"),
+            ValueFact::SegmentsEnds => write!(f, "a program of segments is `periodic` or holds its ends, `hold`"),
+            ValueFact::NotASegment => {
+                write!(f, "a segment is `rise(height, duration, law)`, `fall(height, duration, law)` or `dwell(duration)`")
+            }
+            ValueFact::NotALaw => write!(f, "expected the name of a law, such as `cycloidal` or a function of a number"),
+            ValueFact::SegmentWithoutDuration { found, dim } => {
+                write!(f, "the duration of a segment is positive, found {}", remedy::quantity(*found, *dim))
+            }
+            ValueFact::SegmentsMissTurn { found } => {
+                let side = if *found > TAU { "more" } else { "less" };
+                let [sum, off] = [*found, (found - TAU).abs()].map(|angle| about(angle, Dim::ANGLE));
+                write!(f, "a periodic program fills one turn, and these segments fill {sum}, {off} {side}")
+            }
+            ValueFact::SegmentsDoNotReturn { off, dim } => {
+                let side = if *off > 0.0 { "above" } else { "below" };
+                let off = about(off.abs(), *dim);
+                write!(f, "a periodic program ends at the height at which it begins, this one {off} {side} it")
+            }
+            ValueFact::SegmentsJolt { at, velocities, laws, along, dim } => {
+                let at = about(*at, *along);
+                let [ends, begins] = velocities.map(|velocity| slope(velocity, *dim, *along));
+                let [one, two] = laws.each_ref().map(|law| law.as_ref().map_or("the rest".to_owned(), |law| format!("`{law}`")));
+                write!(f, "the velocity jumps at {at}: {one} ends with {ends} and {two} begins with {begins}")?;
+                write!(f, "\nhelp: `half_cycloidal_start` goes from rest to a constant velocity, `half_cycloidal_end` back to rest")
+            }
+            ValueFact::LawFromTo { name, from, to } => {
+                let [from, to] = [*from, *to].map(|value| significant(sixth_decimal(value)));
+                write!(f, "the law of a segment goes from 0 to 1 while its argument does, and `{name}` goes from {from} to {to}")
+            }
             ValueFact::NotConstant { place, help } => {
                 write!(f, "{place} is a constant: numbers, units, `pi` and functions of them")?;
                 if help.is_empty() { Ok(()) } else { write!(f, "\nhelp: {help}") }
@@ -206,5 +244,29 @@ impl Display for ValueFact {
                 write!(f, "the axis `{name}` has no direction: both components are zero\nhelp: write `(1, 0)` for the direction of x")
             }
         }
+    }
+}
+
+/// Rounds to six decimals.
+fn sixth_decimal(value: f64) -> f64 {
+    (value * 1e6).round() / 1e6
+}
+
+/// A sum in the units of a drawing, without its rounding errors.
+fn about(value: f64, dim: Dim) -> String {
+    match dim {
+        Dim::ANGLE => format!("{}°", sixth_decimal(value.to_degrees())),
+        Dim::LENGTH => format!("{} mm", sixth_decimal(value * 1e3)),
+        _ => remedy::quantity(sixth_decimal(value), dim),
+    }
+}
+
+/// A velocity by angle in units of a drawing, `0.2 mm per degree`; others in SI.
+fn slope(value: f64, dim: Dim, along: Dim) -> String {
+    let rounded = |value: f64| if value.abs() < 1e-12 { 0.0 } else { format!("{value:.3e}").parse().unwrap_or(value) };
+    match along {
+        Dim::ANGLE => format!("{} per degree", remedy::quantity(rounded(value.to_radians()), dim)),
+        Dim::TIME => format!("{} per second", remedy::quantity(rounded(value), dim)),
+        _ => remedy::quantity(rounded(value), dim.per(along)),
     }
 }

@@ -1,0 +1,372 @@
+//! `segments(x, y0, [rise(height, duration, law), dwell(duration), fall(height, duration, law)], periodic)`: a program of motions.
+//!
+//! The height begins at y0 where x = 0. Each segment goes on from the height of the one before:
+//!
+//! ```text
+//!   rise    y + h f((x − x0) / β)              law f, from 0 to 1; height h, duration β
+//!   fall    y − h f((x − x0) / β)
+//!   dwell   y
+//! ```
+//!
+//! A periodic program over an angle fills one turn, over another quantity it repeats after the sum of its durations; any other rests before
+//! its beginning and after its end.
+
+use super::Valuer;
+use crate::diag::{ArityFact, Range, ValueFact};
+use crate::expr::{Binary, Exact, Expr, Leaf, Unary, derivative};
+use crate::model::Requirement;
+use crate::names::{Scalar, Scope, Value};
+use crate::quantity::{Dim, InferredDim};
+use crate::syntax::ast::{self, ExpressionKind, Relation};
+use core::f64::consts::TAU;
+use proc_macro2::Ident;
+
+/// The word before a program.
+pub(crate) const SEGMENTS: &str = "segments";
+
+/// Relative tolerance of sums of durations and of heights, which may be quotients such as 360°/7.
+const SUM: f64 = 1e-9;
+
+/// Relative tolerance of velocities, and of the values of a law at its ends.
+const SLOPE: f64 = 1e-6;
+
+/// Distance from the ends of a law at which its derivative is taken, since at the ends themselves it may be that of the rest.
+const INSIDE: i128 = 1 << 30;
+
+/// Velocities, by x, with which a segment begins and ends; NaN if the compiler cannot run its law.
+type Slopes = [f64; 2];
+
+/// A segment as written.
+struct Segment<'a> {
+    /// `rise`, `fall` or `dwell`
+    word: &'a Ident,
+    duration: Expr,
+    duration_range: Range,
+    /// Height that is added, negative for a fall, with the range of its number; `None` for a dwell.
+    height: Option<(Expr, Range)>,
+    law: Option<&'a ast::Path>,
+    /// Velocities at the declared defaults.
+    slopes: Slopes,
+}
+
+/// A program while it is read.
+struct Program<'a> {
+    x: Scalar,
+    /// Beginnings of the segments, and the end of the last.
+    times: Vec<Expr>,
+    /// Heights at these times.
+    heights: Vec<Expr>,
+    /// Dimension of heights.
+    measure: InferredDim,
+    segments: Vec<Segment<'a>>,
+    is_periodic: bool,
+    range: Range,
+}
+
+impl Program<'_> {
+    fn is_turn(&self) -> bool {
+        self.is_periodic && self.x.measure.settled() == Dim::ANGLE
+    }
+
+    fn end(&self) -> [Expr; 2] {
+        [self.times[self.segments.len()], self.heights[self.segments.len()]]
+    }
+}
+
+/// The expression of a program of segments.
+pub(crate) fn segments(work: &mut impl Valuer, name: &Ident, arguments: &[ast::Expression], scope: &Scope) -> Option<Scalar> {
+    let (x, first, list, ends) = match arguments {
+        [x, first, list] => (x, first, list, None),
+        [x, first, list, ends] => (x, first, list, Some(ends)),
+        _ => return work.reject(name.into(), ValueFact::SegmentsArity { found: arguments.len() }),
+    };
+    let is_periodic = ends.is_some_and(|ends| is_word(ends, "periodic"));
+    if let Some(ends) = ends.filter(|ends| !is_periodic && !is_word(ends, "hold")) {
+        return work.reject(ends.range, ValueFact::SegmentsEnds);
+    }
+    let ExpressionKind::List(items) = &list.kind else { return work.reject(list.range, ValueFact::SegmentsNeedList) };
+    if items.is_empty() {
+        return work.reject(list.range, ValueFact::SegmentsNeedList);
+    }
+    let (x, first) = (work.number(x, scope)?, work.number(first, scope)?);
+    let start = work.arena().integer(0);
+    let (times, heights) = (vec![start], vec![first.expr]);
+    let mut program = Program { x, times, heights, measure: first.measure, segments: Vec::new(), is_periodic, range: list.range };
+    for item in items {
+        add(work, &mut program, item, scope)?;
+    }
+    fits(work, &program)?;
+    velocities_agree(work, &program)?;
+    require(work, &program);
+    let expr = expression(work, &program, scope)?;
+    Some(Scalar { expr, measure: program.measure })
+}
+
+fn is_word(expr: &ast::Expression, word: &str) -> bool {
+    matches!(&expr.kind, ExpressionKind::Path(path) if path.name.as_ref().is_some_and(|name| name == word))
+}
+
+/// Reads a segment and adds it to the program.
+fn add<'a>(work: &mut impl Valuer, program: &mut Program<'a>, item: &'a ast::Expression, scope: &Scope) -> Option<()> {
+    let ExpressionKind::Call(ast::Path { name: Some(word), .. }, arguments) = &item.kind else {
+        return work.reject(item.range, ValueFact::NotASegment);
+    };
+    let (height, duration, law) = match (word.to_string().as_str(), arguments.as_slice()) {
+        ("rise" | "fall", [height, duration, law]) => (Some(height), duration, Some(law)),
+        ("dwell", [duration]) => (None, duration, None),
+        (name @ ("rise" | "fall" | "dwell"), _) => {
+            let wanted = if name == "dwell" { 1 } else { 3 };
+            return work.reject(word.into(), ArityFact::FunctionArity { name: name.to_owned(), wanted, found: arguments.len() });
+        }
+        _ => return work.reject(word.into(), ValueFact::NotASegment),
+    };
+    let time = fixed(work, duration, &mut program.x.measure, scope)?;
+    let height = match height {
+        Some(height) => Some((fixed(work, height, &mut program.measure, scope)?, height.range)),
+        None => None,
+    };
+    let height = height.map(|(up, range)| (if word == "fall" { work.arena().neg(up) } else { up }, range));
+    let law = match law.map(|law| (&law.kind, law.range)) {
+        Some((ExpressionKind::Path(path), _)) => Some(path),
+        Some((_, range)) => return work.reject(range, ValueFact::NotALaw),
+        None => None,
+    };
+    let (begin, before) = (program.times[program.segments.len()], program.heights[program.segments.len()]);
+    let end = work.arena().add(begin, time);
+    let after = match height {
+        Some((up, _)) => work.arena().add(before, up),
+        None => before,
+    };
+    let mut segment = Segment { word, duration: time, duration_range: duration.range, height, law, slopes: [0.0; 2] };
+    segment.slopes = slopes(work, &segment, scope)?;
+    program.times.push(end);
+    program.heights.push(after);
+    program.segments.push(segment);
+    Some(())
+}
+
+/// Evaluates a duration or a height, which may depend on parameters, and has the dimension of the others.
+fn fixed(work: &mut impl Valuer, expr: &ast::Expression, measure: &mut InferredDim, scope: &Scope) -> Option<Expr> {
+    let scalar = work.number(expr, scope)?;
+    let Some(common) = measure.common(scalar.measure) else {
+        return work.reject(expr.range, ValueFact::WrongDimension { wanted: measure.settled(), found: scalar.measure.settled() });
+    };
+    *measure = common;
+    if !work.may_be_fixed(scalar.expr) {
+        return work.reject(expr.range, ValueFact::NotFixed { place: "a segment" });
+    }
+    Some(scalar.expr)
+}
+
+/// f(u), the law of a segment.
+fn law(work: &mut impl Valuer, path: &ast::Path, u: Expr, scope: &Scope) -> Option<Expr> {
+    // No name can be written like this one.
+    let name = Ident::new("__u", path.last.span());
+    let mut scope = scope.clone();
+    scope.bound.push((name.to_string(), Value::Scalar(Scalar { expr: u, measure: InferredDim::Known(Dim::NUMBER) })));
+    let argument = ast::Path { tokens: quote::ToTokens::to_token_stream(&name), last: name.clone(), name: Some(name), range: path.range };
+    let argument = ast::Expression { kind: ExpressionKind::Path(argument), range: path.range, depth: 1 };
+    let call = ast::Expression { kind: ExpressionKind::Call(path.clone(), vec![argument]), range: path.range, depth: 2 };
+    let value = work.number(&call, &scope)?;
+    if !value.measure.fits(Dim::NUMBER) {
+        return work.reject(path.range, ValueFact::WrongDimension { wanted: Dim::NUMBER, found: value.measure.settled() });
+    }
+    Some(value.expr)
+}
+
+/// Checks that the law of a segment goes from 0 to 1, and reads the velocities there.
+fn slopes(work: &mut impl Valuer, segment: &Segment, scope: &Scope) -> Option<Slopes> {
+    let (Some((height, _)), Some(path)) = (segment.height, segment.law) else { return Some([0.0; 2]) };
+    let inside = Exact::ratio(1, INSIDE).unwrap_or(Exact::ONE);
+    let mut at = |from_end: bool| {
+        // The time stands for the argument of the law, and is 0.
+        let (time, arena) = (work.arena().leaf(Leaf::Time), work.arena());
+        let (one, inside) = (arena.integer(1), arena.constant(inside));
+        let end = if from_end { arena.sub(one, inside) } else { inside };
+        let u = arena.add(time, end);
+        let value = law(work, path, u, scope)?;
+        let slope = derivative(work.arena(), value, Leaf::Time);
+        let found = work.at_defaults(&[value, slope, height, segment.duration]);
+        Some((found[0], found[1] * found[2] / found[3]))
+    };
+    let ((first, begin), (last, end)) = (at(false)?, at(true)?);
+    if first.abs() > SLOPE || (last - 1.0).abs() > SLOPE {
+        return work.reject(path.range, ValueFact::LawFromTo { name: path.last.to_string(), from: first, to: last });
+    }
+    Some([begin, end])
+}
+
+/// Checks that durations are positive, and that a periodic program fills a turn and returns to its beginning.
+fn fits(work: &mut impl Valuer, program: &Program) -> Option<()> {
+    let along = program.x.measure.settled();
+    let durations: Vec<Expr> = program.segments.iter().map(|segment| segment.duration).collect();
+    for (segment, found) in program.segments.iter().zip(work.at_defaults(&durations)) {
+        if found <= 0.0 {
+            return work.reject(segment.duration_range, ValueFact::SegmentWithoutDuration { found, dim: along });
+        }
+    }
+    let [time, height] = program.end();
+    let numbers = work.at_defaults(&[time, height, program.heights[0]]);
+    let last = program.segments.last()?;
+    if program.is_turn() && (numbers[0] - TAU).abs() > SUM * TAU {
+        return work.reject(last.duration_range, ValueFact::SegmentsMissTurn { found: numbers[0] });
+    }
+    let heights: Vec<Expr> = program.segments.iter().filter_map(|segment| segment.height).map(|(height, _)| height).collect();
+    let size: f64 = work.at_defaults(&heights).iter().map(|height| height.abs()).sum();
+    let off = numbers[1] - numbers[2];
+    if program.is_periodic && off.abs() > SUM * size {
+        let moved = program.segments.iter().rev().find_map(|segment| segment.height);
+        let range = moved.map_or(program.range, |(_, range)| range);
+        return work.reject(range, ValueFact::SegmentsDoNotReturn { off, dim: program.measure.settled() });
+    }
+    Some(())
+}
+
+/// Checks that each segment begins with the velocity with which the one before ends.
+fn velocities_agree(work: &mut impl Valuer, program: &Program) -> Option<()> {
+    let largest = largest_velocity(work, program);
+    let times = work.at_defaults(&program.times);
+    let count = program.segments.len();
+    // Where a periodic program begins, its last segment ends; any other begins and ends at rest.
+    let meetings = if program.is_periodic { count } else { count + 1 };
+    for (index, at) in times.iter().enumerate().take(meetings) {
+        let one = match index {
+            0 if program.is_periodic => program.segments.last(),
+            _ => index.checked_sub(1).and_then(|before| program.segments.get(before)),
+        };
+        let two = program.segments.get(index);
+        let (ends, begins) = (one.map_or(0.0, |segment| segment.slopes[1]), two.map_or(0.0, |segment| segment.slopes[0]));
+        let (Some(blamed), true) = (two.or(one), (ends - begins).abs() > SLOPE * largest) else { continue };
+        let fact = ValueFact::SegmentsJolt {
+            at: *at,
+            velocities: [ends, begins],
+            laws: [one, two].map(|segment| segment.map(named)),
+            along: program.x.measure.settled(),
+            dim: program.measure.settled(),
+        };
+        return work.reject(blamed.word.into(), fact);
+    }
+    Some(())
+}
+
+/// The largest mean velocity of a segment: its height divided by its duration.
+fn largest_velocity(work: &mut impl Valuer, program: &Program) -> f64 {
+    let mean = |segment: &Segment| segment.height.map(|(height, _)| work.at_defaults(&[height, segment.duration]));
+    let means = program.segments.iter().filter_map(mean).map(|numbers| (numbers[0] / numbers[1]).abs());
+    means.fold(0.0, f64::max)
+}
+
+/// The law of a segment, or the word for one without.
+fn named(segment: &Segment) -> String {
+    segment.law.map_or(segment.word, |path| &path.last).to_string()
+}
+
+/// States what must hold for other values of the parameters, too.
+fn require(work: &mut impl Valuer, program: &Program) {
+    let [time, height] = program.end();
+    let (along, across) = (program.x.measure.settled(), program.measure.settled());
+    for segment in &program.segments {
+        let zero = work.arena().integer(0);
+        state(work, segment.duration_range, [segment.duration, zero], Relation::Greater, along, "the duration of a segment is positive");
+    }
+    if program.is_turn() {
+        let turn = turn(work);
+        let off = work.arena().sub(time, turn);
+        near_zero(work, program.range, off, turn, along, "the segments fill one turn");
+    }
+    if program.is_periodic {
+        let start = program.heights[0];
+        let off = work.arena().sub(height, start);
+        let sizes: Vec<Expr> = program.segments.iter().filter_map(|segment| segment.height).map(|(height, _)| height).collect();
+        let sizes: Vec<Expr> = sizes.into_iter().map(|height| work.arena().unary(Unary::Abs, height)).collect();
+        let size = work.arena().sum(&sizes);
+        near_zero(work, program.range, off, size, across, "the height of the segments returns to its beginning");
+    }
+}
+
+/// |off| ≤ 10⁻⁹ size
+fn near_zero(work: &mut impl Valuer, range: Range, off: Expr, size: Expr, dim: Dim, why: &str) {
+    let arena = work.arena();
+    let (off, share) = (arena.unary(Unary::Abs, off), arena.constant(Exact::ratio(1, 1_000_000_000).unwrap_or(Exact::ONE)));
+    let limit = arena.mul(share, size);
+    state(work, range, [off, limit], Relation::LessOrEqual, dim, why);
+}
+
+/// States a condition, unless it contains no parameter.
+fn state(work: &mut impl Valuer, range: Range, [lhs, rhs]: [Expr; 2], relation: Relation, dim: Dim, why: &str) {
+    if !work.arena().leaves(lhs).is_empty() {
+        let joint = SEGMENTS.to_owned();
+        work.require(range, Requirement { lhs, relation, rhs, dim, joint, why: why.to_owned() });
+    }
+}
+
+fn turn(work: &mut impl Valuer) -> Expr {
+    let half = work.arena().constant(Exact::PI);
+    work.arena().twice(half)
+}
+
+/// The height at x.
+fn expression(work: &mut impl Valuer, program: &Program, scope: &Scope) -> Option<Expr> {
+    let [end, last] = program.end();
+    let x = if program.is_periodic { wrapped(work, program) } else { program.x.expr };
+    let mut pieces = Vec::new();
+    for (index, segment) in program.segments.iter().enumerate() {
+        let (begin, before) = (program.times[index], program.heights[index]);
+        let (Some((height, _)), Some(path)) = (segment.height, segment.law) else {
+            pieces.push((begin, before));
+            continue;
+        };
+        let arena = work.arena();
+        let since = arena.sub(x, begin);
+        let u = arena.div(since, segment.duration);
+        let value = law(work, path, u, scope)?;
+        let rise = work.arena().mul(height, value);
+        pieces.push((begin, work.arena().add(before, rise)));
+    }
+    if !program.is_periodic {
+        pieces.insert(0, (program.times[0], program.heights[0]));
+        pieces.push((end, last));
+    }
+    Some(piecewise(work, x, &pieces))
+}
+
+/// The piece that begins last before x. The first one needs no beginning.
+fn piecewise(work: &mut impl Valuer, x: Expr, pieces: &[(Expr, Expr)]) -> Expr {
+    let (early, late) = pieces.split_at(pieces.len() / 2);
+    match (early, late) {
+        ([], late) => late.first().map_or(x, |(_, only)| *only),
+        (early, late) => {
+            let (before, after) = (piecewise(work, x, early), piecewise(work, x, late));
+            work.arena().select(x, late[0].0, before, after)
+        }
+    }
+}
+
+/// x brought between 0 and the period: x itself where it is from 0 to a period, and the same a period later.
+///
+/// ```text
+///   w = P/2 + P/2π atan2(−sin(2πx/P), −cos(2πx/P))
+/// ```
+fn wrapped(work: &mut impl Valuer, program: &Program) -> Expr {
+    let [period, _] = program.end();
+    let (turn, half) = (turn(work), work.arena().constant(Exact::PI));
+    let arena = work.arena();
+    let angle = match program.is_turn() {
+        true => program.x.expr,
+        false => {
+            let share = arena.div(program.x.expr, period);
+            arena.mul(turn, share)
+        }
+    };
+    let (sine, cosine) = (arena.sin(angle), arena.cos(angle));
+    let (sine, cosine) = (arena.neg(sine), arena.neg(cosine));
+    let from_middle = arena.binary(Binary::Atan2, sine, cosine);
+    let wrapped = arena.add(half, from_middle);
+    match program.is_turn() {
+        true => wrapped,
+        false => {
+            let share = arena.div(wrapped, turn);
+            arena.mul(share, period)
+        }
+    }
+}
