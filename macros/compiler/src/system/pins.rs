@@ -51,9 +51,10 @@ fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], equations: &[E
         }
         echelon.takes(row);
     }
-    // Coordinates with a declared start come first, then those of bodies that are declared first.
+    // Coordinates with a declared start come first, and among equals those that no equation is best solved for.
+    let free = echelon.free();
     let mut order: Vec<usize> = (0..coordinates.len()).collect();
-    order.sort_by_key(|unknown| coordinates[*unknown].start.is_none());
+    order.sort_by_key(|unknown| (coordinates[*unknown].start.is_none(), !free.contains(unknown)));
     let mut pinned = Vec::new();
     for share in [CLEARLY, HARDLY] {
         for unknown in &order {
