@@ -19,7 +19,7 @@ mechanism! {
 #[test]
 fn a_skate_goes_round_in_a_circle() {
     for tolerance in [1e-6, 1e-9, 1e-12] {
-        let skate = Skate { push: 3.0, turn: 0.75, ..Default::default() };
+        let skate = Skate { push: 3.0, turn: 0.75 };
         let mut state = skate.initial_state().unwrap();
         let mut integrator = Integrator::new(tolerance);
         for step in 1..=40 {
