@@ -27,6 +27,6 @@ mechanism! {
 #[test]
 fn a_derived_trait_is_implemented() {
     let (short, long) = (Crank::default(), Crank { length: 0.2, ..Crank::default() });
-    assert!(short < long && long > short);
+    assert!(short < long);
     assert!(CrankWeight { offset: 0.1 } < CrankWeight { offset: 0.2 });
 }
