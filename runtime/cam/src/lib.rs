@@ -1,7 +1,7 @@
 //! Cam profiles from the motion of a follower.
 //!
 //! In: the motion of a follower's point or face relative to the cam, from the states of a mechanism ([`CurvePoint::relative`],
-//! [`CurvePoint::face`]), from the lift or the swing of a [follower](follower) over the cam's angle, or from a polar curve with its
+//! [`CurvePoint::face`]), from the lift or the swing of a [`follower`] over the cam's angle, or from a polar curve with its
 //! derivatives. Out: for each moment one [`CurvePoint`] of the curve, with its normal and curvature, and the pressure angle. A point of the
 //! pitch curve gives one of the surface, a point of the surface one of the cutter's path; each is a line of a CSV file.
 //!
