@@ -6,49 +6,70 @@
 
 use std::collections::BTreeMap;
 use std::error::Error;
+use std::fmt::Write as _;
 use std::path::Path;
 use std::process::Command;
-use std::{env, fs};
+use std::{env, fs, thread};
 
 /// Forbidden instructions: for each function and name, the number of occurrences.
 type Found = BTreeMap<(String, String), usize>;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let target = env::args().nth(1);
+    let target = target.as_deref();
+    // Whole-program optimisation uses one processor.
+    let reports = thread::scope(|scope| {
+        let inspections = LEVELS.map(|level| scope.spawn(move || inspected(target, level).map_err(|error| error.to_string())));
+        inspections.map(|inspection| inspection.join().unwrap_or_else(|_| Err("the inspection panicked".to_owned())))
+    });
     let mut failed = Vec::new();
-    for level in ["3", "\"s\""] {
-        for features in ["alone", "alone,single"] {
-            let assembly = assembly(target.as_deref(), features, level)?;
-            let title = format!("opt-level {level}, {features}");
-            if !computes(&assembly) {
-                return Err(format!("{title}: no arithmetic that is known here").into());
-            }
-            let mut found = look(&assembly, panics);
-            println!("{title}: {} lines, {} calls of what panics", assembly.lines().count(), found.values().sum::<usize>());
-            if features.contains("single") {
-                let doubles = look(&assembly, doubles);
-                println!("{title}: {} operations on doubles", doubles.values().sum::<usize>());
-                found.extend(doubles);
-            }
-            for ((function, what), times) in &found {
-                println!("    {times} × {what} in {function}");
-            }
-            if !found.is_empty() {
-                failed.push(title);
-            }
-        }
+    for report in reports {
+        let (lines, wrong) = report?;
+        print!("{lines}");
+        failed.extend(wrong);
     }
     if failed.is_empty() { Ok(()) } else { Err(failed.join("; ").into()) }
 }
 
+/// Levels of optimisation, and the names of their folders.
+const LEVELS: [(&str, &str); 2] = [("3", "speed"), ("\"s\"", "size")];
+
+/// The findings at a level of optimisation, and the versions at fault.
+fn inspected(target: Option<&str>, level: (&str, &str)) -> Result<(String, Vec<String>), Box<dyn Error>> {
+    let (mut lines, mut failed) = (String::new(), Vec::new());
+    for features in ["alone", "alone,single"] {
+        let assembly = assembly(target, features, level)?;
+        let title = format!("opt-level {}, {features}", level.0);
+        if !computes(&assembly) {
+            return Err(format!("{title}: no arithmetic that is known here").into());
+        }
+        let mut found = look(&assembly, panics);
+        writeln!(lines, "{title}: {} lines, {} calls of what panics", assembly.lines().count(), found.values().sum::<usize>())?;
+        if features.contains("single") {
+            let doubles = look(&assembly, doubles);
+            writeln!(lines, "{title}: {} operations on doubles", doubles.values().sum::<usize>())?;
+            found.extend(doubles);
+        }
+        for ((function, what), times) in &found {
+            writeln!(lines, "    {times} × {what} in {function}")?;
+        }
+        if !found.is_empty() {
+            failed.push(title);
+        }
+    }
+    Ok((lines, failed))
+}
+
 /// The assembly of the library, with everything that it uses.
-fn assembly(target: Option<&str>, features: &str, level: &str) -> Result<String, Box<dyn Error>> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/bare");
+fn assembly(target: Option<&str>, features: &str, (level, name): (&str, &str)) -> Result<String, Box<dyn Error>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/bare").join(name);
     fs::create_dir_all(&folder)?;
     let file = folder.join("bare.s");
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    // The profile of tests with the settings of a release, so that macros are not rebuilt; they have little to do.
+    // The profile of tests with the settings of a release; macros have little to do.
     cargo.args(["rustc", "--quiet", "--package", "reuleaux-bare", "--lib", "--crate-type", "staticlib", "--features", features]);
+    // Cargo builds one thing at a time in a folder.
+    cargo.arg("--target-dir").arg(&folder);
     let level = format!("opt-level={level}");
     let release = ["debug-assertions=false", "overflow-checks=false", "incremental=false", "package.reuleaux-compiler.opt-level=0"];
     for setting in ["lto=\"fat\"", "panic=\"abort\"", "codegen-units=1", &level].into_iter().chain(release) {
