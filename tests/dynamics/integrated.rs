@@ -1,4 +1,4 @@
-//! Motion that drives determine, although rows of velocities leave positions to the past.
+//! Drives determine all velocities, and positions follow from them by integration.
 
 use core::f64::consts::{PI, TAU};
 use reuleaux::{Integrator, mechanism};

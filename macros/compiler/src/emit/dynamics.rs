@@ -193,7 +193,7 @@ impl Emitter<'_> {
         let list: Vec<String> =
             self.model.joints.iter().filter(|joint| joint.freedom.is_some()).map(|joint| format!("`{}`", joint.name)).collect();
         let page = match list.as_slice() {
-            [] => docs::line("The state at t = 0, with the declared start of coordinates that only velocities are said of."),
+            [] => docs::line("The state at t = 0: coordinates that no equation of positions determines have their declared start."),
             list => docs::line(&format!("The state at t = 0 with the initial values declared for the freedoms: {}.", list.join(", "))),
         };
         let (sweeps, failure) = (self.sweeps_of_motion(), quote!(::reuleaux::Stopped<T>));

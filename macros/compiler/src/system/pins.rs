@@ -1,4 +1,4 @@
-//! Coordinates that keep their declared start values where only speeds are said of them.
+//! Coordinates that only equations of speeds determine keep their declared start values.
 
 use super::rows::Row;
 use super::{Coordinate, Equation};
@@ -7,8 +7,10 @@ use crate::linear::Echelon;
 use crate::model::{Function, Model};
 use crate::quantity::{Dim, Role};
 
-/// Coordinates are pinned of which the equations leave more than this share, and then those of which they leave anything.
+/// Coordinates of which the equations leave more than this share open are pinned first.
 const CLEARLY: f64 = 0.1;
+
+/// The others are pinned if more than this share is open.
 const HARDLY: f64 = 1e-9;
 
 /// Rows that hold the coordinates which the equations leave open at the start; they belong to the last freedom.
@@ -51,7 +53,7 @@ fn open(model: &Model, arena: &Arena, coordinates: &[Coordinate], equations: &[E
         }
         echelon.takes(row);
     }
-    // Coordinates with a declared start come first, and among equals those that no equation is best solved for.
+    // Coordinates with a declared start come first; among them and among the others, those that are no pivot of an equation.
     let free = echelon.free();
     let mut order: Vec<usize> = (0..coordinates.len()).collect();
     order.sort_by_key(|unknown| (coordinates[*unknown].start.is_none(), !free.contains(unknown)));
