@@ -1,7 +1,7 @@
 //! Expressions as Rust, with the fewest parentheses that keep the order of operations.
 
 use super::literal::{number, real};
-use crate::expr::{Arena, Binary, Evaluator, Expr, Node, Unary, Values};
+use crate::expr::{Arena, Binary, Expr, Node, Unary};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 use std::collections::BTreeMap;
@@ -36,10 +36,7 @@ impl Printer<'_> {
 
     /// The value of the expression, if it depends on constants only.
     pub(super) fn constant(&self, expr: Expr) -> Option<f64> {
-        match self.arena.as_constant(expr) {
-            Some(value) => Some(value.to_f64()),
-            None => self.is_constant(expr).then(|| self.value(expr)),
-        }
+        self.arena.value(expr)
     }
 
     /// The expression written out, even if it has a name.
@@ -55,10 +52,11 @@ impl Printer<'_> {
     }
 
     fn write(&self, expr: Expr) -> (TokenStream, Strength) {
+        if let Some(value) = self.arena.value(expr) {
+            return (real(value), Strength::Atom);
+        }
         match *self.arena.node(expr) {
-            Node::Constant(value) => (real(value.to_f64()), Strength::Atom),
-            _ if self.is_constant(expr) => (real(self.value(expr)), Strength::Atom),
-            Node::Leaf(_) | Node::Call { .. } => (quote!(), Strength::Atom),
+            Node::Constant(_) | Node::Leaf(_) | Node::Call { .. } => (quote!(), Strength::Atom),
             Node::Marked { value, .. } => self.print(value),
             Node::Unary(Unary::Neg, value) => {
                 let value = self.at_least(value, Strength::Sign);
@@ -100,21 +98,6 @@ impl Printer<'_> {
     fn at_least(&self, expr: Expr, needed: Strength) -> TokenStream {
         let (tokens, strength) = self.print(expr);
         if strength < needed { quote!((#tokens)) } else { tokens }
-    }
-
-    /// Depends on constants only.
-    fn is_constant(&self, expr: Expr) -> bool {
-        let is_open = |below: &Expr| matches!(self.arena.node(*below), Node::Leaf(_) | Node::Call { .. });
-        !self.arena.reachable(&[expr]).iter().any(is_open)
-    }
-
-    /// The value of a constant expression, by the interpreter.
-    fn value(&self, expr: Expr) -> f64 {
-        let functions = |_: u32, _: f64| [f64::NAN; 3];
-        let values = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
-        let mut result = [f64::NAN];
-        Evaluator::new(self.arena, &[expr]).run(&values, &mut result);
-        result[0]
     }
 }
 

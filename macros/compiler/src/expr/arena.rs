@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeSet, HashMap};
 
+use super::exact::Twofold;
 use super::frame::Frames;
 use super::{Binary, Exact, Expr, Leaf, Node, RULES, Unary};
 
@@ -13,6 +14,10 @@ pub struct Arena {
     nodes: Vec<Node>,
     // Only looked up, never iterated, so that its order cannot reach the output.
     places: HashMap<Node, Expr>,
+    /// Value of each node that depends on constants only.
+    values: Vec<Option<f64>>,
+    /// Constants to about 100 bits, where they were asked for.
+    pub(super) precise: HashMap<Expr, Twofold>,
     /// Frames that turn in space, and vectors fixed in them.
     pub(super) frames: Frames,
 }
@@ -64,9 +69,10 @@ impl Arena {
 
     /// Stores a node without simplification: a copy of one that another arena has simplified already, with operands in the same order.
     pub(crate) fn place(&mut self, node: Node) -> Expr {
-        let nodes = &mut self.nodes;
+        let (nodes, values) = (&mut self.nodes, &mut self.values);
         *self.places.entry(node).or_insert_with(|| {
             nodes.push(node);
+            values.push(node.value(|operand| values[operand.index()]));
             Expr(u32::try_from(nodes.len() - 1).unwrap_or(u32::MAX))
         })
     }
@@ -191,6 +197,12 @@ impl Arena {
         }
     }
 
+    /// The value of an expression of constants, rounded at each operation; `None` for one that depends on anything else.
+    #[must_use]
+    pub fn value(&self, expr: Expr) -> Option<f64> {
+        self.values[expr.index()]
+    }
+
     /// All nodes under `roots`, the roots among them, each once, children before parents.
     #[must_use]
     pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
@@ -204,7 +216,12 @@ impl Arena {
 
     /// Like [`Arena::reachable`], but does not descend below nodes that are `whole`.
     pub(crate) fn reachable_above(&self, roots: &[Expr], whole: impl Fn(&Node) -> bool) -> Vec<Expr> {
-        self.reachable_down_to(roots, |_| false, whole)
+        self.reachable_down_to(roots, |_| false, |expr| whole(self.node(expr)))
+    }
+
+    /// Like [`Arena::reachable`], but does not descend below nodes that depend on constants only.
+    pub(crate) fn reachable_to_values(&self, roots: &[Expr]) -> Vec<Expr> {
+        self.reachable_down_to(roots, |_| false, |expr| self.value(expr).is_some())
     }
 
     /// The same operation on other operands, in writing order.
@@ -225,15 +242,14 @@ impl Arena {
     }
 
     /// Like [`Arena::reachable_until`], but does not descend below nodes that are `whole`.
-    pub(super) fn reachable_down_to(&self, roots: &[Expr], known: impl Fn(Expr) -> bool, whole: impl Fn(&Node) -> bool) -> Vec<Expr> {
+    pub(super) fn reachable_down_to(&self, roots: &[Expr], known: impl Fn(Expr) -> bool, whole: impl Fn(Expr) -> bool) -> Vec<Expr> {
         // The largest pending index has no parent left to visit, hence each node comes out once.
         let mut pending: BTreeSet<Expr> = roots.iter().copied().filter(|&e| !known(e)).collect();
         let mut found = Vec::new();
         while let Some(expr) = pending.pop_last() {
             found.push(expr);
-            let node = self.node(expr);
-            if !whole(node) {
-                pending.extend(node.children().filter(|&e| !known(e)));
+            if !whole(expr) {
+                pending.extend(self.node(expr).children().filter(|&e| !known(e)));
             }
         }
         found.reverse();
@@ -243,7 +259,7 @@ impl Arena {
     /// The leaves that an expression depends on.
     #[must_use]
     pub fn leaves(&self, root: Expr) -> BTreeSet<Leaf> {
-        let under = self.reachable(&[root]);
+        let under = self.reachable_to_values(&[root]);
         let leaf = |expr: Expr| match *self.node(expr) {
             Node::Leaf(leaf) => Some(leaf),
             _ => None,

@@ -28,8 +28,9 @@ impl Derivatives {
 
     /// The derivative of `root`.
     pub fn of(&mut self, arena: &mut Arena, root: Expr) -> Expr {
-        let is_turned = |node: &Node| self.turns() && matches!(node, Node::Marked { mark: Mark::Turned { .. }, .. });
-        for expr in arena.reachable_down_to(&[root], |e| self.known.contains_key(&e), is_turned) {
+        let is_turned = |expr: Expr| self.turns() && matches!(arena.node(expr), Node::Marked { mark: Mark::Turned { .. }, .. });
+        let is_whole = |expr: Expr| arena.value(expr).is_some() || is_turned(expr);
+        for expr in arena.reachable_down_to(&[root], |e| self.known.contains_key(&e), is_whole) {
             let slope = self.slope(arena, expr);
             self.known.insert(expr, slope);
         }
@@ -50,6 +51,7 @@ impl Derivatives {
             Node::Leaf(leaf) if leaf == self.by => arena.integer(1),
             Node::Leaf(leaf @ Leaf::Input { .. }) if self.by == Leaf::Time => leaf.rate_of_input().map_or(zero, |rate| arena.leaf(rate)),
             Node::Marked { mark: Mark::Turned { vector, axis }, .. } if self.turns() => arena.turned_by(vector, axis, self.by),
+            _ if arena.value(expr).is_some() => zero,
             Node::Marked { value, .. } => d(value),
             // Without this line, unused nodes would be built only to be multiplied by 0.
             _ if node.children().all(|operand| d(operand) == zero) => zero,

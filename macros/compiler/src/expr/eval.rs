@@ -82,6 +82,23 @@ pub fn evaluate(arena: &Arena, roots: &[Expr], values: &Values) -> Vec<f64> {
     found
 }
 
+impl Node {
+    /// The value of an operation on constants; `None` if an operand has no value.
+    pub(super) fn value(&self, of: impl Fn(Expr) -> Option<f64>) -> Option<f64> {
+        Some(match *self {
+            Node::Constant(value) => value.to_f64(),
+            Node::Leaf(_) | Node::Call { .. } => return None,
+            Node::Unary(function, a) => function.apply(of(a)?),
+            Node::Binary(function, a, b) => function.apply(of(a)?, of(b)?),
+            Node::Marked { value, .. } => of(value)?,
+            Node::Select { lhs, rhs, then, otherwise } => {
+                let (then, otherwise) = (of(then)?, of(otherwise)?);
+                if of(lhs)? < of(rhs)? { then } else { otherwise }
+            }
+        })
+    }
+}
+
 /// Rounding scale of each root: the sum of its terms as if none cancelled, with sines and cosines taken as 1.
 pub(crate) fn magnitudes(arena: &Arena, roots: &[Expr], values: &Values) -> Vec<f64> {
     let order = arena.reachable(roots);
@@ -127,10 +144,10 @@ impl Evaluator {
     /// Puts the nodes under `roots` in order. The arena is not needed afterwards.
     #[must_use]
     pub fn new(arena: &Arena, roots: &[Expr]) -> Self {
-        let order = arena.reachable(roots);
+        let order = arena.reachable_to_values(roots);
         // The list ascends and contains every operand, so that the partition point is the slot.
         let slot = |expr: Expr| order.partition_point(|&e| e < expr);
-        let step = |&expr: &Expr| match *arena.node(expr) {
+        let operation = |expr: Expr| match *arena.node(expr) {
             Node::Constant(value) => Instruction::Constant(value.to_f64()),
             Node::Leaf(leaf) => Instruction::Leaf(leaf),
             Node::Unary(function, a) => Instruction::Unary(function, slot(a)),
@@ -139,6 +156,7 @@ impl Evaluator {
             Node::Select { lhs, rhs, then, otherwise } => Instruction::Select([lhs, rhs, then, otherwise].map(slot)),
             Node::Call { function, order, argument } => Instruction::Call { function, order: usize::from(order), argument: slot(argument) },
         };
+        let step = |&expr: &Expr| arena.value(expr).map_or_else(|| operation(expr), Instruction::Constant);
         Evaluator {
             steps: order.iter().map(step).collect(),
             roots: roots.iter().map(|&root| slot(root)).collect(),

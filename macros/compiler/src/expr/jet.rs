@@ -69,8 +69,9 @@ impl Jets {
 
     /// Value, first and second derivative of `root`.
     pub fn of(&mut self, arena: &mut Arena, root: Expr) -> [Expr; 3] {
-        let is_turned = |node: &Node| self.seed.time_runs && matches!(node, Node::Marked { mark: Mark::Turned { .. }, .. });
-        for expr in arena.reachable_down_to(&[root], |e| self.known.contains_key(&e), is_turned) {
+        let is_turned = |expr: Expr| self.seed.time_runs && matches!(arena.node(expr), Node::Marked { mark: Mark::Turned { .. }, .. });
+        let is_whole = |expr: Expr| arena.value(expr).is_some() || is_turned(expr);
+        for expr in arena.reachable_down_to(&[root], |e| self.known.contains_key(&e), is_whole) {
             let jet = self.jet(arena, expr);
             self.known.insert(expr, jet);
         }
@@ -83,15 +84,16 @@ impl Jets {
         let zero = arena.integer(0);
         let j = |operand: Expr| self.known[&operand];
         match node {
-            Node::Constant(_) => [expr, zero, zero],
             Node::Leaf(leaf) => self.of_leaf(arena, expr, leaf),
             Node::Marked { mark: Mark::Turned { vector, axis }, .. } if self.seed.time_runs => {
                 let [first, second] = arena.turning_with(vector, axis, self.seed.speeds_change);
                 [expr, first, second]
             }
+            _ if arena.value(expr).is_some() => [expr, zero, zero],
             Node::Marked { value, .. } => [expr, j(value)[1], j(value)[2]],
             // Without this line, unused nodes would be built only to be multiplied by 0.
             _ if node.children().all(|operand| j(operand)[1..] == [zero, zero]) => [expr, zero, zero],
+            Node::Constant(_) => [expr, zero, zero],
             Node::Unary(function, a) => of_unary(arena, function, expr, j(a)),
             Node::Binary(function, a, b) => of_binary(arena, function, expr, j(a), j(b)),
             Node::Select { lhs, rhs, then, otherwise } => {

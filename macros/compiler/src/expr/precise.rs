@@ -4,7 +4,6 @@
 
 use super::exact::Twofold;
 use super::{Arena, Binary, Expr, Node, Unary};
-use std::collections::HashMap;
 
 /// Less than this is the rounding error of a number of order 1: 2⁻⁹⁰.
 const DIRT: f64 = 1.0 / (1_u128 << 90) as f64;
@@ -22,10 +21,10 @@ impl Arena {
         }
     }
 
-    fn precisely(&self, root: Expr) -> Option<Twofold> {
-        let mut known: HashMap<Expr, Twofold> = HashMap::new();
-        for expr in self.reachable(&[root]) {
-            let of = |expr: Expr| known[&expr];
+    fn precisely(&mut self, root: Expr) -> Option<Twofold> {
+        self.value(root)?;
+        for expr in self.reachable_until(&[root], |expr| self.precise.contains_key(&expr)) {
+            let of = |expr: Expr| self.precise[&expr];
             let value = match *self.node(expr) {
                 Node::Constant(value) => value.twofold(),
                 Node::Unary(Unary::Neg, a) => of(a).neg(),
@@ -38,8 +37,8 @@ impl Arena {
                 Node::Binary(Binary::Div, a, b) => of(a).div(of(b)),
                 _ => return None,
             };
-            known.insert(expr, value);
+            self.precise.insert(expr, value);
         }
-        known.get(&root).copied()
+        self.precise.get(&root).copied()
     }
 }

@@ -25,10 +25,8 @@ impl Substitution {
 
     /// The expression with its leaves replaced.
     pub fn of(&mut self, arena: &mut Arena, root: Expr) -> Expr {
-        for expr in arena.reachable(&[root]) {
-            if self.memo.contains_key(&expr) {
-                continue;
-            }
+        let is_known = |expr: Expr| arena.value(expr).is_some() || self.memo.contains_key(&expr);
+        for expr in arena.reachable_until(&[root], is_known) {
             let node = *arena.node(expr);
             let children: Vec<Expr> = node.children().map(|child| self.memo.get(&child).copied().unwrap_or(child)).collect();
             let replaced = match node {

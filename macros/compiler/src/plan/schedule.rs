@@ -31,8 +31,6 @@ pub(super) struct Scheduler<'a> {
     arena: &'a Arena,
     /// Nodes under the results, children first, without constant subexpressions.
     pub(super) needed: Vec<Expr>,
-    /// Nodes that depend on constants only; they are evaluated in the compiler.
-    constants: BTreeSet<Expr>,
     /// Nodes that get a name.
     named: BTreeSet<Expr>,
     pub(super) names: BTreeMap<Expr, String>,
@@ -45,15 +43,13 @@ pub(super) struct Scheduler<'a> {
 impl<'a> Scheduler<'a> {
     /// Initial state; `forced` nodes get a name even if used only once.
     pub(super) fn new(arena: &'a Arena, results: &[Expr], forced: &BTreeSet<Expr>, words: &Words) -> Scheduler<'a> {
-        let all = arena.reachable(results);
-        let constants = constants(arena, &all);
-        let needed: Vec<Expr> = all.into_iter().filter(|expr| !constants.contains(expr)).collect();
-        let mut named = named(arena, &needed, &constants, results);
+        let mut needed = arena.reachable_to_values(results);
+        needed.retain(|expr| arena.value(*expr).is_none());
+        let mut named = named(arena, &needed, results);
         named.extend(forced.iter().filter(|expr| !has_own_name(arena.node(**expr))));
         let mut work = Scheduler {
             arena,
             needed,
-            constants,
             named,
             names: BTreeMap::new(),
             taken: words.taken(),
@@ -67,14 +63,12 @@ impl<'a> Scheduler<'a> {
 
     /// Scheduler for a loop over some unknowns: computes only nodes that depend on them; nodes computed outside keep their names.
     pub(super) fn inside(&self, results: &[Expr], moving: &BTreeSet<Expr>) -> Scheduler<'a> {
-        let all = self.arena.reachable(results);
-        let constants = constants(self.arena, &all);
+        let all = self.arena.reachable_to_values(results);
         let needed: Vec<Expr> = all.into_iter().filter(|expr| moving.contains(expr)).collect();
-        let named = named(self.arena, &needed, &constants, results);
+        let named = named(self.arena, &needed, results);
         Scheduler {
             arena: self.arena,
             needed,
-            constants,
             named,
             names: self.names.clone(),
             taken: self.taken.clone(),
@@ -110,8 +104,8 @@ impl<'a> Scheduler<'a> {
 
     /// Adds the missing steps of a result.
     pub(super) fn serve(&mut self, result: Expr) {
-        for expr in self.arena.reachable(&[result]) {
-            let is_elsewhere = self.constants.contains(&expr) || self.needed.binary_search(&expr).is_err();
+        for expr in self.arena.reachable_to_values(&[result]) {
+            let is_elsewhere = self.needed.binary_search(&expr).is_err();
             if is_elsewhere || !self.done.insert(expr) {
                 continue;
             }
@@ -176,30 +170,13 @@ impl<'a> Scheduler<'a> {
     }
 }
 
-/// Nodes that depend on constants only.
-fn constants(arena: &Arena, all: &[Expr]) -> BTreeSet<Expr> {
-    let mut constants = BTreeSet::new();
-    for expr in all {
-        let node = arena.node(*expr);
-        let is_constant = match node {
-            Node::Constant(_) => true,
-            Node::Leaf(_) | Node::Call { .. } => false,
-            _ => node.children().all(|child| constants.contains(&child)),
-        };
-        if is_constant {
-            constants.insert(*expr);
-        }
-    }
-    constants
-}
-
 /// True for nodes named elsewhere: leaves have the user's names; calls, sines and cosines are named in groups.
 fn has_own_name(node: &Node) -> bool {
     matches!(node, Node::Leaf(_) | Node::Constant(_) | Node::Call { .. } | Node::Unary(Unary::Sin | Unary::Cos, _))
 }
 
 /// Nodes used more than once, and cuts in deep expressions.
-fn named(arena: &Arena, needed: &[Expr], constants: &BTreeSet<Expr>, results: &[Expr]) -> BTreeSet<Expr> {
+fn named(arena: &Arena, needed: &[Expr], results: &[Expr]) -> BTreeSet<Expr> {
     let mut uses: BTreeMap<Expr, usize> = BTreeMap::new();
     for expr in needed {
         for child in arena.node(*expr).children() {
@@ -216,7 +193,7 @@ fn named(arena: &Arena, needed: &[Expr], constants: &BTreeSet<Expr>, results: &[
         let has_name = has_own_name(node);
         let below = node
             .children()
-            .filter(|child| !constants.contains(child))
+            .filter(|child| arena.value(*child).is_none())
             .map(|child| depth.get(&child).copied().unwrap_or(0))
             .max()
             .unwrap_or(0);

@@ -7,7 +7,7 @@
 //! Operands of sums and products commute without changing a bit of the result. The arena orders them by creation time; here they are sorted
 //! by structural hash, so that equal shapes compare equal.
 
-use crate::expr::{Arena, Binary, Evaluator, Exact, Expr, Leaf, Node, Unary, Values};
+use crate::expr::{Arena, Binary, Exact, Expr, Leaf, Node, Unary};
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -109,24 +109,15 @@ pub(super) struct Tracer<'a> {
     arena: &'a Arena,
     /// Structural hash of each node, independent of the leaves it is applied to.
     kinds: Vec<u64>,
-    /// True for nodes that depend on constants only.
-    is_closed: Vec<bool>,
 }
 
 impl<'a> Tracer<'a> {
     pub(super) fn new(arena: &'a Arena) -> Tracer<'a> {
-        let (mut kinds, mut is_closed) = (Vec::with_capacity(arena.len()), Vec::with_capacity(arena.len()));
+        let mut kinds = Vec::with_capacity(arena.len());
         for expr in arena.all() {
-            let node = arena.node(expr);
-            let closed = match node {
-                Node::Constant(_) => true,
-                Node::Leaf(_) | Node::Call { .. } => false,
-                _ => node.children().all(|child| is_closed[child.index()]),
-            };
-            is_closed.push(closed);
-            kinds.push(kind(node, &kinds, closed));
+            kinds.push(kind(arena.node(expr), &kinds, arena.value(expr).is_some()));
         }
-        Tracer { arena, kinds, is_closed }
+        Tracer { arena, kinds }
     }
 
     /// Shapes of some pieces in the order of their first occurrence, and the index of each piece's shape.
@@ -188,7 +179,7 @@ impl<'a> Tracer<'a> {
         while let Some((expr, is_entered)) = pending.pop() {
             if is_entered {
                 found.push(expr);
-            } else if !self.is_closed[expr.index()] && !places.contains_key(&expr) && seen.insert(expr) {
+            } else if self.arena.value(expr).is_none() && !places.contains_key(&expr) && seen.insert(expr) {
                 pending.push((expr, true));
                 pending.extend(self.operands(expr).into_iter().rev().map(|operand| (operand, false)));
             }
@@ -236,7 +227,7 @@ impl<'a> Tracer<'a> {
             let place = copy.closed(self.arena, first);
             return copy.places.push(place);
         }
-        let values: Vec<f64> = members.iter().map(|trace| self.value(trace.data[occurrence])).collect();
+        let values: Vec<f64> = members.iter().map(|trace| self.arena.value(trace.data[occurrence]).unwrap_or(f64::NAN)).collect();
         let same =
             copy.data.iter().position(|column| column.iter().map(|value| value.to_bits()).eq(values.iter().map(|value| value.to_bits())));
         let number = same.unwrap_or_else(|| {
@@ -244,17 +235,6 @@ impl<'a> Tracer<'a> {
             copy.data.len() - 1
         });
         copy.places.push(copy.arena.place(Node::Leaf(Leaf::Datum(number as u32))));
-    }
-
-    fn value(&self, expr: Expr) -> f64 {
-        if let Some(value) = self.arena.as_constant(expr) {
-            return Exact::to_f64(value);
-        }
-        let functions = |_: u32, _: f64| [f64::NAN; 3];
-        let values = Values { time: 0.0, parameters: &[], coordinates: &[], speeds: &[], accelerations: &[], functions: &functions };
-        let mut result = [f64::NAN];
-        Evaluator::new(self.arena, &[expr]).run(&values, &mut result);
-        result[0]
     }
 }
 
@@ -321,8 +301,12 @@ impl Copy {
         self.places.push(place);
     }
 
-    /// Copies an expression of constants.
+    /// Copies an expression of constants, as one number where that has the same value.
     fn closed(&mut self, from: &Arena, root: Expr) -> Expr {
+        let is_same = |number: &Exact| from.value(root).is_some_and(|value| value.to_bits() == number.to_f64().to_bits());
+        if let Some(number) = from.value(root).and_then(Exact::binary).filter(is_same) {
+            return self.arena.place(Node::Constant(number));
+        }
         let mut copies: HashMap<Expr, Expr> = HashMap::new();
         for expr in from.reachable(&[root]) {
             let at = |operand: Expr| copies[&operand];

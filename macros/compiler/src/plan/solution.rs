@@ -81,7 +81,7 @@ const LONGEST: usize = 16_000;
 /// Number of operations of all stages.
 fn size(arena: &Arena, stages: &[Stage]) -> usize {
     let roots: Vec<Expr> = stages.iter().flat_map(Stage::results).collect();
-    arena.reachable(&roots).len()
+    arena.reachable_to_values(&roots).len()
 }
 
 /// Unknowns whose values or derivatives may not be finite.
@@ -91,7 +91,10 @@ fn size(arena: &Arena, stages: &[Stage]) -> usize {
 /// value, on time, or on functions with poles or a limited domain.
 fn unsure(arena: &Arena, stages: &[Stage]) -> Vec<usize> {
     let is_given = |node: &Node| matches!(node, Node::Leaf(Leaf::Time | Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_)));
-    let has = |roots: &[Expr], is_risk: &dyn Fn(&Node) -> bool| arena.reachable(roots).iter().any(|expr| is_risk(arena.node(*expr)));
+    let has = |roots: &[Expr], is_risk: &dyn Fn(&Node) -> bool| {
+        let is_risk = |expr: &Expr| arena.value(*expr).map_or_else(|| is_risk(arena.node(*expr)), |value| !value.is_finite());
+        arena.reachable_to_values(roots).iter().any(is_risk)
+    };
     let is_unsure = |stage: &&Stage| match stage {
         Stage::Explicit { motion, .. } => has(motion, &|node| is_given(node) || has_poles(arena, node)),
         Stage::Block(_) => has(&stage.results(), &|node| has_poles(arena, node)),

@@ -44,7 +44,8 @@ fn nonzero_parameters(model: &Model, arena: &Arena) -> BTreeSet<u32> {
 /// True if the value is nonzero in every state: nonzero constants and parameters, their products and quotients.
 fn is_pivot(arena: &Arena, value: Expr, nonzero: &BTreeSet<u32>) -> bool {
     let mut pivots = BTreeSet::new();
-    for expr in arena.reachable(&[value]) {
+    let is_product = |node: &Node| matches!(node, Node::Unary(Unary::Neg, _) | Node::Binary(Binary::Mul | Binary::Div, ..));
+    for expr in arena.reachable_above(&[value], |node| !is_product(node)) {
         let holds = match arena.node(expr) {
             Node::Constant(value) => !value.is_zero(),
             Node::Leaf(Leaf::Parameter(number)) => nonzero.contains(number),

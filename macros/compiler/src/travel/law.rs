@@ -149,11 +149,9 @@ impl LawReader<'_> {
     }
 
     fn of(&mut self, root: Expr) -> Law {
-        for expr in self.numeric.system.arena.reachable(&[root]) {
-            if !self.known.contains_key(&expr) {
-                let law = self.law(expr);
-                self.known.insert(expr, law);
-            }
+        for expr in self.numeric.system.arena.reachable_until(&[root], |expr| self.known.contains_key(&expr)) {
+            let law = self.law(expr);
+            self.known.insert(expr, law);
         }
         self.known[&root].clone()
     }

@@ -4,7 +4,7 @@
 //! extending the available precision*, Numer. Math. 18 (1971).
 
 /// The sum of `high` and `low`, where `high` is the sum rounded to nearest.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(in crate::expr) struct Twofold {
     high: f64,
     low: f64,
