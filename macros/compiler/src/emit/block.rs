@@ -6,7 +6,7 @@ use super::stages::Index;
 use super::{docs, literal};
 use crate::expr::{Arena, Expr};
 use crate::model::Model;
-use crate::plan::{Iterated, StageCode, Step, StraightLine};
+use crate::plan::{Iterated, Origin, StageCode, Step, StraightLine};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use std::collections::BTreeMap;
@@ -220,7 +220,10 @@ impl Origins {
     /// The joints that a part serves.
     fn joints_of(&self, part: &StageCode) -> Vec<&str> {
         let equations = match part {
-            StageCode::Explicit { equation, .. } | StageCode::Check { equation, .. } => std::slice::from_ref(equation),
+            StageCode::Explicit { origin: Origin::Equation(equation), .. } | StageCode::Check { equation, .. } => {
+                std::slice::from_ref(equation)
+            }
+            StageCode::Explicit { .. } => &[],
             StageCode::Block(block) => &block.system.equations,
         };
         let mut joints: Vec<&str> = equations.iter().filter_map(|equation| self.joints.get(*equation)).map(String::as_str).collect();

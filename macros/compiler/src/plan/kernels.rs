@@ -7,7 +7,7 @@
 use super::lines::{PlanContext, StageCode, StraightLine, lines};
 use super::routine::Cost;
 use super::shape::{Column, Piece, Shape};
-use super::stage::{Iteration, Stage};
+use super::stage::{Iteration, Origin, Stage};
 use super::words::Words;
 use crate::expr::{Leaf, Node, Unary};
 use std::collections::BTreeSet;
@@ -59,10 +59,21 @@ impl Round {
     }
 }
 
-/// Stages computed by one call: a block, or the unknowns that one joint determines.
+/// Stages computed by one call: a block, or the unknowns of one owner.
 struct Run<'a> {
     stages: Vec<&'a Stage>,
-    joint: Option<usize>,
+    owner: Option<Owner>,
+}
+
+/// Computed unknowns that belong together.
+#[derive(PartialEq)]
+enum Owner {
+    /// Those that one joint determines.
+    Joint(usize),
+    /// Direction cosines of the bodies that hang from this one.
+    Tree(usize),
+    /// Components of an output.
+    Output,
 }
 
 impl Kernels {
@@ -156,25 +167,40 @@ fn blocks(kernels: &[Kernel], order: &[usize], runs: &[Run]) -> Vec<(usize, Cost
     of_blocks.map(|(_, kernel)| *kernel).map(number).collect()
 }
 
-/// Groups stages into runs: each block alone, consecutive computed unknowns of one joint together. Constants are returned separately.
+/// Groups stages into runs: each block alone, consecutive computed unknowns of one owner together. Constants are returned separately.
 fn runs<'a>(frame: &PlanContext, stages: &'a [Stage]) -> (Vec<Run<'a>>, Vec<(usize, f64)>) {
     let (mut runs, mut constants): (Vec<Run>, Vec<(usize, f64)>) = (Vec::new(), Vec::new());
+    let mut stages: Vec<&Stage> = stages.iter().collect();
+    // Orientations depend on no other orientation: those of a tree, which share operations, come together.
+    stages.chunk_by_mut(|one, other| tree(one).is_some() && tree(other).is_some()).for_each(|chunk| chunk.sort_by_key(|stage| tree(stage)));
     for stage in stages {
-        let Stage::Explicit { unknown, equation, motion } = stage else {
-            runs.push(Run { stages: vec![stage], joint: None });
+        let Stage::Explicit { unknown, origin, motion } = stage else {
+            runs.push(Run { stages: vec![stage], owner: None });
             continue;
         };
         if let [Some(value), Some(_), Some(_)] = motion.map(|expr| frame.arena.as_constant(expr)) {
             constants.push((*unknown, value.to_f64()));
             continue;
         }
-        let joint = Some(frame.joints.get(*equation).copied().unwrap_or(usize::MAX));
+        let owner = Some(match origin {
+            Origin::Equation(row) => Owner::Joint(frame.joints[*row]),
+            Origin::Orientation(root) => Owner::Tree(*root),
+            Origin::Output => Owner::Output,
+        });
         match runs.last_mut() {
-            Some(run) if run.joint == joint => run.stages.push(stage),
-            _ => runs.push(Run { stages: vec![stage], joint }),
+            Some(run) if run.owner == owner => run.stages.push(stage),
+            _ => runs.push(Run { stages: vec![stage], owner }),
         }
     }
     (runs, constants)
+}
+
+/// The body from which all bodies hang whose orientations a stage computes.
+fn tree(stage: &Stage) -> Option<usize> {
+    match stage {
+        Stage::Explicit { origin: Origin::Orientation(root), .. } => Some(*root),
+        _ => None,
+    }
 }
 
 /// Local unknowns whose sine or cosine occurs.
@@ -198,9 +224,9 @@ fn kernel(shape: Shape, runs: Vec<&Run>, turned: &BTreeSet<usize>, words: &Words
         results = rest;
         let first = found.len();
         match stage {
-            Stage::Explicit { equation, .. } => {
+            Stage::Explicit { origin, .. } => {
                 found.push(first);
-                stages.push(Stage::Explicit { unknown: first, equation: *equation, motion: [own[0], own[1], own[2]] });
+                stages.push(Stage::Explicit { unknown: first, origin: *origin, motion: [own[0], own[1], own[2]] });
             }
             Stage::Block(system) => {
                 let k = system.unknowns.len();

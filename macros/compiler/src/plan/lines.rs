@@ -3,7 +3,7 @@
 use super::routine::{Cost, Step};
 use super::schedule::{Scheduler, cost};
 use super::shape::Tracer;
-use super::stage::{Iteration, Stage};
+use super::stage::{Iteration, Origin, Stage};
 use super::words::Words;
 use crate::expr::{Arena, Expr, Leaf, Node, Unary};
 use std::collections::{BTreeMap, BTreeSet};
@@ -36,8 +36,8 @@ pub enum StageCode {
         steps: Vec<Step>,
         /// Index in q.
         unknown: usize,
-        /// Index in Φ of the equation that gives it.
-        equation: usize,
+        /// Where it comes from.
+        origin: Origin,
         /// Value, rate and acceleration.
         motion: [Expr; 3],
     },
@@ -174,11 +174,11 @@ fn known_turn(arena: &Arena, work: &mut Scheduler, unknown: usize) -> [Option<St
 
 fn part(arena: &Arena, work: &mut Scheduler, stage: &Stage, moving: &BTreeSet<Expr>, words: &Words) -> StageCode {
     match stage {
-        Stage::Explicit { unknown, equation, motion } => {
+        Stage::Explicit { unknown, origin, motion } => {
             for expr in motion {
                 work.serve(*expr);
             }
-            StageCode::Explicit { steps: work.take(), unknown: *unknown, equation: *equation, motion: *motion }
+            StageCode::Explicit { steps: work.take(), unknown: *unknown, origin: *origin, motion: *motion }
         }
         Stage::Block(system) => StageCode::Block(Box::new(iterated(arena, work, system, moving, words))),
         Stage::Check { equation, residual, sizes } => {

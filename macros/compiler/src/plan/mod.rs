@@ -36,7 +36,7 @@ pub use scene::SceneCode;
 pub use shape::{Column, Shape};
 pub use slice::Slice;
 pub use solution::{Solution, Solving, Summary};
-pub use stage::{Elimination, Iteration, Stage};
+pub use stage::{Elimination, Iteration, Origin, Stage};
 pub(crate) use words::Words;
 
 use crate::assembly::{Assembly, Poses};

@@ -5,7 +5,7 @@
 
 use super::lines::PlanContext;
 use super::solution::{Solution, Solving, solution};
-use super::stage::Stage;
+use super::stage::{Origin, Stage};
 use crate::expr::{Arena, Leaf};
 use crate::system::OutputMotion;
 use std::collections::BTreeSet;
@@ -28,7 +28,7 @@ pub(super) fn upstream(frame: &PlanContext, stages: &[Stage], output: &OutputMot
         .components
         .iter()
         .enumerate()
-        .map(|(index, motion)| Stage::Explicit { unknown: n + index, equation: usize::MAX, motion: *motion })
+        .map(|(index, motion)| Stage::Explicit { unknown: n + index, origin: Origin::Output, motion: *motion })
         .collect();
     for stage in &outputs {
         needed.extend(leaves(frame.arena, stage));

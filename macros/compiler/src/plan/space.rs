@@ -1,6 +1,6 @@
 //! Space: orientations as results of the solution, and expressions without marks.
 
-use super::stage::{Iteration, Stage};
+use super::stage::{Iteration, Origin, Stage};
 use crate::assembly::Assembly;
 use crate::expr::{Arena, Expr, Values, evaluate};
 use crate::model::Model;
@@ -12,11 +12,20 @@ use std::collections::HashMap;
 pub(super) fn orientations(arena: &mut Arena, system: &System) -> Vec<Stage> {
     let mut stages = Vec::new();
     for body in 0..system.frames.len() {
+        let origin = Origin::Orientation(root(system, body));
         for motion in system.orientation(arena, body) {
-            stages.push(Stage::Explicit { unknown: system.coordinates.len() + stages.len(), equation: usize::MAX, motion });
+            stages.push(Stage::Explicit { unknown: system.coordinates.len() + stages.len(), origin, motion });
         }
     }
     stages
+}
+
+/// The body nearest to the ground in the tree of hinges to which a body belongs.
+fn root(system: &System, mut body: usize) -> usize {
+    while let Some((_, Some(before))) = system.reached.get(body).copied().flatten() {
+        body = before;
+    }
+    body
 }
 
 /// Replaces marked expressions by their values: from here on nothing is differentiated.

@@ -10,8 +10,8 @@ pub enum Stage {
     Explicit {
         /// Index in q.
         unknown: usize,
-        /// Index in Φ of the equation that determines it.
-        equation: usize,
+        /// Where it comes from.
+        origin: Origin,
         /// Value, rate and acceleration.
         motion: [Expr; 3],
     },
@@ -27,6 +27,17 @@ pub enum Stage {
         /// show in it.
         sizes: [Expr; 3],
     },
+}
+
+/// Where a computed unknown comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// The equation with this index in Φ determines it.
+    Equation(usize),
+    /// It is a direction cosine of a body that hangs, directly or through others, from this one.
+    Orientation(usize),
+    /// It is a component of an output.
+    Output,
 }
 
 impl Stage {

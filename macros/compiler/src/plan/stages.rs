@@ -9,7 +9,7 @@
 //! ```
 
 use super::linear;
-use super::stage::{Iteration, Stage};
+use super::stage::{Iteration, Origin, Stage};
 use crate::expr::{Arena, Expr, Jets, Leaf, Node, Seed, Substitution, derivative};
 use crate::quantity::Dim;
 use crate::structure::{Block, Explicit, Structure};
@@ -110,7 +110,7 @@ impl StageBuilder<'_> {
         self.note_constants(unknown, &motion);
         self.note_computed(&motion);
         self.found.insert(unknown as u32);
-        Stage::Explicit { unknown, equation, motion }
+        Stage::Explicit { unknown, origin: Origin::Equation(equation), motion }
     }
 
     /// Notes the expressions that a stage in space computes.
