@@ -40,6 +40,11 @@ impl Seed {
         Seed { speeds_change: false, ..Seed::motion(coordinates) }
     }
 
+    /// True if speeds change along the seed.
+    pub(crate) fn speeds_change(&self) -> bool {
+        self.speeds_change
+    }
+
     /// The same seed for coordinates that are numbered from `first` on.
     #[must_use]
     pub fn numbered_from(self, first: u32) -> Seed {

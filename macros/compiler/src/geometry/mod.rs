@@ -62,6 +62,17 @@ pub enum Relationship {
 }
 
 impl Relationship {
+    /// The two bodies.
+    #[must_use]
+    pub fn bodies(&self) -> [Option<usize>; 2] {
+        match self {
+            Relationship::SameOrientation(one, two) | Relationship::SameDirection(one, two) => [one.body, two.body],
+            Relationship::Perpendicular(one, two) | Relationship::Coincident(one, two) | Relationship::OnLine(_, one, two) => {
+                [one.body, two.body]
+            }
+        }
+    }
+
     /// Number of rows.
     #[must_use]
     pub fn rows(&self) -> usize {

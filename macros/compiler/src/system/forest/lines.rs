@@ -9,17 +9,18 @@ use crate::quantity::{Dim, Role};
 impl Forest<'_> {
     /// Points on lines that place a body: three rows and a displacement instead of two rows.
     pub(super) fn lines(&mut self) {
-        let mut placed = vec![false; self.model.bodies.len()];
+        let mut placed: Vec<bool> = (0..self.model.bodies.len()).map(|body| self.linked.contains(&body)).collect();
         let is_placed = |placed: &[bool], body: Option<usize>| body.is_none_or(|body| placed[body]);
         loop {
             let relations = self.model.space.relations.iter();
             let next = relations
                 .filter_map(|found| {
-                    let (rank, bodies) = match found.2 {
-                        Relationship::Coincident(one, two) => (0, [one.body, two.body]),
-                        Relationship::OnLine(_, one, two) => (1, [one.body, two.body]),
+                    let rank = match found.2 {
+                        Relationship::Coincident(..) if !self.has_link(&found.2) => 0,
+                        Relationship::OnLine(..) => 1,
                         _ => return None,
                     };
+                    let bodies = found.2.bodies();
                     let rank = (self.model.joints[found.0].is_redundant, rank);
                     (is_placed(&placed, bodies[0]) != is_placed(&placed, bodies[1])).then_some((rank, bodies, *found))
                 })

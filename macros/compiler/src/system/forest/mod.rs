@@ -11,6 +11,7 @@
 //! Bodies are reached from ground, each by one relation. Rows of relations that reached a body hold by construction and are not solved.
 
 mod lines;
+mod link;
 mod orientation;
 mod rewrite;
 mod start;
@@ -40,6 +41,8 @@ pub(super) struct Forest<'a> {
     displacements: HashMap<u32, Expr>,
     /// Angles that joints name but that place no body, by number of the quantity.
     further_angles: BTreeMap<u32, Expr>,
+    /// Binary links, which are placed last.
+    linked: BTreeSet<usize>,
     /// Rows that hold by construction.
     holding: BTreeSet<(usize, usize)>,
     rows: Vec<Row>,
@@ -59,13 +62,16 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena) -> Choice {
         angles: Vec::new(),
         displacements: HashMap::new(),
         further_angles: BTreeMap::new(),
+        linked: BTreeSet::new(),
         holding: BTreeSet::new(),
         rows: Vec::new(),
         rewritten: HashMap::new(),
     };
     forest.positions();
+    let links = forest.links();
     forest.orientations();
     forest.lines();
+    links.iter().for_each(|link| forest.hang(link));
     forest.declared_rows();
     forest.rows.sort_by_key(|row| row.joint);
     let outputs = model.outputs.iter().map(|output| output.components.iter().map(|part| forest.rewrite(*part)).collect()).collect();
@@ -117,7 +123,7 @@ impl Forest<'_> {
         loop {
             if let Some((joint, row, relation)) = self.next_relation() {
                 self.reach(joint, row, relation);
-            } else if let Some(body) = self.frames.iter().position(Option::is_none) {
+            } else if let Some(body) = (0..self.frames.len()).find(|body| self.frames[*body].is_none() && !self.linked.contains(body)) {
                 self.free(body);
             } else {
                 return;
@@ -128,19 +134,27 @@ impl Forest<'_> {
     /// The relation that reaches a new body by the fewest unknowns, and of these the nearest to ground.
     fn next_relation(&self) -> Option<(usize, usize, Relationship)> {
         let rank = |(joint, _, relation): &&(usize, usize, Relationship)| {
-            let (unknowns, bodies) = match relation {
-                Relationship::SameOrientation(one, two) => (0, [one.body, two.body]),
-                Relationship::SameDirection(one, two) => (1, [one.body, two.body]),
-                Relationship::Perpendicular(one, two) => (2, [one.body, two.body]),
+            let unknowns = match relation {
+                Relationship::SameOrientation(..) => 0,
+                Relationship::SameDirection(..) => 1,
+                Relationship::Perpendicular(..) => 2,
                 Relationship::Coincident(..) | Relationship::OnLine(..) => return None,
             };
-            match bodies.map(|body| self.depth(body)) {
+            if self.has_link(relation) {
+                return None;
+            }
+            match relation.bodies().map(|body| self.depth(body)) {
                 [Some(depth), None] | [None, Some(depth)] => Some((self.model.joints[*joint].is_redundant, unknowns, depth)),
                 _ => None,
             }
         };
         let relations = self.model.space.relations.iter();
         relations.filter_map(|relation| Some((rank(&relation)?, relation))).min_by_key(|(rank, _)| *rank).map(|(_, relation)| *relation)
+    }
+
+    /// True if one of the bodies is a binary link.
+    fn has_link(&self, relation: &Relationship) -> bool {
+        relation.bodies().into_iter().flatten().any(|body| self.linked.contains(&body))
     }
 
     fn reach(&mut self, joint: usize, row: usize, relation: Relationship) {

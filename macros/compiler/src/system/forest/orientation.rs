@@ -120,8 +120,7 @@ impl Forest<'_> {
     pub(super) fn attach(&mut self, joint: usize, from: Option<usize>, triad: Triad, axes: [Triple; 3], by: &[(u32, Triple)]) {
         let Some(body) = triad.body else { return };
         self.reached[body] = Some((joint, from));
-        // A = (x y z) Tᵀ
-        let columns = [0, 1, 2].map(|column| combination(self.arena, triad.axes.map(|axis| axis[column]), axes));
+        let columns = self.columns(triad, axes);
         let zero = self.arena.integer(0);
         let (mut velocity, mut acceleration, mut steady, mut turns) = match from.and_then(|from| self.frames[from]) {
             Some(frame) => {
@@ -149,6 +148,11 @@ impl Forest<'_> {
         let frame = Frame { columns, velocity, acceleration, acceleration_at_constant_speeds: steady, turns, against, own };
         self.frames[body] = Some(self.arena.add_frame(frame));
         self.depths[body] = from.map_or(0, |from| self.depths[from]) + 1;
+    }
+
+    /// A = (x y z) Tᵀ of a body whose triad has these axes in ground.
+    pub(super) fn columns(&mut self, triad: Triad, axes: [Triple; 3]) -> [Triple; 3] {
+        [0, 1, 2].map(|column| combination(self.arena, triad.axes.map(|axis| axis[column]), axes))
     }
 
     /// A triad turned about its z axis.
