@@ -238,7 +238,8 @@ impl Origins {
             StageCode::Block(block) => block.system.unknowns.as_slice(),
             StageCode::Check { .. } => &[],
         };
-        let found: Vec<String> = parts.flat_map(unknowns).filter_map(|unknown| self.coordinates.get(*unknown)).cloned().collect();
+        let mut found: Vec<String> = parts.flat_map(unknowns).filter_map(|unknown| self.coordinates.get(*unknown)).cloned().collect();
+        found.dedup();
         let text = match (joints.join(", "), found.join(", ")) {
             (joints, found) if joints.is_empty() => found,
             (joints, found) if found.is_empty() => format!("{joints}: it must hold"),

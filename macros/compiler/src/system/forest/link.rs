@@ -112,8 +112,21 @@ impl Forest<'_> {
         let dim = Dim::LENGTH.times(Dim::LENGTH);
         self.rows.push(Row { joint, row, dim, residual: phi, is_velocity: false, is_initial: false });
         let length = self.arena.sqrt(length);
-        let x = d.map(|part| self.arena.div(part, length));
+        let one = self.arena.integer(1);
+        let short = self.arena.div(one, length);
+        let x = d.map(|part| self.arena.mul(part, short));
         self.hang_along(link, x);
+    }
+
+    /// A vector along the line between the joints of a binary link, in ground: it does not turn with the arms.
+    pub(super) fn along_link(&mut self, place: Place) -> Option<Triple> {
+        let (triad, x) = *self.lines_of_links.get(&place.body?)?;
+        let [along, y, z] = triad.axes.map(|axis| {
+            let part = dot(self.arena, place.local, axis);
+            self.arena.snapped(part)
+        });
+        let is_zero = |part: Expr| self.arena.as_constant(part).is_some_and(|value| value.is_zero());
+        (is_zero(y) && is_zero(z)).then(|| x.map(|part| self.arena.mul(along, part)))
     }
 
     fn hang_along(&mut self, link: &Link, x: Triple) {
@@ -129,6 +142,7 @@ impl Forest<'_> {
         let y = cross(self.arena, z, x);
         let triad = Triad::along(self.arena, link.arm[1], link.along);
         let columns = self.columns(triad, [x, y, z]);
+        self.lines_of_links.insert(link.body, (triad, x));
         let change = Change { x, z, v, reach, normal };
         let neighbour = link.arm[0].body.and_then(|body| self.frames[body]);
         let mut own: BTreeSet<Leaf> = x.iter().flat_map(|part| self.arena.leaves(*part)).collect();

@@ -43,6 +43,8 @@ pub(super) struct Forest<'a> {
     further_angles: BTreeMap<u32, Expr>,
     /// Binary links, which are placed last.
     linked: BTreeSet<usize>,
+    /// The triad of each placed binary link, and its x axis in ground.
+    lines_of_links: BTreeMap<usize, (Triad, Triple)>,
     /// Rows that hold by construction.
     holding: BTreeSet<(usize, usize)>,
     rows: Vec<Row>,
@@ -63,6 +65,7 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena) -> Choice {
         displacements: HashMap::new(),
         further_angles: BTreeMap::new(),
         linked: BTreeSet::new(),
+        lines_of_links: BTreeMap::new(),
         holding: BTreeSet::new(),
         rows: Vec::new(),
         rewritten: HashMap::new(),
@@ -192,6 +195,9 @@ impl Forest<'_> {
 
     /// A vector fixed in a body, in ground.
     fn vector(&mut self, place: Place) -> Triple {
+        if let Some(along) = self.along_link(place) {
+            return along;
+        }
         match place.body.and_then(|body| self.frames[body]) {
             Some(frame) => self.arena.turned(frame, place.local),
             None => place.local,
