@@ -110,9 +110,10 @@ macro_rules! chain {
 
 chain!(ChainOf1, ChainOf1State, 1, of_1);
 chain!(ChainOf10, ChainOf10State, 10, of_10);
+chain!(ChainOf100, ChainOf100State, 100, of_100);
 
-pub(crate) fn workloads() -> [Workload; 2] {
-    [of_1::workload(), of_10::workload()]
+pub(crate) fn workloads() -> [Workload; 3] {
+    [of_1::workload(), of_10::workload(), of_100::workload()]
 }
 
 const ARMS: [f64; 2] = [1.0, 1.2];

@@ -12,10 +12,10 @@ use crate::follower::{Follower, numbers};
 /// Beyond this many bodies every twentieth step is compared only.
 const MANY: usize = 30;
 
-/// Largest absolute errors of pose, velocities and accelerations in all steps.
+/// Largest errors of pose, velocities and accelerations in all steps, relative to the largest entry, which counts at least 1.
 type Errors = [f64; 3];
 
-/// Errors that nothing measured here may exceed: of pose (m, entries of matrices), velocities (m/s, rad/s), accelerations (m/s², rad/s²).
+/// Errors that nothing measured here may exceed: of pose (in m, entries of matrices), velocities (m/s, rad/s), accelerations (m/s², rad/s²).
 const BOUNDS: Errors = [1e-14, 1e-13, 1e-12];
 
 /// Prints the table, and fails if an error is too large.
@@ -87,7 +87,7 @@ impl Exact {
     }
 
     fn errors(&self, follower: &mut dyn Follower) -> Errors {
-        let mut errors = [0.0; 3];
+        let (mut errors, mut largest) = ([0.0; 3], [1.0; 3]);
         let mut exact = self.steps.iter().peekable();
         follower.restart();
         for (number, &t) in times().iter().enumerate() {
@@ -95,11 +95,12 @@ impl Exact {
             let Some((_, bodies)) = exact.next_if(|(step, _)| *step == number) else { continue };
             for (found, exact) in follower.bodies().iter().map(numbers).zip(bodies) {
                 for (k, (found, exact)) in found.iter().zip(exact).enumerate() {
-                    let error: &mut f64 = &mut errors[usize::from(k >= 12) + usize::from(k >= 18)];
-                    *error = error.max((found - exact).abs());
+                    let kind = usize::from(k >= 12) + usize::from(k >= 18);
+                    errors[kind] = f64::max(errors[kind], (found - exact).abs());
+                    largest[kind] = f64::max(largest[kind], exact.abs());
                 }
             }
         }
-        errors
+        std::array::from_fn(|kind| errors[kind] / largest[kind])
     }
 }

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use super::exact::Twofold;
 use super::frame::Frames;
+use super::precise::Fixed;
 use super::{Binary, Exact, Expr, Leaf, Node, RULES, Unary};
 
 /// A hash-consed store of simplified expressions.
@@ -15,9 +15,7 @@ pub struct Arena {
     // Only looked up, never iterated, so that its order cannot reach the output.
     places: HashMap<Node, Expr>,
     /// Value of each node that depends on constants only.
-    values: Vec<Option<f64>>,
-    /// Constants to about 100 bits, where they were asked for.
-    pub(super) precise: HashMap<Expr, Twofold>,
+    pub(super) fixed: Vec<Option<Fixed>>,
     /// Frames that turn in space, and vectors fixed in them.
     pub(super) frames: Frames,
 }
@@ -69,10 +67,10 @@ impl Arena {
 
     /// Stores a node without simplification: a copy of one that another arena has simplified already, with operands in the same order.
     pub(crate) fn place(&mut self, node: Node) -> Expr {
-        let (nodes, values) = (&mut self.nodes, &mut self.values);
+        let (nodes, fixed) = (&mut self.nodes, &mut self.fixed);
         *self.places.entry(node).or_insert_with(|| {
             nodes.push(node);
-            values.push(node.value(|operand| values[operand.index()]));
+            fixed.push(Fixed::of(&node, |operand| fixed[operand.index()]));
             Expr(u32::try_from(nodes.len() - 1).unwrap_or(u32::MAX))
         })
     }
@@ -197,10 +195,11 @@ impl Arena {
         }
     }
 
-    /// The value of an expression of constants, rounded at each operation; `None` for one that depends on anything else.
+    /// The value of an expression of constants; `None` for one that depends on anything else. It is rounded once, unless a function other
+    /// than sine, cosine and square root occurs.
     #[must_use]
     pub fn value(&self, expr: Expr) -> Option<f64> {
-        self.values[expr.index()]
+        self.fixed[expr.index()].map(|fixed| fixed.value)
     }
 
     /// All nodes under `roots`, the roots among them, each once, children before parents.
