@@ -3,6 +3,7 @@
 mod arms;
 mod declaration;
 mod limits;
+mod links;
 mod loads;
 mod mechanisms;
 mod objective;

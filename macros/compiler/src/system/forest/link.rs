@@ -220,9 +220,15 @@ impl Forest<'_> {
 
     /// True if the arm in the link lies against x × v at the declared start.
     fn is_start_inverted(&mut self, link: &Link) -> bool {
-        let [p, q] = link.ends.map(|end| self.point_at_start(end));
         let [v, z] = link.arm.map(|arm| self.at_start(arm));
-        let d = [0, 1, 2].map(|k| self.arena.sub(q[k], p[k]));
+        let is_declared =
+            self.model.bodies[link.body].coordinates.iter().any(|one| matches!(one.role, Role::Quaternion(_)) && one.start.is_some());
+        let d = if is_declared {
+            self.at_start(Place { body: Some(link.body), local: link.along })
+        } else {
+            let [p, q] = link.ends.map(|end| self.point_at_start(end));
+            [0, 1, 2].map(|k| self.arena.sub(q[k], p[k]))
+        };
         let across = cross(self.arena, d, v);
         let side = dot(self.arena, across, z);
         let mut defaults = Substitution::new();
