@@ -23,7 +23,7 @@ pub struct Spread {
 ///
 /// # Errors
 /// If the nominal linkage cannot be turned.
-pub fn linear(study: &Study) -> Result<[Spread; POSITIONS], LinkageFailure> {
+pub fn linear(study: &Study) -> Result<[Spread; POSITIONS], Box<LinkageFailure>> {
     let nominal = Linkage::default();
     let mut spreads = [Spread { slopes: [[0.0; 6]; 2], deviations: [0.0; 2] }; POSITIONS];
     for (spread, state) in spreads.iter_mut().zip(nominal.sweep(positions())) {

@@ -9,7 +9,7 @@ impl Study {
     ///
     /// # Errors
     /// If the nominal linkage cannot be turned.
-    pub fn report(&self, tally: &Tally) -> Result<String, LinkageFailure> {
+    pub fn report(&self, tally: &Tally) -> Result<String, Box<LinkageFailure>> {
         let count = tally.turning();
         let percent = |part: u64| 100.0 * part as f64 / tally.sets as f64;
         let mm = |length: f64| 1e3 * length;

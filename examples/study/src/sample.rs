@@ -64,7 +64,7 @@ impl Study {
     ///
     /// # Errors
     /// If it cannot be turned.
-    pub fn nominal(&self) -> Result<[Vector2<f64>; POSITIONS], LinkageFailure> {
+    pub fn nominal(&self) -> Result<[Vector2<f64>; POSITIONS], Box<LinkageFailure>> {
         let nominal = Linkage::default();
         let mut tips = [Vector2::zeros(); POSITIONS];
         for (tip, state) in tips.iter_mut().zip(nominal.sweep(positions())) {
@@ -80,7 +80,7 @@ impl Study {
     ///
     /// # Errors
     /// If the nominal linkage cannot be turned.
-    pub fn tally(&self, sets: Range<u64>) -> Result<Tally, LinkageFailure> {
+    pub fn tally(&self, sets: Range<u64>) -> Result<Tally, Box<LinkageFailure>> {
         let nominal = self.nominal()?;
         let mut tally = Tally::default();
         self.add(&nominal, sets, &mut tally);
@@ -93,7 +93,7 @@ impl Study {
     ///
     /// # Errors
     /// If the nominal linkage cannot be turned.
-    pub fn tally_on_all_processors(&self, sets: Range<u64>, progress: impl Fn(u64) + Sync) -> Result<Tally, LinkageFailure> {
+    pub fn tally_on_all_processors(&self, sets: Range<u64>, progress: impl Fn(u64) + Sync) -> Result<Tally, Box<LinkageFailure>> {
         let nominal = self.nominal()?;
         let chunk = |index: u64| (index * CHUNK).max(sets.start)..((index + 1) * CHUNK).min(sets.end);
         let one = |mut tally: Tally, index: u64| {
