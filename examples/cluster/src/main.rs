@@ -47,7 +47,7 @@ impl Ranks for World {
 fn main() -> ExitCode {
     // Other threads solve, this one communicates.
     let Some((_universe, _)) = mpi::initialize_with_threading(Threading::Funneled) else {
-        eprintln!("MPI is in use already");
+        note("MPI is in use already");
         return ExitCode::from(WRONG);
     };
     let world = World(SimpleCommunicator::world());
@@ -65,16 +65,22 @@ fn main() -> ExitCode {
 }
 
 fn give_up(world: &World, error: &dyn Error) -> ! {
-    eprintln!("{error}");
+    note(&error.to_string());
     world.0.abort(WRONG.into())
+}
+
+/// Writes a line to standard error in one piece, so that it is not mixed with those of other processes.
+fn note(line: &str) {
+    let line = format!("{line}\n");
+    eprint!("{line}");
 }
 
 /// What the arguments ask for.
 fn wanted() -> Result<Run, Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
-    let sets = arguments.next().ok_or(USAGE)?.parse()?;
+    let sets = arguments.next().and_then(|sets| sets.parse().ok()).ok_or(USAGE)?;
     let checkpoint = Some(PathBuf::from(arguments.next().ok_or(USAGE)?));
-    let interval = arguments.next().map_or(Ok(60.0), |seconds| seconds.parse())?;
+    let interval = arguments.next().map_or(Ok(60.0), |seconds| seconds.parse()).map_err(|_| USAGE)?;
     match arguments.next() {
         None if interval > 0.0 => Ok(Run { study: Study::default(), sets, checkpoint, interval }),
         _ => Err(USAGE.into()),
@@ -82,7 +88,7 @@ fn wanted() -> Result<Run, Box<dyn Error>> {
 }
 
 fn study(run: &Run, world: &World) -> Result<(), Box<dyn Error>> {
-    eprintln!("rank {} of {} is process {}", world.rank(), world.size(), std::process::id());
+    note(&format!("rank {} of {} is process {}", world.rank(), world.size(), std::process::id()));
     let (begin, said, is_first) = (Instant::now(), Mutex::new(None), world.rank() == 0);
     let tally = run.on(world, |done| {
         if is_first {
@@ -90,7 +96,7 @@ fn study(run: &Run, world: &World) -> Result<(), Box<dyn Error>> {
         }
     })?;
     if is_first {
-        eprintln!("{:.3} s", begin.elapsed().as_secs_f64());
+        note(&format!("{:.3} s", begin.elapsed().as_secs_f64()));
         print!("{}", run.study.report(&tally)?);
     }
     Ok(())
@@ -101,6 +107,6 @@ fn say(run: &Run, done: u64, said: &Mutex<Option<Instant>>) {
     let Ok(mut said) = said.try_lock() else { return };
     if said.is_none_or(|said| said.elapsed() >= QUIET) {
         *said = Some(Instant::now());
-        eprintln!("{done} of {} sets", run.sets);
+        note(&format!("{done} of {} sets", run.sets));
     }
 }
