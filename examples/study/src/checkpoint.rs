@@ -6,18 +6,26 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Study, Tally};
+use crate::{Lengths, Linkage, Study, Tally, lengths};
 
 /// A study and the tally of its first sets, as JSON.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Checkpoint {
     /// The study.
-    pub study: Study,
+    study: Study,
+    /// The lengths of the nominal linkage in m, so that a changed declaration does not go on with the numbers of the old one.
+    nominal: Lengths,
     /// The tally of its sets 0, 1, 2, … as far as they were solved.
-    pub tally: Tally,
+    tally: Tally,
 }
 
 impl Checkpoint {
+    /// A checkpoint of this study.
+    #[must_use]
+    pub fn new(study: Study, tally: Tally) -> Self {
+        Self { study, nominal: lengths(&Linkage::default()), tally }
+    }
+
     /// Reads a checkpoint of this study. Nothing is known where there is no file.
     ///
     /// # Errors
@@ -28,8 +36,10 @@ impl Checkpoint {
             text => text?,
         };
         let found: Self = serde_json::from_slice(&text).map_err(|error| refused(path, &format!("is no checkpoint: {error}")))?;
-        if found.study != *study {
-            return Err(refused(path, &format!("belongs to another study: {:?} instead of {study:?}", found.study)));
+        let wanted = Self::new(*study, Tally::default());
+        if (found.study, found.nominal) != (wanted.study, wanted.nominal) || !found.tally.has_all_numbers() {
+            let [found, wanted] = [&found, &wanted].map(|of| format!("{:?} of {:?} m", of.study, of.nominal));
+            return Err(refused(path, &format!("belongs to another study:\n{found} instead of\n{wanted}")));
         }
         Ok(found.tally)
     }

@@ -83,15 +83,14 @@ impl Run {
             let speed = count as f64 / begin.elapsed().as_secs_f64();
 
             let mut words = part.to_words();
-            let own = words.len() + ranks.rank();
-            words.resize(words.len() + ranks.size(), 0);
-            words[own] = (speed * self.interval).min(LARGEST) as i64;
+            let tallied = words.len();
+            words.resize(tallied + ranks.size(), 0);
+            words[tallied + ranks.rank()] = (speed * self.interval).min(LARGEST) as i64;
             ranks.sum(&mut words);
             tally = tally + &Tally::from_words(&words);
-            let speeds = &words[words.len() - ranks.size()..];
-            for (share, speed) in shares.iter_mut().zip(speeds) {
+            for (share, next) in shares.iter_mut().zip(&words[tallied..]) {
                 // A process that had nothing to do keeps its share.
-                *share = if *speed > 0 { (*speed as u64).next_multiple_of(GRAIN) } else { *share };
+                *share = if *next > 0 { (*next as u64).next_multiple_of(GRAIN) } else { *share };
             }
             self.keep(ranks, &tally)?;
             progress(tally.sets);
@@ -111,7 +110,7 @@ impl Run {
 
     fn keep(&self, ranks: &impl Ranks, tally: &Tally) -> Result<(), Box<dyn Error>> {
         if let (0, Some(path)) = (ranks.rank(), &self.checkpoint) {
-            Checkpoint { study: self.study, tally: tally.clone() }.save(path).map_err(|error| format!("{}: {error}", path.display()))?;
+            Checkpoint::new(self.study, tally.clone()).save(path).map_err(|error| format!("{}: {error}", path.display()))?;
         }
         Ok(())
     }

@@ -97,6 +97,11 @@ impl Tally {
         }
     }
 
+    /// Whether there are as many numbers as this program counts.
+    pub(crate) fn has_all_numbers(&self) -> bool {
+        (self.tips.len(), self.errors.len()) == (POSITIONS, INTERVALS)
+    }
+
     /// Sets that can be turned.
     #[must_use]
     pub const fn turning(&self) -> u64 {

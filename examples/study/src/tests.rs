@@ -209,6 +209,15 @@ fn a_checkpoint_of_another_study_is_refused() {
     assert!(refusal.contains("belongs to another study"), "{refusal}");
     assert!(fs::read(&path).expect("a checkpoint") == before);
 
+    // Of a declaration that was changed, and of a program that counted less.
+    let text = String::from_utf8(before.clone()).expect("JSON");
+    for (from, to) in [("\"nominal\":[0.04,", "\"nominal\":[0.041,"), ("\"errors\":[0,", "\"errors\":[")] {
+        assert!(text.contains(from), "{from}");
+        fs::write(&path, text.replace(from, to)).expect("a file");
+        let refusal = run(200, Some(path.clone())).on(&Alone, |_| {}).expect_err(to).to_string();
+        assert!(refusal.contains("belongs to another study"), "{refusal}");
+    }
+
     fs::write(&path, &before[..before.len() / 2]).expect("a file");
     let refusal = run(200, Some(path.clone())).on(&Alone, |_| {}).expect_err("half a file").to_string();
     assert!(refusal.contains("is no checkpoint"), "{refusal}");
