@@ -14,6 +14,8 @@ use crate::{Checkpoint, Study, Tally};
 
 /// Sets for each process in the first round, when nobody knows how fast it is.
 const FIRST: u64 = 256;
+/// A share is at most this many times as large as the one before, because a short round says little about the speed.
+const GROWTH: f64 = 16.0;
 /// No share is larger.
 const LARGEST: f64 = 1e12;
 /// Where one share ends and the next one begins is a multiple of this.
@@ -85,7 +87,7 @@ impl Run {
             let mut words = part.to_words();
             let tallied = words.len();
             words.resize(tallied + ranks.size(), 0);
-            words[tallied + ranks.rank()] = (speed * self.interval).min(LARGEST) as i64;
+            words[tallied + ranks.rank()] = (speed * self.interval).min(GROWTH * count as f64).min(LARGEST) as i64;
             ranks.sum(&mut words);
             tally = tally + &Tally::from_words(&words);
             for (share, next) in shares.iter_mut().zip(&words[tallied..]) {
