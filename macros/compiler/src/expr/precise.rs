@@ -44,6 +44,13 @@ impl Arena {
     }
 }
 
+/// x + y; 0 where the rest is smaller than the rounding errors of both.
+fn cleaned(x: Twofold, y: Twofold) -> Twofold {
+    let sum = x.plus(y);
+    let is_dirt = sum.round().abs() < DIRT * (x.round().abs() + y.round().abs());
+    if is_dirt { Twofold::whole(0) } else { sum }
+}
+
 impl Node {
     /// The value of an operation on constants, from those of its operands; `None` where it is not known so precisely.
     fn precisely(&self, of: impl Fn(Expr) -> Option<Twofold>) -> Option<Twofold> {
@@ -53,8 +60,8 @@ impl Node {
             Node::Unary(Unary::Sqrt, a) => of(a)?.sqrt()?,
             Node::Unary(Unary::Sin, a) => of(a)?.sine_and_cosine()?[0],
             Node::Unary(Unary::Cos, a) => of(a)?.sine_and_cosine()?[1],
-            Node::Binary(Binary::Add, a, b) => of(a)?.plus(of(b)?),
-            Node::Binary(Binary::Sub, a, b) => of(a)?.minus(of(b)?),
+            Node::Binary(Binary::Add, a, b) => cleaned(of(a)?, of(b)?),
+            Node::Binary(Binary::Sub, a, b) => cleaned(of(a)?, of(b)?.neg()),
             Node::Binary(Binary::Mul, a, b) => of(a)?.mul(of(b)?),
             Node::Binary(Binary::Div, a, b) => of(a)?.div(of(b)?),
             _ => return None,
