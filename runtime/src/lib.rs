@@ -165,7 +165,7 @@ pub use path::step_in_part;
 #[doc(hidden)]
 pub use solve::{Commanded, parameter_hash};
 pub use solve::{Equations, Family, Solver, SolverReal, Stages, at_once, refined_guess_at_once, refined_guess_by_rows};
-pub use state::{Coordinates, Motion, PlanarBody, SpatialBody, State, Values};
+pub use state::{Coordinates, Motion, PlanarBody, SpatialBody, State, ValueAndRate, Values};
 
 /// Interface for crates with SIMD number types, such as `reuleaux-wide`; not part of the public API.
 #[doc(hidden)]

@@ -16,6 +16,25 @@ pub struct Motion<V> {
     pub acceleration: V,
 }
 
+/// A quantity that contains velocities, with its first derivative by time: the second one would need the third derivatives of the
+/// coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct ValueAndRate<V> {
+    /// The quantity.
+    pub value: V,
+    /// Its first derivative, per s.
+    pub rate: V,
+}
+
+impl<V> Motion<V> {
+    /// The rate as a quantity of its own, whose rate is the acceleration.
+    #[must_use]
+    pub fn of_rate(self) -> ValueAndRate<V> {
+        ValueAndRate { value: self.rate, rate: self.acceleration }
+    }
+}
+
 impl<T: Real> Motion<T> {
     /// A quantity at rest.
     #[must_use]

@@ -205,6 +205,7 @@ pub enum ValueFact {
     NotFixed { place: &'static str },
     FunctionNeedsArgument,
     RateOfVelocity,
+    OutputWithoutRate,
     EnergyOfVelocities,
     NegativeMass { what: &'static str, body: String, value: f64 },
     ImpossibleInertia { body: String },

@@ -329,10 +329,14 @@ pub(crate) fn output(method: &Method, first: &Output) -> String {
     if first.body.is_some() {
         return format!("The output `{}`: place of its frame's origin (m) and angle (rad), with their rates.", method.name);
     }
-    unit_line(&format!("The output `{}` with its first and second derivative in time", method.name), first.dim.unit())
+    let with = if first.derivatives == 1 { "first derivative" } else { "first and second derivative" };
+    unit_line(&format!("The output `{}` with its {with} in time", method.name), first.dim.unit())
 }
 
-/// The components of an output by name, each with the units of value, rate and acceleration.
+/// The unit of what there is not: `OutputName::NO_UNIT` of the runtime.
+const NO_UNIT: &str = "\u{2013}";
+
+/// The components of an output by name, each with the units of value, rate and acceleration; a dash where there is no acceleration.
 pub(crate) fn components(system: &System, output: &Output) -> Vec<(String, [String; 3])> {
     let alike = |axes: &[&str]| -> Vec<(String, Dim)> { axes.iter().map(|axis| (format!(".{axis}"), output.dim)).collect() };
     let of_length = |axis: &str| (format!(".{axis}"), Dim::LENGTH);
@@ -349,7 +353,8 @@ pub(crate) fn components(system: &System, output: &Output) -> Vec<(String, [Stri
     let name = output.name.unraw();
     let part = |(suffix, dim): (String, Dim)| {
         let rate = dim.per(Dim::TIME);
-        (format!("{name}{suffix}"), [dim, rate, rate.per(Dim::TIME)].map(Dim::unit))
+        let acceleration = if output.derivatives == 1 { NO_UNIT.to_owned() } else { rate.per(Dim::TIME).unit() };
+        (format!("{name}{suffix}"), [dim.unit(), rate.unit(), acceleration])
     };
     parts.into_iter().map(part).collect()
 }

@@ -8,7 +8,7 @@ use super::literal::number;
 use super::routine::{RoutinePrinter, lines_at, lines_of_state};
 use super::slices::plain;
 use super::{docs, docs_or, state_path};
-use crate::model::Method;
+use crate::model::{Method, Output};
 use crate::plan::{Outputs, Routine, Shape, Words};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -26,13 +26,7 @@ impl Emitter<'_> {
 
     fn method(&self, method: &Method, outputs: &Outputs) -> TokenStream {
         let Some(first) = method.members.first().map(|member| &self.model.outputs[*member]) else { return quote!() };
-        let kind = match first.components.len() {
-            0 if !self.system.frames.is_empty() => quote!(::reuleaux::SpatialBody<T>),
-            0 => quote!(::reuleaux::PlanarBody<T>),
-            3 => quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector3<T>>),
-            1 => quote!(::reuleaux::Motion<T>),
-            _ => quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector2<T>>),
-        };
+        let kind = self.output_type(first);
         let body = match outputs {
             Outputs::Bodies(bodies) => {
                 let places: Vec<usize> = bodies.iter().map(|body| 3 * body).collect();
@@ -58,12 +52,25 @@ impl Emitter<'_> {
         }
     }
 
+    /// What the method of an output returns.
+    pub(super) fn output_type(&self, output: &Output) -> TokenStream {
+        let value = match output.components.len() {
+            0 if !self.system.frames.is_empty() => return quote!(::reuleaux::SpatialBody<T>),
+            0 => return quote!(::reuleaux::PlanarBody<T>),
+            3 => quote!(::reuleaux::nalgebra::Vector3<T>),
+            1 => quote!(T),
+            _ => quote!(::reuleaux::nalgebra::Vector2<T>),
+        };
+        motion_type(&value, output.derivatives)
+    }
+
     /// Straight lines, output by output.
     fn each(&self, method: &Method, routines: &[Routine]) -> TokenStream {
         let vectors = vectors();
+        let derivatives = self.derivatives(method);
         let one = |routine: &Routine| {
             let RoutinePrinter { reads, steps, results } = lines_of_state(self.model, &self.plan.arena, routine);
-            let motion = motion(&results);
+            let motion = motion(&results, derivatives);
             quote!(#reads #steps #motion)
         };
         match routines {
@@ -82,13 +89,18 @@ impl Emitter<'_> {
         }
     }
 
+    /// Number of derivatives of the outputs of a method.
+    fn derivatives(&self, method: &Method) -> usize {
+        method.members.first().map_or(2, |member| self.model.outputs[*member].derivatives)
+    }
+
     /// The same lines for all of them.
     fn alike(&self, method: &Method, shape: &Shape, routine: &Routine) -> TokenStream {
         let mut columns = Columns::new(shape.count);
         let places: Vec<TokenStream> = shape.unknowns.iter().map(|column| columns.place(column)).collect();
         let RoutinePrinter { reads, steps, results } = lines_at(self.model, &shape.arena, routine, |unknown| places[unknown].clone());
         let inputs = columns.inputs(shape, &Words::new(self.model, self.system));
-        let (vectors, tables, motion) = (vectors(), columns.tables(), motion(&results));
+        let (vectors, tables, motion) = (vectors(), columns.tables(), motion(&results, self.derivatives(method)));
         let array = array_of(quote!({ #tables #inputs #reads #steps #motion }), &method.sizes);
         quote!(#vectors #array)
     }
@@ -110,16 +122,28 @@ fn vectors() -> TokenStream {
     quote!(let (#q, #qd, #qdd, #t) = (&state.q, &state.qd, &state.qdd, state.t);)
 }
 
-/// Value, rate and acceleration of one component or two.
-fn motion(results: &[TokenStream]) -> TokenStream {
+/// The type of a quantity with its derivatives by time.
+pub(super) fn motion_type(value: &TokenStream, derivatives: usize) -> TokenStream {
+    match derivatives {
+        1 => quote!(::reuleaux::ValueAndRate<#value>),
+        _ => quote!(::reuleaux::Motion<#value>),
+    }
+}
+
+/// Value and derivatives of one component or several.
+fn motion(results: &[TokenStream], derivatives: usize) -> TokenStream {
     let part = |order: usize| -> TokenStream {
-        let parts: Vec<&TokenStream> = results.iter().skip(order).step_by(3).collect();
+        let parts: Vec<&TokenStream> = results.iter().skip(order).step_by(1 + derivatives).collect();
         match parts.as_slice() {
             [scalar] => quote!(#scalar),
             [_, _, _] => quote!(::reuleaux::nalgebra::Vector3::new(#(#parts),*)),
             _ => quote!(::reuleaux::nalgebra::Vector2::new(#(#parts),*)),
         }
     };
-    let (value, rate, acceleration) = (part(0), part(1), part(2));
+    let (value, rate) = (part(0), part(1));
+    if derivatives == 1 {
+        return quote!(::reuleaux::ValueAndRate { value: #value, rate: #rate });
+    }
+    let acceleration = part(2);
     quote!(::reuleaux::Motion { value: #value, rate: #rate, acceleration: #acceleration })
 }

@@ -40,18 +40,22 @@ impl Emitter<'_> {
         let shelf = StateLayout::new(&slice.held, &[], format!("for_{word}_"));
         let (body, kernels) = self.solving(&slice.solution.solving, &shelf);
         let (plan, lists) = (plan_constant(self.model, self.system, &slice.solution), self.lists_of_slice(&slice.solution, &shelf));
-        let (width, kind, value): (usize, TokenStream, fn(TokenStream) -> TokenStream) = match first.components.len() {
-            0 if !self.system.frames.is_empty() => {
-                (3 + COSINES, quote!(::reuleaux::SpatialBody<T>), |place| quote!(state.spatial_body(#place, #place + 3)))
-            }
-            0 => (3, quote!(::reuleaux::PlanarBody<T>), |place| quote!(state.planar_body(#place))),
-            3 => (3, quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector3<T>>), |place| quote!(state.point_in_space(#place))),
-            1 => (1, quote!(::reuleaux::Motion<T>), |place| quote!(state.coordinate(#place))),
-            _ => (2, quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector2<T>>), |place| quote!(state.point(#place))),
+        let (width, value): (usize, fn(TokenStream) -> TokenStream) = match first.components.len() {
+            0 if !self.system.frames.is_empty() => (3 + COSINES, |place| quote!(state.spatial_body(#place, #place + 3))),
+            0 => (3, |place| quote!(state.planar_body(#place))),
+            3 => (3, |place| quote!(state.point_in_space(#place))),
+            1 => (1, |place| quote!(state.coordinate(#place))),
+            _ => (2, |place| quote!(state.point(#place))),
+        };
+        // A state holds velocities as rates.
+        let of_rate = (first.derivatives == 1).then(|| quote!(.of_rate()));
+        let value = |place: TokenStream| {
+            let motion = value(place);
+            quote!(#motion #of_rate)
         };
         let components = width * method.members.len();
         let places: Vec<usize> = (0..method.members.len()).map(|member| slice.held.len() - components + width * member).collect();
-        let (value, kind) = (array_at(&places, &method.sizes, value), array_type(kind, &method.sizes));
+        let (value, kind) = (array_at(&places, &method.sizes, value), array_type(self.output_type(first), &method.sizes));
         let components = (1..=components).map(|component| {
             let component = format!("component {component}");
             quote!(::reuleaux::Coordinate::length(#word, #component))

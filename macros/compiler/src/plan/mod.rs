@@ -159,10 +159,16 @@ pub(crate) fn schedule(
     }
 }
 
-/// Components of the outputs of each slice; those of a body are its coordinates.
+/// Components of the outputs of each slice; those of a body are its coordinates. What contains velocities is found when positions are
+/// known, as a rate.
 fn sliced(arena: &mut Arena, model: &Model, system: &System) -> Vec<OutputMotion> {
+    let zero = arena.integer(0);
     let mut components = |member: &usize| -> Vec<[Expr; 3]> {
-        let Some(body) = model.outputs[*member].body else { return system.outputs[*member].components.clone() };
+        let own = &system.outputs[*member].components;
+        if model.outputs[*member].derivatives == 1 {
+            return own.iter().map(|[value, rate, _]| [zero, *value, *rate]).collect();
+        }
+        let Some(body) = model.outputs[*member].body else { return own.clone() };
         let own = (0..system.coordinates.len())
             .filter(|unknown| system.coordinates[*unknown].body == body && (system.frames.is_empty() || *unknown / 3 == body));
         let own: Vec<[Expr; 3]> =

@@ -13,7 +13,7 @@ use crate::system::OutputMotion;
 pub enum Outputs {
     /// Whole bodies; nothing is computed.
     Bodies(Vec<usize>),
-    /// Value, rate and acceleration of each component, output by output.
+    /// Value and derivatives of each component, output by output.
     Each(Vec<Routine>),
     /// One routine for all outputs.
     Alike(Box<(Shape, Routine)>),
@@ -21,7 +21,10 @@ pub enum Outputs {
 
 /// Plans the outputs of each method.
 pub(super) fn outputs(arena: &Arena, tracer: &Tracer, model: &Model, motions: &[OutputMotion], words: &Words) -> Vec<Outputs> {
-    let results = |member: &usize| -> Vec<Expr> { motions[*member].components.iter().flatten().copied().collect() };
+    let results = |member: &usize| -> Vec<Expr> {
+        let orders = 1 + model.outputs[*member].derivatives;
+        motions[*member].components.iter().flat_map(|motion| &motion[..orders]).copied().collect()
+    };
     let outputs = |method: &Method| {
         let bodies: Option<Vec<usize>> = method.members.iter().map(|member| model.outputs[*member].body).collect();
         if let Some(bodies) = bodies {

@@ -134,25 +134,21 @@ impl Elaborator<'_> {
     fn output(&mut self, output: &ast::OutputItem, name: &Name, context: &Context) -> Option<Output> {
         let value = self.value(&output.value, &Scope::of(context))?;
         let found = if matches!(value, Value::Body(FrameId::GROUND)) { Kind::Ground } else { value.kind() };
-        let has_speeds = match &value {
-            Value::Scalar(scalar) => self.has_speeds(scalar.expr),
-            Value::Vector(vector) => vector.parts.iter().any(|part| self.has_speeds(*part)),
-            _ => false,
-        };
-        if has_speeds {
-            return self.refuse(output.value.range, ValueFact::NotAnOutput { found: Kind::Velocity });
-        }
         let (components, measure) = match value {
             Value::Scalar(scalar) => (vec![scalar.expr], scalar.measure),
             Value::Body(frame) if frame != FrameId::GROUND => {
-                return Some(Output { name: name.clone(), body: Some(frame.0 - 1), components: Vec::new(), dim: Dim::NUMBER });
+                let (name, body) = (name.clone(), Some(frame.0 - 1));
+                return Some(Output { name, body, components: Vec::new(), dim: Dim::NUMBER, derivatives: 2 });
             }
             other => match self.as_vector(other) {
                 Some(vector) => (vector.parts.to_vec(), vector.measure),
                 None => return self.refuse(output.value.range, ValueFact::NotAnOutput { found }),
             },
         };
-        Some(Output { name: name.clone(), body: None, components, dim: measure.settled() })
+        let Some(derivatives @ 1..) = components.iter().map(|part| self.derivatives_of(*part)).min() else {
+            return self.refuse(output.value.range, ValueFact::OutputWithoutRate);
+        };
+        Some(Output { name: name.clone(), body: None, components, dim: measure.settled(), derivatives })
     }
 
     /// One method for each output name. The method of an output in a part begins with the names of the enclosing parts.
@@ -170,7 +166,7 @@ impl Elaborator<'_> {
             } else if !taken.insert(word.clone()) {
                 self.refuse::<()>(&method.name, NameFact::Duplicate { name: word, first: "another output" });
             }
-            let shape = |member: &usize| outputs[*member].as_ref().map(|output| (output.components.len(), output.dim));
+            let shape = |member: &usize| outputs[*member].as_ref().map(|output| (output.components.len(), output.dim, output.derivatives));
             let mut shapes = method.members.iter().filter_map(shape);
             let first = shapes.next();
             if shapes.any(|other| Some(other) != first) {
