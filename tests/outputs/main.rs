@@ -1,5 +1,7 @@
-//! Outputs that contain velocities, in whole states and in slices.
+//! Outputs that contain velocities, and outputs with jerk, in whole states and in slices.
 
+mod jerk;
+mod jerk_in_space;
 mod tables;
 mod velocities;
 mod velocities_in_space;

@@ -5,7 +5,7 @@ use core::ops::Deref;
 use nalgebra::{Vector2, Vector3};
 
 use crate::number::Real;
-use crate::state::{Motion, PlanarBody, SpatialBody, State, ValueAndRate};
+use crate::state::{Motion, MotionWithJerk, PlanarBody, SpatialBody, State, ValueAndRate};
 
 /// A mechanism of `N` coordinates whose outputs have `K` components altogether: `#[outputs]` before its declaration implements this trait.
 ///
@@ -167,6 +167,15 @@ impl<T: Real> Output<T> for ValueAndRate<Vector3<T>> {
         for i in 0..3 {
             ValueAndRate { value: self.value[i], rate: self.rate[i] }.each(visit);
         }
+    }
+}
+
+impl<T: Copy, V: Copy> Output<T> for MotionWithJerk<V>
+where
+    Motion<V>: Output<T>,
+{
+    fn each(&self, visit: &mut dyn FnMut(Motion<T>)) {
+        self.motion().each(visit);
     }
 }
 

@@ -3,7 +3,7 @@
 mod motion;
 mod system;
 
-pub use motion::{JointValue, MotionFact, Word};
+pub use motion::{JerkObstacle, JointValue, MotionFact, Word};
 pub use system::{Count, Demand, Forgotten, SystemFact};
 
 use super::{Doubt, Home, Kind, Wanted};

@@ -259,7 +259,7 @@ fn equations(page: &mut String, model: &Model, system: &System) {
             let name = model.parameters.get(number as usize).map_or(String::new(), |parameter| parameter.name.input_path().to_owned());
             format!("{name}{}", "\u{307}".repeat(usize::from(order)))
         }
-        Leaf::Coordinate(index) | Leaf::Speed(index) | Leaf::Acceleration(index) => {
+        Leaf::Coordinate(index) | Leaf::Speed(index) | Leaf::Acceleration(index) | Leaf::Jerk(index) => {
             let Some(unknown) = system.coordinates.get(index as usize) else { return String::new() };
             let symbol = unknown.role.symbol();
             format!("{symbol}_{}", model.bodies[unknown.body].name)
@@ -329,7 +329,11 @@ pub(crate) fn output(method: &Method, first: &Output) -> String {
     if first.body.is_some() {
         return format!("The output `{}`: place of its frame's origin (m) and angle (rad), with their rates.", method.name);
     }
-    let with = if first.derivatives == 1 { "first derivative" } else { "first and second derivative" };
+    let with = match first.derivatives {
+        1 => "first derivative",
+        2 => "first and second derivative",
+        _ => "first, second and third derivative",
+    };
     unit_line(&format!("The output `{}` with its {with} in time", method.name), first.dim.unit())
 }
 

@@ -9,7 +9,7 @@ use super::routine::{RoutinePrinter, lines_at, lines_of_state};
 use super::slices::plain;
 use super::{docs, docs_or, state_path};
 use crate::model::{Method, Output};
-use crate::plan::{Outputs, Routine, Shape, Words};
+use crate::plan::{JerkCode, Outputs, Routine, Shape, Words};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -36,6 +36,7 @@ impl Emitter<'_> {
                 })
             }
             Outputs::Each(routines) => self.each(method, routines),
+            Outputs::WithJerk(jerks) => self.with_jerk(method, jerks),
             Outputs::Alike(alike) => self.alike(method, &alike.0, &alike.1),
         };
         let known = docs::output(method, first);
@@ -89,6 +90,34 @@ impl Emitter<'_> {
         }
     }
 
+    /// The third derivatives of the blocks upstream, and then straight lines, output by output.
+    fn with_jerk(&self, method: &Method, jerks: &[JerkCode]) -> TokenStream {
+        let vectors = vectors();
+        let one = |jerk: &JerkCode| {
+            let systems = jerk.systems.iter().map(|(names, routine)| {
+                let RoutinePrinter { reads, steps, results } = lines_of_state(self.model, &self.plan.arena, routine);
+                let (entries, sides) = results.split_at(results.len() - names.len());
+                let rows = entries.chunks(names.len()).map(|row| quote!([#(#row),*]));
+                let names = names.iter().map(|name| local(name));
+                quote!(let [#(#names),*] = { #reads #steps ::reuleaux::solution_by_selection([#(#rows),*], [#(#sides),*]) };)
+            });
+            let systems: TokenStream = systems.collect();
+            let RoutinePrinter { reads, steps, results } = lines_of_state(self.model, &self.plan.arena, &jerk.last);
+            let motion = motion(&results, 3);
+            quote!({ #systems #reads #steps #motion })
+        };
+        match jerks {
+            [only] if method.sizes.is_empty() => {
+                let lines = one(only);
+                quote!(#vectors #lines)
+            }
+            _ => {
+                let array = array_from(jerks.iter().map(one).collect(), &method.sizes);
+                quote!(#vectors #array)
+            }
+        }
+    }
+
     /// Number of derivatives of the outputs of a method.
     fn derivatives(&self, method: &Method) -> usize {
         method.members.first().map_or(2, |member| self.model.outputs[*member].derivatives)
@@ -126,6 +155,7 @@ fn vectors() -> TokenStream {
 pub(super) fn motion_type(value: &TokenStream, derivatives: usize) -> TokenStream {
     match derivatives {
         1 => quote!(::reuleaux::ValueAndRate<#value>),
+        3 => quote!(::reuleaux::MotionWithJerk<#value>),
         _ => quote!(::reuleaux::Motion<#value>),
     }
 }
@@ -145,5 +175,9 @@ fn motion(results: &[TokenStream], derivatives: usize) -> TokenStream {
         return quote!(::reuleaux::ValueAndRate { value: #value, rate: #rate });
     }
     let acceleration = part(2);
+    if derivatives == 3 {
+        let jerk = part(3);
+        return quote!(::reuleaux::MotionWithJerk { value: #value, rate: #rate, acceleration: #acceleration, jerk: #jerk });
+    }
     quote!(::reuleaux::Motion { value: #value, rate: #rate, acceleration: #acceleration })
 }

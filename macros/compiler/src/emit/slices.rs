@@ -47,13 +47,21 @@ impl Emitter<'_> {
             1 => (1, |place| quote!(state.coordinate(#place))),
             _ => (2, |place| quote!(state.point(#place))),
         };
-        // A state holds velocities as rates.
-        let of_rate = (first.derivatives == 1).then(|| quote!(.of_rate()));
-        let value = |place: TokenStream| {
-            let motion = value(place);
-            quote!(#motion #of_rate)
-        };
         let components = width * method.members.len();
+        let value = |place: TokenStream| {
+            let motion = value(place.clone());
+            match first.derivatives {
+                // A state holds velocities as rates,
+                1 => quote!(#motion.of_rate()),
+                // and third derivatives as accelerations.
+                3 => {
+                    let jerk = value(quote!(#place + #components));
+                    quote!(#motion.with_jerk(#jerk.acceleration))
+                }
+                _ => motion,
+            }
+        };
+        let components = if first.derivatives == 3 { 2 * components } else { components };
         let places: Vec<usize> = (0..method.members.len()).map(|member| slice.held.len() - components + width * member).collect();
         let (value, kind) = (array_at(&places, &method.sizes, value), array_type(self.output_type(first), &method.sizes));
         let components = (1..=components).map(|component| {

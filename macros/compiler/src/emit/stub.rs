@@ -362,7 +362,12 @@ fn motion(tree: &Mechanism, promised: &Outline, method: &Method) -> TokenStream 
         Some(OutputKind::Body) => return array_type(body_type(tree), &method.sizes),
         _ => quote!(T),
     };
-    let derivatives = if value.is_some_and(|value| has_velocities(value, tree)) { 1 } else { 2 };
+    let has_jerk = method.members.first().is_some_and(|member| promised.outputs[*member].jerk.is_some());
+    let derivatives = match value {
+        _ if has_jerk => 3,
+        Some(value) if has_velocities(value, tree) => 1,
+        _ => 2,
+    };
     array_type(motion_type(&value_type, derivatives), &method.sizes)
 }
 

@@ -259,7 +259,7 @@ pub struct Output {
     pub components: Vec<Expr>,
     /// Dimension.
     pub dim: Dim,
-    /// Number of its derivatives by time that are given: 2, or 1 if the output contains velocities.
+    /// Number of its derivatives by time that are given: 2, 1 if the output contains velocities, 3 if it is declared with jerk.
     pub derivatives: usize,
 }
 

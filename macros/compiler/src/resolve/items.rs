@@ -4,7 +4,7 @@ use super::elaborate::Elaborator;
 use super::register::Register;
 use super::statement::ScalarEquation;
 use super::{Freedom, Joint, Layout, Method, Name, Of, Output, Residual};
-use crate::diag::{ArrayFact, EquationFact, Kind, NameFact, Range, ValueFact};
+use crate::diag::{ArrayFact, EquationFact, JerkObstacle, Kind, MotionFact, NameFact, Range, ValueFact};
 use crate::expr::{Expr, Leaf};
 use crate::names::{Context, EntityId, FrameId, Scalar, Scope, Value, is_generated};
 use crate::quantity::{Ambient, Dim, InferredDim};
@@ -137,6 +137,7 @@ impl Elaborator<'_> {
         let (components, measure) = match value {
             Value::Scalar(scalar) => (vec![scalar.expr], scalar.measure),
             Value::Body(frame) if frame != FrameId::GROUND => {
+                self.may_have_jerk(output, JerkObstacle::Body)?;
                 let (name, body) = (name.clone(), Some(frame.0 - 1));
                 return Some(Output { name, body, components: Vec::new(), dim: Dim::NUMBER, derivatives: 2 });
             }
@@ -148,7 +149,17 @@ impl Elaborator<'_> {
         let Some(derivatives @ 1..) = components.iter().map(|part| self.derivatives_of(*part)).min() else {
             return self.refuse(output.value.range, ValueFact::OutputWithoutRate);
         };
+        if derivatives == 1 {
+            self.may_have_jerk(output, JerkObstacle::Velocity)?;
+        }
+        let derivatives = derivatives + usize::from(output.jerk.is_some());
         Some(Output { name: name.clone(), body: None, components, dim: measure.settled(), derivatives })
+    }
+
+    /// Refuses an output with jerk, if it is declared so.
+    pub(super) fn may_have_jerk(&mut self, output: &ast::OutputItem, obstacle: JerkObstacle) -> Option<()> {
+        let Some(jerk) = &output.jerk else { return Some(()) };
+        self.refuse(jerk, MotionFact::NoJerk { output: output.name.to_string(), obstacle })
     }
 
     /// One method for each output name. The method of an output in a part begins with the names of the enclosing parts.
