@@ -140,8 +140,8 @@ pub use api::csv;
 #[cfg(feature = "rayon")]
 pub use api::parallel;
 pub use api::{
-    DriveLoad, Gradient, Loads, Matrix, Mechanism, OutputName, OutputNames, Outputs, PlanarForce, PlanarLoad, Prepare, Prepared, Slice,
-    SliceState, Sliced, SpatialForce, SpatialLoad, Sweep, Vector, sweep,
+    DriveLoad, Gradient, HasOutput, Loads, Matrix, Mechanism, OutputName, OutputNames, Outputs, PlanarForce, PlanarLoad, Prepare, Prepared,
+    Slice, SliceState, Sliced, SpatialForce, SpatialLoad, Sweep, Vector, sweep,
 };
 #[doc(hidden)]
 pub use api::{

@@ -108,6 +108,9 @@ fn slices_give_the_same_jerk() -> Outcome {
     for state in mechanism.solve_for_rocking().sweep(times()) {
         let state = state?;
         is_motion(state.output(), third_derivative(|t| rocker(t).1, state.t));
+        // The method of the output takes states of both kinds, and references to them.
+        assert_eq!(mechanism.rocking(&state), state.output());
+        assert_eq!(mechanism.rocking(&&state), state.output());
     }
     for state in mechanism.solve_for_tip().sweep(times()) {
         let state = state?;

@@ -10,13 +10,17 @@ use super::slices::plain;
 use super::{docs, docs_or, state_path};
 use crate::model::{Method, Output};
 use crate::plan::{JerkCode, Outputs, Routine, Shape, Words};
-use proc_macro2::TokenStream;
-use quote::quote;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote};
 
 impl Emitter<'_> {
     /// Outputs with value, rate and acceleration
     pub(super) fn outputs(&self) -> TokenStream {
-        self.model.methods.iter().zip(&self.plan.outputs).map(|(method, outputs)| self.method(method, outputs)).collect()
+        let mut slices = 0..;
+        let all = self.model.methods.iter().zip(&self.plan.outputs);
+        let number = |method: &Method| if method.is_slice && self.model.task.is_solved() { slices.next() } else { None };
+        let numbers: Vec<Option<usize>> = self.model.methods.iter().map(number).collect();
+        all.zip(numbers).map(|((method, outputs), slice)| self.method(method, outputs, slice)).collect()
     }
 
     /// In space: where the orientations begin in a state.
@@ -24,7 +28,8 @@ impl Emitter<'_> {
         (!self.system.frames.is_empty()).then(|| number(self.system.coordinates.len()))
     }
 
-    fn method(&self, method: &Method, outputs: &Outputs) -> TokenStream {
+    /// The method of an output; `slice` is the number of its slice, if it has one.
+    fn method(&self, method: &Method, outputs: &Outputs, slice: Option<usize>) -> TokenStream {
         let Some(first) = method.members.first().map(|member| &self.model.outputs[*member]) else { return quote!() };
         let kind = self.output_type(first);
         let body = match outputs {
@@ -45,6 +50,19 @@ impl Emitter<'_> {
         let (docs, name, state) = (docs_or(&method.docs, &known), &method.name, state_path(&self.model.name));
         let alone = (self.model.task.is_solved()).then(|| alone(method));
         let kind = array_type(kind, &method.sizes);
+        if let Some(slice) = slice {
+            let (in_whole, slice) = (in_whole(slice), number(slice));
+            return quote! {
+                #docs
+                #alone
+                #[must_use]
+                pub fn #name<S: ::reuleaux::HasOutput<Self, #slice, Value = #kind>>(&self, state: &S) -> #kind {
+                    ::reuleaux::HasOutput::output_of(state, self)
+                }
+                #[doc(hidden)]
+                fn #in_whole(&self, state: &#state<T>) -> #kind { #body }
+            };
+        }
         quote! {
             #docs
             #alone
@@ -135,12 +153,19 @@ impl Emitter<'_> {
     }
 }
 
+/// The function of a sliced output in a state of the whole mechanism.
+pub(super) fn in_whole(slice: usize) -> Ident {
+    format_ident!("__slice_{slice}_in_whole", span = Span::call_site())
+}
+
 /// How an output is solved for alone. Where it cannot be, whoever tries is led here: rustc offers a method whose alias was called.
 fn alone(method: &Method) -> TokenStream {
     let word = plain(&method.name);
     let solve_for = format!("solve_for_{word}");
     if method.is_slice {
-        return docs::line(&format!("[`{solve_for}`](Self::{solve_for}) solves for it alone."));
+        return docs::line(&format!(
+            "[`{solve_for}`](Self::{solve_for}) solves for it alone; its states have it, as those of the whole mechanism do."
+        ));
     }
     quote!(#[doc(alias = #solve_for)])
 }

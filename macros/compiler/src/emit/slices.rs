@@ -4,8 +4,9 @@ use super::arrays::{array_at, array_type};
 use super::expression::local;
 use super::functions::Emitter;
 use super::literal::{number, vector_type};
+use super::outputs::in_whole;
 use super::stages::{StateLayout, results, stages_of};
-use super::{allowed, docs, plan_constant};
+use super::{allowed, docs, plan_constant, state_path};
 use crate::model::Method;
 use crate::plan::{Slice, Solving};
 use crate::system::COSINES;
@@ -33,7 +34,7 @@ impl Emitter<'_> {
         }
     }
 
-    fn slice(&self, order: usize, method: &Method, slice: &Slice) -> TokenStream {
+    fn slice(&self, number_of_slice: usize, method: &Method, slice: &Slice) -> TokenStream {
         let Some(first) = method.members.first().map(|member| &self.model.outputs[*member]) else { return quote!() };
         let (mechanism, visibility, word) = (&self.model.name, &self.model.visibility, plain(&method.name));
         let [name, state] = ["", "State"].map(|what| slice_name(&format_ident!("{mechanism}{what}"), &self.model.methods, &word));
@@ -69,13 +70,13 @@ impl Emitter<'_> {
             quote!(::reuleaux::Coordinate::length(#word, #component))
         });
         let upstream = upstream(&slice.solution.solving, slice.held.len(), &body);
-        let [n, whole, order] = [slice.held.len(), self.system.width(), order].map(number);
+        let [n, whole, order] = [slice.held.len(), self.system.width(), number_of_slice].map(number);
         let held = slice.held.iter().map(|unknown| number(*unknown));
         let page = docs::line(&format!(
             "What is upstream of the output `{word}` of [`{mechanism}`], and nothing else, made by [`{mechanism}::solve_for_{word}`]."
         ));
         let page_of_state = docs::line(&format!("A state of [`{name}`]: the output, and what the next state is found from."));
-        let allowed = allowed();
+        let (allowed, whole_state, in_whole) = (allowed(), state_path(mechanism), in_whole(number_of_slice));
         quote! {
             #page
             #[allow(non_camel_case_types, dead_code)]
@@ -93,6 +94,11 @@ impl Emitter<'_> {
                 #lists
                 fn output(state: &::reuleaux::State<T, #n>) -> Self::Value { #value }
                 #upstream
+            }
+            #allowed
+            impl<T: ::reuleaux::Real> ::reuleaux::HasOutput<#mechanism<T>, #order> for #whole_state<T> {
+                type Value = #kind;
+                fn output_of(&self, mechanism: &#mechanism<T>) -> Self::Value { mechanism.#in_whole(self) }
             }
         }
     }

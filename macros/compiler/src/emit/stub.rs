@@ -405,6 +405,9 @@ fn slices(tree: &Mechanism, promised: &Outline, visibility: &TokenStream, body: 
 fn outputs(tree: &Mechanism, promised: &Outline, state: &Ident, body: &TokenStream) -> TokenStream {
     let method = |method: &Method| {
         let (name, motion) = (&method.name, motion(tree, promised, method));
+        if method.is_slice {
+            return quote!(pub fn #name<S>(&self, _: &S) -> #motion { #body });
+        }
         quote!(pub fn #name(&self, _: &#state<T>) -> #motion { #body })
     };
     let is_new = |name: &Ident| !promised.methods.iter().any(|method| method.name == *name);

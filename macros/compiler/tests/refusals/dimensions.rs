@@ -42,10 +42,10 @@ crate::refusals! {
     item point_for_an_axis: "joint a = translational(«ground.O», ground.C, ram.B);" => "`u` of `translational` takes an axis, found a point\nhelp: write `(1, 0)`";
     item number_for_a_function: "joint a = cam_knife(crank.O, ram.B, «5mm»);" => "`R` of `cam_knife` takes a function of one variable, found a number\nhelp: declare one, such as `function name(x: Angle) -> Length = …;`";
     item joint_of_another_kind: "drive a = drive_along(«hinge», 5mm);" => "`slide` of `drive_along` takes a `translational` joint, found a `revolute` joint";
-    item sum_of_a_velocity_and_a_position: "output b = «rate(crank.A.x) + crank.A.x»;" => "cannot add a length (m) to a velocity (m/s)";
+    item sum_of_a_velocity_and_a_position: "output b = «rate(crank.A.x) + crank.A.x»;" => "cannot add a length (m) to a velocity (m/s)\nhelp: multiply the rate by `t`";
     item velocity_as_a_position: "output b = sin(«crank.angular_velocity»);" => "expected an angle (rad), found an angular velocity (rad/s)";
-    item ratio_of_unlike_velocities: "let ratio: Number = «rate(crank.A.x) / crank.angular_velocity»; output b = ratio;" => "expected a pure number, found a length (m)";
-    item rate_of_a_body: "output b = rate(«crank»);" => "expected a number, a vector or a point, found a body\nhelp: its coordinates are `.x`, `.y` and `.angle`, its place is `.position`";
+    item ratio_of_unlike_velocities: "let ratio: Number = «rate(crank.A.x) / crank.angular_velocity»; output b = ratio;" => "expected a pure number, found a quantity in m/rad";
+    item rate_of_a_body: "output b = rate(«crank»);" => "expected a number, a vector or a point, found a body";
     item output_of_an_acceleration: "output b = rate(«crank.angular_velocity»);" => "the rate of a velocity is an acceleration, and equations, forces and outputs contain none\nhelp: give the body a mass where its inertia is meant; an output has its rate and its acceleration beside it";
     item output_without_a_rate: "output b = «rate(rate(table(t, [(0s, 0mm), (1s, 2mm), (2s, 0mm)])))»;" => "the rate of this output is a third derivative of an input, a table or a Rust function, which have two\nhelp: take one `rate` away: an output is given with its rate";
     mechanism jerk_of_a_body: "mechanism M { body crank { point A = (1m, 0m); } joint o = revolute(ground.position, crank.position); drive d = drive_angle(crank, 1rad_s * t); output b = crank with «jerk»; }" => "numbers, vectors and points have a jerk, and `b` is a body\nhelp: write outputs of its points and of its angle with jerk";
