@@ -9,7 +9,7 @@ use super::routine::{RoutinePrinter, lines_at, lines_of_state};
 use super::slices::plain;
 use super::{docs, docs_or, state_path};
 use crate::model::{Method, Output};
-use crate::plan::{JerkCode, Outputs, Routine, Shape, Words};
+use crate::plan::{OutputCode, Outputs, Routine, Shape, Words};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -17,10 +17,9 @@ impl Emitter<'_> {
     /// Outputs with value, rate and acceleration
     pub(super) fn outputs(&self) -> TokenStream {
         let mut slices = 0..;
+        let mut number = |method: &Method| if method.is_slice && self.model.task.is_solved() { slices.next() } else { None };
         let all = self.model.methods.iter().zip(&self.plan.outputs);
-        let number = |method: &Method| if method.is_slice && self.model.task.is_solved() { slices.next() } else { None };
-        let numbers: Vec<Option<usize>> = self.model.methods.iter().map(number).collect();
-        all.zip(numbers).map(|((method, outputs), slice)| self.method(method, outputs, slice)).collect()
+        all.map(|(method, outputs)| self.method(method, outputs, number(method))).collect()
     }
 
     /// In space: where the orientations begin in a state.
@@ -40,8 +39,7 @@ impl Emitter<'_> {
                     None => quote!(state.planar_body(#place)),
                 })
             }
-            Outputs::Each(routines) => self.each(method, routines),
-            Outputs::WithJerk(jerks) => self.with_jerk(method, jerks),
+            Outputs::Each(outputs) => self.each(method, outputs),
             Outputs::Alike(alike) => self.alike(method, &alike.0, &alike.1),
         };
         let known = docs::output(method, first);
@@ -83,54 +81,31 @@ impl Emitter<'_> {
         motion_type(&value, output.derivatives)
     }
 
-    /// Straight lines, output by output.
-    fn each(&self, method: &Method, routines: &[Routine]) -> TokenStream {
-        let vectors = vectors();
-        let derivatives = self.derivatives(method);
-        let one = |routine: &Routine| {
-            let RoutinePrinter { reads, steps, results } = lines_of_state(self.model, &self.plan.arena, routine);
+    /// Output by output, the third derivatives of the blocks upstream, if they are asked for, and straight lines.
+    fn each(&self, method: &Method, outputs: &[OutputCode]) -> TokenStream {
+        let (vectors, derivatives) = (vectors(), self.derivatives(method));
+        let lines = |routine: &Routine| lines_of_state(self.model, &self.plan.arena, routine);
+        let system = |(names, routine): &(Vec<String>, Routine)| {
+            let RoutinePrinter { reads, steps, results } = lines(routine);
+            let (entries, sides) = results.split_at(results.len() - names.len());
+            let rows = entries.chunks(names.len()).map(|row| quote!([#(#row),*]));
+            let names = names.iter().map(|name| local(name));
+            quote!(let [#(#names),*] = { #reads #steps ::reuleaux::solution_by_selection([#(#rows),*], [#(#sides),*]) };)
+        };
+        let one = |output: &OutputCode| {
+            let systems: TokenStream = output.systems.iter().map(system).collect();
+            let RoutinePrinter { reads, steps, results } = lines(&output.lines);
             let motion = motion(&results, derivatives);
-            quote!(#reads #steps #motion)
+            quote!(#systems #reads #steps #motion)
         };
-        match routines {
+        match outputs {
             [only] if method.sizes.is_empty() => {
                 let lines = one(only);
                 quote!(#vectors #lines)
             }
             _ => {
-                let elements = routines.iter().map(|routine| {
-                    let lines = one(routine);
-                    quote!({ #lines })
-                });
+                let elements = outputs.iter().map(one).map(|lines| quote!({ #lines }));
                 let array = array_from(elements.collect(), &method.sizes);
-                quote!(#vectors #array)
-            }
-        }
-    }
-
-    /// The third derivatives of the blocks upstream, and then straight lines, output by output.
-    fn with_jerk(&self, method: &Method, jerks: &[JerkCode]) -> TokenStream {
-        let vectors = vectors();
-        let one = |jerk: &JerkCode| {
-            let systems = jerk.systems.iter().map(|(names, routine)| {
-                let RoutinePrinter { reads, steps, results } = lines_of_state(self.model, &self.plan.arena, routine);
-                let (entries, sides) = results.split_at(results.len() - names.len());
-                let rows = entries.chunks(names.len()).map(|row| quote!([#(#row),*]));
-                let names = names.iter().map(|name| local(name));
-                quote!(let [#(#names),*] = { #reads #steps ::reuleaux::solution_by_selection([#(#rows),*], [#(#sides),*]) };)
-            });
-            let systems: TokenStream = systems.collect();
-            let RoutinePrinter { reads, steps, results } = lines_of_state(self.model, &self.plan.arena, &jerk.last);
-            let motion = motion(&results, 3);
-            quote!({ #systems #reads #steps #motion })
-        };
-        match jerks {
-            [only] if method.sizes.is_empty() => {
-                let lines = one(only);
-                quote!(#vectors #lines)
-            }
-            _ => {
-                let array = array_from(jerks.iter().map(one).collect(), &method.sizes);
                 quote!(#vectors #array)
             }
         }

@@ -12,11 +12,9 @@ use super::serial;
 use super::slices::{plain, slice_name};
 use super::state::Accessors;
 use super::stub_loads::{has_forces, loads};
-use crate::diag::nearest;
 use crate::diag::{Fact, NameFact};
-use crate::hints::{OutputKind, has_velocities, output_kind};
+use crate::hints::{OutputKind, derivatives, output_kind, refused};
 use crate::model::{Layout, Method, Of};
-use crate::names::is_generated;
 use crate::quantity::Ambient;
 use crate::resolve::{Outline, outline};
 use crate::syntax::ast::{Item, Mechanism, Task, Use};
@@ -139,29 +137,6 @@ fn listing(name: &Ident, state: &Ident, n: &TokenStream, body: &TokenStream) -> 
             fn outputs(&self, _: &#state<T>) -> [::reuleaux::Motion<T>; 0] { #body }
         }
     }
-}
-
-/// The names of refused items of a kind, each once, with their number of indices.
-fn refused<'a>(tree: &'a Mechanism, kind: &str) -> Vec<(&'a Ident, usize)> {
-    let mut names: Vec<(&Ident, usize)> = Vec::new();
-    let mut pending: Vec<&Item> = tree.items.iter().rev().collect();
-    while let Some(item) = pending.pop() {
-        match item {
-            Item::Refused(refused) if is_meant(&refused.keyword, kind) && !is_generated(&refused.name) => {
-                names.push((&refused.name, refused.indices.len()));
-            }
-            Item::For(repeated) => pending.extend(repeated.items.iter().rev()),
-            _ => {}
-        }
-    }
-    let mut taken = BTreeSet::new();
-    names.retain(|(name, _)| taken.insert(name.to_string()));
-    names
-}
-
-/// A keyword that may be mistyped stands for this kind of item.
-fn is_meant(keyword: &Ident, kind: &str) -> bool {
-    nearest(&keyword.to_string(), ["param", "body", "output"].into_iter()).is_some_and(|near| near == kind)
 }
 
 /// An array of a refused item, of unknown length.
@@ -355,19 +330,14 @@ fn body_type(tree: &Mechanism) -> TokenStream {
 
 /// The type of an output's method, as far as can be guessed.
 fn motion(tree: &Mechanism, promised: &Outline, method: &Method) -> TokenStream {
-    let value = method.members.first().map(|member| &promised.outputs[*member].value);
-    let value_type = match value.map(|value| output_kind(value, tree)) {
+    let output = method.members.first().map(|member| &*promised.outputs[*member]);
+    let value_type = match output.map(|output| output_kind(output, tree)) {
         Some(OutputKind::Vector) if tree.ambient == Ambient::Space => quote!(::reuleaux::nalgebra::Vector3<T>),
         Some(OutputKind::Vector) => quote!(::reuleaux::nalgebra::Vector2<T>),
         Some(OutputKind::Body) => return array_type(body_type(tree), &method.sizes),
         _ => quote!(T),
     };
-    let has_jerk = method.members.first().is_some_and(|member| promised.outputs[*member].jerk.is_some());
-    let derivatives = match value {
-        _ if has_jerk => 3,
-        Some(value) if has_velocities(value, tree) => 1,
-        _ => 2,
-    };
+    let derivatives = output.map_or(2, |output| derivatives(output, tree));
     array_type(motion_type(&value_type, derivatives), &method.sizes)
 }
 

@@ -1,7 +1,7 @@
 //! What an output probably is: a number, a vector or a body, and whether it contains velocities.
 
 use crate::quantity::Ambient;
-use crate::syntax::ast::{Expression, ExpressionKind, Item, Marks, Mechanism, Operator};
+use crate::syntax::ast::{Expression, ExpressionKind, Item, Marks, Mechanism, Operator, OutputItem};
 use proc_macro2::Ident;
 
 /// How many `let`s a guess follows.
@@ -16,13 +16,17 @@ pub(crate) enum OutputKind {
 }
 
 /// Guesses the kind of an output.
-pub(crate) fn output_kind(value: &Expression, tree: &Mechanism) -> OutputKind {
-    kind(value, tree, LETS)
+pub(crate) fn output_kind(output: &OutputItem, tree: &Mechanism) -> OutputKind {
+    kind(&output.value, tree, LETS)
 }
 
-/// Guesses whether an output contains velocities.
-pub(crate) fn has_velocities(value: &Expression, tree: &Mechanism) -> bool {
-    moves_in(value, tree, LETS)
+/// Guesses how many derivatives of an output are given: it may contain velocities.
+pub(crate) fn derivatives(output: &OutputItem, tree: &Mechanism) -> usize {
+    match output.jerk {
+        Some(_) => 3,
+        None if has_velocities(&output.value, tree, LETS) => 1,
+        None => 2,
+    }
 }
 
 fn kind(expr: &Expression, tree: &Mechanism, lets: usize) -> OutputKind {
@@ -53,8 +57,8 @@ fn kind(expr: &Expression, tree: &Mechanism, lets: usize) -> OutputKind {
     }
 }
 
-fn moves_in(expr: &Expression, tree: &Mechanism, lets: usize) -> bool {
-    let has = |expr: &Expression| moves_in(expr, tree, lets);
+fn has_velocities(expr: &Expression, tree: &Mechanism, lets: usize) -> bool {
+    let has = |expr: &Expression| has_velocities(expr, tree, lets);
     match &expr.kind {
         ExpressionKind::Number { .. } => false,
         ExpressionKind::Path(path) => path.name.as_ref().is_some_and(|name| is_let_with_velocities(name, tree, lets)),
@@ -72,7 +76,7 @@ fn moves_in(expr: &Expression, tree: &Mechanism, lets: usize) -> bool {
 fn is_let_with_velocities(name: &Ident, tree: &Mechanism, lets: usize) -> bool {
     let is_meant = |item: &&Item| matches!(item, Item::Let(binding) if binding.name == *name);
     match tree.items.iter().find(is_meant) {
-        Some(Item::Let(binding)) if lets > 0 => moves_in(&binding.value, tree, lets - 1),
+        Some(Item::Let(binding)) if lets > 0 => has_velocities(&binding.value, tree, lets - 1),
         _ => false,
     }
 }

@@ -8,7 +8,7 @@
 //! x⃛ of a block r(x) = 0      r_x x⃛ = −d³r/dt³ at x⃛ = 0
 //! ```
 
-use super::routine::Routine;
+use super::outputs::OutputCode;
 use super::schedule;
 use super::stage::{Iteration, Stage};
 use super::words::Words;
@@ -37,15 +37,6 @@ pub(super) struct JerkSystem {
     pub(super) jacobian: Vec<Vec<Expr>>,
     /// Right-hand side.
     pub(super) sides: Vec<Expr>,
-}
-
-/// Code of an output with its jerk, in a state.
-#[derive(Clone, Debug)]
-pub struct JerkCode {
-    /// For each block upstream, the names of the third derivatives of its unknowns, and its Jacobian by rows followed by the right-hand side.
-    pub systems: Vec<(Vec<String>, Routine)>,
-    /// Value, rate, acceleration and jerk of each component.
-    pub last: Routine,
 }
 
 impl Jerks {
@@ -89,14 +80,14 @@ impl Jerks {
     }
 
     /// Code that computes them from the coordinates, speeds and accelerations of a state.
-    pub(super) fn code(&self, arena: &Arena, output: &OutputMotion, words: &Words) -> JerkCode {
+    pub(super) fn code(&self, arena: &Arena, output: &OutputMotion, words: &Words) -> OutputCode {
         let of_system = |system: &JerkSystem| {
             let results = system.jacobian.iter().flatten().chain(&system.sides).copied().collect();
             let names = system.unknowns.iter().map(|unknown| words.leaf(Leaf::Jerk(*unknown as u32))).collect();
             (names, schedule::routine(arena, results, words))
         };
         let results = output.components.iter().zip(&self.components).flat_map(|(motion, jerk)| motion.iter().chain([jerk])).copied();
-        JerkCode { systems: self.systems.iter().map(of_system).collect(), last: schedule::routine(arena, results.collect(), words) }
+        OutputCode { systems: self.systems.iter().map(of_system).collect(), lines: schedule::routine(arena, results.collect(), words) }
     }
 }
 

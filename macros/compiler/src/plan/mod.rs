@@ -27,12 +27,11 @@ mod tests;
 mod words;
 
 pub use dynamics::DynamicsCode;
-pub use jerk::JerkCode;
 pub(crate) use jerk::jerks_are_known;
 pub use kernels::{Kernel, Kernels, Round};
 pub use lines::{Iterated, StageCode, StraightLine};
 pub use loads::{LoadKind, LoadsCode, NamedLoad};
-pub use outputs::Outputs;
+pub use outputs::{OutputCode, Outputs};
 pub use rolled::{Code, Group, Target};
 pub use routine::{Cost, Routine, Step};
 pub use scene::SceneCode;
