@@ -204,7 +204,7 @@ where
 ///
 /// let crank = Crank::default();
 /// let (whole, alone) = (crank.solve(0.1)?, crank.solve_for_pin().solve(0.1)?);
-/// assert_eq!(crank.pin(&whole), crank.pin(&alone));
+/// assert_eq!(crank.pin(&whole).value, crank.pin(&alone).value);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[diagnostic::on_unimplemented(
