@@ -136,7 +136,7 @@ fn jerks_have_derivatives_by_parameters() -> Outcome {
     let (varied, varied_state) = mechanism.derivatives(&state, |mechanism| [&mut mechanism.crank_length])?;
     let jerk = varied.rocking(&CrankRockerState(varied_state)).jerk;
     let at = |length: f64| -> Result<f64, Box<dyn std::error::Error>> {
-        let mechanism = CrankRocker { crank_length: length, ..Default::default() };
+        let mechanism = CrankRocker { crank_length: length };
         Ok(mechanism.rocking(&mechanism.solve(0.4)?).jerk)
     };
     let h = 1e-4;

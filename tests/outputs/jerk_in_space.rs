@@ -72,7 +72,7 @@ fn the_jerk_of_a_spatial_slider_crank_is_that_of_its_triangle() -> Outcome {
         let (state, of_stroke, of_pin, of_side) = (state?, of_stroke?.output(), of_pin?.output(), of_side?.output());
         let t = state.t;
         for found in [mechanism.stroke(&state), of_stroke] {
-            let (value, rate, acceleration, jerk) = third_derivative(|t| stroke(t), t);
+            let (value, rate, acceleration, jerk) = third_derivative(stroke, t);
             near(found.value, value, 1e-13);
             near(found.rate, rate, 1e-12);
             near(found.acceleration, acceleration, 1e-11);

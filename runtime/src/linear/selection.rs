@@ -45,8 +45,9 @@ pub fn solution_by_selection<T: Real, const K: usize>(a: [[T; K]; K], b: [T; K])
 fn exchange_if_less<T: Real, const K: usize>(a: &mut [[T; K]; K], x: &mut [T; K], k: usize, i: usize) {
     let (here, there) = (a[k][k].abs(), a[i][k].abs());
     let chosen = |one: T, two: T| (T::select_less(here, there, two, one), T::select_less(here, there, one, two));
-    for j in k..K {
-        (a[k][j], a[i][j]) = chosen(a[k][j], a[i][j]);
+    let (above, below) = a.split_at_mut(i);
+    for (one, two) in above[k][k..].iter_mut().zip(&mut below[0][k..]) {
+        (*one, *two) = chosen(*one, *two);
     }
     (x[k], x[i]) = chosen(x[k], x[i]);
 }
