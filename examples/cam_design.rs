@@ -63,7 +63,7 @@ mechanism! {
 
         output O = cam.O;
         output C = slide.C;
-        output travel = slide.y;
+        output travel = slide.y with jerk;
     }
 }
 
@@ -82,35 +82,41 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Lift (m) at the cam's angle (rad) with its first and second derivative by the angle.
-fn lift(m: &SlideCam, angle: f64) -> [f64; 3] {
+/// Lift (m) at the cam's angle (rad) with its first three derivatives by the angle.
+fn lift(m: &SlideCam, angle: f64) -> [f64; 4] {
     let degrees = angle.to_degrees().rem_euclid(360.0);
     let (part, whole) = (40_f64.to_radians(), 120_f64.to_radians());
-    let over = |height: f64, duration: f64, [s, v, a]: [f64; 3]| [height * s, height * v / duration, height * a / (duration * duration)];
-    let half = |u: f64, sign: f64| [u + sign * (PI * u).sin() / PI, 1.0 + sign * (PI * u).cos(), -sign * PI * (PI * u).sin()];
-    let raised = |above: f64, [s, v, a]: [f64; 3]| [above * m.lift + s, v, a];
+    let over = |height: f64, duration: f64, [s, v, a, j]: [f64; 4]| {
+        [height * s, height * v / duration, height * a / (duration * duration), height * j / (duration * duration * duration)]
+    };
+    let half = |u: f64, sign: f64| {
+        let (sine, cosine) = (PI * u).sin_cos();
+        [u + sign * sine / PI, 1.0 + sign * cosine, -sign * PI * sine, -sign * PI * PI * cosine]
+    };
+    let raised = |above: f64, [s, v, a, j]: [f64; 4]| [above * m.lift + s, v, a, j];
     match degrees {
         d if d < 40.0 => over(m.lift / 4.0, part, half(d / 40.0, -1.0)),
-        d if d < 80.0 => raised(0.25, over(m.lift / 2.0, part, [(d - 40.0) / 40.0, 1.0, 0.0])),
+        d if d < 80.0 => raised(0.25, over(m.lift / 2.0, part, [(d - 40.0) / 40.0, 1.0, 0.0, 0.0])),
         d if d < 120.0 => raised(0.75, over(m.lift / 4.0, part, half((d - 80.0) / 40.0, 1.0))),
-        d if d < 160.0 => [m.lift, 0.0, 0.0],
+        d if d < 160.0 => [m.lift, 0.0, 0.0, 0.0],
         d if d < 280.0 => raised(1.0, over(-m.lift, whole, modified_sine((d - 160.0) / 120.0))),
-        _ => [0.0; 3],
+        _ => [0.0; 4],
     }
 }
 
 /// The modified sine as printed in handbooks.
-fn modified_sine(u: f64) -> [f64; 3] {
+fn modified_sine(u: f64) -> [f64; 4] {
     let a = PI / (4.0 + PI);
     match u {
         u if !(0.125..0.875).contains(&u) => {
             let (sine, cosine) = (4.0 * PI * u).sin_cos();
             let start = if u < 0.5 { 0.0 } else { 4.0 / (4.0 + PI) };
-            [start + a * u - sine / (4.0 * (4.0 + PI)), a * (1.0 - cosine), 4.0 * PI * a * sine]
+            [start + a * u - sine / (4.0 * (4.0 + PI)), a * (1.0 - cosine), 4.0 * PI * a * sine, 16.0 * PI * PI * a * cosine]
         }
         u => {
             let (sine, cosine) = (4.0 * PI * u / 3.0 + PI / 3.0).sin_cos();
-            [2.0 / (4.0 + PI) + a * u - 9.0 * sine / (4.0 * (4.0 + PI)), a * (1.0 - 3.0 * cosine), 4.0 * PI * a * sine]
+            let jerk = 16.0 * PI * PI * a * cosine / 3.0;
+            [2.0 / (4.0 + PI) + a * u - 9.0 * sine / (4.0 * (4.0 + PI)), a * (1.0 - 3.0 * cosine), 4.0 * PI * a * sine, jerk]
         }
     }
 }
@@ -121,15 +127,16 @@ fn turn(m: &SlideCam) -> Result<Vec<State>, Box<dyn Error>> {
     Ok(m.sweep(angles).collect::<Result<_, _>>()?)
 }
 
-/// Three turns of the cam against the program in Rust, derivatives included.
+/// Three turns of the cam against the program in Rust, derivatives up to the jerk included.
 fn assert_lift(m: &SlideCam) -> Result<(), Box<dyn Error>> {
     let low = (m.prime * m.prime - m.offset * m.offset).sqrt();
-    let of_turns = steps(0.0, 3.0, 997).map(|turns| turns * TAU / m.speed);
+    let of_turns = steps(0.0, 2.999, 997).map(|turns| turns * TAU / m.speed);
     for state in m.sweep(of_turns) {
         let state = state?;
-        let (found, [s, v, a]) = (m.travel(&state), lift(m, state.cam().angle));
+        let (found, [s, v, a, j]) = (m.travel(&state), lift(m, state.cam().angle));
         assert!((found.value - low - s).abs() < 1e-15);
         assert!((found.rate - v * m.speed).abs() < 1e-12 && (found.acceleration - a * m.speed * m.speed).abs() < 1e-10);
+        assert!((found.jerk - j * m.speed.powi(3)).abs() < 1e-8);
     }
     Ok(())
 }
@@ -145,7 +152,7 @@ fn pressure_angle(m: &SlideCam, state: &State) -> Result<f64, CamError> {
 }
 
 fn pressure_formula(m: &SlideCam, angle: f64) -> f64 {
-    let [s, slope, _] = lift(m, angle);
+    let [s, slope, ..] = lift(m, angle);
     ((slope - m.offset) / (s + (m.prime * m.prime - m.offset * m.offset).sqrt())).atan()
 }
 
@@ -158,7 +165,7 @@ fn assert_pressure_angle(m: &SlideCam) -> Result<(), Box<dyn Error>> {
 
 /// Radius of curvature of the pitch curve of a follower without offset (m).
 fn radius_formula(m: &SlideCam, angle: f64) -> f64 {
-    let [s, slope, bend] = lift(m, angle);
+    let [s, slope, bend, _] = lift(m, angle);
     let r = m.prime + s;
     (r * r + slope * slope).powf(1.5) / (r * r + 2.0 * slope * slope - r * bend)
 }
@@ -198,6 +205,8 @@ fn print_limits(offset: &SlideCam, central: &SlideCam) -> Result<(), Box<dyn Err
     };
     let (with, without) = (worst(offset)?, worst(central)?);
     assert!(with < without - 5.0);
+    let jerks = turn(offset)?.into_iter().map(|state| offset.travel(&state).jerk.abs());
+    println!("largest jerk: {:.0} m/s³", jerks.fold(0.0, f64::max));
     println!("largest pressure angle of the rise: {without:.2}° over the cam's axis, {with:.2}° beside it");
     let points: Vec<CurvePoint> = turn(offset)?.iter().map(|state| pitch(offset, state)).collect::<Result<_, _>>()?;
     let sharpest = points.iter().filter(|point| point.curvature > 0.0).map(CurvePoint::radius_of_curvature).fold(f64::INFINITY, f64::min);

@@ -52,6 +52,8 @@ mechanism! {
         output O = ground.O;
         output C = ground.C;
         output transmission = rocker.angle - coupler.angle;
+        /// Its inverse is the mechanical advantage: the torque on the rocker that a torque on the crank balances.
+        output ratio = rocker.angular_velocity / crank.angular_velocity;
     }
 }
 
@@ -62,6 +64,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let turn: Vec<State> = mechanism.sweep(steps(0.0, 1.0, 180)).collect::<Result<_, _>>()?;
 
     assert_freudenstein(&mechanism, &turn);
+    assert_ratio(&mechanism, &turn);
     assert_norton()?;
     print(&mechanism, &turn);
     println!("{}", picture(&mechanism, &turn).save("four_bar")?.display());
@@ -83,6 +86,17 @@ fn assert_freudenstein(m: &CrankRocker, turn: &[State]) {
     assert!(error < 1e-13, "the rocker is {error:e} beside Freudenstein's equation");
 }
 
+/// The ratio of the angular velocities is that of the distances between the pivots and the instant centre of crank and rocker, and is zero
+/// where crank and coupler are aligned: a sin(θ₃ − θ₂)/(c sin(θ₃ − θ₄)).
+fn assert_ratio(m: &CrankRocker, turn: &[State]) {
+    let sines = |s: &State| {
+        let [crank, coupler, rocker] = [s.crank(), s.coupler(), s.rocker()].map(|body| body.angle);
+        (m.ratio(s).value, m.crank_length * (coupler - crank).sin() / (m.rocker_length * (coupler - rocker).sin()))
+    };
+    let error = largest_difference(turn.iter().map(sines));
+    assert!(error < 1e-13, "the ratio is {error:e} beside that of the sines");
+}
+
 /// Norton's open four-bar at 40° with 25 rad/s and 15 rad/s²: his results, to the last digit printed.
 fn assert_norton() -> Result<(), Box<dyn Error>> {
     let mechanism = CrankRocker { angle: 40_f64.to_radians(), speed: 25.0, acceleration: 15.0, ..Default::default() };
@@ -96,16 +110,17 @@ fn assert_norton() -> Result<(), Box<dyn Error>> {
 }
 
 fn print(m: &CrankRocker, turn: &[State]) {
-    println!("crank °   rocker °   rocker rad/s   rocker rad/s²   transmission °");
+    println!("crank °   rocker °   rocker rad/s   rocker rad/s²   transmission °   advantage");
     for state in turn.iter().step_by(15) {
         let (crank, rocker, transmission) = (state.crank(), state.rocker(), m.transmission(state).value);
         println!(
-            "{:7.1}   {:8.3}   {:12.4}   {:13.3}   {:14.2}",
+            "{:7.1}   {:8.3}   {:12.4}   {:13.3}   {:14.2}   {:9.2}",
             crank.angle.to_degrees(),
             rocker.angle.to_degrees(),
             rocker.angular_velocity,
             rocker.angular_acceleration,
-            transmission.to_degrees()
+            transmission.to_degrees(),
+            1.0 / m.ratio(state).value
         );
     }
 }

@@ -140,8 +140,8 @@ pub use api::csv;
 #[cfg(feature = "rayon")]
 pub use api::parallel;
 pub use api::{
-    DriveLoad, Gradient, Loads, Matrix, Mechanism, OutputName, OutputNames, Outputs, PlanarForce, PlanarLoad, Prepare, Prepared, Slice,
-    SliceState, Sliced, SpatialForce, SpatialLoad, Sweep, Vector, sweep,
+    DriveLoad, Gradient, HasOutput, Loads, Matrix, Mechanism, OutputName, OutputNames, Outputs, PlanarForce, PlanarLoad, Prepare, Prepared,
+    Slice, SliceState, Sliced, SpatialForce, SpatialLoad, Sweep, Vector, sweep,
 };
 #[doc(hidden)]
 pub use api::{
@@ -153,6 +153,8 @@ pub use dynamics::{Balance, Constraints, Dynamics, Energy, Explicit, Integrator,
 #[cfg(feature = "certify")]
 pub use enclosure::{Certificate, Doubt, Enclosure, ErrorBound};
 pub use explain::Failure;
+#[doc(hidden)]
+pub use linear::solution_by_selection;
 pub use linear::{Eliminated, Elimination, Entries, FactorReal, Factors, Linear, Order, Small, Sparse};
 pub use nalgebra;
 pub use names::{
@@ -165,7 +167,7 @@ pub use path::step_in_part;
 #[doc(hidden)]
 pub use solve::{Commanded, parameter_hash};
 pub use solve::{Equations, Family, Solver, SolverReal, Stages, at_once, refined_guess_at_once, refined_guess_by_rows};
-pub use state::{Coordinates, Motion, PlanarBody, SpatialBody, State, Values};
+pub use state::{Coordinates, Motion, MotionWithJerk, PlanarBody, SpatialBody, State, ValueAndRate, Values};
 
 /// Interface for crates with SIMD number types, such as `reuleaux-wide`; not part of the public API.
 #[doc(hidden)]

@@ -24,7 +24,7 @@ macro_rules! crank_rocker {
                 body coupler {
                     axis z = (0, 0, 1) from (1, 0, 0);
                     // The origin lies beside the line of the joints.
-                    point A = (-length / 2, 0.2m, 0m);  point B = (length / 2, 0.2m, 0m);
+                    point A = (-length / 2, 0.2m, 0m);  point B = (length / 2, 0.2m, 0m);  point corner = (0.2m, 0.3m, 0.4m);
                     mass = 4kg;  center = (0.1m, 0.3m, -0.2m);  inertia = (3kgm2, 4kgm2, 5kgm2, 0.1kgm2, 0.2kgm2, -0.1kgm2);
                     start orientation = turn((1, 0, 0), 0.5rad) * turn((0, 1, 0), 0.3rad) * turn((0, 0, 1), -1.33rad)
                         * turn((0, 1, 0), -0.55rad) * turn((0, 0, 1), 0.82rad) * turn((1, 0, 0), $turned);
@@ -41,19 +41,23 @@ macro_rules! crank_rocker {
 
 crank_rocker!(Link, 0deg, {
     drive motor = drive_rotation(axle, 1rad_s * t + 0.3rad * sin(1rad_s * t));
+    output corner = coupler.corner with jerk;
 });
 crank_rocker!(Twin, 0deg, {
     body flag { axis z = (0, 0, 1) from (1, 0, 0); }
     joint glue = weld(coupler.B, coupler.z, flag.position, flag.z);
     drive motor = drive_rotation(axle, 1rad_s * t + 0.3rad * sin(1rad_s * t));
+    output corner = coupler.corner with jerk;
 });
 crank_rocker!(TurnedLink, 180deg, {
     drive motor = drive_rotation(axle, 1rad_s * t + 0.3rad * sin(1rad_s * t));
+    output corner = coupler.corner with jerk;
 });
 crank_rocker!(TurnedTwin, 180deg, {
     body flag { axis z = (0, 0, 1) from (1, 0, 0); }
     joint glue = weld(coupler.B, coupler.z, flag.position, flag.z);
     drive motor = drive_rotation(axle, 1rad_s * t + 0.3rad * sin(1rad_s * t));
+    output corner = coupler.corner with jerk;
 });
 crank_rocker!(FreeLink, 0deg, {
     freedom turning = axle.angle;
@@ -95,6 +99,8 @@ macro_rules! agree {
                     ] {
                         compare(body, &numbers(&own), &numbers(&other));
                     }
+                    let jerks = [link.corner(&found).jerk, twin.corner(&wanted).jerk];
+                    compare("jerk", jerks[0].as_slice(), jerks[1].as_slice());
                     let (found, wanted) = (link.loads(&found), twin.loads(&wanted));
                     compare("motor", &[found.motor().effort], &[wanted.motor().effort]);
                     let parts = |load: reuleaux::SpatialLoad<f64>| load.force.iter().chain(load.torque.iter()).copied().collect::<Vec<_>>();

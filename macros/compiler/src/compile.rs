@@ -170,6 +170,8 @@ fn after_names(model: Model, diag: &mut Diag) -> Option<Compiled> {
     let structure = structure::analyze(&system.pattern, &redundancy.rows);
     mobility::check(&model, &system, &redundancy, &structure, diag)?;
     // Every unknown belongs to a block, and the blocks are in order.
+    plan::jerks_are_known(&model, &system, &structure, diag)?;
+    // Outputs with jerk depend on nothing that has only two derivatives.
     let assembly = assembly::assemble(&model, &system, &structure, diag)?;
     // There is an initial configuration; it is assembled unless the mechanism allows others.
     let motion = travel::follow(&model, &system, &structure, &assembly, diag)?;

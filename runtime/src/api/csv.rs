@@ -71,7 +71,7 @@ where
     };
     let numbers = |table: &mut Table<W>, state: &M::State| {
         coordinates(table, state, M::COORDINATES)?;
-        outputs(table, mechanism.outputs(state))
+        outputs(table, &M::OUTPUTS, mechanism.outputs(state))
     };
     tabulate(to, states, names, numbers)
 }
@@ -91,7 +91,7 @@ where
     T: Float,
 {
     let names = |table: &mut Table<W>| output_names(table, &M::OUTPUTS);
-    tabulate(to, states, names, |table, state| outputs(table, mechanism.outputs(state)))
+    tabulate(to, states, names, |table, state| outputs(table, &M::OUTPUTS, mechanism.outputs(state)))
 }
 
 /// Writes a motion as [`write`](self::write()) does, without the outputs: for any mechanism.
@@ -230,19 +230,25 @@ fn coordinates<W: Write, T: Float, const N: usize>(
 }
 
 fn output_names<W: Write, const K: usize>(table: &mut Table<W>, names: &OutputNames<K>) -> io::Result<()> {
-    for OutputName { name, units } in &names.0 {
-        for (order, unit) in ORDERS.iter().zip(units) {
+    for output in &names.0 {
+        let OutputName { name, units } = output;
+        for (order, unit) in ORDERS.iter().zip(units).take(columns(output)) {
             table.name(format_args!("{name}{order}"), if unit.is_empty() { "1" } else { unit })?;
         }
     }
     Ok(())
 }
 
-fn outputs<W: Write, T: Float, const K: usize>(table: &mut Table<W>, outputs: [Motion<T>; K]) -> io::Result<()> {
-    for Motion { value, rate, acceleration } in outputs {
-        [value, rate, acceleration].into_iter().try_for_each(|number| table.number(number))?;
+fn outputs<W: Write, T: Float, const K: usize>(table: &mut Table<W>, names: &OutputNames<K>, outputs: [Motion<T>; K]) -> io::Result<()> {
+    for (name, Motion { value, rate, acceleration }) in names.0.iter().zip(outputs) {
+        [value, rate, acceleration].into_iter().take(columns(name)).try_for_each(|number| table.number(number))?;
     }
     Ok(())
+}
+
+/// Number of columns of a component.
+fn columns(of: &OutputName) -> usize {
+    if of.has_acceleration() { ORDERS.len() } else { ORDERS.len() - 1 }
 }
 
 impl<E: Display> Display for Unwritten<E> {

@@ -29,5 +29,5 @@ pub use loads::{DriveLoad, Loads, PlanarLoad, SpatialLoad};
 pub use mechanism::Mechanism;
 pub use outputs::{Output, OutputName, OutputNames, Outputs, listed};
 pub use prepared::{Prepare, Prepared};
-pub use slice::{Slice, SliceState, Sliced};
+pub use slice::{HasOutput, Slice, SliceState, Sliced};
 pub use sweep::{Sweep, sweep};

@@ -5,7 +5,7 @@ use core::ops::Deref;
 use nalgebra::{Vector2, Vector3};
 
 use crate::number::Real;
-use crate::state::{Motion, PlanarBody, SpatialBody, State};
+use crate::state::{Motion, MotionWithJerk, PlanarBody, SpatialBody, State, ValueAndRate};
 
 /// A mechanism of `N` coordinates whose outputs have `K` components altogether: `#[outputs]` before its declaration implements this trait.
 ///
@@ -46,7 +46,8 @@ pub trait Outputs<T, const N: usize, const K: usize> {
 
     /// The components of all outputs in the order of their declaration, each with its first and second derivative in time.
     ///
-    /// A point has the components x and y, and z in space; a body x, y and its angle, in space x, y, z and its direction cosines.
+    /// A point has the components x and y, and z in space; a body x, y and its angle, in space x, y, z and its direction cosines. An output
+    /// that contains velocities has no acceleration: there it is NaN.
     fn outputs(&self, state: &Self::State) -> [Motion<T>; K];
 }
 
@@ -60,8 +61,19 @@ pub struct OutputNames<const K: usize>(pub [OutputName; K]);
 pub struct OutputName {
     /// The output and its component: `"tip.x"`.
     pub name: &'static str,
-    /// The units of value, rate and acceleration; empty for a pure number.
+    /// The units of value, rate and acceleration; empty for a pure number, [`NO_UNIT`](Self::NO_UNIT) where there is no acceleration.
     pub units: [&'static str; 3],
+}
+
+impl OutputName {
+    /// In place of the unit of the acceleration, where an output contains velocities and has none.
+    pub const NO_UNIT: &'static str = "\u{2013}";
+
+    /// True if the output has an acceleration: it contains no velocities.
+    #[must_use]
+    pub const fn has_acceleration(&self) -> bool {
+        !is_same(self.units[2].as_bytes(), Self::NO_UNIT.as_bytes())
+    }
 }
 
 impl<const K: usize> OutputNames<K> {
@@ -133,6 +145,37 @@ impl<T: Real> Output<T> for Motion<Vector3<T>> {
         for i in 0..3 {
             visit(Motion { value: self.value[i], rate: self.rate[i], acceleration: self.acceleration[i] });
         }
+    }
+}
+
+impl<T: Real> Output<T> for ValueAndRate<T> {
+    fn each(&self, visit: &mut dyn FnMut(Motion<T>)) {
+        visit(Motion { value: self.value, rate: self.rate, acceleration: T::of(f64::NAN) });
+    }
+}
+
+impl<T: Real> Output<T> for ValueAndRate<Vector2<T>> {
+    fn each(&self, visit: &mut dyn FnMut(Motion<T>)) {
+        for i in 0..2 {
+            ValueAndRate { value: self.value[i], rate: self.rate[i] }.each(visit);
+        }
+    }
+}
+
+impl<T: Real> Output<T> for ValueAndRate<Vector3<T>> {
+    fn each(&self, visit: &mut dyn FnMut(Motion<T>)) {
+        for i in 0..3 {
+            ValueAndRate { value: self.value[i], rate: self.rate[i] }.each(visit);
+        }
+    }
+}
+
+impl<T: Copy, V: Copy> Output<T> for MotionWithJerk<V>
+where
+    Motion<V>: Output<T>,
+{
+    fn each(&self, visit: &mut dyn FnMut(Motion<T>)) {
+        self.motion().each(visit);
     }
 }
 

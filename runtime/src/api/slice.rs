@@ -187,6 +187,58 @@ where
     }
 }
 
+/// A state that has the output with the number `OUTPUT` among the slices of the mechanism `M`: a state of the whole mechanism, or of the
+/// slice. The method of the output takes both.
+///
+/// ```
+/// use reuleaux::HasOutput;
+///
+/// reuleaux::mechanism! {
+///     mechanism Crank {
+///         body crank { point A = (50mm, 0mm); }
+///         joint axle = revolute(ground.position, crank.position);
+///         drive motor = drive_angle(crank, 90rpm * t);
+///         slice output pin = crank.A;
+///     }
+/// }
+///
+/// let crank = Crank::default();
+/// let (whole, alone) = (crank.solve(0.1)?, crank.solve_for_pin().solve(0.1)?);
+/// assert_eq!(crank.pin(&whole).value, crank.pin(&alone).value);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no state with this output of `{M}`",
+    note = "the output takes states of the whole mechanism and of the slice that solves for this output"
+)]
+pub trait HasOutput<M, const OUTPUT: usize> {
+    /// The output with its derivatives in time.
+    type Value;
+
+    /// The output in this state of `mechanism`.
+    fn output_of(&self, mechanism: &M) -> Self::Value;
+}
+
+impl<M, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> HasOutput<M, OUTPUT> for SliceState<M, T, OUTPUT, N, WHOLE>
+where
+    M: Sliced<T, OUTPUT, N, WHOLE>,
+    T: SolverReal,
+{
+    type Value = M::Value;
+
+    fn output_of(&self, _: &M) -> M::Value {
+        self.output()
+    }
+}
+
+impl<M, S: HasOutput<M, OUTPUT>, const OUTPUT: usize> HasOutput<M, OUTPUT> for &S {
+    type Value = S::Value;
+
+    fn output_of(&self, mechanism: &M) -> S::Value {
+        (**self).output_of(mechanism)
+    }
+}
+
 impl<M, T, const OUTPUT: usize, const N: usize, const WHOLE: usize> From<State<T, N>> for SliceState<M, T, OUTPUT, N, WHOLE> {
     fn from(state: State<T, N>) -> Self {
         Self { state, of: PhantomData }

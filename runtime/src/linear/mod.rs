@@ -18,6 +18,7 @@ mod elimination;
 mod factor;
 mod permuted;
 mod rank;
+mod selection;
 mod small;
 mod solve;
 mod sparse;
@@ -31,6 +32,7 @@ pub(crate) use elimination::InOrder;
 pub use elimination::{Eliminated, Elimination, Order};
 pub use factor::Factors;
 pub(crate) use rank::{regular_part, weakest};
+pub use selection::solution_by_selection;
 pub use small::Small;
 pub use sparse::{Entries, Sparse};
 

@@ -16,7 +16,7 @@ mod step;
 
 pub use coordinates::Coordinates;
 pub(crate) use extrapolation::Extrapolation;
-pub use motion::{Motion, PlanarBody, SpatialBody};
+pub use motion::{Motion, MotionWithJerk, PlanarBody, SpatialBody, ValueAndRate};
 pub(crate) use step::Step;
 
 /// Position, velocity and acceleration of a mechanism at one instant.

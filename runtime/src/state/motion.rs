@@ -16,6 +16,53 @@ pub struct Motion<V> {
     pub acceleration: V,
 }
 
+/// A quantity that contains velocities, with its first derivative by time: the second one would need the third derivatives of the
+/// coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct ValueAndRate<V> {
+    /// The quantity.
+    pub value: V,
+    /// Its first derivative, per s.
+    pub rate: V,
+}
+
+/// A quantity with its first three derivatives by time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct MotionWithJerk<V> {
+    /// The quantity.
+    pub value: V,
+    /// Its first derivative, per s.
+    pub rate: V,
+    /// Its second derivative, per s².
+    pub acceleration: V,
+    /// Its third derivative, per s³.
+    pub jerk: V,
+}
+
+impl<V> MotionWithJerk<V> {
+    /// The same without the third derivative.
+    #[must_use]
+    pub fn motion(self) -> Motion<V> {
+        Motion { value: self.value, rate: self.rate, acceleration: self.acceleration }
+    }
+}
+
+impl<V> Motion<V> {
+    /// The same with a third derivative.
+    #[must_use]
+    pub fn with_jerk(self, jerk: V) -> MotionWithJerk<V> {
+        MotionWithJerk { value: self.value, rate: self.rate, acceleration: self.acceleration, jerk }
+    }
+
+    /// The rate as a quantity of its own, whose rate is the acceleration.
+    #[must_use]
+    pub fn of_rate(self) -> ValueAndRate<V> {
+        ValueAndRate { value: self.rate, rate: self.acceleration }
+    }
+}
+
 impl<T: Real> Motion<T> {
     /// A quantity at rest.
     #[must_use]

@@ -133,6 +133,7 @@ codes! {
     E0604: Equation::GroundStart;
     E0605: Equation::NotAffine Equation::RateOfSpeed Value::RateOfVelocity System::Nonholonomic;
     E0606: Equation::EquationInForce Equation::ForceInJoint Motion::ForceForConstraint Motion::ConstraintForForce;
+    E0607: Value::OutputWithoutRate Motion::NoJerk;
     // Mobility.
     E0701: System::NoBodies;
     E0702: System::BodyIsFree;

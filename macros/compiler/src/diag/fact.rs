@@ -3,7 +3,7 @@
 mod motion;
 mod system;
 
-pub use motion::{JointValue, MotionFact, Word};
+pub use motion::{JerkObstacle, JointValue, MotionFact, Word};
 pub use system::{Count, Demand, Forgotten, SystemFact};
 
 use super::{Doubt, Home, Kind, Wanted};
@@ -205,6 +205,7 @@ pub enum ValueFact {
     NotFixed { place: &'static str },
     FunctionNeedsArgument,
     RateOfVelocity,
+    OutputWithoutRate,
     EnergyOfVelocities,
     NegativeMass { what: &'static str, body: String, value: f64 },
     ImpossibleInertia { body: String },

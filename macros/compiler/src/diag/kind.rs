@@ -27,8 +27,6 @@ pub enum Kind {
     Part,
     /// An array without its indices.
     Array,
-    /// A number or a vector that contains velocities.
-    Velocity,
 }
 
 /// Kind of value that a place takes.

@@ -15,8 +15,8 @@ mod warning;
 
 pub use code::PAGES;
 pub use fact::{
-    ArityFact, ArrayFact, AssemblyFact, Bound, Count, Demand, Driven, EquationFact, Fact, Forgotten, Gap, GrammarFact, JointValue, Known,
-    MotionFact, NameFact, SystemFact, ValueFact, Word,
+    ArityFact, ArrayFact, AssemblyFact, Bound, Count, Demand, Driven, EquationFact, Fact, Forgotten, Gap, GrammarFact, JerkObstacle,
+    JointValue, Known, MotionFact, NameFact, SystemFact, ValueFact, Word,
 };
 pub use home::Home;
 pub(crate) use home::home;

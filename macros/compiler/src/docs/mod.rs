@@ -259,7 +259,7 @@ fn equations(page: &mut String, model: &Model, system: &System) {
             let name = model.parameters.get(number as usize).map_or(String::new(), |parameter| parameter.name.input_path().to_owned());
             format!("{name}{}", "\u{307}".repeat(usize::from(order)))
         }
-        Leaf::Coordinate(index) | Leaf::Speed(index) | Leaf::Acceleration(index) => {
+        Leaf::Coordinate(index) | Leaf::Speed(index) | Leaf::Acceleration(index) | Leaf::Jerk(index) => {
             let Some(unknown) = system.coordinates.get(index as usize) else { return String::new() };
             let symbol = unknown.role.symbol();
             format!("{symbol}_{}", model.bodies[unknown.body].name)
@@ -329,10 +329,18 @@ pub(crate) fn output(method: &Method, first: &Output) -> String {
     if first.body.is_some() {
         return format!("The output `{}`: place of its frame's origin (m) and angle (rad), with their rates.", method.name);
     }
-    unit_line(&format!("The output `{}` with its first and second derivative in time", method.name), first.dim.unit())
+    let with = match first.derivatives {
+        1 => "first derivative",
+        2 => "first and second derivative",
+        _ => "first, second and third derivative",
+    };
+    unit_line(&format!("The output `{}` with its {with} in time", method.name), first.dim.unit())
 }
 
-/// The components of an output by name, each with the units of value, rate and acceleration.
+/// The unit of what there is not: `OutputName::NO_UNIT` of the runtime.
+const NO_UNIT: &str = "\u{2013}";
+
+/// The components of an output by name, each with the units of value, rate and acceleration; a dash where there is no acceleration.
 pub(crate) fn components(system: &System, output: &Output) -> Vec<(String, [String; 3])> {
     let alike = |axes: &[&str]| -> Vec<(String, Dim)> { axes.iter().map(|axis| (format!(".{axis}"), output.dim)).collect() };
     let of_length = |axis: &str| (format!(".{axis}"), Dim::LENGTH);
@@ -349,7 +357,8 @@ pub(crate) fn components(system: &System, output: &Output) -> Vec<(String, [Stri
     let name = output.name.unraw();
     let part = |(suffix, dim): (String, Dim)| {
         let rate = dim.per(Dim::TIME);
-        (format!("{name}{suffix}"), [dim, rate, rate.per(Dim::TIME)].map(Dim::unit))
+        let acceleration = if output.derivatives == 1 { NO_UNIT.to_owned() } else { rate.per(Dim::TIME).unit() };
+        (format!("{name}{suffix}"), [dim.unit(), rate.unit(), acceleration])
     };
     parts.into_iter().map(part).collect()
 }

@@ -126,6 +126,7 @@ impl BlockPrinter<'_> {
         };
         let (x, xd, xdd) = (motion(0), motion(1), motion(2));
         let (first, second) = (self.rates(number, &xd, &block.system.rates), self.rates(number, &xdd, &block.system.accelerations));
+        let jerks = self.jerks(number, block);
         let unknowns = block.system.unknowns.iter().map(|unknown| &self.unknowns[*unknown].place);
         let kinds = block.system.unknowns.iter().map(|unknown| &self.unknowns[*unknown].kind);
         let equations = block.system.equations.iter().map(|equation| &self.equations[*equation]);
@@ -161,7 +162,19 @@ impl BlockPrinter<'_> {
             #first
             #accelerations
             #second
+            #jerks
         }
+    }
+
+    /// The third derivatives of a block, where an output asks for them.
+    fn jerks(&self, number: usize, block: &Iterated) -> Option<TokenStream> {
+        if block.system.jerks.is_empty() {
+            return None;
+        }
+        let names = block.system.unknowns.iter().map(|unknown| local(&format!("{}_jerk", self.lines.unknowns[*unknown][0])));
+        let (steps, third) =
+            (self.steps(&self.lines.names, &block.jerks), self.rates(number, &names.collect::<Vec<Ident>>(), &block.system.jerks));
+        Some(quote!(#steps #third))
     }
 }
 

@@ -229,7 +229,7 @@ fn reads(kernel: &Kernel, unknowns: &[Index], ranks: &BTreeMap<usize, TokenStrea
             Leaf::Coordinate(slot) => (slot as usize, 0, "q"),
             Leaf::Speed(slot) => (slot as usize, 1, "qd"),
             Leaf::Acceleration(slot) => (slot as usize, 2, "qdd"),
-            Leaf::Time | Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_) | Leaf::Turn(_) => continue,
+            Leaf::Time | Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_) | Leaf::Turn(_) | Leaf::Jerk(_) => continue,
         };
         if !kernel.found.contains(&slot) {
             let (name, vector, place) = (local(&kernel.lines.unknowns[slot][order]), local(vector), &unknowns[slot].place);

@@ -79,7 +79,7 @@ fn reads(routine: &Routine, place: impl Fn(usize) -> TokenStream, together: usiz
             Leaf::Coordinate(index) => (0, index),
             Leaf::Speed(index) => (1, index),
             Leaf::Acceleration(index) => (2, index),
-            Leaf::Time | Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_) | Leaf::Turn(_) => continue,
+            Leaf::Time | Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_) | Leaf::Turn(_) | Leaf::Jerk(_) => continue,
         };
         of_vectors[vector].1.push((index, local(&routine.names[expr])));
     }

@@ -4,8 +4,9 @@ use super::arrays::{array_at, array_type};
 use super::expression::local;
 use super::functions::Emitter;
 use super::literal::{number, vector_type};
+use super::outputs::in_whole;
 use super::stages::{StateLayout, results, stages_of};
-use super::{allowed, docs, plan_constant};
+use super::{allowed, docs, plan_constant, state_path};
 use crate::model::Method;
 use crate::plan::{Slice, Solving};
 use crate::system::COSINES;
@@ -33,37 +34,49 @@ impl Emitter<'_> {
         }
     }
 
-    fn slice(&self, order: usize, method: &Method, slice: &Slice) -> TokenStream {
+    fn slice(&self, number_of_slice: usize, method: &Method, slice: &Slice) -> TokenStream {
         let Some(first) = method.members.first().map(|member| &self.model.outputs[*member]) else { return quote!() };
         let (mechanism, visibility, word) = (&self.model.name, &self.model.visibility, plain(&method.name));
         let [name, state] = ["", "State"].map(|what| slice_name(&format_ident!("{mechanism}{what}"), &self.model.methods, &word));
         let shelf = StateLayout::new(&slice.held, &[], format!("for_{word}_"));
         let (body, kernels) = self.solving(&slice.solution.solving, &shelf);
         let (plan, lists) = (plan_constant(self.model, self.system, &slice.solution), self.lists_of_slice(&slice.solution, &shelf));
-        let (width, kind, value): (usize, TokenStream, fn(TokenStream) -> TokenStream) = match first.components.len() {
-            0 if !self.system.frames.is_empty() => {
-                (3 + COSINES, quote!(::reuleaux::SpatialBody<T>), |place| quote!(state.spatial_body(#place, #place + 3)))
-            }
-            0 => (3, quote!(::reuleaux::PlanarBody<T>), |place| quote!(state.planar_body(#place))),
-            3 => (3, quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector3<T>>), |place| quote!(state.point_in_space(#place))),
-            1 => (1, quote!(::reuleaux::Motion<T>), |place| quote!(state.coordinate(#place))),
-            _ => (2, quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector2<T>>), |place| quote!(state.point(#place))),
+        let (width, value): (usize, fn(TokenStream) -> TokenStream) = match first.components.len() {
+            0 if !self.system.frames.is_empty() => (3 + COSINES, |place| quote!(state.spatial_body(#place, #place + 3))),
+            0 => (3, |place| quote!(state.planar_body(#place))),
+            3 => (3, |place| quote!(state.point_in_space(#place))),
+            1 => (1, |place| quote!(state.coordinate(#place))),
+            _ => (2, |place| quote!(state.point(#place))),
         };
         let components = width * method.members.len();
+        let value = |place: TokenStream| {
+            let motion = value(place.clone());
+            match first.derivatives {
+                // A state holds velocities as rates,
+                1 => quote!(#motion.of_rate()),
+                // and third derivatives as accelerations.
+                3 => {
+                    let jerk = value(quote!(#place + #components));
+                    quote!(#motion.with_jerk(#jerk.acceleration))
+                }
+                _ => motion,
+            }
+        };
+        let components = if first.derivatives == 3 { 2 * components } else { components };
         let places: Vec<usize> = (0..method.members.len()).map(|member| slice.held.len() - components + width * member).collect();
-        let (value, kind) = (array_at(&places, &method.sizes, value), array_type(kind, &method.sizes));
+        let (value, kind) = (array_at(&places, &method.sizes, value), array_type(self.output_type(first), &method.sizes));
         let components = (1..=components).map(|component| {
             let component = format!("component {component}");
             quote!(::reuleaux::Coordinate::length(#word, #component))
         });
         let upstream = upstream(&slice.solution.solving, slice.held.len(), &body);
-        let [n, whole, order] = [slice.held.len(), self.system.width(), order].map(number);
+        let [n, whole, order] = [slice.held.len(), self.system.width(), number_of_slice].map(number);
         let held = slice.held.iter().map(|unknown| number(*unknown));
         let page = docs::line(&format!(
             "What is upstream of the output `{word}` of [`{mechanism}`], and nothing else, made by [`{mechanism}::solve_for_{word}`]."
         ));
         let page_of_state = docs::line(&format!("A state of [`{name}`]: the output, and what the next state is found from."));
-        let allowed = allowed();
+        let (allowed, whole_state, in_whole) = (allowed(), state_path(mechanism), in_whole(number_of_slice));
         quote! {
             #page
             #[allow(non_camel_case_types, dead_code)]
@@ -81,6 +94,11 @@ impl Emitter<'_> {
                 #lists
                 fn output(state: &::reuleaux::State<T, #n>) -> Self::Value { #value }
                 #upstream
+            }
+            #allowed
+            impl<T: ::reuleaux::Real> ::reuleaux::HasOutput<#mechanism<T>, #order> for #whole_state<T> {
+                type Value = #kind;
+                fn output_of(&self, mechanism: &#mechanism<T>) -> Self::Value { mechanism.#in_whole(self) }
             }
         }
     }

@@ -4,6 +4,7 @@
 use super::arrays::array_type;
 use super::inputs::type_name;
 use super::literal::{matrix_type, number, vector_type};
+use super::outputs::motion_type;
 use super::parameters::Parameters;
 use super::points;
 use super::scene;
@@ -11,19 +12,15 @@ use super::serial;
 use super::slices::{plain, slice_name};
 use super::state::Accessors;
 use super::stub_loads::{has_forces, loads};
-use crate::diag::nearest;
 use crate::diag::{Fact, NameFact};
+use crate::hints::{OutputKind, derivatives, output_kind, refused};
 use crate::model::{Layout, Method, Of};
-use crate::names::is_generated;
 use crate::quantity::Ambient;
 use crate::resolve::{Outline, outline};
-use crate::syntax::ast::{Expression, ExpressionKind, Item, Marks, Mechanism, Operator, Task, Use};
+use crate::syntax::ast::{Item, Mechanism, Task, Use};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 use std::collections::BTreeSet;
-
-/// How many `let`s a guess follows.
-const LETS: usize = 20;
 
 /// A type with the promised fields and functions, none of which can be run.
 pub(crate) fn stub(tree: &Mechanism) -> TokenStream {
@@ -140,29 +137,6 @@ fn listing(name: &Ident, state: &Ident, n: &TokenStream, body: &TokenStream) -> 
             fn outputs(&self, _: &#state<T>) -> [::reuleaux::Motion<T>; 0] { #body }
         }
     }
-}
-
-/// The names of refused items of a kind, each once, with their number of indices.
-fn refused<'a>(tree: &'a Mechanism, kind: &str) -> Vec<(&'a Ident, usize)> {
-    let mut names: Vec<(&Ident, usize)> = Vec::new();
-    let mut pending: Vec<&Item> = tree.items.iter().rev().collect();
-    while let Some(item) = pending.pop() {
-        match item {
-            Item::Refused(refused) if is_meant(&refused.keyword, kind) && !is_generated(&refused.name) => {
-                names.push((&refused.name, refused.indices.len()));
-            }
-            Item::For(repeated) => pending.extend(repeated.items.iter().rev()),
-            _ => {}
-        }
-    }
-    let mut taken = BTreeSet::new();
-    names.retain(|(name, _)| taken.insert(name.to_string()));
-    names
-}
-
-/// A keyword that may be mistyped stands for this kind of item.
-fn is_meant(keyword: &Ident, kind: &str) -> bool {
-    nearest(&keyword.to_string(), ["param", "body", "output"].into_iter()).is_some_and(|near| near == kind)
 }
 
 /// An array of a refused item, of unknown length.
@@ -356,14 +330,15 @@ fn body_type(tree: &Mechanism) -> TokenStream {
 
 /// The type of an output's method, as far as can be guessed.
 fn motion(tree: &Mechanism, promised: &Outline, method: &Method) -> TokenStream {
-    let value = method.members.first().map(|member| &promised.outputs[*member].value);
-    let motion = match value.map(|value| kind(value, tree, LETS)) {
-        Some(OutputKind::Vector) if tree.ambient == Ambient::Space => quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector3<T>>),
-        Some(OutputKind::Vector) => quote!(::reuleaux::Motion<::reuleaux::nalgebra::Vector2<T>>),
-        Some(OutputKind::Body) => body_type(tree),
-        _ => quote!(::reuleaux::Motion<T>),
+    let output = method.members.first().map(|member| &*promised.outputs[*member]);
+    let value_type = match output.map(|output| output_kind(output, tree)) {
+        Some(OutputKind::Vector) if tree.ambient == Ambient::Space => quote!(::reuleaux::nalgebra::Vector3<T>),
+        Some(OutputKind::Vector) => quote!(::reuleaux::nalgebra::Vector2<T>),
+        Some(OutputKind::Body) => return array_type(body_type(tree), &method.sizes),
+        _ => quote!(T),
     };
-    array_type(motion, &method.sizes)
+    let derivatives = output.map_or(2, |output| derivatives(output, tree));
+    array_type(motion_type(&value_type, derivatives), &method.sizes)
 }
 
 /// The slices upstream of outputs: the methods and their types.
@@ -400,6 +375,9 @@ fn slices(tree: &Mechanism, promised: &Outline, visibility: &TokenStream, body: 
 fn outputs(tree: &Mechanism, promised: &Outline, state: &Ident, body: &TokenStream) -> TokenStream {
     let method = |method: &Method| {
         let (name, motion) = (&method.name, motion(tree, promised, method));
+        if method.is_slice {
+            return quote!(pub fn #name<S>(&self, _: &S) -> #motion { #body });
+        }
         quote!(pub fn #name(&self, _: &#state<T>) -> #motion { #body })
     };
     let is_new = |name: &Ident| !promised.methods.iter().any(|method| method.name == *name);
@@ -408,67 +386,4 @@ fn outputs(tree: &Mechanism, promised: &Outline, state: &Ident, body: &TokenStre
         quote!(pub fn #name(&self, _: &#state<T>) -> #motion { #body })
     });
     promised.methods.iter().map(method).chain(refused).collect()
-}
-
-/// Kind of an output.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum OutputKind {
-    Number,
-    Vector,
-    Body,
-}
-
-/// Guesses the kind of an output from its expression.
-fn kind(expr: &Expression, tree: &Mechanism, lets: usize) -> OutputKind {
-    let vector_if = |is_vector: bool| if is_vector { OutputKind::Vector } else { OutputKind::Number };
-    match &expr.kind {
-        ExpressionKind::Tuple(_) => OutputKind::Vector,
-        ExpressionKind::Index(owner, _) => kind(owner, tree, lets),
-        ExpressionKind::Field(_, name) if ["x", "y", "angle", "c"].contains(&name.to_string().as_str()) => OutputKind::Number,
-        ExpressionKind::Field(owner, name) => {
-            if names(name, tree, lets) == Some(OutputKind::Body) && !is_frame(owner, tree) {
-                OutputKind::Body
-            } else {
-                OutputKind::Vector
-            }
-        }
-        ExpressionKind::Call(path, _) => vector_if(path.name.as_ref().is_some_and(|name| name == "perp" || name == "unit")),
-        ExpressionKind::Negative(value) => kind(value, tree, lets),
-        ExpressionKind::Binary(Operator::Power | Operator::Rem, ..) => OutputKind::Number,
-        ExpressionKind::Binary(_, one, two) => vector_if([one, two].into_iter().any(|side| kind(side, tree, lets) == OutputKind::Vector)),
-        ExpressionKind::Path(path) => path.name.as_ref().and_then(|name| names(name, tree, lets)).unwrap_or(OutputKind::Number),
-        ExpressionKind::Number { .. } | ExpressionKind::List(_) | ExpressionKind::If { .. } => OutputKind::Number,
-    }
-}
-
-/// The expression is a body or ground, whose parts are points.
-fn is_frame(expr: &Expression, tree: &Mechanism) -> bool {
-    match &expr.kind {
-        ExpressionKind::Index(owner, _) => is_frame(owner, tree),
-        ExpressionKind::Path(path) => {
-            path.name.as_ref().is_some_and(|name| name == "ground" || names(name, tree, 0) == Some(OutputKind::Body))
-        }
-        _ => false,
-    }
-}
-
-/// A `let`, a body, or a point whose body was forgotten, wherever it is declared.
-fn names(name: &Ident, tree: &Mechanism, lets: usize) -> Option<OutputKind> {
-    let mut pending: Vec<&Item> = tree.items.iter().collect();
-    let mut found = None;
-    while let Some(item) = pending.pop() {
-        match item {
-            Item::Let(binding) if binding.name == *name && lets > 0 => return Some(kind(&binding.value, tree, lets - 1)),
-            Item::Body(frame) if frame.name == *name => return Some(OutputKind::Body),
-            Item::Body(frame) | Item::Ground(frame) if has_mark(&frame.marks, name) => found = Some(OutputKind::Vector),
-            Item::Component(component) => pending.extend(&component.items),
-            Item::For(repeated) => pending.extend(&repeated.items),
-            _ => {}
-        }
-    }
-    found
-}
-
-fn has_mark(marks: &Marks, name: &Ident) -> bool {
-    marks.single.iter().any(|mark| mark.name == *name) || marks.loops.iter().any(|repeated| has_mark(&repeated.items, name))
 }

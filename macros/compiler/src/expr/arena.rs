@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashMap};
 
 use super::frame::Frames;
-use super::precise::Fixed;
+use super::precise::ConstantValue;
 use super::{Binary, Exact, Expr, Leaf, Node, RULES, Unary};
 
 /// A hash-consed store of simplified expressions.
@@ -15,7 +15,7 @@ pub struct Arena {
     // Only looked up, never iterated, so that its order cannot reach the output.
     places: HashMap<Node, Expr>,
     /// Value of each node that depends on constants only.
-    pub(super) fixed: Vec<Option<Fixed>>,
+    pub(super) fixed: Vec<Option<ConstantValue>>,
     /// Frames that turn in space, and vectors fixed in them.
     pub(super) frames: Frames,
 }
@@ -70,7 +70,7 @@ impl Arena {
         let (nodes, fixed) = (&mut self.nodes, &mut self.fixed);
         *self.places.entry(node).or_insert_with(|| {
             nodes.push(node);
-            fixed.push(Fixed::of(&node, |operand| fixed[operand.index()]));
+            fixed.push(ConstantValue::of(&node, |operand| fixed[operand.index()]));
             Expr(u32::try_from(nodes.len() - 1).unwrap_or(u32::MAX))
         })
     }

@@ -25,8 +25,8 @@ impl Values<'_> {
     fn of(&self, leaf: Leaf) -> f64 {
         let (list, number) = match leaf {
             Leaf::Time => return self.time,
-            // Expressions with data are printed, not evaluated.
-            Leaf::Datum(_) | Leaf::Turn(_) => return f64::NAN,
+            // Expressions with data or third derivatives are printed, not evaluated.
+            Leaf::Datum(_) | Leaf::Turn(_) | Leaf::Jerk(_) => return f64::NAN,
             Leaf::Parameter(i) => (self.parameters, i),
             Leaf::Input { number, order } => (self.parameters, number + u32::from(order)),
             Leaf::Coordinate(i) => (self.coordinates, i),

@@ -25,13 +25,21 @@ pub struct Seed {
     coordinates: Vec<Option<u32>>,
     /// Number of the first coordinate.
     first: u32,
+    /// True if D(u̇) = ü; otherwise accelerations are constant.
+    has_jerks: bool,
 }
 
 impl Seed {
     /// Along the motion: D(q) the speed of this number, D(u) = u̇, D(t) = 1. The rate of u̇ is taken as 0.
     #[must_use]
     pub fn motion(coordinates: Vec<Option<u32>>) -> Seed {
-        Seed { time_runs: true, speeds_change: true, parameter: None, coordinates, first: 0 }
+        Seed { time_runs: true, speeds_change: true, coordinates, ..Seed::default() }
+    }
+
+    /// The same seed with D(u̇) = ü, so that the second derivative of an expression can be differentiated once more.
+    #[must_use]
+    pub fn with_jerks(self) -> Seed {
+        Seed { has_jerks: true, ..self }
     }
 
     /// At constant speeds: D(q) the speed of this number, D(u) = 0, D(t) = 1. The second derivative of Φ is −γ.
@@ -125,7 +133,10 @@ impl Jets {
                 [expr, first.map_or(zero, |rate| arena.leaf(rate)), second.map_or(zero, |rate| arena.leaf(rate))]
             }
             Leaf::Parameter(i) if seed.parameter == Some(i) => [expr, arena.integer(1), zero],
-            Leaf::Speed(i) if seed.speeds_change => [expr, arena.leaf(Leaf::Acceleration(i)), zero],
+            Leaf::Speed(i) if seed.speeds_change => {
+                [expr, arena.leaf(Leaf::Acceleration(i)), if seed.has_jerks { arena.leaf(Leaf::Jerk(i)) } else { zero }]
+            }
+            Leaf::Acceleration(i) if seed.has_jerks => [expr, arena.leaf(Leaf::Jerk(i)), zero],
             Leaf::Coordinate(i) => match i.checked_sub(seed.first).and_then(|i| *seed.coordinates.get(i as usize)?) {
                 None => [expr, zero, zero],
                 Some(i) => {
@@ -139,7 +150,8 @@ impl Jets {
             | Leaf::Datum(_)
             | Leaf::Turn(_)
             | Leaf::Speed(_)
-            | Leaf::Acceleration(_) => [expr, zero, zero],
+            | Leaf::Acceleration(_)
+            | Leaf::Jerk(_) => [expr, zero, zero],
         }
     }
 }

@@ -35,6 +35,8 @@ pub enum Leaf {
     Speed(u32),
     /// The rate u̇ of the speed of the same number.
     Acceleration(u32),
+    /// The rate ü of the acceleration of the same number.
+    Jerk(u32),
     /// Placeholder for a number, in an expression shared by several of the same shape.
     Datum(u32),
     /// An infinitesimal turn of a body in space about an axis of ground, three for each body. Expressions are differentiated by it and

@@ -11,22 +11,22 @@ const DIRT: f64 = 1.0 / (1_u128 << 90) as f64;
 
 /// The value of an expression of constants.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Fixed {
+pub(super) struct ConstantValue {
     /// In `f64`.
     pub(super) value: f64,
     /// To about 100 bits, where all operations are known so precisely.
     precise: Option<Twofold>,
 }
 
-impl Fixed {
+impl ConstantValue {
     /// The value of an operation, from those of its operands; `None` if an operand has none.
-    pub(super) fn of(node: &Node, operand: impl Fn(Expr) -> Option<Fixed>) -> Option<Fixed> {
+    pub(super) fn of(node: &Node, operand: impl Fn(Expr) -> Option<ConstantValue>) -> Option<ConstantValue> {
         let value = node.value(|expr| operand(expr).map(|fixed| fixed.value))?;
         let precise = node.precisely(|expr| operand(expr)?.precise).filter(|precise| precise.round().is_finite());
         // An exact number has its rounded value already, and equal values may differ in the sign of zero.
         let is_rounded = |rounded: f64| matches!(node, Node::Constant(_)) || rounded == value || !value.is_finite();
         let value = precise.map(Twofold::round).filter(|rounded| !is_rounded(*rounded)).unwrap_or(value);
-        Some(Fixed { value, precise })
+        Some(ConstantValue { value, precise })
     }
 }
 

@@ -259,6 +259,8 @@ pub struct Output {
     pub components: Vec<Expr>,
     /// Dimension.
     pub dim: Dim,
+    /// Number of its derivatives by time that are given: 2, 1 if the output contains velocities, 3 if it is declared with jerk.
+    pub derivatives: usize,
 }
 
 /// A generated method: one output, or an array of them.

@@ -62,12 +62,12 @@ impl Round {
 /// Stages computed by one call: a block, or the unknowns of one owner.
 struct Run<'a> {
     stages: Vec<&'a Stage>,
-    owner: Option<Owner>,
+    owner: Option<RunOwner>,
 }
 
 /// Computed unknowns that belong together.
 #[derive(PartialEq)]
-enum Owner {
+enum RunOwner {
     /// Those that one joint determines.
     Joint(usize),
     /// Direction cosines of the bodies that hang from this one.
@@ -183,9 +183,9 @@ fn runs<'a>(frame: &PlanContext, stages: &'a [Stage]) -> (Vec<Run<'a>>, Vec<(usi
             continue;
         }
         let owner = Some(match origin {
-            Origin::Equation(row) => Owner::Joint(frame.joints[*row]),
-            Origin::Orientation(root) => Owner::Tree(*root),
-            Origin::Output => Owner::Output,
+            Origin::Equation(row) => RunOwner::Joint(frame.joints[*row]),
+            Origin::Orientation(root) => RunOwner::Tree(*root),
+            Origin::Output => RunOwner::Output,
         });
         match runs.last_mut() {
             Some(run) if run.owner == owner => run.stages.push(stage),

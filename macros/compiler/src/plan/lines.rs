@@ -75,6 +75,8 @@ pub struct Iterated {
     pub rates: Vec<Step>,
     /// Named steps before the accelerations.
     pub accelerations: Vec<Step>,
+    /// Named steps before the third derivatives.
+    pub jerks: Vec<Step>,
 }
 
 /// Context of planning.
@@ -101,7 +103,7 @@ pub(super) fn lines(arena: &Arena, stages: &[Stage], n: usize, turned: &BTreeSet
             Stage::Check { residual, sizes, .. } => roots.extend([residual].into_iter().chain(sizes)),
             Stage::Block(system) => {
                 hoisted.extend(fixed(arena, system, moving));
-                roots.extend(system.sizes.iter().chain(&system.rates).chain(&system.accelerations));
+                roots.extend(system.sizes.iter().chain(&system.rates).chain(&system.accelerations).chain(&system.jerks));
             }
         }
     }
@@ -209,8 +211,9 @@ fn iterated(arena: &Arena, work: &mut Scheduler, system: &Iteration, moving: &BT
     };
     let rates = serve_all(work, &system.rates);
     let accelerations = serve_all(work, &system.accelerations);
+    let jerks = serve_all(work, &system.jerks);
     let cost = cost(arena, &inner.needed);
-    Iterated { before, system: system.clone(), turns, inside: inner.take(), names: inner.names, cost, rates, accelerations }
+    Iterated { before, system: system.clone(), turns, inside: inner.take(), names: inner.names, cost, rates, accelerations, jerks }
 }
 
 /// Sine and cosine of the unknowns have the same names in the loop and after it: the loop stores them.

@@ -5,6 +5,7 @@
 
 mod dynamics;
 mod elimination;
+mod jerk;
 mod joints;
 mod kernels;
 mod linear;
@@ -26,10 +27,11 @@ mod tests;
 mod words;
 
 pub use dynamics::DynamicsCode;
+pub(crate) use jerk::jerks_are_known;
 pub use kernels::{Kernel, Kernels, Round};
 pub use lines::{Iterated, StageCode, StraightLine};
 pub use loads::{LoadKind, LoadsCode, NamedLoad};
-pub use outputs::Outputs;
+pub use outputs::{OutputCode, Outputs};
 pub use rolled::{Code, Group, Target};
 pub use routine::{Cost, Routine, Step};
 pub use scene::SceneCode;
@@ -42,10 +44,11 @@ pub(crate) use words::Words;
 use crate::assembly::{Assembly, Poses};
 use crate::dynamics::{Dynamics, Loads};
 use crate::expr::{Arena, Expr, Leaf};
-use crate::model::Model;
+use crate::model::{Method, Model};
 use crate::quantity::Role;
 use crate::structure::Structure;
 use crate::system::{Equation, OutputMotion, System};
+use jerk::Jerks;
 use joints::Joints;
 use lines::PlanContext;
 use rolled::Cell;
@@ -118,6 +121,8 @@ pub(crate) fn schedule(
         (stages, outputs)
     });
     let motions = space::plain_outputs(&mut arena, system);
+    let jerks =
+        solved.as_ref().map(|(stages, outputs)| JerksOf::new(&mut arena, model, system, stages, outputs, &motions)).unwrap_or_default();
     let words = Words::new(model, system);
     let tracer = Tracer::new(&arena);
     let line = |results: Vec<Expr>| schedule::routine(&arena, results, &words);
@@ -131,7 +136,7 @@ pub(crate) fn schedule(
     let zero = arena_of_equations.all().find(|expr| arena_of_equations.as_constant(*expr).is_some_and(|value| value.is_zero()));
     let residual = |equation: &Equation| equation.phi().or(zero);
     let equations = |cells: Vec<Cell>| rolled::code(arena_of_equations, &tracer_of_equations, cells, &words_of_equations);
-    let solving = solved.map(|(stages, outputs)| solving(&arena, &tracer, system, &words, &stages, &outputs));
+    let solving = solved.map(|(stages, outputs)| solving(&arena, &tracer, system, &words, &stages, &outputs, &jerks.of_slices));
     let sides = model.requirements.iter().flat_map(|requirement| [requirement.lhs, requirement.rhs]).collect();
     Plan {
         dynamics: dynamics.map(|dynamics| dynamics::code(model, system, dynamics)),
@@ -143,7 +148,7 @@ pub(crate) fn schedule(
         nu: equations(joints.rows(|equation| Some(equation.nu))),
         gamma: equations(joints.rows(|equation| Some(equation.gamma))),
         pattern: joints.pattern(),
-        outputs: outputs::outputs(&arena, &tracer, model, &motions, &words),
+        outputs: outputs::outputs(&arena, &tracer, model, &motions, &jerks.of_outputs, &words),
         start: line(system.coordinates.iter().filter_map(|unknown| unknown.start).collect()),
         lengths: line(distinct(&arena, &system.lengths)),
         requirements: line(sides),
@@ -159,10 +164,16 @@ pub(crate) fn schedule(
     }
 }
 
-/// Components of the outputs of each slice; those of a body are its coordinates.
+/// Components of the outputs of each slice; those of a body are its coordinates. What contains velocities is found when positions are
+/// known, as a rate.
 fn sliced(arena: &mut Arena, model: &Model, system: &System) -> Vec<OutputMotion> {
+    let zero = arena.integer(0);
     let mut components = |member: &usize| -> Vec<[Expr; 3]> {
-        let Some(body) = model.outputs[*member].body else { return system.outputs[*member].components.clone() };
+        let own = &system.outputs[*member].components;
+        if model.outputs[*member].derivatives == 1 {
+            return own.iter().map(|[value, rate, _]| [zero, *value, *rate]).collect();
+        }
+        let Some(body) = model.outputs[*member].body else { return own.clone() };
         let own = (0..system.coordinates.len())
             .filter(|unknown| system.coordinates[*unknown].body == body && (system.frames.is_empty() || *unknown / 3 == body));
         let own: Vec<[Expr; 3]> =
@@ -171,6 +182,34 @@ fn sliced(arena: &mut Arena, model: &Model, system: &System) -> Vec<OutputMotion
     };
     let slices = model.methods.iter().filter(|method| method.is_slice);
     slices.map(|method| OutputMotion { components: method.members.iter().flat_map(&mut components).collect() }).collect()
+}
+
+/// The third derivatives of outputs with jerk.
+#[derive(Default)]
+struct JerksOf {
+    /// By output.
+    of_outputs: Vec<Option<Jerks>>,
+    /// By slice.
+    of_slices: Vec<Option<Jerks>>,
+}
+
+impl JerksOf {
+    fn new(
+        arena: &mut Arena,
+        model: &Model,
+        system: &System,
+        stages: &[Stage],
+        slices: &[OutputMotion],
+        motions: &[OutputMotion],
+    ) -> JerksOf {
+        let n = system.coordinates.len();
+        let mut jerks = |has_jerk: bool, motion: &OutputMotion| has_jerk.then(|| Jerks::new(arena, n, stages, motion));
+        let of_outputs = model.outputs.iter().zip(motions).map(|(output, motion)| jerks(output.derivatives == 3, motion)).collect();
+        let methods = model.methods.iter().filter(|method| method.is_slice);
+        let has_jerk = |method: &Method| method.members.first().is_some_and(|member| model.outputs[*member].derivatives == 3);
+        let of_slices = methods.zip(slices).map(|(method, motion)| jerks(has_jerk(method), motion)).collect();
+        JerksOf { of_outputs, of_slices }
+    }
 }
 
 /// Chooses the elimination of large blocks; most mechanisms have none.
@@ -194,17 +233,19 @@ fn solving(
     words: &Words,
     stages: &[Stage],
     outputs: &[OutputMotion],
+    jerks: &[Option<Jerks>],
 ) -> (Solution, Vec<Slice>, Option<Slice>) {
     let is_angle = |index: usize| system.coordinates.get(index).is_some_and(|unknown| unknown.role == Role::Angle);
     let is_angle: Vec<bool> = (0..system.width()).map(is_angle).collect();
     let joints: Vec<usize> = system.equations.iter().map(|equation| equation.joint).collect();
     let frame = PlanContext { arena, tracer, words, is_angle: &is_angle, joints: &joints };
-    let slice = |output: &OutputMotion| {
-        let is_angle: Vec<bool> = is_angle.iter().copied().chain(output.components.iter().map(|_| false)).collect();
-        let words = words.with_outputs(output.components.len());
-        slice::upstream(&PlanContext { words: &words, is_angle: &is_angle, ..frame }, stages, output, system.width())
+    let slice = |(output, jerks): (&OutputMotion, &Option<Jerks>)| {
+        let components = output.components.len() + jerks.as_ref().map_or(0, |jerks| jerks.components.len());
+        let is_angle: Vec<bool> = is_angle.iter().copied().chain((0..components).map(|_| false)).collect();
+        let words = words.with_outputs(components);
+        slice::upstream(&PlanContext { words: &words, is_angle: &is_angle, ..frame }, stages, output, jerks.as_ref(), system.width())
     };
-    let slices = outputs.iter().map(slice).collect();
+    let slices = outputs.iter().zip(jerks).map(slice).collect();
     // If a part rests, single steps solve the moving part.
     let moving = slice::moving(&frame, stages);
     (solution::solution(&frame, stages, moving.is_none()), slices, moving)

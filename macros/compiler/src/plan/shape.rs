@@ -88,6 +88,7 @@ enum Operation {
     Coordinate(u32),
     Speed(u32),
     Acceleration(u32),
+    Jerk(u32),
     Unary(Unary, u32),
     Binary(Binary, u32, u32),
     Select([u32; 4]),
@@ -253,6 +254,7 @@ impl Trace {
             Leaf::Coordinate(index) => Operation::Coordinate(slot(&mut self.unknowns, index)),
             Leaf::Speed(index) => Operation::Speed(slot(&mut self.unknowns, index)),
             Leaf::Acceleration(index) => Operation::Acceleration(slot(&mut self.unknowns, index)),
+            Leaf::Jerk(index) => Operation::Jerk(slot(&mut self.unknowns, index)),
         }
     }
 }
@@ -285,6 +287,7 @@ impl Copy {
             Operation::Coordinate(slot) => Node::Leaf(Leaf::Coordinate(slot)),
             Operation::Speed(slot) => Node::Leaf(Leaf::Speed(slot)),
             Operation::Acceleration(slot) => Node::Leaf(Leaf::Acceleration(slot)),
+            Operation::Jerk(slot) => Node::Leaf(Leaf::Jerk(slot)),
             Operation::Unary(function, a) => Node::Unary(function, at(a)),
             Operation::Binary(function, a, b) => Node::Binary(function, at(a), at(b)),
             Operation::Select([lhs, rhs, then, otherwise]) => {

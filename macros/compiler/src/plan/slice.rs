@@ -3,6 +3,7 @@
 //! In: the stages of a mechanism. Out: [`Slice`]s: some of the stages, and the unknowns that a state of the slice holds so that the next
 //! state can be predicted from it. Not done here: printing.
 
+use super::jerk::Jerks;
 use super::lines::PlanContext;
 use super::solution::{Solution, Solving, solution};
 use super::stage::{Origin, Stage};
@@ -21,23 +22,22 @@ pub struct Slice {
     pub solution: Solution,
 }
 
-/// The slice upstream of an output, with the output's components as unknowns after those of the mechanism.
-pub(super) fn upstream(frame: &PlanContext, stages: &[Stage], output: &OutputMotion, n: usize) -> Slice {
+/// The slice upstream of an output, with the output's components as unknowns after those of the mechanism, and after them their third
+/// derivatives.
+pub(super) fn upstream(frame: &PlanContext, stages: &[Stage], output: &OutputMotion, jerks: Option<&Jerks>, n: usize) -> Slice {
     let mut needed: BTreeSet<usize> = BTreeSet::new();
-    let outputs: Vec<Stage> = output
-        .components
-        .iter()
-        .enumerate()
-        .map(|(index, motion)| Stage::Explicit { unknown: n + index, origin: Origin::Output, motion: *motion })
-        .collect();
+    let motions = output.components.iter().copied().chain(jerks.into_iter().flat_map(Jerks::as_accelerations));
+    let outputs: Vec<Stage> =
+        motions.enumerate().map(|(index, motion)| Stage::Explicit { unknown: n + index, origin: Origin::Output, motion }).collect();
     for stage in &outputs {
         needed.extend(leaves(frame.arena, stage));
     }
     let mut chosen: Vec<Stage> = Vec::new();
     for stage in stages.iter().rev() {
         if stage.unknowns().iter().any(|unknown| needed.contains(unknown)) {
-            needed.extend(leaves(frame.arena, stage));
-            chosen.push(stage.clone());
+            let stage = jerks.map_or_else(|| stage.clone(), |jerks| jerks.asked_of(stage));
+            needed.extend(leaves(frame.arena, &stage));
+            chosen.push(stage);
         }
     }
     chosen.reverse();
@@ -88,7 +88,7 @@ fn timed(arena: &Arena, stages: &[Stage]) -> BTreeSet<usize> {
 /// Unknowns in the expressions of a stage.
 fn leaves(arena: &Arena, stage: &Stage) -> BTreeSet<usize> {
     let leaf = |leaf: &Leaf| match leaf {
-        Leaf::Coordinate(index) | Leaf::Speed(index) | Leaf::Acceleration(index) => Some(*index as usize),
+        Leaf::Coordinate(index) | Leaf::Speed(index) | Leaf::Acceleration(index) | Leaf::Jerk(index) => Some(*index as usize),
         Leaf::Time | Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_) | Leaf::Turn(_) => None,
     };
     stage.results().iter().flat_map(|result| arena.leaves(*result)).filter_map(|found| leaf(&found)).collect()

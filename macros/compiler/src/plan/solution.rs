@@ -66,7 +66,9 @@ pub(super) fn solution(frame: &PlanContext, stages: &[Stage], is_apart: bool) ->
     let (of_kernels, all) = (kernels.size(), size(arena, stages));
     let mut blocks = kernels.blocks.iter().copied();
     let summaries = stages.iter().map(|stage| summary(arena, stage, &mut blocks)).collect();
-    let (cost, solving) = if all <= STRAIGHT || 2 * of_kernels > all && all <= LONGEST {
+    // Shared functions do not exchange third derivatives.
+    let has_jerks = stages.iter().any(|stage| matches!(stage, Stage::Block(system) if !system.jerks.is_empty()));
+    let (cost, solving) = if has_jerks || all <= STRAIGHT || 2 * of_kernels > all && all <= LONGEST {
         let lines = lines(arena, stages, frame.is_angle.len(), &BTreeSet::new(), is_apart, words);
         (lines.cost, Solving::Straight(lines))
     } else {

@@ -60,8 +60,8 @@ impl Stage {
         match self {
             Stage::Explicit { motion, .. } => motion.to_vec(),
             Stage::Check { residual, sizes, .. } => [*residual].into_iter().chain(*sizes).collect(),
-            Stage::Block(Iteration { residuals, jacobian, sizes, rates, accelerations, .. }) => {
-                [residuals, sizes, rates, accelerations].into_iter().chain(jacobian).flatten().copied().collect()
+            Stage::Block(Iteration { residuals, jacobian, sizes, rates, accelerations, jerks, .. }) => {
+                [residuals, sizes, rates, accelerations].into_iter().chain(jacobian).chain([jerks]).flatten().copied().collect()
             }
         }
     }
@@ -75,7 +75,9 @@ impl Iteration {
         let mut next = || lists.next().unwrap_or_default();
         let [residuals, sizes, rates, accelerations] = [next(), next(), next(), next()];
         let elimination = self.elimination.clone();
-        Iteration { unknowns, equations, residuals, sizes, elimination, rates, accelerations, jacobian: lists.collect() }
+        let jacobian = lists.by_ref().take(k).collect();
+        let jerks = lists.next().unwrap_or_default();
+        Iteration { unknowns, equations, residuals, sizes, elimination, rates, accelerations, jerks, jacobian }
     }
 }
 
@@ -98,6 +100,8 @@ pub struct Iteration {
     pub rates: Vec<Expr>,
     /// Right-hand side of the acceleration equation.
     pub accelerations: Vec<Expr>,
+    /// Right-hand side of the equation of third derivatives, where an output asks for them.
+    pub jerks: Vec<Expr>,
 }
 
 /// A fixed order of elimination. Indices are those in the block.

@@ -160,7 +160,7 @@ impl StageBuilder<'_> {
     /// The coordinates on which expressions depend, by themselves or by their rates.
     fn numbers(&self, roots: &[Expr]) -> BTreeSet<u32> {
         let number = |leaf: Leaf| match leaf {
-            Leaf::Coordinate(number) | Leaf::Speed(number) | Leaf::Acceleration(number) => Some(number),
+            Leaf::Coordinate(number) | Leaf::Speed(number) | Leaf::Acceleration(number) | Leaf::Jerk(number) => Some(number),
             Leaf::Time | Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_) | Leaf::Turn(_) => None,
         };
         roots.iter().flat_map(|root| self.arena.leaves(*root)).filter_map(number).collect()
@@ -234,6 +234,7 @@ impl StageBuilder<'_> {
             elimination: None,
             rates: Vec::new(),
             accelerations: Vec::new(),
+            jerks: Vec::new(),
         };
         let mut seconds = Vec::new();
         for equation in &block.residuals {

@@ -107,6 +107,7 @@ impl Words {
             Leaf::Coordinate(index) => coordinate(index),
             Leaf::Speed(index) => self.speeds.get(index as usize).cloned().unwrap_or_else(|| coordinate(index) + "_rate"),
             Leaf::Acceleration(index) => coordinate(index) + "_acceleration",
+            Leaf::Jerk(index) => coordinate(index) + "_jerk",
         }
     }
 }

@@ -4,7 +4,7 @@ use super::elaborate::Elaborator;
 use super::register::Register;
 use super::statement::ScalarEquation;
 use super::{Freedom, Joint, Layout, Method, Name, Of, Output, Residual};
-use crate::diag::{ArrayFact, EquationFact, Kind, NameFact, Range, ValueFact};
+use crate::diag::{ArrayFact, EquationFact, JerkObstacle, Kind, MotionFact, NameFact, Range, ValueFact};
 use crate::expr::{Expr, Leaf};
 use crate::names::{Context, EntityId, FrameId, Scalar, Scope, Value, is_generated};
 use crate::quantity::{Ambient, Dim, InferredDim};
@@ -134,25 +134,32 @@ impl Elaborator<'_> {
     fn output(&mut self, output: &ast::OutputItem, name: &Name, context: &Context) -> Option<Output> {
         let value = self.value(&output.value, &Scope::of(context))?;
         let found = if matches!(value, Value::Body(FrameId::GROUND)) { Kind::Ground } else { value.kind() };
-        let has_speeds = match &value {
-            Value::Scalar(scalar) => self.has_speeds(scalar.expr),
-            Value::Vector(vector) => vector.parts.iter().any(|part| self.has_speeds(*part)),
-            _ => false,
-        };
-        if has_speeds {
-            return self.refuse(output.value.range, ValueFact::NotAnOutput { found: Kind::Velocity });
-        }
         let (components, measure) = match value {
             Value::Scalar(scalar) => (vec![scalar.expr], scalar.measure),
             Value::Body(frame) if frame != FrameId::GROUND => {
-                return Some(Output { name: name.clone(), body: Some(frame.0 - 1), components: Vec::new(), dim: Dim::NUMBER });
+                self.may_have_jerk(output, JerkObstacle::Body)?;
+                let (name, body) = (name.clone(), Some(frame.0 - 1));
+                return Some(Output { name, body, components: Vec::new(), dim: Dim::NUMBER, derivatives: 2 });
             }
             other => match self.as_vector(other) {
                 Some(vector) => (vector.parts.to_vec(), vector.measure),
                 None => return self.refuse(output.value.range, ValueFact::NotAnOutput { found }),
             },
         };
-        Some(Output { name: name.clone(), body: None, components, dim: measure.settled() })
+        let Some(derivatives @ 1..) = components.iter().map(|part| self.derivatives_of(*part)).min() else {
+            return self.refuse(output.value.range, ValueFact::OutputWithoutRate);
+        };
+        if derivatives == 1 {
+            self.may_have_jerk(output, JerkObstacle::Velocity)?;
+        }
+        let derivatives = derivatives + usize::from(output.jerk.is_some());
+        Some(Output { name: name.clone(), body: None, components, dim: measure.settled(), derivatives })
+    }
+
+    /// Refuses an output with jerk, if it is declared so.
+    pub(super) fn may_have_jerk(&mut self, output: &ast::OutputItem, obstacle: JerkObstacle) -> Option<()> {
+        let Some(jerk) = &output.jerk else { return Some(()) };
+        self.refuse(jerk, MotionFact::NoJerk { output: output.name.to_string(), obstacle })
     }
 
     /// One method for each output name. The method of an output in a part begins with the names of the enclosing parts.
@@ -170,7 +177,7 @@ impl Elaborator<'_> {
             } else if !taken.insert(word.clone()) {
                 self.refuse::<()>(&method.name, NameFact::Duplicate { name: word, first: "another output" });
             }
-            let shape = |member: &usize| outputs[*member].as_ref().map(|output| (output.components.len(), output.dim));
+            let shape = |member: &usize| outputs[*member].as_ref().map(|output| (output.components.len(), output.dim, output.derivatives));
             let mut shapes = method.members.iter().filter_map(shape);
             let first = shapes.next();
             if shapes.any(|other| Some(other) != first) {

@@ -5,7 +5,7 @@ use super::Joint;
 use super::elaborate::Elaborator;
 use super::register::Register;
 use super::statement::ScalarEquation;
-use crate::diag::{EquationFact, JointValue, MotionFact, Word};
+use crate::diag::{EquationFact, JerkObstacle, JointValue, MotionFact, Word};
 use crate::hints::{cross_product, is_zero, unit_in_parts};
 use crate::library;
 use crate::names::{Declared, FrameId, Progress, Scope, Sort, Value};
@@ -257,6 +257,19 @@ impl Elaborator<'_> {
             let Some(input) = joint.residuals.iter().find_map(|residual| self.input_in(residual.expr)) else { continue };
             let fact = MotionFact::InputBesideFreedom { drive: joint.name.to_string(), input, freedom: freedom.clone() };
             self.refuse::<()>(&joint.name, fact);
+        }
+    }
+
+    /// Refuses outputs with jerk where coordinates are not solved for.
+    pub(super) fn fits_jerks(&mut self, task: Task, register: &Register) {
+        let freedom = register.joints.iter().find(|(_, joint)| joint.is_freedom()).map(|(_, freedom)| freedom.name.to_string());
+        let obstacle = match task {
+            Task::Kinematics => return,
+            Task::EquationsOnly => JerkObstacle::EquationsOnly,
+            Task::Motion => JerkObstacle::Integrated { freedom },
+        };
+        for (_, output) in &register.outputs {
+            self.once(output, |this| this.may_have_jerk(output, obstacle.clone()));
         }
     }
 

@@ -11,7 +11,7 @@ use super::Components;
 use super::elaborate::Elaborator;
 use super::statement::ScalarEquation;
 use crate::diag::{ArityFact, EquationFact, ValueFact, Wanted};
-use crate::expr::{Expr, Jets, Leaf, Seed, derivative};
+use crate::expr::{Expr, Jets, Leaf, Node, Seed, derivative};
 use crate::model::{DECLARED, declared_rates};
 use crate::names::{FrameId, Scalar, Scope, Value, Vector};
 use crate::quantity::{Ambient, Dim, InferredDim};
@@ -78,6 +78,18 @@ impl Elaborator<'_> {
     /// True if an expression contains speeds.
     pub(super) fn has_speeds(&self, expr: Expr) -> bool {
         self.arena.leaves(expr).iter().any(|leaf| matches!(leaf, Leaf::Speed(_)))
+    }
+
+    /// Number of derivatives by time that an expression has along a motion of known accelerations, at most 2. Speeds have one, and so
+    /// have the rates of inputs and of functions, of which two derivatives are known.
+    pub(super) fn derivatives_of(&self, expr: Expr) -> usize {
+        let taken = |expr: &Expr| match *self.arena.node(*expr) {
+            Node::Leaf(Leaf::Speed(_)) => 1,
+            Node::Leaf(Leaf::Input { order, .. }) | Node::Call { order, .. } => usize::from(order),
+            _ => 0,
+        };
+        let taken = self.arena.reachable(&[expr]).iter().map(taken).max().unwrap_or(0);
+        2_usize.saturating_sub(taken)
     }
 
     /// Refuses rows of velocities that are not affine in the speeds.

@@ -36,6 +36,7 @@ pub(crate) fn resolve(tree: &ast::Mechanism, definitions: Vec<(String, Definitio
     let (declared_forces, forces) = work.forces(&register);
     work.gather_masses(&mut bodies);
     work.fits_freedoms(tree.task, &register);
+    work.fits_jerks(tree.task, &register);
     work.fits_inputs(tree.task, &register, &joints);
     let gravity = work.gravity(&register);
     let outputs = work.outputs(&register);

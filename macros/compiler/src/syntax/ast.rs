@@ -79,7 +79,7 @@ pub enum Item {
     Force(Shared<JointItem>),
     /// `gravity = (x, y);`
     Gravity(Shared<Gravity>),
-    /// `output name = value;` or `slice output name = value;`
+    /// `output name = value;`, `slice output name = value;` or `output name = value with jerk;`
     Output(Shared<OutputItem>),
     /// `component Name(parameters) { items }`
     Component(Shared<ComponentItem>),
@@ -361,4 +361,6 @@ pub struct OutputItem {
     pub indices: Vec<Expression>,
     /// Value.
     pub value: Expression,
+    /// `jerk`, if its third derivative is given as well.
+    pub jerk: Option<Ident>,
 }

@@ -354,7 +354,7 @@ fn times(input: ParseStream) -> Parsed<TimeRange> {
     Ok(TimeRange { keyword, limits })
 }
 
-/// `output name = value;` or `slice output name = value;`
+/// `output name = value;` or `slice output name = value with jerk;`
 fn output(input: ParseStream, docs: Docs) -> Parsed<OutputItem> {
     let is_slice = Ident::parse_any(input)? == "slice";
     if is_slice {
@@ -364,8 +364,22 @@ fn output(input: ParseStream, docs: Docs) -> Parsed<OutputItem> {
         Ident::parse_any(input)?;
     }
     let (name, indices) = declared(input, "the name of the output")?;
-    let value = value(input)?;
-    Ok(OutputItem { docs, is_slice, name, indices, value })
+    equals(input)?;
+    let (value, jerk) = (expression(input)?, with_jerk(input)?);
+    semicolon(input)?;
+    Ok(OutputItem { docs, is_slice, name, indices, value, jerk })
+}
+
+/// `with jerk`
+fn with_jerk(input: ParseStream) -> Parsed<Option<Ident>> {
+    if keyword(input).is_none_or(|word| word != "with") {
+        return Ok(None);
+    }
+    Ident::parse_any(input)?;
+    match keyword(input) {
+        Some(word) if word == "jerk" => Ok(Some(Ident::parse_any(input)?)),
+        _ => expected(input, "`jerk` after `with`"),
+    }
 }
 
 /// A name with its indices.

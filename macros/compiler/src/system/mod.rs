@@ -21,7 +21,7 @@ mod rows;
 
 use crate::diag::{Diag, SystemFact};
 use crate::expr::{Arena, Expr, Jets, Leaf, Seed, Substitution};
-use crate::model::{Model, Name, Said};
+use crate::model::{Model, Name, Output, Said};
 use crate::quantity::{Ambient, Axis, Dim, Role, SpeedRole};
 use crate::structure::Pattern;
 use crate::syntax::ast::Task;
@@ -123,7 +123,7 @@ pub struct Equation {
 /// Motion of an output.
 #[derive(Clone, Debug)]
 pub struct OutputMotion {
-    /// Value, rate and acceleration of each component.
+    /// Value, rate and acceleration of each component; no acceleration, but zero, if the output contains velocities.
     pub components: Vec<[Expr; 3]>,
 }
 
@@ -268,9 +268,7 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
         rows = pins::pins(model, &mut arena, &coordinates, &equations);
         equations.extend(equations_of(&mut arena, &rows));
     }
-    let mut motion = Jets::along(Seed::motion(rates));
-    let outputs = outputs.iter().map(|parts| OutputMotion { components: parts.iter().map(|part| motion.of(&mut arena, *part)).collect() });
-    let outputs = outputs.collect();
+    let outputs = motions(model, &mut arena, &outputs, Seed::motion(rates));
     let lengths = lengths(&mut arena, model, &coordinates, &equations);
     no_joint_repeats_another(model, &mut arena, diag);
     if !diag.is_clean() {
@@ -284,6 +282,18 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     slices_have_loads(model, loads.is_some(), diag)?;
     let speeds = coordinates.iter().map(|coordinate| Speed { body: coordinate.body, role: speed_of(coordinate.role) }).collect();
     Some(System { arena, coordinates, speeds, equations, of_speeds, balance, pattern, outputs, lengths, declared, frames, loads, reached })
+}
+
+/// Differentiates the components of the outputs.
+fn motions(model: &Model, arena: &mut Arena, outputs: &[Vec<Expr>], seed: Seed) -> Vec<OutputMotion> {
+    let mut jets = Jets::along(seed);
+    let mut motion = |part: &Expr, output: &Output| {
+        let [value, rate, acceleration] = jets.of(arena, *part);
+        // The seed has no derivatives of accelerations.
+        [value, rate, if output.derivatives == 1 { arena.integer(0) } else { acceleration }]
+    };
+    let all = outputs.iter().zip(&model.outputs);
+    all.map(|(parts, output)| OutputMotion { components: parts.iter().map(|part| motion(part, output)).collect() }).collect()
 }
 
 /// The solved form: unknowns, and rows and outputs in terms of them.

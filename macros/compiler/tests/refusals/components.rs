@@ -42,6 +42,7 @@ crate::refusals! {
     item index_too_many: "body b[0] {} output o = b[0][«0»].x;" => "a body has no further index\nhelp: take the last `[…]` away";
     item let_with_an_index_in_equations: "joint j = { let a[«0»] = 1; crank.x == a; }" => "`a` cannot have an index: there are no arrays among equations\nhelp: declare the array in the mechanism";
     item start_in_a_loop: "body b { for i in 0..2 { «start» angle = 0; } }" => "a body starts once: `start` cannot be repeated\nhelp: move it out of the loop";
+    item outputs_with_and_without_velocities: "output «o»[0] = crank.angle / 1s; output o[1] = crank.angular_velocity;" => "the outputs `o` measure different things\nhelp: give outputs of another kind another name";
     item outputs_of_two_kinds: "output «o»[0] = crank.x; output o[1] = crank.A;" => "the outputs `o` measure different things\nhelp: give outputs of another kind another name";
     // Components.
     item component_is_unknown: "part p = «Leg»();" => "no component is called `Leg`\nhelp: declare it with `component Leg(…) { … }`";

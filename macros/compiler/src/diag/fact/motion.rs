@@ -54,4 +54,26 @@ pub enum MotionFact {
     RangeBesideFreedom { freedom: Option<String> },
     InputBesideFreedom { drive: String, input: String, freedom: Option<String> },
     SliceBesideInput { output: String, input: String },
+    NoJerk { output: String, obstacle: JerkObstacle },
+}
+
+/// Why an output has no third derivative.
+#[derive(Clone, Debug, PartialEq)]
+pub enum JerkObstacle {
+    /// It is a whole body.
+    Body,
+    /// It contains velocities.
+    Velocity,
+    /// The mechanism is integrated.
+    Integrated {
+        /// A freedom, if there is one.
+        freedom: Option<String>,
+    },
+    /// Only equations are wanted.
+    EquationsOnly,
+    /// A joint, a drive or the output itself contains a function with two derivatives, or an input.
+    TwoDerivatives {
+        /// The joint or drive; `None` for the output itself.
+        joint: Option<String>,
+    },
 }

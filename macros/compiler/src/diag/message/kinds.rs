@@ -18,7 +18,6 @@ impl Display for Kind {
             Kind::JointOf(kind) => return write!(f, "a `{kind}` joint"),
             Kind::Part => "a part",
             Kind::Array => "an array",
-            Kind::Velocity => "a velocity",
         })
     }
 }

@@ -1,7 +1,7 @@
 //! Messages about forces, drives and freedoms.
 
 use super::words::{are, did_you_mean, list, listed};
-use crate::diag::fact::{JointValue, MotionFact, Word};
+use crate::diag::fact::{JerkObstacle, JointValue, MotionFact, Word};
 use crate::quantity::Ambient;
 use std::fmt::{Display, Formatter, Result};
 
@@ -167,6 +167,7 @@ impl Display for MotionFact {
                 write!(f, "`{output}` cannot be solved for alone: what the input `{input}` was is kept in whole states")?;
                 write!(f, "\nhelp: write `output` for `slice output`")
             }
+            MotionFact::NoJerk { output, obstacle } => no_jerk(f, output, obstacle),
             MotionFact::RangeBesideFreedom { freedom } => {
                 write!(f, "a range says how long drives are followed, and {}", integrated(freedom))?;
                 write!(f, "\nhelp: take the range away; `advance` integrates to any time")
@@ -180,4 +181,31 @@ fn integrated(freedom: &Option<String>) -> String {
     freedom
         .as_ref()
         .map_or_else(|| "the mechanism is `#[integrated]`".to_owned(), |freedom| format!("the freedom `{freedom}` is integrated"))
+}
+
+/// An output without a third derivative.
+fn no_jerk(f: &mut Formatter, output: &str, obstacle: &JerkObstacle) -> Result {
+    match obstacle {
+        JerkObstacle::Body => {
+            write!(f, "numbers, vectors and points have a jerk, and `{output}` is a body")?;
+            write!(f, "\nhelp: write outputs of its points and of its angle with jerk")
+        }
+        JerkObstacle::Velocity => {
+            write!(f, "`{output}` contains velocities, and its first derivative is the last that is given")?;
+            write!(f, "\nhelp: take `with jerk` away; the position itself can be given with jerk")
+        }
+        JerkObstacle::Integrated { freedom } => {
+            write!(f, "`{output}` has no jerk: {}, and forces and velocities are not differentiated", integrated(freedom))?;
+            write!(f, "\nhelp: take `with jerk` away")
+        }
+        JerkObstacle::EquationsOnly => {
+            write!(f, "`{output}` has no jerk: the mechanism is `#[equations_only]`, and nothing is solved")?;
+            write!(f, "\nhelp: take `with jerk` away")
+        }
+        JerkObstacle::TwoDerivatives { joint } => {
+            let place = joint.as_ref().map_or_else(|| "it contains".to_owned(), |joint| format!("it depends on `{joint}`, which contains"));
+            write!(f, "`{output}` has no jerk: {place} an input, a table or a Rust function, and these have two derivatives")?;
+            write!(f, "\nhelp: write the law as an expression or by `segments`, or take `with jerk` away")
+        }
+    }
 }

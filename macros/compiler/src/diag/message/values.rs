@@ -217,8 +217,12 @@ impl Display for ValueFact {
                 )
             }
             ValueFact::RateOfVelocity => {
-                write!(f, "the rate of a velocity is an acceleration, and equations and forces contain none")?;
-                write!(f, "\nhelp: give the body a mass where its inertia is meant; accelerations are in the outputs of a state")
+                write!(f, "the rate of a velocity is an acceleration, and equations, forces and outputs contain none")?;
+                write!(f, "\nhelp: give the body a mass where its inertia is meant; an output has its rate and its acceleration beside it")
+            }
+            ValueFact::OutputWithoutRate => {
+                write!(f, "the rate of this output is a third derivative of an input, a table or a Rust function, which have two")?;
+                write!(f, "\nhelp: take one `rate` away: an output is given with its rate")
             }
             ValueFact::EnergyOfVelocities => {
                 write!(f, "a potential energy is a function of positions, and this one contains velocities")?;

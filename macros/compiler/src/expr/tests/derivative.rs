@@ -72,7 +72,9 @@ fn shifted(point: &Point, leaf: Leaf, step: f64) -> Point {
     let mut point = point.clone();
     match leaf {
         Leaf::Time => point.time += step,
-        Leaf::Datum(_) | Leaf::Turn(_) | Leaf::Input { .. } => unreachable!("a point has neither data nor turns nor inputs"),
+        Leaf::Datum(_) | Leaf::Turn(_) | Leaf::Input { .. } | Leaf::Jerk(_) => {
+            unreachable!("a point has neither data nor turns nor inputs nor third derivatives")
+        }
         Leaf::Parameter(i) => point.parameters[i as usize] += step,
         Leaf::Coordinate(i) => point.coordinates[i as usize] += step,
         Leaf::Speed(i) => point.speeds[i as usize] += step,

@@ -1,6 +1,6 @@
 use super::random::Random;
 use super::{FORMULAS, Point, assert_close, expr};
-use crate::expr::{Arena, Expr, Jets, Leaf, Seed, derivative};
+use crate::expr::{Arena, Expr, Jets, Leaf, Seed, Substitution, derivative};
 
 #[test]
 fn rates_are_differences_along_the_motion() {
@@ -112,6 +112,28 @@ fn velocities_are_constant_on_the_straight_line() {
     assert_eq!(jets.of(&mut arena, u), [u, zero, zero]);
 }
 
+#[test]
+fn with_jerks_the_second_derivative_can_be_differentiated() {
+    let mut arena = Arena::new();
+    let [x, u, a, jerk] = [Leaf::Coordinate(0), Leaf::Speed(0), Leaf::Acceleration(0), Leaf::Jerk(0)].map(|leaf| arena.leaf(leaf));
+    let mut jets = Jets::along(Seed::motion(own_speeds()).with_jerks());
+    assert_eq!(jets.of(&mut arena, x), [x, u, a]);
+    assert_eq!(jets.of(&mut arena, u), [u, a, jerk]);
+    // (x²)⃛ = 2 x x⃛ + 6 ẋ ẍ, here as 2 (ẋ ẍ + x x⃛ + 2 ẋ ẍ)
+    let square = arena.square(x);
+    let [_, _, second] = jets.of(&mut arena, square);
+    let [_, third, _] = jets.of(&mut arena, second);
+    for point in [[3, -1, 4, 2], [2, 0, 7, -1]] {
+        let mut numbers = Substitution::new();
+        for (leaf, value) in [Leaf::Coordinate(0), Leaf::Speed(0), Leaf::Acceleration(0), Leaf::Jerk(0)].into_iter().zip(point) {
+            let number = arena.integer(value);
+            numbers.replace(leaf, number);
+        }
+        let [x, u, a, jerk] = point;
+        assert_eq!(numbers.of(&mut arena, third), arena.integer(2 * x * jerk + 6 * u * a));
+    }
+}
+
 /// Σ ∂f/∂leaf · D(leaf), the chain rule of the textbooks.
 fn total_derivative(arena: &mut Arena, root: Expr) -> Expr {
     let mut sum = arena.integer(0);
@@ -121,7 +143,9 @@ fn total_derivative(arena: &mut Arena, root: Expr) -> Expr {
             Leaf::Time => arena.integer(1),
             Leaf::Coordinate(i) => arena.leaf(Leaf::Speed(i)),
             Leaf::Speed(i) => arena.leaf(Leaf::Acceleration(i)),
-            Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_) | Leaf::Turn(_) | Leaf::Acceleration(_) => arena.integer(0),
+            Leaf::Parameter(_) | Leaf::Input { .. } | Leaf::Datum(_) | Leaf::Turn(_) | Leaf::Acceleration(_) | Leaf::Jerk(_) => {
+                arena.integer(0)
+            }
         };
         let term = arena.mul(partial, rate);
         sum = arena.add(sum, term);

@@ -10,6 +10,7 @@ fn shown(arena: &Arena, root: Expr) -> String {
         Leaf::Coordinate(i) => ["x", "y", "z"][i as usize % 3].to_string(),
         Leaf::Speed(i) => ["ẋ", "ẏ", "ż"][i as usize % 3].to_string(),
         Leaf::Acceleration(i) => ["ẍ", "ÿ", "z̈"][i as usize % 3].to_string(),
+        Leaf::Jerk(i) => ["x⃛", "y⃛", "z⃛"][i as usize % 3].to_string(),
     };
     show(arena, root, &name, &|number| ["lift", "law"][number as usize % 2].to_string())
 }

@@ -18,7 +18,7 @@ use std::collections::BTreeSet;
 
 /// A body held by a ball and a universal joint alone.
 #[derive(Clone, Copy)]
-pub(super) struct Link {
+pub(super) struct BinaryLink {
     body: usize,
     /// Joint of the ball.
     ball: usize,
@@ -34,8 +34,8 @@ pub(super) struct Link {
     along: Triple,
 }
 
-/// How the directions of a link change along some variable.
-struct Change {
+/// Directions of a link, and those of its neighbour's arm, from which its turning follows.
+struct LinkDirections {
     x: Triple,
     z: Triple,
     v: Triple,
@@ -47,8 +47,8 @@ struct Change {
 
 impl Forest<'_> {
     /// The binary links of a mechanism; the rows of the second joint, and that of the arms, need not be solved.
-    pub(super) fn links(&mut self) -> Vec<Link> {
-        let links: Vec<Link> = (0..self.model.bodies.len()).filter_map(|body| self.link(body)).collect();
+    pub(super) fn links(&mut self) -> Vec<BinaryLink> {
+        let links: Vec<BinaryLink> = (0..self.model.bodies.len()).filter_map(|body| self.link(body)).collect();
         for link in &links {
             let (joint, first) = link.second;
             self.holding.extend((first..first + 3).map(|row| (joint, row)));
@@ -58,7 +58,7 @@ impl Forest<'_> {
         links
     }
 
-    fn link(&mut self, body: usize) -> Option<Link> {
+    fn link(&mut self, body: usize) -> Option<BinaryLink> {
         let relations = &self.model.space.relations;
         let own: Vec<_> = relations.iter().filter(|(_, _, relation)| relation.bodies().contains(&Some(body))).copied().collect();
         let outward = |one: Place, two: Place| if one.body == Some(body) { [two, one] } else { [one, two] };
@@ -83,7 +83,7 @@ impl Forest<'_> {
         let [across, square] = [across, dot(self.arena, along, along)].map(|part| self.arena.snapped(part));
         let is_zero = |expr: Expr| self.arena.as_constant(expr).is_some_and(|value| value.is_zero());
         let is_link = is_zero(across) && !is_zero(square);
-        is_link.then_some(Link { body, ball, second: (other, first), arms: (*joint, *row), ends: [p, q], arm: *arm, along })
+        is_link.then_some(BinaryLink { body, ball, second: (other, first), arms: (*joint, *row), ends: [p, q], arm: *arm, along })
     }
 
     /// True if a row apart from those of the relations depends on a body.
@@ -103,7 +103,7 @@ impl Forest<'_> {
     }
 
     /// The row of a link and its frame, once its neighbours have theirs.
-    pub(super) fn hang(&mut self, link: &Link) {
+    pub(super) fn hang(&mut self, link: &BinaryLink) {
         let [p, q] = link.ends.map(|end| self.point(end));
         let d = [0, 1, 2].map(|k| self.arena.sub(q[k], p[k]));
         let [reach, length] = [d, link.along].map(|vector| dot(self.arena, vector, vector));
@@ -129,7 +129,7 @@ impl Forest<'_> {
         (is_zero(y) && is_zero(z)).then(|| x.map(|part| self.arena.mul(along, part)))
     }
 
-    fn hang_along(&mut self, link: &Link, x: Triple) {
+    fn hang_along(&mut self, link: &BinaryLink, x: Triple) {
         let v = self.vector(link.arm[0]);
         let across = cross(self.arena, x, v);
         let square = dot(self.arena, across, across);
@@ -143,15 +143,15 @@ impl Forest<'_> {
         let triad = Triad::along(self.arena, link.arm[1], link.along);
         let columns = self.columns(triad, [x, y, z]);
         self.lines_of_links.insert(link.body, (triad, x));
-        let change = Change { x, z, v, reach, normal };
+        let directions = LinkDirections { x, z, v, reach, normal };
         let neighbour = link.arm[0].body.and_then(|body| self.frames[body]);
         let mut own: BTreeSet<Leaf> = x.iter().flat_map(|part| self.arena.leaves(*part)).collect();
         own.extend(neighbour.iter().flat_map(|frame| self.arena.frame(*frame).turns.iter().map(|(leaf, _)| *leaf)));
         own.retain(|leaf| matches!(leaf, Leaf::Coordinate(_)));
-        let turns = own.iter().map(|leaf| (*leaf, self.turn_of(&change, neighbour, *leaf))).collect();
+        let turns = own.iter().map(|leaf| (*leaf, self.turn_of(&directions, neighbour, *leaf))).collect();
         let rates: Vec<Option<u32>> = (0..self.coordinates.len() as u32).map(Some).collect();
-        let [velocity, acceleration] = self.motion_of(&change, neighbour, Seed::motion(rates.clone()));
-        let [_, steady] = self.motion_of(&change, neighbour, Seed::constant_speeds(rates));
+        let [velocity, acceleration] = self.motion_of(&directions, neighbour, Seed::motion(rates.clone()));
+        let [_, steady] = self.motion_of(&directions, neighbour, Seed::constant_speeds(rates));
         let own = own.into_iter().collect();
         let frame = Frame { columns, velocity, acceleration, acceleration_at_constant_speeds: steady, turns, against: None, own };
         self.frames[link.body] = Some(self.arena.add_frame(frame));
@@ -159,31 +159,31 @@ impl Forest<'_> {
     }
 
     /// The turn with a coordinate.
-    fn turn_of(&mut self, change: &Change, neighbour: Option<usize>, by: Leaf) -> Triple {
+    fn turn_of(&mut self, directions: &LinkDirections, neighbour: Option<usize>, by: Leaf) -> Triple {
         let zero = self.arena.integer(0);
-        let rate = change.x.map(|part| derivative(self.arena, part, by));
+        let rate = directions.x.map(|part| derivative(self.arena, part, by));
         let turns = neighbour.map(|frame| &self.arena.frame(frame).turns);
         let of_arm = turns.and_then(|turns| turns.iter().find(|(leaf, _)| *leaf == by)).map_or([zero; 3], |(_, turn)| *turn);
-        self.turned_with(change, rate, of_arm)
+        self.turned_with(directions, rate, of_arm)
     }
 
     /// x × ẋ + σ x
-    fn turned_with(&mut self, change: &Change, rate: Triple, of_arm: Triple) -> Triple {
-        let across = cross(self.arena, change.x, rate);
-        let spin = self.spin(change, of_arm, across);
-        self.plus(across, change.x, spin)
+    fn turned_with(&mut self, directions: &LinkDirections, rate: Triple, of_arm: Triple) -> Triple {
+        let across = cross(self.arena, directions.x, rate);
+        let spin = self.spin(directions, of_arm, across);
+        self.plus(across, directions.x, spin)
     }
 
     /// The σ for which n · (a + σ x) = n · b.
-    fn spin(&mut self, change: &Change, b: Triple, a: Triple) -> Expr {
+    fn spin(&mut self, directions: &LinkDirections, b: Triple, a: Triple) -> Expr {
         let rest = [0, 1, 2].map(|k| self.arena.sub(a[k], b[k]));
-        let along = dot(self.arena, rest, change.normal);
+        let along = dot(self.arena, rest, directions.normal);
         // n · x = −1/reach
-        self.arena.mul(change.reach, along)
+        self.arena.mul(directions.reach, along)
     }
 
     /// ω and ω̇.
-    fn motion_of(&mut self, change: &Change, neighbour: Option<usize>, seed: Seed) -> [Triple; 2] {
+    fn motion_of(&mut self, directions: &LinkDirections, neighbour: Option<usize>, seed: Seed) -> [Triple; 2] {
         let zero = self.arena.integer(0);
         let is_steady = !seed.speeds_change();
         let [of_arm, growth] = neighbour.map_or([[zero; 3]; 2], |frame| {
@@ -191,23 +191,23 @@ impl Forest<'_> {
             [frame.velocity, if is_steady { frame.acceleration_at_constant_speeds } else { frame.acceleration }]
         });
         let mut jets = Jets::along(seed);
-        let jets = change.x.map(|part| jets.of(self.arena, part));
+        let jets = directions.x.map(|part| jets.of(self.arena, part));
         let [rate, second] = [1, 2].map(|order| jets.map(|jet| jet[order]));
-        let across = cross(self.arena, change.x, rate);
-        let sigma = self.spin(change, of_arm, across);
-        let velocity = self.plus(across, change.x, sigma);
+        let across = cross(self.arena, directions.x, rate);
+        let sigma = self.spin(directions, of_arm, across);
+        let velocity = self.plus(across, directions.x, sigma);
         // ω̇ = x × ẍ + σ ẋ + σ̇ x, and n · (ω̇ − ω̇_v) = −ṅ · (ω − ω_v)
-        let bent = cross(self.arena, change.x, second);
+        let bent = cross(self.arena, directions.x, second);
         let bent = self.plus(bent, rate, sigma);
         let against = [0, 1, 2].map(|k| self.arena.sub(velocity[k], of_arm[k]));
-        let (of_z, of_v) = (cross(self.arena, velocity, change.z), cross(self.arena, of_arm, change.v));
-        let (one, two) = (cross(self.arena, of_z, change.v), cross(self.arena, change.z, of_v));
+        let (of_z, of_v) = (cross(self.arena, velocity, directions.z), cross(self.arena, of_arm, directions.v));
+        let (one, two) = (cross(self.arena, of_z, directions.v), cross(self.arena, directions.z, of_v));
         let normal = [0, 1, 2].map(|k| self.arena.add(one[k], two[k]));
         let swing = dot(self.arena, normal, against);
-        let swing = self.arena.mul(change.reach, swing);
-        let sigma = self.spin(change, growth, bent);
+        let swing = self.arena.mul(directions.reach, swing);
+        let sigma = self.spin(directions, growth, bent);
         let sigma = self.arena.add(sigma, swing);
-        [velocity, self.plus(bent, change.x, sigma)]
+        [velocity, self.plus(bent, directions.x, sigma)]
     }
 
     /// a + s b
@@ -219,7 +219,7 @@ impl Forest<'_> {
     }
 
     /// True if the arm in the link lies against x × v at the declared start.
-    fn is_start_inverted(&mut self, link: &Link) -> bool {
+    fn is_start_inverted(&mut self, link: &BinaryLink) -> bool {
         let [v, z] = link.arm.map(|arm| self.at_start(arm));
         let is_declared =
             self.model.bodies[link.body].coordinates.iter().any(|one| matches!(one.role, Role::Quaternion(_)) && one.start.is_some());
