@@ -8,10 +8,11 @@ use reuleaux_tests::common::reference::{Value, file, list, number, text};
 /// Bounds relative to the largest entry, times max(1, κ/1000): of places and orientations, of speeds, of accelerations.
 const BOUNDS: [f64; 3] = [1e-14, 4e-14, 4e-13];
 
-/// The largest error of some numbers, relative to the largest of them.
+/// The largest error of some numbers, relative to the largest of them, or to 1 where all are zero.
 fn error(found: &[f64], wanted: &[Decimal]) -> f64 {
     assert_eq!(found.len(), wanted.len());
-    let largest = wanted.iter().map(|entry| entry.value.abs()).fold(f64::MIN_POSITIVE, f64::max);
+    let largest = wanted.iter().map(|entry| entry.value.abs()).fold(0.0, f64::max);
+    let largest = if largest > 0.0 { largest } else { 1.0 };
     found.iter().zip(wanted).map(|(found, wanted)| wanted.error_of(*found) / largest).fold(0.0, f64::max)
 }
 
