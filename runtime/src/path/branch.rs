@@ -15,12 +15,25 @@ const LARGEST_SURPRISE: f64 = 0.6;
 /// assembly may be about 1 / condition away.
 pub(crate) const LARGEST_LAPSE: f64 = 0.2;
 
-/// Whether every computed angle is close to its prediction. A drive that resumes after a dwell may turn by any angle in one long
-/// step.
+/// Whether every binary link has turned by less than 120°: where its cross folds, it would turn by 180° about its line.
 #[inline(always)]
-pub(super) fn is_resolved<T: SolverReal, const N: usize>(here: &State<T, N>, q: &SVector<T, N>, h: T, angles: &[usize]) -> T::Mask {
-    let mut resolved = T::Mask::of(true);
-    for &i in angles {
+pub(super) fn keeps_sides<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(here: &SVector<T, N>, there: &SVector<T, N>) -> T::Mask {
+    let mut kept = T::Mask::of(true);
+    for &first in E::LINKS {
+        // The trace of A₀ᵀ A is 1 + 2 cos φ.
+        let entries = first..(first + 9).min(N);
+        let trace = entries.fold(T::of(0.0), |sum, i| sum + here[i] * there[i]);
+        kept = kept.and(T::of(0.0).at_most(trace));
+    }
+    kept
+}
+
+/// Whether every computed angle is close to its prediction, and every binary link has kept its side. A drive that resumes after a dwell
+/// may turn by any angle in one long step.
+#[inline(always)]
+pub(super) fn is_resolved<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(here: &State<T, N>, q: &SVector<T, N>, h: T) -> T::Mask {
+    let mut resolved = keeps_sides::<T, E, N>(&here.q, q);
+    for &i in E::COMPUTED_ANGLES {
         if i < N {
             let off = q[i] - (here.q[i] + h * (here.qd[i] + h * T::of(0.5) * here.qdd[i]));
             resolved = resolved.and(off.abs().at_most(T::of(LARGEST_SURPRISE)));
@@ -37,7 +50,7 @@ pub(crate) fn is_same_branch<T: Float, E: Stages<T, N> + ?Sized, const N: usize>
 ) -> bool {
     let h = there.t - here.t;
     let coordinates = Coordinates { q: there.q, qd: there.qd, qdd: there.qdd };
-    is_resolved(here, &there.q, h, E::COMPUTED_ANGLES) && comes_from(equations, here, h, &coordinates, there.condition)
+    is_resolved::<T, E, N>(here, &there.q, h) && comes_from(equations, here, h, &coordinates, there.condition)
 }
 
 /// Rounding errors of positions, as a multiple of ε times their condition.

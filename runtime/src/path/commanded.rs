@@ -69,6 +69,7 @@ impl<T: Real, E: Commanded<T> + Description<T, N>, const N: usize> Description<T
 
 impl<T: SolverReal, E: Commanded<T> + Stages<T, N>, const N: usize> Stages<T, N> for Along<'_, T, E> {
     const COMPUTED_ANGLES: &'static [usize] = E::COMPUTED_ANGLES;
+    const LINKS: &'static [usize] = E::LINKS;
     const ITERATED: &'static [usize] = E::ITERATED;
     const MAY_BE_NON_FINITE: Option<&'static [usize]> = E::MAY_BE_NON_FINITE;
     const IN_PLACE: bool = E::IN_PLACE;

@@ -4,10 +4,10 @@
 //! A step is accepted if in every block the predicted change is small, the solution is close to the prediction, Newton's method
 //! contracts well and the determinant keeps its sign (two assemblies that meet at a fold have opposite signs); if the prediction
 //! backwards from the new state meets the old one (this excludes another assembly of the same sign after the branch has ended); if
-//! redundant equations hold; and if computed angles are close to their predictions. A rejected step is halved; after a success the
+//! redundant equations hold; if computed angles are close to their predictions; and if binary links keep their sides. A rejected step is halved; after a success the
 //! step is doubled.
 
-use super::branch::is_same_branch;
+use super::branch::{is_same_branch, keeps_sides};
 use super::cold::cold_state;
 use super::crossing;
 use crate::names::{self, Cause, CoordinateKind, Culprit};
@@ -88,6 +88,7 @@ pub(crate) fn advance_by_steps<T: Float, E: Stages<T, N> + ?Sized, const N: usiz
             Ok((there, _)) if !is_same_branch(equations, &here, &there) && halves(equations, &mut step, next, &here, t - state.t) => {
                 continue;
             }
+            Ok((there, _)) if !keeps_sides::<T, E, N>(&here.q, &there.q) => Err(StepError::Far),
             Ok((_, Some(cause))) if next == t => return Err(Ended::Refused(cause)),
             Ok((there, _)) if next == t => {
                 *state = there;

@@ -92,7 +92,7 @@ fn make_step<T: SolverReal, E: Stages<T, N> + ?Sized, const N: usize>(
 ) -> T::Mask {
     let h = t - state.t;
     let StepReport { found, condition, iterations } = report;
-    let found = found.and(moving).and(is_resolved(state, &there.q, h, E::COMPUTED_ANGLES));
+    let found = found.and(moving).and(is_resolved::<T, E, N>(state, &there.q, h));
     // Coordinates in memory are read only once; coordinates in registers are stored when the step is accepted.
     let accelerations = if E::IN_PLACE { state.extrapolate(h, found, there, E::ITERATED) } else { sum(&there.qdd, E::ITERATED) };
     let mut found = found.and(is_surely_finite(h + accelerations, there, E::MAY_BE_NON_FINITE));

@@ -15,6 +15,10 @@ pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
     /// with their prediction after each step.
     const COMPUTED_ANGLES: &'static [usize] = &[];
 
+    /// The first entries of the rotation matrices of binary links. The cross of such a link folds where the link lies along the arm in its
+    /// neighbour, and beyond such a pose the link lies on its other side; each step tests that it does not.
+    const LINKS: &'static [usize] = &[];
+
     /// Unknowns that are iterated and therefore predicted.
     const ITERATED: &'static [usize] = &ALL;
 

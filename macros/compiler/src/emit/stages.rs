@@ -8,7 +8,7 @@ use super::functions::Emitter;
 use super::literal::{number, vector_type};
 use crate::plan::{Solution, Solving, StraightLine, Summary, Words};
 use crate::quantity::{Dim, Role};
-use crate::system::Equation;
+use crate::system::{COSINES, Equation};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use std::collections::{BTreeMap, BTreeSet};
@@ -49,8 +49,12 @@ impl Emitter<'_> {
     pub(super) fn lists(&self, solution: &Solution, shelf: &StateLayout) -> TokenStream {
         let (angles, iterated) = (self.computed_angles(solution, shelf), iterated(solution, shelf));
         let unsure = unsure(solution, shelf);
+        let cosines = |body: &usize| Literal::usize_unsuffixed(self.system.coordinates.len() + COSINES * body);
+        let links: Vec<Literal> = self.system.links.iter().map(cosines).collect();
+        let links = (!links.is_empty()).then(|| quote!(const LINKS: &'static [::core::primitive::usize] = &[#(#links),*];));
         quote! {
             #angles
+            #links
             #iterated
             const MAY_BE_NON_FINITE: ::core::option::Option<&'static [::core::primitive::usize]> = ::core::option::Option::Some(&[#unsure]);
         }

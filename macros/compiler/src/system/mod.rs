@@ -63,6 +63,8 @@ pub struct System {
     pub loads: Option<LoadEquations>,
     /// In space: the joint by which the orientation of each body follows, and the body that it follows from.
     pub reached: Vec<Option<(usize, Option<usize>)>>,
+    /// In space: the bodies whose orientation follows from the places of their ends.
+    pub links: Vec<usize>,
 }
 
 /// One coordinate.
@@ -241,7 +243,7 @@ impl System {
 pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     has_bodies(model, diag)?;
     let mut arena = model.arena.clone();
-    let Choice { coordinates, mut rows, outputs, frames, reached, balance, loads } = match model.ambient {
+    let Choice { coordinates, mut rows, outputs, frames, reached, links, balance, loads } = match model.ambient {
         Ambient::Plane => in_plane(model, &mut arena),
         Ambient::Space => forest::reduce(model, &mut arena),
     };
@@ -281,7 +283,22 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     };
     slices_have_loads(model, loads.is_some(), diag)?;
     let speeds = coordinates.iter().map(|coordinate| Speed { body: coordinate.body, role: speed_of(coordinate.role) }).collect();
-    Some(System { arena, coordinates, speeds, equations, of_speeds, balance, pattern, outputs, lengths, declared, frames, loads, reached })
+    Some(System {
+        arena,
+        coordinates,
+        speeds,
+        equations,
+        of_speeds,
+        balance,
+        pattern,
+        outputs,
+        lengths,
+        declared,
+        frames,
+        loads,
+        reached,
+        links,
+    })
 }
 
 /// Differentiates the components of the outputs.
@@ -307,6 +324,8 @@ struct Choice {
     frames: Vec<usize>,
     /// In space: the joint by which each body was reached, and the body that it was reached from.
     reached: Vec<Option<(usize, Option<usize>)>>,
+    /// In space: the binary links.
+    links: Vec<usize>,
     /// Forces by the rates of the unknowns, where they decide the motion.
     balance: Option<Balance>,
     /// In space: the equations of the loads.
@@ -322,6 +341,7 @@ fn in_plane(model: &Model, arena: &mut Arena) -> Choice {
         outputs: model.outputs.iter().map(|output| output.components.clone()).collect(),
         frames: Vec::new(),
         reached: Vec::new(),
+        links: Vec::new(),
         loads: None,
     }
 }

@@ -7,14 +7,19 @@
 //! ω = x × ẋ + σ x                      n · (ω − ω_v) = 0 with n = z × v gives σ
 //! ```
 //!
-//! The orientation of a link is computed after its neighbours have been placed. The sign is that of the declared start.
+//! The orientation of a link is computed after its neighbours have been placed. The sign is that of the declared start; where x lies along v,
+//! the cross folds, and there is no orientation.
 
 use super::super::rows::Row;
 use super::Forest;
-use crate::expr::{Expr, Frame, Jets, Leaf, Seed, Substitution, Triple, cross, derivative, dot};
+use crate::expr::{Exact, Expr, Frame, Jets, Leaf, Seed, Substitution, Triple, cross, derivative, dot};
 use crate::model::{DECLARED, Place, Relationship, Triad};
 use crate::quantity::{Dim, Role};
+use crate::syntax::ast::Task;
 use std::collections::BTreeSet;
+
+/// The cross counts as folded where sin² of the angle between the link and the arm in its neighbour is below 1/2⁵².
+const FOLDED: i128 = 1 << 52;
 
 /// A body held by a ball and a universal joint alone.
 #[derive(Clone, Copy)]
@@ -48,6 +53,11 @@ struct LinkDirections {
 impl Forest<'_> {
     /// The binary links of a mechanism; the rows of the second joint, and that of the arms, need not be solved.
     pub(super) fn links(&mut self) -> Vec<BinaryLink> {
+        // Where the cross folds, the formula takes the link to its other side. A step sees it by the orientation before, which states of
+        // slices do not hold, nor the integrated ones of motions.
+        if self.model.task == Task::Motion || self.model.methods.iter().any(|method| method.is_slice) {
+            return Vec::new();
+        }
         let links: Vec<BinaryLink> = (0..self.model.bodies.len()).filter_map(|body| self.link(body)).collect();
         for link in &links {
             let (joint, first) = link.second;
@@ -133,6 +143,9 @@ impl Forest<'_> {
         let v = self.vector(link.arm[0]);
         let across = cross(self.arena, x, v);
         let square = dot(self.arena, across, across);
+        // Where the cross folds, the turning about the line is not determined: no number is better than any.
+        let (least, zero) = (self.arena.constant(Exact::ratio(1, FOLDED).unwrap_or(Exact::ZERO)), self.arena.integer(0));
+        let square = self.arena.select(square, least, zero, square);
         let height = self.arena.sqrt(square);
         let sign = if self.is_start_inverted(link) { -1 } else { 1 };
         let one = self.arena.integer(sign);

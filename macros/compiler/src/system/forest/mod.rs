@@ -88,7 +88,8 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena) -> Choice {
     let frames: Vec<usize> = forest.frames.iter().map(|frame| frame.unwrap_or(0)).collect();
     let balance = balance.map(|balance| balance.by_unknowns(forest.arena, &frames, forest.coordinates.len()));
     let loads = loads.map(|loads| loads.by_state(forest.arena, &frames, forest.coordinates.len()));
-    Choice { coordinates: forest.coordinates, rows: forest.rows, outputs, frames, reached: forest.reached, balance, loads }
+    let links = forest.linked.into_iter().collect();
+    Choice { coordinates: forest.coordinates, rows: forest.rows, outputs, frames, reached: forest.reached, links, balance, loads }
 }
 
 impl Forest<'_> {
