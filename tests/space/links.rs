@@ -128,7 +128,7 @@ mechanism! {
         ground { axis z = (0, 0, 1) from (1, 0, 0);  axis x = (1, 0, 0) from (0, 0, 1); }
         body crank  { axis z = (0, 0, 1) from (1, 0, 0);  point A = (0.1m, 0m, 0m); }
         body slider { axis x = (1, 0, 0) from (0, 0, 1); }
-        body rod    { axis z = (0, 0, 1);  point A = (0m, 0m, 0m);  point B = (0.3m, 0m, 0m);  start position = (0.1m, 0m, 0m); }
+        body rod    { axis z = (0, 0, 1);  point A = (0m, 0m, 0m);  point B = (0.3m, 0m, 0m);  start position = (50mm, 86.6mm, 0mm); }
         joint axle = revolute(ground.position, ground.z, crank.position, crank.z);
         joint ball = spherical(crank.A, rod.A);
         joint cross_pin = universal(slider.position, slider.x, rod.B, rod.z);
