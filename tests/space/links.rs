@@ -2,9 +2,14 @@
 
 use reuleaux::{Cause, PlanStage, SpatialBody, mechanism};
 
-/// A crank-rocker whose coupler hangs between a ball and a cross; `$turned` turns the coupler about its line, `$more` is added.
+/// A crank-rocker whose coupler hangs between a ball and a cross; `$turned` turns the coupler about its line, `$more` is added to the twin.
 macro_rules! crank_rocker {
-    ($name:ident, $turned:literal, { $($more:tt)* }) => {
+    ($link:ident, $twin:ident, $turned:literal) => {
+        crank_rocker!(@ $link, $turned);
+        crank_rocker!(@ $twin, $turned, body flag { axis z = (0, 0, 1) from (1, 0, 0); }
+            joint glue = weld(coupler.B, coupler.z, flag.position, flag.z););
+    };
+    (@ $name:ident, $turned:literal $(, $($more:tt)*)?) => {
         mechanism! {
             #[allow(far_start)]
             mechanism $name in space {
@@ -33,32 +38,17 @@ macro_rules! crank_rocker {
                 joint pivot = revolute(ground.O, ground.skew, rocker.position, rocker.z);
                 joint ball = spherical(crank.A, coupler.A);
                 joint cross_pin = universal(rocker.B, rocker.y, coupler.B, coupler.z);
-                $($more)*
+                drive motor = drive_rotation(axle, 1rad_s * t + 0.3rad * sin(1rad_s * t));
+                output corner = coupler.corner with jerk;
+                $($($more)*)?
             }
         }
     };
 }
 
-crank_rocker!(Link, 0deg, {
-    drive motor = drive_rotation(axle, 1rad_s * t + 0.3rad * sin(1rad_s * t));
-    output corner = coupler.corner with jerk;
-});
-crank_rocker!(Twin, 0deg, {
-    body flag { axis z = (0, 0, 1) from (1, 0, 0); }
-    joint glue = weld(coupler.B, coupler.z, flag.position, flag.z);
-    drive motor = drive_rotation(axle, 1rad_s * t + 0.3rad * sin(1rad_s * t));
-    output corner = coupler.corner with jerk;
-});
-crank_rocker!(TurnedLink, 180deg, {
-    drive motor = drive_rotation(axle, 1rad_s * t + 0.3rad * sin(1rad_s * t));
-    output corner = coupler.corner with jerk;
-});
-crank_rocker!(TurnedTwin, 180deg, {
-    body flag { axis z = (0, 0, 1) from (1, 0, 0); }
-    joint glue = weld(coupler.B, coupler.z, flag.position, flag.z);
-    drive motor = drive_rotation(axle, 1rad_s * t + 0.3rad * sin(1rad_s * t));
-    output corner = coupler.corner with jerk;
-});
+crank_rocker!(Link, Twin, 0deg);
+crank_rocker!(TurnedLink, TurnedTwin, 180deg);
+
 /// All numbers of a body's motion.
 fn numbers(body: &SpatialBody<f64>) -> Vec<f64> {
     let vectors = [body.position, body.velocity, body.acceleration, body.angular_velocity, body.angular_acceleration];

@@ -170,8 +170,6 @@ fn after_names(model: Model, diag: &mut Diag) -> Option<Compiled> {
     let structure = structure::analyze(&system.pattern, &redundancy.rows);
     mobility::check(&model, &system, &redundancy, &structure, diag)?;
     // Every unknown belongs to a block, and the blocks are in order.
-    plan::jerks_are_known(&model, &system, &structure, diag)?;
-    // Outputs with jerk depend on nothing that has only two derivatives.
     let assembly = assembly::assemble(&model, &system, &structure, diag)?;
     // There is an initial configuration; it is assembled unless the mechanism allows others.
     let motion = travel::follow(&model, &system, &structure, &assembly, diag)?;
@@ -180,7 +178,7 @@ fn after_names(model: Model, diag: &mut Diag) -> Option<Compiled> {
     // The equations of motion of an integrated mechanism are known; all other coordinates are functions of its freedoms.
     let loads = dynamics::loads(&model, &system, &structure, &assembly);
     // Loads of joints and drives are known, if there are masses or forces.
-    let plan = plan::schedule(&model, &system, &structure, &assembly, dynamics.as_ref(), loads.as_ref());
+    let plan = plan::schedule(&model, &system, &structure, &assembly, dynamics.as_ref(), loads.as_ref(), diag)?;
     // All decisions about the generated code are made.
     let picture = picture::draw(&model, &system, &assembly);
     Some(Compiled { model, system, structure, assembly, motion, plan, picture })

@@ -4,8 +4,8 @@
 //! A step is accepted if in every block the predicted change is small, the solution is close to the prediction, Newton's method
 //! contracts well and the determinant keeps its sign (two assemblies that meet at a fold have opposite signs); if the prediction
 //! backwards from the new state meets the old one (this excludes another assembly of the same sign after the branch has ended); if
-//! redundant equations hold; if computed angles are close to their predictions; and if binary links keep their sides. A rejected step is halved; after a success the
-//! step is doubled.
+//! redundant equations hold; if computed angles are close to their predictions; and if binary links keep their sides. A rejected step
+//! is halved; after a success the step is doubled.
 
 use super::branch::{is_same_branch, keeps_sides};
 use super::cold::cold_state;

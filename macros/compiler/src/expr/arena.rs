@@ -15,7 +15,7 @@ pub struct Arena {
     // Only looked up, never iterated, so that its order cannot reach the output.
     places: HashMap<Node, Expr>,
     /// Value of each node that depends on constants only.
-    pub(super) fixed: Vec<Option<ConstantValue>>,
+    pub(super) constants: Vec<Option<ConstantValue>>,
     /// Frames that turn in space, and vectors fixed in them.
     pub(super) frames: Frames,
 }
@@ -67,10 +67,10 @@ impl Arena {
 
     /// Stores a node without simplification: a copy of one that another arena has simplified already, with operands in the same order.
     pub(crate) fn place(&mut self, node: Node) -> Expr {
-        let (nodes, fixed) = (&mut self.nodes, &mut self.fixed);
+        let (nodes, constants) = (&mut self.nodes, &mut self.constants);
         *self.places.entry(node).or_insert_with(|| {
             nodes.push(node);
-            fixed.push(ConstantValue::of(&node, |operand| fixed[operand.index()]));
+            constants.push(ConstantValue::of(&node, |operand| constants[operand.index()]));
             Expr(u32::try_from(nodes.len() - 1).unwrap_or(u32::MAX))
         })
     }
@@ -199,7 +199,7 @@ impl Arena {
     /// than sine, cosine and square root occurs.
     #[must_use]
     pub fn value(&self, expr: Expr) -> Option<f64> {
-        self.fixed[expr.index()].map(|fixed| fixed.value)
+        self.constants[expr.index()].map(|constant| constant.value)
     }
 
     /// All nodes under `roots`, the roots among them, each once, children before parents.

@@ -21,7 +21,7 @@ pub(super) struct ConstantValue {
 impl ConstantValue {
     /// The value of an operation, from those of its operands; `None` if an operand has none.
     pub(super) fn of(node: &Node, operand: impl Fn(Expr) -> Option<ConstantValue>) -> Option<ConstantValue> {
-        let value = node.value(|expr| operand(expr).map(|fixed| fixed.value))?;
+        let value = node.value(|expr| operand(expr).map(|constant| constant.value))?;
         let precise = node.precisely(|expr| operand(expr)?.precise).filter(|precise| precise.round().is_finite());
         // An exact number has its rounded value already, and equal values may differ in the sign of zero.
         let is_rounded = |rounded: f64| matches!(node, Node::Constant(_)) || rounded == value || !value.is_finite();
@@ -35,7 +35,8 @@ impl Arena {
     ///
     /// Of functions of constants, sine, cosine and square root are known.
     pub(crate) fn snapped(&mut self, expr: Expr) -> Expr {
-        let value = if self.as_constant(expr).is_none() { self.fixed[expr.index()].and_then(|fixed| fixed.precise) } else { None };
+        let value =
+            if self.as_constant(expr).is_none() { self.constants[expr.index()].and_then(|constant| constant.precise) } else { None };
         let is_near = |whole: &i64| value.is_some_and(|value| value.minus(Twofold::whole(*whole)).round().abs() < DIRT);
         match [0, 1, -1].into_iter().find(is_near) {
             Some(whole) => self.integer(whole),

@@ -11,6 +11,7 @@ mod kernels;
 mod linear;
 mod lines;
 mod loads;
+mod obstacle;
 mod outputs;
 mod rolled;
 mod routine;
@@ -27,7 +28,6 @@ mod tests;
 mod words;
 
 pub use dynamics::DynamicsCode;
-pub(crate) use jerk::jerks_are_known;
 pub use kernels::{Kernel, Kernels, Round};
 pub use lines::{Iterated, StageCode, StraightLine};
 pub use loads::{LoadKind, LoadsCode, NamedLoad};
@@ -42,13 +42,14 @@ pub use stage::{Elimination, Iteration, Origin, Stage};
 pub(crate) use words::Words;
 
 use crate::assembly::{Assembly, Poses};
+use crate::diag::Diag;
 use crate::dynamics::{Dynamics, Loads};
 use crate::expr::{Arena, Expr, Leaf};
-use crate::model::{Method, Model};
+use crate::model::Model;
 use crate::quantity::Role;
 use crate::structure::Structure;
 use crate::system::{Equation, OutputMotion, System};
-use jerk::Jerks;
+use jerk::{Jerks, JerksOf};
 use joints::Joints;
 use lines::PlanContext;
 use rolled::Cell;
@@ -103,7 +104,7 @@ pub struct Plan {
     pub marks: Option<Vec<Routine>>,
 }
 
-/// Schedules all generated code.
+/// Schedules all generated code; refuses outputs with jerk that have none.
 pub(crate) fn schedule(
     model: &Model,
     system: &System,
@@ -111,7 +112,9 @@ pub(crate) fn schedule(
     assembly: &Assembly,
     dynamics: Option<&Dynamics>,
     loads: Option<&Loads>,
-) -> Plan {
+    diag: &mut Diag,
+) -> Option<Plan> {
+    obstacle::jerks_are_known(model, system, structure, diag)?;
     let mut arena = system.arena.clone();
     let solved = (model.task.is_solved()).then(|| {
         let outputs = sliced(&mut arena, model, system);
@@ -138,7 +141,7 @@ pub(crate) fn schedule(
     let equations = |cells: Vec<Cell>| rolled::code(arena_of_equations, &tracer_of_equations, cells, &words_of_equations);
     let solving = solved.map(|(stages, outputs)| solving(&arena, &tracer, system, &words, &stages, &outputs, &jerks.of_slices));
     let sides = model.requirements.iter().flat_map(|requirement| [requirement.lhs, requirement.rhs]).collect();
-    Plan {
+    Some(Plan {
         dynamics: dynamics.map(|dynamics| dynamics::code(model, system, dynamics)),
         loads: loads::code(model, system, loads),
         linearized: joints.linearized(residual).iter().flatten().map(|(target, _)| *target).collect(),
@@ -161,7 +164,7 @@ pub(crate) fn schedule(
         declared: declared.map(|declared| declared.arena.clone()),
         orientations: space::orientations_at_start(model, system, assembly),
         arena,
-    }
+    })
 }
 
 /// Components of the outputs of each slice; those of a body are its coordinates. What contains velocities is found when positions are
@@ -182,34 +185,6 @@ fn sliced(arena: &mut Arena, model: &Model, system: &System) -> Vec<OutputMotion
     };
     let slices = model.methods.iter().filter(|method| method.is_slice);
     slices.map(|method| OutputMotion { components: method.members.iter().flat_map(&mut components).collect() }).collect()
-}
-
-/// The third derivatives of outputs with jerk.
-#[derive(Default)]
-struct JerksOf {
-    /// By output.
-    of_outputs: Vec<Option<Jerks>>,
-    /// By slice.
-    of_slices: Vec<Option<Jerks>>,
-}
-
-impl JerksOf {
-    fn new(
-        arena: &mut Arena,
-        model: &Model,
-        system: &System,
-        stages: &[Stage],
-        slices: &[OutputMotion],
-        motions: &[OutputMotion],
-    ) -> JerksOf {
-        let n = system.coordinates.len();
-        let mut jerks = |has_jerk: bool, motion: &OutputMotion| has_jerk.then(|| Jerks::new(arena, n, stages, motion));
-        let of_outputs = model.outputs.iter().zip(motions).map(|(output, motion)| jerks(output.derivatives == 3, motion)).collect();
-        let methods = model.methods.iter().filter(|method| method.is_slice);
-        let has_jerk = |method: &Method| method.members.first().is_some_and(|member| model.outputs[*member].derivatives == 3);
-        let of_slices = methods.zip(slices).map(|(method, motion)| jerks(has_jerk(method), motion)).collect();
-        JerksOf { of_outputs, of_slices }
-    }
 }
 
 /// Chooses the elimination of large blocks; most mechanisms have none.

@@ -2,12 +2,13 @@
 
 use super::ast::{
     Closing, Docs, Expression, ExpressionKind, Feature, Following, FrameItem, FunctionItem, Gravity, Item, JointItem, Let, Limits, Marks,
-    MassItem, Mechanism, OutputItem, ParameterItem, Refused, Requests, Shared, Start, Task, TimeRange, Use,
+    MassItem, Mechanism, ParameterItem, Refused, Requests, Shared, Start, Task, TimeRange, Use,
 };
 use super::dimension::{dimension, required_dimension};
 use super::expression::{expression, indices};
 use super::joint::{energy, freedom, joint};
 use super::options::{Options, options, passing};
+use super::output::output;
 use super::repeated::{component, part, repeated_items, repeated_marks};
 use super::tokens::{
     Parsed, arrow, attributes, block, braces, comma, docs, equals, expected, is_item, keyword, name, parentheses, path, report, semicolon,
@@ -352,34 +353,6 @@ fn times(input: ParseStream) -> Parsed<TimeRange> {
     }
     semicolon(input)?;
     Ok(TimeRange { keyword, limits })
-}
-
-/// `output name = value;` or `slice output name = value with jerk;`
-fn output(input: ParseStream, docs: Docs) -> Parsed<OutputItem> {
-    let is_slice = Ident::parse_any(input)? == "slice";
-    if is_slice {
-        if keyword(input).is_none_or(|word| word != "output") {
-            return expected(input, "`output`, `joint`, `drive` or `force` after `slice`");
-        }
-        Ident::parse_any(input)?;
-    }
-    let (name, indices) = declared(input, "the name of the output")?;
-    equals(input)?;
-    let (value, jerk) = (expression(input)?, with_jerk(input)?);
-    semicolon(input)?;
-    Ok(OutputItem { docs, is_slice, name, indices, value, jerk })
-}
-
-/// `with jerk`
-fn with_jerk(input: ParseStream) -> Parsed<Option<Ident>> {
-    if keyword(input).is_none_or(|word| word != "with") {
-        return Ok(None);
-    }
-    Ident::parse_any(input)?;
-    match keyword(input) {
-        Some(word) if word == "jerk" => Ok(Some(Ident::parse_any(input)?)),
-        _ => expected(input, "`jerk` after `with`"),
-    }
 }
 
 /// A name with its indices.

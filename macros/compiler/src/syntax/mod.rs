@@ -12,6 +12,7 @@ mod expression;
 mod item;
 mod joint;
 mod options;
+mod output;
 mod repeated;
 mod tokens;
 

@@ -31,7 +31,8 @@ pub use balance::Balance;
 pub use declared::DeclaredEquations;
 pub use loads::{LoadEquations, LoadRow};
 pub(crate) use magnitude::magnitude;
-use rows::{Differentiation, Row, coordinates_in};
+pub(crate) use rows::coordinates_in;
+use rows::{Differentiation, Row};
 
 /// Unknowns and equations.
 #[derive(Clone, Debug)]

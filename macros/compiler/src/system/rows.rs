@@ -87,7 +87,7 @@ impl Differentiation {
 }
 
 /// The coordinates that an expression contains, in ascending order.
-pub(super) fn coordinates_in(arena: &Arena, expr: Expr) -> Vec<usize> {
+pub(crate) fn coordinates_in(arena: &Arena, expr: Expr) -> Vec<usize> {
     let number = |leaf: Leaf| if let Leaf::Coordinate(number) = leaf { Some(number as usize) } else { None };
     arena.leaves(expr).into_iter().filter_map(number).collect()
 }
