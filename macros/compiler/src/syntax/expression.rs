@@ -11,7 +11,7 @@
 //! ```
 
 use super::ast::{Expression, ExpressionKind, Operator, Path, Relation};
-use super::tokens::{Parsed, braces, brackets, expected, is_path, literal, parentheses, path, wrong};
+use super::tokens::{Parsed, braces, brackets, expected, is_path, literal, name, parentheses, path, wrong};
 use crate::diag::{GrammarFact, Range};
 use proc_macro2::Span;
 use quote::ToTokens;
@@ -139,6 +139,11 @@ fn index(input: ParseStream, room: u16) -> Parsed<(Expression, Range)> {
     let (content, range) = brackets(input)?;
     let index = sum(&content, room)?;
     if content.is_empty() { Ok((index, range)) } else { expected(&content, "`]`") }
+}
+
+/// A name with its indices.
+pub(super) fn declared(input: ParseStream, what: &'static str) -> Parsed<(Ident, Vec<Expression>)> {
+    Ok((name(input, what)?, indices(input)?))
 }
 
 /// `[i][j]` after a declared name.

@@ -5,7 +5,7 @@ use super::ast::{
     MassItem, Mechanism, ParameterItem, Refused, Requests, Shared, Start, Task, TimeRange, Use,
 };
 use super::dimension::{dimension, required_dimension};
-use super::expression::{expression, indices};
+use super::expression::{declared, expression, indices};
 use super::joint::{energy, freedom, joint};
 use super::options::{Options, options, passing};
 use super::output::output;
@@ -353,11 +353,6 @@ fn times(input: ParseStream) -> Parsed<TimeRange> {
     }
     semicolon(input)?;
     Ok(TimeRange { keyword, limits })
-}
-
-/// A name with its indices.
-pub(super) fn declared(input: ParseStream, what: &'static str) -> Parsed<(Ident, Vec<Expression>)> {
-    Ok((name(input, what)?, indices(input)?))
 }
 
 /// `= expression;`

@@ -2,8 +2,8 @@
 
 use super::ast::{Argument, Docs, Expression, FreedomItem, JointBody, JointItem};
 use super::definition::statement;
-use super::expression::expression;
-use super::item::{declared, value};
+use super::expression::{declared, expression};
+use super::item::value;
 use super::tokens::{Parsed, braces, comma, equals, expected, keyword, name, parentheses, path, semicolon, wrong};
 use crate::diag::{GrammarFact, MotionFact, Word};
 use proc_macro2::Ident;

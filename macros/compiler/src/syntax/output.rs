@@ -1,8 +1,8 @@
 //! Parses outputs.
 
 use super::ast::{Docs, OutputItem};
-use super::expression::expression;
-use super::item::declared;
+use super::expression::{declared, expression};
+
 use super::tokens::{Parsed, equals, expected, keyword, semicolon};
 use proc_macro2::Ident;
 use syn::ext::IdentExt;

@@ -2,8 +2,8 @@
 
 use super::ast::{ComponentItem, Definition, Docs, For, IndexRange, Item, Marks, PartItem};
 use super::definition::formals;
-use super::expression::expression;
-use super::item::{ItemContext, declared, items, marks};
+use super::expression::{declared, expression};
+use super::item::{ItemContext, items, marks};
 use super::joint::arguments;
 use super::tokens::{Parsed, block, docs, equals, expected, keyword, name, semicolon};
 use crate::diag::Diag;
