@@ -11,6 +11,7 @@
 use super::MotionRow;
 use super::cofactors::Cofactors;
 use super::order::PivotBlock;
+use super::trust::Trust;
 use crate::expr::{Arena, Expr, Unary};
 use std::collections::BTreeMap;
 
@@ -25,16 +26,6 @@ pub struct Accelerations {
     pub masses: Vec<[Expr; 2]>,
 }
 
-/// One part in so many is trusted. Orientations follow from nearly equal components: they need more.
-const TRUSTED: i64 = 16;
-const TRUSTED_OF_ORIENTATIONS: i64 = 8;
-
-/// A pivot of J is trusted above one part in so many of the sum of its row, a determinant above such a part of the product of its rows'
-/// sums.
-pub(super) fn trusted(has_orientations: bool) -> i64 {
-    if has_orientations { TRUSTED_OF_ORIENTATIONS } else { TRUSTED }
-}
-
 /// Adds a product to a sum.
 fn add_product(arena: &mut Arena, sum: &mut Expr, one: Expr, two: Expr) {
     let product = arena.mul(one, two);
@@ -47,8 +38,7 @@ pub(super) struct SparseRows<'a> {
     entries: Vec<BTreeMap<usize, Expr>>,
     sides: Vec<Expr>,
     pivots: Vec<(PivotBlock, Cofactors)>,
-    /// One part in so many of its row's sum is enough for a pivot, and of the product of its rows' sums for a determinant.
-    trusted: i64,
+    trust: Trust,
     /// Sum of the sizes of each row's entries before elimination.
     before: Vec<Expr>,
 }
@@ -60,18 +50,18 @@ const LEFT: i64 = 1 << 30;
 ///
 /// * `order`: given, blocks of rows of J and of the columns that they are solved for.
 /// * `lengths`: given, for each speed the number that makes it comparable with the others, as an expression.
-/// * `trusted`: given, as [`trusted`] says.
+/// * `trust`: given, how small pivots may be.
 pub(super) fn accelerations(
     arena: &mut Arena,
     (rows, mass, forces): (&[MotionRow], &[Expr], &[Expr]),
     order: &[PivotBlock],
     lengths: &[Expr],
-    trusted: i64,
+    trust: Trust,
 ) -> Accelerations {
     let zero = arena.integer(0);
     let count = forces.len();
     let matrix: Vec<Vec<Expr>> = rows.iter().map(|row| row.jacobian.clone()).collect();
-    let mut work = SparseRows::new(arena, &matrix, rows.iter().map(|row| row.gamma).collect(), lengths, trusted);
+    let mut work = SparseRows::new(arena, &matrix, rows.iter().map(|row| row.gamma).collect(), lengths, trust);
     let pivots: Vec<[Expr; 2]> = order.iter().map(|block| work.eliminate(block, lengths)).collect();
     let is_dependent = |column: &usize| order.iter().any(|block| block.columns.contains(column));
     let independent: Vec<usize> = (0..count).filter(|column| !is_dependent(column)).collect();
@@ -118,12 +108,12 @@ impl<'a> SparseRows<'a> {
     /// Rows of a matrix with their right-hand sides.
     ///
     /// * `lengths`: given, for each column the number that makes it comparable with the others, as an expression.
-    /// * `trusted`: given, a pivot has to exceed one part in so many of its row's sum.
-    pub(super) fn new(arena: &'a mut Arena, matrix: &[Vec<Expr>], sides: Vec<Expr>, lengths: &[Expr], trusted: i64) -> SparseRows<'a> {
+    /// * `trust`: given, how small pivots may be.
+    pub(super) fn new(arena: &'a mut Arena, matrix: &[Vec<Expr>], sides: Vec<Expr>, lengths: &[Expr], trust: Trust) -> SparseRows<'a> {
         let zero = arena.integer(0);
         let entries = |row: &Vec<Expr>| row.iter().copied().enumerate().filter(|(_, entry)| *entry != zero).collect();
         let entries = matrix.iter().map(entries).collect();
-        let mut work = SparseRows { arena, entries, sides, pivots: Vec::new(), trusted, before: Vec::new() };
+        let mut work = SparseRows { arena, entries, sides, pivots: Vec::new(), trust, before: Vec::new() };
         work.before = (0..matrix.len()).map(|row| work.size(row, lengths)).collect();
         work
     }
@@ -145,7 +135,7 @@ impl<'a> SparseRows<'a> {
         if size == before {
             return size;
         }
-        let left = self.arena.integer(LEFT / self.trusted);
+        let left = self.arena.integer(LEFT / self.trust.first);
         let least = self.arena.div(before, left);
         self.arena.add(size, least)
     }
@@ -164,7 +154,7 @@ impl<'a> SparseRows<'a> {
             let size = self.judged(*row, lengths);
             least = self.arena.mul(least, size);
         }
-        let trusted = self.arena.integer(self.trusted);
+        let trusted = self.arena.integer(self.trust.of(rows.len()));
         least = self.arena.div(least, trusted);
         self.pivots.push((block.clone(), cofactors));
         for other in 0..self.entries.len() {

@@ -13,7 +13,10 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(super) struct Embedding<'a> {
     arena: &'a mut Arena,
     explicit: BTreeMap<usize, Embedded>,
-    coordinates: usize,
+    /// Coordinates that may be integrated.
+    coordinates: Vec<usize>,
+    /// Rows that were solved, each for a coordinate.
+    solved: Vec<(usize, usize)>,
     /// Replaces explicit coordinates, speeds and accelerations.
     substitution: Substitution,
 }
@@ -34,8 +37,18 @@ struct Affine {
 }
 
 impl Embedding<'_> {
-    pub(super) fn new(arena: &mut Arena, coordinates: usize) -> Embedding<'_> {
-        Embedding { arena, explicit: BTreeMap::new(), coordinates, substitution: Substitution::new() }
+    pub(super) fn new(arena: &mut Arena, coordinates: Vec<usize>) -> Embedding<'_> {
+        Embedding { arena, explicit: BTreeMap::new(), coordinates, solved: Vec::new(), substitution: Substitution::new() }
+    }
+
+    /// Solves the same rows for the same coordinates as another one.
+    pub(super) fn follow(&mut self, solved: &[(usize, usize)], rows: &[Equation]) {
+        solved.iter().for_each(|(row, pivot)| self.solve(&rows[*row], *pivot));
+    }
+
+    /// Rows that were solved, each for a coordinate, in their order.
+    pub(super) fn solved(&self) -> Vec<(usize, usize)> {
+        self.solved.clone()
     }
 
     /// Solves rows for coordinates that stand alone in them, those first that offer the fewest, and of these those that depend on the fewest
@@ -53,6 +66,7 @@ impl Embedding<'_> {
             // Bodies are reached outwards: of two new ones the later follows the earlier.
             if let Some(pivot) = offers.into_iter().max() {
                 self.solve(&rows[row], pivot);
+                self.solved.push((row, pivot));
             }
             left.retain(|other| *other != row);
         }
@@ -191,7 +205,7 @@ impl Embedding<'_> {
 
     /// Coordinates that are not explicit.
     pub(super) fn integrated(&self) -> Vec<usize> {
-        (0..self.coordinates).filter(|unknown| !self.explicit.contains_key(unknown)).collect()
+        self.coordinates.iter().copied().filter(|unknown| !self.explicit.contains_key(unknown)).collect()
     }
 
     /// Value, rate and acceleration of a coordinate.

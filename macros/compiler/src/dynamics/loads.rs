@@ -12,7 +12,8 @@
 
 use super::cofactors::{BY_COFACTORS, Cofactors};
 use super::elimination::SparseRows;
-use super::order::OpenRows;
+use super::order::{Grouping, OpenRows};
+use super::trust::Trust;
 use crate::assembly::Assembly;
 use crate::expr::{Arena, Expr, Unary, Values, evaluate};
 use crate::model::Model;
@@ -46,7 +47,7 @@ pub struct Multipliers {
 
 /// A determinant below one part in so many of its terms is not trusted, nor a pivot below such a part of its row.
 const TRUSTED: i64 = 1 << 16;
-const TRUSTED_PIVOT: i64 = 1 << 10;
+const TRUST: Trust = Trust { first: 1 << 10, further: 1 };
 
 /// Loads, if there are masses or forces.
 pub(crate) fn loads(model: &Model, system: &System, structure: &Structure, assembly: &Assembly) -> Option<Loads> {
@@ -299,10 +300,11 @@ impl<'a> LoadMatrix<'a> {
             let number = |row: &usize, column: &usize| self.numbers[*row].get(column).copied().unwrap_or(0.0) * self.lengths[*column];
             let numbers: Vec<Vec<f64>> = rows.iter().map(|row| columns.iter().map(|column| number(row, column)).collect()).collect();
             let joints: Vec<usize> = (0..rows.len()).collect();
-            let order = OpenRows::new(&numbers, |row, column| matrix[row][column] == zero, (&joints, &[]), TRUSTED_PIVOT).order()?;
+            let known = Grouping { joints: &joints, freedoms: &[], triples: &[] };
+            let order = OpenRows::new(&numbers, |row, column| matrix[row][column] == zero, known, TRUST).order()?;
             let lengths: Vec<f64> = columns.iter().map(|column| self.lengths[*column]).collect();
             let lengths: Vec<Expr> = lengths.into_iter().map(|length| super::power_of_two(self.arena, length)).collect();
-            let mut work = SparseRows::new(self.arena, &matrix, sides, &lengths, TRUSTED_PIVOT);
+            let mut work = SparseRows::new(self.arena, &matrix, sides, &lengths, TRUST);
             let checks: Vec<[Expr; 2]> = order.iter().map(|block| work.eliminate(block, &lengths)).collect();
             let found = work.solution(None, columns.len());
             self.checks.extend(checks.into_iter().map(|[pivot, least]| [self.arena.unary(Unary::Abs, pivot), least]));

@@ -16,24 +16,28 @@ mod embedding;
 mod loads;
 mod massless;
 mod order;
+mod spins;
 mod squares;
 #[cfg(test)]
 mod tests;
+mod trust;
 
 use crate::assembly::Assembly;
 use crate::diag::Diag;
 use crate::expr::{Arena, Expr, Leaf, derivative};
 use crate::model::Model;
 use crate::numeric::{Numeric, at_defaults};
-use crate::quantity::{Dim, Role};
+use crate::quantity::Dim;
 use crate::structure::Structure;
 use crate::system::{Balance, Equation, Level, System};
 pub use elimination::Accelerations;
 use embedding::Embedding;
 pub(crate) use loads::loads;
 pub use loads::{Loads, Multipliers};
-use order::OpenRows;
+use order::{Grouping, OpenRows};
+use spins::BySpins;
 use std::collections::{BTreeMap, HashMap};
+use trust::Trust;
 
 /// Equations of motion.
 #[derive(Clone, Debug)]
@@ -60,6 +64,8 @@ pub struct Dynamics {
     pub accelerations: Option<Accelerations>,
     /// 0
     pub zero: Expr,
+    /// Where bodies are free to turn: the equations from which accelerations are found in closed form.
+    by_spins: Option<BySpins>,
 }
 
 /// With more freedoms than this, the equations are eliminated at run time: the expressions would grow with their cube.
@@ -72,27 +78,29 @@ impl Dynamics {
         if !assembly.is_closed || count > MOST_FREEDOMS + self.rows.len() {
             return None;
         }
+        if let Some(by_spins) = self.by_spins.take() {
+            return by_spins.accelerations(&mut self.arena, &self.integrated, numeric, assembly);
+        }
         let numbers = check::AtStart::new(numeric, assembly, self).constraints();
-        let is_quaternion = |unknown: &usize| matches!(numeric.system.coordinates[*unknown].role, Role::Quaternion(_));
-        let trusted = elimination::trusted(self.integrated.iter().any(is_quaternion));
         let joints: Vec<usize> = self.rows.iter().map(|row| row.of.0).collect();
-        let freedoms = self.freedoms();
+        let freedoms = freedoms(&self.initial, self.zero);
         let is_zero = |row: usize, column: usize| self.rows[row].jacobian[column] == self.zero;
-        let order = OpenRows::new(&numbers, is_zero, (&joints, &freedoms), trusted).order()?;
+        let columns = Grouping { joints: &joints, freedoms: &freedoms, triples: &[] };
+        let order = OpenRows::new(&numbers, is_zero, columns, Trust::OF_MOTION).order()?;
         let scales: Vec<f64> = self.integrated.iter().map(|unknown| numeric.scale(*unknown)).collect();
         let lengths: Vec<Expr> = scales.into_iter().map(|scale| power_of_two(&mut self.arena, scale)).collect();
         let equations = (self.rows.as_slice(), self.mass.as_slice(), self.forces.as_slice());
-        Some(elimination::accelerations(&mut self.arena, equations, &order, &lengths, trusted))
+        Some(elimination::accelerations(&mut self.arena, equations, &order, &lengths, Trust::OF_MOTION))
     }
+}
 
-    /// Integrated speeds that are freedoms by themselves.
-    fn freedoms(&self) -> Vec<usize> {
-        let alone = |row: &MotionRow| {
-            let mut entries = (0..row.jacobian.len()).filter(|column| row.jacobian[*column] != self.zero);
-            entries.next().filter(|_| entries.next().is_none())
-        };
-        self.initial.iter().filter_map(alone).collect()
-    }
+/// Speeds that are freedoms by themselves.
+fn freedoms(initial: &[MotionRow], zero: Expr) -> Vec<usize> {
+    let alone = |row: &MotionRow| {
+        let mut entries = (0..row.jacobian.len()).filter(|column| row.jacobian[*column] != zero);
+        entries.next().filter(|_| entries.next().is_none())
+    };
+    initial.iter().filter_map(alone).collect()
 }
 
 /// The power of two next to a length.
@@ -151,7 +159,8 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
     let constraints: Vec<Equation> = solved.iter().map(|row| of_positions[*row].clone()).collect();
     let pivots = |row: &usize| system.pattern.rows[*row].iter().filter(|entry| entry.is_pivot).map(|entry| entry.unknown).collect();
     let pivots: Vec<Vec<usize>> = solved.iter().map(pivots).collect();
-    let mut embedding = Embedding::new(&mut arena, system.coordinates.len());
+    let by_spins = system.by_spins.as_ref().map(|by_spins| BySpins::plain(&mut arena, &mut known, by_spins));
+    let mut embedding = Embedding::new(&mut arena, (0..system.coordinates.len()).collect());
     let left = embedding.eliminate(&constraints, &pivots);
     let (of_freedoms, of_joints): (Vec<&Equation>, Vec<&Equation>) = of_speeds.iter().partition(|equation| equation.is_initial);
     let rows = left.into_iter().map(|row| &constraints[row]).chain(of_joints);
@@ -166,7 +175,8 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
     let forces = embedding.forces(&forces);
     let mut state: Vec<[Expr; 3]> = (0..system.coordinates.len()).map(|unknown| embedding.motion(unknown)).collect();
     state.extend(orientations.into_iter().map(|motion| motion.map(|expr| embedding.of(expr))));
-    let integrated = embedding.integrated();
+    let (integrated, explicit) = (embedding.integrated(), embedding.solved());
+    let by_spins = by_spins.map(|equations| BySpins::new(&mut arena, &equations, |row| solved.contains(row), &explicit));
     let zero = arena.integer(0);
     Dynamics {
         arena,
@@ -180,6 +190,7 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
         energies: [kinetic, potential, power],
         accelerations: None,
         zero,
+        by_spins,
     }
 }
 

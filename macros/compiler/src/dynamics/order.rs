@@ -5,10 +5,14 @@
 //! entries vanish in ordinary ones.
 
 use super::cofactors::BY_COFACTORS;
+use super::trust::Trust;
 use crate::linear::dense;
 
 /// A pivot or a determinant has at least this fraction of the largest one in its rows, so that it stays trusted for long.
 const STEADY: f64 = 0.2;
+
+/// Rows for one vector are taken together if there are no more.
+const MOST_OF_TRIPLE: usize = 6;
 
 /// Rows that are solved together for as many columns.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -20,21 +24,29 @@ pub(super) struct PivotBlock {
 /// Rank of a block; the least comes first.
 ///
 /// 1. Single pivots are taken last, unless they are alone in their rows.
-/// 2. Columns of freedoms stay independent where possible: declared freedoms are those that determine the motion well.
+/// 2. Grouping of freedoms stay independent where possible: declared freedoms are those that determine the motion well.
 /// 3. Fill-in.
 /// 4. The number of rows.
 type Rank = (bool, usize, usize, usize);
+
+/// What is known of rows and columns.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Grouping<'a> {
+    /// Joint of each row.
+    pub(super) joints: &'a [usize],
+    /// Grouping that are better not solved for.
+    pub(super) freedoms: &'a [usize],
+    /// Speeds of a body's origin, or its angular velocity: rows for one such vector may be taken together.
+    pub(super) triples: &'a [[usize; 3]],
+}
 
 /// Rows that are not eliminated yet.
 pub(super) struct OpenRows<'a> {
     numbers: Vec<Vec<f64>>,
     /// True for entries that do not always vanish.
     filled: Vec<Vec<bool>>,
-    /// Joint of each row.
-    joints: &'a [usize],
-    freedoms: &'a [usize],
-    /// At run time a determinant has to exceed one part in so many of the product of its rows' sums.
-    trusted: f64,
+    columns: Grouping<'a>,
+    trust: Trust,
     open: Vec<usize>,
     free: Vec<usize>,
 }
@@ -44,22 +56,14 @@ impl<'a> OpenRows<'a> {
     ///
     /// * `numbers`: given, J where the mechanism is assembled, in comparable units.
     /// * `is_zero`: given, true for an entry that always vanishes.
-    /// * `joints`: given, for each row the number of its joint.
-    /// * `freedoms`: given, columns that are better not solved for.
-    /// * `trusted`: given, the bound of determinants at run time.
-    pub(super) fn new(
-        numbers: &[Vec<f64>],
-        is_zero: impl Fn(usize, usize) -> bool,
-        (joints, freedoms): (&'a [usize], &'a [usize]),
-        trusted: i64,
-    ) -> OpenRows<'a> {
+    /// * `trust`: given, how small determinants may be at run time.
+    pub(super) fn new(numbers: &[Vec<f64>], is_zero: impl Fn(usize, usize) -> bool, columns: Grouping<'a>, trust: Trust) -> OpenRows<'a> {
         let count = numbers.first().map_or(0, Vec::len);
         OpenRows {
             numbers: numbers.to_vec(),
             filled: (0..numbers.len()).map(|row| (0..count).map(|column| !is_zero(row, column)).collect()).collect(),
-            joints,
-            freedoms,
-            trusted: trusted as f64,
+            columns,
+            trust,
             open: (0..numbers.len()).collect(),
             free: (0..count).collect(),
         }
@@ -80,7 +84,7 @@ impl<'a> OpenRows<'a> {
     fn groups(&self) -> Vec<Vec<usize>> {
         let mut groups: Vec<Vec<usize>> = self.open.iter().map(|row| vec![*row]).collect();
         for (at, row) in self.open.iter().enumerate() {
-            let is_of_joint = |other: &&usize| self.joints[**other] == self.joints[*row];
+            let is_of_joint = |other: &&usize| self.columns.joints[**other] == self.columns.joints[*row];
             if !self.open[..at].iter().any(|other| is_of_joint(&other)) {
                 let rows: Vec<usize> = self.open.iter().filter(is_of_joint).copied().collect();
                 if (2..=BY_COFACTORS).contains(&rows.len()) {
@@ -88,10 +92,18 @@ impl<'a> OpenRows<'a> {
                 }
             }
         }
+        for triple in self.columns.triples {
+            let rows: Vec<usize> = self.open.iter().copied().filter(|row| triple.iter().any(|column| self.filled[*row][*column])).collect();
+            if rows.len() <= MOST_OF_TRIPLE {
+                groups.extend((2..=BY_COFACTORS).flat_map(|count| choices(&rows, count)));
+            }
+        }
+        groups.sort_unstable();
+        groups.dedup();
         groups
     }
 
-    /// Columns for which rows can be solved, with the rank of each choice.
+    /// Grouping for which rows can be solved, with the rank of each choice.
     fn candidates(&self, rows: &[usize]) -> Vec<(Rank, PivotBlock)> {
         let held: Vec<usize> = self.free.iter().copied().filter(|column| rows.iter().any(|row| self.filled[*row][*column])).collect();
         let choices: Vec<(f64, Vec<usize>)> =
@@ -99,13 +111,13 @@ impl<'a> OpenRows<'a> {
         let largest = choices.iter().map(|(size, _)| *size).fold(0.0, f64::max);
         let sum = |row: &usize| held.iter().map(|column| self.numbers[*row][*column].abs()).sum::<f64>();
         // Twice the bound: a smaller determinant would soon fall below it.
-        let least = if rows.len() == 1 { 0.0 } else { 2.0 * rows.iter().map(sum).product::<f64>() / self.trusted };
+        let least = if rows.len() == 1 { 0.0 } else { 2.0 * rows.iter().map(sum).product::<f64>() / self.trust.of(rows.len()) as f64 };
         let is_steady = |size: f64| size >= STEADY * largest && size > least;
         let rank = |columns: &[usize]| {
             let takes = |row: &&usize| columns.iter().any(|column| self.filled[**row][*column]);
             let below = self.open.iter().filter(|row| !rows.contains(row)).filter(takes).count();
             let beside = held.len() - columns.len();
-            let of_freedoms = columns.iter().filter(|column| self.freedoms.contains(column)).count();
+            let of_freedoms = columns.iter().filter(|column| self.columns.freedoms.contains(column)).count();
             (rows.len() == 1 && beside > 0, of_freedoms, beside * below, rows.len())
         };
         let steady = choices.into_iter().filter(|(size, _)| is_steady(*size));

@@ -32,6 +32,8 @@ pub struct Frame {
     pub against: Option<usize>,
     /// Coordinates of its rotation relative to that frame.
     pub own: Vec<Leaf>,
+    /// Number of the first of three speeds that are ω in the axes of the frame, if it is free to turn and has such speeds.
+    pub spins: Option<u32>,
 }
 
 /// The frames of an arena, and the vectors fixed in them.
@@ -59,6 +61,33 @@ impl Arena {
     pub fn add_frame(&mut self, frame: Frame) -> usize {
         self.frames.frames.push(frame);
         self.frames.frames.len() - 1
+    }
+
+    /// Adds a frame that is free to turn, with ω in its own axes as three speeds, the first of which has the number `first`. The
+    /// coordinates of the same numbers stand for turns about its axes.
+    pub fn add_spinning_frame(&mut self, columns: [Triple; 3], first: u32, own: Vec<Leaf>) -> usize {
+        let (zero, one) = (self.integer(0), self.integer(1));
+        let none = [zero; 3];
+        let turns = (0..3).map(|k: u32| (Leaf::Coordinate(first + k), columns[k as usize])).collect();
+        let frame = Frame {
+            columns,
+            velocity: none,
+            acceleration: none,
+            acceleration_at_constant_speeds: none,
+            turns,
+            against: None,
+            own,
+            spins: Some(first),
+        };
+        let number = self.add_frame(frame);
+        let axes = [0, 1, 2].map(|axis| self.turned(number, [0, 1, 2].map(|k| if k == axis { one } else { zero })));
+        let [velocity, acceleration] = [Leaf::Speed, Leaf::Acceleration].map(|leaf| {
+            let own = [0, 1, 2].map(|k| self.leaf(leaf(first + k)));
+            combination(self, own, axes)
+        });
+        let frame = &mut self.frames.frames[number];
+        (frame.velocity, frame.acceleration) = (velocity, acceleration);
+        number
     }
 
     /// A frame by its number.
@@ -124,6 +153,11 @@ impl Arena {
     pub(super) fn turned_by(&mut self, vector: u32, axis: u8, by: Leaf) -> Expr {
         let Some(frame) = self.frames.vectors[vector as usize].moving else { return self.integer(0) };
         let turn = self.frames.frames[frame].turns.iter().find(|(leaf, _)| *leaf == by).map(|(_, turn)| *turn);
+        if let Some((local, own)) = self.in_spinning_frame(vector, frame) {
+            let Some(k) = own.iter().position(|leaf| *leaf == by) else { return self.integer(0) };
+            let change = self.crossed_by_axis(k, local);
+            return self.turned(frame, change)[usize::from(axis)];
+        }
         match turn {
             Some(turn) => {
                 let components = self.components(vector);
@@ -137,6 +171,9 @@ impl Arena {
     pub(super) fn turning_with(&mut self, vector: u32, axis: u8, speeds_change: bool) -> [Expr; 2] {
         let Some(frame) = self.frames.vectors[vector as usize].moving else { return [self.integer(0); 2] };
         let Frame { velocity, acceleration, acceleration_at_constant_speeds, .. } = self.frames.frames[frame];
+        if let Some((local, _)) = self.in_spinning_frame(vector, frame) {
+            return self.spinning_with(frame, local, axis, speeds_change);
+        }
         let components = self.components(vector);
         let first = cross(self, velocity, components);
         let acceleration = if speeds_change { acceleration } else { acceleration_at_constant_speeds };
@@ -144,6 +181,34 @@ impl Arena {
         let inward = cross(self, velocity, first);
         let axis = usize::from(axis);
         [first[axis], self.add(along[axis], inward[axis])]
+    }
+
+    /// Local components of a vector that is fixed in a frame with speeds of its own, and the coordinates of the same numbers.
+    fn in_spinning_frame(&self, vector: u32, moving: usize) -> Option<(Triple, [Leaf; 3])> {
+        let first = self.frames.frames[moving].spins?;
+        let FixedVector { frame, local, .. } = self.frames.vectors[vector as usize];
+        (frame == moving).then_some((local, [0, 1, 2].map(|k| Leaf::Coordinate(first + k))))
+    }
+
+    /// e × s
+    fn crossed_by_axis(&mut self, axis: usize, local: Triple) -> Triple {
+        let (zero, one) = (self.integer(0), self.integer(1));
+        cross(self, [0, 1, 2].map(|k| if k == axis { one } else { zero }), local)
+    }
+
+    /// A (ω × s) and A (ω̇ × s + ω × (ω × s)) of one component, with ω in the axes of the frame.
+    fn spinning_with(&mut self, frame: usize, local: Triple, axis: u8, speeds_change: bool) -> [Expr; 2] {
+        let Frame { columns, spins, .. } = self.frames.frames[frame];
+        let first = spins.unwrap_or(0);
+        let [speed, change] = [Leaf::Speed, Leaf::Acceleration].map(|leaf| [0, 1, 2].map(|k| self.leaf(leaf(first + k))));
+        let along = cross(self, speed, local);
+        let mut second = cross(self, speed, along);
+        if speeds_change {
+            let tangential = cross(self, change, local);
+            second = [0, 1, 2].map(|k| self.add(tangential[k], second[k]));
+        }
+        let across = columns.map(|column| column[usize::from(axis)]);
+        [along, second].map(|vector| dot(self, vector, across))
     }
 
     /// The expression without marks, in the same arena.

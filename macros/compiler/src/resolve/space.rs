@@ -55,7 +55,16 @@ impl Elaborator<'_> {
         let leaf = |part: &Expr| if let Node::Leaf(leaf) = self.arena.node(*part) { Some(*leaf) } else { None };
         let own = quaternion.iter().filter_map(leaf).collect();
         let turns = turns.to_vec();
-        self.arena.add_frame(Frame { columns, velocity, acceleration, acceleration_at_constant_speeds, turns, against: None, own });
+        self.arena.add_frame(Frame {
+            columns,
+            velocity,
+            acceleration,
+            acceleration_at_constant_speeds,
+            turns,
+            against: None,
+            own,
+            spins: None,
+        });
     }
 
     /// A vector fixed in a body, by its components in ground.

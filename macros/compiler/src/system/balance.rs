@@ -22,11 +22,12 @@ pub struct Balance {
 }
 
 impl Balance {
-    /// In the declared coordinates, by the speeds of bodies.
-    pub(super) fn declared(model: &Model, arena: &mut Arena) -> Balance {
+    /// In the declared coordinates, by the speeds of bodies; torques on a body with speeds of its own, of which the number of the first is in
+    /// `spins`, are those about its axes.
+    pub(super) fn declared(model: &Model, arena: &mut Arena, spins: &[Option<u32>]) -> Balance {
         let zero = arena.integer(0);
         let each = if model.ambient == Ambient::Space { 6 } else { 3 };
-        let forces = dynamics::unbalanced(model, arena).unwrap_or_else(|| vec![zero; each * model.bodies.len()]);
+        let forces = dynamics::unbalanced(model, arena, spins).unwrap_or_else(|| vec![zero; each * model.bodies.len()]);
         Balance { forces, potential: potential(model, arena), power: power(model, arena) }
     }
 
@@ -45,6 +46,11 @@ impl Balance {
                 forces[3 * body + axis] = self.forces[6 * body + axis];
                 let spin = arena.frame(*frame).velocity[axis];
                 let torque = self.forces[6 * body + 3 + axis];
+                if let Some(first) = arena.frame(*frame).spins {
+                    let own = first as usize + axis;
+                    forces[own] = arena.add(forces[own], torque);
+                    continue;
+                }
                 for leaf in arena.leaves(spin) {
                     let Leaf::Speed(number) = leaf else { continue };
                     let slope = derivative(arena, spin, leaf);

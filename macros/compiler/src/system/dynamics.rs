@@ -8,32 +8,44 @@
 //!
 //! In the axes of ground, three for each body in the plane and six in space, in the order of the speeds.
 
+use super::own_axes;
 use crate::expr::{Arena, Expr, Leaf, Triple, combination, cross, derivative, dot};
 use crate::model::{DECLARED, Force, Mass, Model};
 use crate::quantity::{Ambient, Role};
 
 /// f of every body; `None` if there is neither a mass nor a force.
-pub(super) fn unbalanced(model: &Model, arena: &mut Arena) -> Option<Vec<Expr>> {
+///
+/// * `spins`: given, for each body in space the number of the first of three speeds that are ω in its own axes. Of such a body the torques
+///   are those about its axes.
+pub(super) fn unbalanced(model: &Model, arena: &mut Arena, spins: &[Option<u32>]) -> Option<Vec<Expr>> {
     let has_mass = model.bodies.iter().any(|body| !body.masses.is_empty());
     if !has_mass && model.forces.is_empty() && model.energies.is_empty() {
         return None;
     }
     let work = (0..model.bodies.len()).flat_map(|body| match model.ambient {
         Ambient::Plane => in_plane(model, arena, body).to_vec(),
-        Ambient::Space => in_space(model, arena, body).to_vec(),
+        Ambient::Space => match spins.get(body).copied().flatten() {
+            Some(first) => own_axes::unbalanced(model, arena, body, first).to_vec(),
+            None => in_space(model, arena, body).to_vec(),
+        },
     });
     let mut work: Vec<Expr> = work.collect();
     for energy in &model.energies {
-        add_slopes(model, arena, *energy, &mut work);
+        add_slopes(model, arena, *energy, (spins, &mut work));
     }
     Some(work)
 }
 
 /// Adds ∂V/∂q of an energy: by the coordinates in the plane, by positions and turns of bodies in space.
-fn add_slopes(model: &Model, arena: &mut Arena, energy: Expr, work: &mut [Expr]) {
+fn add_slopes(model: &Model, arena: &mut Arena, energy: Expr, (spins, work): (&[Option<u32>], &mut [Expr])) {
     let each = if model.ambient == Ambient::Space { 6 } else { 3 };
     for (at, sum) in work.iter_mut().enumerate() {
         let (body, offset) = (at / each, at % each);
+        if offset >= 3 && spins.get(body).is_some_and(Option::is_some) {
+            let slope = own_axes::slope(arena, energy, body, offset - 3);
+            *sum = arena.add(*sum, slope);
+            continue;
+        }
         let by = match model.ambient {
             Ambient::Plane => Leaf::Coordinate(number(model, body, offset)),
             Ambient::Space if offset < 3 => Leaf::Coordinate(DECLARED + (Role::SPACE.len() * body + offset) as u32),
@@ -210,13 +222,13 @@ fn euler(arena: &mut Arena, declared: &Mass, body: usize, speed: Triple, turning
 }
 
 /// The axes of a body in ground.
-fn axes(arena: &mut Arena, body: usize) -> [Triple; 3] {
+pub(super) fn axes(arena: &mut Arena, body: usize) -> [Triple; 3] {
     let (zero, one) = (arena.integer(0), arena.integer(1));
     [0, 1, 2].map(|axis| arena.turned(body, [0, 1, 2].map(|k| if k == axis { one } else { zero })))
 }
 
 /// I' v, in the axes of a body.
-fn inertia_times(arena: &mut Arena, inertia: &[Expr], v: Triple) -> Triple {
+pub(super) fn inertia_times(arena: &mut Arena, inertia: &[Expr], v: Triple) -> Triple {
     let [xx, yy, zz, xy, xz, yz] = [inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]];
     [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]].map(|row| dot(arena, row, v))
 }

@@ -50,7 +50,7 @@ impl LoadEquations {
     ///
     /// * `is_aligned`: given, true for the angle of a joint that keeps its axes in one direction.
     pub(super) fn declared(model: &Model, arena: &mut Arena, is_aligned: impl Fn(u32) -> bool) -> Option<LoadEquations> {
-        let forces = dynamics::unbalanced(model, arena)?;
+        let forces = dynamics::unbalanced(model, arena, &[])?;
         let mut angles = JointAngles::new(model, arena, is_aligned);
         let declared = Row::declared(model).map(|row| Row { residual: angles.apart(arena, row.residual), ..row });
         let declared: Vec<Row> = declared.collect();
@@ -64,7 +64,7 @@ impl LoadEquations {
 
     /// In the plane, where the declared coordinates are the unknowns.
     pub(super) fn in_plane<'a>(model: &Model, arena: &mut Arena, equations: impl Iterator<Item = &'a Equation>) -> Option<LoadEquations> {
-        let forces = dynamics::unbalanced(model, arena)?;
+        let forces = dynamics::unbalanced(model, arena, &[])?;
         let is_pin = |equation: &Equation| equation.row >= model.joints[equation.joint].residuals.len();
         let rows = rows(model, equations.filter(|equation| !is_pin(equation)));
         Some(LoadEquations::new(model, arena, forces, rows))

@@ -15,9 +15,11 @@ mod dynamics;
 mod forest;
 mod loads;
 mod magnitude;
+mod own_axes;
 mod pattern;
 mod pins;
 mod rows;
+mod spins;
 
 use crate::diag::{Diag, SystemFact};
 use crate::expr::{Arena, Expr, Jets, Leaf, Seed, Substitution};
@@ -29,10 +31,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 pub use balance::Balance;
 pub use declared::DeclaredEquations;
+use forest::FreeSpeeds;
 pub use loads::{LoadEquations, LoadRow};
 pub(crate) use magnitude::magnitude;
 pub(crate) use rows::coordinates_in;
 use rows::{Differentiation, Row};
+pub use spins::EquationsBySpins;
 
 /// Unknowns and equations.
 #[derive(Clone, Debug)]
@@ -66,6 +70,8 @@ pub struct System {
     pub reached: Vec<Option<(usize, Option<usize>)>>,
     /// In space: the bodies whose orientation follows from the places of their ends.
     pub links: Vec<usize>,
+    /// Equations of motion by ω in the axes of the bodies that are free to turn, if forces decide the motion and there are such bodies.
+    pub by_spins: Option<EquationsBySpins>,
 }
 
 /// One coordinate.
@@ -246,31 +252,27 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     let mut arena = model.arena.clone();
     let Choice { coordinates, mut rows, outputs, frames, reached, links, balance, loads } = match model.ambient {
         Ambient::Plane => in_plane(model, &mut arena),
-        Ambient::Space => forest::reduce(model, &mut arena),
+        Ambient::Space => forest::reduce(model, &mut arena, FreeSpeeds::OfQuaternion),
     };
     rows::integrate(model, &mut arena, &coordinates, &mut rows, diag);
     rows::begin_at_start(model, &mut arena, &coordinates, &mut rows);
     let is_motion = model.task == Task::Motion;
     let is_apart = |row: &Row| row.is_velocity && (is_motion || model.ambient == Ambient::Space);
     // Without freedoms the declared equations have them.
+    let is_free = is_motion && coordinates.iter().any(|coordinate| matches!(coordinate.role, Role::Quaternion(_)));
+    let at_level: Vec<bool> = rows.iter().map(|row| row.is_velocity).collect();
     let (mut of_speeds, mut rows): (Vec<Row>, Vec<Row>) = rows.into_iter().partition(is_apart);
     of_speeds.retain(|_| is_motion);
     let rates = rates(coordinates.len());
     let columns = (0..coordinates.len() as u32).map(Leaf::Coordinate);
     let mut derivatives = Differentiation::new(columns, Seed::constant_speeds(rates.clone()), 0);
-    let mut equations_of = |arena: &mut Arena, rows: &[Row]| -> Vec<Equation> {
-        let of_row = |row: &Row| {
-            let columns = coordinates_in(arena, row.residual);
-            derivatives.of(arena, row, columns)
-        };
-        rows.iter().map(of_row).collect()
-    };
-    let mut equations = equations_of(&mut arena, &rows);
-    let of_speeds = equations_of(&mut arena, &of_speeds);
+    let mut equations = derivatives.of_all(&mut arena, &rows);
+    let of_speeds = derivatives.of_all(&mut arena, &of_speeds);
     if !of_speeds.is_empty() {
         rows = pins::pins(model, &mut arena, &coordinates, &equations);
-        equations.extend(equations_of(&mut arena, &rows));
+        equations.extend(derivatives.of_all(&mut arena, &rows));
     }
+    let by_spins = is_free.then(|| spins::equations(model, &mut arena, &coordinates, &at_level));
     let outputs = motions(model, &mut arena, &outputs, Seed::motion(rates));
     let lengths = lengths(&mut arena, model, &coordinates, &equations);
     no_joint_repeats_another(model, &mut arena, diag);
@@ -299,6 +301,7 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
         loads,
         reached,
         links,
+        by_spins,
     })
 }
 
@@ -336,7 +339,7 @@ struct Choice {
 /// In the plane the unknowns are the coordinates of the bodies.
 fn in_plane(model: &Model, arena: &mut Arena) -> Choice {
     Choice {
-        balance: (model.task == Task::Motion).then(|| Balance::declared(model, arena)),
+        balance: (model.task == Task::Motion).then(|| Balance::declared(model, arena, &[])),
         coordinates: coordinates(model),
         rows: Row::declared(model).collect(),
         outputs: model.outputs.iter().map(|output| output.components.clone()).collect(),

@@ -66,6 +66,15 @@ impl Differentiation {
         }
     }
 
+    /// The equations of rows, with an entry for each coordinate that a row contains.
+    pub(super) fn of_all(&mut self, arena: &mut Arena, rows: &[Row]) -> Vec<Equation> {
+        let of_row = |row: &Row| {
+            let columns = coordinates_in(arena, row.residual);
+            self.of(arena, row, columns)
+        };
+        rows.iter().map(of_row).collect()
+    }
+
     /// The equation of a row; its entries in all columns but these are zero.
     pub(super) fn of(&mut self, arena: &mut Arena, row: &Row, columns: impl IntoIterator<Item = usize>) -> Equation {
         let Row { joint, row: number, dim, residual, is_velocity, is_initial } = *row;
@@ -119,6 +128,20 @@ pub(super) fn integrate(model: &Model, arena: &mut Arena, coordinates: &[Coordin
         } else if model.task.is_solved() && said.is_new(&joint.name) {
             let (name, of) = (joint.name.to_string(), joint.residuals.len());
             diag.refuse::<()>(&joint.name, SystemFact::Nonholonomic { joint: name, row: row.row + 1, of });
+        }
+    }
+}
+
+/// Replaces rows of velocities where it has been done already.
+///
+/// * `at_level`: given, for each row whether it is still one of velocities.
+pub(super) fn integrate_again(arena: &mut Arena, coordinates: &[Coordinate], rows: &mut [Row], at_level: &[bool]) {
+    for (row, is_velocity) in rows.iter_mut().zip(at_level) {
+        if row.is_velocity
+            && !is_velocity
+            && let Some(phi) = integral(arena, coordinates, row.residual)
+        {
+            (row.residual, row.is_velocity) = (phi, false);
         }
     }
 }

@@ -4,6 +4,7 @@ use crate::compile;
 use crate::expr::{Values, evaluate};
 use crate::linear::dense;
 use crate::numeric::at_defaults;
+use crate::quantity::Role;
 use std::f64::consts::TAU;
 
 /// Ground, crank, coupler and rocker.
@@ -54,13 +55,16 @@ fn pose([ground, crank, coupler, rocker]: Lengths, [angle, speed]: [f64; 2]) -> 
 /// kind.
 fn untrusted(lengths: Lengths, start: f64, motions: impl Iterator<Item = [f64; 2]>) -> usize {
     let assembled = &pose(lengths, [start, 0.0])[0];
-    let text = declaration(lengths, [start, assembled[5], assembled[8]]);
-    let compiled = compile(text.parse().expect("tokens")).expect("a valid mechanism");
+    untrusted_states(&declaration(lengths, [start, assembled[5], assembled[8]]), motions.map(|motion| pose(lengths, motion)))
+}
+
+/// The same for coordinates and speeds.
+fn untrusted_states(declaration: &str, states: impl Iterator<Item = [Vec<f64>; 2]>) -> usize {
+    let compiled = compile(declaration.parse().expect("tokens")).expect("a valid mechanism");
     let code = compiled.plan.dynamics.as_ref().expect("equations of motion");
     let routine = code.accelerations.as_ref().expect("accelerations in closed form");
     let (mut count, mut worst) = (0, 0.0_f64);
-    for motion in motions {
-        let [coordinates, speeds] = pose(lengths, motion);
+    for [coordinates, speeds] in states {
         let wanted = dense_accelerations(&compiled, &coordinates, &speeds);
         let found = at_defaults(&compiled.model, &compiled.system, |numeric| {
             evaluate(&code.arena, &routine.results, &Values { coordinates: &coordinates, speeds: &speeds, ..numeric.known })
@@ -83,7 +87,7 @@ fn untrusted(lengths: Lengths, start: f64, motions: impl Iterator<Item = [f64; 2
 fn dense_accelerations(compiled: &crate::Compiled, coordinates: &[f64], speeds: &[f64]) -> Vec<f64> {
     let system = &compiled.system;
     let forces = &system.balance.as_ref().expect("forces").forces;
-    let rows: Vec<_> = system.equations.iter().filter(|row| !row.is_initial).collect();
+    let rows: Vec<_> = system.equations.iter().chain(&system.of_speeds).filter(|row| !row.is_initial).collect();
     let (width, size) = (speeds.len(), speeds.len() + rows.len());
     at_defaults(&compiled.model, system, |numeric| {
         let forces_at =
@@ -138,4 +142,78 @@ fn bars_in_line_are_not_trusted() {
     let ground = (6.499_999_f64.powi(2) - 1.0).sqrt();
     let motions = [[0.3, 1.0], [TAU / 4.0, 1.0]];
     assert_eq!(untrusted([ground, 1.0, 3.5, 3.0], 0.3, motions.into_iter()), 1);
+}
+
+/// A body on a ball joint, of which the centre of mass is elsewhere, with a spring, a force and another body on a hinge.
+const TOP: &str = "mechanism Top in space {
+    gravity = (0, 0, -9.81m_s2);
+    body top {
+        point tip = (0.1m, -0.2m, 0.3m);  point side = (0.4m, 0, 0);  axis pin = (1, 2, 2);
+        mass = 2kg;  center = (0.05m, 0.02m, 0.1m);  inertia = (0.3kgm2, 0.4kgm2, 0.5kgm2, 0.02kgm2, -0.03kgm2, 0.01kgm2);
+    }
+    body flap {
+        point P = (0, 0.1m, 0);  axis pin = (0, 0, 1);
+        mass = 0.5kg;  center = (0.2m, 0, 0.1m);  inertia = (0.02kgm2, 0.03kgm2, 0.04kgm2);
+    }
+    joint ball = spherical(ground.position, top.tip);
+    joint hinge = revolute(top.side, top.pin, flap.P, flap.pin);
+    force push = { at top.side: (3N, -2N, 5N);  on top: (0.1Nm, 0.2Nm, -0.3Nm); }
+    energy spring = 20N_m * dot(top.side - (1m, 0, 0), top.side - (1m, 0, 0));
+    freedom tumble = top.angular_velocity from (1rad_s, 2rad_s, 3rad_s);
+    freedom swing = hinge.angle from 0.3rad;
+}";
+
+/// Two nodes that turn in a fixed ratio about axes of a carrier, by equations of velocities.
+const GEARS: &str = "mechanism Gears in space {
+    gravity = (0, 0, -9.81m_s2);
+    body carrier { axis first = (0, 0, 1);  axis second = (0, 1, 0);  mass = 5kg;  inertia = (0.3kgm2, 0.2kgm2, 0.1kgm2); }
+    body first { mass = 2kg;  inertia = (0.05kgm2, 0.06kgm2, 0.07kgm2);  start position = (400mm, 0mm, 100mm); }
+    body second { mass = 3kg;  inertia = (0.1kgm2, 0.2kgm2, 0.15kgm2);  start position = (-300mm, 500mm, 0mm); }
+    joint gears = gear_joint(carrier, first, second, carrier.first, carrier.second, 2.5);
+    freedom glide = rate(carrier.position) from (1m_s, -0.5m_s, 2m_s);
+    freedom tumble = carrier.angular_velocity from (1rad_s, 2rad_s, -1.5rad_s);
+    freedom spin = dot(carrier.first, first.angular_velocity - carrier.angular_velocity) from 4rad_s;
+}";
+
+/// Coordinates and speeds at random, with quaternions of norm 1; those that are not integrated follow from the others.
+fn at_random(declaration: &str) -> impl Iterator<Item = [Vec<f64>; 2]> + use<> {
+    let compiled = compile(declaration.parse().expect("tokens")).expect("a valid mechanism");
+    let roles: Vec<Role> = compiled.system.coordinates.iter().map(|coordinate| coordinate.role).collect();
+    let mut seed = 1_u64;
+    let mut draw = move || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    };
+    (0..64).map(move |_| {
+        let [mut coordinates, mut speeds]: [Vec<f64>; 2] = [1.0, 5.0].map(|size| roles.iter().map(|_| size * draw()).collect());
+        let first_of_each: Vec<usize> = (0..roles.len()).filter(|number| roles[*number] == Role::Quaternion(0)).collect();
+        for first in first_of_each {
+            let (e, rates) = (&mut coordinates[first..first + 4], &mut speeds[first..first + 4]);
+            let norm = e.iter().map(|part| part * part).sum::<f64>().sqrt();
+            e.iter_mut().for_each(|part| *part /= norm);
+            let along: f64 = e.iter().zip(rates.iter()).map(|(part, rate)| part * rate).sum();
+            rates.iter_mut().zip(e).for_each(|(rate, part)| *rate -= along * *part);
+        }
+        completed(&compiled, &coordinates, &speeds)
+    })
+}
+
+/// Coordinates and speeds, from those that are integrated.
+fn completed(compiled: &crate::Compiled, coordinates: &[f64], speeds: &[f64]) -> [Vec<f64>; 2] {
+    let code = compiled.plan.dynamics.as_ref().expect("equations of motion");
+    let still = vec![0.0; speeds.len()];
+    let found = at_defaults(&compiled.model, &compiled.system, |numeric| {
+        evaluate(&code.arena, &code.state.results, &Values { coordinates, speeds, accelerations: &still, ..numeric.known })
+    });
+    [0, 1].map(|order| found.chunks(3).take(speeds.len()).map(|motion| motion[order]).collect())
+}
+
+#[test]
+fn a_body_that_is_free_to_turn_has_accelerations_in_closed_form_in_all_orientations() {
+    assert_eq!(untrusted_states(TOP, at_random(TOP)), 0);
+}
+
+#[test]
+fn nodes_on_a_carrier_have_accelerations_in_closed_form_in_all_orientations() {
+    assert_eq!(untrusted_states(GEARS, at_random(GEARS)), 0);
 }

@@ -28,6 +28,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 pub(super) struct Forest<'a> {
     model: &'a Model,
     arena: &'a mut Arena,
+    free_speeds: FreeSpeeds,
     /// Frame of each body in the arena.
     frames: Vec<Option<usize>>,
     /// Number of relations between ground and the body.
@@ -51,12 +52,22 @@ pub(super) struct Forest<'a> {
     rewritten: HashMap<Expr, Expr>,
 }
 
+/// Speeds of bodies that are free to turn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum FreeSpeeds {
+    /// The rates of the quaternion.
+    OfQuaternion,
+    /// ω in the axes of the body, with the numbers of the first three components of the quaternion. The row of the norm is empty.
+    Spin,
+}
+
 /// Chooses the unknowns of a mechanism in space, and writes its rows and outputs in them.
-pub(super) fn reduce(model: &Model, arena: &mut Arena) -> Choice {
+pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) -> Choice {
     let bodies = model.bodies.len();
     let mut forest = Forest {
         model,
         arena,
+        free_speeds,
         frames: vec![None; bodies],
         depths: vec![usize::MAX; bodies],
         coordinates: Vec::new(),
@@ -78,7 +89,8 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena) -> Choice {
     forest.declared_rows();
     forest.rows.sort_by_key(|row| row.joint);
     let outputs = model.outputs.iter().map(|output| output.components.iter().map(|part| forest.rewrite(*part)).collect()).collect();
-    let balance = (model.task == Task::Motion).then(|| Balance::declared(model, forest.arena).map(|expr| forest.rewrite(expr)));
+    let spins: Vec<Option<u32>> = forest.frames.iter().map(|frame| forest.arena.frame((*frame)?).spins).collect();
+    let balance = (model.task == Task::Motion).then(|| Balance::declared(model, forest.arena, &spins).map(|expr| forest.rewrite(expr)));
     let is_loaded = model.task.is_determined();
     let aligned = if is_loaded { forest.aligned() } else { BTreeSet::new() };
     let loads = is_loaded.then(|| LoadEquations::declared(model, forest.arena, |number| aligned.contains(&number))).flatten();

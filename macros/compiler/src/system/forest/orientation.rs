@@ -1,7 +1,7 @@
 //! Frames of bodies, by the relations that reach them.
 
 use super::super::rows::Row;
-use super::Forest;
+use super::{Forest, FreeSpeeds};
 use crate::expr::{Arena, Expr, Frame, Leaf, Triple, combination, cross};
 use crate::geometry::rotation;
 use crate::model::{Place, Relationship, Triad};
@@ -64,6 +64,14 @@ impl Forest<'_> {
         let unknowns = [0, 1, 2, 3].map(|k| self.unknown(body, Role::Quaternion(k), Some(start[usize::from(k)]), None));
         let [w, x, y, z] = unknowns.map(|(_, leaf)| leaf);
         let (columns, factor) = rotation(self.arena, [w, x, y, z]);
+        self.depths[body] = self.model.bodies.len();
+        let own = unknowns.iter().map(|(number, _)| Leaf::Coordinate(*number)).collect();
+        if self.free_speeds == FreeSpeeds::Spin {
+            self.frames[body] = Some(self.arena.add_spinning_frame(columns, unknowns[0].0, own));
+            let zero = self.arena.integer(0);
+            self.norm(body, zero);
+            return;
+        }
         let arena = &mut *self.arena;
         // ω = h vec(ė ē), with h = 2/(e · e)
         let turn = |arena: &mut Arena, k: usize| {
@@ -98,14 +106,26 @@ impl Forest<'_> {
         let acceleration = [0, 1, 2].map(|k| arena.sub(along[k], drift[k]));
         let acceleration_at_constant_speeds = drift.map(|part| arena.neg(part));
         let turns = turns.iter().map(|(number, turn)| (Leaf::Coordinate(*number), *turn)).collect();
-        let own = unknowns.iter().map(|(number, _)| Leaf::Coordinate(*number)).collect();
-        let frame = arena.add_frame(Frame { columns, velocity, acceleration, acceleration_at_constant_speeds, turns, against: None, own });
+        let frame = arena.add_frame(Frame {
+            columns,
+            velocity,
+            acceleration,
+            acceleration_at_constant_speeds,
+            turns,
+            against: None,
+            own,
+            spins: None,
+        });
         self.frames[body] = Some(frame);
-        self.depths[body] = self.model.bodies.len();
         let squares = [w, x, y, z].map(|part| self.arena.square(part));
         let sum = self.arena.sum(&squares);
         let one = self.arena.integer(1);
         let phi = self.arena.sub(sum, one);
+        self.norm(body, phi);
+    }
+
+    /// The row of the norm of a quaternion.
+    fn norm(&mut self, body: usize, phi: Expr) {
         self.rows.push(Row {
             joint: self.a_joint_of(body),
             row: 0,
@@ -145,7 +165,7 @@ impl Forest<'_> {
         }
         let against = from.and_then(|from| self.frames[from]);
         let own = by.iter().map(|(number, _)| Leaf::Coordinate(*number)).collect();
-        let frame = Frame { columns, velocity, acceleration, acceleration_at_constant_speeds: steady, turns, against, own };
+        let frame = Frame { columns, velocity, acceleration, acceleration_at_constant_speeds: steady, turns, against, own, spins: None };
         self.frames[body] = Some(self.arena.add_frame(frame));
         self.depths[body] = from.map_or(0, |from| self.depths[from]) + 1;
     }

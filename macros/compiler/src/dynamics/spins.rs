@@ -1,0 +1,195 @@
+//! Accelerations in closed form by ω in the axes of the bodies that are free to turn.
+//!
+//! ```text
+//! ω = h vec(ē ė),                                 h = 2/(e · e)
+//! ë = e (−(ė · ė)/(e · e), (ω̇ + h (e · ė) ω)/2)   from e · ë = −ė · ė and ω̇ = h vec(ē ë) − h (e · ė) ω
+//! ```
+//!
+//! e is the quaternion of a body, products are those of quaternions.
+
+use super::elimination::{self, Accelerations};
+use super::embedding::Embedding;
+use super::order::{Grouping, OpenRows};
+use super::trust::Trust;
+use super::{MotionRow, freedoms, masses, plain, power_of_two};
+use crate::assembly::Assembly;
+use crate::expr::{Arena, Expr, Leaf, Substitution, Triple, Values, cross, dot, evaluate};
+use crate::numeric::Numeric;
+use crate::quantity::{Axis, Role};
+use crate::system::EquationsBySpins;
+use std::collections::HashMap;
+
+/// Equations of motion by ω.
+#[derive(Clone, Debug)]
+pub(super) struct BySpins {
+    /// Numbers of the speeds.
+    speeds: Vec<usize>,
+    rows: Vec<MotionRow>,
+    initial: Vec<MotionRow>,
+    mass: Vec<Expr>,
+    forces: Vec<Expr>,
+    /// Number of the first component of each quaternion.
+    quaternions: Vec<usize>,
+}
+
+impl BySpins {
+    /// Equations without marks.
+    pub(super) fn plain(arena: &mut Arena, known: &mut HashMap<Expr, Expr>, equations: &EquationsBySpins) -> EquationsBySpins {
+        let EquationsBySpins { equations, of_speeds, forces, quaternions } = equations;
+        EquationsBySpins {
+            equations: plain(arena, known, equations),
+            of_speeds: plain(arena, known, of_speeds),
+            forces: forces.iter().map(|force| arena.plain(*force, known)).collect(),
+            quaternions: quaternions.clone(),
+        }
+    }
+
+    /// Eliminates explicit coordinates.
+    ///
+    /// * `is_solved`: given, true for the number of an equation between positions that counts.
+    /// * `explicit`: given, rows among those that count, each with the coordinate that it is solved for.
+    pub(super) fn new(
+        arena: &mut Arena,
+        equations: &EquationsBySpins,
+        is_solved: impl Fn(&usize) -> bool,
+        explicit: &[(usize, usize)],
+    ) -> BySpins {
+        let EquationsBySpins { equations, of_speeds, forces, quaternions } = equations;
+        let constraints: Vec<_> = (0..equations.len()).filter(|row| is_solved(row)).map(|row| equations[row].clone()).collect();
+        let masses = masses(arena, forces);
+        let is_speed = |number: &usize| !quaternions.iter().any(|first| first + 3 == *number);
+        let mut embedding = Embedding::new(arena, (0..forces.len()).filter(is_speed).collect());
+        embedding.follow(explicit, &constraints);
+        let is_left = |row: &usize| !explicit.iter().any(|(solved, _)| solved == row) && !constraints[*row].jacobian.is_empty();
+        let left = (0..constraints.len()).filter(is_left).map(|row| &constraints[row]);
+        let rows = left.chain(of_speeds.iter().filter(|equation| !equation.is_initial));
+        let rows = rows.map(|equation| embedding.row(equation)).collect();
+        let initial = equations.iter().chain(of_speeds).filter(|equation| equation.is_initial);
+        let initial = initial.map(|equation| embedding.row(equation)).collect();
+        let (mass, forces) = (embedding.mass(&masses), embedding.forces(forces));
+        BySpins { speeds: embedding.integrated(), rows, initial, mass, forces, quaternions: quaternions.clone() }
+    }
+
+    /// Accelerations of the integrated coordinates, by an order of elimination that is good where the mechanism is assembled.
+    pub(super) fn accelerations(
+        self,
+        arena: &mut Arena,
+        integrated: &[usize],
+        numeric: &Numeric,
+        assembly: &Assembly,
+    ) -> Option<Accelerations> {
+        let zero = arena.integer(0);
+        let scales: Vec<f64> = self.speeds.iter().map(|speed| self.scale(numeric, *speed)).collect();
+        let zeros = vec![0.0; numeric.system.coordinates.len()];
+        let known = Values { coordinates: &assembly.start, speeds: &zeros, accelerations: &zeros, ..numeric.known };
+        let scaled =
+            |row: &MotionRow| evaluate(arena, &row.jacobian, &known).iter().zip(&scales).map(|(entry, scale)| entry * scale).collect();
+        let numbers: Vec<Vec<f64>> = self.rows.iter().map(scaled).collect();
+        let joints: Vec<usize> = self.rows.iter().map(|row| row.of.0).collect();
+        let (freedoms, triples) = (freedoms(&self.initial, zero), self.triples(numeric));
+        let is_zero = |row: usize, column: usize| self.rows[row].jacobian[column] == zero;
+        let columns = Grouping { joints: &joints, freedoms: &freedoms, triples: &triples };
+        let order = OpenRows::new(&numbers, is_zero, columns, Trust::OF_SPINS).order()?;
+        let lengths: Vec<Expr> = scales.into_iter().map(|scale| power_of_two(arena, scale)).collect();
+        let found = elimination::accelerations(arena, (&self.rows, &self.mass, &self.forces), &order, &lengths, Trust::OF_SPINS);
+        Some(self.by_coordinates(arena, integrated, found))
+    }
+
+    /// Scale of a speed, in m or rad.
+    fn scale(&self, numeric: &Numeric, speed: usize) -> f64 {
+        if self.is_spin(speed) { 1.0 } else { numeric.scale(speed) }
+    }
+
+    fn is_spin(&self, speed: usize) -> bool {
+        self.quaternions.iter().any(|first| (*first..first + 3).contains(&speed))
+    }
+
+    /// Grouping of the vectors of bodies.
+    fn triples(&self, numeric: &Numeric) -> Vec<[usize; 3]> {
+        let is_first =
+            |speed: &usize| matches!(numeric.system.coordinates[*speed].role, Role::Position(Axis::X)) || self.quaternions.contains(speed);
+        let place = |speed: usize| self.speeds.iter().position(|other| *other == speed);
+        let triple = |speed: &usize| Some([place(*speed)?, place(speed + 1)?, place(speed + 2)?]);
+        self.speeds.iter().filter(|speed| is_first(speed)).filter_map(triple).collect()
+    }
+
+    /// Accelerations of the coordinates of a state, with ω as a function of its rates.
+    fn by_coordinates(&self, arena: &mut Arena, integrated: &[usize], found: Accelerations) -> Accelerations {
+        let quaternions: Vec<Quaternion> = self.quaternions.iter().map(|first| Quaternion::new(arena, *first)).collect();
+        let mut spins = Substitution::new();
+        for quaternion in &quaternions {
+            (quaternion.first as u32..).zip(quaternion.spin).for_each(|(number, spin)| spins.replace(Leaf::Speed(number), spin));
+        }
+        let mut of = |expr: Expr| spins.of(arena, expr);
+        let values: Vec<Expr> = found.values.into_iter().map(&mut of).collect();
+        let [pivots, masses] = [found.pivots, found.masses].map(|list| list.into_iter().map(|pair| pair.map(&mut of)).collect());
+        let mut values: HashMap<usize, Expr> = self.speeds.iter().copied().zip(values).collect();
+        for quaternion in &quaternions {
+            let changes = [0, 1, 2].map(|k| values[&(quaternion.first + k)]);
+            values.extend((quaternion.first..).zip(quaternion.second_derivative(arena, changes)));
+        }
+        Accelerations { values: integrated.iter().map(|unknown| values[unknown]).collect(), pivots, masses }
+    }
+}
+
+/// The quaternion of a body, by the rates of its components.
+struct Quaternion {
+    /// Number of its first component.
+    first: usize,
+    /// e
+    scalar: Expr,
+    vector: Triple,
+    /// 1/(e · e)
+    inverse: Expr,
+    /// h (e · ė)
+    growth: Expr,
+    /// ė · ė
+    square: Expr,
+    /// ω in the axes of the body.
+    spin: Triple,
+}
+
+impl Quaternion {
+    fn new(arena: &mut Arena, first: usize) -> Quaternion {
+        let [components, rates] = [Leaf::Coordinate, Leaf::Speed].map(|leaf| [0, 1, 2, 3].map(|k| arena.leaf(leaf((first + k) as u32))));
+        let sum_of_products = |arena: &mut Arena, a: [Expr; 4], b: [Expr; 4]| {
+            let products = [0, 1, 2, 3].map(|k| arena.mul(a[k], b[k]));
+            arena.sum(&products)
+        };
+        let [norm, growth, square] =
+            [[components, components], [components, rates], [rates, rates]].map(|[a, b]| sum_of_products(arena, a, b));
+        let (one, two) = (arena.integer(1), arena.integer(2));
+        let (inverse, h) = (arena.div(one, norm), arena.div(two, norm));
+        let [[scalar, x, y, z], [rate, dx, dy, dz]] = [components, rates];
+        let vector = [x, y, z];
+        // vec(ē ė) = e₀ ė − ė₀ e − e × ė
+        let across = cross(arena, vector, [dx, dy, dz]);
+        let spin = [0, 1, 2].map(|k| {
+            let (forth, back) = (arena.mul(scalar, [dx, dy, dz][k]), arena.mul(rate, vector[k]));
+            let along = arena.sub(forth, back);
+            let part = arena.sub(along, across[k]);
+            arena.mul(h, part)
+        });
+        Quaternion { first, scalar, vector, inverse, growth: arena.mul(h, growth), square, spin }
+    }
+
+    /// ë, from ω̇.
+    fn second_derivative(&self, arena: &mut Arena, changes: Triple) -> [Expr; 4] {
+        let two = arena.integer(2);
+        let part = arena.mul(self.square, self.inverse);
+        let part = arena.neg(part);
+        let turned = [0, 1, 2].map(|k| {
+            let drift = arena.mul(self.growth, self.spin[k]);
+            let sum = arena.add(changes[k], drift);
+            arena.div(sum, two)
+        });
+        let (along, against) = (arena.mul(self.scalar, part), dot(arena, self.vector, turned));
+        let across = cross(arena, self.vector, turned);
+        let [x, y, z] = [0, 1, 2].map(|k| {
+            let (own, other) = (arena.mul(self.scalar, turned[k]), arena.mul(part, self.vector[k]));
+            let sum = arena.add(own, other);
+            arena.add(sum, across[k])
+        });
+        [arena.sub(along, against), x, y, z]
+    }
+}
