@@ -100,6 +100,12 @@ impl<T: Float, K: Method> Integrator<T, K> {
     where
         S: Dynamics<T, N, I, M, R>,
     {
+        let has_tolerance = self.tolerance > T::ZERO && self.tolerance.is_finite();
+        for (field, value, is_good) in [("tolerance", self.tolerance, has_tolerance), ("longest", self.longest, self.longest > T::ZERO)] {
+            if !is_good {
+                return Err(Stopped::BadIntegrator { field, value });
+            }
+        }
         let rest = t - state.t;
         if !rest.is_finite() {
             return Err(Stopped::NotFinite { time: t });
