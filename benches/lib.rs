@@ -8,9 +8,11 @@ pub mod exact;
 pub mod hand;
 pub mod linkage;
 pub mod multibody;
+pub mod picture;
 pub mod released;
 #[cfg(feature = "ezpz")]
 mod sketch;
+pub mod table;
 pub mod workloads;
 
 use std::error::Error;
