@@ -10,6 +10,7 @@ pub mod linkage;
 pub mod multibody;
 pub mod picture;
 pub mod released;
+pub mod served;
 #[cfg(feature = "ezpz")]
 mod sketch;
 pub mod table;
