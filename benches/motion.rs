@@ -92,7 +92,7 @@ fn described(problem: &Problem) -> Value {
     let ours = pairs.map(|((who, run), tolerance)| {
         let mut integrator = Integrator::new(tolerance);
         let error = run(&mut integrator);
-        json!({ "name": called(who, tolerance), "who": who, "tolerance": tolerance, "error": error, "evaluations": integrator.evaluations })
+        json!({ "name": called(who, tolerance), "who": who, "tolerance": tolerance, "error": error })
     });
     json!({ "name": problem.name, "ours": ours.collect::<Vec<_>>(), "given": problem.given })
 }

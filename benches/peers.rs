@@ -22,12 +22,13 @@ const IN_SPACE: [(&str, &str, RGBColor); 7] = [
     ("Pinocchio's templates printed by CasADi, -O3", "Pinocchio's templates printed by CasADi", RGBColor(0, 140, 102)),
     ("Pinocchio, C++ -O3", "Pinocchio, C++", RGBColor(120, 190, 60)),
 ];
-const OF_MOTIONS: [(&str, &str, RGBColor); 5] = [
+const OF_MOTIONS: [(&str, &str, RGBColor); 6] = [
     ("reuleaux", "reuleaux", RGBColor(213, 40, 0)),
     ("by hand", "by hand, our integrator", RGBColor(0, 0, 0)),
     ("CVODE, Adams", "CVODE, Adams", RGBColor(100, 70, 200)),
     ("CVODE, BDF", "CVODE, BDF", RGBColor(190, 130, 0)),
     ("DOP853 of numbalsoda", "DOP853 of numbalsoda", RGBColor(0, 140, 102)),
+    ("heyoka", "heyoka", RGBColor(80, 170, 220)),
 ];
 /// Errors that motions are asked for.
 const ASKED: [f64; 5] = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12];

@@ -80,11 +80,17 @@ def derivative(model, start):
     return casadi.Function("derive", [both], [casadi.vertcat(both[size:], found[:size])])
 
 
-def top(across, about, weight):
-    """Of a quaternion and the angular velocity in the axes of a top whose axis is y: Euler's equations."""
-    both = SX.sym("both", 7)
-    w, x, y, z, a, b, c = casadi.vertsplit(both)
+def top(numbers, entries):
+    """Rates of a quaternion and of the angular velocity in the axes of a top whose axis is y: Euler's equations."""
+    across, about, weight = numbers
+    w, x, y, z, a, b, c = entries
     up_x, up_z = 2 * (x * z - w * y), w * w - x * x - y * y + z * z
     turn = [-x * a - y * b - z * c, w * a + y * c - z * b, w * b + z * a - x * c, w * c + x * b - y * a]
-    spin = [((about - across) * b * c - weight * up_z) / across, 0, (weight * up_x - (about - across) * a * b) / across]
-    return casadi.Function("derive", [both], [casadi.vertcat(*(0.5 * entry for entry in turn), *spin)])
+    spin = [((about - across) * b * c - weight * up_z) / across, 0.0, (weight * up_x - (about - across) * a * b) / across]
+    return [*(0.5 * entry for entry in turn), *spin]
+
+
+def of_top(numbers):
+    """The same as a function."""
+    entries = SX.sym("entries", 7)
+    return casadi.Function("derive", [entries], [casadi.vertcat(*top(numbers, casadi.vertsplit(entries)))])

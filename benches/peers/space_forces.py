@@ -1,8 +1,9 @@
 """Other people's solvers on mechanisms in space and on motions that follow from forces: `python3 benches/peers/space_forces.py [rounds]`.
 
-In: nothing. Out: `space_forces.json` beside this file, then tables and pictures (`cargo run --bin peers`). Our own contenders, those by hand
-too, run in processes of their own, and have their turn in each round after those in C; times are medians of the rounds, and so are the ratios
-to the first contender, both of the same round.
+In: nothing. Out: `space_forces.json` beside this file, then tables and pictures (`cargo run --bin peers`). Makes an environment under the target
+folder with the packages pinned in `requirements_space.txt`, and takes the mechanisms and their exact motion from our programs, which run as
+processes of their own and have their turn in each round before the others. Times are medians of the rounds, and so are ratios to the first
+contender, which are of times of the same round. After the number of rounds parts can be named: `space`, `dynamics`, `motion`.
 """
 
 import ctypes
@@ -10,6 +11,7 @@ import json
 import statistics
 import subprocess
 import sys
+import time
 
 sys.dont_write_bytecode = True
 
@@ -21,20 +23,25 @@ TURN = 4e6
 """How long a contender may take in one round, in ns; a slower one goes through fewer steps, or has its turn in fewer rounds."""
 RARE = 10
 """In how many rounds a motion has its turn that takes longer."""
-TOLERANCES = [1e-3, 1e-8, 1e-12]
+TOLERANCES = [1e-3, 1e-8]
 """Of corrections in Newton's method."""
 FOLLOWED = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14]
 """Tolerances of integrators."""
+MANY = 30
+"""Mechanisms of more bodies are left out: their C takes minutes to compile."""
+EVALUATIONS = 2048
+"""Of accelerations in a turn, if there is time."""
 BINARIES = ("space", "dynamics", "motion")
 LINES = 13
-"""Of systems up to this size the solution is printed as straight lines too."""
+"""Of larger systems the solution is not printed as straight lines: its elimination fills in."""
 
 
 class Ours:
     """A program of ours that measures when it is told to."""
 
     def __init__(self, binary):
-        self.process = subprocess.Popen([TARGET.parent / "release" / binary, "turns"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        command = [TARGET.parent / "release" / binary, "turns"]
+        self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
     def turn(self, problem):
         self.process.stdin.write(problem + "\n")
@@ -69,27 +76,31 @@ def folder_of(name):
     return folder
 
 
-def rounds_of(problem, ours, ways, rounds):
-    """Medians of times and of ratios to the first of ours, by name; `ways` are functions of the number of the round, which may pass."""
-    times = {}
+def medians(ours, problems, rounds):
+    """Times and ratios to the first of ours, by name, for each problem; all problems have their turn in each round. Ways are functions of the
+    number of the round, which may pass."""
+    times = {problem: {} for problem in problems}
     for turn in range(rounds):
-        found = ours.turn(problem)
-        for name, way in ways.items():
-            # The first call warms the caches, as it does in our programs.
-            if way(turn) is not None:
-                found[name] = way(turn)
-        first = next(iter(found.values()))
-        for name, time in found.items():
-            times.setdefault(name, []).append((time, time / first))
-    return {name: tuple(statistics.median(of[k] for of in both) for k in range(2)) for name, both in times.items()}
+        for problem, ways in problems.items():
+            found = ours.turn(problem)
+            for name, way in ways.items():
+                # The first call warms the caches, as it does in our programs.
+                if way(turn) is not None:
+                    found[name] = way(turn)
+            first = next(iter(found.values()))
+            for name, took in found.items():
+                times[problem].setdefault(name, []).append((took, took / first))
+    middle = lambda pairs: tuple(statistics.median(pair[k] for pair in pairs) for k in range(2))
+    return {problem: {name: middle(pairs) for name, pairs in found.items()} for problem, found in times.items()}
 
 
 # In space.
 
 
-def compiled(folder, sources, more=()):
+def compiled(folder, sources):
     """A library for each set of flags."""
-    return {words: environment.library(folder / f"{''.join(flags)}.so", flags, ["-I", folder, *sources, *more]) for words, flags in FLAGS.items()}
+    path = lambda flags: folder / f"{''.join(flags)}.so"
+    return {words: environment.library(path(flags), flags, ["-I", folder, *sources]) for words, flags in FLAGS.items()}
 
 
 def space_ways(model, times):
@@ -142,31 +153,31 @@ def space_errors(way, times, exact, bodies):
 
 
 def space(rounds):
-    found, ours = data("space"), Ours("space")
-    times, results = array(found["times"]), {}
+    found = data("space")
+    times, errors, problems = array(found["times"]), {}, {}
     for workload in found["workloads"]:
-        model, exact = workload["model"], workload["exact"]
-        if len(model["bodies"]) > 30:
+        model = workload["model"]
+        name, bodies = model["name"], len(model["bodies"])
+        if bodies > MANY:
             continue
         ways = space_ways(model, times)
-        errors = {key: space_errors(way, times, exact, len(model["bodies"])) for key, way in ways.items()}
-        turns = {}
-        for key, way in ways.items():
-            steps = affordable(way, len(times))
-            turns[key] = lambda turn, way=way, steps=steps: way(steps)
-        measured = rounds_of(model["name"], ours, turns, rounds)
+        of_peers = {key: space_errors(way, times, workload["exact"], bodies) for key, way in ways.items()}
+        errors[name] = of_peers | {(who, None): of for who, of in workload["errors"].items()}
+        problems[name] = {key: repeated(way, len(times)) for key, way in ways.items()}
+    results = {}
+    for problem, measured in medians(Ours("space"), problems, rounds).items():
         lines = []
-        for key, (time, ratio) in measured.items():
-            name, tolerance = key if isinstance(key, tuple) else (key, None)
-            of = errors[key] if key in errors else workload["errors"][name]
-            lines.append({"name": name, "tolerance": tolerance, "time": time, "ratio": ratio, "errors": of})
-        results[model["name"]] = lines
-        told(model["name"], lines)
+        for key, (took, ratio) in measured.items():
+            name, tolerance = key = key if isinstance(key, tuple) else (key, None)
+            lines.append({"name": name, "tolerance": tolerance, "time": took, "ratio": ratio, "errors": errors[problem][key]})
+        results[problem] = lines
     return results
 
 
-def told(name, lines):
-    print(name, *(f"    {line['name']} {line.get('tolerance')}: {line['time']:.0f} ns {line['ratio']:.2f} {line.get('errors', line.get('error'))}" for line in lines), sep="\n", flush=True)
+def repeated(way, most):
+    """As many steps as take a turn's time."""
+    steps = affordable(way, most)
+    return lambda turn: way(steps)
 
 
 # Accelerations and torques.
@@ -224,19 +235,14 @@ def answer_error(way, outputs, problem):
 
 
 def dynamics(rounds):
-    ours, results = Ours("dynamics"), {}
+    errors, problems = {}, {}
     for problem in data("dynamics"):
         ways, outputs = answer_ways(problem)
-        errors = {name: answer_error(way, outputs, problem) for name, way in ways.items()} | problem["errors"]
-        turns = {}
-        for name, way in ways.items():
-            count = affordable(way, 2048)
-            turns[name] = lambda turn, way=way, count=count: way(count)
-        measured = rounds_of(problem["name"], ours, turns, rounds)
-        lines = [{"name": name, "time": time, "ratio": ratio, "error": errors[name]} for name, (time, ratio) in measured.items()]
-        results[problem["name"]] = lines
-        told(problem["name"], lines)
-    return results
+        errors[problem["name"]] = {name: answer_error(way, outputs, problem) for name, way in ways.items()} | problem["errors"]
+        problems[problem["name"]] = {name: repeated(way, EVALUATIONS) for name, way in ways.items()}
+    line = lambda problem, name, took, ratio: {"name": name, "time": took, "ratio": ratio, "error": errors[problem][name]}
+    found = medians(Ours("dynamics"), problems, rounds)
+    return {problem: [line(problem, name, *pair) for name, pair in measured.items()] for problem, measured in found.items()}
 
 
 # Motions.
@@ -279,7 +285,7 @@ def followed(problem):
 
     given = problem["given"]
     if "numbers" in given:
-        return forces_peers.top(*given["numbers"]), array(given["start"])
+        return forces_peers.of_top(given["numbers"]), array(given["start"])
     model = given["model"]
     values, dependent = started(model)
     model["dependent"] = dependent
@@ -298,7 +304,7 @@ def motion_error(given, end):
 
 
 def motion_ways(problem):
-    """Contenders by name and tolerance: functions that return time, error and evaluations."""
+    """Contenders by name and tolerance: functions that return time and error."""
     import pathlib
 
     import numbalsoda
@@ -315,46 +321,70 @@ def motion_ways(problem):
     wheels = [*(library for name in names for library in of_cvode.glob(f"libsundials_{name}-*")), f"-Wl,-rpath,{of_cvode}", dop853]
     library = environment.library(folder / "motion.so", FLAGS["-O3"], ["-I", folder, HERE / "forces.c", folder / "step.c", *wheels])
     library.follow.restype = ctypes.c_double
-    duration, calls = ctypes.c_double(given["duration"]), ctypes.c_long()
+    duration = ctypes.c_double(given["duration"])
 
     def way(method, tolerance):
         def run():
             y = start.copy()
-            time = library.follow(method, duration, ctypes.c_double(tolerance), pointer(y), ctypes.byref(calls))
-            return time, motion_error(given, y), calls.value
+            took = library.follow(method, duration, ctypes.c_double(tolerance), pointer(y))
+            return took, motion_error(given, y)
 
         return run
 
-    return {(name, tolerance): way(method, tolerance) for name, method in INTEGRATORS.items() for tolerance in FOLLOWED}
+    ways = {(name, tolerance): way(method, tolerance) for name, method in INTEGRATORS.items() for tolerance in FOLLOWED}
+    return ways | (taylor_ways(given) if "numbers" in given else {})
+
+
+def taylor_ways(given):
+    """The same by heyoka, which compiles a stepper for each tolerance."""
+    import heyoka
+
+    import forces_peers
+
+    names = heyoka.make_vars(*"wxyzabc")
+    rates = [heyoka.expression(rate) if isinstance(rate, float) else rate for rate in forces_peers.top(given["numbers"], names)]
+
+    def way(tolerance):
+        stepper = heyoka.taylor_adaptive(list(zip(names, rates)), given["start"], tol=tolerance)
+
+        def run():
+            begin = time.perf_counter_ns()
+            stepper.time, stepper.state[:] = 0.0, given["start"]
+            outcome = stepper.propagate_until(given["duration"])[0]
+            took = time.perf_counter_ns() - begin
+            return took if outcome == heyoka.taylor_outcome.time_limit else -1, motion_error(given, stepper.state)
+
+        return run
+
+    return {("heyoka", tolerance): way(tolerance) for tolerance in FOLLOWED}
 
 
 def motion(rounds):
-    ours, results = Ours("motion"), {}
+    lines, problems = {}, {}
     for problem in data("motion"):
-        ways = motion_ways(problem)
-        lines = {own["name"]: {"name": own["who"], **{key: own[key] for key in ("tolerance", "error", "evaluations")}} for own in problem["ours"]}
-        turns = {}
-        for (name, tolerance), way in ways.items():
+        ours = {own["name"]: {"name": own["who"], "tolerance": own["tolerance"], "error": own["error"]} for own in problem["ours"]}
+        of_problem, ways = lines.setdefault(problem["name"], ours), problems.setdefault(problem["name"], {})
+        for (name, tolerance), way in motion_ways(problem).items():
             way()
-            time, error, evaluations = way()
+            took, error = way()
             # What stops on the way is no result.
-            if time < 0:
-                continue
-            key = f"{name}, {tolerance:e}"
-            lines[key] = {"name": name, "tolerance": tolerance, "error": error, "evaluations": evaluations}
-            every = RARE if time > TURN else 1
-            turns[key] = lambda turn, way=way, every=every: None if turn % every else way()[0]
-        for key, (time, _) in rounds_of(problem["name"], ours, turns, rounds).items():
-            lines[key]["time"] = time
-        results[problem["name"]] = [line | {"ratio": 0.0} for line in lines.values()]
-        told(problem["name"], results[problem["name"]])
-        for line in results[problem["name"]]:
-            del line["ratio"]
-    return results
+            if took >= 0:
+                key = f"{name}, {tolerance:e}"
+                of_problem[key] = {"name": name, "tolerance": tolerance, "error": error}
+                ways[key] = rarely(way, RARE if took > TURN else 1)
+    for problem, measured in medians(Ours("motion"), problems, rounds).items():
+        for key, (took, _) in measured.items():
+            lines[problem][key]["time"] = took
+    return {problem: list(of_problem.values()) for problem, of_problem in lines.items()}
+
+
+def rarely(way, every):
+    """The time of a way in some of the rounds."""
+    return lambda turn: None if turn % every else way()[0]
 
 
 def main():
-    rounds = int(sys.argv[1]) if len(sys.argv) > 1 else 40
+    rounds = int(sys.argv[1]) if len(sys.argv) > 1 else 60
     parts = sys.argv[2:] or ["space", "dynamics", "motion"]
     cargo = ["cargo", "build", "--quiet", "--release", "-p", "reuleaux-benches"]
     subprocess.run([*cargo, *(word for binary in BINARIES for word in ("--bin", binary))], cwd=WORKSPACE, check=True)
