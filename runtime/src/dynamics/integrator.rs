@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::accelerate::lengths;
 use super::equations::Dynamics;
 use super::event::first_event;
-use super::explicit::{Explicit, Rates};
+use super::explicit::Explicit;
 use super::method::Method;
 use super::places::{largest, picked};
 use super::project::refresh;
@@ -13,6 +13,7 @@ use super::rank::keeps_rank;
 use super::step::{error, land};
 use super::stiff::Stiff;
 use super::stopped::Stopped;
+use super::tableau::Rates;
 use crate::number::Float;
 use crate::state::State;
 

@@ -7,7 +7,7 @@ use super::checks::holds;
 use super::equations::{Constraints, Dynamics};
 use super::integrator::least;
 use super::partition::{Partition, Pivots};
-use super::places::{largest, picked, put};
+use super::places::{is_finite, largest, picked, put};
 use super::stopped::Stopped;
 use crate::number::Float;
 use crate::state::State;
@@ -218,7 +218,6 @@ where
     let mut qdd = state.qdd;
     put(&mut qdd, &S::INTEGRATED, &found);
     let [q, qd, qdd] = mechanism.complete(&state.q, &state.qd, &qdd, state.t);
-    let is_finite = |vector: &SVector<T, N>| vector.iter().all(|value| value.is_finite());
     if !(is_finite(&q) && is_finite(&qd) && is_finite(&qdd)) {
         return Err(Stopped::NotFinite { time: state.t });
     }
