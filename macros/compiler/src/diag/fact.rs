@@ -42,6 +42,16 @@ families! {
     Motion: MotionFact
 }
 
+impl Fact {
+    /// True for the kind or the dimension of an argument.
+    pub(crate) fn is_about_an_argument(&self) -> bool {
+        match self {
+            Fact::InInstance { fact, .. } => fact.is_about_an_argument(),
+            fact => matches!(fact, Fact::Value(ValueFact::WrongArgument { .. } | ValueFact::WrongArgumentDimension { .. })),
+        }
+    }
+}
+
 /// Tokens that are not a valid declaration.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
@@ -158,6 +168,8 @@ pub enum ValueFact {
     WrongArgumentDimension { parameter: String, definition: String, wanted: Dim, found: Dim },
     WrongDefault { wanted: Wanted, found: Kind },
     WrongDimension { wanted: Dim, found: Dim },
+    OfFunction { wanted: Dim, found: Dim },
+    NotARate { written: String, found: Dim, instead: String },
     Unlike { action: &'static str, one: Dim, two: Dim },
     NotALength { found: Dim, instead: Option<String> },
     FunctionTakes { wanted: Dim, found: Dim },

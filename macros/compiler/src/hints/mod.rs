@@ -11,7 +11,7 @@ mod outputs;
 mod refused;
 
 pub(crate) use ambient::is_meant;
-pub(crate) use forms::{cross_product, is_zero, point_of, unit_in_parts};
+pub(crate) use forms::{by_time, cross_product, is_zero, point_of, unit_in_parts};
 pub(crate) use lengths::Lengths;
 pub(crate) use outputs::{OutputKind, derivatives, output_kind};
 pub(crate) use refused::refused;
