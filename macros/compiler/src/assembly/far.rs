@@ -77,14 +77,14 @@ impl Numeric<'_> {
         };
         let mut own = (0..start.len()).filter(|unknown| self.system.coordinates[*unknown].body == body);
         let unknown = own.find(is_far)?;
-        let (apart, instead) = self.turned_away(start, body).filter(|(apart, _)| *apart > FAR_ANGLE)?;
+        let apart = self.turned_away(start, body).filter(|apart| *apart > FAR_ANGLE)?;
         Some(Doubt::FarOrientation {
             body: self.model.bodies[body].name.to_string(),
             angle: self.system.name(self.model, unknown),
             found: degrees(within_a_turn(start[unknown])),
             apart: degrees(apart),
             drive: self.drive_of(structure, unknown),
-            instead,
+            instead: self.as_turn(start, body)?,
         })
     }
 

@@ -6,7 +6,7 @@
 use crate::diag::significant;
 use crate::expr::{Expr, Values, evaluate};
 use crate::numeric::Numeric;
-use crate::quantity::Role;
+use crate::quantity::{Ambient, Role};
 
 /// A unit quaternion, the real part first.
 type Quaternion = [f64; 4];
@@ -15,18 +15,45 @@ type Quaternion = [f64; 4];
 const NONE: f64 = 1e-9;
 
 impl Numeric<'_> {
-    /// The angle between the orientation of a body at the start and the declared one, and the first as a `turn`; `None` if no
-    /// orientation is declared.
-    pub(super) fn turned_away(&self, start: &[f64], body: usize) -> Option<(f64, String)> {
+    /// The angle between the orientation of a body at the start and the declared one; `None` if no orientation is declared.
+    pub(super) fn turned_away(&self, start: &[f64], body: usize) -> Option<f64> {
+        let (declared, found) = (self.declared_orientation(body)?, self.orientation(start, body)?);
+        let cosine: f64 = found.iter().zip(declared).map(|(one, two)| one * two).sum();
+        Some(2.0 * libm::acos(cosine.abs().min(1.0)))
+    }
+
+    /// The orientation to declare for a body in space, as a `turn`, so that the angle of its joint is that of a configuration; `None`
+    /// in the plane.
+    ///
+    /// The start values of angles follow from declared orientations. Where the body on the other side of the joint is declared
+    /// elsewhere, or not at all, this is not the orientation in the configuration.
+    pub(super) fn as_turn(&self, q: &[f64], body: usize) -> Option<String> {
+        if self.model.ambient == Ambient::Plane {
+            return None;
+        }
+        let found = self.orientation(q, body)?;
+        let Some((_, Some(from))) = self.system.reached.get(body).copied().flatten() else { return Some(turn(found)) };
+        let [real, x, y, z] = self.orientation(q, from)?;
+        let relative = product([real, -x, -y, -z], found);
+        Some(turn(product(self.declared_orientation(from).unwrap_or([1.0, 0.0, 0.0, 0.0]), relative)))
+    }
+
+    fn declared_orientation(&self, body: usize) -> Option<Quaternion> {
         let declared = self.model.bodies[body].coordinates.iter().filter(|one| matches!(one.role, Role::Quaternion(_)));
         let declared: Vec<Expr> = declared.map(|one| one.start).collect::<Option<_>>()?;
-        let declared: Quaternion = evaluate(&self.system.arena, &declared, &self.known).try_into().ok()?;
+        evaluate(&self.system.arena, &declared, &self.known).try_into().ok()
+    }
+
+    fn orientation(&self, q: &[f64], body: usize) -> Option<Quaternion> {
         let mut arena = self.system.arena.clone();
         let cosines: Vec<Expr> = self.system.orientation(&mut arena, body).into_iter().map(|[value, _, _]| value).collect();
-        let found = quaternion(&evaluate(&arena, &cosines, &Values { coordinates: start, ..self.known }))?;
-        let cosine: f64 = found.iter().zip(declared).map(|(one, two)| one * two).sum();
-        Some((2.0 * libm::acos(cosine.abs().min(1.0)), turn(found)))
+        quaternion(&evaluate(&arena, &cosines, &Values { coordinates: q, ..self.known }))
     }
+}
+
+/// The product of two rotations: the second comes first.
+fn product([a, b, c, d]: Quaternion, [e, f, g, h]: Quaternion) -> Quaternion {
+    [a * e - b * f - c * g - d * h, a * f + b * e + c * h - d * g, a * g - b * h + c * e + d * f, a * h + b * g - c * f + d * e]
 }
 
 /// The quaternion of a rotation matrix, given by its rows: the largest of the four components is found first.

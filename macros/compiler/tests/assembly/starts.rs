@@ -263,6 +263,19 @@ fn an_orientation_far_from_its_start_is_told() {
 }
 
 #[test]
+fn the_orientation_that_a_refusal_shows_leads_to_the_first_of_the_two_assemblies() {
+    let source = spatial("").replace("90deg + 60rpm", "60rpm");
+    let fact = refused(&source);
+    let words = fact.to_string();
+    assert!(words.starts_with("two assemblies are equally near: `b.angle` = 54.31° or -54.31°"), "{words}");
+    let instead = words.split('`').find(|word| word.starts_with("start orientation")).expect("a line to type");
+    let source = source.replace("point B = (350mm, 0mm, 0mm);", &format!("point B = (350mm, 0mm, 0mm); {instead}"));
+    // The angle of `b` belongs to the coupler.
+    let angle = start(&accepted(&source), "coupler.angle").to_degrees();
+    assert!((angle - 54.31).abs() < 0.01, "{angle}");
+}
+
+#[test]
 fn a_start_that_rounding_tells_from_a_dead_point_is_solvable() {
     // If longer by e than the distance of 300 mm, two links of 150 mm deviate from the line by about √(2 e / 300).
     for e in [1e-4, 1e-6, 1e-8, 1e-10, 1e-11] {
