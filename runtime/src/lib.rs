@@ -167,7 +167,7 @@ pub use path::step_in_part;
 #[doc(hidden)]
 pub use solve::{Commanded, parameter_hash};
 pub use solve::{Equations, Family, Solver, SolverReal, Stages, at_once, refined_guess_at_once, refined_guess_by_rows};
-pub use state::{Coordinates, Motion, MotionWithJerk, PlanarBody, SpatialBody, State, ValueAndRate, Values};
+pub use state::{Coordinates, HasState, Motion, MotionWithJerk, PlanarBody, SpatialBody, State, ValueAndRate, Values};
 
 /// Interface for crates with SIMD number types, such as `reuleaux-wide`; not part of the public API.
 #[doc(hidden)]
