@@ -5,7 +5,10 @@ use core::ops::Deref;
 use super::State;
 
 /// A [`State`], or what refers to one, as the states that generated functions return do.
-#[diagnostic::on_unimplemented(message = "`{Self}` is no state of this mechanism", note = "write `&state` for a state that `solve` returned")]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no state of this mechanism",
+    note = "write `&state` for a state that `solve` returned"
+)]
 pub trait HasState<T, const N: usize> {
     /// The state without names.
     #[doc(hidden)]

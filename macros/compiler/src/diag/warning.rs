@@ -81,3 +81,14 @@ impl Warning {
         }
     }
 }
+
+/// Tokens that trigger the lint `unused_variables`, with its help to write `_name`.
+pub(crate) fn of_unused(names: &[&Ident]) -> TokenStream {
+    let each = names.iter().map(|name| {
+        quote! {
+            #[allow(non_snake_case)]
+            const _: () = { let #name = [(); 0]; };
+        }
+    });
+    quote!(#(#each)*)
+}
