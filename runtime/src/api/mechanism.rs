@@ -156,8 +156,8 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
         enclosure::polish(self, state)
     }
 
-    /// A state with its derivatives by parameters: the mechanism and the state over [`Gradient`]s, so that everything computed from
-    /// them, such as outputs with their rates and accelerations, has exact derivatives too.
+    /// A state with its derivatives by parameters: the mechanism and the state over [`Gradient`]s, so that outputs with
+    /// their rates and accelerations, and motions of points and bodies, have exact derivatives too. Loads have none.
     ///
     /// * `state`: given, a state of this mechanism.
     /// * `by`: given, selects the parameters; derivatives are in this order.
