@@ -8,9 +8,12 @@ pub mod exact;
 pub mod hand;
 pub mod linkage;
 pub mod multibody;
+pub mod picture;
 pub mod released;
+pub mod served;
 #[cfg(feature = "ezpz")]
 mod sketch;
+pub mod table;
 pub mod workloads;
 
 use std::error::Error;

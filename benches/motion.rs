@@ -1,122 +1,78 @@
 //! Motions that follow from forces: `cargo run --release -p reuleaux-benches --bin motion`.
 //!
-//! Out: Andrews' mechanism at several tolerances: its error, its evaluations and its time; the same of Bricard's linkage and of a heavy top,
-//! beside equations of motion written by hand, which the same integrator follows.
+//! Out: each mechanism at several tolerances: its error, its evaluations and its time; of Bricard's linkage and of a heavy top the same by
+//! equations of motion written by hand, which the same integrator follows. `data` and `turns` are for `peers/space_forces.py`: the mechanisms
+//! and our errors as JSON, and times of each mechanism named on standard input.
 
 use std::error::Error;
 use std::hint::black_box;
+use std::rc::Rc;
 
-use reuleaux::{Integrator, mechanism};
+use reuleaux::Integrator;
 use reuleaux_benches::measured;
-use reuleaux_benches::released::{bricard, follow, top};
+use reuleaux_benches::released::{andrews, bricard, follow, four_bar, top};
+use reuleaux_benches::served::{self, Way};
+use serde_json::{Value, json};
 
-mechanism! {
-    /// Andrews' squeezing mechanism.
-    pub mechanism Andrews {
-        ground {
-            point O = (0mm, 0mm);  point A = (-69.34mm, -2.27mm);
-            point B = (-36.35mm, 32.73mm);  point C = (14mm, 72mm);
-        }
-        body of  { point O = (-0.92mm, 0mm);  point F = (6.08mm, 0mm);  mass = 43.25g;  inertia = 2.194e-6kgm2;  start angle = -0.0617rad; }
-        body ef  { point F = (11.5mm, 0mm);  point E = (-16.5mm, 0mm);  mass = 3.65g;  inertia = 4.41e-7kgm2;  start angle = -0.0617rad; }
-        body bde { point B = (-10.43mm, 18.74mm);  point D = (9.57mm, 0.74mm);  point E = (-10.43mm, -16.26mm);  mass = 23.73g;  inertia = 5.255e-6kgm2;  start angle = 0.455rad; }
-        body ge  { point G = (0mm, 5.79mm);  point E = (0mm, -14.21mm);  mass = 7.06g;  inertia = 5.667e-7kgm2;  start angle = 0.71rad; }
-        body ag  { point A = (-23.08mm, -9.16mm);  point G = (16.92mm, -9.16mm);  mass = 70.5g;  inertia = 1.169e-5kgm2;  start angle = 0.487rad; }
-        body he  { point H = (-5.79mm, 0mm);  point E = (14.21mm, 0mm);  mass = 7.06g;  inertia = 5.667e-7kgm2;  start angle = 1.008rad; }
-        body ah  { point A = (4.49mm, 12.28mm);  point H = (4.49mm, -27.72mm);  mass = 54.98g;  inertia = 1.912e-5kgm2;  start angle = 1.23rad; }
-        joint o = revolute(ground.O, of.O);
-        joint f = revolute(of.F, ef.F);
-        joint e = revolute(ef.E, bde.E);
-        joint b = revolute(ground.B, bde.B);
-        joint e_of_ge = revolute(ef.E, ge.E);
-        joint g = revolute(ge.G, ag.G);
-        joint a_of_ag = revolute(ground.A, ag.A);
-        joint e_of_he = revolute(ef.E, he.E);
-        joint h = revolute(he.H, ah.H);
-        joint a_of_ah = revolute(ground.A, ah.A);
-        force motor = { on of: 0.033Nm; }
-        force spring = spring(ground.C, bde.D, stiffness: 4530N_m, rest: 77.85mm);
-        freedom crank = of.angle from -0.0617138900142764496358948458001rad;
-    }
-}
+/// All tolerances that peers are compared at.
+const TOLERANCES: [f64; 8] = [1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12];
 
-/// β, γ, δ and ε at 0.03 s, of the problem with its parameters as doubles.
-const EXACT: [f64; 4] = [15.810_771_195_153_71, 0.040_822_240_119_645_82, 0.524_409_965_879_954, 1.048_080_741_041_938];
-
-fn main() -> Result<(), Box<dyn Error>> {
-    andrews()?;
-    println!("\n| | | tolerance | error | steps | evaluations | ms | ratio |\n| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |");
-    beside(of_bricard()?);
-    beside(of_top()?);
-    Ok(())
-}
-
-fn andrews() -> Result<(), Box<dyn Error>> {
-    let mechanism = Andrews::default();
-    let start = mechanism.initial_state()?;
-    println!("| tolerance | error | steps | evaluations | ms |\n| ---: | ---: | ---: | ---: | ---: |");
-    for tolerance in [1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12] {
-        let (mut state, mut integrator) = (start.clone(), Integrator::new(tolerance));
-        mechanism.advance(&mut state, 0.03, &mut integrator)?;
-        let angles = [state.of(), state.bde(), state.ag(), state.ah()].map(|body| body.angle);
-        let error = angles.into_iter().zip(EXACT).map(|(found, exact)| ((found - exact) / exact).abs()).fold(0.0, f64::max);
-        let mut run = || {
-            let mut state = start.clone();
-            let _ = black_box(mechanism.advance(black_box(&mut state), 0.03, &mut Integrator::new(tolerance)));
-        };
-        let time = measured(&mut [&mut run], 2)[0] / 1e6;
-        println!("| {tolerance:e} | {error:.0e} | {} | {} | {time:.2} |", integrator.accepted, integrator.evaluations);
-    }
-    Ok(())
-}
+/// Who follows a motion.
+const DECLARED: &str = "reuleaux";
+const HAND: &str = "by hand";
 
 /// A motion to its end with an integrator, and its error there.
-type Way = Box<dyn Fn(&mut Integrator) -> f64>;
+type Run = Rc<dyn Fn(&mut Integrator) -> f64>;
 
-/// A motion by hand and from its declaration.
-type Ways = (&'static str, [Way; 2]);
-
-fn of_bricard() -> Result<Ways, Box<dyn Error>> {
-    let mechanism = bricard::Bricard::default();
-    let start = mechanism.initial_state()?;
-    let by_hand: Way = Box::new(|integrator| {
-        let mut state = bricard::ByHand::start();
-        follow(&bricard::ByHand, &mut state, bricard::DURATION, integrator);
-        (state.q[0] - bricard::ANGLE).abs()
-    });
-    let declared: Way = Box::new(move |integrator| {
-        let mut state = start.clone();
-        mechanism.advance(&mut state, bricard::DURATION, integrator).unwrap_or_else(|stopped| panic!("{stopped}"));
-        (mechanism.a(&state).value - bricard::ANGLE).abs()
-    });
-    Ok(("D5 Bricard's linkage", [by_hand, declared]))
+/// A motion, by whom it is followed, and the same as data: exact numbers at the end and its duration among it.
+struct Problem {
+    name: &'static str,
+    runs: Vec<(&'static str, Run)>,
+    given: Value,
 }
 
-fn of_top() -> Result<Ways, Box<dyn Error>> {
-    let mechanism = top::Top::default();
-    let start = mechanism.initial_state()?;
-    let off = |q: [f64; 4]| top::center(q).iter().zip(top::CENTER).map(|(found, exact)| (found - exact).abs()).fold(0.0, f64::max);
-    let by_hand: Way = Box::new(move |integrator| {
-        let mut state = top::ByHand::start();
-        follow(&top::ByHand, &mut state, top::DURATION, integrator);
-        off(state.q.into())
-    });
-    let declared: Way = Box::new(move |integrator| {
-        let mut state = start.clone();
-        mechanism.advance(&mut state, top::DURATION, integrator).unwrap_or_else(|stopped| panic!("{stopped}"));
-        off([3, 4, 5, 6].map(|k: usize| state.q[k]))
-    });
-    Ok(("D6 heavy top", [by_hand, declared]))
+fn main() -> Result<(), Box<dyn Error>> {
+    let problems = [of_andrews()?, of_four_bar()?, of_bricard()?, of_top()?];
+    match std::env::args().nth(1).as_deref() {
+        None => tables(&problems),
+        Some("data") => println!("{}", json!(problems.iter().map(described).collect::<Vec<_>>())),
+        Some("turns") => served::serve(|name| problems.iter().find(|problem| problem.name == name).map(ways))?,
+        Some(_) => return Err("there is `data` and `turns`".into()),
+    }
+    Ok(())
 }
 
-fn beside((name, ways): Ways) {
+fn tables(problems: &[Problem]) {
+    let [alone, beside] = [0, 1].map(|count: usize| problems.iter().filter(move |problem| (problem.runs.len() > 1) == (count == 1)));
+    println!("| | tolerance | error | steps | evaluations | ms |\n| --- | ---: | ---: | ---: | ---: | ---: |");
+    alone.for_each(print_alone);
+    println!("\n| | | tolerance | error | steps | evaluations | ms | ratio |\n| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |");
+    beside.for_each(print_beside);
+}
+
+fn print_alone(problem: &Problem) {
+    let run = &problem.runs[0].1;
+    for tolerance in TOLERANCES {
+        let mut integrator = Integrator::new(tolerance);
+        let error = run(&mut integrator);
+        let mut again = || {
+            black_box(run(&mut Integrator::new(black_box(tolerance))));
+        };
+        let time = measured(&mut [&mut again], 2)[0] / 1e6;
+        let (steps, evaluations) = (integrator.accepted, integrator.evaluations);
+        println!("| {} | {tolerance:e} | {error:.0e} | {steps} | {evaluations} | {time:.2} |", problem.name);
+    }
+}
+
+fn print_beside(problem: &Problem) {
+    let name = problem.name;
     for tolerance in [1e-6, 1e-9, 1e-12] {
-        let run = |way: &Way| {
+        let run = |way: &Run| {
             black_box(way(&mut Integrator::new(black_box(tolerance))));
         };
-        let [mut by_hand, mut declared] = ways.each_ref().map(|way| move || run(way));
+        let [mut by_hand, mut declared] = [0, 1].map(|who: usize| move || run(&problem.runs[who].1));
         let times = measured(&mut [&mut by_hand, &mut declared], 1);
-        for ((who, way), time) in ["by hand", "reuleaux"].into_iter().zip(&ways).zip(&times) {
+        for ((who, way), time) in problem.runs.iter().zip(&times) {
             let mut integrator = Integrator::new(tolerance);
             let error = way(&mut integrator);
             assert!(error < tolerance, "{name}, {who}, {tolerance:e}: off by {error:e}");
@@ -124,4 +80,93 @@ fn beside((name, ways): Ways) {
             println!("| {name} | {who} | {tolerance:e} | {error:.0e} | {steps} | {evaluations} | {ms:.3} | {ratio:.2} |");
         }
     }
+}
+
+/// The words for a contender at a tolerance.
+fn called(who: &str, tolerance: f64) -> String {
+    format!("{who}, {tolerance:e}")
+}
+
+fn described(problem: &Problem) -> Value {
+    let pairs = problem.runs.iter().flat_map(|run| TOLERANCES.map(|tolerance| (run, tolerance)));
+    let ours = pairs.map(|((who, run), tolerance)| {
+        let mut integrator = Integrator::new(tolerance);
+        let error = run(&mut integrator);
+        json!({ "name": called(who, tolerance), "who": who, "tolerance": tolerance, "error": error })
+    });
+    json!({ "name": problem.name, "ours": ours.collect::<Vec<_>>(), "given": problem.given })
+}
+
+fn ways(problem: &Problem) -> Vec<Way> {
+    let pairs = problem.runs.iter().flat_map(|run| TOLERANCES.map(|tolerance| (run, tolerance)));
+    let way = |((who, run), tolerance): (&(&str, Run), f64)| {
+        let run = Rc::clone(run);
+        let run = move || {
+            black_box(run(&mut Integrator::new(black_box(tolerance))));
+        };
+        Way { name: called(who, tolerance), steps: 1, run: Box::new(run) }
+    };
+    pairs.map(way).collect()
+}
+
+fn of_andrews() -> Result<Problem, Box<dyn Error>> {
+    let mechanism = andrews::Andrews::default();
+    let start = mechanism.initial_state()?;
+    let declared: Run = Rc::new(move |integrator| {
+        let mut state = start.clone();
+        mechanism.advance(&mut state, andrews::DURATION, integrator).unwrap_or_else(|stopped| panic!("{stopped}"));
+        let angles = [state.of(), state.bde(), state.ag(), state.ah()].map(|body| body.angle);
+        angles.into_iter().zip(andrews::EXACT).map(|(found, exact)| ((found - exact) / exact).abs()).fold(0.0, f64::max)
+    });
+    let exact: Vec<(usize, f64)> = [0, 2, 3, 5].into_iter().zip(andrews::EXACT).collect();
+    let given = json!({ "model": andrews::described(), "duration": andrews::DURATION, "relative": exact });
+    Ok(Problem { name: "D1 Andrews", runs: vec![(DECLARED, declared)], given })
+}
+
+fn of_four_bar() -> Result<Problem, Box<dyn Error>> {
+    let mechanism = four_bar::FourBar::default();
+    let start = mechanism.initial_state()?;
+    let declared: Run = Rc::new(move |integrator| {
+        let mut state = start.clone();
+        mechanism.advance(&mut state, four_bar::DURATION, integrator).unwrap_or_else(|stopped| panic!("{stopped}"));
+        (state.crank().angle - four_bar::ANGLE).abs()
+    });
+    let given = json!({ "model": four_bar::model().described(), "duration": four_bar::DURATION, "absolute": [[0, four_bar::ANGLE]] });
+    Ok(Problem { name: "D2 four-bar", runs: vec![(DECLARED, declared)], given })
+}
+
+fn of_bricard() -> Result<Problem, Box<dyn Error>> {
+    let mechanism = bricard::Bricard::default();
+    let start = mechanism.initial_state()?;
+    let by_hand: Run = Rc::new(|integrator| {
+        let mut state = bricard::ByHand::start();
+        follow(&bricard::ByHand, &mut state, bricard::DURATION, integrator);
+        (state.q[0] - bricard::ANGLE).abs()
+    });
+    let declared: Run = Rc::new(move |integrator| {
+        let mut state = start.clone();
+        mechanism.advance(&mut state, bricard::DURATION, integrator).unwrap_or_else(|stopped| panic!("{stopped}"));
+        (mechanism.a(&state).value - bricard::ANGLE).abs()
+    });
+    let given = json!({ "model": bricard::described(), "duration": bricard::DURATION, "absolute": [[0, bricard::ANGLE]] });
+    Ok(Problem { name: "D5 Bricard's linkage", runs: vec![(HAND, by_hand), (DECLARED, declared)], given })
+}
+
+fn of_top() -> Result<Problem, Box<dyn Error>> {
+    let mechanism = top::Top::default();
+    let start = mechanism.initial_state()?;
+    let off = |q: [f64; 4]| top::center(q).iter().zip(top::CENTER).map(|(found, exact)| (found - exact).abs()).fold(0.0, f64::max);
+    let by_hand: Run = Rc::new(move |integrator| {
+        let mut state = top::ByHand::start();
+        follow(&top::ByHand, &mut state, top::DURATION, integrator);
+        off(state.q.into())
+    });
+    let declared: Run = Rc::new(move |integrator| {
+        let mut state = start.clone();
+        mechanism.advance(&mut state, top::DURATION, integrator).unwrap_or_else(|stopped| panic!("{stopped}"));
+        off([3, 4, 5, 6].map(|k: usize| state.q[k]))
+    });
+    let start = [1.0, 0.0, 0.0, 0.0, 0.0, 150.0, -4.61538];
+    let given = json!({ "numbers": top::NUMBERS, "start": start, "duration": top::DURATION, "center": top::CENTER });
+    Ok(Problem { name: "D6 heavy top", runs: vec![(HAND, by_hand), (DECLARED, declared)], given })
 }

@@ -8,7 +8,7 @@ use reuleaux_benches::multibody::Model;
 use reuleaux_benches::multibody::arm::{self, A, CENTERS, D, DRIVES, INERTIAS, MASSES, TWIST};
 use reuleaux_benches::multibody::forces::reaction;
 
-use crate::case::{ACCELERATIONS, Case, Entry, HAND_ACCELERATIONS, HAND_LOADS, LOADS, STATES};
+use crate::case::{ACCELERATIONS, Case, Entry, Given, HAND_ACCELERATIONS, HAND_LOADS, LOADS, STATES};
 
 macro_rules! arm {
     ($(#[$page:meta])* $name:ident, $($rest:tt)*) => {
@@ -350,6 +350,7 @@ fn inverse() -> Case {
     Case {
         name: "D4 arm, torques".to_owned(),
         exact: (0..STATES).step_by(8).map(exact).collect(),
+        given: Some(Given { model: released_model(), states: (0..STATES).map(|k| motion(k).map(Vec::from).to_vec()).collect() }),
         entries: vec![
             Entry::new(
                 HAND_LOADS,
@@ -396,6 +397,10 @@ fn forward() -> Case {
     Case {
         name: "D4 arm, accelerations".to_owned(),
         exact: (0..STATES).step_by(8).map(exact).collect(),
+        given: Some(Given {
+            model: released_model(),
+            states: (0..STATES).map(|k| motion(k)[..2].iter().map(|of| of.to_vec()).collect()).collect(),
+        }),
         entries: vec![
             Entry::new(
                 HAND_ACCELERATIONS,

@@ -2,6 +2,8 @@
 
 use std::hint::black_box;
 
+use reuleaux_benches::multibody::Model;
+
 /// States in which each contender computes.
 pub(crate) const STATES: usize = 256;
 
@@ -12,6 +14,15 @@ pub(crate) struct Case {
     pub(crate) exact: Vec<(usize, Vec<f64>)>,
     /// Contenders; ratios are to the first.
     pub(crate) entries: Vec<Entry>,
+    /// The same for other people's programs, if there are any.
+    pub(crate) given: Option<Given>,
+}
+
+/// A problem as data.
+pub(crate) struct Given {
+    pub(crate) model: Model,
+    /// Coordinates and rates in each state; accelerations as well if it is asked what drives them.
+    pub(crate) states: Vec<Vec<Vec<f64>>>,
 }
 
 /// A contender.

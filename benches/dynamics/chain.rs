@@ -5,7 +5,7 @@ use reuleaux::{Dynamics, SimdReal, mechanism};
 use reuleaux_benches::multibody::forces::reaction;
 use reuleaux_benches::multibody::{Cut, Joint, Model};
 
-use crate::case::{ACCELERATIONS, BOTH, Case, Entry, HAND, LOADS, STATES};
+use crate::case::{ACCELERATIONS, BOTH, Case, Entry, Given, HAND, LOADS, STATES};
 
 const GRAVITY: f64 = 9.81;
 
@@ -51,6 +51,7 @@ macro_rules! chain {
                 };
                 let inputs: Vec<[[f64; BARS]; 2]> =
                     states.iter().map(|(_, state)| [bars(state.q.as_slice()), bars(state.qd.as_slice())]).collect();
+                let given = inputs.iter().map(|bars| bars.map(|bars| super::relative(&bars)).to_vec()).collect();
                 let every = if $loops > 10 { STATES / FEW } else { STATES / 16 };
                 let exact = (0..STATES).step_by(every).map(|k| (k, super::exact($loops, &inputs[k][0], &inputs[k][1]))).collect();
                 let with = move |state: &$state<f64>, force: [f64; 2]| {
@@ -59,6 +60,7 @@ macro_rules! chain {
                 Case {
                     name: format!("D2 chain of {}", $loops),
                     exact,
+                    given: Some(Given { model: super::model($loops), states: given }),
                     entries: vec![
                         Entry::new(
                             HAND,
@@ -99,8 +101,8 @@ pub(crate) fn cases() -> Vec<Case> {
     vec![of_2::case(), of_10::case(), of_40::case()]
 }
 
-/// Angular accelerations and the force on the second crank from its first coupler.
-fn exact(loops: usize, angle: &[f64], rate: &[f64]) -> Vec<f64> {
+/// Each coupler hangs on the crank before it.
+fn model(loops: usize) -> Model {
     let mut model = Model::new("chain");
     model.gravity = [0.0, -GRAVITY, 0.0];
     let inertia = [1e-3, 1.0 / 12.0, 1.0 / 12.0];
@@ -110,7 +112,17 @@ fn exact(loops: usize, angle: &[f64], rate: &[f64]) -> Vec<f64> {
         (body.place, body.center, body.inertia) = ([x, 0.0, 0.0], [0.5, 0.0, 0.0], inertia);
     }
     model.cuts = (0..loops).map(|j| Cut::Meet((Some(2 * j + 1), [1.0, 0.0, 0.0]), (Some(2 * j + 2), [1.0, 0.0, 0.0]))).collect();
-    let relative = |bars: &[f64]| (0..bars.len()).map(|k| if k % 2 == 0 { bars[k] } else { bars[k] - bars[k - 1] }).collect::<Vec<f64>>();
+    model
+}
+
+/// Angles of couplers against their cranks.
+fn relative(bars: &[f64]) -> Vec<f64> {
+    (0..bars.len()).map(|k| if k % 2 == 0 { bars[k] } else { bars[k] - bars[k - 1] }).collect()
+}
+
+/// Angular accelerations and the force on the second crank from its first coupler.
+fn exact(loops: usize, angle: &[f64], rate: &[f64]) -> Vec<f64> {
+    let model = model(loops);
     let found = reaction(&model, &relative(angle), &relative(rate), &[]);
     let turning = found.bodies.iter().map(|numbers| numbers[23]);
     turning.chain([-found.cuts[0][0], -found.cuts[0][1]]).collect()

@@ -27,6 +27,7 @@ fn linkage() -> Case {
     Case {
         name: "D5 Bricard's linkage".to_owned(),
         exact: known.iter().map(|state| vec![state[2]]).enumerate().collect(),
+        given: None,
         entries: vec![
             Entry::new(
                 HAND_ACCELERATIONS,
@@ -61,6 +62,7 @@ fn heavy_top() -> Case {
     Case {
         name: "D6 heavy top".to_owned(),
         exact,
+        given: None,
         entries: vec![
             Entry::new(HAND_ACCELERATIONS, inputs, |[q, rates]| top::ByHand::turning(*q, *rates), move |turn, found| seen(turn, *found)),
             Entry::new(

@@ -2,57 +2,11 @@
 //! crank that turns at constant speed.
 
 use reuleaux::nalgebra::Vector2;
-use reuleaux::{Dynamics, SimdReal, mechanism};
+use reuleaux::{Dynamics, SimdReal};
 use reuleaux_benches::multibody::forces::reaction;
-use reuleaux_benches::multibody::{Cut, Joint, Model};
+use reuleaux_benches::released::four_bar::{Driven, DrivenState, FourBar, FourBarState, GRAVITY, LENGTHS, model};
 
-use crate::case::{ACCELERATIONS, BOTH, Case, Entry, HAND, HAND_DRIVEN, LOADS, STATES, STEP};
-
-macro_rules! four_bar {
-    ($(#[$page:meta])* $name:ident, $($rest:tt)*) => {
-        mechanism! {
-            $(#[$page])*
-            pub(crate) mechanism $name {
-                $($rest)*
-                gravity = (0, -9.81m_s2);
-                ground { point D = (4m, 0m); }
-                body crank   { point B = (1m, 0m);    mass = 1kg;    center = (0.5m, 0m);   inertia = 1/12 * 1kgm2; }
-                body coupler { point C = (3.5m, 0m);  mass = 3.5kg;  center = (1.75m, 0m);  inertia = 3.5^3 / 12 * 1kgm2;  start angle = 50deg; }
-                body rocker  { point C = (3m, 0m);    mass = 3kg;    center = (1.5m, 0m);   inertia = 27/12 * 1kgm2;  start angle = 100deg; }
-                joint a = revolute(ground.position, crank.position);
-                joint b = revolute(crank.B, coupler.position);
-                joint c = revolute(coupler.C, rocker.C);
-                joint d = revolute(rocker.position, ground.D);
-            }
-        }
-    };
-}
-
-four_bar!(
-    /// The crank is free.
-    FourBar,
-    param start: Angle = 0.3rad;
-    param speed: AngularVelocity = 0rad_s;
-    freedom swing = crank.angle from start at speed;
-);
-
-/// Lengths, which are masses as well.
-const LENGTHS: [f64; 3] = [1.0, 3.5, 3.0];
-const GRAVITY: f64 = 9.81;
-
-/// Bodies about z, with relative angles as coordinates.
-fn model() -> Model {
-    let mut model = Model::new("D2 four-bar");
-    model.gravity = [0.0, -GRAVITY, 0.0];
-    for (k, (parent, place, start)) in [(None, 0.0, 0.3), (Some(0), LENGTHS[0], 0.6), (None, 4.0, 2.2)].into_iter().enumerate() {
-        let body = model.hang(["crank", "coupler", "rocker"][k], parent, &[Joint::Turn(2)], &[start]);
-        let length = LENGTHS[k];
-        (body.place, body.center, body.mass) = ([place, 0.0, 0.0], [0.5 * length, 0.0, 0.0], length);
-        body.inertia = [1e-3 * length, length.powi(3) / 12.0, length.powi(3) / 12.0];
-    }
-    model.cuts.push(Cut::Meet((Some(1), [LENGTHS[1], 0.0, 0.0]), (Some(2), [LENGTHS[2], 0.0, 0.0])));
-    model
-}
+use crate::case::{ACCELERATIONS, BOTH, Case, Entry, Given, HAND, HAND_DRIVEN, LOADS, STATES, STEP};
 
 /// Angles and speeds of the three bars.
 type Bars = [[f64; 3]; 2];
@@ -65,6 +19,7 @@ pub(crate) fn cases() -> Vec<Case> {
     let states = states();
     let bars = |state: &FourBarState<f64>| [&state.q, &state.qd].map(|vector| [vector[2], vector[5], vector[8]]);
     let inputs: Vec<Bars> = states.iter().map(|(_, state)| bars(state)).collect();
+    let given = inputs.iter().map(|bars| bars.map(|[a, b, c]| vec![a, b - a, c]).to_vec()).collect();
     let exact = (0..STATES).map(|k| {
         let [[a, b, c], [u, v, w]] = inputs[k];
         let found = reaction(&model, &[a, b - a, c], &[u, v - u, w], &[]);
@@ -76,6 +31,7 @@ pub(crate) fn cases() -> Vec<Case> {
     vec![Case {
         name: "D2 four-bar".to_owned(),
         exact: exact.collect(),
+        given: Some(Given { model: model.clone(), states: given }),
         entries: vec![
             Entry::new(
                 HAND,
@@ -176,12 +132,6 @@ fn released([angle, rate]: Bars) -> Found {
     (turnings, closed.pins(squares, turnings, a + v * turning).0)
 }
 
-four_bar!(
-    /// The crank turns.
-    Driven,
-    drive motor = drive_angle(crank, 2rad_s * t);
-);
-
 const SPEED: f64 = 2.0;
 
 /// Angles, angular velocities and accelerations of coupler and rocker as sine and cosine of the angles, forces, and the torque.
@@ -232,6 +182,7 @@ pub(crate) fn turning() -> Case {
     Case {
         name: "D3 four-bar".to_owned(),
         exact: exact.collect(),
+        given: None,
         entries: vec![
             Entry::new(
                 HAND_DRIVEN,

@@ -258,6 +258,7 @@ fn by_hands(name: &str, inputs: Vec<Input>) -> Case {
     Case {
         name: name.to_owned(),
         exact: (0..STATES).step_by(STATES / 16).map(|k| (k, exact(&inputs[k]))).collect(),
+        given: None,
         entries: vec![
             Entry::new(HAND, inputs.clone(), |input| by_hand(input), |_, ([a, b, c], [d, e, f], ..)| compared([*a, *b, *c, *d, *e, *f])),
             Entry::new(COMPLEMENT, inputs, |input| by_complement(input), |_, (found, _)| found.as_slice().to_vec()),

@@ -2,6 +2,8 @@
 //! `cargo run --release -p reuleaux-benches --bin dynamics [rounds]`.
 //!
 //! Out: the table of `README.md` beside this folder. `… --bin dynamics count` counts instructions instead, for which it needs `valgrind`.
+//! `data` and `turns` are for `peers/space_forces.py`: problems with their states and exact accelerations as JSON, and times of each problem
+//! named on standard input.
 
 mod arm;
 mod case;
@@ -37,9 +39,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [] => measure::print(cases(), ROUNDS),
         ["count"] => measure::count(&cases())?,
+        ["data"] => println!("{}", measure::data(cases())),
+        ["turns"] => measure::serve(cases())?,
         ["steps", case, contender, count] => measure::evaluate(cases(), [case, contender], count.parse()?)?,
         [rounds] => measure::print(cases(), rounds.parse()?),
-        _ => return Err("there is a number of rounds, and `count`".into()),
+        _ => return Err("there is a number of rounds, `count`, `data` and `turns`".into()),
     }
     Ok(())
 }

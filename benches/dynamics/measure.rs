@@ -1,10 +1,14 @@
 //! Times, errors and instructions of all contenders.
 
+use std::cell::RefCell;
 use std::error::Error;
 
+use reuleaux_benches::multibody::forces::reaction;
+use reuleaux_benches::served::{self, Way};
 use reuleaux_benches::{instructions_of, turns};
+use serde_json::{Map, Value, json};
 
-use crate::case::{Case, Contender};
+use crate::case::{Case, Contender, Entry, Given};
 
 /// Evaluations of one contender in one round.
 const EVALUATIONS: usize = 2048;
@@ -32,6 +36,42 @@ pub(crate) fn print(cases: Vec<Case>, rounds: usize) {
 fn error(contender: &mut dyn Contender, exact: &[(usize, Vec<f64>)]) -> Option<f64> {
     let pairs = exact.iter().flat_map(|(state, exact)| contender.seen(*state).into_iter().zip(exact.iter()));
     pairs.map(|(found, exact)| (found - exact).abs()).reduce(f64::max)
+}
+
+/// Problems that others solve as well, with what is exact in some states, and the errors of our contenders.
+pub(crate) fn data(mut cases: Vec<Case>) -> Value {
+    let with_given = |case: &mut Case| {
+        let given = case.given.take()?;
+        let errors = |entry: &mut Entry| (entry.name.to_owned(), json!(error(&mut *entry.contender, &case.exact)));
+        let errors: Map<String, Value> = case.entries.iter_mut().map(errors).collect();
+        Some(described(case, &given, &errors))
+    };
+    json!(cases.iter_mut().filter_map(with_given).collect::<Vec<_>>())
+}
+
+fn described(case: &Case, given: &Given, errors: &Map<String, Value>) -> Value {
+    let exact = case.exact.iter().map(|(state, _)| {
+        let of = &given.states[*state];
+        let driven: Vec<(usize, f64)> = of.get(2).into_iter().flatten().copied().enumerate().collect();
+        let found = reaction(&given.model, &of[0], &of[1], &driven);
+        json!({ "state": state, "accelerations": found.accelerations, "cuts": found.cuts, "efforts": found.efforts })
+    });
+    json!({ "name": case.name, "model": given.model.described(), "states": given.states, "exact": exact.collect::<Vec<_>>(), "errors": errors })
+}
+
+/// Times of an evaluation, problem by problem as they are asked for.
+pub(crate) fn serve(cases: Vec<Case>) -> Result<(), Box<dyn Error>> {
+    let way = |mut entry: Entry| Way {
+        name: entry.name.to_owned(),
+        steps: EVALUATIONS,
+        run: Box::new(move || entry.contender.evaluate(EVALUATIONS)),
+    };
+    let cases = RefCell::new(cases);
+    served::serve(|name| {
+        let mut cases = cases.borrow_mut();
+        let place = cases.iter().position(|case| case.name == name)?;
+        Some(cases.remove(place).entries.into_iter().map(way).collect())
+    })
 }
 
 /// Instructions of an evaluation of each contender.

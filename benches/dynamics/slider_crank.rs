@@ -92,6 +92,7 @@ pub(crate) fn case() -> Case {
     Case {
         name: "D3 slider-crank".to_owned(),
         exact: exact.collect(),
+        given: None,
         entries: vec![
             Entry::new(
                 HAND_DRIVEN,

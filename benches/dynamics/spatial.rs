@@ -7,7 +7,7 @@ use reuleaux::{Dynamics, SimdReal, mechanism};
 use reuleaux_benches::multibody::forces::reaction;
 use reuleaux_benches::multibody::{Cut, Joint, Model};
 
-use crate::case::{ACCELERATIONS, BOTH, Case, Entry, HAND, LOADS, STATES};
+use crate::case::{ACCELERATIONS, BOTH, Case, Entry, Given, HAND, LOADS, STATES};
 
 mechanism! {
     /// A crank that is free to turn across the way of its slider; frames lie in the mass centres.
@@ -133,10 +133,15 @@ pub(crate) fn case() -> Case {
         (mechanism, mechanism.initial_state().unwrap_or_else(|stopped| panic!("{stopped}")))
     };
     let states: Vec<(SliderCrank, SliderCrankState<f64>)> = (0..STATES).map(at).collect();
-    // The angle of the slider's place and the cross's angles; the second one is counted from z.
-    let exact = states.iter().map(|(_, state)| {
-        let [q, rates] = [&state.q, &state.qd].map(|vector| [vector[9], vector[3], vector[10], vector[11]]);
-        let found = reaction(&model, &[q[0], q[1], q[2], q[3] - FRAC_PI_2], &rates, &[]);
+    // The crank's angle, the slider's place and the cross's angles; the second one is counted from z.
+    let given = states.iter().map(|(_, state)| {
+        let [mut q, rates] = [&state.q, &state.qd].map(|vector| vec![vector[9], vector[3], vector[10], vector[11]]);
+        q[3] -= FRAC_PI_2;
+        vec![q, rates]
+    });
+    let given: Vec<Vec<Vec<f64>>> = given.collect();
+    let exact = given.iter().map(|of| {
+        let found = reaction(&model, &of[0], &of[1], &[]);
         let force = found.cuts[0].map(|entry| -entry);
         [&[found.bodies[0][21], found.bodies[1][18]], &force[..]].concat()
     });
@@ -146,6 +151,7 @@ pub(crate) fn case() -> Case {
     Case {
         name: "S1D slider-crank".to_owned(),
         exact,
+        given: Some(Given { model, states: given }),
         entries: vec![
             Entry::new(
                 HAND,

@@ -12,6 +12,7 @@ use std::f64::consts::TAU;
 
 use reuleaux::Real;
 use reuleaux_tests::common::twofold::Twofold;
+use serde_json::{Value, json};
 
 /// A turn or a shift about an axis of the body before: 0 for x, 1 for y, 2 for z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -167,9 +168,52 @@ impl Model {
         let unknowns = (0..self.start.len()).filter(|k| self.drives.iter().all(|(driven, _)| driven != k)).collect();
         self.blocks = vec![Block { unknowns, cuts: (0..self.cuts.len()).collect() }];
     }
+
+    /// For programs in other languages.
+    #[must_use]
+    pub fn described(&self) -> Value {
+        let joint = |joint: &Joint| match joint {
+            Joint::Turn(axis) => json!(["turn", axis]),
+            Joint::Shift(axis) => json!(["shift", axis]),
+        };
+        let body = |body: &Body| {
+            json!({
+                "name": body.name,
+                "parent": body.parent,
+                "place": body.place,
+                "turned": body.turned,
+                "joints": body.joints.iter().map(joint).collect::<Vec<_>>(),
+                "first": body.first,
+                "center": body.center,
+                "mass": body.mass,
+                "inertia": body.inertia,
+            })
+        };
+        let cut = |cut: &Cut| match cut {
+            Cut::Meet(a, b) => json!(["meet", a, b]),
+            Cut::Height(a, law) => json!(["height", a, law.described()]),
+            Cut::Distance(a, b, law) => json!(["distance", a, b, law.described()]),
+        };
+        json!({
+            "name": self.name,
+            "bodies": self.bodies.iter().map(body).collect::<Vec<_>>(),
+            "cuts": self.cuts.iter().map(cut).collect::<Vec<_>>(),
+            "drives": self.drives.iter().map(|(coordinate, law)| json!([coordinate, law.described()])).collect::<Vec<_>>(),
+            "start": self.start,
+            "gravity": self.gravity,
+        })
+    }
 }
 
 impl Law {
+    fn described(&self) -> Value {
+        match self {
+            Self::Turning => json!(["turning"]),
+            Self::Harmonic(offset, amplitude, omega, phase) => json!(["harmonic", offset, amplitude, omega, phase]),
+            Self::Samples(samples) => json!(["samples", samples]),
+        }
+    }
+
     /// Value, rate and acceleration at `t` (s).
     #[must_use]
     pub fn at(&self, t: f64) -> [Twofold; 3] {

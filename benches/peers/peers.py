@@ -14,9 +14,10 @@ import subprocess
 import sys
 
 sys.dont_write_bytecode = True
-HERE = pathlib.Path(__file__).resolve().parent
-WORKSPACE = HERE.parent.parent
-TARGET = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", WORKSPACE / "target")) / "peers"
+
+import environment
+from environment import HERE, TARGET, WORKSPACE
+
 LONGEST = int(os.environ.get("LONGEST", "320"))
 """Linkages of more links than this are left out: their C takes minutes to compile."""
 FLAGS = {"-O3": ["-O3"], "-O3 -march=native": ["-O3", "-march=native"]}
@@ -29,17 +30,6 @@ METHODS = {
 }
 TURN = 0.005
 """How long a contender may take in one round, in s; a slower one goes through the beginning of the period only."""
-
-
-def in_environment():
-    """Starts this program again with the pinned packages, unless it has them."""
-    python = TARGET / "environment/bin/python"
-    if pathlib.Path(sys.prefix).resolve() == python.parent.parent.resolve():
-        return
-    if not python.exists():
-        subprocess.run([sys.executable, "-m", "venv", TARGET / "environment"], check=True)
-    subprocess.run([python, "-m", "pip", "install", "--quiet", "--requirement", HERE / "requirements.txt"], check=True)
-    os.execv(python, [python, __file__, *sys.argv[1:]])
 
 
 def linkages():
@@ -56,10 +46,8 @@ def compiled(folder, flags):
 
     beside = pathlib.Path(kvxopt.__file__).parent.parent / "kvxopt.libs"
     (klu,) = beside.glob("libklu*")
-    library = folder / f"{''.join(flags)}.so"
-    sources = ["-I", folder, "-I", HERE, HERE / "harness.c", folder / "step.c", klu, f"-Wl,-rpath,{beside}", "-lm"]
-    subprocess.run([os.environ.get("CC", "cc"), *flags, "-shared", "-fPIC", "-Wl,-Bsymbolic", *sources, "-o", library], check=True)
-    return ctypes.CDLL(str(library))
+    sources = ["-I", folder, "-I", HERE, HERE / "harness.c", folder / "step.c", klu, f"-Wl,-rpath,{beside}"]
+    return environment.library(folder / f"{''.join(flags)}.so", flags, sources)
 
 
 class Compiled:
@@ -150,5 +138,5 @@ def main():
 
 
 if __name__ == "__main__":
-    in_environment()
+    environment.enter("requirements.txt", "environment")
     main()

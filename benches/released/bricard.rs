@@ -2,8 +2,10 @@
 
 use reuleaux::nalgebra::{SMatrix, SVector, Vector1, Vector3};
 use reuleaux::{Balance, Constraints, Coordinate, Description, Dynamics, Energy, ParameterOutOfRange, Row, State, mechanism};
+use serde_json::{Value, json};
 
 use super::free;
+use crate::multibody::{Cut, Joint, Model};
 
 mechanism! {
     /// Five rods of 1 m and 1 kg; bodies are turned as ground is where the rods lie along the edges of a cube.
@@ -56,6 +58,26 @@ pub const DURATION: f64 = 5.0;
 const GRAVITY: f64 = 9.81;
 /// Moments of inertia of a rod along it and across it, in kg m².
 const INERTIA: [f64; 2] = [1.0 / 600.0, 1.01 / 12.0];
+
+/// For other people's programs: the rods, where the last one ends, and the axes that stay at right angles.
+#[must_use]
+pub fn described() -> Value {
+    let mut model = Model::new("D5 Bricard's linkage");
+    model.gravity = [0.0, -GRAVITY, 0.0];
+    let mut place = [0.0; 3];
+    // Axis of the hinge, and the rod.
+    for (k, (axis, rod, sign)) in [(1, 0, 1.0), (2, 1, -1.0), (0, 2, 1.0), (1, 0, -1.0), (2, 1, 1.0)].into_iter().enumerate() {
+        let body = model.hang("rod", k.checked_sub(1), &[Joint::Turn(axis)], &[0.0]);
+        (body.place, body.inertia) = (place, [INERTIA[1]; 3]);
+        (body.center[rod], body.inertia[rod]) = (0.5 * sign, INERTIA[0]);
+        place = [0.0; 3];
+        place[rod] = sign;
+    }
+    model.cuts.push(Cut::Meet((Some(4), place), (None, [0.0, 0.0, 1.0])));
+    let mut described = model.described();
+    described["aligned"] = json!([[[4, 0], [null, 1]], [[4, 0], [null, 2]]]);
+    described
+}
 
 /// By hand: the angle of the first hinge alone, others from sin a + sin b + sin a sin b = 0.
 #[derive(Clone, Copy, Debug)]

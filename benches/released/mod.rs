@@ -1,6 +1,8 @@
-//! Released mechanisms, each as a declaration and as hand-written equations for the same integrator.
+//! Released mechanisms as declarations, as data, and some as hand-written equations for the same integrator.
 
+pub mod andrews;
 pub mod bricard;
+pub mod four_bar;
 pub mod top;
 
 use reuleaux::nalgebra::SVector;

@@ -2,7 +2,8 @@
 //! `cargo run --release -p reuleaux-benches --bin space [rounds]`.
 //!
 //! Out: the table of `README.md` beside this folder. `… --bin space count` counts instructions of a step instead, for which it needs
-//! `valgrind`.
+//! `valgrind`. `data` and `turns` are for `peers/space_forces.py`: all mechanisms and their exact motion as JSON, and times of each
+//! workload named on standard input.
 
 mod arm;
 mod chain;
@@ -40,9 +41,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [] => measure::print(&workloads(), ROUNDS),
         ["count"] => measure::count(&workloads())?,
+        ["data"] => println!("{}", measure::data(&workloads())),
+        ["turns"] => measure::serve(&workloads())?,
         ["steps", workload, contender, steps] => measure::follow(&workloads(), [workload, contender], steps.parse()?)?,
         [rounds] => measure::print(&workloads(), rounds.parse()?),
-        _ => return Err("there is a number of rounds, and `count`".into()),
+        _ => return Err("there is a number of rounds, `count`, `data` and `turns`".into()),
     }
     Ok(())
 }

@@ -4,10 +4,12 @@ use std::error::Error;
 
 use reuleaux_benches::multibody::Model;
 use reuleaux_benches::multibody::exact::{Motion, Numbers};
+use reuleaux_benches::served::{self, Way};
 use reuleaux_benches::{instructions_of, times, turns};
+use serde_json::{Map, Value, json};
 
 use crate::Workload;
-use crate::follower::{Follower, numbers};
+use crate::follower::{Entry, Follower, numbers};
 
 /// Beyond this many bodies every twentieth step is compared only.
 const MANY: usize = 30;
@@ -42,6 +44,30 @@ pub(crate) fn print(workloads: &[Workload], rounds: usize) {
             println!("| {name} | {} | {time:.0} ns | {ratio:.2} | {pose:.0e} | {velocity:.0e} | {acceleration:.0e} |", entry.name);
         }
     }
+}
+
+/// All mechanisms with their exact motion, and the errors of our contenders.
+pub(crate) fn data(workloads: &[Workload]) -> Value {
+    let described = |workload: &Workload| {
+        let exact = Exact::new(&workload.model);
+        let errors = |mut entry: Entry| (entry.name.to_owned(), json!(exact.errors(&mut *entry.follower)));
+        let errors: Map<String, Value> = (workload.contenders)().into_iter().map(errors).collect();
+        let exact: Vec<Value> = exact.steps.iter().map(|(step, bodies)| json!([step, bodies.concat()])).collect();
+        json!({ "model": workload.model.described(), "errors": errors, "exact": exact })
+    };
+    json!({ "times": times(), "workloads": workloads.iter().map(described).collect::<Vec<_>>() })
+}
+
+/// Times of a step, workload by workload as they are asked for.
+pub(crate) fn serve(workloads: &[Workload]) -> Result<(), Box<dyn Error>> {
+    let way = |mut entry: Entry| {
+        let times = times();
+        Way { name: entry.name.to_owned(), steps: times.len(), run: Box::new(move || entry.follower.sweep(&times)) }
+    };
+    served::serve(|name| {
+        let workload = workloads.iter().find(|workload| workload.model.name == name)?;
+        Some((workload.contenders)().into_iter().map(way).collect())
+    })
 }
 
 /// Instructions of a step of each contender.

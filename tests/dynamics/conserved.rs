@@ -214,6 +214,12 @@ fn what_is_not_a_number_stops_a_motion() {
     assert!(mechanism.advance(&mut state, 1.0, &mut Integrator::new(1e-9)).is_err());
     assert!(mechanism.step(&mut state, 0.1).is_err());
     assert!(Pendulum { start: f64::NAN }.initial_state().is_err());
+    for bad in [0.0, -1e-10, f64::NAN, f64::INFINITY] {
+        let stopped = mechanism.advance(&mut good.clone(), 1.0, &mut Integrator::new(bad)).expect_err("no tolerance");
+        assert!(format!("{stopped}").contains("`tolerance`"), "{stopped}");
+        let mut steps = Integrator { longest: -bad.abs(), ..Integrator::new(1e-9) };
+        assert!(matches!(mechanism.advance(&mut good.clone(), 1.0, &mut steps), Err(Stopped::BadIntegrator { field: "longest", .. })));
+    }
     let mut few = Integrator { most: 2, ..Integrator::new(1e-9) };
     assert!(matches!(mechanism.advance(&mut good.clone(), 10.0, &mut few), Err(Stopped::TooManySteps { .. })));
 }

@@ -10,6 +10,7 @@ mod kept;
 mod masses;
 mod plane;
 mod published;
+mod redundant;
 mod shared_nodes;
 mod space;
 mod stiff;

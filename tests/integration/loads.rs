@@ -147,3 +147,38 @@ fn drives_forces_and_energies_are_in_balance() {
         assert!((found - wanted).abs() < 1e-9 * 40.0, "{found} {wanted}");
     }
 }
+
+mechanism! {
+    /// Two loads that are lifted by cylinders: their distances from ground follow laws.
+    mechanism Lifts {
+        param start: Length = 250mm;
+        gravity = (0, -10m_s2);
+        ground { point side = (2m, 0m); }
+        body load { mass = 3kg;  start y = 250mm; }
+        body other { mass = 2kg;  start y = 400mm; }
+        joint upright = absolute_angle(load, 0deg);
+        joint rail = absolute_x(load.position, 0mm);
+        slice drive jack = drive_distance(ground.position, load.position, start + 100mm_s * t + 500mm_s2 * t^2);
+        joint also_upright = absolute_angle(other, 0deg);
+        joint other_rail = absolute_x(other.position, 2m);
+        drive press = { (400mm - 50mm_s * t)^2 == dot(other.position - ground.side, other.position - ground.side); };
+    }
+}
+
+#[test]
+fn the_effort_of_a_distance_is_the_force_along_it() {
+    for start in [0.05, 0.25, 3.0] {
+        let lifts = Lifts { start };
+        for state in lifts.sweep((0..20).map(|step| 0.1 * f64::from(step))) {
+            let state = state.expect("a state");
+            let loads = lifts.loads(&state);
+            let (force, rate) = (3.0 * (10.0 + 1.0), 0.1 + state.t);
+            for jack in [loads.jack(), lifts.load_of_jack(&state)] {
+                assert!((jack.effort - force).abs() < 1e-12 * force && (jack.power - force * rate).abs() < 1e-12 * force, "{jack:?}");
+            }
+            // Squares written the other way round.
+            let press = loads.press();
+            assert!((press.effort - 20.0).abs() < 1e-12 && (press.power + 20.0 * 0.05).abs() < 1e-13, "{press:?}");
+        }
+    }
+}

@@ -116,3 +116,24 @@ fn loads_of_parameters_without_numbers_are_no_numbers() {
     let loads = Door { stiffness: f64::NAN }.loads(&state);
     assert!(loads.motor().effort.is_nan() && loads.motor().power.is_nan());
 }
+
+mechanism! {
+    /// A load on a rail askew that a cylinder with fixed ends moves along.
+    mechanism Pushed in space {
+        gravity = (0, 0, -10m_s2);
+        ground { axis way = (2, 1, 2) from (1, 0, -1);  point end = (-2m, -1m, -2m); }
+        body load { mass = 3kg;  inertia = (1kgm2, 1kgm2, 1kgm2);  axis way = (2, 1, 2) from (1, 0, -1); }
+        joint rail = translational(ground.position, ground.way, load.position, load.way);
+        drive cylinder = drive_distance(ground.end, load.position, 3m + 100mm_s * t);
+    }
+}
+
+#[test]
+fn the_effort_of_a_distance_in_space_is_the_force_along_it() {
+    let pushed = Pushed::default();
+    for state in pushed.sweep((0..10).map(|step| 0.3 * f64::from(step))) {
+        // The way rises by 2 in 3.
+        let cylinder = pushed.loads(&state.expect("a state")).cylinder();
+        assert!((cylinder.effort - 20.0).abs() < 1e-12 && (cylinder.power - 2.0).abs() < 1e-12, "{cylinder:?}");
+    }
+}

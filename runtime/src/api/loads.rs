@@ -82,7 +82,9 @@ impl<T: Float> SpatialLoad<T> {
 /// Load that a drive must supply.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DriveLoad<T> {
-    /// −λ of its first equation: the force (N) or torque (N m) that does work on the driven quantity.
+    /// Force (N) or torque (N m) along the driven quantity, positive where it drives this forward: times the rate of the quantity, it is the
+    /// power. Of an equation Φ(q) = C(t) it is −λ, of `drive_distance` and every other equation s² = C² it is −2 C λ, along s. Of a drive of
+    /// several equations it is that of the first.
     pub effort: T,
     /// Power supplied to the mechanism, in W.
     pub power: T,
@@ -157,9 +159,8 @@ impl<T: Float, const M: usize, const A: usize> Loads<T, M, A> {
     #[doc(hidden)]
     #[must_use]
     pub fn drive(&self, equations: Range<usize>, at: usize) -> DriveLoad<T> {
-        let first = self.multipliers.get(equations.start).copied().unwrap_or(T::of(0.0));
-        let [power] = self.actions_from(at);
-        DriveLoad { effort: -first, power, is_unique: self.are_unique(equations) }
+        let [effort, power] = self.actions_from(at);
+        DriveLoad { effort, power, is_unique: self.are_unique(equations) }
     }
 
     /// Multipliers of the equations from `first` on.

@@ -8,7 +8,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::equations::{Balance, Dynamics};
-use super::partition::{Partition, Pivots};
+use super::partition::{Partition, Pivots, Redundant};
 use super::stopped::Stopped;
 use crate::number::Float;
 
@@ -48,7 +48,8 @@ where
     let lengths = lengths(mechanism);
     let parts = match pivots.as_ref().and_then(|pivots| Partition::along(&jacobian, &gamma, pivots)) {
         Some(parts) => parts,
-        None => Partition::new(&jacobian, &gamma, &lengths, |_| true).map_err(|row| singular::<T, S, N, I, M, R>(t, row))?,
+        None => Partition::new(&jacobian, &gamma, &lengths, |_| true, &redundant(mechanism))
+            .map_err(|row| singular::<T, S, N, I, M, R>(t, row))?,
     };
     *pivots = Some(parts.pivots);
     let count = parts.independent();
@@ -91,6 +92,19 @@ where
 {
     let length = mechanism.characteristic_length();
     S::IS_LENGTH.map(|is_length| if is_length { length } else { T::of(1.0) })
+}
+
+/// The rows of redundant joints, of the equations between integrated coordinates or of those at t = 0.
+pub(super) fn redundant<T, S, const N: usize, const I: usize, const M: usize, const R: usize, const K: usize>(
+    mechanism: &S,
+) -> Redundant<T, K>
+where
+    T: Float,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let length = if S::REDUNDANT > 0 { mechanism.characteristic_length() } else { T::of(1.0) };
+    let power = |row: usize| S::POWERS.get(row).copied().unwrap_or(0);
+    Redundant { count: S::REDUNDANT, sizes: core::array::from_fn(|row| (0..power(row)).fold(T::of(1.0), |size, _| size * length)) }
 }
 
 /// A product with a symmetric matrix, of which the lower triangle counts.

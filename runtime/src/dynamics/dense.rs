@@ -9,10 +9,10 @@
 
 use super::accelerate::{accelerations, singular};
 use super::equations::Dynamics;
-use super::explicit::Rates;
 use super::places::{picked, put};
 use super::project::{levels, project, refresh};
 use super::stopped::Stopped;
+use super::tableau::Rates;
 use super::tableau::{DENSE, STAGES, dense, dense_node, dense_stage};
 use crate::number::Float;
 use crate::state::State;
@@ -47,9 +47,9 @@ impl<T: Float, const N: usize, const I: usize> Dense<T, N, I> {
         let ends = [&to.q, &to.qd].map(|vector| picked(vector, &S::INTEGRATED));
         let rates_there = [&to.qd, &to.qdd].map(|vector| picked(vector, &S::INTEGRATED));
         let mut all = [[[T::ZERO; DENSE]; I]; 2];
-        for ((all, rates), there) in all.iter_mut().zip(rates).zip(&rates_there) {
-            for ((all, rates), there) in all.iter_mut().zip(rates).zip(there) {
-                all.iter_mut().zip(rates.iter().chain([there])).for_each(|(to, rate)| *to = *rate);
+        for (part, (all, there)) in all.iter_mut().zip(&rates_there).enumerate() {
+            for (k, (all, there)) in all.iter_mut().zip(there).enumerate() {
+                all.iter_mut().zip(rates.iter().map(|stage| &stage[part][k]).chain([there])).for_each(|(to, rate)| *to = *rate);
             }
         }
         let (mut there, mut moving, mut pivots) = (from.q, from.qd, None);

@@ -23,13 +23,19 @@ pub trait Dynamics<T: Float, const N: usize, const I: usize, const M: usize, con
     /// For each equation at t = 0: whether it counts between positions, and whether it counts between speeds.
     const LEVELS: [[bool; 2]; R];
 
+    /// Number of rows of redundant joints among the equations: so many of all rows follow from the others, now these and now those.
+    const REDUNDANT: usize = 0;
+
+    /// Where there are such rows: the dimension of each equation at t = 0, as a power of a length.
+    const POWERS: [u8; R] = [0; R];
+
     /// Φ, J and ν.
     fn constraints(&self, q: &SVector<T, N>, t: T) -> Constraints<T, M, I>;
 
     /// The same for all equations that hold at t = 0.
     fn initial(&self, q: &SVector<T, N>, t: T) -> Constraints<T, R, I>;
 
-    /// The joint of a redundant equation that does not hold, and its residual.
+    /// Where joints are redundant: the joint of the equation that is off most, and its residual, if one does not hold.
     fn misfit(&self, _q: &SVector<T, N>, _t: T) -> Option<(&'static str, T)> {
         None
     }

@@ -5,16 +5,13 @@ use super::equations::Dynamics;
 use super::method::{Method, Trial};
 use super::places::{picked, put};
 use super::stopped::Stopped;
-use super::tableau::{STAGES, errors, node, stage, step};
+use super::tableau::{Rates, STAGES, errors, node, stage, step};
 use crate::number::Float;
 use crate::state::State;
 
 /// Steps by rates in stages that follow from each other: order 8.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Explicit;
-
-/// Rates of positions and of speeds, of each integrated coordinate in all stages.
-pub(super) type Rates<T, const I: usize> = [[[T; STAGES]; I]; 2];
 
 impl Method for Explicit {
     const ROOTS: usize = 3;
@@ -35,11 +32,12 @@ impl Method for Explicit {
     {
         let rates = stages(mechanism, state, h)?;
         let mut end = [state.q, state.qd];
-        for (vector, rates) in end.iter_mut().zip(&rates) {
+        for (vector, steps) in end.iter_mut().zip(step(&rates)) {
             let before = picked(vector, &S::INTEGRATED);
-            put(vector, &S::INTEGRATED, &core::array::from_fn(|k| before[k] + h * step(&rates[k])));
+            put(vector, &S::INTEGRATED, &core::array::from_fn(|k| before[k] + h * steps[k]));
         }
-        let errors = core::array::from_fn(|part| core::array::from_fn(|k| errors(&rates[part][k]).map(|error| h * error)));
+        let [fifth, third] = errors(&rates);
+        let errors = core::array::from_fn(|part| core::array::from_fn(|k| [h * fifth[part][k], h * third[part][k]]));
         Ok(Trial { end, errors, rates: Some(rates) })
     }
 }
@@ -55,25 +53,19 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let [q, u, a] = [&state.q, &state.qd, &state.qdd].map(|vector| picked(vector, &S::INTEGRATED));
-    let mut rates = [[[T::ZERO; STAGES]; I]; 2];
-    let enter = |rates: &mut Rates<T, I>, stage: usize, found: [&[T; I]; 2]| {
-        for (of, found) in rates.iter_mut().zip(found) {
-            for (of, found) in of.iter_mut().zip(found) {
-                if let Some(rate) = of.get_mut(stage) {
-                    *rate = *found;
-                }
-            }
-        }
-    };
-    enter(&mut rates, 0, [&u, &a]);
+    let mut rates = [[[T::ZERO; I]; 2]; STAGES];
+    rates[0] = [u, a];
     let (mut there, mut moving, mut pivots) = (state.q, state.qd, None);
     for number in 1..STAGES {
-        let at: [T; I] = core::array::from_fn(|k| q[k] + h * stage(number, &rates[0][k]));
-        let speeds: [T; I] = core::array::from_fn(|k| u[k] + h * stage(number, &rates[1][k]));
+        let [of_positions, of_speeds] = stage(number, &rates);
+        let at: [T; I] = core::array::from_fn(|k| q[k] + h * of_positions[k]);
+        let speeds: [T; I] = core::array::from_fn(|k| u[k] + h * of_speeds[k]);
         put(&mut there, &S::INTEGRATED, &at);
         put(&mut moving, &S::INTEGRATED, &speeds);
         let found = accelerations(mechanism, (&there, &moving), state.t + node::<T>(number) * h, &mut pivots)?;
-        enter(&mut rates, number, [&speeds, &found]);
+        if let Some(rates) = rates.get_mut(number) {
+            *rates = [speeds, found];
+        }
     }
     Ok(rates)
 }

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::accelerate::lengths;
 use super::equations::Dynamics;
 use super::event::first_event;
-use super::explicit::{Explicit, Rates};
+use super::explicit::Explicit;
 use super::method::Method;
 use super::places::{largest, picked};
 use super::project::refresh;
@@ -13,6 +13,7 @@ use super::rank::keeps_rank;
 use super::step::{error, land};
 use super::stiff::Stiff;
 use super::stopped::Stopped;
+use super::tableau::Rates;
 use crate::number::Float;
 use crate::state::State;
 
@@ -100,6 +101,12 @@ impl<T: Float, K: Method> Integrator<T, K> {
     where
         S: Dynamics<T, N, I, M, R>,
     {
+        let has_tolerance = self.tolerance > T::ZERO && self.tolerance.is_finite();
+        for (field, value, is_good) in [("tolerance", self.tolerance, has_tolerance), ("longest", self.longest, self.longest > T::ZERO)] {
+            if !is_good {
+                return Err(Stopped::BadIntegrator { field, value });
+            }
+        }
         let rest = t - state.t;
         if !rest.is_finite() {
             return Err(Stopped::NotFinite { time: t });

@@ -3,8 +3,8 @@
 use nalgebra::SVector;
 
 use super::equations::Dynamics;
-use super::explicit::Rates;
 use super::stopped::Stopped;
+use super::tableau::Rates;
 use crate::number::Float;
 use crate::state::State;
 

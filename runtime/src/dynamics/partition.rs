@@ -25,6 +25,15 @@ pub(super) struct Partition<T, const M: usize, const I: usize> {
     side: [T; M],
 }
 
+/// Rows of redundant joints.
+#[derive(Clone, Copy)]
+pub(super) struct Redundant<T, const M: usize> {
+    /// How many rows follow from the others.
+    pub(super) count: usize,
+    /// Where there are any: the size of each row where it depends on no other, since now these rows vanish and now those.
+    pub(super) sizes: [T; M],
+}
+
 /// An order of elimination.
 #[derive(Clone, Copy)]
 pub(super) struct Pivots<T, const M: usize, const I: usize> {
@@ -34,6 +43,15 @@ pub(super) struct Pivots<T, const M: usize, const I: usize> {
     unknowns: [usize; I],
     /// Size of each pivot when it was chosen.
     sizes: [T; M],
+    /// Number of pivots.
+    count: usize,
+}
+
+impl<T, const M: usize, const I: usize> Pivots<T, M, I> {
+    /// True if a row has a pivot.
+    pub(super) fn have(&self, row: usize) -> bool {
+        self.rows.iter().take(self.count).any(|own| *own == row)
+    }
 }
 
 /// The matrix by rows.
@@ -67,6 +85,7 @@ impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
     ///
     /// * `lengths`: given, for each unknown the number that makes it comparable with the others.
     /// * `takes_part`: given, true for each row that counts.
+    /// * `redundant`: given, rows that follow from the others; the rows that depend most on the others are left out.
     ///
     /// # Errors
     /// The number of a row that depends on the others.
@@ -75,22 +94,25 @@ impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
         side: &SVector<T, M>,
         lengths: &[T; I],
         takes_part: impl Fn(usize) -> bool,
+        redundant: &Redundant<T, M>,
     ) -> Result<Self, usize> {
-        let pivots = Pivots { rows: [0; M], unknowns: core::array::from_fn(|k| k), sizes: [T::ZERO; M] };
+        let pivots = Pivots { rows: [0; M], unknowns: core::array::from_fn(|k| k), sizes: [T::ZERO; M], count: 0 };
         let mut this = Self { rank: 0, pivots, rows: [[T::ZERO; I]; M], side: [T::ZERO; M] };
         let (mut sizes, mut lengths) = ([T::ZERO; M], *lengths);
-        let mut count = 0;
+        let mut count = 0_usize;
         let mut open = this.rows.iter_mut().zip(&mut this.side).zip(&mut this.pivots.rows).zip(&mut sizes);
         for ((number, row), value) in by_rows(matrix).iter().enumerate().zip(side.iter()) {
             if !takes_part(number) {
                 continue;
             }
             if let Some((((entries, side), name), own)) = open.next() {
-                (*entries, *side, *name, *own) = (*row, *value, number, size(row, &lengths));
+                let in_general = redundant.sizes.get(number).filter(|_| redundant.count > 0);
+                (*entries, *side, *name, *own) = (*row, *value, number, in_general.copied().unwrap_or_else(|| size(row, &lengths)));
                 count += 1;
             }
         }
-        while this.rank < count {
+        this.pivots.count = count.saturating_sub(redundant.count);
+        while this.rank < this.pivots.count {
             let (row, column, is_independent) = this.largest(count, &sizes, &lengths);
             if !is_independent {
                 return Err(this.pivots.rows.get(row).copied().unwrap_or(0));
@@ -113,7 +135,7 @@ impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
         let rows = ordered(&by_rows(matrix), &pivots.rows, [T::ZERO; I]).map(|row| ordered(&row, &pivots.unknowns, T::ZERO));
         let side = pivots.rows.map(|row| side.get(row).copied().unwrap_or(T::ZERO));
         let mut this = Self { rank: 0, pivots: *pivots, rows, side };
-        for (k, before) in pivots.sizes.iter().enumerate() {
+        for (k, before) in pivots.sizes.iter().enumerate().take(pivots.count) {
             let own = this.rows.get(k)?.get(k)?.abs();
             let is_as_good = own >= T::of(WORSE) * *before;
             if !is_as_good {
@@ -226,7 +248,7 @@ pub(super) fn has_other_signs<T: Float, const M: usize, const I: usize>(
 fn signs<T: Float, const M: usize, const I: usize>(matrix: &SMatrix<T, M, I>, pivots: &Pivots<T, M, I>) -> [bool; M] {
     let mut rows = ordered(&by_rows(matrix), &pivots.rows, [T::ZERO; I]).map(|row| ordered(&row, &pivots.unknowns, T::ZERO));
     let mut signs = [true; M];
-    for (k, sign) in signs.iter_mut().enumerate() {
+    for (k, sign) in signs.iter_mut().enumerate().take(pivots.count) {
         let own = rows[k];
         let pivot = own.get(k).copied().unwrap_or(T::ZERO);
         *sign = pivot > T::ZERO;
@@ -245,16 +267,17 @@ pub(super) fn weakest<T: Float, const M: usize, const I: usize>(
     matrix: &SMatrix<T, M, I>,
     elsewhere: &SMatrix<T, M, I>,
     lengths: &[T; I],
+    redundant: &Redundant<T, M>,
 ) -> (usize, T) {
-    let parts = match Partition::new(matrix, &SVector::from_element(T::ZERO), lengths, |_| true) {
+    let parts = match Partition::new(matrix, &SVector::from_element(T::ZERO), lengths, |_| true, redundant) {
         Ok(parts) => parts,
         Err(row) => return (row, T::ZERO),
     };
-    let Pivots { rows, unknowns, sizes } = parts.pivots;
+    let Pivots { rows, unknowns, sizes, count } = parts.pivots;
     let before = ordered(&by_rows(elsewhere), &rows, [T::ZERO; I]);
     let own = ordered(lengths, &unknowns, T::of(1.0));
     let mut found = (0, T::of(1.0));
-    for (((row, left), length), before) in rows.iter().zip(&sizes).zip(&own).zip(&before) {
+    for (((row, left), length), before) in rows.iter().zip(&sizes).zip(&own).zip(&before).take(count) {
         let left = *left * *length / size(before, lengths);
         found = if left < found.1 { (*row, left) } else { found };
     }

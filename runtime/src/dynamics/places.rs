@@ -20,6 +20,12 @@ pub(super) fn put<T: Float, const N: usize, const I: usize>(vector: &mut SVector
     }
 }
 
+/// True if all entries are finite; without branches, so that several are looked at at once.
+#[inline(always)]
+pub(super) fn is_finite<T: Float, const N: usize>(vector: &SVector<T, N>) -> bool {
+    vector.as_slice().iter().fold(true, |all, value| all & value.is_finite())
+}
+
 /// The largest of some numbers, each divided by its length.
 pub(super) fn largest<T: Float, const I: usize>(values: &[T; I], lengths: &[T; I]) -> T {
     values.iter().zip(lengths).fold(T::ZERO, |largest, (value, length)| largest.max((*value / *length).abs()))

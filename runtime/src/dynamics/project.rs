@@ -2,12 +2,12 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::accelerate::{eliminated, lengths, singular};
+use super::accelerate::{eliminated, lengths, redundant, singular};
 use super::checks::holds;
 use super::equations::{Constraints, Dynamics};
 use super::integrator::least;
 use super::partition::{Partition, Pivots};
-use super::places::{largest, picked, put};
+use super::places::{is_finite, largest, picked, put};
 use super::stopped::Stopped;
 use crate::number::Float;
 use crate::state::State;
@@ -36,13 +36,23 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let (q, qd) = state;
-    let lengths = lengths(mechanism);
+    let (lengths, redundant) = (lengths(mechanism), redundant(mechanism));
     let is_of_positions = |row: usize| levels(row)[0];
+    // Redundant rows that do not fit would not settle if others were chosen at each correction.
+    let mut kept: Option<Pivots<T, K, I>> = None;
     let mut here = equations(q);
     let mut open = gap(&here, is_of_positions);
     for _ in 0..CORRECTIONS {
         let side = here.phi.map(|phi| -phi);
-        let parts = Partition::new(&here.jacobian, &side, &lengths, is_of_positions).map_err(Open::Dependent)?;
+        let again = kept.as_ref().and_then(|pivots| Partition::along(&here.jacobian, &side, pivots));
+        let parts = match again {
+            Some(parts) => parts,
+            None => Partition::new(&here.jacobian, &side, &lengths, is_of_positions, &redundant).map_err(Open::Dependent)?,
+        };
+        let counts = |row: usize| is_of_positions(row) && (S::REDUNDANT == 0 || parts.pivots.have(row));
+        if S::REDUNDANT > 0 {
+            (kept, open) = (Some(parts.pivots), gap(&here, counts));
+        }
         let correction = parts.unknowns(|_| T::ZERO);
         let size = largest(&correction, &lengths);
         if !correction.iter().all(|correction| correction.is_finite()) {
@@ -55,7 +65,7 @@ where
         for halving in 0..=HALVINGS {
             put(q, &S::INTEGRATED, &core::array::from_fn(|k| start[k] + factor * correction[k]));
             here = equations(q);
-            let left = gap(&here, is_of_positions);
+            let left = gap(&here, counts);
             if left.1 < open.1 || is_last || halving == HALVINGS {
                 open = left;
                 break;
@@ -68,7 +78,7 @@ where
             let known = if are_same { Partition::along(&here.jacobian, &here.nu, &parts.pivots) } else { None };
             let speeds = match known {
                 Some(speeds) => speeds,
-                None => Partition::new(&here.jacobian, &here.nu, &lengths, |row| levels(row)[1]).map_err(Open::Dependent)?,
+                None => Partition::new(&here.jacobian, &here.nu, &lengths, |row| levels(row)[1], &redundant).map_err(Open::Dependent)?,
             };
             let before = picked(qd, &S::INTEGRATED);
             let found = speeds.unknowns(|place| before.get(speeds.independent_at(place)).copied().unwrap_or(T::ZERO));
@@ -208,7 +218,6 @@ where
     let mut qdd = state.qdd;
     put(&mut qdd, &S::INTEGRATED, &found);
     let [q, qd, qdd] = mechanism.complete(&state.q, &state.qd, &qdd, state.t);
-    let is_finite = |vector: &SVector<T, N>| vector.iter().all(|value| value.is_finite());
     if !(is_finite(&q) && is_finite(&qd) && is_finite(&qdd)) {
         return Err(Stopped::NotFinite { time: state.t });
     }

@@ -1,6 +1,6 @@
 //! Rank over a step.
 
-use super::accelerate::{lengths, singular};
+use super::accelerate::{lengths, redundant, singular};
 use super::equations::Dynamics;
 use super::method::Method;
 use super::partition::{has_other_signs, weakest};
@@ -50,7 +50,7 @@ where
     }
     // Where rank is lost rows may vanish: they are compared with the rows at the assembled configuration.
     let assembled = mechanism.constraints(&mechanism.start(), from.t).jacobian;
-    let (row, left) = weakest(&last, &assembled, &lengths);
+    let (row, left) = weakest(&last, &assembled, &lengths, &redundant(mechanism));
     if left > T::of(LOST) {
         return Ok(());
     }

@@ -1,6 +1,6 @@
 //! The end of a step: where it leads, and how far it is off.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SMatrix;
 
 use super::accelerate::{lengths, singular};
 use super::checks::holds;
@@ -8,7 +8,7 @@ use super::equations::Dynamics;
 use super::explicit::Explicit;
 use super::method::{Method, Trial};
 use super::partition::Pivots;
-use super::places::{largest, picked};
+use super::places::{is_finite, largest, picked};
 use super::project::{levels, project, refresh};
 use super::rank::keeps_rank;
 use super::stopped::Stopped;
@@ -47,7 +47,6 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     let ([mut q, mut qd], t) = (trial.end, state.t + h);
-    let is_finite = |vector: &SVector<T, N>| vector.iter().all(|value| value.is_finite());
     if !(is_finite(&q) && is_finite(&qd)) {
         return Err(Stopped::NotFinite { time: t });
     }

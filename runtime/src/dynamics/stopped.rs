@@ -55,6 +55,13 @@ pub enum Stopped<T> {
         /// Time in s.
         time: T,
     },
+    /// The tolerance of the integrator is not above zero or not finite, or its longest step is not above zero.
+    BadIntegrator {
+        /// `tolerance` or `longest`.
+        field: &'static str,
+        /// Its value.
+        value: T,
+    },
     /// A parameter has a value for which the mechanism is not defined.
     ParameterOutOfRange(ParameterOutOfRange<T>),
 }
@@ -84,6 +91,7 @@ impl<T: Display> Display for Stopped<T> {
                     "at t = {time} s no step is short enough for the tolerance: the motion is not smooth there, or the tolerance below rounding errors"
                 )
             }
+            Stopped::BadIntegrator { field, value } => write!(f, "the integrator's `{field}` is {value}: it has to be a positive number"),
             Stopped::TooManySteps { time } => write!(f, "the steps of one call end at t = {time} s"),
             Stopped::ParameterOutOfRange(ParameterOutOfRange { name, value, unit, why }) => {
                 let space = if unit.is_empty() { "" } else { " " };

@@ -1,12 +1,12 @@
 //! Square systems, with names, to which Newton's method is applied.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 use super::{Iterate, Scale};
 use crate::linear::{Linear, weakest};
 use crate::names::{self, Cause, Coordinate, CoordinateKind, Culprit, Row};
 use crate::number::Float;
-use crate::number::order::smaller;
+use crate::number::order::{greater, smaller};
 
 /// A square system of K unknowns.
 pub(crate) trait Problem<T: Float, const K: usize> {
@@ -44,6 +44,18 @@ pub(crate) trait Problem<T: Float, const K: usize> {
         let factors = Self::Factors::factor(&jacobian);
         let condition = factors.map_or(T::of(f64::NAN), |factors| factors.condition(&self.sizes(), &self.scale().reciprocal));
         Cause::Singular { row: self.row(row), coordinate: self.coordinate(coordinate), condition }
+    }
+
+    /// How many times less the weakest row moves with the unknowns than a length of the mechanism, or an angle, does.
+    fn weakness(&self, jacobian: &SMatrix<T, K, K>) -> T {
+        let length = self.scale().length;
+        let natural = |row: usize| match self.row(row).unit {
+            "m" => length,
+            "m²" => length * length,
+            _ => T::of(1.0),
+        };
+        let moved = |row: usize| (0..K).fold(T::of(0.0), |most, k| greater(most, (jacobian[(row, k)] * self.scale().column[k]).abs()));
+        (0..K).fold(T::of(0.0), |weakest, row| greater(weakest, natural(row) / moved(row)))
     }
 
     /// The row with the largest gap here; None if all are closed.

@@ -142,7 +142,8 @@ impl<T: Float, const N: usize> ColdStart<T, N> for ColdSolver<'_, T, N> {
                 let iterate = picked(q);
                 let (_, jacobian) = part.linearize(&iterate);
                 let factors = L::factor(&jacobian).map_err(|row| StepError::NotFinite(Culprit::Row(part.row(row))))?;
-                let condition = factors.condition(&part.sizes, &part.scale.reciprocal);
+                // A link without length leaves its angle open, however exact its row is.
+                let condition = greater(factors.condition(&part.sizes, &part.scale.reciprocal), part.weakness(&L::dense(&jacobian)));
                 if report.worst.is_none() || condition > report.condition {
                     report.worst = Some(part.singular(&iterate));
                 }

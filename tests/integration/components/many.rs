@@ -3,6 +3,7 @@
 use std::str::FromStr;
 
 use proc_macro2::TokenStream;
+use reuleaux::mechanism;
 
 /// Pairs of links on a row of pivots, moved by one crank.
 fn row(legs: usize) -> TokenStream {
@@ -60,4 +61,33 @@ fn names_of_generated_code_stay_apart() {
         reuleaux_compiler::compile(TokenStream::from_str(source).expect("the source consists of tokens")).expect("it is accepted");
     let locals: Vec<&str> = compiled.model.bodies.iter().map(|body| body.name.local.as_str()).collect();
     assert_eq!(locals, ["a_0", "a_0_"]);
+}
+
+mechanism! {
+    /// Two cylinders on one crank.
+    mechanism Cylinders {
+        body crank { point pin = (40mm, 0mm); }
+        joint axle = revolute(ground.position, crank.position);
+        drive motor = drive_angle(crank, 3rad_s * t);
+        for i in 0..2 { part cylinder[i] = Cylinder(crank.pin, 120deg * i); }
+        component Cylinder(pin: Point, toward: Angle) {
+            param rod: Length = 150mm;
+            body link { point wrist = (rod, 0mm);  start angle = toward; }
+            body piston { }
+            joint big = revolute(pin, link.position);
+            joint small = revolute(link.wrist, piston.position);
+            joint bore = translational((cos(toward), sin(toward)), ground.position, piston.position, toward);
+        }
+    }
+}
+
+#[test]
+fn the_part_whose_link_shrinks_to_nothing_is_named() {
+    for part in 0..2 {
+        let mut cylinders = Cylinders::default();
+        cylinders.cylinder[part].rod = -0.15;
+        let failure = cylinders.solve(0.0).expect_err("no rod of this length").to_string();
+        let told = format!("does not determine `cylinder[{part}].link.angle`");
+        assert!(failure.contains(&told), "{failure}");
+    }
 }

@@ -41,6 +41,8 @@ pub(super) struct SparseRows<'a> {
     trust: Trust,
     /// Sum of the sizes of each row's entries before elimination.
     before: Vec<Expr>,
+    /// Where other rows can take their place: the size that each row has where it depends on no other.
+    in_general: Vec<Expr>,
 }
 
 /// A row of which less than one part in so many is left depends on the others.
@@ -51,17 +53,19 @@ const LEFT: i64 = 1 << 30;
 /// * `order`: given, blocks of rows of J and of the columns that they are solved for.
 /// * `lengths`: given, for each speed the number that makes it comparable with the others, as an expression.
 /// * `trust`: given, how small pivots may be.
+/// * `in_general`: given, if other rows can take their place, the size that each row has where it depends on no other.
 pub(super) fn accelerations(
     arena: &mut Arena,
     (rows, mass, forces): (&[MotionRow], &[Expr], &[Expr]),
     order: &[PivotBlock],
     lengths: &[Expr],
-    trust: Trust,
+    (trust, in_general): (Trust, Vec<Expr>),
 ) -> Accelerations {
     let zero = arena.integer(0);
     let count = forces.len();
     let matrix: Vec<Vec<Expr>> = rows.iter().map(|row| row.jacobian.clone()).collect();
     let mut work = SparseRows::new(arena, &matrix, rows.iter().map(|row| row.gamma).collect(), lengths, trust);
+    work.in_general = in_general;
     let pivots: Vec<[Expr; 2]> = order.iter().map(|block| work.eliminate(block, lengths)).collect();
     let is_dependent = |column: &usize| order.iter().any(|block| block.columns.contains(column));
     let independent: Vec<usize> = (0..count).filter(|column| !is_dependent(column)).collect();
@@ -113,7 +117,7 @@ impl<'a> SparseRows<'a> {
         let zero = arena.integer(0);
         let entries = |row: &Vec<Expr>| row.iter().copied().enumerate().filter(|(_, entry)| *entry != zero).collect();
         let entries = matrix.iter().map(entries).collect();
-        let mut work = SparseRows { arena, entries, sides, pivots: Vec::new(), trust, before: Vec::new() };
+        let mut work = SparseRows { arena, entries, sides, pivots: Vec::new(), trust, before: Vec::new(), in_general: Vec::new() };
         work.before = (0..matrix.len()).map(|row| work.size(row, lengths)).collect();
         work
     }
@@ -132,6 +136,9 @@ impl<'a> SparseRows<'a> {
     /// The sum of a row's sizes, and a small part of the sum before elimination, beside which it must not vanish.
     fn judged(&mut self, row: usize, lengths: &[Expr]) -> Expr {
         let (size, before) = (self.size(row, lengths), self.before[row]);
+        if let Some(in_general) = self.in_general.get(row) {
+            return self.arena.add(size, *in_general);
+        }
         if size == before {
             return size;
         }

@@ -79,6 +79,7 @@ fn actions(model: &Model, arena: &mut Arena, equations: &LoadEquations, multipli
         let own: Vec<(&LoadRow, Expr)> =
             equations.rows.iter().zip(multipliers.iter().copied()).filter(|(row, _)| row.joint == index).collect();
         if joint.is_drive {
+            actions.push(effort(arena, &own));
             actions.push(less(arena, own.iter().map(|(row, multiplier)| (row.nu, *multiplier))));
         } else if let Some((body, arm)) = &equations.arms[index] {
             let columns: Vec<Vec<Expr>> = own.iter().map(|(row, _)| about_point(model.ambient, arena, row, *body, arm)).collect();
@@ -89,6 +90,13 @@ fn actions(model: &Model, arena: &mut Arena, equations: &LoadEquations, multipli
     }
     actions.extend(equations.pushes.iter().flatten());
     actions
+}
+
+/// −λ ∂Φ/∂s of the first equation of a drive, where s is the driven quantity.
+fn effort(arena: &mut Arena, own: &[(&LoadRow, Expr)]) -> Expr {
+    let Some((row, multiplier)) = own.first() else { return arena.integer(0) };
+    let against = row.slope.map_or(*multiplier, |slope| arena.mul(slope, *multiplier));
+    arena.neg(against)
 }
 
 /// −Σ a λ

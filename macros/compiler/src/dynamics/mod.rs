@@ -48,9 +48,12 @@ pub struct Dynamics {
     pub integrated: Vec<usize>,
     /// Equations between them.
     pub rows: Vec<MotionRow>,
+    /// Equations of redundant joints, which follow from the others.
+    pub redundant: Vec<MotionRow>,
     /// Equations of the freedoms at t = 0.
     pub initial: Vec<MotionRow>,
-    /// Equations that are checked: the index of their joint, and Φ in rad or in characteristic lengths to this power.
+    /// Where joints are redundant, the equations that are checked: the index of their joint, and Φ in rad or in characteristic lengths to this
+    /// power.
     pub checked: Vec<(usize, Expr, u8)>,
     /// Lower triangle of the mass matrix, row by row.
     pub mass: Vec<Expr>,
@@ -79,7 +82,7 @@ impl Dynamics {
             return None;
         }
         if let Some(by_spins) = self.by_spins.take() {
-            return by_spins.accelerations(&mut self.arena, &self.integrated, numeric, assembly);
+            return by_spins.accelerations(&mut self.arena, (&self.integrated, &self.redundant), numeric, assembly);
         }
         let numbers = check::AtStart::new(numeric, assembly, self).constraints();
         let joints: Vec<usize> = self.rows.iter().map(|row| row.of.0).collect();
@@ -90,8 +93,18 @@ impl Dynamics {
         let scales: Vec<f64> = self.integrated.iter().map(|unknown| numeric.scale(*unknown)).collect();
         let lengths: Vec<Expr> = scales.into_iter().map(|scale| power_of_two(&mut self.arena, scale)).collect();
         let equations = (self.rows.as_slice(), self.mass.as_slice(), self.forces.as_slice());
-        Some(elimination::accelerations(&mut self.arena, equations, &order, &lengths, Trust::OF_MOTION))
+        let in_general = in_general(&mut self.arena, &self.rows, &self.redundant, numeric.size);
+        Some(elimination::accelerations(&mut self.arena, equations, &order, &lengths, (Trust::OF_MOTION, in_general)))
     }
+}
+
+/// Where joints are redundant, the size of each row where it depends on no other: a power of the characteristic length.
+fn in_general(arena: &mut Arena, rows: &[MotionRow], redundant: &[MotionRow], length: f64) -> Vec<Expr> {
+    if redundant.is_empty() {
+        return Vec::new();
+    }
+    let length = power_of_two(arena, length);
+    rows.iter().map(|row| arena.power(length, i32::from(row.power))).collect()
 }
 
 /// Speeds that are freedoms by themselves.
@@ -113,6 +126,8 @@ fn power_of_two(arena: &mut Arena, length: f64) -> Expr {
 /// An equation in the integrated coordinates.
 #[derive(Clone, Debug)]
 pub struct MotionRow {
+    /// Dimension of Φ as a power of a length.
+    pub power: u8,
     /// Index of its joint in the model, and number within the joint.
     pub of: (usize, usize),
     /// Φ; `None` for an equation between speeds.
@@ -163,10 +178,14 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
     let mut embedding = Embedding::new(&mut arena, (0..system.coordinates.len()).collect());
     let left = embedding.eliminate(&constraints, &pivots);
     let (of_freedoms, of_joints): (Vec<&Equation>, Vec<&Equation>) = of_speeds.iter().partition(|equation| equation.is_initial);
-    let rows = left.into_iter().map(|row| &constraints[row]).chain(of_joints);
+    let rows = left.iter().map(|row| &constraints[*row]).chain(of_joints);
     let rows: Vec<MotionRow> = rows.map(|equation| embedding.row(equation)).collect();
     let initial = initial.iter().chain(of_freedoms).map(|equation| embedding.row(equation)).collect();
-    let checked = structure.checked.iter().filter_map(|row| {
+    let redundant: Vec<MotionRow> = structure.checked.iter().map(|row| embedding.row(&of_positions[*row])).collect();
+    // Which of them are solved changes with the place.
+    let left = left.iter().map(|row| &solved[*row]);
+    let all: Vec<&usize> = if redundant.is_empty() { Vec::new() } else { structure.checked.iter().chain(left).collect() };
+    let checked = all.into_iter().filter_map(|row| {
         let Equation { joint, dim, .. } = of_positions[*row];
         Some((joint, embedding.of(of_positions[*row].phi()?), power_of_length(dim)))
     });
@@ -182,6 +201,7 @@ fn reduce(system: &System, structure: &Structure, balance: &Balance) -> Dynamics
         arena,
         integrated,
         rows,
+        redundant,
         initial,
         checked,
         mass,

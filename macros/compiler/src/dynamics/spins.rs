@@ -11,7 +11,7 @@ use super::elimination::{self, Accelerations};
 use super::embedding::Embedding;
 use super::order::{Grouping, OpenRows};
 use super::trust::Trust;
-use super::{MotionRow, freedoms, masses, plain, power_of_two};
+use super::{MotionRow, freedoms, in_general, masses, plain, power_of_two};
 use crate::assembly::Assembly;
 use crate::expr::{Arena, Expr, Leaf, Substitution, Triple, Values, cross, dot, evaluate};
 use crate::numeric::Numeric;
@@ -74,7 +74,7 @@ impl BySpins {
     pub(super) fn accelerations(
         self,
         arena: &mut Arena,
-        integrated: &[usize],
+        (integrated, redundant): (&[usize], &[MotionRow]),
         numeric: &Numeric,
         assembly: &Assembly,
     ) -> Option<Accelerations> {
@@ -91,7 +91,9 @@ impl BySpins {
         let columns = Grouping { joints: &joints, freedoms: &freedoms, triples: &triples };
         let order = OpenRows::new(&numbers, is_zero, columns, Trust::OF_SPINS).order()?;
         let lengths: Vec<Expr> = scales.into_iter().map(|scale| power_of_two(arena, scale)).collect();
-        let found = elimination::accelerations(arena, (&self.rows, &self.mass, &self.forces), &order, &lengths, Trust::OF_SPINS);
+        let in_general = in_general(arena, &self.rows, redundant, numeric.size);
+        let found =
+            elimination::accelerations(arena, (&self.rows, &self.mass, &self.forces), &order, &lengths, (Trust::OF_SPINS, in_general));
         Some(self.by_coordinates(arena, integrated, found))
     }
 

@@ -41,7 +41,15 @@ impl Emitter<'_> {
         let is_length = code.integrated.iter().map(is_length);
         let joints = code.initial_rows.iter().map(|(joint, _)| self.model.joints[*joint].name.to_string());
         let levels = code.initial_rows.iter().map(|(_, [position, speed])| quote!([#position, #speed]));
+        let redundant = (code.redundant > 0).then(|| {
+            let (count, powers) = (number(code.redundant), code.powers.iter().map(|power| number(usize::from(*power))));
+            quote! {
+                const REDUNDANT: ::core::primitive::usize = #count;
+                const POWERS: [::core::primitive::u8; #r] = [#(#powers),*];
+            }
+        });
         quote! {
+            #redundant
             const INTEGRATED: [::core::primitive::usize; #i] = [#(#integrated),*];
             const IS_LENGTH: [::core::primitive::bool; #i] = [#(#is_length),*];
             const JOINTS: [&'static ::core::primitive::str; #r] = [#(#joints),*];

@@ -36,9 +36,9 @@ impl Emitter<'_> {
     pub(super) fn load_alone(&self, load: &NamedLoad, code: &LoadsCode) -> TokenStream {
         let (own, state) = (identifier(&load.name.local), state_path(&self.model.name));
         let name = Ident::new(&format!("load_of_{}", load.name.local), Span::call_site());
-        // A joint is read from its actions alone.
+        // Joints and drives are read from their actions alone.
         let read = match load.kind {
-            LoadKind::Joint(_) => &NamedLoad { multipliers: 0..0, ..load.clone() },
+            LoadKind::Joint(_) | LoadKind::Drive => &NamedLoad { multipliers: 0..0, ..load.clone() },
             _ => load,
         };
         let Reading { page, kind, call } = self.reading(read, 0, 0);

@@ -17,8 +17,12 @@ pub struct DynamicsCode {
     pub integrated: Vec<usize>,
     /// Joint of each equation at t = 0, and whether it counts between positions and between speeds.
     pub initial_rows: Vec<(usize, [bool; 2])>,
+    /// Dimension of each of these equations, as a power of a length.
+    pub powers: Vec<u8>,
     /// Number of equations between integrated coordinates, the first of those at t = 0.
     pub rows: usize,
+    /// How many of them follow from the others.
+    pub redundant: usize,
     /// Φ, ν and J, row by row.
     pub constraints: Routine,
     /// The same of all equations at t = 0.
@@ -44,7 +48,8 @@ pub(super) fn code(model: &Model, system: &System, dynamics: &Dynamics) -> Dynam
     let words = Words::new(model, system);
     let arena = dynamics.arena.clone();
     let line = |results: Vec<Expr>| schedule::routine(&arena, results, &words);
-    let Dynamics { rows, initial, checked, mass, forces, state, energies, integrated, .. } = dynamics;
+    let Dynamics { initial, checked, mass, forces, state, energies, integrated, .. } = dynamics;
+    let rows = &[dynamics.rows.as_slice(), &dynamics.redundant].concat();
     let all: Vec<MotionRow> = rows.iter().chain(initial).cloned().collect();
     let level = |row: &MotionRow| {
         // A pin holds a position, and leaves its rate to the equations between speeds.
@@ -60,7 +65,9 @@ pub(super) fn code(model: &Model, system: &System, dynamics: &Dynamics) -> Dynam
     DynamicsCode {
         integrated: integrated.clone(),
         initial_rows: all.iter().map(level).collect(),
+        powers: all.iter().map(|row| row.power).collect(),
         rows: rows.len(),
+        redundant: dynamics.redundant.len(),
         checked_rows: checked.iter().map(|(joint, _, power)| (*joint, *power)).collect(),
         checked: line(checked.iter().map(|(_, phi, _)| *phi).collect()),
         masses: dynamics.accelerations.as_ref().map_or(0, |found| found.masses.len()),

@@ -100,7 +100,7 @@ fn named(model: &Model, equations: &LoadEquations) -> Vec<NamedLoad> {
     for (index, joint) in model.joints.iter().enumerate().filter(|(_, joint)| joint.freedom.is_none()) {
         let count = equations.rows.iter().filter(|row| row.joint == index).count();
         let (kind, width) = match (&equations.arms[index], model.ambient) {
-            _ if joint.is_drive => (LoadKind::Drive, 1),
+            _ if joint.is_drive => (LoadKind::Drive, 2),
             (Some((body, _)), Ambient::Plane) => (LoadKind::Joint(*body), 3),
             (Some((body, _)), Ambient::Space) => (LoadKind::Joint(*body), 6),
             (None, _) => (LoadKind::Equations, 0),
@@ -125,8 +125,8 @@ fn alone(loads: &Loads, load: &NamedLoad) -> Option<Vec<Expr>> {
         return Some(loads.actions[load.actions.clone()].to_vec());
     }
     let (closed, arena) = (loads.closed.as_ref()?, &loads.arena);
-    let of_joint = matches!(load.kind, LoadKind::Joint(_));
-    let multipliers = if of_joint { &[] } else { &closed.values[load.multipliers.clone()] };
+    let is_equations = load.kind == LoadKind::Equations;
+    let multipliers = if !is_equations { &[] } else { &closed.values[load.multipliers.clone()] };
     let mut results: Vec<Expr> = multipliers.iter().chain(&closed.actions[load.actions.clone()]).copied().collect();
     let reached = |roots: &[Expr]| arena.reachable(roots).into_iter().collect::<HashSet<Expr>>();
     let whole: Vec<Expr> = closed.values.iter().chain(&closed.actions).copied().collect();

@@ -8,7 +8,7 @@
 
 use super::rows::Row;
 use super::{COSINES, Equation, balance, declared, dynamics};
-use crate::expr::{Arena, Expr, Leaf, Mark, Node, Substitution, Triple, combination, derivative};
+use crate::expr::{Arena, Binary, Expr, Leaf, Mark, Node, Substitution, Triple, combination, derivative};
 use crate::model::{DECLARED, JointQuantity, Model};
 use crate::quantity::{Dim, Role};
 use std::collections::HashMap;
@@ -39,6 +39,8 @@ pub struct LoadRow {
     pub jacobian: Vec<(usize, Expr)>,
     /// ν
     pub nu: Expr,
+    /// ∂Φ/∂s of a drive that compares the square of a length s with the square of a law: 2 s, from the law.
+    pub slope: Option<Expr>,
     /// True if it belongs to a freedom.
     pub is_of_freedom: bool,
     /// True if it is declared as an equation of velocities, also where it is solved as one of positions.
@@ -58,7 +60,7 @@ impl LoadEquations {
         for (row, equation) in declared.iter().zip(&mut equations) {
             angles.add_slopes(arena, row, equation);
         }
-        let rows = rows(model, equations.iter());
+        let rows = rows(model, arena, equations.iter());
         Some(LoadEquations::new(model, arena, forces, rows))
     }
 
@@ -66,7 +68,7 @@ impl LoadEquations {
     pub(super) fn in_plane<'a>(model: &Model, arena: &mut Arena, equations: impl Iterator<Item = &'a Equation>) -> Option<LoadEquations> {
         let forces = dynamics::unbalanced(model, arena, &[])?;
         let is_pin = |equation: &Equation| equation.row >= model.joints[equation.joint].residuals.len();
-        let rows = rows(model, equations.filter(|equation| !is_pin(equation)));
+        let rows = rows(model, arena, equations.filter(|equation| !is_pin(equation)));
         Some(LoadEquations::new(model, arena, forces, rows))
     }
 
@@ -76,7 +78,8 @@ impl LoadEquations {
 
     /// Every expression, as `of` writes it.
     pub(super) fn map(mut self, mut of: impl FnMut(Expr) -> Expr) -> LoadEquations {
-        let rows = self.rows.iter_mut().flat_map(|row| row.jacobian.iter_mut().map(|(_, entry)| entry).chain([&mut row.nu]));
+        let rows =
+            self.rows.iter_mut().flat_map(|row| row.jacobian.iter_mut().map(|(_, entry)| entry).chain([&mut row.nu]).chain(&mut row.slope));
         let arms = self.arms.iter_mut().flatten().flat_map(|(_, arm)| arm);
         let pushes = self.pushes.iter_mut().flatten();
         self.forces.iter_mut().chain(rows).chain(arms).chain(&mut self.energies).chain(pushes).for_each(|expr| *expr = of(*expr));
@@ -211,8 +214,9 @@ impl JointAngles {
     }
 }
 
-fn rows<'a>(model: &Model, equations: impl Iterator<Item = &'a Equation>) -> Vec<LoadRow> {
+fn rows<'a>(model: &Model, arena: &mut Arena, equations: impl Iterator<Item = &'a Equation>) -> Vec<LoadRow> {
     let row = |equation: &Equation| LoadRow {
+        slope: slope(model, arena, equation),
         joint: equation.joint,
         dim: equation.dim,
         jacobian: equation.jacobian.clone(),
@@ -223,6 +227,18 @@ fn rows<'a>(model: &Model, equations: impl Iterator<Item = &'a Equation>) -> Vec
     let mut rows: Vec<LoadRow> = equations.map(row).collect();
     rows.sort_by_key(|row| (row.is_of_freedom, row.joint));
     rows
+}
+
+/// 2 C of a drive s² = C².
+fn slope(model: &Model, arena: &mut Arena, equation: &Equation) -> Option<Expr> {
+    let joint = &model.joints[equation.joint];
+    let residual = joint.residuals.get(equation.row).filter(|_| joint.is_drive && equation.dim == Dim::LENGTH.times(Dim::LENGTH))?;
+    let Node::Binary(Binary::Sub, left, right) = *arena.node(residual.expr) else { return None };
+    let is_law = |expr: &Expr| !arena.leaves(*expr).iter().any(|leaf| matches!(leaf, Leaf::Coordinate(_)));
+    let law = [right, left].into_iter().find(is_law)?;
+    let length = arena.sqrt(law);
+    let length = if law == right { length } else { arena.neg(length) };
+    Some(arena.twice(length))
 }
 
 fn energies(model: &Model, arena: &mut Arena) -> [Expr; 3] {

@@ -31,7 +31,6 @@ use std::collections::{BTreeMap, BTreeSet};
 
 pub use balance::Balance;
 pub use declared::DeclaredEquations;
-use forest::FreeSpeeds;
 pub use loads::{LoadEquations, LoadRow};
 pub(crate) use magnitude::magnitude;
 pub(crate) use rows::coordinates_in;
@@ -252,7 +251,7 @@ pub(crate) fn assemble(model: &Model, diag: &mut Diag) -> Option<System> {
     let mut arena = model.arena.clone();
     let Choice { coordinates, mut rows, outputs, frames, reached, links, balance, loads } = match model.ambient {
         Ambient::Plane => in_plane(model, &mut arena),
-        Ambient::Space => forest::reduce(model, &mut arena, FreeSpeeds::OfQuaternion),
+        Ambient::Space => forest::reduce(model, &mut arena, forest::FreeSpeeds::OfQuaternion),
     };
     rows::integrate(model, &mut arena, &coordinates, &mut rows, diag);
     rows::begin_at_start(model, &mut arena, &coordinates, &mut rows);
