@@ -11,9 +11,9 @@ use super::scene;
 use super::serial;
 use super::slices::{plain, slice_name};
 use super::state::Accessors;
-use super::stub_loads::{has_forces, loads};
+use super::stub_loads::loads;
 use crate::diag::{Fact, NameFact};
-use crate::hints::{OutputKind, derivatives, output_kind, refused};
+use crate::hints::{OutputKind, derivatives, has_forces, has_inputs, output_kind, refused};
 use crate::model::{Layout, Method, Of};
 use crate::quantity::Ambient;
 use crate::resolve::{Outline, outline};
@@ -259,18 +259,6 @@ fn solutions(name: &Ident, state: &Ident, visibility: &TokenStream, n: usize, bo
         }
     };
     (functions, traits)
-}
-
-/// True if states hold inputs.
-fn has_inputs(tree: &Mechanism) -> bool {
-    fn has(items: &[Item]) -> bool {
-        items.iter().any(|item| match item {
-            Item::Input(_) => true,
-            Item::For(repeated) => has(&repeated.items),
-            _ => false,
-        })
-    }
-    tree.task.is_solved() && has(&tree.items)
 }
 
 /// The functions that solve a mechanism with inputs.

@@ -8,6 +8,7 @@ mod ambient;
 mod forms;
 mod lengths;
 mod outputs;
+mod promised;
 mod refused;
 mod unused;
 
@@ -15,5 +16,6 @@ pub(crate) use ambient::is_meant;
 pub(crate) use forms::{by_time, cross_product, is_zero, point_of, unit_in_parts};
 pub(crate) use lengths::Lengths;
 pub(crate) use outputs::{OutputKind, derivatives, output_kind};
+pub(crate) use promised::{has_forces, has_inputs};
 pub(crate) use refused::refused;
 pub(crate) use unused::unused;
