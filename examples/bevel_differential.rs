@@ -34,7 +34,6 @@ mechanism! {
         /// Yaw angle of the car in the bend, to the left.
         param bend: Angle = 90deg;
         param duration: Time = 2s;
-        let module = 4mm;
 
         ground { axis y = (0, 1, 0) from (1, 0, 0); }
         body cage   { axis y = (0, 1, 0) from (1, 0, 0);  axis pin = (1, 0, 0); }

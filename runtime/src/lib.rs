@@ -71,7 +71,8 @@
 //! - It returns. A continuation of very many steps ends with [`Cause::TooManySteps`] after at most a million of them.
 //! - `Ok` is a state: its equations hold to rounding errors of their terms, for positions, velocities and accelerations. `Err` is the
 //!   reason why there is none; a state that cannot be taken to a time is unchanged.
-//! - Fields of a state can be modified. The next step starts from the modified values, and the state no longer counts as solved.
+//! - Fields of a [`State`] can be modified, those of a generated state by its first field: `state.0.q[0] = 1.0`. The next step starts from the
+//!   modified values, and the state no longer counts as solved.
 //!
 //! `tests/abuse` calls every function with arbitrary arguments and checks the results with numbers of 32 digits.
 //!
@@ -167,7 +168,7 @@ pub use path::step_in_part;
 #[doc(hidden)]
 pub use solve::{Commanded, parameter_hash};
 pub use solve::{Equations, Family, Solver, SolverReal, Stages, at_once, refined_guess_at_once, refined_guess_by_rows};
-pub use state::{Coordinates, Motion, MotionWithJerk, PlanarBody, SpatialBody, State, ValueAndRate, Values};
+pub use state::{Coordinates, HasState, Motion, MotionWithJerk, PlanarBody, SpatialBody, State, ValueAndRate, Values};
 
 /// Interface for crates with SIMD number types, such as `reuleaux-wide`; not part of the public API.
 #[doc(hidden)]

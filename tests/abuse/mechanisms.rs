@@ -81,7 +81,6 @@ mechanism! {
         param reach: Length = 400mm;
         param stroke: Length = 50mm;
         param frequency: AngularVelocity = 1rad_s;
-        let rod = sqrt(reach^2 + side^2);
         ground { point A = (0mm, -reach);  point B = (side, -reach);  point C = (0mm - reach, side); }
         body plate { point P = (side, 0mm);  point Q = (0mm, side); start angle = 0deg; start position = (0mm, 0mm); }
         drive a = drive_distance(ground.A, plate.position, reach + stroke * sin(frequency * t));

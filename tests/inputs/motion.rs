@@ -126,5 +126,5 @@ fn derivatives_by_time_of_any_function_of_inputs_follow_the_chain_rule() {
 
     let outside = FunctionsInputs { reach: Motion::at(0.2), ..inputs };
     let refused = mechanism.solve_from(t, &state, outside).unwrap_err().to_string();
-    assert_eq!(refused, "`Functions` cannot be solved with `inputs.reach.value` = 0.2 m: it must lie in 50 mm ..= 150 mm");
+    assert_eq!(refused, "`Functions` cannot be solved with `reach` = 0.2 m: it must lie in 50 mm ..= 150 mm");
 }

@@ -10,6 +10,8 @@
 ///   joint slide = translational(ground.u, ground.O, ram.O);
 ///   drive push = drive_along(slide, 20mm * sin(speed * t));
 /// ```
+///
+/// As a load, its effort is the force on the body of `Q` along û, and its opposite on that of `P` (N); effort · Ċ is the power.
 constraint drive_along(slide: Joint(translational), C: Length) {
     dot(unit(slide.u), slide.Q - slide.P) == C;
 }

@@ -6,6 +6,8 @@
 /// ```
 ///
 /// Angles are never wrapped: after ten turns the angle is 20π.
+///
+/// As a load, its effort is the torque on `b` (N m), positive to the left; effort · Ċ is the power.
 constraint drive_angle(b: Body, C: Angle) {
     b.angle == C;
 }

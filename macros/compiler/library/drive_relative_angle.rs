@@ -5,6 +5,8 @@
 ///   ν = Ċ,  γ = C̈
 /// ```
 ///
+/// As a load, its effort is the torque on `j`, and its opposite on `i` (N m, positive to the left); effort · Ċ is the power.
+///
 /// Reference: Nikravesh, section 4.2.6; Haug, section 3.5.
 constraint drive_relative_angle(i: Body, j: Body, C: Angle) {
     require i != j: "a body cannot turn against itself";

@@ -5,6 +5,8 @@
 ///   ν = Ċ
 /// ```
 ///
+/// As a load, its effort is the force on `P` along y (N); effort · Ċ is the power.
+///
 /// Reference: Nikravesh, section 4.2.6; Haug, section 3.5.
 constraint drive_y(P: Point, C: Length) {
     P.y == C;

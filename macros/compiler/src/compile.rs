@@ -2,11 +2,12 @@
 
 use crate::assembly::{self, Assembly};
 use crate::connectivity;
-use crate::diag::{Diag, Refusal};
+use crate::diag::{self, Diag, Refusal};
 use crate::dynamics;
 use crate::emit;
 use crate::expansion;
 use crate::export;
+use crate::hints;
 use crate::mobility;
 use crate::model::Model;
 use crate::picture::{self, Picture};
@@ -124,11 +125,12 @@ fn continued(tree: &ast::Mechanism, tokens: TokenStream, known: TokenStream, mut
         return export::resume(missing, &known, &tokens);
     }
     let definitions = definitions(known, &mut diag);
+    let unused = diag::of_unused(&hints::unused(tree, tokens));
     match rooms(tree, definitions, &mut diag) {
         Some(Compiled { model, system, assembly, motion, plan, picture, .. }) => {
             let tokens = emit::emit(&model, &system, &assembly, &motion, &plan, &picture);
             let unwritten = expansion::write(&model.name.to_string(), &tokens);
-            quote!(#tokens #unwritten)
+            quote!(#tokens #unused #unwritten)
         }
         None => {
             let (errors, stub) = (diag.to_tokens(), emit::stub(tree));

@@ -11,7 +11,7 @@ use crate::names::Cause;
 use crate::number::Float;
 use crate::path::{self, Unassembled};
 use crate::solve::{Family, Stages};
-use crate::state::State;
+use crate::state::{HasState, State};
 
 /// A mechanism with as many equations as coordinates, which can be solved. Everything with [`Stages`] is one.
 ///
@@ -113,12 +113,12 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// # Errors
     /// If no solution can be proven to be near.
     #[cfg(feature = "certify")]
-    fn error_bound(&self, state: &State<T, N>) -> Result<ErrorBound<T, N>, Doubt>
+    fn error_bound(&self, state: &impl HasState<T, N>) -> Result<ErrorBound<T, N>, Doubt>
     where
         Self: Family<T>,
         Self::Over<Enclosure>: Stages<Enclosure, N>,
     {
-        enclosure::error_bound(self, state)
+        enclosure::error_bound(self, state.as_state())
     }
 
     /// Proves that there is exactly one solution within a radius of a state, and returns the radius.
@@ -130,12 +130,12 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     /// # Errors
     /// Why there is no proof. A state without a solution within the radius is never certified.
     #[cfg(feature = "certify")]
-    fn certify(&self, state: &State<T, N>) -> Result<Certificate<T, N>, Doubt>
+    fn certify(&self, state: &impl HasState<T, N>) -> Result<Certificate<T, N>, Doubt>
     where
         Self: Family<T>,
         Self::Over<Enclosure>: Stages<Enclosure, N>,
     {
-        enclosure::certify(self, state)
+        enclosure::certify(self, state.as_state())
     }
 
     /// Replaces a state by the rounded solution next to it: q, q̇ and q̈ as accurate as `T` allows, whatever the condition.
@@ -156,8 +156,8 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
         enclosure::polish(self, state)
     }
 
-    /// A state with its derivatives by parameters: the mechanism and the state over [`Gradient`]s, so that everything computed from
-    /// them, such as outputs with their rates and accelerations, has exact derivatives too.
+    /// A state with its derivatives by parameters: the mechanism and the state over [`Gradient`]s, so that outputs with
+    /// their rates and accelerations, and motions of points and bodies, have exact derivatives too. Loads have none.
     ///
     /// * `state`: given, a state of this mechanism.
     /// * `by`: given, selects the parameters; derivatives are in this order.
@@ -203,14 +203,14 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     #[inline]
     fn derivatives<const P: usize>(
         &self,
-        state: &State<T, N>,
+        state: &impl HasState<T, N>,
         by: impl for<'a> FnOnce(&'a mut Self::Over<Gradient<T, P>>) -> [&'a mut Gradient<T, P>; P],
     ) -> Result<(Self::Over<Gradient<T, P>>, State<Gradient<T, P>, N>), Failure<T, N>>
     where
         Self: Family<T>,
         Self::Over<Gradient<T, P>>: Stages<Gradient<T, P>, N>,
     {
-        gradient::derivatives(self, state, by)
+        gradient::derivatives(self, state.as_state(), by)
     }
 
     /// A state with its derivatives by any variables on which the parameters depend.
@@ -224,14 +224,14 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     #[inline]
     fn derivatives_along<const P: usize>(
         &self,
-        state: &State<T, N>,
+        state: &impl HasState<T, N>,
         varied: &Self::Over<Gradient<T, P>>,
     ) -> Result<State<Gradient<T, P>, N>, Failure<T, N>>
     where
         Self: Family<T>,
         Self::Over<Gradient<T, P>>: Stages<Gradient<T, P>, N>,
     {
-        gradient::derivatives_along(self, state, varied)
+        gradient::derivatives_along(self, state.as_state(), varied)
     }
 
     /// The same in place, for loops: states with many derivatives are large, and moving one takes about as long as finding it.
@@ -245,7 +245,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
     #[inline]
     fn update_derivatives<const P: usize>(
         &self,
-        state: &State<T, N>,
+        state: &impl HasState<T, N>,
         varied: &Self::Over<Gradient<T, P>>,
         there: &mut State<Gradient<T, P>, N>,
     ) -> Result<(), Failure<T, N>>
@@ -253,7 +253,7 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
         Self: Family<T>,
         Self::Over<Gradient<T, P>>: Stages<Gradient<T, P>, N>,
     {
-        gradient::update_derivatives(self, state, varied, there)
+        gradient::update_derivatives(self, state.as_state(), varied, there)
     }
 
     /// The states at these times (s), such as `(0..=360).map(|i| f64::from(i) * 1e-3)`: the first as by [`solve`](Self::solve), each

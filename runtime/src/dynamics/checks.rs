@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::equations::Dynamics;
 use super::stopped::Stopped;
-use crate::names::Description;
+use crate::names::{Description, Row};
 use crate::number::Float;
 
 /// The joint whose row is off most, and its residual; `None` if all rows hold.
@@ -44,7 +44,14 @@ where
     S: Dynamics<T, N, I, M, R>,
 {
     match mechanism.misfit(q, time) {
-        Some((joint, residual)) => Err(Stopped::DoesNotHold { time, joint, residual }),
+        Some((joint, residual)) => Err(Stopped::DoesNotHold { time, joint, residual, unit: unit_of::<T, S, N>(joint) }),
         None => Ok(()),
     }
+}
+
+/// The unit of the rows of a joint; empty if they have several.
+pub(super) fn unit_of<T: Float, S: Description<T, N>, const N: usize>(joint: &str) -> &'static str {
+    let is_of_it = |row: &&Row| row.joint == joint;
+    let first = S::ROWS.iter().find(is_of_it).map_or("", |row| row.unit);
+    if S::ROWS.iter().filter(is_of_it).all(|row| row.unit == first) { first } else { "" }
 }

@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::accelerate::{eliminated, lengths, redundant, singular};
-use super::checks::holds;
+use super::checks::{holds, unit_of};
 use super::equations::{Constraints, Dynamics};
 use super::integrator::least;
 use super::partition::{Partition, Pivots};
@@ -181,7 +181,10 @@ where
     let (mut q, mut qd) = (mechanism.start(), zero);
     assemble(mechanism, (&mut q, &mut qd)).map_err(|open| match open {
         Open::Dependent(row) => singular::<T, S, N, I, M, R>(T::ZERO, row),
-        Open::Residual(row, residual) => Stopped::NotAssembled { joint: S::JOINTS.get(row).copied().unwrap_or_default(), residual },
+        Open::Residual(row, residual) => {
+            let joint = S::JOINTS.get(row).copied().unwrap_or_default();
+            Stopped::NotAssembled { joint, residual, unit: unit_of::<T, S, N>(joint) }
+        }
     })?;
     holds::<T, S, N, I, M, R>(mechanism, &q, T::ZERO)?;
     let mut state = State::new(T::ZERO, q, qd, zero);

@@ -2,7 +2,8 @@
 
 use core::fmt::{self, Display, Formatter};
 
-use crate::names::ParameterOutOfRange;
+use crate::names::{Measure, ParameterOutOfRange};
+use crate::number::Float;
 
 /// Why there is no initial state, or why a motion stops. `{:?}` is the sentence, as `{}` is.
 #[derive(Clone, Copy, PartialEq)]
@@ -12,8 +13,10 @@ pub enum Stopped<T> {
     NotAssembled {
         /// The joint or freedom that stays open furthest.
         joint: &'static str,
-        /// Its residual, in its unit.
+        /// Its residual.
         residual: T,
+        /// The unit of the residual, `"m"`, `"rad"` or `"m²"` for example; empty if the joint has rows of several units.
+        unit: &'static str,
     },
     /// A redundant joint does not fit: with all other joints closed it stays open.
     DoesNotHold {
@@ -21,8 +24,10 @@ pub enum Stopped<T> {
         time: T,
         /// The joint.
         joint: &'static str,
-        /// Its residual, in its unit.
+        /// Its residual.
         residual: T,
+        /// The unit of the residual, `"m"`, `"rad"` or `"m²"` for example; empty if the joint has rows of several units.
+        unit: &'static str,
     },
     /// An equation depends on the others: the mechanism can go on in several ways, or its joints lock.
     Singular {
@@ -66,14 +71,16 @@ pub enum Stopped<T> {
     ParameterOutOfRange(ParameterOutOfRange<T>),
 }
 
-impl<T: Display> Display for Stopped<T> {
+impl<T: Float + Display> Display for Stopped<T> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
-            Stopped::NotAssembled { joint, residual } => {
-                write!(f, "there is no initial state: `{joint}` stays open by {residual}; start nearer to it, or change the initial values")
+            Stopped::NotAssembled { joint, residual, unit } => {
+                let open = Measure(residual.to_f64().abs(), unit);
+                write!(f, "there is no initial state: `{joint}` stays open by {open}; start nearer to it, or change the initial values")
             }
-            Stopped::DoesNotHold { time, joint, residual } => {
-                write!(f, "at t = {time} s the redundant joint `{joint}` does not fit: it is off by {residual}")
+            Stopped::DoesNotHold { time, joint, residual, unit } => {
+                let off = Measure(residual.to_f64().abs(), unit);
+                write!(f, "at t = {time} s the redundant joint `{joint}` does not fit: it is off by {off}")
             }
             Stopped::Singular { time, joint } => {
                 write!(f, "at t = {time} s the equations of `{joint}` depend on those of other joints: the motion is not determined")
@@ -101,10 +108,10 @@ impl<T: Display> Display for Stopped<T> {
     }
 }
 
-impl<T: Display> fmt::Debug for Stopped<T> {
+impl<T: Float + Display> fmt::Debug for Stopped<T> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         Display::fmt(self, f)
     }
 }
 
-impl<T: Display> core::error::Error for Stopped<T> {}
+impl<T: Float + Display> core::error::Error for Stopped<T> {}

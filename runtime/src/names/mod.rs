@@ -3,10 +3,12 @@
 mod cause;
 mod coordinate;
 mod description;
+mod measure;
 mod plan;
 
 pub use cause::{BranchEnd, Cause, Culprit};
 pub use coordinate::{Coordinate, CoordinateKind, Row};
 pub(crate) use coordinate::{coordinate, row};
 pub use description::{Description, ParameterOutOfRange};
+pub(crate) use measure::Measure;
 pub use plan::{Operations, Plan, PlanStage};

@@ -4,6 +4,10 @@ use super::row::Pair;
 use super::{DetSign, SimdReal};
 
 /// A scalar [`SimdReal`] with an order and a conversion to `f64`: `f64` and `f32`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no number type of mechanisms",
+    note = "parameters, times and results are `f64`, or `f32` for `Name::<f32>`: write `20.0` for a whole number `20`"
+)]
 pub trait Float: SimdReal<Mask = bool, Signs = DetSign> + PartialOrd {
     /// Two numbers in one register.
     #[doc(hidden)]

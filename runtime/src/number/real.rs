@@ -15,6 +15,10 @@ use super::{Table, single};
 ///
 /// Angles are never wrapped; the sine of an angle is that of the stored number. After many turns stored numbers are coarse: at
 /// 10 000 turns neighbouring numbers are 7e-12 rad apart in `f64` and 4e-3 rad, a quarter of a degree, in `f32`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no number type of mechanisms",
+    note = "parameters, times and results are `f64`, or `f32` for `Name::<f32>`: write `20.0` for a whole number `20`"
+)]
 pub trait Real:
     Copy + Debug + PartialEq + 'static + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {

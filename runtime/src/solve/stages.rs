@@ -10,6 +10,10 @@ use crate::state::{Coordinates, State};
 
 /// The solution of a mechanism, stage by stage. Emitted code implements it block by block; hand-written mechanisms can call
 /// [`at_once`](crate::at_once).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not solved for a time",
+    note = "with freedoms, and where it is `#[integrated]`, write `initial_state`, and `advance` or `sweep` with an `Integrator`"
+)]
 pub trait Stages<T: SolverReal, const N: usize>: Description<T, N> {
     /// Angles that are computed rather than iterated. Iterated angles never change much in one step; computed angles are compared
     /// with their prediction after each step.

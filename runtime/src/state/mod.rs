@@ -8,6 +8,7 @@ use crate::number::{DetSign, Float, Real};
 
 mod coordinates;
 mod extrapolation;
+mod given;
 mod lanes;
 mod motion;
 #[cfg(feature = "serde")]
@@ -16,6 +17,7 @@ mod step;
 
 pub use coordinates::Coordinates;
 pub(crate) use extrapolation::Extrapolation;
+pub use given::HasState;
 pub use motion::{Motion, MotionWithJerk, PlanarBody, SpatialBody, ValueAndRate};
 pub(crate) use step::Step;
 

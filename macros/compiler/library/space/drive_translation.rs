@@ -7,6 +7,9 @@
 ///
 /// `displacement` is a joint that has a displacement, or a displacement such as `rail.displacement`. Degenerate case: none.
 ///
+/// As a load, its effort is the force along the axis of the joint on its second body, and its opposite on the first (N); effort · Ċ is the
+/// power.
+///
 /// Reference: Haug, section 9.5.
 constraint drive_translation(displacement: Length, C: Length) in space {
     displacement == C;

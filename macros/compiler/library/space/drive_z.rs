@@ -7,6 +7,8 @@
 ///
 /// Degenerate case: none.
 ///
+/// As a load, its effort is the force on `P` along z (N); effort · Ċ is the power.
+///
 /// Reference: Haug, section 9.5.
 constraint drive_z(P: Point, C: Length) in space {
     P.z == C;

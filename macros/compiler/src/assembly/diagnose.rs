@@ -331,9 +331,11 @@ impl Judge<'_> {
         let (one, other) = if shown(one) < shown(other) { (other, one) } else { (one, other) };
         let fact = AssemblyFact::AmbiguousStart {
             body: name.to_string(),
+            owner: numeric.system.owner_and_name(numeric.model, unknown).0.to_string(),
             coordinate: numeric.system.coordinates[unknown].role,
             values: [shown(one), shown(other)],
             place: [along(Axis::X, one), along(Axis::Y, one)],
+            turn: numeric.as_turn(one, body).filter(|_| numeric.is_angle(unknown)),
             is_declared: differing.iter().any(|unknown| numeric.declared[*unknown].is_some()),
         };
         (name.into(), fact)

@@ -7,6 +7,7 @@ use crate::diag::{Doubt, Warning, degrees, millimetres, significant};
 use crate::model::Said;
 use crate::numeric::Numeric;
 use crate::numeric::turns::within_a_turn;
+use crate::quantity::Ambient;
 use crate::structure::Structure;
 use core::f64::consts::{FRAC_PI_4, TAU};
 
@@ -30,6 +31,11 @@ impl Numeric<'_> {
     }
 
     fn far_start(&self, structure: &Structure, start: &[f64], body: usize) -> Option<Doubt> {
+        if self.model.ambient == Ambient::Space
+            && let Some(doubt) = self.far_orientation(structure, start, body)
+        {
+            return Some(doubt);
+        }
         let own: Vec<usize> = (0..start.len()).filter(|unknown| self.system.coordinates[*unknown].body == body).collect();
         let declared = |unknown: usize| self.declared[unknown].unwrap_or(start[unknown]);
         let doubt = |coordinate, unknown: usize, found: String, declared: String, apart: String, instead: String| Doubt::FarStart {
@@ -41,7 +47,7 @@ impl Numeric<'_> {
             drive: self.drive_of(structure, unknown),
             instead,
         };
-        for unknown in own.iter().copied().filter(|unknown| self.is_angle(*unknown)) {
+        for unknown in own.iter().copied().filter(|unknown| self.is_angle(*unknown) && self.model.ambient == Ambient::Plane) {
             // A drive may start whole turns away.
             let apart = within_a_turn(start[unknown] - declared(unknown)).abs();
             if apart > FAR_ANGLE {
@@ -61,6 +67,25 @@ impl Numeric<'_> {
         };
         let instead = shown(&|unknown| start[unknown]).replace(" mm", "mm");
         Some(doubt("position", first, shown(&|unknown| start[unknown]), shown(&declared), millimetres(apart), instead))
+    }
+
+    /// A body in space whose joint has another angle than its declared orientation says.
+    fn far_orientation(&self, structure: &Structure, start: &[f64], body: usize) -> Option<Doubt> {
+        let is_far = |unknown: &usize| {
+            let declared = self.declared[*unknown].unwrap_or(0.0);
+            self.is_angle(*unknown) && within_a_turn(start[*unknown] - declared).abs() > FAR_ANGLE
+        };
+        let mut own = (0..start.len()).filter(|unknown| self.system.coordinates[*unknown].body == body);
+        let unknown = own.find(is_far)?;
+        let apart = self.turned_away(start, body).filter(|apart| *apart > FAR_ANGLE)?;
+        Some(Doubt::FarOrientation {
+            body: self.model.bodies[body].name.to_string(),
+            angle: self.system.name(self.model, unknown),
+            found: degrees(within_a_turn(start[unknown])),
+            apart: degrees(apart),
+            drive: self.drive_of(structure, unknown),
+            instead: self.as_turn(start, body)?,
+        })
     }
 
     /// The drive that alone determines a coordinate.

@@ -22,6 +22,7 @@ mod links;
 pub(crate) mod loops;
 mod nearest;
 pub(crate) mod order;
+mod orientation;
 mod poses;
 mod reduced;
 mod regular;

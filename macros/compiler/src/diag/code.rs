@@ -49,7 +49,7 @@ codes! {
     E0006: Grammar::TokensAfter;
     E0007: Grammar::UnknownItem;
     E0008: Grammar::UnknownBodyItem;
-    E0009: Motion::InertiaOfNumbers Grammar::WithoutParentheses Value::NotTwoComponents Value::NotThreeComponents;
+    E0009: Motion::InertiaOfNumbers Motion::InertiaOfVector Grammar::WithoutParentheses Value::NotTwoComponents Value::NotThreeComponents;
     E0010: Grammar::DoubleStar Grammar::MethodCall;
     E0011: Grammar::PathOfConstraint;
     E0012: Grammar::SpaceBeforeUnit;
@@ -89,8 +89,8 @@ codes! {
         Motion::ForceAtNoPoint Motion::TorqueOnNoBody Motion::ValueForForce Motion::ValueForConstraint Motion::FreedomOfJoint;
     E0302: Value::WrongArgument Value::WrongDefault Motion::JointWithoutValue Arity::OtherOrder;
     E0303: Value::WrongArgumentDimension;
-    E0304: Value::Unlike;
-    E0305: Value::WrongDimension Value::NotALength Motion::RateForStart Motion::StartForRate;
+    E0304: Value::Unlike Value::NotARate;
+    E0305: Value::WrongDimension Value::OfFunction Value::NotALength Motion::RateForStart Motion::StartForRate;
     E0306: Value::CannotEquate Value::CannotCompare Value::OrderOfBodies;
     E0307: Value::FunctionTakes;
     E0308: Value::VectorAndNumber;

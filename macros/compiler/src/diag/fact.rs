@@ -42,6 +42,16 @@ families! {
     Motion: MotionFact
 }
 
+impl Fact {
+    /// True for the kind or the dimension of an argument.
+    pub(crate) fn is_about_an_argument(&self) -> bool {
+        match self {
+            Fact::InInstance { fact, .. } => fact.is_about_an_argument(),
+            fact => matches!(fact, Fact::Value(ValueFact::WrongArgument { .. } | ValueFact::WrongArgumentDimension { .. })),
+        }
+    }
+}
+
 /// Tokens that are not a valid declaration.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
@@ -158,6 +168,8 @@ pub enum ValueFact {
     WrongArgumentDimension { parameter: String, definition: String, wanted: Dim, found: Dim },
     WrongDefault { wanted: Wanted, found: Kind },
     WrongDimension { wanted: Dim, found: Dim },
+    OfFunction { wanted: Dim, found: Dim },
+    NotARate { written: String, found: Dim, instead: String },
     Unlike { action: &'static str, one: Dim, two: Dim },
     NotALength { found: Dim, instead: Option<String> },
     FunctionTakes { wanted: Dim, found: Dim },
@@ -242,14 +254,57 @@ pub enum EquationFact {
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // The sentence of each fact is its documentation.
 pub enum AssemblyFact {
-    StaysOpen { joint: String, gap: Box<Gap>, others: Vec<String>, drives: Vec<String>, bound: Option<Box<Bound>> },
-    NeverCloses { joints: Vec<String>, drives: Vec<String>, bound: Option<Box<Bound>> },
-    HasNoRate { joint: String, row: usize, of: usize },
-    HasNoValue { joint: String, row: usize, of: usize, drives: Vec<String>, has_none_anywhere: bool },
-    SingularStart { bodies: Vec<String>, in_line: bool, drives: Vec<String>, has_others: bool },
-    MotionEnds { joint: String, driven: Vec<Driven>, time: f64, in_line: Vec<String>, until: f64, declared: Option<[f64; 2]> },
-    Crosses { driven: Vec<Driven>, time: f64 },
-    AmbiguousStart { body: String, coordinate: Role, values: [f64; 2], place: [f64; 2], is_declared: bool },
+    StaysOpen {
+        joint: String,
+        gap: Box<Gap>,
+        others: Vec<String>,
+        drives: Vec<String>,
+        bound: Option<Box<Bound>>,
+    },
+    NeverCloses {
+        joints: Vec<String>,
+        drives: Vec<String>,
+        bound: Option<Box<Bound>>,
+    },
+    HasNoRate {
+        joint: String,
+        row: usize,
+        of: usize,
+    },
+    HasNoValue {
+        joint: String,
+        row: usize,
+        of: usize,
+        drives: Vec<String>,
+        has_none_anywhere: bool,
+    },
+    SingularStart {
+        bodies: Vec<String>,
+        in_line: bool,
+        drives: Vec<String>,
+        has_others: bool,
+    },
+    MotionEnds {
+        joint: String,
+        driven: Vec<Driven>,
+        time: f64,
+        in_line: Vec<String>,
+        until: f64,
+        declared: Option<[f64; 2]>,
+    },
+    Crosses {
+        driven: Vec<Driven>,
+        time: f64,
+    },
+    AmbiguousStart {
+        body: String,
+        owner: String,
+        coordinate: Role,
+        values: [f64; 2],
+        place: [f64; 2],
+        turn: Option<String>,
+        is_declared: bool,
+    },
 }
 
 /// Known names: the first few, and how many there are in all.

@@ -66,20 +66,28 @@ impl fmt::Display for Fact {
 
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let (body, coordinate, found, declared, apart, drive, instead) = match self {
+        match self {
             Doubt::FarStart { body, coordinate, found, declared, apart, drive, instead } => {
-                (body, coordinate, found, declared, apart, drive, instead)
+                match drive {
+                    Some(drive) => write!(f, "`{drive}` puts `{body}` at {found} at t = 0")?,
+                    None => write!(f, "the nearest assembly has `{body}` at {found}")?,
+                }
+                write!(f, ", {apart} from its declared start at {declared}")?;
+                write!(f, "\nhelp: write `start {coordinate} = {instead};`, or `#[allow(far_start)]` before the mechanism")
+            }
+            Doubt::FarOrientation { body, angle, found, apart, drive, instead } => {
+                match drive {
+                    Some(drive) => write!(f, "`{drive}` turns `{body}` to `{angle}` = {found} at t = 0")?,
+                    None => write!(f, "the nearest assembly has `{body}` at `{angle}` = {found}")?,
+                }
+                write!(f, ", turned {apart} away from its declared start")?;
+                write!(f, "\nhelp: write `start orientation = {instead};`, or `#[allow(far_start)]` before the mechanism")
             }
             Doubt::BareLength { number, longest } => {
                 write!(f, "`{number}` has no unit: it is {number} m, where no other length exceeds {longest}")?;
-                return write!(f, "\nhelp: write `{number}mm`, or `{number}m` if it is meant");
+                write!(f, "\nhelp: write `{number}mm`, or `{number}m` if it is meant")
             }
-            Doubt::MotionEnds(fact) => return write!(f, "{fact}"),
-        };
-        match drive {
-            Some(drive) => write!(f, "`{drive}` puts `{body}` at {found} at t = 0, {apart} from its declared start at {declared}")?,
-            None => write!(f, "the nearest assembly has `{body}` at {found}, {apart} from its declared start at {declared}")?,
+            Doubt::MotionEnds(fact) => write!(f, "{fact}"),
         }
-        write!(f, "\nhelp: write `start {coordinate} = {instead};`, or `#[allow(far_start)]` before the mechanism")
     }
 }

@@ -24,6 +24,7 @@ pub use kind::{Kind, Wanted};
 pub(crate) use message::{degrees, millimetres, significant};
 pub(crate) use remedy::quantity;
 pub(crate) use suggest::{nearest, nearest_unit};
+pub(crate) use warning::of_unused;
 pub use warning::{Doubt, Warning};
 
 use proc_macro2::{Ident, Span, TokenStream};

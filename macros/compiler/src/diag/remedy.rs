@@ -55,6 +55,28 @@ pub(super) fn of_equation(one: &Kind, two: &Kind, ambient: Ambient) -> &'static 
     }
 }
 
+/// For a quantity of another dimension than the one that is wanted.
+pub(super) fn of_dimension(wanted: Dim, found: Dim) -> &'static str {
+    match (wanted, found) {
+        (Dim::NUMBER, Dim::TIME) => "\nhelp: divide it by a time, as in `t / 1s`",
+        (_, found) if found.is_of_time() => of_dimensions(wanted, found),
+        (Dim::STIFFNESS, Dim::FORCE) => "\nhelp: a stiffness is a force by a length, such as `20N_m` or `20N / 10mm`",
+        (Dim::TORQUE, Dim::FORCE) => "\nhelp: a torque is a force times an arm, such as `5Nm`; a force is written `at point: (0N, -5N);`",
+        (wanted, Dim::ANGLE) if wanted.times(Dim::TIME) == found => "\nhelp: write a rate, such as `2rad_s`",
+        (wanted, Dim::LENGTH) if wanted.times(Dim::TIME) == found => "\nhelp: write a rate, such as `2mm_s`",
+        _ => "",
+    }
+}
+
+/// For the argument of a function of pure numbers or angles.
+pub(super) fn of_function(wanted: Dim, found: Dim) -> &'static str {
+    match found {
+        Dim::LENGTH => "\nhelp: divide it by a length, as in `x / 10mm`",
+        found if found.is_of_time() => of_dimension(wanted, found),
+        _ => "",
+    }
+}
+
 /// For two quantities with different dimensions.
 pub(super) fn of_dimensions(one: Dim, two: Dim) -> &'static str {
     let is_rate = |rate: Dim, of: Dim| rate.times(Dim::TIME) == of && !of.is_of_time();

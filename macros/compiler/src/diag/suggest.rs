@@ -6,7 +6,7 @@ use crate::quantity::{unit, units};
 const LONGEST: usize = 60;
 
 /// Words of the language with their synonyms elsewhere.
-const SYNONYMS: [(&str, &[&str]); 43] = [
+const SYNONYMS: [(&str, &[&str]); 44] = [
     ("body", &["link", "bar", "rigid", "member"]),
     ("ground", &["frame", "base", "world", "fixed"]),
     ("param", &["parameter", "var", "variable"]),
@@ -19,6 +19,7 @@ const SYNONYMS: [(&str, &[&str]); 43] = [
     ("start", &["initial", "guess", "init"]),
     ("mass", &["weight"]),
     ("angular_velocity", &["omega", "spin", "angular_speed", "rotation_rate"]),
+    ("rate", &["velocity", "speed", "derivative", "ddt", "dt"]),
     ("angle", &["phi", "theta", "rotation"]),
     ("position", &["pos", "origin", "center", "centre"]),
     ("stiffness", &["k", "spring_constant"]),

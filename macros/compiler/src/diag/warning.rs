@@ -36,6 +36,21 @@ pub enum Doubt {
         /// Suggested declaration.
         instead: String,
     },
+    /// In space, the orientation of a body in the nearest assembly is far from its declared one.
+    FarOrientation {
+        /// Path of the body.
+        body: String,
+        /// An angle of a joint that differs: `hinge.angle`.
+        angle: String,
+        /// Assembled value of this angle, with its unit.
+        found: String,
+        /// Angle between the two orientations.
+        apart: String,
+        /// Drive that determines the angle, whatever is declared.
+        drive: Option<String>,
+        /// Suggested orientation.
+        instead: String,
+    },
     /// A length without a unit is in metres, and out of proportion.
     BareLength {
         /// The number as written.
@@ -51,7 +66,7 @@ impl Warning {
     /// Tokens that trigger the lint `deprecated`.
     pub(crate) fn to_tokens(&self) -> TokenStream {
         let name = match self.doubt {
-            Doubt::FarStart { .. } => "far_start",
+            Doubt::FarStart { .. } | Doubt::FarOrientation { .. } => "far_start",
             Doubt::BareLength { .. } => "bare_length",
             Doubt::MotionEnds(_) => "motion_ends",
         };
@@ -65,4 +80,15 @@ impl Warning {
             };
         }
     }
+}
+
+/// Tokens that trigger the lint `unused_variables`, with its help to write `_name`.
+pub(crate) fn of_unused(names: &[&Ident]) -> TokenStream {
+    let each = names.iter().map(|name| {
+        quote! {
+            #[allow(non_snake_case)]
+            const _: () = { let #name = [(); 0]; };
+        }
+    });
+    quote!(#(#each)*)
 }

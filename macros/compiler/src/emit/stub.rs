@@ -11,9 +11,9 @@ use super::scene;
 use super::serial;
 use super::slices::{plain, slice_name};
 use super::state::Accessors;
-use super::stub_loads::{has_forces, loads};
+use super::stub_loads::loads;
 use crate::diag::{Fact, NameFact};
-use crate::hints::{OutputKind, derivatives, output_kind, refused};
+use crate::hints::{OutputKind, derivatives, has_forces, has_inputs, output_kind, refused};
 use crate::model::{Layout, Method, Of};
 use crate::quantity::Ambient;
 use crate::resolve::{Outline, outline};
@@ -64,7 +64,7 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
     let has_outputs = !promised.methods.is_empty() || !refused(tree, "output").is_empty();
     let (solve_for, slices) = (tree.task.is_solved()).then(|| slices(tree, &promised, visibility, body)).unzip();
     let outputs = outputs(tree, &promised, &state, body);
-    let (n, vector) = (number(n), vector_type(n));
+    let (n, vector, plan) = (number(n), vector_type(n), no_plan());
     let motion = (tree.task == Task::Motion).then(|| motion_from_forces(&state, body));
     let (loads, of_loads) = has_forces(tree).then(|| loads(tree, &state, visibility, body)).unzip();
     let points = tree.requests.points.as_ref().map(|_| points(tree, visibility, &state, body));
@@ -101,6 +101,7 @@ fn promise(tree: &Mechanism, visibility: &TokenStream, body: &TokenStream) -> To
         impl<T: ::reuleaux::Real> #name<T> {
             pub const COORDINATES: ::core::primitive::usize = #n;
             pub const EQUATIONS: ::core::primitive::usize = #n;
+            pub const PLAN: ::reuleaux::Plan = #plan;
             pub const JACOBIAN_ENTRIES: ::core::primitive::usize = 0;
             pub const JACOBIAN_PATTERN: [(::core::primitive::usize, ::core::primitive::usize); 0] = [];
             pub fn jacobian_entries(&self, _: &#vector, _: T) -> [T; 0] { #body }
@@ -169,7 +170,16 @@ fn structure(tree: &Mechanism, layout: &Layout, visibility: &TokenStream) -> Tok
     };
     let components = parameters.structures().map(|(component, name)| structure(&name, &parameters.types(component), None));
     let mechanism = structure(name, &fields, marker);
-    quote!(#mechanism #(#components)*)
+    let family = quote! {
+        impl<T> ::reuleaux::Family<T> for #name<T> {
+            type Over<U: ::reuleaux::Real> = #name<U>;
+            fn gather<U: ::reuleaux::Real, const L: ::core::primitive::usize>(
+                _: [&Self; L],
+                _: impl ::core::ops::Fn([T; L]) -> U,
+            ) -> #name<U> { loop {} }
+        }
+    };
+    quote!(#mechanism #(#components)* #family)
 }
 
 fn accessors(tree: &Mechanism, layout: &Layout, visibility: &TokenStream, n: usize, body: &TokenStream) -> TokenStream {
@@ -251,18 +261,6 @@ fn solutions(name: &Ident, state: &Ident, visibility: &TokenStream, n: usize, bo
     (functions, traits)
 }
 
-/// True if states hold inputs.
-fn has_inputs(tree: &Mechanism) -> bool {
-    fn has(items: &[Item]) -> bool {
-        items.iter().any(|item| match item {
-            Item::Input(_) => true,
-            Item::For(repeated) => has(&repeated.items),
-            _ => false,
-        })
-    }
-    tree.task.is_solved() && has(&tree.items)
-}
-
 /// The functions that solve a mechanism with inputs.
 fn solutions_with_inputs(state: &Ident, inputs: &Ident, n: usize, body: &TokenStream) -> TokenStream {
     let (vector, n) = (vector_type(n), number(n));
@@ -341,9 +339,14 @@ fn motion(tree: &Mechanism, promised: &Outline, method: &Method) -> TokenStream 
     array_type(motion_type(&value_type, derivatives), &method.sizes)
 }
 
+/// A plan without stages.
+fn no_plan() -> TokenStream {
+    quote!(::reuleaux::Plan { stages: &[], operations: ::reuleaux::Operations::new(0, 0, 0, 0) })
+}
+
 /// The slices upstream of outputs: the methods and their types.
 fn slices(tree: &Mechanism, promised: &Outline, visibility: &TokenStream, body: &TokenStream) -> (TokenStream, TokenStream) {
-    let (mechanism, n) = (&tree.name, number(3 * promised.bodies));
+    let (mechanism, n, plan) = (&tree.name, number(3 * promised.bodies), no_plan());
     let slice = |(order, method): (usize, &Method)| {
         let (word, order, value) = (plain(&method.name), number(order), motion(tree, promised, method));
         let [name, state] = ["", "State"].map(|what| slice_name(&format_ident!("{mechanism}{what}"), &promised.methods, &word));
@@ -358,7 +361,7 @@ fn slices(tree: &Mechanism, promised: &Outline, visibility: &TokenStream, body: 
             #visibility type #state<T = ::core::primitive::f64> = ::reuleaux::SliceState<#mechanism<T>, T, #order, 1, #n>;
             impl<T: ::reuleaux::SolverReal> ::reuleaux::Sliced<T, #order, 1, #n> for #mechanism<T> {
                 type Value = #value;
-                const PLAN: ::reuleaux::Plan = ::reuleaux::Plan { stages: &[], operations: ::reuleaux::Operations::new(0, 0, 0, 0) };
+                const PLAN: ::reuleaux::Plan = #plan;
                 const HELD: [::core::primitive::usize; 1] = [0];
                 const COMPONENTS: &'static [::reuleaux::Coordinate] = &[];
                 const COMPUTED_ANGLES: &'static [::core::primitive::usize] = &[];

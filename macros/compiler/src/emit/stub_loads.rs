@@ -7,16 +7,6 @@ use crate::syntax::ast::{Item, JointBody, JointItem, Mechanism, Statement, Task}
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-/// True if masses or forces are declared, so that there are loads.
-pub(super) fn has_forces(tree: &Mechanism) -> bool {
-    let has = |item: &Item| match item {
-        Item::Body(body) => !body.masses.is_empty(),
-        Item::Force(_) => true,
-        _ => false,
-    };
-    tree.task.is_determined() && tree.items.iter().any(has)
-}
-
 /// The loads, with the joints and drives of the mechanism itself.
 pub(super) fn loads(tree: &Mechanism, state: &Ident, visibility: &TokenStream, body: &TokenStream) -> (TokenStream, TokenStream) {
     let name = &tree.name;

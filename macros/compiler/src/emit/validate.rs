@@ -76,9 +76,9 @@ impl Emitter<'_> {
         if let [only] = parameters.as_slice() {
             let place = place(&only.name.path);
             let (value, unit) = (quote!(self.#place), only.dim.unit());
-            return Culprit { name: only.name.to_string(), value, unit, why: format!("{why} (`{joint}`)") };
+            return Culprit { name: only.name.told().to_owned(), value, unit, why: format!("{why} (`{joint}`)") };
         }
-        let names: Vec<String> = parameters.iter().map(|parameter| format!("`{}`", parameter.name)).collect();
+        let names: Vec<String> = parameters.iter().map(|parameter| format!("`{}`", parameter.name.told())).collect();
         let follows = if names.is_empty() { String::new() } else { format!(" (it follows from {})", names.join(", ")) };
         Culprit { name: joint.clone(), value: lhs.clone(), unit: requirement.dim.unit(), why: format!("{why}{follows}") }
     }
@@ -86,7 +86,7 @@ impl Emitter<'_> {
 
 /// A parameter by name, value and unit.
 fn named(parameter: &Parameter) -> TokenStream {
-    let (path, place, unit) = (&parameter.name.path, place(&parameter.name.path), parameter.dim.unit());
+    let (path, place, unit) = (parameter.name.told(), place(&parameter.name.path), parameter.dim.unit());
     quote!((#path, self.#place, #unit))
 }
 

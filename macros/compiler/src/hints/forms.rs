@@ -1,5 +1,6 @@
 //! Expressions that are often written in place of others.
 
+use crate::quantity::{self, Dim};
 use crate::syntax::ast::{Expression, ExpressionKind, Operator};
 use proc_macro2::Ident;
 
@@ -56,4 +57,21 @@ pub(crate) fn point_of(value: &Expression, body: &str) -> Option<String> {
     let ExpressionKind::Field(owner, point) = &value.kind else { return None };
     let ExpressionKind::Path(path) = &owner.kind else { return None };
     (path.name.as_ref()? == body).then(|| point.to_string())
+}
+
+/// A product of a length or an angle and `t`, as `10mm * t`, with the number as a rate: `10mm_s * t`.
+pub(crate) fn by_time(value: &Expression) -> Option<(&Expression, Dim, String)> {
+    match &value.kind {
+        ExpressionKind::Negative(inner) => by_time(inner),
+        ExpressionKind::Binary(Operator::Add | Operator::Sub, lhs, rhs) => by_time(lhs).or_else(|| by_time(rhs)),
+        ExpressionKind::Binary(Operator::Mul, lhs, rhs) => {
+            let is_time = |side: &Expression| matches!(&side.kind, ExpressionKind::Path(path) if path.last == "t");
+            let number = if is_time(rhs) { lhs } else { Some(rhs).filter(|_| is_time(lhs))? };
+            let ExpressionKind::Number { digits, unit } = &number.kind else { return None };
+            let dim = quantity::unit(unit)?.1;
+            let rate = format!("{unit}_s");
+            (quantity::unit(&rate)?.1.times(Dim::TIME) == dim).then(|| (number.as_ref(), dim, format!("{digits}{rate} * t")))
+        }
+        _ => None,
+    }
 }

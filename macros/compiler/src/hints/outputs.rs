@@ -1,7 +1,9 @@
 //! What an output probably is: a number, a vector or a body, and whether it contains velocities.
 
+use crate::library;
 use crate::quantity::Ambient;
-use crate::syntax::ast::{Expression, ExpressionKind, Item, Marks, Mechanism, Operator, OutputItem};
+
+use crate::syntax::ast::{Expression, ExpressionKind, FormalKind, Item, JointBody, Marks, Mechanism, Operator, OutputItem};
 use proc_macro2::Ident;
 
 /// How many `let`s a guess follows.
@@ -34,7 +36,7 @@ fn kind(expr: &Expression, tree: &Mechanism, lets: usize) -> OutputKind {
     match &expr.kind {
         ExpressionKind::Tuple(_) => OutputKind::Vector,
         ExpressionKind::Index(owner, _) => kind(owner, tree, lets),
-        ExpressionKind::Field(_, name) if ["x", "y", "angle", "c"].contains(&name.to_string().as_str()) => OutputKind::Number,
+        ExpressionKind::Field(owner, name) if is_number(owner, name, tree) => OutputKind::Number,
         ExpressionKind::Field(_, name) if name == "angular_velocity" => vector_if(tree.ambient == Ambient::Space),
         ExpressionKind::Call(path, arguments) if path.name.as_ref().is_some_and(|name| name == "rate") => {
             arguments.first().map_or(OutputKind::Number, |argument| kind(argument, tree, lets))
@@ -46,9 +48,10 @@ fn kind(expr: &Expression, tree: &Mechanism, lets: usize) -> OutputKind {
                 OutputKind::Vector
             }
         }
-        ExpressionKind::Call(path, _) => vector_if(
-            path.name.as_ref().is_some_and(|name| name == "perp" || name == "unit" || name == "cross" && tree.ambient == Ambient::Space),
-        ),
+        ExpressionKind::Call(path, _) => vector_if(path.name.as_ref().is_some_and(|name| match name.to_string().as_str() {
+            "perp" | "unit" | "across" | "misalignment" | "x_axis" | "y_axis" | "z_axis" => true,
+            name => name == "cross" && tree.ambient == Ambient::Space,
+        })),
         ExpressionKind::Negative(value) => kind(value, tree, lets),
         ExpressionKind::Binary(Operator::Power | Operator::Rem, ..) => OutputKind::Number,
         ExpressionKind::Binary(_, one, two) => vector_if([one, two].into_iter().any(|side| kind(side, tree, lets) == OutputKind::Vector)),
@@ -79,6 +82,33 @@ fn is_let_with_velocities(name: &Ident, tree: &Mechanism, lets: usize) -> bool {
         Some(Item::Let(binding)) if lets > 0 => has_velocities(&binding.value, tree, lets - 1),
         _ => false,
     }
+}
+
+/// True for a coordinate or a component, and for a number of a joint: its angle, its displacement or an argument.
+fn is_number(owner: &Expression, name: &Ident, tree: &Mechanism) -> bool {
+    let word = name.to_string();
+    if let ExpressionKind::Path(path) = &owner.kind
+        && let Some(JointBody::Of { kind, .. }) = path.name.as_ref().and_then(|name| joint_body(name, tree))
+        && let Some(definition) = library::find(&kind.to_string(), tree.ambient)
+        && let Some(formal) = definition.parameters.iter().find(|formal| formal.name == *name)
+    {
+        return matches!(formal.kind, FormalKind::Scalar(_) | FormalKind::Quantity);
+    }
+    match word.as_str() {
+        "angle" | "displacement" | "c" => true,
+        // In space an axis may be called like a coordinate.
+        "x" | "y" | "z" => tree.ambient == Ambient::Plane || !is_frame(owner, tree) || !is_mark(name, tree),
+        _ => false,
+    }
+}
+
+fn joint_body<'a>(name: &Ident, tree: &'a Mechanism) -> Option<&'a JointBody> {
+    tree.items.iter().find_map(|item| if let Item::Joint(joint) = item { (joint.name == *name).then_some(&joint.body) } else { None })
+}
+
+/// True for the name of a point or an axis of any body.
+fn is_mark(name: &Ident, tree: &Mechanism) -> bool {
+    tree.items.iter().any(|item| matches!(item, Item::Body(frame) | Item::Ground(frame) if has_mark(&frame.marks, name)))
 }
 
 /// The expression is a body or ground, whose parts are points.

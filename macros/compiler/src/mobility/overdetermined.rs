@@ -99,13 +99,19 @@ fn nothing_to_drive(view: &Contenders, drive: usize, joints: &[usize]) -> System
 /// The joints leave fewer freedoms than there are drives for them.
 fn drives_contend(view: &Contenders, drives: &[usize], joints: &[usize]) -> SystemFact {
     let free: Vec<usize> = drives.iter().copied().filter(|drive| view.model.joints[*drive].freedom.is_some()).collect();
+    // In space, joints that hold by the choice of the unknowns leave freedoms too.
+    let bodies = view.group.part.unknowns.iter().map(|unknown| view.system.coordinates[*unknown].body);
+    let reached = bodies.filter_map(|body| view.system.reached.get(body).copied().flatten()).map(|(joint, _)| joint);
+    let joints: BTreeSet<usize> = joints.iter().copied().chain(reached).collect();
+    let joints: Vec<usize> = joints.into_iter().collect();
     SystemFact::DrivesContend {
         drives: view.joints(drives),
         declared_free: view.joints(&free),
         freedoms: view.group.part.unknowns.len() - view.of_joints(),
-        joints: view.joints(joints),
+        joints: view.joints(&joints),
         coordinates: view.coordinates(&view.group.part.unknowns),
         free: view.coordinates(view.free),
+        in_space: view.system.declared.is_some(),
     }
 }
 

@@ -54,6 +54,12 @@ impl Name {
         path.and_then(|path| path.rsplit_once('.')).map_or(&self.path, |(input, _)| input)
     }
 
+    /// The path as a user knows it: the value of an input is the input itself, and its rate is `theta.rate`.
+    pub(crate) fn told(&self) -> &str {
+        let path = self.path.strip_prefix(Name::INPUTS).and_then(|path| path.strip_prefix('.'));
+        path.map_or(&self.path, |path| path.strip_suffix(".value").unwrap_or(path))
+    }
+
     /// A name in a namespace whose paths begin with `prefix`.
     pub(crate) fn within(prefix: &str, word: &Ident, declaration: usize, indices: &[usize]) -> Name {
         let mut name = Name { declaration, indices: indices.to_vec(), ..Name::plain(word) };

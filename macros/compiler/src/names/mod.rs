@@ -26,6 +26,35 @@ use std::rc::Rc;
 /// Names with a predefined meaning in expressions.
 pub(crate) const RESERVED: &[&str] = &["t", "pi", "ground"];
 
+/// All built-in names, for suggestions and the language reference.
+pub(crate) const BUILTINS: &[&str] = &[
+    "sin",
+    "cos",
+    "tan",
+    "asin",
+    "acos",
+    "atan",
+    "atan2",
+    "sqrt",
+    "exp",
+    "ln",
+    "abs",
+    "min",
+    "max",
+    "dot",
+    "cross",
+    "perp",
+    "norm",
+    "unit",
+    "direction",
+    "table",
+];
+
+/// True for names that no item may have.
+pub(crate) fn is_reserved(word: &str) -> bool {
+    RESERVED.contains(&word) || BUILTINS.contains(&word)
+}
+
 /// Names of generated functions, which an output may not have.
 const GENERATED: &[&str] = &[
     "phi",

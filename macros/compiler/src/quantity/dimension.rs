@@ -51,6 +51,8 @@ impl Dim {
     pub(crate) const ACCELERATION: Dim = Dim::new(1, 0, -2, 0);
     /// Newtons.
     pub(crate) const FORCE: Dim = Dim::new(1, 0, -2, 1);
+    /// N/m
+    pub(crate) const STIFFNESS: Dim = Dim::new(0, 0, -2, 1);
     /// Newton metres, joules.
     pub(crate) const TORQUE: Dim = Dim::new(2, 0, -2, 1);
     /// Seconds.

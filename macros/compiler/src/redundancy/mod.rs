@@ -248,6 +248,8 @@ impl Search<'_, '_> {
             if !self.said.is_new(name) {
                 continue;
             }
+            let is_in_space = self.numeric.system.declared.is_some();
+            let kinds = sources.iter().chain([&index]).filter(|_| is_in_space).map(|joint| model.joints[*joint].kind.clone()).collect();
             let fact = SystemFact::FollowsFrom {
                 joint: name.to_string(),
                 is_drive: model.joints[index].is_drive,
@@ -256,7 +258,7 @@ impl Search<'_, '_> {
                 others,
                 free: free.to_vec(),
                 moves,
-                in_space: self.numeric.system.declared.is_some(),
+                kinds,
             };
             self.diag.refuse::<()>(name, fact);
         }

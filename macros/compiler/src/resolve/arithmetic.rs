@@ -85,7 +85,12 @@ impl Elaborator<'_> {
             (Value::Orientation(one), Value::Orientation(two)) if operator == Operator::Mul => {
                 Some(Value::Orientation(one.iter().chain(two.iter()).copied().collect()))
             }
-            (Value::Scalar(one), Value::Scalar(two)) => self.combine(range, operator, one, (two, rhs.range)).map(Value::Scalar),
+            (Value::Scalar(one), Value::Scalar(two)) => {
+                if matches!(operator, Operator::Add | Operator::Sub) && one.measure.common(two.measure).is_none() {
+                    self.is_by_rates([lhs, rhs])?;
+                }
+                self.combine(range, operator, one, (two, rhs.range)).map(Value::Scalar)
+            }
             (left, right) => {
                 let points = match (&left, &right) {
                     (Value::Point(to), Value::Point(from)) if operator == Operator::Sub => Some((*from, *to)),

@@ -7,35 +7,11 @@ use crate::diag::{ArityFact, Fact, NameFact, Range, ValueFact, Wanted};
 use crate::expr::spline::Table;
 use crate::expr::{Arena, Expr, Unary};
 use crate::library;
-use crate::names::{Fixed, FunctionValue, Key, Scalar, Scope, Value, Vector};
+use crate::names::{BUILTINS, Fixed, FunctionValue, Key, Scalar, Scope, Value, Vector};
 use crate::profile::{SEGMENTS, Valuer, segments, table};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, ExpressionKind};
 use proc_macro2::Ident;
-
-/// All built-in names, for suggestions and the language reference.
-pub(crate) const BUILTINS: &[&str] = &[
-    "sin",
-    "cos",
-    "tan",
-    "asin",
-    "acos",
-    "atan",
-    "atan2",
-    "sqrt",
-    "exp",
-    "ln",
-    "abs",
-    "min",
-    "max",
-    "dot",
-    "cross",
-    "perp",
-    "norm",
-    "unit",
-    "direction",
-    "table",
-];
 
 impl Elaborator<'_> {
     /// `function(arguments)`
@@ -84,8 +60,11 @@ impl Elaborator<'_> {
     fn similar_function(&self, name: &Ident, scope: &Scope) -> Option<String> {
         let bound = scope.bound.iter().filter(|(_, value)| matches!(value, Value::Function(_))).map(|(known, _)| known.as_str());
         let declared = scope.space.is_some().then(|| self.names.functions());
-        let known =
-            bound.chain(BUILTINS.iter().copied()).chain([SEGMENTS]).chain(library::functions()).chain(declared.into_iter().flatten());
+        let known = bound
+            .chain(BUILTINS.iter().copied())
+            .chain([SEGMENTS, super::speeds::RATE])
+            .chain(library::functions())
+            .chain(declared.into_iter().flatten());
         self.nearest(&name.to_string(), known)
     }
 
@@ -114,7 +93,7 @@ impl Elaborator<'_> {
         let scalar = self.scalar(argument, scope)?;
         let plain = |this: &mut Self, wanted: Dim| {
             let found = scalar.measure.settled();
-            if found.is_plain() { Some(()) } else { this.refuse(argument.range, ValueFact::WrongDimension { wanted, found }) }
+            if found.is_plain() { Some(()) } else { this.refuse(argument.range, ValueFact::OfFunction { wanted, found }) }
         };
         let (function, measure) = match word {
             "sin" | "cos" | "tan" => {

@@ -1,11 +1,10 @@
 //! Declares the names of items: namespaces, indices, and conflicts between names.
 
 use super::Name;
-use super::builtin::BUILTINS;
 use super::elaborate::Elaborator;
 use super::register::MOST;
 use crate::diag::{ArrayFact, Fact, NameFact, Range};
-use crate::names::{Context, Declared, Entity, EntityId, GroupId, Key, NamedItems, Progress, RESERVED, Scope, Sort, SpaceId, Value};
+use crate::names::{Context, Declared, Entity, EntityId, GroupId, Key, NamedItems, Progress, Scope, Sort, SpaceId, Value, is_reserved};
 use crate::syntax::ast;
 use proc_macro2::Ident;
 
@@ -119,8 +118,4 @@ pub(super) fn duplicate(name: String, first: &'static str, in_loop: Option<&(Str
         Some((variable, _)) => ArrayFact::DuplicateInLoop { name, variable: variable.clone() }.into(),
         None => NameFact::Duplicate { name, first }.into(),
     }
-}
-
-pub(super) fn is_reserved(word: &str) -> bool {
-    RESERVED.contains(&word) || BUILTINS.contains(&word)
 }

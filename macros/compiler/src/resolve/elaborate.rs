@@ -396,6 +396,7 @@ impl Elaborator<'_> {
             return self.of_group(group, field);
         }
         match self.names.ambient.coordinate(&name) {
+            _ if self.names.misused.contains(&format!("{}.{name}", self.names.frames[frame.0].name)) => None,
             Some(role) => {
                 let expr = self.coordinate(frame, role).unwrap_or(zero);
                 Some(Value::Scalar(Scalar { expr, measure: InferredDim::Known(role.dim()) }))

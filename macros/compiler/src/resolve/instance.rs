@@ -257,6 +257,7 @@ impl Elaborator<'_> {
             (FormalKind::Scalar(written), Value::Scalar(scalar)) => {
                 let wanted = self.dimension(written)?;
                 if !scalar.measure.fits(wanted) {
+                    self.is_by_rates([argument, argument])?;
                     let fact = ValueFact::WrongArgumentDimension {
                         parameter: formal.name.to_string(),
                         definition: definition.name.to_string(),

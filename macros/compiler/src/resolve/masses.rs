@@ -125,6 +125,9 @@ impl Elaborator<'_> {
             return Some(shape.inertia(&mut self.arena, mass, &lengths?));
         }
         if self.names.ambient == Ambient::Plane {
+            if let ExpressionKind::Tuple(items) = &written.kind {
+                return self.refuse(written.range, MotionFact::InertiaOfVector { inertia: items.get(2).map(ToString::to_string) });
+            }
             return self.scalar_of(written, Dim::INERTIA, scope).map(|scalar| vec![scalar.expr]);
         }
         let items = if let ExpressionKind::Tuple(items) = &written.kind { items.as_slice() } else { std::slice::from_ref(written) };

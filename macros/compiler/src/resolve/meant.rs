@@ -5,8 +5,8 @@ use super::Joint;
 use super::elaborate::Elaborator;
 use super::register::Register;
 use super::statement::ScalarEquation;
-use crate::diag::{EquationFact, JerkObstacle, JointValue, MotionFact, Word};
-use crate::hints::{cross_product, is_zero, unit_in_parts};
+use crate::diag::{EquationFact, JerkObstacle, JointValue, MotionFact, ValueFact, Word};
+use crate::hints::{by_time, cross_product, is_zero, unit_in_parts};
 use crate::library;
 use crate::names::{Declared, FrameId, Progress, Scope, Sort, Value};
 use crate::quantity::{self, Ambient, Dim};
@@ -80,6 +80,12 @@ impl Elaborator<'_> {
             (Ambient::Plane, Some(frame)) => format!("drive_angle({}, {law})", frame.name),
             (Ambient::Plane, None) => format!("drive_angle(body, {law})"),
         }
+    }
+
+    /// Refuses `10mm * t` for `10mm_s * t` where dimensions do not agree.
+    pub(super) fn is_by_rates(&mut self, written: [&ast::Expression; 2]) -> Option<()> {
+        let Some((number, found, instead)) = written.into_iter().find_map(by_time) else { return Some(()) };
+        self.refuse(number.range, ValueFact::NotARate { written: number.to_string(), found, instead })
     }
 
     /// Refuses a vector that is the torque on a body in the plane.

@@ -1,7 +1,7 @@
 //! Arguments in another order than the parameters, and points that no joint has yet.
 
 use super::elaborate::Elaborator;
-use crate::diag::{ArityFact, Fact, ValueFact};
+use crate::diag::ArityFact;
 use crate::hints::point_of;
 use crate::names::{Entity, FrameId, Scope, Value, signature};
 use crate::quantity::{Ambient, Dim, InferredDim};
@@ -13,9 +13,8 @@ impl Elaborator<'_> {
     /// If arguments were refused since there were `before` refusals, and all of them fit in another order, shows that order instead.
     pub(super) fn are_in_order(&mut self, definition: &Definition, given: &[Argument], before: usize, scope: &Scope) -> Option<()> {
         let (first, last) = (given.first()?, given.last()?);
-        let is_of_argument = |fact: &Fact| is_about_an_argument(fact);
         let refused = &self.diag.refusals()[before..];
-        if given.iter().any(|argument| argument.name.is_some()) || !refused.iter().all(|refusal| is_of_argument(&refusal.fact)) {
+        if given.iter().any(|argument| argument.name.is_some()) || !refused.iter().all(|refusal| refusal.fact.is_about_an_argument()) {
             return None;
         }
         // All of them have a value: otherwise something else was refused.
@@ -102,14 +101,5 @@ impl Elaborator<'_> {
         let points: Vec<&str> = self.names.points_of(frame).collect();
         let free = points.iter().find(|point| !used.contains(**point));
         free.or(points.first()).map_or("position".to_owned(), |point| (*point).to_owned())
-    }
-}
-
-/// True if a fact is about the kind or the dimension of an argument.
-fn is_about_an_argument(fact: &Fact) -> bool {
-    match fact {
-        Fact::InInstance { fact, .. } => is_about_an_argument(fact),
-        Fact::Value(ValueFact::WrongArgument { .. } | ValueFact::WrongArgumentDimension { .. }) => true,
-        _ => false,
     }
 }

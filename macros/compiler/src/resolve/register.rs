@@ -4,14 +4,16 @@
 //! are evaluated here.
 
 use super::declare::Written;
-use super::declare::{duplicate, is_reserved};
+use super::declare::duplicate;
 use super::elaborate::Elaborator;
 use super::frames::start_words;
 use super::layout::OpenPart;
 use super::{Name, Of};
 use crate::diag::{ArrayFact, EquationFact, GrammarFact, NameFact};
 use crate::expr::Leaf;
-use crate::names::{Context, Declared, Entity, EntityId, FrameId, Key, PartArguments, Progress, Scalar, Scope, Sort, SpaceId, Value};
+use crate::names::{
+    Context, Declared, Entity, EntityId, FrameId, Key, PartArguments, Progress, Scalar, Scope, Sort, SpaceId, Value, is_reserved,
+};
 use crate::quantity::{Ambient, Dim, InferredDim};
 use crate::syntax::ast::{self, Item, Marks};
 use proc_macro2::Ident;
@@ -375,6 +377,7 @@ impl Elaborator<'_> {
             let word = mark.name.to_string();
             let is_free = self.names.ambient == Ambient::Space && self.names.ambient.coordinate(&word).is_some();
             if start_words(self.names.ambient).any(|known| known == word) && !is_free {
+                self.names.misused.insert(format!("{}.{word}", self.names.frames[frame.0].name));
                 self.once(mark, |this| this.refuse::<()>(&mark.name, NameFact::Reserved { name: word }));
                 continue;
             }

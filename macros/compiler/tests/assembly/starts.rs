@@ -181,7 +181,7 @@ fn bodies_that_must_be_parallel_make_whole_turns_together() {
 /// Warnings about an assembly far from its start: the body, and the drive that moves it there.
 fn doubts(source: &str) -> Vec<(String, Option<String>)> {
     let told = |doubt: &Doubt| {
-        let Doubt::FarStart { body, drive, .. } = doubt else { panic!("{doubt:?}") };
+        let (Doubt::FarStart { body, drive, .. } | Doubt::FarOrientation { body, drive, .. }) = doubt else { panic!("{doubt:?}") };
         (body.clone(), drive.clone())
     };
     accepted(source).assembly.warnings.iter().map(|warning| told(&warning.doubt)).collect()
@@ -226,6 +226,53 @@ fn a_place_far_from_its_start_is_told() {
         warning.starts_with("the nearest assembly has `peg` at (0 mm, 200 mm), 80 mm from its declared start at (0 mm, 120 mm)"),
         "{warning}"
     );
+}
+
+/// A four-bar in space with a declared orientation of its rocker.
+fn spatial(rocker: &str) -> String {
+    format!(
+        "mechanism FourBar in space {{
+            ground {{ axis z = (0, 0, 1); point C = (400mm, 0mm, 0mm); }}
+            body crank {{ axis z = (0, 0, 1); point A = (100mm, 0mm, 0mm); }}
+            body coupler {{ axis z = (0, 0, 1); point B = (350mm, 0mm, 0mm); }}
+            body rocker {{ axis z = (0, 0, 1); point B = (300mm, 0mm, 0mm); {rocker} }}
+            joint o = revolute(ground.position, ground.z, crank.position, crank.z);
+            joint a = spherical(crank.A, coupler.position);
+            joint b = cylindrical(coupler.B, coupler.z, rocker.B, rocker.z);
+            joint c = revolute(ground.C, ground.z, rocker.position, rocker.z);
+            drive input = drive_rotation(o, 90deg + 60rpm * t); }}"
+    )
+}
+
+#[test]
+fn an_orientation_far_from_its_start_is_told() {
+    // The rocker stands at 109.8° or at 222.2°.
+    assert_eq!(doubts(&spatial("start orientation = turn((0, 0, 1), 90deg);")), []);
+    // Undeclared orientations cause no warning, although angles of joints at rest count from some.
+    assert_eq!(doubts(&spatial("")), []);
+    let compiled = accepted(&spatial("start orientation = turn((0, 0, -1), 350deg);"));
+    let [warning] = compiled.assembly.warnings.as_slice() else { panic!("{:?}", compiled.assembly.warnings) };
+    let words = warning.doubt.to_string();
+    assert!(
+        words.starts_with("the nearest assembly has `rocker` at `c.angle` = 109.7°, turned 99.73° away from its declared start\n"),
+        "{words}"
+    );
+    // What the help says is accepted without a warning.
+    let instead = words.split('`').find(|word| word.starts_with("start orientation")).expect("a line to type");
+    assert_eq!(doubts(&spatial(instead)), []);
+}
+
+#[test]
+fn the_orientation_that_a_refusal_shows_leads_to_the_first_of_the_two_assemblies() {
+    let source = spatial("").replace("90deg + 60rpm", "60rpm");
+    let fact = refused(&source);
+    let words = fact.to_string();
+    assert!(words.starts_with("two assemblies are equally near: `b.angle` = 54.31° or -54.31°"), "{words}");
+    let instead = words.split('`').find(|word| word.starts_with("start orientation")).expect("a line to type");
+    let source = source.replace("point B = (350mm, 0mm, 0mm);", &format!("point B = (350mm, 0mm, 0mm); {instead}"));
+    // The angle of `b` belongs to the coupler.
+    let angle = start(&accepted(&source), "coupler.angle").to_degrees();
+    assert!((angle - 54.31).abs() < 0.01, "{angle}");
 }
 
 #[test]

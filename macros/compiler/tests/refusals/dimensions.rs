@@ -9,8 +9,13 @@ crate::refusals! {
     item a_rate_without_its_unit: "drive a = drive_angle(ram, «30deg + 2.0 * t»);" => "cannot add a time (s) to an angle (rad)\nhelp: give `t` a factor with a unit, such as `2rad_s * t`";
     item a_rate_that_lacks_the_time: "drive a = drive_angle(ram, «30deg + speed»);" => "cannot add an angular velocity (rad/s) to an angle (rad)\nhelp: multiply the rate by `t`";
     item a_square_of_time_for_an_angle: "drive a = drive_angle(ram, «0.1 * t^2»);" => "`C` of `drive_angle` is an angle (rad), found a quantity in s²\nhelp: multiply it by a quantity in rad/s²";
-    item sine_of_a_length: "output b = sin(«length»);" => "expected an angle (rad), found a length (m)";
-    item arc_sine_of_a_length: "output b = asin(«length»);" => "expected a pure number, found a length (m)";
+    item sine_of_a_length: "output b = sin(«length»);" => "expected an angle (rad), found a length (m)\nhelp: divide it by a length, as in `x / 10mm`";
+    item arc_sine_of_a_length: "output b = asin(«length»);" => "expected a pure number, found a length (m)\nhelp: divide it by a length, as in `x / 10mm`";
+    item length_for_a_speed: "drive a = drive_x(crank.A, 150mm + «10mm» * t);" => "`10mm` is a length (m), and what grows with `t` is multiplied by a rate\nhelp: write `10mm_s * t`";
+    item length_for_a_speed_alone: "drive a = drive_x(crank.A, -(t * «10mm»));" => "`10mm` is a length (m), and what grows with `t` is multiplied by a rate\nhelp: write `10mm_s * t`";
+    item angle_for_an_angular_velocity: "drive a = drive_angle(crank, «2rad» * t - 30deg);" => "`2rad` is an angle (rad), and what grows with `t` is multiplied by a rate\nhelp: write `2rad_s * t`";
+    item force_for_a_stiffness: "force a = spring(crank.A, ram.B, stiffness: «20N»);" => "`stiffness` of `spring` is a stiffness (N/m), found a force (N)\nhelp: a stiffness is a force by a length, such as `20N_m` or `20N / 10mm`";
+    item angle_for_a_rate_of_a_freedom: "freedom a = crank.angle from 30deg at «2rad»;" => "expected an angular velocity (rad/s), found an angle (rad)\nhelp: write a rate, such as `2rad_s`";
     item root_of_a_length_is_no_length: "let a: Length = «sqrt(length)»;" => "expected a length (m), found a quantity in m^(1/2)";
     item exponential_of_a_time: "output b = exp(«t»);" => "expected a pure number, found a time (s)\nhelp: divide it by a time, as in `t / 1s`";
     item minimum_of_unlike: "output b = «min(length, crank.angle)»;" => "cannot compare a length (m) with an angle (rad)\nhelp: an arc is a radius times an angle";

@@ -42,6 +42,13 @@ crate::refusals! {
     item output_with_a_generated_name: "output «solve» = crank.x;" => "an output cannot be called `solve`: a generated function has that name\nhelp: choose another name";
     item slice_of_a_body: "slice «body» wheel {}" => "expected `output`, `joint`, `drive` or `force` after `slice`, found `body`";
     item output_with_the_name_of_a_slice: "slice output far = crank.x; output «solve_for_far» = crank.x;" => "an output cannot be called `solve_for_far`: a generated function has that name\nhelp: choose another name";
+    item point_called_angle_and_used: "body b { point «angle» = (0mm, 0mm); } joint j = revolute(b.angle, crank.A);" => "`angle` has a meaning of its own in expressions\nhelp: choose another name";
+    item axis_called_like_a_coordinate: "body b { axis «x» = (1, 0); } joint j = translational(b.x, b.position, crank.A);" => "`x` has a meaning of its own in expressions\nhelp: choose another name";
+    item velocity_as_a_function: "output b = «velocity»(crank.A);" => "no function is called `velocity`\nhelp: did you mean `rate`?";
+    item acceleration_as_a_function: "output b = «acceleration»(crank.A);" => "no function is called `acceleration`\nhelp: an output is given with its rate and its acceleration; equations and forces contain none";
+    item rate_of_a_point: "output b = crank.A.«rate»;" => "a point has no `rate`\nhelp: write `rate(…)` of a point or of a number, as in `rate(body.position)`";
+    item velocity_of_a_body: "output b = crank.«velocity»;" => "`crank` has no `velocity`\nhelp: write `rate(…)` of a point or of a number, as in `rate(body.position)`";
+    item omega_of_a_body: "output b = crank.«omega»;" => "`crank` has no `omega`\nhelp: did you mean `angular_velocity`?";
     item point_called_angle: "body b { point «angle» = (0mm, 0mm); }" => "`angle` has a meaning of its own in expressions\nhelp: choose another name";
     item uses_of_a_name_with_a_meaning_are_not_refused_as_well: "body «table» { point P = (0mm, 0mm); } joint a = revolute(table.P, crank.A); output b = table(crank.angle, [(0deg, 1mm), (90deg, 2mm)]);" => "`table` has a meaning of its own in expressions\nhelp: choose another name";
     item uses_of_a_body_called_ground_are_not_refused_as_well: "body «ground» { point P = (0mm, 0mm); } joint a = revolute(ground.P, crank.A);" => "`ground` is what stands still\nhelp: its points go into `ground { … }`, without `body`; all else has another name";

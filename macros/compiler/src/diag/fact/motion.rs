@@ -33,6 +33,7 @@ pub enum MotionFact {
     GravityWithoutDirection { value: String, ambient: Ambient },
     InertiaOfNumbers { found: usize, first: String },
     InertiaAlongInPlane { inertia: String },
+    InertiaOfVector { inertia: Option<String> },
     TorqueWithoutAxis { torque: String, axis: Option<String> },
     TorqueWithAxis { body: String, torque: Option<String> },
     ForceWithoutDirection { force: String, ambient: Ambient },

@@ -86,6 +86,7 @@ pub enum SystemFact {
         joints: Vec<String>,
         coordinates: Vec<String>,
         free: Vec<String>,
+        in_space: bool,
     },
     Follows {
         joint: String,
@@ -133,7 +134,7 @@ pub enum SystemFact {
         others: Vec<String>,
         free: Vec<String>,
         moves: bool,
-        in_space: bool,
+        kinds: Vec<String>,
     },
     NotRedundant {
         joint: String,

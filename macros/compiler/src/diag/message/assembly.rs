@@ -48,13 +48,16 @@ impl Display for AssemblyFact {
                     drives => write!(f, "\nhelp: {elsewhere}let {} have another value at t = 0", list(drives)),
                 }
             }
-            AssemblyFact::AmbiguousStart { body, coordinate, values, place, is_declared } => {
+            AssemblyFact::AmbiguousStart { body, owner, coordinate, values, place, turn, is_declared } => {
                 let is_angle = *coordinate == Role::Angle;
                 let shown = |value: f64| if is_angle { degrees(value) } else { millimetres(value) };
                 let [one, other] = values.map(shown);
                 let near = if *is_declared { "equally near the declared start" } else { "equally near" };
-                write!(f, "two assemblies are {near}: `{body}.{}` = {one} or {other}", coordinate.name())?;
+                write!(f, "two assemblies are {near}: `{owner}.{}` = {one} or {other}", coordinate.name())?;
                 let of = if body.contains(['.', '[']) { format!("the body `{body}`") } else { format!("`body {body}`") };
+                if let Some(turn) = turn {
+                    return write!(f, "\nhelp: write `start orientation = {turn};` in {of}");
+                }
                 if is_angle {
                     return write!(f, "\nhelp: write `start angle = {}deg;` in {of}", between(*values));
                 }

@@ -42,6 +42,13 @@ impl Display for MotionFact {
             MotionFact::InertiaAlongInPlane { inertia } => {
                 write!(f, "in the plane an inertia is one number, however the body is turned\nhelp: write `inertia = {inertia};`")
             }
+            MotionFact::InertiaOfVector { inertia } => {
+                write!(f, "in the plane an inertia is one number, about the axis out of the plane")?;
+                match inertia {
+                    Some(inertia) => write!(f, "\nhelp: write `inertia = {inertia};`"),
+                    None => write!(f, "\nhelp: write `inertia = 0.1kgm2;`, or a shape such as `disk(30mm)`"),
+                }
+            }
             MotionFact::TorqueWithoutAxis { torque, axis } => {
                 write!(f, "a torque in space is a vector along its axis, found a number")?;
                 match axis {

@@ -1,6 +1,6 @@
 //! Messages about names.
 
-use super::words::{did_you_mean, first_of, is_power, list, listed, shortened};
+use super::words::{did_you_mean, first_of, is_acceleration, is_power, is_rate, list, listed, shortened};
 use crate::diag::{Home, NameFact};
 use crate::quantity::{Dim, Role};
 use std::fmt::{Display, Formatter, Result};
@@ -22,6 +22,9 @@ impl Display for NameFact {
                 write!(f, "\nhelp: name its value with `let {name} = …;` and give that out with `output {name} = {name};`")
             }
             NameFact::UnknownName { name, near } => write!(f, "nothing is called `{name}` here{}", did_you_mean(near)),
+            NameFact::UnknownField { owner, name, .. } if is_rate(name) => {
+                write!(f, "{owner} has no `{name}`\nhelp: write `rate(…)` of a point or of a number, as in `rate(body.position)`")
+            }
             NameFact::UnknownField { owner, name, near, known } => {
                 write!(f, "{owner} has no `{name}`{}", did_you_mean(near))?;
                 if near.is_none() && known.count > 0 {
@@ -41,6 +44,10 @@ impl Display for NameFact {
             }
             NameFact::UnknownFunction { name, .. } if is_power(name) => {
                 write!(f, "no function is called `{name}`\nhelp: a power is written `a^b`")
+            }
+            NameFact::UnknownFunction { name, .. } if is_acceleration(name) => {
+                write!(f, "no function is called `{name}`")?;
+                write!(f, "\nhelp: an output is given with its rate and its acceleration; equations and forces contain none")
             }
             NameFact::UnknownFunction { name, near: None, .. } => {
                 write!(f, "no function is called `{name}`\nhelp: declare it, such as `function {name}(x: Angle) -> Length = …;`")

@@ -57,7 +57,7 @@ impl Display for SystemFact {
                      have its rows alone"
                 )
             }
-            SystemFact::FollowsFrom { joint, is_drive, rows, of, others, free, moves, in_space } => {
+            SystemFact::FollowsFrom { joint, is_drive, rows, of, others, free, moves, kinds } => {
                 let place = if *moves { "in every position tried" } else { "where the mechanism stands" };
                 let sources = if others.is_empty() { "the rest of it".to_owned() } else { list(others) };
                 match (rows == of, of) {
@@ -78,13 +78,9 @@ impl Display for SystemFact {
                     _ if others.is_empty() => write!(f, "\nhelp: say it once"),
                     (true, _) => write!(f, "\nhelp: take it away"),
                     (false, true) => write!(f, "\nhelp: take it away, or write `redundant joint` for `joint` to keep it as a check"),
-                    (false, false) if *in_space => write!(
-                        f,
-                        "\nhelp: in a loop a spherical and a cylindrical joint in place of two revolutes demand no more than is needed; or write \
-                         `redundant joint` for `joint`: what is needed of it is solved, the rest is checked"
-                    ),
                     (false, false) => {
-                        write!(f, "\nhelp: write `redundant joint` for `joint`: what is needed of it is solved, the rest is checked")
+                        let or = saved_rows(kinds, of - rows).map_or(String::new(), |instead| format!("{instead}; or "));
+                        write!(f, "\nhelp: {or}write `redundant joint` for `joint`: what is needed of it is solved, the rest is checked")
                     }
                 }
             }
@@ -174,7 +170,7 @@ impl Display for SystemFact {
                 }
                 write!(f, "\nhelp: {} left free: drive {} instead", are(free), one_of(free))
             }
-            SystemFact::DrivesContend { drives, declared_free, freedoms, joints, coordinates, free } if !declared_free.is_empty() => {
+            SystemFact::DrivesContend { drives, declared_free, freedoms, joints, coordinates, free, .. } if !declared_free.is_empty() => {
                 let (few, way) = (counted(*freedoms), if *freedoms == 1 { "way" } else { "ways" });
                 write!(f, "{} determine the same: the mechanism can move in {few} {way} there", list(drives))?;
                 match coordinates.as_slice() {
@@ -185,14 +181,17 @@ impl Display for SystemFact {
                 write!(f, "\nhelp: a freedom is what nothing else determines: take {} away", list(declared_free))?;
                 if free.is_empty() { Ok(()) } else { write!(f, ", or declare {}", list(free)) }
             }
-            SystemFact::DrivesContend { drives, freedoms, joints, coordinates, free, .. } => {
+            SystemFact::DrivesContend { drives, freedoms, joints, coordinates, free, in_space, .. } => {
                 let (many, few) = (counted(drives.len()), counted(*freedoms));
                 let freedom = if *freedoms == 1 { "freedom" } else { "freedoms" };
                 write!(f, "{many} drives on {few} {freedom}: {}", list(drives))?;
                 match coordinates.as_slice() {
                     [only] => write!(f, "\nnote: both determine `{only}`")?,
                     _ if joints.is_empty() => write!(f, "\nnote: they determine {}", list(coordinates))?,
-                    _ => write!(f, "\nnote: {} {} {few} {freedom}", list(joints), if joints.len() == 1 { "leaves" } else { "leave" })?,
+                    _ => {
+                        write!(f, "\nnote: {} {} {few} {freedom}", list(joints), if joints.len() == 1 { "leaves" } else { "leave" })?;
+                        if *in_space { write!(f, " in {}", list(coordinates)) } else { Ok(()) }?;
+                    }
                 }
                 if free.is_empty() && drives.len() > freedoms + 1 {
                     return write!(f, "\nhelp: take {} of the drives away", drives.len() - freedoms);
@@ -287,6 +286,22 @@ impl Display for SystemFact {
                 write!(f, "\nnote: that is a mobility of -{surplus}\nhelp: take one of these joints away")
             }
         }
+    }
+}
+
+/// For joints in a loop in space, the refused one last: what demands less in place of one. `needed`: equations of it that are needed.
+fn saved_rows(kinds: &[String], needed: usize) -> Option<&'static str> {
+    let count = |kind: &str| kinds.iter().filter(|known| *known == kind).count();
+    match (count("screw"), count("universal"), count("revolute"), count("cylindrical")) {
+        (1.., ..) => {
+            Some("where other joints hold its bodies in line, the one equation of a screw is `rack_pinion(angle, P, a, Q, radius)`")
+        }
+        (_, 1.., ..) | (_, _, 0 | 1, 1..) if needed == 4 => Some("a cylindrical joint in its place demands no more than is needed"),
+        (_, 1.., ..) | (_, _, 0 | 1, 1..) => {
+            Some("where other joints hold the place of a bearing, `parallel_axes(a, b)` holds its direction alone")
+        }
+        (_, _, 2.., _) => Some("in a loop a spherical and a cylindrical joint in place of two revolutes demand no more than is needed"),
+        _ => None,
     }
 }
 

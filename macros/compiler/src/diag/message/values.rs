@@ -29,17 +29,18 @@ impl Display for ValueFact {
                 match *found {
                     Dim::TIME => write!(f, "\nhelp: multiply the time by a rate in {}", wanted.per(Dim::TIME).unit()),
                     found if found.is_of_time() => write!(f, "\nhelp: multiply it by a quantity in {}", wanted.per(found).unit()),
-                    _ => Ok(()),
+                    found => f.write_str(remedy::of_dimension(*wanted, found)),
                 }
             }
             ValueFact::WrongDefault { wanted, found } => write!(f, "the parameter takes {wanted}, its default is {found}"),
             ValueFact::WrongDimension { wanted, found } => {
-                let remedy = match *found {
-                    Dim::TIME if *wanted == Dim::NUMBER => "\nhelp: divide it by a time, as in `t / 1s`",
-                    found if found.is_of_time() => remedy::of_dimensions(*wanted, found),
-                    _ => "",
-                };
-                write!(f, "expected {wanted}, found {found}{remedy}")
+                write!(f, "expected {wanted}, found {found}{}", remedy::of_dimension(*wanted, *found))
+            }
+            ValueFact::OfFunction { wanted, found } => {
+                write!(f, "expected {wanted}, found {found}{}", remedy::of_function(*wanted, *found))
+            }
+            ValueFact::NotARate { written, found, instead } => {
+                write!(f, "`{written}` is {found}, and what grows with `t` is multiplied by a rate\nhelp: write `{instead}`")
             }
             ValueFact::Unlike { action, one, two } => {
                 let joint = if *action == "equate" || *action == "compare" { "with" } else { "and" };

@@ -111,3 +111,13 @@ pub(super) fn equation(row: usize, of: usize) -> String {
 pub(super) fn is_power(name: &str) -> bool {
     ["pow", "powi", "powf", "power", "sqr", "square", "squared"].contains(&name)
 }
+
+/// True for words for a velocity.
+pub(super) fn is_rate(name: &str) -> bool {
+    ["rate", "velocity", "speed", "vel", "dot"].contains(&name)
+}
+
+/// True for words for an acceleration.
+pub(super) fn is_acceleration(name: &str) -> bool {
+    ["acceleration", "accel", "ddot"].contains(&name)
+}

@@ -1,0 +1,41 @@
+//! Names that nothing in the declaration uses.
+//!
+//! Parameters, inputs, `let`s and functions act through equations, points and outputs alone, so that one that is written nowhere else
+//! changes nothing. A point or an axis may be read from Rust and is drawn in pictures, so that nothing is said about those.
+
+use crate::syntax::ast::{Item, Mechanism};
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use std::collections::BTreeMap;
+
+/// The names of parameters, inputs, `let`s and functions that are written once, where they are declared. `tokens`: given, all of the
+/// mechanism.
+///
+/// A word that is written again with another meaning counts as a use.
+pub(crate) fn unused(tree: &Mechanism, tokens: TokenStream) -> Vec<&Ident> {
+    let mut written = BTreeMap::new();
+    count(tokens, &mut written);
+    let mut names = Vec::new();
+    let mut pending: Vec<&Item> = tree.items.iter().rev().collect();
+    while let Some(item) = pending.pop() {
+        match item {
+            Item::Parameter(parameter) | Item::Input(parameter) => names.push(&parameter.name),
+            Item::Let(binding) => names.push(&binding.name),
+            Item::Function(function) => names.push(&function.name),
+            Item::Component(component) => pending.extend(component.items.iter().rev()),
+            Item::For(repeated) => pending.extend(repeated.items.iter().rev()),
+            _ => {}
+        }
+    }
+    names.retain(|name| written.get(&name.to_string()) == Some(&1));
+    names
+}
+
+fn count(tokens: TokenStream, written: &mut BTreeMap<String, usize>) {
+    for token in tokens {
+        match token {
+            TokenTree::Ident(name) => *written.entry(name.to_string()).or_default() += 1,
+            TokenTree::Group(group) => count(group.stream(), written),
+            _ => {}
+        }
+    }
+}
