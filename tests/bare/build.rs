@@ -41,6 +41,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Ok(fs::write(Path::new(&env::var("OUT_DIR")?).join("mechanisms.rs"), "")?);
     }
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let alone: [(&str, fn(&str, &str) -> String); 3] =
+        [("CARGO_FEATURE_STEPPING", step), ("CARGO_FEATURE_STARTING", start), ("CARGO_FEATURE_SOLVING", solve)];
+    if let Some((_, used)) = alone.into_iter().find(|(feature, _)| env::var_os(feature).is_some()) {
+        let text = fs::read_to_string(folder.join(FILES[0].0))?;
+        let module = module(0, &text, used).ok_or("no four-bar")?;
+        return Ok(fs::write(Path::new(&env::var("OUT_DIR")?).join("mechanisms.rs"), module)?);
+    }
     let mut all = String::new();
     for (number, (file, changes)) in FILES.iter().enumerate() {
         let path = folder.join(file);
@@ -81,6 +88,20 @@ fn module(number: usize, text: &str, used: fn(&str, &str) -> String) -> Option<S
             static RUN: fn(&{name}<T>, T, &mut {name}State<T>) -> bool = run;
         }}"
     ))
+}
+
+/// Code that steps.
+fn step(name: &str, _: &str) -> String {
+    format!("fn run(mechanism: &{name}<T>, t: T, state: &mut {name}State<T>) -> bool {{ mechanism.advance(state, t).is_ok() }}")
+}
+
+/// Code that finds a state and steps.
+fn start(name: &str, _: &str) -> String {
+    format!(
+        "fn run(mechanism: &{name}<T>, t: T, state: &mut {name}State<T>) -> bool {{
+            mechanism.solve(t).map(|found| *state = found).is_ok() && mechanism.advance(state, t + t).is_ok()
+        }}"
+    )
 }
 
 /// Code that calls every function that finds a state, and evaluates the outputs.
