@@ -1,9 +1,12 @@
 //! Rank over a step.
 
+use nalgebra::{SMatrix, SVector};
+
 use super::accelerate::{lengths, redundant, singular};
 use super::equations::Dynamics;
 use super::method::Method;
-use super::partition::{has_other_signs, weakest};
+use super::partition::{Partition, has_other_signs, weakest};
+use super::places::picked;
 use super::step::Reached;
 use super::stopped::Stopped;
 use crate::number::Float;
@@ -34,6 +37,12 @@ where
     if !has_other_signs(&start, jacobian, pivots) {
         return Ok(());
     }
+    let none = SVector::from_element(T::ZERO);
+    let [before, after] = [(&start, from), (jacobian, to)].map(|(rows, state)| by_turns::<T, S, N, I, M, R>(rows, &state.q));
+    let again = Partition::new(&after, &none, &lengths, |_| true, &redundant(mechanism));
+    if again.is_ok_and(|parts| !has_other_signs(&before, &after, &parts.pivots)) {
+        return Ok(());
+    }
     // Either these pivots are bad somewhere on the way, or all are.
     let (mut low, mut high, mut last) = (T::ZERO, to.t - from.t, start);
     for _ in 0..SEARCH {
@@ -55,4 +64,35 @@ where
         return Ok(());
     }
     Err(singular::<T, S, N, I, M, R>(from.t + high, row))
+}
+
+/// The same rows by the length of each quaternion and the turns about the axes of its body: the components themselves change their signs as
+/// the body turns.
+fn by_turns<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
+    rows: &SMatrix<T, M, I>,
+    q: &SVector<T, N>,
+) -> SMatrix<T, M, I>
+where
+    T: Float,
+    S: Dynamics<T, N, I, M, R>,
+{
+    let (mut turned, components) = (*rows, picked(q, &S::INTEGRATED));
+    let is_first = |unknown: &usize| S::COORDINATES.get(*unknown).is_some_and(|coordinate| coordinate.name == "e0");
+    for first in S::INTEGRATED.iter().enumerate().filter(|(_, unknown)| is_first(unknown)).map(|(place, _)| place) {
+        let (Some(&[w, x, y, z]), Some([a, b, c, d])) =
+            (components.get(first..).and_then(<[T]>::first_chunk), turned.data.0.get_mut(first..).and_then(<[_]>::first_chunk_mut))
+        else {
+            continue;
+        };
+        // By e, e i, e j and e k.
+        for (((a, b), c), d) in a.iter_mut().zip(b).zip(c).zip(d) {
+            (*a, *b, *c, *d) = (
+                w * *a + x * *b + y * *c + z * *d,
+                w * *b - x * *a + z * *c - y * *d,
+                w * *c - y * *a - z * *b + x * *d,
+                w * *d - z * *a + y * *b - x * *c,
+            );
+        }
+    }
+    turned
 }
