@@ -35,14 +35,16 @@ const MEASURED: [&str; 1] = ["../examples/control_loop.rs"];
 /// Files of mechanisms with freedoms.
 const FREE: [&str; 2] = ["../examples/andrews.rs", "../examples/rolling_coin.rs"];
 
+/// Code that uses a mechanism, from its name and its declaration.
+type Use = fn(&str, &str) -> String;
+
 fn main() -> Result<(), Box<dyn Error>> {
     // Only the inspection of machine code needs the mechanisms.
     if env::var_os("CARGO_FEATURE_ALONE").is_none() {
         return Ok(fs::write(Path::new(&env::var("OUT_DIR")?).join("mechanisms.rs"), "")?);
     }
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let alone: [(&str, fn(&str, &str) -> String); 3] =
-        [("CARGO_FEATURE_STEPPING", step), ("CARGO_FEATURE_STARTING", start), ("CARGO_FEATURE_SOLVING", solve)];
+    let alone: [(&str, Use); 3] = [("CARGO_FEATURE_STEPPING", step), ("CARGO_FEATURE_STARTING", start), ("CARGO_FEATURE_SOLVING", solve)];
     if let Some((_, used)) = alone.into_iter().find(|(feature, _)| env::var_os(feature).is_some()) {
         let text = fs::read_to_string(folder.join(FILES[0].0))?;
         let module = module(0, &text, used).ok_or("no four-bar")?;
@@ -74,8 +76,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A module with the first mechanism of a file; `used` returns its function `run`, from its name and declaration.
-fn module(number: usize, text: &str, used: fn(&str, &str) -> String) -> Option<String> {
+/// A module with the first mechanism of a file; `used` returns its function `run`.
+fn module(number: usize, text: &str, used: Use) -> Option<String> {
     let declaration = between(text, "mechanism! {").unwrap_or(text);
     let name = declaration.split("mechanism ").nth(1)?.split([' ', '{']).next()?;
     let function = used(name, declaration);
