@@ -23,10 +23,10 @@ pub trait Dynamics<T: Float, const N: usize, const I: usize, const M: usize, con
     /// For each equation at t = 0: whether it counts between positions, and whether it counts between speeds.
     const LEVELS: [[bool; 2]; R];
 
-    /// Number of rows of redundant joints among the equations: so many of all rows follow from the others, now these and now those.
+    /// Number of equations that are there because joints are redundant. Which of all equations follow from the others changes along the motion.
     const REDUNDANT: usize = 0;
 
-    /// Where there are such rows: the dimension of each equation at t = 0, as a power of a length.
+    /// If there are any: the dimension of each equation at t = 0, as a power of a length.
     const POWERS: [u8; R] = [0; R];
 
     /// Φ, J and ν.

@@ -30,7 +30,7 @@ pub(super) struct Partition<T, const M: usize, const I: usize> {
 pub(super) struct Redundant<T, const M: usize> {
     /// How many rows follow from the others.
     pub(super) count: usize,
-    /// Where there are any: the size of each row where it depends on no other, since now these rows vanish and now those.
+    /// If there are any: the natural size of each row. A row may vanish on the way, so that its own size is no measure.
     pub(super) sizes: [T; M],
 }
 

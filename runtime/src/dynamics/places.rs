@@ -20,7 +20,7 @@ pub(super) fn put<T: Float, const N: usize, const I: usize>(vector: &mut SVector
     }
 }
 
-/// True if all entries are finite; without branches, so that several are looked at at once.
+/// True if all entries are finite. Without branches, so that the processor compares several at a time.
 #[inline(always)]
 pub(super) fn is_finite<T: Float, const N: usize>(vector: &SVector<T, N>) -> bool {
     vector.as_slice().iter().fold(true, |all, value| all & value.is_finite())

@@ -46,7 +46,7 @@ pub(crate) trait Problem<T: Float, const K: usize> {
         Cause::Singular { row: self.row(row), coordinate: self.coordinate(coordinate), condition }
     }
 
-    /// How many times less the weakest row moves with the unknowns than a length of the mechanism, or an angle, does.
+    /// The largest ratio, over the rows, of the natural size of a row (L, L² or 1) to its largest entry in units of the unknowns.
     fn weakness(&self, jacobian: &SMatrix<T, K, K>) -> T {
         let length = self.scale().length;
         let natural = |row: usize| match self.row(row).unit {

@@ -79,6 +79,10 @@ pub(super) fn of_function(wanted: Dim, found: Dim) -> &'static str {
 
 /// For two quantities with different dimensions.
 pub(super) fn of_dimensions(one: Dim, two: Dim) -> &'static str {
+    let is_grown = |of: Dim, grown: Dim| [Dim::LENGTH, Dim::ANGLE].contains(&of) && of.times(Dim::TIME) == grown;
+    if is_grown(one, two) || is_grown(two, one) {
+        return "\nhelp: `t` multiplies a rate: divide by a time, as in `stroke / 1s * t`";
+    }
     let is_rate = |rate: Dim, of: Dim| rate.times(Dim::TIME) == of && !of.is_of_time();
     if is_rate(one, two) || is_rate(two, one) {
         return "\nhelp: multiply the rate by `t`";

@@ -41,7 +41,7 @@ pub(super) struct SparseRows<'a> {
     trust: Trust,
     /// Sum of the sizes of each row's entries before elimination.
     before: Vec<Expr>,
-    /// Where other rows can take their place: the size that each row has where it depends on no other.
+    /// If joints are redundant: the natural size of each row. A row may vanish on the way, so that its own size is no measure.
     in_general: Vec<Expr>,
 }
 
@@ -53,7 +53,7 @@ const LEFT: i64 = 1 << 30;
 /// * `order`: given, blocks of rows of J and of the columns that they are solved for.
 /// * `lengths`: given, for each speed the number that makes it comparable with the others, as an expression.
 /// * `trust`: given, how small pivots may be.
-/// * `in_general`: given, if other rows can take their place, the size that each row has where it depends on no other.
+/// * `in_general`: given, if joints are redundant, the natural size of each row.
 pub(super) fn accelerations(
     arena: &mut Arena,
     (rows, mass, forces): (&[MotionRow], &[Expr], &[Expr]),

@@ -98,7 +98,7 @@ impl Dynamics {
     }
 }
 
-/// Where joints are redundant, the size of each row where it depends on no other: a power of the characteristic length.
+/// If joints are redundant, the natural size of each row: a power of the characteristic length.
 fn in_general(arena: &mut Arena, rows: &[MotionRow], redundant: &[MotionRow], length: f64) -> Vec<Expr> {
     if redundant.is_empty() {
         return Vec::new();

@@ -1,7 +1,7 @@
 //! Which pivots are trusted.
 
-/// How small pivots may be: one is trusted above one part in `first` of the sum of its row, a determinant of more rows above such a part of
-/// the product of their sums, divided by `further` for each row more.
+/// The smallest pivots that are trusted: 1/first of the sum of the row's sizes; for a determinant of n rows 1/(first · furtherⁿ⁻¹) of the
+/// product of their sums.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Trust {
     pub(super) first: i64,

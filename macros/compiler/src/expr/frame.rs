@@ -10,7 +10,7 @@
 //! A vector fixed in a frame is differentiated as a whole by these rules, and only then written as scalars.
 
 use super::{Arena, Expr, Leaf, Mark, Node};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Three components along the axes of ground or of a frame.
 pub type Triple = [Expr; 3];
@@ -32,8 +32,6 @@ pub struct Frame {
     pub against: Option<usize>,
     /// Coordinates of its rotation relative to that frame.
     pub own: Vec<Leaf>,
-    /// Number of the first of three speeds that are ω in the axes of the frame, if it is free to turn and has such speeds.
-    pub spins: Option<u32>,
 }
 
 /// The frames of an arena, and the vectors fixed in them.
@@ -41,6 +39,8 @@ pub struct Frame {
 pub(super) struct Frames {
     frames: Vec<Frame>,
     vectors: Vec<FixedVector>,
+    /// For frames whose speeds are ω in their own axes, the number of the first of these.
+    spins: BTreeMap<usize, u32>,
     // Only looked up, never iterated.
     numbers: HashMap<(usize, Triple), u32>,
 }
@@ -69,17 +69,9 @@ impl Arena {
         let (zero, one) = (self.integer(0), self.integer(1));
         let none = [zero; 3];
         let turns = (0..3).map(|k: u32| (Leaf::Coordinate(first + k), columns[k as usize])).collect();
-        let frame = Frame {
-            columns,
-            velocity: none,
-            acceleration: none,
-            acceleration_at_constant_speeds: none,
-            turns,
-            against: None,
-            own,
-            spins: Some(first),
-        };
+        let frame = Frame { columns, velocity: none, acceleration: none, acceleration_at_constant_speeds: none, turns, against: None, own };
         let number = self.add_frame(frame);
+        self.frames.spins.insert(number, first);
         let axes = [0, 1, 2].map(|axis| self.turned(number, [0, 1, 2].map(|k| if k == axis { one } else { zero })));
         let [velocity, acceleration] = [Leaf::Speed, Leaf::Acceleration].map(|leaf| {
             let own = [0, 1, 2].map(|k| self.leaf(leaf(first + k)));
@@ -94,6 +86,12 @@ impl Arena {
     #[must_use]
     pub fn frame(&self, number: usize) -> &Frame {
         &self.frames.frames[number]
+    }
+
+    /// The number of the first of three speeds that are ω in the axes of a frame, if it has such speeds.
+    #[must_use]
+    pub fn spins(&self, frame: usize) -> Option<u32> {
+        self.frames.spins.get(&frame).copied()
     }
 
     /// True if there are frames that turn in space.
@@ -185,7 +183,7 @@ impl Arena {
 
     /// Local components of a vector that is fixed in a frame with speeds of its own, and the coordinates of the same numbers.
     fn in_spinning_frame(&self, vector: u32, moving: usize) -> Option<(Triple, [Leaf; 3])> {
-        let first = self.frames.frames[moving].spins?;
+        let first = self.spins(moving)?;
         let FixedVector { frame, local, .. } = self.frames.vectors[vector as usize];
         (frame == moving).then_some((local, [0, 1, 2].map(|k| Leaf::Coordinate(first + k))))
     }
@@ -198,8 +196,7 @@ impl Arena {
 
     /// A (ω × s) and A (ω̇ × s + ω × (ω × s)) of one component, with ω in the axes of the frame.
     fn spinning_with(&mut self, frame: usize, local: Triple, axis: u8, speeds_change: bool) -> [Expr; 2] {
-        let Frame { columns, spins, .. } = self.frames.frames[frame];
-        let first = spins.unwrap_or(0);
+        let (columns, first) = (self.frames.frames[frame].columns, self.spins(frame).unwrap_or(0));
         let [speed, change] = [Leaf::Speed, Leaf::Acceleration].map(|leaf| [0, 1, 2].map(|k| self.leaf(leaf(first + k))));
         let along = cross(self, speed, local);
         let mut second = cross(self, speed, along);

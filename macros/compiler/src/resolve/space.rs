@@ -55,16 +55,7 @@ impl Elaborator<'_> {
         let leaf = |part: &Expr| if let Node::Leaf(leaf) = self.arena.node(*part) { Some(*leaf) } else { None };
         let own = quaternion.iter().filter_map(leaf).collect();
         let turns = turns.to_vec();
-        self.arena.add_frame(Frame {
-            columns,
-            velocity,
-            acceleration,
-            acceleration_at_constant_speeds,
-            turns,
-            against: None,
-            own,
-            spins: None,
-        });
+        self.arena.add_frame(Frame { columns, velocity, acceleration, acceleration_at_constant_speeds, turns, against: None, own });
     }
 
     /// A vector fixed in a body, by its components in ground.

@@ -46,7 +46,7 @@ impl Balance {
                 forces[3 * body + axis] = self.forces[6 * body + axis];
                 let spin = arena.frame(*frame).velocity[axis];
                 let torque = self.forces[6 * body + 3 + axis];
-                if let Some(first) = arena.frame(*frame).spins {
+                if let Some(first) = arena.spins(*frame) {
                     let own = first as usize + axis;
                     forces[own] = arena.add(forces[own], torque);
                     continue;

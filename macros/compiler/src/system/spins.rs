@@ -27,6 +27,7 @@ pub struct EquationsBySpins {
 ///
 /// * `at_level`: given, for each row whether it is one of velocities.
 pub(super) fn equations(model: &Model, arena: &mut Arena, coordinates: &[Coordinate], at_level: &[bool]) -> EquationsBySpins {
+    // Outputs and loads are rewritten once more, since angles that they alone name are unknowns with numbers, too.
     let Choice { mut rows, balance, .. } = forest::reduce(model, arena, FreeSpeeds::Spin);
     rows::integrate_again(arena, coordinates, &mut rows, at_level);
     let (of_speeds, rows): (Vec<Row>, Vec<Row>) = rows.into_iter().partition(|row| row.is_velocity);

@@ -7,6 +7,7 @@ crate::refusals! {
     item length_subtracted_from_a_time: "output b = «t - length»;" => "cannot subtract a length (m) from a time (s)\nhelp: give `t` a factor with a unit, such as `2mm_s * t`";
     item a_polynomial_of_time_without_units: "drive a = drive_angle(ram, «0.5 + 2.0 * t + 0.1 * t^2»);" => "cannot add a quantity in s² to a time (s)\nhelp: give `t` a factor with a unit, such as `2rad_s * t` for an angle, `2mm_s * t` for a length";
     item a_rate_without_its_unit: "drive a = drive_angle(ram, «30deg + 2.0 * t»);" => "cannot add a time (s) to an angle (rad)\nhelp: give `t` a factor with a unit, such as `2rad_s * t`";
+    item a_parameter_that_is_no_rate: "param way: Angle = 30deg; drive a = drive_angle(ram, «30deg + way * t»);" => "cannot add a quantity in rad·s to an angle (rad)\nhelp: `t` multiplies a rate: divide by a time, as in `stroke / 1s * t`";
     item a_rate_that_lacks_the_time: "drive a = drive_angle(ram, «30deg + speed»);" => "cannot add an angular velocity (rad/s) to an angle (rad)\nhelp: multiply the rate by `t`";
     item a_square_of_time_for_an_angle: "drive a = drive_angle(ram, «0.1 * t^2»);" => "`C` of `drive_angle` is an angle (rad), found a quantity in s²\nhelp: multiply it by a quantity in rad/s²";
     item sine_of_a_length: "output b = sin(«length»);" => "expected an angle (rad), found a length (m)\nhelp: divide it by a length, as in `x / 10mm`";

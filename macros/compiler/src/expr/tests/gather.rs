@@ -17,7 +17,6 @@ fn turning() -> (Arena, usize) {
         turns: vec![(Leaf::Coordinate(0), about_z(one))],
         against: None,
         own: vec![Leaf::Coordinate(0)],
-        spins: None,
     });
     (arena, frame)
 }

@@ -166,8 +166,7 @@ impl Forest<'_> {
         let [velocity, acceleration] = self.motion_of(&directions, neighbour, Seed::motion(rates.clone()));
         let [_, steady] = self.motion_of(&directions, neighbour, Seed::constant_speeds(rates));
         let own = own.into_iter().collect();
-        let frame =
-            Frame { columns, velocity, acceleration, acceleration_at_constant_speeds: steady, turns, against: None, own, spins: None };
+        let frame = Frame { columns, velocity, acceleration, acceleration_at_constant_speeds: steady, turns, against: None, own };
         self.frames[link.body] = Some(self.arena.add_frame(frame));
         self.reached[link.body] = Some((link.ball, link.ends[0].body));
     }

@@ -89,7 +89,7 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) 
     forest.declared_rows();
     forest.rows.sort_by_key(|row| row.joint);
     let outputs = model.outputs.iter().map(|output| output.components.iter().map(|part| forest.rewrite(*part)).collect()).collect();
-    let spins: Vec<Option<u32>> = forest.frames.iter().map(|frame| forest.arena.frame((*frame)?).spins).collect();
+    let spins: Vec<Option<u32>> = forest.frames.iter().map(|frame| forest.arena.spins((*frame)?)).collect();
     let balance = (model.task == Task::Motion).then(|| Balance::declared(model, forest.arena, &spins).map(|expr| forest.rewrite(expr)));
     let is_loaded = model.task.is_determined();
     let aligned = if is_loaded { forest.aligned() } else { BTreeSet::new() };

@@ -106,16 +106,7 @@ impl Forest<'_> {
         let acceleration = [0, 1, 2].map(|k| arena.sub(along[k], drift[k]));
         let acceleration_at_constant_speeds = drift.map(|part| arena.neg(part));
         let turns = turns.iter().map(|(number, turn)| (Leaf::Coordinate(*number), *turn)).collect();
-        let frame = arena.add_frame(Frame {
-            columns,
-            velocity,
-            acceleration,
-            acceleration_at_constant_speeds,
-            turns,
-            against: None,
-            own,
-            spins: None,
-        });
+        let frame = arena.add_frame(Frame { columns, velocity, acceleration, acceleration_at_constant_speeds, turns, against: None, own });
         self.frames[body] = Some(frame);
         let squares = [w, x, y, z].map(|part| self.arena.square(part));
         let sum = self.arena.sum(&squares);
@@ -165,7 +156,7 @@ impl Forest<'_> {
         }
         let against = from.and_then(|from| self.frames[from]);
         let own = by.iter().map(|(number, _)| Leaf::Coordinate(*number)).collect();
-        let frame = Frame { columns, velocity, acceleration, acceleration_at_constant_speeds: steady, turns, against, own, spins: None };
+        let frame = Frame { columns, velocity, acceleration, acceleration_at_constant_speeds: steady, turns, against, own };
         self.frames[body] = Some(self.arena.add_frame(frame));
         self.depths[body] = from.map_or(0, |from| self.depths[from]) + 1;
     }
