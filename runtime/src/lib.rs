@@ -156,7 +156,7 @@ pub use enclosure::{Certificate, Doubt, Enclosure, ErrorBound};
 pub use explain::Failure;
 #[doc(hidden)]
 pub use linear::solution_by_selection;
-pub use linear::{Eliminated, Elimination, Entries, FactorReal, Factors, Linear, Order, Small, Sparse};
+pub use linear::{AtIterate, Eliminated, Elimination, Entries, FactorReal, Factors, Linear, Order, Small, Sparse, Turning};
 pub use nalgebra;
 pub use names::{
     BranchEnd, Cause, Coordinate, CoordinateKind, Culprit, Description, Operations, ParameterOutOfRange, Plan, PlanStage, Row,

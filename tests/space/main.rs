@@ -7,5 +7,6 @@ mod links;
 mod loads;
 mod mechanisms;
 mod objective;
+mod starts;
 mod states;
 mod units;

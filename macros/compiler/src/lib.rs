@@ -2,10 +2,11 @@
 //! constraint equations, their Jacobian, ν and γ.
 //!
 //! ```text
-//! tokens ─parse─▶ Ast ─resolve─▶ Model ─assemble─▶ System ─analyze─▶ Structure ─assemble─▶ Assembly ─schedule─▶ Plan ─emit─▶ tokens
+//! tokens ─parse─▶ Ast ─resolve─▶ Model ─assemble─▶ System ─find─▶ redundant rows ─analyze─▶ Structure
+//!        ─assemble─▶ Assembly ─follow─▶ Motion ─derive─▶ Dynamics ─schedule─▶ Plan ─emit─▶ tokens
 //! ```
 //!
-//! Each stage reads only the results of earlier stages; `compile.rs` shows all stages on one page. Users depend on the crate
+//! Each room reads only the results of earlier rooms; `compile.rs` shows all rooms on one page. Users depend on the crate
 //! `reuleaux`, which re-exports the macros. This crate is for tests, fuzzers, benchmarks and build scripts; its interface may change in
 //! any version.
 

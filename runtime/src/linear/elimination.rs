@@ -43,6 +43,9 @@ pub trait Elimination<T: Real, const K: usize, const ENTRIES: usize, const FACTO
     /// The pattern and the order.
     const ORDER: Order<K, ENTRIES, FACTORS>;
 
+    /// Columns of the quaternions for which [`Turning`](super::Turning) has their norm and three turns.
+    const QUATERNIONS: &'static [[usize; 4]] = &[];
+
     /// L and U of A. They are not finite where a pivot is zero.
     ///
     /// * `a`: given, the stored entries of A.

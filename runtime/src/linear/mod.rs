@@ -22,10 +22,11 @@ mod selection;
 mod small;
 mod solve;
 mod sparse;
+mod turning;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::number::{Float, SimdReal};
+use crate::number::{Float, Mask, SimdReal};
 
 pub(crate) use abreast::Abreast;
 pub(crate) use elimination::InOrder;
@@ -35,6 +36,7 @@ pub(crate) use rank::{regular_part, weakest};
 pub use selection::solution_by_selection;
 pub use small::Small;
 pub use sparse::{Entries, Sparse};
+pub use turning::{AtIterate, Turning};
 
 /// A [`SimdReal`] with a factorisation of matrices.
 pub trait FactorReal: SimdReal {
@@ -103,6 +105,15 @@ pub trait Linear<T: SimdReal, const N: usize>: Sized {
     ///   larger.
     /// * `reciprocals`: given, by unknown, one over its scale.
     fn error_amplification(&self, sizes: &SVector<T, N>, reciprocals: &SVector<T, N>) -> T;
+
+    /// True if every entry of b is a rounding error, at most `multiple` ε of the magnitude that
+    /// [`error_amplification`](Self::error_amplification) assumes for its row, so that A⁻¹ b is one as well. False also if that takes longer
+    /// to find out than A⁻¹ b.
+    #[inline(always)]
+    fn is_rounding(&self, b: &SVector<T, N>, sizes: &SVector<T, N>, multiple: T) -> T::Mask {
+        let _ = (b, sizes, multiple);
+        T::Mask::of(false)
+    }
 
     /// The [`error_amplification`](Self::error_amplification) of rounding errors, at least 1; infinite if A is singular.
     fn condition(&self, sizes: &SVector<T, N>, reciprocals: &SVector<T, N>) -> T {

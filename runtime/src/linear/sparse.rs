@@ -13,6 +13,9 @@ use super::elimination::{Eliminated, Elimination};
 use super::{FactorReal, Linear};
 use crate::number::{Float, Mask, SimdReal};
 
+/// Up to this growth elimination is as accurate as with pivoting.
+const TIGHT: f64 = 2.0;
+
 /// A matrix by its entries that are not always zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Entries<T, const K: usize, const ENTRIES: usize> {
@@ -31,7 +34,7 @@ pub struct Entries<T, const K: usize, const ENTRIES: usize> {
 ///
 /// is required. Then L U equals A up to relative changes of its rows by at most about K g ε (Higham: Accuracy and Stability of
 /// Numerical Algorithms, 9.3), x is correct to about cond(A) g ε, and one step of refinement leaves the square of this, which is
-/// below the unavoidable cond(A) ε up to the condition of 1/√ε that counts as singular. The units of rows do not matter, and the
+/// below the unavoidable cond(A) ε up to the condition of 1/√ε that counts as singular. With g = 2 it is not needed. The units of rows do not matter, and the
 /// determinant has the sign that it shows. Where this does not hold, [dense factors](FactorReal::Dense) are used.
 #[derive(Clone, Copy, Debug)]
 pub struct Sparse<T: FactorReal, E, const K: usize, const ENTRIES: usize, const FACTORS: usize> {
@@ -42,6 +45,8 @@ pub struct Sparse<T: FactorReal, E, const K: usize, const ENTRIES: usize, const 
     sizes: [T; K],
     /// Whether L and U are stable.
     pub(super) is_stable: T::Mask,
+    /// Whether they are as accurate as with pivoting, so that refinement improves nothing.
+    is_tight: T::Mask,
     elimination: PhantomData<E>,
 }
 
@@ -64,7 +69,8 @@ where
         if !is_stable.all() {
             any_finite(&matrix.values, &E::ORDER.pattern)?;
         }
-        Ok(Self { matrix: *matrix, lu, sizes, is_stable, elimination: PhantomData })
+        let is_tight = (0..K).fold(is_stable, |tight, i| tight.and(grown[i].at_most(T::of(TIGHT) * sizes[i])));
+        Ok(Self { matrix: *matrix, lu, sizes, is_stable, is_tight, elimination: PhantomData })
     }
 
     fn dense(matrix: &Entries<T, K, ENTRIES>) -> SMatrix<T, K, K> {
@@ -96,9 +102,22 @@ where
             return self.with_pivoting(|factors| factors.solve_refined(b));
         }
         let x = self.by_order(b);
+        if self.is_tight.all() {
+            return x;
+        }
         let product = E::product(&self.matrix.values, &x.data.0[0]);
         let correction = self.by_order(&SVector::from_fn(|i, _| b[i] - product[i]));
-        SVector::from_fn(|j, _| x[j] + correction[j])
+        SVector::from_fn(|j, _| x[j] + T::pick(self.is_tight, T::of(0.0), correction[j]))
+    }
+
+    #[inline]
+    fn is_rounding(&self, b: &SVector<T, K>, sizes: &SVector<T, K>, multiple: T) -> T::Mask {
+        let limit = multiple * T::EPSILON;
+        let is_small = |(&row, &size): (&usize, &T)| match (b.get(row), sizes.get(row)) {
+            (Some(b), Some(&terms)) => b.abs().at_most(limit * size.max(terms)),
+            _ => T::Mask::of(false),
+        };
+        E::ORDER.rows.iter().zip(&self.sizes).fold(self.is_stable, |all, row| all.and(is_small(row)))
     }
 
     /// Same estimate as for dense factors, in unknowns scaled by their own size.

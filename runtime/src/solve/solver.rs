@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::{ColdStart, SolverReal, lengths_of};
-use crate::linear::{Elimination, Entries, Linear};
+use crate::linear::{AtIterate, Elimination, Entries, FactorReal, Linear, Turning};
 use crate::names::Description;
 use crate::newton::{Block, BlockData, Iterate, Linearized, Predictor, Scale, Solved, StepError};
 use crate::number::{Mask, SimdReal};
@@ -14,6 +14,10 @@ use crate::state::Coordinates;
 /// The data of a cold start lies elsewhere, so that a warm start stays in registers, and rustc compiles only the branch that is
 /// taken.
 pub struct Solver<'a, T: SolverReal, const N: usize>(Method<'a, T, N>);
+
+/// Factors by turns and by elimination in a fixed order.
+type ByTurns<T, E, const K: usize, const ENTRIES: usize, const FACTORS: usize> =
+    Turning<T, <T as FactorReal>::Sparse<E, K, ENTRIES, FACTORS>, E, K, ENTRIES, FACTORS>;
 
 /// How blocks are solved.
 enum Method<'a, T: SolverReal, const N: usize> {
@@ -149,6 +153,27 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
         self.block(block, sizes, |iterate| {
             let (phi, values) = evaluate(iterate);
             (SVector::from(phi), Entries { values, columns })
+        })
+    }
+
+    /// Solves a block with quaternions and a sparse Jacobian: `evaluate` returns the entries of the Jacobian by turns.
+    ///
+    /// # Errors
+    /// Why the block was not solved.
+    #[inline]
+    pub fn turning<E: Elimination<T, K, ENTRIES, FACTORS>, const K: usize, const ENTRIES: usize, const FACTORS: usize>(
+        &mut self,
+        elimination: E,
+        block: &Block<K>,
+        sizes: [T; K],
+        evaluate: impl Fn(&Iterate<T, K>) -> ([T; K], [T; ENTRIES]),
+    ) -> Result<Solved<T, ByTurns<T, E, K, ENTRIES, FACTORS>, K>, StepError<T>> {
+        let _ = elimination;
+        let (length, reciprocal) = self.lengths();
+        let columns = Scale::by_kind(length, reciprocal, &block.kinds).column.data.0[0];
+        self.block(block, sizes, |iterate| {
+            let (phi, values) = evaluate(iterate);
+            (SVector::from(phi), AtIterate { matrix: Entries { values, columns }, x: iterate.x })
         })
     }
 

@@ -205,9 +205,9 @@ impl BlockPrinter<'_> {
         let is_length = block.system.unknowns.iter().map(|unknown| self.unknowns[*unknown].is_length).collect();
         let entry = |(i, j): &(usize, usize)| inner.expression(block.system.jacobian[*i][*j]);
         LinearSolution {
-            elimination: super::elimination::elimination(&order, is_length, elimination),
+            elimination: super::elimination::elimination(&order, is_length, elimination, &block.system.quaternions),
             order: Some(quote!(#order,)),
-            method: quote!(sparse),
+            method: if block.system.quaternions.is_empty() { quote!(sparse) } else { quote!(turning) },
             jacobian: elimination.pattern.iter().map(entry).collect(),
         }
     }

@@ -9,8 +9,9 @@ use crate::plan::Elimination;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-/// The runtime's trait `Elimination` for a type that is nothing but a block's order; of its unknowns these are lengths.
-pub(super) fn elimination(name: &Ident, is_length: Vec<bool>, elimination: &Elimination) -> TokenStream {
+/// The runtime's trait `Elimination` for a type that is nothing but a block's order; of its unknowns these are lengths, and these are
+/// quaternions.
+pub(super) fn elimination(name: &Ident, is_length: Vec<bool>, elimination: &Elimination, quaternions: &[[usize; 4]]) -> TokenStream {
     let [k, entries, factors] = [elimination.rows.len(), elimination.pattern.len(), elimination.factors.len()].map(number);
     let order = order(elimination);
     let lines = EliminationPrinter { order: elimination, is_length };
@@ -18,10 +19,18 @@ pub(super) fn elimination(name: &Ident, is_length: Vec<bool>, elimination: &Elim
         let (eliminate, substitute, product) = (lines.eliminate(), lines.substitute(), lines.product());
         quote!(#eliminate #substitute #product)
     });
+    let turns = (!quaternions.is_empty()).then(|| {
+        let columns = quaternions.iter().map(|columns| {
+            let columns = columns.map(Literal::usize_unsuffixed);
+            quote!([#(#columns),*])
+        });
+        quote!(const QUATERNIONS: &'static [[::core::primitive::usize; 4]] = &[#(#columns),*];)
+    });
     quote! {
         struct #name;
         impl<T: ::reuleaux::Real> ::reuleaux::Elimination<T, #k, #entries, #factors> for #name {
             const ORDER: ::reuleaux::Order<#k, #entries, #factors> = #order;
+            #turns
             #lines
         }
     }

@@ -241,7 +241,7 @@ impl Arena {
     }
 
     /// Like [`Arena::reachable_until`], but does not descend below nodes that are `whole`.
-    pub(super) fn reachable_down_to(&self, roots: &[Expr], known: impl Fn(Expr) -> bool, whole: impl Fn(Expr) -> bool) -> Vec<Expr> {
+    pub(crate) fn reachable_down_to(&self, roots: &[Expr], known: impl Fn(Expr) -> bool, whole: impl Fn(Expr) -> bool) -> Vec<Expr> {
         // The largest pending index has no parent left to visit, hence each node comes out once.
         let mut pending: BTreeSet<Expr> = roots.iter().copied().filter(|&e| !known(e)).collect();
         let mut found = Vec::new();

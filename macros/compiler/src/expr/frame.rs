@@ -26,7 +26,8 @@ pub struct Frame {
     pub acceleration: Triple,
     /// ω̇ at constant speeds.
     pub acceleration_at_constant_speeds: Triple,
-    /// τ by coordinate, for the coordinates on which the orientation of the frame depends.
+    /// τ by coordinate, for the coordinates on which the orientation of the frame depends, and by turn, for the bodies that are free to
+    /// turn on which it depends.
     pub turns: Vec<(Leaf, Triple)>,
     /// Reference frame of its rotation; `None` for ground.
     pub against: Option<usize>,
@@ -80,6 +81,13 @@ impl Arena {
         let frame = &mut self.frames.frames[number];
         (frame.velocity, frame.acceleration) = (velocity, acceleration);
         number
+    }
+
+    /// The turns of a body about the axes of ground, each with its axis.
+    pub fn turns_about_ground(&mut self, body: usize) -> [(Leaf, Triple); 3] {
+        let (zero, one) = (self.integer(0), self.integer(1));
+        let leaves = Leaf::turns_of(body);
+        [0, 1, 2].map(|axis| (leaves[axis], [0, 1, 2].map(|other| if other == axis { one } else { zero })))
     }
 
     /// A frame by its number.

@@ -57,6 +57,12 @@ impl Leaf {
         }
     }
 
+    /// The turns of a body about the axes of ground.
+    #[must_use]
+    pub fn turns_of(body: usize) -> [Leaf; 3] {
+        [0, 1, 2].map(|axis| Leaf::Turn((3 * body + axis) as u32))
+    }
+
     /// True for the time and for inputs, which change with it.
     #[must_use]
     pub const fn is_of_time(self) -> bool {

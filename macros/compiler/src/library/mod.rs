@@ -1,6 +1,6 @@
-//! The standard library: one file per joint or function, written in the language itself.
+//! The standard library: one file per joint, function or force, written in the language itself.
 //!
-//! A new joint or function is a new file under `library/` and a new line here; no other code contains its name. The doc comment of each
+//! A new one is a new file under `library/` and a new line here; no solution depends on its name. The doc comment of each
 //! file is its manual page; the rustdoc of the runtime shows all of them.
 
 use crate::diag::Diag;

@@ -20,10 +20,11 @@ pub struct Solid {
 /// Zero factor.
 const NO: (i64, i64) = (0, 1);
 
-/// Name, number of lengths, moments of inertia about z in the plane.
-type Planar = (&'static str, usize, &'static [[(i64, i64); 3]]);
+/// Name, number of lengths, and moments of inertia about each axis.
+type Shape = (&'static str, usize, &'static [[(i64, i64); 3]]);
 
-const PLANE: [Planar; 5] = [
+/// In the plane, about z.
+const PLANE: [Shape; 5] = [
     ("rod", 1, &[[(1, 12), NO, NO]]),
     ("disk", 1, &[[(1, 2), NO, NO]]),
     ("ring", 1, &[[(1, 1), NO, NO]]),
@@ -31,8 +32,8 @@ const PLANE: [Planar; 5] = [
     ("ball", 1, &[[(2, 5), NO, NO]]),
 ];
 
-/// The same in space, about x, y and z.
-const SPACE: [Planar; 6] = [
+/// In space, about x, y and z.
+const SPACE: [Shape; 6] = [
     ("rod", 1, &[[NO, NO, NO], [(1, 12), NO, NO], [(1, 12), NO, NO]]),
     ("disk", 1, &[[(1, 4), NO, NO], [(1, 4), NO, NO], [(1, 2), NO, NO]]),
     ("ring", 1, &[[(1, 2), NO, NO], [(1, 2), NO, NO], [(1, 1), NO, NO]]),
@@ -44,7 +45,7 @@ const SPACE: [Planar; 6] = [
 impl Solid {
     /// The shape of this name, in the plane or in space.
     pub(crate) fn named(name: &str, ambient: Ambient) -> Option<Solid> {
-        let shapes: &[Planar] = if ambient == Ambient::Space { &SPACE } else { &PLANE };
+        let shapes: &[Shape] = if ambient == Ambient::Space { &SPACE } else { &PLANE };
         shapes.iter().find(|(known, _, _)| *known == name).map(|(_, lengths, moments)| Solid { moments, lengths: *lengths })
     }
 

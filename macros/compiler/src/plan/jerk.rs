@@ -12,7 +12,7 @@ use super::outputs::OutputCode;
 use super::schedule;
 use super::stage::{Iteration, Stage};
 use super::words::Words;
-use crate::expr::{Arena, Expr, Jets, Leaf, Seed, Substitution};
+use crate::expr::{Arena, Expr, Jets, Leaf, Seed, Substitution, derivative};
 use crate::model::{Method, Model};
 use crate::system::{OutputMotion, System};
 use std::collections::BTreeSet;
@@ -125,8 +125,9 @@ fn in_order(arena: &mut Arena, upstream: Vec<(&Stage, Vec<Expr>)>, components: &
         let sides: Vec<Expr> = sides.into_iter().map(|side| known.of(arena, side)).collect();
         let rests = sides.iter().all(|side| arena.as_constant(*side).is_some_and(|value| value.is_zero()));
         match stage {
-            Stage::Block(Iteration { unknowns, jacobian, .. }) if !rests => {
-                systems.push(JerkSystem { unknowns: unknowns.clone(), jacobian: jacobian.clone(), sides });
+            Stage::Block(system) if !rests => {
+                let (unknowns, jacobian) = (system.unknowns.clone(), by_components(arena, system));
+                systems.push(JerkSystem { unknowns, jacobian, sides });
             }
             _ => {
                 for (unknown, side) in stage.unknowns().iter().zip(sides) {
@@ -137,6 +138,17 @@ fn in_order(arena: &mut Arena, upstream: Vec<(&Stage, Vec<Expr>)>, components: &
     }
     let components = components.iter().map(|component| known.of(arena, *component)).collect();
     Jerks { systems, components, zero: arena.integer(0) }
+}
+
+/// r_x, also by the components of quaternions.
+pub(super) fn by_components(arena: &mut Arena, system: &Iteration) -> Vec<Vec<Expr>> {
+    let mut jacobian = system.jacobian.clone();
+    for (row, residual) in jacobian.iter_mut().zip(&system.residuals) {
+        for column in system.quaternions.iter().flatten() {
+            row[*column] = derivative(arena, *residual, Leaf::Coordinate(system.unknowns[*column] as u32));
+        }
+    }
+    jacobian
 }
 
 /// The unknowns whose third derivatives occur.

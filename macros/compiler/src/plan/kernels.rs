@@ -125,7 +125,8 @@ impl Run<'_> {
             match stage {
                 Stage::Explicit { unknown, .. } => first.push(*unknown as u32),
                 Stage::Block(system) => {
-                    tag.push(system.unknowns.len() as u32);
+                    tag.extend([system.unknowns.len() as u32, system.quaternions.len() as u32]);
+                    tag.extend(system.quaternions.iter().flatten().map(|column| *column as u32));
                     tag.extend(system.elimination.iter().flat_map(|elimination| elimination.features(frame.arena, &system.jacobian)));
                     first.extend(system.unknowns.iter().map(|unknown| *unknown as u32));
                 }

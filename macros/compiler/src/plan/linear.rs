@@ -16,7 +16,7 @@ const LARGEST: usize = 8;
 pub(super) fn solution(arena: &mut Arena, system: &Iteration) -> Option<Vec<Expr>> {
     let k = system.unknowns.len();
     let is_constant = system.jacobian.iter().flatten().all(|entry| arena.as_constant(*entry).is_some());
-    if k > LARGEST || !is_constant {
+    if k > LARGEST || !is_constant || !system.quaternions.is_empty() {
         return None;
     }
     let inverse = inverse(arena, system.jacobian.clone())?;

@@ -1,7 +1,7 @@
 //! From expressions to straight-line code: all decisions on names and order.
 //!
-//! In: a [`System`] and the expressions to be computed. Out: [`Routine`]s: named steps for common subexpressions, and results that refer to
-//! them. Not done here: printing.
+//! In: a [`System`] and the expressions to be computed. Out: a [`Plan`], of which the [`Routine`]s are named steps for common subexpressions,
+//! and results that refer to them. Not done here: printing.
 
 mod dynamics;
 mod elimination;
@@ -25,6 +25,7 @@ mod stage;
 mod stages;
 #[cfg(test)]
 mod tests;
+mod turning;
 mod words;
 
 pub use dynamics::DynamicsCode;

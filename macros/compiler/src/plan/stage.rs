@@ -74,10 +74,10 @@ impl Iteration {
         let mut lists = results.chunks(k.max(1)).map(<[Expr]>::to_vec);
         let mut next = || lists.next().unwrap_or_default();
         let [residuals, sizes, rates, accelerations] = [next(), next(), next(), next()];
-        let elimination = self.elimination.clone();
+        let (elimination, quaternions) = (self.elimination.clone(), self.quaternions.clone());
         let jacobian = lists.by_ref().take(k).collect();
         let jerks = lists.next().unwrap_or_default();
-        Iteration { unknowns, equations, residuals, sizes, elimination, rates, accelerations, jerks, jacobian }
+        Iteration { unknowns, equations, residuals, sizes, elimination, rates, accelerations, jerks, jacobian, quaternions }
     }
 }
 
@@ -90,8 +90,10 @@ pub struct Iteration {
     pub equations: Vec<usize>,
     /// r
     pub residuals: Vec<Expr>,
-    /// r_x by rows
+    /// r_x by rows; of the columns by [`quaternions`](Self::quaternions) those of M, where r_x = M D.
     pub jacobian: Vec<Vec<Expr>>,
+    /// Indices among the unknowns of quaternions that the linear system replaces by their norm and three turns.
+    pub quaternions: Vec<[usize; 4]>,
     /// Rounding scales of r: sums of the magnitudes of its terms.
     pub sizes: Vec<Expr>,
     /// Elimination of its Jacobian, if not in closed form.

@@ -10,6 +10,7 @@
 
 use super::linear;
 use super::stage::{Iteration, Origin, Stage};
+use super::turning::{put_columns, turning_bodies};
 use crate::expr::{Arena, Expr, Jets, Leaf, Node, Seed, Substitution, derivative};
 use crate::quantity::Dim;
 use crate::structure::{Block, Explicit, Structure};
@@ -230,12 +231,15 @@ impl StageBuilder<'_> {
             equations: block.residuals.clone(),
             residuals: Vec::new(),
             jacobian: Vec::new(),
+            quaternions: Vec::new(),
             sizes: Vec::new(),
             elimination: None,
             rates: Vec::new(),
             accelerations: Vec::new(),
             jerks: Vec::new(),
         };
+        let bodies = turning_bodies(self.arena, self.system, block);
+        let is_turned = |column: usize| bodies.iter().any(|body| body.columns.contains(&column));
         let mut seconds = Vec::new();
         for equation in &block.residuals {
             let residual = inside.of(self.arena, self.system.equations[*equation].phi()?);
@@ -243,13 +247,21 @@ impl StageBuilder<'_> {
             let [own, first, second] = self.motion(residual).map(|expr| self.constants.of(self.arena, expr));
             // The rates share the arms of a body with the positions that follow; in the rows that are iterated a body has one arm.
             let residual = if gathered == residual { own } else { self.constants.of(self.arena, gathered) };
-            let row = block.iterated.iter().map(|unknown| self.slope_by(residual, *unknown)).collect();
+            let entry = |(column, unknown)| if is_turned(column) { zero } else { self.slope_by(residual, unknown) };
+            let row = block.iterated.iter().copied().enumerate().map(entry).collect();
             found.jacobian.push(row);
             let first = still.of(self.arena, first);
             found.rates.push(self.arena.neg(first));
             seconds.push(second);
             found.sizes.push(magnitude(self.arena, residual, &block.iterated, &self.system.coordinates));
             found.residuals.push(residual);
+        }
+        if put_columns(self.arena, &bodies, &mut found, &self.found).is_none() {
+            for (row, residual) in found.jacobian.iter_mut().zip(&found.residuals) {
+                for column in bodies.iter().flat_map(|body| body.columns) {
+                    row[column] = self.slope_by(*residual, block.iterated[column]);
+                }
+            }
         }
         // If every right-hand side is zero the block is at rest: substitute zero for its rates everywhere.
         self.note_rest(&found.rates, &block.iterated, Leaf::Speed);

@@ -45,16 +45,13 @@ impl Elaborator<'_> {
         let &[w, x, y, z] = quaternion else { return };
         let columns = rotation(&mut self.arena, [w, x, y, z]).0;
         let zero = self.arena.integer(0);
-        let one = self.arena.integer(1);
-        let axis = |axis: u32| [0, 1, 2].map(|other| if other == axis { one } else { zero });
-        let turns = [0, 1, 2].map(|k| (Leaf::Turn(3 * body + k), axis(k)));
         let speed = |leaf: fn(u32) -> Leaf| [0, 1, 2].map(|k| leaf(DECLARED + 6 * body + 3 + k));
         let velocity = speed(Leaf::Speed).map(|leaf| self.arena.leaf(leaf));
         let acceleration = speed(Leaf::Acceleration).map(|leaf| self.arena.leaf(leaf));
         let acceleration_at_constant_speeds = [zero; 3];
         let leaf = |part: &Expr| if let Node::Leaf(leaf) = self.arena.node(*part) { Some(*leaf) } else { None };
         let own = quaternion.iter().filter_map(leaf).collect();
-        let turns = turns.to_vec();
+        let turns = self.arena.turns_about_ground(body as usize).to_vec();
         self.arena.add_frame(Frame { columns, velocity, acceleration, acceleration_at_constant_speeds, turns, against: None, own });
     }
 

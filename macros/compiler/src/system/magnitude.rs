@@ -4,6 +4,7 @@
 //! them, as at a dead point, the position is badly determined.
 
 use crate::expr::{Arena, Binary, Expr, Leaf, Node, Unary};
+use crate::quantity::Dim;
 use crate::system::Coordinate;
 use std::collections::BTreeMap;
 
@@ -44,7 +45,7 @@ fn sum_of_terms(arena: &mut Arena, root: Expr, unknowns: &[usize], all: &[Coordi
     let mut sizes: BTreeMap<Expr, Expr> = BTreeMap::new();
     let mut is_moving: BTreeMap<Expr, bool> = BTreeMap::new();
     let (zero, one) = (arena.integer(0), arena.integer(1));
-    let is_length = |index: u32| all[index as usize].role.is_position();
+    let is_length = |index: u32| all[index as usize].role.dim() == Dim::LENGTH;
     for expr in arena.reachable_to_values(&[root]) {
         let node = *arena.node(expr);
         if arena.value(expr).is_some() {

@@ -12,7 +12,7 @@
 
 use super::super::rows::Row;
 use super::Forest;
-use crate::expr::{Exact, Expr, Frame, Jets, Leaf, Seed, Substitution, Triple, cross, derivative, dot};
+use crate::expr::{Exact, Expr, Frame, Jets, Leaf, Seed, Triple, cross, derivative, dot};
 use crate::model::{DECLARED, Place, Relationship, Triad};
 use crate::quantity::{Dim, Role};
 use crate::syntax::ast::Task;
@@ -234,9 +234,7 @@ impl Forest<'_> {
     /// True if the arm in the link lies against x × v at the declared start.
     fn is_start_inverted(&mut self, link: &BinaryLink) -> bool {
         let [v, z] = link.arm.map(|arm| self.at_start(arm));
-        let is_declared =
-            self.model.bodies[link.body].coordinates.iter().any(|one| matches!(one.role, Role::Quaternion(_)) && one.start.is_some());
-        let d = if is_declared {
+        let d = if self.has_orientation(link.body) {
             self.at_start(Place { body: Some(link.body), local: link.along })
         } else {
             let [p, q] = link.ends.map(|end| self.point_at_start(end));
@@ -244,11 +242,6 @@ impl Forest<'_> {
         };
         let across = cross(self.arena, d, v);
         let side = dot(self.arena, across, z);
-        let mut defaults = Substitution::new();
-        for (number, parameter) in (0..).zip(&self.model.parameters) {
-            defaults.replace(Leaf::Parameter(number), parameter.default);
-        }
-        let side = defaults.of(self.arena, side);
-        self.arena.value(side).is_some_and(|value| value < 0.0)
+        self.at_defaults(side).is_some_and(|value| value < 0.0)
     }
 }

@@ -17,10 +17,17 @@ impl Forest<'_> {
             self.attach(joint, inner.body, outer, [x, y, z], &[]);
             return;
         }
-        let start = self.start_angle(one, two);
-        let (number, unknown) = self.unknown(body, Role::Angle, start, Some((joint, "angle")));
         // The angle counts the second body against the first, wherever ground is.
         let is_forward = inner == one;
+        let against = |forest: &mut Self, angle: Expr| if is_forward { angle } else { forest.arena.neg(angle) };
+        let start = match self.start_angle_by_place(inner, outer) {
+            Some(angle) => Some(against(self, angle)),
+            None => self.start_angle(one, two),
+        };
+        let angle = start.unwrap_or_else(|| self.arena.integer(0));
+        let angle = against(self, angle);
+        self.note_start(inner, outer, angle);
+        let (number, unknown) = self.unknown(body, Role::Angle, start, Some((joint, "angle")));
         let (angle, turn) = if is_forward { (unknown, z) } else { (self.arena.neg(unknown), z.map(|part| self.arena.neg(part))) };
         let axes = self.about(angle, [x, y, z]);
         self.attach(joint, inner.body, outer, axes, &[(number, turn)]);
@@ -105,7 +112,8 @@ impl Forest<'_> {
         let drift = velocity.map(|part| arena.mul(growth, part));
         let acceleration = [0, 1, 2].map(|k| arena.sub(along[k], drift[k]));
         let acceleration_at_constant_speeds = drift.map(|part| arena.neg(part));
-        let turns = turns.iter().map(|(number, turn)| (Leaf::Coordinate(*number), *turn)).collect();
+        let mut turns: Vec<(Leaf, Triple)> = turns.iter().map(|(number, turn)| (Leaf::Coordinate(*number), *turn)).collect();
+        turns.extend(arena.turns_about_ground(body));
         let frame = arena.add_frame(Frame { columns, velocity, acceleration, acceleration_at_constant_speeds, turns, against: None, own });
         self.frames[body] = Some(frame);
         let squares = [w, x, y, z].map(|part| self.arena.square(part));

@@ -1,10 +1,13 @@
 //! Start values of the unknowns, by the declared start of the bodies.
 
 use super::Forest;
-use crate::expr::{Binary, Expr, Triple, combination, dot};
+use crate::expr::{Arena, Binary, Expr, Leaf, Substitution, Triple, combination, dot};
 use crate::geometry::rotation;
-use crate::model::{Place, Triad};
+use crate::model::{Place, Relationship, Triad};
 use crate::quantity::Role;
+
+/// A vector is parallel to an axis if the square of its part across the axis is at most this share of its own square.
+const ALONG: f64 = 1e-12;
 
 impl Forest<'_> {
     /// Declared orientation of a body at the start, as a quaternion.
@@ -22,15 +25,26 @@ impl Forest<'_> {
         combination(self.arena, place.local, columns)
     }
 
+    /// The same as the body is turned about its hinge at the start, if its orientation is not declared.
+    fn hinged_at_start(&mut self, place: Place) -> Triple {
+        match place.body.and_then(|body| self.started.get(&body)) {
+            Some(columns) => combination(self.arena, place.local, *columns),
+            None => self.at_start(place),
+        }
+    }
+
     /// Position of a point at the declared start.
     pub(super) fn point_at_start(&mut self, place: Place) -> Triple {
         let turned = self.at_start(place);
         let Some(body) = place.body else { return turned };
+        let origin = self.origin_at_start(body);
+        [0, 1, 2].map(|k| self.arena.add(origin[k], turned[k]))
+    }
+
+    /// Declared position of a body at the start.
+    fn origin_at_start(&mut self, body: usize) -> Triple {
         let zero = self.arena.integer(0);
-        [0, 1, 2].map(|k| {
-            let origin = self.coordinates[3 * body + k].start.unwrap_or(zero);
-            self.arena.add(origin, turned[k])
-        })
+        [0, 1, 2].map(|k| self.coordinates[3 * body + k].start.unwrap_or(zero))
     }
 
     /// Angle of the second triad against the first at the declared start; `None` if it is zero.
@@ -39,6 +53,73 @@ impl Forest<'_> {
         let other = self.at_start(Place { body: two.body, local: two.axes[0] });
         let (s, c) = (dot(self.arena, y, other), dot(self.arena, x, other));
         self.angle_of(s, c)
+    }
+
+    /// Angle of the triad of a new body against the one that it is reached from, at the start: by the declared place of its origin, if its
+    /// orientation is not declared.
+    ///
+    /// ```text
+    /// u = r − P    from the point that both bodies share to the origin of the new body, in ground
+    /// v = −s       the same, in the new body
+    /// ```
+    pub(super) fn start_angle_by_place(&mut self, inner: Triad, outer: Triad) -> Option<Expr> {
+        let body = outer.body?;
+        let declared = &self.model.bodies[body].coordinates;
+        if self.has_orientation(body) || !declared.iter().any(|one| one.start.is_some()) {
+            return None;
+        }
+        let shared = self.model.space.relations.iter().find_map(|(_, _, relation)| match relation {
+            Relationship::Coincident(one, two) if (one.body, two.body) == (inner.body, outer.body) => Some((*one, *two)),
+            Relationship::Coincident(one, two) if (two.body, one.body) == (inner.body, outer.body) => Some((*two, *one)),
+            _ => None,
+        });
+        let (at, own) = shared?;
+        let to_place = self.hinged_at_start(at);
+        let (foot, origin) = (at.body.map(|from| self.origin_at_start(from)), self.origin_at_start(body));
+        let u = [0, 1, 2].map(|k| {
+            let place = foot.map_or(to_place[k], |foot| self.arena.add(foot[k], to_place[k]));
+            self.arena.sub(origin[k], place)
+        });
+        let v = own.local.map(|part| self.arena.neg(part));
+        let axes = inner.axes.map(|axis| self.hinged_at_start(Place { body: inner.body, local: axis }));
+        let (u, v) = (self.across([axes[0], axes[1]], u)?, self.across([outer.axes[0], outer.axes[1]], v)?);
+        let products = |arena: &mut Arena, [i, j]: [usize; 2]| [arena.mul(u[i], v[0]), arena.mul(u[j], v[1])];
+        let ([a, b], [c, d]) = (products(self.arena, [1, 0]), products(self.arena, [0, 1]));
+        let (s, c) = (self.arena.sub(a, b), self.arena.add(c, d));
+        Some(self.arena.binary(Binary::Atan2, s, c))
+    }
+
+    /// Notes how a body is turned at the start that is reached with this angle.
+    pub(super) fn note_start(&mut self, inner: Triad, outer: Triad, angle: Expr) {
+        let Some(body) = outer.body.filter(|body| !self.has_orientation(*body)) else { return };
+        let axes = inner.axes.map(|axis| self.hinged_at_start(Place { body: inner.body, local: axis }));
+        let turned = self.about(angle, axes);
+        let columns = self.columns(outer, turned);
+        self.started.insert(body, columns);
+    }
+
+    /// True if the orientation of a body at the start is declared.
+    pub(super) fn has_orientation(&self, body: usize) -> bool {
+        self.model.bodies[body].coordinates.iter().any(|one| matches!(one.role, Role::Quaternion(_)) && one.start.is_some())
+    }
+
+    /// Components of a vector along two axes; `None` if it is perpendicular to both at the defaults.
+    fn across(&mut self, axes: [Triple; 2], vector: Triple) -> Option<[Expr; 2]> {
+        let parts = axes.map(|axis| dot(self.arena, axis, vector));
+        let squares = parts.map(|part| self.arena.square(part));
+        let (across, whole) = (self.arena.add(squares[0], squares[1]), dot(self.arena, vector, vector));
+        let (across, whole) = (self.at_defaults(across)?, self.at_defaults(whole)?);
+        (across > ALONG * whole).then_some(parts)
+    }
+
+    /// Value of an expression of parameters at their defaults.
+    pub(super) fn at_defaults(&mut self, expr: Expr) -> Option<f64> {
+        let mut defaults = Substitution::new();
+        for (number, parameter) in (0..).zip(&self.model.parameters) {
+            defaults.replace(Leaf::Parameter(number), parameter.default);
+        }
+        let value = defaults.of(self.arena, expr);
+        self.arena.value(value)
     }
 
     fn angle_of(&mut self, s: Expr, c: Expr) -> Option<Expr> {

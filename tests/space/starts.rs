@@ -1,0 +1,51 @@
+//! Which assembly the declared start of hinged bodies chooses.
+
+use reuleaux::mechanism;
+
+mechanism! {
+    /// An arm on a cylinder, and a second one on the first; frames lie in the middle of the arms.
+    mechanism Below in space {
+        ground { axis z = (0, 0, 1);  point C = (1m, 0m, 0m);  point D = (2m, 0m, 0m); }
+        body arm { axis z = (0, 0, 1);  point O = (-0.5m, 0m, 0m);  point A = (0.5m, 0m, 0m);  start position = (0.3m, -0.4m, 0m); }
+        body hand { axis z = (0, 0, 1);  point A = (-0.5m, 0m, 0m);  point B = (0.5m, 0m, 0m);  start position = (1.0m, -0.4m, 0m); }
+        joint shoulder = revolute(ground.position, ground.z, arm.O, arm.z);
+        joint elbow = revolute(hand.A, hand.z, arm.A, arm.z);
+        drive cylinder = drive_distance(ground.C, arm.A, 1.0m);
+        drive other = drive_distance(ground.D, hand.B, 0.8m);
+    }
+}
+
+mechanism! {
+    #[allow(far_start)]
+    /// The same arm, of which the orientation at the start is declared.
+    mechanism Above in space {
+        ground { axis z = (0, 0, 1);  point C = (1m, 0m, 0m); }
+        body arm {
+            axis z = (0, 0, 1);  point O = (-0.5m, 0m, 0m);  point A = (0.5m, 0m, 0m);
+            start position = (0.3m, -0.4m, 0m);  start orientation = turn((0, 0, 1), 50deg);
+        }
+        joint shoulder = revolute(ground.position, ground.z, arm.O, arm.z);
+        drive cylinder = drive_distance(ground.C, arm.A, 1.0m);
+    }
+}
+
+#[test]
+fn a_hinged_body_starts_on_the_side_of_its_declared_position() {
+    let state = Below::default().solve(0.0).unwrap();
+    // The points O, C and A are 1 m apart.
+    let [x, y, z] = state.arm().position.into();
+    let (sine, cosine) = 60_f64.to_radians().sin_cos();
+    assert!((x - 0.5 * cosine).abs() < 1e-14 && (y + 0.5 * sine).abs() < 1e-14 && z == 0.0, "{x} {y} {z}");
+    // The hand's end is on the right of the line from A to D, where the declared position is.
+    let hand: [f64; 3] = state.hand().position.into();
+    let (to_d, to_hand) = ([2.0 - 2.0 * x, -2.0 * y], [hand[0] - 2.0 * x, hand[1] - 2.0 * y]);
+    let declared = [1.0 - 2.0 * x, -0.4 - 2.0 * y];
+    let side = |v: [f64; 2]| (to_d[0] * v[1] - to_d[1] * v[0]).signum();
+    assert_eq!(side(to_hand), side(declared));
+}
+
+#[test]
+fn a_declared_orientation_comes_before_the_position() {
+    let state = Above::default().solve(0.0).unwrap();
+    assert!(state.arm().position[1] > 0.0);
+}
