@@ -59,7 +59,7 @@ codes! {
     // Names.
     E0101: Name::UnknownName;
     E0102: Name::UnknownField Name::AngleOfBody;
-    E0103: Name::UnknownFunction;
+    E0103: Name::UnknownFunction Name::UnknownShape;
     E0104: Name::UnknownConstraint Name::NotAConstraint Array::ComponentAsConstraint Motion::UnknownForce;
     E0105: Array::UnknownComponent;
     E0106: Name::UnknownUnit Name::UnitAlone Name::UnitInParts;
@@ -80,7 +80,7 @@ codes! {
     E0203: Arity::UnknownArgument Array::ParameterAsArgument;
     E0204: Arity::DuplicateArgument;
     E0205: Arity::PositionalAfterNamed;
-    E0206: Arity::FunctionArity Value::TableArity Value::SegmentsArity;
+    E0206: Arity::FunctionArity Arity::ShapeArity Value::TableArity Value::SegmentsArity;
     E0207: Grammar::OneArgument Value::FunctionNeedsArgument;
     E0208: Arity::DefaultBefore;
     // Kinds and dimensions.

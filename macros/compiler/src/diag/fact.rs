@@ -126,6 +126,7 @@ pub enum NameFact {
     UnknownField { owner: String, name: String, near: Option<String>, known: Known },
     AngleOfBody { body: String, joint: Option<String> },
     UnknownFunction { name: String, near: Option<String>, is_constraint: bool },
+    UnknownShape { name: String, near: Option<String>, known: Vec<&'static str> },
     UnknownConstraint { name: String, near: Option<String>, home: Option<Home>, known: Known },
     UnknownUnit { number: String, name: String, near: Option<String> },
     UnknownDimension { name: String, near: Option<String> },
@@ -154,6 +155,7 @@ pub enum ArityFact {
     DuplicateArgument { name: String, is_also_in_order: bool },
     PositionalAfterNamed { next: Option<String> },
     FunctionArity { name: String, wanted: usize, found: usize },
+    ShapeArity { name: String, call: &'static str, wanted: usize, found: usize },
     OtherOrder { name: String, instead: String, signature: String },
     DefaultBefore { name: String },
 }

@@ -15,38 +15,69 @@ pub struct Solid {
     /// For each axis the factors of m and of the square of each length, as quotients.
     moments: &'static [[(i64, i64); 3]],
     lengths: usize,
+    /// How it is written, with the names of its lengths.
+    pub(crate) call: &'static str,
 }
 
 /// Zero factor.
 const NO: (i64, i64) = (0, 1);
 
-/// Name, number of lengths, and moments of inertia about each axis.
+/// How it is written, number of lengths, and moments of inertia about each axis.
 type Shape = (&'static str, usize, &'static [[(i64, i64); 3]]);
+
+/// Other words for shapes.
+const SYNONYMS: [(&str, &str); 10] = [
+    ("disc", "disk"),
+    ("wheel", "disk"),
+    ("box", "block"),
+    ("cuboid", "block"),
+    ("plate", "block"),
+    ("sphere", "ball"),
+    ("hoop", "ring"),
+    ("tube", "ring"),
+    ("bar", "rod"),
+    ("beam", "rod"),
+];
 
 /// In the plane, about z.
 const PLANE: [Shape; 5] = [
-    ("rod", 1, &[[(1, 12), NO, NO]]),
-    ("disk", 1, &[[(1, 2), NO, NO]]),
-    ("ring", 1, &[[(1, 1), NO, NO]]),
-    ("block", 2, &[[(1, 12), (1, 12), NO]]),
-    ("ball", 1, &[[(2, 5), NO, NO]]),
+    ("rod(length)", 1, &[[(1, 12), NO, NO]]),
+    ("disk(radius)", 1, &[[(1, 2), NO, NO]]),
+    ("ring(radius)", 1, &[[(1, 1), NO, NO]]),
+    ("block(a, b)", 2, &[[(1, 12), (1, 12), NO]]),
+    ("ball(radius)", 1, &[[(2, 5), NO, NO]]),
 ];
 
 /// In space, about x, y and z.
 const SPACE: [Shape; 6] = [
-    ("rod", 1, &[[NO, NO, NO], [(1, 12), NO, NO], [(1, 12), NO, NO]]),
-    ("disk", 1, &[[(1, 4), NO, NO], [(1, 4), NO, NO], [(1, 2), NO, NO]]),
-    ("ring", 1, &[[(1, 2), NO, NO], [(1, 2), NO, NO], [(1, 1), NO, NO]]),
-    ("cylinder", 2, &[[(1, 4), (1, 12), NO], [(1, 4), (1, 12), NO], [(1, 2), NO, NO]]),
-    ("block", 3, &[[NO, (1, 12), (1, 12)], [(1, 12), NO, (1, 12)], [(1, 12), (1, 12), NO]]),
-    ("ball", 1, &[[(2, 5), NO, NO], [(2, 5), NO, NO], [(2, 5), NO, NO]]),
+    ("rod(length)", 1, &[[NO, NO, NO], [(1, 12), NO, NO], [(1, 12), NO, NO]]),
+    ("disk(radius)", 1, &[[(1, 4), NO, NO], [(1, 4), NO, NO], [(1, 2), NO, NO]]),
+    ("ring(radius)", 1, &[[(1, 2), NO, NO], [(1, 2), NO, NO], [(1, 1), NO, NO]]),
+    ("cylinder(radius, length)", 2, &[[(1, 4), (1, 12), NO], [(1, 4), (1, 12), NO], [(1, 2), NO, NO]]),
+    ("block(a, b, c)", 3, &[[NO, (1, 12), (1, 12)], [(1, 12), NO, (1, 12)], [(1, 12), (1, 12), NO]]),
+    ("ball(radius)", 1, &[[(2, 5), NO, NO], [(2, 5), NO, NO], [(2, 5), NO, NO]]),
 ];
+
+fn shapes(ambient: Ambient) -> &'static [Shape] {
+    if ambient == Ambient::Space { &SPACE } else { &PLANE }
+}
 
 impl Solid {
     /// The shape of this name, in the plane or in space.
     pub(crate) fn named(name: &str, ambient: Ambient) -> Option<Solid> {
-        let shapes: &[Shape] = if ambient == Ambient::Space { &SPACE } else { &PLANE };
-        shapes.iter().find(|(known, _, _)| *known == name).map(|(_, lengths, moments)| Solid { moments, lengths: *lengths })
+        let is_named = |(call, _, _): &&Shape| call.split('(').next() == Some(name);
+        shapes(ambient).iter().find(is_named).map(|(call, lengths, moments)| Solid { moments, lengths: *lengths, call })
+    }
+
+    /// All shapes as they are written.
+    pub(crate) fn calls(ambient: Ambient) -> impl Iterator<Item = &'static str> {
+        shapes(ambient).iter().map(|(call, _, _)| *call)
+    }
+
+    /// The shape that another word means.
+    pub(crate) fn meant(word: &str, ambient: Ambient) -> Option<Solid> {
+        let meant = SYNONYMS.iter().find(|(other, _)| *other == word)?.1;
+        Solid::named(meant, ambient)
     }
 
     /// Number of lengths that define the shape.

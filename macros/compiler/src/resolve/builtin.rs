@@ -20,10 +20,7 @@ impl Elaborator<'_> {
             let function = self.rust_function(path, InferredDim::Any, InferredDim::Any);
             return self.apply(range, path, &function, arguments, scope).map(Value::Scalar);
         };
-        let declared = scope.space.and_then(|space| self.names.visible(space, &name.to_string()));
-        // A body or a joint is no function: one called `turn` does not hide the function.
-        let is_bound = scope.bound.iter().any(|(known, _)| name == known)
-            || declared.is_some_and(|group| self.names.group(group).sort.may_be_function());
+        let is_bound = self.is_bound_function(name, scope);
         if BUILTINS.contains(&name.to_string().as_str()) {
             return self.builtin(range, name, arguments, scope);
         }
@@ -55,6 +52,20 @@ impl Elaborator<'_> {
             Value::Function(function) => self.apply(range, path, &function, arguments, scope).map(Value::Scalar),
             other => self.not_a(path.range, Wanted::Function, other.kind()),
         }
+    }
+
+    /// True if a function of this name is declared or given as an argument.
+    fn is_bound_function(&self, name: &Ident, scope: &Scope) -> bool {
+        let declared = scope.space.and_then(|space| self.names.visible(space, &name.to_string()));
+        // A body or a joint is no function: one called `turn` does not hide the function.
+        scope.bound.iter().any(|(known, _)| name == known) || declared.is_some_and(|group| self.names.group(group).sort.may_be_function())
+    }
+
+    /// True if there is a function of this name.
+    pub(super) fn is_function(&self, name: &Ident, scope: &Scope) -> bool {
+        let word = name.to_string();
+        let built_in = BUILTINS.iter().chain(super::space::BUILTINS.iter()).chain([&SEGMENTS, &super::speeds::RATE]);
+        self.is_bound_function(name, scope) || built_in.into_iter().any(|known| *known == word) || self.is_library_function(name)
     }
 
     fn similar_function(&self, name: &Ident, scope: &Scope) -> Option<String> {

@@ -15,6 +15,7 @@ use crate::model::Solid;
 use crate::names::{Key, Scope, Value};
 use crate::quantity::{Ambient, Dim};
 use crate::syntax::ast::{self, ExpressionKind, MassItem};
+use proc_macro2::Ident;
 
 impl Elaborator<'_> {
     /// Mass, centre and inertia of a body.
@@ -118,11 +119,17 @@ impl Elaborator<'_> {
             let name = path.last.to_string();
             let Some(mass) = mass else { return self.refuse(written.range, ValueFact::ShapeWithoutMass { name }) };
             if arguments.len() != shape.lengths() {
-                return self.refuse(written.range, ArityFact::FunctionArity { name, wanted: shape.lengths(), found: arguments.len() });
+                let (call, wanted, found) = (shape.call, shape.lengths(), arguments.len());
+                return self.refuse(written.range, ArityFact::ShapeArity { name, call, wanted, found });
             }
             let lengths: Option<Vec<Expr>> =
                 arguments.iter().map(|length| self.scalar_of(length, Dim::LENGTH, scope).map(|scalar| scalar.expr)).collect();
             return Some(shape.inertia(&mut self.arena, mass, &lengths?));
+        }
+        if let ExpressionKind::Call(path, _) = &written.kind
+            && let Some(name) = path.name.as_ref().filter(|name| !self.is_function(name, scope))
+        {
+            return self.unknown_shape(name);
         }
         if self.names.ambient == Ambient::Plane {
             if let ExpressionKind::Tuple(items) = &written.kind {
@@ -143,6 +150,14 @@ impl Elaborator<'_> {
         }
         parts.resize(6, self.arena.integer(0));
         Some(parts)
+    }
+
+    fn unknown_shape<T>(&mut self, name: &Ident) -> Option<T> {
+        let (ambient, word) = (self.names.ambient, name.to_string());
+        let similar = || self.nearest(&word, Solid::calls(ambient).filter_map(|call| call.split('(').next()));
+        let meant = Solid::meant(&word, ambient).or_else(|| Solid::named(&similar()?, ambient));
+        let (near, known) = (meant.map(|solid| solid.call.to_owned()), Solid::calls(ambient).collect());
+        self.refuse(name, NameFact::UnknownShape { name: word, near, known })
     }
 
     /// A number without parameters as a constant, so that no program computes it.

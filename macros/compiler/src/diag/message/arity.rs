@@ -36,6 +36,9 @@ impl Display for ArityFact {
                 write!(f, "an argument without a name cannot follow one with a name")?;
                 next.as_ref().map_or(Ok(()), |next| write!(f, "\nhelp: say which one it is, such as `{next}: …`"))
             }
+            ArityFact::ShapeArity { name, call, wanted, found } => {
+                write!(f, "`{name}` takes {}, found {found}\nhelp: write `{call}`", plural(*wanted, "length"))
+            }
             ArityFact::FunctionArity { name, wanted, found } => {
                 write!(f, "`{name}` takes {}, found {found}", plural(*wanted, "argument"))?;
                 match (wanted, name.as_str()) {

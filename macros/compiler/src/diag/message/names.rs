@@ -53,6 +53,11 @@ impl Display for NameFact {
                 write!(f, "no function is called `{name}`\nhelp: declare it, such as `function {name}(x: Angle) -> Length = …;`")
             }
             NameFact::UnknownFunction { name, near, .. } => write!(f, "no function is called `{name}`{}", did_you_mean(near)),
+            NameFact::UnknownShape { name, near: Some(near), .. } => write!(f, "no shape is called `{name}`\nhelp: write `{near}`"),
+            NameFact::UnknownShape { name, known, .. } => {
+                write!(f, "no shape is called `{name}`\nnote: there are {}", listed(known.iter().copied()))?;
+                write!(f, "\nhelp: write moments of inertia for a body of another shape")
+            }
             NameFact::UnknownConstraint { name, near, home, known } => {
                 write!(f, "no constraint is called `{name}`{}", did_you_mean(near))?;
                 match home.filter(|_| near.is_none()) {
