@@ -162,7 +162,7 @@ pub use names::{
     BranchEnd, Cause, Coordinate, CoordinateKind, Culprit, Description, Operations, ParameterOutOfRange, Plan, PlanStage, Row,
 };
 pub use newton::{Block, Iterate, Solved, StepError};
-pub use number::{DetSign, Ends, Float, Mask, Real, SimdReal, Single, Table};
+pub use number::{DetSign, Ends, Float, Mask, Real, SimdReal, Single, Table, Time, Times};
 #[doc(hidden)]
 pub use path::step_in_part;
 #[doc(hidden)]

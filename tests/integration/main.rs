@@ -17,5 +17,6 @@ mod redundant;
 mod shapes;
 mod stress;
 mod sweeps;
+mod times;
 mod turns;
 mod unit_constraints;

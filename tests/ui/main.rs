@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rustc::{Rustc, plain};
 
 /// Mistakes by family.
-const FAMILIES: [&str; 16] = [
+const FAMILIES: [&str; 17] = [
     "syntax",
     "names",
     "arity",
@@ -30,6 +30,7 @@ const FAMILIES: [&str; 16] = [
     "redundancy",
     "closure",
     "parameters",
+    "times",
     "space",
 ];
 

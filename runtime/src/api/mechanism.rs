@@ -8,7 +8,7 @@ use super::sweep::Sweep;
 use crate::enclosure::{self, Certificate, Doubt, Enclosure, ErrorBound};
 use crate::explain::{Failure, verdict};
 use crate::names::Cause;
-use crate::number::Float;
+use crate::number::{Float, Times};
 use crate::path::{self, Unassembled};
 use crate::solve::{Family, Stages};
 use crate::state::{HasState, State};
@@ -256,13 +256,13 @@ pub trait Mechanism<T: Float, const N: usize>: Stages<T, N> {
         gradient::update_derivatives(self, state.as_state(), varied, there)
     }
 
-    /// The states at these times (s), such as `(0..=360).map(|i| f64::from(i) * 1e-3)`: the first as by [`solve`](Self::solve), each
-    /// further one from the one before.
+    /// The states at these [`Times`] (s), such as `(0..=360).map(|i| f64::from(i) * 1e-3)` or a reference to a list: the first as by
+    /// [`solve`](Self::solve), each further one from the one before.
     ///
     /// The iterator ends after the first failure. A change point on the way is passed on the smooth branch. A state at
     /// the change point itself is the limit of those around it: its equations hold to rounding, but no
     /// [certificate](Self::certify) is possible there, since there is another solution next to it.
-    fn sweep<I: IntoIterator<Item = T>>(&self, times: I) -> Sweep<'_, Self, I::IntoIter, T, N>
+    fn sweep<I: Times<T>>(&self, times: I) -> Sweep<'_, Self, I::IntoIter, T, N>
     where
         Self: Sized,
     {

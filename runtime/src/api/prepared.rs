@@ -11,7 +11,7 @@ use super::{Mechanism, sweep};
 use crate::explain::Failure;
 use crate::names::{Coordinate, Description, ParameterOutOfRange, Row};
 use crate::newton::StepError;
-use crate::number::Float;
+use crate::number::{Float, Times};
 use crate::solve::{Solver, SolverReal, Stages};
 use crate::state::{Coordinates, State};
 
@@ -105,7 +105,7 @@ where
     }
 
     /// The states at these times (s), each followed from the one before; ends after a failure.
-    pub fn sweep<I: IntoIterator<Item = T>>(&self, times: I) -> impl Iterator<Item = Result<M::State, Failure<T, N>>> + use<M, T, I, N, F> {
+    pub fn sweep<I: Times<T>>(&self, times: I) -> impl Iterator<Item = Result<M::State, Failure<T, N>>> + use<M, T, I, N, F> {
         sweep(*self, times).map(|result| result.map(M::named))
     }
 }

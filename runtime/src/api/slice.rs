@@ -12,7 +12,7 @@ use super::{Mechanism, sweep};
 use crate::explain::Failure;
 use crate::names::{Coordinate, CoordinateKind, Description, ParameterOutOfRange, Plan, Row};
 use crate::newton::StepError;
-use crate::number::{Float, Real};
+use crate::number::{Float, Real, Times};
 use crate::solve::{Family, Solver, SolverReal, Stages};
 use crate::state::{Coordinates, State};
 
@@ -167,7 +167,7 @@ where
     }
 
     /// The states at these times (s), each followed from the one before; ends after a failure.
-    pub fn sweep<I: IntoIterator<Item = T>>(
+    pub fn sweep<I: Times<T>>(
         &self,
         times: I,
     ) -> impl Iterator<Item = Result<SliceState<M, T, OUTPUT, N, WHOLE>, Failure<T, N>>> + use<M, T, I, OUTPUT, N, WHOLE> {

@@ -4,14 +4,11 @@ use core::iter::FusedIterator;
 
 use super::Mechanism;
 use crate::explain::Failure;
-use crate::number::Float;
+use crate::number::{Float, Time, Times};
 use crate::state::State;
 
-/// The states of a mechanism at these times (s), as [`Mechanism::sweep`] gives them, by an iterator that owns the mechanism.
-pub fn sweep<E, T, const N: usize>(
-    mechanism: E,
-    times: impl IntoIterator<Item = T>,
-) -> impl Iterator<Item = Result<State<T, N>, Failure<T, N>>>
+/// The states of a mechanism at these [`Times`] (s), as [`Mechanism::sweep`] gives them, by an iterator that owns the mechanism.
+pub fn sweep<E, T, const N: usize>(mechanism: E, times: impl Times<T>) -> impl Iterator<Item = Result<State<T, N>, Failure<T, N>>>
 where
     E: Mechanism<T, N>,
     T: Float,
@@ -46,7 +43,7 @@ impl<'a, E: ?Sized, I, T, const N: usize> Sweep<'a, E, I, T, N> {
 impl<E, I, T, const N: usize> Iterator for Sweep<'_, E, I, T, N>
 where
     E: Mechanism<T, N>,
-    I: Iterator<Item = T>,
+    I: Iterator<Item: Time<T>>,
     T: Float,
 {
     type Item = Result<State<T, N>, Failure<T, N>>;
@@ -67,7 +64,7 @@ where
 impl<E, I, T, const N: usize> FusedIterator for Sweep<'_, E, I, T, N>
 where
     E: Mechanism<T, N>,
-    I: Iterator<Item = T>,
+    I: Iterator<Item: Time<T>>,
     T: Float,
 {
 }
@@ -75,7 +72,7 @@ where
 /// The next state of a sweep; ends after a failure.
 fn next<E, T, const N: usize>(
     mechanism: &E,
-    times: &mut impl Iterator<Item = T>,
+    times: &mut impl Iterator<Item: Time<T>>,
     progress: &mut Progress<State<T, N>>,
 ) -> Option<Result<State<T, N>, Failure<T, N>>>
 where
@@ -85,7 +82,7 @@ where
     if matches!(progress, Progress::Ended) {
         return None;
     }
-    let Some(t) = times.next() else {
+    let Some(t) = times.next().map(Time::time) else {
         *progress = Progress::Ended;
         return None;
     };

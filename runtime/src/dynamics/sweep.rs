@@ -6,7 +6,7 @@ use super::explicit::Explicit;
 use super::integrator::Integrator;
 use super::method::Method;
 use super::stopped::Stopped;
-use crate::number::Float;
+use crate::number::{Float, Time};
 use crate::state::State;
 
 /// States of a motion at given times: steps are as long as the tolerance allows, and states between their ends are interpolated.
@@ -82,12 +82,12 @@ impl<S, T, X, const N: usize, const I: usize, const M: usize, const R: usize, K:
 where
     T: Float,
     S: Dynamics<T, N, I, M, R>,
-    X: Iterator<Item = T>,
+    X: Iterator<Item: Time<T>>,
 {
     type Item = Result<State<T, N>, Stopped<T>>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        let t = self.times.next()?;
+        let t = self.times.next()?.time();
         if let Some(stopped) = self.stopped.take() {
             return Some(Err(stopped));
         }

@@ -9,9 +9,11 @@ mod simd;
 pub(crate) mod sin_cos;
 mod single;
 mod table;
+mod times;
 
 pub use det_sign::DetSign;
 pub use float::Float;
 pub use real::Real;
 pub use simd::{Mask, SimdReal};
 pub use table::{Ends, Single, Table};
+pub use times::{Time, Times};

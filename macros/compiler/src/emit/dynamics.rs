@@ -284,7 +284,7 @@ impl Emitter<'_> {
             /// their ends are interpolated and brought back to where the equations hold. After an error there are no more.
             pub fn sweep<'a>(
                 &'a self,
-                times: impl ::core::iter::IntoIterator<Item = T> + 'a,
+                times: impl ::reuleaux::Times<T> + 'a,
                 integrator: ::reuleaux::Integrator<T, impl ::reuleaux::Method + 'a>,
             ) -> impl ::core::iter::Iterator<Item = ::core::result::Result<#state<T>, #failure>> + 'a {
                 let start = ::reuleaux::motion::initial_state(self);
@@ -295,7 +295,7 @@ impl Emitter<'_> {
             pub fn sweep_from<'a>(
                 &'a self,
                 state: &#state<T>,
-                times: impl ::core::iter::IntoIterator<Item = T> + 'a,
+                times: impl ::reuleaux::Times<T> + 'a,
                 integrator: ::reuleaux::Integrator<T, impl ::reuleaux::Method + 'a>,
             ) -> impl ::core::iter::Iterator<Item = ::core::result::Result<#state<T>, #failure>> + 'a {
                 let start = ::core::result::Result::Ok(::core::clone::Clone::clone(&state.0));

@@ -304,13 +304,13 @@ fn motion_from_forces(state: &Ident, body: &TokenStream) -> TokenStream {
         ) -> #found { #body }
         pub fn sweep<'a>(
             &'a self,
-            _: impl ::core::iter::IntoIterator<Item = T> + 'a,
+            _: impl ::reuleaux::Times<T> + 'a,
             _: ::reuleaux::Integrator<T, impl ::reuleaux::Method>,
         ) -> ::std::vec::IntoIter<#first> { #body }
         pub fn sweep_from<'a>(
             &'a self,
             _: &#state<T>,
-            _: impl ::core::iter::IntoIterator<Item = T> + 'a,
+            _: impl ::reuleaux::Times<T> + 'a,
             _: ::reuleaux::Integrator<T, impl ::reuleaux::Method>,
         ) -> ::std::vec::IntoIter<#first> { #body }
         pub fn step(&self, _: &mut #state<T>, _: T) -> #nothing { #body }
