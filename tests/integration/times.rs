@@ -37,6 +37,9 @@ fn a_reference_to_times_gives_the_same_states() {
     let known: Vec<_> = pump.sweep(TIMES).map(|state| state.unwrap()).collect();
     assert_eq!(known.iter().map(|state| state.t).collect::<Vec<_>>(), list);
 
+    assert!(pump.sweep(&list).map(|state| state.unwrap()).eq(known.iter().cloned()));
+    assert!(pump.sweep(&list[1..]).map(|state| state.unwrap().t).eq(list[1..].iter().copied()));
+    assert!(pump.sweep(list.iter()).map(|state| state.unwrap()).eq(known.iter().cloned()));
     assert!(prepared.sweep(&list).map(|state| state.unwrap()).eq(known.iter().cloned()));
     assert!(prepared.sweep(&list[1..]).map(|state| state.unwrap().t).eq(list[1..].iter().copied()));
     let lit: Vec<_> = lamp.sweep(TIMES).map(|state| state.unwrap()).collect();
@@ -70,6 +73,7 @@ fn literals_are_single_in_single_precision() {
     let single = Pump::<f32>::with_defaults();
     let states = single.sweep((0..3).map(|k| 0.25 * k as f32));
     assert_eq!(states.map(|state| state.unwrap().t).sum::<f32>(), 0.75);
+    assert_eq!(single.sweep(&[0.0, 0.5]).last().unwrap().unwrap().t, 0.5_f32);
     assert_eq!(single.sweep([0.0, 0.5]).last().unwrap().unwrap().t, 0.5_f32);
 
     let pendulum = Pendulum::<f32>::with_defaults();

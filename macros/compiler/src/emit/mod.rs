@@ -351,7 +351,7 @@ fn solve(model: &Model, system: &System, plan: &Plan) -> TokenStream {
                 ::reuleaux::Mechanism::<T, #n>::advance(self, &mut state.0, t)
             }
             /// The states at these times (s), each followed from the one before; ends after a failure.
-            pub fn sweep<I: ::core::iter::IntoIterator<Item = T>>(
+            pub fn sweep<I: ::reuleaux::Times<T>>(
                 &self,
                 times: I,
             ) -> impl ::core::iter::Iterator<Item = #result> + use<'_, T, I> {

@@ -236,7 +236,7 @@ fn solutions(name: &Ident, state: &Ident, visibility: &TokenStream, n: usize, bo
         pub fn solve_near(&self, _: T, _: &#vector) -> #result { #body }
         pub fn solve_from(&self, _: T, _: &#state<T>) -> #result { #body }
         pub fn advance(&self, _: &mut #state<T>, _: T) -> ::core::result::Result<(), ::reuleaux::Failure<T, #n>> { #body }
-        pub fn sweep<I: ::core::iter::IntoIterator<Item = T>>(&self, _: I) -> ::core::iter::Empty<#result> { #body }
+        pub fn sweep<I: ::reuleaux::Times<T>>(&self, _: I) -> ::core::iter::Empty<#result> { #body }
         pub fn prepared(&self) -> #prepared<T> { #body }
     };
     let traits = quote! {
