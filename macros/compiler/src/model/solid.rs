@@ -26,10 +26,9 @@ const NO: (i64, i64) = (0, 1);
 type Shape = (&'static str, usize, &'static [[(i64, i64); 3]]);
 
 /// Other words for shapes.
-const SYNONYMS: [(&str, &str); 10] = [
+const SYNONYMS: [(&str, &str); 9] = [
     ("disc", "disk"),
     ("wheel", "disk"),
-    ("box", "block"),
     ("cuboid", "block"),
     ("plate", "block"),
     ("sphere", "ball"),

@@ -36,6 +36,9 @@ impl Display for GrammarFact {
             GrammarFact::Expected { what: "`;`", found } => {
                 write!(f, "expected `;`, found {found}\nhelp: end what stands before it with `;`")
             }
+            GrammarFact::Expected { what: what @ "an expression", found } if found == "`box`" => {
+                write!(f, "expected {what}, found {found}, a word of Rust\nhelp: the shape is `block(a, b, c)`, in the plane `block(a, b)`")
+            }
             GrammarFact::Expected { what: what @ "`=`", found } if found == "`==`" => {
                 write!(
                     f,
