@@ -155,8 +155,8 @@ pub use dynamics::{Balance, Constraints, Dynamics, Energy, Explicit, Integrator,
 pub use enclosure::{Certificate, Doubt, Enclosure, ErrorBound};
 pub use explain::Failure;
 #[doc(hidden)]
-pub use linear::solution_by_selection;
-pub use linear::{AtIterate, Eliminated, Elimination, Entries, FactorReal, Factors, Linear, Order, Small, Sparse, Turning};
+pub use linear::{AtIterate, Turning, solution_by_selection};
+pub use linear::{Eliminated, Elimination, Entries, FactorReal, Factors, Linear, Order, Small, Sparse};
 pub use nalgebra;
 pub use names::{
     BranchEnd, Cause, Coordinate, CoordinateKind, Culprit, Description, Operations, ParameterOutOfRange, Plan, PlanStage, Row,

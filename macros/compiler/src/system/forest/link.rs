@@ -58,7 +58,8 @@ impl Forest<'_> {
         if self.model.task == Task::Motion || self.model.methods.iter().any(|method| method.is_slice) {
             return Vec::new();
         }
-        let links: Vec<BinaryLink> = (0..self.model.bodies.len()).filter_map(|body| self.link(body)).collect();
+        let rows = self.rows_of_bodies();
+        let links: Vec<BinaryLink> = rows.iter().enumerate().filter_map(|(body, rows)| self.link(body, rows)).collect();
         for link in &links {
             let (joint, first) = link.second;
             self.holding.extend((first..first + 3).map(|row| (joint, row)));
@@ -68,7 +69,8 @@ impl Forest<'_> {
         links
     }
 
-    fn link(&mut self, body: usize) -> Option<BinaryLink> {
+    /// The link that a body is, which occurs in these rows.
+    fn link(&mut self, body: usize, rows: &[(usize, usize)]) -> Option<BinaryLink> {
         let relations = &self.model.space.relations;
         let own: Vec<_> = relations.iter().filter(|(_, _, relation)| relation.bodies().contains(&Some(body))).copied().collect();
         let outward = |one: Place, two: Place| if one.body == Some(body) { [two, one] } else { [one, two] };
@@ -84,7 +86,7 @@ impl Forest<'_> {
         // The row of the link stands where the joint with the cross does.
         points.sort_by_key(|(of, ..)| of == joint);
         let [(ball, _, [p, own_p]), (other, first, [q, own_q])] = [points[0], points[1]];
-        let is_held_elsewhere = p.body == q.body || self.has_other_rows(body, &own);
+        let is_held_elsewhere = p.body == q.body || has_other_rows(rows, &own);
         if is_held_elsewhere || own.iter().any(|(joint, ..)| self.model.joints[*joint].is_redundant) {
             return None;
         }
@@ -96,20 +98,26 @@ impl Forest<'_> {
         is_link.then_some(BinaryLink { body, ball, second: (other, first), arms: (*joint, *row), ends: [p, q], arm: *arm, along })
     }
 
-    /// True if a row apart from those of the relations depends on a body.
-    fn has_other_rows(&self, body: usize, relations: &[(usize, usize, Relationship)]) -> bool {
-        let stated: BTreeSet<(usize, usize)> =
-            relations.iter().flat_map(|(joint, row, relation)| (0..relation.rows()).map(move |k| (*joint, row + k))).collect();
-        let own = |first: usize, each: usize| (DECLARED as usize + each * first) as u32..(DECLARED as usize + each * (first + 1)) as u32;
-        let (coordinates, speeds) = (own(body, Role::SPACE.len()), own(body, 6));
-        let is_own = |leaf: Leaf| match leaf {
-            Leaf::Coordinate(number) => coordinates.contains(&number),
-            Leaf::Speed(number) => speeds.contains(&number),
-            _ => false,
+    /// By body, the joint and number of each row that depends on it.
+    fn rows_of_bodies(&self) -> Vec<Vec<(usize, usize)>> {
+        let mut rows = vec![Vec::new(); self.model.bodies.len()];
+        let body = |leaf: Leaf| match leaf {
+            Leaf::Coordinate(number) => Some(number.checked_sub(DECLARED)? as usize / Role::SPACE.len()),
+            Leaf::Speed(number) => Some(number.checked_sub(DECLARED)? as usize / 6),
+            _ => None,
         };
-        let joints = self.model.joints.iter().enumerate();
-        let mut rows = joints.flat_map(|(joint, declared)| declared.residuals.iter().enumerate().map(move |(row, of)| ((joint, row), of)));
-        rows.any(|(at, of)| !stated.contains(&at) && self.model.arena.leaves(of.expr).into_iter().any(is_own))
+        for (joint, declared) in self.model.joints.iter().enumerate() {
+            for (row, residual) in declared.residuals.iter().enumerate() {
+                let bodies: BTreeSet<usize> = self.model.arena.leaves(residual.expr).into_iter().filter_map(body).collect();
+                // Angles and displacements of joints have the numbers after those of the bodies.
+                for body in bodies {
+                    if let Some(rows) = rows.get_mut(body) {
+                        rows.push((joint, row));
+                    }
+                }
+            }
+        }
+        rows
     }
 
     /// The row of a link and its frame, once its neighbours have theirs.
@@ -244,4 +252,11 @@ impl Forest<'_> {
         let side = dot(self.arena, across, z);
         self.at_defaults(side).is_some_and(|value| value < 0.0)
     }
+}
+
+/// True if there are other rows than those of relations.
+fn has_other_rows(rows: &[(usize, usize)], relations: &[(usize, usize, Relationship)]) -> bool {
+    let stated: BTreeSet<(usize, usize)> =
+        relations.iter().flat_map(|(joint, row, relation)| (0..relation.rows()).map(move |k| (*joint, row + k))).collect();
+    rows.iter().any(|row| !stated.contains(row))
 }
