@@ -29,6 +29,20 @@ mechanism! {
     }
 }
 
+mechanism! {
+    #[allow(far_start)]
+    /// The arm that is placed, and a hand whose orientation against ground is declared.
+    mechanism Turned in space {
+        ground { axis z = (0, 0, 1);  point C = (1m, 0m, 0m);  point D = (2m, 0m, 0m); }
+        body arm { axis z = (0, 0, 1);  point O = (-0.5m, 0m, 0m);  point A = (0.5m, 0m, 0m);  start position = (0.3m, -0.4m, 0m); }
+        body hand { axis z = (0, 0, 1);  point A = (-0.5m, 0m, 0m);  point B = (0.5m, 0m, 0m);  start orientation = turn((0, 0, 1), 60deg); }
+        joint shoulder = revolute(ground.position, ground.z, arm.O, arm.z);
+        joint elbow = revolute(arm.A, arm.z, hand.A, hand.z);
+        drive cylinder = drive_distance(ground.C, arm.A, 1.0m);
+        drive other = drive_distance(ground.D, hand.B, 0.8m);
+    }
+}
+
 #[test]
 fn a_hinged_body_starts_on_the_side_of_its_declared_position() {
     let state = Below::default().solve(0.0).unwrap();
@@ -48,4 +62,14 @@ fn a_hinged_body_starts_on_the_side_of_its_declared_position() {
 fn a_declared_orientation_comes_before_the_position() {
     let state = Above::default().solve(0.0).unwrap();
     assert!(state.arm().position[1] > 0.0);
+}
+
+#[test]
+fn a_declared_orientation_is_that_against_ground_on_a_placed_body_as_well() {
+    let state = Turned::default().solve(0.0).unwrap();
+    // The hand lies to one side or the other of the line from A to D, which is √3 m long and rises by 30°.
+    let side = ((1.0 + 3.0 - 0.64) / (2.0 * 3_f64.sqrt())).acos();
+    let direction = state.hand().orientation() * reuleaux::nalgebra::Vector3::x();
+    let angle = direction[1].atan2(direction[0]);
+    assert!((angle - (30_f64.to_radians() + side)).abs() < 1e-14, "{angle}");
 }

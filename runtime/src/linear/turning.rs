@@ -20,6 +20,9 @@ use nalgebra::{SMatrix, SVector};
 use super::{Elimination, Linear};
 use crate::number::{Float, SimdReal};
 
+/// √3/2
+const HALF_DIAGONAL: f64 = 0.866_025_403_784_438_6;
+
 /// M, and the iterate.
 #[derive(Clone, Copy, Debug)]
 pub struct AtIterate<T, M, const K: usize> {
@@ -143,13 +146,13 @@ where
         self.factors.is_rounding(b, sizes, multiple)
     }
 
-    /// Of a unit quaternion δe = θ e/2.
+    /// Of a unit quaternion δe = θ e/2, each component of which is at most √3/2 times the largest of θ.
     #[inline]
     fn error_amplification(&self, sizes: &SVector<T, K>, reciprocals: &SVector<T, K>) -> T {
         let mut shares = *reciprocals;
         for &column in E::QUATERNIONS.iter().flatten() {
             if let Some(share) = shares.get_mut(column) {
-                *share = T::of(0.5) * *share;
+                *share = T::of(HALF_DIAGONAL) * *share;
             }
         }
         self.factors.error_amplification(sizes, &shares)

@@ -6,8 +6,8 @@
 pub struct Coordinate {
     /// The body as declared.
     pub body: &'static str,
-    /// `"x"`, `"y"` or `"angle"`; in space also `"z"`, components of a quaternion, `"e0"` to `"e3"`, and of a rotation matrix, `"a11"` to `"a33"`, and
-    /// angles and displacements of joints.
+    /// `"x"`, `"y"` or `"angle"`. In space also `"z"`, `"e0"` to `"e3"` (quaternion), `"a11"` to `"a33"` (rotation matrix), and angles and
+    /// displacements of joints.
     pub name: &'static str,
     /// The quantity that it measures.
     pub kind: CoordinateKind,

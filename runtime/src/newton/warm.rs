@@ -5,7 +5,7 @@
 //! per lane.
 //!
 //! ```text
-//! x₀ = q + h q̇ + h² q̈ / 2 + e e: estimate of the remainder, from the previous step (Extrapolation)
+//! x₀ = q + h q̇ + h² q̈ / 2 + e        e: estimate of the remainder, from the previous step (Extrapolation)
 //! A₀ δ = Φ(x₀)                      A₀ = Φ_q(x₀)
 //! x  = x₀ − δ                       the solution if |δ| ≤ √ε, for then |δ|² is below rounding
 //! A η = Φ(x) and if |η| is a rounding error (no later result depends on η), as it is if Φ(x) is one
@@ -134,7 +134,11 @@ impl<'a, T: SimdReal, const N: usize> Predictor<'a, T, N> {
             let (phi, jacobian) = evaluate(&there);
             let factors = L::factor(&jacobian).ok()?;
             let is_rounding = factors.is_rounding(&phi, data.sizes, T::of(ROUNDINGS));
-            let next = if is_rounding.all() { T::of(0.0) } else { norm(&factors.solve_regular(&phi), data.reciprocal) };
+            let next = if is_rounding.all() {
+                T::of(0.0)
+            } else {
+                T::pick(is_rounding, T::of(0.0), norm(&factors.solve_regular(&phi), data.reciprocal))
+            };
             let amplification = factors.error_amplification(data.sizes, data.reciprocal);
             let condition = amplification.max(T::of(1.0));
 

@@ -47,7 +47,7 @@ impl<T: Float> Time<T> for &T {
 /// `0.0..1.0` has no times, because it has no step.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not give times of type `{T}`",
-    label = "these are no times",
+    label = "not a sequence of times",
     note = "times are an array, a slice, a `Vec` or an iterator of `{T}` or `&{T}`",
     note = "a range of numbers has no step: write `(0..=100).map(|k| f64::from(k) / 100.0)`"
 )]

@@ -26,14 +26,13 @@ const NO: (i64, i64) = (0, 1);
 type Shape = (&'static str, usize, &'static [[(i64, i64); 3]]);
 
 /// Other words for shapes.
-const SYNONYMS: [(&str, &str); 9] = [
+const SYNONYMS: [(&str, &str); 8] = [
     ("disc", "disk"),
     ("wheel", "disk"),
     ("cuboid", "block"),
     ("plate", "block"),
     ("sphere", "ball"),
     ("hoop", "ring"),
-    ("tube", "ring"),
     ("bar", "rod"),
     ("beam", "rod"),
 ];

@@ -5,8 +5,8 @@
 //! (ρ, θ) = D δe     ρ = 2 e · δe,  θ = 2/(e · e) vec(δe ē)
 //! ```
 //!
-//! M has a column for each turn θ about an axis of ground, which is shorter than four columns by the components of e, and in place of the row
-//! of the norm the single entry 1. Only rows in which e occurs through vectors fixed in the body can be written so: they do not change
+//! M has three columns of turns θ about the axes of ground, which are shorter than the four columns of e. In the row of the norm its only
+//! entry is 1. Only rows in which e occurs through vectors fixed in the body can be written so: they do not change
 //! with the length of e.
 
 #[cfg(test)]

@@ -36,8 +36,10 @@ pub(super) struct Forest<'a> {
     coordinates: Vec<Coordinate>,
     /// The relation's joint by which each body was reached, and the body that it was reached from.
     reached: Vec<Option<(usize, Option<usize>)>>,
-    /// The axes at the start of hinged bodies of which the orientation is not declared.
+    /// Axes at the start of hinged bodies whose orientation is not declared.
     started: BTreeMap<usize, [Triple; 3]>,
+    /// Hinged bodies that turn to their declared place at the start.
+    placed: BTreeSet<usize>,
     /// Angles between triads.
     angles: Vec<(Triad, Triad, Expr)>,
     /// Displacements along lines that place a body, by number of the quantity.
@@ -75,6 +77,7 @@ pub(super) fn reduce(model: &Model, arena: &mut Arena, free_speeds: FreeSpeeds) 
         coordinates: Vec::new(),
         reached: vec![None; bodies],
         started: BTreeMap::new(),
+        placed: BTreeSet::new(),
         angles: Vec::new(),
         displacements: HashMap::new(),
         further_angles: BTreeMap::new(),

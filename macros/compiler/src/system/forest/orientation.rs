@@ -21,7 +21,10 @@ impl Forest<'_> {
         let is_forward = inner == one;
         let against = |forest: &mut Self, angle: Expr| if is_forward { angle } else { forest.arena.neg(angle) };
         let start = match self.start_angle_by_place(inner, outer) {
-            Some(angle) => Some(against(self, angle)),
+            Some(angle) => {
+                self.placed.insert(body);
+                Some(against(self, angle))
+            }
             None => self.start_angle(one, two),
         };
         let angle = start.unwrap_or_else(|| self.arena.integer(0));

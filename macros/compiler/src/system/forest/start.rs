@@ -25,12 +25,18 @@ impl Forest<'_> {
         combination(self.arena, place.local, columns)
     }
 
-    /// The same as the body is turned about its hinge at the start, if its orientation is not declared.
+    /// The same, turned about its hinge, if the orientation of the body is not declared.
     fn hinged_at_start(&mut self, place: Place) -> Triple {
         match place.body.and_then(|body| self.started.get(&body)) {
             Some(columns) => combination(self.arena, place.local, *columns),
             None => self.at_start(place),
         }
+    }
+
+    /// The same, turned about its hinge, if the body turns to its declared place.
+    fn placed_at_start(&mut self, place: Place) -> Triple {
+        let is_placed = place.body.is_some_and(|body| self.placed.contains(&body));
+        if is_placed { self.hinged_at_start(place) } else { self.at_start(place) }
     }
 
     /// Position of a point at the declared start.
@@ -49,8 +55,8 @@ impl Forest<'_> {
 
     /// Angle of the second triad against the first at the declared start; `None` if it is zero.
     pub(super) fn start_angle(&mut self, one: Triad, two: Triad) -> Option<Expr> {
-        let [x, y] = [0, 1].map(|k| self.at_start(Place { body: one.body, local: one.axes[k] }));
-        let other = self.at_start(Place { body: two.body, local: two.axes[0] });
+        let [x, y] = [0, 1].map(|k| self.placed_at_start(Place { body: one.body, local: one.axes[k] }));
+        let other = self.placed_at_start(Place { body: two.body, local: two.axes[0] });
         let (s, c) = (dot(self.arena, y, other), dot(self.arena, x, other));
         self.angle_of(s, c)
     }
