@@ -3,7 +3,7 @@
 //! A fixed order may meet a small pivot although the matrix is regular; elimination with pivoting then replaces it.
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 use core::marker::PhantomData;
 
@@ -34,8 +34,9 @@ pub struct Entries<T, const K: usize, const ENTRIES: usize> {
 ///
 /// is required. Then L U equals A up to relative changes of its rows by at most about K g ε (Higham: Accuracy and Stability of
 /// Numerical Algorithms, 9.3), x is correct to about cond(A) g ε, and one step of refinement leaves the square of this, which is
-/// below the unavoidable cond(A) ε up to the condition of 1/√ε that counts as singular. If growth is at most 2,
-/// refinement is not needed. The units of rows do not matter, and the determinant has the sign that it shows. Where this does not hold, [dense factors](FactorReal::Dense) are used.
+/// below the unavoidable cond(A) ε up to the condition of 1/√ε that counts as singular. If growth is at most 2, refinement is not
+/// needed. The units of rows do not matter, and the determinant has the sign that it shows. Where the two conditions do not hold,
+/// [dense factors](FactorReal::Dense) are used.
 #[derive(Clone, Copy, Debug)]
 pub struct Sparse<T: FactorReal, E, const K: usize, const ENTRIES: usize, const FACTORS: usize> {
     pub(super) matrix: Entries<T, K, ENTRIES>,

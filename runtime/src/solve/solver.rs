@@ -148,8 +148,7 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
     ) -> Result<Solved<T, T::Sparse<E, K, ENTRIES, FACTORS>, K>, StepError<T>> {
         // Only the type of the elimination is needed.
         let _ = elimination;
-        let (length, reciprocal) = self.lengths();
-        let columns = Scale::by_kind(length, reciprocal, &block.kinds).column.data.0[0];
+        let columns = self.columns(block);
         self.block(block, sizes, |iterate| {
             let (phi, values) = evaluate(iterate);
             (SVector::from(phi), Entries { values, columns })
@@ -169,8 +168,7 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
         evaluate: impl Fn(&Iterate<T, K>) -> ([T; K], [T; ENTRIES]),
     ) -> Result<Solved<T, ByTurns<T, E, K, ENTRIES, FACTORS>, K>, StepError<T>> {
         let _ = elimination;
-        let (length, reciprocal) = self.lengths();
-        let columns = Scale::by_kind(length, reciprocal, &block.kinds).column.data.0[0];
+        let columns = self.columns(block);
         self.block(block, sizes, |iterate| {
             let (phi, values) = evaluate(iterate);
             (SVector::from(phi), AtIterate { matrix: Entries { values, columns }, x: iterate.x })
@@ -191,6 +189,13 @@ impl<'a, T: SolverReal, const N: usize> Solver<'a, T, N> {
             }
             Method::ColdStart(cold) => cold.check(row, residual, size),
         }
+    }
+
+    /// The size of each unknown of a block.
+    #[inline(always)]
+    fn columns<const K: usize>(&self, block: &Block<K>) -> [T; K] {
+        let (length, reciprocal) = self.lengths();
+        Scale::by_kind(length, reciprocal, &block.kinds).column.data.0[0]
     }
 
     #[inline(always)]

@@ -44,7 +44,7 @@ pub(super) fn equations<'a>(model: &Model, arena: &mut Arena, rows: impl Iterato
     let bodies = model.bodies.len();
     let by = |speed: usize| {
         let (body, at) = (speed / EACH[1], speed % EACH[1]);
-        if at < 3 { Leaf::Coordinate(DECLARED + (EACH[0] * body + at) as u32) } else { Leaf::Turn((3 * body + at - 3) as u32) }
+        if at < 3 { Leaf::Coordinate(DECLARED + (EACH[0] * body + at) as u32) } else { Leaf::turns_of(body)[at - 3] }
     };
     let seed = Seed::constant_speeds(declared_rates(EACH[0] * bodies)).numbered_from(DECLARED);
     let mut derivatives = Differentiation::new((0..EACH[1] * bodies).map(by), seed, DECLARED);

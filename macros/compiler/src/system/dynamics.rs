@@ -49,7 +49,7 @@ fn add_slopes(model: &Model, arena: &mut Arena, energy: Expr, (spins, work): (&[
         let by = match model.ambient {
             Ambient::Plane => Leaf::Coordinate(number(model, body, offset)),
             Ambient::Space if offset < 3 => Leaf::Coordinate(DECLARED + (Role::SPACE.len() * body + offset) as u32),
-            Ambient::Space => Leaf::Turn((3 * body + offset - 3) as u32),
+            Ambient::Space => Leaf::turns_of(body)[offset - 3],
         };
         let slope = derivative(arena, energy, by);
         *sum = arena.add(*sum, slope);

@@ -39,7 +39,7 @@ pub(super) fn unbalanced(model: &Model, arena: &mut Arena, body: usize, first: u
 /// ∂V/∂φ of an energy, where φ is a turn about an axis of the body.
 pub(super) fn slope(arena: &mut Arena, energy: Expr, body: usize, axis: usize) -> Expr {
     let about = axes(arena, body)[axis];
-    let slopes = [0, 1, 2].map(|k| derivative(arena, energy, Leaf::Turn((3 * body + k) as u32)));
+    let slopes = Leaf::turns_of(body).map(|turn| derivative(arena, energy, turn));
     dot(arena, about, slopes)
 }
 

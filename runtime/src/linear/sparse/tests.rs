@@ -34,10 +34,10 @@ const fn full() -> [(usize, usize); 16] {
 }
 
 /// Numbers between −1 and 1 (Knuth's linear congruences).
-struct Numbers(u64);
+pub(in crate::linear) struct Numbers(pub(in crate::linear) u64);
 
 impl Numbers {
-    fn next(&mut self) -> f64 {
+    pub(in crate::linear) fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }

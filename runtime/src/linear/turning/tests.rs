@@ -1,6 +1,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::{AtIterate, Turning};
+use crate::linear::sparse::tests::Numbers;
 use crate::linear::{Elimination, Entries, Factors, Linear, Order, Sparse};
 
 /// Two lengths and a quaternion, of which the norm is the last row.
@@ -35,16 +36,6 @@ const fn in_order() -> [(usize, usize); 26] {
 }
 
 type ByTurns = Turning<f64, Sparse<f64, Body, 6, 26, 26>, Body, 6, 26, 26>;
-
-/// Numbers between −1 and 1 (Knuth's linear congruences).
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-}
 
 #[test]
 fn solutions_by_turns_are_those_of_the_matrix_by_components() {

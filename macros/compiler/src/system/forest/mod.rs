@@ -36,9 +36,9 @@ pub(super) struct Forest<'a> {
     coordinates: Vec<Coordinate>,
     /// The relation's joint by which each body was reached, and the body that it was reached from.
     reached: Vec<Option<(usize, Option<usize>)>>,
-    /// Axes at the start of hinged bodies whose orientation is not declared.
+    /// Axes at the start of bodies whose orientation is not declared, as their joints turn them.
     started: BTreeMap<usize, [Triple; 3]>,
-    /// Hinged bodies that turn to their declared place at the start.
+    /// Bodies that turn to their declared place at the start, and those that keep the orientation of such a body.
     placed: BTreeSet<usize>,
     /// Angles between triads.
     angles: Vec<(Triad, Triad, Expr)>,
@@ -185,6 +185,7 @@ impl Forest<'_> {
             Relationship::SameOrientation(one, two) => {
                 let (inner, outer) = self.inward(one, two);
                 let axes = self.in_ground(inner);
+                self.note_start(inner, outer, None);
                 self.attach(joint, inner.body, outer, axes, &[]);
             }
             Relationship::SameDirection(one, two) => self.reach_by_angle(joint, one, two),

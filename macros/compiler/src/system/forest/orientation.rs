@@ -14,6 +14,7 @@ impl Forest<'_> {
         let [x, y, z] = self.in_ground(inner);
         if let Some(row) = self.twist(one, two) {
             self.holding.insert(row);
+            self.note_start(inner, outer, None);
             self.attach(joint, inner.body, outer, [x, y, z], &[]);
             return;
         }
@@ -29,7 +30,7 @@ impl Forest<'_> {
         };
         let angle = start.unwrap_or_else(|| self.arena.integer(0));
         let angle = against(self, angle);
-        self.note_start(inner, outer, angle);
+        self.note_start(inner, outer, Some(angle));
         let (number, unknown) = self.unknown(body, Role::Angle, start, Some((joint, "angle")));
         let (angle, turn) = if is_forward { (unknown, z) } else { (self.arena.neg(unknown), z.map(|part| self.arena.neg(part))) };
         let axes = self.about(angle, [x, y, z]);

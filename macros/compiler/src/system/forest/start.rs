@@ -25,7 +25,7 @@ impl Forest<'_> {
         combination(self.arena, place.local, columns)
     }
 
-    /// The same, turned about its hinge, if the orientation of the body is not declared.
+    /// The same, as joints turn the body between ground and there, if its orientation is not declared.
     fn hinged_at_start(&mut self, place: Place) -> Triple {
         match place.body.and_then(|body| self.started.get(&body)) {
             Some(columns) => combination(self.arena, place.local, *columns),
@@ -33,7 +33,8 @@ impl Forest<'_> {
         }
     }
 
-    /// The same, turned about its hinge, if the body turns to its declared place.
+    /// The same, but by its joints only if the body turns to its declared place: without places, angles at the start are those between
+    /// declared orientations.
     fn placed_at_start(&mut self, place: Place) -> Triple {
         let is_placed = place.body.is_some_and(|body| self.placed.contains(&body));
         if is_placed { self.hinged_at_start(place) } else { self.at_start(place) }
@@ -95,12 +96,19 @@ impl Forest<'_> {
         Some(self.arena.binary(Binary::Atan2, s, c))
     }
 
-    /// Notes how a body is turned at the start that is reached with this angle.
-    pub(super) fn note_start(&mut self, inner: Triad, outer: Triad, angle: Expr) {
+    /// Notes how a new body is turned at the start, if its orientation is not declared: by this angle against the triad that it is reached
+    /// from, or not at all.
+    pub(super) fn note_start(&mut self, inner: Triad, outer: Triad, angle: Option<Expr>) {
         let Some(body) = outer.body.filter(|body| !self.has_orientation(*body)) else { return };
-        let axes = inner.axes.map(|axis| self.hinged_at_start(Place { body: inner.body, local: axis }));
-        let turned = self.about(angle, axes);
-        let columns = self.columns(outer, turned);
+        let mut axes = inner.axes.map(|axis| self.hinged_at_start(Place { body: inner.body, local: axis }));
+        match angle {
+            Some(angle) => axes = self.about(angle, axes),
+            None if inner.body.is_some_and(|from| self.placed.contains(&from)) => {
+                self.placed.insert(body);
+            }
+            None => {}
+        }
+        let columns = self.columns(outer, axes);
         self.started.insert(body, columns);
     }
 
