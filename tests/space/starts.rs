@@ -45,15 +45,17 @@ mechanism! {
 
 mechanism! {
     #[allow(far_start)]
-    /// The hand on a slide that keeps the orientation of the arm.
+    /// The hand on a bracket welded to a slide, which keep the orientation of the arm.
     mechanism Sliding in space {
         ground { axis z = (0, 0, 1);  point C = (1m, 0m, 0m);  point D = (2m, 0m, 0m); }
         body arm { axis x = (1, 0, 0);  axis z = (0, 0, 1);  point O = (-0.5m, 0m, 0m);  point A = (0.5m, 0m, 0m);  start position = (0.3m, -0.4m, 0m); }
         body slide { axis x = (1, 0, 0);  axis z = (0, 0, 1); }
+        body bracket { axis z = (0, 0, 1); }
         body hand { axis z = (0, 0, 1);  point A = (-0.5m, 0m, 0m);  point B = (0.5m, 0m, 0m);  start orientation = turn((0, 0, 1), 60deg); }
         joint shoulder = revolute(ground.position, ground.z, arm.O, arm.z);
         joint guide = translational(arm.A, arm.x, slide.position, slide.x);
-        joint elbow = revolute(slide.position, slide.z, hand.A, hand.z);
+        joint bolts = weld(slide.position, slide.z, bracket.position, bracket.z);
+        joint elbow = revolute(bracket.position, bracket.z, hand.A, hand.z);
         drive cylinder = drive_distance(ground.C, arm.A, 1.0m);
         drive sliding = drive_translation(guide, 0m);
         drive other = drive_distance(ground.D, hand.B, 0.8m);
@@ -86,8 +88,8 @@ fn a_declared_orientation_is_that_against_ground_on_a_placed_body_as_well() {
     // The hand lies to one side or the other of the line from A to D, which is √3 m long and rises by 30°.
     let side = ((1.0 + 3.0 - 0.64) / (2.0 * 3_f64.sqrt())).acos();
     let hinged = Turned::default().solve(0.0).unwrap().hand().orientation();
-    let on_slide = Sliding::default().solve(0.0).unwrap().hand().orientation();
-    for orientation in [hinged, on_slide] {
+    let on_bracket = Sliding::default().solve(0.0).unwrap().hand().orientation();
+    for orientation in [hinged, on_bracket] {
         let along = orientation * reuleaux::nalgebra::Vector3::x();
         let angle = along[1].atan2(along[0]);
         assert!((angle - (30_f64.to_radians() + side)).abs() < 1e-14, "{angle}");
