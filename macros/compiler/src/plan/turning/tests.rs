@@ -15,7 +15,7 @@ const STEWART: &str = "mechanism Stewart in space {
     for k in 0..6 { drive leg[k] = drive_distance(ground.B[k], platform.P[k], 1.2m + 0.01m * k); }
 }";
 
-/// A free body with a flap, and with a link whose cross it carries; ends of both are held at distances.
+/// A free body with a flap, and with a link whose cross it carries; points of all are held at distances.
 const FLAP: &str = "mechanism Flap in space {
     ground { point A = (1m, 0m, 0m);  point B = (0m, 1m, 0m);  point C = (-1m, -0.2m, 0m);  point D = (0.3m, -1m, 0m);  point E = (0m, 0m, 2m); }
     body plate {
@@ -33,7 +33,8 @@ const FLAP: &str = "mechanism Flap in space {
     drive c = drive_distance(ground.C, plate.C, 1.1m);
     drive d = drive_distance(ground.D, plate.D, 1.2m);
     drive e = drive_distance(ground.A, flap.T, 1.4m);
-    drive f = drive_distance(ground.B, link.F, 1.7m);
+    drive f = LAST;
+    output tip = link.F;
 }";
 
 /// 2 e and 2 vec(δe ē) by the components of δe.
@@ -65,10 +66,15 @@ fn agrees(arena: &mut Arena, system: &Iteration, values: &Values) {
     }
 }
 
+/// The last distance is from the link, or from the body: then the link is held by its two joints alone.
+const LAST: [&str; 2] = ["drive_distance(ground.B, link.F, 1.7m)", "drive_distance(ground.C, plate.D, 1.42m)"];
+
 #[test]
 fn columns_by_turns_are_those_by_components_of_quaternions() {
-    for declaration in [STEWART, FLAP] {
+    let flaps = LAST.map(|last| FLAP.replace("LAST", last));
+    for (declaration, links) in [(STEWART, 0), (&flaps[0], 0), (&flaps[1], 1)] {
         let compiled = compile(declaration.parse().expect("tokens")).expect("a valid mechanism");
+        assert_eq!(compiled.system.links.len(), links, "{declaration}");
         let mut arena = compiled.system.arena.clone();
         let blocks = stages(&mut arena, &compiled.system, &compiled.structure, &[]).0;
         let is_turning =
