@@ -4,6 +4,9 @@ use std::f64::consts::{PI, TAU};
 
 use super::{Place, place, polar};
 
+/// Corners of a circle.
+const CIRCLE: u32 = 24;
+
 /// Corners of a rectangle about `centre` (m), rotated by `angle` (rad), with these sides (m).
 #[must_use]
 pub fn rectangle(centre: Place, angle: f64, width: f64, height: f64) -> [Place; 4] {
@@ -14,6 +17,10 @@ pub fn rectangle(centre: Place, angle: f64, width: f64, height: f64) -> [Place; 
 /// Outline of the convex hull of the points, widened by a disc of this radius: a link with round ends.
 pub(super) fn rounded_hull(points: &[Place], radius: f64) -> Vec<Place> {
     let hull = hull(points);
+    // A link seen from its end has no edge with a direction.
+    if hull.iter().all(|corner| *corner == hull[0]) {
+        return (0..CIRCLE).map(|k| hull[0] + polar(radius, TAU * f64::from(k) / f64::from(CIRCLE))).collect();
+    }
     let direction = |i: usize| {
         let edge = hull[(i + 1) % hull.len()] - hull[i % hull.len()];
         edge.y.atan2(edge.x) - PI / 2.0
