@@ -54,8 +54,11 @@ fn twice(arena: &mut Arena, number: usize) -> Expr {
 ///
 /// * `found`: given, coordinates of earlier stages.
 pub(super) fn put_columns(arena: &mut Arena, bodies: &[TurningBody], system: &mut Iteration, found: &BTreeSet<u32>) -> Option<()> {
-    let known: BTreeSet<u32> = system.unknowns.iter().map(|unknown| *unknown as u32).chain(found.iter().copied()).collect();
+    if bodies.is_empty() {
+        return Some(());
+    }
     let mut rows = system.jacobian.clone();
+    let is_known = |number: &u32| found.contains(number) || system.unknowns.contains(&(*number as usize));
     for TurningBody { body, columns, norm } in bodies {
         let quaternion = columns.map(|column| Leaf::Coordinate(system.unknowns[column] as u32));
         let turns = Leaf::turns_of(*body);
@@ -69,7 +72,7 @@ pub(super) fn put_columns(arena: &mut Arena, bodies: &[TurningBody], system: &mu
             }
             for (column, turn) in columns[1..].iter().zip(turns) {
                 let slope = derivative(arena, *residual, turn);
-                row[*column] = coordinates_of(arena, slope).is_subset(&known).then_some(slope)?;
+                row[*column] = coordinates_of(arena, slope).all(|number| is_known(&number)).then_some(slope)?;
             }
         }
     }
@@ -86,7 +89,7 @@ fn occurs_in_vectors_only(arena: &Arena, residual: Expr, quaternion: &[Leaf; 4],
     !arena.reachable_down_to(&[residual], |_| false, is_vector).iter().any(is_one)
 }
 
-fn coordinates_of(arena: &Arena, expr: Expr) -> BTreeSet<u32> {
+fn coordinates_of(arena: &Arena, expr: Expr) -> impl Iterator<Item = u32> + use<> {
     let number = |leaf: Leaf| if let Leaf::Coordinate(number) = leaf { Some(number) } else { None };
-    arena.leaves(expr).into_iter().filter_map(number).collect()
+    arena.leaves(expr).into_iter().filter_map(number)
 }
