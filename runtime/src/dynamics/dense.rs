@@ -9,6 +9,7 @@
 
 use super::accelerate::{accelerations, singular};
 use super::equations::Dynamics;
+use super::partition::Pivots;
 use super::places::{picked, put};
 use super::project::{levels, project, refresh};
 use super::stopped::Stopped;
@@ -85,9 +86,16 @@ impl<T: Float, const N: usize, const I: usize> Dense<T, N, I> {
 
     /// The state at a time.
     ///
+    /// * `known`: given, pivots at the end of the step.
+    ///
     /// # Errors
     /// Why there is none.
-    pub(super) fn at<S, const M: usize, const R: usize>(&self, mechanism: &S, t: T) -> Result<State<T, N>, Stopped<T>>
+    pub(super) fn at<S, const M: usize, const R: usize>(
+        &self,
+        mechanism: &S,
+        known: Option<&Pivots<T, M, I>>,
+        t: T,
+    ) -> Result<State<T, N>, Stopped<T>>
     where
         S: Dynamics<T, N, I, M, R>,
     {
@@ -101,7 +109,7 @@ impl<T: Float, const N: usize, const I: usize> Dense<T, N, I> {
         for (vector, coefficients) in [&mut q, &mut qd].into_iter().zip(&self.coefficients) {
             put(vector, &S::INTEGRATED, &core::array::from_fn(|k| value(&coefficients[k])));
         }
-        project(mechanism, (&mut q, &mut qd), |q| mechanism.constraints(q, t), levels::<T, S, N, I, M, R>)
+        project(mechanism, known, (&mut q, &mut qd), |q| mechanism.constraints(q, t), levels::<T, S, N, I, M, R>)
             .map_err(|open| singular::<T, S, N, I, M, R>(t, open.row()))?;
         let mut state = State::new(t, q, qd, self.from.qdd);
         refresh(mechanism, &mut state)?;

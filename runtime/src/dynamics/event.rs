@@ -98,7 +98,7 @@ where
 {
     let at = |h: T| {
         let trial = K::trial(mechanism, from, h)?;
-        land(mechanism, from, &trial, h).map(|(state, _)| (h, event(&state), state))
+        land(mechanism, from, &trial, h, None).map(|(state, _)| (h, event(&state), state))
     };
     let mut found = at(high.0)?;
     let mut high = (high.0, found.1);

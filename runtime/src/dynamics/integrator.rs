@@ -10,7 +10,7 @@ use super::method::Method;
 use super::places::{largest, picked};
 use super::project::refresh;
 use super::rank::keeps_rank;
-use super::step::{error, land};
+use super::step::{Reached, error, land};
 use super::stiff::Stiff;
 use super::stopped::Stopped;
 use super::tableau::Rates;
@@ -79,11 +79,12 @@ impl<T: Float, K: Method> Integrator<T, K> {
         S: Dynamics<T, N, I, M, R>,
     {
         self.begin(mechanism, state, t)?;
+        let mut reached = None;
         for _ in 0..self.most {
             if state.t == t {
                 return Ok(true);
             }
-            *state = self.next(mechanism, state, t)?.0;
+            *state = self.next(mechanism, state, &mut reached, t)?.0;
             if !goes_on(state) {
                 return Ok(state.t == t);
             }
@@ -140,11 +141,12 @@ impl<T: Float, K: Method> Integrator<T, K> {
         S: Dynamics<T, N, I, M, R>,
     {
         self.begin(mechanism, state, t)?;
+        let mut reached = None;
         for _ in 0..self.most {
             if state.t == t {
                 return Ok(false);
             }
-            let (next, _) = self.next(mechanism, state, t)?;
+            let (next, _) = self.next(mechanism, state, &mut reached, t)?;
             if let Some(found) = first_event::<K, T, S, N, I, M, R>(mechanism, state, &next, &event)? {
                 *state = found;
                 return Ok(true);
@@ -155,11 +157,15 @@ impl<T: Float, K: Method> Integrator<T, K> {
     }
 
     /// The state after the next accepted step, at `t` at the latest, and the rates in the stages of an explicit step.
+    ///
+    /// * `reached`: given, J at the end of the step before, if there is one; J at the end of this step afterwards.
+    ///
     #[allow(clippy::type_complexity)] // A state and rates.
     pub(super) fn next<S, const N: usize, const I: usize, const M: usize, const R: usize>(
         &mut self,
         mechanism: &S,
         state: &State<T, N>,
+        reached: &mut Option<Reached<T, M, I>>,
         t: T,
     ) -> Result<(State<T, N>, Option<Rates<T, I>>), Stopped<T>>
     where
@@ -180,11 +186,16 @@ impl<T: Float, K: Method> Integrator<T, K> {
             let tried = K::trial(mechanism, state, h).and_then(|trial| {
                 error_and_speed = error(mechanism, state, &trial, h, (self.tolerance, self.fastest));
                 let is_accepted = error_and_speed.0 <= T::of(1.0);
-                if is_accepted { land(mechanism, state, &trial, h).map(|reached| Some((reached, trial.rates))) } else { Ok(None) }
+                if is_accepted {
+                    land(mechanism, state, &trial, h, reached.as_ref()).map(|landed| Some((landed, trial.rates)))
+                } else {
+                    Ok(None)
+                }
             });
             let (error, fastest) = error_and_speed;
-            if let Ok(Some(((mut next, reached), rates))) = tried {
-                keeps_rank::<K, T, S, N, I, M, R>(mechanism, state, &next, &reached)?;
+            if let Ok(Some(((mut next, there), rates))) = tried {
+                keeps_rank::<K, T, S, N, I, M, R>(mechanism, (state, reached.as_ref()), (&next, &there))?;
+                *reached = Some(there);
                 (self.accepted, self.fastest) = (self.accepted + 1, fastest);
                 let grown = wanted * factor::<T, K>(error, 6.0);
                 // A last step that was cut says nothing of the next one, unless it allows more.

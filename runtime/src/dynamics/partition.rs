@@ -8,7 +8,13 @@ use crate::number::Float;
 const DEPENDENT: f64 = 0.01;
 
 /// Known pivots are taken again as long as none falls below this fraction of its size when they were chosen.
-const WORSE: f64 = 0.1;
+pub(super) const WORSE: f64 = 0.1;
+
+/// The same from step to step: what is corrected there stays, so that pivots have to be about as good as those chosen anew.
+pub(super) const ABOUT_AS_GOOD: f64 = 0.5;
+
+/// Entries of a row that are so few that it costs less to subtract all than those that count.
+const SHORT: usize = 12;
 
 /// Rows J x = b solved for dependent unknowns, by Gauss-Jordan elimination.
 ///
@@ -43,6 +49,8 @@ pub(super) struct Pivots<T, const M: usize, const I: usize> {
     unknowns: [usize; I],
     /// Size of each pivot when it was chosen.
     sizes: [T; M],
+    /// For each pivot of the last elimination, whether it is above zero.
+    signs: [bool; M],
     /// Number of pivots.
     count: usize,
 }
@@ -51,6 +59,11 @@ impl<T, const M: usize, const I: usize> Pivots<T, M, I> {
     /// True if a row has a pivot.
     pub(super) fn have(&self, row: usize) -> bool {
         self.rows.iter().take(self.count).any(|own| *own == row)
+    }
+
+    /// Whether both have the same order, and pivots of the same signs.
+    pub(super) fn agree_with(&self, other: &Self) -> bool {
+        self.count == other.count && self.rows == other.rows && self.unknowns == other.unknowns && self.signs == other.signs
     }
 }
 
@@ -96,7 +109,7 @@ impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
         takes_part: impl Fn(usize) -> bool,
         redundant: &Redundant<T, M>,
     ) -> Result<Self, usize> {
-        let pivots = Pivots { rows: [0; M], unknowns: core::array::from_fn(|k| k), sizes: [T::ZERO; M], count: 0 };
+        let pivots = Pivots { rows: [0; M], unknowns: core::array::from_fn(|k| k), sizes: [T::ZERO; M], signs: [true; M], count: 0 };
         let mut this = Self { rank: 0, pivots, rows: [[T::ZERO; I]; M], side: [T::ZERO; M] };
         let (mut sizes, mut lengths) = ([T::ZERO; M], *lengths);
         let mut count = 0_usize;
@@ -130,14 +143,14 @@ impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
         Ok(this)
     }
 
-    /// Eliminates all rows in a known order; `None` if a pivot is much smaller than when it was chosen.
-    pub(super) fn along(matrix: &SMatrix<T, M, I>, side: &SVector<T, M>, pivots: &Pivots<T, M, I>) -> Option<Self> {
+    /// Eliminates all rows in a known order; `None` if a pivot is below a `fraction` of its size when it was chosen.
+    pub(super) fn along(matrix: &SMatrix<T, M, I>, side: &SVector<T, M>, pivots: &Pivots<T, M, I>, fraction: f64) -> Option<Self> {
         let rows = ordered(&by_rows(matrix), &pivots.rows, [T::ZERO; I]).map(|row| ordered(&row, &pivots.unknowns, T::ZERO));
         let side = pivots.rows.map(|row| side.get(row).copied().unwrap_or(T::ZERO));
         let mut this = Self { rank: 0, pivots: *pivots, rows, side };
         for (k, before) in pivots.sizes.iter().enumerate().take(pivots.count) {
             let own = this.rows.get(k)?.get(k)?.abs();
-            let is_as_good = own >= T::of(WORSE) * *before;
+            let is_as_good = own >= T::of(fraction) * *before;
             if !is_as_good {
                 return None;
             }
@@ -171,19 +184,21 @@ impl<T: Float, const M: usize, const I: usize> Partition<T, M, I> {
         let pivot = own.get(k).copied().unwrap_or(T::ZERO);
         let inverse = T::of(1.0) / pivot;
         let (own, side) = (own.map(|entry| entry * inverse), side * inverse);
+        // Entries before the pivot are not read again; short rows are subtracted as a whole, several entries at a time.
+        let first = if I <= SHORT { 0 } else { k + 1 };
         for (row, (entries, value)) in self.rows.iter_mut().zip(&mut self.side).enumerate().take(count) {
             if row == k {
                 (*entries, *value) = (own, side);
                 continue;
             }
             let factor = entries.get(k).copied().unwrap_or(T::ZERO);
-            for (entry, own) in entries.iter_mut().zip(&own).skip(k + 1) {
+            for (entry, own) in entries.iter_mut().zip(&own).skip(first) {
                 *entry = *entry - factor * *own;
             }
             *value = *value - factor * side;
         }
-        if let Some(size) = self.pivots.sizes.get_mut(k) {
-            *size = pivot.abs();
+        if let (Some(size), Some(sign)) = (self.pivots.sizes.get_mut(k), self.pivots.signs.get_mut(k)) {
+            (*size, *sign) = (pivot.abs(), pivot > T::ZERO);
         }
     }
 
@@ -273,7 +288,7 @@ pub(super) fn weakest<T: Float, const M: usize, const I: usize>(
         Ok(parts) => parts,
         Err(row) => return (row, T::ZERO),
     };
-    let Pivots { rows, unknowns, sizes, count } = parts.pivots;
+    let Pivots { rows, unknowns, sizes, count, .. } = parts.pivots;
     let before = ordered(&by_rows(elsewhere), &rows, [T::ZERO; I]);
     let own = ordered(lengths, &unknowns, T::of(1.0));
     let mut found = (0, T::of(1.0));

@@ -6,7 +6,7 @@ use super::accelerate::{eliminated, lengths, redundant, singular};
 use super::checks::{holds, unit_of};
 use super::equations::{Constraints, Dynamics};
 use super::integrator::least;
-use super::partition::{Partition, Pivots};
+use super::partition::{ABOUT_AS_GOOD, Partition, Pivots, WORSE};
 use super::places::{is_finite, largest, picked, put};
 use super::stopped::Stopped;
 use crate::number::Float;
@@ -21,12 +21,14 @@ const HALVINGS: usize = 12;
 /// Moves dependent coordinates of a state until `equations` hold, and sets their speeds; independent ones keep their values. Returns J
 /// there, with an order of its elimination.
 ///
+/// * `known`: given, pivots at a state close by.
 /// * `levels`: given, for each row whether it counts between positions, and whether between speeds.
 ///
 /// # Errors
 /// The number of the row at fault, and its residual.
 pub(super) fn project<T, S, const N: usize, const I: usize, const M: usize, const R: usize, const K: usize>(
     mechanism: &S,
+    known: Option<&Pivots<T, K, I>>,
     state: (&mut SVector<T, N>, &mut SVector<T, N>),
     equations: impl Fn(&SVector<T, N>) -> Constraints<T, K, I>,
     levels: impl Fn(usize) -> [bool; 2],
@@ -38,19 +40,22 @@ where
     let (q, qd) = state;
     let (lengths, redundant) = (lengths(mechanism), redundant(mechanism));
     let is_of_positions = |row: usize| levels(row)[0];
-    // Redundant rows that do not fit would not settle if others were chosen at each correction.
-    let mut kept: Option<Pivots<T, K, I>> = None;
+    // Where the same rows count between positions and between speeds, the same pivots are good.
+    let are_same = (0..K).all(|row| levels(row) == [true, true]);
+    let mut kept = known.filter(|_| are_same && S::REDUNDANT == 0).copied();
+    let fraction = if S::REDUNDANT == 0 { ABOUT_AS_GOOD } else { WORSE };
     let mut here = equations(q);
     let mut open = gap(&here, is_of_positions);
     for _ in 0..CORRECTIONS {
         let side = here.phi.map(|phi| -phi);
-        let again = kept.as_ref().and_then(|pivots| Partition::along(&here.jacobian, &side, pivots));
+        let again = kept.as_ref().and_then(|pivots| Partition::along(&here.jacobian, &side, pivots, fraction));
         let parts = match again {
             Some(parts) => parts,
             None => Partition::new(&here.jacobian, &side, &lengths, is_of_positions, &redundant).map_err(Open::Dependent)?,
         };
         let counts = |row: usize| is_of_positions(row) && (S::REDUNDANT == 0 || parts.pivots.have(row));
         if S::REDUNDANT > 0 {
+            // Those that do not fit would not settle if others were chosen at each correction.
             (kept, open) = (Some(parts.pivots), gap(&here, counts));
         }
         let correction = parts.unknowns(|_| T::ZERO);
@@ -73,10 +78,8 @@ where
             factor = factor * T::of(0.5);
         }
         if is_last {
-            // Where the same rows count, the same pivots are good.
-            let are_same = (0..K).all(|row| levels(row) == [true, true]);
-            let known = if are_same { Partition::along(&here.jacobian, &here.nu, &parts.pivots) } else { None };
-            let speeds = match known {
+            let along = if are_same { Partition::along(&here.jacobian, &here.nu, &parts.pivots, WORSE) } else { None };
+            let speeds = match along {
                 Some(speeds) => speeds,
                 None => Partition::new(&here.jacobian, &here.nu, &lengths, |row| levels(row)[1], &redundant).map_err(Open::Dependent)?,
             };
@@ -154,7 +157,7 @@ where
             Constraints { phi: SVector::from_fn(|row, _| here.phi[row] - (T::of(1.0) - next) * open[row]), ..here }
         };
         let (mut place, mut speeds) = (*q, *qd);
-        let found = project(mechanism, (&mut place, &mut speeds), left, levels::<T, S, N, I, M, R>);
+        let found = project(mechanism, None, (&mut place, &mut speeds), left, levels::<T, S, N, I, M, R>);
         let [before, after] = [&*q, &place].map(|place| picked(place, &S::INTEGRATED));
         let moved: [T; I] = core::array::from_fn(|k| after[k] - before[k]);
         if found.is_ok() && largest(&moved, &lengths) <= T::of(FAR) {
@@ -167,7 +170,7 @@ where
         return Ok(());
     }
     *q = declared;
-    project(mechanism, (q, qd), |q| mechanism.initial(q, T::ZERO), levels::<T, S, N, I, M, R>).map(|_| ())
+    project(mechanism, None, (q, qd), |q| mechanism.initial(q, T::ZERO), levels::<T, S, N, I, M, R>).map(|_| ())
 }
 
 /// The state at t = 0, at the initial values of the freedoms.

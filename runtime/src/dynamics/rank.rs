@@ -20,20 +20,25 @@ const LOST: f64 = 1e-4;
 
 /// Checks that the equations stay independent over a step.
 ///
+/// * `from`: given, the state before the step, and J there if it is known.
+/// * `to`: given, the state after the step, and J there.
+///
 /// # Errors
 /// When they do not, and a joint whose equations depend on the others there.
 pub(super) fn keeps_rank<K: Method, T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
-    from: &State<T, N>,
-    to: &State<T, N>,
-    (jacobian, pivots): &Reached<T, M, I>,
+    (from, before): (&State<T, N>, Option<&Reached<T, M, I>>),
+    (to, (jacobian, pivots)): (&State<T, N>, &Reached<T, M, I>),
 ) -> Result<(), Stopped<T>>
 where
     T: Float,
     S: Dynamics<T, N, I, M, R>,
 {
+    if before.is_some_and(|(_, earlier)| earlier.agree_with(pivots)) {
+        return Ok(());
+    }
     let lengths = lengths(mechanism);
-    let start = mechanism.constraints(&from.q, from.t).jacobian;
+    let start = before.map_or_else(|| mechanism.constraints(&from.q, from.t).jacobian, |(start, _)| *start);
     if !has_other_signs(&start, jacobian, pivots) {
         return Ok(());
     }

@@ -29,18 +29,21 @@ where
     let mut start = state.clone();
     refresh(mechanism, &mut start)?;
     let trial = Explicit::trial(mechanism, &start, h)?;
-    let (next, reached) = land(mechanism, &start, &trial, h)?;
-    keeps_rank::<Explicit, T, S, N, I, M, R>(mechanism, &start, &next, &reached)?;
+    let (next, reached) = land(mechanism, &start, &trial, h, None)?;
+    keeps_rank::<Explicit, T, S, N, I, M, R>(mechanism, (&start, None), (&next, &reached))?;
     *state = next;
     Ok(())
 }
 
 /// The state after a step, brought back to where the equations hold.
+///
+/// * `before`: given, J before the step.
 pub(super) fn land<T, S, const N: usize, const I: usize, const M: usize, const R: usize>(
     mechanism: &S,
     state: &State<T, N>,
     trial: &Trial<T, N, I>,
     h: T,
+    before: Option<&Reached<T, M, I>>,
 ) -> Result<(State<T, N>, Reached<T, M, I>), Stopped<T>>
 where
     T: Float,
@@ -50,7 +53,8 @@ where
     if !(is_finite(&q) && is_finite(&qd)) {
         return Err(Stopped::NotFinite { time: t });
     }
-    let reached = project(mechanism, (&mut q, &mut qd), |q| mechanism.constraints(q, t), levels::<T, S, N, I, M, R>)
+    let known = before.map(|(_, pivots)| pivots);
+    let reached = project(mechanism, known, (&mut q, &mut qd), |q| mechanism.constraints(q, t), levels::<T, S, N, I, M, R>)
         .map_err(|open| singular::<T, S, N, I, M, R>(t, open.row()))?;
     holds::<T, S, N, I, M, R>(mechanism, &q, t)?;
     let mut next = State::new(t, q, qd, state.qdd);

@@ -5,6 +5,7 @@ use super::equations::Dynamics;
 use super::explicit::Explicit;
 use super::integrator::Integrator;
 use super::method::Method;
+use super::step::Reached;
 use super::stopped::Stopped;
 use crate::number::{Float, Time};
 use crate::state::State;
@@ -22,6 +23,8 @@ pub struct MotionSweep<'a, S, T, X, const N: usize, const I: usize, const M: usi
     stopped: Option<Stopped<T>>,
     /// The last step.
     step: Option<Dense<T, N, I>>,
+    /// J at its end.
+    reached: Option<Reached<T, M, I>>,
     integrator: Integrator<T, K>,
 }
 
@@ -37,7 +40,7 @@ where
             Ok(state) => (Some(state), None),
             Err(stopped) => (None, Some(stopped)),
         };
-        Self { mechanism, times, state, stopped, step: None, integrator }
+        Self { mechanism, times, state, stopped, step: None, reached: None, integrator }
     }
 
     /// The state at a time; afterwards `state` is the end of the step that holds it.
@@ -53,18 +56,18 @@ where
                 return Ok(state.clone());
             }
             if let Some(step) = self.step.as_ref().filter(|step| step.contains(t)) {
-                return step.at(self.mechanism, t);
+                return step.at(self.mechanism, self.reached.as_ref().map(|(_, pivots)| pivots), t);
             }
             let whole = if t < state.t { T::of(f64::NEG_INFINITY) } else { T::of(f64::INFINITY) };
             // Steps that do not know their stages end at the times.
             let beyond = if K::IS_DENSE { whole } else { t };
             let before = self.integrator;
-            let (next, rates) = match self.integrator.next(self.mechanism, state, beyond) {
+            let (next, rates) = match self.integrator.next(self.mechanism, state, &mut self.reached, beyond) {
                 Ok(found) => found,
                 // A stop of the motion after this time does not matter.
                 Err(_) => {
                     self.integrator = before;
-                    self.integrator.next(self.mechanism, state, t)?
+                    self.integrator.next(self.mechanism, state, &mut self.reached, t)?
                 }
             };
             self.step = match rates {
